@@ -1,0 +1,20 @@
+// Everything a program that simulates needs to include.
+#pragma once
+
+#include "constraints/contact.hpp"
+#include "constraints/distance_joint.hpp"
+#include "constraints/revolute_joint.hpp"
+#include "geometry/mass.hpp"
+#include "geometry/shape.hpp"
+#include "measure/csv.hpp"
+#include "measure/energy.hpp"
+#include "measure/recorder.hpp"
+#include "measure/violation.hpp"
+#include "solvers/projected_gauss_seidel.hpp"
+#include "solvers/residual.hpp"
+#include "solvers/sequential_impulse.hpp"
+#include "solvers/system_matrix.hpp"
+#include "world/plan.hpp"
+#include "world/scene.hpp"
+#include "world/snapshot.hpp"
+#include "world/world.hpp"

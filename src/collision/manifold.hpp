@@ -1,0 +1,31 @@
+// Floor 2. What the narrowphase finds out about two shapes that touch or nearly touch.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "dynamics/body.hpp"
+#include "math/math.hpp"
+
+namespace cairn {
+
+/// One point of contact.
+template <Scalar Real>
+struct ManifoldPoint {
+  Vec2<Real> position = Vec2<Real>::Zero();  // [m], world; midway between the two surfaces
+  Real separation = 0;                       // [m], along the normal; negative in overlap
+  std::uint32_t feature = 0;                 // which features touch: the same number in the next step
+};
+
+/// Up to two points that share a normal. All points of a manifold lie at one height along the normal (the
+/// mean of their mid-points), so that their tangent rows are exactly equal and never contradict each other.
+template <Scalar Real>
+struct Manifold {
+  int collider_a = 0;  // indices into the world's colliders, collider_a < collider_b
+  int collider_b = 0;
+  Vec2<Real> normal = Vec2<Real>::Zero();  // unit, from a to b
+  int count = 0;                           // 0: apart by more than the margin
+  std::array<ManifoldPoint<Real>, 2> points = {};
+};
+
+}  // namespace cairn

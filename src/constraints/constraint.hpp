@@ -1,0 +1,68 @@
+// Floor 3. What a constraint is: errors C, their Jacobians and their bounds. Nothing about dt or solvers.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "constraints/row.hpp"
+
+namespace cairn {
+
+/// One scalar condition as a constraint states it, before anybody decided how fast errors go.
+template <Scalar Real>
+struct RowSpec {
+  BodyId a = {};
+  BodyId b = {};
+  Real error = 0;                              // C (3) [m or rad]; for an inequality: the room left
+  Vec3<Real> jacobian_a = Vec3<Real>::Zero();  // dC/dt = j v (5)
+  Vec3<Real> jacobian_b = Vec3<Real>::Zero();
+  Bounds<Real> bounds = {};                    // a friction row names its normal row by place in this list
+  std::uint64_t part = 0;                      // names the row within its constraint, from step to step
+  Real rebound = 0;                            // [m/s] least separation speed, should the bodies meet in this step
+};
+
+template <Scalar Real>
+using RowSpecs = std::vector<RowSpec<Real>>;
+
+/// A joint: immutable, shared by all worlds of a scene. Derive from ConstraintOf<Derived>, not from this.
+class Constraint {
+ public:
+  virtual ~Constraint() = default;
+
+  /// What it is called: "distance", "revolute".
+  virtual std::string name() const = 0;
+
+  /// The two bodies it joins.
+  virtual std::pair<BodyId, BodyId> bodies() const = 0;
+
+  /// Where it is fastened, in the frames of the two bodies [m].
+  virtual std::pair<Vec2<double>, Vec2<double>> anchors() const = 0;
+
+  /// Appends the rows that hold at these poses. A degenerate one writes none.
+  virtual void append_rows(const std::vector<Pose<float>>& poses, RowSpecs<float>& rows) const = 0;
+  virtual void append_rows(const std::vector<Pose<double>>& poses, RowSpecs<double>& rows) const = 0;
+  virtual void append_rows(const std::vector<Pose<long double>>& poses, RowSpecs<long double>& rows) const = 0;
+};
+
+/// Turns one member template of Derived,
+///   template <Scalar Real> void rows(const std::vector<Pose<Real>>&, RowSpecs<Real>&) const;
+/// into the three virtual functions.
+template <typename Derived>
+class ConstraintOf : public Constraint {
+ public:
+  void append_rows(const std::vector<Pose<float>>& poses, RowSpecs<float>& rows) const override {
+    derived().rows(poses, rows);
+  }
+  void append_rows(const std::vector<Pose<double>>& poses, RowSpecs<double>& rows) const override {
+    derived().rows(poses, rows);
+  }
+  void append_rows(const std::vector<Pose<long double>>& poses, RowSpecs<long double>& rows) const override {
+    derived().rows(poses, rows);
+  }
+
+ private:
+  const Derived& derived() const { return static_cast<const Derived&>(*this); }
+};
+
+}  // namespace cairn

@@ -1,0 +1,61 @@
+// Floor 3. The rows of one manifold.
+#include "constraints/contact.hpp"
+
+namespace cairn {
+
+namespace {
+
+/// The Jacobian of the relative velocity of two material points along `direction`.
+template <Scalar Real>
+RowSpec<Real> relative_velocity_row(BodyId a, BodyId b, const Vec2<Real>& r_a, const Vec2<Real>& r_b,
+                                    const Vec2<Real>& direction) {
+  RowSpec<Real> row;
+  row.a = a;
+  row.b = b;
+  row.jacobian_a = {-direction.x(), -direction.y(), -cross(r_a, direction)};
+  row.jacobian_b = {direction.x(), direction.y(), cross(r_b, direction)};
+  return row;
+}
+
+}  // namespace
+
+template <Scalar Real>
+void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b, const ContactMaterial<Real>& material,
+                         const std::vector<Pose<Real>>& poses, const std::vector<Vec3<Real>>& velocity,
+                         RowSpecs<Real>& rows) {
+  const auto index_a = static_cast<std::size_t>(a.index);
+  const auto index_b = static_cast<std::size_t>(b.index);
+  const Vec2<Real> tangent = -perpendicular(manifold.normal);
+  for (int i = 0; i < manifold.count; ++i) {
+    const ManifoldPoint<Real>& point = manifold.points[static_cast<std::size_t>(i)];
+    const Vec2<Real> r_a = point.position - poses[index_a].position;
+    const Vec2<Real> r_b = point.position - poses[index_b].position;
+
+    RowSpec<Real> normal = relative_velocity_row(a, b, r_a, r_b, manifold.normal);
+    normal.error = point.separation;
+    normal.bounds = Bounds<Real>::unilateral();
+    normal.part = normal_part(point.feature);
+    const Real approach = -normal.jacobian_a.dot(velocity[index_a]) - normal.jacobian_b.dot(velocity[index_b]);
+    if (approach > material.restitution_threshold) normal.rebound = material.restitution * approach;
+    const int normal_row = static_cast<int>(rows.size());
+    rows.push_back(normal);
+
+    if (!(material.friction > 0)) continue;
+    RowSpec<Real> friction = relative_velocity_row(a, b, r_a, r_b, tangent);
+    friction.bounds = Bounds<Real>::coulomb(material.friction, normal_row);
+    friction.part = friction_part(point.feature);
+    rows.push_back(friction);
+  }
+}
+
+template void append_contact_rows(const Manifold<float>&, BodyId, BodyId, const ContactMaterial<float>&,
+                                  const std::vector<Pose<float>>&, const std::vector<Vec3<float>>&,
+                                  RowSpecs<float>&);
+template void append_contact_rows(const Manifold<double>&, BodyId, BodyId, const ContactMaterial<double>&,
+                                  const std::vector<Pose<double>>&, const std::vector<Vec3<double>>&,
+                                  RowSpecs<double>&);
+template void append_contact_rows(const Manifold<long double>&, BodyId, BodyId, const ContactMaterial<long double>&,
+                                  const std::vector<Pose<long double>>&, const std::vector<Vec3<long double>>&,
+                                  RowSpecs<long double>&);
+
+}  // namespace cairn

@@ -1,0 +1,30 @@
+// Floor 2. Bodies: who they are, and their state as the paper's v (1) and the diagonal of M^-1 (2).
+#pragma once
+
+#include <compare>
+#include <vector>
+
+#include "math/math.hpp"
+
+namespace cairn {
+
+/// A body's place in every array of bodies. Body 0 is the ground, which never moves.
+struct BodyId {
+  int index = 0;
+  auto operator<=>(const BodyId&) const = default;
+};
+
+inline constexpr BodyId ground = {0};
+
+/// static_body: never moves. kinematic: moves with a given velocity that nothing changes. dynamic: obeys forces.
+enum class BodyType { static_body, kinematic, dynamic };
+
+/// Parallel arrays over all bodies; planar, so three numbers a body where the paper has six.
+template <Scalar Real>
+struct BodyState {
+  std::vector<Pose<Real>> pose;
+  std::vector<Vec3<Real>> velocity;      // [m/s, m/s, rad/s]; eq. (1)
+  std::vector<Vec3<Real>> inverse_mass;  // [1/kg, 1/kg, 1/(kg m^2)]; the diagonal of eq. (2); 0: cannot be moved
+};
+
+}  // namespace cairn

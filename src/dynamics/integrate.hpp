@@ -1,0 +1,30 @@
+// Floor 2. Semi-implicit Euler: velocities first, then positions with the new velocities.
+#pragma once
+
+#include "dynamics/body.hpp"
+
+namespace cairn {
+
+/// What acts on one body besides constraints.
+template <Scalar Real>
+struct BodyForces {
+  Real gravity_scale = 1;
+  Real linear_damping = 0;   // [1/s]
+  Real angular_damping = 0;  // [1/s]
+};
+
+/// v += dt g for every body that forces can move (inverse mass > 0): the left half of (12). dt [s].
+template <Scalar Real>
+void apply_gravity(std::vector<Vec3<Real>>& velocity, const std::vector<Vec3<Real>>& inverse_mass,
+                   const std::vector<BodyForces<Real>>& forces, const Vec2<Real>& gravity, Real dt);
+
+/// v /= 1 + c dt: damping by implicit Euler, so that no step turns a velocity around.
+template <Scalar Real>
+void apply_damping(std::vector<Vec3<Real>>& velocity, const std::vector<Vec3<Real>>& inverse_mass,
+                   const std::vector<BodyForces<Real>>& forces, Real dt);
+
+/// x += dt v for every body, kinematic ones too.
+template <Scalar Real>
+void integrate_positions(BodyState<Real>& state, Real dt);
+
+}  // namespace cairn

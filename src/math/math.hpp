@@ -1,0 +1,72 @@
+// Floor 0. Scalars and small vectors: thin names over Eigen, and the planar cross products.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <concepts>
+#include <numbers>
+
+namespace cairn {
+
+/// The number types Cairn computes in: float, double and long double.
+template <typename T>
+concept Scalar = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, long double>;
+
+template <Scalar Real>
+using Vec2 = Eigen::Matrix<Real, 2, 1>;
+
+/// Three numbers of one body: x, y and rotation (a row of eq. (1), or of the diagonal of eq. (2)).
+template <Scalar Real>
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+
+inline constexpr double pi = std::numbers::pi;
+
+/// The z component of a x b.
+template <Scalar Real>
+Real cross(const Vec2<Real>& a, const Vec2<Real>& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Velocity of a point at arm r of a body that turns with angular velocity w [rad/s]: w x r.
+template <Scalar Real>
+Vec2<Real> cross(Real w, const Vec2<Real>& r) {
+  return {-w * r.y(), w * r.x()};
+}
+
+/// v turned by +90 degrees.
+template <Scalar Real>
+Vec2<Real> perpendicular(const Vec2<Real>& v) {
+  return {-v.y(), v.x()};
+}
+
+/// Cosine and sine of an angle, kept together so that they are computed once.
+template <Scalar Real>
+struct Rotation {
+  Real c = 1;
+  Real s = 0;
+
+  Rotation() = default;
+  explicit Rotation(Real angle) : c(std::cos(angle)), s(std::sin(angle)) {}
+
+  Vec2<Real> operator*(const Vec2<Real>& v) const { return {c * v.x() - s * v.y(), s * v.x() + c * v.y()}; }
+  /// The inverse rotation applied to v.
+  Vec2<Real> transposed_times(const Vec2<Real>& v) const {
+    return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()};
+  }
+};
+
+/// Where a body is: its centre of mass [m] and its angle [rad], which is continuous (never wrapped).
+template <Scalar Real>
+struct Pose {
+  Vec2<Real> position = Vec2<Real>::Zero();
+  Real angle = 0;
+
+  /// A point given in the body's frame, in the world.
+  Vec2<Real> world(const Vec2<Real>& local) const { return position + Rotation<Real>(angle) * local; }
+  /// A point given in the world, in the body's frame.
+  Vec2<Real> local(const Vec2<Real>& point) const {
+    return Rotation<Real>(angle).transposed_times(point - position);
+  }
+};
+
+}  // namespace cairn

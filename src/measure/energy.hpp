@@ -1,0 +1,20 @@
+// Floor 6. Energy and momentum of a snapshot.
+#pragma once
+
+#include "world/snapshot.hpp"
+
+namespace cairn {
+
+/// sum (m |v|^2 + I w^2) / 2 [J] over the dynamic bodies.
+double kinetic_energy(const Snapshot& snapshot);
+
+/// -sum m s g . x [J] with the gravity scale s of each body: 0 with all centres of mass at the origin.
+double potential_energy(const Snapshot& snapshot);
+
+/// Kinetic and potential [J].
+double total_energy(const Snapshot& snapshot);
+
+/// sum (m v) in x and y [N s], and the angular momentum about the world's origin, sum (I w + x x m v) [N m s].
+Vec3<double> momentum(const Snapshot& snapshot);
+
+}  // namespace cairn

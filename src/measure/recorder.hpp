@@ -1,0 +1,46 @@
+// Floor 6. Records a solver at work, row by row and sweep by sweep.
+#pragma once
+
+#include <vector>
+
+#include "solvers/residual.hpp"
+#include "solvers/solver.hpp"
+
+namespace cairn {
+
+/// The state after one sweep; sweep 0 is the warm start, before any row was visited.
+struct SweepRecord {
+  int sweep = 0;
+  double residual_energy = 0;            // R_E
+  double residual_velocity = 0;          // r_inf [m/s]
+  std::vector<double> impulse = {};      // [N s], for each row
+};
+
+struct RowRecord {
+  RowUpdate<double> update = {};
+  std::vector<Vec3<double>> velocity = {};  // of all bodies, after the update
+};
+
+/// Keeps every sweep of a solve, and every row update too if asked. The last solve only.
+template <Scalar Real = double>
+class SweepRecorder final : public SolveObserver<Real> {
+ public:
+  enum class Detail { sweeps, rows };
+  explicit SweepRecorder(Detail detail = Detail::sweeps) : detail_(detail) {}
+
+  bool watches_rows() const override { return detail_ == Detail::rows; }
+  void before_solve(const VelocityProblem<Real>& problem) override;
+  void after_row(const RowUpdate<Real>& update, const VelocityProblem<Real>& problem) override;
+  void after_sweep(int sweep, const VelocityProblem<Real>& problem) override;
+
+  const std::vector<SweepRecord>& sweeps() const { return sweeps_; }
+  const std::vector<RowRecord>& rows() const { return rows_; }
+
+ private:
+  Detail detail_;
+  Real scale_ = 0;
+  std::vector<SweepRecord> sweeps_;
+  std::vector<RowRecord> rows_;
+};
+
+}  // namespace cairn

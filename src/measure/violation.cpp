@@ -1,0 +1,83 @@
+// Floor 6. Penetration, drift, cone violation.
+#include "measure/violation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "collision/broadphase.hpp"
+#include "collision/collide.hpp"
+#include "math/check.hpp"
+
+namespace cairn {
+
+double worst_penetration(const Snapshot& snapshot) {
+  struct Item {
+    int body;
+    const Shape<double>* shape;
+  };
+  std::vector<Item> items;
+  std::vector<Aabb<double>> boxes;
+  std::vector<char> movable;
+  for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
+    const SnapshotBody& body = snapshot.bodies[i];
+    for (const Shape<double>& shape : body.shapes) {
+      items.push_back({static_cast<int>(i), &shape});
+      boxes.push_back(bounding_box(shape, body.pose));
+      movable.push_back(body.type == BodyType::dynamic ? 1 : 0);
+    }
+  }
+  std::set<std::pair<int, int>> joined;
+  for (const SnapshotJoint& joint : snapshot.joints) joined.insert(std::minmax(joint.a.index, joint.b.index));
+
+  double worst = 0;
+  Broadphase<double> broadphase(BroadphaseKind::sweep);
+  for (const auto& [i, j] : broadphase.pairs(boxes, movable)) {
+    const Item& a = items[static_cast<std::size_t>(i)];
+    const Item& b = items[static_cast<std::size_t>(j)];
+    if (a.body == b.body || joined.count(std::minmax(a.body, b.body)) > 0) continue;
+    const Pose<double>& pose_a = snapshot.bodies[static_cast<std::size_t>(a.body)].pose;
+    const Pose<double>& pose_b = snapshot.bodies[static_cast<std::size_t>(b.body)].pose;
+    const Manifold<double> manifold = collide(*a.shape, pose_a, *b.shape, pose_b, 0.0);
+    for (int k = 0; k < manifold.count; ++k) {
+      worst = std::max(worst, -manifold.points[static_cast<std::size_t>(k)].separation);
+    }
+  }
+  return worst;
+}
+
+double worst_joint_drift(const Snapshot& snapshot) {
+  double worst = 0;
+  for (const SnapshotJoint& joint : snapshot.joints) worst = std::max(worst, joint.drift);
+  return worst;
+}
+
+double worst_cone_violation(const Snapshot& snapshot) {
+  double worst = 0;
+  for (const SnapshotContact& contact : snapshot.contacts) {
+    worst = std::max(worst, std::abs(contact.friction_impulse) - contact.friction * contact.normal_impulse);
+  }
+  return worst;
+}
+
+double normal_impulse_between(const Snapshot& snapshot, BodyId first, BodyId second) {
+  double sum = 0;
+  for (const SnapshotContact& contact : snapshot.contacts) {
+    const bool forward = contact.a == first && contact.b == second;
+    const bool backward = contact.a == second && contact.b == first;
+    if (forward || backward) sum += contact.normal_impulse;
+  }
+  return sum;
+}
+
+double largest_velocity_gap(const Snapshot& first, const Snapshot& second) {
+  require(first.bodies.size() == second.bodies.size(), "largest_velocity_gap", "second",
+          "a snapshot of equally many bodies", static_cast<double>(second.bodies.size()));
+  double gap = 0;
+  for (std::size_t i = 0; i < first.bodies.size(); ++i) {
+    gap = std::max(gap, (first.bodies[i].velocity - second.bodies[i].velocity).cwiseAbs().maxCoeff());
+  }
+  return gap;
+}
+
+}  // namespace cairn

@@ -1,0 +1,26 @@
+// Floor 6. How far a snapshot violates what must hold.
+#pragma once
+
+#include "world/snapshot.hpp"
+
+namespace cairn {
+
+/// The deepest overlap of any two shapes of different bodies, of which one is dynamic [m]; 0 when none overlap.
+/// Measured on the shapes as they stand now, not on the contacts that a solver saw: it is the same measure for
+/// every engine. Pairs joined by a joint are left out.
+double worst_penetration(const Snapshot& snapshot);
+
+/// The largest drift of a joint [m or rad]; 0 without joints.
+double worst_joint_drift(const Snapshot& snapshot);
+
+/// The largest |friction impulse| - mu * normal impulse over the contacts [N s]; 0 when all are inside the cone.
+double worst_cone_violation(const Snapshot& snapshot);
+
+/// The sum of all normal impulses between two bodies [N s], in whichever order they are named.
+double normal_impulse_between(const Snapshot& snapshot, BodyId first, BodyId second);
+
+/// The largest difference of any velocity component between two snapshots of one scene [m/s or rad/s].
+/// @throws std::invalid_argument when they do not have equally many bodies.
+double largest_velocity_gap(const Snapshot& first, const Snapshot& second);
+
+}  // namespace cairn

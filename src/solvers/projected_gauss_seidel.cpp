@@ -1,0 +1,89 @@
+// Floor 4. Section 2 of the paper: A lambda = b by projected Gauss-Seidel.
+#include "solvers/projected_gauss_seidel.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "solvers/residual.hpp"
+
+namespace cairn {
+
+template <Scalar Real>
+ProjectedGaussSeidel<Real>::ProjectedGaussSeidel(const SolverSettings& settings) : settings_(settings) {
+  check(settings, "ProjectedGaussSeidel");
+}
+
+template <Scalar Real>
+SolveReport ProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer) {
+  if (problem.row_count() > max_rows) {
+    throw std::length_error("ProjectedGaussSeidel: a dense A of " + std::to_string(problem.row_count()) +
+                            " rows is above the limit of " + std::to_string(max_rows) +
+                            "; SequentialImpulse needs memory linear in the rows");
+  }
+  if (observer != nullptr) observer->before_solve(problem);
+  const Real scale = settings_.tolerance > 0 ? residual_scale(problem) : Real(0);
+
+  system_ = system_matrices(problem);
+  velocity_ = system_velocity(problem);
+  lambda_.resize(problem.row_count());
+  for (int i = 0; i < problem.row_count(); ++i) {
+    lambda_(i) = problem.impulse[static_cast<std::size_t>(i)] / problem.dt;  // warm start (2.3)
+  }
+
+  const bool watched = observer != nullptr && observer->watches_rows();
+  SolveReport report;
+  while (report.iterations < settings_.iterations && !report.converged) {
+    const int number = ++report.iterations;
+    const Real change = watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
+    report.largest_change = static_cast<double>(change);
+    if (observer == nullptr && !(settings_.tolerance > 0)) continue;
+    update_velocity(problem);  // for those who look; the sweep itself does not need it
+    if (observer != nullptr) observer->after_sweep(number, problem);
+    if (settings_.tolerance > 0) report.converged = residual(problem, scale).energy <= Real(settings_.tolerance);
+  }
+  update_velocity(problem);
+  return report;
+}
+
+template <Scalar Real>
+template <bool watched>
+Real ProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& problem,
+                                       [[maybe_unused]] SolveObserver<Real>* observer) {
+  Real largest_change = 0;
+  for (int i = 0; i < problem.row_count(); ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    const ConstraintRow<Real>& row = problem.rows[index];
+    const Real A_ii = system_.A(i, i);
+
+    // (28) rearranged as in (29). A is symmetric: its column is its row, and lies together in memory.
+    const Real row_error = system_.b(i) - system_.A.col(i).dot(lambda_);
+    const Real corrective = A_ii > 0 ? row_error / A_ii : Real(0);
+    const Real old = problem.impulse[index];
+    problem.impulse[index] = row.bounds.clamp((lambda_(i) + corrective) * problem.dt, problem.impulse);
+    lambda_(i) = problem.impulse[index] / problem.dt;
+
+    largest_change = std::max(largest_change, std::abs(problem.impulse[index] - old));
+    if constexpr (watched) {
+      const Real jv = row.bias - row.softness * old - row_error * problem.dt;
+      update_velocity(problem);
+      observer->after_row({number, i, jv, A_ii, corrective * problem.dt, old, problem.impulse[index]}, problem);
+    }
+  }
+  return largest_change;
+}
+
+/// (12): v_2 = v_1 + M^-1 J^T lambda dt.
+template <Scalar Real>
+void ProjectedGaussSeidel<Real>::update_velocity(VelocityProblem<Real>& problem) const {
+  const Vector<Real> v =
+      velocity_ + system_.inverse_mass.asDiagonal() * (system_.J.transpose() * lambda_) * problem.dt;
+  for (int body = 0; body < problem.body_count(); ++body) {
+    problem.velocity[static_cast<std::size_t>(body)] = v.template segment<3>(3 * body);
+  }
+}
+
+template class ProjectedGaussSeidel<float>;
+template class ProjectedGaussSeidel<double>;
+template class ProjectedGaussSeidel<long double>;
+
+}  // namespace cairn

@@ -1,0 +1,68 @@
+// Floor 4. Natural residuals, weighted by energy.
+#include "solvers/residual.hpp"
+
+#include <cmath>
+
+namespace cairn {
+
+namespace {
+
+/// sqrt(v^T M v) over the bodies that can move.
+template <Scalar Real>
+Real kinetic_norm(const VelocityProblem<Real>& problem) {
+  Real sum = 0;
+  for (std::size_t body = 0; body < problem.velocity.size(); ++body) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Real inverse = problem.inverse_mass[body](axis);
+      if (inverse > 0) sum += problem.velocity[body](axis) * problem.velocity[body](axis) / inverse;
+    }
+  }
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+template <Scalar Real>
+Real residual_scale(const VelocityProblem<Real>& problem) {
+  const std::vector<Real> zero(problem.rows.size(), Real(0));
+  Real sum = 0;
+  for (const ConstraintRow<Real>& row : problem.rows) {
+    const Real inverse = inverse_effective_mass(row, problem.inverse_mass);
+    if (row.bounds.is_friction() || !(inverse > 0)) continue;
+    const Real wish = row.bounds.clamp((row.bias - row_velocity(row, problem.velocity)) / inverse, zero);
+    sum += inverse * wish * wish;
+  }
+  return std::max(std::sqrt(sum), Real(1e-12) * kinetic_norm(problem));
+}
+
+template <Scalar Real>
+Residual<Real> residual(const VelocityProblem<Real>& problem, Real scale) {
+  Residual<Real> result;
+  Real sum = 0;
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    const ConstraintRow<Real>& row = problem.rows[i];
+    const Real inverse = inverse_effective_mass(row, problem.inverse_mass);
+    if (!(inverse > 0)) continue;
+    const Real impulse = problem.impulse[i];
+    const Real w = row_velocity(row, problem.velocity) + row.softness * impulse - row.bias;
+    const Real e = impulse - row.bounds.clamp(impulse - w / inverse, problem.impulse);
+    const Real speed = std::abs(inverse * e);
+    sum += inverse * e * e;
+    Real& of_kind = row.bounds.is_friction()     ? result.velocity_friction
+                    : row.bounds.is_unilateral() ? result.velocity_normal
+                                                 : result.velocity_equality;
+    of_kind = std::max(of_kind, speed);
+    result.velocity = std::max(result.velocity, speed);
+  }
+  result.energy = sum == 0 ? Real(0) : std::sqrt(sum) / scale;
+  return result;
+}
+
+template float residual_scale(const VelocityProblem<float>&);
+template double residual_scale(const VelocityProblem<double>&);
+template long double residual_scale(const VelocityProblem<long double>&);
+template Residual<float> residual(const VelocityProblem<float>&, float);
+template Residual<double> residual(const VelocityProblem<double>&, double);
+template Residual<long double> residual(const VelocityProblem<long double>&, long double);
+
+}  // namespace cairn

@@ -1,0 +1,14 @@
+// Floor 4. Refuses settings that no solver can work with.
+#include "solvers/solver.hpp"
+
+#include "math/check.hpp"
+
+namespace cairn {
+
+void check(const SolverSettings& settings, const std::string& solver) {
+  require(settings.iterations >= 0, solver, "iterations", ">= 0", settings.iterations);
+  require(settings.tolerance >= 0 && std::isfinite(settings.tolerance), solver, "tolerance",
+          "a finite number >= 0", settings.tolerance);
+}
+
+}  // namespace cairn

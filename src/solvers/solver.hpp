@@ -1,0 +1,61 @@
+// Floor 4. What every solver is: an answer to a VelocityProblem.
+#pragma once
+
+#include <string>
+
+#include "constraints/row.hpp"
+
+namespace cairn {
+
+/// When to stop, for every iterative solver.
+struct SolverSettings {
+  int iterations = 10;   // sweeps over all rows, at most
+  double tolerance = 0;  // stop once the residual R_E (residual.hpp) is at most this; 0: never sooner
+};
+
+/// One row update, as an observer sees it.
+template <Scalar Real>
+struct RowUpdate {
+  int sweep = 0;            // from 1
+  int row = 0;              // from 0
+  Real row_velocity = 0;    // j v before the update (paper (22))
+  Real inverse_mass = 0;    // A_ii
+  Real corrective = 0;      // [N s] before clamping: lambda_corrective of Algorithm 1, times dt
+  Real impulse_before = 0;  // [N s] accumulated
+  Real impulse_after = 0;   // [N s] accumulated and clamped
+};
+
+/// Looks at a solver at work, and never changes anything. The problem passed in holds the current impulses;
+/// its velocities are current too.
+template <Scalar Real>
+class SolveObserver {
+ public:
+  virtual ~SolveObserver() = default;
+  /// Whether after_row is wanted: asked once for each solve.
+  virtual bool watches_rows() const { return false; }
+  /// Before the first sweep: `problem` as given, warm start not applied yet.
+  virtual void before_solve(const VelocityProblem<Real>&) {}
+  virtual void after_row(const RowUpdate<Real>&, const VelocityProblem<Real>&) {}
+  virtual void after_sweep(int /*sweep*/, const VelocityProblem<Real>&) {}
+};
+
+struct SolveReport {
+  int iterations = 0;          // sweeps done
+  double largest_change = 0;   // [N s] the largest change of an impulse in the last sweep
+  bool converged = false;      // the tolerance was asked for and reached
+};
+
+/// Owns settings and scratch memory only: the problem carries everything else.
+template <Scalar Real>
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  virtual std::string name() const = 0;
+  /// Changes problem.velocity and problem.impulse, from the impulses that it finds there.
+  virtual SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) = 0;
+};
+
+/// @throws std::invalid_argument unless iterations >= 0 and tolerance is a finite number >= 0.
+void check(const SolverSettings& settings, const std::string& solver);
+
+}  // namespace cairn

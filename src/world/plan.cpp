@@ -1,0 +1,72 @@
+// Floor 5. Reading a scene for what its steps need.
+#include "world/plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <set>
+
+namespace cairn {
+
+namespace {
+
+// Below about this many shapes, comparing every two boxes costs less than sorting them.
+constexpr int all_pairs_limit = 32;
+
+std::string line(const char* what, const std::string& how) { return fmt::format("  {:<14}{}\n", what, how); }
+
+std::string either(bool used, const char* yes, const char* no) { return used ? yes : no; }
+
+}  // namespace
+
+Plan make_plan(const Scene& scene) {
+  Plan plan;
+  std::set<std::string> kinds;
+  int rubbing_bodies = 0;
+  for (const SceneBody& body : scene.bodies()) {
+    const BodySpec& spec = body.spec;
+    const bool dynamic = spec.type == BodyType::dynamic;
+    plan.bodies += 1;
+    plan.dynamic_bodies += dynamic;
+    plan.turning_bodies += dynamic && body.inertia > 0;
+    plan.colliders += static_cast<int>(spec.shapes.size());
+    plan.collision |= dynamic && !spec.shapes.empty();
+    plan.gravity |= dynamic && spec.gravity_scale != 0 && !scene.settings().gravity.isZero(0);
+    plan.damping |= dynamic && (spec.linear_damping > 0 || spec.angular_damping > 0);
+    rubbing_bodies += spec.friction > 0 && !spec.shapes.empty();
+    plan.restitution |= spec.restitution > 0 && !spec.shapes.empty();
+    for (const Shape<double>& shape : spec.shapes) kinds.insert(shape_name(shape));
+  }
+  plan.collision &= plan.colliders > 1;
+  plan.friction = plan.collision && rubbing_bodies > 1;
+  plan.restitution &= plan.collision;
+  plan.joints = static_cast<int>(scene.joints().size());
+  plan.broadphase = plan.colliders > all_pairs_limit ? BroadphaseKind::sweep : BroadphaseKind::all_pairs;
+  plan.warm_start = scene.settings().warm_start;
+  plan.shape_kinds.assign(kinds.begin(), kinds.end());
+  return plan;
+}
+
+std::string explain(const Plan& plan) {
+  const std::string phase = plan.broadphase == BroadphaseKind::sweep ? "sort and sweep" : "all pairs of boxes";
+  std::string text = "This scene needs\n";
+  text += line("bodies", fmt::format("{} dynamic of {}; {} velocities a step", plan.dynamic_bodies, plan.bodies,
+                                     2 * plan.dynamic_bodies + plan.turning_bodies));
+  text += line("collision", plan.collision ? fmt::format("{}, {} shapes ({})", phase, plan.colliders,
+                                                         fmt::join(plan.shape_kinds, ", "))
+                                           : "left out: nothing can meet");
+  text += line("joints", plan.joints > 0 ? fmt::format("{}", plan.joints) : "left out: there are none");
+  text += line("friction", either(plan.friction, "one row a contact point, where mu > 0",
+                                  "left out: no two bodies with mu > 0, no friction rows"));
+  text += line("restitution", either(plan.restitution, "e > 0 on some body", "left out: e is 0 everywhere"));
+  text += line("gravity", either(plan.gravity, "on", "left out: nothing feels it"));
+  text += line("damping", either(plan.damping, "on", "left out: no body is damped"));
+  text += line("rotation", plan.turning_bodies == plan.dynamic_bodies
+                               ? std::string("every dynamic body turns")
+                               : fmt::format("left out for {} bodies: 1/I is 0",
+                                             plan.dynamic_bodies - plan.turning_bodies));
+  text += line("warm start", either(plan.warm_start, "impulses are kept from step to step", "left out by setting"));
+  return text;
+}
+
+}  // namespace cairn

@@ -1,0 +1,34 @@
+// Floor 5. What a scene requires, decided once; and what it lets the step leave out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision/broadphase.hpp"
+#include "world/scene.hpp"
+
+namespace cairn {
+
+/// Decided from the scene alone, before the first step.
+struct Plan {
+  int bodies = 0;          // with the ground
+  int dynamic_bodies = 0;  // those with velocities to solve for
+  int turning_bodies = 0;  // dynamic bodies that can turn
+  int colliders = 0;       // shapes
+  int joints = 0;
+  BroadphaseKind broadphase = BroadphaseKind::all_pairs;
+  bool collision = false;    // some pair of shapes could meet
+  bool gravity = false;      // some body feels it
+  bool damping = false;
+  bool friction = false;     // some pair of bodies with mu > 0
+  bool restitution = false;  // some body with e > 0
+  bool warm_start = false;
+  std::vector<std::string> shape_kinds = {};  // those that occur, sorted
+};
+
+Plan make_plan(const Scene& scene);
+
+/// The plan in words: what is modelled, and what was left out and why. One line each.
+std::string explain(const Plan& plan);
+
+}  // namespace cairn

@@ -1,0 +1,124 @@
+// Floor 5. Building a scene, and refusing what cannot be simulated.
+#include "world/scene.hpp"
+
+#include "geometry/mass.hpp"
+#include "math/check.hpp"
+
+namespace cairn {
+
+namespace {
+
+void require_range(double value, double least, const char* place, const char* field, const char* unit) {
+  const std::string rule = "a finite number >= " + shortest(least) + (*unit ? " " : "") + unit;
+  require(value >= least && std::isfinite(value), place, field, rule, value);
+}
+
+void require_unit_interval(double value, const char* place, const char* field) {
+  require(value >= 0 && value <= 1, place, field, "in [0, 1]", value);
+}
+
+void check_motion(const BodySpec& spec) {
+  require_finite(spec.position, "Scene::add", "position", "m");
+  require_finite(spec.angle, "Scene::add", "angle", "rad");
+  require_finite(spec.velocity, "Scene::add", "velocity", "m/s");
+  require_finite(spec.angular_velocity, "Scene::add", "angular_velocity", "rad/s");
+  require_finite(spec.gravity_scale, "Scene::add", "gravity_scale", "1");
+}
+
+void check_material(const BodySpec& spec) {
+  if (spec.mass) {
+    require(*spec.mass > 0 && std::isfinite(*spec.mass), "Scene::add", "mass", "> 0 kg and finite", *spec.mass);
+  }
+  if (spec.inertia) {
+    require(*spec.inertia > 0 && std::isfinite(*spec.inertia), "Scene::add", "inertia", "> 0 kg m^2 and finite",
+            *spec.inertia);
+  }
+  require(spec.density > 0 && std::isfinite(spec.density), "Scene::add", "density", "> 0 kg/m^2 and finite",
+          spec.density);
+  require_range(spec.friction, 0, "Scene::add", "friction", "");
+  require_unit_interval(spec.restitution, "Scene::add", "restitution");
+  require_range(spec.linear_damping, 0, "Scene::add", "linear_damping", "1/s");
+  require_range(spec.angular_damping, 0, "Scene::add", "angular_damping", "1/s");
+}
+
+/// Mass and inertia of a dynamic body from its shapes, unless they are given.
+void set_mass(SceneBody& body, const MassProperties& shapes) {
+  const BodySpec& spec = body.spec;
+  require(shapes.area > 0 || spec.mass.has_value(), "Scene::add", "shapes",
+          "of some area for a dynamic body without a mass of its own", shapes.area);
+  body.mass = spec.mass.value_or(spec.density * shapes.area);
+  require(shapes.inertia > 0 || spec.inertia.has_value() || spec.fixed_rotation, "Scene::add", "inertia",
+          "given for a dynamic body whose shapes have no area, unless its rotation is fixed", shapes.inertia);
+  if (spec.fixed_rotation) return;
+  body.inertia = spec.inertia ? *spec.inertia : body.mass * shapes.inertia / shapes.area;
+}
+
+}  // namespace
+
+Scene::Scene(const SceneSettings& settings) : settings_(settings), bodies_(1) {
+  require_finite(settings.gravity, "Scene", "gravity", "m/s^2");
+  require(settings.dt > 0 && std::isfinite(settings.dt), "Scene", "dt", "> 0 s and finite", settings.dt);
+  require_range(settings.stabilization.baumgarte, 0, "Scene", "stabilization.baumgarte", "");
+  require_range(settings.stabilization.slop, 0, "Scene", "stabilization.slop", "m");
+  require_range(settings.speculative_margin, 0, "Scene", "speculative_margin", "m");
+  require_range(settings.restitution_threshold, 0, "Scene", "restitution_threshold", "m/s");
+  bodies_[0].spec.type = BodyType::static_body;
+}
+
+BodyId Scene::add(const BodySpec& spec) {
+  check_motion(spec);
+  check_material(spec);
+  SceneBody body{.spec = spec, .pose = {.position = spec.position, .angle = spec.angle}};
+  const MassProperties shapes = mass_properties(spec.shapes);
+  if (spec.type == BodyType::dynamic) set_mass(body, shapes);
+  if (spec.type == BodyType::static_body) {
+    require(spec.velocity.isZero(0) && spec.angular_velocity == 0, "Scene::add", "velocity",
+            "0 for a static body", spec.velocity.norm());
+  }
+  if (shapes.area > 0) {
+    body.pose.position = body.pose.world(shapes.centroid);
+    for (Shape<double>& shape : body.spec.shapes) shape = moved(shape, -shapes.centroid);
+  }
+  bodies_.push_back(body);
+  return {static_cast<int>(bodies_.size()) - 1};
+}
+
+BodyId Scene::add_ground(const GroundSpec& spec) {
+  require_finite(spec.height, "Scene::add_ground", "height", "m");
+  require(spec.half_width > 0 && std::isfinite(spec.half_width), "Scene::add_ground", "half_width",
+          "> 0 m and finite", spec.half_width);
+  require_range(spec.friction, 0, "Scene::add_ground", "friction", "");
+  require_unit_interval(spec.restitution, "Scene::add_ground", "restitution");
+  const double thickness = 1;  // [m]
+  SceneBody& body = bodies_[0];
+  body.spec.friction = spec.friction;
+  body.spec.restitution = spec.restitution;
+  body.spec.shapes.push_back(moved(box(2 * spec.half_width, thickness), {0, spec.height - thickness / 2}));
+  return ground;
+}
+
+void Scene::add_joint(std::shared_ptr<const Constraint> joint) {
+  require(joint != nullptr, "Scene::add_joint", "joint", "a constraint", "nullptr");
+  const auto [a, b] = joint->bodies();
+  require_body(a, "a");
+  require_body(b, "b");
+  const auto is_dynamic = [this](BodyId id) {
+    return bodies_[static_cast<std::size_t>(id.index)].spec.type == BodyType::dynamic;
+  };
+  require(is_dynamic(a) || is_dynamic(b), "Scene::add_joint", "bodies", "at least one that can move",
+          std::to_string(a.index) + " and " + std::to_string(b.index));
+  joints_.push_back(std::move(joint));
+}
+
+std::vector<Pose<double>> Scene::poses() const {
+  std::vector<Pose<double>> result;
+  for (const SceneBody& body : bodies_) result.push_back(body.pose);
+  return result;
+}
+
+void Scene::require_body(BodyId id, const char* field) const {
+  require(id.index >= 0 && id.index < static_cast<int>(bodies_.size()), "Scene::join", field,
+          "the id of a body of this scene", id.index);
+}
+
+}  // namespace cairn

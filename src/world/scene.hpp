@@ -1,0 +1,95 @@
+// Floor 5. A scene: what there is, before anything moves.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "constraints/constraint.hpp"
+#include "constraints/stabilization.hpp"
+#include "dynamics/body.hpp"
+#include "geometry/shape.hpp"
+
+namespace cairn {
+
+/// What holds for the whole scene, and how it steps.
+struct SceneSettings {
+  Vec2<double> gravity = {0, -10};       // [m/s^2]
+  double dt = 1.0 / 60;                  // [s] one step
+  Stabilization stabilization = {};
+  bool warm_start = true;                // begin from last step's impulses
+  double speculative_margin = 0.02;      // [m] shapes closer than this get contact rows with room to spare
+  double restitution_threshold = 0.5;    // [m/s] slower approaches do not rebound
+};
+
+/// One body. Its mass is `mass`, or else density times area; its inertia follows from the shapes.
+/// Where two bodies touch, friction is sqrt(mu_a mu_b) and restitution max(e_a, e_b), as in Box2D.
+struct BodySpec {
+  BodyType type = BodyType::dynamic;
+  std::vector<Shape<double>> shapes = {};
+  Vec2<double> position = {0, 0};         // [m] of the frame that the shapes are given in
+  double angle = 0;                       // [rad]
+  Vec2<double> velocity = {0, 0};         // [m/s] of the centre of mass
+  double angular_velocity = 0;            // [rad/s]
+  std::optional<double> mass = {};        // [kg]
+  std::optional<double> inertia = {};     // [kg m^2] about the centre of mass
+  double density = 1;                     // [kg/m^2]
+  double friction = 0.6;                  // mu
+  double restitution = 0;                 // e, in [0, 1]
+  double linear_damping = 0;              // [1/s]
+  double angular_damping = 0;             // [1/s]
+  double gravity_scale = 1;
+  bool fixed_rotation = false;            // never turns: 1/I is 0
+};
+
+struct GroundSpec {
+  double height = 0;       // [m] of its surface
+  double half_width = 50;  // [m]
+  double friction = 0.6;
+  double restitution = 0;
+};
+
+/// A body as the scene keeps it: its frame is at the centre of mass, and its shapes are moved accordingly.
+struct SceneBody {
+  BodySpec spec = {};
+  Pose<double> pose = {};
+  double mass = 0;     // [kg]; 0 unless dynamic
+  double inertia = 0;  // [kg m^2]; 0 unless it can turn
+};
+
+/// Body 0 is the ground: it is always there, and has a surface once add_ground was called.
+/// Every function refuses bad input with std::invalid_argument, naming field, rule, unit and value.
+class Scene {
+ public:
+  explicit Scene(const SceneSettings& settings = {});
+
+  /// @throws std::invalid_argument, also for a dynamic body without area and without mass.
+  BodyId add(const BodySpec& spec);
+  /// Gives the ground a flat surface, 1 m thick.
+  BodyId add_ground(const GroundSpec& spec = {});
+  /// A joint from its Spec, whose anchors are in world coordinates where the bodies stand now. Its bodies do
+  /// not collide with each other. @throws std::invalid_argument for unknown or two immovable bodies.
+  template <typename Joint>
+  void join(const typename Joint::Spec& spec) {
+    const std::vector<Pose<double>> start = poses();
+    require_body(spec.a, "a");
+    require_body(spec.b, "b");
+    add_joint(std::make_shared<const Joint>(spec, start));
+  }
+  /// Any constraint, one of your own too.
+  void add_joint(std::shared_ptr<const Constraint> joint);
+
+  const SceneSettings& settings() const { return settings_; }
+  const std::vector<SceneBody>& bodies() const { return bodies_; }
+  const std::vector<std::shared_ptr<const Constraint>>& joints() const { return joints_; }
+
+ private:
+  std::vector<Pose<double>> poses() const;
+  void require_body(BodyId id, const char* field) const;
+
+  SceneSettings settings_;
+  std::vector<SceneBody> bodies_;
+  std::vector<std::shared_ptr<const Constraint>> joints_;
+};
+
+}  // namespace cairn

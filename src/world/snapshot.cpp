@@ -1,0 +1,103 @@
+// Floor 5. From a world to plain values.
+#include "world/snapshot.hpp"
+
+#include "world/world.hpp"
+
+namespace cairn {
+
+namespace {
+
+SnapshotBody snapshot_body(const SceneBody& body, const Pose<double>& pose, const Vec3<double>& velocity) {
+  return {.type = body.spec.type,
+          .pose = pose,
+          .velocity = velocity,
+          .mass = body.mass,
+          .inertia = body.inertia,
+          .gravity_scale = body.spec.gravity_scale,
+          .shapes = body.spec.shapes};
+}
+
+/// The contacts of one manifold, from the rows of its block: a normal row for each point, and a friction row
+/// behind it where there is friction.
+template <Scalar Real>
+void append_contacts(const StepRecord<Real>& record, std::size_t manifold_index, const RowBlock& block,
+                     std::vector<SnapshotContact>& contacts) {
+  const Manifold<Real>& manifold = record.manifolds[manifold_index];
+  int row = block.first;
+  for (int i = 0; i < manifold.count; ++i) {
+    const ManifoldPoint<Real>& point = manifold.points[static_cast<std::size_t>(i)];
+    const auto normal = static_cast<std::size_t>(row++);
+    SnapshotContact contact{.a = record.problem.rows[normal].a,
+                            .b = record.problem.rows[normal].b,
+                            .position = point.position.template cast<double>(),
+                            .normal = manifold.normal.template cast<double>(),
+                            .separation = static_cast<double>(point.separation),
+                            .normal_impulse = static_cast<double>(record.problem.impulse[normal]),
+                            .is_new = record.is_new[normal] != 0};
+    const auto next = static_cast<std::size_t>(row);
+    if (row < block.first + block.count && record.problem.rows[next].bounds.is_friction()) {
+      contact.friction_impulse = static_cast<double>(record.problem.impulse[next]);
+      contact.friction = static_cast<double>(record.problem.rows[next].bounds.friction);
+      ++row;
+    }
+    contacts.push_back(contact);
+  }
+}
+
+template <Scalar Real>
+SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& state) {
+  const auto [a, b] = joint.bodies();
+  const auto [local_a, local_b] = joint.anchors();
+  const auto world_point = [&state](BodyId body, const Vec2<double>& local) -> Vec2<double> {
+    return state.pose[static_cast<std::size_t>(body.index)].world(local.template cast<Real>()).template cast<double>();
+  };
+  SnapshotJoint result{.name = joint.name(), .a = a, .b = b};
+  result.anchor_a = world_point(a, local_a);
+  result.anchor_b = world_point(b, local_b);
+  RowSpecs<Real> specs;
+  joint.append_rows(state.pose, specs);
+  double sum = 0;
+  for (const RowSpec<Real>& spec : specs) {
+    if (spec.bounds.is_equality()) sum += static_cast<double>(spec.error * spec.error);
+  }
+  result.drift = std::sqrt(sum);
+  return result;
+}
+
+}  // namespace
+
+template <Scalar Real>
+Snapshot snapshot(const World<Real>& world) {
+  const Scene& scene = world.scene();
+  const StepRecord<Real>& record = world.last_step();
+  Snapshot result{.time = world.time(), .step = world.steps(), .dt = world.dt(), .gravity = scene.settings().gravity};
+  for (std::size_t i = 0; i < scene.bodies().size(); ++i) {
+    const Pose<Real>& pose = world.bodies().pose[i];
+    const Pose<double> double_pose{pose.position.template cast<double>(), static_cast<double>(pose.angle)};
+    result.bodies.push_back(
+        snapshot_body(scene.bodies()[i], double_pose, world.bodies().velocity[i].template cast<double>()));
+  }
+  const std::size_t joints = scene.joints().size();
+  for (std::size_t i = 0; i < joints; ++i) {
+    SnapshotJoint joint = snapshot_joint(*scene.joints()[i], world.bodies());
+    if (i < record.problem.blocks.size()) {
+      const RowBlock& block = record.problem.blocks[i];
+      for (int row = block.first; row < block.first + block.count; ++row) {
+        const auto index = static_cast<std::size_t>(row);
+        const Vec2<Real> push = record.problem.rows[index].jacobian_b.template head<2>() * record.problem.impulse[index];
+        joint.impulse += push.template cast<double>();
+      }
+    }
+    result.joints.push_back(joint);
+  }
+  for (std::size_t i = 0; i < record.manifolds.size(); ++i) {
+    append_contacts(record, i, record.problem.blocks[joints + i], result.contacts);
+  }
+  return result;
+}
+
+template Snapshot snapshot(const World<float>&);
+template Snapshot snapshot(const World<double>&);
+template Snapshot snapshot(const World<long double>&);
+
+}  // namespace cairn

@@ -1,0 +1,173 @@
+// Floor 5. The step.
+#include "world/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/collide.hpp"
+#include "math/check.hpp"
+
+namespace cairn {
+
+namespace {
+
+// Row sources: joints by number, then contacts by their two colliders.
+constexpr std::uint64_t contact_source_bit = std::uint64_t{1} << 63;
+
+std::uint64_t contact_source(int collider_a, int collider_b) {
+  return contact_source_bit | static_cast<std::uint64_t>(collider_a) << 31 | static_cast<std::uint64_t>(collider_b);
+}
+
+}  // namespace
+
+template <Scalar Real>
+StepReport World<Real>::step(Solver<Real>& solver, SolveObserver<Real>* observer) {
+  find_contacts();  // 1, 2  poses -> pairs -> manifolds
+  apply_forces();   // 3     v_1 = v + dt M^-1 f: gravity is in before any constraint is solved
+  write_rows();     // 4     joints and manifolds -> rows, with last step's impulses
+  const SolveReport solved = solver.solve(record_.problem, observer);  // 5  -> impulses, v_2
+
+  remember_impulses();                        // 6
+  state_.velocity = record_.problem.velocity;
+  integrate_positions(state_, static_cast<Real>(dt_));  // 7  with the new velocities: semi-implicit Euler
+  time_ += dt_;
+  steps_ += 1;
+
+  StepReport report{.solve = solved, .rows = record_.problem.row_count(), .not_finite = first_not_finite()};
+  for (const Manifold<Real>& manifold : record_.manifolds) report.contacts += manifold.count;
+  return report;
+}
+
+template <Scalar Real>
+VelocityProblem<Real> World<Real>::velocity_problem() const {
+  World twin = *this;
+  twin.find_contacts();
+  twin.apply_forces();
+  twin.write_rows();
+  return twin.record_.problem;
+}
+
+template <Scalar Real>
+void World<Real>::find_contacts() {
+  record_.manifolds.clear();
+  if (!plan_->collision) return;
+  const Real margin = static_cast<Real>(scene_->settings().speculative_margin);
+  const std::vector<Collider>& colliders = *colliders_;
+  const auto pose = [this](BodyId body) -> const Pose<Real>& {
+    return state_.pose[static_cast<std::size_t>(body.index)];
+  };
+  for (std::size_t i = 0; i < colliders.size(); ++i) {
+    boxes_[i] = bounding_box(colliders[i].shape, pose(colliders[i].body), margin / 2);
+  }
+  for (const auto& [i, j] : broadphase_.pairs(boxes_, movable_)) {
+    const Collider& a = colliders[static_cast<std::size_t>(i)];
+    const Collider& b = colliders[static_cast<std::size_t>(j)];
+    const std::pair<BodyId, BodyId> bodies = std::minmax(a.body, b.body);
+    if (a.body == b.body || std::binary_search(joined_.begin(), joined_.end(), bodies)) continue;
+    Manifold<Real> manifold = collide(a.shape, pose(a.body), b.shape, pose(b.body), margin);
+    if (manifold.count == 0) continue;
+    manifold.collider_a = i;
+    manifold.collider_b = j;
+    record_.manifolds.push_back(manifold);
+  }
+}
+
+template <Scalar Real>
+void World<Real>::apply_forces() {
+  const Real dt = static_cast<Real>(dt_);
+  record_.problem.velocity = state_.velocity;
+  if (plan_->gravity) {
+    const Vec2<Real> gravity = scene_->settings().gravity.template cast<Real>();
+    apply_gravity(record_.problem.velocity, state_.inverse_mass, forces_, gravity, dt);
+  }
+  if (plan_->damping) apply_damping(record_.problem.velocity, state_.inverse_mass, forces_, dt);
+}
+
+template <Scalar Real>
+void World<Real>::write_rows() {
+  VelocityProblem<Real>& problem = record_.problem;
+  problem.rows.clear();
+  problem.blocks.clear();
+  problem.inverse_mass = state_.inverse_mass;
+  problem.dt = static_cast<Real>(dt_);
+  for (std::size_t i = 0; i < scene_->joints().size(); ++i) {
+    specs_.clear();
+    scene_->joints()[i]->append_rows(state_.pose, specs_);
+    append_block(i);
+  }
+  for (const Manifold<Real>& manifold : record_.manifolds) {
+    const BodyId a = (*colliders_)[static_cast<std::size_t>(manifold.collider_a)].body;
+    const BodyId b = (*colliders_)[static_cast<std::size_t>(manifold.collider_b)].body;
+    specs_.clear();
+    append_contact_rows(manifold, a, b, material(a, b), state_.pose, state_.velocity, specs_);
+    append_block(contact_source(manifold.collider_a, manifold.collider_b));
+  }
+  warm_start();
+}
+
+template <Scalar Real>
+void World<Real>::append_block(std::uint64_t source) {
+  VelocityProblem<Real>& problem = record_.problem;
+  const int first = problem.row_count();
+  for (const RowSpec<Real>& spec : specs_) {
+    problem.rows.push_back(stabilized_row(spec, scene_->settings().stabilization, problem.dt, problem.velocity,
+                                          source, first));
+  }
+  problem.blocks.push_back({first, problem.row_count() - first});
+}
+
+/// Gives every row the impulse that the row of the same name had in the last step, or 0 (paper 2.3). An impulse
+/// grows with dt, so it is scaled when dt has changed; the paper's lambda, a force, would stay as it is.
+template <Scalar Real>
+void World<Real>::warm_start() {
+  VelocityProblem<Real>& problem = record_.problem;
+  const Real scale = previous_dt_ > 0 ? static_cast<Real>(dt_ / previous_dt_) : Real(1);
+  problem.impulse.assign(problem.rows.size(), Real(0));
+  record_.is_new.assign(problem.rows.size(), 1);
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    const RowKey& key = problem.rows[i].key;
+    const auto found = std::lower_bound(impulses_.begin(), impulses_.end(), key,
+                                        [](const auto& entry, const RowKey& wanted) { return entry.first < wanted; });
+    if (found == impulses_.end() || found->first != key) continue;
+    record_.is_new[i] = 0;
+    if (plan_->warm_start) problem.impulse[i] = scale * found->second;
+  }
+}
+
+/// Rows that have vanished are forgotten.
+template <Scalar Real>
+void World<Real>::remember_impulses() {
+  impulses_.clear();
+  for (std::size_t i = 0; i < record_.problem.rows.size(); ++i) {
+    impulses_.emplace_back(record_.problem.rows[i].key, record_.problem.impulse[i]);
+  }
+  std::sort(impulses_.begin(), impulses_.end(),
+            [](const auto& left, const auto& right) { return left.first < right.first; });
+  previous_dt_ = dt_;
+}
+
+template <Scalar Real>
+ContactMaterial<Real> World<Real>::material(BodyId a, BodyId b) const {
+  const BodySpec& spec_a = scene_->bodies()[static_cast<std::size_t>(a.index)].spec;
+  const BodySpec& spec_b = scene_->bodies()[static_cast<std::size_t>(b.index)].spec;
+  return {.friction = static_cast<Real>(std::sqrt(spec_a.friction * spec_b.friction)),
+          .restitution = static_cast<Real>(std::max(spec_a.restitution, spec_b.restitution)),
+          .restitution_threshold = static_cast<Real>(scene_->settings().restitution_threshold)};
+}
+
+template <Scalar Real>
+std::optional<BodyId> World<Real>::first_not_finite() const {
+  for (std::size_t i = 0; i < state_.pose.size(); ++i) {
+    const Pose<Real>& pose = state_.pose[i];
+    const bool finite = std::isfinite(pose.position.x()) && std::isfinite(pose.position.y()) &&
+                        std::isfinite(pose.angle) && state_.velocity[i].allFinite();
+    if (!finite) return BodyId{static_cast<int>(i)};
+  }
+  return std::nullopt;
+}
+
+template class World<float>;
+template class World<double>;
+template class World<long double>;
+
+}  // namespace cairn

@@ -1,0 +1,105 @@
+// Floor 5. A world: the state of a scene that moves, and the step that moves it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "collision/broadphase.hpp"
+#include "collision/manifold.hpp"
+#include "constraints/contact.hpp"
+#include "dynamics/integrate.hpp"
+#include "solvers/solver.hpp"
+#include "world/plan.hpp"
+#include "world/scene.hpp"
+#include "world/snapshot.hpp"
+
+namespace cairn {
+
+/// What happened in one step. A blow-up is reported here, not thrown: nothing is clamped in silence.
+struct StepReport {
+  SolveReport solve = {};
+  int contacts = 0;                            // contact points
+  int rows = 0;                                // scalar constraints
+  std::optional<BodyId> not_finite = {};       // the first body with a NaN or an infinity, if any
+};
+
+/// What the last step saw and found. The first blocks of the problem are those of the joints, in the scene's
+/// order; then one for each manifold.
+template <Scalar Real>
+struct StepRecord {
+  std::vector<Manifold<Real>> manifolds = {};  // ordered by collider_a, collider_b; where the step began
+  VelocityProblem<Real> problem = {};          // after the solve
+  std::vector<char> is_new = {};               // for each row: it had no impulse to start from
+};
+
+/// A copyable value: `World twin = world;`. The scene is shared and never changes. Owns no solver.
+template <Scalar Real = double>
+class World {
+ public:
+  explicit World(Scene scene);
+
+  /// One step of dt. The same bits for the same scene, solver and number of steps.
+  StepReport step(Solver<Real>& solver, SolveObserver<Real>* observer = nullptr);
+  /// The problem that step() would hand to its solver now: changes nothing.
+  VelocityProblem<Real> velocity_problem() const;
+
+  /// From the next step on; impulses are carried over in proportion. @throws std::invalid_argument unless dt > 0.
+  void set_dt(double dt);
+  /// Gives a body another velocity [m/s, m/s, rad/s].
+  /// @throws std::invalid_argument for unknown or static bodies and numbers that are not finite.
+  void set_velocity(BodyId body, const Vec3<double>& velocity);
+
+  const BodyState<Real>& bodies() const { return state_; }
+  const Scene& scene() const { return *scene_; }
+  const Plan& plan() const { return *plan_; }
+  const StepRecord<Real>& last_step() const { return record_; }
+  double time() const { return time_; }  // [s]
+
+  int steps() const { return steps_; }
+  double dt() const { return dt_; }  // [s]
+
+ private:
+  struct Collider {
+    BodyId body;
+    Shape<Real> shape;
+  };
+
+  void find_contacts();
+  void apply_forces();
+  void write_rows();
+  void append_block(std::uint64_t source);
+  void warm_start();
+  void remember_impulses();
+  std::optional<BodyId> first_not_finite() const;
+  ContactMaterial<Real> material(BodyId a, BodyId b) const;
+
+  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const Plan> plan_;
+  std::shared_ptr<const std::vector<Collider>> colliders_;
+  std::vector<std::pair<BodyId, BodyId>> joined_;  // sorted; they do not collide
+  std::vector<BodyForces<Real>> forces_;
+  BodyState<Real> state_;
+  std::vector<std::pair<RowKey, Real>> impulses_;  // of the last step, sorted by key
+  StepRecord<Real> record_;
+  double dt_ = 0;           // [s]
+  double previous_dt_ = 0;  // [s] of the step that impulses_ belong to
+  double time_ = 0;
+  int steps_ = 0;
+
+  // Scratch memory, kept so that a steady step allocates nothing.
+  Broadphase<Real> broadphase_;
+  std::vector<Aabb<Real>> boxes_;
+  std::vector<char> movable_;
+  RowSpecs<Real> specs_;
+};
+
+World(Scene) -> World<double>;
+
+/// What the world looks like now. Contacts are those of the last step, where it found them.
+template <Scalar Real>
+Snapshot snapshot(const World<Real>& world);
+
+}  // namespace cairn
