@@ -1,0 +1,76 @@
+// Floor 2. One form for every shape in the narrowphase: the convex hull of a few points, rounded by a radius.
+#include "collision/rounded_hull.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn {
+namespace {
+
+template <Scalar Real>
+struct HullMaker {
+  Vec2<Real> position;      // [m], of the body, relative to the origin of the hull
+  Rotation<Real> rotation;  // from the body's frame to the world's
+
+  Vec2<Real> placed(const Vec2<Real>& local) const { return position + rotation * local; }
+
+  RoundedHull<Real> operator()(const Circle<Real>& shape) const {
+    RoundedHull<Real> hull;
+    hull.count = 1;
+    hull.radius = shape.radius;
+    hull.vertices[0] = placed(shape.center);
+    return hull;
+  }
+
+  RoundedHull<Real> operator()(const Capsule<Real>& shape) const {
+    const Vec2<Real> edge = shape.point2 - shape.point1;
+    const Real length = std::hypot(edge.x(), edge.y());
+    // Two points of a shape given in double can be one point in float.
+    if (!(length > 0)) return (*this)(Circle<Real>{shape.point1, shape.radius});
+    RoundedHull<Real> hull;
+    hull.count = 2;
+    hull.radius = shape.radius;
+    hull.vertices[0] = placed(shape.point1);
+    hull.vertices[1] = placed(shape.point2);
+    hull.normals[0] = rotation * Vec2<Real>(edge.y() / length, -edge.x() / length);
+    hull.normals[1] = -hull.normals[0];
+    return hull;
+  }
+
+  RoundedHull<Real> operator()(const Segment<Real>& shape) const {
+    return (*this)(Capsule<Real>{shape.point1, shape.point2, Real(0)});
+  }
+
+  RoundedHull<Real> operator()(const Polygon<Real>& shape) const {
+    RoundedHull<Real> hull;
+    hull.count = shape.count;
+    hull.radius = shape.radius;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(shape.count); ++i) {
+      hull.vertices[i] = placed(shape.vertices[i]);
+      hull.normals[i] = rotation * shape.normals[i];
+    }
+    return hull;
+  }
+};
+
+}  // namespace
+
+template <Scalar Real>
+RoundedHull<Real> rounded_hull(const Shape<Real>& shape, const Pose<Real>& pose, const Vec2<Real>& origin) {
+  const HullMaker<Real> maker = {pose.position - origin, Rotation<Real>(pose.angle)};
+  RoundedHull<Real> hull = std::visit(maker, shape);
+  Real size_squared = 0;
+  for (int i = 0; i < hull.count; ++i) {
+    size_squared = std::max(size_squared, (hull.vertex(i) - hull.vertex(0)).squaredNorm());
+    hull.extent = std::max(hull.extent, hull.vertex(i).cwiseAbs().maxCoeff());
+  }
+  hull.size = std::sqrt(size_squared);
+  return hull;
+}
+
+template RoundedHull<float> rounded_hull(const Shape<float>&, const Pose<float>&, const Vec2<float>&);
+template RoundedHull<double> rounded_hull(const Shape<double>&, const Pose<double>&, const Vec2<double>&);
+template RoundedHull<long double> rounded_hull(const Shape<long double>&, const Pose<long double>&,
+                                               const Vec2<long double>&);
+
+}  // namespace cairn

@@ -1,0 +1,34 @@
+// Floor 2. One form for every shape in the narrowphase: the convex hull of a few points, rounded by a radius.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "geometry/shape.hpp"
+
+namespace cairn {
+
+/// A circle has one vertex and no face; a capsule or segment has two vertices and two faces, one a side; a
+/// polygon has as many faces as vertices. All in the directions of the world.
+template <Scalar Real>
+struct RoundedHull {
+  std::array<Vec2<Real>, max_polygon_vertices> vertices;  // [m], counter-clockwise
+  std::array<Vec2<Real>, max_polygon_vertices> normals;   // normals[i]: outward unit, of the face i -> i + 1
+  int count = 0;
+  Real radius = 0;  // [m]
+  Real size = 0;    // [m], the largest distance of a vertex from vertex 0
+  Real extent = 0;  // [m], the largest coordinate: rounding errors are proportional to it
+
+  int face_count() const { return count == 1 ? 0 : count; }
+  int next(int i) const { return i + 1 == count ? 0 : i + 1; }
+  int previous(int i) const { return i == 0 ? count - 1 : i - 1; }
+  const Vec2<Real>& vertex(int i) const { return vertices[static_cast<std::size_t>(i)]; }
+  const Vec2<Real>& normal(int i) const { return normals[static_cast<std::size_t>(i)]; }
+};
+
+/// The hull of a shape at a pose. Positions are relative to `origin`, a point close to the shape, so that no
+/// digits are lost where the shape is far from the world's origin.
+template <Scalar Real>
+RoundedHull<Real> rounded_hull(const Shape<Real>& shape, const Pose<Real>& pose, const Vec2<Real>& origin);
+
+}  // namespace cairn

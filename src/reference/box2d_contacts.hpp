@@ -1,0 +1,48 @@
+// Beside floor 6. What Box2D reports of its contacts while it steps, collected for a snapshot.
+#pragma once
+
+#include <box2d/b2_contact.h>
+#include <box2d/b2_world_callbacks.h>
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "world/scene.hpp"
+#include "world/snapshot.hpp"
+
+namespace cairn {
+
+/// Hears of every contact before and after it is solved. Box2D's own manifolds would not do: their points move on
+/// with the bodies, and their impulses leave out what continuous collision adds.
+class Box2DContacts final : public b2ContactListener {
+ public:
+  /// Forgets that contacts were new. Those that Box2D does not report in this step, because their bodies sleep,
+  /// stay as they are.
+  void begin_step();
+
+  void EndContact(b2Contact* contact) override;
+  void PreSolve(b2Contact* contact, const b2Manifold* old_manifold) override;
+  void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override;
+
+  /// Ordered by colliders. `colliders` names each one's body.
+  std::vector<SnapshotContact> contacts(const std::vector<BodyId>& colliders) const;
+
+ private:
+  struct Point {
+    uint32 id = 0;  // Box2D's name of the features that touch
+    SnapshotContact contact = {};
+  };
+  struct Touching {
+    int step = 0;
+    std::vector<Point> points = {};
+  };
+  using Colliders = std::pair<int, int>;
+
+  static Colliders colliders_of(const b2Contact& contact);
+
+  int step_ = 0;
+  std::map<Colliders, Touching> touching_;
+};
+
+}  // namespace cairn

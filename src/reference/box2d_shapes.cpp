@@ -1,0 +1,102 @@
+// Beside floor 6. From Cairn's shapes and joints to Box2D's.
+#include "reference/box2d_shapes.hpp"
+
+#include <box2d/box2d.h>
+
+#include "constraints/distance_joint.hpp"
+#include "constraints/revolute_joint.hpp"
+#include "math/check.hpp"
+
+namespace cairn {
+
+namespace {
+
+std::unique_ptr<b2Shape> convert(const Circle<double>& circle) {
+  auto result = std::make_unique<b2CircleShape>();
+  result->m_p = to_box2d(circle.center);
+  result->m_radius = static_cast<float>(circle.radius);
+  return result;
+}
+
+std::unique_ptr<b2Shape> convert(const Capsule<double>&) {
+  require(false, "Box2DWorld", "shape", "a circle, polygon or segment, as Box2D 2.4.1 has no capsules", "a capsule");
+  return nullptr;
+}
+
+/// Fills in vertices and normals as they are: b2PolygonShape::Set would weld vertices that lie close together.
+std::unique_ptr<b2Shape> convert(const Polygon<double>& polygon) {
+  require(polygon.radius == 0, "Box2DWorld", "polygon radius",
+          "0 m, as Box2D 2.4.1 does not round the corners of polygons", polygon.radius);
+  require(polygon.count <= b2_maxPolygonVertices, "Box2DWorld", "polygon vertices",
+          "at most 8, as Box2D 2.4.1 has no room for more", polygon.count);
+  auto result = std::make_unique<b2PolygonShape>();
+  result->m_count = polygon.count;
+  b2Vec2 sum(0, 0);
+  for (int i = 0; i < polygon.count; ++i) {
+    result->m_vertices[i] = to_box2d(polygon.vertices[static_cast<std::size_t>(i)]);
+    result->m_normals[i] = to_box2d(polygon.normals[static_cast<std::size_t>(i)]);
+    sum += result->m_vertices[i];
+  }
+  // Box2D asks for a point inside when a segment meets the polygon; mass and inertia are set apart from it.
+  result->m_centroid = (1.0f / static_cast<float>(polygon.count)) * sum;
+  return result;
+}
+
+std::unique_ptr<b2Shape> convert(const Segment<double>& segment) {
+  auto result = std::make_unique<b2EdgeShape>();
+  result->SetTwoSided(to_box2d(segment.point1), to_box2d(segment.point2));
+  return result;
+}
+
+/// The length of a rod, found by asking for its error C = |d| - length at two poses with |d| = 1 m.
+double rod_length(const DistanceJoint& joint, std::size_t body_count) {
+  std::vector<Pose<double>> poses(body_count);
+  const auto [a, b] = joint.bodies();
+  const auto [local_a, local_b] = joint.anchors();
+  poses[static_cast<std::size_t>(b.index)].position = local_a - local_b + Vec2<double>(1, 0);
+  RowSpecs<double> rows;
+  joint.rows(poses, rows);
+  return 1 - rows.front().error;
+}
+
+b2DistanceJointDef definition(const DistanceJoint& joint, std::size_t body_count) {
+  const double length = rod_length(joint, body_count);
+  require(length >= b2_linearSlop, "Box2DWorld", "distance joint length", ">= 0.005 m, the shortest in Box2D 2.4.1",
+          length);
+  b2DistanceJointDef result;
+  result.localAnchorA = to_box2d(joint.anchors().first);
+  result.localAnchorB = to_box2d(joint.anchors().second);
+  result.length = static_cast<float>(length);
+  result.minLength = result.length;
+  result.maxLength = result.length;
+  return result;
+}
+
+b2RevoluteJointDef definition(const RevoluteJoint& joint) {
+  b2RevoluteJointDef result;
+  result.localAnchorA = to_box2d(joint.anchors().first);
+  result.localAnchorB = to_box2d(joint.anchors().second);
+  return result;
+}
+
+}  // namespace
+
+b2Vec2 to_box2d(const Vec2<double>& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
+
+std::unique_ptr<b2Shape> to_box2d(const Shape<double>& shape) {
+  return std::visit([](const auto& held) { return convert(held); }, shape);
+}
+
+b2Joint* create_joint(b2World& world, const Constraint& joint, const std::vector<b2Body*>& bodies) {
+  const auto create = [&](b2JointDef&& definition) {
+    definition.bodyA = bodies[static_cast<std::size_t>(joint.bodies().first.index)];
+    definition.bodyB = bodies[static_cast<std::size_t>(joint.bodies().second.index)];
+    return world.CreateJoint(&definition);
+  };
+  if (const auto* rod = dynamic_cast<const DistanceJoint*>(&joint)) return create(definition(*rod, bodies.size()));
+  const auto* pin = dynamic_cast<const RevoluteJoint*>(&joint);
+  require(pin != nullptr, "Box2DWorld", "joint", "a distance or revolute joint", joint.name());
+  return create(definition(*pin));
+}
+
+}  // namespace cairn

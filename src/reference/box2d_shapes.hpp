@@ -1,0 +1,27 @@
+// Beside floor 6. Shapes and joints as Box2D takes them, and refusing what it does not have.
+#pragma once
+
+#include <box2d/b2_shape.h>
+
+#include <memory>
+#include <vector>
+
+#include "constraints/constraint.hpp"
+#include "geometry/shape.hpp"
+
+class b2Body;
+class b2Joint;
+class b2World;
+
+namespace cairn {
+
+b2Vec2 to_box2d(const Vec2<double>& v);
+
+/// @throws std::invalid_argument for a capsule, a rounded polygon, or more than 8 vertices.
+std::unique_ptr<b2Shape> to_box2d(const Shape<double>& shape);
+
+/// Creates the joint between two bodies of the world. The bodies do not collide with each other.
+/// @throws std::invalid_argument unless it is a revolute joint, or a distance joint of at least 0.005 m.
+b2Joint* create_joint(b2World& world, const Constraint& joint, const std::vector<b2Body*>& bodies);
+
+}  // namespace cairn

@@ -1,0 +1,192 @@
+// Beside floor 6. Building a Box2D world from a scene, stepping it, and reading it back.
+#include "reference/box2d_world.hpp"
+
+#include <box2d/box2d.h>
+
+#include <cmath>
+
+#include "math/check.hpp"
+#include "reference/box2d_contacts.hpp"
+#include "reference/box2d_shapes.hpp"
+
+namespace cairn {
+
+namespace {
+
+b2BodyType body_type(BodyType type) {
+  if (type == BodyType::static_body) return b2_staticBody;
+  return type == BodyType::kinematic ? b2_kinematicBody : b2_dynamicBody;
+}
+
+b2Body* create_body(b2World& world, const SceneBody& body) {
+  const BodySpec& spec = body.spec;
+  b2BodyDef definition;
+  definition.type = body_type(spec.type);
+  definition.position = to_box2d(body.pose.position);
+  definition.angle = static_cast<float>(body.pose.angle);
+  definition.linearVelocity = to_box2d(spec.velocity);
+  definition.angularVelocity = static_cast<float>(spec.angular_velocity);
+  definition.linearDamping = static_cast<float>(spec.linear_damping);
+  definition.angularDamping = static_cast<float>(spec.angular_damping);
+  definition.gravityScale = static_cast<float>(spec.gravity_scale);
+  definition.fixedRotation = spec.fixed_rotation;
+  return world.CreateBody(&definition);
+}
+
+/// Names the fixture by its number among all colliders: Cairn orders contacts by it.
+void create_fixture(b2Body& body, const Shape<double>& shape, const BodySpec& spec, double threshold,
+                    std::size_t collider) {
+  const std::unique_ptr<b2Shape> converted = to_box2d(shape);
+  b2FixtureDef definition;
+  definition.shape = converted.get();
+  definition.friction = static_cast<float>(spec.friction);
+  definition.restitution = static_cast<float>(spec.restitution);
+  definition.restitutionThreshold = static_cast<float>(threshold);
+  definition.userData.pointer = collider;
+  body.CreateFixture(&definition);
+}
+
+void set_mass(b2Body& body, const SceneBody& scene_body) {
+  if (scene_body.spec.type != BodyType::dynamic) return;
+  b2MassData mass;
+  mass.mass = static_cast<float>(scene_body.mass);
+  mass.center.SetZero();  // the scene's bodies have their frame there
+  mass.I = static_cast<float>(scene_body.inertia);
+  body.SetMassData(&mass);
+}
+
+void check(const Box2DSettings& settings) {
+  require(settings.velocity_iterations >= 0, "Box2DWorld", "velocity_iterations", ">= 0",
+          settings.velocity_iterations);
+  require(settings.position_iterations >= 0, "Box2DWorld", "position_iterations", ">= 0",
+          settings.position_iterations);
+}
+
+double drift(const Constraint& joint, const std::vector<Pose<double>>& poses) {
+  RowSpecs<double> rows;
+  joint.append_rows(poses, rows);
+  double sum = 0;
+  for (const RowSpec<double>& row : rows) {
+    if (row.bounds.is_equality()) sum += row.error * row.error;
+  }
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+struct Box2DWorld::Simulation {
+  Simulation(const Scene& the_scene, const Box2DSettings& the_settings);
+  void add_bodies();
+  SnapshotBody body(std::size_t index) const;
+  SnapshotJoint joint(std::size_t index, const std::vector<Pose<double>>& poses) const;
+
+  Scene scene;
+  Box2DSettings settings;
+  Box2DContacts contacts;
+  b2World world;
+  std::vector<b2Body*> bodies;    // by BodyId; owned by the world
+  std::vector<b2Joint*> joints;   // in the scene's order; owned by the world
+  std::vector<BodyId> colliders;  // whose shape it is, in the scene's order
+  int steps = 0;
+};
+
+Box2DWorld::Simulation::Simulation(const Scene& the_scene, const Box2DSettings& the_settings)
+    : scene(the_scene), settings(the_settings), world(to_box2d(scene.settings().gravity)) {
+  check(settings);
+  world.SetContactListener(&contacts);
+  world.SetWarmStarting(scene.settings().warm_start);
+  world.SetAllowSleeping(settings.sleeping);
+  world.SetContinuousPhysics(settings.continuous);
+  add_bodies();
+  for (const std::shared_ptr<const Constraint>& joint : scene.joints()) {
+    joints.push_back(create_joint(world, *joint, bodies));
+  }
+}
+
+void Box2DWorld::Simulation::add_bodies() {
+  const std::vector<SceneBody>& scene_bodies = scene.bodies();
+  std::vector<std::size_t> first_collider;
+  for (std::size_t i = 0; i < scene_bodies.size(); ++i) {
+    first_collider.push_back(colliders.size());
+    colliders.insert(colliders.end(), scene_bodies[i].spec.shapes.size(), BodyId{static_cast<int>(i)});
+  }
+  bodies.resize(scene_bodies.size());
+  for (std::size_t count = 0; count < scene_bodies.size(); ++count) {
+    const bool last_first = settings.creation == Box2DSettings::Creation::last_first;
+    const std::size_t i = last_first ? scene_bodies.size() - 1 - count : count;
+    const BodySpec& spec = scene_bodies[i].spec;
+    bodies[i] = create_body(world, scene_bodies[i]);
+    for (std::size_t k = 0; k < spec.shapes.size(); ++k) {
+      create_fixture(*bodies[i], spec.shapes[k], spec, scene.settings().restitution_threshold,
+                     first_collider[i] + k);
+    }
+    set_mass(*bodies[i], scene_bodies[i]);
+  }
+}
+
+SnapshotBody Box2DWorld::Simulation::body(std::size_t index) const {
+  const SceneBody& scene_body = scene.bodies()[index];
+  const b2Body& box2d_body = *bodies[index];
+  const b2Vec2 center = box2d_body.GetWorldCenter();
+  const b2Vec2 velocity = box2d_body.GetLinearVelocity();
+  return {.type = scene_body.spec.type,
+          .pose = {.position = {center.x, center.y}, .angle = static_cast<double>(box2d_body.GetAngle())},
+          .velocity = {velocity.x, velocity.y, box2d_body.GetAngularVelocity()},
+          .mass = static_cast<double>(box2d_body.GetMass()),
+          .inertia = static_cast<double>(box2d_body.GetInertia()),
+          .gravity_scale = scene_body.spec.gravity_scale,
+          .shapes = scene_body.spec.shapes};
+}
+
+SnapshotJoint Box2DWorld::Simulation::joint(std::size_t index, const std::vector<Pose<double>>& poses) const {
+  const Constraint& constraint = *scene.joints()[index];
+  const auto [a, b] = constraint.bodies();
+  const auto [local_a, local_b] = constraint.anchors();
+  const b2Vec2 impulse = joints[index]->GetReactionForce(1);  // at dt = 1 s a force is its impulse
+  return {.name = constraint.name(),
+          .a = a,
+          .b = b,
+          .anchor_a = poses[static_cast<std::size_t>(a.index)].world(local_a),
+          .anchor_b = poses[static_cast<std::size_t>(b.index)].world(local_b),
+          .drift = drift(constraint, poses),
+          .impulse = {impulse.x, impulse.y}};
+}
+
+Box2DWorld::Box2DWorld(const Scene& scene, const Box2DSettings& settings)
+    : simulation_(std::make_unique<Simulation>(scene, settings)) {}
+
+Box2DWorld::~Box2DWorld() = default;
+
+void Box2DWorld::step() {
+  Simulation& simulation = *simulation_;
+  simulation.contacts.begin_step();
+  simulation.world.Step(static_cast<float>(simulation.scene.settings().dt), simulation.settings.velocity_iterations,
+                        simulation.settings.position_iterations);
+  simulation.steps += 1;
+}
+
+Snapshot Box2DWorld::snapshot() const {
+  const Simulation& simulation = *simulation_;
+  const SceneSettings& settings = simulation.scene.settings();
+  Snapshot result{.time = simulation.steps * settings.dt,
+                  .step = simulation.steps,
+                  .dt = settings.dt,
+                  .gravity = settings.gravity,
+                  .contacts = simulation.contacts.contacts(simulation.colliders)};
+  std::vector<Pose<double>> poses;
+  for (std::size_t i = 0; i < simulation.bodies.size(); ++i) {
+    result.bodies.push_back(simulation.body(i));
+    poses.push_back(result.bodies.back().pose);
+  }
+  for (std::size_t i = 0; i < simulation.joints.size(); ++i) result.joints.push_back(simulation.joint(i, poses));
+  return result;
+}
+
+bool Box2DWorld::is_awake(BodyId body) const {
+  const std::vector<b2Body*>& bodies = simulation_->bodies;
+  require(body.index >= 0 && body.index < static_cast<int>(bodies.size()), "Box2DWorld::is_awake", "body",
+          "the id of a body of this scene", body.index);
+  return bodies[static_cast<std::size_t>(body.index)]->IsAwake();
+}
+
+}  // namespace cairn

@@ -1,0 +1,169 @@
+// Making shapes: what is refused, with which words, and what is stored.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "geometry/shape.hpp"
+#include "random_shapes.hpp"
+
+namespace cairn {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+std::string refusal(const std::function<void()>& make) {
+  try {
+    make();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+std::string polygon_refusal(const std::vector<Vec2<double>>& points) {
+  return refusal([&] { polygon(points); });
+}
+
+bool says(const std::string& message, const std::string& part) {
+  return message.find(part) != std::string::npos;
+}
+
+/// A star with five points, drawn in one line that crosses itself.
+std::vector<Vec2<double>> pentagram() {
+  std::vector<Vec2<double>> points;
+  for (int i = 0; i < 5; ++i) points.emplace_back(std::cos(0.8 * pi * i), std::sin(0.8 * pi * i));
+  return points;
+}
+
+std::vector<Vec2<double>> regular(int count) {
+  std::vector<Vec2<double>> points;
+  for (int i = 0; i < count; ++i)
+    points.emplace_back(std::cos(2 * pi * i / count), std::sin(2 * pi * i / count));
+  return points;
+}
+
+TEST_CASE("a refused shape names maker, field, rule, unit and value") {
+  CHECK(refusal([] { circle(-1); }) == "circle: radius must be > 0 m, got -1");
+  CHECK(refusal([] { circle(0); }) == "circle: radius must be > 0 m, got 0");
+  CHECK(refusal([] { circle(not_a_number); }) == "circle: radius must be > 0 m, got nan");
+  CHECK(refusal([] { circle(infinity); }) == "circle: radius must be a finite number of m, got inf");
+  CHECK(refusal([] {
+          circle(1, {0, infinity});
+        }) == "circle: center must be finite numbers of m, got (0, inf)");
+  CHECK(refusal([] { capsule({0, 0}, {1, 0}, 0); }) == "capsule: radius must be > 0 m, got 0");
+  CHECK(refusal([] {
+          capsule({1, 2}, {1, 2}, 1);
+        }) == "capsule: point2 must be another point than point1, got (1, 2)");
+  CHECK(refusal([] {
+          segment({1, 2}, {1, 2});
+        }) == "segment: point2 must be another point than point1, got (1, 2)");
+  CHECK(refusal([] {
+          segment({not_a_number, 2}, {1, 2});
+        }) == "segment: point1 must be finite numbers of m, got (nan, 2)");
+  CHECK(refusal([] { box(0, 1); }) == "box: width must be > 0 m, got 0");
+  CHECK(refusal([] { box(1, -0.1); }) == "box: height must be > 0 m, got -0.1");
+  CHECK(refusal([] { box(1, 1, -0.5); }) == "box: radius must be >= 0 m, got -0.5");
+  CHECK(refusal([] { box(1, infinity); }) == "box: height must be a finite number of m, got inf");
+  CHECK(refusal([] {
+          moved(circle(1), {not_a_number, 0});
+        }) == "moved: offset must be finite numbers of m, got (nan, 0)");
+  CHECK(refusal([] {
+          moved(circle(1), {0, 0}, infinity);
+        }) == "moved: angle must be a finite number of rad, got inf");
+}
+
+TEST_CASE("a polygon that is not a convex area is refused, and the message names the point") {
+  CHECK(polygon_refusal({{0, 0}, {1, 0}}) == "polygon: number of points must be 3 to 16, got 2");
+  CHECK(polygon_refusal(regular(17)) == "polygon: number of points must be 3 to 16, got 17");
+  CHECK(polygon_refusal(regular(16)) == "accepted");
+  CHECK(polygon_refusal({{0, 0}, {1, 0}, {0, not_a_number}}) ==
+        "polygon: points[2] must be finite numbers of m, got (0, nan)");
+  CHECK(polygon_refusal({{0, 0}, {3, 0}, {3, 4}, {0, 0}}) ==
+        "polygon: points[3] must be farther than 5e-06 m from points[0], got (0, 0)");
+  CHECK(says(polygon_refusal({{0, 0}, {1, 0}, {1, 1}, {1, 1 + 1e-8}}), "points[3]"));
+  CHECK(says(polygon_refusal({{0, 0}, {1, 0}, {2, 0}}), "polygon: area must be >"));
+  CHECK(says(polygon_refusal({{0, 0}, {1, 0}, {0.5, 1e-9}}), "polygon: area must be >"));
+  CHECK(polygon_refusal({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}}) ==
+        "polygon: points[1] must be out of line with its neighbours, got (1, 0)");
+  CHECK(polygon_refusal({{0, 0}, {2, 0}, {2, 2}, {1, 0.5}, {0, 2}}) ==
+        "polygon: points[3] must be a corner that turns outwards (convex), got (1, 0.5)");
+  CHECK(says(polygon_refusal({{0, 0}, {2, 1}, {2, 0}, {0, 2}}), "(convex)"));  // a bow tie
+  CHECK(polygon_refusal(pentagram()) ==
+        "polygon: number of turns around the inside must be 1 (the edges cross), got 2");
+  CHECK(refusal([] { polygon(regular(3), -1); }) == "polygon: radius must be >= 0 m, got -1");
+  CHECK(says(polygon_refusal({{0, 0}, {1e300, 0}, {0, 1e300}}), "polygon: area"));
+  CHECK(polygon_refusal({{0, 0}, {1e-300, 0}, {0, 1e-300}}) != "accepted");  // its area is 0 in double
+}
+
+TEST_CASE("a clockwise polygon names the points as they were given") {
+  CHECK(polygon_refusal({{0, 2}, {1, 0.5}, {2, 2}, {2, 0}, {0, 0}}) ==
+        "polygon: points[1] must be a corner that turns outwards (convex), got (1, 0.5)");
+}
+
+TEST_CASE("a polygon is stored counter-clockwise with outward unit normals, whichever way it was given") {
+  test::Random random(1);
+  for (int round = 0; round < 100; ++round) {
+    const Polygon<double> forward = std::get<Polygon<double>>(test::random_shape(2, random));
+    std::vector<Vec2<double>> points(forward.vertices.begin(), forward.vertices.begin() + forward.count);
+    std::reverse(points.begin(), points.end());
+    const Polygon<double> backward = polygon(points);
+    for (const Polygon<double>& shape : {forward, backward}) {
+      for (int i = 0; i < shape.count; ++i) {
+        const Vec2<double>& normal = shape.normals[static_cast<std::size_t>(i)];
+        // Each component is rounded once, by at most half an ulp.
+        CHECK(std::abs(normal.norm() - 1) <= 2 * std::numeric_limits<double>::epsilon());
+        for (int j = 0; j < shape.count; ++j) {
+          const Vec2<double> arm =
+              shape.vertices[static_cast<std::size_t>(j)] - shape.vertices[static_cast<std::size_t>(i)];
+          const bool on_the_edge = j == i || j == (i + 1) % shape.count;
+          if (on_the_edge) CHECK(std::abs(normal.dot(arm)) <= 4 * std::numeric_limits<double>::epsilon());
+          if (!on_the_edge) CHECK(normal.dot(arm) < 0);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a box has its normals exactly along the axes, in every scalar") {
+  const Polygon<float> shape = std::get<Polygon<float>>(shape_cast<float>(box(0.1, 0.3)));
+  CHECK(shape.normals[0] == Vec2<float>(0, -1));
+  CHECK(shape.normals[1] == Vec2<float>(1, 0));
+  CHECK(shape.normals[2] == Vec2<float>(0, 1));
+  CHECK(shape.normals[3] == Vec2<float>(-1, 0));
+}
+
+TEST_CASE("a cast to long double has normals of that precision") {
+  const Shape<double> tilted = moved(box(1, 0.3), {5, 7}, 0.1);
+  const Polygon<long double> shape = std::get<Polygon<long double>>(shape_cast<long double>(tilted));
+  const Vec2<long double> edge = shape.vertices[1] - shape.vertices[0];
+  // The normal is perpendicular to the edge of length 1 up to the rounding of two products.
+  CHECK(std::abs(shape.normals[0].dot(edge)) <= 2 * std::numeric_limits<long double>::epsilon());
+}
+
+TEST_CASE("a shape is turned about the origin first and moved then") {
+  const Circle<double> round = std::get<Circle<double>>(moved(circle(0.5, {1, 0}), {10, 20}, pi / 2));
+  // cos(pi / 2) is 6e-17 in double; 20 + 1 is exact.
+  CHECK(std::abs(round.center.x() - 10) <= 2e-15);
+  CHECK(round.center.y() == 21);
+  const Polygon<double> square = std::get<Polygon<double>>(moved(box(2, 2), {1, 1}));
+  CHECK(square.vertices[0] == Vec2<double>(0, 0));
+  CHECK(square.normals[0] == Vec2<double>(0, -1));
+}
+
+TEST_CASE("a polygon moved so far that its corners coincide is refused") {
+  CHECK(says(refusal([] { moved(box(1, 1), {1e17, 0}); }), "another point than the next"));
+}
+
+TEST_CASE("every shape has a name") {
+  CHECK(shape_name(circle(1)) == "circle");
+  CHECK(shape_name(capsule({0, 0}, {1, 0}, 1)) == "capsule");
+  CHECK(shape_name(box(1, 1)) == "polygon");
+  CHECK(shape_name(segment({0, 0}, {1, 0})) == "segment");
+}
+
+}  // namespace
+}  // namespace cairn

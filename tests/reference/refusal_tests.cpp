@@ -1,0 +1,81 @@
+// What Box2D 2.4.1 does not have is refused, in words.
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "engines.hpp"
+
+namespace cairn::reference_tests {
+
+namespace {
+
+std::string refusal(const Scene& scene, const Box2DSettings& settings = {}) {
+  try {
+    const Box2DWorld world(scene, settings);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+Scene scene_with(const Shape<double>& shape) {
+  Scene scene;
+  scene.add({.shapes = {shape}});
+  return scene;
+}
+
+Polygon<double> regular_polygon(int count) {
+  std::vector<Vec2<double>> points;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * pi * i / count;
+    points.push_back({std::cos(angle), std::sin(angle)});
+  }
+  return polygon(points);
+}
+
+/// A joint of one's own, which Box2D cannot know.
+class Magnet final : public ConstraintOf<Magnet> {
+ public:
+  std::string name() const override { return "magnet"; }
+  std::pair<BodyId, BodyId> bodies() const override { return {ground, BodyId{1}}; }
+  std::pair<Vec2<double>, Vec2<double>> anchors() const override { return {{0, 0}, {0, 0}}; }
+  template <Scalar Real>
+  void rows(const std::vector<Pose<Real>>&, RowSpecs<Real>&) const {}
+};
+
+TEST_CASE("Box2D has no rounded polygons, no capsules and no polygons of more than 8 vertices") {
+  CHECK(refusal(scene_with(box(1, 1, 0.1))) ==
+        "Box2DWorld: polygon radius must be 0 m, as Box2D 2.4.1 does not round the corners of polygons, got 0.1");
+  CHECK(refusal(scene_with(capsule({0, 0}, {1, 0}, 0.5))) ==
+        "Box2DWorld: shape must be a circle, polygon or segment, as Box2D 2.4.1 has no capsules, got a capsule");
+  CHECK(refusal(scene_with(regular_polygon(9))) ==
+        "Box2DWorld: polygon vertices must be at most 8, as Box2D 2.4.1 has no room for more, got 9");
+  CHECK(refusal(scene_with(regular_polygon(8))).empty());
+  CHECK(refusal(scene_with(circle(0.5))).empty());
+}
+
+TEST_CASE("Box2D takes rods and pins, and refuses other joints and rods shorter than its slop") {
+  Scene scene = scene_with(circle(0.5));
+  scene.join<DistanceJoint>({.a = ground, .b = {1}, .anchor_a = {0, 2}, .anchor_b = {0, 0}});
+  scene.join<RevoluteJoint>({.a = ground, .b = {1}, .anchor = {0, 2}});
+  CHECK(refusal(scene).empty());
+
+  Scene short_rod = scene_with(circle(0.5));
+  short_rod.join<DistanceJoint>({.a = ground, .b = {1}, .length = 0.0025});
+  CHECK(refusal(short_rod).starts_with("Box2DWorld: distance joint length must be >= 0.005 m"));
+
+  Scene other = scene_with(circle(0.5));
+  other.add_joint(std::make_shared<const Magnet>());
+  CHECK(refusal(other) == "Box2DWorld: joint must be a distance or revolute joint, got magnet");
+}
+
+TEST_CASE("Box2D refuses negative iteration counts, and questions about bodies that are not there") {
+  CHECK(refusal(Scene(), {.velocity_iterations = -1}) == "Box2DWorld: velocity_iterations must be >= 0, got -1");
+  CHECK(refusal(Scene(), {.position_iterations = -1}) == "Box2DWorld: position_iterations must be >= 0, got -1");
+  CHECK_THROWS_AS(Box2DWorld(Scene()).is_awake(BodyId{1}), std::invalid_argument);
+}
+
+}  // namespace
+
+}  // namespace cairn::reference_tests

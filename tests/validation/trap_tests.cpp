@@ -1,0 +1,260 @@
+// Mistakes that are easily made in a solver, each with the number that tells it from the right answer.
+#include <algorithm>
+#include <numeric>
+
+#include "geometry/shape.hpp"
+#include "measure/violation.hpp"
+#include "problems.hpp"
+
+using namespace cairn;
+using namespace cairn::testing;
+
+namespace {
+
+const double quiet_nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A box of 1 m and 1 kg on two feet 0.2 m from its middle, after one step of falling.
+VelocityProblem<double> box_on_narrow_feet() {
+  VelocityProblem<double> problem = empty_problem<double>();
+  const BodyId box = add_body<double>(problem, 1, 1.0 / 6, {0, -test_gravity * test_dt, 0});
+  for (const double x : {-0.2, 0.2}) add_row(problem, floor_row(box, x));
+  return problem;
+}
+
+/// What not to do: sweeps that clamp every increment at 0 instead of the sum. Returns the sum of all
+/// impulses.
+double sweep_with_clamped_increments(VelocityProblem<double>& problem, int sweeps) {
+  double sum = 0;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (const ConstraintRow<double>& row : problem.rows) {
+      const double wish =
+          -row_velocity(row, problem.velocity) / inverse_effective_mass(row, problem.inverse_mass);
+      apply_impulse(row, std::max(wish, 0.0), problem.inverse_mass, problem.velocity);
+      sum += std::max(wish, 0.0);
+    }
+  }
+  return sum;
+}
+
+World<double> settled_stack(int boxes, Solver<double>& solver) {
+  Scene scene;
+  scene.add_ground();
+  for (int i = 0; i < boxes; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1});
+  World world(scene);
+  run(world, solver, 2);
+  return world;
+}
+
+double largest_speed(const World<double>& world) {
+  double largest = 0;
+  for (const Vec3<double>& v : world.bodies().velocity) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("a velocity without gravity in it gives no impulse at all: v_1 must hold gravity") {
+  for (const SolverMaker<double>& make : all_solvers<double>()) {
+    VelocityProblem<double> forgotten = stack<double>(3);
+    for (Vec3<double>& v : forgotten.velocity) v.setZero();
+    make({.iterations = 100})->solve(forgotten);
+    for (const double impulse : forgotten.impulse) CHECK(impulse == 0);
+  }
+}
+
+TEST_CASE("an impulse divided by dt is the weight that the paper's lambda is") {
+  for (const double frequency : {30.0, 60.0, 240.0}) {
+    Scene scene({.dt = 1 / frequency});
+    scene.add_ground();
+    const BodyId stone = scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .mass = 7});
+    World world(scene);
+    SequentialImpulse<double> solver({.iterations = 50});
+    run(world, solver, 0.5);
+    const Snapshot now = snapshot(world);
+    double impulse = 0;
+    for (const SnapshotContact& contact : now.contacts) impulse += contact.normal_impulse;
+    CHECK(now.contacts.size() == 2);
+    CHECK(impulse / now.dt == doctest::Approx(7 * test_gravity).epsilon(1e-12));  // [N]
+    CHECK(pose_of(world, stone).position.y() == doctest::Approx(0.5).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("impulses that are not scaled with dt leave a stack falling by g times the change of dt") {
+  const double shorter = 1.0 / 60, longer = 1.0 / 30;
+  for (const SolverMaker<double>& make : all_solvers<double>()) {
+    for (const double scale : {1.0, longer / shorter}) {
+      VelocityProblem<double> problem = stack<double>(10);
+      for (std::size_t j = 0; j < 10; ++j) {
+        problem.impulse[j] = scale * (10 - static_cast<double>(j)) * test_gravity * shorter;
+        problem.velocity[j + 1] = {0, -test_gravity * longer, 0};
+      }
+      problem.dt = longer;
+      make({.iterations = 0})->solve(problem);
+      const double left = scale == 1 ? test_gravity * (longer - shorter) : 0;
+      for (std::size_t i = 1; i <= 10; ++i) {
+        CHECK(std::abs(problem.velocity[i].y() + left) <= 64 * double_epsilon);
+      }
+    }
+  }
+}
+
+TEST_CASE("a settled stack stays at rest when dt changes from 1/60 s to 1/30 s and back") {
+  // Where friction ties the boxes together, a digit costs about n^4 sweeps, 600 for five boxes: 2000 are
+  // enough for every step to leave less than the one before.
+  SequentialImpulse<double> solver({.iterations = 2000});
+  World world = settled_stack(5, solver);
+  CHECK(largest_speed(world) <= 1e-6 * test_gravity * test_dt);
+  for (const double frequency : {60.0, 30.0, 60.0}) {
+    world.set_dt(1 / frequency);
+    SequentialImpulse<double> one_sweep({.iterations = 1});
+    world.step(one_sweep);
+    // Impulses that were not scaled would move the boxes by g (1/30 - 1/60) = 0.167 m/s.
+    CHECK(largest_speed(world) <= 1e-6 * test_gravity * test_dt);
+  }
+}
+
+// A1
+TEST_CASE("in a settled stack every box stands on the weight of all that is above it") {
+  const int boxes = 5, sweeps = 2000;
+  SequentialImpulse<double> solver({.iterations = sweeps});
+  const World world = settled_stack(boxes, solver);
+  const Snapshot now = snapshot(world);
+  for (int j = 0; j < boxes; ++j) {
+    const double weight = (boxes - j) * test_gravity * test_dt;
+    const double carried = normal_impulse_between(now, {j}, {j + 1});
+    // Warm starts have brought the sweeps of all steps together: what is left is the rounding of the last
+    // 2000.
+    CHECK(std::abs(carried - weight) <= 64 * double_epsilon * (1 + sweeps) * boxes * test_gravity * test_dt);
+  }
+}
+
+TEST_CASE("a kinematic body moves others through j v, and nothing moves it") {
+  for (const SolverMaker<double>& make : all_solvers<double>()) {
+    VelocityProblem<double> problem = empty_problem<double>();
+    problem.velocity.push_back({0, 3, 0});  // a lift: inverse mass 0, and a velocity
+    problem.inverse_mass.push_back(Vec3<double>::Zero());
+    const BodyId box = add_body<double>(problem, 2, 1, {0, 0, 0});
+    add_row(problem, vertical_row<double>({1}, box, Bounds<double>::unilateral()));
+    make({.iterations = 1})->solve(problem);
+    CHECK(problem.velocity[2].y() == 3);
+    CHECK(problem.velocity[1].y() == 3);
+    CHECK(problem.impulse[0] == 2 * 3);
+  }
+}
+
+TEST_CASE("a kinematic belt carries a box along, by friction up to mu g and never faster than itself") {
+  Scene scene;
+  const double mu = 0.5, speed = 2;
+  const BodyId belt = scene.add({.type = BodyType::kinematic,
+                                 .shapes = {box(40, 1)},
+                                 .position = {0, -0.5},
+                                 .velocity = {speed, 0},
+                                 .friction = mu});
+  const BodyId load = scene.add({.shapes = {box(1, 0.5)}, .position = {0, 0.25}, .mass = 1, .friction = mu});
+  World world(scene);
+  SequentialImpulse<double> solver({.iterations = 50});
+  run(world, solver, 0.2);
+  CHECK(velocity_of(world, load).x() == doctest::Approx(mu * test_gravity * 0.2).epsilon(1e-9));
+  run(world, solver, 1);
+  CHECK(velocity_of(world, load).x() == doctest::Approx(speed).epsilon(1e-9));
+  CHECK(velocity_of(world, belt) == Vec3<double>(speed, 0, 0));
+}
+
+TEST_CASE("a row between two bodies that cannot move does nothing and harms nothing") {
+  for (const SolverMaker<double>& make : all_solvers<double>()) {
+    VelocityProblem<double> problem = stack<double>(1);
+    problem.velocity.push_back({0, -3, 0});
+    problem.inverse_mass.push_back(Vec3<double>::Zero());
+    add_row(problem, vertical_row<double>(ground, {2}, Bounds<double>::unilateral()));
+    add_row(problem, vertical_row<double>(ground, {2}, Bounds<double>::equality()));
+    make({.iterations = 5})->solve(problem);
+    CHECK(problem.impulse[0] == doctest::Approx(test_gravity * test_dt).epsilon(1e-15));
+    CHECK(problem.impulse[1] == 0);
+    CHECK(problem.impulse[2] == 0);
+    CHECK(problem.velocity[2] == Vec3<double>(0, -3, 0));
+  }
+}
+
+TEST_CASE("clamped sums of impulses carry a narrow box exactly; clamped increments throw it up") {
+  const double weight = test_gravity * test_dt;
+  VelocityProblem<double> wrong = box_on_narrow_feet();
+  const double sum = sweep_with_clamped_increments(wrong, 100);
+  // A_ii = 1 + 6 * 0.2^2 and A_ij = 1 - 6 * 0.2^2: the second foot gets what the first one left, and no sweep
+  // ever takes any of the first one's share back.
+  const double A_ii = 1.24, A_ij = 0.76;
+  CHECK(sum == doctest::Approx(weight / A_ii * (1 + (1 - A_ij / A_ii))).epsilon(1e-13));  // 1.119 m g dt
+  CHECK(wrong.velocity[1].y() == doctest::Approx(sum - weight).epsilon(1e-12));           // upwards, for ever
+
+  for (const SolverMaker<double>& make : all_solvers<double>()) {
+    VelocityProblem<double> right = box_on_narrow_feet();
+    make({.iterations = 100})->solve(right);  // (A_ij / A_ii)^2 = 0.38 a sweep
+    CHECK(std::accumulate(right.impulse.begin(), right.impulse.end(), 0.0) ==
+          doctest::Approx(weight).epsilon(1e-14));
+    CHECK(right.velocity[1].cwiseAbs().maxCoeff() <= 64 * double_epsilon);
+  }
+}
+
+TEST_CASE("a warm impulse that is too large is taken back") {
+  const double weight = test_gravity * test_dt;
+  for (const SolverMaker<double>& make : all_solvers<double>()) {
+    VelocityProblem<double> problem = box_on_narrow_feet();
+    problem.impulse = {weight, weight};  // twice what is needed
+    make({.iterations = 100})->solve(problem);
+    CHECK(problem.velocity[1].cwiseAbs().maxCoeff() <= 64 * double_epsilon);
+  }
+}
+
+TEST_CASE("friction is given back when its contact lets go") {
+  for (const SolverMaker<double>& make : all_solvers<double>()) {
+    VelocityProblem<double> problem = empty_problem<double>();
+    const BodyId box = add_body<double>(problem, 1, 1.0 / 6, {0, 1, 0});  // on its way up
+    const int normal = add_row(problem, floor_row<double>(box, 0));
+    add_row(problem, floor_friction_row<double>(box, 0, 0.5, normal));
+    problem.impulse = {0.2, 0.1};  // of the step before
+    make({.iterations = 1})->solve(problem);
+    CHECK(problem.impulse[0] == 0);
+    CHECK(problem.impulse[1] == 0);
+    CHECK((problem.velocity[1] - Vec3<double>(0, 1, 0)).cwiseAbs().maxCoeff() <= 4 * double_epsilon);
+  }
+}
+
+TEST_CASE("a NaN is still a NaN after clamping, so that it cannot hide") {
+  const std::vector<double> impulse = {1, 1};
+  CHECK(std::isnan(Bounds<double>::equality().clamp(quiet_nan, impulse)));
+  CHECK(std::isnan(Bounds<double>::unilateral().clamp(quiet_nan, impulse)));
+  CHECK(std::isnan(Bounds<double>::at_most(1).clamp(quiet_nan, impulse)));
+  CHECK(std::isnan(Bounds<double>::coulomb(0.5, 0).clamp(quiet_nan, impulse)));
+  for (const SolverMaker<double>& make : all_solvers<double>()) {
+    VelocityProblem<double> problem = stack<double>(2);
+    problem.velocity[1].y() = quiet_nan;
+    make({})->solve(problem);
+    CHECK(std::isnan(problem.impulse[0]));
+  }
+}
+
+TEST_CASE("impulses find their rows again when rows before them have gone, and new rows start from 0") {
+  Scene scene;
+  scene.add_ground();
+  const BodyId ball = scene.add({.shapes = {circle(0.5)}, .position = {-3, 0.5}, .mass = 1});
+  for (const double x : {0.0, 3.0}) scene.add({.shapes = {box(1, 1)}, .position = {x, 0.5}, .mass = 2});
+  World world(scene);
+  SequentialImpulse<double> solver({.iterations = 20});
+  run(world, solver, 0.5);
+  const VelocityProblem<double> before = world.last_step().problem;
+  world.set_velocity(ball, {0, 3, 0});
+  run(world, solver, 0.1);  // the ball, whose rows came first, has left the margin
+  const VelocityProblem<double> without = world.velocity_problem();
+  CHECK(without.row_count() == before.row_count() - 2);
+  for (std::size_t i = 0; i < without.rows.size(); ++i) {
+    CHECK(without.rows[i].key == before.rows[i + 2].key);
+    CHECK(without.impulse[i] == doctest::Approx(before.impulse[i + 2]).epsilon(1e-9));
+  }
+  // It comes down after 0.6 s; watch it from then on until it touches.
+  for (int step = 0; step < 60 && world.last_step().problem.row_count() < before.row_count(); ++step) {
+    world.step(solver);
+  }
+  REQUIRE(world.last_step().problem.row_count() == before.row_count());
+  CHECK(world.last_step().is_new[0] == 1);
+  CHECK(world.last_step().is_new[1] == 1);
+  for (std::size_t i = 2; i < before.rows.size(); ++i) CHECK(world.last_step().is_new[i] == 0);
+}

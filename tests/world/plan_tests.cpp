@@ -1,0 +1,134 @@
+// What a scene needs, what is left out of its steps, and what the plan says about it.
+#include <doctest/doctest.h>
+
+#include "constraints/revolute_joint.hpp"
+#include "solvers/sequential_impulse.hpp"
+#include "world/world.hpp"
+
+using namespace cairn;
+
+namespace {
+
+/// A falling disc on the ground that needs as little as can be: no friction, no rotation.
+Scene plain_scene(double friction_of_ground, double friction_of_disc) {
+  Scene scene({.warm_start = false});
+  scene.add_ground({.friction = friction_of_ground});
+  scene.add(
+      {.shapes = {circle(0.5)}, .position = {0, 0.5}, .friction = friction_of_disc, .fixed_rotation = true});
+  return scene;
+}
+
+/// A scene in which everything occurs.
+Scene rich_scene() {
+  Scene scene;
+  scene.add_ground({.friction = 0.5});
+  const BodyId bar =
+      scene.add({.shapes = {box(1, 1), circle(1, {1, 0})}, .position = {0, 3}, .angular_damping = 0.1});
+  scene.add({.shapes = {capsule({0, 0}, {1, 0}, 0.2)}, .position = {0, 5}, .restitution = 0.5});
+  scene.add({.type = BodyType::static_body, .shapes = {segment({-5, 0}, {-5, 5})}});
+  scene.join<RevoluteJoint>({.a = ground, .b = bar, .anchor = {0, 4}});
+  return scene;
+}
+
+bool says(const Plan& plan, const std::string& text) { return explain(plan).find(text) != std::string::npos; }
+
+int friction_rows(const World<double>& world) {
+  int count = 0;
+  for (const ConstraintRow<double>& row : world.last_step().problem.rows) count += row.bounds.is_friction();
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a plan counts bodies, shapes and joints, and lists the kinds of shapes") {
+  const Plan plan = make_plan(rich_scene());
+  CHECK(plan.bodies == 4);
+  CHECK(plan.dynamic_bodies == 2);
+  CHECK(plan.turning_bodies == 2);
+  CHECK(plan.colliders == 5);
+  CHECK(plan.joints == 1);
+  CHECK(plan.shape_kinds == std::vector<std::string>{"capsule", "circle", "polygon", "segment"});
+  CHECK(plan.broadphase == BroadphaseKind::all_pairs);
+  CHECK(plan.collision);
+  CHECK(plan.gravity);
+  CHECK(plan.damping);
+  CHECK(plan.friction);
+  CHECK(plan.restitution);
+  CHECK(plan.warm_start);
+  CHECK_FALSE(says(plan, "left out"));
+}
+
+TEST_CASE("the explanation of a plan says what is there") {
+  const Plan plan = make_plan(rich_scene());
+  CHECK(says(plan, "2 dynamic of 4; 6 velocities a step"));
+  CHECK(says(plan, "all pairs of boxes, 5 shapes (capsule, circle, polygon, segment)"));
+  CHECK(says(plan, "one row a contact point, where mu > 0"));
+}
+
+TEST_CASE("everything that a scene does without is left out, and the explanation says so") {
+  Scene scene({.gravity = {0, 0}, .warm_start = false});
+  scene.add({.shapes = {circle(1)}, .fixed_rotation = true});
+  const Plan plan = make_plan(scene);
+  for (const char* part :
+       {"collision", "joints", "friction", "restitution", "gravity", "damping", "rotation", "warm start"}) {
+    const std::string text = explain(plan);
+    const std::size_t begin = text.find(std::string("  ") + part);
+    REQUIRE(begin != std::string::npos);
+    const std::string line = text.substr(begin, text.find('\n', begin) - begin);
+    CHECK(line.find("left out") != std::string::npos);
+  }
+  CHECK_FALSE(plan.collision);
+  CHECK_FALSE(plan.friction);
+  CHECK_FALSE(plan.gravity);
+  CHECK(plan.turning_bodies == 0);
+}
+
+TEST_CASE("no friction row is written where mu is 0 on either side, and one a contact point elsewhere") {
+  struct Case {
+    double ground;
+    double disc;
+    int rows;
+  };
+  for (const Case& row : {Case{0, 0.5, 0}, Case{0.5, 0, 0}, Case{0, 0, 0}, Case{0.5, 0.5, 1}}) {
+    World world(plain_scene(row.ground, row.disc));
+    SequentialImpulse<double> solver;
+    const StepReport report = world.step(solver);
+    CHECK(report.contacts == 1);
+    CHECK(friction_rows(world) == row.rows);
+    CHECK(report.rows == 1 + row.rows);
+    CHECK(world.plan().friction == (row.rows > 0));
+    CHECK(says(world.plan(), "no friction rows") == (row.rows == 0));
+  }
+}
+
+TEST_CASE("a scene in which nothing can meet has no contacts, even where shapes overlap") {
+  Scene scene;
+  scene.add({.type = BodyType::static_body, .shapes = {box(1, 1)}});
+  scene.add({.type = BodyType::kinematic, .shapes = {box(1, 1)}});
+  World world(scene);
+  SequentialImpulse<double> solver;
+  CHECK(world.step(solver).rows == 0);
+  CHECK_FALSE(world.plan().collision);
+  CHECK(says(world.plan(), "nothing can meet"));
+}
+
+TEST_CASE("many shapes are sorted, few are compared each with each") {
+  Scene scene;
+  for (int i = 0; i < 100; ++i) scene.add({.shapes = {circle(0.4)}, .position = {static_cast<double>(i), 0}});
+  CHECK(make_plan(scene).broadphase == BroadphaseKind::sweep);
+  CHECK(says(make_plan(scene), "sort and sweep"));
+}
+
+TEST_CASE("bodies whose rotation is fixed are counted, and never turn") {
+  Scene scene;
+  scene.add_ground({.friction = 1});
+  const BodyId sledge = scene.add(
+      {.shapes = {box(1, 4)}, .position = {0, 2}, .velocity = {3, 0}, .friction = 1, .fixed_rotation = true});
+  scene.add({.shapes = {circle(1)}, .position = {5, 1}});
+  World world(scene);
+  SequentialImpulse<double> solver;
+  for (int step = 0; step < 30; ++step) world.step(solver);
+  CHECK(world.bodies().pose[static_cast<std::size_t>(sledge.index)].angle == 0);
+  CHECK(says(world.plan(), "left out for 1 bodies: 1/I is 0"));
+  CHECK(says(world.plan(), "2 dynamic of 3; 5 velocities a step"));
+}

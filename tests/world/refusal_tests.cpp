@@ -1,0 +1,249 @@
+// Every number of a scene that cannot be simulated is refused, and the message names field, rule, unit and
+// value.
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <limits>
+
+#include "constraints/distance_joint.hpp"
+#include "constraints/revolute_joint.hpp"
+#include "math/check.hpp"
+#include "solvers/sequential_impulse.hpp"
+#include "world/world.hpp"
+
+using namespace cairn;
+
+namespace {
+
+const double no_number = std::numeric_limits<double>::quiet_NaN();
+const double unbounded = std::numeric_limits<double>::infinity();
+
+/// One field: what the message says it must be, how to give it a value, and values that are out of range.
+/// NaN and both infinities are tried for every field.
+struct Field {
+  std::string name = {};
+  std::string rule = {};
+  std::function<void(double)> use = {};
+  std::vector<double> out_of_range = {};
+};
+
+std::string message_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "nothing was refused";
+}
+
+void check_refusals(const std::string& place, const std::vector<Field>& fields) {
+  for (const Field& field : fields) {
+    std::vector<double> values = {no_number, unbounded, -unbounded};
+    values.insert(values.end(), field.out_of_range.begin(), field.out_of_range.end());
+    for (const double value : values) {
+      const std::string expected =
+          place + ": " + field.name + " must be " + field.rule + ", got " + shortest(value);
+      CHECK(message_of([&] { field.use(value); }) == expected);
+    }
+  }
+}
+
+/// The same for fields of two numbers, of which the second is bad.
+void check_vector_refusals(const std::string& place, const std::vector<Field>& fields) {
+  for (const Field& field : fields) {
+    for (const double value : {no_number, unbounded, -unbounded}) {
+      const std::string expected =
+          place + ": " + field.name + " must be " + field.rule + ", got (1, " + shortest(value) + ")";
+      CHECK(message_of([&] { field.use(value); }) == expected);
+    }
+  }
+}
+
+/// A field of a body: `set` writes the value into the spec of a ball, which is then added to a scene.
+std::function<void(double)> for_a_ball(const std::function<void(BodySpec&, double)>& set) {
+  return [set](double value) {
+    BodySpec spec{.shapes = {circle(1)}, .position = {1, 0}, .velocity = {1, 0}};
+    set(spec, value);
+    Scene().add(spec);
+  };
+}
+
+std::function<void(double)> for_settings(const std::function<void(SceneSettings&, double)>& set) {
+  return [set](double value) {
+    SceneSettings settings;
+    set(settings, value);
+    Scene scene(settings);
+  };
+}
+
+std::function<void(double)> for_the_ground(const std::function<void(GroundSpec&, double)>& set) {
+  return [set](double value) {
+    GroundSpec spec;
+    set(spec, value);
+    Scene().add_ground(spec);
+  };
+}
+
+Scene scene_with_two_balls() {
+  Scene scene;
+  scene.add({.shapes = {circle(1)}, .position = {0, 0}});
+  scene.add({.shapes = {circle(1)}, .position = {5, 0}});
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a place or a motion of a body that is not finite is refused by name") {
+  check_refusals("Scene::add",
+                 {{"angle", "a finite number of rad", for_a_ball([](BodySpec& s, double x) { s.angle = x; })},
+                  {"angular_velocity", "a finite number of rad/s",
+                   for_a_ball([](BodySpec& s, double x) { s.angular_velocity = x; })},
+                  {"gravity_scale", "a finite number of 1",
+                   for_a_ball([](BodySpec& s, double x) { s.gravity_scale = x; })}});
+  check_vector_refusals(
+      "Scene::add",
+      {{"position", "finite numbers of m", for_a_ball([](BodySpec& s, double x) { s.position.y() = x; })},
+       {"velocity", "finite numbers of m/s", for_a_ball([](BodySpec& s, double x) { s.velocity.y() = x; })}});
+}
+
+TEST_CASE("a material of a body that cannot be is refused by name") {
+  const auto set_mass = for_a_ball([](BodySpec& s, double x) { s.mass = x; });
+  const auto set_inertia = for_a_ball([](BodySpec& s, double x) { s.inertia = x; });
+  const auto set_density = for_a_ball([](BodySpec& s, double x) { s.density = x; });
+  const auto set_friction = for_a_ball([](BodySpec& s, double x) { s.friction = x; });
+  const auto set_restitution = for_a_ball([](BodySpec& s, double x) { s.restitution = x; });
+  const auto set_linear_damping = for_a_ball([](BodySpec& s, double x) { s.linear_damping = x; });
+  const auto set_angular_damping = for_a_ball([](BodySpec& s, double x) { s.angular_damping = x; });
+  check_refusals("Scene::add",
+                 {{"mass", "> 0 kg and finite", set_mass, {0, -1}},
+                  {"inertia", "> 0 kg m^2 and finite", set_inertia, {0, -1}},
+                  {"density", "> 0 kg/m^2 and finite", set_density, {0, -1}},
+                  {"friction", "a finite number >= 0", set_friction, {-0.1}},
+                  {"restitution", "in [0, 1]", set_restitution, {-0.1, 1.0001}},
+                  {"linear_damping", "a finite number >= 0 1/s", set_linear_damping, {-0.1}},
+                  {"angular_damping", "a finite number >= 0 1/s", set_angular_damping, {-0.1}}});
+}
+
+TEST_CASE("settings of a scene that cannot be stepped are refused by name") {
+  check_refusals(
+      "Scene",
+      {{"dt", "> 0 s and finite", for_settings([](SceneSettings& s, double x) { s.dt = x; }), {0, -1}},
+       {"stabilization.baumgarte",
+        "a finite number >= 0",
+        for_settings([](SceneSettings& s, double x) { s.stabilization.baumgarte = x; }),
+        {-0.1}},
+       {"stabilization.slop",
+        "a finite number >= 0 m",
+        for_settings([](SceneSettings& s, double x) { s.stabilization.slop = x; }),
+        {-0.1}},
+       {"speculative_margin",
+        "a finite number >= 0 m",
+        for_settings([](SceneSettings& s, double x) { s.speculative_margin = x; }),
+        {-0.1}},
+       {"restitution_threshold",
+        "a finite number >= 0 m/s",
+        for_settings([](SceneSettings& s, double x) { s.restitution_threshold = x; }),
+        {-0.1}}});
+  check_vector_refusals("Scene",
+                        {{"gravity", "finite numbers of m/s^2", for_settings([](SceneSettings& s, double x) {
+                            s.gravity = {1, x};
+                          })}});
+}
+
+TEST_CASE("a ground that cannot be is refused by name") {
+  check_refusals("Scene::add_ground", {{"height", "a finite number of m",
+                                        for_the_ground([](GroundSpec& s, double x) { s.height = x; })},
+                                       {"half_width",
+                                        "> 0 m and finite",
+                                        for_the_ground([](GroundSpec& s, double x) { s.half_width = x; }),
+                                        {0, -1}},
+                                       {"friction",
+                                        "a finite number >= 0",
+                                        for_the_ground([](GroundSpec& s, double x) { s.friction = x; }),
+                                        {-0.1}},
+                                       {"restitution",
+                                        "in [0, 1]",
+                                        for_the_ground([](GroundSpec& s, double x) { s.restitution = x; }),
+                                        {-0.1, 2}}});
+}
+
+TEST_CASE("anchors and lengths of joints that cannot be are refused by name") {
+  const auto rod = [](const DistanceJoint::Spec& spec) { scene_with_two_balls().join<DistanceJoint>(spec); };
+  const auto pin = [](const RevoluteJoint::Spec& spec) { scene_with_two_balls().join<RevoluteJoint>(spec); };
+  check_vector_refusals("DistanceJoint", {{"anchor_a", "finite numbers of m",
+                                           [&](double x) {
+                                             rod({.a = {1}, .b = {2}, .anchor_a = {1, x}});
+                                           }},
+                                          {"anchor_b", "finite numbers of m", [&](double x) {
+                                             rod({.a = {1}, .b = {2}, .anchor_b = {1, x}});
+                                           }}});
+  check_refusals("DistanceJoint", {{"length", "a finite number of m", [&](double x) {
+                                      rod({.a = {1}, .b = {2}, .anchor_b = {1, 0}, .length = x});
+                                    }}});
+  check_vector_refusals("RevoluteJoint", {{"anchor", "finite numbers of m", [&](double x) {
+                                             pin({.a = {1}, .b = {2}, .anchor = {1, x}});
+                                           }}});
+  CHECK(message_of([&] {
+          rod({.a = {1}, .b = {2}, .anchor_b = {1, 0}, .length = 0});
+        }) == "DistanceJoint: length must be > 0 m, got 0");
+  CHECK(message_of([&] { rod({.a = {1}, .b = {2}}); }) == "DistanceJoint: length must be > 0 m, got 0");
+}
+
+TEST_CASE("a joint needs two different bodies of the scene, of which one can move") {
+  const auto pin = [](BodyId a, BodyId b) { scene_with_two_balls().join<RevoluteJoint>({.a = a, .b = b}); };
+  CHECK(message_of([&] { pin({1}, {1}); }) == "RevoluteJoint: b must be another body than a, got 1");
+  CHECK(message_of([&] { pin({3}, {1}); }) == "Scene::join: a must be the id of a body of this scene, got 3");
+  CHECK(message_of([&] { pin({1}, {-1}); }) ==
+        "Scene::join: b must be the id of a body of this scene, got -1");
+  CHECK(message_of([] { Scene().add_joint(nullptr); }) ==
+        "Scene::add_joint: joint must be a constraint, got nullptr");
+  Scene scene;
+  const BodyId lift = scene.add({.type = BodyType::kinematic, .shapes = {circle(1)}});
+  CHECK(message_of([&] { scene.join<RevoluteJoint>({.a = ground, .b = lift}); }) ==
+        "Scene::add_joint: bodies must be at least one that can move, got 0 and 1");
+}
+
+TEST_CASE("a dynamic body needs a mass and an inertia, from its shapes or of its own") {
+  const Shape<double> line = segment({0, 0}, {1, 0});
+  CHECK(message_of([] { Scene().add({}); }) ==
+        "Scene::add: shapes must be of some area for a dynamic body without a mass of its own, got 0");
+  CHECK(message_of([&] { Scene().add({.shapes = {line}, .mass = 1}); }) ==
+        "Scene::add: inertia must be given for a dynamic body whose shapes have no area, unless its rotation "
+        "is "
+        "fixed, got 0");
+  Scene scene;
+  CHECK_NOTHROW(scene.add({.shapes = {line}, .mass = 1, .fixed_rotation = true}));
+  CHECK_NOTHROW(scene.add({.shapes = {line}, .mass = 1, .inertia = 2}));
+  CHECK_NOTHROW(scene.add({.type = BodyType::static_body, .shapes = {line}}));
+  CHECK(message_of([&] {
+          scene.add({.type = BodyType::static_body, .shapes = {line}, .velocity = {3, 4}});
+        }) == "Scene::add: velocity must be 0 for a static body, got 5");
+}
+
+TEST_CASE("a world refuses steps and velocities that cannot be, and bodies that cannot have them") {
+  Scene scene = scene_with_two_balls();
+  const BodyId wall = scene.add({.type = BodyType::static_body, .shapes = {box(1, 1)}});
+  World world(scene);
+  check_refusals("World::set_dt", {{"dt", "> 0 s and finite", [&](double x) { world.set_dt(x); }, {0, -1}}});
+  check_refusals("World::set_velocity", {{"angular velocity", "a finite number of rad/s", [&](double x) {
+                                            world.set_velocity({1}, {0, 0, x});
+                                          }}});
+  check_vector_refusals("World::set_velocity", {{"velocity", "finite numbers of m/s", [&](double x) {
+                                                   world.set_velocity({1}, {1, x, 0});
+                                                 }}});
+  CHECK(message_of([&] {
+          world.set_velocity(ground, {0, 0, 0});
+        }) == "World::set_velocity: body must be the id of a body other than the ground, got 0");
+  CHECK(message_of([&] {
+          world.set_velocity({7}, {0, 0, 0});
+        }) == "World::set_velocity: body must be the id of a body other than the ground, got 7");
+  CHECK(message_of([&] {
+          world.set_velocity(wall, {0, 0, 0});
+        }) == "World::set_velocity: body must be one that is not static, got 3");
+}
+
+TEST_CASE("a refused body leaves the scene as it was") {
+  Scene scene;
+  CHECK_THROWS_AS(scene.add({.shapes = {circle(1)}, .density = -1}), std::invalid_argument);
+  CHECK(scene.bodies().size() == 1);
+}
