@@ -63,8 +63,8 @@ std::string explain(const Plan& plan) {
   text += line("damping", either(plan.damping, "on", "left out: no body is damped"));
   text += line("rotation", plan.turning_bodies == plan.dynamic_bodies
                                ? std::string("every dynamic body turns")
-                               : fmt::format("left out for {} bodies: 1/I is 0",
-                                             plan.dynamic_bodies - plan.turning_bodies));
+                               : fmt::format("left out for {} of {} dynamic bodies: 1/I is 0",
+                                             plan.dynamic_bodies - plan.turning_bodies, plan.dynamic_bodies));
   text += line("warm start", either(plan.warm_start, "impulses are kept from step to step", "left out by setting"));
   return text;
 }

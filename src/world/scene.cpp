@@ -9,8 +9,18 @@ namespace cairn {
 namespace {
 
 void require_range(double value, double least, const char* place, const char* field, const char* unit) {
-  const std::string rule = "a finite number >= " + shortest(least) + (*unit ? " " : "") + unit;
+  const std::string rule = ">= " + shortest(least) + (*unit ? " " : "") + unit + " and finite";
   require(value >= least && std::isfinite(value), place, field, rule, value);
+}
+
+/// Masses and inertias: their inverses must be finite in every scalar type, and products of a few of them too.
+void require_weight(double value, const char* field, const char* unit) {
+  require(value >= 1e-15 && value <= 1e15, "Scene::add", field, std::string("from 1e-15 to 1e15 ") + unit, value);
+}
+
+/// Huge coefficients are as good as infinite ones, and infinity times an impulse of 0 has no value.
+void require_friction(double value, const char* place) {
+  require(value >= 0 && value <= 1e6, place, "friction", "from 0 to 1e6", value);
 }
 
 void require_unit_interval(double value, const char* place, const char* field) {
@@ -22,20 +32,15 @@ void check_motion(const BodySpec& spec) {
   require_finite(spec.angle, "Scene::add", "angle", "rad");
   require_finite(spec.velocity, "Scene::add", "velocity", "m/s");
   require_finite(spec.angular_velocity, "Scene::add", "angular_velocity", "rad/s");
-  require_finite(spec.gravity_scale, "Scene::add", "gravity_scale", "1");
+  require_finite(spec.gravity_scale, "Scene::add", "gravity_scale", "");
 }
 
 void check_material(const BodySpec& spec) {
-  if (spec.mass) {
-    require(*spec.mass > 0 && std::isfinite(*spec.mass), "Scene::add", "mass", "> 0 kg and finite", *spec.mass);
-  }
-  if (spec.inertia) {
-    require(*spec.inertia > 0 && std::isfinite(*spec.inertia), "Scene::add", "inertia", "> 0 kg m^2 and finite",
-            *spec.inertia);
-  }
+  if (spec.mass) require_weight(*spec.mass, "mass", "kg");
+  if (spec.inertia) require_weight(*spec.inertia, "inertia", "kg m^2");
   require(spec.density > 0 && std::isfinite(spec.density), "Scene::add", "density", "> 0 kg/m^2 and finite",
           spec.density);
-  require_range(spec.friction, 0, "Scene::add", "friction", "");
+  require_friction(spec.friction, "Scene::add");
   require_unit_interval(spec.restitution, "Scene::add", "restitution");
   require_range(spec.linear_damping, 0, "Scene::add", "linear_damping", "1/s");
   require_range(spec.angular_damping, 0, "Scene::add", "angular_damping", "1/s");
@@ -47,17 +52,19 @@ void set_mass(SceneBody& body, const MassProperties& shapes) {
   require(shapes.area > 0 || spec.mass.has_value(), "Scene::add", "shapes",
           "of some area for a dynamic body without a mass of its own", shapes.area);
   body.mass = spec.mass.value_or(spec.density * shapes.area);
+  require_weight(body.mass, "mass", "kg");
   require(shapes.inertia > 0 || spec.inertia.has_value() || spec.fixed_rotation, "Scene::add", "inertia",
           "given for a dynamic body whose shapes have no area, unless its rotation is fixed", shapes.inertia);
   if (spec.fixed_rotation) return;
   body.inertia = spec.inertia ? *spec.inertia : body.mass * shapes.inertia / shapes.area;
+  require_weight(body.inertia, "inertia", "kg m^2");
 }
 
 }  // namespace
 
 Scene::Scene(const SceneSettings& settings) : settings_(settings), bodies_(1) {
   require_finite(settings.gravity, "Scene", "gravity", "m/s^2");
-  require(settings.dt > 0 && std::isfinite(settings.dt), "Scene", "dt", "> 0 s and finite", settings.dt);
+  require_time_step(settings.dt, "Scene");
   require_range(settings.stabilization.baumgarte, 0, "Scene", "stabilization.baumgarte", "");
   require_range(settings.stabilization.slop, 0, "Scene", "stabilization.slop", "m");
   require_range(settings.speculative_margin, 0, "Scene", "speculative_margin", "m");
@@ -87,7 +94,7 @@ BodyId Scene::add_ground(const GroundSpec& spec) {
   require_finite(spec.height, "Scene::add_ground", "height", "m");
   require(spec.half_width > 0 && std::isfinite(spec.half_width), "Scene::add_ground", "half_width",
           "> 0 m and finite", spec.half_width);
-  require_range(spec.friction, 0, "Scene::add_ground", "friction", "");
+  require_friction(spec.friction, "Scene::add_ground");
   require_unit_interval(spec.restitution, "Scene::add_ground", "restitution");
   const double thickness = 1;  // [m]
   SceneBody& body = bodies_[0];
@@ -119,6 +126,10 @@ std::vector<Pose<double>> Scene::poses() const {
 void Scene::require_body(BodyId id, const char* field) const {
   require(id.index >= 0 && id.index < static_cast<int>(bodies_.size()), "Scene::join", field,
           "the id of a body of this scene", id.index);
+}
+
+void require_time_step(double dt, const char* place) {
+  require(dt >= 1e-12 && dt <= 1e6, place, "dt", "from 1e-12 to 1e6 s", dt);
 }
 
 }  // namespace cairn

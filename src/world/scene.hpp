@@ -92,4 +92,7 @@ class Scene {
   std::vector<std::shared_ptr<const Constraint>> joints_;
 };
 
+/// @throws std::invalid_argument unless dt is from 1e-12 to 1e6 s.
+void require_time_step(double dt, const char* place);
+
 }  // namespace cairn

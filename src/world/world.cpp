@@ -150,7 +150,7 @@ template <Scalar Real>
 ContactMaterial<Real> World<Real>::material(BodyId a, BodyId b) const {
   const BodySpec& spec_a = scene_->bodies()[static_cast<std::size_t>(a.index)].spec;
   const BodySpec& spec_b = scene_->bodies()[static_cast<std::size_t>(b.index)].spec;
-  return {.friction = static_cast<Real>(std::sqrt(spec_a.friction * spec_b.friction)),
+  return {.friction = static_cast<Real>(std::sqrt(spec_a.friction) * std::sqrt(spec_b.friction)),
           .restitution = static_cast<Real>(std::max(spec_a.restitution, spec_b.restitution)),
           .restitution_threshold = static_cast<Real>(scene_->settings().restitution_threshold)};
 }

@@ -42,7 +42,7 @@ World<Real>::World(Scene scene)
 
 template <Scalar Real>
 void World<Real>::set_dt(double dt) {
-  require(dt > 0 && std::isfinite(dt), "World::set_dt", "dt", "> 0 s and finite", dt);
+  require_time_step(dt, "World::set_dt");
   dt_ = dt;
 }
 

@@ -146,8 +146,8 @@ TEST_CASE("a step names the first body that is not finite any more, and does not
 }
 
 TEST_CASE("a spin that overflows is reported as well") {
-  Scene scene({.gravity = {0, 0}, .dt = 1e300});
-  const BodyId top = scene.add({.shapes = {circle(1)}, .angular_velocity = 1e300});
+  Scene scene({.gravity = {0, 0}, .dt = 1e6});
+  const BodyId top = scene.add({.shapes = {circle(1)}, .angular_velocity = 1e303});
   World world(scene);
   SequentialImpulse<double> solver;
   CHECK(world.step(solver).not_finite == top);
