@@ -10,7 +10,7 @@
 namespace cairn {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double collide_epsilon = std::numeric_limits<double>::epsilon();
 
 Pose<double> at(double x, double y, double angle = 0) { return {{x, y}, angle}; }
 
@@ -53,10 +53,10 @@ TEST_CASE("a tilted box has points at one height, each with its own separation")
   const double low = 0.5 - std::cos(tilt) / 2 - std::sin(tilt) / 2;
   const double high = 0.5 - std::cos(tilt) / 2 + std::sin(tilt) / 2;
   CHECK(std::min(manifold.points[0].separation, manifold.points[1].separation) ==
-        doctest::Approx(low).epsilon(64 * epsilon / tilt));
+        doctest::Approx(low).epsilon(64 * collide_epsilon / tilt));
   CHECK(std::max(manifold.points[0].separation, manifold.points[1].separation) ==
-        doctest::Approx(high).epsilon(64 * epsilon / tilt));
-  CHECK(std::abs(manifold.points[0].position.y() - (0.5 + (low + high) / 4)) <= 8 * epsilon);
+        doctest::Approx(high).epsilon(64 * collide_epsilon / tilt));
+  CHECK(std::abs(manifold.points[0].position.y() - (0.5 + (low + high) / 4)) <= 8 * collide_epsilon);
 }
 
 TEST_CASE("aligned boxes keep both points and their features while noise moves them") {
@@ -107,7 +107,7 @@ TEST_CASE("a wide box on a narrow one is cut to the narrow one's width, whicheve
   const Manifold<double> wide_below = collide<double>(box(4, 1), at(0.3, -1), box(1, 1), at(0, 0), 0.01);
   for (const Manifold<double>& manifold : {wide_above, wide_below}) {
     REQUIRE(manifold.count == 2);
-    CHECK(std::abs(manifold.points[0].position.x()) == doctest::Approx(0.5).epsilon(4 * epsilon));
+    CHECK(std::abs(manifold.points[0].position.x()) == doctest::Approx(0.5).epsilon(4 * collide_epsilon));
     CHECK(manifold.points[0].position.x() == doctest::Approx(-manifold.points[1].position.x()));
   }
 }
@@ -116,7 +116,7 @@ TEST_CASE("boxes that meet at a corner touch in one point") {
   const Manifold<double> manifold = collide<double>(box(1, 1), at(0, 0), box(1, 1), at(1, 1), 0.01);
   REQUIRE(manifold.count == 1);
   CHECK(manifold.points[0].separation == 0);
-  CHECK((manifold.points[0].position - Vec2<double>(0.5, 0.5)).norm() <= 2 * epsilon);
+  CHECK((manifold.points[0].position - Vec2<double>(0.5, 0.5)).norm() <= 2 * collide_epsilon);
 }
 
 TEST_CASE("a box that stands on its corner keeps its feature while it tips over") {
@@ -133,23 +133,23 @@ TEST_CASE("a box that stands on its corner keeps its feature while it tips over"
 TEST_CASE("corners that are apart are as far apart as their distance") {
   const Manifold<double> sharp = collide<double>(box(1, 1), at(0, 0), box(1, 1), at(1.3, 1.4), 1);
   REQUIRE(sharp.count == 1);
-  CHECK(sharp.points[0].separation == doctest::Approx(0.5).epsilon(4 * epsilon));  // 3, 4, 5
-  CHECK((sharp.normal - Vec2<double>(0.6, 0.8)).norm() <= 4 * epsilon);
-  CHECK((sharp.points[0].position - Vec2<double>(0.65, 0.7)).norm() <= 4 * epsilon);
+  CHECK(sharp.points[0].separation == doctest::Approx(0.5).epsilon(4 * collide_epsilon));  // 3, 4, 5
+  CHECK((sharp.normal - Vec2<double>(0.6, 0.8)).norm() <= 4 * collide_epsilon);
+  CHECK((sharp.points[0].position - Vec2<double>(0.65, 0.7)).norm() <= 4 * collide_epsilon);
 
   const Manifold<double> rounded = collide<double>(box(1, 1, 0.2), at(0, 0), box(1, 1, 0.1), at(1.3, 1.4), 1);
   REQUIRE(rounded.count == 1);
-  CHECK(rounded.points[0].separation == doctest::Approx(0.2).epsilon(16 * epsilon));
+  CHECK(rounded.points[0].separation == doctest::Approx(0.2).epsilon(16 * collide_epsilon));
   // 0.2 of the first radius and half of the gap from the corner (0.5, 0.5).
-  CHECK((rounded.points[0].position - Vec2<double>(0.68, 0.74)).norm() <= 8 * epsilon);
+  CHECK((rounded.points[0].position - Vec2<double>(0.68, 0.74)).norm() <= 8 * collide_epsilon);
 }
 
 TEST_CASE("discs touch on the line of their centres") {
   const Manifold<double> manifold = collide<double>(circle(1), at(0, 0), circle(2), at(3, 4), 3);
   REQUIRE(manifold.count == 1);
   CHECK(manifold.points[0].separation == 2);
-  CHECK((manifold.normal - Vec2<double>(0.6, 0.8)).norm() <= 2 * epsilon);
-  CHECK((manifold.points[0].position - Vec2<double>(1.2, 1.6)).norm() <= 4 * epsilon);
+  CHECK((manifold.normal - Vec2<double>(0.6, 0.8)).norm() <= 2 * collide_epsilon);
+  CHECK((manifold.points[0].position - Vec2<double>(1.2, 1.6)).norm() <= 4 * collide_epsilon);
 }
 
 TEST_CASE_TEMPLATE("shapes with the same centre have a unit normal and the full depth", Real, float, double,
@@ -215,8 +215,8 @@ TEST_CASE("segments touch only within the margin") {
   // Two crossed segments overlap by the shorter way out: 0.5 along the second one.
   const Manifold<double> crossed = collide<double>(line, at(0, 0), line, at(0, 0.5, pi / 2), 0.01);
   REQUIRE(crossed.count >= 1);
-  CHECK(crossed.points[0].separation == doctest::Approx(-0.5).epsilon(8 * epsilon));
-  CHECK((crossed.normal - Vec2<double>(0, 1)).norm() <= 8 * epsilon);
+  CHECK(crossed.points[0].separation == doctest::Approx(-0.5).epsilon(8 * collide_epsilon));
+  CHECK((crossed.normal - Vec2<double>(0, 1)).norm() <= 8 * collide_epsilon);
 }
 
 TEST_CASE("capsules that lie in one line, end to end, touch at their round ends") {
@@ -227,14 +227,14 @@ TEST_CASE("capsules that lie in one line, end to end, touch at their round ends"
     const Pose<double> next = {along * 2.75, angle};
     const Manifold<double> manifold = collide<double>(pill, at(0, 0, angle), pill, next, 0);
     REQUIRE(manifold.count == 1);
-    CHECK(manifold.points[0].separation == doctest::Approx(-0.25).epsilon(32 * epsilon));
-    CHECK((manifold.normal - along).norm() <= 32 * epsilon);
+    CHECK(manifold.points[0].separation == doctest::Approx(-0.25).epsilon(32 * collide_epsilon));
+    CHECK((manifold.normal - along).norm() <= 32 * collide_epsilon);
   }
 }
 
 TEST_CASE("a point is reported when its separation is below the margin, and not at the margin") {
   CHECK(collide<double>(circle(1), at(0, 0), circle(1), at(2.5, 0), 0.5).count == 0);
-  CHECK(collide<double>(circle(1), at(0, 0), circle(1), at(2.5, 0), 0.5 + 2 * epsilon).count == 1);
+  CHECK(collide<double>(circle(1), at(0, 0), circle(1), at(2.5, 0), 0.5 + 2 * collide_epsilon).count == 1);
   CHECK(collide<double>(box(1, 1), at(0, 0), box(1, 1), at(0, 1.5), 0.5).count == 0);
 }
 

@@ -12,8 +12,8 @@
 namespace cairn {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double shape_infinity = std::numeric_limits<double>::infinity();
+constexpr double shape_not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 std::string refusal(const std::function<void()>& make) {
   try {
@@ -49,10 +49,10 @@ std::vector<Vec2<double>> regular(int count) {
 TEST_CASE("a refused shape names maker, field, rule, unit and value") {
   CHECK(refusal([] { circle(-1); }) == "circle: radius must be > 0 m, got -1");
   CHECK(refusal([] { circle(0); }) == "circle: radius must be > 0 m, got 0");
-  CHECK(refusal([] { circle(not_a_number); }) == "circle: radius must be > 0 m, got nan");
-  CHECK(refusal([] { circle(infinity); }) == "circle: radius must be a finite number of m, got inf");
+  CHECK(refusal([] { circle(shape_not_a_number); }) == "circle: radius must be > 0 m, got nan");
+  CHECK(refusal([] { circle(shape_infinity); }) == "circle: radius must be a finite number of m, got inf");
   CHECK(refusal([] {
-          circle(1, {0, infinity});
+          circle(1, {0, shape_infinity});
         }) == "circle: center must be finite numbers of m, got (0, inf)");
   CHECK(refusal([] { capsule({0, 0}, {1, 0}, 0); }) == "capsule: radius must be > 0 m, got 0");
   CHECK(refusal([] {
@@ -62,17 +62,17 @@ TEST_CASE("a refused shape names maker, field, rule, unit and value") {
           segment({1, 2}, {1, 2});
         }) == "segment: point2 must be another point than point1, got (1, 2)");
   CHECK(refusal([] {
-          segment({not_a_number, 2}, {1, 2});
+          segment({shape_not_a_number, 2}, {1, 2});
         }) == "segment: point1 must be finite numbers of m, got (nan, 2)");
   CHECK(refusal([] { box(0, 1); }) == "box: width must be > 0 m, got 0");
   CHECK(refusal([] { box(1, -0.1); }) == "box: height must be > 0 m, got -0.1");
   CHECK(refusal([] { box(1, 1, -0.5); }) == "box: radius must be >= 0 m, got -0.5");
-  CHECK(refusal([] { box(1, infinity); }) == "box: height must be a finite number of m, got inf");
+  CHECK(refusal([] { box(1, shape_infinity); }) == "box: height must be a finite number of m, got inf");
   CHECK(refusal([] {
-          moved(circle(1), {not_a_number, 0});
+          moved(circle(1), {shape_not_a_number, 0});
         }) == "moved: offset must be finite numbers of m, got (nan, 0)");
   CHECK(refusal([] {
-          moved(circle(1), {0, 0}, infinity);
+          moved(circle(1), {0, 0}, shape_infinity);
         }) == "moved: angle must be a finite number of rad, got inf");
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("a polygon that is not a convex area is refused, and the message names
   CHECK(polygon_refusal({{0, 0}, {1, 0}}) == "polygon: number of points must be 3 to 16, got 2");
   CHECK(polygon_refusal(regular(17)) == "polygon: number of points must be 3 to 16, got 17");
   CHECK(polygon_refusal(regular(16)) == "accepted");
-  CHECK(polygon_refusal({{0, 0}, {1, 0}, {0, not_a_number}}) ==
+  CHECK(polygon_refusal({{0, 0}, {1, 0}, {0, shape_not_a_number}}) ==
         "polygon: points[2] must be finite numbers of m, got (0, nan)");
   CHECK(polygon_refusal({{0, 0}, {3, 0}, {3, 4}, {0, 0}}) ==
         "polygon: points[3] must be farther than 5e-06 m from points[0], got (0, 0)");

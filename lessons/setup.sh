@@ -1,0 +1,136 @@
+#!/usr/bin/env bash
+# Set-up and build, shared by lessons/run and tests/run.
+#   bash lessons/setup.sh [clang]     installs what is missing (alone: nothing is built)
+# When sourced it only defines: cairn_set_up [clang], cairn_build PRESET TARGET...
+
+cairn_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cairn_installed=no  # becomes yes when packages were installed: then CMake has to look again
+
+cairn_packages=(g++ cmake ninja-build pkg-config ccache libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+  libstb-dev zlib1g-dev fonts-dejavu-core libosmesa6-dev libegl-dev libbox2d-dev doctest-dev)
+cairn_clang_packages=(clang clang-tidy clang-format libclang-rt-dev)
+# Packages that some releases do not have. Without OSMesa the pictures are drawn through EGL.
+cairn_dispensable=" libosmesa6-dev libclang-rt-dev "
+
+# Prints those of the given packages that are not installed.
+cairn_missing() {
+  local installed
+  installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^installed //p')
+  local package
+  for package in "$@"; do
+    [[ $'\n'$installed$'\n' == *$'\n'$package$'\n'* ]] || printf '%s\n' "$package"
+  done
+}
+
+# Prints the given packages without those that apt has no candidate for and Cairn can do without.
+cairn_available() {
+  local package
+  for package in "$@"; do
+    if [[ $cairn_dispensable == *" $package "* ]] && ! apt-cache show "$package" >/dev/null 2>&1; then continue; fi
+    printf '%s\n' "$package"
+  done
+}
+
+cairn_install() {
+  local -a as_root=()
+  if [[ $(id -u) != 0 ]]; then
+    # A password may be asked for only where somebody can type it.
+    if command -v sudo >/dev/null && { [[ -t 0 ]] || sudo -n true 2>/dev/null; }; then
+      as_root=(sudo)
+    else
+      printf 'These packages are missing, and installing them needs an administrator:\n  %s\n' "$*" >&2
+      printf 'Ask one to run:\n  apt-get update && apt-get install --no-install-recommends %s\n' "$*" >&2
+      return 2
+    fi
+  fi
+  printf 'Installing %s\n' "$*" >&2
+  local log
+  log=$(mktemp)
+  "${as_root[@]}" apt-get update -q >"$log" 2>&1 || printf 'apt-get update failed; going on with what apt knows.\n' >&2
+  local -a wanted
+  mapfile -t wanted < <(cairn_available "$@")
+  if [[ ${#wanted[@]} -gt 0 ]] && ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+      apt-get install -y -q --no-install-recommends "${wanted[@]}" >>"$log" 2>&1; then
+    tail -n 20 "$log" >&2
+    printf 'The installation failed. What is missing:\n  %s\n' "${wanted[*]}" >&2
+    rm -f "$log"
+    return 2
+  fi
+  rm -f "$log"
+  cairn_installed=yes
+}
+
+cairn_set_up() {
+  local -a needed=("${cairn_packages[@]}")
+  if [[ ${1:-} == clang ]]; then needed+=("${cairn_clang_packages[@]}"); fi
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    if [[ ! -d $cairn_root/build ]]; then
+      printf 'This is neither Debian nor Ubuntu. Cairn needs what they call:\n  %s\n' "${needed[*]}" >&2
+    fi
+    return 0
+  fi
+  local -a missing
+  mapfile -t missing < <(cairn_missing "${needed[@]}")
+  [[ ${#missing[@]} -gt 0 ]] || return 0
+  # Nothing to do where all that is missing does not exist in this release.
+  local package
+  for package in "${missing[@]}"; do
+    if [[ $cairn_dispensable != *" $package "* ]] || apt-cache show "$package" >/dev/null 2>&1; then
+      cairn_install "${missing[@]}"
+      return
+    fi
+  done
+}
+
+# Configures PRESET unless that was done, by this copy of the sources and these presets.
+cairn_configure() {
+  local build=$cairn_root/build/$1
+  local stamp=$build/configured
+  local home
+  home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt" 2>/dev/null)
+  if [[ $cairn_installed == no && -f $build/build.ninja && $home == "$cairn_root" && -f $stamp &&
+        ! $cairn_root/CMakePresets.json -nt $stamp ]]; then
+    return 0
+  fi
+  mkdir -p "$build"
+  local -a options=(--preset "$1")
+  if [[ -n $home && $home != "$cairn_root" ]]; then options+=(--fresh); fi
+  if ! (cd "$cairn_root" && cmake "${options[@]}") >"$build/configure.log" 2>&1; then
+    cat "$build/configure.log" >&2
+    return 1
+  fi
+  grep -E '^-- Without ' "$build/configure.log" >&2
+  touch "$stamp"
+}
+
+# Shows Ninja's progress: one line that is rewritten on a terminal, nothing elsewhere.
+cairn_progress() {
+  local line
+  while IFS= read -r line; do
+    if [[ -t 2 && $line =~ ^\[([0-9]+/[0-9]+)\] ]]; then printf '\rBuilding %s ' "${BASH_REMATCH[1]}" >&2; fi
+  done
+  if [[ -t 2 ]]; then printf '\r\033[K' >&2; fi
+}
+
+# cairn_build PRESET TARGET...: configures and builds; the whole log is in build/PRESET/build.log.
+cairn_build() {
+  local preset=$1
+  shift
+  local build=$cairn_root/build/$preset
+  # A home that cannot be written to must not stop the compiler cache.
+  if [[ ! -w ${HOME:-/nonexistent} ]]; then export CCACHE_DIR="${CCACHE_DIR:-$cairn_root/build/ccache}"; fi
+  cairn_configure "$preset" || return 1
+  if [[ ! -f $build/built ]]; then printf 'Building in build/%s: some minutes the first time.\n' "$preset" >&2; fi
+  NINJA_STATUS='[%f/%t] ' cmake --build "$build" --target "$@" 2>&1 | tee "$build/build.log" | cairn_progress
+  if [[ ${PIPESTATUS[0]} != 0 ]]; then
+    grep -vE '^(\[[0-9]+/[0-9]+\]|/usr/bin/ccache |ccache )' "$build/build.log" | head -n 60 >&2
+    printf 'The build failed. The whole log: build/%s/build.log\n' "$preset" >&2
+    return 1
+  fi
+  touch "$build/built"
+}
+
+if [[ ${BASH_SOURCE[0]} == "$0" ]]; then
+  cairn_set_up "$@"
+  exit
+fi

@@ -1,0 +1,261 @@
+// Holds the sources against the floors: who may include whom, how long a file may be, how it begins.
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+// The rooms of src and their floors. A room may include itself and every room on a lower floor; collision may
+// also name the bodies of dynamics, which stands beside it.
+const std::map<std::string, int> floor_of_room = {
+    {"math", 0},        {"geometry", 1}, {"dynamics", 2}, {"collision", 2},
+    {"constraints", 3}, {"solvers", 4},  {"world", 5},    {"measure", 6},
+};
+
+struct SourceLine {
+  int number = 0;
+  std::string text = {};
+};
+
+bool begins_with(const std::string& text, const std::string& beginning) {
+  return text.compare(0, beginning.size(), beginning) == 0;
+}
+
+std::string first_folder(const std::string& path) {
+  const std::size_t slash = path.find('/');
+  return slash == std::string::npos ? "" : path.substr(0, slash);
+}
+
+std::string without_first_folder(const std::string& path) { return path.substr(path.find('/') + 1); }
+
+// "src/constraints/row.hpp" -> "constraints"; "src/cairn.hpp" -> "".
+std::string room_of(const std::string& file) { return first_folder(without_first_folder(file)); }
+
+std::string including_from_a_room(const std::string& room, const std::string& target) {
+  const std::string other = first_folder(target);
+  if (room == "reference") return "";
+  if (other == "reference") return "only src/reference may know Box2D's world";
+  const auto from = floor_of_room.find(room);
+  const auto to = floor_of_room.find(other);
+  if (from == floor_of_room.end()) return room + " is no room of src";
+  if (to == floor_of_room.end()) return "there is no room " + other + " on the floors of src";
+  if (room == other) return "";
+  if (room == "solvers" && other == "constraints" && target != "constraints/row.hpp") {
+    return "solvers see rows only: constraints/row.hpp";
+  }
+  if (room == "collision" && other == "dynamics") return "";
+  return to->second < from->second ? "" : room + " must not look up or sideways at " + other;
+}
+
+// `render` draws values: vectors, shapes, snapshots and tables.
+std::string including_from_render(const std::string& target) {
+  const std::string other = first_folder(target);
+  const bool is_of_src = floor_of_room.count(other) != 0 || other == "reference" || target == "cairn.hpp";
+  const bool is_seen =
+      other == "math" || other == "geometry" || target == "world/snapshot.hpp" || target == "measure/csv.hpp";
+  if (is_of_src && !is_seen) return "render sees math, geometry, world/snapshot.hpp and measure/csv.hpp only";
+  if (other == "lessons" || other == "tests") return "render must not look up at " + other;
+  return "";
+}
+
+// Why `file` (relative to the project) must not include the project's header `target`; empty when it may.
+std::string objection(const std::string& file, const std::string& target) {
+  if (begins_with(file, "render/")) return including_from_render(target);
+  if (!begins_with(file, "src/")) return "";
+  if (file == "src/cairn.hpp") return first_folder(target) == "reference" ? "the core knows no Box2D" : "";
+  if (begins_with(target, ".")) return "paths in src begin with the room";
+  return including_from_a_room(room_of(file), target);
+}
+
+// The same for the header of a library: Box2D has one place, and physics never knows that pictures exist.
+std::string objection_to_library(const std::string& file, const std::string& target) {
+  if (begins_with(target, "box2d/")) {
+    return begins_with(file, "src/reference/") ? "" : "Box2D is included in src/reference only";
+  }
+  const std::string library = first_folder(target);
+  const bool is_of_the_core = library.empty() || library == "Eigen" || library == "fmt";
+  return is_of_the_core || !begins_with(file, "src/") ? "" : "the core needs Eigen and fmt, not " + library;
+}
+
+std::vector<SourceLine> lines_of(const std::filesystem::path& path) {
+  std::vector<SourceLine> lines;
+  std::ifstream stream(path);
+  for (std::string text; std::getline(stream, text);) {
+    lines.push_back({.number = static_cast<int>(lines.size()) + 1, .text = text});
+  }
+  return lines;
+}
+
+// Objections to the includes in the lines of `file`, each with its place.
+std::vector<std::string> objections_to(const std::string& file, const std::vector<SourceLine>& lines) {
+  std::vector<std::string> found;
+  for (const SourceLine& line : lines) {
+    const std::string directive = "#include ";
+    if (!begins_with(line.text, directive) || line.text.size() < directive.size() + 2) continue;
+    const char opening = line.text[directive.size()];
+    const std::size_t begin = directive.size() + 1;
+    const std::size_t end = line.text.find(opening == '<' ? '>' : '"', begin);
+    const std::string target = line.text.substr(begin, end - begin);
+    const bool is_library = opening == '<' && floor_of_room.count(first_folder(target)) == 0;
+    const std::string reason = is_library ? objection_to_library(file, target) : objection(file, target);
+    if (reason.empty()) continue;
+    found.push_back(file + ":" + std::to_string(line.number) + " includes " + target + ": " + reason);
+  }
+  return found;
+}
+
+// Why the first line of a file of src is not the head comment it should be; empty when it is.
+std::string objection_to_head(const std::string& file, const std::string& first_line) {
+  if (file == "src/cairn.hpp") return begins_with(first_line, "// ") ? "" : "should begin with a comment";
+  const std::string room = room_of(file);
+  const auto floor = floor_of_room.find(room);
+  const std::string head =
+      floor == floor_of_room.end() ? "// Beside floor " : "// Floor " + std::to_string(floor->second) + ". ";
+  const bool is_head = begins_with(first_line, head) && first_line.size() > head.size();
+  return is_head ? "" : "should begin with \"" + head + "\" and what the file is for";
+}
+
+std::vector<std::string> source_files(const std::vector<std::string>& folders) {
+  const std::filesystem::path root = CAIRN_SOURCE_DIR;
+  std::vector<std::string> files;
+  for (const std::string& folder : folders) {
+    if (!std::filesystem::exists(root / folder)) continue;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension != ".hpp" && extension != ".cpp") continue;
+      files.push_back(std::filesystem::relative(entry.path(), root).generic_string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<SourceLine> lines_of_source(const std::string& file) {
+  return lines_of(std::filesystem::path(CAIRN_SOURCE_DIR) / file);
+}
+
+// What a file includes first, without quotes or brackets; empty when it includes nothing.
+std::string first_include(const std::vector<SourceLine>& lines) {
+  for (const SourceLine& line : lines) {
+    if (begins_with(line.text, "#include ") && line.text.size() > 11)
+      return line.text.substr(10, line.text.size() - 11);
+  }
+  return "";
+}
+
+// x.cpp names x.hpp by its name alone or with its folder.
+bool is_own_header(const std::string& header, const std::string& target) {
+  const std::string slashed = "/" + target;
+  return !target.empty() && ("/" + header).size() >= slashed.size() &&
+         ("/" + header).compare(header.size() + 1 - slashed.size(), slashed.size(), slashed) == 0;
+}
+
+const std::size_t longest_file = 300;
+
+std::string objection_to_length(const std::string& file, std::size_t lines) {
+  return lines <= longest_file ? "" : file + " has " + std::to_string(lines) + " lines: one idea per file";
+}
+
+}  // namespace
+
+TEST_CASE("every file of the project includes only what its floor may see") {
+  const std::vector<std::string> files = source_files({"src", "render", "lessons", "tests"});
+  std::size_t includes = 0;
+  for (const std::string& file : files) {
+    const std::vector<SourceLine> lines = lines_of_source(file);
+    for (const SourceLine& line : lines) includes += begins_with(line.text, "#include \"") ? 1 : 0;
+    for (const std::string& found : objections_to(file, lines)) FAIL_CHECK(found);
+  }
+  CHECK(includes > files.size());  // the sources were found and read: a file includes more than one other
+}
+
+TEST_CASE("an include that breaks the floors is found, with its file and line") {
+  const auto found =
+      objections_to("src/constraints/made_up.hpp", {{.number = 1, .text = "#pragma once"},
+                                                    {.number = 2, .text = "#include <vector>"},
+                                                    {.number = 3, .text = "#include <fmt/format.h>"},
+                                                    {.number = 4, .text = "#include \"math/math.hpp\""},
+                                                    {.number = 7, .text = "#include \"world/plan.hpp\""}});
+  REQUIRE(found.size() == 1);
+  CHECK(found[0] ==
+        "src/constraints/made_up.hpp:7 includes world/plan.hpp: constraints must not look up or sideways at "
+        "world");
+  const SourceLine box2d = {.number = 5, .text = "#include <box2d/box2d.h>"};
+  CHECK(objections_to("src/world/made_up.cpp", {box2d}).size() == 1);
+  CHECK(objections_to("tests/reference/made_up.cpp", {box2d}).size() == 1);
+  CHECK(objections_to("src/reference/made_up.cpp", {box2d}).empty());
+  CHECK(objections_to("src/world/made_up.cpp", {{.number = 1, .text = "#include <GL/osmesa.h>"}}).size() ==
+        1);
+}
+
+TEST_CASE("each rule of the floors allows what it should and refuses what it should") {
+  CHECK(objection("src/math/a.hpp", "math/check.hpp").empty());
+  CHECK_FALSE(objection("src/math/a.hpp", "geometry/shape.hpp").empty());
+  CHECK(objection("src/collision/a.hpp", "dynamics/body.hpp").empty());
+  CHECK_FALSE(objection("src/dynamics/a.hpp", "collision/manifold.hpp").empty());
+  CHECK(objection("src/solvers/a.hpp", "constraints/row.hpp").empty());
+  CHECK_FALSE(objection("src/solvers/a.hpp", "constraints/contact.hpp").empty());
+  CHECK_FALSE(objection("src/world/a.hpp", "measure/csv.hpp").empty());
+  CHECK(objection("src/measure/a.hpp", "world/snapshot.hpp").empty());
+  CHECK_FALSE(objection("src/measure/a.hpp", "reference/box2d_world.hpp").empty());
+  CHECK_FALSE(objection("src/measure/a.hpp", "render/canvas.hpp").empty());
+  CHECK_FALSE(objection("src/measure/a.hpp", "../world/world.hpp").empty());
+  CHECK_FALSE(objection("src/attic/a.hpp", "math/math.hpp").empty());
+  CHECK(objection("src/reference/a.hpp", "world/scene.hpp").empty());
+  CHECK_FALSE(objection("src/cairn.hpp", "reference/box2d_world.hpp").empty());
+  for (const char* seen : {"math/math.hpp", "geometry/shape.hpp", "world/snapshot.hpp", "measure/csv.hpp"}) {
+    CHECK(objection("render/a.hpp", seen).empty());
+  }
+  for (const char* unseen : {"world/world.hpp", "measure/energy.hpp", "solvers/solver.hpp", "cairn.hpp"}) {
+    CHECK_FALSE(objection("render/a.hpp", unseen).empty());
+  }
+  CHECK(objection("render/a.hpp", "canvas.hpp").empty());
+  CHECK(objection("lessons/00_one_body/lesson.cpp", "cairn.hpp").empty());
+}
+
+TEST_CASE("x.cpp includes x.hpp before anything else, which proves that x.hpp compiles alone") {
+  std::size_t pairs = 0;
+  for (const std::string& file : source_files({"src", "render", "lessons"})) {
+    const std::string header = file.substr(0, file.size() - 3) + "hpp";
+    const bool is_source = file.compare(file.size() - 4, 4, ".cpp") == 0;
+    if (!is_source || !std::filesystem::exists(std::filesystem::path(CAIRN_SOURCE_DIR) / header)) continue;
+    const std::string first = first_include(lines_of_source(file));
+    CHECK_MESSAGE(is_own_header(header, first), file, " includes ", first, " before its own header");
+    ++pairs;
+  }
+  CHECK(pairs > 0);
+  CHECK(first_include({{.number = 1, .text = "// x"}, {.number = 2, .text = "#include <x/y.hpp>"}}) ==
+        "x/y.hpp");
+  CHECK(is_own_header("src/world/plan.hpp", "world/plan.hpp"));
+  CHECK(is_own_header("src/world/plan.hpp", "plan.hpp"));
+  CHECK_FALSE(is_own_header("src/world/plan.hpp", "lan.hpp"));
+  CHECK_FALSE(is_own_header("src/world/plan.hpp", "world/scene.hpp"));
+  CHECK_FALSE(is_own_header("src/world/plan.hpp", ""));
+}
+
+TEST_CASE("no file has more than 300 lines") {
+  const std::vector<std::string> files = source_files({"src", "render", "lessons", "tests"});
+  CHECK(std::count(files.begin(), files.end(), "tests/architecture_tests.cpp") == 1);
+  for (const std::string& file : files) CHECK(objection_to_length(file, lines_of_source(file).size()) == "");
+  CHECK(objection_to_length("made_up.cpp", longest_file).empty());
+  CHECK_FALSE(objection_to_length("made_up.cpp", longest_file + 1).empty());
+}
+
+TEST_CASE("every file of the core says on its first line on which floor it is, and what it is for") {
+  const std::vector<std::string> files = source_files({"src"});
+  CHECK(std::count(files.begin(), files.end(), "src/cairn.hpp") == 1);
+  for (const std::string& file : files) {
+    const std::vector<SourceLine> lines = lines_of_source(file);
+    const std::string found = lines.empty() ? "is empty" : objection_to_head(file, lines.front().text);
+    CHECK_MESSAGE(found.empty(), file, " ", found);
+  }
+  CHECK(objection_to_head("src/solvers/a.hpp", "// Floor 4. Rows, solved.").empty());
+  CHECK_FALSE(objection_to_head("src/solvers/a.hpp", "// Floor 3. Rows, solved.").empty());
+  CHECK_FALSE(objection_to_head("src/solvers/a.hpp", "// Floor 4. ").empty());
+  CHECK_FALSE(objection_to_head("src/reference/a.hpp", "// Floor 6. Box2D.").empty());
+  CHECK_FALSE(objection_to_head("src/cairn.hpp", "#pragma once").empty());
+}
