@@ -1,0 +1,142 @@
+// Animated PNG: the encoder's own compressed pixels, wrapped in the chunks of the animation extension.
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "math/check.hpp"
+#include "render/sequence.hpp"
+
+namespace cairn::render {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+// Of every file that encode_png() makes: signature, header chunk, then one chunk with all pixels.
+constexpr std::size_t signature_size = 8;
+constexpr std::size_t header_end = signature_size + 12 + 13;
+
+struct PixelRect {
+  int x = 0, y = 0, width = 1, height = 1;  // [px]
+};
+
+void append_number(Bytes& bytes, std::uint32_t value) {
+  for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+}
+
+void append_short(Bytes& bytes, std::uint32_t value) {
+  bytes.push_back(static_cast<std::uint8_t>(value >> 8));
+  bytes.push_back(static_cast<std::uint8_t>(value));
+}
+
+/// Length, name, data, and the checksum of name and data.
+void append_chunk(Bytes& file, std::string_view name, std::span<const std::uint8_t> data) {
+  append_number(file, static_cast<std::uint32_t>(data.size()));
+  const std::size_t start = file.size();
+  file.insert(file.end(), name.begin(), name.end());
+  file.insert(file.end(), data.begin(), data.end());
+  const uLong checksum = crc32_z(0, file.data() + start, file.size() - start);
+  append_number(file, static_cast<std::uint32_t>(checksum));
+}
+
+/// The compressed pixels inside a file of encode_png().
+std::span<const std::uint8_t> compressed_pixels(std::span<const std::uint8_t> png) {
+  std::size_t length = 0;
+  for (std::size_t i = 0; i < 4; ++i) length = length << 8 | png[header_end + i];
+  return png.subspan(header_end + 8, length);
+}
+
+std::size_t offset_of(const Image& image, int x, int y) {
+  return 3 *
+         (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+}
+
+/// The smallest rectangle that holds every pixel that changed. The format knows no empty frame: one pixel
+/// then.
+PixelRect changed_rect(const Image& before, const Image& after) {
+  int left = after.width, right = -1, top = after.height, bottom = -1;
+  for (int y = 0; y < after.height; ++y) {
+    for (int x = 0; x < after.width; ++x) {
+      const auto pixel = static_cast<std::ptrdiff_t>(offset_of(after, x, y));
+      if (std::equal(before.pixels.begin() + pixel, before.pixels.begin() + pixel + 3,
+                     after.pixels.begin() + pixel)) {
+        continue;
+      }
+      left = std::min(left, x);
+      right = std::max(right, x);
+      top = std::min(top, y);
+      bottom = y;
+    }
+  }
+  if (right < 0) return {};
+  return {.x = left, .y = top, .width = right - left + 1, .height = bottom - top + 1};
+}
+
+Image cropped(const Image& image, const PixelRect& rect) {
+  Image part{.width = rect.width, .height = rect.height};
+  for (int y = rect.y; y < rect.y + rect.height; ++y) {
+    const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(offset_of(image, rect.x, y));
+    part.pixels.insert(part.pixels.end(), row, row + 3 * rect.width);
+  }
+  return part;
+}
+
+/// fcTL: where the frame lies and how long it stays, [100 / hundredths s].
+Bytes frame_control(std::uint32_t sequence_number, const PixelRect& rect, std::uint32_t hundredths) {
+  Bytes data;
+  append_number(data, sequence_number);
+  for (const int value : {rect.width, rect.height, rect.x, rect.y}) {
+    append_number(data, static_cast<std::uint32_t>(value));
+  }
+  append_short(data, 100);
+  append_short(data, hundredths);
+  data.push_back(0);  // the frame stays when its time is over
+  data.push_back(0);  // its pixels replace what was there
+  return data;
+}
+
+void require_sequence(std::span<const Image> images, double frames_per_second) {
+  require(!images.empty(), "write_apng", "images", "at least one", 0);
+  require(frames_per_second >= 0.01 && frames_per_second <= 655, "write_apng", "frames_per_second",
+          "0.01 to 655 1/s", frames_per_second);
+  for (const Image& image : images) {
+    require_image(image, "write_apng");
+    require(image.width == images[0].width, "write_apng", "width", "that of the first image", image.width);
+    require(image.height == images[0].height, "write_apng", "height", "that of the first image",
+            image.height);
+  }
+}
+
+}  // namespace
+
+void write_apng(const std::filesystem::path& path, std::span<const Image> images, double frames_per_second) {
+  require_sequence(images, frames_per_second);
+  const auto hundredths = static_cast<std::uint32_t>(std::lround(100 * frames_per_second));
+  const Bytes first = encode_png(images[0]);
+  Bytes file(first.begin(), first.begin() + header_end);
+
+  Bytes animation;
+  append_number(animation, static_cast<std::uint32_t>(images.size()));
+  append_number(animation, 0);  // repeats for ever
+  append_chunk(file, "acTL", animation);
+
+  std::uint32_t sequence_number = 0;  // one count for control and data chunks
+  const PixelRect whole = {.x = 0, .y = 0, .width = images[0].width, .height = images[0].height};
+  append_chunk(file, "fcTL", frame_control(sequence_number++, whole, hundredths));
+  append_chunk(file, "IDAT", compressed_pixels(first));
+  for (std::size_t i = 1; i < images.size(); ++i) {
+    const PixelRect rect = changed_rect(images[i - 1], images[i]);
+    append_chunk(file, "fcTL", frame_control(sequence_number++, rect, hundredths));
+    const Bytes png = encode_png(cropped(images[i], rect));
+    const std::span<const std::uint8_t> pixels = compressed_pixels(png);
+    Bytes data;
+    append_number(data, sequence_number++);
+    data.insert(data.end(), pixels.begin(), pixels.end());
+    append_chunk(file, "fdAT", data);
+  }
+  append_chunk(file, "IEND", {});
+  write_file(path, file);
+}
+
+}  // namespace cairn::render

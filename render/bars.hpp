@@ -1,0 +1,35 @@
+// Bars for impulses: what a row has given so far, what it gives now, and what it should have given.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/page.hpp"
+
+namespace cairn::render {
+
+struct Bar {
+  std::string name = {};  // "row 2"
+  double before = 0;      // drawn grey
+  double added = 0;       // drawn in the chart's colour, outlined and hatched; one of opposite sign
+                          // is taken back from the end of the grey part: not filled, with a head
+  std::optional<double> exact = {};  // a black tick with its value
+  bool active = false;               // its new part carries the value, such as "+3.75"
+};
+
+struct BarChart {
+  std::string title = {};  // with the unit: "accumulated λ (N)"
+  std::vector<Bar> bars = {};
+  double largest = 0;         // the value at the right end; 0: from the data
+  double smallest = 0;        // the value at the left end, not above 0; 0: from the data
+  Color color = transparent;  // of what is added; transparent: the theme's normal force
+  int decimals = 2;
+};
+
+/// A panel with horizontal bars from top to bottom. A bar beyond the range is cut, marked "//" and has its
+/// value at the cut. In rows less high than text only so many names and values are written as fit, the active
+/// row's first.
+void draw_bars(Page& page, const Rect& rect, const BarChart& chart);
+
+}  // namespace cairn::render

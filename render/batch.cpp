@@ -1,0 +1,124 @@
+// Cuts shapes to the frame and writes their vertices.
+#include "render/batch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn::render {
+namespace {
+
+constexpr double farthest =
+    1e7;                      // [px]; beyond it a double no longer places an edge to a small part of a pixel
+constexpr double border = 4;  // [px] around the frame, so that the cut itself is never seen
+
+std::uint8_t to_byte(float value) {
+  return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
+}
+
+std::array<std::uint8_t, 4> bytes_of(const Color& color) {
+  return {to_byte(color.r), to_byte(color.g), to_byte(color.b), to_byte(color.a)};
+}
+
+/// Where the edge a b meets x or y = limit. Computed from the lesser end, so that two shapes that share the
+/// edge are cut at the same bits and leave no gap.
+Point crossing(const Point& a, const Point& b, int axis, double limit) {
+  const Point& low = a[axis] < b[axis] ? a : b;
+  const Point& high = a[axis] < b[axis] ? b : a;
+  const double t = (limit - low[axis]) / (high[axis] - low[axis]);
+  Point point = low + t * (high - low);
+  point[axis] = limit;
+  return point;
+}
+
+Vertex constant_part(const Measure& measure) {
+  Vertex vertex = {};
+  vertex.shape = measure.shape;
+  vertex.first_and_kind = {measure.first[0], measure.first[1], measure.first[2],
+                           static_cast<float>(measure.kind)};
+  vertex.second_and_half_outline = {measure.second[0], measure.second[1], measure.second[2],
+                                    static_cast<float>(measure.half_outline)};
+  vertex.fill = bytes_of(measure.fill);
+  vertex.outline = bytes_of(measure.outline);
+  return vertex;
+}
+
+}  // namespace
+
+bool usable(double value) { return std::abs(value) <= farthest; }
+bool usable(const Point& point) { return usable(point.x()) && usable(point.y()); }
+
+Batch::Batch(int width, int height)
+    : bounds_{-border, -border, width + 2 * border, height + 2 * border}, clip_{0, 0, width, height} {}
+
+void Batch::clear() {
+  vertices_.clear();
+  indices_.clear();
+  draws_.clear();
+}
+
+void Batch::cut(int axis, double limit, double sign) {
+  scratch_.clear();
+  for (std::size_t i = 0; i < hull_.size(); ++i) {
+    const Point& here = hull_[i];
+    const Point& next = hull_[(i + 1) % hull_.size()];
+    const bool here_inside = sign * (here[axis] - limit) <= 0;
+    const bool next_inside = sign * (next[axis] - limit) <= 0;
+    if (here_inside) {
+      scratch_.push_back(here);
+    }
+    if (here_inside != next_inside) {
+      scratch_.push_back(crossing(here, next, axis, limit));
+    }
+  }
+  hull_.swap(scratch_);
+}
+
+bool Batch::cut_to_bounds(std::span<const Point> hull) {
+  hull_.assign(hull.begin(), hull.end());
+  const double right = bounds_.x + bounds_.width;
+  const double bottom = bounds_.y + bounds_.height;
+  Point least = hull_.front();
+  Point greatest = hull_.front();
+  for (const Point& point : hull_) {
+    least = least.cwiseMin(point);
+    greatest = greatest.cwiseMax(point);
+  }
+  if (least.x() < bounds_.x) {
+    cut(0, bounds_.x, -1);
+  }
+  if (greatest.x() > right) {
+    cut(0, right, 1);
+  }
+  if (least.y() < bounds_.y) {
+    cut(1, bounds_.y, -1);
+  }
+  if (greatest.y() > bottom) {
+    cut(1, bottom, 1);
+  }
+  return hull_.size() >= 3;
+}
+
+void Batch::add(std::span<const Point> hull, const Measure& measure) {
+  if (clip_.empty() || hull.size() < 3 || !cut_to_bounds(hull)) {
+    return;
+  }
+  const std::uint32_t base = static_cast<std::uint32_t>(vertices_.size());
+  Vertex vertex = constant_part(measure);
+  for (const Point& point : hull_) {
+    vertex.position = {static_cast<float>(point.x()), static_cast<float>(point.y())};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Affine& local = measure.local[k];
+      vertex.local[k] = static_cast<float>(local.a * point.x() + local.b * point.y() + local.c);
+    }
+    vertices_.push_back(vertex);
+  }
+  if (draws_.empty() || draws_.back().clip != clip_) {
+    draws_.push_back({.clip = clip_, .first = indices_.size(), .count = 0});
+  }
+  for (std::uint32_t i = 2; i < hull_.size(); ++i) {
+    indices_.insert(indices_.end(), {base, base + i - 1, base + i});
+  }
+  draws_.back().count = indices_.size() - draws_.back().first;
+}
+
+}  // namespace cairn::render

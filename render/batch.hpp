@@ -1,0 +1,99 @@
+// Collects shapes as triangles: the vertex format of the one shader, cut to the frame, in draw order.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/canvas.hpp"
+
+namespace cairn::render {
+
+/// How the fragment shader measures coverage; the numbers are known to shader.cpp.
+enum class Kind { glyph = 0, box = 1, polygon = 2, hatch = 3 };
+
+/// a x + b y + c of a pixel position.
+struct Affine {
+  double a = 0, b = 0, c = 0;
+};
+
+/// Four measures that vary over a shape, and what is constant on it. Meaning by kind:
+///   glyph    local: texel x, y
+///   box      local: x, y from the centre; shape: half length, half width, radius; first, second: lines
+///            a x + b y + c = 0 across the picture, the box is kept from the first on and up to the second
+///   polygon  local: signed distances to up to four edges; shape: interior angles [pi] between edges 01, 12,
+///            23, 30; first[0]: the angle between edges 0 and 2
+///   hatch    as polygon; second: pitch, half width, phase of the lines
+struct Measure {
+  Kind kind = Kind::box;
+  std::array<Affine, 4> local = {};
+  std::array<float, 4> shape = {};
+  std::array<float, 3> first = {0, 0, 1};
+  std::array<float, 3> second = {0, 0, -1};
+  Color fill = transparent;
+  Color outline = transparent;
+  double half_outline = 0;  // [px]
+};
+
+struct Vertex {
+  std::array<float, 2> position = {};
+  std::array<float, 4> local = {};
+  std::array<float, 4> first_and_kind = {};
+  std::array<float, 4> second_and_half_outline = {};
+  std::array<float, 4> shape = {};
+  std::array<std::uint8_t, 4> fill = {};
+  std::array<std::uint8_t, 4> outline = {};
+};
+
+/// Whole pixels; the right and bottom ends are outside.
+struct PixelRect {
+  int left = 0, top = 0, right = 0, bottom = 0;
+
+  bool empty() const { return left >= right || top >= bottom; }
+  friend bool operator==(const PixelRect&, const PixelRect&) = default;
+};
+
+/// Triangles under one clip: a range of the batch's indices.
+struct Draw {
+  PixelRect clip = {};
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+/// Finite, and near enough to the frame to be measured in double.
+bool usable(double value);
+bool usable(const Point& point);
+
+class Batch {
+ public:
+  Batch(int width, int height);
+
+  /// Forgets all triangles; the clip stays.
+  void clear();
+  void set_clip(const PixelRect& clip) { clip_ = clip; }
+
+  /// A shape inside a convex hull that is given in turning order.
+  void add(std::span<const Point> hull, const Measure& measure);
+
+  const std::vector<Vertex>& vertices() const { return vertices_; }
+  const std::vector<std::uint32_t>& indices() const { return indices_; }
+  const std::vector<Draw>& draws() const { return draws_; }
+  /// Where shapes are kept: the frame and a little around it.
+  const Rect& bounds() const { return bounds_; }
+
+ private:
+  bool cut_to_bounds(std::span<const Point> hull);
+  void cut(int axis, double limit, double sign);
+
+  Rect bounds_ = {};
+  PixelRect clip_ = {};
+  std::vector<Vertex> vertices_ = {};
+  std::vector<std::uint32_t> indices_ = {};
+  std::vector<Draw> draws_ = {};
+  std::vector<Point> hull_ = {};     // the hull being added, cut
+  std::vector<Point> scratch_ = {};  // of cut()
+};
+
+}  // namespace cairn::render

@@ -1,0 +1,263 @@
+// The canvas: gathers shapes and text into a batch, and draws the batch when the frame is read.
+#include "render/canvas.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "math/check.hpp"
+#include "render/batch.hpp"
+#include "render/font.hpp"
+#include "render/markup.hpp"
+#include "render/shapes.hpp"
+#include "render/surface.hpp"
+
+namespace cairn::render {
+namespace {
+
+constexpr double least_text = 1;        // [px]
+constexpr double greatest_text = 400;   // [px], so that every glyph fits the atlas
+constexpr std::size_t enough = 200000;  // vertices; then they are drawn before more are gathered
+
+Face face_of(const TextStyle& style) {
+  if (style.mono) {
+    return style.bold ? Face::mono_bold : Face::mono;
+  }
+  return style.bold ? Face::bold : Face::regular;
+}
+
+bool drawable(const TextStyle& style) { return style.size >= least_text && style.size <= greatest_text; }
+
+/// How far the halo reaches beyond the glyphs [px].
+int halo_reach(const TextStyle& style) {
+  return style.halo.a > 0 ? static_cast<int>(std::lround(std::clamp(0.16 * style.size, 2.0, 5.0))) : 0;
+}
+
+int edge_pixel(double at, int end) {
+  return static_cast<int>(std::lround(std::clamp(at, 0.0, double{1} * end)));
+}
+
+/// Whole pixels, the nearest; nothing if the rectangle is not a number.
+PixelRect pixels_of(const Rect& rect, int width, int height) {
+  const double right = rect.x + rect.width;
+  const double bottom = rect.y + rect.height;
+  if (!(rect.width > 0) || !(rect.height > 0) || std::isnan(right) || std::isnan(bottom)) {
+    return {};
+  }
+  return {edge_pixel(rect.x, width), edge_pixel(rect.y, height), edge_pixel(right, width),
+          edge_pixel(bottom, height)};
+}
+
+PixelRect intersection(const PixelRect& a, const PixelRect& b) {
+  return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
+          std::min(a.bottom, b.bottom)};
+}
+
+/// The rectangle around both.
+Rect united(const Rect& a, const Rect& b) {
+  const double x = std::min(a.x, b.x);
+  const double y = std::min(a.y, b.y);
+  return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
+}
+
+/// Box of a capsule; a point gives a disk.
+Box capsule_box(const Point& from, const Point& to, double radius) {
+  const Point span = to - from;
+  const double length = span.norm();
+  Box box = {.center = 0.5 * (from + to), .half_length = 0.5 * length, .radius = radius};
+  if (length > 0) {
+    box.axis = span / length;
+  }
+  return box;
+}
+
+}  // namespace
+
+Color rgb(std::uint32_t hex) {
+  const auto channel = [hex](unsigned shift) { return static_cast<float>(hex >> shift & 0xFFU) / 255.0F; };
+  return {channel(16), channel(8), channel(0), 1};
+}
+
+Color faded(Color color, double opacity) {
+  color.a *= static_cast<float>(opacity);
+  return color;
+}
+
+struct Canvas::Impl {
+  Impl(int w, int h) : width(w), height(h), surface(w, h), batch(w, h) {}
+
+  int width;
+  int height;
+  Surface surface;
+  Batch batch;
+  GlyphAtlas atlas = {};
+  std::vector<PixelRect> clips = {};
+  std::vector<TextBox> boxes = {};
+  Color background = {1, 1, 1, 1};
+  bool begun = false;  // whether the frame's background has been drawn
+
+  void flush() {
+    if (!begun) {
+      surface.clear(background);
+      begun = true;
+    }
+    surface.draw(batch, atlas);
+    batch.clear();
+  }
+  void flush_if_full() {
+    if (batch.vertices().size() > enough) {
+      flush();
+    }
+  }
+  void use_clip() { batch.set_clip(clips.empty() ? PixelRect{0, 0, width, height} : clips.back()); }
+
+  const Glyph& glyph(const GlyphKey& key) {
+    const Glyph* found = atlas.find(key);
+    if (found == nullptr) {
+      flush();
+      atlas.clear();
+      found = atlas.find(key);
+    }
+    static constexpr Glyph nothing = {};
+    return found == nullptr ? nothing : *found;
+  }
+
+  /// Draws one layer of a line, glyphs or halos, and returns the rectangle that its bitmaps cover.
+  Rect write(const GlyphLine& line, const Point& start, int rim, const Color& color) {
+    Rect covered = {start.x(), start.y(), line.width, 0};
+    bool first = true;
+    for (const PlacedGlyph& placed : line.glyphs) {
+      const double quarters = std::floor(4 * (start.x() + placed.x) + 0.5);
+      const int pixel_x = static_cast<int>(std::floor(quarters / 4));
+      const int pixel_y = static_cast<int>(std::lround(start.y() + placed.drop));
+      const int phase = static_cast<int>(quarters) - 4 * pixel_x;
+      const Glyph& bitmap = glyph({placed.name, placed.size, phase, rim});
+      if (bitmap.width == 0) {
+        continue;
+      }
+      const int left = pixel_x + bitmap.left;
+      const int top = pixel_y + bitmap.top;
+      add_glyph(batch, {left, top, left + bitmap.width, top + bitmap.height}, bitmap.texel_x, bitmap.texel_y,
+                color);
+      const Rect box = {double(left), double(top), double(bitmap.width), double(bitmap.height)};
+      covered = united(first ? Rect{covered.x, box.y, covered.width, 0} : covered, box);
+      first = false;
+    }
+    return covered;
+  }
+};
+
+Canvas::Canvas(int width, int height) {
+  require(width > 0, "Canvas", "width", "positive px", width);
+  require(height > 0, "Canvas", "height", "positive px", height);
+  impl_ = std::make_unique<Impl>(width, height);
+}
+
+Canvas::~Canvas() = default;
+
+int Canvas::width() const { return impl_->width; }
+int Canvas::height() const { return impl_->height; }
+
+void Canvas::clear(Color background) {
+  impl_->background = background;
+  impl_->begun = false;
+  impl_->batch.clear();
+  impl_->clips.clear();
+  impl_->boxes.clear();
+  impl_->use_clip();
+}
+
+void Canvas::line(const Point& from, const Point& to, const Stroke& stroke) {
+  polyline(std::array<Point, 2>{from, to}, stroke);
+}
+
+void Canvas::polyline(std::span<const Point> points, const Stroke& stroke) {
+  add_polyline(impl_->batch, points, stroke);
+  impl_->flush_if_full();
+}
+
+void Canvas::circle(const Point& center, double radius, const Paint& paint) {
+  add_box(impl_->batch, {.center = center, .radius = radius}, paint);
+  impl_->flush_if_full();
+}
+
+void Canvas::polygon(std::span<const Point> points, const Paint& paint, double rounding) {
+  add_polygon(impl_->batch, points, paint, rounding);
+  impl_->flush_if_full();
+}
+
+void Canvas::rect(const Rect& rect, const Paint& paint, double corner_radius) {
+  const double radius = std::min(corner_radius, 0.5 * std::min(rect.width, rect.height));
+  const Point center(rect.x + 0.5 * rect.width, rect.y + 0.5 * rect.height);
+  const Point half(0.5 * rect.width, 0.5 * rect.height);
+  if (radius > 0) {
+    add_box(impl_->batch,
+            {.center = center,
+             .half_length = half.x() - radius,
+             .half_width = half.y() - radius,
+             .radius = radius},
+            paint);
+  } else if (rect.width > 0 && rect.height > 0) {
+    const std::array<Point, 4> corners = {center - half, center + Point(half.x(), -half.y()), center + half,
+                                          center + Point(-half.x(), half.y())};
+    add_polygon(impl_->batch, corners, paint, 0);
+  }
+  impl_->flush_if_full();
+}
+
+void Canvas::capsule(const Point& from, const Point& to, double radius, const Paint& paint) {
+  add_box(impl_->batch, capsule_box(from, to, radius), paint);
+  impl_->flush_if_full();
+}
+
+void Canvas::hatch(std::span<const Point> points, const Stroke& stroke, double pitch) {
+  add_hatch(impl_->batch, points, stroke, pitch);
+  impl_->flush_if_full();
+}
+
+void Canvas::text(const Point& at, std::string_view markup, const TextStyle& style) {
+  if (!usable(at) || !drawable(style)) {
+    return;
+  }
+  const GlyphLine line = lay_out(markup, style.size, face_of(style));
+  Point start = at;
+  if (style.align != Align::left) {
+    start.x() -= style.align == Align::center ? 0.5 * line.width : line.width;
+  }
+  if (const int rim = halo_reach(style); rim > 0) {
+    impl_->write(line, start, rim, style.halo);
+  }
+  const Rect covered = impl_->write(line, start, 0, style.color);
+  impl_->boxes.push_back({.text = std::string(markup), .rect = covered, .style = style});
+  impl_->flush_if_full();
+}
+
+double Canvas::text_width(std::string_view markup, const TextStyle& style) const {
+  return drawable(style) ? lay_out(markup, style.size, face_of(style)).width : 0;
+}
+
+void Canvas::push_clip(const Rect& rect) {
+  const PixelRect frame = {0, 0, impl_->width, impl_->height};
+  const PixelRect pushed = pixels_of(rect, impl_->width, impl_->height);
+  impl_->clips.push_back(intersection(impl_->clips.empty() ? frame : impl_->clips.back(), pushed));
+  impl_->use_clip();
+}
+
+void Canvas::pop_clip() {
+  if (impl_->clips.empty()) {
+    throw std::logic_error("Canvas::pop_clip: there is no clip to take back");
+  }
+  impl_->clips.pop_back();
+  impl_->use_clip();
+}
+
+std::span<const TextBox> Canvas::text_boxes() const { return impl_->boxes; }
+
+Image Canvas::read() {
+  impl_->flush();
+  return impl_->surface.read();
+}
+
+std::string Canvas::backend() const { return impl_->surface.backend(); }
+
+}  // namespace cairn::render

@@ -1,0 +1,144 @@
+// A world from its snapshot: what is drawn upon what. Also its past: ghosts and trails.
+#include "render/draw.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/draw_parts.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::render {
+namespace {
+
+constexpr std::size_t most_ghosts = 7;
+constexpr double oldest_ghost = 0.25;  // opacity
+constexpr double newest_ghost = 0.60;
+constexpr double farthest = 1e6;  // [m] bodies beyond are no part of the picture
+constexpr std::size_t trail_markers = 6;
+constexpr std::size_t most_avoided = 40;  // bodies; where there are more, labels find no room anyway
+
+template <typename Draw>
+void for_each_body(const Snapshot& snapshot, Draw draw) {
+  for (std::size_t i = 0; i < snapshot.bodies.size(); ++i)
+    draw(snapshot.bodies[i], BodyId{static_cast<int>(i)});
+}
+
+bool can_move(const SnapshotBody& body) { return body.type == BodyType::dynamic; }
+
+// Evenly chosen, the newest always among them.
+std::vector<std::size_t> chosen(std::size_t count) {
+  std::vector<std::size_t> all;
+  const std::size_t shown = std::min(count, most_ghosts);
+  for (std::size_t i = 0; i < shown; ++i) {
+    all.push_back(shown > 1 ? (i * (count - 1) + (shown - 1) / 2) / (shown - 1) : count - 1);
+  }
+  return all;
+}
+
+void include(Aabb<double>& bounds, const Aabb<double>& box) {
+  bounds.lower = bounds.lower.cwiseMin(box.lower);
+  bounds.upper = bounds.upper.cwiseMax(box.upper);
+}
+
+bool is_usable(const Aabb<double>& box) {
+  return box.lower.allFinite() && box.upper.allFinite() && box.lower.cwiseAbs().maxCoeff() < farthest &&
+         box.upper.cwiseAbs().maxCoeff() < farthest;
+}
+
+// The path in pixels, cut where a point cannot be drawn.
+std::vector<std::vector<Point>> pieces_of(const Camera& camera, std::span<const Vec2<double>> points) {
+  std::vector<std::vector<Point>> pieces(1);
+  for (const Vec2<double>& point : points) {
+    if (is_drawable(camera, {.position = point, .angle = 0})) {
+      pieces.back().push_back(camera.project(point));
+    } else if (!pieces.back().empty()) {
+      pieces.emplace_back();
+    }
+  }
+  return pieces;
+}
+
+// So that labels of arrows rather stand beside bodies than upon their outlines.
+void avoid_outlines(Page& page, const Camera& camera, const Snapshot& snapshot) {
+  if (snapshot.bodies.size() > most_avoided) return;
+  for (const SnapshotBody& body : snapshot.bodies) {
+    if (!is_drawable(camera, body.pose)) continue;
+    for (const Shape<double>& shape : body.shapes) {
+      Outline outline = clipped(outline_of(camera, body.pose, shape), camera.viewport);
+      if (outline.empty()) continue;
+      outline.push_back(outline.front());
+      page.avoid(outline);
+    }
+  }
+}
+
+}  // namespace
+
+void draw_world(Page& page, const Camera& camera, const Snapshot& snapshot, const WorldLook& look) {
+  page.canvas().push_clip(camera.viewport);
+  for_each_body(snapshot, [&](const SnapshotBody& body, BodyId id) {
+    if (!can_move(body)) draw_static_body(page, camera, body, id);
+  });
+  draw_joint_lines(page, camera, snapshot);
+  for_each_body(snapshot, [&](const SnapshotBody& body, BodyId id) {
+    if (can_move(body)) draw_dynamic_body(page, camera, body, id, look);
+  });
+  draw_joint_ends(page, camera, snapshot);
+  for_each_body(snapshot, [&](const SnapshotBody& body, BodyId id) {
+    if (can_move(body)) write_name(page, camera, body, id, look);
+  });
+  avoid_outlines(page, camera, snapshot);
+  if (look.penetration) draw_penetrations(page, camera, snapshot);
+  if (look.contacts) draw_contacts(page, camera, snapshot, look);
+  page.canvas().pop_clip();
+}
+
+void draw_ghosts(Page& page, const Camera& camera, std::span<const Snapshot> earlier) {
+  page.canvas().push_clip(camera.viewport);
+  const std::vector<std::size_t> shown = chosen(earlier.size());
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const double age = shown.size() > 1 ? static_cast<double>(i) / static_cast<double>(shown.size() - 1) : 1;
+    const double opacity = oldest_ghost + (newest_ghost - oldest_ghost) * age;
+    const Paint paint{.outline = faded(page.theme().outline, opacity), .outline_width = page.sizes().ghost};
+    for (const SnapshotBody& body : earlier[shown[i]].bodies) {
+      if (!can_move(body) || !is_seen(camera, body)) continue;
+      for (const Shape<double>& shape : body.shapes)
+        paint_shape(page.canvas(), camera, body.pose, shape, paint);
+    }
+  }
+  page.canvas().pop_clip();
+}
+
+void draw_trail(Page& page, const Camera& camera, std::span<const Vec2<double>> points,
+                const SeriesStyle& style) {
+  Canvas& canvas = page.canvas();
+  canvas.push_clip(camera.viewport);
+  for (const std::vector<Point>& piece : pieces_of(camera, points)) {
+    canvas.polyline(piece, {.width = page.sizes().curve, .color = style.color, .dash = style.dash});
+    const std::size_t count = std::min(piece.size(), trail_markers);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Point& at = piece[i * (piece.size() - 1) / std::max<std::size_t>(count - 1, 1)];
+      draw_marker(canvas, at, style.marker, page.sizes().marker, style.color);
+    }
+    page.note_curve(piece);
+  }
+  canvas.pop_clip();
+}
+
+Aabb<double> bounds_of(std::span<const Snapshot> snapshots) {
+  std::optional<Aabb<double>> bounds;
+  for (const Snapshot& snapshot : snapshots) {
+    for (const SnapshotBody& body : snapshot.bodies) {
+      if (!can_move(body)) continue;
+      for (const Shape<double>& shape : body.shapes) {
+        const Aabb<double> box = bounding_box(shape, body.pose);
+        if (!is_usable(box)) continue;
+        if (!bounds) bounds = box;
+        include(*bounds, box);
+      }
+    }
+  }
+  return bounds.value_or(Aabb<double>{});
+}
+
+}  // namespace cairn::render

@@ -1,0 +1,181 @@
+// Bodies: fill, outline, hatch, orientation mark, and the number in the middle.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/draw_parts.hpp"
+#include "render/rects.hpp"
+#include "render/text_layout.hpp"
+
+namespace cairn::render {
+namespace {
+
+constexpr double smallest_text = 12;  // [px]
+constexpr double cut = 12;            // [px] beyond the viewport, where cut edges are not seen
+
+Rect grown(const Rect& rect, double by) { return inset(rect, -by); }
+
+bool is_active(BodyId id, const WorldLook& look) { return id == look.active_a || id == look.active_b; }
+
+Color fill_of(const Theme& theme, BodyId id, const WorldLook& look) {
+  if (id == look.active_a) return theme.active_a;
+  return id == look.active_b ? theme.active_b : theme.body;
+}
+
+// Of the ground only what looks up is drawn: it has no visible end.
+void draw_surface(Canvas& canvas, const Outline& outline, const Stroke& stroke) {
+  Point middle(0, 0);
+  for (const Point& point : outline) middle += point / static_cast<double>(outline.size());
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point& from = outline[i];
+    const Point& to = outline[(i + 1) % outline.size()];
+    const Point edge = to - from;
+    Point outward(edge.y(), -edge.x());
+    if (outward.dot(from - middle) < 0) outward = -outward;
+    if (-outward.y() > 0.1 * outward.norm()) canvas.line(from, to, stroke);
+  }
+}
+
+void draw_static_shape(Page& page, const Outline& outline, BodyId id) {
+  Canvas& canvas = page.canvas();
+  const Theme& theme = page.theme();
+  const Paint edge{.outline = theme.outline, .outline_width = page.sizes().outline};
+  canvas.polygon(outline, {.fill = theme.static_body});
+  canvas.hatch(outline, {.width = 1, .color = theme.static_hatch}, page.sizes().hatch_pitch);
+  if (id != ground) {
+    canvas.polygon(outline, edge);
+  } else {
+    draw_surface(canvas, outline, {.width = page.sizes().outline, .color = theme.outline});
+  }
+}
+
+// The half diagonal of a text of 1 px.
+double text_reach(const Page& page, const std::string& name) {
+  const TextStyle style{.size = 100, .bold = true};
+  return std::hypot(page.canvas().text_width(name, style) / 200, cap_height / 2);
+}
+
+// Whether a text with this middle is inside the body, wherever the body is turned to.
+bool fits(const Camera& camera, const SnapshotBody& body, const Point& middle, double width, double height) {
+  constexpr double air = 3;  // [px]
+  for (const double x : {-0.5, 0.5}) {
+    for (const double y : {-0.5, 0.5}) {
+      const Point corner = middle + Point(x * width, y * height);
+      const Vec2<double> local = body.pose.local(camera.unproject(corner));
+      if (!(depth_in(body, local) * camera.scale > air)) return false;
+    }
+  }
+  return true;
+}
+
+// A circle shows how far it has turned by a radius, everything else by a short tick at its local x axis.
+void draw_orientation(Page& page, const Camera& camera, const SnapshotBody& body, double name) {
+  const bool is_circle = body.shapes.size() == 1 && std::holds_alternative<Circle<double>>(body.shapes[0]);
+  const Vec2<double> along(1, 0);
+  const double edge = reach(body, along) * camera.scale;  // [px]
+  const double number = name > 0 ? name + 4 : 0;          // [px] kept free around the middle
+  const double inner = is_circle ? number : std::max(number, edge - std::clamp(0.18 * edge, 4.0, 10.0));
+  if (!(edge - inner > 4)) return;
+  const Point from = camera.project(body.pose.world(along * (edge / camera.scale)));
+  const Point to = camera.project(body.pose.world(along * (inner / camera.scale)));
+  const double width = is_circle ? page.sizes().outline : 0.75 * page.sizes().outline;
+  page.canvas().line(from, to, {.width = width, .color = page.theme().outline});
+}
+
+}  // namespace
+
+std::string name_of(const WorldLook& look, int body) {
+  if (!look.numbers) return "";
+  if (look.names.empty()) return std::to_string(body);
+  const bool is_named = body >= 0 && static_cast<std::size_t>(body) < look.names.size();
+  return is_named ? look.names[static_cast<std::size_t>(body)] : "";
+}
+
+double name_size(const Page& page, const Camera& camera, const SnapshotBody& body, const std::string& name) {
+  if (name.empty()) return 0;
+  const double room = depth_in(body, Vec2<double>(0, 0)) * camera.scale;
+  const double reach_of_text = text_reach(page, name);
+  // The same at every angle, so that it does not flicker while the body turns.
+  const double size = std::min(std::floor(0.62 * room / reach_of_text), page.sizes().body_number);
+  if (size >= smallest_text) return size;
+  const double width = page.canvas().text_width(name, {.size = smallest_text, .bold = true});
+  const Point middle = camera.project(body.pose.position);
+  return fits(camera, body, middle, width, cap_height * smallest_text) ? smallest_text : 0;
+}
+
+void draw_static_body(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id) {
+  if (!is_drawable(camera, body.pose)) return;
+  const Paint line{.outline = page.theme().outline, .outline_width = page.sizes().outline};
+  for (const Shape<double>& shape : body.shapes) {
+    if (std::holds_alternative<Segment<double>>(shape)) {
+      paint_shape(page.canvas(), camera, body.pose, shape, line);
+      continue;
+    }
+    const Outline seen = clipped(outline_of(camera, body.pose, shape), grown(camera.viewport, cut));
+    if (seen.size() > 2) draw_static_shape(page, seen, id);
+  }
+}
+
+void draw_dynamic_body(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id,
+                       const WorldLook& look) {
+  if (!is_seen(camera, body)) return;
+  Canvas& canvas = page.canvas();
+  const Color fill = fill_of(page.theme(), id, look);
+  const double width = is_active(id, look) ? page.sizes().active_outline : page.sizes().outline;
+  const bool is_compound = body.shapes.size() > 1;
+  // All outlines of a compound first, twice as wide; then the fills upon their inner halves.
+  const Paint first{
+      .fill = fill, .outline = page.theme().outline, .outline_width = is_compound ? 2 * width : width};
+  for (const Shape<double>& shape : body.shapes) paint_shape(canvas, camera, body.pose, shape, first);
+  if (is_compound) {
+    const Paint second{.fill = fill, .outline = fill, .outline_width = 1};  // no seam between two pieces
+    for (const Shape<double>& shape : body.shapes) {
+      if (!std::holds_alternative<Segment<double>>(shape))
+        paint_shape(canvas, camera, body.pose, shape, second);
+    }
+  }
+  const std::string name = name_of(look, id.index);
+  const double size = name_size(page, camera, body, name);
+  draw_orientation(page, camera, body, size * (name.empty() ? 0 : text_reach(page, name)));
+}
+
+void write_name(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id,
+                const WorldLook& look) {
+  if (!is_seen(camera, body)) return;
+  const std::string name = name_of(look, id.index);
+  const double size = name_size(page, camera, body, name);
+  if (size == 0) return;
+  const TextStyle style{.size = size,
+                        .color = page.theme().text,
+                        .bold = true,
+                        .align = Align::center,
+                        .halo = fill_of(page.theme(), id, look)};
+  const Point middle = camera.project(body.pose.position);
+  const std::vector<Point> place = {Point(middle.x(), baseline_around(middle.y(), size))};
+  if (!write_if_free(page, place, camera.viewport, name, style) || !is_active(id, look)) return;
+  // Which of the two it is, not by its colour alone.
+  TextStyle letter = style;
+  letter.bold = false;
+  letter.size = std::max(smallest_text, std::floor(0.55 * size));
+  const Point below = middle + Point(0, 0.5 * cap_height * size + 0.75 * letter.size);
+  if (!fits(camera, body, below, 0.6 * letter.size, 0.8 * letter.size)) return;
+  const std::vector<Point> under = {Point(below.x(), baseline_around(below.y(), letter.size))};
+  write_if_free(page, under, camera.viewport, id == look.active_a ? "a" : "b", letter);
+}
+
+bool write_if_free(Page& page, const std::vector<Point>& places, const Rect& within, const std::string& text,
+                   const TextStyle& style) {
+  std::vector<Point> free;
+  for (const Point& at : places) {
+    const Rect rect = text_rect(page.canvas(), at, text, style);
+    const auto boxes = page.canvas().text_boxes();
+    const bool is_taken = std::any_of(boxes.begin(), boxes.end(),
+                                      [&rect](const TextBox& box) { return overlap(box.rect, rect); });
+    if (!is_taken && contains(within, rect)) free.push_back(at);
+  }
+  if (free.empty()) return false;
+  page.place_text(free, within, text, style);
+  return true;
+}
+
+}  // namespace cairn::render

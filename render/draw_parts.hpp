@@ -1,0 +1,62 @@
+// The parts of a drawn world, for its own source files only: shapes in pixels, bodies, joints and contacts.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/draw.hpp"
+
+namespace cairn::render {
+
+using Outline = std::vector<Point>;  // [px] a convex polygon
+
+/// A pose that can be drawn: finite, and not so far away that pixels lose their precision.
+bool is_drawable(const Camera& camera, const Pose<double>& pose);
+/// Drawable, and at least near the viewport.
+bool is_seen(const Camera& camera, const SnapshotBody& body);
+
+/// The shape as a polygon that deviates by less than a quarter of a pixel. A segment has no area: 2 points.
+Outline outline_of(const Camera& camera, const Pose<double>& pose, const Shape<double>& shape);
+/// What of a convex polygon is inside a rectangle, or inside another convex polygon.
+Outline clipped(const Outline& outline, const Rect& rect);
+Outline common_part(const Outline& a, const Outline& b);
+double area(const Outline& outline);  // [px^2]
+
+void paint_shape(Canvas& canvas, const Camera& camera, const Pose<double>& pose, const Shape<double>& shape,
+                 const Paint& paint);
+
+/// How deep inside the shape a point of the body's frame is [m]; negative outside.
+double depth_in(const Shape<double>& shape, const Vec2<double>& local);
+/// The largest depth in any of a body's shapes [m].
+double depth_in(const SnapshotBody& body, const Vec2<double>& local);
+/// How far it is from the centre of mass to the surface along a direction of the body's frame [m]; 0 if the
+/// centre of mass is outside.
+double reach(const SnapshotBody& body, const Vec2<double>& direction);
+
+std::string name_of(const WorldLook& look, int body);
+/// The size [px] at which a body's name is written in its middle; 0 if there is no room for it.
+double name_size(const Page& page, const Camera& camera, const SnapshotBody& body, const std::string& name);
+
+void draw_static_body(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id);
+void draw_dynamic_body(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id,
+                       const WorldLook& look);
+void write_name(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id, const WorldLook& look);
+
+/// What is seen behind the bodies: rods, and the arms of pins that are outside their body.
+void draw_joint_lines(Page& page, const Camera& camera, const Snapshot& snapshot);
+/// What is seen upon them: where the joints are fastened.
+void draw_joint_ends(Page& page, const Camera& camera, const Snapshot& snapshot);
+
+void draw_penetrations(Page& page, const Camera& camera, const Snapshot& snapshot);
+void draw_contacts(Page& page, const Camera& camera, const Snapshot& snapshot, const WorldLook& look);
+
+/// Writes inside `within` where no other text is, rather on no line than on one; nothing, if there is no
+/// room.
+bool write_if_free(Page& page, const std::vector<Point>& places, const Rect& within, const std::string& text,
+                   const TextStyle& style);
+
+/// A body of the snapshot, or none if the number names none.
+const SnapshotBody* body_of(const Snapshot& snapshot, BodyId id);
+
+}  // namespace cairn::render

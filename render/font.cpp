@@ -1,0 +1,197 @@
+// Glyph bitmaps by stb_truetype: exact area coverage, no hinting, four horizontal phases.
+#include "render/font.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#define STBTT_STATIC
+#define STB_TRUETYPE_IMPLEMENTATION
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
+#include <stb/stb_truetype.h>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+#include "render/canvas.hpp"
+
+extern "C" {
+extern const unsigned char cairn_font_regular[];
+extern const unsigned char cairn_font_bold[];
+extern const unsigned char cairn_font_mono[];
+extern const unsigned char cairn_font_mono_bold[];
+}
+
+namespace cairn::render {
+namespace {
+
+constexpr int phases = 4;
+
+using Fonts = std::array<stbtt_fontinfo, 4>;
+
+Fonts open_fonts() {
+  const std::array<const unsigned char*, 4> files = {cairn_font_regular, cairn_font_bold, cairn_font_mono,
+                                                     cairn_font_mono_bold};
+  Fonts fonts = {};
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (stbtt_InitFont(&fonts[i], files[i], 0) == 0) {
+      throw RenderError("a font inside the program is damaged: build Cairn again");
+    }
+  }
+  return fonts;
+}
+
+const stbtt_fontinfo& font_of(Face face) {
+  static const Fonts fonts = open_fonts();
+  return fonts[static_cast<std::size_t>(face)];
+}
+
+float scale_of(const stbtt_fontinfo& font, double size) {
+  return stbtt_ScaleForMappingEmToPixels(&font, static_cast<float>(size));
+}
+
+std::uint64_t packed(const GlyphKey& key) {
+  const std::uint64_t size = static_cast<std::uint64_t>(std::lround(64 * key.size));
+  const std::uint64_t face = static_cast<std::uint64_t>(key.name.face);
+  const std::uint64_t index = static_cast<std::uint64_t>(key.name.index);
+  const std::uint64_t phase = static_cast<std::uint64_t>(key.phase);
+  return (((size * 64 + static_cast<std::uint64_t>(key.rim)) * phases + phase) * 4 + face) << 20U | index;
+}
+
+/// A bitmap on its way into the atlas.
+struct Bitmap {
+  Glyph place = {};
+  std::vector<std::uint8_t> texels = {};
+};
+
+Bitmap draw_glyph(const GlyphKey& key) {
+  const stbtt_fontinfo& font = font_of(key.name.face);
+  const float scale = scale_of(font, key.size);
+  const float shift = static_cast<float>(key.phase) / phases;
+  int left = 0;
+  int top = 0;
+  int right = 0;
+  int bottom = 0;
+  stbtt_GetGlyphBitmapBoxSubpixel(&font, key.name.index, scale, scale, shift, 0, &left, &top, &right,
+                                  &bottom);
+  Bitmap bitmap;
+  bitmap.place = {.width = right - left, .height = bottom - top, .left = left, .top = top};
+  if (bitmap.place.width <= 0 || bitmap.place.height <= 0) {
+    bitmap.place = {};
+    return bitmap;
+  }
+  bitmap.texels.resize(static_cast<std::size_t>(bitmap.place.width) *
+                       static_cast<std::size_t>(bitmap.place.height));
+  stbtt_MakeGlyphBitmapSubpixel(&font, bitmap.texels.data(), bitmap.place.width, bitmap.place.height,
+                                bitmap.place.width, scale, scale, shift, 0, key.name.index);
+  return bitmap;
+}
+
+/// How much of the halo is left at a distance from the glyph: whole near it, fading over the last pixels.
+double rim_strength(double distance, int reach) {
+  return std::clamp(0.7 * (reach + 0.5 - distance), 0.0, 1.0);
+}
+
+/// Every texel of the glyph spreads to its neighbours; the strongest wins.
+Bitmap draw_halo(const Bitmap& glyph, int reach) {
+  Bitmap halo;
+  if (glyph.place.width == 0) {
+    return halo;
+  }
+  halo.place = {.width = glyph.place.width + 2 * reach,
+                .height = glyph.place.height + 2 * reach,
+                .left = glyph.place.left - reach,
+                .top = glyph.place.top - reach};
+  halo.texels.resize(static_cast<std::size_t>(halo.place.width) *
+                     static_cast<std::size_t>(halo.place.height));
+  for (int dy = -reach; dy <= reach; ++dy) {
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const double strength = rim_strength(std::hypot(dx, dy), reach);
+      for (int y = 0; strength > 0 && y < glyph.place.height; ++y) {
+        for (int x = 0; x < glyph.place.width; ++x) {
+          const double spread = strength * glyph.texels[static_cast<std::size_t>(y * glyph.place.width + x)];
+          const int at = (y + dy + reach) * halo.place.width + x + dx + reach;
+          std::uint8_t& texel = halo.texels[static_cast<std::size_t>(at)];
+          texel = std::max(texel, static_cast<std::uint8_t>(std::lround(spread)));
+        }
+      }
+    }
+  }
+  return halo;
+}
+
+}  // namespace
+
+GlyphName find_glyph(Face face, char32_t code_point) {
+  const int code = static_cast<int>(code_point);
+  const int own = stbtt_FindGlyphIndex(&font_of(face), code);
+  if (own != 0 || face == Face::regular) {
+    return {face, own};
+  }
+  const int other = stbtt_FindGlyphIndex(&font_of(Face::regular), code);
+  return other != 0 ? GlyphName{Face::regular, other} : GlyphName{face, 0};
+}
+
+double advance(const GlyphName& glyph, double size) {
+  const stbtt_fontinfo& font = font_of(glyph.face);
+  int units = 0;
+  int bearing = 0;
+  stbtt_GetGlyphHMetrics(&font, glyph.index, &units, &bearing);
+  return units * static_cast<double>(scale_of(font, 1)) * size;
+}
+
+GlyphAtlas::GlyphAtlas() : texels_(static_cast<std::size_t>(side) * side) {}
+
+void GlyphAtlas::clear() {
+  glyphs_.clear();
+  shelf_x_ = 0;
+  shelf_y_ = 0;
+  shelf_height_ = 0;
+}
+
+bool GlyphAtlas::place(Glyph& glyph) {
+  if (shelf_x_ + glyph.width > side) {
+    shelf_y_ += shelf_height_;
+    shelf_x_ = 0;
+    shelf_height_ = 0;
+  }
+  if (glyph.width > side || shelf_y_ + glyph.height > side) {
+    return false;
+  }
+  glyph.texel_x = shelf_x_;
+  glyph.texel_y = shelf_y_;
+  shelf_x_ += glyph.width;
+  shelf_height_ = std::max(shelf_height_, glyph.height);
+  return true;
+}
+
+const Glyph* GlyphAtlas::find(const GlyphKey& key) {
+  const std::uint64_t name = packed(key);
+  const auto known = glyphs_.find(name);
+  if (known != glyphs_.end()) {
+    return &known->second;
+  }
+  Bitmap bitmap = draw_glyph(key);
+  if (key.rim > 0) {
+    bitmap = draw_halo(bitmap, key.rim);
+  }
+  Glyph glyph = bitmap.place;
+  if (glyph.width > 0) {
+    if (!place(glyph)) {
+      return nullptr;
+    }
+    for (int y = 0; y < glyph.height; ++y) {
+      const std::ptrdiff_t target = static_cast<std::ptrdiff_t>(glyph.texel_y + y) * side + glyph.texel_x;
+      std::copy_n(bitmap.texels.begin() + static_cast<std::ptrdiff_t>(y) * glyph.width, glyph.width,
+                  texels_.begin() + target);
+    }
+    ++version_;
+  }
+  return &glyphs_.emplace(name, glyph).first->second;
+}
+
+}  // namespace cairn::render

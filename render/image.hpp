@@ -1,0 +1,52 @@
+// Pictures on disk: PNG files, and how far two pictures differ.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "render/canvas.hpp"
+
+namespace cairn::render {
+
+/// A file could not be written: the message names its path and the reason.
+struct WriteError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Writes `<path>.part` beside the file and renames it, so that no reader ever sees half a file. Devices and
+/// pipes are written directly.
+/// @throws WriteError; the part is then removed, and an earlier file of that name is as it was.
+void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+void write_file(const std::filesystem::path& path, std::string_view text);
+
+/// @throws std::invalid_argument unless both sides are positive and there are 3 bytes for every pixel.
+void require_image(const Image& image, std::string_view place);
+
+/// The bytes of a PNG file. The same image gives the same bytes on every thread.
+/// @throws std::invalid_argument as require_image().
+std::vector<std::uint8_t> encode_png(const Image& image);
+/// Any PNG; an alpha channel is dropped. @throws std::runtime_error with the reason.
+Image decode_png(std::span<const std::uint8_t> bytes);
+
+/// @throws WriteError, or std::invalid_argument as require_image().
+void write_png(const std::filesystem::path& path, const Image& image);
+/// @throws std::runtime_error that names the file and the reason.
+Image read_png(const std::filesystem::path& path);
+
+/// How far two pictures differ. Pictures of two sizes differ in every pixel and as much as can be.
+struct ImageDifference {
+  bool same_size = false;
+  int largest = 0;          // of one channel, 0..255
+  long long differing = 0;  // [pixels]
+};
+
+ImageDifference compare(const Image& expected, const Image& actual);
+
+/// `actual` in pale grey; red where a channel differs by more than `tolerance` or one image has no pixel.
+Image difference_image(const Image& expected, const Image& actual, int tolerance = 0);
+
+}  // namespace cairn::render

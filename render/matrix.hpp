@@ -1,0 +1,30 @@
+// Matrices as heat maps with the numbers in their cells.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "render/page.hpp"
+
+namespace cairn::render {
+
+enum class MatrixColors { signed_values, magnitude };
+
+struct MatrixView {
+  std::string title = {};  // "A = J M⁻¹ Jᵀ (1/kg)"
+  Eigen::MatrixXd values = {};
+  std::vector<std::string> row_names = {};  // empty: none
+  std::vector<std::string> column_names = {};
+  int column_group = 0;  // a thick line after every so many columns; 0: none
+  int active_row = -1;   // framed
+  MatrixColors colors = MatrixColors::signed_values;
+};
+
+/// Cells are square, as large as fits up to 64 px, at the top left of `rect`. Values are printed in cells of
+/// at least 28 px where they fit; zero is a dot, and so is what rounding left of a zero (1e-13 of the
+/// largest). If there are more entries than pixels, a cell shows the largest entry of a block, and names are
+/// left out.
+void draw_matrix(Page& page, const Rect& rect, const MatrixView& view);
+
+}  // namespace cairn::render

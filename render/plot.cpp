@@ -1,0 +1,74 @@
+// Charts: the order in which a plot is drawn. Curves lie upon the grid, words upon nothing.
+#include "render/plot.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "math/check.hpp"
+#include "render/plot_parts.hpp"
+#include "render/text_layout.hpp"
+
+namespace cairn::render {
+namespace {
+
+constexpr std::size_t most_series = 4;  // more cannot be told apart
+
+void check_plot(const Plot& plot) {
+  require(plot.series.size() <= most_series, "draw_plot", "series", "at most 4",
+          static_cast<double>(plot.series.size()));
+  for (const Series& series : plot.series) {
+    require(series.x.size() == series.y.size(), "draw_plot", "x", "as long as y",
+            std::to_string(series.x.size()) + " and " + std::to_string(series.y.size()));
+  }
+}
+
+void draw_cursor(Page& page, const PlotFrame& frame, const Plot& plot) {
+  if (!plot.cursor || !plottable(*plot.cursor, frame.x.scale)) return;
+  const double x = std::round(frame.x.pixel(*plot.cursor)) + 0.5;
+  const Rect& box = frame.box;
+  page.canvas().push_clip(box);
+  page.canvas().line({x, box.y}, {x, box.y + box.height},
+                     {.width = page.sizes().axis, .color = page.theme().secondary_text});
+  page.canvas().pop_clip();
+}
+
+std::vector<Curve> curves_of(const PlotFrame& frame, const Plot& plot) {
+  std::vector<Curve> curves;
+  for (const Series& series : plot.series) curves.push_back(curve_of(frame, series));
+  return curves;
+}
+
+bool is_all_empty(const std::vector<Curve>& curves) {
+  for (const Curve& curve : curves) {
+    if (!curve.points.empty() || !curve.pieces.empty()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void draw_plot(Page& page, const Rect& rect, const Plot& plot) {
+  check_plot(plot);
+  // Small panels have no room for a line of each.
+  const bool is_tight = page.compact() && !plot.title.empty() && !plot.y.title.empty();
+  Plot shown = plot;
+  if (is_tight) shown.y.title.clear();
+  const Rect panel = page.panel(rect, is_tight ? plot.title + " · " + plot.y.title : plot.title);
+  // How wide the names need it to be is known once the curves are there.
+  PlotFrame frame = lay_out(page, panel, shown, 0);
+  frame = lay_out(page, panel, shown, gutter_width(page, frame, shown, curves_of(frame, shown)));
+  const std::vector<Curve> curves = curves_of(frame, shown);
+  draw_axes(page, frame, shown);
+  draw_goals(page, frame, shown);
+  draw_cursor(page, frame, shown);
+  draw_curves(page, frame, shown, curves);
+  draw_plot_labels(page, frame, shown, curves);
+  if (!is_all_empty(curves) || !shown.goals.empty()) return;
+  TextStyle style = page.secondary();
+  style.align = Align::center;
+  const Rect& box = frame.box;
+  page.canvas().text({box.x + box.width / 2, baseline_around(box.y + box.height / 2, style.size)}, "no data",
+                     style);
+}
+
+}  // namespace cairn::render

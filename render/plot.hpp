@@ -1,0 +1,56 @@
+// Charts: axes with round ticks, linear or logarithmic, series labelled at their ends.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/page.hpp"
+
+namespace cairn::render {
+
+enum class AxisScale { linear, logarithmic };
+
+struct Axis {
+  std::string title = {};  // with its unit: "t (s)"
+  AxisScale scale = AxisScale::linear;
+  std::optional<double> min = {};  // from the data if not given
+  std::optional<double> max = {};
+};
+
+struct Series {
+  std::string name = {};  // written at its right end, moved apart from the others
+  SeriesStyle style = {};
+  std::vector<double> x = {};
+  std::vector<double> y = {};   // NaN leaves a gap; on a log axis what is not > 0 is left out
+  bool line = true;
+  bool markers = true;  // a few, evenly spread
+};
+
+/// A horizontal dashed line with its text: "1 % goal".
+struct GoalLine {
+  double y = 0;
+  std::string text = {};
+};
+
+struct Plot {
+  std::string title = {};
+  Axis x = {};
+  Axis y = {};
+  std::vector<Series> series = {};  // at most 4
+  std::vector<GoalLine> goals = {};
+  std::optional<double> cursor = {};  // a vertical line at this x
+};
+
+/// A panel with the plot. Nothing is drawn outside its axes.
+/// @throws std::invalid_argument for more than 4 series, or x and y of different length.
+void draw_plot(Page& page, const Rect& rect, const Plot& plot);
+
+/// Round numbers (1, 2 or 5 times a power of ten) inside [min, max], at most `count` of them.
+std::vector<double> round_ticks(double min, double max, int count);
+/// Powers of ten inside [min, max], thinned to at most `count`.
+std::vector<double> decade_ticks(double min, double max, int count);
+
+void draw_marker(Canvas& canvas, const Point& at, Marker marker, double radius, Color color);
+
+}  // namespace cairn::render

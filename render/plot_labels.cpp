@@ -1,0 +1,216 @@
+// The words in a plot: names of the curves at their ends, texts of the goal lines.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "render/lint.hpp"
+#include "render/plot_parts.hpp"
+#include "render/rects.hpp"
+#include "render/text_layout.hpp"
+
+namespace cairn::render {
+namespace {
+
+constexpr double leader = 14;  // [px] from the box to the marker of a name
+constexpr double air = 8;      // [px] from that marker to the name, and behind it
+
+struct EndLabel {
+  std::size_t series = 0;
+  Point end = {0, 0};  // of the curve
+};
+
+// The end further right: most curves begin at the left, but not all.
+Point end_of(const Curve& curve) {
+  std::vector<Point> ends;
+  for (const std::vector<Point>& piece : curve.pieces) ends.insert(ends.end(), {piece.front(), piece.back()});
+  if (!curve.points.empty()) ends.insert(ends.end(), {curve.points.front(), curve.points.back()});
+  return *std::max_element(ends.begin(), ends.end(),
+                           [](const Point& a, const Point& b) { return a.x() < b.x() + 1e-6; });
+}
+
+bool is_empty(const Curve& curve) { return curve.points.empty() && curve.pieces.empty(); }
+
+// So far from the right end of the box, a curve has its name beside it.
+bool ends_early(const PlotFrame& frame, const Curve& curve) {
+  return frame.box.x + frame.box.width - end_of(curve).x() > 0.15 * frame.box.width;
+}
+
+/// Texts inside the box keep clear of curves, goal lines and each other.
+struct Inside {
+  const PlotFrame& frame;
+  const Plot& plot;
+  const std::vector<Curve>& curves;
+  std::vector<Rect> taken = {};
+};
+
+bool is_free(const Inside& inside, const Rect& rect) {
+  if (!contains(inside.frame.box, rect)) return false;
+  for (const Curve& curve : inside.curves) {
+    if (meets(curve, inset(rect, -4))) return false;
+  }
+  for (const GoalLine& goal : inside.plot.goals) {
+    const double y = inside.frame.y.pixel(goal.y);
+    if (y >= rect.y && y <= rect.y + rect.height) return false;
+  }
+  return std::none_of(inside.taken.begin(), inside.taken.end(),
+                      [&](const Rect& r) { return overlap(r, rect); });
+}
+
+bool write_inside(Page& page, Inside& inside, const std::vector<Point>& places, const std::string& text,
+                  const TextStyle& style) {
+  for (const Point& at : places) {
+    const Rect rect = text_rect(page.canvas(), at, text, style);
+    if (!is_free(inside, rect)) continue;
+    page.canvas().text(at, text, style);
+    inside.taken.push_back(rect);
+    return true;
+  }
+  return false;
+}
+
+void write_goal(Page& page, Inside& inside, const GoalLine& goal) {
+  const Rect& box = inside.frame.box;
+  TextStyle style = page.tick();
+  style.color = page.theme().text;
+  const double width = page.canvas().text_width(goal.text, style);
+  const double line = inside.frame.y.pixel(goal.y);
+  std::vector<Point> places;
+  for (int step = 0; step <= 8; ++step) {
+    const double x = box.x + box.width - 10 - width - step * (box.width - 20 - width) / 8;
+    places.emplace_back(x, line - 0.45 * style.size);
+    places.emplace_back(x, line + 1.15 * style.size);
+  }
+  if (write_inside(page, inside, places, goal.text, style)) return;
+  style.halo = page.theme().panel;  // where every place is crossed by a curve
+  page.canvas().text(places.front(), goal.text, style);
+  inside.taken.push_back(text_rect(page.canvas(), places.front(), goal.text, style));
+}
+
+// Whether the name could be written where the curve ends, inside the box.
+bool write_at_end(Page& page, Inside& inside, const EndLabel& label) {
+  const Series& series = inside.plot.series[label.series];
+  const TextStyle style = series_label(page, series);
+  const double x = label.end.x() + page.sizes().marker + air;
+  std::vector<Point> places;
+  for (const double rise : {0.35, -0.4, 1.1, -1.1, 1.8})
+    places.emplace_back(x, label.end.y() + rise * style.size);
+  const double width = page.canvas().text_width(series.name, style);
+  const double back = label.end.x() - page.sizes().marker - air - width;
+  for (const double rise : {0.35, -0.4, 1.1, -1.1})
+    places.emplace_back(back, label.end.y() + rise * style.size);
+  return write_inside(page, inside, places, series.name, style);
+}
+
+void write_in_gutter(Page& page, const PlotFrame& frame, const Series& series, const Point& end, double y) {
+  Canvas& canvas = page.canvas();
+  const TextStyle style = series_label(page, series);
+  const double edge = frame.box.x + frame.box.width;
+  const Point mark(edge + leader + page.sizes().marker, y);
+  if (edge - end.x() < 1.5 * leader) {
+    canvas.line(end, mark, {.width = 1.5, .color = faded(series.style.color, 0.7)});
+  }
+  draw_marker(canvas, mark, series.style.marker, page.sizes().marker, series.style.color);
+  canvas.text({mark.x() + page.sizes().marker + air, baseline_around(y, style.size)}, series.name, style);
+}
+
+std::vector<EndLabel> end_labels(const Plot& plot, const std::vector<Curve>& curves) {
+  std::vector<EndLabel> labels;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (!plot.series[i].name.empty() && !is_empty(curves[i])) labels.push_back({i, end_of(curves[i])});
+  }
+  std::stable_sort(labels.begin(), labels.end(),
+                   [](const EndLabel& a, const EndLabel& b) { return a.end.y() < b.end.y(); });
+  return labels;
+}
+
+}  // namespace
+
+TextStyle series_label(const Page& page, const Series& series) {
+  TextStyle style = page.label();
+  style.color = page.theme().text;
+  if (page.compact()) return style;
+  style.size = std::max(style.size, 18.0);
+  style.bold = true;
+  const Theme& theme = page.theme();
+  const bool readable = std::min(contrast(series.style.color, theme.panel),
+                                 contrast(series.style.color, theme.background)) >= 3;
+  if (readable) style.color = series.style.color;
+  return style;
+}
+
+double gutter_width(const Page& page, const PlotFrame& frame, const Plot& plot,
+                    const std::vector<Curve>& curves) {
+  double width = page.sizes().tick;  // half of the last tick's label
+  for (const EndLabel& label : end_labels(plot, curves)) {
+    if (ends_early(frame, curves[label.series])) continue;
+    const Series& series = plot.series[label.series];
+    const double text = page.canvas().text_width(series.name, series_label(page, series));
+    width = std::max(width, leader + 2 * page.sizes().marker + air + text + 2);
+  }
+  return std::min(width, 0.5 * frame.panel.width);
+}
+
+std::vector<double> moved_apart(const std::vector<double>& wanted, double distance, double low, double high) {
+  // Without the distances the places need only be in order: the nearest such places are means of groups.
+  struct Group {
+    double mean = 0;
+    double size = 0;
+  };
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    Group group{wanted[i] - static_cast<double>(i) * distance, 1};
+    while (!groups.empty() && groups.back().mean > group.mean) {
+      const Group& last = groups.back();
+      const double size = last.size + group.size;
+      group = {(last.mean * last.size + group.mean * group.size) / size, size};
+      groups.pop_back();
+    }
+    groups.push_back(group);
+  }
+  const double spread = wanted.empty() ? 0 : static_cast<double>(wanted.size() - 1) * distance;
+  const double top = std::max(low, high - spread);
+  std::vector<double> places;
+  for (const Group& group : groups) {
+    for (double i = 0; i < group.size; ++i) {
+      places.push_back(std::clamp(group.mean, low, top) + static_cast<double>(places.size()) * distance);
+    }
+  }
+  return places;
+}
+
+void draw_goals(Page& page, const PlotFrame& frame, const Plot& plot) {
+  Canvas& canvas = page.canvas();
+  canvas.push_clip(frame.box);
+  for (const GoalLine& goal : plot.goals) {
+    if (!plottable(goal.y, frame.y.scale)) continue;
+    const double y = std::round(frame.y.pixel(goal.y)) + 0.5;
+    canvas.line({frame.box.x, y}, {frame.box.x + frame.box.width, y},
+                {.width = 1.5, .color = page.theme().text, .dash = {6, 4}});
+  }
+  canvas.pop_clip();
+}
+
+void draw_plot_labels(Page& page, const PlotFrame& frame, const Plot& plot,
+                      const std::vector<Curve>& curves) {
+  Inside inside{.frame = frame, .plot = plot, .curves = curves};
+  for (const GoalLine& goal : plot.goals) {
+    const double y = plottable(goal.y, frame.y.scale) ? frame.y.pixel(goal.y) : -1;
+    const bool shown = y >= frame.box.y && y <= frame.box.y + frame.box.height;
+    if (shown && !goal.text.empty()) write_goal(page, inside, goal);
+  }
+  std::vector<EndLabel> in_gutter;
+  std::vector<double> wanted;
+  for (const EndLabel& label : end_labels(plot, curves)) {
+    if (ends_early(frame, curves[label.series]) && write_at_end(page, inside, label)) continue;
+    in_gutter.push_back(label);
+    wanted.push_back(label.end.y());
+  }
+  const double height = 1.3 * series_label(page, {}).size;
+  const std::vector<double> places =
+      moved_apart(wanted, height, frame.box.y + height / 2, frame.box.y + frame.box.height - height / 2);
+  for (std::size_t i = 0; i < in_gutter.size(); ++i) {
+    write_in_gutter(page, frame, plot.series[in_gutter[i].series], in_gutter[i].end, places[i]);
+  }
+}
+
+}  // namespace cairn::render

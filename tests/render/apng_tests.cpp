@@ -1,0 +1,169 @@
+// Animated PNG, read back by a reader of the test's own: every frame as it was given, and only what changed.
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "picture_files.hpp"
+#include "render/sequence.hpp"
+
+using namespace cairn;
+using namespace cairn::render;
+using namespace cairn::test;
+
+namespace {
+
+struct AnimationFrame {
+  int x = 0, y = 0, width = 0, height = 0;  // [px], the stored rectangle
+  double delay = 0;                         // [s]
+  Image shown = {};                         // what a viewer sees
+};
+
+struct Animation {
+  std::vector<AnimationFrame> frames = {};
+  std::vector<std::string> names = {};  // of the chunks
+  std::uint32_t frame_count = 0, repeats = 99;
+};
+
+AnimationFrame frame_from_control(const std::string& data) {
+  const auto number = [&](std::size_t offset) { return static_cast<int>(number_at(data, offset, 4)); };
+  REQUIRE(data.size() == 26);
+  CHECK(number_at(data, 24, 2) == 0);  // nothing is disposed of, nothing blended
+  return {.x = number(12),
+          .y = number(16),
+          .width = number(4),
+          .height = number(8),
+          .delay = number_at(data, 20, 2) / static_cast<double>(number_at(data, 22, 2))};
+}
+
+/// Puts the stored rectangle over what was shown before.
+void show(AnimationFrame& frame, const Image& before, const std::string& compressed) {
+  Image part = inflated(frame.width, frame.height, compressed);
+  frame.shown = before;
+  for (int y = 0; y < frame.height; ++y) {
+    for (int x = 0; x < frame.width; ++x) {
+      for (int channel = 0; channel < 3; ++channel) {
+        channel_at(frame.shown, frame.x + x, frame.y + y, channel) = channel_at(part, x, y, channel);
+      }
+    }
+  }
+}
+
+Animation animation_in(const std::filesystem::path& path) {
+  Animation animation;
+  Image canvas;
+  std::uint32_t sequence_number = 0;
+  for (const PngChunk& chunk : png_chunks(text_of_file(path))) {
+    CHECK(chunk.checksum == checksum_of(chunk));
+    animation.names.push_back(chunk.name);
+    if (chunk.name == "IHDR") {
+      canvas = flat_picture(static_cast<int>(number_at(chunk.data, 0, 4)),
+                            static_cast<int>(number_at(chunk.data, 4, 4)), 0);
+    } else if (chunk.name == "acTL") {
+      animation.frame_count = number_at(chunk.data, 0, 4);
+      animation.repeats = number_at(chunk.data, 4, 4);
+    } else if (chunk.name == "fcTL") {
+      CHECK(number_at(chunk.data, 0, 4) == sequence_number++);
+      animation.frames.push_back(frame_from_control(chunk.data));
+    } else if (chunk.name == "IDAT") {
+      show(animation.frames.back(), canvas, chunk.data);
+    } else if (chunk.name == "fdAT") {
+      CHECK(number_at(chunk.data, 0, 4) == sequence_number++);
+      const Image before = animation.frames.at(animation.frames.size() - 2).shown;
+      show(animation.frames.back(), before, chunk.data.substr(4));
+    }
+  }
+  return animation;
+}
+
+/// A square of 10 pixels on grey, with its top left corner at (x, y).
+Image picture_of_square(int x, int y) {
+  Image image = flat_picture(64, 36, 230);
+  for (int i = 0; i < 100; ++i) channel_at(image, x + i % 10, y + i / 10, 0) = 20;
+  return image;
+}
+
+}  // namespace
+
+TEST_CASE("an animation shows exactly the given pictures, for ever") {
+  std::vector<Image> images = {random_picture(31, 17, 1), random_picture(31, 17, 2),
+                               random_picture(31, 17, 2)};
+  images.push_back(images[2]);
+  channel_at(images[3], 30, 16, 2) ^= 1;  // one bit in the last corner
+  images.push_back(images[3]);
+  channel_at(images[4], 0, 0, 0) ^= 1;
+  channel_at(images[4], 5, 9, 1) ^= 1;
+  const TemporaryFolder folder;
+  write_apng(folder / "a.png", images, 10);
+  const Animation animation = animation_in(folder / "a.png");
+  CHECK(animation.frame_count == images.size());
+  CHECK(animation.repeats == 0);
+  REQUIRE(animation.frames.size() == images.size());
+  for (std::size_t i = 0; i < images.size(); ++i) CHECK(animation.frames[i].shown.pixels == images[i].pixels);
+  CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+}
+
+TEST_CASE("a viewer that knows no animation sees the first picture") {
+  const std::vector<Image> images = {picture_of_square(5, 7), picture_of_square(40, 20)};
+  const TemporaryFolder folder;
+  write_apng(folder / "a.png", images, 10);
+  CHECK(read_png(folder / "a.png").pixels == images[0].pixels);
+  const std::vector<std::string> expected = {"IHDR", "acTL", "fcTL", "IDAT", "fcTL", "fdAT", "IEND"};
+  CHECK(animation_in(folder / "a.png").names == expected);
+}
+
+TEST_CASE("only the rectangle that changed is stored, and one pixel when nothing did") {
+  const std::vector<Image> images = {picture_of_square(5, 7), picture_of_square(6, 7),
+                                     picture_of_square(6, 7), picture_of_square(26, 17)};
+  const TemporaryFolder folder;
+  write_apng(folder / "a.png", images, 10);
+  const Animation animation = animation_in(folder / "a.png");
+  REQUIRE(animation.frames.size() == 4);
+  const int expected[4][4] = {{0, 0, 64, 36}, {5, 7, 11, 10}, {0, 0, 1, 1}, {6, 7, 30, 20}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(animation.frames[i].x == expected[i][0]);
+    CHECK(animation.frames[i].y == expected[i][1]);
+    CHECK(animation.frames[i].width == expected[i][2]);
+    CHECK(animation.frames[i].height == expected[i][3]);
+    CHECK(animation.frames[i].shown.pixels == images[i].pixels);
+  }
+}
+
+TEST_CASE("a picture stays for one over the frame rate, to a hundredth of a frame per second") {
+  const std::vector<Image> images = {flat_picture(2, 2, 0), flat_picture(2, 2, 1)};
+  const TemporaryFolder folder;
+  for (const double rate : {0.01, 0.5, 10.0, 23.97, 30.0, 60.0, 655.0}) {
+    write_apng(folder / "a.png", images, rate);
+    for (const AnimationFrame& frame : animation_in(folder / "a.png").frames) {
+      CHECK(1 / frame.delay == doctest::Approx(rate).epsilon(1e-12));
+    }
+  }
+}
+
+TEST_CASE("an animation of one picture is a picture") {
+  const TemporaryFolder folder;
+  write_apng(folder / "a.png", std::vector<Image>{flat_picture(1, 1, 77)}, 1);
+  const Animation animation = animation_in(folder / "a.png");
+  REQUIRE(animation.frames.size() == 1);
+  CHECK(animation.frames[0].shown.pixels == std::vector<std::uint8_t>{77, 77, 77});
+}
+
+TEST_CASE("an animation of nothing, of two sizes or at a rate the format cannot say is refused") {
+  const TemporaryFolder folder;
+  const std::vector<Image> pair = {flat_picture(2, 2, 0), flat_picture(2, 2, 1)};
+  const auto refusal = [&](const std::vector<Image>& images, double rate) {
+    return message_of<std::invalid_argument>([&] { write_apng(folder / "a.png", images, rate); });
+  };
+  CHECK(refusal({}, 10) == "write_apng: images must be at least one, got 0");
+  CHECK(refusal({pair[0], flat_picture(3, 2, 0)}, 10) ==
+        "write_apng: width must be that of the first image, got 3");
+  CHECK(refusal({pair[0], flat_picture(2, 1, 0)}, 10) ==
+        "write_apng: height must be that of the first image, got 1");
+  CHECK(refusal({pair[0], Image{}}, 10) == "write_apng: width must be positive px, got 0");
+  for (const double rate : {0.0, -1.0, 0.001, 656.0, std::numeric_limits<double>::quiet_NaN()}) {
+    CHECK(refusal(pair, rate).find("write_apng: frames_per_second must be 0.01 to 655 1/s") == 0);
+  }
+  CHECK(std::filesystem::is_empty(folder.path()));
+  CHECK_THROWS_AS(write_apng(folder / "missing/a.png", pair, 10), WriteError);
+}

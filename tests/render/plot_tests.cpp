@@ -1,0 +1,245 @@
+// Charts: ticks, where points land, what may be drawn where, and words that meet nothing.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "images/golden.hpp"
+#include "render/lint.hpp"
+#include "render/plot.hpp"
+#include "render/plot_parts.hpp"
+
+namespace {
+
+using namespace cairn::render;
+
+constexpr double not_plottable = std::numeric_limits<double>::quiet_NaN();
+
+const SeriesStyle red_line = {.color = rgb(0xFF0000), .dash = {}, .marker = Marker::circle};
+const SeriesStyle blue_line = {.color = rgb(0x0000FF), .dash = {}, .marker = Marker::circle};
+
+/// The pixels of nearly this colour: how many, where, and their middle.
+struct ColoredPixels {
+  int count = 0;
+  int left = 1 << 20, right = -1, top = 1 << 20, bottom = -1;
+  double x = 0, y = 0;  // [px] mean of the pixels' centres
+};
+
+ColoredPixels pixels_of_color(const Image& image, const Color& color) {
+  ColoredPixels found;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                                  static_cast<std::size_t>(x));
+      const double distance = std::abs(image.pixels[at] - 255.0 * static_cast<double>(color.r)) +
+                              std::abs(image.pixels[at + 1] - 255.0 * static_cast<double>(color.g)) +
+                              std::abs(image.pixels[at + 2] - 255.0 * static_cast<double>(color.b));
+      if (distance > 90) continue;
+      found.count += 1;
+      found.left = std::min(found.left, x), found.right = std::max(found.right, x);
+      found.top = std::min(found.top, y), found.bottom = std::max(found.bottom, y);
+      found.x += x + 0.5, found.y += y + 0.5;
+    }
+  }
+  if (found.count > 0) found.x /= found.count, found.y /= found.count;
+  return found;
+}
+
+constexpr Rect plot_rect = {20, 40, 600, 300};
+
+struct PlotPage : Page {
+  PlotPage() : Page(640, 360, light_theme()) { begin({.title = "Plot"}); }
+};
+
+/// Where the axes of a plot without names are: the panel is drawn on a page of its own.
+PlotFrame frame_without_names(const Plot& plot) {
+  PlotPage page;
+  return lay_out(page, page.panel(plot_rect, plot.title), plot, page.sizes().tick);
+}
+
+Plot unit_plot() {
+  Plot plot;
+  plot.x = {.title = "t (s)", .min = 0, .max = 1};
+  plot.y = {.title = "x (m)", .min = 0, .max = 1};
+  return plot;
+}
+
+std::vector<Series> series_that_end_together(const Theme& theme) {
+  std::vector<Series> all;
+  for (const SeriesStyle& style : {theme.pgs, theme.si, theme.box2d, theme.jacobi}) {
+    Series series{.name = "series " + std::to_string(all.size()), .style = style};
+    for (int i = 0; i <= 20; ++i) {
+      series.x.push_back(i);
+      series.y.push_back(2 + 0.001 * static_cast<double>(all.size()) * i);
+    }
+    all.push_back(series);
+  }
+  return all;
+}
+
+Plot convergence_plot(const Theme& theme) {
+  Plot plot;
+  plot.x.title = "sweeps";
+  plot.y = {.title = "largest |λ − λ*| / 100 N", .scale = AxisScale::logarithmic, .min = 1e-4};
+  plot.goals.push_back({.y = 0.01, .text = "1 % goal"});
+  const std::vector<std::pair<std::string, double>> rates = {
+      {"PGS", 0.975}, {"SI", 0.975}, {"SOR", 0.78}, {"Jacobi", 0.99}};
+  const std::vector<SeriesStyle> styles = {theme.pgs, theme.si, theme.box2d, theme.jacobi};
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    Series series{.name = rates[k].first, .style = styles[k]};
+    for (int i = 0; i <= 60; ++i) {
+      series.x.push_back(i);
+      series.y.push_back(std::pow(rates[k].second, i));
+    }
+    plot.series.push_back(series);
+  }
+  return plot;
+}
+
+}  // namespace
+
+TEST_CASE("a point lands where its share of the axes is") {
+  Plot plot = unit_plot();
+  plot.series.push_back({.style = red_line, .x = {0.25}, .y = {0.7}});
+  const PlotFrame frame = frame_without_names(plot);
+  PlotPage page;
+  draw_plot(page, plot_rect, plot);
+  const ColoredPixels dot = pixels_of_color(page.canvas().read(), red_line.color);
+  const double rim = 2 * page.sizes().marker;
+  REQUIRE(dot.count > 10);
+  CHECK(dot.x == doctest::Approx(frame.box.x + rim + 0.25 * (frame.box.width - 2 * rim)).epsilon(0.002));
+  CHECK(dot.y == doctest::Approx(frame.box.y + rim + 0.3 * (frame.box.height - 2 * rim)).epsilon(0.002));
+}
+
+TEST_CASE("a curve never paints outside its axes") {
+  Plot plot = unit_plot();
+  Series wild{.style = red_line};
+  for (int i = -20; i <= 60; ++i) {
+    wild.x.push_back(i * 0.025);
+    wild.y.push_back(i % 3 == 0 ? 1e30 : 3 * std::sin(i));
+  }
+  plot.series.push_back(wild);
+  const PlotFrame frame = frame_without_names(plot);
+  PlotPage page;
+  draw_plot(page, plot_rect, plot);
+  const ColoredPixels curve = pixels_of_color(page.canvas().read(), red_line.color);
+  CHECK(curve.count > 500);
+  CHECK(curve.left >= frame.box.x - 1);
+  CHECK(curve.right <= frame.box.x + frame.box.width);
+  CHECK(curve.top >= frame.box.y - 1);
+  CHECK(curve.bottom <= frame.box.y + frame.box.height);
+}
+
+TEST_CASE("a value that is not a number leaves a gap in its curve") {
+  Plot plot = unit_plot();
+  Series broken{
+      .style = red_line, .x = {0, 0.2, 0.4, 0.6, 0.8, 1}, .y = {0.5, 0.5, not_plottable, 0.5, 0.5, 0.5}};
+  broken.markers = false;
+  plot.series.push_back(broken);
+  PlotPage page;
+  draw_plot(page, plot_rect, plot);
+  REQUIRE(page.curves().size() == 2);
+  const double from = page.curves()[0].back().x();
+  const double to = page.curves()[1].front().x();
+  const Image image = page.canvas().read();
+  const auto y = static_cast<std::size_t>(page.curves()[0].back().y());
+  for (double x = from + 4; x < to - 4; ++x) {
+    const std::size_t at = 3 * (y * 640 + static_cast<std::size_t>(x));
+    REQUIRE(image.pixels[at + 1] > 128);  // red has no green
+  }
+}
+
+TEST_CASE("names at the ends of curves that end together do not overlap") {
+  for (const int height : {360, 720}) {
+    Page page(height * 16 / 9, height, dark_theme());
+    page.begin({.title = "Plot"});
+    Plot plot;
+    plot.x.title = "t (s)";
+    plot.y.title = "x (m)";
+    plot.series = series_that_end_together(page.theme());
+    draw_plot(page, page.area(), plot);
+    CHECK(lint(page) == std::vector<std::string>{});
+    int names = 0;
+    for (const TextBox& box : page.canvas().text_boxes()) names += box.text.rfind("series ", 0) == 0 ? 1 : 0;
+    CHECK(names == 4);
+  }
+}
+
+TEST_CASE("no title, tick or text of a plot stands upon its curves") {
+  for (const int height : {360, 720}) {
+    Page page(height * 16 / 9, height, light_theme());
+    page.begin({.title = "Plot"});
+    draw_plot(page, page.area(), convergence_plot(page.theme()));
+    CHECK(lint(page) == std::vector<std::string>{});
+    CHECK(page.curves().size() == 4);
+  }
+}
+
+TEST_CASE("of two curves that coincide both are seen by their markers") {
+  Plot plot = unit_plot();
+  for (const SeriesStyle& style : {red_line, blue_line}) {
+    Series series{.style = style};
+    for (int i = 0; i <= 100; ++i) {
+      series.x.push_back(0.01 * i);
+      series.y.push_back(0.5);
+    }
+    plot.series.push_back(series);
+  }
+  PlotPage page;
+  draw_plot(page, plot_rect, plot);
+  const double radius = page.sizes().marker;
+  // Six markers each, less their rims; the blue curve covers part of the red ones' neighbourhood, not the
+  // markers.
+  const int least = static_cast<int>(6 * 0.5 * cairn::pi * radius * radius);
+  CHECK(pixels_of_color(page.canvas().read(), red_line.color).count > least);
+  CHECK(pixels_of_color(page.canvas().read(), blue_line.color).count > least);
+}
+
+TEST_CASE("data without extent, without points, or beyond all bounds is drawn all the same") {
+  const double infinite = std::numeric_limits<double>::infinity();
+  const std::vector<std::vector<double>> heights = {{},
+                                                    {2},
+                                                    {0, 0, 0},
+                                                    {5, 5, 5},
+                                                    {not_plottable, not_plottable},
+                                                    {1, infinite, 3},
+                                                    {-1e299, 1e299},
+                                                    {1e-299, 2e-299}};
+  for (const AxisScale scale : {AxisScale::linear, AxisScale::logarithmic}) {
+    for (const std::vector<double>& height : heights) {
+      Plot plot;
+      plot.y.scale = scale;
+      Series series{.name = "x", .style = red_line, .y = height};
+      for (std::size_t i = 0; i < height.size(); ++i) series.x.push_back(static_cast<double>(i));
+      plot.series.push_back(series);
+      PlotPage page;
+      draw_plot(page, plot_rect, plot);
+      CHECK(lint(page) == std::vector<std::string>{});
+      const bool has_points =
+          std::any_of(height.begin(), height.end(), [&](double y) { return plottable(y, scale); });
+      CHECK((pixels_of_color(page.canvas().read(), red_line.color).count > 0) == has_points);
+    }
+  }
+}
+
+TEST_CASE("a plot refuses five series, and coordinates without a partner") {
+  PlotPage page;
+  Plot plot;
+  plot.series.resize(5);
+  CHECK_THROWS_WITH_AS(draw_plot(page, plot_rect, plot), "draw_plot: series must be at most 4, got 5",
+                       std::invalid_argument);
+  plot.series.resize(1);
+  plot.series[0].x = {1, 2};
+  plot.series[0].y = {1};
+  CHECK_THROWS_WITH_AS(draw_plot(page, plot_rect, plot), "draw_plot: x must be as long as y, got 2 and 1",
+                       std::invalid_argument);
+}
+
+TEST_CASE("a plot of four solvers looks as it did") {
+  Page page(640, 360, light_theme());
+  page.begin({.number = "18", .title = "Speed against accuracy", .state = "one cold step"});
+  draw_plot(page, page.area(), convergence_plot(page.theme()));
+  cairn::test::check_golden("plot_light", page.canvas().read());
+}
