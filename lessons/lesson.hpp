@@ -35,10 +35,10 @@ struct Choice {
 /// What a lesson is, before it runs: shown by --help, --about, `lessons list`.
 struct LessonInfo {
   int number = 0;
-  std::string name = {};    // "sequential_impulses": program lesson06_sequential_impulses
-  std::string title = {};   // "Sequential impulses"
-  std::string idea = {};    // one sentence
-  std::string paper = {};   // "paper 3.2, Algorithm 1, eq (19)-(23)"
+  std::string name = {};                    // "sequential_impulses": program lesson06_sequential_impulses
+  std::string title = {};                   // "Sequential impulses"
+  std::string idea = {};                    // one sentence
+  std::string paper = {};                   // "paper 3.2, Algorithm 1, eq (19)-(23)"
   std::vector<std::string> equations = {};  // "(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)"
   std::vector<std::string> needs = {};      // what to know first: "lesson 05" ...
   std::vector<std::string> reads = {};      // files of the project to read next
@@ -46,7 +46,7 @@ struct LessonInfo {
   std::vector<std::string> hints = {};      // up to three, from vague to plain
   std::vector<Parameter> parameters = {};
   std::vector<Choice> choices = {};
-  int cover = -1;  // the frame that stands for the lesson, from 1; negative: from the end
+  int cover = -1;         // the frame that stands for the lesson, from 1; negative: from the end
   std::string next = {};  // "lesson07_clamp_the_sum   (why a contact may take back what it gave)"
 };
 
@@ -55,7 +55,7 @@ struct Shot {
   std::string state = {};  // right of the header: "sweep 2/10 · row 2 of 3"
   std::string alt = {};    // what the picture shows, for those who cannot see it; never empty
   std::function<void(render::Page&)> draw = {};
-  bool key = false;        // written with --frames key, of which there are at most 12
+  bool key = false;  // written with --frames key, of which there are at most 12
 };
 
 /// A lesson at work. Prints in the order: title, equations, scene, question, steps, results, checks, files.
@@ -79,8 +79,8 @@ class Lesson {
   /// Compares the reader's guess or --answer with what the lesson has computed, and explains.
   void answer(const std::vector<double>& right, double tolerance, std::string_view explanation);
 
-  /// A claim: |value| must be at most `limit`. Prints "CHECK  claim .... value  ok"; a failure makes the program
-  /// return 1. A value that is not a number fails.
+  /// A claim: |value| must be at most `limit`. Prints "CHECK  claim .... value  ok"; a failure makes the
+  /// program return 1. A value that is not a number fails.
   void check_small(std::string_view claim, double value, double limit);
   /// A claim: `value` must be within `tolerance` of `expected`.
   void check_equal(std::string_view claim, double value, double expected, double tolerance);
@@ -107,6 +107,11 @@ class Lesson {
 
 /// Thrown by a lesson whose simulation blew up where it should not have: exit code 4.
 struct Diverged : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Thrown by a lesson that needs what this build does not have: exit code 77.
+struct Skipped : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lesson.hpp"
+#include "lessons/lesson.hpp"
 #ifdef CAIRN_HAVE_BOX2D
 #include "reference/box2d_world.hpp"
 #endif
@@ -31,7 +31,8 @@ EngineRun run_cairn(const TowerSettings& settings, Solver<double>& solver) {
   EngineRun run{.name = solver.name()};
   record(run, snapshot(world), settings);
   for (int k = 0; k < settings.steps; ++k) {
-    if (world.step(solver).not_finite) throw Diverged("lesson17: the tower under " + solver.name() + " blew up");
+    if (world.step(solver).not_finite)
+      throw Diverged("lesson17: the tower under " + solver.name() + " blew up");
     record(run, snapshot(world), settings);
   }
   return run;
@@ -46,7 +47,11 @@ Scene tower_scene(const TowerSettings& settings) {
                .warm_start = settings.warm_start});
   scene.add_ground({.friction = 0.6});
   for (int i = 0; i < settings.boxes; ++i) {
-    scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1, .friction = 0.6, .fixed_rotation = true});
+    scene.add({.shapes = {box(1, 1)},
+               .position = {0, 0.5 + i},
+               .mass = 1,
+               .friction = 0.6,
+               .fixed_rotation = true});
   }
   return scene;
 }
@@ -122,8 +127,8 @@ std::vector<std::vector<double>> loads_by_hand(const TowerSettings& settings) {
   return loads;
 }
 
-double largest_gap(const std::vector<std::vector<double>>& first, const std::vector<std::vector<double>>& second,
-                   int frames) {
+double largest_gap(const std::vector<std::vector<double>>& first,
+                   const std::vector<std::vector<double>>& second, int frames) {
   double largest = 0;
   for (std::size_t k = 1; k <= static_cast<std::size_t>(frames) && k < first.size(); ++k) {
     for (std::size_t i = 0; i < first[k].size(); ++i) {

@@ -1,0 +1,41 @@
+// Lesson 00. One box in free flight: as Cairn steps it, by explicit Euler, and exactly.
+#pragma once
+
+#include <vector>
+
+#include "world/snapshot.hpp"
+
+namespace cairn::one_body {
+
+/// How the box is thrown. It is a unit box of 1 kg: 1 m wide, 1 m high.
+struct Throw {
+  Vec2<double> start = {-4, 1};        // [m] of its centre
+  Vec3<double> velocity = {4, 6, -1};  // [m/s, m/s, rad/s]
+  double gravity = 10;                 // [m/s^2], downwards
+  double dt = 0.02;                    // [s]
+  int steps = 60;
+};
+
+/// The whole flight; each vector has an element for every instant, the start included.
+struct Flight {
+  Throw thrown = {};
+  Vec3<double> inverse_mass = {0, 0, 0};          // Cairn's diagonal of M^-1, eq. (2)
+  std::vector<double> time = {};                  // [s]
+  std::vector<Snapshot> cairn = {};               // semi-implicit Euler
+  std::vector<Vec2<double>> semi_implicit = {};   // [m] centres of the above
+  std::vector<Vec2<double>> explicit_euler = {};  // [m]
+  std::vector<Vec2<double>> exact = {};           // [m]
+};
+
+Flight fly(const Throw& thrown);
+
+/// Where the exact parabola is at time t [s].
+Vec2<double> parabola(const Throw& thrown, double t);
+
+/// How far above the parabola (negative: below) a method ends [m].
+double final_error(const Flight& flight, const std::vector<Vec2<double>>& path);
+
+/// What rounding alone may add to a height of the flight [m].
+double rounding_of_height(const Flight& flight);
+
+}  // namespace cairn::one_body

@@ -1,0 +1,231 @@
+// The stack with its pushes and velocities, the bars of lambda, and equation (22) filled in.
+#include "pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "render/bars.hpp"
+#include "render/draw.hpp"
+
+namespace cairn::stack {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Point;
+using render::Rect;
+
+using Run = std::shared_ptr<const StackRun>;
+
+/// What one frame shows: lambda [N] of each interface, velocities, and the update that led here, if any.
+struct Moment {
+  std::vector<double> lambda = {};
+  std::vector<Vec3<double>> velocity = {};
+  int update = -1;
+};
+
+Moment moment_after(const StackRun& run, int update) {
+  Moment moment{.lambda = std::vector<double>(run.exact.size(), 0.0),
+                .velocity = run.problem.velocity,
+                .update = update};
+  for (int i = 0; i <= update; ++i) {
+    const RowRecord& record = run.updates[static_cast<std::size_t>(i)];
+    const int interface = run.interface_of_row[static_cast<std::size_t>(record.update.row)];
+    moment.lambda[static_cast<std::size_t>(interface)] = record.update.impulse_after / run.settings.dt;
+    moment.velocity = record.velocity;
+  }
+  return moment;
+}
+
+int active_interface(const StackRun& run, const Moment& moment) {
+  if (moment.update < 0) return -1;
+  return run.interface_of_row[static_cast<std::size_t>(
+      run.updates[static_cast<std::size_t>(moment.update)].update.row)];
+}
+
+/// The contacts of the stack: one point in the middle of each interface.
+Snapshot with_contacts(const StackRun& run, const Moment& moment) {
+  Snapshot snapshot = run.snapshot;
+  for (int i = 0; i < run.settings.boxes; ++i) {
+    SnapshotContact contact{.a = {i}, .b = {i + 1}, .position = {0, double(i)}, .normal = {0, 1}};
+    contact.normal_impulse = moment.lambda[static_cast<std::size_t>(i)] * run.settings.dt;
+    snapshot.contacts.push_back(contact);
+  }
+  return snapshot;
+}
+
+/// Pushes at the left of the stack, each upon the box above its interface; no two of them may touch.
+void draw_pushes(Page& page, const render::Camera& camera, const StackRun& run, const Moment& moment) {
+  const double largest = run.exact[0];
+  const render::ArrowScale scale{
+      .pixels_per_unit = 0.9 * camera.scale / largest, .longest = camera.scale, .unit = "N"};
+  const int active = active_interface(run, moment);
+  for (int i = 0; i < run.settings.boxes; ++i) {
+    const double lambda = moment.lambda[static_cast<std::size_t>(i)];
+    const Vec2<double> tail(-0.8, i);
+    draw_arrow(
+        page, camera, scale,
+        {.kind = render::ArrowKind::normal, .tail = tail, .value = {0, lambda}, .active = i == active});
+    render::TextStyle style = page.value();
+    style.align = render::Align::right;
+    style.bold = i == active;
+    if (i != active) style.color = page.theme().secondary_text;
+    const Point at = camera.project({-0.8, i + 0.25});
+    const std::string value = fixed(lambda, 2);
+    page.canvas().text({at.x() - 16, at.y() + style.size / 3},
+                       page.compact() ? value : fmt::format("λ_{{{}}} = {} N", i + 1, value), style);
+  }
+}
+
+void draw_falls(Page& page, const render::Camera& camera, const StackRun& run, const Moment& moment) {
+  const double largest = run.settings.gravity * run.settings.dt;
+  const render::ArrowScale scale{
+      .pixels_per_unit = 0.5 * camera.scale / largest, .longest = camera.scale, .unit = "m/s"};
+  for (int i = 1; i <= run.settings.boxes; ++i) {
+    const double v = moment.velocity[static_cast<std::size_t>(i)].y();
+    draw_arrow(page, camera, scale,
+               {.kind = render::ArrowKind::velocity, .tail = {0.75, i - 0.5}, .value = {0, v}});
+    render::TextStyle style = page.value();
+    style.color = page.theme().secondary_text;
+    const Point at = camera.project({0.75, i - 0.5});
+    const std::string value = fixed(v, 3);
+    page.canvas().text({at.x() + 16, at.y() + style.size / 3},
+                       page.compact() ? value : fmt::format("v_{{{}}} = {} m/s", i, value), style);
+  }
+}
+
+void draw_stack(Page& page, const Rect& rect, const StackRun& run, const Moment& moment) {
+  const double n = run.settings.boxes;
+  const render::Camera camera = render::fit(rect, {{-2.15, -0.4}, {2.15, n + 0.3}});
+  const int active = active_interface(run, moment);
+  render::WorldLook look;
+  look.active_contact = active;
+  if (active >= 0) {
+    look.active_a = {active};
+    look.active_b = {active + 1};
+  }
+  draw_world(page, camera, with_contacts(run, moment), look);
+  draw_pushes(page, camera, run, moment);
+  draw_falls(page, camera, run, moment);
+}
+
+render::BarChart lambda_bars(const StackRun& run, const Moment& moment) {
+  render::BarChart chart{.title = "accumulated λ (N)", .largest = 1.12 * run.exact[0]};
+  const int active = active_interface(run, moment);
+  for (int i = 0; i < run.settings.boxes; ++i) {
+    const auto interface = static_cast<std::size_t>(i);
+    render::Bar bar{.name = fmt::format("row {}", i + 1),
+                    .before = moment.lambda[interface],
+                    .exact = run.exact[interface],
+                    .active = i == active};
+    if (i == active) {
+      const RowUpdate<double>& update = run.updates[static_cast<std::size_t>(moment.update)].update;
+      bar.before = update.impulse_before / run.settings.dt;
+      bar.added = (update.impulse_after - update.impulse_before) / run.settings.dt;
+    }
+    chart.bars.push_back(bar);
+  }
+  return chart;
+}
+
+/// Negative numbers in brackets, where they follow an operator.
+std::string operand(double value, int decimals) {
+  const std::string text = fixed(value, decimals);
+  return value < 0 && text.front() != '0' ? "(" + text + ")" : text;
+}
+
+render::Equation equation_22(const Page& page, const StackRun& run, const Moment& moment) {
+  const RowUpdate<double>& update = run.updates[static_cast<std::size_t>(moment.update)].update;
+  const int row = run.interface_of_row[static_cast<std::size_t>(update.row)] + 1;
+  const double dt = run.settings.dt;
+  render::Equation equation;
+  equation.number = "eq (22)";
+  equation.symbols = "λ = (ζ − j·v) / (j M^{−1} j^{T} Δt)";
+  equation.numbers =
+      fmt::format("  = (0 − {}) / ({:g} × {:g})", operand(update.row_velocity, 4), update.inverse_mass, dt);
+  equation.result = fmt::format("  = {} N", fixed(update.corrective / dt, 3));
+  equation.algorithm = fmt::format("Algorithm 1, lines 14–16:  λ_{{{}}}: {} → {} N", row,
+                                   fixed(update.impulse_before / dt, 2), fixed(update.impulse_after / dt, 2));
+  equation.color = page.theme().normal;
+  return equation;
+}
+
+/// The scene at the left; returns what is right of it.
+Rect draw_left(Page& page, const StackRun& run, const Moment& moment) {
+  const std::vector<Rect> parts = columns(page.area(), {0.48, 0.5}, page.sizes().gap);
+  draw_stack(page, parts[0], run, moment);
+  return parts[1];
+}
+
+void draw_update(Page& page, const StackRun& run, int update) {
+  const Moment moment = moment_after(run, update);
+  const std::vector<Rect> panels = rows(draw_left(page, run, moment), {0.55, 0.45}, page.sizes().gap);
+  draw_bars(page, panels[0], lambda_bars(run, moment));
+  page.equation(panels[1], equation_22(page, run, moment));
+}
+
+void draw_note(Page& page, const StackRun& run, int update, std::string_view title, std::string_view text) {
+  const Moment moment = moment_after(run, update);
+  const std::vector<Rect> panels = rows(draw_left(page, run, moment), {0.55, 0.45}, page.sizes().gap);
+  draw_bars(page, panels[0], lambda_bars(run, moment));
+  page.note(panels[1], title, text);
+}
+
+Shot update_shot(const Run& run, int index) {
+  const RowUpdate<double>& update = run->updates[static_cast<std::size_t>(index)].update;
+  const int row = run->interface_of_row[static_cast<std::size_t>(update.row)] + 1;
+  const double dt = run->settings.dt;
+  return {.state = fmt::format("sweep {}/{} · row {} of {}", update.sweep, run->settings.sweeps, row,
+                               run->settings.boxes),
+          .alt = fmt::format(
+              "Sweep {}, row {}: the boxes part at {:.4f} m/s, so the contact gives {:.4f} N more, "
+              "{:.4f} N in total; exact is {:g} N.",
+              update.sweep, row, update.row_velocity, update.corrective / dt, update.impulse_after / dt,
+              run->exact[static_cast<std::size_t>(row - 1)]),
+          .draw = [run, index](Page& page) { draw_update(page, *run, index); },
+          .key = index < 9 || index + 1 == static_cast<int>(run->updates.size())};
+}
+
+}  // namespace
+
+std::vector<Shot> stack_shots(const StackRun& recorded) {
+  const Run run = std::make_shared<const StackRun>(recorded);
+  const int n = run->settings.boxes;
+  const int updates = static_cast<int>(run->updates.size());
+  std::vector<Shot> shots;
+  shots.push_back({.state = "before the first sweep",
+                   .alt = "A stack of boxes that has begun to fall, all at the same speed, and the question.",
+                   .draw =
+                       [run](Page& page) {
+                         draw_note(
+                             page, *run, -1, "Predict",
+                             "Each contact, from the first row to the last, is pushed once, just hard enough "
+                             "to stop its own two boxes from closing in. How fast does each box fall after "
+                             "that one sweep?");
+                       },
+                   .key = true});
+  for (int i = 0; i < updates; ++i) shots.push_back(update_shot(run, i));
+  const std::vector<Vec3<double>>& after_one = run->updates[static_cast<std::size_t>(n - 1)].velocity;
+  std::string speeds;
+  for (int i = 1; i <= n; ++i) {
+    speeds += (i > 1 ? ", " : "") + fixed(after_one[static_cast<std::size_t>(i)].y(), 4);
+  }
+  shots.push_back({.state = fmt::format("after {} sweeps", run->settings.sweeps),
+                   .alt = fmt::format("The stack after the last sweep, and the answer: {} m/s.", speeds),
+                   .draw =
+                       [run, updates, speeds](Page& page) {
+                         draw_note(
+                             page, *run, updates - 1, "Answer",
+                             fmt::format("After one sweep: {} m/s, from the lowest box up. The last pair no "
+                                         "longer closes in; the others do again, for each push disturbs its "
+                                         "neighbours. Hence the next sweep.",
+                                         speeds));
+                       },
+                   .key = true});
+  return shots;
+}
+
+}  // namespace cairn::stack

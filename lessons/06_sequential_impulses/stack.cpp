@@ -1,0 +1,131 @@
+// The stack as a problem by hand; its solve, recorded; and two independent accounts of it.
+#include "stack.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace cairn::stack {
+
+namespace {
+
+/// SplitMix64 (G. Steele, D. Lea, C. Flood, 2014): the same numbers on every machine.
+std::uint64_t next_random(std::uint64_t& state) {
+  state += 0x9e3779b97f4a7c15U;
+  std::uint64_t z = state;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+  return z ^ (z >> 31);
+}
+
+std::vector<int> visiting_order(const StackSettings& settings) {
+  std::vector<int> order(static_cast<std::size_t>(settings.boxes));
+  std::iota(order.begin(), order.end(), 0);
+  if (settings.order == "down") std::reverse(order.begin(), order.end());
+  if (settings.order == "shuffle") {
+    std::uint64_t state = settings.seed;
+    for (std::size_t i = order.size() - 1; i > 0; --i)
+      std::swap(order[i], order[next_random(state) % (i + 1)]);
+  }
+  return order;
+}
+
+Snapshot stack_at_rest(const StackSettings& settings) {
+  Scene scene;
+  scene.add_ground();
+  for (int i = 0; i < settings.boxes; ++i)
+    scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1});
+  return snapshot(World(scene));
+}
+
+}  // namespace
+
+VelocityProblem<double> stack_problem(const StackSettings& settings,
+                                      const std::vector<int>& interface_of_row) {
+  const auto n = static_cast<std::size_t>(settings.boxes);
+  VelocityProblem<double> problem;
+  problem.dt = settings.dt;
+  problem.inverse_mass.assign(n + 1, {1, 1, 6});  // of a unit box of 1 kg
+  problem.inverse_mass[0] = {0, 0, 0};            // the ground
+  problem.velocity.assign(n + 1, {0, -settings.gravity * settings.dt, 0});
+  problem.velocity[0] = {0, 0, 0};
+  problem.impulse.assign(n, 0.0);
+  for (const int interface : interface_of_row) {
+    ConstraintRow<double> row;
+    row.a = {interface};
+    row.b = {interface + 1};
+    row.jacobian_a = {0, -1, 0};
+    row.jacobian_b = {0, 1, 0};
+    row.bounds = Bounds<double>::unilateral();
+    row.key = {.source = static_cast<std::uint64_t>(interface)};
+    problem.blocks.push_back({problem.row_count(), 1});
+    problem.rows.push_back(row);
+  }
+  return problem;
+}
+
+StackRun run_stack(const StackSettings& settings) {
+  StackRun run{.settings = settings, .interface_of_row = visiting_order(settings)};
+  run.problem = stack_problem(settings, run.interface_of_row);
+  VelocityProblem<double> problem = run.problem;
+  SequentialImpulse solver({.iterations = settings.sweeps});
+  SweepRecorder<double> recorder(SweepRecorder<double>::Detail::rows);
+  solver.solve(problem, &recorder);
+  run.updates = recorder.rows();
+  run.sweeps = recorder.sweeps();
+  for (int i = 0; i < settings.boxes; ++i) run.exact.push_back((settings.boxes - i) * settings.gravity);
+  run.snapshot = stack_at_rest(settings);
+  return run;
+}
+
+std::vector<double> lambda_after(const StackRun& run, int sweep) {
+  std::vector<double> lambda(run.exact.size(), 0.0);
+  for (std::size_t row = 0; row < lambda.size(); ++row) {
+    const auto interface = static_cast<std::size_t>(run.interface_of_row[row]);
+    lambda[interface] = run.sweeps[static_cast<std::size_t>(sweep)].impulse[row] / run.settings.dt;
+  }
+  return lambda;
+}
+
+std::vector<std::vector<double>> gauss_seidel(const VelocityProblem<double>& problem, int sweeps) {
+  const SystemMatrices<double> system = system_matrices(problem);
+  const Eigen::Index m = system.b.size();
+  std::vector<double> lambda(static_cast<std::size_t>(m), 0.0);
+  std::vector<std::vector<double>> history(1, lambda);
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (Eigen::Index i = 0; i < m; ++i) {
+      double rest = system.b(i);
+      for (Eigen::Index j = 0; j < m; ++j) {
+        if (j != i) rest -= system.A(i, j) * lambda[static_cast<std::size_t>(j)];
+      }
+      lambda[static_cast<std::size_t>(i)] = std::max(rest / system.A(i, i), 0.0);
+    }
+    history.push_back(lambda);
+  }
+  return history;
+}
+
+double error_factor(int boxes) {
+  const double c = std::cos(pi / (2 * boxes));
+  return boxes == 1 ? 0 : c * c;
+}
+
+double measured_error_factor(const StackSettings& settings) {
+  StackSettings longer = settings;
+  // So many sweeps that a millionth of the error is left: slow enough to forget the other errors, and far
+  // above rounding.
+  const double factor = error_factor(settings.boxes);
+  longer.sweeps = factor > 0 ? static_cast<int>(std::ceil(std::log(1e-6) / std::log(factor))) : 2;
+  const StackRun run = run_stack(longer);
+  const auto error = [&run](int sweep) {
+    const std::vector<double> lambda = lambda_after(run, sweep);
+    double sum = 0;
+    for (std::size_t i = 0; i < lambda.size(); ++i)
+      sum += (lambda[i] - run.exact[i]) * (lambda[i] - run.exact[i]);
+    return std::sqrt(sum);
+  };
+  const double before = error(longer.sweeps - 1);
+  return before > 0 ? error(longer.sweeps) / before : 0;
+}
+
+}  // namespace cairn::stack

@@ -1,0 +1,204 @@
+// Both solvers on one random problem, and equations (26) to (29) evaluated in plain loops.
+#include "twice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cairn::twice {
+
+namespace {
+
+/// SplitMix64 (G. Steele, D. Lea, C. Flood, 2014): the same numbers on every machine.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+
+  /// Uniform in [from, to).
+  double between(double from, double to) { return from + (to - from) * double(next() >> 11) * 0x1p-53; }
+  int below(int n) { return static_cast<int>(next() % static_cast<std::uint64_t>(n)); }
+  Vec3<double> vector(double size) {
+    const double x = between(-size, size);
+    const double y = between(-size, size);
+    return {x, y, between(-size, size)};
+  }
+
+ private:
+  std::uint64_t next() {
+    state_ += 0x9e3779b97f4a7c15U;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31);
+  }
+
+  std::uint64_t state_;
+};
+
+template <Scalar Real>
+VelocityProblem<Real> cast(const VelocityProblem<double>& problem) {
+  VelocityProblem<Real> result;
+  result.dt = static_cast<Real>(problem.dt);
+  result.blocks = problem.blocks;
+  for (const ConstraintRow<double>& row : problem.rows) {
+    ConstraintRow<Real> copy;
+    copy.a = row.a;
+    copy.b = row.b;
+    copy.jacobian_a = row.jacobian_a.template cast<Real>();
+    copy.jacobian_b = row.jacobian_b.template cast<Real>();
+    copy.bias = static_cast<Real>(row.bias);
+    if (row.bounds.is_unilateral()) copy.bounds = Bounds<Real>::unilateral();
+    result.rows.push_back(copy);
+  }
+  for (const Vec3<double>& m : problem.inverse_mass) result.inverse_mass.push_back(m.template cast<Real>());
+  for (const Vec3<double>& v : problem.velocity) result.velocity.push_back(v.template cast<Real>());
+  for (const double p : problem.impulse) result.impulse.push_back(static_cast<Real>(p));
+  return result;
+}
+
+/// All impulses after every sweep, in the solver's own precision.
+template <Scalar Real>
+class ImpulseHistory final : public SolveObserver<Real> {
+ public:
+  void before_solve(const VelocityProblem<Real>& problem) override { history_.push_back(problem.impulse); }
+  void after_sweep(int, const VelocityProblem<Real>& problem) override {
+    history_.push_back(problem.impulse);
+  }
+  const std::vector<std::vector<Real>>& history() const { return history_; }
+
+ private:
+  std::vector<std::vector<Real>> history_;
+};
+
+template <Scalar Real>
+PrecisionRun compare(const std::string& name, const VelocityProblem<double>& problem, int sweeps) {
+  VelocityProblem<Real> for_pgs = cast<Real>(problem);
+  VelocityProblem<Real> for_si = for_pgs;
+  ImpulseHistory<Real> pgs;
+  ImpulseHistory<Real> si;
+  ProjectedGaussSeidel<Real>({.iterations = sweeps}).solve(for_pgs, &pgs);
+  SequentialImpulse<Real>({.iterations = sweeps}).solve(for_si, &si);
+  PrecisionRun run{.name = name, .epsilon = static_cast<double>(std::numeric_limits<Real>::epsilon())};
+  for (std::size_t k = 0; k < pgs.history().size(); ++k) {
+    Real largest = 0;
+    for (std::size_t i = 0; i < pgs.history()[k].size(); ++i) {
+      largest = std::max(largest, std::abs(pgs.history()[k][i] - si.history()[k][i]));
+      run.scale = std::max(run.scale, static_cast<double>(std::abs(si.history()[k][i])) / problem.dt);
+    }
+    run.difference.push_back(static_cast<double>(largest) / problem.dt);
+  }
+  return run;
+}
+
+std::vector<std::vector<double>> lambdas(const SweepRecorder<double>& recorder, double dt) {
+  std::vector<std::vector<double>> result;
+  for (const SweepRecord& sweep : recorder.sweeps()) {
+    result.push_back(sweep.impulse);
+    for (double& value : result.back()) value /= dt;
+  }
+  return result;
+}
+
+/// (28) and (29) for row i, in plain loops.
+void fill_in_pgs(RowStep& step, const SystemMatrices<double>& system, const std::vector<double>& eta) {
+  const Eigen::Index i = step.row;
+  double others = 0;  // the two sums of (28)
+  double all = 0;     // A_i . eta of (29)
+  for (Eigen::Index j = 0; j < system.b.size(); ++j) {
+    const double term = system.A(i, j) * eta[static_cast<std::size_t>(j)];
+    all += term;
+    if (j != i) others += term;
+  }
+  const double a_ii = system.A(i, i);
+  step.by_28 = (system.b(i) - others) / a_ii;
+  step.by_29 = (-all + a_ii * eta[static_cast<std::size_t>(i)]) / a_ii + system.b(i) / a_ii;
+}
+
+std::vector<RowStep> first_sweep(const TwiceRun& run, const std::vector<RowRecord>& pgs,
+                                 const std::vector<RowRecord>& si) {
+  const double dt = run.problem.dt;
+  std::vector<double> eta(run.problem.rows.size(), 0.0);
+  std::vector<RowStep> steps;
+  for (std::size_t l = 0; l < run.problem.rows.size(); ++l) {
+    const RowUpdate<double>& update = si[l].update;
+    RowStep step{.row = update.row, .eta = update.impulse_before / dt, .row_velocity = update.row_velocity};
+    step.by_27 = (update.impulse_before + update.corrective) / dt;
+    fill_in_pgs(step, run.system, eta);
+    step.pgs = pgs[l].update.impulse_after / dt;
+    step.si = update.impulse_after / dt;
+    eta[l] = step.pgs;
+    steps.push_back(step);
+  }
+  return steps;
+}
+
+/// How far the velocities of SI are from (26), over all of its row updates.
+double identity_error(const VelocityProblem<double>& problem, const std::vector<RowRecord>& updates) {
+  std::vector<double> eta(problem.rows.size(), 0.0);
+  double largest = 0;
+  for (const RowRecord& record : updates) {
+    eta[static_cast<std::size_t>(record.update.row)] = record.update.impulse_after;
+    std::vector<Vec3<double>> expected = problem.velocity;
+    for (std::size_t i = 0; i < eta.size(); ++i)
+      apply_impulse(problem.rows[i], eta[i], problem.inverse_mass, expected);
+    for (std::size_t body = 0; body < expected.size(); ++body) {
+      largest = std::max(largest, (record.velocity[body] - expected[body]).cwiseAbs().maxCoeff());
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+VelocityProblem<double> random_problem(const TwiceSettings& settings) {
+  Random random(settings.seed);
+  VelocityProblem<double> problem;
+  problem.dt = settings.dt;
+  for (int i = 0; i < settings.bodies; ++i) {
+    const double inverse = random.between(0.5, 2);  // masses of 0.5 to 2 kg
+    problem.inverse_mass.push_back({inverse, inverse, random.between(1, 10)});
+    problem.velocity.push_back(random.vector(1));
+  }
+  for (int i = 0; i < settings.rows; ++i) {
+    ConstraintRow<double> row;
+    row.a = {random.below(settings.bodies)};
+    row.b = {(row.a.index + 1 + random.below(settings.bodies - 1)) % settings.bodies};
+    row.jacobian_a = random.vector(1);
+    row.jacobian_b = random.vector(1);
+    row.bias = random.between(-0.1, 0.1);
+    if (i % 2 == 1) row.bounds = Bounds<double>::unilateral();
+    problem.blocks.push_back({problem.row_count(), 1});
+    problem.rows.push_back(row);
+    problem.impulse.push_back(0);
+  }
+  return problem;
+}
+
+TwiceRun run_twice(const TwiceSettings& settings) {
+  TwiceRun run{.settings = settings, .problem = random_problem(settings)};
+  run.system = system_matrices(run.problem);
+  SweepRecorder<double> pgs(SweepRecorder<double>::Detail::rows);
+  SweepRecorder<double> si(SweepRecorder<double>::Detail::rows);
+  VelocityProblem<double> for_pgs = run.problem;
+  VelocityProblem<double> for_si = run.problem;
+  ProjectedGaussSeidel({.iterations = settings.sweeps}).solve(for_pgs, &pgs);
+  SequentialImpulse({.iterations = settings.sweeps}).solve(for_si, &si);
+  run.pgs = lambdas(pgs, settings.dt);
+  run.si = lambdas(si, settings.dt);
+  run.steps = first_sweep(run, pgs.rows(), si.rows());
+  run.identity_error = identity_error(run.problem, si.rows());
+  for (std::size_t i = 0; i < for_si.rows.size(); ++i) {
+    run.at_bound += for_si.rows[i].bounds.is_unilateral() && for_si.impulse[i] == 0;
+  }
+  run.precisions = {compare<float>("float", run.problem, settings.sweeps),
+                    compare<double>("double", run.problem, settings.sweeps),
+                    compare<long double>("long double", run.problem, settings.sweeps)};
+  VelocityProblem<double> again = run.problem;
+  again.impulse = for_si.impulse;
+  run.warm = compare<double>("double, warm", again, settings.sweeps);
+  return run;
+}
+
+double rounding_bound(const PrecisionRun& run, int sweeps) { return 64 * run.epsilon * (1 + sweeps); }
+
+}  // namespace cairn::twice

@@ -1,0 +1,63 @@
+// A random problem, solved by both solvers and watched row by row, in three precisions.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cairn.hpp"
+
+namespace cairn::twice {
+
+struct TwiceSettings {
+  int bodies = 8;
+  int rows = 20;
+  int sweeps = 50;
+  double dt = 0.02;  // [s]
+  std::uint64_t seed = 1;
+};
+
+/// Random masses, velocities and rows, each between two bodies; every second row is one-sided (lambda >= 0).
+VelocityProblem<double> random_problem(const TwiceSettings& settings);
+
+/// One row update of the first sweep, computed three ways, before clamping [N].
+struct RowStep {
+  int row = 0;              // from 0
+  double eta = 0;           // of this row, before
+  double row_velocity = 0;  // j v of SI, before [m/s]
+  double by_27 = 0;         // eta + (zeta - j v) / (j M^-1 j^T dt), from the velocities of SI
+  double by_28 = 0;         // (b_i - sum A_ij eta_j) / A_ii, from A, b and the eta of PGS
+  double by_29 = 0;         // (-A_i . eta + A_ii eta_i) / A_ii + b_i / A_ii: the step between the two
+  double pgs = 0;           // lambda of PGS afterwards, clamped
+  double si = 0;            // lambda of SI afterwards, clamped
+};
+
+/// Both solvers in one precision: their lambda [N] after every sweep, sweep 0 being the start.
+struct PrecisionRun {
+  std::string name = {};
+  double epsilon = 0;                            // the spacing of numbers near 1
+  std::vector<double> difference = {};           // max |lambda_PGS - lambda_SI| after each sweep [N]
+  double scale = 0;                              // max |lambda| of all sweeps [N]
+};
+
+struct TwiceRun {
+  TwiceSettings settings = {};
+  VelocityProblem<double> problem = {};
+  SystemMatrices<double> system = {};
+  std::vector<RowStep> steps = {};                       // of the first sweep
+  std::vector<std::vector<double>> pgs = {};             // lambda [N] after each sweep, double
+  std::vector<std::vector<double>> si = {};
+  std::vector<PrecisionRun> precisions = {};             // float, double, long double
+  PrecisionRun warm = {};                                // double again, starting from the answer
+  double identity_error = 0;  // max |v - (v0 + M^-1 J^T eta dt)| over all row updates of SI [m/s], (26)
+  int at_bound = 0;           // rows that end at lambda = 0
+};
+
+TwiceRun run_twice(const TwiceSettings& settings);
+
+/// How far two exact accounts of Gauss-Seidel may part by rounding after k sweeps, relative to the largest lambda.
+/// An update of one row commits some three roundings of that size (a sum of 20 products, or j v and two
+/// velocities), a sweep has 20 of them, and sweeps do not amplify what came before: 64 epsilon a sweep.
+double rounding_bound(const PrecisionRun& run, int sweeps);
+
+}  // namespace cairn::twice

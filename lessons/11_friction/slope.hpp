@@ -1,0 +1,81 @@
+// Lesson 11. A block on a slope: the scene, what Coulomb says of it, and what two engines make of it.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "cairn.hpp"
+
+namespace cairn::friction {
+
+/// A slope that goes down to the right, and how it is stepped.
+struct Slope {
+  double angle = 0;     // [rad]
+  double gravity = 10;  // [m/s^2]
+  double dt = 0.02;     // [s]
+  int sweeps = 50;      // of the solver in each step
+  int steps = 100;
+  double length = 4;  // [m] of its surface
+
+  Vec2<double> downhill() const { return {std::cos(angle), -std::sin(angle)}; }
+  Vec2<double> normal() const { return {std::sin(angle), std::cos(angle)}; }
+};
+
+/// A unit box on the slope.
+struct Block {
+  double friction = 0.5;  // mu against the slope
+  double mass = 1;        // [kg]
+  double from_top = 1;    // [m] of its centre, along the slope
+};
+
+/// Coulomb's law for a block that starts at rest.
+struct Coulomb {
+  double load = 0;          // [N] m g cos: what the slope carries
+  double needed = 0;        // [N] m g sin: the friction that would hold the block
+  double limit = 0;         // [N] mu times the load
+  double acceleration = 0;  // [m/s^2] downhill: g (sin - mu cos), or 0 where it holds
+};
+
+Coulomb coulomb(const Slope& slope, const Block& block);
+
+/// The whole run of one block. Element k of each vector is the state after k steps.
+struct Slide {
+  Slope slope = {};
+  Block block = {};
+  std::vector<double> time = {};            // [s]
+  std::vector<Snapshot> frames = {};        // Cairn
+  std::vector<double> speed = {};           // [m/s] downhill
+  std::vector<double> way = {};             // [m] downhill
+  std::vector<Snapshot> box2d_frames = {};  // empty in a build without Box2D
+  std::vector<double> box2d_speed = {};
+  std::vector<SweepRecord> first_step = {};  // the impulses after each sweep of the first step
+  double worst_cone = 0;  // [N] the largest |lambda_t| - mu lambda_n of any row in any step
+  double largest_power =
+      0;  // [W] the largest power of the friction of any row in any step; below 0: it brakes
+};
+
+Scene slope_scene(const Slope& slope, const std::vector<Block>& blocks);
+Slide slide(const Slope& slope, const Block& block);
+
+/// How far each of several blocks on one slope has slid in the end [m], and what it looks like.
+struct Contest {
+  std::vector<Snapshot> frames = {};  // the start and the end
+  std::vector<double> ways = {};      // [m]
+};
+Contest contest(const Slope& slope, const std::vector<Block>& blocks);
+
+enum class Engine { cairn, box2d };
+/// How far the block slides [m].
+double way_in(Engine engine, const Slope& slope, const Block& block);
+/// Its mean acceleration in the second half of the run [m/s^2], when the first step's unfinished sweeps are
+/// forgotten.
+double acceleration_in(Engine engine, const Slope& slope, const Block& block);
+/// The angle [rad] above which the block slides, bisected between `low` and `high`.
+double critical_angle(Engine engine, Slope slope, const Block& block, double low, double high);
+
+/// Whether this build can ask Box2D.
+bool has_box2d();
+/// Snapshots of `steps` steps of Box2D, the start included. @throws std::logic_error without Box2D.
+std::vector<Snapshot> box2d_run(const Scene& scene, int steps, int sweeps);
+
+}  // namespace cairn::friction

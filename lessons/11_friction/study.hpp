@@ -1,0 +1,58 @@
+// Lesson 11. All that the lesson computes, before it tells or draws anything.
+#pragma once
+
+#include <vector>
+
+#include "slope.hpp"
+
+namespace cairn::friction {
+
+struct StudySettings {
+  Slope slope = {};
+  double slippery = 0.5;  // mu of the first block
+  double rough = 0.6;     // mu of the second
+  double mass = 2;        // [kg] of its heavy twin; the others have 1 kg
+};
+
+/// Two blocks, one slippery and one rough, on a slope of `degrees`.
+struct Trial {
+  double degrees = 0;
+  Contest contest = {};
+};
+
+/// Accelerations over the angle, measured in both engines.
+struct Curve {
+  double friction = 0;  // mu
+  std::vector<double> degrees = {};
+  std::vector<double> cairn = {};  // [m/s^2]
+  std::vector<double> box2d = {};  // empty without Box2D
+};
+
+/// The angle above which a block slides [degrees].
+struct Threshold {
+  double friction = 0;  // mu
+  double formula = 0;   // atan mu
+  double cairn = 0;
+  double box2d = 0;  // 0 without Box2D
+};
+
+struct Study {
+  StudySettings settings = {};
+  Slide slippery = {};
+  Slide rough = {};
+  Slide heavy = {};  // the rough block with more mass
+  std::vector<Trial> trials = {};
+  std::vector<Curve> curves = {};          // slippery, rough
+  std::vector<Threshold> thresholds = {};  // slippery, rough
+};
+
+Study make_study(const StudySettings& settings);
+
+/// The velocity [m/s] that the sweeps of the first step, which begin at zero, may leave uncorrected.
+double unfinished(const Slope& slope);
+/// What rounding may add to a velocity up to the given one in the whole run [m/s].
+double rounding(const Slope& slope, double speed);
+/// By how much [degrees] a bisection that looks for 1 mm of way finds the critical angle too steep.
+double blind_angle(const Slope& slope, double friction);
+
+}  // namespace cairn::friction

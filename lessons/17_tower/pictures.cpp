@@ -1,0 +1,203 @@
+// Three towers side by side above one chart that all three share.
+#include "pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include "render/draw.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::tower {
+
+namespace {
+
+using render::Page;
+using render::Point;
+using render::Rect;
+using render::SeriesStyle;
+
+using Runs = std::shared_ptr<const TowerRuns>;
+
+std::array<SeriesStyle, 3> engine_styles(const Page& page) {
+  return {page.theme().pgs, page.theme().si, page.theme().box2d};
+}
+
+double largest_load(const TowerRuns& runs) {
+  double largest = runs.settings.boxes * runs.settings.gravity;
+  for (const EngineRun& run : runs.warm) {
+    for (const std::vector<double>& frame : run.loads) {
+      for (const double load : frame) largest = std::max(largest, load);
+    }
+  }
+  return largest;
+}
+
+/// What each interface should carry when all is at rest: the weight above it [N].
+double exact_load(const TowerSettings& settings, int interface) {
+  return (settings.boxes - interface) * settings.gravity;
+}
+
+/// Bars that grow to the right from `left`, one at the height of each interface, with a tick at the exact
+/// load.
+void draw_loads(Page& page, const render::Camera& camera, double left, double width, const TowerRuns& runs,
+                const EngineRun& run, int frame, const SeriesStyle& style) {
+  render::Canvas& canvas = page.canvas();
+  const double per_newton = width / largest_load(runs);
+  const double thickness = std::clamp(0.42 * camera.scale, 3.0, 12.0);
+  const std::vector<double>& loads = run.loads[static_cast<std::size_t>(frame)];
+  for (int i = 0; i < runs.settings.boxes; ++i) {
+    const double y = camera.project({0, i + 0.25}).y();  // in the lower half of the box that it carries
+    const double load = loads[static_cast<std::size_t>(i)];
+    canvas.rect({left, y - thickness / 2, std::max(0.0, load * per_newton), thickness},
+                {.fill = style.color, .outline = page.theme().outline, .outline_width = 1});
+    const double tick = left + exact_load(runs.settings, i) * per_newton;
+    canvas.line({tick, y - thickness}, {tick, y + thickness}, {.width = 2, .color = page.theme().outline});
+  }
+}
+
+/// One engine: its colour on top, its name, its tower, its loads.
+void draw_engine(Page& page, const Rect& rect, const TowerRuns& runs, const EngineRun& run, int frame,
+                 const SeriesStyle& style) {
+  render::Canvas& canvas = page.canvas();
+  const Rect inside = page.panel(rect, "");
+  canvas.rect({rect.x, rect.y, rect.width, 6}, {.fill = style.color});
+  render::TextStyle name = page.label();
+  name.bold = true;
+  const double line = name.size * 1.2;
+  render::draw_marker(canvas, {inside.x + 6, inside.y + line - 0.35 * name.size}, style.marker,
+                      page.sizes().marker, style.color);
+  canvas.text({inside.x + 18, inside.y + line}, run.name, name);
+
+  const std::vector<double>& loads = run.loads[static_cast<std::size_t>(frame)];
+  render::TextStyle number = page.value();
+  number.align = render::Align::right;
+  canvas.text({inside.x + inside.width, inside.y + line}, render::fixed(loads[0], 2) + " N", number);
+
+  const double top = inside.y + line + 10;
+  const double n = runs.settings.boxes;
+  const Rect view = {inside.x, top, inside.width, inside.y + inside.height - top};
+  render::Camera camera = render::fit(view, {{-1.2, -0.6}, {1.2, n + 0.4}});
+  camera.center.x() = 0.5 * view.width / camera.scale - 1.2;  // the tower at the left
+  render::WorldLook look;
+  look.contacts = false;
+  look.penetration = false;
+  draw_world(page, camera, run.frames[static_cast<std::size_t>(frame)], look);
+  const double left = camera.project({0.5, 0}).x() + 12;
+  draw_loads(page, camera, left, inside.x + inside.width - left, runs, run, frame, style);
+}
+
+/// The lowest load over the frames so far, for all three engines.
+render::Plot load_plot(const Page& page, const TowerRuns& runs, const std::vector<EngineRun>& engines,
+                       int frame) {
+  const TowerSettings& settings = runs.settings;
+  render::Plot plot;
+  plot.title = "load λ_{1} on the lowest box (N)";
+  plot.x = {.title = "step", .min = 0, .max = settings.steps};
+  plot.y = {.min = 0, .max = 1.15 * largest_load(runs)};
+  const std::array<SeriesStyle, 3> styles = engine_styles(page);
+  for (std::size_t e = 0; e < engines.size(); ++e) {
+    render::Series series{.name = e == 2 ? "Box2D" : engines[e].name, .style = styles[e]};
+    for (int k = 0; k <= frame; ++k) {
+      series.x.push_back(k);
+      series.y.push_back(engines[e].loads[static_cast<std::size_t>(k)][0]);
+    }
+    plot.series.push_back(series);
+  }
+  plot.goals.push_back({exact_load(settings, 0), fmt::format("the weight: {:g} N", exact_load(settings, 0))});
+  plot.cursor = frame;
+  return plot;
+}
+
+void draw_three(Page& page, const TowerRuns& runs, const std::vector<EngineRun>& engines, int frame) {
+  const std::vector<Rect> parts = rows(page.area(), {0.55, 0.45}, page.sizes().gap);
+  const std::vector<Rect> panels = columns(parts[0], {1, 1, 1}, page.sizes().gap);
+  const std::array<SeriesStyle, 3> styles = engine_styles(page);
+  for (std::size_t e = 0; e < engines.size(); ++e)
+    draw_engine(page, panels[e], runs, engines[e], frame, styles[e]);
+  draw_plot(page, parts[1], load_plot(page, runs, engines, frame));
+}
+
+void draw_question(Page& page, const TowerRuns& runs, std::string_view title, std::string_view text,
+                   int frame) {
+  const std::vector<Rect> parts = rows(page.area(), {0.55, 0.45}, page.sizes().gap);
+  const std::vector<Rect> panels = columns(parts[0], {1, 1, 1}, page.sizes().gap);
+  const std::array<SeriesStyle, 3> styles = engine_styles(page);
+  for (std::size_t e = 0; e < runs.warm.size(); ++e) {
+    draw_engine(page, panels[e], runs, runs.warm[e], frame, styles[e]);
+  }
+  page.note(parts[1], title, text);
+}
+
+std::string heights(const EngineRun& run, int frame) {
+  const SnapshotBody& top = run.frames[static_cast<std::size_t>(frame)].bodies.back();
+  return fmt::format("{:.2f} m", top.pose.position.y() + 0.5);
+}
+
+Shot step_shot(const Runs& runs, bool warm, int frame) {
+  const std::vector<EngineRun>& engines = warm ? runs->warm : runs->cold;
+  const auto k = static_cast<std::size_t>(frame);
+  return {.state = fmt::format("{} · step {} · t = {} s", warm ? "warm start" : "cold start", frame,
+                               render::fixed(frame * runs->settings.dt, 2)),
+          .alt = fmt::format(
+              "{} start, step {}: the lowest box carries {:.2f} N under PGS, {:.2f} N under SI and "
+              "{:.2f} N under Box2D; the towers are {}, {} and {} high.",
+              warm ? "Warm" : "Cold", frame, engines[0].loads[k][0], engines[1].loads[k][0],
+              engines[2].loads[k][0], heights(engines[0], frame), heights(engines[1], frame),
+              heights(engines[2], frame)),
+          .draw = [runs, warm, frame](Page& page) {
+            draw_three(page, *runs, warm ? runs->warm : runs->cold, frame);
+          }};
+}
+
+}  // namespace
+
+std::vector<Shot> tower_shots(const TowerRuns& all) {
+  const Runs runs = std::make_shared<const TowerRuns>(all);
+  const int last = runs->settings.steps;
+  const std::set<int> warm_keys = {1, 2, 3, 5, 10, 20, last};
+  const std::set<int> cold_keys = {5, last / 2, last};
+  std::vector<Shot> shots;
+  shots.push_back({.state = "before the first step",
+                   .alt = "Three towers of boxes, not yet loaded, named PGS, SI and Box2D, and the question.",
+                   .draw =
+                       [runs](Page& page) {
+                         draw_question(
+                             page, *runs, "Predict",
+                             "Three programs push the same ten boxes. Will you be able to tell their "
+                             "towers apart by eye? And by their numbers?",
+                             0);
+                       },
+                   .key = true});
+  for (int k = 1; k <= last; ++k) {
+    shots.push_back(step_shot(runs, true, k));
+    shots.back().key = warm_keys.contains(k);
+  }
+  for (int k = 1; k <= last; ++k) {
+    shots.push_back(step_shot(runs, false, k));
+    shots.back().key = cold_keys.contains(k);
+  }
+  const double gap = std::max(largest_gap(runs->warm[1].loads, runs->warm[2].loads, last),
+                              largest_gap(runs->cold[1].loads, runs->cold[2].loads, last));
+  shots.push_back({.state = fmt::format("after {} steps", last),
+                   .alt = "The three towers after the last step, and the answer: they cannot be told apart.",
+                   .draw =
+                       [runs, gap, last](Page& page) {
+                         draw_question(
+                             page, *runs, "Answer",
+                             fmt::format("No. PGS and SI are one algorithm: they differ by rounding alone. "
+                                         "Box2D computes in single precision and differs by {} N at most, "
+                                         "of {} N.",
+                                         render::significant(gap, 2),
+                                         render::fixed(runs->settings.boxes * runs->settings.gravity, 0)),
+                             last);
+                       },
+                   .key = true});
+  return shots;
+}
+
+}  // namespace cairn::tower

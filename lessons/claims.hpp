@@ -1,0 +1,31 @@
+// Claims: what a lesson says is true, and whether it was.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cairn {
+
+struct Claim {
+  std::string text = {};
+  std::string shown = {};  // the value in short form
+  bool holds = false;
+  std::string demand = {};  // "at most 1e-12": said when it fails
+  double value = 0;         // for files; of a claim without a number 1 or 0
+};
+
+Claim small_claim(std::string_view text, double value, double limit);
+Claim equal_claim(std::string_view text, double value, double expected, double tolerance);
+Claim plain_claim(std::string_view text, bool holds, std::string_view shown);
+
+/// "CHECK  text ........ value  " with the value in its column; the verdict is written behind it.
+std::string claim_line(const Claim& claim);
+
+/// Four significant digits for people: "0.7500", "1.1e-17", "1234".
+std::string short_number(double value);
+
+/// How many hold.
+int holding(const std::vector<Claim>& claims);
+
+}  // namespace cairn

@@ -1,0 +1,79 @@
+// What people see while a lesson runs: narration, colours, plain ASCII, a progress bar.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace cairn {
+
+enum class When { automatic, always, never };
+
+struct ConsoleSettings {
+  When color = When::automatic;     // automatic: on a terminal, unless NO_COLOR is set or TERM is dumb
+  When progress = When::automatic;  // automatic: if stderr is a terminal
+  bool plain = false;               // ASCII without colour
+  bool quiet = false;               // results only
+  bool verbose = false;
+  bool narrates_on_stderr = false;  // because stdout is data
+};
+
+/// Whether colours are wanted on this stream.
+bool colors_wanted(const ConsoleSettings& settings, bool is_terminal);
+
+bool is_terminal(std::FILE* stream);
+
+class Console {
+ public:
+  enum class Color { none, bold, good, bad, faint };
+
+  explicit Console(const ConsoleSettings& settings);
+
+  const ConsoleSettings& settings() const { return settings_; }
+  /// Narration: one line, dropped when quiet.
+  void narrate(std::string_view line, Color color = Color::none);
+  /// A result: one line, never dropped.
+  void result(std::string_view line);
+  /// The text as it is to be put into a line: coloured if colours are wanted.
+  std::string colored(std::string_view text, Color color) const;
+  /// The text as --plain wants it.
+  std::string spelt(std::string_view text) const;
+  /// A question to the reader: no line end, and shown at once.
+  void ask(std::string_view question);
+  /// A warning or an error: one line on stderr.
+  void warn(std::string_view line) const;
+  /// Waits for Enter. False at the end of the input.
+  bool wait();
+
+ private:
+  void write(std::string_view line);
+
+  ConsoleSettings settings_;
+  std::FILE* stream_;
+  bool has_colors_ = false;
+};
+
+/// A bar on stderr, from one second after it was made: quick runs show none.
+class Progress {
+ public:
+  Progress(const ConsoleSettings& settings, std::string what, std::size_t total);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void advance(std::size_t done);
+  /// Wipes the bar from the line.
+  void clear();
+
+ private:
+  std::string what_;
+  std::size_t total_;
+  bool wanted_ = false;
+  bool always_ = false;
+  std::size_t shown_width_ = 0;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace cairn

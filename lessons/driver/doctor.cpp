@@ -1,0 +1,110 @@
+// Looks whether a picture can be drawn here, and says what the drawings mean.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "lessons/driver/commands.hpp"
+#include "lessons/driver/process.hpp"
+
+namespace cairn::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that is gone when this is.
+struct TemporaryFolder {
+  fs::path path = {};
+
+  TemporaryFolder() {
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / "cairn-doctor-XXXXXX").string();
+    if (!error && mkdtemp(name.data()) != nullptr) path = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    if (!path.empty()) fs::remove_all(path, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+};
+
+constexpr const char* legend_text =
+    R"(What the pictures mean. Colour never stands alone: shape, dash or marker says the same.
+
+Arrows      orange, solid shaft, filled head       normal impulse or force, on the body that receives it
+            orange, hatched shaft                  a correction that takes back
+            purple, filled head, bracket [ ]       friction and its limit
+            text colour, double line               joint force
+            blue, open head                        velocity
+            grey, dashed shaft                     gravity and other forces from outside
+Bodies      dark outline, pale fill, number        a body that moves
+            blue and ochre fill, letters a and b   the pair that is being solved
+            grey with 45 degree hatch              static: the ground
+            dashed outline, z                      asleep
+            yellow with cross-hatch                overlap, with its depth
+            fading outlines                        where a body was before
+            dot, larger dot                        contact point, new contact point
+            ring                                   joint
+Curves      blue, solid, circle                    PGS (projected Gauss-Seidel)
+            ochre, dashed, square                  SI (sequential impulses)
+            green, dash-dot, triangle              Box2D
+            plum, dotted, diamond                  Jacobi, or another
+            thin, text colour, tick                exact
+Numbers     heat map, blue to orange               negative to positive; the value stands in the cell
+            line of ticks at the bottom            the frames of the sequence; the dot is this one
+)";
+
+std::string seen_backend(const fs::path& folder) {
+  std::ifstream stream(folder / "run.json");
+  const auto record = nlohmann::json::parse(stream, nullptr, false);
+  return record.is_object() ? record.value("backend", "") : "";
+}
+
+}  // namespace
+
+int doctor(const Context& context) {
+  Console console(context.settings);
+  console.result(fmt::format("Lessons   {} found", context.programs.size()));
+#ifdef CAIRN_HAVE_BOX2D
+  console.result("Box2D     built in: the lessons that compare with it run");
+#else
+  console.result(
+      "Box2D     not built in: lessons that need it are skipped; apt-get install libbox2d-dev, build again");
+#endif
+  const TemporaryFolder folder;
+  if (context.programs.empty() || folder.path.empty()) {
+    console.result(context.programs.empty()
+                       ? "Pictures  no lesson that could draw one: build the lessons first"
+                       : "Pictures  there is no temporary folder that can be written");
+    return 1;
+  }
+  const ProcessResult result = run_quietly({context.programs.front().path.string(), "--frames", "cover", "-q",
+                                            "-o", (folder.path / "out").string()});
+  const std::string backend = seen_backend(folder.path / "out");
+  if (backend.empty()) {
+    console.result(fmt::format("Pictures  cannot be drawn (exit code {}):\n{}", result.code, result.output));
+    console.result(
+        "          apt-get install libosmesa6 or libegl1; every lesson also runs with --frames none");
+    return 1;
+  }
+  console.result("Pictures  can be drawn, through " + backend);
+  console.result("Fonts     DejaVu Sans and Sans Mono, inside the programs");
+  std::error_code error;
+  const auto here = fs::current_path(error);
+  console.result(fmt::format("Folder    {}: {}", here.string(),
+                             access(here.c_str(), W_OK) == 0 ? "pictures go to out/ in it"
+                                                             : "cannot be written; use the flag -o FOLDER"));
+  return result.code;
+}
+
+int legend(const Context& context) {
+  Console console(context.settings);
+  console.ask(legend_text);
+  return 0;
+}
+
+}  // namespace cairn::driver

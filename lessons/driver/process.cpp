@@ -1,0 +1,82 @@
+// Starts programs by their path, without a shell.
+#include "lessons/driver/process.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace cairn::driver {
+namespace {
+
+std::vector<char*> arguments_of(std::vector<std::string>& words) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  return arguments;
+}
+
+int wait_for(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) return 127;
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// In the child, where no destructor of the parent may run.
+[[noreturn]] void start(const std::vector<char*>& arguments) {
+  execv(arguments[0], arguments.data());
+  _exit(127);
+}
+
+}  // namespace
+
+ProcessResult run_quietly(const std::vector<std::string>& words) {
+  std::vector<std::string> copy = words;
+  const std::vector<char*> arguments = arguments_of(copy);
+  int ends[2] = {-1, -1};
+  if (pipe(ends) != 0) return {.code = 127, .output = std::strerror(errno)};
+  std::fflush(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(ends[1], STDOUT_FILENO);
+    dup2(ends[1], STDERR_FILENO);
+    close(ends[0]);
+    close(ends[1]);
+    start(arguments);
+  }
+  close(ends[1]);
+  ProcessResult result;
+  std::array<char, 4096> buffer = {};
+  for (ssize_t count = 0; (count = read(ends[0], buffer.data(), buffer.size())) != 0;) {
+    if (count > 0) result.output.append(buffer.data(), static_cast<std::size_t>(count));
+    if (count < 0 && errno != EINTR) break;
+  }
+  close(ends[0]);
+  result.code = child < 0 ? 127 : wait_for(child);
+  return result;
+}
+
+int run_aloud(const std::vector<std::string>& words) {
+  std::vector<std::string> copy = words;
+  const std::vector<char*> arguments = arguments_of(copy);
+  std::fflush(nullptr);
+  const pid_t child = fork();
+  if (child == 0) start(arguments);
+  return child < 0 ? 127 : wait_for(child);
+}
+
+int become(const std::vector<std::string>& words) {
+  std::vector<std::string> copy = words;
+  const std::vector<char*> arguments = arguments_of(copy);
+  std::fflush(nullptr);
+  execv(arguments[0], arguments.data());
+  std::fprintf(stderr, "lessons: cannot start %s: %s\n", words[0].c_str(), std::strerror(errno));
+  return 3;
+}
+
+}  // namespace cairn::driver

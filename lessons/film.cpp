@@ -1,0 +1,147 @@
+// From shots to numbered files.
+#include "lessons/film.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "lessons/frames.hpp"
+#include "render/lint.hpp"
+#include "render/sequence.hpp"
+
+namespace cairn {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+render::Theme theme_of(const Options& options) {
+  const render::Theme theme =
+      options.theme == Options::Theme::dark ? render::dark_theme() : render::light_theme();
+  return options.palette == Options::Palette::gray ? render::without_hues(theme) : theme;
+}
+
+std::vector<std::size_t> wanted_frames(const LessonInfo& info, const Options& options,
+                                       const std::vector<Shot>& shots) {
+  FrameSupply supply = {.cover = info.cover};
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    const std::string place = short_name(info) + ", frame " + std::to_string(i + 1) + ": ";
+    if (shots[i].alt.empty()) throw std::logic_error(place + "there is no alt text");
+    if (!shots[i].draw) throw std::logic_error(place + "there is nothing that draws");
+    supply.key.push_back(shots[i].key);
+  }
+  return chosen_frames(options.frames, supply);
+}
+
+/// The files that the folder's frames.json names: only such as this lesson could have written.
+std::vector<std::string> earlier_frames(const fs::path& folder, const std::string& stem) {
+  std::ifstream stream(folder / "frames.json");
+  if (!stream) return {};
+  const Json old = Json::parse(stream, nullptr, false);
+  std::vector<std::string> files;
+  if (!old.is_object() || !old.contains("frames") || !old["frames"].is_array()) return files;
+  for (const Json& frame : old["frames"]) {
+    if (!frame.is_object() || !frame.contains("file") || !frame["file"].is_string()) continue;
+    const std::string file = frame["file"];
+    const bool is_ours = file.rfind(stem + "_", 0) == 0 && file.find('/') == std::string::npos &&
+                         fs::path(file).extension() == ".png";
+    if (is_ours) files.push_back(file);
+  }
+  return files;
+}
+
+void remove_all_but(const fs::path& folder, const std::vector<std::string>& files,
+                    const std::set<std::string>& kept) {
+  std::error_code ignored;
+  for (const std::string& file : files) {
+    if (kept.count(file) == 0) fs::remove(folder / file, ignored);
+  }
+}
+
+/// One film at work.
+class FilmMaker {
+ public:
+  FilmMaker(const LessonInfo& info, const Options& options, Console& console)
+      : info_(info),
+        options_(options),
+        console_(console),
+        page_(options.width, options.height, theme_of(options)) {}
+
+  FilmReport make(const std::vector<Shot>& shots, const std::vector<std::size_t>& wanted) {
+    // Known before anything is written, so that an old picture is never left among the new.
+    const std::vector<std::string> earlier = earlier_frames(options_.out, stem());
+    try {
+      write_frames(shots, wanted);
+      render::write_file(options_.out / "frames.json", std::string_view(index_.dump(2) + "\n"));
+    } catch (...) {
+      remove_all_but(options_.out, {written_.begin(), written_.end()}, {});
+      throw;
+    }
+    remove_all_but(options_.out, earlier, written_);
+    report_.pictures = static_cast<int>(wanted.size());
+    report_.backend = page_.canvas().backend();
+    return std::move(report_);
+  }
+
+ private:
+  std::string stem() const { return "l" + two_digits(info_.number); }
+
+  void write_frames(const std::vector<Shot>& shots, const std::vector<std::size_t>& wanted) {
+    index_ = {{"lesson", info_.number}, {"title", info_.title}, {"frames_of_the_sequence", shots.size()}};
+    index_["frames"] = Json::array();
+    Progress progress(options_.console, "pictures", wanted.size());
+    render::FrameWriter writer(options_.out, stem());
+    for (std::size_t done = 0; done < wanted.size(); ++done) {
+      const Shot& shot = shots[wanted[done]];
+      draw(shot, wanted[done], shots.size());
+      const std::string file = writer.add(page_.canvas().read()).filename().string();
+      written_.insert(file);
+      index_["frames"].push_back(
+          {{"file", file}, {"frame", wanted[done] + 1}, {"state", shot.state}, {"alt", shot.alt}});
+      progress.advance(done + 1);
+      pause_after(shot, file);
+    }
+    writer.finish();
+  }
+
+  void draw(const Shot& shot, std::size_t index, std::size_t count) {
+    page_.begin({.number = two_digits(info_.number),
+                 .title = info_.title,
+                 .state = shot.state,
+                 .frame = static_cast<int>(index),
+                 .frames = static_cast<int>(count)});
+    shot.draw(page_);
+    for (const std::string& finding : render::lint(page_)) {
+      report_.findings.push_back("frame " + std::to_string(index + 1) + ": " + finding);
+    }
+  }
+
+  void pause_after(const Shot& shot, const std::string& file) {
+    if (!options_.step) return;
+    console_.narrate(file + "  " + shot.state + ": " + shot.alt);
+    console_.wait();
+  }
+
+  const LessonInfo& info_;
+  const Options& options_;
+  Console& console_;
+  render::Page page_;
+  Json index_ = {};
+  std::set<std::string> written_ = {};
+  FilmReport report_ = {};
+};
+
+}  // namespace
+
+FilmReport draw_film(const LessonInfo& info, const Options& options, const std::vector<Shot>& shots,
+                     Console& console) {
+  const std::vector<std::size_t> wanted = wanted_frames(info, options, shots);
+  if (wanted.empty()) return {};
+  return FilmMaker(info, options, console).make(shots, wanted);
+}
+
+}  // namespace cairn

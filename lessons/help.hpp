@@ -1,0 +1,19 @@
+// What a lesson says about itself before it runs.
+#pragma once
+
+#include <string>
+
+#include "lessons/lesson.hpp"
+
+namespace cairn {
+
+/// --help: examples first, then only the flags that this lesson has.
+std::string help_text(const LessonInfo& info);
+/// --about: idea, equations, what to know first, what to read next.
+std::string about_text(const LessonInfo& info);
+/// --list-params: one line per scene flag, columns separated by tabs, for people and programs.
+std::string parameters_text(const LessonInfo& info);
+/// What the driver asks: one line of JSON.
+std::string info_json(const LessonInfo& info);
+
+}  // namespace cairn

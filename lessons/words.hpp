@@ -1,0 +1,42 @@
+// Words and numbers as people type and read them: fractions, near misses, plain ASCII.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cairn {
+
+/// "0.02", "-3", "1e-6" or a fraction such as "1/60". Nothing for anything else, infinity and NaN among it.
+std::optional<double> parse_number(std::string_view text);
+
+/// Numbers between commas; nothing unless each is one.
+std::optional<std::vector<double>> parse_numbers(std::string_view text);
+
+/// How many letters have to be put in, left out or replaced to make `b` of `a`.
+int edit_distance(std::string_view a, std::string_view b);
+
+/// The candidate that is nearest to `word`, if it is at most two letters off; "" if none is.
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+
+/// The text in ASCII: "λ₂ = j M⁻¹ jᵀ" becomes "lambda_2 = j M^-1 j^T".
+std::string transliterated(std::string_view text);
+
+/// The columns that UTF-8 text takes on a terminal (every letter counts one, combining marks none).
+int display_width(std::string_view text);
+
+/// The text and blanks behind it, `width` columns in all; the text alone if it is longer.
+std::string padded(std::string_view text, int width);
+
+/// The text broken at blanks into lines of at most `width` columns; all but the first begin with `indent`
+/// blanks.
+std::string wrapped(std::string_view text, int width, int indent);
+
+/// The text in single quotes for a POSIX shell if it needs them.
+std::string shell_quoted(const std::string& text);
+
+/// "a, b, c".
+std::string joined(const std::vector<std::string>& words, std::string_view between);
+
+}  // namespace cairn

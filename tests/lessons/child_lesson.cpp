@@ -1,0 +1,133 @@
+// Child processes for the tests of whole lessons.
+#include "child_lesson.hpp"
+
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace cairn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+void redirect(int stream, const std::string& path, int how) {
+  const int file = open(path.c_str(), how, 0600);
+  dup2(file, stream);
+  close(file);
+}
+
+/// Runs `work` in a child whose streams are files.
+Ran run_apart(const std::function<int()>& work) {
+  const ScratchFolder folder;
+  std::fflush(nullptr);
+  const pid_t child = fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
+    redirect(STDOUT_FILENO, folder.path() + "/out", O_WRONLY | O_CREAT);
+    redirect(STDERR_FILENO, folder.path() + "/err", O_WRONLY | O_CREAT);
+    const int code = work();
+    std::fflush(nullptr);
+    _exit(code);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  REQUIRE(WIFEXITED(status));
+  return {.code = WEXITSTATUS(status), .out = folder.text("out"), .err = folder.text("err")};
+}
+
+}  // namespace
+
+LessonInfo made_up_lesson() {
+  LessonInfo info = {
+      .number = 42, .name = "made_up", .title = "Made up", .idea = "A lesson that tests lessons."};
+  info.paper = "paper 1, eq (1)";
+  info.equations = {"(1)  λ = 1/60"};
+  info.question = "What is six by seven?";
+  info.hints = {"Count.", "It is 42."};
+  info.parameters.push_back(
+      {.flag = "dt", .standard = 0.02, .min = 0.001, .max = 0.1, .unit = "s", .what = "time step"});
+  info.parameters.push_back(
+      {.flag = "steps", .standard = 3, .min = 1, .max = 20, .what = "steps", .kind = Parameter::Kind::whole});
+  info.choices.push_back({.flag = "precision", .values = {"double", "float"}, .what = "number type"});
+  info.next = "lesson43_none";
+  return info;
+}
+
+Ran run_in_child(const std::function<void(Lesson&)>& lesson, const std::vector<std::string>& flags) {
+  return run_apart([&lesson, &flags] {
+    std::vector<std::string> words = {"lesson42_made_up"};
+    words.insert(words.end(), flags.begin(), flags.end());
+    std::vector<char*> pointers = pointers_to(words);
+    return run_lesson(made_up_lesson(), lesson, static_cast<int>(words.size()), pointers.data());
+  });
+}
+
+Ran run_program(const std::string& name, const std::vector<std::string>& flags) {
+  return run_apart([&name, &flags] {
+    std::vector<std::string> words = {std::string(CAIRN_BIN_DIR) + "/" + name};
+    words.insert(words.end(), flags.begin(), flags.end());
+    const std::vector<char*> pointers = pointers_to(words);
+    execv(pointers[0], pointers.data());
+    return 127;
+  });
+}
+
+Shot word_shot(const std::string& word) {
+  Shot shot = {.state = word, .alt = "The word " + word + ".", .key = true};
+  shot.draw = [word](render::Page& page) {
+    const render::Rect area = page.area();
+    page.canvas().text({area.x + area.width / 4, area.y + area.height / 2}, word, page.label());
+  };
+  return shot;
+}
+
+ScratchFolder::ScratchFolder() {
+  path_ = (fs::temp_directory_path() / "cairn-lesson-test-XXXXXX").string();
+  REQUIRE(mkdtemp(path_.data()) != nullptr);
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::vector<std::string> ScratchFolder::names(const std::string& below) const {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(fs::path(path_) / below, error)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string ScratchFolder::text(const std::string& file) const {
+  std::ifstream stream(fs::path(path_) / file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+void ScratchFolder::write(const std::string& file, const std::string& text) const {
+  const fs::path path = fs::path(path_) / file;
+  fs::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+}  // namespace cairn::testing

@@ -1,0 +1,47 @@
+// Runs a made-up lesson in a child process, and says what came out of it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lessons/lesson.hpp"
+
+namespace cairn::testing {
+
+struct Ran {
+  int code = 0;
+  std::string out = {};  // stdout
+  std::string err = {};  // stderr
+};
+
+/// Lesson 42: two parameters, one choice, a question.
+LessonInfo made_up_lesson();
+
+/// Runs `lesson` with these flags. The child's input is empty.
+Ran run_in_child(const std::function<void(Lesson&)>& lesson, const std::vector<std::string>& flags);
+
+/// Runs a program that was built beside the tests.
+Ran run_program(const std::string& name, const std::vector<std::string>& flags);
+
+/// A shot that writes one word, with an alt text.
+Shot word_shot(const std::string& word);
+
+/// An empty folder that is gone when this is.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::string& path() const { return path_; }
+  /// The names in a folder below it ("" for itself), sorted.
+  std::vector<std::string> names(const std::string& below = {}) const;
+  std::string text(const std::string& file) const;
+  void write(const std::string& file, const std::string& text) const;
+
+ private:
+  std::string path_;
+};
+
+}  // namespace cairn::testing
