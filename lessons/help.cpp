@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "lessons/arguments.hpp"
 #include "lessons/words.hpp"
 #include "math/check.hpp"
 
@@ -137,6 +136,26 @@ std::string info_json(const LessonInfo& info) {
       {"number", info.number}, {"name", info.name}, {"title", info.title},       {"idea", info.idea},
       {"paper", info.paper},   {"next", info.next}, {"hints", info.hints.size()}};
   return json.dump() + "\n";
+}
+
+std::string text_asked_for(const LessonInfo& info, const Options& options) {
+  switch (options.request) {
+    case Options::Request::help:
+      return help_text(info);
+    case Options::Request::about:
+      return about_text(info);
+    case Options::Request::list_params:
+      return parameters_text(info);
+    case Options::Request::info_json:
+      return info_json(info);
+    case Options::Request::version:
+      return program_name(info) + " " CAIRN_VERSION "\n";
+    case Options::Request::hint:
+      return info.hints.at(static_cast<std::size_t>(options.hint) - 1) + "\n";
+    case Options::Request::run:
+      break;
+  }
+  return "";
 }
 
 }  // namespace cairn

@@ -3,9 +3,13 @@
 
 #include <string>
 
+#include "lessons/arguments.hpp"
 #include "lessons/lesson.hpp"
 
 namespace cairn {
+
+/// The answer to a request that needs no run.
+std::string text_asked_for(const LessonInfo& info, const Options& options);
 
 /// --help: examples first, then only the flags that this lesson has.
 std::string help_text(const LessonInfo& info);

@@ -224,22 +224,6 @@ void Lesson::fingerprint(const std::vector<double>& numbers) {
 
 namespace {
 
-/// Answers that need no run. Nothing when there is one.
-std::optional<int> told(const LessonInfo& info, const Options& options) {
-  using Request = Options::Request;
-  if (options.request == Request::run) return {};
-  std::string text;
-  if (options.request == Request::help) text = help_text(info);
-  if (options.request == Request::about) text = about_text(info);
-  if (options.request == Request::list_params) text = parameters_text(info);
-  if (options.request == Request::info_json) text = info_json(info);
-  if (options.request == Request::version) text = program_name(info) + " " CAIRN_VERSION "\n";
-  if (options.request == Request::hint)
-    text = info.hints.at(static_cast<std::size_t>(options.hint) - 1) + "\n";
-  std::cout << (options.console.plain ? transliterated(text) : text) << std::flush;
-  return 0;
-}
-
 int complain(const std::string& name, int code, const std::string& message) {
   std::fflush(stdout);
   fmt::print(stderr, "{}{}\n", message.rfind(name, 0) == 0 ? "" : name + ": ", message);
@@ -275,7 +259,11 @@ int explain_failure(const std::string& name) {
 int run_lesson(const LessonInfo& info, const std::function<void(Lesson&)>& lesson, int argc, char** argv) {
   try {
     Options options = read_arguments(info, argc, argv);
-    if (const std::optional<int> code = told(info, options)) return *code;
+    if (options.request != Options::Request::run) {
+      const std::string text = text_asked_for(info, options);
+      std::cout << (options.console.plain ? transliterated(text) : text) << std::flush;
+      return 0;
+    }
     const bool can_pause = is_terminal(stdin);
     if (options.step && !can_pause) {
       complain(short_name(info), 0, "--step needs a terminal; going on without pauses");

@@ -17,7 +17,7 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr std::size_t signature_size = 8;
 constexpr std::size_t header_end = signature_size + 12 + 13;
 
-struct PixelRect {
+struct Block {
   int x = 0, y = 0, width = 1, height = 1;  // [px]
 };
 
@@ -54,7 +54,7 @@ std::size_t offset_of(const Image& image, int x, int y) {
 
 /// The smallest rectangle that holds every pixel that changed. The format knows no empty frame: one pixel
 /// then.
-PixelRect changed_rect(const Image& before, const Image& after) {
+Block changed_rect(const Image& before, const Image& after) {
   int left = after.width, right = -1, top = after.height, bottom = -1;
   for (int y = 0; y < after.height; ++y) {
     for (int x = 0; x < after.width; ++x) {
@@ -73,7 +73,7 @@ PixelRect changed_rect(const Image& before, const Image& after) {
   return {.x = left, .y = top, .width = right - left + 1, .height = bottom - top + 1};
 }
 
-Image cropped(const Image& image, const PixelRect& rect) {
+Image cropped(const Image& image, const Block& rect) {
   Image part{.width = rect.width, .height = rect.height};
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(offset_of(image, rect.x, y));
@@ -83,7 +83,7 @@ Image cropped(const Image& image, const PixelRect& rect) {
 }
 
 /// fcTL: where the frame lies and how long it stays, [100 / hundredths s].
-Bytes frame_control(std::uint32_t sequence_number, const PixelRect& rect, std::uint32_t hundredths) {
+Bytes frame_control(std::uint32_t sequence_number, const Block& rect, std::uint32_t hundredths) {
   Bytes data;
   append_number(data, sequence_number);
   for (const int value : {rect.width, rect.height, rect.x, rect.y}) {
@@ -122,11 +122,11 @@ void write_apng(const std::filesystem::path& path, std::span<const Image> images
   append_chunk(file, "acTL", animation);
 
   std::uint32_t sequence_number = 0;  // one count for control and data chunks
-  const PixelRect whole = {.x = 0, .y = 0, .width = images[0].width, .height = images[0].height};
+  const Block whole = {.x = 0, .y = 0, .width = images[0].width, .height = images[0].height};
   append_chunk(file, "fcTL", frame_control(sequence_number++, whole, hundredths));
   append_chunk(file, "IDAT", compressed_pixels(first));
   for (std::size_t i = 1; i < images.size(); ++i) {
-    const PixelRect rect = changed_rect(images[i - 1], images[i]);
+    const Block rect = changed_rect(images[i - 1], images[i]);
     append_chunk(file, "fcTL", frame_control(sequence_number++, rect, hundredths));
     const Bytes png = encode_png(cropped(images[i], rect));
     const std::span<const std::uint8_t> pixels = compressed_pixels(png);

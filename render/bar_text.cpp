@@ -9,7 +9,7 @@
 namespace cairn::render {
 namespace {
 
-constexpr double text_gap = 6;  // [px] between a number and what it belongs to
+constexpr double number_gap = 6;  // [px] between a number and what it belongs to
 
 bool overlap(const Rect& a, const Rect& b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
@@ -31,7 +31,8 @@ bool write(BarSheet& sheet, const std::vector<Point>& places, const std::string&
     if (!within(rect, sheet.room)) continue;
     if (std::any_of(sheet.taken.begin(), sheet.taken.end(), in_the_way)) continue;
     sheet.page.canvas().text(at, text, style);
-    sheet.taken.push_back({rect.x - 2 * text_gap, rect.y - 1, rect.width + 4 * text_gap, rect.height + 2});
+    sheet.taken.push_back(
+        {rect.x - 2 * number_gap, rect.y - 1, rect.width + 4 * number_gap, rect.height + 2});
     return true;
   }
   return false;
@@ -59,7 +60,7 @@ std::vector<Point> behind(const BarSheet& sheet, std::size_t row, double x, doub
   std::vector<Point> places;
   const double base = baseline_around(middle_of(sheet, row), size);
   const double right = std::min(x + reach, sheet.room.x + sheet.room.width);
-  for (double at = x + text_gap; at < right; at += 2) places.emplace_back(at, base);
+  for (double at = x + number_gap; at < right; at += 2) places.emplace_back(at, base);
   return places;
 }
 
@@ -86,9 +87,9 @@ bool write_upon_bar(BarSheet& sheet, std::size_t row, double x, const std::strin
   style.halo = sheet.page.theme().inactive;
   style.color = ink_on(style.halo);
   const double end = x_of(sheet, std::min(bar.before, end_of(bar)));
-  const double left = x + text_gap;
+  const double left = x + number_gap;
   const double right = left + sheet.page.canvas().text_width(number, style);
-  const bool covered = bar.before > 0 && x >= x_of(sheet, 0) && right <= end - text_gap / 2;
+  const bool covered = bar.before > 0 && x >= x_of(sheet, 0) && right <= end - number_gap / 2;
   if (!covered || sheet.thickness < cap_height * style.size + 4) return false;
   const Point at(left, baseline_around(middle_of(sheet, row), style.size));
   sheet.page.canvas().text(at, number, style);
@@ -100,9 +101,9 @@ bool write_beside_tick_end(BarSheet& sheet, std::size_t row, double x, const std
   TextStyle style = bar_text(sheet);
   for (const Point& at : over_and_under(sheet, row, x, style.size, 0)) {
     style.align = Align::left;
-    if (write(sheet, {Point(at.x() + text_gap, at.y())}, number, style)) return true;
+    if (write(sheet, {Point(at.x() + number_gap, at.y())}, number, style)) return true;
     style.align = Align::right;
-    if (write(sheet, {Point(at.x() - text_gap, at.y())}, number, style)) return true;
+    if (write(sheet, {Point(at.x() - number_gap, at.y())}, number, style)) return true;
   }
   return false;
 }
@@ -121,7 +122,7 @@ void write_exact(BarSheet& sheet, std::size_t row) {
     return;
   }
   style.align = *bar.exact < 0 ? Align::right : Align::left;
-  if (write(sheet, {Point(x + (*bar.exact < 0 ? -text_gap : text_gap), base)}, number, style)) return;
+  if (write(sheet, {Point(x + (*bar.exact < 0 ? -number_gap : number_gap), base)}, number, style)) return;
   if (write_upon_bar(sheet, row, x, number)) return;
   if (write_beside_tick_end(sheet, row, x, number)) return;
   style.align = Align::left;

@@ -7,7 +7,7 @@
 namespace cairn::render {
 namespace {
 
-constexpr double farthest =
+constexpr double farthest_pixel =
     1e7;                      // [px]; beyond it a double no longer places an edge to a small part of a pixel
 constexpr double border = 4;  // [px] around the frame, so that the cut itself is never seen
 
@@ -44,7 +44,7 @@ Vertex constant_part(const Measure& measure) {
 
 }  // namespace
 
-bool usable(double value) { return std::abs(value) <= farthest; }
+bool usable(double value) { return std::abs(value) <= farthest_pixel; }
 bool usable(const Point& point) { return usable(point.x()) && usable(point.y()); }
 
 Batch::Batch(int width, int height)

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t most_ghosts = 7;
 constexpr double oldest_ghost = 0.25;  // opacity
 constexpr double newest_ghost = 0.60;
-constexpr double farthest = 1e6;  // [m] bodies beyond are no part of the picture
+constexpr double farthest_body = 1e6;  // [m] bodies beyond are no part of the picture
 constexpr std::size_t trail_markers = 6;
 constexpr std::size_t most_avoided = 40;  // bodies; where there are more, labels find no room anyway
 
@@ -41,8 +41,8 @@ void include(Aabb<double>& bounds, const Aabb<double>& box) {
 }
 
 bool is_usable(const Aabb<double>& box) {
-  return box.lower.allFinite() && box.upper.allFinite() && box.lower.cwiseAbs().maxCoeff() < farthest &&
-         box.upper.cwiseAbs().maxCoeff() < farthest;
+  return box.lower.allFinite() && box.upper.allFinite() && box.lower.cwiseAbs().maxCoeff() < farthest_body &&
+         box.upper.cwiseAbs().maxCoeff() < farthest_body;
 }
 
 // The path in pixels, cut where a point cannot be drawn.

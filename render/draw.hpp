@@ -13,27 +13,29 @@
 namespace cairn::render {
 
 struct WorldLook {
-  bool numbers = true;                    // each dynamic body's number in its middle
-  std::vector<std::string> names = {};    // instead of numbers, by body index; "" for none
-  BodyId active_a = {-1};                 // lit as a and b
+  bool numbers = true;                  // each dynamic body's number in its middle
+  std::vector<std::string> names = {};  // instead of numbers, by body index; "" for none
+  BodyId active_a = {-1};               // lit as a and b
   BodyId active_b = {-1};
-  bool contacts = true;                   // a dot for each contact point, larger when new
-  int active_contact = -1;                // the index of a contact to light
-  bool penetration = true;                // marks overlaps of more than 2 px
+  bool contacts = true;     // a dot for each contact point, larger when new
+  int active_contact = -1;  // the index of a contact to light
+  bool penetration = true;  // marks overlaps of more than 2 px
 };
 
-/// Bodies with outline, number and orientation mark; the ground and other immovable bodies hatched at 45 degrees;
-/// contacts; joints (rod, ring for a pin). Clipped to the camera's viewport.
+/// Bodies with outline, number and orientation mark; the ground and other immovable bodies hatched at 45
+/// degrees; contacts; joints (rod, ring for a pin). Clipped to the camera's viewport.
 void draw_world(Page& page, const Camera& camera, const Snapshot& snapshot, const WorldLook& look = {});
 
-/// Outlines of earlier poses, at most 7 of them evenly chosen, fading with age; the newest is the last. Dynamic
-/// bodies only.
+/// Outlines of earlier poses, at most 7 of them evenly chosen, fading with age; the newest is the last.
+/// Dynamic bodies only.
 void draw_ghosts(Page& page, const Camera& camera, std::span<const Snapshot> earlier);
 
 /// The path of a point [m].
-void draw_trail(Page& page, const Camera& camera, std::span<const Vec2<double>> points, const SeriesStyle& style);
+void draw_trail(Page& page, const Camera& camera, std::span<const Vec2<double>> points,
+                const SeriesStyle& style);
 
-/// Normal and friction force (impulse / dt) [N] of every contact, drawn on body b, labelled with their values.
+/// Normal and friction force (impulse / dt) [N] of every contact, drawn on body b, labelled with their
+/// values.
 void draw_contact_forces(Page& page, const Camera& camera, const ArrowScale& scale, const Snapshot& snapshot);
 
 /// Joint forces (impulse / dt) [N] on body b.

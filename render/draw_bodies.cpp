@@ -10,8 +10,7 @@
 namespace cairn::render {
 namespace {
 
-constexpr double smallest_text = 12;  // [px]
-constexpr double cut = 12;            // [px] beyond the viewport, where cut edges are not seen
+constexpr double cut = 12;  // [px] beyond the viewport, where cut edges are not seen
 
 Rect grown(const Rect& rect, double by) { return inset(rect, -by); }
 

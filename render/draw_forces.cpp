@@ -10,7 +10,7 @@ namespace cairn::render {
 namespace {
 
 constexpr std::size_t most_labels = 12;  // more arrows than this go without numbers
-constexpr double least = 1e-9;           // [N or m/s] less is round-off
+constexpr double least_drawn = 1e-9;     // [N or m/s] less is round-off
 constexpr double shortest = 8;           // [px] what is drawn as a dot is about zero, and has no number
 constexpr double aside = 12;             // [px] from the middle of a shaft to a text
 
@@ -36,7 +36,7 @@ std::string value_text(const Page& page, const std::string& symbol, double value
 
 bool can_be_drawn(const Camera& camera, const Arrow& arrow) {
   return is_drawable(camera, {.position = arrow.tail, .angle = 0}) && arrow.value.allFinite() &&
-         arrow.value.norm() > least;
+         arrow.value.norm() > least_drawn;
 }
 
 // What is left of the regions around a rectangle.

@@ -8,11 +8,13 @@
 namespace cairn::render {
 namespace {
 
-constexpr double farthest = 1e7;     // [px]
-constexpr double deviation = 0.25;   // [px] of a polygon from the circle it stands for
-constexpr double most_corners = 96;  // of a circle
+constexpr double farthest_point = 1e7;  // [px]
+constexpr double deviation = 0.25;      // [px] of a polygon from the circle it stands for
+constexpr double most_corners = 96;     // of a circle
 
-bool is_near(const Point& point) { return std::abs(point.x()) < farthest && std::abs(point.y()) < farthest; }
+bool is_near(const Point& point) {
+  return std::abs(point.x()) < farthest_point && std::abs(point.y()) < farthest_point;
+}
 
 // Corners of an arc around `center`, from one angle to another [rad].
 void append_arc(Outline& outline, const Vec2<double>& center, double radius, double from, double to,

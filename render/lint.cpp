@@ -9,7 +9,6 @@
 namespace cairn::render {
 namespace {
 
-constexpr double smallest_text = 12;   // [px]
 constexpr double large_text = 18;      // [px] from here on bold text may have less contrast
 constexpr double allowed_overlap = 1;  // [px] of two text boxes: their rims hold no ink
 
@@ -63,7 +62,7 @@ void check_contrast(const TextBox& box, const Theme& theme, std::vector<std::str
   }
 }
 
-bool overlap(const Rect& a, const Rect& b) {
+bool boxes_overlap(const Rect& a, const Rect& b) {
   const double width = std::min(a.x + a.width, b.x + b.width) - std::max(a.x, b.x);
   const double height = std::min(a.y + a.height, b.y + b.height) - std::max(a.y, b.y);
   return width > allowed_overlap && height > allowed_overlap;
@@ -129,7 +128,7 @@ std::vector<std::string> lint(const Page& page) {
     check_contrast(boxes[i], page.theme(), faults);
     check_curves(boxes[i], page, faults);
     for (std::size_t j = i + 1; j < boxes.size(); ++j) {
-      if (!overlap(boxes[i].rect, boxes[j].rect)) continue;
+      if (!boxes_overlap(boxes[i].rect, boxes[j].rect)) continue;
       faults.push_back(fmt::format("{} overlaps {}", named(boxes[i]), named(boxes[j])));
     }
   }

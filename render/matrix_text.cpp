@@ -10,8 +10,6 @@
 namespace cairn::render {
 namespace {
 
-constexpr double smallest_text = 12;  // [px]
-
 std::string number_of(double value, int digits, Sign sign) {
   if (std::isnan(value)) return "NaN";
   if (std::isinf(value)) return value < 0 ? "−∞" : sign == Sign::always ? "+∞" : "∞";

@@ -9,7 +9,6 @@ namespace cairn::render {
 
 namespace {
 
-constexpr double least_type = 12;  // [px]
 constexpr double large_type = 18;  // [px] from here on bold text may have a colour of less contrast
 
 struct PlacedLine {
@@ -108,7 +107,7 @@ class EquationSetter {
     if (text.empty()) return;
     const double width = inner_.width - indent;
     const bool too_wide = page_.canvas().text_width(text, style) > width;
-    if (too_wide && (type_.size > least_type || type_.parts == EquationParts::number_beside))
+    if (too_wide && (type_.size > smallest_text || type_.parts == EquationParts::number_beside))
       layout_.fits = false;
     std::vector<std::string> lines = {text};
     if (too_wide) lines = wrapped(page_.canvas(), text, width, style);
@@ -130,14 +129,14 @@ class EquationSetter {
 /// beside the first line; at last without what is least needed.
 std::vector<EquationType> equation_types(double largest) {
   std::vector<EquationType> types;
-  for (double size = largest; size >= least_type; --size) {
+  for (double size = largest; size >= smallest_text; --size) {
     for (const double pitch : {1.6, 1.35}) types.push_back({.size = size, .pitch = pitch});
   }
-  for (double size = largest; size >= least_type; --size) {
+  for (double size = largest; size >= smallest_text; --size) {
     types.push_back({.size = size, .pitch = 1.35, .parts = EquationParts::number_beside});
   }
   for (const EquationParts parts : {EquationParts::without_remarks, EquationParts::symbols_and_result}) {
-    types.push_back({.size = least_type, .pitch = 1.25, .parts = parts});
+    types.push_back({.size = smallest_text, .pitch = 1.25, .parts = parts});
   }
   return types;
 }
@@ -163,8 +162,8 @@ void Page::note(const Rect& rect, std::string_view title, std::string_view text)
     const double lines = static_cast<double>(wrapped(canvas_, text, inner.width, style).size());
     return std::round(leading * style.size) * (lines - 1) + style.size;
   };
-  while (style.size > least_type && height_of() > inner.height)
-    style.size = std::max(least_type, style.size - 1);
+  while (style.size > smallest_text && height_of() > inner.height)
+    style.size = std::max(smallest_text, style.size - 1);
   canvas_.push_clip(rect);
   paragraph({inner.x, std::round(inner.y + 0.85 * style.size)}, inner.width, text, style);
   canvas_.pop_clip();

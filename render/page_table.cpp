@@ -9,8 +9,6 @@ namespace cairn::render {
 
 namespace {
 
-constexpr double least_type = 12;  // [px]
-
 /// How the table is set in the room there is.
 struct TableLayout {
   TextStyle cell = {};
@@ -77,14 +75,14 @@ TableLayout table_layout(const Page& page, const Rect& room, const TableView& ta
 
 /// Type shrinks before rows are left out.
 TableLayout best_layout(const Page& page, const Rect& room, const TableView& table) {
-  for (double size = page.value().size; size > least_type; --size) {
+  for (double size = page.value().size; size > smallest_text; --size) {
     for (const double pitch : {1.7, 1.4}) {
       const TableLayout layout = table_layout(page, room, table, size, pitch);
       if (layout.fits) return layout;
     }
   }
-  const TableLayout airy = table_layout(page, room, table, least_type, 1.6);
-  return airy.fits ? airy : table_layout(page, room, table, least_type, 1.3);
+  const TableLayout airy = table_layout(page, room, table, smallest_text, 1.6);
+  return airy.fits ? airy : table_layout(page, room, table, smallest_text, 1.3);
 }
 
 void draw_row(Canvas& canvas, const Point& start, const std::vector<std::string>& cells,

@@ -22,7 +22,7 @@ struct Series {
   std::string name = {};  // written at its right end, moved apart from the others
   SeriesStyle style = {};
   std::vector<double> x = {};
-  std::vector<double> y = {};   // NaN leaves a gap; on a log axis what is not > 0 is left out
+  std::vector<double> y = {};  // NaN leaves a gap; on a log axis what is not > 0 is left out
   bool line = true;
   bool markers = true;  // a few, evenly spread
 };

@@ -30,9 +30,10 @@ Point end_of(const Curve& curve) {
 
 bool is_empty(const Curve& curve) { return curve.points.empty() && curve.pieces.empty(); }
 
-// So far from the right end of the box, a curve has its name beside it.
-bool ends_early(const PlotFrame& frame, const Curve& curve) {
-  return frame.box.x + frame.box.width - end_of(curve).x() > 0.15 * frame.box.width;
+// So far from the right end of the box, a curve has its name beside it: but not in a plot with a cursor,
+// whose curves grow from frame to frame while names should stand still.
+bool ends_early(const PlotFrame& frame, const Plot& plot, const Curve& curve) {
+  return !plot.cursor && frame.box.x + frame.box.width - end_of(curve).x() > 0.15 * frame.box.width;
 }
 
 /// Texts inside the box keep clear of curves, goal lines and each other.
@@ -142,7 +143,6 @@ double gutter_width(const Page& page, const PlotFrame& frame, const Plot& plot,
                     const std::vector<Curve>& curves) {
   double width = page.sizes().tick;  // half of the last tick's label
   for (const EndLabel& label : end_labels(plot, curves)) {
-    if (ends_early(frame, curves[label.series])) continue;
     const Series& series = plot.series[label.series];
     const double text = page.canvas().text_width(series.name, series_label(page, series));
     width = std::max(width, leader + 2 * page.sizes().marker + air + text + 2);
@@ -201,7 +201,7 @@ void draw_plot_labels(Page& page, const PlotFrame& frame, const Plot& plot,
   std::vector<EndLabel> in_gutter;
   std::vector<double> wanted;
   for (const EndLabel& label : end_labels(plot, curves)) {
-    if (ends_early(frame, curves[label.series]) && write_at_end(page, inside, label)) continue;
+    if (ends_early(frame, plot, curves[label.series]) && write_at_end(page, inside, label)) continue;
     in_gutter.push_back(label);
     wanted.push_back(label.end.y());
   }

@@ -34,6 +34,9 @@ Theme dark_theme();
 /// The same theme without hues, for black-and-white print: dashes, hatches and markers tell things apart.
 Theme without_hues(const Theme& theme);
 
+/// No text is smaller [px].
+inline constexpr double smallest_text = 12;
+
 /// All in px, for one picture size. Text and lines do not scale with the picture.
 struct Sizes {
   double title = 22, state = 18, label = 17, tick = 15, equation = 26, body_number = 30, question = 24;

@@ -9,7 +9,8 @@
 
 namespace cairn {
 
-/// all_pairs compares every two boxes: best for a few. sweep sorts along the wider axis and compares neighbours.
+/// all_pairs compares every two boxes: best for a few. sweep sorts along the wider axis and compares
+/// neighbours.
 enum class BroadphaseKind { all_pairs, sweep };
 
 /// Finds overlapping pairs. Holds scratch memory only, so that a steady step allocates nothing.
@@ -18,9 +19,10 @@ class Broadphase {
  public:
   explicit Broadphase(BroadphaseKind kind = BroadphaseKind::all_pairs) : kind_(kind) {}
 
-  /// All (i, j), i < j, whose boxes overlap, in ascending order: the same list for every kind. Pairs for which
-  /// both `movable[i]` and `movable[j]` are false are left out.
-  const std::vector<std::pair<int, int>>& pairs(std::span<const Aabb<Real>> boxes, std::span<const char> movable);
+  /// All (i, j), i < j, whose boxes overlap, in ascending order: the same list for every kind. Pairs for
+  /// which both `movable[i]` and `movable[j]` are false are left out.
+  const std::vector<std::pair<int, int>>& pairs(std::span<const Aabb<Real>> boxes,
+                                                std::span<const char> movable);
 
  private:
   BroadphaseKind kind_;

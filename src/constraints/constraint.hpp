@@ -17,9 +17,9 @@ struct RowSpec {
   Real error = 0;                              // C (3) [m or rad]; for an inequality: the room left
   Vec3<Real> jacobian_a = Vec3<Real>::Zero();  // dC/dt = j v (5)
   Vec3<Real> jacobian_b = Vec3<Real>::Zero();
-  Bounds<Real> bounds = {};                    // a friction row names its normal row by place in this list
-  std::uint64_t part = 0;                      // names the row within its constraint, from step to step
-  Real rebound = 0;                            // [m/s] least separation speed, should the bodies meet in this step
+  Bounds<Real> bounds = {};  // a friction row names its normal row by place in this list
+  std::uint64_t part = 0;    // names the row within its constraint, from step to step
+  Real rebound = 0;          // [m/s] least separation speed, should the bodies meet in this step
 };
 
 template <Scalar Real>
@@ -42,7 +42,8 @@ class Constraint {
   /// Appends the rows that hold at these poses. A degenerate one writes none.
   virtual void append_rows(const std::vector<Pose<float>>& poses, RowSpecs<float>& rows) const = 0;
   virtual void append_rows(const std::vector<Pose<double>>& poses, RowSpecs<double>& rows) const = 0;
-  virtual void append_rows(const std::vector<Pose<long double>>& poses, RowSpecs<long double>& rows) const = 0;
+  virtual void append_rows(const std::vector<Pose<long double>>& poses,
+                           RowSpecs<long double>& rows) const = 0;
 };
 
 /// Turns one member template of Derived,

@@ -20,9 +20,9 @@ RowSpec<Real> relative_velocity_row(BodyId a, BodyId b, const Vec2<Real>& r_a, c
 }  // namespace
 
 template <Scalar Real>
-void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b, const ContactMaterial<Real>& material,
-                         const std::vector<Pose<Real>>& poses, const std::vector<Vec3<Real>>& velocity,
-                         RowSpecs<Real>& rows) {
+void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
+                         const ContactMaterial<Real>& material, const std::vector<Pose<Real>>& poses,
+                         const std::vector<Vec3<Real>>& velocity, RowSpecs<Real>& rows) {
   const auto index_a = static_cast<std::size_t>(a.index);
   const auto index_b = static_cast<std::size_t>(b.index);
   const Vec2<Real> tangent = -perpendicular(manifold.normal);
@@ -35,7 +35,8 @@ void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b, con
     normal.error = point.separation;
     normal.bounds = Bounds<Real>::unilateral();
     normal.part = normal_part(point.feature);
-    const Real approach = -normal.jacobian_a.dot(velocity[index_a]) - normal.jacobian_b.dot(velocity[index_b]);
+    const Real approach =
+        -normal.jacobian_a.dot(velocity[index_a]) - normal.jacobian_b.dot(velocity[index_b]);
     if (approach > material.restitution_threshold) normal.rebound = material.restitution * approach;
     const int normal_row = static_cast<int>(rows.size());
     rows.push_back(normal);
@@ -54,8 +55,8 @@ template void append_contact_rows(const Manifold<float>&, BodyId, BodyId, const 
 template void append_contact_rows(const Manifold<double>&, BodyId, BodyId, const ContactMaterial<double>&,
                                   const std::vector<Pose<double>>&, const std::vector<Vec3<double>>&,
                                   RowSpecs<double>&);
-template void append_contact_rows(const Manifold<long double>&, BodyId, BodyId, const ContactMaterial<long double>&,
-                                  const std::vector<Pose<long double>>&, const std::vector<Vec3<long double>>&,
-                                  RowSpecs<long double>&);
+template void append_contact_rows(const Manifold<long double>&, BodyId, BodyId,
+                                  const ContactMaterial<long double>&, const std::vector<Pose<long double>>&,
+                                  const std::vector<Vec3<long double>>&, RowSpecs<long double>&);
 
 }  // namespace cairn

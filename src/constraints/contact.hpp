@@ -9,13 +9,13 @@ namespace cairn {
 /// How two surfaces meet: the mixture of two materials.
 template <Scalar Real>
 struct ContactMaterial {
-  Real friction = 0;             // mu
-  Real restitution = 0;          // e: separation speed over approach speed
+  Real friction = 0;               // mu
+  Real restitution = 0;            // e: separation speed over approach speed
   Real restitution_threshold = 0;  // [m/s] slower approaches do not rebound
 };
 
-/// The rows of a manifold between bodies a and b. For each point, with arms r_a, r_b from the centres of mass,
-/// unit normal n from a to b and tangent t (n turned by -90 degrees: right, where n is up):
+/// The rows of a manifold between bodies a and b. For each point, with arms r_a, r_b from the centres of
+/// mass, unit normal n from a to b and tangent t (n turned by -90 degrees: right, where n is up):
 ///   normal    C = separation >= 0,  j = (-n, -(r_a x n), n, r_b x n),  impulse >= 0
 ///   friction  no C,                 j = (-t, -(r_a x t), t, r_b x t),  |impulse| <= mu * normal impulse
 /// Normal before friction, so that friction sees the normal impulse of the same sweep. No friction row where
@@ -23,9 +23,9 @@ struct ContactMaterial {
 /// an elastic bounce keeps the discrete energy exactly), should the surfaces meet in this step.
 /// Source: E. Catto, Iterative Dynamics with Temporal Coherence (2005).
 template <Scalar Real>
-void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b, const ContactMaterial<Real>& material,
-                         const std::vector<Pose<Real>>& poses, const std::vector<Vec3<Real>>& velocity,
-                         RowSpecs<Real>& rows);
+void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
+                         const ContactMaterial<Real>& material, const std::vector<Pose<Real>>& poses,
+                         const std::vector<Vec3<Real>>& velocity, RowSpecs<Real>& rows);
 
 /// Row parts of a contact point: its feature id with one bit for the kind of row.
 constexpr std::uint64_t normal_part(std::uint32_t feature) { return std::uint64_t{feature} << 1; }

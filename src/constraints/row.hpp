@@ -74,12 +74,12 @@ struct RowBlock {
 /// n bodies, m rows.
 template <Scalar Real>
 struct VelocityProblem {
-  std::vector<ConstraintRow<Real>> rows = {};     // m
-  std::vector<RowBlock> blocks = {};              // cover all rows
-  std::vector<Vec3<Real>> inverse_mass = {};      // n, the diagonal of M^-1 (2)
-  std::vector<Vec3<Real>> velocity = {};          // n; in: v_1 with gravity already applied; out: v_2 (11)
-  std::vector<Real> impulse = {};                 // m [N s]; in: warm start; out: the answer
-  Real dt = 1;                                    // [s]; the paper's lambda is impulse / dt
+  std::vector<ConstraintRow<Real>> rows = {};  // m
+  std::vector<RowBlock> blocks = {};           // cover all rows
+  std::vector<Vec3<Real>> inverse_mass = {};   // n, the diagonal of M^-1 (2)
+  std::vector<Vec3<Real>> velocity = {};       // n; in: v_1 with gravity already applied; out: v_2 (11)
+  std::vector<Real> impulse = {};              // m [N s]; in: warm start; out: the answer
+  Real dt = 1;                                 // [s]; the paper's lambda is impulse / dt
 
   int row_count() const { return static_cast<int>(rows.size()); }
   int body_count() const { return static_cast<int>(velocity.size()); }

@@ -28,7 +28,8 @@ Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization
 
 template <Scalar Real>
 ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilization& stabilization, Real dt,
-                                   const std::vector<Vec3<Real>>& velocity, std::uint64_t source, int first_row) {
+                                   const std::vector<Vec3<Real>>& velocity, std::uint64_t source,
+                                   int first_row) {
   Bounds<Real> bounds = spec.bounds;
   if (bounds.is_friction()) bounds.normal_row += first_row;
   return {.a = spec.a,
@@ -41,7 +42,8 @@ ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilizatio
           .key = {.source = source, .part = spec.part}};
 }
 
-template float bias_velocity(const RowSpec<float>&, const Stabilization&, float, const std::vector<Vec3<float>>&);
+template float bias_velocity(const RowSpec<float>&, const Stabilization&, float,
+                             const std::vector<Vec3<float>>&);
 template double bias_velocity(const RowSpec<double>&, const Stabilization&, double,
                               const std::vector<Vec3<double>>&);
 template long double bias_velocity(const RowSpec<long double>&, const Stabilization&, long double,
@@ -50,7 +52,8 @@ template ConstraintRow<float> stabilized_row(const RowSpec<float>&, const Stabil
                                              const std::vector<Vec3<float>>&, std::uint64_t, int);
 template ConstraintRow<double> stabilized_row(const RowSpec<double>&, const Stabilization&, double,
                                               const std::vector<Vec3<double>>&, std::uint64_t, int);
-template ConstraintRow<long double> stabilized_row(const RowSpec<long double>&, const Stabilization&, long double,
-                                                   const std::vector<Vec3<long double>>&, std::uint64_t, int);
+template ConstraintRow<long double> stabilized_row(const RowSpec<long double>&, const Stabilization&,
+                                                   long double, const std::vector<Vec3<long double>>&,
+                                                   std::uint64_t, int);
 
 }  // namespace cairn

@@ -24,6 +24,7 @@ Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization
 /// The row of `spec`, whose block begins at row `first_row`, with the bias above.
 template <Scalar Real>
 ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilization& stabilization, Real dt,
-                                   const std::vector<Vec3<Real>>& velocity, std::uint64_t source, int first_row);
+                                   const std::vector<Vec3<Real>>& velocity, std::uint64_t source,
+                                   int first_row);
 
 }  // namespace cairn

@@ -16,15 +16,17 @@ struct BodyId {
 
 inline constexpr BodyId ground = {0};
 
-/// static_body: never moves. kinematic: moves with a given velocity that nothing changes. dynamic: obeys forces.
+/// static_body: never moves. kinematic: moves with a given velocity that nothing changes. dynamic: obeys
+/// forces.
 enum class BodyType { static_body, kinematic, dynamic };
 
 /// Parallel arrays over all bodies; planar, so three numbers a body where the paper has six.
 template <Scalar Real>
 struct BodyState {
   std::vector<Pose<Real>> pose;
-  std::vector<Vec3<Real>> velocity;      // [m/s, m/s, rad/s]; eq. (1)
-  std::vector<Vec3<Real>> inverse_mass;  // [1/kg, 1/kg, 1/(kg m^2)]; the diagonal of eq. (2); 0: cannot be moved
+  std::vector<Vec3<Real>> velocity;  // [m/s, m/s, rad/s]; eq. (1)
+  std::vector<Vec3<Real>>
+      inverse_mass;  // [1/kg, 1/kg, 1/(kg m^2)]; the diagonal of eq. (2); 0: cannot be moved
 };
 
 }  // namespace cairn

@@ -40,7 +40,8 @@ template void apply_damping(std::vector<Vec3<double>>&, const std::vector<Vec3<d
                             const std::vector<BodyForces<double>>&, double);
 template void integrate_positions(BodyState<double>&, double);
 template void apply_gravity(std::vector<Vec3<long double>>&, const std::vector<Vec3<long double>>&,
-                            const std::vector<BodyForces<long double>>&, const Vec2<long double>&, long double);
+                            const std::vector<BodyForces<long double>>&, const Vec2<long double>&,
+                            long double);
 template void apply_damping(std::vector<Vec3<long double>>&, const std::vector<Vec3<long double>>&,
                             const std::vector<BodyForces<long double>>&, long double);
 template void integrate_positions(BodyState<long double>&, long double);

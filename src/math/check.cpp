@@ -11,10 +11,12 @@ std::string shortest(double value) { return fmt::format("{}", value); }
 
 void require(bool holds, std::string_view place, std::string_view field, std::string_view rule,
              std::string_view value) {
-  if (!holds) throw std::invalid_argument(fmt::format("{}: {} must be {}, got {}", place, field, rule, value));
+  if (!holds)
+    throw std::invalid_argument(fmt::format("{}: {} must be {}, got {}", place, field, rule, value));
 }
 
-void require(bool holds, std::string_view place, std::string_view field, std::string_view rule, double value) {
+void require(bool holds, std::string_view place, std::string_view field, std::string_view rule,
+             double value) {
   if (!holds) require(false, place, field, rule, shortest(value));
 }
 

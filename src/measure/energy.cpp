@@ -20,7 +20,9 @@ double potential_energy(const Snapshot& snapshot) {
   return sum;
 }
 
-double total_energy(const Snapshot& snapshot) { return kinetic_energy(snapshot) + potential_energy(snapshot); }
+double total_energy(const Snapshot& snapshot) {
+  return kinetic_energy(snapshot) + potential_energy(snapshot);
+}
 
 Vec3<double> momentum(const Snapshot& snapshot) {
   Vec3<double> sum = Vec3<double>::Zero();

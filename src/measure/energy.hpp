@@ -14,7 +14,8 @@ double potential_energy(const Snapshot& snapshot);
 /// Kinetic and potential [J].
 double total_energy(const Snapshot& snapshot);
 
-/// sum (m v) in x and y [N s], and the angular momentum about the world's origin, sum (I w + x x m v) [N m s].
+/// sum (m v) in x and y [N s], and the angular momentum about the world's origin, sum (I w + x x m v) [N m
+/// s].
 Vec3<double> momentum(const Snapshot& snapshot);
 
 }  // namespace cairn

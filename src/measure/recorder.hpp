@@ -11,9 +11,9 @@ namespace cairn {
 /// The state after one sweep; sweep 0 is the warm start, before any row was visited.
 struct SweepRecord {
   int sweep = 0;
-  double residual_energy = 0;            // R_E
-  double residual_velocity = 0;          // r_inf [m/s]
-  std::vector<double> impulse = {};      // [N s], for each row
+  double residual_energy = 0;        // R_E
+  double residual_velocity = 0;      // r_inf [m/s]
+  std::vector<double> impulse = {};  // [N s], for each row
 };
 
 struct RowRecord {

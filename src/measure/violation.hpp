@@ -5,15 +5,16 @@
 
 namespace cairn {
 
-/// The deepest overlap of any two shapes of different bodies, of which one is dynamic [m]; 0 when none overlap.
-/// Measured on the shapes as they stand now, not on the contacts that a solver saw: it is the same measure for
-/// every engine. Pairs joined by a joint are left out.
+/// The deepest overlap of any two shapes of different bodies, of which one is dynamic [m]; 0 when none
+/// overlap. Measured on the shapes as they stand now, not on the contacts that a solver saw: it is the same
+/// measure for every engine. Pairs joined by a joint are left out.
 double worst_penetration(const Snapshot& snapshot);
 
 /// The largest drift of a joint [m or rad]; 0 without joints.
 double worst_joint_drift(const Snapshot& snapshot);
 
-/// The largest |friction impulse| - mu * normal impulse over the contacts [N s]; 0 when all are inside the cone.
+/// The largest |friction impulse| - mu * normal impulse over the contacts [N s]; 0 when all are inside the
+/// cone.
 double worst_cone_violation(const Snapshot& snapshot);
 
 /// The sum of all normal impulses between two bodies [N s], in whichever order they are named.

@@ -31,7 +31,8 @@ SnapshotContact contact_point(const b2Contact& contact, const b2WorldManifold& w
   SnapshotContact result;
   result.normal = {world.normal.x, world.normal.y};
   // Box2D's point lies midway between the skins.
-  result.position = Vec2<double>(world.points[i].x, world.points[i].y) + (skin_b - skin_a) / 2 * result.normal;
+  result.position =
+      Vec2<double>(world.points[i].x, world.points[i].y) + (skin_b - skin_a) / 2 * result.normal;
   result.separation = static_cast<double>(world.separations[i]) + skin_a + skin_b;
   result.friction = static_cast<double>(contact.GetFriction());
   return result;
@@ -52,8 +53,8 @@ void Box2DContacts::begin_step() {
 
 void Box2DContacts::EndContact(b2Contact* contact) { touching_.erase(colliders_of(*contact)); }
 
-/// Called once when the step begins, and again where continuous collision stops a body within the step: then the
-/// points that are known already stay where they were.
+/// Called once when the step begins, and again where continuous collision stops a body within the step: then
+/// the points that are known already stay where they were.
 void Box2DContacts::PreSolve(b2Contact* contact, const b2Manifold* old_manifold) {
   Touching& touching = touching_[colliders_of(*contact)];
   if (touching.step != step_) touching = {.step = step_};

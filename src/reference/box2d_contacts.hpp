@@ -13,12 +13,12 @@
 
 namespace cairn {
 
-/// Hears of every contact before and after it is solved. Box2D's own manifolds would not do: their points move on
-/// with the bodies, and their impulses leave out what continuous collision adds.
+/// Hears of every contact before and after it is solved. Box2D's own manifolds would not do: their points
+/// move on with the bodies, and their impulses leave out what continuous collision adds.
 class Box2DContacts final : public b2ContactListener {
  public:
-  /// Forgets that contacts were new. Those that Box2D does not report in this step, because their bodies sleep,
-  /// stay as they are.
+  /// Forgets that contacts were new. Those that Box2D does not report in this step, because their bodies
+  /// sleep, stay as they are.
   void begin_step();
 
   void EndContact(b2Contact* contact) override;

@@ -19,11 +19,13 @@ std::unique_ptr<b2Shape> convert(const Circle<double>& circle) {
 }
 
 std::unique_ptr<b2Shape> convert(const Capsule<double>&) {
-  require(false, "Box2DWorld", "shape", "a circle, polygon or segment, as Box2D 2.4.1 has no capsules", "a capsule");
+  require(false, "Box2DWorld", "shape", "a circle, polygon or segment, as Box2D 2.4.1 has no capsules",
+          "a capsule");
   return nullptr;
 }
 
-/// Fills in vertices and normals as they are: b2PolygonShape::Set would weld vertices that lie close together.
+/// Fills in vertices and normals as they are: b2PolygonShape::Set would weld vertices that lie close
+/// together.
 std::unique_ptr<b2Shape> convert(const Polygon<double>& polygon) {
   require(polygon.radius == 0, "Box2DWorld", "polygon radius",
           "0 m, as Box2D 2.4.1 does not round the corners of polygons", polygon.radius);
@@ -61,8 +63,8 @@ double rod_length(const DistanceJoint& joint, std::size_t body_count) {
 
 b2DistanceJointDef definition(const DistanceJoint& joint, std::size_t body_count) {
   const double length = rod_length(joint, body_count);
-  require(length >= b2_linearSlop, "Box2DWorld", "distance joint length", ">= 0.005 m, the shortest in Box2D 2.4.1",
-          length);
+  require(length >= b2_linearSlop, "Box2DWorld", "distance joint length",
+          ">= 0.005 m, the shortest in Box2D 2.4.1", length);
   b2DistanceJointDef result;
   result.localAnchorA = to_box2d(joint.anchors().first);
   result.localAnchorB = to_box2d(joint.anchors().second);
@@ -93,7 +95,8 @@ b2Joint* create_joint(b2World& world, const Constraint& joint, const std::vector
     definition.bodyB = bodies[static_cast<std::size_t>(joint.bodies().second.index)];
     return world.CreateJoint(&definition);
   };
-  if (const auto* rod = dynamic_cast<const DistanceJoint*>(&joint)) return create(definition(*rod, bodies.size()));
+  if (const auto* rod = dynamic_cast<const DistanceJoint*>(&joint))
+    return create(definition(*rod, bodies.size()));
   const auto* pin = dynamic_cast<const RevoluteJoint*>(&joint);
   require(pin != nullptr, "Box2DWorld", "joint", "a distance or revolute joint", joint.name());
   return create(definition(*pin));

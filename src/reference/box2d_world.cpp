@@ -160,8 +160,8 @@ Box2DWorld::~Box2DWorld() = default;
 void Box2DWorld::step() {
   Simulation& simulation = *simulation_;
   simulation.contacts.begin_step();
-  simulation.world.Step(static_cast<float>(simulation.scene.settings().dt), simulation.settings.velocity_iterations,
-                        simulation.settings.position_iterations);
+  simulation.world.Step(static_cast<float>(simulation.scene.settings().dt),
+                        simulation.settings.velocity_iterations, simulation.settings.position_iterations);
   simulation.steps += 1;
 }
 
@@ -178,7 +178,8 @@ Snapshot Box2DWorld::snapshot() const {
     result.bodies.push_back(simulation.body(i));
     poses.push_back(result.bodies.back().pose);
   }
-  for (std::size_t i = 0; i < simulation.joints.size(); ++i) result.joints.push_back(simulation.joint(i, poses));
+  for (std::size_t i = 0; i < simulation.joints.size(); ++i)
+    result.joints.push_back(simulation.joint(i, poses));
   return result;
 }
 

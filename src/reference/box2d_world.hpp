@@ -1,4 +1,5 @@
-// Beside floor 6. The same scene, stepped by Box2D 2.4.1: a second opinion for tests, lessons and comparisons.
+// Beside floor 6. The same scene, stepped by Box2D 2.4.1: a second opinion for tests, lessons and
+// comparisons.
 #pragma once
 
 #include <memory>
@@ -8,39 +9,43 @@
 
 namespace cairn {
 
-/// What Box2D can be told besides the scene. Gravity, dt, warm starting and the restitution threshold come from
-/// the scene's settings; its stabilization and speculative margin have no meaning to Box2D, which uses constants.
+/// What Box2D can be told besides the scene. Gravity, dt, warm starting and the restitution threshold come
+/// from the scene's settings; its stabilization and speculative margin have no meaning to Box2D, which uses
+/// constants.
 struct Box2DSettings {
-  /// The order in which Box2D creates the bodies. It begins its walk over the contacts at the body created last,
-  /// and solves them in the order of the walk: with `last_first` a tower built from the ground up is solved from
-  /// the ground up, as Cairn does it; with `first_first` from the top down.
+  /// The order in which Box2D creates the bodies. It begins its walk over the contacts at the body created
+  /// last, and solves them in the order of the walk: with `last_first` a tower built from the ground up is
+  /// solved from the ground up, as Cairn does it; with `first_first` from the top down.
   enum class Creation { last_first, first_first };
 
   int velocity_iterations = 8;
   int position_iterations = 3;
   bool sleeping = false;  // bodies that hardly moved for half a second are no longer simulated
-  /// Bodies cannot pass through static ones within a step. Box2D then solves contacts with static bodies a second
-  /// time after the sweeps, so that the impulses of a step are no longer those of its solver alone.
+  /// Bodies cannot pass through static ones within a step. Box2D then solves contacts with static bodies a
+  /// second time after the sweeps, so that the impulses of a step are no longer those of its solver alone.
   bool continuous = false;
   Creation creation = Creation::last_first;
 };
 
-/// A scene in Box2D 2.4.1, in single precision. Masses, inertias and centres of mass are Cairn's, friction and
-/// restitution mix by the same rules, and damping has the same formula. Different are:
+/// A scene in Box2D 2.4.1, in single precision. Masses, inertias and centres of mass are Cairn's, friction
+/// and restitution mix by the same rules, and damping has the same formula. Different are:
 ///   - Polygons and segments carry a skin of 0.01 m, and shapes may sink 0.005 m into each other's skins: two
 ///     polygons rest 0.015 m apart, a circle 0.005 m above a polygon.
-///   - Contact rows exist only where skins overlap; there is no Baumgarte term in the velocities, but a pass over
+///   - Contact rows exist only where skins overlap; there is no Baumgarte term in the velocities, but a pass
+///   over
 ///     the positions of its own.
-///   - Friction rows come before normal rows, and the two normal rows of a manifold are solved together, unless
+///   - Friction rows come before normal rows, and the two normal rows of a manifold are solved together,
+///   unless
 ///     they are (nearly) the same row: then the first carries all.
-///   - Restitution takes the approach speed after gravity has acted, and no body moves more than 2 m or turns more
+///   - Restitution takes the approach speed after gravity has acted, and no body moves more than 2 m or turns
+///   more
 ///     than a quarter turn in a step.
 class Box2DWorld {
  public:
   /// Copies what it needs of the scene.
-  /// @throws std::invalid_argument for what Box2D 2.4.1 does not have: capsules, rounded polygons, polygons of more
-  /// than 8 vertices, joints that are not distance or revolute joints, rods shorter than 0.005 m; and for
-  /// negative iteration counts.
+  /// @throws std::invalid_argument for what Box2D 2.4.1 does not have: capsules, rounded polygons, polygons
+  /// of more than 8 vertices, joints that are not distance or revolute joints, rods shorter than 0.005 m; and
+  /// for negative iteration counts.
   explicit Box2DWorld(const Scene& scene, const Box2DSettings& settings = {});
   ~Box2DWorld();
   Box2DWorld(const Box2DWorld&) = delete;
@@ -49,9 +54,9 @@ class Box2DWorld {
   /// One step of the scene's dt.
   void step();
 
-  /// In the conventions of Cairn's own snapshots: contacts are ordered by colliders, lie where the step found them,
-  /// and have the separation of the scene's shapes, without Box2D's skins. Impulses are those of the whole step.
-  /// A body that sleeps keeps the contacts of its last step awake.
+  /// In the conventions of Cairn's own snapshots: contacts are ordered by colliders, lie where the step found
+  /// them, and have the separation of the scene's shapes, without Box2D's skins. Impulses are those of the
+  /// whole step. A body that sleeps keeps the contacts of its last step awake.
   Snapshot snapshot() const;
 
   /// Whether Box2D still simulates the body. @throws std::invalid_argument for unknown bodies.

@@ -34,12 +34,14 @@ SolveReport ProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem, So
   SolveReport report;
   while (report.iterations < settings_.iterations && !report.converged) {
     const int number = ++report.iterations;
-    const Real change = watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
+    const Real change =
+        watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
     report.largest_change = static_cast<double>(change);
     if (observer == nullptr && !(settings_.tolerance > 0)) continue;
     update_velocity(problem);  // for those who look; the sweep itself does not need it
     if (observer != nullptr) observer->after_sweep(number, problem);
-    if (settings_.tolerance > 0) report.converged = residual(problem, scale).energy <= Real(settings_.tolerance);
+    if (settings_.tolerance > 0)
+      report.converged = residual(problem, scale).energy <= Real(settings_.tolerance);
   }
   update_velocity(problem);
   return report;
@@ -66,7 +68,8 @@ Real ProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& proble
     if constexpr (watched) {
       const Real jv = row.bias - row.softness * old - row_error * problem.dt;
       update_velocity(problem);
-      observer->after_row({number, i, jv, A_ii, corrective * problem.dt, old, problem.impulse[index]}, problem);
+      observer->after_row({number, i, jv, A_ii, corrective * problem.dt, old, problem.impulse[index]},
+                          problem);
     }
   }
   return largest_change;

@@ -6,13 +6,13 @@
 
 namespace cairn {
 
-/// Builds J, M^-1, A and b (15) for the whole system, then sweeps A lambda = b row by row: each lambda takes the
-/// value that satisfies its own row (28) and is clamped to its interval. Velocities are updated once, at the end
-/// (12). Inside, lambda is a force [N] as in the paper; the problem's impulses are lambda times dt.
+/// Builds J, M^-1, A and b (15) for the whole system, then sweeps A lambda = b row by row: each lambda takes
+/// the value that satisfies its own row (28) and is clamped to its interval. Velocities are updated once, at
+/// the end (12). Inside, lambda is a force [N] as in the paper; the problem's impulses are lambda times dt.
 ///
-/// Guarantees: every lambda is inside its bounds after its row's update; the same numbers as SequentialImpulse,
-/// row by row, but for rounding.
-/// Cost: m multiply-adds a row and sweep, and m^2 + 3nm numbers of memory: for small scenes and for teaching.
+/// Guarantees: every lambda is inside its bounds after its row's update; the same numbers as
+/// SequentialImpulse, row by row, but for rounding. Cost: m multiply-adds a row and sweep, and m^2 + 3nm
+/// numbers of memory: for small scenes and for teaching.
 template <Scalar Real = double>
 class ProjectedGaussSeidel final : public Solver<Real> {
  public:

@@ -7,7 +7,8 @@ namespace cairn {
 
 /// For row i let w_i = j v + softness * impulse - bias, and let
 ///   e_i = impulse_i - clamp(impulse_i - w_i / A_ii)   [N s]
-/// be the change that row still asks for: 0 for every row exactly at a solution. A_ii e_i is a velocity error.
+/// be the change that row still asks for: 0 for every row exactly at a solution. A_ii e_i is a velocity
+/// error.
 template <Scalar Real>
 struct Residual {
   Real energy = 0;             // R_E = sqrt(sum A_ii e_i^2) / scale: 1 with no impulses at all, 0 when solved
@@ -18,9 +19,9 @@ struct Residual {
 };
 
 /// The scale of R_E [sqrt(J)]: sqrt(sum A_ii e_i^2) at impulse 0, over all rows but friction. `problem` must
-/// hold the velocities that the step starts from. Never below 1e-12 of the velocity's own kinetic norm, so that
-/// a system with nothing to do has a residual of 0 rather than a quotient of round-offs.
-/// Scaling as in Solfec's merit function (T. Koziara, 2008): energy left over energy at the start.
+/// hold the velocities that the step starts from. Never below 1e-12 of the velocity's own kinetic norm, so
+/// that a system with nothing to do has a residual of 0 rather than a quotient of round-offs. Scaling as in
+/// Solfec's merit function (T. Koziara, 2008): energy left over energy at the start.
 template <Scalar Real>
 Real residual_scale(const VelocityProblem<Real>& problem);
 

@@ -29,10 +29,12 @@ SolveReport SequentialImpulse<Real>::solve(VelocityProblem<Real>& problem, Solve
   SolveReport report;
   while (report.iterations < settings_.iterations && !report.converged) {
     const int number = ++report.iterations;
-    const Real change = watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
+    const Real change =
+        watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
     report.largest_change = static_cast<double>(change);
     if (observer != nullptr) observer->after_sweep(number, problem);
-    if (settings_.tolerance > 0) report.converged = residual(problem, scale).energy <= Real(settings_.tolerance);
+    if (settings_.tolerance > 0)
+      report.converged = residual(problem, scale).energy <= Real(settings_.tolerance);
   }
   return report;
 }

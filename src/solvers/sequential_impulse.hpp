@@ -6,13 +6,13 @@
 namespace cairn {
 
 /// Algorithm 1. Visits one row after the other; computes the impulse that would satisfy that row alone (22),
-/// adds it to what the row has given so far, clamps the sum, and gives the difference to the two bodies at once.
-/// Builds no matrix. Effective masses are computed once, before the sweeps.
+/// adds it to what the row has given so far, clamps the sum, and gives the difference to the two bodies at
+/// once. Builds no matrix. Effective masses are computed once, before the sweeps.
 ///
 /// Guarantees: every impulse is inside its bounds after its row's update; only the row's two bodies change.
 /// Its impulses are those of Gauss-Seidel on A lambda = b (paper 4.1, eq. (24)-(29)).
-/// Cost: 12 multiply-adds a row and sweep (6 for j v, 6 for the update), memory linear in m: one effective mass
-/// a row.
+/// Cost: 12 multiply-adds a row and sweep (6 for j v, 6 for the update), memory linear in m: one effective
+/// mass a row.
 template <Scalar Real = double>
 class SequentialImpulse final : public Solver<Real> {
  public:

@@ -40,9 +40,9 @@ class SolveObserver {
 };
 
 struct SolveReport {
-  int iterations = 0;          // sweeps done
-  double largest_change = 0;   // [N s] the largest change of an impulse in the last sweep
-  bool converged = false;      // the tolerance was asked for and reached
+  int iterations = 0;         // sweeps done
+  double largest_change = 0;  // [N s] the largest change of an impulse in the last sweep
+  bool converged = false;     // the tolerance was asked for and reached
 };
 
 /// Owns settings and scratch memory only: the problem carries everything else.

@@ -48,10 +48,11 @@ Plan make_plan(const Scene& scene) {
 }
 
 std::string explain(const Plan& plan) {
-  const std::string phase = plan.broadphase == BroadphaseKind::sweep ? "sort and sweep" : "all pairs of boxes";
+  const std::string phase =
+      plan.broadphase == BroadphaseKind::sweep ? "sort and sweep" : "all pairs of boxes";
   std::string text = "This scene needs\n";
-  text += line("bodies", fmt::format("{} dynamic of {}; {} velocities a step", plan.dynamic_bodies, plan.bodies,
-                                     2 * plan.dynamic_bodies + plan.turning_bodies));
+  text += line("bodies", fmt::format("{} dynamic of {}; {} velocities a step", plan.dynamic_bodies,
+                                     plan.bodies, 2 * plan.dynamic_bodies + plan.turning_bodies));
   text += line("collision", plan.collision ? fmt::format("{}, {} shapes ({})", phase, plan.colliders,
                                                          fmt::join(plan.shape_kinds, ", "))
                                            : "left out: nothing can meet");
@@ -65,7 +66,8 @@ std::string explain(const Plan& plan) {
                                ? std::string("every dynamic body turns")
                                : fmt::format("left out for {} of {} dynamic bodies: 1/I is 0",
                                              plan.dynamic_bodies - plan.turning_bodies, plan.dynamic_bodies));
-  text += line("warm start", either(plan.warm_start, "impulses are kept from step to step", "left out by setting"));
+  text += line("warm start",
+               either(plan.warm_start, "impulses are kept from step to step", "left out by setting"));
   return text;
 }
 

@@ -17,8 +17,8 @@ struct Plan {
   int colliders = 0;       // shapes
   int joints = 0;
   BroadphaseKind broadphase = BroadphaseKind::all_pairs;
-  bool collision = false;    // some pair of shapes could meet
-  bool gravity = false;      // some body feels it
+  bool collision = false;  // some pair of shapes could meet
+  bool gravity = false;    // some body feels it
   bool damping = false;
   bool friction = false;     // some pair of bodies with mu > 0
   bool restitution = false;  // some body with e > 0

@@ -13,9 +13,11 @@ void require_range(double value, double least, const char* place, const char* fi
   require(value >= least && std::isfinite(value), place, field, rule, value);
 }
 
-/// Masses and inertias: their inverses must be finite in every scalar type, and products of a few of them too.
+/// Masses and inertias: their inverses must be finite in every scalar type, and products of a few of them
+/// too.
 void require_weight(double value, const char* field, const char* unit) {
-  require(value >= 1e-15 && value <= 1e15, "Scene::add", field, std::string("from 1e-15 to 1e15 ") + unit, value);
+  require(value >= 1e-15 && value <= 1e15, "Scene::add", field, std::string("from 1e-15 to 1e15 ") + unit,
+          value);
 }
 
 /// Huge coefficients are as good as infinite ones, and infinity times an impulse of 0 has no value.

@@ -14,12 +14,12 @@ namespace cairn {
 
 /// What holds for the whole scene, and how it steps.
 struct SceneSettings {
-  Vec2<double> gravity = {0, -10};       // [m/s^2]
-  double dt = 1.0 / 60;                  // [s] one step
+  Vec2<double> gravity = {0, -10};  // [m/s^2]
+  double dt = 1.0 / 60;             // [s] one step
   Stabilization stabilization = {};
-  bool warm_start = true;                // begin from last step's impulses
-  double speculative_margin = 0.02;      // [m] shapes closer than this get contact rows with room to spare
-  double restitution_threshold = 0.5;    // [m/s] slower approaches do not rebound
+  bool warm_start = true;              // begin from last step's impulses
+  double speculative_margin = 0.02;    // [m] shapes closer than this get contact rows with room to spare
+  double restitution_threshold = 0.5;  // [m/s] slower approaches do not rebound
 };
 
 /// One body. Its mass is `mass`, or else density times area; its inertia follows from the shapes.
@@ -27,19 +27,19 @@ struct SceneSettings {
 struct BodySpec {
   BodyType type = BodyType::dynamic;
   std::vector<Shape<double>> shapes = {};
-  Vec2<double> position = {0, 0};         // [m] of the frame that the shapes are given in
-  double angle = 0;                       // [rad]
-  Vec2<double> velocity = {0, 0};         // [m/s] of the centre of mass
-  double angular_velocity = 0;            // [rad/s]
-  std::optional<double> mass = {};        // [kg]
-  std::optional<double> inertia = {};     // [kg m^2] about the centre of mass
-  double density = 1;                     // [kg/m^2]
-  double friction = 0.6;                  // mu
-  double restitution = 0;                 // e, in [0, 1]
-  double linear_damping = 0;              // [1/s]
-  double angular_damping = 0;             // [1/s]
+  Vec2<double> position = {0, 0};      // [m] of the frame that the shapes are given in
+  double angle = 0;                    // [rad]
+  Vec2<double> velocity = {0, 0};      // [m/s] of the centre of mass
+  double angular_velocity = 0;         // [rad/s]
+  std::optional<double> mass = {};     // [kg]
+  std::optional<double> inertia = {};  // [kg m^2] about the centre of mass
+  double density = 1;                  // [kg/m^2]
+  double friction = 0.6;               // mu
+  double restitution = 0;              // e, in [0, 1]
+  double linear_damping = 0;           // [1/s]
+  double angular_damping = 0;          // [1/s]
   double gravity_scale = 1;
-  bool fixed_rotation = false;            // never turns: 1/I is 0
+  bool fixed_rotation = false;  // never turns: 1/I is 0
 };
 
 struct GroundSpec {

@@ -49,7 +49,9 @@ SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& sta
   const auto [a, b] = joint.bodies();
   const auto [local_a, local_b] = joint.anchors();
   const auto world_point = [&state](BodyId body, const Vec2<double>& local) -> Vec2<double> {
-    return state.pose[static_cast<std::size_t>(body.index)].world(local.template cast<Real>()).template cast<double>();
+    return state.pose[static_cast<std::size_t>(body.index)]
+        .world(local.template cast<Real>())
+        .template cast<double>();
   };
   SnapshotJoint result{.name = joint.name(), .a = a, .b = b};
   result.anchor_a = world_point(a, local_a);
@@ -70,7 +72,8 @@ template <Scalar Real>
 Snapshot snapshot(const World<Real>& world) {
   const Scene& scene = world.scene();
   const StepRecord<Real>& record = world.last_step();
-  Snapshot result{.time = world.time(), .step = world.steps(), .dt = world.dt(), .gravity = scene.settings().gravity};
+  Snapshot result{
+      .time = world.time(), .step = world.steps(), .dt = world.dt(), .gravity = scene.settings().gravity};
   for (std::size_t i = 0; i < scene.bodies().size(); ++i) {
     const Pose<Real>& pose = world.bodies().pose[i];
     const Pose<double> double_pose{pose.position.template cast<double>(), static_cast<double>(pose.angle)};
@@ -84,7 +87,8 @@ Snapshot snapshot(const World<Real>& world) {
       const RowBlock& block = record.problem.blocks[i];
       for (int row = block.first; row < block.first + block.count; ++row) {
         const auto index = static_cast<std::size_t>(row);
-        const Vec2<Real> push = record.problem.rows[index].jacobian_b.template head<2>() * record.problem.impulse[index];
+        const Vec2<Real> push =
+            record.problem.rows[index].jacobian_b.template head<2>() * record.problem.impulse[index];
         joint.impulse += push.template cast<double>();
       }
     }

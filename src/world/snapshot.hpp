@@ -11,12 +11,12 @@ namespace cairn {
 
 struct SnapshotBody {
   BodyType type = BodyType::static_body;
-  Pose<double> pose = {};                     // of the centre of mass
-  Vec3<double> velocity = {0, 0, 0};          // [m/s, m/s, rad/s]
-  double mass = 0;                            // [kg]; 0 where it cannot be moved
-  double inertia = 0;                         // [kg m^2]; 0 where it cannot be turned
+  Pose<double> pose = {};             // of the centre of mass
+  Vec3<double> velocity = {0, 0, 0};  // [m/s, m/s, rad/s]
+  double mass = 0;                    // [kg]; 0 where it cannot be moved
+  double inertia = 0;                 // [kg m^2]; 0 where it cannot be turned
   double gravity_scale = 1;
-  std::vector<Shape<double>> shapes = {};     // in the frame of `pose`
+  std::vector<Shape<double>> shapes = {};  // in the frame of `pose`
 };
 
 /// One contact point.
@@ -27,9 +27,10 @@ struct SnapshotContact {
   Vec2<double> normal = {0, 0};    // from a to b
   double separation = 0;           // [m], negative in overlap
   double normal_impulse = 0;       // [N s], on b along the normal
-  double friction_impulse = 0;     // [N s], on b along the normal turned by -90 degrees (right, where the normal is up)
-  double friction = 0;             // mu of the pair
-  bool is_new = false;             // was not there in the step before
+  double friction_impulse =
+      0;                // [N s], on b along the normal turned by -90 degrees (right, where the normal is up)
+  double friction = 0;  // mu of the pair
+  bool is_new = false;  // was not there in the step before
 };
 
 /// One joint, as far as it can be drawn and measured.
@@ -39,15 +40,15 @@ struct SnapshotJoint {
   BodyId b = {};
   Vec2<double> anchor_a = {0, 0};  // [m], world
   Vec2<double> anchor_b = {0, 0};
-  double drift = 0;                // [m or rad], norm of the constraint errors that must be zero
-  Vec2<double> impulse = {0, 0};   // [N s], on b, world
+  double drift = 0;               // [m or rad], norm of the constraint errors that must be zero
+  Vec2<double> impulse = {0, 0};  // [N s], on b, world
 };
 
 struct Snapshot {
   double time = 0;  // [s]
   int step = 0;
-  double dt = 0;                     // [s] of the step that led here; impulse / dt is the paper's lambda
-  Vec2<double> gravity = {0, 0};     // [m/s^2]
+  double dt = 0;                          // [s] of the step that led here; impulse / dt is the paper's lambda
+  Vec2<double> gravity = {0, 0};          // [m/s^2]
   std::vector<SnapshotBody> bodies = {};  // index 0 is the ground
   std::vector<SnapshotContact> contacts = {};
   std::vector<SnapshotJoint> joints = {};

@@ -15,7 +15,8 @@ namespace {
 constexpr std::uint64_t contact_source_bit = std::uint64_t{1} << 63;
 
 std::uint64_t contact_source(int collider_a, int collider_b) {
-  return contact_source_bit | static_cast<std::uint64_t>(collider_a) << 31 | static_cast<std::uint64_t>(collider_b);
+  return contact_source_bit | static_cast<std::uint64_t>(collider_a) << 31 |
+         static_cast<std::uint64_t>(collider_b);
 }
 
 }  // namespace
@@ -27,7 +28,7 @@ StepReport World<Real>::step(Solver<Real>& solver, SolveObserver<Real>* observer
   write_rows();     // 4     joints and manifolds -> rows, with last step's impulses
   const SolveReport solved = solver.solve(record_.problem, observer);  // 5  -> impulses, v_2
 
-  remember_impulses();                        // 6
+  remember_impulses();  // 6
   state_.velocity = record_.problem.velocity;
   integrate_positions(state_, static_cast<Real>(dt_));  // 7  with the new velocities: semi-implicit Euler
   time_ += dt_;
@@ -110,14 +111,15 @@ void World<Real>::append_block(std::uint64_t source) {
   VelocityProblem<Real>& problem = record_.problem;
   const int first = problem.row_count();
   for (const RowSpec<Real>& spec : specs_) {
-    problem.rows.push_back(stabilized_row(spec, scene_->settings().stabilization, problem.dt, problem.velocity,
-                                          source, first));
+    problem.rows.push_back(
+        stabilized_row(spec, scene_->settings().stabilization, problem.dt, problem.velocity, source, first));
   }
   problem.blocks.push_back({first, problem.row_count() - first});
 }
 
-/// Gives every row the impulse that the row of the same name had in the last step, or 0 (paper 2.3). An impulse
-/// grows with dt, so it is scaled when dt has changed; the paper's lambda, a force, would stay as it is.
+/// Gives every row the impulse that the row of the same name had in the last step, or 0 (paper 2.3). An
+/// impulse grows with dt, so it is scaled when dt has changed; the paper's lambda, a force, would stay as it
+/// is.
 template <Scalar Real>
 void World<Real>::warm_start() {
   VelocityProblem<Real>& problem = record_.problem;
@@ -126,8 +128,9 @@ void World<Real>::warm_start() {
   record_.is_new.assign(problem.rows.size(), 1);
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     const RowKey& key = problem.rows[i].key;
-    const auto found = std::lower_bound(impulses_.begin(), impulses_.end(), key,
-                                        [](const auto& entry, const RowKey& wanted) { return entry.first < wanted; });
+    const auto found =
+        std::lower_bound(impulses_.begin(), impulses_.end(), key,
+                         [](const auto& entry, const RowKey& wanted) { return entry.first < wanted; });
     if (found == impulses_.end() || found->first != key) continue;
     record_.is_new[i] = 0;
     if (plan_->warm_start) problem.impulse[i] = scale * found->second;

@@ -21,9 +21,9 @@ namespace cairn {
 /// What happened in one step. A blow-up is reported here, not thrown: nothing is clamped in silence.
 struct StepReport {
   SolveReport solve = {};
-  int contacts = 0;                            // contact points
-  int rows = 0;                                // scalar constraints
-  std::optional<BodyId> not_finite = {};       // the first body with a NaN or an infinity, if any
+  int contacts = 0;                       // contact points
+  int rows = 0;                           // scalar constraints
+  std::optional<BodyId> not_finite = {};  // the first body with a NaN or an infinity, if any
 };
 
 /// What the last step saw and found. The first blocks of the problem are those of the joints, in the scene's
@@ -46,7 +46,8 @@ class World {
   /// The problem that step() would hand to its solver now: changes nothing.
   VelocityProblem<Real> velocity_problem() const;
 
-  /// From the next step on; impulses are carried over in proportion. @throws std::invalid_argument unless dt > 0.
+  /// From the next step on; impulses are carried over in proportion. @throws std::invalid_argument unless dt
+  /// > 0.
   void set_dt(double dt);
   /// Gives a body another velocity [m/s, m/s, rad/s].
   /// @throws std::invalid_argument for unknown or static bodies and numbers that are not finite.
@@ -96,7 +97,7 @@ class World {
   RowSpecs<Real> specs_;
 };
 
-World(Scene) -> World<double>;
+World(Scene)->World<double>;
 
 /// What the world looks like now. Contacts are those of the last step, where it found them.
 template <Scalar Real>

@@ -15,8 +15,8 @@ namespace {
 
 /// Draws all covers into a folder, as the target `images` does.
 int draw_images(const ScratchFolder& scratch) {
-  const std::string command = "bash '" CAIRN_SOURCE_DIR "/lessons/images.sh' '" CAIRN_BIN_DIR "' '" + scratch.path() +
-                              "/frames' '" + scratch.path() + "/images'";
+  const std::string command = "bash '" CAIRN_SOURCE_DIR "/lessons/images.sh' '" CAIRN_BIN_DIR "' '" +
+                              scratch.path() + "/frames' '" + scratch.path() + "/images'";
   return std::system(command.c_str());
 }
 

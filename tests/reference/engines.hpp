@@ -47,10 +47,10 @@ struct Slope {
 };
 
 struct SlopeSpec {
-  double angle = 0;                // [rad], downhill to the right
-  Vec2<double> size = {1, 1};      // [m] of the box: along the slope, and across
-  double friction = 0;             // mu
-  double velocity = 0;             // [m/s] downhill
+  double angle = 0;            // [rad], downhill to the right
+  Vec2<double> size = {1, 1};  // [m] of the box: along the slope, and across
+  double friction = 0;         // mu
+  double velocity = 0;         // [m/s] downhill
 };
 
 inline Slope box_on_slope(const SlopeSpec& spec) {

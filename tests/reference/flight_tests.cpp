@@ -35,14 +35,15 @@ TEST_CASE("an elastic ball regains its height exactly in Cairn, and gains v dt w
   const double g = 10;         // [m/s^2]
   Scene scene;
   scene.add_ground();
-  const BodyId ball = scene.add({.shapes = {circle(radius)}, .position = {0, radius + height}, .restitution = 1});
+  const BodyId ball =
+      scene.add({.shapes = {circle(radius)}, .position = {0, radius + height}, .restitution = 1});
   const double dt = scene.settings().dt;
 
   // The ball falls for n steps until it overlaps Box2D's skin: y_n = h - g dt^2 n (n + 1) / 2.
   int n = 0;
   while (height - g * dt * dt * n * (n + 1) / 2 > box2d_skin) ++n;
-  // Cairn sends it back at the speed g n dt that it came with, and it climbs what it fell. Box2D takes the speed
-  // after one more step of gravity, g (n + 1) dt = v, and it climbs v dt more.
+  // Cairn sends it back at the speed g n dt that it came with, and it climbs what it fell. Box2D takes the
+  // speed after one more step of gravity, g (n + 1) dt = v, and it climbs v dt more.
   const double speed = g * (n + 1) * dt;
 
   Engines engines(scene);

@@ -46,9 +46,11 @@ class Magnet final : public ConstraintOf<Magnet> {
 
 TEST_CASE("Box2D has no rounded polygons, no capsules and no polygons of more than 8 vertices") {
   CHECK(refusal(scene_with(box(1, 1, 0.1))) ==
-        "Box2DWorld: polygon radius must be 0 m, as Box2D 2.4.1 does not round the corners of polygons, got 0.1");
+        "Box2DWorld: polygon radius must be 0 m, as Box2D 2.4.1 does not round the corners of polygons, got "
+        "0.1");
   CHECK(refusal(scene_with(capsule({0, 0}, {1, 0}, 0.5))) ==
-        "Box2DWorld: shape must be a circle, polygon or segment, as Box2D 2.4.1 has no capsules, got a capsule");
+        "Box2DWorld: shape must be a circle, polygon or segment, as Box2D 2.4.1 has no capsules, got a "
+        "capsule");
   CHECK(refusal(scene_with(regular_polygon(9))) ==
         "Box2DWorld: polygon vertices must be at most 8, as Box2D 2.4.1 has no room for more, got 9");
   CHECK(refusal(scene_with(regular_polygon(8))).empty());
@@ -71,8 +73,10 @@ TEST_CASE("Box2D takes rods and pins, and refuses other joints and rods shorter 
 }
 
 TEST_CASE("Box2D refuses negative iteration counts, and questions about bodies that are not there") {
-  CHECK(refusal(Scene(), {.velocity_iterations = -1}) == "Box2DWorld: velocity_iterations must be >= 0, got -1");
-  CHECK(refusal(Scene(), {.position_iterations = -1}) == "Box2DWorld: position_iterations must be >= 0, got -1");
+  CHECK(refusal(Scene(), {.velocity_iterations = -1}) ==
+        "Box2DWorld: velocity_iterations must be >= 0, got -1");
+  CHECK(refusal(Scene(), {.position_iterations = -1}) ==
+        "Box2DWorld: position_iterations must be >= 0, got -1");
   CHECK_THROWS_AS(Box2DWorld(Scene()).is_awake(BodyId{1}), std::invalid_argument);
 }
 

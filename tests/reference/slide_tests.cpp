@@ -51,9 +51,9 @@ TEST_CASE("a box holds on a slope up to tan(angle) = mu in both engines, to 0.01
 }
 
 TEST_CASE("a tall box tips where its width over its height says, and Box2D tips earlier by its skin") {
-  // On a slope d steeper than the formula the box turns by d (cosh(k t) - 1), where k^2 = 3 g / (2 diagonal): after
-  // 4 s by 1.6e4 d, so that 0.2 rad need d = 0.0007 degrees; the bisection adds 0.0004. 100 sweeps, because the
-  // first frame would push the box over if its impulses had not converged.
+  // On a slope d steeper than the formula the box turns by d (cosh(k t) - 1), where k^2 = 3 g / (2 diagonal):
+  // after 4 s by 1.6e4 d, so that 0.2 rad need d = 0.0007 degrees; the bisection adds 0.0004. 100 sweeps,
+  // because the first frame would push the box over if its impulses had not converged.
   const double tolerance = 0.002 * degree;
   const auto tipping_angle = [](const View& view) {
     return threshold(25 * degree, 28 * degree, [&view](double angle) {
@@ -94,7 +94,8 @@ TEST_CASE("a box comes to a halt after v^2 / (2 mu g) - v dt / 2 in both engines
   Engines engines(slope.scene, {.velocity_iterations = 100});
   engines.step(120);
   const double dt = slope.scene.settings().dt;
-  const double formula = velocity * velocity / (2 * mu * g) - velocity * dt / 2;  // semi-implicit Euler, exact
+  const double formula =
+      velocity * velocity / (2 * mu * g) - velocity * dt / 2;  // semi-implicit Euler, exact
 
   const int steps = 100;  // v / (mu g dt)
   const double cairn_tolerance = 64 * 2.2e-16 * steps;
@@ -105,7 +106,8 @@ TEST_CASE("a box comes to a halt after v^2 / (2 mu g) - v dt / 2 in both engines
   CHECK(std::abs(downhill(slope, engines.box2d.snapshot()) - formula) < box2d_tolerance);
 }
 
-TEST_CASE("a disc that slides ends up rolling at 2/3 of its speed, and in Box2D a little slower for its skin") {
+TEST_CASE(
+    "a disc that slides ends up rolling at 2/3 of its speed, and in Box2D a little slower for its skin") {
   const double velocity = 6;  // [m/s]
   const double radius = 0.5;  // [m]
   Scene scene;
@@ -120,8 +122,8 @@ TEST_CASE("a disc that slides ends up rolling at 2/3 of its speed, and in Box2D 
   CHECK(std::abs(cairn.velocity.x() + radius * cairn.velocity.z()) < 1e-9);
 
   // Friction p acts in the middle of the overlap of disc and skin, at arm r: m (v_0 - v) = p, I w = r p with
-  // I = m radius^2 / 2, and v = r' w once it rolls, give v = v_0 q / (1 + q) with q = 2 r r' / radius^2. The overlap
-  // is the skin at first and the slop at rest, so that r grows from 0.495 m to r' = 0.4975 m.
+  // I = m radius^2 / 2, and v = r' w once it rolls, give v = v_0 q / (1 + q) with q = 2 r r' / radius^2. The
+  // overlap is the skin at first and the slop at rest, so that r grows from 0.495 m to r' = 0.4975 m.
   const double first = radius - box2d_skin / 2;
   const double rest = radius - box2d_slop / 2;
   const auto rolling_speed = [&](double arm) {

@@ -53,7 +53,8 @@ TEST_CASE("masses, inertias, centres of mass and poses are Cairn's in Box2D, to 
 TEST_CASE("a box at rest is carried by two contacts that add up to m g dt, from the ground to the box") {
   Scene scene;
   scene.add_ground({.friction = 0.4});
-  const BodyId resting = scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .mass = mass, .friction = 0.9});
+  const BodyId resting =
+      scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .mass = mass, .friction = 0.9});
   Engines engines(scene, {.velocity_iterations = 100});  // the first frame converges, and the box stays
   engines.step();
   CHECK(snapshot(engines.cairn).contacts.front().is_new);
@@ -82,7 +83,8 @@ TEST_CASE("a box at rest is carried by two contacts that add up to m g dt, from 
   }
   // Cairn lets it rest where it was put, Box2D a gap above, which it reaches a fifth of the way each step.
   CHECK(std::abs(body(snapshot(engines.cairn), resting).pose.position.y() - 0.5) < 1e-9);
-  CHECK(std::abs(body(engines.box2d.snapshot(), resting).pose.position.y() - 0.5 - box2d_polygon_gap) < settled);
+  CHECK(std::abs(body(engines.box2d.snapshot(), resting).pose.position.y() - 0.5 - box2d_polygon_gap) <
+        settled);
 }
 
 TEST_CASE("friction on a box that slides to the right is -mu m g dt, whichever body comes first") {

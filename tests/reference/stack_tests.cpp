@@ -13,8 +13,8 @@ namespace {
 
 constexpr int ten_seconds = 600;  // steps
 
-/// How far a contact may let a box sink or float [m]: in Cairn it keeps up to its slop of overlap, in Box2D the
-/// boxes may part as long as their skins touch.
+/// How far a contact may let a box sink or float [m]: in Cairn it keeps up to its slop of overlap, in Box2D
+/// the boxes may part as long as their skins touch.
 struct Allowance {
   double sink = 0;
   double float_up = 0;

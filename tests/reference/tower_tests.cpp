@@ -41,17 +41,19 @@ double largest_load_gap(Engines& engines, int interfaces) {
     engines.step();
     const Snapshot cairn = snapshot(engines.cairn);
     const Snapshot box2d = engines.box2d.snapshot();
-    for (int i = 1; i <= interfaces; ++i) largest = std::max(largest, std::abs(load(cairn, i) - load(box2d, i)));
+    for (int i = 1; i <= interfaces; ++i)
+      largest = std::max(largest, std::abs(load(cairn, i) - load(box2d, i)));
   }
   return largest;
 }
 
-/// Box2D rounds velocities of about 0.5 m/s to 3e-8 m/s: 1.5e-6 N for the row of two boxes of 1 kg. A sweep takes
-/// cos^2(pi / 20) of an error over, so that those of about 41 sweeps of 10 rows add up, to 6e-4 N at worst.
+/// Box2D rounds velocities of about 0.5 m/s to 3e-8 m/s: 1.5e-6 N for the row of two boxes of 1 kg. A sweep
+/// takes cos^2(pi / 20) of an error over, so that those of about 41 sweeps of 10 rows add up, to 6e-4 N at
+/// worst.
 constexpr double load_tolerance = 1e-3;  // [N]
 
-/// The same tower as masses on a line: velocity[i] and impulse[i] of mass i, and between it and the one below.
-/// Velocities are solved by Gauss-Seidel from the ground up.
+/// The same tower as masses on a line: velocity[i] and impulse[i] of mass i, and between it and the one
+/// below. Velocities are solved by Gauss-Seidel from the ground up.
 struct Line {
   std::vector<double> velocity = std::vector<double>(boxes + 1, 0.0);  // [m/s]; 0: the ground
   std::vector<double> impulse = std::vector<double>(boxes + 1, 0.0);   // [N s]
@@ -76,8 +78,8 @@ struct Line {
   }
 };
 
-// The tower carries 100 N in the end. Ten sweeps cannot know that in the first frame: its loads are those of the
-// sweeps, and they agree only if both engines visit the same rows in the same order. Box2D then needs
+// The tower carries 100 N in the end. Ten sweeps cannot know that in the first frame: its loads are those of
+// the sweeps, and they agree only if both engines visit the same rows in the same order. Box2D then needs
 //   - fixed rotation: the two rows of an interface are equal, and it solves the first alone, as good as both;
 //   - bodies created from the top down, so that it walks from the ground up;
 //   - no continuous collision, which would solve the ground's contact again after the sweeps.
@@ -103,14 +105,16 @@ TEST_CASE("the loads of a tower are those of masses on a line, frame by frame, w
       const Snapshot cairn = snapshot(engines.cairn);
       for (int i = 1; i <= boxes; ++i) {
         // 41 sweeps of 10 rows, each rounding loads of up to 200 N.
-        CHECK(std::abs(load(cairn, i) - line.impulse[static_cast<std::size_t>(i)] / dt) < 410 * 200 * 2.2e-16);
+        CHECK(std::abs(load(cairn, i) - line.impulse[static_cast<std::size_t>(i)] / dt) <
+              410 * 200 * 2.2e-16);
       }
       CHECK(std::abs(load(engines.box2d.snapshot(), 1) - line.impulse[1] / dt) < load_tolerance);
     }
   }
 }
 
-TEST_CASE("the load on the ground is the same whether a tower is solved from the ground up or from the top down") {
+TEST_CASE(
+    "the load on the ground is the same whether a tower is solved from the ground up or from the top down") {
   for (const bool warm_start : {true, false}) {
     CAPTURE(warm_start);
     const Scene scene = tower(Rotation::fixed, warm_start);

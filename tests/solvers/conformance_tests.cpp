@@ -74,7 +74,8 @@ TEST_CASE_TEMPLATE("a solver that starts from the answer stays there", Real, flo
   }
 }
 
-TEST_CASE_TEMPLATE("every impulse is inside its bounds after every row update", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("every impulse is inside its bounds after every row update", Real, float, double,
+                   long double) {
   for (const SolverMaker<Real>& make : all_solvers<Real>()) {
     VelocityProblem<Real> problem = sliding_box_with_a_rod<Real>();
     BoundsWatcher<Real> watcher;
@@ -163,7 +164,8 @@ TEST_CASE("settings that no solver can work with are refused") {
 }
 
 TEST_CASE("dense PGS refuses a matrix that would not fit, before allocating it") {
-  VelocityProblem<double> problem = hand_made_stack<double>(ProjectedGaussSeidel<double>::max_rows + 1, 10, 0.02);
+  VelocityProblem<double> problem =
+      hand_made_stack<double>(ProjectedGaussSeidel<double>::max_rows + 1, 10, 0.02);
   CHECK_THROWS_WITH_AS(ProjectedGaussSeidel<double>().solve(problem),
                        "ProjectedGaussSeidel: a dense A of 5001 rows is above the limit of 5000; "
                        "SequentialImpulse needs memory linear in the rows",

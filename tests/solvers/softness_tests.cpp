@@ -10,11 +10,11 @@ using namespace cairn::testing;
 
 namespace {
 
-/// A soft row that pulls a mass to x = 0 with angular frequency omega and damping ratio zeta, by implicit Euler:
-/// gamma = 1 / (dt (c + dt k)), bias = -k x / (c + dt k). Source: E. Catto, Soft Constraints (2011).
+/// A soft row that pulls a mass to x = 0 with angular frequency omega and damping ratio zeta, by implicit
+/// Euler: gamma = 1 / (dt (c + dt k)), bias = -k x / (c + dt k). Source: E. Catto, Soft Constraints (2011).
 VelocityProblem<double> soft_spring(double x, double v, double mass, double omega, double zeta, double dt) {
-  const double k = mass * omega * omega;      // [N/m]
-  const double c = 2 * mass * zeta * omega;   // [N s/m]
+  const double k = mass * omega * omega;     // [N/m]
+  const double c = 2 * mass * zeta * omega;  // [N s/m]
   VelocityProblem<double> problem;
   problem.dt = dt;
   problem.velocity = {Vec3<double>::Zero(), Vec3<double>(v, 0, 0)};
@@ -40,7 +40,8 @@ TEST_CASE("a soft row moves a mass exactly as implicit Euler moves a damped spri
       for (int step = 0; step < 10; ++step) {
         VelocityProblem<double> problem = soft_spring(x, v, 3, omega, zeta, dt);
         make({.iterations = 1})->solve(problem);
-        const double expected = (v - dt * omega * omega * x) / (1 + 2 * zeta * omega * dt + dt * dt * omega * omega);
+        const double expected =
+            (v - dt * omega * omega * x) / (1 + 2 * zeta * omega * dt + dt * dt * omega * omega);
         CHECK(problem.velocity[1].x() == doctest::Approx(expected).epsilon(1e-13));
         v = problem.velocity[1].x();
         x += dt * v;

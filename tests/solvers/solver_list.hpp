@@ -27,7 +27,8 @@ std::vector<SolverMaker<Real>> all_solvers() {
   };
 }
 
-/// n boxes of mass 1 kg on the ground, one normal row an interface, falling for one step: row j between j and j + 1.
+/// n boxes of mass 1 kg on the ground, one normal row an interface, falling for one step: row j between j and
+/// j + 1.
 template <Scalar Real>
 VelocityProblem<Real> hand_made_stack(int boxes, Real g, Real dt) {
   VelocityProblem<Real> problem;

@@ -94,12 +94,12 @@ Scene scene_with_two_balls() {
 }  // namespace
 
 TEST_CASE("a place or a motion of a body that is not finite is refused by name") {
-  check_refusals("Scene::add",
-                 {{"angle", "a finite number of rad", for_a_ball([](BodySpec& s, double x) { s.angle = x; })},
-                  {"angular_velocity", "a finite number of rad/s",
-                   for_a_ball([](BodySpec& s, double x) { s.angular_velocity = x; })},
-                  {"gravity_scale", "a finite number",
-                   for_a_ball([](BodySpec& s, double x) { s.gravity_scale = x; })}});
+  check_refusals(
+      "Scene::add",
+      {{"angle", "a finite number of rad", for_a_ball([](BodySpec& s, double x) { s.angle = x; })},
+       {"angular_velocity", "a finite number of rad/s",
+        for_a_ball([](BodySpec& s, double x) { s.angular_velocity = x; })},
+       {"gravity_scale", "a finite number", for_a_ball([](BodySpec& s, double x) { s.gravity_scale = x; })}});
   check_vector_refusals(
       "Scene::add",
       {{"position", "finite numbers of m", for_a_ball([](BodySpec& s, double x) { s.position.y() = x; })},
@@ -114,36 +114,36 @@ TEST_CASE("a material of a body that cannot be is refused by name") {
   const auto set_restitution = for_a_ball([](BodySpec& s, double x) { s.restitution = x; });
   const auto set_linear_damping = for_a_ball([](BodySpec& s, double x) { s.linear_damping = x; });
   const auto set_angular_damping = for_a_ball([](BodySpec& s, double x) { s.angular_damping = x; });
-  check_refusals("Scene::add",
-                 {{"mass", "from 1e-15 to 1e15 kg", set_mass, {0, -1, 1e-16, 1e16}},
-                  {"inertia", "from 1e-15 to 1e15 kg m^2", set_inertia, {0, -1, 1e-16, 1e16}},
-                  {"density", "> 0 kg/m^2 and finite", set_density, {0, -1}},
-                  {"friction", "from 0 to 1e6", set_friction, {-0.1, 1.1e6}},
-                  {"restitution", "in [0, 1]", set_restitution, {-0.1, 1.0001}},
-                  {"linear_damping", ">= 0 1/s and finite", set_linear_damping, {-0.1}},
-                  {"angular_damping", ">= 0 1/s and finite", set_angular_damping, {-0.1}}});
+  check_refusals("Scene::add", {{"mass", "from 1e-15 to 1e15 kg", set_mass, {0, -1, 1e-16, 1e16}},
+                                {"inertia", "from 1e-15 to 1e15 kg m^2", set_inertia, {0, -1, 1e-16, 1e16}},
+                                {"density", "> 0 kg/m^2 and finite", set_density, {0, -1}},
+                                {"friction", "from 0 to 1e6", set_friction, {-0.1, 1.1e6}},
+                                {"restitution", "in [0, 1]", set_restitution, {-0.1, 1.0001}},
+                                {"linear_damping", ">= 0 1/s and finite", set_linear_damping, {-0.1}},
+                                {"angular_damping", ">= 0 1/s and finite", set_angular_damping, {-0.1}}});
 }
 
 TEST_CASE("settings of a scene that cannot be stepped are refused by name") {
-  check_refusals(
-      "Scene",
-      {{"dt", "from 1e-12 to 1e6 s", for_settings([](SceneSettings& s, double x) { s.dt = x; }), {0, -1, 1e-13, 1e7}},
-       {"stabilization.baumgarte",
-        ">= 0 and finite",
-        for_settings([](SceneSettings& s, double x) { s.stabilization.baumgarte = x; }),
-        {-0.1}},
-       {"stabilization.slop",
-        ">= 0 m and finite",
-        for_settings([](SceneSettings& s, double x) { s.stabilization.slop = x; }),
-        {-0.1}},
-       {"speculative_margin",
-        ">= 0 m and finite",
-        for_settings([](SceneSettings& s, double x) { s.speculative_margin = x; }),
-        {-0.1}},
-       {"restitution_threshold",
-        ">= 0 m/s and finite",
-        for_settings([](SceneSettings& s, double x) { s.restitution_threshold = x; }),
-        {-0.1}}});
+  check_refusals("Scene", {{"dt",
+                            "from 1e-12 to 1e6 s",
+                            for_settings([](SceneSettings& s, double x) { s.dt = x; }),
+                            {0, -1, 1e-13, 1e7}},
+                           {"stabilization.baumgarte",
+                            ">= 0 and finite",
+                            for_settings([](SceneSettings& s, double x) { s.stabilization.baumgarte = x; }),
+                            {-0.1}},
+                           {"stabilization.slop",
+                            ">= 0 m and finite",
+                            for_settings([](SceneSettings& s, double x) { s.stabilization.slop = x; }),
+                            {-0.1}},
+                           {"speculative_margin",
+                            ">= 0 m and finite",
+                            for_settings([](SceneSettings& s, double x) { s.speculative_margin = x; }),
+                            {-0.1}},
+                           {"restitution_threshold",
+                            ">= 0 m/s and finite",
+                            for_settings([](SceneSettings& s, double x) { s.restitution_threshold = x; }),
+                            {-0.1}}});
   check_vector_refusals("Scene",
                         {{"gravity", "finite numbers of m/s^2", for_settings([](SceneSettings& s, double x) {
                             s.gravity = {1, x};
@@ -224,7 +224,8 @@ TEST_CASE("a world refuses steps and velocities that cannot be, and bodies that 
   Scene scene = scene_with_two_balls();
   const BodyId wall = scene.add({.type = BodyType::static_body, .shapes = {box(1, 1)}});
   World world(scene);
-  check_refusals("World::set_dt", {{"dt", "from 1e-12 to 1e6 s", [&](double x) { world.set_dt(x); }, {0, -1, 1e7}}});
+  check_refusals("World::set_dt",
+                 {{"dt", "from 1e-12 to 1e6 s", [&](double x) { world.set_dt(x); }, {0, -1, 1e7}}});
   check_refusals("World::set_velocity", {{"angular velocity", "a finite number of rad/s", [&](double x) {
                                             world.set_velocity({1}, {0, 0, x});
                                           }}});
