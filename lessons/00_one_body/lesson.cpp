@@ -48,6 +48,7 @@ LessonInfo info() {
        .max = 2000,
        .what = "steps",
        .kind = Parameter::Kind::whole}};
+  info.cover = -3;
   info.next = "lesson01_constraint_and_jacobian   (what a body may not do)";
   return info;
 }

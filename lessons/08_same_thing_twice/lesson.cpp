@@ -37,7 +37,7 @@ LessonInfo info() {
       .parameters = {{"dt", 0.02, 0.0001, 1, "s", "time step"},
                      {"sweeps", 50, 2, 1000, "", "sweeps", Parameter::Kind::whole},
                      {"seed", 1, 0, 1e9, "", "of the random problem", Parameter::Kind::whole}},
-      .cover = 6,
+      .cover = 16,
       .next = "lesson09_warm_start   (yesterday's answer is today's first guess)"};
 }
 

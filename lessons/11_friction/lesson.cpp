@@ -72,7 +72,7 @@ LessonInfo info() {
        .unit = "",
        .what = "steps",
        .kind = Kind::whole}};
-  info.cover = 3;
+  info.cover = 4;
   info.next = "lesson12_blocks   (solve what belongs together in one go)";
   return info;
 }

@@ -34,7 +34,7 @@ LessonInfo info() {
                          {"gravity", 10, 0.1, 100, "m/s^2", "gravity, downwards"},
                          {"sweeps", 10, 1, 200, "", "sweeps in each step", Parameter::Kind::whole},
                          {"steps", 50, 10, 100, "", "steps of each run", Parameter::Kind::whole}},
-          .cover = 11,
+          .cover = 51,
           .next = "lesson18_speed_accuracy   (what one more digit costs)"};
 }
 

@@ -85,6 +85,7 @@ void draw_engine(Page& page, const Rect& rect, const TowerRuns& runs, const Engi
   camera.center.x() = 0.5 * view.width / camera.scale - 1.2;  // the tower at the left
   render::WorldLook look;
   look.contacts = false;
+  look.numbers = camera.scale >= 24;  // or those of two digits would be missing
   look.penetration = false;
   draw_world(page, camera, run.frames[static_cast<std::size_t>(frame)], look);
   const double left = camera.project({0.5, 0}).x() + 12;
@@ -96,8 +97,8 @@ render::Plot load_plot(const Page& page, const TowerRuns& runs, const std::vecto
                        int frame) {
   const TowerSettings& settings = runs.settings;
   render::Plot plot;
-  plot.title = "load λ_{1} on the lowest box (N)";
-  plot.x = {.title = "step", .min = 0, .max = settings.steps};
+  plot.title = "load λ_{1} on the lowest box (N), step by step";
+  plot.x = {.min = 0, .max = settings.steps};
   plot.y = {.min = 0, .max = 1.15 * largest_load(runs)};
   const std::array<SeriesStyle, 3> styles = engine_styles(page);
   for (std::size_t e = 0; e < engines.size(); ++e) {
@@ -114,7 +115,7 @@ render::Plot load_plot(const Page& page, const TowerRuns& runs, const std::vecto
 }
 
 void draw_three(Page& page, const TowerRuns& runs, const std::vector<EngineRun>& engines, int frame) {
-  const std::vector<Rect> parts = rows(page.area(), {0.55, 0.45}, page.sizes().gap);
+  const std::vector<Rect> parts = rows(page.area(), {0.54, 0.46}, page.sizes().gap);
   const std::vector<Rect> panels = columns(parts[0], {1, 1, 1}, page.sizes().gap);
   const std::array<SeriesStyle, 3> styles = engine_styles(page);
   for (std::size_t e = 0; e < engines.size(); ++e)
@@ -124,7 +125,7 @@ void draw_three(Page& page, const TowerRuns& runs, const std::vector<EngineRun>&
 
 void draw_question(Page& page, const TowerRuns& runs, std::string_view title, std::string_view text,
                    int frame) {
-  const std::vector<Rect> parts = rows(page.area(), {0.55, 0.45}, page.sizes().gap);
+  const std::vector<Rect> parts = rows(page.area(), {0.54, 0.46}, page.sizes().gap);
   const std::vector<Rect> panels = columns(parts[0], {1, 1, 1}, page.sizes().gap);
   const std::array<SeriesStyle, 3> styles = engine_styles(page);
   for (std::size_t e = 0; e < runs.warm.size(); ++e) {
