@@ -5,27 +5,21 @@
 #include <cmath>
 #include <numeric>
 
+#include "lessons/random.hpp"
+
 namespace cairn::stack {
 
 namespace {
-
-/// SplitMix64 (G. Steele, D. Lea, C. Flood, 2014): the same numbers on every machine.
-std::uint64_t next_random(std::uint64_t& state) {
-  state += 0x9e3779b97f4a7c15U;
-  std::uint64_t z = state;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-  return z ^ (z >> 31);
-}
 
 std::vector<int> visiting_order(const StackSettings& settings) {
   std::vector<int> order(static_cast<std::size_t>(settings.boxes));
   std::iota(order.begin(), order.end(), 0);
   if (settings.order == "down") std::reverse(order.begin(), order.end());
   if (settings.order == "shuffle") {
-    std::uint64_t state = settings.seed;
-    for (std::size_t i = order.size() - 1; i > 0; --i)
-      std::swap(order[i], order[next_random(state) % (i + 1)]);
+    Random random(settings.seed);
+    for (int i = settings.boxes - 1; i > 0; --i) {
+      std::swap(order[static_cast<std::size_t>(i)], order[static_cast<std::size_t>(random.below(i + 1))]);
+    }
   }
   return order;
 }

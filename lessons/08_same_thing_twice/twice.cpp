@@ -5,35 +5,17 @@
 #include <cmath>
 #include <limits>
 
+#include "lessons/random.hpp"
+
 namespace cairn::twice {
 
 namespace {
 
-/// SplitMix64 (G. Steele, D. Lea, C. Flood, 2014): the same numbers on every machine.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-
-  /// Uniform in [from, to).
-  double between(double from, double to) { return from + (to - from) * double(next() >> 11) * 0x1p-53; }
-  int below(int n) { return static_cast<int>(next() % static_cast<std::uint64_t>(n)); }
-  Vec3<double> vector(double size) {
-    const double x = between(-size, size);
-    const double y = between(-size, size);
-    return {x, y, between(-size, size)};
-  }
-
- private:
-  std::uint64_t next() {
-    state_ += 0x9e3779b97f4a7c15U;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31);
-  }
-
-  std::uint64_t state_;
-};
+Vec3<double> random_vector(Random& random, double size) {
+  const double x = random.between(-size, size);
+  const double y = random.between(-size, size);
+  return {x, y, random.between(-size, size)};
+}
 
 template <Scalar Real>
 VelocityProblem<Real> cast(const VelocityProblem<double>& problem) {
@@ -157,14 +139,14 @@ VelocityProblem<double> random_problem(const TwiceSettings& settings) {
   for (int i = 0; i < settings.bodies; ++i) {
     const double inverse = random.between(0.5, 2);  // masses of 0.5 to 2 kg
     problem.inverse_mass.push_back({inverse, inverse, random.between(1, 10)});
-    problem.velocity.push_back(random.vector(1));
+    problem.velocity.push_back(random_vector(random, 1));
   }
   for (int i = 0; i < settings.rows; ++i) {
     ConstraintRow<double> row;
     row.a = {random.below(settings.bodies)};
     row.b = {(row.a.index + 1 + random.below(settings.bodies - 1)) % settings.bodies};
-    row.jacobian_a = random.vector(1);
-    row.jacobian_b = random.vector(1);
+    row.jacobian_a = random_vector(random, 1);
+    row.jacobian_b = random_vector(random, 1);
     row.bias = random.between(-0.1, 0.1);
     if (i % 2 == 1) row.bounds = Bounds<double>::unilateral();
     problem.blocks.push_back({problem.row_count(), 1});

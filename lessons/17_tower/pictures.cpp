@@ -85,7 +85,7 @@ void draw_engine(Page& page, const Rect& rect, const TowerRuns& runs, const Engi
   camera.center.x() = 0.5 * view.width / camera.scale - 1.2;  // the tower at the left
   render::WorldLook look;
   look.contacts = false;
-  look.numbers = camera.scale >= 24;  // or those of two digits would be missing
+  look.numbers = camera.scale >= 20;  // or those of two digits would be missing
   look.penetration = false;
   draw_world(page, camera, run.frames[static_cast<std::size_t>(frame)], look);
   const double left = camera.project({0.5, 0}).x() + 12;
