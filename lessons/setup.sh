@@ -46,7 +46,8 @@ cairn_install() {
   printf 'Installing %s\n' "$*" >&2
   local log
   log=$(mktemp)
-  "${as_root[@]}" apt-get update -q >"$log" 2>&1 || printf 'apt-get update failed; going on with what apt knows.\n' >&2
+  "${as_root[@]}" apt-get update -q >"$log" 2>&1 ||
+    printf 'apt-get update failed; going on with what apt knows.\n' >&2
   local -a wanted
   mapfile -t wanted < <(cairn_available "$@")
   if [[ ${#wanted[@]} -gt 0 ]] && ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
@@ -103,12 +104,13 @@ cairn_configure() {
   touch "$stamp"
 }
 
-# Shows Ninja's progress: one line that is rewritten on a terminal, nothing elsewhere.
+# Keeps Ninja's output in the file $1 and shows its progress: one line, rewritten, on a terminal; nothing elsewhere.
 cairn_progress() {
   local line
   while IFS= read -r line; do
+    printf '%s\n' "$line"
     if [[ -t 2 && $line =~ ^\[([0-9]+/[0-9]+)\] ]]; then printf '\rBuilding %s ' "${BASH_REMATCH[1]}" >&2; fi
-  done
+  done >"$1"
   if [[ -t 2 ]]; then printf '\r\033[K' >&2; fi
 }
 
@@ -121,10 +123,13 @@ cairn_build() {
   if [[ ! -w ${HOME:-/nonexistent} ]]; then export CCACHE_DIR="${CCACHE_DIR:-$cairn_root/build/ccache}"; fi
   cairn_configure "$preset" || return 1
   if [[ ! -f $build/built ]]; then printf 'Building in build/%s: some minutes the first time.\n' "$preset" >&2; fi
-  NINJA_STATUS='[%f/%t] ' cmake --build "$build" --target "$@" 2>&1 | tee "$build/build.log" | cairn_progress
-  if [[ ${PIPESTATUS[0]} != 0 ]]; then
-    grep -vE '^(\[[0-9]+/[0-9]+\]|/usr/bin/ccache |ccache )' "$build/build.log" | head -n 60 >&2
-    printf 'The build failed. The whole log: build/%s/build.log\n' "$preset" >&2
+  NINJA_STATUS='[%f/%t] ' cmake --build "$build" --target "$@" 2>&1 | cairn_progress "$build/build.log"
+  local code=${PIPESTATUS[0]}
+  if [[ $code != 0 ]]; then
+    # From the first failure on, without the steps that went well and the compiler's command lines.
+    sed -n '/^FAILED: /,$p' "$build/build.log" | grep -vE '^(\[[0-9]+/[0-9]+\]|/usr/bin/ccache )' | head -n 60 >&2
+    grep -q '^FAILED: ' "$build/build.log" || tail -n 20 "$build/build.log" >&2
+    printf 'The build failed (exit code %s). The whole log: build/%s/build.log\n' "$code" "$preset" >&2
     return 1
   fi
   touch "$build/built"

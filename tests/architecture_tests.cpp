@@ -138,22 +138,6 @@ std::vector<SourceLine> lines_of_source(const std::string& file) {
   return lines_of(std::filesystem::path(CAIRN_SOURCE_DIR) / file);
 }
 
-// What a file includes first, without quotes or brackets; empty when it includes nothing.
-std::string first_include(const std::vector<SourceLine>& lines) {
-  for (const SourceLine& line : lines) {
-    if (begins_with(line.text, "#include ") && line.text.size() > 11)
-      return line.text.substr(10, line.text.size() - 11);
-  }
-  return "";
-}
-
-// x.cpp names x.hpp by its name alone or with its folder.
-bool is_own_header(const std::string& header, const std::string& target) {
-  const std::string slashed = "/" + target;
-  return !target.empty() && ("/" + header).size() >= slashed.size() &&
-         ("/" + header).compare(header.size() + 1 - slashed.size(), slashed.size(), slashed) == 0;
-}
-
 const std::size_t longest_file = 300;
 
 std::string objection_to_length(const std::string& file, std::size_t lines) {
@@ -215,26 +199,6 @@ TEST_CASE("each rule of the floors allows what it should and refuses what it sho
   }
   CHECK(objection("render/a.hpp", "canvas.hpp").empty());
   CHECK(objection("lessons/00_one_body/lesson.cpp", "cairn.hpp").empty());
-}
-
-TEST_CASE("x.cpp includes x.hpp before anything else, which proves that x.hpp compiles alone") {
-  std::size_t pairs = 0;
-  for (const std::string& file : source_files({"src", "render", "lessons"})) {
-    const std::string header = file.substr(0, file.size() - 3) + "hpp";
-    const bool is_source = file.compare(file.size() - 4, 4, ".cpp") == 0;
-    if (!is_source || !std::filesystem::exists(std::filesystem::path(CAIRN_SOURCE_DIR) / header)) continue;
-    const std::string first = first_include(lines_of_source(file));
-    CHECK_MESSAGE(is_own_header(header, first), file, " includes ", first, " before its own header");
-    ++pairs;
-  }
-  CHECK(pairs > 0);
-  CHECK(first_include({{.number = 1, .text = "// x"}, {.number = 2, .text = "#include <x/y.hpp>"}}) ==
-        "x/y.hpp");
-  CHECK(is_own_header("src/world/plan.hpp", "world/plan.hpp"));
-  CHECK(is_own_header("src/world/plan.hpp", "plan.hpp"));
-  CHECK_FALSE(is_own_header("src/world/plan.hpp", "lan.hpp"));
-  CHECK_FALSE(is_own_header("src/world/plan.hpp", "world/scene.hpp"));
-  CHECK_FALSE(is_own_header("src/world/plan.hpp", ""));
 }
 
 TEST_CASE("no file has more than 300 lines") {
