@@ -126,6 +126,11 @@ bool is_seen(const Camera& camera, const SnapshotJoint& joint) {
   return is_finite(camera, joint.anchor_a) && is_finite(camera, joint.anchor_b);
 }
 
+/// Rods, ropes and springs.
+bool is_line(const SnapshotJoint& joint) {
+  return joint.name == "distance" || joint.name == "rope" || joint.name == "spring";
+}
+
 void draw_ring(Page& page, const Point& at) {
   page.canvas().circle(at, page.sizes().joint,
                        {.fill = page.theme().background,
@@ -173,7 +178,7 @@ void draw_joint_lines(Page& page, const Camera& camera, const Snapshot& snapshot
     if (!is_seen(camera, joint)) continue;
     const Point from = camera.project(joint.anchor_a);
     const Point to = camera.project(joint.anchor_b);
-    if (joint.name == "distance") {
+    if (is_line(joint)) {
       draw_rod(page, from, to);
       continue;
     }
@@ -193,7 +198,7 @@ void draw_joint_ends(Page& page, const Camera& camera, const Snapshot& snapshot)
     const Point from = camera.project(joint.anchor_a);
     const Point to = camera.project(joint.anchor_b);
     const bool is_apart = (to - from).norm() > 2;
-    if (joint.name == "distance") {
+    if (is_line(joint)) {
       page.canvas().circle(from, 0.7 * page.sizes().joint, {.fill = page.theme().joint});
       page.canvas().circle(to, 0.7 * page.sizes().joint, {.fill = page.theme().joint});
       continue;

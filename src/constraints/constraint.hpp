@@ -1,11 +1,14 @@
 // Floor 3. What a constraint is: errors C, their Jacobians and their bounds. Nothing about dt or solvers.
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "constraints/row.hpp"
+#include "constraints/softness.hpp"
 
 namespace cairn {
 
@@ -17,10 +20,22 @@ struct RowSpec {
   Real error = 0;                              // C (3) [m or rad]; for an inequality: the room left
   Vec3<Real> jacobian_a = Vec3<Real>::Zero();  // dC/dt = j v (5)
   Vec3<Real> jacobian_b = Vec3<Real>::Zero();
-  Bounds<Real> bounds = {};  // a friction row names its normal row by place in this list
-  std::uint64_t part = 0;    // names the row within its constraint, from step to step
-  Real rebound = 0;          // [m/s] least separation speed, should the bodies meet in this step
+  Bounds<Real> bounds = {};               // a friction row names its normal row by place in this list
+  std::uint64_t part = 0;                 // names the row within its constraint, from step to step
+  Real rebound = 0;                       // [m/s] least separation speed, should the bodies meet in this step
+  Real speed = 0;                         // [m/s or rad/s] that j v should have where C is 0: of a motor
+  std::optional<Real> max_force = {};     // [N or N m]; replaces the bounds by |impulse| <= max_force dt
+  std::optional<Softness> softness = {};  // none: rigid
+  bool keeps_slop = true;                 // an inequality: may stay violated by the slop, as contacts do
 };
+
+/// How far the condition is from holding [m or rad], signed: all of the error of an equality, the missing
+/// room of an inequality, and nothing for a row that is meant to give way.
+template <Scalar Real>
+Real violation(const RowSpec<Real>& spec) {
+  if (spec.softness || spec.max_force) return 0;
+  return spec.bounds.is_equality() ? spec.error : std::min(spec.error, Real(0));
+}
 
 template <Scalar Real>
 using RowSpecs = std::vector<RowSpec<Real>>;
@@ -30,7 +45,7 @@ class Constraint {
  public:
   virtual ~Constraint() = default;
 
-  /// What it is called: "distance", "revolute".
+  /// What it is called: "distance", "rope", "spring", "revolute", "prismatic", "weld".
   virtual std::string name() const = 0;
 
   /// The two bodies it joins.

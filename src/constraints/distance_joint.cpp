@@ -1,11 +1,13 @@
 // Floor 3. The distance joint's one row.
 #include "constraints/distance_joint.hpp"
 
+#include "constraints/joint_rows.hpp"
 #include "math/check.hpp"
 
 namespace cairn {
 
-DistanceJoint::DistanceJoint(const Spec& spec, std::span<const Pose<double>> poses) : a_(spec.a), b_(spec.b) {
+DistanceJoint::DistanceJoint(const Spec& spec, std::span<const Pose<double>> poses)
+    : a_(spec.a), b_(spec.b), kind_(spec.kind), softness_(spec.softness), slack_margin_(spec.slack_margin) {
   require(a_ != b_, "DistanceJoint", "b", "another body than a", b_.index);
   require_finite(spec.anchor_a, "DistanceJoint", "anchor_a", "m");
   require_finite(spec.anchor_b, "DistanceJoint", "anchor_b", "m");
@@ -14,25 +16,42 @@ DistanceJoint::DistanceJoint(const Spec& spec, std::span<const Pose<double>> pos
   require_finite(spec.length, "DistanceJoint", "length", "m");
   length_ = spec.length < 0 ? (spec.anchor_b - spec.anchor_a).norm() : spec.length;
   require(length_ > 0, "DistanceJoint", "length", "> 0 m", length_);
+  require(slack_margin_ >= 0 && std::isfinite(slack_margin_), "DistanceJoint", "slack_margin",
+          "a finite number >= 0 m", slack_margin_);
+  if (kind_ == Kind::rod) require(!softness_, "DistanceJoint", "softness", "left out for a rod", "one");
+  if (kind_ == Kind::spring)
+    require(softness_.has_value(), "DistanceJoint", "softness", "given for a spring", "none");
+  if (softness_) require_softness(*softness_, "DistanceJoint");
+}
+
+std::string DistanceJoint::name() const {
+  if (kind_ == Kind::rope) return "rope";
+  return kind_ == Kind::spring ? "spring" : "distance";
 }
 
 template <Scalar Real>
 void DistanceJoint::rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
-  const Pose<Real>& pose_a = poses[static_cast<std::size_t>(a_.index)];
-  const Pose<Real>& pose_b = poses[static_cast<std::size_t>(b_.index)];
-  const Vec2<Real> r_a = Rotation<Real>(pose_a.angle) * local_a_.template cast<Real>();
-  const Vec2<Real> r_b = Rotation<Real>(pose_b.angle) * local_b_.template cast<Real>();
-  const Vec2<Real> d = pose_b.position + r_b - pose_a.position - r_a;
-  const Real distance = d.norm();
+  const JointArms<Real> arms = joint_arms(poses[static_cast<std::size_t>(a_.index)],
+                                          poses[static_cast<std::size_t>(b_.index)], local_a_, local_b_);
+  const Real distance = arms.d.norm();
   if (!(distance > 0)) return;
 
-  const Vec2<Real> u = d / distance;
+  const Vec2<Real> u = arms.d / distance;
   RowSpec<Real> row;
   row.a = a_;
   row.b = b_;
   row.error = distance - static_cast<Real>(length_);
-  row.jacobian_a = {-u.x(), -u.y(), -cross(r_a, u)};
-  row.jacobian_b = {u.x(), u.y(), cross(r_b, u)};
+  row.jacobian_a = {-u.x(), -u.y(), -cross(arms.r_a, u)};
+  row.jacobian_b = {u.x(), u.y(), cross(arms.r_b, u)};
+  row.softness = softness_;
+  if (kind_ == Kind::rope) {
+    if (-row.error > static_cast<Real>(slack_margin_)) return;
+    row.error = -row.error;
+    row.jacobian_a = -row.jacobian_a;
+    row.jacobian_b = -row.jacobian_b;
+    row.bounds = Bounds<Real>::unilateral();
+    row.keeps_slop = false;
+  }
   rows.push_back(row);
 }
 

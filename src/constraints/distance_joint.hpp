@@ -1,33 +1,45 @@
-// Floor 3. Distance joint: a massless rod between two points.
+// Floor 3. Distance joint: a massless rod, rope or spring between two points.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "constraints/constraint.hpp"
 
 namespace cairn {
 
-/// Keeps the distance of two anchors. With d = p_b - p_a, u = d / |d| and arms r_a, r_b:
-///   C = |d| - length,   j = (-u, -(r_a x u), u, r_b x u)
-/// Both signs of the impulse are allowed: the rod pulls and pushes. At |d| = 0 the direction is not defined,
-/// and no row is written.
+/// Keeps the distance of two anchors p_a, p_b. With d = p_b - p_a, u = d / |d| and arms r_a, r_b from the
+/// centres of mass to the anchors:
+///   rod     C = |d| - length,       j = (-u, -(r_a x u), u, r_b x u),   pulls and pushes
+///   rope    C = length - |d| >= 0,  j = (u, r_a x u, -u, -(r_b x u)),   impulse >= 0: only pulls
+///   spring  C and j of the rod, soft: impulse = -dt (k C + c dC/dt), taken at the end of the step
+/// A rope may be soft too, as rubber is. It has a row while it has less slack than slack_margin. At |d| = 0
+/// the direction is not defined, and no row is written. Source: the derivative of |d|; softness.hpp for
+/// springs.
 class DistanceJoint final : public ConstraintOf<DistanceJoint> {
  public:
+  enum class Kind { rod, rope, spring };
   struct Spec {
     BodyId a = {};
     BodyId b = {};
     Vec2<double> anchor_a = {0, 0};  // [m], world, where the bodies are placed
     Vec2<double> anchor_b = {0, 0};  // [m]
     double length = -1;              // [m]; negative: the distance of the anchors
+    Kind kind = Kind::rod;
+    std::optional<Softness> softness = {};  // a spring needs one, a rope may have one, a rod has none
+    double slack_margin = 0.5;              // [m]; a rope that loses more slack in one step is overstretched
   };
 
   /// `poses` are those the bodies start from.
-  /// @throws std::invalid_argument for one body twice, numbers that are not finite, or a length of 0.
+  /// @throws std::invalid_argument for one body twice, numbers that are not finite, a length of 0, or a
+  /// softness that its kind cannot have.
   DistanceJoint(const Spec& spec, std::span<const Pose<double>> poses);
 
-  std::string name() const override { return "distance"; }
+  /// "distance" for a rod, "rope" or "spring".
+  std::string name() const override;
   std::pair<BodyId, BodyId> bodies() const override { return {a_, b_}; }
   std::pair<Vec2<double>, Vec2<double>> anchors() const override { return {local_a_, local_b_}; }
+  Kind kind() const { return kind_; }
 
   template <Scalar Real>
   void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
@@ -35,9 +47,12 @@ class DistanceJoint final : public ConstraintOf<DistanceJoint> {
  private:
   BodyId a_;
   BodyId b_;
+  Kind kind_;
+  std::optional<Softness> softness_;
   Vec2<double> local_a_;  // [m], in the body's frame
   Vec2<double> local_b_;
-  double length_;  // [m]
+  double length_;        // [m]
+  double slack_margin_;  // [m]
 };
 
 }  // namespace cairn

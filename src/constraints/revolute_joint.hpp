@@ -3,28 +3,48 @@
 
 #include <span>
 
-#include "constraints/constraint.hpp"
+#include "constraints/joint_rows.hpp"
 
 namespace cairn {
 
 /// Keeps two anchors together: two rows, one for each axis (three dimensions would need three, paper 4.3).
+/// With positions x and arms r_a, r_b from the centres of mass to the anchors p_a, p_b:
 ///   C = p_b - p_a = x_b + r_b - x_a - r_a
 ///   j = (-1, 0, r_a.y, 1, 0, -r_b.y) for x,   (0, -1, -r_a.x, 0, 1, r_b.x) for y
+/// Limits and motor are on the angle q = q_b - q_a - q_0, where q_0 is how b stood against a when the joint
+/// was made, and j_q = (0, 0, -1, 0, 0, 1). The angle is continuous: two turns are 4 pi.
+///   lower limit  C = q - lower >= 0,  j = j_q,   impulse >= 0
+///   upper limit  C = upper - q >= 0,  j = -j_q,  impulse >= 0
+///   motor        no C,                j = j_q,   j v = speed, |impulse| <= max_torque dt
+/// A limit has a row while it is nearer than limit_margin, and a motor when there is one. Source: the
+/// derivative of C; the bounds as in E. Catto, Modeling and Solving Constraints (2009).
 class RevoluteJoint final : public ConstraintOf<RevoluteJoint> {
  public:
+  struct Motor {
+    double speed = 0;       // [rad/s] of b, seen from a; positive: counterclockwise
+    double max_torque = 0;  // [N m]
+  };
   struct Spec {
     BodyId a = {};
     BodyId b = {};
-    Vec2<double> anchor = {0, 0};  // [m], world, where the bodies are placed
+    Vec2<double> anchor = {0, 0};      // [m], world, where the bodies are placed
+    std::optional<double> lower = {};  // [rad] from where b stands against a now
+    std::optional<double> upper = {};  // [rad]
+    double limit_margin = 0.5;         // [rad]; a body that turns further in one step runs past its limit
+    std::optional<Motor> motor = {};
   };
 
   /// `poses` are those the bodies start from.
-  /// @throws std::invalid_argument for one body twice or an anchor that is not finite.
+  /// @throws std::invalid_argument for one body twice, numbers that are not finite, upper < lower, or a
+  /// max_torque that is not > 0.
   RevoluteJoint(const Spec& spec, std::span<const Pose<double>> poses);
 
   std::string name() const override { return "revolute"; }
   std::pair<BodyId, BodyId> bodies() const override { return {a_, b_}; }
   std::pair<Vec2<double>, Vec2<double>> anchors() const override { return {local_a_, local_b_}; }
+
+  /// Whether it is a pin and nothing else.
+  bool is_free() const { return !limits_.lower && !limits_.upper && !motor_; }
 
   template <Scalar Real>
   void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
@@ -34,6 +54,9 @@ class RevoluteJoint final : public ConstraintOf<RevoluteJoint> {
   BodyId b_;
   Vec2<double> local_a_;  // [m], in the body's frame
   Vec2<double> local_b_;
+  double reference_angle_;  // [rad] q_0
+  JointLimits limits_;      // [rad]
+  std::optional<Motor> motor_;
 };
 
 }  // namespace cairn

@@ -15,16 +15,18 @@ struct Stabilization {
 ///   an equality        -beta C / dt
 ///   an inequality with room left (C > 0)        -C / dt: it may use its room up, and no more
 ///   an inequality that is violated (C < 0)      beta max(0, -C - slop) / dt
-/// and, if the free velocity would make the bodies meet within the step, at least the rebound.
+/// and, if the free velocity would make the bodies meet within the step, at least the rebound. A motor asks
+/// for its speed. In a soft row its spring's rate takes the place of beta / dt, and there is no slop.
 /// `velocity` is the velocity that the step would have without constraints.
 template <Scalar Real>
 Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization, Real dt,
                    const std::vector<Vec3<Real>>& velocity);
 
-/// The row of `spec`, whose block begins at row `first_row`, with the bias above.
+/// The row of `spec` in a step of `problem`, whose dt, inverse masses and velocities are those of the step
+/// without constraints: with the bias above, the softness of its spring, and a motor's force as an impulse.
+/// The block of the row begins at row `first_row`.
 template <Scalar Real>
-ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilization& stabilization, Real dt,
-                                   const std::vector<Vec3<Real>>& velocity, std::uint64_t source,
-                                   int first_row);
+ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilization& stabilization,
+                                   const VelocityProblem<Real>& problem, std::uint64_t source, int first_row);
 
 }  // namespace cairn

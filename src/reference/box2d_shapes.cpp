@@ -95,10 +95,12 @@ b2Joint* create_joint(b2World& world, const Constraint& joint, const std::vector
     definition.bodyB = bodies[static_cast<std::size_t>(joint.bodies().second.index)];
     return world.CreateJoint(&definition);
   };
-  if (const auto* rod = dynamic_cast<const DistanceJoint*>(&joint))
+  const auto* rod = dynamic_cast<const DistanceJoint*>(&joint);
+  if (rod != nullptr && rod->kind() == DistanceJoint::Kind::rod)
     return create(definition(*rod, bodies.size()));
   const auto* pin = dynamic_cast<const RevoluteJoint*>(&joint);
-  require(pin != nullptr, "Box2DWorld", "joint", "a distance or revolute joint", joint.name());
+  require(pin != nullptr, "Box2DWorld", "joint", "a rod or a revolute joint", joint.name());
+  require(pin->is_free(), "Box2DWorld", "revolute joint", "without limits and motor", "some");
   return create(definition(*pin));
 }
 

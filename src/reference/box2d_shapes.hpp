@@ -21,7 +21,8 @@ b2Vec2 to_box2d(const Vec2<double>& v);
 std::unique_ptr<b2Shape> to_box2d(const Shape<double>& shape);
 
 /// Creates the joint between two bodies of the world. The bodies do not collide with each other.
-/// @throws std::invalid_argument unless it is a revolute joint, or a distance joint of at least 0.005 m.
+/// @throws std::invalid_argument unless it is a revolute joint without limits and motor, or a rod of at least
+/// 0.005 m.
 b2Joint* create_joint(b2World& world, const Constraint& joint, const std::vector<b2Body*>& bodies);
 
 }  // namespace cairn

@@ -44,7 +44,7 @@ class Box2DWorld {
  public:
   /// Copies what it needs of the scene.
   /// @throws std::invalid_argument for what Box2D 2.4.1 does not have: capsules, rounded polygons, polygons
-  /// of more than 8 vertices, joints that are not distance or revolute joints, rods shorter than 0.005 m; and
+  /// of more than 8 vertices, joints other than rods and plain pins, rods shorter than 0.005 m; and
   /// for negative iteration counts.
   explicit Box2DWorld(const Scene& scene, const Box2DSettings& settings = {});
   ~Box2DWorld();

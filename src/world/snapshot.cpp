@@ -60,7 +60,7 @@ SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& sta
   joint.append_rows(state.pose, specs);
   double sum = 0;
   for (const RowSpec<Real>& spec : specs) {
-    if (spec.bounds.is_equality()) sum += static_cast<double>(spec.error * spec.error);
+    sum += static_cast<double>(violation(spec) * violation(spec));
   }
   result.drift = std::sqrt(sum);
   return result;

@@ -40,7 +40,7 @@ struct SnapshotJoint {
   BodyId b = {};
   Vec2<double> anchor_a = {0, 0};  // [m], world
   Vec2<double> anchor_b = {0, 0};
-  double drift = 0;               // [m or rad], norm of the constraint errors that must be zero
+  double drift = 0;               // [m or rad], norm of what its rigid rows lack
   Vec2<double> impulse = {0, 0};  // [N s], on b, world
 };
 

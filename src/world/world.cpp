@@ -111,8 +111,7 @@ void World<Real>::append_block(std::uint64_t source) {
   VelocityProblem<Real>& problem = record_.problem;
   const int first = problem.row_count();
   for (const RowSpec<Real>& spec : specs_) {
-    problem.rows.push_back(
-        stabilized_row(spec, scene_->settings().stabilization, problem.dt, problem.velocity, source, first));
+    problem.rows.push_back(stabilized_row(spec, scene_->settings().stabilization, problem, source, first));
   }
   problem.blocks.push_back({first, problem.row_count() - first});
 }

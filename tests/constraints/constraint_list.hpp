@@ -10,7 +10,9 @@
 #include "collision/collide.hpp"
 #include "constraints/contact.hpp"
 #include "constraints/distance_joint.hpp"
+#include "constraints/prismatic_joint.hpp"
 #include "constraints/revolute_joint.hpp"
+#include "constraints/weld_joint.hpp"
 
 namespace cairn::testing {
 
@@ -56,10 +58,35 @@ std::vector<ConstraintUnderTest<Real>> all_constraints(const std::vector<Pose<do
   const Vec2<double> near_a = start[1].position + random.point(1);
   const Vec2<double> near_b = start[2].position + random.point(1);
   const Vec2<double> offset_a = random.point(0.2);
+  const Vec2<double> axis = Rotation<double>(random.uniform(-pi, pi)) * Vec2<double>(1, 0);
+  const double far = 100;  // [m or rad] margin: limits have rows wherever the bodies are
+  const Softness soft = SwingSoftness{.frequency = 2, .damping_ratio = 0.5};
   return {
       {"distance",
        joint_rows<DistanceJoint, Real>({.a = a, .b = b, .anchor_a = near_a, .anchor_b = near_b}, start)},
+      {"rope", joint_rows<DistanceJoint, Real>({.a = a,
+                                                .b = b,
+                                                .anchor_a = near_a,
+                                                .anchor_b = near_b,
+                                                .kind = DistanceJoint::Kind::rope,
+                                                .slack_margin = far},
+                                               start)},
+      {"spring", joint_rows<DistanceJoint, Real>({.a = a,
+                                                  .b = b,
+                                                  .anchor_a = near_a,
+                                                  .anchor_b = near_b,
+                                                  .kind = DistanceJoint::Kind::spring,
+                                                  .softness = soft},
+                                                 start)},
       {"revolute", joint_rows<RevoluteJoint, Real>({.a = a, .b = b, .anchor = near_a}, start)},
+      {"revolute with limits",
+       joint_rows<RevoluteJoint, Real>(
+           {.a = a, .b = b, .anchor = near_a, .lower = -0.1, .upper = 0.3, .limit_margin = far}, start)},
+      {"weld", joint_rows<WeldJoint, Real>({.a = a, .b = b, .anchor = near_a}, start)},
+      {"prismatic with limits",
+       joint_rows<PrismaticJoint, Real>(
+           {.a = a, .b = b, .anchor = near_a, .axis = axis, .lower = -0.1, .upper = 0.3, .limit_margin = far},
+           start)},
       {"contact of discs", contact_rows<Real>(circle(0.3, offset_a), circle(0.5, {0.3, 0.1}))},
       {"contact of a disc and a box", contact_rows<Real>(circle(0.3, offset_a), box(40, 1))},
   };

@@ -70,8 +70,11 @@ TEST_CASE("a friction row asks for no sliding, whatever the contact's error") {
 
 TEST_CASE("a stabilized row is its spec with a bias, a key, and its normal row found in the problem") {
   const RowSpec<double> spec = row_along_y(0, Bounds<double>::coulomb(0.5, 2));
-  const ConstraintRow<double> row =
-      stabilized_row(spec, quarter_and_eighth, half_second, moving_at(0), 17, 10);
+  VelocityProblem<double> problem;
+  problem.dt = half_second;
+  problem.velocity = moving_at(0);
+  problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 1)};
+  const ConstraintRow<double> row = stabilized_row(spec, quarter_and_eighth, problem, 17, 10);
   CHECK(row.bounds.normal_row == 12);
   CHECK(row.bounds.friction == 0.5);
   CHECK(row.key == RowKey{17, spec.part});

@@ -69,7 +69,15 @@ TEST_CASE("Box2D takes rods and pins, and refuses other joints and rods shorter 
 
   Scene other = scene_with(circle(0.5));
   other.add_joint(std::make_shared<const Magnet>());
-  CHECK(refusal(other) == "Box2DWorld: joint must be a distance or revolute joint, got magnet");
+  CHECK(refusal(other) == "Box2DWorld: joint must be a rod or a revolute joint, got magnet");
+
+  Scene rope = scene_with(circle(0.5));
+  rope.join<DistanceJoint>({.a = ground, .b = {1}, .anchor_a = {0, 2}, .kind = DistanceJoint::Kind::rope});
+  CHECK(refusal(rope) == "Box2DWorld: joint must be a rod or a revolute joint, got rope");
+
+  Scene hinge = scene_with(circle(0.5));
+  hinge.join<RevoluteJoint>({.a = ground, .b = {1}, .anchor = {0, 2}, .lower = -1});
+  CHECK(refusal(hinge) == "Box2DWorld: revolute joint must be without limits and motor, got some");
 }
 
 TEST_CASE("Box2D refuses negative iteration counts, and questions about bodies that are not there") {

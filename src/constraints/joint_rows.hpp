@@ -1,0 +1,57 @@
+// Floor 3. The rows that several joints share: a pin, a kept angle, limits, a motor.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "constraints/constraint.hpp"
+
+namespace cairn {
+
+/// Names of rows within a joint, from step to step.
+enum class JointPart : std::uint64_t { x, y, angle, lower_limit, upper_limit, motor };
+
+/// The range that a coordinate of a joint is kept in: a length [m] or an angle [rad].
+struct JointLimits {
+  std::optional<double> lower = {};
+  std::optional<double> upper = {};
+  double margin = 0;  // a limit this close has a row: it stops the bodies without ever being passed
+};
+
+/// Where the anchors of two bodies are now, seen from the centres of mass and from the anchor of a.
+template <Scalar Real>
+struct JointArms {
+  Vec2<Real> r_a;  // [m] from the centre of mass of a to its anchor
+  Vec2<Real> r_b;  // [m]
+  Vec2<Real> d;    // [m] from the anchor of a to the anchor of b
+};
+
+template <Scalar Real>
+JointArms<Real> joint_arms(const Pose<Real>& a, const Pose<Real>& b, const Vec2<double>& local_a,
+                           const Vec2<double>& local_b);
+
+/// C = d, two rows: dC/dt = v_b + w_b x r_b - v_a - w_a x r_a.
+///   j = (-1, 0, r_a.y, 1, 0, -r_b.y) for x,   (0, -1, -r_a.x, 0, 1, r_b.x) for y
+template <Scalar Real>
+void append_pin_rows(BodyId a, BodyId b, const JointArms<Real>& arms, RowSpecs<Real>& rows);
+
+/// C = angle, which is angle_b - angle_a less a constant: j = (0, 0, -1, 0, 0, 1). Angles are continuous, so
+/// that a whole turn is an error too.
+template <Scalar Real>
+RowSpec<Real> angle_row(BodyId a, BodyId b, Real angle);
+
+/// The limits of the coordinate whose row is `coordinate`: C = coordinate - lower >= 0 with the same j, and
+/// C = upper - coordinate >= 0 with -j. A limit that is further away than the margin has no row.
+template <Scalar Real>
+void append_limit_rows(const RowSpec<Real>& coordinate, const JointLimits& limits, RowSpecs<Real>& rows);
+
+/// The motor of the coordinate whose row is `coordinate`: no C, the same j, j v = speed, and
+/// |impulse| <= max_force dt.
+template <Scalar Real>
+void append_motor_row(const RowSpec<Real>& coordinate, double speed, double max_force, RowSpecs<Real>& rows);
+
+/// @throws std::invalid_argument unless lower and upper are finite, lower <= upper, and margin is finite and
+/// >= 0. `unit` as in "m".
+void require_limits(const JointLimits& limits, const std::string& place, const std::string& unit);
+
+}  // namespace cairn

@@ -1,0 +1,63 @@
+// Floor 3. Prismatic joint: a slide along a line.
+#pragma once
+
+#include <span>
+
+#include "constraints/joint_rows.hpp"
+
+namespace cairn {
+
+/// Lets b slide along a line that is fixed in a, and not turn against a. With the unit vector u of the line
+/// and n, which is u turned by 90 degrees (both turn with a), arms r_a, r_b from the centres of mass to the
+/// anchors, d = p_b - p_a from anchor to anchor, and the angle q_0 that b had against a where the joint was
+/// made:
+///   perpendicular  C = n . d,           j = (-n, -((r_a + d) x n), n, r_b x n)
+///   angle          C = q_b - q_a - q_0, j = (0, 0, -1, 0, 0, 1)
+/// The arm on a reaches to the anchor of b: that is where the force acts, as n turns with a. Limits and motor
+/// are on the slide's coordinate s = u . d, with j_s = (-u, -((r_a + d) x u), u, r_b x u):
+///   lower limit    C = s - lower >= 0,  j = j_s,   impulse >= 0
+///   upper limit    C = upper - s >= 0,  j = -j_s,  impulse >= 0
+///   motor          no C,                j = j_s,   j v = speed, |impulse| <= max_force dt
+/// A limit has a row while it is nearer than limit_margin, and a motor when there is one. Source: the
+/// derivative of C, with dn/dt = w_a x n; the bounds as in E. Catto, Modeling and Solving Constraints (2009).
+class PrismaticJoint final : public ConstraintOf<PrismaticJoint> {
+ public:
+  struct Motor {
+    double speed = 0;      // [m/s] of b along the axis, seen from a
+    double max_force = 0;  // [N]
+  };
+  struct Spec {
+    BodyId a = {};
+    BodyId b = {};
+    Vec2<double> anchor = {0, 0};      // [m], world, where the bodies are placed: there s is 0
+    Vec2<double> axis = {1, 0};        // world, of any length
+    std::optional<double> lower = {};  // [m]
+    std::optional<double> upper = {};  // [m]
+    double limit_margin = 0.5;         // [m]; a slider that moves further in one step runs past its limit
+    std::optional<Motor> motor = {};
+  };
+
+  /// `poses` are those the bodies start from.
+  /// @throws std::invalid_argument for one body twice, numbers that are not finite, an axis of 0, upper <
+  /// lower, or a max_force that is not > 0.
+  PrismaticJoint(const Spec& spec, std::span<const Pose<double>> poses);
+
+  std::string name() const override { return "prismatic"; }
+  std::pair<BodyId, BodyId> bodies() const override { return {a_, b_}; }
+  std::pair<Vec2<double>, Vec2<double>> anchors() const override { return {local_a_, local_b_}; }
+
+  template <Scalar Real>
+  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+
+ private:
+  BodyId a_;
+  BodyId b_;
+  Vec2<double> local_a_;  // [m], in the body's frame
+  Vec2<double> local_b_;
+  Vec2<double> local_axis_;  // u in the frame of a
+  double reference_angle_;   // [rad] q_0
+  JointLimits limits_;       // [m]
+  std::optional<Motor> motor_;
+};
+
+}  // namespace cairn

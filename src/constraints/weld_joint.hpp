@@ -1,0 +1,45 @@
+// Floor 3. Weld joint: two bodies as one.
+#pragma once
+
+#include <span>
+
+#include "constraints/constraint.hpp"
+
+namespace cairn {
+
+/// Keeps two anchors together and the angle between the bodies: three rows, all that the plane allows. With
+/// positions x, angles q, arms r_a, r_b from the centres of mass to the anchor, and the angle q_0 that b had
+/// against a where the joint was made:
+///   C = p_b - p_a = x_b + r_b - x_a - r_a,   C = q_b - q_a - q_0
+///   j = (-1, 0, r_a.y, 1, 0, -r_b.y) for x,   (0, -1, -r_a.x, 0, 1, r_b.x) for y,
+///       (0, 0, -1, 0, 0, 1) for q
+/// The third row's impulse is the moment that bends the joint. A long beam of welds converges slowly: about
+/// n^4 sweeps a digit for n bodies. Source: the derivative of C.
+class WeldJoint final : public ConstraintOf<WeldJoint> {
+ public:
+  struct Spec {
+    BodyId a = {};
+    BodyId b = {};
+    Vec2<double> anchor = {0, 0};  // [m], world, where the bodies are placed
+  };
+
+  /// `poses` are those the bodies start from.
+  /// @throws std::invalid_argument for one body twice or an anchor that is not finite.
+  WeldJoint(const Spec& spec, std::span<const Pose<double>> poses);
+
+  std::string name() const override { return "weld"; }
+  std::pair<BodyId, BodyId> bodies() const override { return {a_, b_}; }
+  std::pair<Vec2<double>, Vec2<double>> anchors() const override { return {local_a_, local_b_}; }
+
+  template <Scalar Real>
+  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+
+ private:
+  BodyId a_;
+  BodyId b_;
+  Vec2<double> local_a_;  // [m], in the body's frame
+  Vec2<double> local_b_;
+  double reference_angle_;  // [rad] q_0
+};
+
+}  // namespace cairn
