@@ -4,8 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "solvers/residual.hpp"
-
 namespace cairn {
 
 template <Scalar Real>
@@ -21,7 +19,7 @@ SolveReport ProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem, So
                             "; SequentialImpulse needs memory linear in the rows");
   }
   if (observer != nullptr) observer->before_solve(problem);
-  const Real scale = settings_.tolerance > 0 ? residual_scale(problem) : Real(0);
+  stopping_.begin(settings_, problem);
 
   system_ = system_matrices(problem);
   velocity_ = system_velocity(problem);
@@ -32,34 +30,43 @@ SolveReport ProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem, So
 
   const bool watched = observer != nullptr && observer->watches_rows();
   SolveReport report;
-  while (report.iterations < settings_.iterations && !report.converged) {
+  while (report.iterations < settings_.iterations && report.stop == Stop::sweeps) {
     const int number = ++report.iterations;
+    order_rows(problem, settings_.order, settings_.seed, number, sequence_);
     const Real change =
         watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
     report.largest_change = static_cast<double>(change);
-    if (observer == nullptr && !(settings_.tolerance > 0)) continue;
-    update_velocity(problem);  // for those who look; the sweep itself does not need it
+    // For those who look; the sweep itself does not need it.
+    if (observer != nullptr || settings_.tolerance > 0) update_velocity(problem);
     if (observer != nullptr) observer->after_sweep(number, problem);
-    if (settings_.tolerance > 0)
-      report.converged = residual(problem, scale).energy <= Real(settings_.tolerance);
+    report.stop = stopping_.judge(problem, number, change);
   }
+  report.converged = report.stop == Stop::tolerance;
   update_velocity(problem);
   return report;
+}
+
+template <Scalar Real>
+std::size_t ProjectedGaussSeidel<Real>::memory() const {
+  const Eigen::Index numbers = system_.J.size() + system_.inverse_mass.size() + system_.A.size() +
+                               system_.b.size() + lambda_.size() + velocity_.size();
+  return static_cast<std::size_t>(numbers) * sizeof(Real);
 }
 
 template <Scalar Real>
 template <bool watched>
 Real ProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& problem,
                                        [[maybe_unused]] SolveObserver<Real>* observer) {
+  const Real omega = Real(settings_.relaxation);
   Real largest_change = 0;
-  for (int i = 0; i < problem.row_count(); ++i) {
+  for (const int i : sequence_.rows) {
     const auto index = static_cast<std::size_t>(i);
     const ConstraintRow<Real>& row = problem.rows[index];
     const Real A_ii = system_.A(i, i);
 
     // (28) rearranged as in (29). A is symmetric: its column is its row, and lies together in memory.
     const Real row_error = system_.b(i) - system_.A.col(i).dot(lambda_);
-    const Real corrective = A_ii > 0 ? row_error / A_ii : Real(0);
+    const Real corrective = A_ii > 0 ? omega * (row_error / A_ii) : Real(0);
     const Real old = problem.impulse[index];
     problem.impulse[index] = row.bounds.clamp((lambda_(i) + corrective) * problem.dt, problem.impulse);
     lambda_(i) = problem.impulse[index] / problem.dt;

@@ -3,62 +3,87 @@
 
 #include <cmath>
 
-#include "solvers/residual.hpp"
-
 namespace cairn {
 
+namespace {
+
+/// 1 / A_ii, or 0 between two immovable bodies, where nothing can be done.
 template <Scalar Real>
-SequentialImpulse<Real>::SequentialImpulse(const SolverSettings& settings) : settings_(settings) {
+Real effective_mass_of(const ConstraintRow<Real>& row, const std::vector<Vec3<Real>>& inverse_mass) {
+  const Real inverse = inverse_effective_mass(row, inverse_mass);
+  return inverse > 0 ? 1 / inverse : Real(0);
+}
+
+}  // namespace
+
+template <Scalar Real>
+SequentialImpulse<Real>::SequentialImpulse(const SolverSettings& settings,
+                                           const SequentialImpulseVariant& variant)
+    : settings_(settings), variant_(variant) {
   check(settings, "SequentialImpulse");
 }
 
 template <Scalar Real>
 SolveReport SequentialImpulse<Real>::solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer) {
   if (observer != nullptr) observer->before_solve(problem);
-  const Real scale = settings_.tolerance > 0 ? residual_scale(problem) : Real(0);
-
-  effective_mass_.resize(problem.rows.size());
+  stopping_.begin(settings_, problem);
+  prepare(problem);
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    const Real inverse = inverse_effective_mass(problem.rows[i], problem.inverse_mass);
-    effective_mass_[i] = inverse > 0 ? 1 / inverse : Real(0);  // two immovable bodies: nothing can be done
     // Warm start: last step's impulse acts before the first sweep.
     apply_impulse(problem.rows[i], problem.impulse[i], problem.inverse_mass, problem.velocity);
   }
 
   const bool watched = observer != nullptr && observer->watches_rows();
   SolveReport report;
-  while (report.iterations < settings_.iterations && !report.converged) {
+  while (report.iterations < settings_.iterations && report.stop == Stop::sweeps) {
     const int number = ++report.iterations;
+    order_rows(problem, settings_.order, settings_.seed, number, sequence_);
     const Real change =
         watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
     report.largest_change = static_cast<double>(change);
     if (observer != nullptr) observer->after_sweep(number, problem);
-    if (settings_.tolerance > 0)
-      report.converged = residual(problem, scale).energy <= Real(settings_.tolerance);
+    report.stop = stopping_.judge(problem, number, change);
   }
+  report.converged = report.stop == Stop::tolerance;
   return report;
+}
+
+template <Scalar Real>
+void SequentialImpulse<Real>::prepare(const VelocityProblem<Real>& problem) {
+  if (variant_.effective_mass == EffectiveMass::in_the_loop) return;
+  effective_mass_.resize(problem.rows.size());
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    effective_mass_[i] = effective_mass_of(problem.rows[i], problem.inverse_mass);
+  }
 }
 
 template <Scalar Real>
 template <bool watched>
 Real SequentialImpulse<Real>::sweep(int number, VelocityProblem<Real>& problem,
                                     [[maybe_unused]] SolveObserver<Real>* observer) {
+  const bool precomputed = variant_.effective_mass == EffectiveMass::precomputed;
+  const bool clamps_sum = variant_.clamp == Clamp::accumulated;
+  const Real omega = Real(settings_.relaxation);
   Real largest_change = 0;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (const int turn : sequence_.rows) {
+    const auto i = static_cast<std::size_t>(turn);
     const ConstraintRow<Real>& row = problem.rows[i];
     Real& accumulated = problem.impulse[i];
     const Real jv = row_velocity(row, problem.velocity);
+    const Real effective_mass =
+        precomputed ? effective_mass_[i] : effective_mass_of(row, problem.inverse_mass);
 
-    // The impulse that satisfies this row alone: (22) times dt, with softness.
-    const Real corrective = (row.bias - jv - row.softness * accumulated) * effective_mass_[i];
+    // The impulse that satisfies this row alone: (22) times dt, with softness; relaxed.
+    const Real corrective = omega * ((row.bias - jv - row.softness * accumulated) * effective_mass);
     const Real old = accumulated;
-    accumulated = row.bounds.clamp(old + corrective, problem.impulse);
+    accumulated = clamps_sum ? row.bounds.clamp(old + corrective, problem.impulse)
+                             : old + row.bounds.clamp(corrective, problem.impulse);
     apply_impulse(row, accumulated - old, problem.inverse_mass, problem.velocity);  // (19), (21)
 
     largest_change = std::max(largest_change, std::abs(accumulated - old));
     if constexpr (watched) {
-      const Real inverse = effective_mass_[i] > 0 ? 1 / effective_mass_[i] : Real(0);
-      observer->after_row({number, static_cast<int>(i), jv, inverse, corrective, old, accumulated}, problem);
+      const Real inverse = effective_mass > 0 ? 1 / effective_mass : Real(0);
+      observer->after_row({number, turn, jv, inverse, corrective, old, accumulated}, problem);
     }
   }
   return largest_change;

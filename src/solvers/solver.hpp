@@ -1,16 +1,24 @@
 // Floor 4. What every solver is: an answer to a VelocityProblem.
 #pragma once
 
+#include <cstdint>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "constraints/row.hpp"
+#include "solvers/row_order.hpp"
 
 namespace cairn {
 
-/// When to stop, for every iterative solver.
+/// When to stop, for every iterative solver; and how to sweep, for those of the Gauss-Seidel kind.
 struct SolverSettings {
   int iterations = 10;   // sweeps over all rows, at most
   double tolerance = 0;  // stop once the residual R_E (residual.hpp) is at most this; 0: never sooner
+  RowOrder order = RowOrder::as_written;
+  std::uint64_t seed = 1;  // of RowOrder::shuffled
+  double relaxation = 1;   // omega of SOR (D. M. Young, 1954): every corrective impulse is multiplied by it
+  int patience = 0;        // so many sweeps at a standstill end it, and a cycle does (stopping.hpp); 0: never
 };
 
 /// One row update, as an observer sees it.
@@ -20,7 +28,7 @@ struct RowUpdate {
   int row = 0;              // from 0
   Real row_velocity = 0;    // j v before the update (paper (22))
   Real inverse_mass = 0;    // A_ii
-  Real corrective = 0;      // [N s] before clamping: lambda_corrective of Algorithm 1, times dt
+  Real corrective = 0;      // [N s] before clamping: lambda_corrective of Algorithm 1, times dt and omega
   Real impulse_before = 0;  // [N s] accumulated
   Real impulse_after = 0;   // [N s] accumulated and clamped
 };
@@ -39,10 +47,19 @@ class SolveObserver {
   virtual void after_sweep(int /*sweep*/, const VelocityProblem<Real>&) {}
 };
 
+/// Why a solver stopped.
+enum class Stop {
+  sweeps,     // all that were allowed are done
+  tolerance,  // the residual asked for is reached
+  stalled,    // impulses have not changed, but for rounding, for as many sweeps as patience says
+  cycle,      // impulses repeat those of an earlier sweep exactly, and would do so for ever
+};
+
 struct SolveReport {
   int iterations = 0;         // sweeps done
   double largest_change = 0;  // [N s] the largest change of an impulse in the last sweep
   bool converged = false;     // the tolerance was asked for and reached
+  Stop stop = Stop::sweeps;
 };
 
 /// Owns settings and scratch memory only: the problem carries everything else.
@@ -53,9 +70,23 @@ class Solver {
   virtual std::string name() const = 0;
   /// Changes problem.velocity and problem.impulse, from the impulses that it finds there.
   virtual SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) = 0;
+  /// Bytes that the last solve kept beside the problem: the numbers stored, not what the allocator has set
+  /// aside for more. 0 before the first solve, and for a solver that keeps nothing.
+  virtual std::size_t memory() const { return 0; }
 };
 
-/// @throws std::invalid_argument unless iterations >= 0 and tolerance is a finite number >= 0.
+/// The part of memory() that one array makes.
+template <typename Element>
+std::size_t bytes_of(const std::vector<Element>& array) {
+  return array.size() * sizeof(Element);
+}
+
+/// @throws std::invalid_argument unless iterations and patience are >= 0, tolerance is a finite number >= 0,
+/// and relaxation is above 0 and below 2.
 void check(const SolverSettings& settings, const std::string& solver);
+
+/// For solvers that sweep rows as they are written, and to the end: refuses what they would ignore.
+/// @throws std::invalid_argument as check() does, and unless order, relaxation and patience are the defaults.
+void check_as_written(const SolverSettings& settings, const std::string& solver);
 
 }  // namespace cairn

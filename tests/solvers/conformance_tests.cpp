@@ -60,7 +60,7 @@ class BoundsWatcher final : public SolveObserver<Real> {
 
 TEST_CASE_TEMPLATE("a solver that starts from the answer stays there", Real, float, double, long double) {
   const Real epsilon = std::numeric_limits<Real>::epsilon();
-  for (const SolverMaker<Real>& make : all_solvers<Real>()) {
+  for (const SolverMaker<Real>& make : all_solvers<Real>(Iterates::any)) {
     VelocityProblem<Real> problem = sliding_box_with_a_rod<Real>();
     const VelocityProblem<Real> start = problem;
     make({.iterations = 2000})->solve(problem);
@@ -76,7 +76,7 @@ TEST_CASE_TEMPLATE("a solver that starts from the answer stays there", Real, flo
 
 TEST_CASE_TEMPLATE("every impulse is inside its bounds after every row update", Real, float, double,
                    long double) {
-  for (const SolverMaker<Real>& make : all_solvers<Real>()) {
+  for (const SolverMaker<Real>& make : all_solvers<Real>(Iterates::any)) {
     VelocityProblem<Real> problem = sliding_box_with_a_rod<Real>();
     BoundsWatcher<Real> watcher;
     make({.iterations = 20})->solve(problem, &watcher);
@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE("every impulse is inside its bounds after every row update", 
 TEST_CASE_TEMPLATE("a converged solver leaves no residual, and friction at its bound", Real, float, double,
                    long double) {
   const Real epsilon = std::numeric_limits<Real>::epsilon();
-  for (const SolverMaker<Real>& make : all_solvers<Real>()) {
+  for (const SolverMaker<Real>& make : all_solvers<Real>(Iterates::any)) {
     VelocityProblem<Real> problem = sliding_box_with_a_rod<Real>();
     const Real scale = residual_scale(problem);
     make({.iterations = 2000})->solve(problem);
@@ -99,7 +99,7 @@ TEST_CASE_TEMPLATE("a converged solver leaves no residual, and friction at its b
 }
 
 TEST_CASE_TEMPLATE("the same problem gives the same bits twice", Real, float, double, long double) {
-  for (const SolverMaker<Real>& make : all_solvers<Real>()) {
+  for (const SolverMaker<Real>& make : all_solvers<Real>(Iterates::any)) {
     VelocityProblem<Real> first = sliding_box_with_a_rod<Real>();
     VelocityProblem<Real> second = first;
     const auto solver = make({.iterations = 7});
@@ -111,7 +111,7 @@ TEST_CASE_TEMPLATE("the same problem gives the same bits twice", Real, float, do
 }
 
 TEST_CASE_TEMPLATE("an observer changes nothing", Real, float, double, long double) {
-  for (const SolverMaker<Real>& make : all_solvers<Real>()) {
+  for (const SolverMaker<Real>& make : all_solvers<Real>(Iterates::any)) {
     VelocityProblem<Real> alone = sliding_box_with_a_rod<Real>();
     VelocityProblem<Real> watched = alone;
     BoundsWatcher<Real> watcher;
@@ -122,7 +122,7 @@ TEST_CASE_TEMPLATE("an observer changes nothing", Real, float, double, long doub
 }
 
 TEST_CASE("no sweeps at all apply the warm start and nothing else") {
-  for (const SolverMaker<double>& make : all_solvers<double>()) {
+  for (const SolverMaker<double>& make : all_solvers<double>(Iterates::any)) {
     VelocityProblem<double> problem = hand_made_stack<double>(1, 10, 0.5);
     problem.impulse[0] = 2;  // less than the 5 N s that would hold the box
     const SolveReport report = make({.iterations = 0})->solve(problem);
@@ -133,7 +133,7 @@ TEST_CASE("no sweeps at all apply the warm start and nothing else") {
 }
 
 TEST_CASE("a problem without rows is solved by leaving it alone") {
-  for (const SolverMaker<double>& make : all_solvers<double>()) {
+  for (const SolverMaker<double>& make : all_solvers<double>(Iterates::any)) {
     VelocityProblem<double> problem;
     problem.velocity = {Vec3<double>(1, 2, 3)};
     problem.inverse_mass = {Vec3<double>(1, 1, 1)};
@@ -143,7 +143,7 @@ TEST_CASE("a problem without rows is solved by leaving it alone") {
 }
 
 TEST_CASE("a solver stops when the residual asked for is reached, and says so") {
-  for (const SolverMaker<double>& make : all_solvers<double>()) {
+  for (const SolverMaker<double>& make : all_solvers<double>(Iterates::any)) {
     VelocityProblem<double> problem = hand_made_stack<double>(10, 10, 0.02);
     const double scale = residual_scale(problem);
     const SolveReport report = make({.iterations = 100000, .tolerance = 1e-6})->solve(problem);
@@ -156,7 +156,7 @@ TEST_CASE("a solver stops when the residual asked for is reached, and says so") 
 }
 
 TEST_CASE("settings that no solver can work with are refused") {
-  for (const SolverMaker<double>& make : all_solvers<double>()) {
+  for (const SolverMaker<double>& make : all_solvers<double>(Iterates::any)) {
     CHECK_THROWS_AS(make({.iterations = -1}), std::invalid_argument);
     CHECK_THROWS_AS(make({.tolerance = -1.0}), std::invalid_argument);
     CHECK_THROWS_AS(make({.tolerance = std::numeric_limits<double>::quiet_NaN()}), std::invalid_argument);

@@ -1,0 +1,123 @@
+// Floor 4. E. Catto's form of section 2: A is never multiplied out.
+#include "solvers/factored_projected_gauss_seidel.hpp"
+
+#include <cmath>
+
+#include "solvers/residual.hpp"
+
+namespace cairn {
+
+template <Scalar Real>
+FactoredProjectedGaussSeidel<Real>::FactoredProjectedGaussSeidel(const SolverSettings& settings)
+    : settings_(settings) {
+  check_as_written(settings, "FactoredProjectedGaussSeidel");
+}
+
+template <Scalar Real>
+SolveReport FactoredProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem,
+                                                      SolveObserver<Real>* observer) {
+  if (observer != nullptr) observer->before_solve(problem);
+  const Real scale = settings_.tolerance > 0 ? residual_scale(problem) : Real(0);
+  build(problem);
+
+  const bool watched = observer != nullptr && observer->watches_rows();
+  SolveReport report;
+  while (report.iterations < settings_.iterations && !report.converged) {
+    const int number = ++report.iterations;
+    const Real change =
+        watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
+    report.largest_change = static_cast<double>(change);
+    if (observer == nullptr && !(settings_.tolerance > 0)) continue;
+    update_velocity(problem);  // for those who look; the sweep itself reads the acceleration
+    if (observer != nullptr) observer->after_sweep(number, problem);
+    if (settings_.tolerance > 0)
+      report.converged = residual(problem, scale).energy <= Real(settings_.tolerance);
+  }
+  update_velocity(problem);
+  if (report.converged) report.stop = Stop::tolerance;
+  return report;
+}
+
+/// The rows of J and M^-1 J^T, b (15), and a = M^-1 J^T lambda for the lambda to start from (2.3).
+template <Scalar Real>
+void FactoredProjectedGaussSeidel<Real>::build(const VelocityProblem<Real>& problem) {
+  velocity_ = problem.velocity;
+  acceleration_.assign(problem.velocity.size(), Vec3<Real>::Zero());
+  rows_.resize(problem.rows.size());
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const ConstraintRow<Real>& source = problem.rows[i];
+    FactoredRow& row = rows_[i];
+    row.body_a = static_cast<std::size_t>(source.a.index);
+    row.body_b = static_cast<std::size_t>(source.b.index);
+    row.jacobian_a = source.jacobian_a;
+    row.jacobian_b = source.jacobian_b;
+    row.response_a = problem.inverse_mass[row.body_a].cwiseProduct(row.jacobian_a);
+    row.response_b = problem.inverse_mass[row.body_b].cwiseProduct(row.jacobian_b);
+    row.softness = source.softness;
+    const Real inverse =
+        row.jacobian_a.dot(row.response_a) + row.jacobian_b.dot(row.response_b) + row.softness;
+    row.effective_mass = inverse > 0 ? 1 / inverse : Real(0);
+    row.b = (source.bias - row_velocity(source, velocity_)) / problem.dt;
+    row.lambda = problem.impulse[i] / problem.dt;
+    accelerate(row, row.lambda);
+  }
+}
+
+/// a += M^-1 j^T lambda, on the row's two bodies.
+template <Scalar Real>
+void FactoredProjectedGaussSeidel<Real>::accelerate(const FactoredRow& row, Real lambda) {
+  acceleration_[row.body_a] += row.response_a * lambda;
+  acceleration_[row.body_b] += row.response_b * lambda;
+}
+
+template <Scalar Real>
+template <bool watched>
+Real FactoredProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& problem,
+                                               [[maybe_unused]] SolveObserver<Real>* observer) {
+  Real largest_change = 0;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    FactoredRow& row = rows_[i];
+
+    // (28) rearranged as in (29), with j a for the sums over J M^-1 J^T.
+    const Real ja =
+        row.jacobian_a.dot(acceleration_[row.body_a]) + row.jacobian_b.dot(acceleration_[row.body_b]);
+    const Real row_error = row.b - ja - row.softness * row.lambda;
+    const Real corrective = row_error * row.effective_mass;
+    const Real old = problem.impulse[i];
+    const Real wish = (row.lambda + corrective) * problem.dt;
+    problem.impulse[i] = problem.rows[i].bounds.clamp(wish, problem.impulse);
+    const Real lambda = problem.impulse[i] / problem.dt;
+    accelerate(row, lambda - row.lambda);
+    row.lambda = lambda;
+
+    largest_change = std::max(largest_change, std::abs(problem.impulse[i] - old));
+    if constexpr (watched) {
+      const Real jv = problem.rows[i].bias - row.softness * old - row_error * problem.dt;
+      const Real inverse = row.effective_mass > 0 ? 1 / row.effective_mass : Real(0);
+      update_velocity(problem);
+      observer->after_row(
+          {number, static_cast<int>(i), jv, inverse, corrective * problem.dt, old, problem.impulse[i]},
+          problem);
+    }
+  }
+  return largest_change;
+}
+
+/// (12): v_2 = v_1 + a dt.
+template <Scalar Real>
+void FactoredProjectedGaussSeidel<Real>::update_velocity(VelocityProblem<Real>& problem) const {
+  for (std::size_t body = 0; body < velocity_.size(); ++body) {
+    problem.velocity[body] = velocity_[body] + acceleration_[body] * problem.dt;
+  }
+}
+
+template <Scalar Real>
+std::size_t FactoredProjectedGaussSeidel<Real>::memory() const {
+  return bytes_of(rows_) + bytes_of(acceleration_) + bytes_of(velocity_);
+}
+
+template class FactoredProjectedGaussSeidel<float>;
+template class FactoredProjectedGaussSeidel<double>;
+template class FactoredProjectedGaussSeidel<long double>;
+
+}  // namespace cairn

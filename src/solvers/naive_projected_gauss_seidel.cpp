@@ -1,0 +1,88 @@
+// Floor 4. The paper's "if implemented naively" (4.4), for comparison only.
+#include "solvers/naive_projected_gauss_seidel.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "solvers/residual.hpp"
+
+namespace cairn {
+
+template <Scalar Real>
+NaiveProjectedGaussSeidel<Real>::NaiveProjectedGaussSeidel(const SolverSettings& settings)
+    : settings_(settings) {
+  check_as_written(settings, "NaiveProjectedGaussSeidel");
+}
+
+template <Scalar Real>
+SolveReport NaiveProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem,
+                                                   SolveObserver<Real>* observer) {
+  if (problem.row_count() > max_rows) {
+    throw std::length_error("NaiveProjectedGaussSeidel: sweeps over " + std::to_string(problem.row_count()) +
+                            " rows, above the limit of " + std::to_string(max_rows) +
+                            ", take time with their square; SequentialImpulse needs time linear in the rows");
+  }
+  if (observer != nullptr) observer->before_solve(problem);
+  const Real scale = settings_.tolerance > 0 ? residual_scale(problem) : Real(0);
+
+  velocity_ = problem.velocity;
+  inverse_mass_.resize(problem.rows.size());
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    inverse_mass_[i] = inverse_effective_mass(problem.rows[i], problem.inverse_mass);
+  }
+  recompute_velocity(problem);  // warm start (2.3): the impulses that are there already act
+
+  const bool watched = observer != nullptr && observer->watches_rows();
+  SolveReport report;
+  while (report.iterations < settings_.iterations && !report.converged) {
+    const int number = ++report.iterations;
+    const Real change =
+        watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
+    report.largest_change = static_cast<double>(change);
+    if (observer != nullptr) observer->after_sweep(number, problem);
+    if (settings_.tolerance > 0)
+      report.converged = residual(problem, scale).energy <= Real(settings_.tolerance);
+  }
+  if (report.converged) report.stop = Stop::tolerance;
+  return report;
+}
+
+template <Scalar Real>
+template <bool watched>
+Real NaiveProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& problem,
+                                            [[maybe_unused]] SolveObserver<Real>* observer) {
+  Real largest_change = 0;
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    const ConstraintRow<Real>& row = problem.rows[i];
+    const Real jv = row_velocity(row, problem.velocity);
+    const Real old = problem.impulse[i];
+
+    // b - A lambda of (28), times dt: read from the velocity, which holds (12).
+    const Real row_error = row.bias - jv - row.softness * old;
+    const Real corrective = inverse_mass_[i] > 0 ? row_error / inverse_mass_[i] : Real(0);
+    problem.impulse[i] = row.bounds.clamp(old + corrective, problem.impulse);
+    recompute_velocity(problem);
+
+    largest_change = std::max(largest_change, std::abs(problem.impulse[i] - old));
+    if constexpr (watched) {
+      observer->after_row(
+          {number, static_cast<int>(i), jv, inverse_mass_[i], corrective, old, problem.impulse[i]}, problem);
+    }
+  }
+  return largest_change;
+}
+
+/// (12): v_2 = v_1 + M^-1 J^T lambda dt, of all bodies from all rows.
+template <Scalar Real>
+void NaiveProjectedGaussSeidel<Real>::recompute_velocity(VelocityProblem<Real>& problem) const {
+  problem.velocity = velocity_;
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    apply_impulse(problem.rows[i], problem.impulse[i], problem.inverse_mass, problem.velocity);
+  }
+}
+
+template class NaiveProjectedGaussSeidel<float>;
+template class NaiveProjectedGaussSeidel<double>;
+template class NaiveProjectedGaussSeidel<long double>;
+
+}  // namespace cairn

@@ -1,0 +1,65 @@
+// Floor 4. Counting row by row over the rows that share a body: no A is formed.
+#include "solvers/non_zeros.hpp"
+
+#include "solvers/body_rows.hpp"
+
+namespace cairn {
+
+namespace {
+
+/// Pairs of rows with J_i W J_j^T != 0.
+template <Scalar Real>
+std::size_t count_non_zero_couplings(const std::vector<ConstraintRow<Real>>& rows,
+                                     const std::vector<Vec3<Real>>& weight) {
+  BodyRows body_rows;
+  body_rows.build(rows, weight);
+  std::vector<int> neighbours;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    neighbours.clear();
+    body_rows.append_neighbours(static_cast<int>(i), neighbours);
+    for (const int j : neighbours) {
+      count += coupling(rows[i], rows[static_cast<std::size_t>(j)], weight) != Real(0);
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+template <Scalar Real>
+std::size_t non_zeros_as_printed(const VelocityProblem<Real>& problem) {
+  const std::vector<Vec3<Real>> ones(problem.inverse_mass.size(), Vec3<Real>::Ones());
+  return count_non_zero_couplings(problem.rows, ones);
+}
+
+template <Scalar Real>
+std::size_t non_zeros(const VelocityProblem<Real>& problem) {
+  return count_non_zero_couplings(problem.rows, problem.inverse_mass);
+}
+
+template <Scalar Real>
+std::size_t coupled_pairs(const VelocityProblem<Real>& problem) {
+  BodyRows body_rows;
+  body_rows.build(problem.rows, problem.inverse_mass);
+  std::vector<int> neighbours;
+  std::size_t count = 0;
+  for (int i = 0; i < problem.row_count(); ++i) {
+    neighbours.clear();
+    body_rows.append_neighbours(i, neighbours);
+    count += neighbours.size();
+  }
+  return count;
+}
+
+template std::size_t non_zeros_as_printed(const VelocityProblem<float>&);
+template std::size_t non_zeros_as_printed(const VelocityProblem<double>&);
+template std::size_t non_zeros_as_printed(const VelocityProblem<long double>&);
+template std::size_t non_zeros(const VelocityProblem<float>&);
+template std::size_t non_zeros(const VelocityProblem<double>&);
+template std::size_t non_zeros(const VelocityProblem<long double>&);
+template std::size_t coupled_pairs(const VelocityProblem<float>&);
+template std::size_t coupled_pairs(const VelocityProblem<double>&);
+template std::size_t coupled_pairs(const VelocityProblem<long double>&);
+
+}  // namespace cairn

@@ -1,0 +1,59 @@
+// Floor 4. Tolerance, standstill and cycles.
+#include "solvers/stopping.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "solvers/residual.hpp"
+
+namespace cairn {
+
+template <Scalar Real>
+void Stopping<Real>::begin(const SolverSettings& settings, const VelocityProblem<Real>& problem) {
+  settings_ = settings;
+  scale_ = settings.tolerance > 0 ? residual_scale(problem) : Real(0);
+  quiet_sweeps_ = 0;
+  moved_ = false;
+  remembered_sweep_ = 0;
+  remembered_.reserve(settings.patience > 0 ? problem.impulse.size() : 0);
+}
+
+template <Scalar Real>
+Stop Stopping<Real>::judge(const VelocityProblem<Real>& problem, int sweep, Real largest_change) {
+  if (settings_.tolerance > 0 && residual(problem, scale_).energy <= Real(settings_.tolerance)) {
+    return Stop::tolerance;
+  }
+  if (settings_.patience == 0) return Stop::sweeps;
+
+  Real largest = 0;
+  for (const Real impulse : problem.impulse) {
+    if (!std::isfinite(impulse)) return Stop::sweeps;
+    largest = std::max(largest, std::abs(impulse));
+  }
+  const bool quiet = largest_change <= 16 * std::numeric_limits<Real>::epsilon() * largest;
+  quiet_sweeps_ = quiet ? quiet_sweeps_ + 1 : 0;
+  moved_ = moved_ || !quiet;
+  if (quiet_sweeps_ >= settings_.patience) return Stop::stalled;
+  return repeats(problem, sweep) ? Stop::cycle : Stop::sweeps;
+}
+
+template <Scalar Real>
+bool Stopping<Real>::repeats(const VelocityProblem<Real>& problem, int sweep) {
+  if (settings_.order == RowOrder::shuffled) return false;
+  // An upward and a downward sweep may lead to the same impulses, and from there to different ones.
+  const bool same_direction =
+      settings_.order != RowOrder::alternating || (sweep - remembered_sweep_) % 2 == 0;
+  if (remembered_sweep_ > 0 && moved_ && same_direction && problem.impulse == remembered_) return true;
+  if (remembered_sweep_ == 0 || sweep >= 2 * remembered_sweep_) {
+    remembered_ = problem.impulse;
+    remembered_sweep_ = sweep;
+    moved_ = false;
+  }
+  return false;
+}
+
+template class Stopping<float>;
+template class Stopping<double>;
+template class Stopping<long double>;
+
+}  // namespace cairn

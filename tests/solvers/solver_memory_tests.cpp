@@ -1,0 +1,94 @@
+// What solvers store, and what they refuse to store.
+#include <doctest/doctest.h>
+
+#include "solver_list.hpp"
+#include "solvers/non_zeros.hpp"
+
+using namespace cairn;
+using namespace cairn::testing;
+
+namespace {
+
+std::vector<SolverMaker<double>> solvers_that_count_memory() {
+  return {maker<SequentialImpulse<double>, double>(), maker<ProjectedGaussSeidel<double>, double>(),
+          maker<SparseProjectedGaussSeidel<double>, double>(),
+          maker<FactoredProjectedGaussSeidel<double>, double>(),
+          maker<NaiveProjectedGaussSeidel<double>, double>()};
+}
+
+/// How many bytes a solver kept for a stack of boxes.
+template <typename SolverType>
+std::size_t memory_for_boxes(int boxes) {
+  VelocityProblem<double> problem = hand_made_stack<double>(boxes, 10, 0.02);
+  SolverType solver({.iterations = 1});
+  solver.solve(problem);
+  return solver.memory();
+}
+
+}  // namespace
+
+TEST_CASE("what each form of PGS stores is what it says") {
+  const std::size_t real = sizeof(double), index = sizeof(int), place = sizeof(std::size_t);
+  for (const std::size_t m : {1u, 10u, 20u, 40u}) {
+    CAPTURE(m);
+    const std::size_t n = m + 1;  // the boxes and the ground
+    const int boxes = static_cast<int>(m);
+    CHECK(memory_for_boxes<ProjectedGaussSeidel<double>>(boxes) ==
+          (m * m + 3 * n * m + 6 * n + 2 * m) * real);
+    CHECK(memory_for_boxes<SequentialImpulse<double>>(boxes) == m * real);
+    CHECK(memory_for_boxes<NaiveProjectedGaussSeidel<double>>(boxes) == (m + 3 * n) * real);
+    CHECK(memory_for_boxes<FactoredProjectedGaussSeidel<double>>(boxes) ==
+          m * (16 * real + 2 * place) + 6 * n * real);
+
+    // A is tridiagonal. Beside it stand its diagonal, b, lambda and v_1; and of every row its two bodies, of
+    // every body its rows: all rows but the lowest act on two.
+    const std::size_t entries = 3 * m - 2;
+    CHECK(coupled_pairs(hand_made_stack<double>(boxes, 10, 0.02)) == entries);
+    const std::size_t matrix = entries * (real + index) + (m + 1) * place;
+    const std::size_t lists = 2 * m * index + (n + 1) * place + (2 * m - 1) * index;
+    CHECK(memory_for_boxes<SparseProjectedGaussSeidel<double>>(boxes) ==
+          matrix + lists + (3 * m + 3 * n) * real);
+  }
+}
+
+TEST_CASE("the memory of a solver is that of its last solve") {
+  for (const SolverMaker<double>& make : solvers_that_count_memory()) {
+    const auto solver = make({.iterations = 1});
+    CAPTURE(solver->name());
+    CHECK(solver->memory() == 0);
+    VelocityProblem<double> small = hand_made_stack<double>(5, 10, 0.02);
+    VelocityProblem<double> large = hand_made_stack<double>(50, 10, 0.02);
+    solver->solve(small);
+    const std::size_t first = solver->memory();
+    solver->solve(large);
+    CHECK(solver->memory() > first);
+    solver->solve(small);
+    CHECK(solver->memory() == first);
+  }
+}
+
+TEST_CASE("naive PGS refuses a problem that would take too long") {
+  const int rows = NaiveProjectedGaussSeidel<double>::max_rows + 1;
+  VelocityProblem<double> problem = hand_made_stack<double>(rows, 10, 0.02);
+  CHECK_THROWS_WITH_AS(NaiveProjectedGaussSeidel<double>().solve(problem),
+                       "NaiveProjectedGaussSeidel: sweeps over 5001 rows, above the limit of 5000, take time "
+                       "with their square; SequentialImpulse needs time linear in the rows",
+                       std::length_error);
+}
+
+TEST_CASE("sparse PGS refuses rows that all meet on one body, and takes as many that do not") {
+  const int rows = 5001;
+  SparseProjectedGaussSeidel<double> solver({.iterations = 1});
+  VelocityProblem<double> stack = hand_made_stack<double>(rows, 10, 0.02);
+  CHECK(solver.solve(stack).iterations == 1);
+
+  VelocityProblem<double> star = hand_made_stack<double>(rows, 10, 0.02);
+  for (ConstraintRow<double>& row : star.rows) {
+    row.a = ground;
+    row.b = {1};
+  }
+  CHECK_THROWS_WITH_AS(solver.solve(star),
+                       "SparseProjectedGaussSeidel: 25010001 pairs of rows on a body are above the limit of "
+                       "25000000; SequentialImpulse needs memory linear in the rows",
+                       std::length_error);
+}
