@@ -86,7 +86,7 @@ Real AcceleratedProjectedGaussSeidel<Real>::iterate(int number, VelocityProblem<
   return change;
 }
 
-/// Takes the impulses from p_k to y and remembers p_k. Returns by how much f has changed [J].
+/// Takes the impulses from p_{k-1} to y and remembers p_{k-1}. Returns by how much f has changed [J].
 template <Scalar Real>
 Real AcceleratedProjectedGaussSeidel<Real>::extrapolate(Real momentum, VelocityProblem<Real>& problem) {
   if (!(momentum > 0)) {
