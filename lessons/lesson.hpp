@@ -40,14 +40,15 @@ struct LessonInfo {
   std::string idea = {};                    // one sentence
   std::string paper = {};                   // "paper 3.2, Algorithm 1, eq (19)-(23)"
   std::vector<std::string> equations = {};  // "(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)"
-  std::vector<std::string> needs = {};      // what to know first: "lesson 05" ...
+  std::vector<std::string> needs = {};      // what to know first: "lesson 06" ...
   std::vector<std::string> reads = {};      // files of the project to read next
   std::string question = {};                // to predict before the lesson shows it
   std::vector<std::string> hints = {};      // up to three, from vague to plain
   std::vector<Parameter> parameters = {};
   std::vector<Choice> choices = {};
-  int cover = -1;         // the frame that stands for the lesson, from 1; negative: from the end
-  std::string next = {};  // "lesson07_clamp_the_sum   (why a contact may take back what it gave)"
+  int cover = -1;  // the frame that stands for the lesson, from 1; negative: from the end
+  std::string next =
+      {};  // "lesson08_same_thing_twice   (the same pushes, out of a large matrix)"; "" after the last
 };
 
 /// One frame, drawn only if it is wanted.

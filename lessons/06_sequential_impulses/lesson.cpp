@@ -26,7 +26,7 @@ LessonInfo info() {
       .equations = {"(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)     what this row asks for [N]",
                     "(23)  p = jᵀ λ Δt                        the impulse it gives [N s]",
                     "(21)  v ← v + M⁻¹ p                      to its two bodies, at once"},
-      .needs = {"lesson 02", "lesson 05"},
+      .needs = {"lesson 00"},
       .reads = {"src/solvers/sequential_impulse.cpp", "src/constraints/row.hpp"},
       .question =
           "After one sweep from the ground up: how fast does each box still fall (m/s, lowest first)?",
@@ -41,7 +41,7 @@ LessonInfo info() {
                      {"seed", 1, 0, 1e9, "", "of --order shuffle", Parameter::Kind::whole}},
       .choices = {{"order", {"up", "down", "shuffle"}, "in which rows are visited"}},
       .cover = 6,
-      .next = "lesson07_clamp_the_sum   (why a contact may take back what it gave)"};
+      .next = "lesson08_same_thing_twice   (the same pushes, out of a large matrix)"};
 }
 
 void print_updates(Lesson& lesson, const StackRun& run) {

@@ -27,7 +27,7 @@ LessonInfo info() {
                     "(27)  η_i ← η_i + (ζ − j·v) / (j M⁻¹ jᵀ Δt)        one update of SI",
                     "(28)  η_i ← (b_i − Σ_{j≠i} A_ij η_j) / A_ii        one update of PGS",
                     "(29)  put A = J M⁻¹ Jᵀ, b = (ζ − J v̄)/Δt and (26) into (28), and (27) is left"},
-      .needs = {"lesson 05", "lesson 06"},
+      .needs = {"lesson 06"},
       .reads = {"src/solvers/projected_gauss_seidel.cpp", "src/solvers/sequential_impulse.cpp"},
       .question =
           "After 50 sweeps in single precision: will the impulses of PGS and SI be equal to the last bit?",
@@ -38,7 +38,7 @@ LessonInfo info() {
                      {"sweeps", 50, 2, 1000, "", "sweeps", Parameter::Kind::whole},
                      {"seed", 1, 0, 1e9, "", "of the random problem", Parameter::Kind::whole}},
       .cover = 16,
-      .next = "lesson09_warm_start   (yesterday's answer is today's first guess)"};
+      .next = "lesson11_friction   (a row whose bounds lean on another row)"};
 }
 
 void print_first_sweep(Lesson& lesson, const TwiceRun& run) {

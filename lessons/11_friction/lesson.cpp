@@ -28,7 +28,7 @@ LessonInfo info() {
   info.equations = {"j_n v ≥ 0,  λ_n ≥ 0            normal row: the contact may push, never pull",
                     "j_t v = 0,  |λ_t| ≤ μ λ_n      tangent row: Coulomb's law as bounds",
                     "holds while tan θ ≤ μ; else slides with a = g (sin θ − μ cos θ)"};
-  info.needs = {"lesson 05", "lesson 06", "lesson 09"};
+  info.needs = {"lesson 06"};
   info.reads = {"src/constraints/contact.cpp", "src/constraints/row.hpp",
                 "src/solvers/sequential_impulse.cpp"};
   info.question = "The rough block just holds. Double its mass: does it start to slide?";
@@ -73,7 +73,7 @@ LessonInfo info() {
        .what = "steps",
        .kind = Kind::whole}};
   info.cover = 4;
-  info.next = "lesson12_blocks   (solve what belongs together in one go)";
+  info.next = "lesson17_tower   (three solvers, ten boxes, the same loads)";
   return info;
 }
 

@@ -35,7 +35,7 @@ LessonInfo info() {
                          {"sweeps", 10, 1, 200, "", "sweeps in each step", Parameter::Kind::whole},
                          {"steps", 50, 10, 100, "", "steps of each run", Parameter::Kind::whole}},
           .cover = 51,
-          .next = "lesson18_speed_accuracy   (what one more digit costs)"};
+          .next = ""};
 }
 
 void print_loads(Lesson& lesson, std::string_view title, const std::vector<EngineRun>& runs) {
@@ -75,6 +75,34 @@ void check_runs(Lesson& lesson, std::string_view start, const std::vector<Engine
 
 double top_of(const EngineRun& run) { return run.frames.back().bodies.back().pose.position.y() + 0.5; }
 
+void print_ends(Lesson& lesson, const TowerRuns& runs) {
+  lesson.print(
+      fmt::format("Top of the tower at {:.2f} s:  warm {:.3f} m (SI) and {:.3f} m (Box2D), cold {:.3f} m and "
+                  "{:.3f} m.",
+                  runs.settings.steps * runs.settings.dt, top_of(runs.warm[1]), top_of(runs.warm[2]),
+                  top_of(runs.cold[1]), top_of(runs.cold[2])));
+  lesson.print(
+      "Box2D wraps its shapes in a skin and pushes them apart by a pass of its own: compare loads, not "
+      "heights.");
+  const int asleep = box2d_falls_asleep(runs.settings, 500);
+  if (asleep > 0)
+    lesson.print(fmt::format("With sleeping allowed, Box2D stops simulating it after step {}.", asleep));
+}
+
+CsvTable loads_table(const TowerRuns& runs) {
+  CsvTable table{.header = {"start", "step", "interface", "pgs_newton", "si_newton", "box2d_newton"}};
+  for (const auto* engines : {&runs.warm, &runs.cold}) {
+    for (std::size_t k = 1; k < (*engines)[0].loads.size(); ++k) {
+      for (std::size_t i = 0; i < (*engines)[0].loads[k].size(); ++i) {
+        table.rows.push_back({engines == &runs.warm ? "warm" : "cold", static_cast<long long>(k),
+                              static_cast<long long>(i + 1), (*engines)[0].loads[k][i],
+                              (*engines)[1].loads[k][i], (*engines)[2].loads[k][i]});
+      }
+    }
+  }
+  return table;
+}
+
 void run(Lesson& lesson) {
   TowerSettings settings{.boxes = lesson.whole("bodies"),
                          .dt = lesson.real("dt"),
@@ -96,17 +124,7 @@ void run(Lesson& lesson) {
   print_loads(lesson, "warm start", runs.warm);
   print_loads(lesson, "cold start", runs.cold);
   lesson.print();
-  lesson.print(
-      fmt::format("Top of the tower at {:.2f} s:  warm {:.3f} m (SI) and {:.3f} m (Box2D), cold {:.3f} m and "
-                  "{:.3f} m.",
-                  settings.steps * settings.dt, top_of(runs.warm[1]), top_of(runs.warm[2]),
-                  top_of(runs.cold[1]), top_of(runs.cold[2])));
-  lesson.print(
-      "Box2D wraps its shapes in a skin and pushes them apart by a pass of its own: compare loads, not "
-      "heights.");
-  const int asleep = box2d_falls_asleep(settings, 500);
-  if (asleep > 0)
-    lesson.print(fmt::format("With sleeping allowed, Box2D stops simulating it after step {}.", asleep));
+  print_ends(lesson, runs);
   lesson.print();
 
   check_runs(lesson, "warm", runs.warm, settings);
@@ -114,17 +132,7 @@ void run(Lesson& lesson) {
   const double first = runs.warm[1].loads[1][0];
   lesson.check_equal("step 1 is the same, warm or cold (N)", runs.cold[1].loads[1][0], first, 0);
   lesson.film(tower_shots(runs));
-  CsvTable table{.header = {"start", "step", "interface", "pgs_newton", "si_newton", "box2d_newton"}};
-  for (const auto* engines : {&runs.warm, &runs.cold}) {
-    for (std::size_t k = 1; k < (*engines)[0].loads.size(); ++k) {
-      for (std::size_t i = 0; i < (*engines)[0].loads[k].size(); ++i) {
-        table.rows.push_back({engines == &runs.warm ? "warm" : "cold", static_cast<long long>(k),
-                              static_cast<long long>(i + 1), (*engines)[0].loads[k][i],
-                              (*engines)[1].loads[k][i], (*engines)[2].loads[k][i]});
-      }
-    }
-  }
-  lesson.data(table);
+  lesson.data(loads_table(runs));
   lesson.fingerprint(runs.warm[1].frames.back());
 }
 

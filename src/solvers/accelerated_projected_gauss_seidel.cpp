@@ -36,16 +36,8 @@ SolveReport AcceleratedProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& 
 
   SolveObserver<Real>* const row_observer =
       observer != nullptr && observer->watches_rows() ? observer : nullptr;
-  SolveReport report;
-  while (report.iterations < settings_.iterations && report.stop == Stop::sweeps) {
-    const int number = ++report.iterations;
-    const Real change = iterate(number, problem, row_observer);
-    report.largest_change = static_cast<double>(change);
-    if (observer != nullptr) observer->after_sweep(number, problem);
-    report.stop = stopping_.judge(problem, number, change);
-  }
-  report.converged = report.stop == Stop::tolerance;
-  return report;
+  return stopping_.repeat(problem, observer,
+                          [&](int number) { return iterate(number, problem, row_observer); });
 }
 
 template <Scalar Real>

@@ -3,38 +3,31 @@
 
 #include <cmath>
 
-#include "solvers/residual.hpp"
-
 namespace cairn {
 
 template <Scalar Real>
 FactoredProjectedGaussSeidel<Real>::FactoredProjectedGaussSeidel(const SolverSettings& settings)
     : settings_(settings) {
-  check_as_written(settings, "FactoredProjectedGaussSeidel");
+  check(settings, "FactoredProjectedGaussSeidel");
 }
 
 template <Scalar Real>
 SolveReport FactoredProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem,
                                                       SolveObserver<Real>* observer) {
   if (observer != nullptr) observer->before_solve(problem);
-  const Real scale = settings_.tolerance > 0 ? residual_scale(problem) : Real(0);
+  stopping_.begin(settings_, problem);
   build(problem);
 
   const bool watched = observer != nullptr && observer->watches_rows();
-  SolveReport report;
-  while (report.iterations < settings_.iterations && !report.converged) {
-    const int number = ++report.iterations;
+  const SolveReport report = stopping_.repeat(problem, observer, [&](int number) {
+    order_rows(problem, settings_.order, settings_.seed, number, sequence_);
     const Real change =
         watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
-    report.largest_change = static_cast<double>(change);
-    if (observer == nullptr && !(settings_.tolerance > 0)) continue;
-    update_velocity(problem);  // for those who look; the sweep itself reads the acceleration
-    if (observer != nullptr) observer->after_sweep(number, problem);
-    if (settings_.tolerance > 0)
-      report.converged = residual(problem, scale).energy <= Real(settings_.tolerance);
-  }
+    // For those who look; the sweep itself does not need it.
+    if (observer != nullptr || settings_.tolerance > 0) update_velocity(problem);
+    return change;
+  });
   update_velocity(problem);
-  if (report.converged) report.stop = Stop::tolerance;
   return report;
 }
 
@@ -74,15 +67,17 @@ template <Scalar Real>
 template <bool watched>
 Real FactoredProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& problem,
                                                [[maybe_unused]] SolveObserver<Real>* observer) {
+  const Real omega = Real(settings_.relaxation);
   Real largest_change = 0;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
+  for (const int turn : sequence_.rows) {
+    const auto i = static_cast<std::size_t>(turn);
     FactoredRow& row = rows_[i];
 
     // (28) rearranged as in (29), with j a for the sums over J M^-1 J^T.
     const Real ja =
         row.jacobian_a.dot(acceleration_[row.body_a]) + row.jacobian_b.dot(acceleration_[row.body_b]);
     const Real row_error = row.b - ja - row.softness * row.lambda;
-    const Real corrective = row_error * row.effective_mass;
+    const Real corrective = omega * (row_error * row.effective_mass);
     const Real old = problem.impulse[i];
     const Real wish = (row.lambda + corrective) * problem.dt;
     problem.impulse[i] = problem.rows[i].bounds.clamp(wish, problem.impulse);
@@ -95,9 +90,8 @@ Real FactoredProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>
       const Real jv = problem.rows[i].bias - row.softness * old - row_error * problem.dt;
       const Real inverse = row.effective_mass > 0 ? 1 / row.effective_mass : Real(0);
       update_velocity(problem);
-      observer->after_row(
-          {number, static_cast<int>(i), jv, inverse, corrective * problem.dt, old, problem.impulse[i]},
-          problem);
+      observer->after_row({number, turn, jv, inverse, corrective * problem.dt, old, problem.impulse[i]},
+                          problem);
     }
   }
   return largest_change;

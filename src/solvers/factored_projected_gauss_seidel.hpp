@@ -1,7 +1,9 @@
 // Floor 4. Projected Gauss-Seidel that never forms A: J and M^-1 J^T, two bodies a row.
 #pragma once
 
+#include "solvers/row_order.hpp"
 #include "solvers/solver.hpp"
+#include "solvers/stopping.hpp"
 
 namespace cairn {
 
@@ -19,8 +21,7 @@ namespace cairn {
 template <Scalar Real = double>
 class FactoredProjectedGaussSeidel final : public Solver<Real> {
  public:
-  /// @throws std::invalid_argument for settings out of range, and for those it does not know
-  /// (check_as_written).
+  /// @throws std::invalid_argument for settings out of range.
   explicit FactoredProjectedGaussSeidel(const SolverSettings& settings = {});
 
   std::string name() const override { return "factored PGS"; }
@@ -49,6 +50,8 @@ class FactoredProjectedGaussSeidel final : public Solver<Real> {
   void update_velocity(VelocityProblem<Real>& problem) const;
 
   SolverSettings settings_;
+  RowSequence sequence_;
+  Stopping<Real> stopping_;
   std::vector<FactoredRow> rows_;         // m
   std::vector<Vec3<Real>> acceleration_;  // n, a [m/s^2, m/s^2, rad/s^2]
   std::vector<Vec3<Real>> velocity_;      // n, v_1

@@ -28,17 +28,9 @@ SolveReport Jacobi<Real>::solve(VelocityProblem<Real>& problem, SolveObserver<Re
   }
 
   const bool watched = observer != nullptr && observer->watches_rows();
-  SolveReport report;
-  while (report.iterations < settings_.iterations && report.stop == Stop::sweeps) {
-    const int number = ++report.iterations;
-    const Real change =
-        watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
-    report.largest_change = static_cast<double>(change);
-    if (observer != nullptr) observer->after_sweep(number, problem);
-    report.stop = stopping_.judge(problem, number, change);
-  }
-  report.converged = report.stop == Stop::tolerance;
-  return report;
+  return stopping_.repeat(problem, observer, [&](int number) {
+    return watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
+  });
 }
 
 template <Scalar Real>

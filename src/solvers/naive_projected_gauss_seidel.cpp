@@ -4,14 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "solvers/residual.hpp"
-
 namespace cairn {
 
 template <Scalar Real>
 NaiveProjectedGaussSeidel<Real>::NaiveProjectedGaussSeidel(const SolverSettings& settings)
     : settings_(settings) {
-  check_as_written(settings, "NaiveProjectedGaussSeidel");
+  check(settings, "NaiveProjectedGaussSeidel");
 }
 
 template <Scalar Real>
@@ -23,7 +21,7 @@ SolveReport NaiveProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& proble
                             ", take time with their square; SequentialImpulse needs time linear in the rows");
   }
   if (observer != nullptr) observer->before_solve(problem);
-  const Real scale = settings_.tolerance > 0 ? residual_scale(problem) : Real(0);
+  stopping_.begin(settings_, problem);
 
   velocity_ = problem.velocity;
   inverse_mass_.resize(problem.rows.size());
@@ -33,40 +31,33 @@ SolveReport NaiveProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& proble
   recompute_velocity(problem);  // warm start (2.3): the impulses that are there already act
 
   const bool watched = observer != nullptr && observer->watches_rows();
-  SolveReport report;
-  while (report.iterations < settings_.iterations && !report.converged) {
-    const int number = ++report.iterations;
-    const Real change =
-        watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
-    report.largest_change = static_cast<double>(change);
-    if (observer != nullptr) observer->after_sweep(number, problem);
-    if (settings_.tolerance > 0)
-      report.converged = residual(problem, scale).energy <= Real(settings_.tolerance);
-  }
-  if (report.converged) report.stop = Stop::tolerance;
-  return report;
+  return stopping_.repeat(problem, observer, [&](int number) {
+    order_rows(problem, settings_.order, settings_.seed, number, sequence_);
+    return watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
+  });
 }
 
 template <Scalar Real>
 template <bool watched>
 Real NaiveProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& problem,
                                             [[maybe_unused]] SolveObserver<Real>* observer) {
+  const Real omega = Real(settings_.relaxation);
   Real largest_change = 0;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (const int turn : sequence_.rows) {
+    const auto i = static_cast<std::size_t>(turn);
     const ConstraintRow<Real>& row = problem.rows[i];
     const Real jv = row_velocity(row, problem.velocity);
     const Real old = problem.impulse[i];
 
     // b - A lambda of (28), times dt: read from the velocity, which holds (12).
     const Real row_error = row.bias - jv - row.softness * old;
-    const Real corrective = inverse_mass_[i] > 0 ? row_error / inverse_mass_[i] : Real(0);
+    const Real corrective = inverse_mass_[i] > 0 ? omega * (row_error / inverse_mass_[i]) : Real(0);
     problem.impulse[i] = row.bounds.clamp(old + corrective, problem.impulse);
     recompute_velocity(problem);
 
     largest_change = std::max(largest_change, std::abs(problem.impulse[i] - old));
     if constexpr (watched) {
-      observer->after_row(
-          {number, static_cast<int>(i), jv, inverse_mass_[i], corrective, old, problem.impulse[i]}, problem);
+      observer->after_row({number, turn, jv, inverse_mass_[i], corrective, old, problem.impulse[i]}, problem);
     }
   }
   return largest_change;

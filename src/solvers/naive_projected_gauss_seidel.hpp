@@ -1,7 +1,9 @@
 // Floor 4. Projected Gauss-Seidel that recomputes every velocity for every lambda (paper 4.4): a comparison.
 #pragma once
 
+#include "solvers/row_order.hpp"
 #include "solvers/solver.hpp"
+#include "solvers/stopping.hpp"
 
 namespace cairn {
 
@@ -20,8 +22,7 @@ class NaiveProjectedGaussSeidel final : public Solver<Real> {
   /// At this many rows a sweep takes 1.5e8 multiply-adds.
   static constexpr int max_rows = 5000;
 
-  /// @throws std::invalid_argument for settings out of range, and for those it does not know
-  /// (check_as_written).
+  /// @throws std::invalid_argument for settings out of range.
   explicit NaiveProjectedGaussSeidel(const SolverSettings& settings = {});
 
   std::string name() const override { return "naive PGS"; }
@@ -35,6 +36,8 @@ class NaiveProjectedGaussSeidel final : public Solver<Real> {
   void recompute_velocity(VelocityProblem<Real>& problem) const;
 
   SolverSettings settings_;
+  RowSequence sequence_;
+  Stopping<Real> stopping_;
   std::vector<Real> inverse_mass_;    // m, A_ii [1/kg]
   std::vector<Vec3<Real>> velocity_;  // n, v_1
 };

@@ -29,19 +29,14 @@ SolveReport ProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem, So
   }
 
   const bool watched = observer != nullptr && observer->watches_rows();
-  SolveReport report;
-  while (report.iterations < settings_.iterations && report.stop == Stop::sweeps) {
-    const int number = ++report.iterations;
+  const SolveReport report = stopping_.repeat(problem, observer, [&](int number) {
     order_rows(problem, settings_.order, settings_.seed, number, sequence_);
     const Real change =
         watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
-    report.largest_change = static_cast<double>(change);
     // For those who look; the sweep itself does not need it.
     if (observer != nullptr || settings_.tolerance > 0) update_velocity(problem);
-    if (observer != nullptr) observer->after_sweep(number, problem);
-    report.stop = stopping_.judge(problem, number, change);
-  }
-  report.converged = report.stop == Stop::tolerance;
+    return change;
+  });
   update_velocity(problem);
   return report;
 }

@@ -34,18 +34,10 @@ SolveReport SequentialImpulse<Real>::solve(VelocityProblem<Real>& problem, Solve
   }
 
   const bool watched = observer != nullptr && observer->watches_rows();
-  SolveReport report;
-  while (report.iterations < settings_.iterations && report.stop == Stop::sweeps) {
-    const int number = ++report.iterations;
+  return stopping_.repeat(problem, observer, [&](int number) {
     order_rows(problem, settings_.order, settings_.seed, number, sequence_);
-    const Real change =
-        watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
-    report.largest_change = static_cast<double>(change);
-    if (observer != nullptr) observer->after_sweep(number, problem);
-    report.stop = stopping_.judge(problem, number, change);
-  }
-  report.converged = report.stop == Stop::tolerance;
-  return report;
+    return watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
+  });
 }
 
 template <Scalar Real>

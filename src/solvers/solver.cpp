@@ -14,12 +14,4 @@ void check(const SolverSettings& settings, const std::string& solver) {
   require(settings.patience >= 0, solver, "patience", ">= 0", settings.patience);
 }
 
-void check_as_written(const SolverSettings& settings, const std::string& solver) {
-  check(settings, solver);
-  require(settings.order == RowOrder::as_written, solver, "order", "as_written, the only one it knows",
-          "another");
-  require(settings.relaxation == 1, solver, "relaxation", "1, the only one it knows", settings.relaxation);
-  require(settings.patience == 0, solver, "patience", "0, as it looks for no standstill", settings.patience);
-}
-
 }  // namespace cairn

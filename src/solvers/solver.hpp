@@ -85,8 +85,4 @@ std::size_t bytes_of(const std::vector<Element>& array) {
 /// and relaxation is above 0 and below 2.
 void check(const SolverSettings& settings, const std::string& solver);
 
-/// For solvers that sweep rows as they are written, and to the end: refuses what they would ignore.
-/// @throws std::invalid_argument as check() does, and unless order, relaxation and patience are the defaults.
-void check_as_written(const SolverSettings& settings, const std::string& solver);
-
 }  // namespace cairn

@@ -4,14 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "solvers/residual.hpp"
-
 namespace cairn {
 
 template <Scalar Real>
 SparseProjectedGaussSeidel<Real>::SparseProjectedGaussSeidel(const SolverSettings& settings)
     : settings_(settings) {
-  check_as_written(settings, "SparseProjectedGaussSeidel");
+  check(settings, "SparseProjectedGaussSeidel");
 }
 
 template <Scalar Real>
@@ -24,24 +22,19 @@ SolveReport SparseProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& probl
                             "; SequentialImpulse needs memory linear in the rows");
   }
   if (observer != nullptr) observer->before_solve(problem);
-  const Real scale = settings_.tolerance > 0 ? residual_scale(problem) : Real(0);
+  stopping_.begin(settings_, problem);
   build(problem);
 
   const bool watched = observer != nullptr && observer->watches_rows();
-  SolveReport report;
-  while (report.iterations < settings_.iterations && !report.converged) {
-    const int number = ++report.iterations;
+  const SolveReport report = stopping_.repeat(problem, observer, [&](int number) {
+    order_rows(problem, settings_.order, settings_.seed, number, sequence_);
     const Real change =
         watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
-    report.largest_change = static_cast<double>(change);
-    if (observer == nullptr && !(settings_.tolerance > 0)) continue;
-    update_velocity(problem);  // for those who look; the sweep itself does not need it
-    if (observer != nullptr) observer->after_sweep(number, problem);
-    if (settings_.tolerance > 0)
-      report.converged = residual(problem, scale).energy <= Real(settings_.tolerance);
-  }
+    // For those who look; the sweep itself does not need it.
+    if (observer != nullptr || settings_.tolerance > 0) update_velocity(problem);
+    return change;
+  });
   update_velocity(problem);
-  if (report.converged) report.stop = Stop::tolerance;
   return report;
 }
 
@@ -77,11 +70,13 @@ template <Scalar Real>
 template <bool watched>
 Real SparseProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& problem,
                                              [[maybe_unused]] SolveObserver<Real>* observer) {
+  const Real omega = Real(settings_.relaxation);
   Real largest_change = 0;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (const int turn : sequence_.rows) {
+    const auto i = static_cast<std::size_t>(turn);
     const ConstraintRow<Real>& row = problem.rows[i];
     const Real row_error = b_[i] - row_product(i);  // (28) rearranged as in (29)
-    const Real corrective = diagonal_[i] > 0 ? row_error / diagonal_[i] : Real(0);
+    const Real corrective = diagonal_[i] > 0 ? omega * (row_error / diagonal_[i]) : Real(0);
     const Real old = problem.impulse[i];
     problem.impulse[i] = row.bounds.clamp((lambda_[i] + corrective) * problem.dt, problem.impulse);
     lambda_[i] = problem.impulse[i] / problem.dt;
@@ -90,9 +85,8 @@ Real SparseProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& 
     if constexpr (watched) {
       const Real jv = row.bias - row.softness * old - row_error * problem.dt;
       update_velocity(problem);
-      observer->after_row(
-          {number, static_cast<int>(i), jv, diagonal_[i], corrective * problem.dt, old, problem.impulse[i]},
-          problem);
+      observer->after_row({number, turn, jv, diagonal_[i], corrective * problem.dt, old, problem.impulse[i]},
+                          problem);
     }
   }
   return largest_change;

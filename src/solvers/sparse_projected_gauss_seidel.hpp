@@ -2,7 +2,9 @@
 #pragma once
 
 #include "solvers/body_rows.hpp"
+#include "solvers/row_order.hpp"
 #include "solvers/solver.hpp"
+#include "solvers/stopping.hpp"
 
 namespace cairn {
 
@@ -23,8 +25,7 @@ class SparseProjectedGaussSeidel final : public Solver<Real> {
   /// Above this many pairs of rows on a body A could take 300 MB in double, the columns included.
   static constexpr std::size_t max_pairs = 25'000'000;
 
-  /// @throws std::invalid_argument for settings out of range, and for those it does not know
-  /// (check_as_written).
+  /// @throws std::invalid_argument for settings out of range.
   explicit SparseProjectedGaussSeidel(const SolverSettings& settings = {});
 
   std::string name() const override { return "sparse PGS"; }
@@ -40,6 +41,8 @@ class SparseProjectedGaussSeidel final : public Solver<Real> {
   void update_velocity(VelocityProblem<Real>& problem) const;
 
   SolverSettings settings_;
+  RowSequence sequence_;
+  Stopping<Real> stopping_;
   BodyRows body_rows_;
   std::vector<std::size_t> first_;    // m + 1: where a row begins in entry_ and column_
   std::vector<Real> entry_;           // A_ij [1/kg], row after row

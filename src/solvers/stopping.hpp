@@ -29,6 +29,23 @@ class Stopping {
   /// this sweep. problem.velocity must be current where a tolerance is asked for.
   Stop judge(const VelocityProblem<Real>& problem, int sweep, Real largest_change);
 
+  /// Sweeps until the settings given to begin() say stop: "while not satisfied with global solution" of
+  /// Algorithm 1, in every iterative solver. sweep(number), from 1, does one sweep and returns the largest
+  /// change of an impulse [N s]; it leaves problem.velocity current where an observer or a tolerance looks.
+  template <typename Sweep>
+  SolveReport repeat(VelocityProblem<Real>& problem, SolveObserver<Real>* observer, const Sweep& sweep) {
+    SolveReport report;
+    while (report.iterations < settings_.iterations && report.stop == Stop::sweeps) {
+      const int number = ++report.iterations;
+      const Real change = sweep(number);
+      report.largest_change = static_cast<double>(change);
+      if (observer != nullptr) observer->after_sweep(number, problem);
+      report.stop = judge(problem, number, change);
+    }
+    report.converged = report.stop == Stop::tolerance;
+    return report;
+  }
+
  private:
   bool repeats(const VelocityProblem<Real>& problem, int sweep);
 
