@@ -28,7 +28,7 @@ void judge_rows(const World<double>& world, Slide& slide) {
     const double lambda = problem.impulse[i] / problem.dt;
     const double load = problem.impulse[static_cast<std::size_t>(row.bounds.normal_row)] / problem.dt;
     slide.worst_cone = std::max(slide.worst_cone, std::abs(lambda) - row.bounds.friction * load);
-    slide.largest_power = std::max(slide.largest_power, lambda * row_velocity(row, problem.velocity));
+    slide.largest_power = std::max(slide.largest_power, lambda * row_velocity(problem, row));
   }
 }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "constraints/row.hpp"
@@ -27,6 +27,8 @@ struct RowSpec {
   std::optional<Real> max_force = {};     // [N or N m]; replaces the bounds by |impulse| <= max_force dt
   std::optional<Softness> softness = {};  // none: rigid
   bool keeps_slop = true;                 // an inequality: may stay violated by the slop, as contacts do
+  std::array<RowTerm<Real>, 2> extra = {};  // a third and a fourth body
+  int extra_count = 0;
 };
 
 /// How far the condition is from holding [m or rad], signed: all of the error of an equality, the missing
@@ -40,6 +42,12 @@ Real violation(const RowSpec<Real>& spec) {
 template <Scalar Real>
 using RowSpecs = std::vector<RowSpec<Real>>;
 
+/// A place where a joint is fastened.
+struct Attachment {
+  BodyId body = {};
+  Vec2<double> anchor = {0, 0};  // [m] in the frame of the body
+};
+
 /// A joint: immutable, shared by all worlds of a scene. Derive from ConstraintOf<Derived>, not from this.
 class Constraint {
  public:
@@ -48,11 +56,11 @@ class Constraint {
   /// What it is called: "distance", "rope", "spring", "revolute", "prismatic", "weld".
   virtual std::string name() const = 0;
 
-  /// The two bodies it joins.
-  virtual std::pair<BodyId, BodyId> bodies() const = 0;
+  /// Where it is fastened, in the order of the line that it would be drawn as.
+  virtual std::vector<Attachment> attachments() const = 0;
 
-  /// Where it is fastened, in the frames of the two bodies [m].
-  virtual std::pair<Vec2<double>, Vec2<double>> anchors() const = 0;
+  /// Whether its bodies may touch each other, where the scene does not say.
+  virtual bool bodies_collide() const { return false; }
 
   /// Appends the rows that hold at these poses. A degenerate one writes none.
   virtual void append_rows(const std::vector<Pose<float>>& poses, RowSpecs<float>& rows) const = 0;

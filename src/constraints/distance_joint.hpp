@@ -37,8 +37,7 @@ class DistanceJoint final : public ConstraintOf<DistanceJoint> {
 
   /// "distance" for a rod, "rope" or "spring".
   std::string name() const override;
-  std::pair<BodyId, BodyId> bodies() const override { return {a_, b_}; }
-  std::pair<Vec2<double>, Vec2<double>> anchors() const override { return {local_a_, local_b_}; }
+  std::vector<Attachment> attachments() const override { return {{a_, local_a_}, {b_, local_b_}}; }
   Kind kind() const { return kind_; }
 
   template <Scalar Real>

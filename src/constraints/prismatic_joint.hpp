@@ -43,8 +43,7 @@ class PrismaticJoint final : public ConstraintOf<PrismaticJoint> {
   PrismaticJoint(const Spec& spec, std::span<const Pose<double>> poses);
 
   std::string name() const override { return "prismatic"; }
-  std::pair<BodyId, BodyId> bodies() const override { return {a_, b_}; }
-  std::pair<Vec2<double>, Vec2<double>> anchors() const override { return {local_a_, local_b_}; }
+  std::vector<Attachment> attachments() const override { return {{a_, local_a_}, {b_, local_b_}}; }
 
   template <Scalar Real>
   void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;

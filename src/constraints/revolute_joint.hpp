@@ -40,8 +40,7 @@ class RevoluteJoint final : public ConstraintOf<RevoluteJoint> {
   RevoluteJoint(const Spec& spec, std::span<const Pose<double>> poses);
 
   std::string name() const override { return "revolute"; }
-  std::pair<BodyId, BodyId> bodies() const override { return {a_, b_}; }
-  std::pair<Vec2<double>, Vec2<double>> anchors() const override { return {local_a_, local_b_}; }
+  std::vector<Attachment> attachments() const override { return {{a_, local_a_}, {b_, local_b_}}; }
 
   /// Whether it is a pin and nothing else.
   bool is_free() const { return !limits_.lower && !limits_.upper && !motor_; }

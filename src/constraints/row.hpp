@@ -50,8 +50,16 @@ struct RowKey {
   auto operator<=>(const RowKey&) const = default;
 };
 
+/// What a row has for one body: three entries of J (6).
+template <Scalar Real>
+struct RowTerm {
+  BodyId body = {};
+  Vec3<Real> jacobian = Vec3<Real>::Zero();
+};
+
 /// One row: j v + softness * impulse = bias, with the impulse inside its bounds. j has six numbers, three for
-/// each of two bodies; all other entries of a row of J (6) are zero.
+/// each of two bodies; all other entries of a row of J (6) are zero, but for those of the rare row that holds
+/// more than two bodies (paper 4.3): they stand in the problem's extra_terms.
 template <Scalar Real>
 struct ConstraintRow {
   BodyId a = {};
@@ -62,6 +70,8 @@ struct ConstraintRow {
   Real softness = 0;  // gamma (paper 4.3) [1/kg]; 0: rigid
   Bounds<Real> bounds = {};
   RowKey key = {};
+  int first_extra = 0;  // its terms of further bodies, in extra_terms
+  int extra_count = 0;
 };
 
 /// The rows that one joint or manifold wrote: consecutive, solved together by solvers that can.
@@ -74,41 +84,75 @@ struct RowBlock {
 /// n bodies, m rows.
 template <Scalar Real>
 struct VelocityProblem {
-  std::vector<ConstraintRow<Real>> rows = {};  // m
-  std::vector<RowBlock> blocks = {};           // cover all rows
-  std::vector<Vec3<Real>> inverse_mass = {};   // n, the diagonal of M^-1 (2)
-  std::vector<Vec3<Real>> velocity = {};       // n; in: v_1 with gravity already applied; out: v_2 (11)
-  std::vector<Real> impulse = {};              // m [N s]; in: warm start; out: the answer
-  Real dt = 1;                                 // [s]; the paper's lambda is impulse / dt
+  std::vector<ConstraintRow<Real>> rows = {};   // m
+  std::vector<RowBlock> blocks = {};            // cover all rows
+  std::vector<RowTerm<Real>> extra_terms = {};  // of rows on more than two bodies; most problems have none
+  std::vector<Vec3<Real>> inverse_mass = {};    // n, the diagonal of M^-1 (2)
+  std::vector<Vec3<Real>> velocity = {};        // n; in: v_1 with gravity already applied; out: v_2 (11)
+  std::vector<Real> impulse = {};               // m [N s]; in: warm start; out: the answer
+  Real dt = 1;                                  // [s]; the paper's lambda is impulse / dt
 
   int row_count() const { return static_cast<int>(rows.size()); }
   int body_count() const { return static_cast<int>(velocity.size()); }
 };
 
-/// j v: how fast the row's error changes.
-template <Scalar Real>
-Real row_velocity(const ConstraintRow<Real>& row, const std::vector<Vec3<Real>>& velocity) {
-  return row.jacobian_a.dot(velocity[static_cast<std::size_t>(row.a.index)]) +
-         row.jacobian_b.dot(velocity[static_cast<std::size_t>(row.b.index)]);
+/// Calls visit(BodyId, jacobian) for every body of a row beyond its two.
+template <Scalar Real, typename Visit>
+void for_each_extra_term(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row,
+                         const Visit& visit) {
+  for (int k = row.first_extra; k < row.first_extra + row.extra_count; ++k) {
+    const RowTerm<Real>& term = problem.extra_terms[static_cast<std::size_t>(k)];
+    visit(term.body, term.jacobian);
+  }
 }
 
-/// v += M^-1 j^T p: gives the row's two bodies the impulse p [N s] (paper (19), (21)).
+/// Calls visit(BodyId, jacobian) for every body of a row.
+template <Scalar Real, typename Visit>
+void for_each_term(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row, const Visit& visit) {
+  visit(row.a, row.jacobian_a);
+  visit(row.b, row.jacobian_b);
+  for_each_extra_term(problem, row, visit);
+}
+
+/// j v: how fast the row's error changes, at these velocities.
 template <Scalar Real>
-void apply_impulse(const ConstraintRow<Real>& row, Real p, const std::vector<Vec3<Real>>& inverse_mass,
-                   std::vector<Vec3<Real>>& velocity) {
+Real row_velocity(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row,
+                  const std::vector<Vec3<Real>>& velocity) {
+  Real jv = row.jacobian_a.dot(velocity[static_cast<std::size_t>(row.a.index)]) +
+            row.jacobian_b.dot(velocity[static_cast<std::size_t>(row.b.index)]);
+  for_each_extra_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
+    jv += jacobian.dot(velocity[static_cast<std::size_t>(body.index)]);
+  });
+  return jv;
+}
+
+/// j v at the problem's own velocities.
+template <Scalar Real>
+Real row_velocity(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
+  return row_velocity(problem, row, problem.velocity);
+}
+
+/// v += M^-1 j^T p: gives the bodies of one of the problem's rows the impulse p [N s] (paper (19), (21)).
+template <Scalar Real>
+void apply_impulse(VelocityProblem<Real>& problem, const ConstraintRow<Real>& row, Real p) {
   const auto a = static_cast<std::size_t>(row.a.index);
   const auto b = static_cast<std::size_t>(row.b.index);
-  velocity[a] += inverse_mass[a].cwiseProduct(row.jacobian_a) * p;
-  velocity[b] += inverse_mass[b].cwiseProduct(row.jacobian_b) * p;
+  problem.velocity[a] += problem.inverse_mass[a].cwiseProduct(row.jacobian_a) * p;
+  problem.velocity[b] += problem.inverse_mass[b].cwiseProduct(row.jacobian_b) * p;
+  for_each_extra_term(problem, row, [&](BodyId id, const Vec3<Real>& jacobian) {
+    const auto body = static_cast<std::size_t>(id.index);
+    problem.velocity[body] += problem.inverse_mass[body].cwiseProduct(jacobian) * p;
+  });
 }
 
 /// j M^-1 j^T + gamma: A_ii of (15), the inverse of the effective mass [1/kg].
 template <Scalar Real>
-Real inverse_effective_mass(const ConstraintRow<Real>& row, const std::vector<Vec3<Real>>& inverse_mass) {
-  const auto a = static_cast<std::size_t>(row.a.index);
-  const auto b = static_cast<std::size_t>(row.b.index);
-  return row.jacobian_a.dot(inverse_mass[a].cwiseProduct(row.jacobian_a)) +
-         row.jacobian_b.dot(inverse_mass[b].cwiseProduct(row.jacobian_b)) + row.softness;
+Real inverse_effective_mass(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
+  Real sum = 0;
+  for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
+    sum += jacobian.dot(problem.inverse_mass[static_cast<std::size_t>(body.index)].cwiseProduct(jacobian));
+  });
+  return sum + row.softness;
 }
 
 }  // namespace cairn

@@ -7,8 +7,13 @@ namespace {
 
 template <Scalar Real>
 Real spec_velocity(const RowSpec<Real>& spec, const std::vector<Vec3<Real>>& velocity) {
-  return spec.jacobian_a.dot(velocity[static_cast<std::size_t>(spec.a.index)]) +
-         spec.jacobian_b.dot(velocity[static_cast<std::size_t>(spec.b.index)]);
+  Real jv = spec.jacobian_a.dot(velocity[static_cast<std::size_t>(spec.a.index)]) +
+            spec.jacobian_b.dot(velocity[static_cast<std::size_t>(spec.b.index)]);
+  for (int k = 0; k < spec.extra_count; ++k) {
+    const RowTerm<Real>& term = spec.extra[static_cast<std::size_t>(k)];
+    jv += term.jacobian.dot(velocity[static_cast<std::size_t>(term.body.index)]);
+  }
+  return jv;
 }
 
 }  // namespace
@@ -32,8 +37,7 @@ Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization
 
 template <Scalar Real>
 ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilization& stabilization,
-                                   const VelocityProblem<Real>& problem, std::uint64_t source,
-                                   int first_row) {
+                                   VelocityProblem<Real>& problem, std::uint64_t source, int first_row) {
   ConstraintRow<Real> row{.a = spec.a,
                           .b = spec.b,
                           .jacobian_a = spec.jacobian_a,
@@ -41,12 +45,17 @@ ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilizatio
                           .bias = bias_velocity(spec, stabilization, problem.dt, problem.velocity),
                           .softness = 0,
                           .bounds = spec.bounds,
-                          .key = {.source = source, .part = spec.part}};
+                          .key = {.source = source, .part = spec.part},
+                          .first_extra = static_cast<int>(problem.extra_terms.size()),
+                          .extra_count = spec.extra_count};
+  for (int k = 0; k < spec.extra_count; ++k) {
+    problem.extra_terms.push_back(spec.extra[static_cast<std::size_t>(k)]);
+  }
   if (row.bounds.is_friction()) row.bounds.normal_row += first_row;
   if (spec.max_force) row.bounds = Bounds<Real>::at_most(*spec.max_force * problem.dt);
   if (spec.softness) {
     // The row is still rigid here: this is j M^-1 j^T alone.
-    const Real inverse_mass = inverse_effective_mass(row, problem.inverse_mass);
+    const Real inverse_mass = inverse_effective_mass(problem, row);
     row.softness = row_softness(*spec.softness, inverse_mass, problem.dt);
   }
   return row;
@@ -59,10 +68,10 @@ template double bias_velocity(const RowSpec<double>&, const Stabilization&, doub
 template long double bias_velocity(const RowSpec<long double>&, const Stabilization&, long double,
                                    const std::vector<Vec3<long double>>&);
 template ConstraintRow<float> stabilized_row(const RowSpec<float>&, const Stabilization&,
-                                             const VelocityProblem<float>&, std::uint64_t, int);
+                                             VelocityProblem<float>&, std::uint64_t, int);
 template ConstraintRow<double> stabilized_row(const RowSpec<double>&, const Stabilization&,
-                                              const VelocityProblem<double>&, std::uint64_t, int);
+                                              VelocityProblem<double>&, std::uint64_t, int);
 template ConstraintRow<long double> stabilized_row(const RowSpec<long double>&, const Stabilization&,
-                                                   const VelocityProblem<long double>&, std::uint64_t, int);
+                                                   VelocityProblem<long double>&, std::uint64_t, int);
 
 }  // namespace cairn

@@ -24,9 +24,9 @@ Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization
 
 /// The row of `spec` in a step of `problem`, whose dt, inverse masses and velocities are those of the step
 /// without constraints: with the bias above, the softness of its spring, and a motor's force as an impulse.
-/// The block of the row begins at row `first_row`.
+/// The block of the row begins at row `first_row`. Terms of further bodies go to the problem's extra terms.
 template <Scalar Real>
 ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilization& stabilization,
-                                   const VelocityProblem<Real>& problem, std::uint64_t source, int first_row);
+                                   VelocityProblem<Real>& problem, std::uint64_t source, int first_row);
 
 }  // namespace cairn

@@ -23,7 +23,7 @@ void SweepRecorder<Real>::before_solve(const VelocityProblem<Real>& problem) {
   scale_ = residual_scale(problem);
   VelocityProblem<Real> warm = problem;
   for (std::size_t i = 0; i < warm.rows.size(); ++i) {
-    apply_impulse(warm.rows[i], warm.impulse[i], warm.inverse_mass, warm.velocity);
+    apply_impulse(warm, warm.rows[i], warm.impulse[i]);
   }
   sweeps_.push_back(record(0, warm, scale_));
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "collision/broadphase.hpp"
 #include "collision/collide.hpp"
@@ -27,15 +26,15 @@ double worst_penetration(const Snapshot& snapshot) {
       movable.push_back(body.type == BodyType::dynamic ? 1 : 0);
     }
   }
-  std::set<std::pair<int, int>> joined;
-  for (const SnapshotJoint& joint : snapshot.joints) joined.insert(std::minmax(joint.a.index, joint.b.index));
 
   double worst = 0;
   Broadphase<double> broadphase(BroadphaseKind::sweep);
   for (const auto& [i, j] : broadphase.pairs(boxes, movable)) {
     const Item& a = items[static_cast<std::size_t>(i)];
     const Item& b = items[static_cast<std::size_t>(j)];
-    if (a.body == b.body || joined.count(std::minmax(a.body, b.body)) > 0) continue;
+    const std::pair<BodyId, BodyId> bodies = std::minmax(BodyId{a.body}, BodyId{b.body});
+    if (a.body == b.body || std::binary_search(snapshot.apart.begin(), snapshot.apart.end(), bodies))
+      continue;
     const Pose<double>& pose_a = snapshot.bodies[static_cast<std::size_t>(a.body)].pose;
     const Pose<double>& pose_b = snapshot.bodies[static_cast<std::size_t>(b.body)].pose;
     const Manifold<double> manifold = collide(*a.shape, pose_a, *b.shape, pose_b, 0.0);

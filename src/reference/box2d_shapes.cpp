@@ -3,6 +3,8 @@
 
 #include <box2d/box2d.h>
 
+#include <algorithm>
+
 #include "constraints/distance_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "math/check.hpp"
@@ -53,9 +55,9 @@ std::unique_ptr<b2Shape> convert(const Segment<double>& segment) {
 /// The length of a rod, found by asking for its error C = |d| - length at two poses with |d| = 1 m.
 double rod_length(const DistanceJoint& joint, std::size_t body_count) {
   std::vector<Pose<double>> poses(body_count);
-  const auto [a, b] = joint.bodies();
-  const auto [local_a, local_b] = joint.anchors();
-  poses[static_cast<std::size_t>(b.index)].position = local_a - local_b + Vec2<double>(1, 0);
+  const std::vector<Attachment> ends = joint.attachments();
+  poses[static_cast<std::size_t>(ends[1].body.index)].position =
+      ends[0].anchor - ends[1].anchor + Vec2<double>(1, 0);
   RowSpecs<double> rows;
   joint.rows(poses, rows);
   return 1 - rows.front().error;
@@ -66,8 +68,8 @@ b2DistanceJointDef definition(const DistanceJoint& joint, std::size_t body_count
   require(length >= b2_linearSlop, "Box2DWorld", "distance joint length",
           ">= 0.005 m, the shortest in Box2D 2.4.1", length);
   b2DistanceJointDef result;
-  result.localAnchorA = to_box2d(joint.anchors().first);
-  result.localAnchorB = to_box2d(joint.anchors().second);
+  result.localAnchorA = to_box2d(joint.attachments()[0].anchor);
+  result.localAnchorB = to_box2d(joint.attachments()[1].anchor);
   result.length = static_cast<float>(length);
   result.minLength = result.length;
   result.maxLength = result.length;
@@ -76,8 +78,8 @@ b2DistanceJointDef definition(const DistanceJoint& joint, std::size_t body_count
 
 b2RevoluteJointDef definition(const RevoluteJoint& joint) {
   b2RevoluteJointDef result;
-  result.localAnchorA = to_box2d(joint.anchors().first);
-  result.localAnchorB = to_box2d(joint.anchors().second);
+  result.localAnchorA = to_box2d(joint.attachments()[0].anchor);
+  result.localAnchorB = to_box2d(joint.attachments()[1].anchor);
   return result;
 }
 
@@ -89,10 +91,14 @@ std::unique_ptr<b2Shape> to_box2d(const Shape<double>& shape) {
   return std::visit([](const auto& held) { return convert(held); }, shape);
 }
 
-b2Joint* create_joint(b2World& world, const Constraint& joint, const std::vector<b2Body*>& bodies) {
+b2Joint* create_joint(b2World& world, const Constraint& joint, const std::vector<b2Body*>& bodies,
+                      const std::vector<std::pair<BodyId, BodyId>>& apart) {
+  const std::vector<Attachment> places = joint.attachments();
+  const std::pair<BodyId, BodyId> ends = std::minmax(places.front().body, places.back().body);
   const auto create = [&](b2JointDef&& definition) {
-    definition.bodyA = bodies[static_cast<std::size_t>(joint.bodies().first.index)];
-    definition.bodyB = bodies[static_cast<std::size_t>(joint.bodies().second.index)];
+    definition.bodyA = bodies[static_cast<std::size_t>(places.front().body.index)];
+    definition.bodyB = bodies[static_cast<std::size_t>(places.back().body.index)];
+    definition.collideConnected = !std::binary_search(apart.begin(), apart.end(), ends);
     return world.CreateJoint(&definition);
   };
   const auto* rod = dynamic_cast<const DistanceJoint*>(&joint);

@@ -4,6 +4,7 @@
 #include <box2d/b2_shape.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "constraints/constraint.hpp"
@@ -20,9 +21,11 @@ b2Vec2 to_box2d(const Vec2<double>& v);
 /// @throws std::invalid_argument for a capsule, a rounded polygon, or more than 8 vertices.
 std::unique_ptr<b2Shape> to_box2d(const Shape<double>& shape);
 
-/// Creates the joint between two bodies of the world. The bodies do not collide with each other.
+/// Creates the joint between two bodies of the world. They do not collide if they are among those kept
+/// `apart`.
 /// @throws std::invalid_argument unless it is a revolute joint without limits and motor, or a rod of at least
 /// 0.005 m.
-b2Joint* create_joint(b2World& world, const Constraint& joint, const std::vector<b2Body*>& bodies);
+b2Joint* create_joint(b2World& world, const Constraint& joint, const std::vector<b2Body*>& bodies,
+                      const std::vector<std::pair<BodyId, BodyId>>& apart);
 
 }  // namespace cairn

@@ -99,7 +99,7 @@ Box2DWorld::Simulation::Simulation(const Scene& the_scene, const Box2DSettings& 
   world.SetContinuousPhysics(settings.continuous);
   add_bodies();
   for (const std::shared_ptr<const Constraint>& joint : scene.joints()) {
-    joints.push_back(create_joint(world, *joint, bodies));
+    joints.push_back(create_joint(world, *joint, bodies, scene.apart()));
   }
 }
 
@@ -140,14 +140,13 @@ SnapshotBody Box2DWorld::Simulation::body(std::size_t index) const {
 
 SnapshotJoint Box2DWorld::Simulation::joint(std::size_t index, const std::vector<Pose<double>>& poses) const {
   const Constraint& constraint = *scene.joints()[index];
-  const auto [a, b] = constraint.bodies();
-  const auto [local_a, local_b] = constraint.anchors();
+  const std::vector<Attachment> ends = constraint.attachments();
   const b2Vec2 impulse = joints[index]->GetReactionForce(1);  // at dt = 1 s a force is its impulse
   return {.name = constraint.name(),
-          .a = a,
-          .b = b,
-          .anchor_a = poses[static_cast<std::size_t>(a.index)].world(local_a),
-          .anchor_b = poses[static_cast<std::size_t>(b.index)].world(local_b),
+          .a = ends[0].body,
+          .b = ends[1].body,
+          .anchor_a = poses[static_cast<std::size_t>(ends[0].body.index)].world(ends[0].anchor),
+          .anchor_b = poses[static_cast<std::size_t>(ends[1].body.index)].world(ends[1].anchor),
           .drift = drift(constraint, poses),
           .impulse = {impulse.x, impulse.y}};
 }
@@ -172,7 +171,8 @@ Snapshot Box2DWorld::snapshot() const {
                   .step = simulation.steps,
                   .dt = settings.dt,
                   .gravity = settings.gravity,
-                  .contacts = simulation.contacts.contacts(simulation.colliders)};
+                  .contacts = simulation.contacts.contacts(simulation.colliders),
+                  .apart = simulation.scene.apart()};
   std::vector<Pose<double>> poses;
   for (std::size_t i = 0; i < simulation.bodies.size(); ++i) {
     result.bodies.push_back(simulation.body(i));

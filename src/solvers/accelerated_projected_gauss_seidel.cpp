@@ -46,10 +46,10 @@ void AcceleratedProjectedGaussSeidel<Real>::prepare(VelocityProblem<Real>& probl
   restarts_ = 0;
   effective_mass_.resize(problem.rows.size());
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    const Real inverse = inverse_effective_mass(problem.rows[i], problem.inverse_mass);
+    const Real inverse = inverse_effective_mass(problem, problem.rows[i]);
     effective_mass_[i] = inverse > 0 ? 1 / inverse : Real(0);  // two immovable bodies: nothing can be done
     // Warm start: last step's impulse acts before the first sweep.
-    apply_impulse(problem.rows[i], problem.impulse[i], problem.inverse_mass, problem.velocity);
+    apply_impulse(problem, problem.rows[i], problem.impulse[i]);
   }
   impulse_before_ = problem.impulse;
 }
@@ -94,10 +94,10 @@ Real AcceleratedProjectedGaussSeidel<Real>::extrapolate(Real momentum, VelocityP
     if (!(effective_mass_[i] > 0)) continue;
 
     const Real step = target - old;
-    const Real error = row_error(row, row_velocity(row, problem.velocity), old);
+    const Real error = row_error(row, row_velocity(problem, row), old);
     change += step * (step / (2 * effective_mass_[i]) - error);
     problem.impulse[i] = target;
-    apply_impulse(row, step, problem.inverse_mass, problem.velocity);
+    apply_impulse(problem, row, step);
   }
   return change;
 }
@@ -112,13 +112,13 @@ typename AcceleratedProjectedGaussSeidel<Real>::Descent AcceleratedProjectedGaus
     const auto i = static_cast<std::size_t>(turn);
     const ConstraintRow<Real>& row = problem.rows[i];
     const Real old = problem.impulse[i];
-    const Real jv = row_velocity(row, problem.velocity);
+    const Real jv = row_velocity(problem, row);
     const Real error = row_error(row, jv, old);
 
     const Real corrective = omega * (error * effective_mass_[i]);
     problem.impulse[i] = row.bounds.clamp(old + corrective, problem.impulse);
     const Real step = problem.impulse[i] - old;
-    apply_impulse(row, step, problem.inverse_mass, problem.velocity);
+    apply_impulse(problem, row, step);
 
     // While its bounds stand still, error * step is at least step^2 A_ii / omega: row by row f falls.
     const Real inverse = effective_mass_[i] > 0 ? 1 / effective_mass_[i] : Real(0);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "constraints/row.hpp"
@@ -12,8 +11,8 @@ namespace cairn {
 /// J_i W J_j^T for a diagonal W of three numbers a body: an entry of A (15), without softness, where W is
 /// M^-1; the product that eq. (30) prints where W is 1.
 template <Scalar Real>
-Real coupling(const ConstraintRow<Real>& first, const ConstraintRow<Real>& second,
-              const std::vector<Vec3<Real>>& weight);
+Real coupling(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& first,
+              const ConstraintRow<Real>& second, const std::vector<Vec3<Real>>& weight);
 
 /// For every body the rows that act on it, in ascending order. A row acts on a body when W j^T is not zero
 /// there: not on the ground, whose inverse mass is 0. Two lists in one array each; O(n + m) to build and to
@@ -21,28 +20,21 @@ Real coupling(const ConstraintRow<Real>& first, const ConstraintRow<Real>& secon
 class BodyRows {
  public:
   template <Scalar Real>
-  void build(const std::vector<ConstraintRow<Real>>& rows, const std::vector<Vec3<Real>>& weight);
+  void build(const VelocityProblem<Real>& problem, const std::vector<Vec3<Real>>& weight);
 
   /// Appends the rows that share a body with row i, itself among them, in ascending order. None when the row
   /// acts on nothing.
   void append_neighbours(int i, std::vector<int>& neighbours) const;
-  /// Pairs of rows on a body, counted for each body: at least the neighbours of all rows together, at most
-  /// twice as many.
+  /// Pairs of rows on a body, counted for each body: at least the neighbours of all rows together, and more
+  /// by those that share more than one.
   std::size_t pairs() const;
   std::size_t memory() const;  // bytes
 
  private:
-  /// The bodies that one row acts on, each once.
-  struct Pair {
-    int a = -1;  // -1: none
-    int b = -1;
-  };
-
-  std::span<const int> rows_of(int body) const;
-
-  std::vector<Pair> bodies_;        // of each row
-  std::vector<std::size_t> first_;  // n + 1: where a body's rows begin in rows_
-  std::vector<int> rows_;           // at most 2m
+  std::vector<std::size_t> first_body_;  // m + 1: where a row's bodies begin in bodies_
+  std::vector<int> bodies_;              // those that a row acts on, each once
+  std::vector<std::size_t> first_;       // n + 1: where a body's rows begin in rows_
+  std::vector<int> rows_;                // as many as bodies_
 };
 
 }  // namespace cairn

@@ -47,20 +47,25 @@ void FactoredProjectedGaussSeidel<Real>::build(const VelocityProblem<Real>& prob
     row.response_a = problem.inverse_mass[row.body_a].cwiseProduct(row.jacobian_a);
     row.response_b = problem.inverse_mass[row.body_b].cwiseProduct(row.jacobian_b);
     row.softness = source.softness;
-    const Real inverse =
-        row.jacobian_a.dot(row.response_a) + row.jacobian_b.dot(row.response_b) + row.softness;
+    const Real inverse = inverse_effective_mass(problem, source);
     row.effective_mass = inverse > 0 ? 1 / inverse : Real(0);
-    row.b = (source.bias - row_velocity(source, velocity_)) / problem.dt;
+    row.b = (source.bias - row_velocity(problem, source)) / problem.dt;
     row.lambda = problem.impulse[i] / problem.dt;
-    accelerate(row, row.lambda);
+    accelerate(problem, i, row.lambda);
   }
 }
 
-/// a += M^-1 j^T lambda, on the row's two bodies.
+/// a += M^-1 j^T lambda, on the row's two bodies, and on further ones where there are any.
 template <Scalar Real>
-void FactoredProjectedGaussSeidel<Real>::accelerate(const FactoredRow& row, Real lambda) {
+void FactoredProjectedGaussSeidel<Real>::accelerate(const VelocityProblem<Real>& problem, std::size_t i,
+                                                    Real lambda) {
+  const FactoredRow& row = rows_[i];
   acceleration_[row.body_a] += row.response_a * lambda;
   acceleration_[row.body_b] += row.response_b * lambda;
+  for_each_extra_term(problem, problem.rows[i], [&](BodyId id, const Vec3<Real>& jacobian) {
+    const auto body = static_cast<std::size_t>(id.index);
+    acceleration_[body] += problem.inverse_mass[body].cwiseProduct(jacobian) * lambda;
+  });
 }
 
 template <Scalar Real>
@@ -74,15 +79,17 @@ Real FactoredProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>
     FactoredRow& row = rows_[i];
 
     // (28) rearranged as in (29), with j a for the sums over J M^-1 J^T.
-    const Real ja =
-        row.jacobian_a.dot(acceleration_[row.body_a]) + row.jacobian_b.dot(acceleration_[row.body_b]);
+    Real ja = row.jacobian_a.dot(acceleration_[row.body_a]) + row.jacobian_b.dot(acceleration_[row.body_b]);
+    for_each_extra_term(problem, problem.rows[i], [&](BodyId body, const Vec3<Real>& jacobian) {
+      ja += jacobian.dot(acceleration_[static_cast<std::size_t>(body.index)]);
+    });
     const Real row_error = row.b - ja - row.softness * row.lambda;
     const Real corrective = omega * (row_error * row.effective_mass);
     const Real old = problem.impulse[i];
     const Real wish = (row.lambda + corrective) * problem.dt;
     problem.impulse[i] = problem.rows[i].bounds.clamp(wish, problem.impulse);
     const Real lambda = problem.impulse[i] / problem.dt;
-    accelerate(row, lambda - row.lambda);
+    accelerate(problem, i, lambda - row.lambda);
     row.lambda = lambda;
 
     largest_change = std::max(largest_change, std::abs(problem.impulse[i] - old));

@@ -44,7 +44,7 @@ class FactoredProjectedGaussSeidel final : public Solver<Real> {
   };
 
   void build(const VelocityProblem<Real>& problem);
-  void accelerate(const FactoredRow& row, Real lambda);
+  void accelerate(const VelocityProblem<Real>& problem, std::size_t i, Real lambda);
   template <bool watched>
   Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
   void update_velocity(VelocityProblem<Real>& problem) const;

@@ -24,7 +24,7 @@ SolveReport Jacobi<Real>::solve(VelocityProblem<Real>& problem, SolveObserver<Re
   prepare(problem);
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     // Warm start: last step's impulse acts before the first sweep.
-    apply_impulse(problem.rows[i], problem.impulse[i], problem.inverse_mass, problem.velocity);
+    apply_impulse(problem, problem.rows[i], problem.impulse[i]);
   }
 
   const bool watched = observer != nullptr && observer->watches_rows();
@@ -40,11 +40,11 @@ void Jacobi<Real>::prepare(const VelocityProblem<Real>& problem) {
   step_.resize(problem.rows.size());
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     const ConstraintRow<Real>& row = problem.rows[i];
-    const auto a = static_cast<std::size_t>(row.a.index);
-    const auto b = static_cast<std::size_t>(row.b.index);
-    const Real of_a = row.jacobian_a.dot(problem.inverse_mass[a].cwiseProduct(row.jacobian_a));
-    const Real of_b = row.jacobian_b.dot(problem.inverse_mass[b].cwiseProduct(row.jacobian_b));
-    const Real inverse = Real(rows_on_body_[a]) * of_a + Real(rows_on_body_[b]) * of_b + row.softness;
+    Real inverse = row.softness;
+    for_each_term(problem, row, [&](BodyId id, const Vec3<Real>& jacobian) {
+      const auto body = static_cast<std::size_t>(id.index);
+      inverse += Real(rows_on_body_[body]) * jacobian.dot(problem.inverse_mass[body].cwiseProduct(jacobian));
+    });
     // Between two immovable bodies nothing can be done.
     step_[i] = inverse > 0 ? Real(settings_.relaxation) / inverse : Real(0);
   }
@@ -56,8 +56,9 @@ void Jacobi<Real>::count_rows(const VelocityProblem<Real>& problem) {
   rows_on_body_.assign(problem.velocity.size(), whole ? 1 : 0);
   if (whole) return;
   for (const ConstraintRow<Real>& row : problem.rows) {
-    if (!row.jacobian_a.isZero(Real(0))) ++rows_on_body_[static_cast<std::size_t>(row.a.index)];
-    if (!row.jacobian_b.isZero(Real(0))) ++rows_on_body_[static_cast<std::size_t>(row.b.index)];
+    for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
+      if (!jacobian.isZero(Real(0))) ++rows_on_body_[static_cast<std::size_t>(body.index)];
+    });
   }
 }
 
@@ -68,12 +69,12 @@ Real Jacobi<Real>::sweep(int number, VelocityProblem<Real>& problem,
   // Everything is read here, and nothing is written that another row reads ...
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     const ConstraintRow<Real>& row = problem.rows[i];
-    const Real jv = row_velocity(row, problem.velocity);
+    const Real jv = row_velocity(problem, row);
     const Real old = problem.impulse[i];
     const Real corrective = (row.bias - jv - row.softness * old) * step_[i];
     new_impulse_[i] = row.bounds.clamp(old + corrective, problem.impulse);
     if constexpr (watched) {
-      const Real inverse = inverse_effective_mass(row, problem.inverse_mass);
+      const Real inverse = inverse_effective_mass(problem, row);
       observer->after_row({number, static_cast<int>(i), jv, inverse, corrective, old, new_impulse_[i]},
                           problem);
     }
@@ -83,7 +84,7 @@ Real Jacobi<Real>::sweep(int number, VelocityProblem<Real>& problem,
   Real largest_change = 0;
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     const Real change = new_impulse_[i] - problem.impulse[i];
-    apply_impulse(problem.rows[i], change, problem.inverse_mass, problem.velocity);
+    apply_impulse(problem, problem.rows[i], change);
     problem.impulse[i] = new_impulse_[i];
     largest_change = std::max(largest_change, std::abs(change));
   }

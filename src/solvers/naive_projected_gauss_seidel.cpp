@@ -26,7 +26,7 @@ SolveReport NaiveProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& proble
   velocity_ = problem.velocity;
   inverse_mass_.resize(problem.rows.size());
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    inverse_mass_[i] = inverse_effective_mass(problem.rows[i], problem.inverse_mass);
+    inverse_mass_[i] = inverse_effective_mass(problem, problem.rows[i]);
   }
   recompute_velocity(problem);  // warm start (2.3): the impulses that are there already act
 
@@ -46,7 +46,7 @@ Real NaiveProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& p
   for (const int turn : sequence_.rows) {
     const auto i = static_cast<std::size_t>(turn);
     const ConstraintRow<Real>& row = problem.rows[i];
-    const Real jv = row_velocity(row, problem.velocity);
+    const Real jv = row_velocity(problem, row);
     const Real old = problem.impulse[i];
 
     // b - A lambda of (28), times dt: read from the velocity, which holds (12).
@@ -68,7 +68,7 @@ template <Scalar Real>
 void NaiveProjectedGaussSeidel<Real>::recompute_velocity(VelocityProblem<Real>& problem) const {
   problem.velocity = velocity_;
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    apply_impulse(problem.rows[i], problem.impulse[i], problem.inverse_mass, problem.velocity);
+    apply_impulse(problem, problem.rows[i], problem.impulse[i]);
   }
 }
 

@@ -9,17 +9,18 @@ namespace {
 
 /// Pairs of rows with J_i W J_j^T != 0.
 template <Scalar Real>
-std::size_t count_non_zero_couplings(const std::vector<ConstraintRow<Real>>& rows,
+std::size_t count_non_zero_couplings(const VelocityProblem<Real>& problem,
                                      const std::vector<Vec3<Real>>& weight) {
   BodyRows body_rows;
-  body_rows.build(rows, weight);
+  body_rows.build(problem, weight);
   std::vector<int> neighbours;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     neighbours.clear();
     body_rows.append_neighbours(static_cast<int>(i), neighbours);
     for (const int j : neighbours) {
-      count += coupling(rows[i], rows[static_cast<std::size_t>(j)], weight) != Real(0);
+      count +=
+          coupling(problem, problem.rows[i], problem.rows[static_cast<std::size_t>(j)], weight) != Real(0);
     }
   }
   return count;
@@ -30,18 +31,18 @@ std::size_t count_non_zero_couplings(const std::vector<ConstraintRow<Real>>& row
 template <Scalar Real>
 std::size_t non_zeros_as_printed(const VelocityProblem<Real>& problem) {
   const std::vector<Vec3<Real>> ones(problem.inverse_mass.size(), Vec3<Real>::Ones());
-  return count_non_zero_couplings(problem.rows, ones);
+  return count_non_zero_couplings(problem, ones);
 }
 
 template <Scalar Real>
 std::size_t non_zeros(const VelocityProblem<Real>& problem) {
-  return count_non_zero_couplings(problem.rows, problem.inverse_mass);
+  return count_non_zero_couplings(problem, problem.inverse_mass);
 }
 
 template <Scalar Real>
 std::size_t coupled_pairs(const VelocityProblem<Real>& problem) {
   BodyRows body_rows;
-  body_rows.build(problem.rows, problem.inverse_mass);
+  body_rows.build(problem, problem.inverse_mass);
   std::vector<int> neighbours;
   std::size_t count = 0;
   for (int i = 0; i < problem.row_count(); ++i) {

@@ -27,9 +27,9 @@ Real residual_scale(const VelocityProblem<Real>& problem) {
   const std::vector<Real> zero(problem.rows.size(), Real(0));
   Real sum = 0;
   for (const ConstraintRow<Real>& row : problem.rows) {
-    const Real inverse = inverse_effective_mass(row, problem.inverse_mass);
+    const Real inverse = inverse_effective_mass(problem, row);
     if (row.bounds.is_friction() || !(inverse > 0)) continue;
-    const Real wish = row.bounds.clamp((row.bias - row_velocity(row, problem.velocity)) / inverse, zero);
+    const Real wish = row.bounds.clamp((row.bias - row_velocity(problem, row)) / inverse, zero);
     sum += inverse * wish * wish;
   }
   return std::max(std::sqrt(sum), Real(1e-12) * kinetic_norm(problem));
@@ -41,10 +41,10 @@ Residual<Real> residual(const VelocityProblem<Real>& problem, Real scale) {
   Real sum = 0;
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     const ConstraintRow<Real>& row = problem.rows[i];
-    const Real inverse = inverse_effective_mass(row, problem.inverse_mass);
+    const Real inverse = inverse_effective_mass(problem, row);
     if (!(inverse > 0)) continue;
     const Real impulse = problem.impulse[i];
-    const Real w = row_velocity(row, problem.velocity) + row.softness * impulse - row.bias;
+    const Real w = row_velocity(problem, row) + row.softness * impulse - row.bias;
     const Real e = impulse - row.bounds.clamp(impulse - w / inverse, problem.impulse);
     const Real speed = std::abs(inverse * e);
     sum += inverse * e * e;

@@ -29,7 +29,7 @@ void shuffle_rows(std::uint64_t seed, int sweep, std::vector<int>& rows) {
   }
 }
 
-/// Greedy colouring, one colour after the other: each takes every waiting row that finds both bodies free.
+/// Greedy colouring, one colour after the other: each takes every waiting row that finds all its bodies free.
 template <Scalar Real>
 void colour_rows(const VelocityProblem<Real>& problem, RowSequence& sequence) {
   const auto can_move = [&](BodyId body) {
@@ -43,14 +43,18 @@ void colour_rows(const VelocityProblem<Real>& problem, RowSequence& sequence) {
     std::size_t still_waiting = 0;
     for (const int i : sequence.waiting) {
       const ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(i)];
-      int& at_a = sequence.taken_by[static_cast<std::size_t>(row.a.index)];
-      int& at_b = sequence.taken_by[static_cast<std::size_t>(row.b.index)];
-      if (at_a == colour || at_b == colour) {
+      bool is_free = true;
+      for_each_term(problem, row, [&](BodyId body, const Vec3<Real>&) {
+        is_free = is_free && sequence.taken_by[static_cast<std::size_t>(body.index)] != colour;
+      });
+      if (!is_free) {
         sequence.waiting[still_waiting++] = i;
         continue;
       }
-      if (can_move(row.a)) at_a = colour;  // the ground couples none of the rows that share it
-      if (can_move(row.b)) at_b = colour;
+      for_each_term(problem, row, [&](BodyId body, const Vec3<Real>&) {
+        // The ground couples none of the rows that share it.
+        if (can_move(body)) sequence.taken_by[static_cast<std::size_t>(body.index)] = colour;
+      });
       sequence.rows.push_back(i);
     }
     sequence.waiting.resize(still_waiting);

@@ -9,8 +9,8 @@ namespace {
 
 /// 1 / A_ii, or 0 between two immovable bodies, where nothing can be done.
 template <Scalar Real>
-Real effective_mass_of(const ConstraintRow<Real>& row, const std::vector<Vec3<Real>>& inverse_mass) {
-  const Real inverse = inverse_effective_mass(row, inverse_mass);
+Real effective_mass_of(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
+  const Real inverse = inverse_effective_mass(problem, row);
   return inverse > 0 ? 1 / inverse : Real(0);
 }
 
@@ -30,7 +30,7 @@ SolveReport SequentialImpulse<Real>::solve(VelocityProblem<Real>& problem, Solve
   prepare(problem);
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     // Warm start: last step's impulse acts before the first sweep.
-    apply_impulse(problem.rows[i], problem.impulse[i], problem.inverse_mass, problem.velocity);
+    apply_impulse(problem, problem.rows[i], problem.impulse[i]);
   }
 
   const bool watched = observer != nullptr && observer->watches_rows();
@@ -45,7 +45,7 @@ void SequentialImpulse<Real>::prepare(const VelocityProblem<Real>& problem) {
   if (variant_.effective_mass == EffectiveMass::in_the_loop) return;
   effective_mass_.resize(problem.rows.size());
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    effective_mass_[i] = effective_mass_of(problem.rows[i], problem.inverse_mass);
+    effective_mass_[i] = effective_mass_of(problem, problem.rows[i]);
   }
 }
 
@@ -61,16 +61,15 @@ Real SequentialImpulse<Real>::sweep(int number, VelocityProblem<Real>& problem,
     const auto i = static_cast<std::size_t>(turn);
     const ConstraintRow<Real>& row = problem.rows[i];
     Real& accumulated = problem.impulse[i];
-    const Real jv = row_velocity(row, problem.velocity);
-    const Real effective_mass =
-        precomputed ? effective_mass_[i] : effective_mass_of(row, problem.inverse_mass);
+    const Real jv = row_velocity(problem, row);
+    const Real effective_mass = precomputed ? effective_mass_[i] : effective_mass_of(problem, row);
 
     // The impulse that satisfies this row alone: (22) times dt, with softness; relaxed.
     const Real corrective = omega * ((row.bias - jv - row.softness * accumulated) * effective_mass);
     const Real old = accumulated;
     accumulated = clamps_sum ? row.bounds.clamp(old + corrective, problem.impulse)
                              : old + row.bounds.clamp(corrective, problem.impulse);
-    apply_impulse(row, accumulated - old, problem.inverse_mass, problem.velocity);  // (19), (21)
+    apply_impulse(problem, row, accumulated - old);  // (19), (21)
 
     largest_change = std::max(largest_change, std::abs(accumulated - old));
     if constexpr (watched) {

@@ -15,7 +15,7 @@ SparseProjectedGaussSeidel<Real>::SparseProjectedGaussSeidel(const SolverSetting
 template <Scalar Real>
 SolveReport SparseProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem,
                                                     SolveObserver<Real>* observer) {
-  body_rows_.build(problem.rows, problem.inverse_mass);
+  body_rows_.build(problem, problem.inverse_mass);
   if (body_rows_.pairs() > max_pairs) {
     throw std::length_error("SparseProjectedGaussSeidel: " + std::to_string(body_rows_.pairs()) +
                             " pairs of rows on a body are above the limit of " + std::to_string(max_pairs) +
@@ -53,15 +53,16 @@ void SparseProjectedGaussSeidel<Real>::build(const VelocityProblem<Real>& proble
   for (int i = 0; i < problem.row_count(); ++i) {
     const auto index = static_cast<std::size_t>(i);
     const ConstraintRow<Real>& row = problem.rows[index];
-    diagonal_[index] = coupling(row, row, problem.inverse_mass) + row.softness;
+    diagonal_[index] = coupling(problem, row, row, problem.inverse_mass) + row.softness;
     body_rows_.append_neighbours(i, column_);
     if (column_.size() == first_.back()) column_.push_back(i);  // acts on nothing: softness may be there
     for (std::size_t k = first_.back(); k < column_.size(); ++k) {
       const ConstraintRow<Real>& other = problem.rows[static_cast<std::size_t>(column_[k])];
-      entry_.push_back(column_[k] == i ? diagonal_[index] : coupling(row, other, problem.inverse_mass));
+      entry_.push_back(column_[k] == i ? diagonal_[index]
+                                       : coupling(problem, row, other, problem.inverse_mass));
     }
     first_.push_back(column_.size());
-    b_[index] = (row.bias - row_velocity(row, velocity_)) / problem.dt;
+    b_[index] = (row.bias - row_velocity(problem, row, velocity_)) / problem.dt;
     lambda_[index] = problem.impulse[index] / problem.dt;  // warm start (2.3)
   }
 }
@@ -107,7 +108,7 @@ template <Scalar Real>
 void SparseProjectedGaussSeidel<Real>::update_velocity(VelocityProblem<Real>& problem) const {
   problem.velocity = velocity_;
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    apply_impulse(problem.rows[i], problem.impulse[i], problem.inverse_mass, problem.velocity);
+    apply_impulse(problem, problem.rows[i], problem.impulse[i]);
   }
 }
 

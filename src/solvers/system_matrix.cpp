@@ -17,8 +17,9 @@ Matrix<Real> system_jacobian(const VelocityProblem<Real>& problem) {
   Matrix<Real> J = Matrix<Real>::Zero(problem.row_count(), 3 * problem.body_count());
   for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(i)];
-    J.template block<1, 3>(i, 3 * row.a.index) += row.jacobian_a.transpose();
-    J.template block<1, 3>(i, 3 * row.b.index) += row.jacobian_b.transpose();
+    for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
+      J.template block<1, 3>(i, 3 * body.index) += jacobian.transpose();
+    });
   }
   return J;
 }

@@ -1,6 +1,8 @@
 // Floor 5. Building a scene, and refusing what cannot be simulated.
 #include "world/scene.hpp"
 
+#include <algorithm>
+
 #include "geometry/mass.hpp"
 #include "math/check.hpp"
 
@@ -106,16 +108,25 @@ BodyId Scene::add_ground(const GroundSpec& spec) {
   return ground;
 }
 
-void Scene::add_joint(std::shared_ptr<const Constraint> joint) {
+void Scene::add_joint(std::shared_ptr<const Constraint> joint, JointCollision collision) {
   require(joint != nullptr, "Scene::add_joint", "joint", "a constraint", "nullptr");
-  const auto [a, b] = joint->bodies();
-  require_body(a, "a");
-  require_body(b, "b");
-  const auto is_dynamic = [this](BodyId id) {
-    return bodies_[static_cast<std::size_t>(id.index)].spec.type == BodyType::dynamic;
-  };
-  require(is_dynamic(a) || is_dynamic(b), "Scene::add_joint", "bodies", "at least one that can move",
-          std::to_string(a.index) + " and " + std::to_string(b.index));
+  const std::vector<Attachment> places = joint->attachments();
+  std::string named;
+  bool can_move = false;
+  for (const Attachment& place : places) {
+    require_body(place.body, "attachment");
+    can_move |= bodies_[static_cast<std::size_t>(place.body.index)].spec.type == BodyType::dynamic;
+    named += (named.empty() ? "" : ", ") + std::to_string(place.body.index);
+  }
+  require(can_move, "Scene::add_joint", "bodies", "at least one that can move", named);
+
+  const bool collide =
+      collision == JointCollision::as_usual ? joint->bodies_collide() : collision == JointCollision::on;
+  for (std::size_t i = 0; !collide && i < places.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) apart_.push_back(std::minmax(places[i].body, places[k].body));
+  }
+  std::sort(apart_.begin(), apart_.end());
+  apart_.erase(std::unique(apart_.begin(), apart_.end()), apart_.end());
   joints_.push_back(std::move(joint));
 }
 

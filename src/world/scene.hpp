@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "constraints/constraint.hpp"
@@ -57,6 +58,13 @@ struct SceneBody {
   double inertia = 0;  // [kg m^2]; 0 unless it can turn
 };
 
+/// Whether the bodies of a joint may touch each other.
+enum class JointCollision {
+  as_usual,  // as the kind of joint says: most keep their bodies apart
+  off,
+  on,
+};
+
 /// Body 0 is the ground: it is always there, and has a surface once add_ground was called.
 /// Every function refuses bad input with std::invalid_argument, naming field, rule, unit and value.
 class Scene {
@@ -67,21 +75,25 @@ class Scene {
   BodyId add(const BodySpec& spec);
   /// Gives the ground a flat surface, 1 m thick.
   BodyId add_ground(const GroundSpec& spec = {});
-  /// A joint from its Spec, whose anchors are in world coordinates where the bodies stand now. Its bodies do
-  /// not collide with each other. @throws std::invalid_argument for unknown or two immovable bodies.
+  /// A joint from its Spec, whose anchors are in world coordinates where the bodies stand now.
+  /// @throws std::invalid_argument for unknown bodies, or none that can move.
   template <typename Joint>
-  void join(const typename Joint::Spec& spec) {
+  void join(const typename Joint::Spec& spec, JointCollision collision = JointCollision::as_usual) {
     const std::vector<Pose<double>> start = poses();
-    require_body(spec.a, "a");
-    require_body(spec.b, "b");
-    add_joint(std::make_shared<const Joint>(spec, start));
+    if constexpr (requires { spec.a; }) require_body(spec.a, "a");
+    if constexpr (requires { spec.b; }) require_body(spec.b, "b");
+    if constexpr (requires { spec.c; }) require_body(spec.c, "c");
+    add_joint(std::make_shared<const Joint>(spec, start), collision);
   }
   /// Any constraint, one of your own too.
-  void add_joint(std::shared_ptr<const Constraint> joint);
+  void add_joint(std::shared_ptr<const Constraint> joint,
+                 JointCollision collision = JointCollision::as_usual);
 
   const SceneSettings& settings() const { return settings_; }
   const std::vector<SceneBody>& bodies() const { return bodies_; }
   const std::vector<std::shared_ptr<const Constraint>>& joints() const { return joints_; }
+  /// Pairs of bodies that a joint keeps from colliding, sorted, the lower id first.
+  const std::vector<std::pair<BodyId, BodyId>>& apart() const { return apart_; }
 
  private:
   std::vector<Pose<double>> poses() const;
@@ -90,6 +102,7 @@ class Scene {
   SceneSettings settings_;
   std::vector<SceneBody> bodies_;
   std::vector<std::shared_ptr<const Constraint>> joints_;
+  std::vector<std::pair<BodyId, BodyId>> apart_;
 };
 
 /// @throws std::invalid_argument unless dt is from 1e-12 to 1e6 s.

@@ -46,16 +46,16 @@ void append_contacts(const StepRecord<Real>& record, std::size_t manifold_index,
 
 template <Scalar Real>
 SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& state) {
-  const auto [a, b] = joint.bodies();
-  const auto [local_a, local_b] = joint.anchors();
-  const auto world_point = [&state](BodyId body, const Vec2<double>& local) -> Vec2<double> {
-    return state.pose[static_cast<std::size_t>(body.index)]
-        .world(local.template cast<Real>())
+  const std::vector<Attachment> places = joint.attachments();
+  const auto world_point = [&state](const Attachment& place) -> Vec2<double> {
+    return state.pose[static_cast<std::size_t>(place.body.index)]
+        .world(place.anchor.template cast<Real>())
         .template cast<double>();
   };
-  SnapshotJoint result{.name = joint.name(), .a = a, .b = b};
-  result.anchor_a = world_point(a, local_a);
-  result.anchor_b = world_point(b, local_b);
+  SnapshotJoint result{.name = joint.name(), .a = places.front().body, .b = places.back().body};
+  result.anchor_a = world_point(places.front());
+  result.anchor_b = world_point(places.back());
+  for (std::size_t i = 1; i + 1 < places.size(); ++i) result.between.push_back(world_point(places[i]));
   RowSpecs<Real> specs;
   joint.append_rows(state.pose, specs);
   double sum = 0;
@@ -74,6 +74,7 @@ Snapshot snapshot(const World<Real>& world) {
   const StepRecord<Real>& record = world.last_step();
   Snapshot result{
       .time = world.time(), .step = world.steps(), .dt = world.dt(), .gravity = scene.settings().gravity};
+  result.apart = scene.apart();
   for (std::size_t i = 0; i < scene.bodies().size(); ++i) {
     const Pose<Real>& pose = world.bodies().pose[i];
     const Pose<double> double_pose{pose.position.template cast<double>(), static_cast<double>(pose.angle)};

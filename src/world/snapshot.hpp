@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dynamics/body.hpp"
@@ -40,8 +41,9 @@ struct SnapshotJoint {
   BodyId b = {};
   Vec2<double> anchor_a = {0, 0};  // [m], world
   Vec2<double> anchor_b = {0, 0};
-  double drift = 0;               // [m or rad], norm of what its rigid rows lack
-  Vec2<double> impulse = {0, 0};  // [N s], on b, world
+  std::vector<Vec2<double>> between = {};  // [m], world: where a rope goes on its way from a to b
+  double drift = 0;                        // [m or rad], norm of what its rigid rows lack
+  Vec2<double> impulse = {0, 0};           // [N s], on b, world
 };
 
 struct Snapshot {
@@ -52,6 +54,7 @@ struct Snapshot {
   std::vector<SnapshotBody> bodies = {};  // index 0 is the ground
   std::vector<SnapshotContact> contacts = {};
   std::vector<SnapshotJoint> joints = {};
+  std::vector<std::pair<BodyId, BodyId>> apart = {};  // bodies that a joint keeps from colliding, sorted
 };
 
 }  // namespace cairn

@@ -54,6 +54,7 @@ void World<Real>::find_contacts() {
   if (!plan_->collision) return;
   const Real margin = static_cast<Real>(scene_->settings().speculative_margin);
   const std::vector<Collider>& colliders = *colliders_;
+  const std::vector<std::pair<BodyId, BodyId>>& apart = scene_->apart();
   const auto pose = [this](BodyId body) -> const Pose<Real>& {
     return state_.pose[static_cast<std::size_t>(body.index)];
   };
@@ -64,7 +65,7 @@ void World<Real>::find_contacts() {
     const Collider& a = colliders[static_cast<std::size_t>(i)];
     const Collider& b = colliders[static_cast<std::size_t>(j)];
     const std::pair<BodyId, BodyId> bodies = std::minmax(a.body, b.body);
-    if (a.body == b.body || std::binary_search(joined_.begin(), joined_.end(), bodies)) continue;
+    if (a.body == b.body || std::binary_search(apart.begin(), apart.end(), bodies)) continue;
     Manifold<Real> manifold = collide(a.shape, pose(a.body), b.shape, pose(b.body), margin);
     if (manifold.count == 0) continue;
     manifold.collider_a = i;
@@ -89,6 +90,7 @@ void World<Real>::write_rows() {
   VelocityProblem<Real>& problem = record_.problem;
   problem.rows.clear();
   problem.blocks.clear();
+  problem.extra_terms.clear();
   problem.inverse_mass = state_.inverse_mass;
   problem.dt = static_cast<Real>(dt_);
   for (std::size_t i = 0; i < scene_->joints().size(); ++i) {

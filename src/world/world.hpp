@@ -80,7 +80,6 @@ class World {
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Plan> plan_;
   std::shared_ptr<const std::vector<Collider>> colliders_;
-  std::vector<std::pair<BodyId, BodyId>> joined_;  // sorted; they do not collide
   std::vector<BodyForces<Real>> forces_;
   BodyState<Real> state_;
   std::vector<std::pair<RowKey, Real>> impulses_;  // of the last step, sorted by key

@@ -1,6 +1,4 @@
 // Floor 5. Making a world from its scene, and changing what a user may change.
-#include <algorithm>
-
 #include "math/check.hpp"
 #include "world/world.hpp"
 
@@ -31,11 +29,6 @@ World<Real>::World(Scene scene)
       movable_.push_back(spec.type == BodyType::dynamic ? 1 : 0);
     }
   }
-  for (const std::shared_ptr<const Constraint>& joint : scene_->joints()) {
-    const auto [a, b] = joint->bodies();
-    joined_.push_back(std::minmax(a, b));
-  }
-  std::sort(joined_.begin(), joined_.end());
   boxes_.resize(colliders.size());
   colliders_ = std::make_shared<const std::vector<Collider>>(std::move(colliders));
 }

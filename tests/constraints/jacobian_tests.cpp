@@ -132,12 +132,14 @@ TEST_CASE("a joint has no error where it was made, and names the bodies and anch
     REQUIRE(rows.size() == 3);
     const double tolerance = 64 * std::numeric_limits<double>::epsilon() * 10;  // [m] of numbers below 10 m
     for (const RowSpec<double>& row : rows) CHECK(std::abs(row.error) <= tolerance);
-    CHECK(rod.bodies() == std::pair(BodyId{1}, BodyId{2}));
-    CHECK(pin.bodies() == std::pair(BodyId{2}, BodyId{1}));
-    CHECK((poses[1].world(rod.anchors().first) - anchor_a).norm() <= tolerance);
-    CHECK((poses[2].world(rod.anchors().second) - anchor_b).norm() <= tolerance);
-    CHECK((poses[2].world(pin.anchors().first) - anchor_a).norm() <= tolerance);
-    CHECK((poses[1].world(pin.anchors().second) - anchor_a).norm() <= tolerance);
+    CHECK(rod.attachments()[0].body == BodyId{1});
+    CHECK(rod.attachments()[1].body == BodyId{2});
+    CHECK(pin.attachments()[0].body == BodyId{2});
+    CHECK(pin.attachments()[1].body == BodyId{1});
+    CHECK((poses[1].world(rod.attachments()[0].anchor) - anchor_a).norm() <= tolerance);
+    CHECK((poses[2].world(rod.attachments()[1].anchor) - anchor_b).norm() <= tolerance);
+    CHECK((poses[2].world(pin.attachments()[0].anchor) - anchor_a).norm() <= tolerance);
+    CHECK((poses[1].world(pin.attachments()[1].anchor) - anchor_a).norm() <= tolerance);
   }
 }
 

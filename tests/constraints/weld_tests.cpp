@@ -21,7 +21,7 @@ TEST_CASE("a weld has no error where it was made, however its bodies stand, and 
     // b moves by (0.25, -0.5) m and turns by two and a half turns about the anchor.
     const Vec2<double> moved(0.25, -0.5);
     const double turned = 5 * pi;
-    const Vec2<double> anchor = poses[2].world(weld.anchors().second);
+    const Vec2<double> anchor = poses[2].world(weld.attachments()[1].anchor);
     poses[2].position = anchor + Rotation<double>(turned) * Vec2<double>(poses[2].position - anchor) + moved;
     poses[2].angle += turned;
     rows.clear();

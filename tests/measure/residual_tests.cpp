@@ -26,7 +26,7 @@ VelocityProblem<double> sliding_box() {
 /// Gives every body the impulses that the problem holds.
 void apply_all(VelocityProblem<double>& problem) {
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    apply_impulse(problem.rows[i], problem.impulse[i], problem.inverse_mass, problem.velocity);
+    apply_impulse(problem, problem.rows[i], problem.impulse[i]);
   }
 }
 

@@ -37,10 +37,10 @@ TEST_CASE("the worst of several overlaps counts, and boxes that are apart do not
   CHECK(worst_penetration(boxes_at({})) == 0);
 }
 
-TEST_CASE("bodies of which none is dynamic, and bodies joined by a joint, do not penetrate") {
+TEST_CASE("bodies of which none is dynamic, and bodies that a joint keeps apart, do not penetrate") {
   CHECK(worst_penetration(boxes_at({{0, 0}, {0, 0.5}}, BodyType::static_body)) == 0);
   Snapshot joined = boxes_at({{0, 0}, {0, 0.5}});
-  joined.joints.push_back({.a = {1}, .b = {0}});
+  joined.apart.push_back({{0}, {1}});
   CHECK(worst_penetration(joined) == 0);
 }
 

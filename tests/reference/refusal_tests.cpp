@@ -38,8 +38,7 @@ Polygon<double> regular_polygon(int count) {
 class Magnet final : public ConstraintOf<Magnet> {
  public:
   std::string name() const override { return "magnet"; }
-  std::pair<BodyId, BodyId> bodies() const override { return {ground, BodyId{1}}; }
-  std::pair<Vec2<double>, Vec2<double>> anchors() const override { return {{0, 0}, {0, 0}}; }
+  std::vector<Attachment> attachments() const override { return {{ground, {0, 0}}, {{1}, {0, 0}}}; }
   template <Scalar Real>
   void rows(const std::vector<Pose<Real>>&, RowSpecs<Real>&) const {}
 };

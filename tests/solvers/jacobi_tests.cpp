@@ -119,7 +119,7 @@ TEST_CASE("omega = 1 / feet converges for any number of feet; plain Jacobi stops
     // All feet ask for the same speed, and answer it with so much of it: the sum of 1 / (1 + 6 x^2).
     double answer = 0;
     for (const ConstraintRow<double>& row : plain.rows) {
-      answer += 1 / inverse_effective_mass(row, plain.inverse_mass);
+      answer += 1 / inverse_effective_mass(plain, row);
     }
     CHECK((answer < 2) == (feet <= 3));
     Jacobi<double>({.iterations = 2000, .relaxation = 1.0 / feet}).solve(damped);

@@ -71,20 +71,21 @@ void sweep_over_parts(VelocityProblem<double>& problem) {
     if (row.jacobian_a != Vec3<double>::Zero()) ++parts[static_cast<std::size_t>(row.a.index)];
     if (row.jacobian_b != Vec3<double>::Zero()) ++parts[static_cast<std::size_t>(row.b.index)];
   }
-  std::vector<Vec3<double>> light = problem.inverse_mass;
-  for (std::size_t body = 0; body < light.size(); ++body) light[body] *= std::max(parts[body], 1);
+  VelocityProblem<double> light = problem;
+  for (std::size_t body = 0; body < parts.size(); ++body)
+    light.inverse_mass[body] *= std::max(parts[body], 1);
 
   const std::vector<double> before = problem.impulse;
   std::vector<Vec3<double>> sum(problem.velocity.size(), Vec3<double>::Zero());
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     const ConstraintRow<double>& row = problem.rows[i];
-    std::vector<Vec3<double>> of_parts = problem.velocity;
-    const double wish = (row.bias - row_velocity(row, of_parts)) / inverse_effective_mass(row, light);
+    light.velocity = problem.velocity;
+    const double wish = (row.bias - row_velocity(light, row)) / inverse_effective_mass(light, row);
     const double after = row.bounds.clamp(before[i] + wish, before);
-    apply_impulse(row, after - before[i], light, of_parts);
+    apply_impulse(light, row, after - before[i]);
     problem.impulse[i] = after;
     for (std::size_t body = 0; body < sum.size(); ++body)
-      sum[body] += of_parts[body] - problem.velocity[body];
+      sum[body] += light.velocity[body] - problem.velocity[body];
   }
   for (std::size_t body = 0; body < sum.size(); ++body) {
     problem.velocity[body] += sum[body] / std::max(parts[body], 1);

@@ -45,7 +45,7 @@ TEST_CASE("what each form of PGS stores is what it says") {
     const std::size_t entries = 3 * m - 2;
     CHECK(coupled_pairs(hand_made_stack<double>(boxes, 10, 0.02)) == entries);
     const std::size_t matrix = entries * (real + index) + (m + 1) * place;
-    const std::size_t lists = 2 * m * index + (n + 1) * place + (2 * m - 1) * index;
+    const std::size_t lists = (m + 1) * place + (n + 1) * place + 2 * (2 * m - 1) * index;
     CHECK(memory_for_boxes<SparseProjectedGaussSeidel<double>>(boxes) ==
           matrix + lists + (3 * m + 3 * n) * real);
   }

@@ -27,9 +27,8 @@ double sweep_with_clamped_increments(VelocityProblem<double>& problem, int sweep
   double sum = 0;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (const ConstraintRow<double>& row : problem.rows) {
-      const double wish =
-          -row_velocity(row, problem.velocity) / inverse_effective_mass(row, problem.inverse_mass);
-      apply_impulse(row, std::max(wish, 0.0), problem.inverse_mass, problem.velocity);
+      const double wish = -row_velocity(problem, row) / inverse_effective_mass(problem, row);
+      apply_impulse(problem, row, std::max(wish, 0.0));
       sum += std::max(wish, 0.0);
     }
   }

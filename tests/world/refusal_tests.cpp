@@ -200,7 +200,7 @@ TEST_CASE("a joint needs two different bodies of the scene, of which one can mov
   Scene scene;
   const BodyId lift = scene.add({.type = BodyType::kinematic, .shapes = {circle(1)}});
   CHECK(message_of([&] { scene.join<RevoluteJoint>({.a = ground, .b = lift}); }) ==
-        "Scene::add_joint: bodies must be at least one that can move, got 0 and 1");
+        "Scene::add_joint: bodies must be at least one that can move, got 0, 1");
 }
 
 TEST_CASE("a dynamic body needs a mass and an inertia, from its shapes or of its own") {
