@@ -26,6 +26,12 @@ void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
   const auto index_a = static_cast<std::size_t>(a.index);
   const auto index_b = static_cast<std::size_t>(b.index);
   const Vec2<Real> tangent = -perpendicular(manifold.normal);
+  const auto friction_row = [&](const Vec2<Real>& position) {
+    return relative_velocity_row(a, b, Vec2<Real>(position - poses[index_a].position),
+                                 Vec2<Real>(position - poses[index_b].position), tangent);
+  };
+  const bool has_friction = material.friction > 0;
+  const bool is_shared = material.friction_rows == FrictionRows::per_manifold && manifold.count == 2;
   for (int i = 0; i < manifold.count; ++i) {
     const ManifoldPoint<Real>& point = manifold.points[static_cast<std::size_t>(i)];
     const Vec2<Real> r_a = point.position - poses[index_a].position;
@@ -41,10 +47,18 @@ void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
     const int normal_row = static_cast<int>(rows.size());
     rows.push_back(normal);
 
-    if (!(material.friction > 0)) continue;
-    RowSpec<Real> friction = relative_velocity_row(a, b, r_a, r_b, tangent);
+    if (!has_friction || is_shared) continue;
+    RowSpec<Real> friction = friction_row(point.position);
     friction.bounds = Bounds<Real>::coulomb(material.friction, normal_row);
     friction.part = friction_part(point.feature);
+    rows.push_back(friction);
+  }
+  if (has_friction && is_shared) {
+    const auto& points = manifold.points;
+    RowSpec<Real> friction = friction_row((points[0].position + points[1].position) / 2);
+    const int normals_end = static_cast<int>(rows.size());
+    friction.bounds = Bounds<Real>::coulomb(material.friction, normals_end - 2, normals_end - 1);
+    friction.part = friction_part(points[0].feature);
     rows.push_back(friction);
   }
 }

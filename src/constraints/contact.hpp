@@ -6,12 +6,20 @@
 
 namespace cairn {
 
+/// Where friction acts.
+enum class FrictionRows {
+  per_point,     // one row behind each normal row
+  per_manifold,  // one row for both points of a manifold: they slide on one line, so that two would say the
+                 // same
+};
+
 /// How two surfaces meet: the mixture of two materials.
 template <Scalar Real>
 struct ContactMaterial {
   Real friction = 0;               // mu
   Real restitution = 0;            // e: separation speed over approach speed
   Real restitution_threshold = 0;  // [m/s] slower approaches do not rebound
+  FrictionRows friction_rows = FrictionRows::per_point;
 };
 
 /// The rows of a manifold between bodies a and b. For each point, with arms r_a, r_b from the centres of
@@ -19,9 +27,11 @@ struct ContactMaterial {
 ///   normal    C = separation >= 0,  j = (-n, -(r_a x n), n, r_b x n),  impulse >= 0
 ///   friction  no C,                 j = (-t, -(r_a x t), t, r_b x t),  |impulse| <= mu * normal impulse
 /// Normal before friction, so that friction sees the normal impulse of the same sweep. No friction row where
-/// mu is 0. Restitution asks for e times the approach speed in `velocity` (the one before gravity acts: then
-/// an elastic bounce keeps the discrete energy exactly), should the surfaces meet in this step.
-/// Source: E. Catto, Iterative Dynamics with Temporal Coherence (2005).
+/// mu is 0. A friction row for a whole manifold acts in the middle between its points and may take mu times
+/// the sum of their normal impulses: the same forces, as both points slide along the same line, in fewer rows
+/// and with a J of full rank. Restitution asks for e times the approach speed in `velocity` (the one before
+/// gravity acts: then an elastic bounce keeps the discrete energy exactly), should the surfaces meet in this
+/// step. Source: E. Catto, Iterative Dynamics with Temporal Coherence (2005).
 template <Scalar Real>
 void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
                          const ContactMaterial<Real>& material, const std::vector<Pose<Real>>& poses,

@@ -21,20 +21,33 @@ struct Bounds {
   Real upper = std::numeric_limits<Real>::infinity();   // [N s]
   Real friction = 0;                                    // mu
   int normal_row = none;                                // the row whose impulse times mu is the limit
+  int second_normal_row = none;                         // adds its impulse, where friction is one row for two
 
   static Bounds equality() { return {}; }
   static Bounds unilateral() { return {.lower = 0}; }
   static Bounds at_most(Real limit) { return {.lower = -limit, .upper = limit}; }
-  static Bounds coulomb(Real mu, int normal) { return {.friction = mu, .normal_row = normal}; }
+  static Bounds coulomb(Real mu, int normal, int second_normal = none) {
+    return {.friction = mu, .normal_row = normal, .second_normal_row = second_normal};
+  }
 
   bool is_equality() const { return normal_row == none && lower == -upper && lower < -max_finite(); }
   bool is_unilateral() const { return normal_row == none && lower == 0; }
   bool is_friction() const { return normal_row != none; }
 
+  /// Rows are counted from `first` now, instead of from 0.
+  void shift(int first) {
+    if (normal_row != none) normal_row += first;
+    if (second_normal_row != none) second_normal_row += first;
+  }
+
   /// The value of the interval nearest to x, at the impulses as they are now. A NaN stays a NaN.
   Real clamp(Real x, const std::vector<Real>& impulse) const {
     if (normal_row == none) return std::max(std::min(x, upper), lower);
-    const Real limit = friction * std::max(impulse[static_cast<std::size_t>(normal_row)], Real(0));
+    Real load = std::max(impulse[static_cast<std::size_t>(normal_row)], Real(0));
+    if (second_normal_row != none) {
+      load += std::max(impulse[static_cast<std::size_t>(second_normal_row)], Real(0));
+    }
+    const Real limit = friction * load;
     return std::max(std::min(x, limit), -limit);
   }
 

@@ -1,5 +1,7 @@
-// Floor 3. Baumgarte stabilization, slack rows, restitution, springs and motors: one line each.
+// Floor 3. Stabilization policies, slack rows, restitution, springs and motors: one line each.
 #include "constraints/stabilization.hpp"
+
+#include <algorithm>
 
 namespace cairn {
 
@@ -16,14 +18,53 @@ Real spec_velocity(const RowSpec<Real>& spec, const std::vector<Vec3<Real>>& vel
   return jv;
 }
 
+/// Whether a row is meant to give way, or holds no position: it has no error that positions could take back.
+template <Scalar Real>
+bool holds_no_position(const RowSpec<Real>& spec) {
+  return spec.softness || spec.max_force || spec.bounds.is_friction();
+}
+
+/// Whether the two sides of an inequality would meet within the step, and part again by the rebound.
+template <Scalar Real>
+bool rebounds(const RowSpec<Real>& spec, Real dt, const std::vector<Vec3<Real>>& velocity) {
+  return spec.rebound > 0 && spec.error + dt * spec_velocity(spec, velocity) < 0;
+}
+
+/// The spring of a row in the velocity pass: its own, or the policy's for an error that is to go.
+template <Scalar Real>
+std::optional<Softness> spring_of(const RowSpec<Real>& spec, const Stabilization& stabilization,
+                                  StabilizationPass pass, Real dt, const std::vector<Vec3<Real>>& velocity) {
+  if (spec.softness) return spec.softness;
+  const bool is_asked_for =
+      stabilization.policy == StabilizationPolicy::soft && pass == StabilizationPass::velocity;
+  if (!is_asked_for || holds_no_position(spec)) return std::nullopt;
+  if (spec.bounds.is_unilateral() && (spec.error >= 0 || rebounds(spec, dt, velocity))) return std::nullopt;
+  // A spring that swings faster than a quarter of the steps cannot be followed by them.
+  SwingSoftness soft = stabilization.soft;
+  soft.frequency = std::min(soft.frequency, 0.25 / static_cast<double>(dt));
+  return soft;
+}
+
+/// By how much of its error a rigid row recovers in a second: what stands for beta / dt in (7).
+template <Scalar Real>
+Real recovery_rate(const Stabilization& stabilization, StabilizationPass pass, Real dt) {
+  const bool now =
+      stabilization.policy == StabilizationPolicy::baumgarte ||
+      (stabilization.policy == StabilizationPolicy::split_impulse && pass == StabilizationPass::position);
+  return now ? static_cast<Real>(stabilization.baumgarte) / dt : Real(0);
+}
+
 }  // namespace
 
 template <Scalar Real>
-Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization, Real dt,
-                   const std::vector<Vec3<Real>>& velocity) {
+Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization, StabilizationPass pass,
+                   Real dt, const std::vector<Vec3<Real>>& velocity) {
+  const std::optional<Softness> spring = spring_of(spec, stabilization, pass, dt, velocity);
+  const Real rate = spring ? return_rate(*spring, dt) : recovery_rate(stabilization, pass, dt);
   const auto return_speed = [&](Real error) {
-    if (spec.softness) return error * return_rate(*spec.softness, dt);
-    return static_cast<Real>(stabilization.baumgarte) * error / dt;
+    if (spec.softness) return error * rate;
+    const Real cap = static_cast<Real>(stabilization.max_speed);
+    return std::clamp(error * rate, -cap, cap);
   };
   if (!spec.bounds.is_unilateral()) return spec.speed - return_speed(spec.error);
 
@@ -31,18 +72,19 @@ Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization
   const Real slop = has_slop ? static_cast<Real>(stabilization.slop) : Real(0);
   Real bias = -spec.error / dt;
   if (spec.error < 0) bias = return_speed(std::max(Real(0), -spec.error - slop));
-  const bool meets = spec.error + dt * spec_velocity(spec, velocity) < 0;
-  return spec.rebound > 0 && meets ? std::max(bias, spec.rebound) : bias;
+  if (pass == StabilizationPass::position) return bias - spec_velocity(spec, velocity);
+  return rebounds(spec, dt, velocity) ? std::max(bias, spec.rebound) : bias;
 }
 
 template <Scalar Real>
 ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilization& stabilization,
-                                   VelocityProblem<Real>& problem, std::uint64_t source, int first_row) {
+                                   StabilizationPass pass, VelocityProblem<Real>& problem,
+                                   std::uint64_t source, int first_row) {
   ConstraintRow<Real> row{.a = spec.a,
                           .b = spec.b,
                           .jacobian_a = spec.jacobian_a,
                           .jacobian_b = spec.jacobian_b,
-                          .bias = bias_velocity(spec, stabilization, problem.dt, problem.velocity),
+                          .bias = bias_velocity(spec, stabilization, pass, problem.dt, problem.velocity),
                           .softness = 0,
                           .bounds = spec.bounds,
                           .key = {.source = source, .part = spec.part},
@@ -51,27 +93,32 @@ ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilizatio
   for (int k = 0; k < spec.extra_count; ++k) {
     problem.extra_terms.push_back(spec.extra[static_cast<std::size_t>(k)]);
   }
-  if (row.bounds.is_friction()) row.bounds.normal_row += first_row;
+  row.bounds.shift(first_row);
   if (spec.max_force) row.bounds = Bounds<Real>::at_most(*spec.max_force * problem.dt);
-  if (spec.softness) {
+  if (pass == StabilizationPass::position && holds_no_position(spec)) {
+    row.bounds = Bounds<Real>::at_most(0);
+    return row;
+  }
+  if (const auto spring = spring_of(spec, stabilization, pass, problem.dt, problem.velocity)) {
     // The row is still rigid here: this is j M^-1 j^T alone.
     const Real inverse_mass = inverse_effective_mass(problem, row);
-    row.softness = row_softness(*spec.softness, inverse_mass, problem.dt);
+    row.softness = row_softness(*spring, inverse_mass, problem.dt);
   }
   return row;
 }
 
-template float bias_velocity(const RowSpec<float>&, const Stabilization&, float,
+template float bias_velocity(const RowSpec<float>&, const Stabilization&, StabilizationPass, float,
                              const std::vector<Vec3<float>>&);
-template double bias_velocity(const RowSpec<double>&, const Stabilization&, double,
-                              const std::vector<Vec3<double>>&);
-template long double bias_velocity(const RowSpec<long double>&, const Stabilization&, long double,
-                                   const std::vector<Vec3<long double>>&);
-template ConstraintRow<float> stabilized_row(const RowSpec<float>&, const Stabilization&,
+template ConstraintRow<float> stabilized_row(const RowSpec<float>&, const Stabilization&, StabilizationPass,
                                              VelocityProblem<float>&, std::uint64_t, int);
-template ConstraintRow<double> stabilized_row(const RowSpec<double>&, const Stabilization&,
+template double bias_velocity(const RowSpec<double>&, const Stabilization&, StabilizationPass, double,
+                              const std::vector<Vec3<double>>&);
+template ConstraintRow<double> stabilized_row(const RowSpec<double>&, const Stabilization&, StabilizationPass,
                                               VelocityProblem<double>&, std::uint64_t, int);
+template long double bias_velocity(const RowSpec<long double>&, const Stabilization&, StabilizationPass,
+                                   long double, const std::vector<Vec3<long double>>&);
 template ConstraintRow<long double> stabilized_row(const RowSpec<long double>&, const Stabilization&,
-                                                   VelocityProblem<long double>&, std::uint64_t, int);
+                                                   StabilizationPass, VelocityProblem<long double>&,
+                                                   std::uint64_t, int);
 
 }  // namespace cairn

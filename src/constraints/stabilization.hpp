@@ -1,14 +1,37 @@
 // Floor 3. How fast errors go: from what a constraint states to what a solver is given.
 #pragma once
 
+#include <limits>
+
 #include "constraints/constraint.hpp"
 
 namespace cairn {
 
-/// Baumgarte stabilization (4), (7). Contacts may keep `slop` of overlap, so that they do not flicker.
+/// What becomes of errors in positions, which velocities alone never take back.
+enum class StabilizationPolicy {
+  none,           // nothing: they stay, and grow by the error of integration
+  baumgarte,      // (4), (7): velocities carry a share beta / dt of them; they keep that speed afterwards
+  soft,           // stiff springs in the rows; a second solve, without springs, takes their speed out again
+  split_impulse,  // velocities of their own, which move the bodies once and are forgotten
+};
+
+/// Which velocities a row is written for.
+enum class StabilizationPass {
+  velocity,  // those of the step
+  relax,     // of the policy soft: those that stay once positions have moved
+  position,  // of the policy split_impulse: those that only correct positions
+};
+
+/// How errors go. Contacts may keep `slop` of overlap, so that they do not flicker. Sources: J. Baumgarte
+/// (1972); E. Catto, Solver2D (2024), for soft rows with a relaxing solve; E. Coumans' Bullet for split
+/// impulses.
 struct Stabilization {
+  StabilizationPolicy policy = StabilizationPolicy::baumgarte;
   double baumgarte = 0.2;  // beta: the share of an error that one step removes
   double slop = 0.005;     // [m] overlap of contacts that is left alone
+  /// [m/s or rad/s] errors are taken back no faster than this.
+  double max_speed = std::numeric_limits<double>::infinity();
+  SwingSoftness soft = {.frequency = 30, .damping_ratio = 10};  // of policy soft; at most 0.25 / dt
 };
 
 /// zeta (7) of one row: the value that j v should take in a step of dt [s].
@@ -16,17 +39,22 @@ struct Stabilization {
 ///   an inequality with room left (C > 0)        -C / dt: it may use its room up, and no more
 ///   an inequality that is violated (C < 0)      beta max(0, -C - slop) / dt
 /// and, if the free velocity would make the bodies meet within the step, at least the rebound. A motor asks
-/// for its speed. In a soft row its spring's rate takes the place of beta / dt, and there is no slop.
-/// `velocity` is the velocity that the step would have without constraints.
+/// for its speed. In a soft row its spring's rate takes the place of beta / dt, and there is no slop. What
+/// stands for beta / dt in a rigid row depends on policy and pass: 0 where errors are not to go now, and the
+/// rate of the policy's spring.
+/// `velocity` is the velocity that the step would have without constraints; in the position pass the one that
+/// it has, of which an inequality takes no more than is still missing.
 template <Scalar Real>
-Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization, Real dt,
-                   const std::vector<Vec3<Real>>& velocity);
+Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization, StabilizationPass pass,
+                   Real dt, const std::vector<Vec3<Real>>& velocity);
 
 /// The row of `spec` in a step of `problem`, whose dt, inverse masses and velocities are those of the step
 /// without constraints: with the bias above, the softness of its spring, and a motor's force as an impulse.
 /// The block of the row begins at row `first_row`. Terms of further bodies go to the problem's extra terms.
+/// In the position pass friction, motors and springs do nothing.
 template <Scalar Real>
 ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilization& stabilization,
-                                   VelocityProblem<Real>& problem, std::uint64_t source, int first_row);
+                                   StabilizationPass pass, VelocityProblem<Real>& problem,
+                                   std::uint64_t source, int first_row);
 
 }  // namespace cairn

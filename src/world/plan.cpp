@@ -43,6 +43,9 @@ Plan make_plan(const Scene& scene) {
   plan.joints = static_cast<int>(scene.joints().size());
   plan.broadphase = plan.colliders > all_pairs_limit ? BroadphaseKind::sweep : BroadphaseKind::all_pairs;
   plan.warm_start = scene.settings().warm_start;
+  plan.substeps = scene.settings().substeps;
+  plan.relaxes = scene.settings().stabilization.policy == StabilizationPolicy::soft;
+  plan.corrects_positions = scene.settings().stabilization.policy == StabilizationPolicy::split_impulse;
   plan.shape_kinds.assign(kinds.begin(), kinds.end());
   return plan;
 }
@@ -68,6 +71,12 @@ std::string explain(const Plan& plan) {
                                              plan.dynamic_bodies - plan.turning_bodies, plan.dynamic_bodies));
   text += line("warm start",
                either(plan.warm_start, "impulses are kept from step to step", "left out by setting"));
+  text += line("substeps", plan.substeps > 1 ? fmt::format("{} a step", plan.substeps)
+                                             : std::string("left out: one solve a step"));
+  std::string second = "left out: positions need none of their own";
+  if (plan.relaxes) second = "soft rows: each step is solved again without springs";
+  if (plan.corrects_positions) second = "split impulse: errors are taken back apart from the velocities";
+  text += line("second solve", second);
   return text;
 }
 

@@ -23,6 +23,9 @@ struct Plan {
   bool friction = false;     // some pair of bodies with mu > 0
   bool restitution = false;  // some body with e > 0
   bool warm_start = false;
+  int substeps = 1;
+  bool relaxes = false;                       // a second solve takes the speed of springs out again
+  bool corrects_positions = false;            // a second solve takes errors back
   std::vector<std::string> shape_kinds = {};  // those that occur, sorted
 };
 

@@ -69,8 +69,14 @@ void set_mass(SceneBody& body, const MassProperties& shapes) {
 Scene::Scene(const SceneSettings& settings) : settings_(settings), bodies_(1) {
   require_finite(settings.gravity, "Scene", "gravity", "m/s^2");
   require_time_step(settings.dt, "Scene");
+  require(settings.substeps >= 1 && settings.substeps <= 1000000, "Scene", "substeps", "from 1 to 1000000",
+          settings.substeps);
+  require_time_step(settings.dt / settings.substeps, "Scene (a substep)");
   require_range(settings.stabilization.baumgarte, 0, "Scene", "stabilization.baumgarte", "");
   require_range(settings.stabilization.slop, 0, "Scene", "stabilization.slop", "m");
+  require(settings.stabilization.max_speed > 0, "Scene", "stabilization.max_speed", "> 0 m/s",
+          settings.stabilization.max_speed);
+  require_softness(settings.stabilization.soft, "Scene: stabilization.soft");
   require_range(settings.speculative_margin, 0, "Scene", "speculative_margin", "m");
   require_range(settings.restitution_threshold, 0, "Scene", "restitution_threshold", "m/s");
   bodies_[0].spec.type = BodyType::static_body;
@@ -139,6 +145,10 @@ std::vector<Pose<double>> Scene::poses() const {
 void Scene::require_body(BodyId id, const char* field) const {
   require(id.index >= 0 && id.index < static_cast<int>(bodies_.size()), "Scene::join", field,
           "the id of a body of this scene", id.index);
+}
+
+bool may_touch(const BodySpec& a, const BodySpec& b) {
+  return (a.category & b.collides_with) != 0 && (b.category & a.collides_with) != 0;
 }
 
 void require_time_step(double dt, const char* place) {

@@ -1,12 +1,14 @@
 // Floor 5. A scene: what there is, before anything moves.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "constraints/constraint.hpp"
+#include "constraints/contact.hpp"
 #include "constraints/stabilization.hpp"
 #include "dynamics/body.hpp"
 #include "geometry/shape.hpp"
@@ -17,10 +19,12 @@ namespace cairn {
 struct SceneSettings {
   Vec2<double> gravity = {0, -10};  // [m/s^2]
   double dt = 1.0 / 60;             // [s] one step
+  int substeps = 1;                 // a step is so many steps of dt / substeps, each solved anew
   Stabilization stabilization = {};
   bool warm_start = true;              // begin from last step's impulses
   double speculative_margin = 0.02;    // [m] shapes closer than this get contact rows with room to spare
   double restitution_threshold = 0.5;  // [m/s] slower approaches do not rebound
+  FrictionRows friction_rows = FrictionRows::per_point;
 };
 
 /// One body. Its mass is `mass`, or else density times area; its inertia follows from the shapes.
@@ -41,6 +45,12 @@ struct BodySpec {
   double angular_damping = 0;          // [1/s]
   double gravity_scale = 1;
   bool fixed_rotation = false;  // never turns: 1/I is 0
+  bool sensor = false;          // is seen to touch (StepRecord::sensed), and neither pushes nor is pushed
+  /// Never passes through what it could reach within a step: it gets contact rows with the room in between.
+  /// May be stopped by what it would have passed at the side, and then rebounds before it arrives.
+  bool fast = false;
+  std::uint32_t category = 1;         // bits: what it is
+  std::uint32_t collides_with = ~0u;  // bits: of which categories both must accept the other's
 };
 
 struct GroundSpec {
@@ -104,6 +114,9 @@ class Scene {
   std::vector<std::shared_ptr<const Constraint>> joints_;
   std::vector<std::pair<BodyId, BodyId>> apart_;
 };
+
+/// Whether two bodies may touch: neither has excluded the other's category.
+bool may_touch(const BodySpec& a, const BodySpec& b);
 
 /// @throws std::invalid_argument unless dt is from 1e-12 to 1e6 s.
 void require_time_step(double dt, const char* place);

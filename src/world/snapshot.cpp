@@ -17,8 +17,19 @@ SnapshotBody snapshot_body(const SceneBody& body, const Pose<double>& pose, cons
           .shapes = body.spec.shapes};
 }
 
+/// One friction row for two points: each has the share that its normal impulse has of the load.
+template <Scalar Real>
+void share_friction(const ConstraintRow<Real>& row, Real impulse, SnapshotContact& first,
+                    SnapshotContact& second) {
+  const double load = first.normal_impulse + second.normal_impulse;
+  const double share = load > 0 ? first.normal_impulse / load : 0.5;
+  first.friction_impulse = share * static_cast<double>(impulse);
+  second.friction_impulse = (1 - share) * static_cast<double>(impulse);
+  first.friction = second.friction = static_cast<double>(row.bounds.friction);
+}
+
 /// The contacts of one manifold, from the rows of its block: a normal row for each point, and a friction row
-/// behind it where there is friction.
+/// behind it, or behind both, where there is friction.
 template <Scalar Real>
 void append_contacts(const StepRecord<Real>& record, std::size_t manifold_index, const RowBlock& block,
                      std::vector<SnapshotContact>& contacts) {
@@ -35,12 +46,18 @@ void append_contacts(const StepRecord<Real>& record, std::size_t manifold_index,
                             .normal_impulse = static_cast<double>(record.problem.impulse[normal]),
                             .is_new = record.is_new[normal] != 0};
     const auto next = static_cast<std::size_t>(row);
-    if (row < block.first + block.count && record.problem.rows[next].bounds.is_friction()) {
+    const bool has_next = row < block.first + block.count;
+    const bool is_shared = has_next && record.problem.rows[next].bounds.second_normal_row >= 0;
+    if (has_next && record.problem.rows[next].bounds.is_friction() && !is_shared) {
       contact.friction_impulse = static_cast<double>(record.problem.impulse[next]);
       contact.friction = static_cast<double>(record.problem.rows[next].bounds.friction);
       ++row;
     }
     contacts.push_back(contact);
+    if (is_shared) {
+      share_friction(record.problem.rows[next], record.problem.impulse[next], contacts[contacts.size() - 2],
+                     contacts.back());
+    }
   }
 }
 
@@ -72,8 +89,10 @@ template <Scalar Real>
 Snapshot snapshot(const World<Real>& world) {
   const Scene& scene = world.scene();
   const StepRecord<Real>& record = world.last_step();
-  Snapshot result{
-      .time = world.time(), .step = world.steps(), .dt = world.dt(), .gravity = scene.settings().gravity};
+  Snapshot result{.time = world.time(),
+                  .step = world.steps(),
+                  .dt = world.dt() / scene.settings().substeps,
+                  .gravity = scene.settings().gravity};
   result.apart = scene.apart();
   for (std::size_t i = 0; i < scene.bodies().size(); ++i) {
     const Pose<Real>& pose = world.bodies().pose[i];

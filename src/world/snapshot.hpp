@@ -49,7 +49,7 @@ struct SnapshotJoint {
 struct Snapshot {
   double time = 0;  // [s]
   int step = 0;
-  double dt = 0;                          // [s] of the step that led here; impulse / dt is the paper's lambda
+  double dt = 0;                          // [s] of the last substep: impulse / dt is the paper's lambda
   Vec2<double> gravity = {0, 0};          // [m/s^2]
   std::vector<SnapshotBody> bodies = {};  // index 0 is the ground
   std::vector<SnapshotContact> contacts = {};

@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/collide.hpp"
-#include "math/check.hpp"
-
 namespace cairn {
 
 namespace {
@@ -23,20 +20,56 @@ std::uint64_t contact_source(int collider_a, int collider_b) {
 
 template <Scalar Real>
 StepReport World<Real>::step(Solver<Real>& solver, SolveObserver<Real>* observer) {
-  find_contacts();  // 1, 2  poses -> pairs -> manifolds
-  apply_forces();   // 3     v_1 = v + dt M^-1 f: gravity is in before any constraint is solved
-  write_rows();     // 4     joints and manifolds -> rows, with last step's impulses
-  const SolveReport solved = solver.solve(record_.problem, observer);  // 5  -> impulses, v_2
-
-  remember_impulses();  // 6
-  state_.velocity = record_.problem.velocity;
-  integrate_positions(state_, static_cast<Real>(dt_));  // 7  with the new velocities: semi-implicit Euler
+  StepReport report;
+  for (int i = 0; i < scene_->settings().substeps; ++i) substep(solver, observer, report);
   time_ += dt_;
   steps_ += 1;
-
-  StepReport report{.solve = solved, .rows = record_.problem.row_count(), .not_finite = first_not_finite()};
+  report.rows = record_.problem.row_count();
   for (const Manifold<Real>& manifold : record_.manifolds) report.contacts += manifold.count;
+  report.not_finite = first_not_finite();
   return report;
+}
+
+template <Scalar Real>
+void World<Real>::substep(Solver<Real>& solver, SolveObserver<Real>* observer, StepReport& report) {
+  find_contacts();  // 1, 2  poses -> pairs -> manifolds
+  apply_forces();   // 3     v_1 = v + dt M^-1 f: gravity is in before any constraint is solved
+  write_rows(StabilizationPass::velocity, record_.problem);  // 4  joints and manifolds -> rows,
+  warm_start();                                              //    with last step's impulses
+  if (plan_->relaxes) {
+    second_problem_.velocity = record_.problem.velocity;
+    write_rows(StabilizationPass::relax, second_problem_);
+  }
+  report.solve = solver.solve(record_.problem, observer);  // 5  -> impulses, v_2
+  report.sweeps += report.solve.iterations;
+
+  state_.velocity = record_.problem.velocity;
+  if (plan_->corrects_positions) correct_positions(solver, report);
+  integrate_positions(state_, substep_length());  // 6  with the new velocities: semi-implicit Euler
+  if (plan_->relaxes) relax(solver, report);
+  state_.velocity = record_.problem.velocity;
+  remember_impulses();  // 7
+}
+
+/// The policy soft: solves again from v_1, without the springs that have just moved the positions, so that
+/// their speed does not stay in the velocities.
+template <Scalar Real>
+void World<Real>::relax(Solver<Real>& solver, StepReport& report) {
+  second_problem_.impulse = record_.problem.impulse;
+  report.sweeps += solver.solve(second_problem_).iterations;
+  std::swap(record_.problem, second_problem_);
+}
+
+/// The policy split_impulse: adds velocities that take errors back. The velocities of the step come back once
+/// positions are integrated.
+template <Scalar Real>
+void World<Real>::correct_positions(Solver<Real>& solver, StepReport& report) {
+  second_problem_.velocity = record_.problem.velocity;
+  write_rows(StabilizationPass::position, second_problem_);
+  for (Vec3<Real>& v : second_problem_.velocity) v.setZero();
+  second_problem_.impulse.assign(second_problem_.rows.size(), Real(0));
+  report.sweeps += solver.solve(second_problem_).iterations;
+  for (std::size_t i = 0; i < state_.velocity.size(); ++i) state_.velocity[i] += second_problem_.velocity[i];
 }
 
 template <Scalar Real>
@@ -44,39 +77,14 @@ VelocityProblem<Real> World<Real>::velocity_problem() const {
   World twin = *this;
   twin.find_contacts();
   twin.apply_forces();
-  twin.write_rows();
+  twin.write_rows(StabilizationPass::velocity, twin.record_.problem);
+  twin.warm_start();
   return twin.record_.problem;
 }
 
 template <Scalar Real>
-void World<Real>::find_contacts() {
-  record_.manifolds.clear();
-  if (!plan_->collision) return;
-  const Real margin = static_cast<Real>(scene_->settings().speculative_margin);
-  const std::vector<Collider>& colliders = *colliders_;
-  const std::vector<std::pair<BodyId, BodyId>>& apart = scene_->apart();
-  const auto pose = [this](BodyId body) -> const Pose<Real>& {
-    return state_.pose[static_cast<std::size_t>(body.index)];
-  };
-  for (std::size_t i = 0; i < colliders.size(); ++i) {
-    boxes_[i] = bounding_box(colliders[i].shape, pose(colliders[i].body), margin / 2);
-  }
-  for (const auto& [i, j] : broadphase_.pairs(boxes_, movable_)) {
-    const Collider& a = colliders[static_cast<std::size_t>(i)];
-    const Collider& b = colliders[static_cast<std::size_t>(j)];
-    const std::pair<BodyId, BodyId> bodies = std::minmax(a.body, b.body);
-    if (a.body == b.body || std::binary_search(apart.begin(), apart.end(), bodies)) continue;
-    Manifold<Real> manifold = collide(a.shape, pose(a.body), b.shape, pose(b.body), margin);
-    if (manifold.count == 0) continue;
-    manifold.collider_a = i;
-    manifold.collider_b = j;
-    record_.manifolds.push_back(manifold);
-  }
-}
-
-template <Scalar Real>
 void World<Real>::apply_forces() {
-  const Real dt = static_cast<Real>(dt_);
+  const Real dt = substep_length();
   record_.problem.velocity = state_.velocity;
   if (plan_->gravity) {
     const Vec2<Real> gravity = scene_->settings().gravity.template cast<Real>();
@@ -86,34 +94,32 @@ void World<Real>::apply_forces() {
 }
 
 template <Scalar Real>
-void World<Real>::write_rows() {
-  VelocityProblem<Real>& problem = record_.problem;
+void World<Real>::write_rows(StabilizationPass pass, VelocityProblem<Real>& problem) {
   problem.rows.clear();
   problem.blocks.clear();
   problem.extra_terms.clear();
   problem.inverse_mass = state_.inverse_mass;
-  problem.dt = static_cast<Real>(dt_);
+  problem.dt = substep_length();
   for (std::size_t i = 0; i < scene_->joints().size(); ++i) {
     specs_.clear();
     scene_->joints()[i]->append_rows(state_.pose, specs_);
-    append_block(i);
+    append_block(pass, i, problem);
   }
   for (const Manifold<Real>& manifold : record_.manifolds) {
     const BodyId a = (*colliders_)[static_cast<std::size_t>(manifold.collider_a)].body;
     const BodyId b = (*colliders_)[static_cast<std::size_t>(manifold.collider_b)].body;
     specs_.clear();
     append_contact_rows(manifold, a, b, material(a, b), state_.pose, state_.velocity, specs_);
-    append_block(contact_source(manifold.collider_a, manifold.collider_b));
+    append_block(pass, contact_source(manifold.collider_a, manifold.collider_b), problem);
   }
-  warm_start();
 }
 
 template <Scalar Real>
-void World<Real>::append_block(std::uint64_t source) {
-  VelocityProblem<Real>& problem = record_.problem;
+void World<Real>::append_block(StabilizationPass pass, std::uint64_t source, VelocityProblem<Real>& problem) {
   const int first = problem.row_count();
   for (const RowSpec<Real>& spec : specs_) {
-    problem.rows.push_back(stabilized_row(spec, scene_->settings().stabilization, problem, source, first));
+    problem.rows.push_back(
+        stabilized_row(spec, scene_->settings().stabilization, pass, problem, source, first));
   }
   problem.blocks.push_back({first, problem.row_count() - first});
 }
@@ -124,7 +130,7 @@ void World<Real>::append_block(std::uint64_t source) {
 template <Scalar Real>
 void World<Real>::warm_start() {
   VelocityProblem<Real>& problem = record_.problem;
-  const Real scale = previous_dt_ > 0 ? static_cast<Real>(dt_ / previous_dt_) : Real(1);
+  const Real scale = previous_dt_ > 0 ? substep_length() / static_cast<Real>(previous_dt_) : Real(1);
   problem.impulse.assign(problem.rows.size(), Real(0));
   record_.is_new.assign(problem.rows.size(), 1);
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
@@ -147,7 +153,7 @@ void World<Real>::remember_impulses() {
   }
   std::sort(impulses_.begin(), impulses_.end(),
             [](const auto& left, const auto& right) { return left.first < right.first; });
-  previous_dt_ = dt_;
+  previous_dt_ = static_cast<double>(substep_length());
 }
 
 template <Scalar Real>
@@ -156,7 +162,8 @@ ContactMaterial<Real> World<Real>::material(BodyId a, BodyId b) const {
   const BodySpec& spec_b = scene_->bodies()[static_cast<std::size_t>(b.index)].spec;
   return {.friction = static_cast<Real>(std::sqrt(spec_a.friction) * std::sqrt(spec_b.friction)),
           .restitution = static_cast<Real>(std::max(spec_a.restitution, spec_b.restitution)),
-          .restitution_threshold = static_cast<Real>(scene_->settings().restitution_threshold)};
+          .restitution_threshold = static_cast<Real>(scene_->settings().restitution_threshold),
+          .friction_rows = scene_->settings().friction_rows};
 }
 
 template <Scalar Real>

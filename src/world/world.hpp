@@ -20,7 +20,8 @@ namespace cairn {
 
 /// What happened in one step. A blow-up is reported here, not thrown: nothing is clamped in silence.
 struct StepReport {
-  SolveReport solve = {};
+  SolveReport solve = {};                 // of the velocities; of the last substep
+  int sweeps = 0;                         // all that were done, for relaxing and for positions too
   int contacts = 0;                       // contact points
   int rows = 0;                           // scalar constraints
   std::optional<BodyId> not_finite = {};  // the first body with a NaN or an infinity, if any
@@ -33,6 +34,7 @@ struct StepRecord {
   std::vector<Manifold<Real>> manifolds = {};  // ordered by collider_a, collider_b; where the step began
   VelocityProblem<Real> problem = {};          // after the solve
   std::vector<char> is_new = {};               // for each row: it had no impulse to start from
+  std::vector<std::pair<BodyId, BodyId>> sensed = {};  // what touches a sensor, the lower id first, sorted
 };
 
 /// A copyable value: `World twin = world;`. The scene is shared and never changes. Owns no solver.
@@ -41,7 +43,8 @@ class World {
  public:
   explicit World(Scene scene);
 
-  /// One step of dt. The same bits for the same scene, solver and number of steps.
+  /// One step of dt, in as many substeps as the scene asks for. The same bits for the same scene, solver and
+  /// number of steps.
   StepReport step(Solver<Real>& solver, SolveObserver<Real>* observer = nullptr);
   /// The problem that step() would hand to its solver now: changes nothing.
   VelocityProblem<Real> velocity_problem() const;
@@ -68,10 +71,17 @@ class World {
     Shape<Real> shape;
   };
 
+  /// The length of a substep [s].
+  Real substep_length() const { return static_cast<Real>(dt_ / scene_->settings().substeps); }
+  void substep(Solver<Real>& solver, SolveObserver<Real>* observer, StepReport& report);
   void find_contacts();
+  void meet(int collider_a, int collider_b);
+  Real reach(BodyId body) const;
   void apply_forces();
-  void write_rows();
-  void append_block(std::uint64_t source);
+  void write_rows(StabilizationPass pass, VelocityProblem<Real>& problem);
+  void append_block(StabilizationPass pass, std::uint64_t source, VelocityProblem<Real>& problem);
+  void relax(Solver<Real>& solver, StepReport& report);
+  void correct_positions(Solver<Real>& solver, StepReport& report);
   void warm_start();
   void remember_impulses();
   std::optional<BodyId> first_not_finite() const;
@@ -85,7 +95,7 @@ class World {
   std::vector<std::pair<RowKey, Real>> impulses_;  // of the last step, sorted by key
   StepRecord<Real> record_;
   double dt_ = 0;           // [s]
-  double previous_dt_ = 0;  // [s] of the step that impulses_ belong to
+  double previous_dt_ = 0;  // [s] of the substep that impulses_ belong to
   double time_ = 0;
   int steps_ = 0;
 
@@ -94,6 +104,7 @@ class World {
   std::vector<Aabb<Real>> boxes_;
   std::vector<char> movable_;
   RowSpecs<Real> specs_;
+  VelocityProblem<Real> second_problem_;  // of the policies that solve twice
 };
 
 World(Scene)->World<double>;

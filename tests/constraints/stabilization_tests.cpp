@@ -32,7 +32,7 @@ const Stabilization quarter_and_eighth = {.baumgarte = 0.25, .slop = 0.125};  //
 const double half_second = 0.5;                                               // [s]
 
 double bias_of(const RowSpec<double>& spec, double v = 0) {
-  return bias_velocity(spec, quarter_and_eighth, half_second, moving_at(v));
+  return bias_velocity(spec, quarter_and_eighth, StabilizationPass::velocity, half_second, moving_at(v));
 }
 
 }  // namespace
@@ -74,7 +74,8 @@ TEST_CASE("a stabilized row is its spec with a bias, a key, and its normal row f
   problem.dt = half_second;
   problem.velocity = moving_at(0);
   problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 1)};
-  const ConstraintRow<double> row = stabilized_row(spec, quarter_and_eighth, problem, 17, 10);
+  const ConstraintRow<double> row =
+      stabilized_row(spec, quarter_and_eighth, StabilizationPass::velocity, problem, 17, 10);
   CHECK(row.bounds.normal_row == 12);
   CHECK(row.bounds.friction == 0.5);
   CHECK(row.key == RowKey{17, spec.part});

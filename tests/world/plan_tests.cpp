@@ -20,7 +20,7 @@ Scene plain_scene(double friction_of_ground, double friction_of_disc) {
 
 /// A scene in which everything occurs.
 Scene rich_scene() {
-  Scene scene;
+  Scene scene({.substeps = 2, .stabilization = {.policy = StabilizationPolicy::soft}});
   scene.add_ground({.friction = 0.5});
   const BodyId bar =
       scene.add({.shapes = {box(1, 1), circle(1, {1, 0})}, .position = {0, 3}, .angular_damping = 0.1});
@@ -69,8 +69,8 @@ TEST_CASE("everything that a scene does without is left out, and the explanation
   Scene scene({.gravity = {0, 0}, .warm_start = false});
   scene.add({.shapes = {circle(1)}, .fixed_rotation = true});
   const Plan plan = make_plan(scene);
-  for (const char* part :
-       {"collision", "joints", "friction", "restitution", "gravity", "damping", "rotation", "warm start"}) {
+  for (const char* part : {"collision", "joints", "friction", "restitution", "gravity", "damping", "rotation",
+                           "warm start", "substeps", "second solve"}) {
     const std::string text = explain(plan);
     const std::size_t begin = text.find(std::string("  ") + part);
     REQUIRE(begin != std::string::npos);

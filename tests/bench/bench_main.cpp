@@ -1,0 +1,99 @@
+// What the paper says of speed, memory and code, in numbers: four tables.
+//   bash tests/run bench                       all of them, in about a minute
+//   cairn_bench [solvers|layout|memory|lines]  some of them
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "measure.hpp"
+#include "tables.hpp"
+
+namespace {
+
+/// The value of the first line of a file of the system that begins with `key`, behind the colon.
+std::string system_line(const std::string& file, const std::string& key) {
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t colon = line.find(':');
+    if (line.starts_with(key) && colon != std::string::npos)
+      return line.substr(std::min(colon + 2, line.size()));
+  }
+  return "unknown";
+}
+
+void print_machine() {
+  std::ifstream load_file("/proc/loadavg");
+  std::string load = "unknown";
+  load_file >> load;
+  fmt::print("compiler  {}\n", CAIRN_BENCH_COMPILER);
+  fmt::print("flags     {}\n", CAIRN_BENCH_FLAGS);
+  fmt::print("Eigen     {}.{}.{}, vectors by {}\n", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
+             EIGEN_MINOR_VERSION, Eigen::SimdInstructionSetsInUse());
+  std::string caches;
+  for (const benchmark::CPUInfo::CacheInfo& cache : benchmark::CPUInfo::Get().caches) {
+    if (cache.type != "Instruction") caches += fmt::format(" L{} {} kB", cache.level, cache.size / 1024);
+  }
+  fmt::print("caches   {}\n", caches.empty() ? " unknown" : caches);
+  fmt::print("CPU       {}, load {} before we began\n", system_line("/proc/cpuinfo", "model name"), load);
+#ifndef NDEBUG
+  fmt::print("Assertions are on: these times are not those of a release.\n");
+#endif
+  fmt::print(
+      "Times are processor times of one thread in double, medians of repetitions in a shuffled order; noise "
+      "is their\n"
+      "interquartile range over the median, and a ratio is shown as \"noisy\" where it is above {:.0f} %.\n",
+      100 * cairn::bench::largest_noise);
+}
+
+using Table = std::pair<std::string, std::function<void()>>;
+
+/// @returns false for a name that is no table.
+bool print_tables(const std::vector<std::string>& wanted) {
+  const std::vector<Table> tables = {{"solvers", cairn::bench::print_solver_table},
+                                     {"layout", cairn::bench::print_layout_table},
+                                     {"memory", cairn::bench::print_memory_table},
+                                     {"lines", cairn::bench::print_lines_table}};
+  const auto named = [&](const std::string& name) {
+    return [&name](const Table& table) { return table.first == name; };
+  };
+  for (const std::string& name : wanted) {
+    if (std::none_of(tables.begin(), tables.end(), named(name))) {
+      fmt::print(stderr, "cairn_bench: unknown table {}; there are: solvers layout memory lines\n", name);
+      return false;
+    }
+  }
+  print_machine();
+  for (const auto& [name, print] : tables) {
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
+    print();
+    std::fflush(stdout);
+  }
+  return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // Repetitions of different benchmarks in a shuffled order, unless the caller says otherwise.
+  std::string shuffled = "--benchmark_enable_random_interleaving=true";
+  std::vector<char*> arguments = {argv[0], shuffled.data()};
+  arguments.insert(arguments.end(), argv + 1, argv + argc);
+  int count = static_cast<int>(arguments.size());
+  arguments.push_back(nullptr);
+  benchmark::Initialize(&count, arguments.data());
+  try {
+    return print_tables({arguments.begin() + 1, arguments.begin() + count}) ? 0 : 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,117 @@
+// What solvers store, against the number of rows (paper 4.4, eq. (30)).
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "scenes.hpp"
+#include "table.hpp"
+#include "tables.hpp"
+
+namespace cairn::bench {
+
+namespace {
+
+/// The dense solver would take seconds to multiply J M^-1 J^T beyond this, to store what is known by then.
+const int largest_dense = 1700;
+
+/// What one scene of a family takes.
+struct MemoryOfScene {
+  double rows = 0;
+  std::vector<std::optional<double>> bytes = {};  // of each solver
+};
+
+template <typename SolverType>
+std::optional<double> bytes_kept(VelocityProblem<double> problem) {
+  const bool dense = std::is_same_v<SolverType, ProjectedGaussSeidel<double>>;
+  if (dense && problem.row_count() > largest_dense) return std::nullopt;
+  SolverType solver({.iterations = 1});
+  solver.solve(problem);
+  return static_cast<double>(solver.memory());
+}
+
+MemoryOfScene memory_of_scene(const VelocityProblem<double>& problem) {
+  return {.rows = static_cast<double>(problem.row_count()),
+          .bytes = {bytes_kept<ProjectedGaussSeidel<double>>(problem),
+                    bytes_kept<SparseProjectedGaussSeidel<double>>(problem),
+                    bytes_kept<FactoredProjectedGaussSeidel<double>>(problem),
+                    bytes_kept<AcceleratedProjectedGaussSeidel<double>>(problem),
+                    bytes_kept<Jacobi<double>>(problem), bytes_kept<SequentialImpulse<double>>(problem)}};
+}
+
+std::string count_with_share(std::size_t count, double rows) {
+  return fmt::format("{} ({:.1f} m)", grouped(count), static_cast<double>(count) / rows);
+}
+
+/// The p of bytes ~ m^p between the two largest scenes that have a number.
+std::string growth_cell(const std::vector<MemoryOfScene>& scenes, std::size_t solver) {
+  const MemoryOfScene* larger = nullptr;
+  for (auto scene = scenes.rbegin(); scene != scenes.rend(); ++scene) {
+    if (!scene->bytes[solver]) continue;
+    if (larger != nullptr) {
+      return fmt::format("m^{:.2f}", std::log(*larger->bytes[solver] / *scene->bytes[solver]) /
+                                         std::log(larger->rows / scene->rows));
+    }
+    larger = &*scene;
+  }
+  return "-";
+}
+
+void print_family(const std::string& name, const std::function<VelocityProblem<double>(int)>& make,
+                  const std::vector<int>& sizes) {
+  TextTable counts({{name, "size"},
+                    {"m", "rows"},
+                    {"A dense: m^2", "entries"},
+                    {"(30) as printed", "entries (a row)"},
+                    {"not zero in A", "entries (a row)"},
+                    {"on one body", "entries (a row)"}});
+  TextTable stored({{name, "m"},
+                    {"PGS dense", "bytes/row"},
+                    {"PGS sparse", "bytes/row"},
+                    {"PGS factored", "bytes/row"},
+                    {"accelerated", "bytes/row"},
+                    {"Jacobi", "bytes/row"},
+                    {"SI", "bytes/row"}});
+  std::vector<MemoryOfScene> scenes;
+  for (const int size : sizes) {
+    const VelocityProblem<double> problem = cold(make(size));
+    scenes.push_back(memory_of_scene(problem));
+    const double m = scenes.back().rows;
+    counts.add({std::to_string(size), grouped(problem.rows.size()),
+                grouped(problem.rows.size() * problem.rows.size()),
+                count_with_share(non_zeros_as_printed(problem), m), count_with_share(non_zeros(problem), m),
+                count_with_share(coupled_pairs(problem), m)});
+    std::vector<std::string> cells = {grouped(problem.rows.size())};
+    for (const auto& bytes : scenes.back().bytes) {
+      cells.push_back(bytes ? fmt::format("{:.1f}", *bytes / m) : "-");
+    }
+    stored.add(cells);
+  }
+  std::vector<std::string> growth = {"all bytes grow as"};
+  for (std::size_t solver = 0; solver < scenes.front().bytes.size(); ++solver) {
+    growth.push_back(growth_cell(scenes, solver));
+  }
+  stored.add(growth);
+  fmt::print("{}\n{}\n", counts.text(), stored.text());
+}
+
+}  // namespace
+
+void print_memory_table() {
+  print_heading("3. Memory: what is stored, against the number of rows m");
+  fmt::print(
+      "Paper 4.4: the m x m matrix of PGS does not scale well, its non-zeros (30) do better, and SI stores "
+      "one\n"
+      "effective mass a row: 8 bytes, linear in m. Eq. (30) as printed has J_i . J_j where A has\n"
+      "J_i M^-1 J_j^T, so that it counts pairs that meet only on the ground. Some pairs of rows on one body "
+      "that\n"
+      "can move cancel by symmetry; a sparse A keeps a place for them. Bytes are what solvers keep beside "
+      "the\n"
+      "problem; growth is between the two largest scenes. \"-\": not tried.\n\n");
+  print_family("pyramid", pyramid_problem, {5, 10, 20, 40});
+  print_family("stack", stack_problem, {25, 50, 100, 200, 400});
+  print_family("chain", chain_problem, {50, 100, 200, 400, 800});
+}
+
+}  // namespace cairn::bench

@@ -1,0 +1,121 @@
+// Overlap that Baumgarte stabilization turns into speed: bodies that overlap at rest jump.
+#include "geometry/shape.hpp"
+#include "problems.hpp"
+
+using namespace cairn;
+using namespace cairn::testing;
+
+namespace {
+
+struct PopSpec {
+  double overlap = 0.1;    // [m] d, at rest
+  double baumgarte = 0.2;  // beta
+  double slop = 0;         // [m]
+  double frequency = 240;  // [1/s] steps
+};
+
+/// A disc of radius 0.5 m, or a box as high as that, in the ground by d.
+World<double> sunk_body(const PopSpec& spec, const Shape<double>& shape) {
+  Scene scene({.dt = 1 / spec.frequency, .stabilization = {.baumgarte = spec.baumgarte, .slop = spec.slop}});
+  scene.add_ground();
+  scene.add({.shapes = {shape}, .position = {0, 0.5 - spec.overlap}, .mass = 3});
+  return World(scene);
+}
+
+double height_above_rest(const World<double>& world) { return pose_of(world, {1}).position.y() - 0.5; }
+
+/// Until it falls again [m].
+double pop_apex(World<double>& world, Solver<double>& solver) {
+  double top = height_above_rest(world);
+  for (double speed = 1; speed > 0 && world.time() < 10; speed = velocity_of(world, {1}).y()) {
+    world.step(solver);
+    top = std::max(top, height_above_rest(world));
+  }
+  return top;
+}
+
+}  // namespace
+
+// B24
+TEST_CASE("a body that overlaps the ground by d leaves it with beta d / dt, whatever it weighs") {
+  for (const SolverMaker<double>& make : all_solvers<double>()) {
+    for (const double beta : {0.1, 0.2, 0.8}) {
+      for (const double slop : {0.0, 0.005}) {
+        for (const Shape<double>& shape : {Shape<double>(circle(0.5)), Shape<double>(box(1, 1))}) {
+          World world = sunk_body({.baumgarte = beta, .slop = slop}, shape);
+          const auto solver = make({.iterations = 60});
+          world.step(*solver);
+          const double speed = beta * (0.1 - slop) * 240;
+          CHECK(velocity_of(world, {1}).y() == doctest::Approx(speed).epsilon(1e-9));
+          // What is left of the overlap asks for less than it has: it flies, and gravity brakes it.
+          world.step(*solver);
+          CHECK(velocity_of(world, {1}).y() == doctest::Approx(speed - test_gravity / 240).epsilon(1e-9));
+        }
+      }
+    }
+  }
+}
+
+// B24
+TEST_CASE("its apex lies (beta d / dt)^2 / 2g - d above the place of rest, and half a step's way more") {
+  for (const double frequency : {120.0, 240.0, 480.0}) {
+    for (const double d : {0.05, 0.1, 0.2}) {
+      const PopSpec spec{.overlap = d, .frequency = frequency};
+      World world = sunk_body(spec, circle(0.5));
+      SequentialImpulse<double> solver;
+      const double apex = pop_apex(world, solver);
+      const double v = spec.baumgarte * d * frequency, dt = 1 / frequency;
+      const double ideal = v * v / (2 * test_gravity) - d;
+      // The sum of the steps' ways v - k g dt, up to the last one that goes up.
+      const double n = std::floor(v / (test_gravity * dt) + 1e-9);
+      const double discrete = dt * ((n + 1) * v - test_gravity * dt * n * (n + 1) / 2) - d;
+      CHECK(apex == doctest::Approx(discrete).epsilon(1e-9));
+      // v dt / 2 is beta d / 2 in any step: the error does not shrink with dt, but the apex grows.
+      CHECK(apex - ideal <= v * dt / 2 + test_gravity * dt * dt / 8 + 1e-9);
+      CHECK(apex - ideal >= 0);
+    }
+  }
+}
+
+// B24
+TEST_CASE("half of the time step throws an overlapping body four times as high") {
+  const double d = 0.2;
+  for (const double frequency : {240.0, 480.0, 960.0}) {
+    World world = sunk_body({.overlap = d, .frequency = frequency}, circle(0.5));
+    World finer = sunk_body({.overlap = d, .frequency = 2 * frequency}, circle(0.5));
+    SequentialImpulse<double> solver;
+    const double ratio = (pop_apex(finer, solver) + d) / (pop_apex(world, solver) + d);
+    // v^2 / 2g + v dt / 2 over v^2 / 2g is 1 + g dt / v, which is near 1 for small steps.
+    const double share = test_gravity / frequency / (0.2 * d * frequency);
+    CHECK(std::abs(ratio / 4 - 1) <= share);
+  }
+}
+
+// B24
+TEST_CASE("without stabilization, or within the slop, a body stays where it overlaps") {
+  for (const PopSpec& spec : {PopSpec{.baumgarte = 0}, PopSpec{.overlap = 0.005, .slop = 0.005}}) {
+    World world = sunk_body(spec, box(1, 1));
+    SequentialImpulse<double> solver({.iterations = 60});
+    for (int step = 0; step < 240; ++step) {
+      world.step(solver);
+      // 240 steps round heights below 1 m, and the two points of a box are solved to rounding by 60 sweeps.
+      CHECK(std::abs(height_above_rest(world) + spec.overlap) <= 1e-12);
+    }
+  }
+}
+
+// B24
+TEST_CASE("an overlap below g dt^2 / beta^2 creeps out by beta a step, and does not fly off") {
+  const double beta = 0.2, frequency = 60;
+  const double limit = test_gravity / (frequency * frequency * beta * beta);  // 0.069 m
+  // The next step asks for beta (1 - beta) d / dt; the body has beta d / dt - g dt.
+  for (const double share : {0.5, 0.99, 1.01, 1.5}) {
+    const double d = share * limit;
+    World world = sunk_body({.overlap = d, .frequency = frequency}, circle(0.5));
+    SequentialImpulse<double> solver;
+    run(world, solver, 2 / frequency);
+    const double creeping = -d * (1 - beta) * (1 - beta);
+    const double flying = -d * (1 - beta) + beta * d - test_gravity / (frequency * frequency);
+    CHECK(height_above_rest(world) == doctest::Approx(share < 1 ? creeping : flying).epsilon(1e-9));
+  }
+}
