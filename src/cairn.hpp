@@ -13,6 +13,7 @@
 #include "measure/recorder.hpp"
 #include "measure/violation.hpp"
 #include "solvers/accelerated_projected_gauss_seidel.hpp"
+#include "solvers/block_sequential_impulse.hpp"
 #include "solvers/factored_projected_gauss_seidel.hpp"
 #include "solvers/jacobi.hpp"
 #include "solvers/naive_projected_gauss_seidel.hpp"

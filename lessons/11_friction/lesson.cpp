@@ -73,7 +73,7 @@ LessonInfo info() {
        .what = "steps",
        .kind = Kind::whole}};
   info.cover = 4;
-  info.next = "lesson17_tower   (three solvers, ten boxes, the same loads)";
+  info.next = "lesson14_pulley   (a row on three bodies, and a joint of your own)";
   return info;
 }
 

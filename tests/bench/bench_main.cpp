@@ -1,6 +1,6 @@
-// What the paper says of speed, memory and code, in numbers: four tables.
+// What the paper says of speed, memory and code, in numbers: five tables.
 //   bash tests/run bench                       all of them, in about a minute
-//   cairn_bench [solvers|layout|memory|lines]  some of them
+//   cairn_bench [solvers|layout|memory|blocks|lines]  some of them
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -61,13 +61,14 @@ bool print_tables(const std::vector<std::string>& wanted) {
   const std::vector<Table> tables = {{"solvers", cairn::bench::print_solver_table},
                                      {"layout", cairn::bench::print_layout_table},
                                      {"memory", cairn::bench::print_memory_table},
+                                     {"blocks", cairn::bench::print_block_table},
                                      {"lines", cairn::bench::print_lines_table}};
   const auto named = [&](const std::string& name) {
     return [&name](const Table& table) { return table.first == name; };
   };
   for (const std::string& name : wanted) {
     if (std::none_of(tables.begin(), tables.end(), named(name))) {
-      fmt::print(stderr, "cairn_bench: unknown table {}; there are: solvers layout memory lines\n", name);
+      fmt::print(stderr, "cairn_bench: unknown table {}; there are: solvers layout memory blocks lines\n", name);
       return false;
     }
   }

@@ -6,6 +6,7 @@ namespace cairn::bench {
 void print_solver_table();  // speed, memory and accuracy of every solver (paper 4.1, 4.4)
 void print_layout_table();  // objects against arrays (paper 4.2, 4.4)
 void print_memory_table();  // what is stored, against the number of rows (paper 4.4)
+void print_block_table();   // sweeps with and without blocks (paper 4.3)
 void print_lines_table();   // how much code each solver is (paper 4.2)
 
 }  // namespace cairn::bench

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solvers/accelerated_projected_gauss_seidel.hpp"
+#include "solvers/block_sequential_impulse.hpp"
 #include "solvers/factored_projected_gauss_seidel.hpp"
 #include "solvers/jacobi.hpp"
 #include "solvers/naive_projected_gauss_seidel.hpp"
@@ -48,6 +49,7 @@ std::vector<SolverMaker<Real>> all_solvers(Iterates iterates = Iterates::of_gaus
   if (iterates == Iterates::of_gauss_seidel) return solvers;
   solvers.push_back(mass_splitting_jacobi<Real>);
   solvers.push_back(maker<AcceleratedProjectedGaussSeidel<Real>, Real>());
+  solvers.push_back(maker<BlockSequentialImpulse<Real>, Real>());
   return solvers;
 }
 

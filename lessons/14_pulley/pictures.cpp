@@ -1,0 +1,211 @@
+// Masses on a rope, the row of J that holds them, and the pull in the rope step by step.
+#include "pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <set>
+
+#include "render/draw.hpp"
+#include "render/matrix.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::pulley {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Point;
+using render::Rect;
+
+using Runs = std::shared_ptr<const PulleyRuns>;
+
+void draw_wheel(Page& page, const render::Camera& camera, const Vec2<double>& middle) {
+  page.canvas().circle(
+      camera.project(middle), wheel_radius * camera.scale,
+      {.fill = page.theme().static_body, .outline = page.theme().outline, .outline_width = 1.5});
+  page.canvas().circle(camera.project(middle), page.sizes().joint * 0.6, {.fill = page.theme().outline});
+}
+
+/// The rope from the first mass over, under and over the wheels; dashed where it is slack.
+void draw_rope(Page& page, const render::Camera& camera, const PulleyStep& step) {
+  const auto& bodies = step.snapshot.bodies;
+  const double r = wheel_radius;
+  const double loop = bodies[2].pose.position.y() + 0.3 + r;  // the movable wheel sits on the second mass
+  render::Stroke style{.width = 3 * page.sizes().outline, .color = page.theme().joint};
+  if (step.tension <= 0 && step.room > 1e-9) style.dash = {6, 5};
+  const auto line = [&](const Vec2<double>& from, const Vec2<double>& to) {
+    page.canvas().line(camera.project(from), camera.project(to), style);
+  };
+  line({-3 * r, bodies[1].pose.position.y() + 0.3}, {-3 * r, wheel_height});
+  line({-r, wheel_height}, {-r, loop});
+  line({r, loop}, {r, wheel_height});
+  line({3 * r, wheel_height}, {3 * r, bodies[3].pose.position.y() + 0.3});
+  draw_wheel(page, camera, {-2 * r, wheel_height});
+  draw_wheel(page, camera, {2 * r, wheel_height});
+  draw_wheel(page, camera, {0, loop});
+}
+
+/// The masses by their weight in kg, with what the rope and gravity do to each.
+void draw_masses(Page& page, const Rect& rect, const PulleyRuns& all, const PulleyStep& step) {
+  const Rect inside = page.panel(rect, "");
+  const render::Camera camera = render::fit(inside, {{-3.4, -0.7}, {3.4, 7.1}});
+  page.canvas().line(camera.project({-2.4, wheel_height + 0.84}), camera.project({2.4, wheel_height + 0.84}),
+                     {.width = 4, .color = page.theme().outline});
+  draw_rope(page, camera, step);
+  render::WorldLook look;
+  look.contacts = false;
+  look.names = {""};
+  for (const double mass : all.settings.masses) look.names.push_back(fmt::format("{:g} kg", mass));
+  look.numbers = camera.scale >= 45;
+  Snapshot masses = step.snapshot;
+  masses.joints.clear();  // the rope is drawn already, as it runs
+  draw_world(page, camera, masses, look);
+  const double heaviest = *std::max_element(all.settings.masses.begin(), all.settings.masses.end());
+  const render::ArrowScale scale{
+      .pixels_per_unit = 1.7 * camera.scale / (10 * heaviest), .longest = 400, .unit = "N"};
+  const std::array<double, 3> beside = {-0.5, 0.95, 0.5};  // [m] clear of the rope
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec2<double> middle = step.snapshot.bodies[i + 1].pose.position;
+    const double weight = 10 * all.settings.masses[i];
+    draw_arrow(page, camera, scale,
+               {.kind = render::ArrowKind::external,
+                .tail = middle + Vec2<double>(0, -0.3),
+                .value = {0, -weight},
+                .label = page.compact() ? "" : fixed(weight, 0) + " N"});
+    const double pull = parts[i] * step.tension;
+    if (!(pull > 0)) continue;
+    draw_arrow(page, camera, scale,
+               {.kind = render::ArrowKind::normal,
+                .tail = middle + Vec2<double>(beside[i], -0.3),
+                .value = {0, pull},
+                .label = fixed(pull, page.compact() ? 0 : 1) + " N"});
+  }
+}
+
+void draw_row(Page& page, const Rect& rect, const PulleyRuns& all) {
+  render::MatrixView view{.title = "J: one row, three bodies"};
+  view.values.resize(1, 9);
+  view.values.setZero();
+  for_each_term(all.first, all.first.rows[0], [&](BodyId body, const Vec3<double>& jacobian) {
+    for (int k = 0; k < 3; ++k) view.values(0, 3 * (body.index - 1) + k) = jacobian[k];
+  });
+  for (int body = 1; body <= 3; ++body) {
+    for (const char* name : {"x", "y", "θ"})
+      view.column_names.push_back(fmt::format("{}_{{{}}}", name, body));
+  }
+  view.column_group = 3;
+  draw_matrix(page, rect, view);
+}
+
+/// Left the masses, right the row; returns what is free below it.
+Rect draw_moment(Page& page, const PulleyRuns& all, const PulleyStep& step) {
+  const std::vector<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
+  draw_masses(page, halves[0], all, step);
+  const std::vector<Rect> right =
+      rows(halves[1], {page.compact() ? 0.36 : 0.21, page.compact() ? 0.64 : 0.79}, page.sizes().gap);
+  draw_row(page, right[0], all);
+  return right[1];
+}
+
+void draw_equation(Page& page, const PulleyRuns& all) {
+  const ConstraintRow<double>& row = all.first.rows[0];
+  const double jv = row_velocity(all.first, row);
+  const double inverse = inverse_effective_mass(all.first, row);
+  const Rect rest = draw_moment(page, all, all.runs[0].steps[1]);
+  const std::vector<Rect> parts_of_rest = rows(rest, {0.42, 0.58}, page.sizes().gap);
+  page.equation(parts_of_rest[0], {.number = "eq (22)",
+                                   .symbols = "λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)",
+                                   .numbers = fmt::format("= (0 − ({})) / ({} × {:g})", fixed(jv, 3),
+                                                          fixed(inverse, 4), all.settings.dt),
+                                   .result = fmt::format("= {} N", fixed(all.runs[0].steps[1].tension, 3)),
+                                   .color = page.theme().normal});
+  render::TableView table;
+  table.header = {"solver, one sweep", "λ (N)", "bytes"};
+  for (const PulleyRun& run : all.runs) {
+    table.rows.push_back({run.solver, fixed(run.steps[1].tension, 9), fmt::format("{}", run.memory)});
+  }
+  if (page.compact()) table.rows.resize(3);
+  page.table(parts_of_rest[1], "the same row in seven solvers", table);
+}
+
+void draw_step(Page& page, const PulleyRuns& all, int k) {
+  const std::vector<PulleyStep>& steps = all.runs[0].steps;
+  const Rect rest = draw_moment(page, all, steps[static_cast<std::size_t>(k)]);
+  double largest = 0;
+  for (const PulleyStep& step : steps) largest = std::max(largest, step.tension);
+  render::Plot plot{.title = "pull in the rope, λ (N)"};
+  plot.x = {.title = "step", .min = 0, .max = all.settings.steps};
+  plot.y = {.title = "", .min = 0, .max = 1.15 * largest};
+  render::Series series{.name = "", .style = page.theme().si};
+  for (int i = 1; i <= k; ++i) {
+    series.x.push_back(i);
+    series.y.push_back(steps[static_cast<std::size_t>(i)].tension);
+  }
+  plot.series.push_back(series);
+  const double tension = tension_by_formula(all.settings);
+  plot.goals.push_back({tension, fmt::format("Σ r g / Σ r²/m = {} N", fixed(tension, 1))});
+  plot.cursor = k;
+  draw_plot(page, rest, plot);
+}
+
+Shot step_shot(const Runs& all, int k, const std::set<int>& keys) {
+  const PulleyStep& step = all->runs[0].steps[static_cast<std::size_t>(k)];
+  const bool slack = step.tension <= 0;
+  return {.state = fmt::format("step {} · {}", k, slack ? "the rope is slack" : "the rope is taut"),
+          .alt = fmt::format(
+              "Step {}: the rope is {} and pulls with {:.2f} N; the masses move at {:.2f}, {:.2f} and "
+              "{:.2f} m/s upwards.",
+              k, slack ? "slack" : "taut", step.tension, step.speed[0], step.speed[1], step.speed[2]),
+          .draw = [all, k](Page& page) { draw_step(page, *all, k); },
+          .key = keys.contains(k)};
+}
+
+void draw_note(Page& page, const PulleyRuns& all, int k, std::string_view title, std::string_view text) {
+  page.note(draw_moment(page, all, all.runs[0].steps[static_cast<std::size_t>(k)]), title, text);
+}
+
+}  // namespace
+
+std::vector<Shot> pulley_shots(const PulleyRuns& recorded) {
+  const Runs all = std::make_shared<const PulleyRuns>(recorded);
+  const int last = all->settings.steps;
+  const int lift = all->settings.lift_step;
+  const std::set<int> keys = {5, lift, lift + 1, lift + 5, lift + 10, last - 10, last};
+  std::vector<Shot> shots;
+  shots.push_back(
+      {.state = "before the first step",
+       .alt = "Three masses on one rope over two fixed wheels and one movable one, and the question.",
+       .draw =
+           [all](Page& page) {
+             draw_note(page, *all, 0, "Predict",
+                       "One rope, and the mass in the middle hangs on two parts of it. Which mass goes "
+                       "down? Does the rope pull harder than that mass weighs?");
+           },
+       .key = true});
+  shots.push_back(
+      {.state = "step 1 · one row, one sweep",
+       .alt = "Equation (22) for the row of the rope, filled in, and the answer of seven solvers.",
+       .draw = [all](Page& page) { draw_equation(page, *all); },
+       .key = true});
+  for (int k = 2; k <= last; ++k) shots.push_back(step_shot(all, k, keys));
+  const double tension = tension_by_formula(all->settings);
+  shots.push_back({.state = fmt::format("after {} steps", last),
+                   .alt = "The masses after the last step, and the answer.",
+                   .draw =
+                       [all, last, tension](Page& page) {
+                         draw_note(
+                             page, *all, last, "Answer",
+                             fmt::format("The rope pulls with {} N. A mass that it pulls with less than its "
+                                         "weight goes down, each part counted. The joint is forty lines in "
+                                         "the lesson's own folder, and no solver knows of it.",
+                                         fixed(tension, 1)));
+                       },
+                   .key = true});
+  return shots;
+}
+
+}  // namespace cairn::pulley
