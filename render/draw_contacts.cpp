@@ -123,12 +123,27 @@ void draw_rod(Page& page, const Point& from, const Point& to) {
 }
 
 bool is_seen(const Camera& camera, const SnapshotJoint& joint) {
-  return is_finite(camera, joint.anchor_a) && is_finite(camera, joint.anchor_b);
+  return is_finite(camera, joint.anchor_a) && is_finite(camera, joint.anchor_b) &&
+         std::all_of(joint.between.begin(), joint.between.end(),
+                     [&](const Vec2<double>& point) { return is_finite(camera, point); });
+}
+
+/// Joints of angles and velocities, which have no line that shows them: their bodies do.
+bool is_out_of_sight(const SnapshotJoint& joint) {
+  return joint.name == "gear" || joint.name == "differential" || joint.name == "friction";
 }
 
 /// Rods, ropes and springs.
 bool is_line(const SnapshotJoint& joint) {
-  return joint.name == "distance" || joint.name == "rope" || joint.name == "spring";
+  return joint.name == "distance" || joint.name == "rope" || joint.name == "spring" || joint.name == "pulley";
+}
+
+/// The way of a rope over what is between its ends.
+std::vector<Point> way_of(const Camera& camera, const SnapshotJoint& joint) {
+  std::vector<Point> way = {camera.project(joint.anchor_a)};
+  for (const Vec2<double>& point : joint.between) way.push_back(camera.project(point));
+  way.push_back(camera.project(joint.anchor_b));
+  return way;
 }
 
 void draw_ring(Page& page, const Point& at) {
@@ -175,11 +190,12 @@ void draw_contacts(Page& page, const Camera& camera, const Snapshot& snapshot, c
 
 void draw_joint_lines(Page& page, const Camera& camera, const Snapshot& snapshot) {
   for (const SnapshotJoint& joint : snapshot.joints) {
-    if (!is_seen(camera, joint)) continue;
+    if (!is_seen(camera, joint) || is_out_of_sight(joint)) continue;
     const Point from = camera.project(joint.anchor_a);
     const Point to = camera.project(joint.anchor_b);
     if (is_line(joint)) {
-      draw_rod(page, from, to);
+      const std::vector<Point> way = way_of(camera, joint);
+      for (std::size_t i = 1; i < way.size(); ++i) draw_rod(page, way[i - 1], way[i]);
       continue;
     }
     draw_arm(page, camera, body_of(snapshot, joint.a), joint.anchor_a);
@@ -194,13 +210,14 @@ void draw_joint_lines(Page& page, const Camera& camera, const Snapshot& snapshot
 
 void draw_joint_ends(Page& page, const Camera& camera, const Snapshot& snapshot) {
   for (const SnapshotJoint& joint : snapshot.joints) {
-    if (!is_seen(camera, joint)) continue;
+    if (!is_seen(camera, joint) || is_out_of_sight(joint)) continue;
     const Point from = camera.project(joint.anchor_a);
     const Point to = camera.project(joint.anchor_b);
     const bool is_apart = (to - from).norm() > 2;
     if (is_line(joint)) {
       page.canvas().circle(from, 0.7 * page.sizes().joint, {.fill = page.theme().joint});
       page.canvas().circle(to, 0.7 * page.sizes().joint, {.fill = page.theme().joint});
+      for (const Vec2<double>& roller : joint.between) draw_ring(page, camera.project(roller));
       continue;
     }
     draw_ring(page, from);

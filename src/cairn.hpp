@@ -2,8 +2,13 @@
 #pragma once
 
 #include "constraints/contact.hpp"
+#include "constraints/differential_joint.hpp"
 #include "constraints/distance_joint.hpp"
+#include "constraints/drag_joint.hpp"
+#include "constraints/friction_joint.hpp"
+#include "constraints/gear_joint.hpp"
 #include "constraints/prismatic_joint.hpp"
+#include "constraints/pulley_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
 #include "geometry/mass.hpp"

@@ -20,13 +20,15 @@ struct RowSpec {
   Real error = 0;                              // C (3) [m or rad]; for an inequality: the room left
   Vec3<Real> jacobian_a = Vec3<Real>::Zero();  // dC/dt = j v (5)
   Vec3<Real> jacobian_b = Vec3<Real>::Zero();
-  Bounds<Real> bounds = {};               // a friction row names its normal row by place in this list
-  std::uint64_t part = 0;                 // names the row within its constraint, from step to step
-  Real rebound = 0;                       // [m/s] least separation speed, should the bodies meet in this step
-  Real speed = 0;                         // [m/s or rad/s] that j v should have where C is 0: of a motor
-  std::optional<Real> max_force = {};     // [N or N m]; replaces the bounds by |impulse| <= max_force dt
-  std::optional<Softness> softness = {};  // none: rigid
-  bool keeps_slop = true;                 // an inequality: may stay violated by the slop, as contacts do
+  Bounds<Real> bounds = {};  // a friction row names its normal row by place in this list
+  std::uint64_t part = 0;    // names the row within its constraint, from step to step
+  Real rebound = 0;          // [m/s] least separation speed, should the bodies meet in this step
+  Real speed = 0;            // [m/s or rad/s] that j v should have where C is 0: of a motor
+  // [N or N m]; replaces the bounds by |impulse| <= max_force dt, or by what the row that they name has left
+  // of a disc of that radius
+  std::optional<Real> max_force = {};
+  std::optional<Softness> softness = {};    // none: rigid
+  bool keeps_slop = true;                   // an inequality: may stay violated by the slop, as contacts do
   std::array<RowTerm<Real>, 2> extra = {};  // a third and a fourth body
   int extra_count = 0;
 };
@@ -46,6 +48,7 @@ using RowSpecs = std::vector<RowSpec<Real>>;
 struct Attachment {
   BodyId body = {};
   Vec2<double> anchor = {0, 0};  // [m] in the frame of the body
+  bool turns = true;             // with the body; false: it keeps its place beside the centre of mass
 };
 
 /// A joint: immutable, shared by all worlds of a scene. Derive from ConstraintOf<Derived>, not from this.
@@ -53,7 +56,8 @@ class Constraint {
  public:
   virtual ~Constraint() = default;
 
-  /// What it is called: "distance", "rope", "spring", "revolute", "prismatic", "weld".
+  /// What it is called: "distance", "rope", "spring", "revolute", "prismatic", "weld",
+  /// "pulley", "gear", "differential", "drag", "friction".
   virtual std::string name() const = 0;
 
   /// Where it is fastened, in the order of the line that it would be drawn as.
@@ -67,11 +71,23 @@ class Constraint {
   virtual void append_rows(const std::vector<Pose<double>>& poses, RowSpecs<double>& rows) const = 0;
   virtual void append_rows(const std::vector<Pose<long double>>& poses,
                            RowSpecs<long double>& rows) const = 0;
+
+  /// The same for a constraint whose rows depend on the motion too, as friction along the way that a body
+  /// goes. The velocities are those that the step would have without constraints.
+  virtual void append_rows(const std::vector<Pose<float>>& poses, const std::vector<Vec3<float>>& velocities,
+                           RowSpecs<float>& rows) const = 0;
+  virtual void append_rows(const std::vector<Pose<double>>& poses,
+                           const std::vector<Vec3<double>>& velocities, RowSpecs<double>& rows) const = 0;
+  virtual void append_rows(const std::vector<Pose<long double>>& poses,
+                           const std::vector<Vec3<long double>>& velocities,
+                           RowSpecs<long double>& rows) const = 0;
 };
 
 /// Turns one member template of Derived,
 ///   template <Scalar Real> void rows(const std::vector<Pose<Real>>&, RowSpecs<Real>&) const;
-/// into the three virtual functions.
+/// into the virtual functions; and, where Derived has it, a second one that sees the velocities:
+///   template <Scalar Real>
+///   void rows(const std::vector<Pose<Real>>&, const std::vector<Vec3<Real>>&, RowSpecs<Real>&) const;
 template <typename Derived>
 class ConstraintOf : public Constraint {
  public:
@@ -84,8 +100,30 @@ class ConstraintOf : public Constraint {
   void append_rows(const std::vector<Pose<long double>>& poses, RowSpecs<long double>& rows) const override {
     derived().rows(poses, rows);
   }
+  void append_rows(const std::vector<Pose<float>>& poses, const std::vector<Vec3<float>>& velocities,
+                   RowSpecs<float>& rows) const override {
+    rows_in_motion(poses, velocities, rows);
+  }
+  void append_rows(const std::vector<Pose<double>>& poses, const std::vector<Vec3<double>>& velocities,
+                   RowSpecs<double>& rows) const override {
+    rows_in_motion(poses, velocities, rows);
+  }
+  void append_rows(const std::vector<Pose<long double>>& poses,
+                   const std::vector<Vec3<long double>>& velocities,
+                   RowSpecs<long double>& rows) const override {
+    rows_in_motion(poses, velocities, rows);
+  }
 
  private:
+  template <Scalar Real>
+  void rows_in_motion(const std::vector<Pose<Real>>& poses, const std::vector<Vec3<Real>>& velocities,
+                      RowSpecs<Real>& rows) const {
+    if constexpr (requires { derived().rows(poses, velocities, rows); }) {
+      derived().rows(poses, velocities, rows);
+    } else {
+      derived().rows(poses, rows);
+    }
+  }
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
 };
 

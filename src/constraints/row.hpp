@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <compare>
 #include <cstdint>
 #include <limits>
@@ -12,7 +13,9 @@
 namespace cairn {
 
 /// The interval that an impulse may take (paper, end of 2.2). For friction the interval depends on the
-/// impulse of another row: that coupling is data, so that every solver treats it in the same way.
+/// impulse of another row: that coupling is data, so that every solver treats it in the same way. The other
+/// row is that of the normal impulse; or, where two rows of friction share a disc, the first of the two: the
+/// second may have what the first has left of it.
 template <Scalar Real>
 struct Bounds {
   static constexpr int none = -1;
@@ -20,7 +23,8 @@ struct Bounds {
   Real lower = -std::numeric_limits<Real>::infinity();  // [N s]
   Real upper = std::numeric_limits<Real>::infinity();   // [N s]
   Real friction = 0;                                    // mu
-  int normal_row = none;                                // the row whose impulse times mu is the limit
+  Real disc = 0;                                        // [N s] radius; 0: no disc
+  int normal_row = none;                                // the row whose impulse sets the limit
   int second_normal_row = none;                         // adds its impulse, where friction is one row for two
 
   static Bounds equality() { return {}; }
@@ -29,6 +33,7 @@ struct Bounds {
   static Bounds coulomb(Real mu, int normal, int second_normal = none) {
     return {.friction = mu, .normal_row = normal, .second_normal_row = second_normal};
   }
+  static Bounds rest_of_disc(Real radius, int first) { return {.disc = radius, .normal_row = first}; }
 
   bool is_equality() const { return normal_row == none && lower == -upper && lower < -max_finite(); }
   bool is_unilateral() const { return normal_row == none && lower == 0; }
@@ -43,15 +48,24 @@ struct Bounds {
   /// The value of the interval nearest to x, at the impulses as they are now. A NaN stays a NaN.
   Real clamp(Real x, const std::vector<Real>& impulse) const {
     if (normal_row == none) return std::max(std::min(x, upper), lower);
-    Real load = std::max(impulse[static_cast<std::size_t>(normal_row)], Real(0));
-    if (second_normal_row != none) {
-      load += std::max(impulse[static_cast<std::size_t>(second_normal_row)], Real(0));
-    }
-    const Real limit = friction * load;
+    const Real limit = limit_beside(impulse);
     return std::max(std::min(x, limit), -limit);
   }
 
  private:
+  /// What the impulse of the other row leaves, or gives.
+  Real limit_beside(const std::vector<Real>& impulse) const {
+    const Real other = impulse[static_cast<std::size_t>(normal_row)];
+    if (disc > 0) {
+      const Real used = std::min(std::abs(other), disc);
+      return std::sqrt((disc - used) * (disc + used));
+    }
+    Real load = std::max(other, Real(0));
+    if (second_normal_row != none) {
+      load += std::max(impulse[static_cast<std::size_t>(second_normal_row)], Real(0));
+    }
+    return friction * load;
+  }
   static constexpr Real max_finite() { return std::numeric_limits<Real>::max(); }
 };
 

@@ -94,7 +94,11 @@ ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilizatio
     problem.extra_terms.push_back(spec.extra[static_cast<std::size_t>(k)]);
   }
   row.bounds.shift(first_row);
-  if (spec.max_force) row.bounds = Bounds<Real>::at_most(*spec.max_force * problem.dt);
+  if (spec.max_force) {
+    const Real limit = *spec.max_force * problem.dt;
+    row.bounds = row.bounds.is_friction() ? Bounds<Real>::rest_of_disc(limit, row.bounds.normal_row)
+                                          : Bounds<Real>::at_most(limit);
+  }
   if (pass == StabilizationPass::position && holds_no_position(spec)) {
     row.bounds = Bounds<Real>::at_most(0);
     return row;

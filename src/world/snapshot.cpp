@@ -65,9 +65,9 @@ template <Scalar Real>
 SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& state) {
   const std::vector<Attachment> places = joint.attachments();
   const auto world_point = [&state](const Attachment& place) -> Vec2<double> {
-    return state.pose[static_cast<std::size_t>(place.body.index)]
-        .world(place.anchor.template cast<Real>())
-        .template cast<double>();
+    Pose<Real> pose = state.pose[static_cast<std::size_t>(place.body.index)];
+    if (!place.turns) pose.angle = 0;
+    return pose.world(place.anchor.template cast<Real>()).template cast<double>();
   };
   SnapshotJoint result{.name = joint.name(), .a = places.front().body, .b = places.back().body};
   result.anchor_a = world_point(places.front());

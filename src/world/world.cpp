@@ -102,7 +102,7 @@ void World<Real>::write_rows(StabilizationPass pass, VelocityProblem<Real>& prob
   problem.dt = substep_length();
   for (std::size_t i = 0; i < scene_->joints().size(); ++i) {
     specs_.clear();
-    scene_->joints()[i]->append_rows(state_.pose, specs_);
+    scene_->joints()[i]->append_rows(state_.pose, problem.velocity, specs_);
     append_block(pass, i, problem);
   }
   for (const Manifold<Real>& manifold : record_.manifolds) {

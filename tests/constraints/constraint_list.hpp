@@ -1,5 +1,5 @@
-// The constraints under test, as errors that depend on the poses of two bodies: a new constraint is one line
-// here.
+// The constraints under test, as errors that depend on the poses of up to four bodies: a new constraint is
+// one line here.
 #pragma once
 
 #include <functional>
@@ -9,14 +9,18 @@
 #include "../geometry/random_shapes.hpp"
 #include "collision/collide.hpp"
 #include "constraints/contact.hpp"
+#include "constraints/differential_joint.hpp"
 #include "constraints/distance_joint.hpp"
+#include "constraints/drag_joint.hpp"
+#include "constraints/gear_joint.hpp"
 #include "constraints/prismatic_joint.hpp"
+#include "constraints/pulley_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
 
 namespace cairn::testing {
 
-/// Writes the rows that hold at the given poses of the ground and of bodies 1 and 2.
+/// Writes the rows that hold at the given poses of the ground and of bodies 1 to 4.
 template <Scalar Real>
 using RowWriter = std::function<RowSpecs<Real>(const std::vector<Pose<Real>>&)>;
 
@@ -24,7 +28,21 @@ template <Scalar Real>
 struct ConstraintUnderTest {
   std::string name = {};
   RowWriter<Real> rows = {};
+  bool is_free = true;  // nothing of it is fastened to the ground, which is not among the bodies looked at
 };
+
+/// What a row has for one body.
+template <Scalar Real>
+Vec3<Real> jacobian_of(const RowSpec<Real>& row, BodyId body) {
+  Vec3<Real> sum = Vec3<Real>::Zero();
+  if (row.a == body) sum += row.jacobian_a;
+  if (row.b == body) sum += row.jacobian_b;
+  for (int k = 0; k < row.extra_count; ++k) {
+    const RowTerm<Real>& term = row.extra[static_cast<std::size_t>(k)];
+    if (term.body == body) sum += term.jacobian;
+  }
+  return sum;
+}
 
 template <typename Joint, Scalar Real>
 RowWriter<Real> joint_rows(const typename Joint::Spec& spec, const std::vector<Pose<double>>& start) {
@@ -50,10 +68,55 @@ RowWriter<Real> contact_rows(const Shape<double>& a, const Shape<double>& b, dou
   };
 }
 
-/// Everything that states rows, between bodies 1 and 2 that start from these poses.
+/// Ropes on four bodies, with and without the ground.
 template <Scalar Real>
-std::vector<ConstraintUnderTest<Real>> all_constraints(const std::vector<Pose<double>>& start,
-                                                       test::Random& random) {
+std::vector<ConstraintUnderTest<Real>> pulleys(const std::vector<Pose<double>>& start, test::Random& random) {
+  using Roller = PulleyJoint::Roller;
+  const double far = 100;  // [m] margin: a slack rope has its row too
+  const BodyId a{1}, b{2}, c{3}, d{4};
+  std::vector<Vec2<double>> anchors, above;  // on the bodies, and 3 m above
+  for (const Pose<double>& pose : start) {
+    anchors.push_back(pose.position + random.point(1));
+    above.push_back(anchors.back() + Vec2<double>(0, 3));
+  }
+  const Vec2<double> side = start[2].position + Vec2<double>(2, 0);  // of a drum
+  const std::vector<PulleyJoint::End> fixed = {
+      {.body = a, .anchor = anchors[1], .roller = above[1]},
+      {.body = b, .anchor = anchors[2], .roller = above[2], .parts = 2},
+      {.body = c, .anchor = anchors[3], .roller = above[3]},
+      {.body = d, .anchor = anchors[4], .roller = above[4], .parts = 3}};
+  const std::vector<PulleyJoint::End> carried = {
+      {.body = a, .anchor = anchors[1], .roller = side, .carrier = b, .kind = Roller::drum},
+      {.body = c, .anchor = anchors[3], .roller = anchors[4], .parts = 2, .carrier = d}};
+  return {
+      {"pulley on four bodies",
+       joint_rows<PulleyJoint, Real>({.ends = fixed, .kind = PulleyJoint::Kind::taut}, start), false},
+      {"pulley with a drum and a moving roller",
+       joint_rows<PulleyJoint, Real>({.ends = carried, .slack_margin = far}, start)},
+  };
+}
+
+/// The joints on three bodies, and those that need the ground.
+template <Scalar Real>
+std::vector<ConstraintUnderTest<Real>> gears_and_drag(const std::vector<Pose<double>>& start,
+                                                      test::Random& random) {
+  const BodyId a{1}, b{2}, c{3};
+  const Vec2<double> anchor = start[2].position + random.point(1), target = random.point(3);
+  return {
+      {"gear", joint_rows<GearJoint, Real>({.a = a, .b = b, .radius_a = 0.5, .radius_b = 1.5}, start), false},
+      {"planetary gear",
+       joint_rows<GearJoint, Real>(
+           {.a = a, .b = b, .c = c, .radius_a = 1.5, .radius_b = 0.5, .mesh = GearJoint::Mesh::internal},
+           start)},
+      {"differential", joint_rows<DifferentialJoint, Real>({.a = a, .b = b, .c = c}, start)},
+      {"drag", joint_rows<DragJoint, Real>({.body = b, .anchor = anchor, .target = target}, start), false},
+  };
+}
+
+/// The joints of two bodies, and contacts, between bodies 1 and 2 that start from these poses.
+template <Scalar Real>
+std::vector<ConstraintUnderTest<Real>> constraints_of_two(const std::vector<Pose<double>>& start,
+                                                          test::Random& random) {
   const BodyId a{1}, b{2};
   const Vec2<double> near_a = start[1].position + random.point(1);
   const Vec2<double> near_b = start[2].position + random.point(1);
@@ -92,12 +155,28 @@ std::vector<ConstraintUnderTest<Real>> all_constraints(const std::vector<Pose<do
   };
 }
 
+/// Everything that states rows, between bodies 1 to 4 that start from these poses.
+template <Scalar Real>
+std::vector<ConstraintUnderTest<Real>> all_constraints(const std::vector<Pose<double>>& start,
+                                                       test::Random& random) {
+  std::vector<ConstraintUnderTest<Real>> constraints = constraints_of_two<Real>(start, random);
+  for (const auto& more : {pulleys<Real>(start, random), gears_and_drag<Real>(start, random)}) {
+    constraints.insert(constraints.end(), more.begin(), more.end());
+  }
+  return constraints;
+}
+
 /// The ground, and two bodies some 4 m apart, one above the other, at any angle (the second one nearly
-/// level).
+/// level); and two more, 4 m apart on the right.
 inline std::vector<Pose<double>> random_poses(test::Random& random) {
   const Vec2<double> place = random.point(2);
   const Vec2<double> other = place + Vec2<double>(random.uniform(-1, 1), random.uniform(-5, -3));
-  return {{}, {place, random.uniform(-pi, pi)}, {other, random.uniform(-0.3, 0.3)}};
+  const Vec2<double> right(4, 0);
+  return {{},
+          {place, random.uniform(-pi, pi)},
+          {other, random.uniform(-0.3, 0.3)},
+          {place + right, random.uniform(-pi, pi)},
+          {other + right, random.uniform(-pi, pi)}};
 }
 
 }  // namespace cairn::testing

@@ -1,0 +1,42 @@
+// Floor 3. Differential joint: the gear box between two driven wheels.
+#pragma once
+
+#include <span>
+
+#include "constraints/constraint.hpp"
+
+namespace cairn {
+
+/// Keeps the turning of a case, c, the mean of that of its two shafts, a and b. With the angles q that they
+/// have turned since the joint was made:
+///   C = q_a + q_b - 2 q_c,   j = (0, 0, 1), (0, 0, 1) and (0, 0, -2)
+/// One row on three bodies: a row on more than two (paper 4.3). The impulse [N m s] is the torque on each
+/// shaft times dt: both get the same, whatever their speeds are, and the case twice that, back. It acts on
+/// the angles alone. Source: the derivative of C.
+class DifferentialJoint final : public ConstraintOf<DifferentialJoint> {
+ public:
+  struct Spec {
+    BodyId a = {};  // one shaft
+    BodyId b = {};  // the other one
+    BodyId c = {};  // the case between them
+  };
+
+  /// `poses` are those the bodies start from.
+  /// @throws std::invalid_argument for one body twice.
+  DifferentialJoint(const Spec& spec, std::span<const Pose<double>> poses);
+
+  std::string name() const override { return "differential"; }
+  /// The middles of the bodies: a shaft, the case, the other shaft.
+  std::vector<Attachment> attachments() const override { return {{.body = a_}, {.body = c_}, {.body = b_}}; }
+
+  template <Scalar Real>
+  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+
+ private:
+  BodyId a_;
+  BodyId b_;
+  BodyId c_;
+  double start_;  // [rad] q_a + q_b - 2 q_c when it was made
+};
+
+}  // namespace cairn

@@ -1,0 +1,46 @@
+// Floor 3. Drag joint: a soft pull on one point of a body, as of a hand or a mouse.
+#pragma once
+
+#include <span>
+
+#include "constraints/joint_rows.hpp"
+
+namespace cairn {
+
+/// Pulls an anchor p of a body to a fixed point of the world, the target, with a spring that is never
+/// stronger than max_force. With the arm r from the centre of mass to the anchor:
+///   C = p - target, two soft rows: j = (1, 0, -r.y) for x, (0, 1, r.x) for y, |impulse| <= max_force dt
+/// Each axis has that limit for itself: along a diagonal the pull may be sqrt(2) times as strong. The joint
+/// does not change; to drag a body about, rebuild the scene with another target. Source: the derivative of
+/// C; softness.hpp for springs.
+class DragJoint final : public ConstraintOf<DragJoint> {
+ public:
+  struct Spec {
+    BodyId body = {};
+    Vec2<double> anchor = {0, 0};  // [m], world, where the body is placed
+    Vec2<double> target = {0, 0};  // [m], world
+    Softness softness = SwingSoftness{.frequency = 5, .damping_ratio = 0.7};
+    double max_force = 1000;  // [N]
+  };
+
+  /// `poses` are those the bodies start from.
+  /// @throws std::invalid_argument for an unknown body or the ground, numbers that are not finite, a softness
+  /// out of range, or a max_force that is not > 0.
+  DragJoint(const Spec& spec, std::span<const Pose<double>> poses);
+
+  std::string name() const override { return "drag"; }
+  std::vector<Attachment> attachments() const override { return {{ground, target_}, {body_, local_}}; }
+  bool bodies_collide() const override { return true; }
+
+  template <Scalar Real>
+  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+
+ private:
+  BodyId body_;
+  Vec2<double> local_;   // [m], in the body's frame
+  Vec2<double> target_;  // [m], world; the ground's frame is the world's
+  Softness softness_;
+  double max_force_;  // [N]
+};
+
+}  // namespace cairn

@@ -1,0 +1,60 @@
+// Drawn joints: a rope over rollers, and joints that have no line of their own.
+#include <doctest/doctest.h>
+
+#include "render/world_picture.hpp"
+
+namespace {
+
+using namespace cairn;
+using namespace cairn::test;
+
+/// Two discs on a rope over two rollers.
+Snapshot rope_over_rollers() {
+  Snapshot world = with_ground();
+  world.bodies.push_back(dynamic_body(circle(0.4), {-2, -1}));
+  world.bodies.push_back(dynamic_body(circle(0.4), {2, 0}));
+  world.joints.push_back({.name = "pulley",
+                          .a = {1},
+                          .b = {2},
+                          .anchor_a = {-2, -1},
+                          .anchor_b = {2, 0},
+                          .between = {{-2, 2}, {2, 2}}});
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("a pulley's rope goes from roller to roller, and each roller has a ring") {
+  const Image image = picture_of_world(rope_over_rollers(), {.numbers = false});
+  const Theme theme = light_theme();
+  const double edge = WorldPage().sizes().outline;  // [px] of each of the two lines that a rope is drawn as
+  for (const Vec2<double>& middle : {Vec2<double>(-2, 1), Vec2<double>(2, 1)}) {
+    CHECK(distance_at(image, middle, theme.joint, edge, 0) < 80);  // half of the edge's pixel
+    CHECK(distance_at(image, middle, theme.background, 4 * edge, 0) <= 2);
+  }
+  CHECK(distance_at(image, {0, 2}, theme.joint, 0, edge) < 80);
+  CHECK(distance_at(image, {0, 0.5}, theme.background, 0, 0) <= 2);  // the middle of a line from end to end
+  CHECK(distance_at(image, {0, -0.5}, theme.background, 0, 0) <= 2);
+  for (const Vec2<double>& roller : {Vec2<double>(-2, 2), Vec2<double>(2, 2)}) {
+    CHECK(distance_at(image, roller, theme.background, 0, 0) <= 2);
+    const double rim = WorldPage().sizes().joint;
+    CHECK(distance_at(image, roller, theme.joint, -rim / std::sqrt(2), -rim / std::sqrt(2)) < 120);
+  }
+}
+
+TEST_CASE("gears, differentials and friction leave no line in the picture") {
+  Snapshot world = rope_over_rollers();
+  const Image without = picture_of_world(world);
+  for (const char* name : {"gear", "differential", "friction"}) {
+    world.joints.push_back({.name = name, .a = {1}, .b = {2}, .anchor_a = {-2, -1}, .anchor_b = {2, 0}});
+  }
+  CHECK(picture_of_world(world).pixels == without.pixels);
+}
+
+TEST_CASE("a rope with a roller that is nowhere is left out") {
+  Snapshot world = rope_over_rollers();
+  world.joints[0].between[1].x() = no_number;
+  const Image image = picture_of_world(world);
+  world.joints.clear();
+  CHECK(picture_of_world(world).pixels == image.pixels);
+}
