@@ -120,6 +120,7 @@ void BlockSequentialImpulse<Real>::find_partners(const VelocityProblem<Real>& pr
       last = i;
     }
     if (contact_ != ContactBlock::normal_and_friction || !bounds.is_friction()) continue;
+    if (bounds.second_normal_row != Bounds<Real>::none) continue;  // it leans on two: no pair
     const int normal = bounds.normal_row;
     const bool is_here = normal >= block.first && normal < block.first + block.count;
     // One friction row a contact: in the plane there is no second.

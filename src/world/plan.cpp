@@ -46,6 +46,7 @@ Plan make_plan(const Scene& scene) {
   plan.substeps = scene.settings().substeps;
   plan.relaxes = scene.settings().stabilization.policy == StabilizationPolicy::soft;
   plan.corrects_positions = scene.settings().stabilization.policy == StabilizationPolicy::split_impulse;
+  plan.sleeping = scene.settings().sleeping.has_value();
   plan.shape_kinds.assign(kinds.begin(), kinds.end());
   return plan;
 }
@@ -77,6 +78,8 @@ std::string explain(const Plan& plan) {
   if (plan.relaxes) second = "soft rows: each step is solved again without springs";
   if (plan.corrects_positions) second = "split impulse: errors are taken back apart from the velocities";
   text += line("second solve", second);
+  text += line("sleeping", either(plan.sleeping, "islands at rest take no part until something wakes them",
+                                  "off: every body takes part in every step"));
   return text;
 }
 

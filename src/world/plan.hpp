@@ -26,6 +26,7 @@ struct Plan {
   int substeps = 1;
   bool relaxes = false;                       // a second solve takes the speed of springs out again
   bool corrects_positions = false;            // a second solve takes errors back
+  bool sleeping = false;                      // islands at rest take no part
   std::vector<std::string> shape_kinds = {};  // those that occur, sorted
 };
 

@@ -64,6 +64,11 @@ void set_mass(SceneBody& body, const MassProperties& shapes) {
   require_weight(body.inertia, "inertia", "kg m^2");
 }
 
+void require_positive(double value, const char* field, const char* unit) {
+  require(value > 0 && std::isfinite(value), "Scene", field, std::string("> 0 ") + unit + " and finite",
+          value);
+}
+
 }  // namespace
 
 Scene::Scene(const SceneSettings& settings) : settings_(settings), bodies_(1) {
@@ -79,6 +84,11 @@ Scene::Scene(const SceneSettings& settings) : settings_(settings), bodies_(1) {
   require_softness(settings.stabilization.soft, "Scene: stabilization.soft");
   require_range(settings.speculative_margin, 0, "Scene", "speculative_margin", "m");
   require_range(settings.restitution_threshold, 0, "Scene", "restitution_threshold", "m/s");
+  if (settings.sleeping) {
+    require_positive(settings.sleeping->speed, "sleeping.speed", "m/s");
+    require_positive(settings.sleeping->angular_speed, "sleeping.angular_speed", "rad/s");
+    require_positive(settings.sleeping->time, "sleeping.time", "s");
+  }
   bodies_[0].spec.type = BodyType::static_body;
 }
 

@@ -15,6 +15,13 @@
 
 namespace cairn {
 
+/// When bodies that touch or are joined fall asleep: once all of them have been slower than this for `time`.
+struct Sleeping {
+  double speed = 0.05;          // [m/s] of the centre of mass
+  double angular_speed = 0.05;  // [rad/s]
+  double time = 0.5;            // [s]
+};
+
 /// What holds for the whole scene, and how it steps.
 struct SceneSettings {
   Vec2<double> gravity = {0, -10};  // [m/s^2]
@@ -25,6 +32,8 @@ struct SceneSettings {
   double speculative_margin = 0.02;    // [m] shapes closer than this get contact rows with room to spare
   double restitution_threshold = 0.5;  // [m/s] slower approaches do not rebound
   FrictionRows friction_rows = FrictionRows::per_point;
+  /// Bodies that have come to rest are left out of the steps until something wakes them. Off: none ever is.
+  std::optional<Sleeping> sleeping = {};
 };
 
 /// One body. Its mass is `mass`, or else density times area; its inertia follows from the shapes.

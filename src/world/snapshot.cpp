@@ -99,6 +99,7 @@ Snapshot snapshot(const World<Real>& world) {
     const Pose<double> double_pose{pose.position.template cast<double>(), static_cast<double>(pose.angle)};
     result.bodies.push_back(
         snapshot_body(scene.bodies()[i], double_pose, world.bodies().velocity[i].template cast<double>()));
+    result.bodies.back().awake = world.is_awake({static_cast<int>(i)});
   }
   const std::size_t joints = scene.joints().size();
   for (std::size_t i = 0; i < joints; ++i) {

@@ -17,6 +17,7 @@ struct SnapshotBody {
   double mass = 0;                    // [kg]; 0 where it cannot be moved
   double inertia = 0;                 // [kg m^2]; 0 where it cannot be turned
   double gravity_scale = 1;
+  bool awake = true;
   std::vector<Shape<double>> shapes = {};  // in the frame of `pose`
 };
 

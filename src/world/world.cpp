@@ -22,6 +22,11 @@ template <Scalar Real>
 StepReport World<Real>::step(Solver<Real>& solver, SolveObserver<Real>* observer) {
   StepReport report;
   for (int i = 0; i < scene_->settings().substeps; ++i) substep(solver, observer, report);
+  report.awake.bodies = plan_->dynamic_bodies;
+  if (sleep_) {
+    sleep_->let_sleep(record_.manifolds, record_.problem, dt_, state_.velocity);
+    report.awake = sleep_->count();
+  }
   time_ += dt_;
   steps_ += 1;
   report.rows = record_.problem.row_count();
@@ -91,6 +96,7 @@ void World<Real>::apply_forces() {
     apply_gravity(record_.problem.velocity, state_.inverse_mass, forces_, gravity, dt);
   }
   if (plan_->damping) apply_damping(record_.problem.velocity, state_.inverse_mass, forces_, dt);
+  if (sleep_) sleep_->hold(record_.problem.velocity);
 }
 
 template <Scalar Real>
@@ -102,7 +108,8 @@ void World<Real>::write_rows(StabilizationPass pass, VelocityProblem<Real>& prob
   problem.dt = substep_length();
   for (std::size_t i = 0; i < scene_->joints().size(); ++i) {
     specs_.clear();
-    scene_->joints()[i]->append_rows(state_.pose, problem.velocity, specs_);
+    const bool asleep = sleep_ && sleep_->joint_asleep(i);
+    if (!asleep) scene_->joints()[i]->append_rows(state_.pose, problem.velocity, specs_);
     append_block(pass, i, problem);
   }
   for (const Manifold<Real>& manifold : record_.manifolds) {

@@ -14,6 +14,7 @@
 #include "solvers/solver.hpp"
 #include "world/plan.hpp"
 #include "world/scene.hpp"
+#include "world/sleeping.hpp"
 #include "world/snapshot.hpp"
 
 namespace cairn {
@@ -24,11 +25,12 @@ struct StepReport {
   int sweeps = 0;                         // all that were done, for relaxing and for positions too
   int contacts = 0;                       // contact points
   int rows = 0;                           // scalar constraints
+  AwakeCount awake = {};                  // when the step ended; islands are counted where bodies may sleep
   std::optional<BodyId> not_finite = {};  // the first body with a NaN or an infinity, if any
 };
 
 /// What the last step saw and found. The first blocks of the problem are those of the joints, in the scene's
-/// order; then one for each manifold.
+/// order; then one for each manifold. Of what sleeps there are no manifolds, and joints with an empty block.
 template <Scalar Real>
 struct StepRecord {
   std::vector<Manifold<Real>> manifolds = {};  // ordered by collider_a, collider_b; where the step began
@@ -55,6 +57,11 @@ class World {
   /// Gives a body another velocity [m/s, m/s, rad/s].
   /// @throws std::invalid_argument for unknown or static bodies and numbers that are not finite.
   void set_velocity(BodyId body, const Vec3<double>& velocity);
+  /// Wakes a body with all of its island, which may sleep again after the time that the scene asks for.
+  /// @throws std::invalid_argument for unknown bodies.
+  void wake(BodyId body);
+  /// Whether the body takes part in the steps: always, unless it sleeps.
+  bool is_awake(BodyId body) const { return !sleep_ || !sleep_->asleep(body); }
 
   const BodyState<Real>& bodies() const { return state_; }
   const Scene& scene() const { return *scene_; }
@@ -75,6 +82,7 @@ class World {
   Real substep_length() const { return static_cast<Real>(dt_ / scene_->settings().substeps); }
   void substep(Solver<Real>& solver, SolveObserver<Real>* observer, StepReport& report);
   void find_contacts();
+  void find_manifolds();
   void meet(int collider_a, int collider_b);
   Real reach(BodyId body) const;
   void apply_forces();
@@ -94,15 +102,16 @@ class World {
   BodyState<Real> state_;
   std::vector<std::pair<RowKey, Real>> impulses_;  // of the last step, sorted by key
   StepRecord<Real> record_;
-  double dt_ = 0;           // [s]
-  double previous_dt_ = 0;  // [s] of the substep that impulses_ belong to
+  std::optional<SleepState<Real>> sleep_;  // where the scene lets bodies sleep
+  double dt_ = 0;                          // [s]
+  double previous_dt_ = 0;                 // [s] of the substep that impulses_ belong to
   double time_ = 0;
   int steps_ = 0;
 
   // Scratch memory, kept so that a steady step allocates nothing.
   Broadphase<Real> broadphase_;
   std::vector<Aabb<Real>> boxes_;
-  std::vector<char> movable_;
+  std::vector<char> movable_;  // of each collider: not of a pair where neither is
   RowSpecs<Real> specs_;
   VelocityProblem<Real> second_problem_;  // of the policies that solve twice
 };

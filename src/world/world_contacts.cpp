@@ -8,6 +8,15 @@ namespace cairn {
 
 template <Scalar Real>
 void World<Real>::find_contacts() {
+  find_manifolds();
+  if (!sleep_) return;
+  // What wakes may touch, or hold, what else sleeps.
+  while (sleep_->wake_touched(record_.manifolds, state_.velocity)) find_manifolds();
+  sleep_->give_back(impulses_, previous_dt_);
+}
+
+template <Scalar Real>
+void World<Real>::find_manifolds() {
   record_.manifolds.clear();
   record_.sensed.clear();
   if (!plan_->collision) return;
@@ -18,6 +27,7 @@ void World<Real>::find_contacts() {
     const Pose<Real>& pose = state_.pose[static_cast<std::size_t>(body.index)];
     boxes_[i] = bounding_box(colliders[i].shape, pose, margin / 2 + reach(body));
   }
+  if (sleep_) sleep_->mark_movable(state_.velocity, movable_);
   for (const auto& [i, j] : broadphase_.pairs(boxes_, movable_)) meet(i, j);
   std::sort(record_.sensed.begin(), record_.sensed.end());
   record_.sensed.erase(std::unique(record_.sensed.begin(), record_.sensed.end()), record_.sensed.end());
@@ -31,6 +41,7 @@ void World<Real>::meet(int collider_a, int collider_b) {
   if (a.body == b.body) return;
   const BodySpec& spec_a = scene_->bodies()[static_cast<std::size_t>(a.body.index)].spec;
   const BodySpec& spec_b = scene_->bodies()[static_cast<std::size_t>(b.body.index)].spec;
+  if (spec_a.type != BodyType::dynamic && spec_b.type != BodyType::dynamic) return;
   const std::pair<BodyId, BodyId> bodies = std::minmax(a.body, b.body);
   const auto& apart = scene_->apart();
   if (!may_touch(spec_a, spec_b) || std::binary_search(apart.begin(), apart.end(), bodies)) return;

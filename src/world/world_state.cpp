@@ -29,6 +29,7 @@ World<Real>::World(Scene scene)
       movable_.push_back(spec.type == BodyType::dynamic ? 1 : 0);
     }
   }
+  if (plan_->sleeping) sleep_.emplace(*scene_);
   boxes_.resize(colliders.size());
   colliders_ = std::make_shared<const std::vector<Collider>>(std::move(colliders));
 }
@@ -49,6 +50,14 @@ void World<Real>::set_velocity(BodyId body, const Vec3<double>& velocity) {
   require_finite(Vec2<double>(velocity.head<2>()), "World::set_velocity", "velocity", "m/s");
   require_finite(velocity.z(), "World::set_velocity", "angular velocity", "rad/s");
   state_.velocity[index] = velocity.template cast<Real>();
+  wake(body);
+}
+
+template <Scalar Real>
+void World<Real>::wake(BodyId body) {
+  require(body.index >= 0 && body.index < static_cast<int>(state_.pose.size()), "World::wake", "body",
+          "the id of a body of this world", body.index);
+  if (sleep_) sleep_->wake(body);
 }
 
 template class World<float>;
