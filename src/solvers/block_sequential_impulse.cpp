@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "math/check.hpp"
 #include "solvers/body_rows.hpp"
@@ -35,11 +34,11 @@ void require_blocks(const VelocityProblem<Real>& problem) {
   int next = 0;
   for (const RowBlock& block : problem.blocks) {
     require(block.first == next && block.count >= 0, "BlockSequentialImpulse", "block",
-            "the rows after those of the block before it, from row " + std::to_string(next), block.first);
+            "the rows after those of the block before it", block.first);
     next += block.count;
   }
   require(next == problem.row_count(), "BlockSequentialImpulse", "rows in blocks",
-          std::to_string(problem.row_count()) + ", all of them", next);
+          "all of the problem's rows", next);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ SolveReport FactoredProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& pro
     const Real change =
         watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
     // For those who look; the sweep itself does not need it.
-    if (observer != nullptr || settings_.tolerance > 0) update_velocity(problem);
+    if (observer != nullptr || stopping_.needs_velocity(number)) update_velocity(problem);
     return change;
   });
   update_velocity(problem);

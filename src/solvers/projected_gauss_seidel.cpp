@@ -21,8 +21,8 @@ SolveReport ProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem, So
   if (observer != nullptr) observer->before_solve(problem);
   stopping_.begin(settings_, problem);
 
-  system_ = system_matrices(problem);
-  velocity_ = system_velocity(problem);
+  system_matrices(problem, system_);
+  system_velocity(problem, velocity_);
   lambda_.resize(problem.row_count());
   for (int i = 0; i < problem.row_count(); ++i) {
     lambda_(i) = problem.impulse[static_cast<std::size_t>(i)] / problem.dt;  // warm start (2.3)
@@ -34,7 +34,7 @@ SolveReport ProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem, So
     const Real change =
         watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
     // For those who look; the sweep itself does not need it.
-    if (observer != nullptr || settings_.tolerance > 0) update_velocity(problem);
+    if (observer != nullptr || stopping_.needs_velocity(number)) update_velocity(problem);
     return change;
   });
   update_velocity(problem);
@@ -77,14 +77,14 @@ Real ProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& proble
   return largest_change;
 }
 
-/// (12): v_2 = v_1 + M^-1 J^T lambda dt.
+/// (12): v_2 = v_1 + M^-1 J^T lambda dt, where the problem keeps its velocities.
 template <Scalar Real>
 void ProjectedGaussSeidel<Real>::update_velocity(VelocityProblem<Real>& problem) const {
-  const Vector<Real> v =
-      velocity_ + system_.inverse_mass.asDiagonal() * (system_.J.transpose() * lambda_) * problem.dt;
-  for (int body = 0; body < problem.body_count(); ++body) {
-    problem.velocity[static_cast<std::size_t>(body)] = v.template segment<3>(3 * body);
-  }
+  static_assert(sizeof(Vec3<Real>) == 3 * sizeof(Real), "velocities must lie as one column");
+  if (problem.velocity.empty()) return;
+  Eigen::Map<Vector<Real>> v(problem.velocity.front().data(), velocity_.size());
+  v.noalias() = system_.J.transpose() * lambda_;
+  v = velocity_ + system_.inverse_mass.cwiseProduct(v) * problem.dt;
 }
 
 template class ProjectedGaussSeidel<float>;

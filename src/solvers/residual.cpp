@@ -24,12 +24,12 @@ Real kinetic_norm(const VelocityProblem<Real>& problem) {
 
 template <Scalar Real>
 Real residual_scale(const VelocityProblem<Real>& problem) {
-  const std::vector<Real> zero(problem.rows.size(), Real(0));
   Real sum = 0;
   for (const ConstraintRow<Real>& row : problem.rows) {
     const Real inverse = inverse_effective_mass(problem, row);
     if (row.bounds.is_friction() || !(inverse > 0)) continue;
-    const Real wish = row.bounds.clamp((row.bias - row_velocity(problem, row)) / inverse, zero);
+    // Of rows with fixed bounds: no impulse is read.
+    const Real wish = row.bounds.clamp((row.bias - row_velocity(problem, row)) / inverse, problem.impulse);
     sum += inverse * wish * wish;
   }
   return std::max(std::sqrt(sum), Real(1e-12) * kinetic_norm(problem));

@@ -18,7 +18,7 @@ struct SolverSettings {
   RowOrder order = RowOrder::as_written;
   std::uint64_t seed = 1;  // of RowOrder::shuffled
   double relaxation = 1;   // omega of SOR (D. M. Young, 1954): every corrective impulse is multiplied by it
-  int patience = 0;        // so many sweeps at a standstill end it, and a cycle does (stopping.hpp); 0: never
+  int patience = 0;  // so many sweeps at a standstill end it; cycles and plateaus do (stopping.hpp); 0: never
 };
 
 /// One row update, as an observer sees it.
@@ -53,6 +53,7 @@ enum class Stop {
   tolerance,  // the residual asked for is reached
   stalled,    // impulses have not changed, but for rounding, for as many sweeps as patience says
   cycle,      // impulses repeat those of an earlier sweep exactly, and would do so for ever
+  plateau,    // rows contradict each other: impulses drift, and the residual stays where it is
 };
 
 struct SolveReport {

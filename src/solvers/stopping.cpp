@@ -1,4 +1,4 @@
-// Floor 4. Tolerance, standstill and cycles.
+// Floor 4. Tolerance, standstill, cycles and plateaus.
 #include "solvers/stopping.hpp"
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace cairn {
 template <Scalar Real>
 void Stopping<Real>::begin(const SolverSettings& settings, const VelocityProblem<Real>& problem) {
   settings_ = settings;
-  scale_ = settings.tolerance > 0 ? residual_scale(problem) : Real(0);
+  scale_ = settings.tolerance > 0 || settings.patience > 0 ? residual_scale(problem) : Real(0);
   quiet_sweeps_ = 0;
   moved_ = false;
   remembered_sweep_ = 0;
@@ -34,7 +34,20 @@ Stop Stopping<Real>::judge(const VelocityProblem<Real>& problem, int sweep, Real
   quiet_sweeps_ = quiet ? quiet_sweeps_ + 1 : 0;
   moved_ = moved_ || !quiet;
   if (quiet_sweeps_ >= settings_.patience) return Stop::stalled;
-  return repeats(problem, sweep) ? Stop::cycle : Stop::sweeps;
+  if (repeats(problem, sweep)) return Stop::cycle;
+  return is_plateau(problem, sweep, largest_change) ? Stop::plateau : Stop::sweeps;
+}
+
+template <Scalar Real>
+bool Stopping<Real>::is_plateau(const VelocityProblem<Real>& problem, int sweep, Real largest_change) {
+  if (!looks_for_plateau(sweep)) return false;
+  const Real energy = residual(problem, scale_).energy;
+  const auto stays = [](Real now, Real before) { return std::abs(now - before) <= Real(1e-4) * before; };
+  const bool is_flat =
+      sweep > first_look && stays(energy, residual_before_) && stays(largest_change, change_before_);
+  residual_before_ = energy;
+  change_before_ = largest_change;
+  return is_flat;
 }
 
 template <Scalar Real>

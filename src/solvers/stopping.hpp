@@ -10,8 +10,11 @@ namespace cairn {
 /// Judges every sweep of one solve by the solver's settings:
 /// - tolerance: the residual R_E is at most this. O(m) a sweep.
 /// - stalled: for `patience` sweeps no impulse has changed by more than 16 roundings of the largest impulse.
-///   Slow progress is no stall, nor are redundant rows that no impulse can satisfy: their impulses drift for
-///   ever, and only the number of sweeps ends that. O(m) a sweep.
+///   Slow progress is no stall. O(m) a sweep.
+/// - plateau, where there is a patience: rows contradict each other, so that no impulse satisfies them all.
+///   Their impulses drift for ever, by as much in every sweep, and R_E stays where it is. Seen where both
+///   have changed by less than 1e-4 of themselves since half of the sweeps, after sweeps 1024, 2048, 4096
+///   ...; a problem that converges more slowly than that is called so too. O(m) for each look.
 /// - cycle: all impulses are, to the last bit, what they were after an earlier sweep, and have moved by more
 ///   than that in between; SolveReport::largest_change tells how far. Bodies much faster than their impulses
 ///   can end in a small circle of roundings. One remembered state is compared, renewed after sweeps 1, 2, 4,
@@ -26,12 +29,18 @@ class Stopping {
   void begin(const SolverSettings& settings, const VelocityProblem<Real>& problem);
 
   /// Stop::sweeps: nothing speaks against another sweep. `largest_change` [N s] is that of any impulse in
-  /// this sweep. problem.velocity must be current where a tolerance is asked for.
+  /// this sweep. problem.velocity must be current where needs_velocity() says so.
   Stop judge(const VelocityProblem<Real>& problem, int sweep, Real largest_change);
+
+  /// Whether judge() will look at the velocities after this sweep.
+  bool needs_velocity(int sweep) const {
+    return settings_.tolerance > 0 || (settings_.patience > 0 && looks_for_plateau(sweep));
+  }
 
   /// Sweeps until the settings given to begin() say stop: "while not satisfied with global solution" of
   /// Algorithm 1, in every iterative solver. sweep(number), from 1, does one sweep and returns the largest
-  /// change of an impulse [N s]; it leaves problem.velocity current where an observer or a tolerance looks.
+  /// change of an impulse [N s]; it leaves problem.velocity current where an observer or needs_velocity()
+  /// asks for it.
   template <typename Sweep>
   SolveReport repeat(VelocityProblem<Real>& problem, SolveObserver<Real>* observer, const Sweep& sweep) {
     SolveReport report;
@@ -47,12 +56,18 @@ class Stopping {
   }
 
  private:
+  static constexpr int first_look = 512;  // half of the sweeps that a plateau must have lasted for at least
+
+  static bool looks_for_plateau(int sweep) { return sweep >= first_look && (sweep & (sweep - 1)) == 0; }
+  bool is_plateau(const VelocityProblem<Real>& problem, int sweep, Real largest_change);
   bool repeats(const VelocityProblem<Real>& problem, int sweep);
 
   SolverSettings settings_;
   Real scale_ = 0;                // of R_E
   int quiet_sweeps_ = 0;          // in a row, without a change above rounding
   bool moved_ = false;            // above rounding, since remembered_
+  Real residual_before_ = 0;      // R_E at half of the sweeps
+  Real change_before_ = 0;        // [N s] the largest change there
   int remembered_sweep_ = 0;      // a power of two
   std::vector<Real> remembered_;  // [N s] impulses after that sweep
 };

@@ -3,55 +3,76 @@
 
 namespace cairn {
 
-template <Scalar Real>
-Vector<Real> system_velocity(const VelocityProblem<Real>& problem) {
-  Vector<Real> v(3 * problem.body_count());
-  for (int body = 0; body < problem.body_count(); ++body) {
-    v.template segment<3>(3 * body) = problem.velocity[static_cast<std::size_t>(body)];
-  }
-  return v;
-}
+namespace {
 
+/// J (6): row i holds jacobian_a and jacobian_b in the columns of its two bodies.
 template <Scalar Real>
-Matrix<Real> system_jacobian(const VelocityProblem<Real>& problem) {
-  Matrix<Real> J = Matrix<Real>::Zero(problem.row_count(), 3 * problem.body_count());
+void fill_jacobian(const VelocityProblem<Real>& problem, Matrix<Real>& J) {
+  J.setZero(problem.row_count(), 3 * problem.body_count());
   for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(i)];
     for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
       J.template block<1, 3>(i, 3 * body.index) += jacobian.transpose();
     });
   }
-  return J;
+}
+
+/// A = J M^-1 J^T. Column i is J times M^-1 j_i^T, which is zero but for the bodies of row i.
+template <Scalar Real>
+void fill_product(const VelocityProblem<Real>& problem, const Matrix<Real>& J, Matrix<Real>& A) {
+  A.setZero(problem.row_count(), problem.row_count());
+  for (int i = 0; i < problem.row_count(); ++i) {
+    const ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(i)];
+    for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
+      const Vec3<Real>& inverse_mass = problem.inverse_mass[static_cast<std::size_t>(body.index)];
+      for (int k = 0; k < 3; ++k) A.col(i) += J.col(3 * body.index + k) * inverse_mass(k) * jacobian(k);
+    });
+    A(i, i) += row.softness;
+  }
+}
+
+}  // namespace
+
+template <Scalar Real>
+void system_velocity(const VelocityProblem<Real>& problem, Vector<Real>& velocity) {
+  velocity.resize(3 * problem.body_count());
+  for (int body = 0; body < problem.body_count(); ++body) {
+    velocity.template segment<3>(3 * body) = problem.velocity[static_cast<std::size_t>(body)];
+  }
+}
+
+template <Scalar Real>
+void system_matrices(const VelocityProblem<Real>& problem, SystemMatrices<Real>& system) {
+  fill_jacobian(problem, system.J);
+  fill_product(problem, system.J, system.A);
+  system.inverse_mass.resize(3 * problem.body_count());
+  system.b.setZero(problem.row_count());
+  for (int body = 0; body < problem.body_count(); ++body) {
+    const auto index = static_cast<std::size_t>(body);
+    system.inverse_mass.template segment<3>(3 * body) = problem.inverse_mass[index];
+    for (int k = 0; k < 3; ++k) system.b += system.J.col(3 * body + k) * problem.velocity[index](k);  // J v_1
+  }
+  for (int i = 0; i < problem.row_count(); ++i) {
+    const Real zeta = problem.rows[static_cast<std::size_t>(i)].bias;
+    system.b(i) = (zeta - system.b(i)) / problem.dt;
+  }
 }
 
 template <Scalar Real>
 SystemMatrices<Real> system_matrices(const VelocityProblem<Real>& problem) {
   SystemMatrices<Real> system;
-  system.J = system_jacobian(problem);
-  system.inverse_mass.resize(3 * problem.body_count());
-  for (int body = 0; body < problem.body_count(); ++body) {
-    system.inverse_mass.template segment<3>(3 * body) = problem.inverse_mass[static_cast<std::size_t>(body)];
-  }
-  system.A = system.J * system.inverse_mass.asDiagonal() * system.J.transpose();
-
-  Vector<Real> zeta(problem.row_count());
-  for (int i = 0; i < problem.row_count(); ++i) {
-    const ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(i)];
-    zeta(i) = row.bias;
-    system.A(i, i) += row.softness;
-  }
-  system.b = (zeta - system.J * system_velocity(problem)) / problem.dt;
+  system_matrices(problem, system);
   return system;
 }
 
-template Vector<float> system_velocity(const VelocityProblem<float>&);
-template Vector<double> system_velocity(const VelocityProblem<double>&);
-template Vector<long double> system_velocity(const VelocityProblem<long double>&);
-template Matrix<float> system_jacobian(const VelocityProblem<float>&);
-template Matrix<double> system_jacobian(const VelocityProblem<double>&);
-template Matrix<long double> system_jacobian(const VelocityProblem<long double>&);
+template void system_velocity(const VelocityProblem<float>&, Vector<float>&);
 template SystemMatrices<float> system_matrices(const VelocityProblem<float>&);
+template void system_matrices(const VelocityProblem<float>&, SystemMatrices<float>&);
+template void system_velocity(const VelocityProblem<double>&, Vector<double>&);
 template SystemMatrices<double> system_matrices(const VelocityProblem<double>&);
+template void system_matrices(const VelocityProblem<double>&, SystemMatrices<double>&);
+template void system_velocity(const VelocityProblem<long double>&, Vector<long double>&);
 template SystemMatrices<long double> system_matrices(const VelocityProblem<long double>&);
+template void system_matrices(const VelocityProblem<long double>&, SystemMatrices<long double>&);
 
 }  // namespace cairn

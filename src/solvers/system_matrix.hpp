@@ -23,15 +23,14 @@ struct SystemMatrices {
 
 /// v of (1): all velocities of the problem in one column, 3n.
 template <Scalar Real>
-Vector<Real> system_velocity(const VelocityProblem<Real>& problem);
-
-/// J (6): row i holds jacobian_a and jacobian_b in the columns of its two bodies.
-template <Scalar Real>
-Matrix<Real> system_jacobian(const VelocityProblem<Real>& problem);
+void system_velocity(const VelocityProblem<Real>& problem, Vector<Real>& velocity);
 
 /// Everything that section 2 sets up, from velocities that hold gravity already: eq. (12) knows no external
 /// force, so it must be in v_1.
 template <Scalar Real>
 SystemMatrices<Real> system_matrices(const VelocityProblem<Real>& problem);
+/// The same into matrices that are there: nothing is allocated for a problem of the size of the last.
+template <Scalar Real>
+void system_matrices(const VelocityProblem<Real>& problem, SystemMatrices<Real>& system);
 
 }  // namespace cairn

@@ -39,6 +39,7 @@ Plan make_plan(const Scene& scene) {
   }
   plan.collision &= plan.colliders > 1;
   plan.friction = plan.collision && rubbing_bodies > 1;
+  plan.friction_rows = scene.settings().friction_rows;
   plan.restitution &= plan.collision;
   plan.joints = static_cast<int>(scene.joints().size());
   plan.broadphase = plan.colliders > all_pairs_limit ? BroadphaseKind::sweep : BroadphaseKind::all_pairs;
@@ -61,7 +62,10 @@ std::string explain(const Plan& plan) {
                                                          fmt::join(plan.shape_kinds, ", "))
                                            : "left out: nothing can meet");
   text += line("joints", plan.joints > 0 ? fmt::format("{}", plan.joints) : "left out: there are none");
-  text += line("friction", either(plan.friction, "one row a contact point, where mu > 0",
+  const bool per_point = plan.friction_rows == FrictionRows::per_point;
+  text += line("friction", either(plan.friction,
+                                  per_point ? "one row a contact point, where mu > 0"
+                                            : "one row a manifold, where mu > 0",
                                   "left out: no two bodies with mu > 0, no friction rows"));
   text += line("restitution", either(plan.restitution, "e > 0 on some body", "left out: e is 0 everywhere"));
   text += line("gravity", either(plan.gravity, "on", "left out: nothing feels it"));
@@ -79,7 +83,7 @@ std::string explain(const Plan& plan) {
   if (plan.corrects_positions) second = "split impulse: errors are taken back apart from the velocities";
   text += line("second solve", second);
   text += line("sleeping", either(plan.sleeping, "islands at rest take no part until something wakes them",
-                                  "off: every body takes part in every step"));
+                                  "left out: every body takes part in every step"));
   return text;
 }
 

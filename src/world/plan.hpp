@@ -20,7 +20,8 @@ struct Plan {
   bool collision = false;  // some pair of shapes could meet
   bool gravity = false;    // some body feels it
   bool damping = false;
-  bool friction = false;     // some pair of bodies with mu > 0
+  bool friction = false;  // some pair of bodies with mu > 0
+  FrictionRows friction_rows = FrictionRows::per_point;
   bool restitution = false;  // some body with e > 0
   bool warm_start = false;
   int substeps = 1;

@@ -1,6 +1,6 @@
-// What the paper says of speed, memory and code, in numbers: five tables.
-//   bash tests/run bench                       all of them, in about a minute
-//   cairn_bench [solvers|layout|memory|blocks|lines]  some of them
+// What the paper says of speed, memory and code, and what features and constraints cost: seven tables.
+//   bash tests/run bench   all of them, in about two minutes
+//   cairn_bench [solvers|layout|memory|blocks|lines|features|constraints]   some of them
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -58,17 +58,19 @@ using Table = std::pair<std::string, std::function<void()>>;
 
 /// @returns false for a name that is no table.
 bool print_tables(const std::vector<std::string>& wanted) {
-  const std::vector<Table> tables = {{"solvers", cairn::bench::print_solver_table},
-                                     {"layout", cairn::bench::print_layout_table},
-                                     {"memory", cairn::bench::print_memory_table},
-                                     {"blocks", cairn::bench::print_block_table},
-                                     {"lines", cairn::bench::print_lines_table}};
+  const std::vector<Table> tables = {
+      {"solvers", cairn::bench::print_solver_table},        {"layout", cairn::bench::print_layout_table},
+      {"memory", cairn::bench::print_memory_table},         {"blocks", cairn::bench::print_block_table},
+      {"lines", cairn::bench::print_lines_table},           {"features", cairn::bench::print_feature_table},
+      {"constraints", cairn::bench::print_constraint_table}};
   const auto named = [&](const std::string& name) {
     return [&name](const Table& table) { return table.first == name; };
   };
   for (const std::string& name : wanted) {
     if (std::none_of(tables.begin(), tables.end(), named(name))) {
-      fmt::print(stderr, "cairn_bench: unknown table {}; there are: solvers layout memory blocks lines\n", name);
+      fmt::print(stderr, "cairn_bench: unknown table {}; there are:", name);
+      for (const Table& table : tables) fmt::print(stderr, " {}", table.first);
+      fmt::print(stderr, "\n");
       return false;
     }
   }

@@ -1,0 +1,256 @@
+// A steady step takes no memory from the heap: counted here, by standing in for the allocator.
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include "../solvers/solver_list.hpp"
+#include "constraints/revolute_joint.hpp"
+#include "solvers/system_matrix.hpp"
+#include "world/world.hpp"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define CAIRN_TEST_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) || __has_feature(thread_sanitizer)
+#define CAIRN_TEST_SANITIZED 1
+#endif
+#endif
+#if defined(__GLIBC__) && !defined(CAIRN_TEST_SANITIZED)
+#define CAIRN_TEST_COUNTS_MALLOC 1
+#endif
+
+namespace {
+
+// The one global that changes: an allocator has nowhere else to keep its count. Each thread has its own, and
+// nothing is counted but while an AllocationCount lives.
+thread_local long* allocation_counter = nullptr;
+
+void count_allocation() {
+  if (allocation_counter != nullptr) ++*allocation_counter;
+}
+
+/// Counts what this thread allocates while it lives.
+class AllocationCount {
+ public:
+  AllocationCount() { allocation_counter = &count_; }
+  ~AllocationCount() { allocation_counter = nullptr; }
+  AllocationCount(const AllocationCount&) = delete;
+  AllocationCount& operator=(const AllocationCount&) = delete;
+  long value() const { return count_; }
+
+ private:
+  long count_ = 0;
+};
+
+}  // namespace
+
+#ifdef CAIRN_TEST_COUNTS_MALLOC
+// glibc lets a program define malloc. Operator new calls it, and so does Eigen for matrices of any size: all
+// that the heap gives is counted. What is returned is glibc's own memory, so that free stays as it is.
+extern "C" void* __libc_malloc(std::size_t size);
+extern "C" void* malloc(std::size_t size) noexcept {
+  count_allocation();
+  return __libc_malloc(size);
+}
+#else
+// Elsewhere, and where a sanitizer has taken malloc for itself: operator new alone, which every container of
+// the standard library uses. Eigen's matrices of any size, of which only dense PGS has some, are not seen.
+void* operator new(std::size_t size) {
+  count_allocation();
+  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+void* operator new[](std::size_t size) { return operator new(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  count_allocation();
+  return std::malloc(size > 0 ? size : 1);
+}
+void* operator new[](std::size_t size, const std::nothrow_t& tag) noexcept { return operator new(size, tag); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+#endif
+
+using namespace cairn;
+using namespace cairn::testing;
+
+namespace {
+
+/// y_1 + 2 y_2 + y_3 stays what it is: a rope over and under rollers (paper 4.3), as a row of three bodies.
+class ThreeBodyRope final : public ConstraintOf<ThreeBodyRope> {
+ public:
+  std::string name() const override { return "rope on three bodies"; }
+  std::vector<Attachment> attachments() const override { return {{{1}}, {{2}}, {{3}}}; }
+  template <Scalar Real>
+  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+    RowSpec<Real> row;
+    row.a = {1};
+    row.b = {2};
+    row.error = poses[1].position.y() + 2 * poses[2].position.y() + poses[3].position.y();
+    row.jacobian_a = {0, 1, 0};
+    row.jacobian_b = {0, 2, 0};
+    row.extra[0] = {.body = {3}, .jacobian = {0, 1, 0}};
+    row.extra_count = 1;
+    rows.push_back(row);
+  }
+};
+
+struct SceneToCount {
+  std::string name = {};
+  Scene scene;
+};
+
+Scene stack_to_count(const SceneSettings& settings) {
+  Scene scene(settings);
+  scene.add_ground();
+  for (int i = 0; i < 10; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}});
+  return scene;
+}
+
+Scene pyramid_to_count(int base) {
+  Scene scene;
+  scene.add_ground();
+  for (int level = 0; level < base; ++level) {
+    for (int i = 0; i < base - level; ++i) {
+      scene.add({.shapes = {box(1, 1)}, .position = {1.1 * (i + 0.5 * level), 0.5 + level}});
+    }
+  }
+  return scene;
+}
+
+/// So many shapes that their boxes are sorted.
+Scene discs_to_count() {
+  Scene scene;
+  scene.add_ground();
+  for (int i = 0; i < 40; ++i) scene.add({.shapes = {circle(0.4)}, .position = {i - 20.0, 0.4}});
+  return scene;
+}
+
+/// A chain with a motor and a limit within reach, beside a damped disc that rolls.
+Scene chain_to_count() {
+  Scene scene({.friction_rows = FrictionRows::per_manifold});
+  scene.add_ground({.height = -20});
+  BodyId above = ground;
+  for (int i = 0; i < 6; ++i) {
+    const BodyId link = scene.add({.shapes = {capsule({-0.3, 0}, {0.3, 0}, 0.1)}, .position = {i + 0.5, 0}});
+    RevoluteJoint::Spec pin = {.a = above, .b = link, .anchor = {static_cast<double>(i), 0}};
+    if (i == 0) pin.motor = RevoluteJoint::Motor{.speed = 0.5, .max_torque = 1};
+    if (i == 1) pin.lower = -2, pin.limit_margin = 10;
+    scene.join<RevoluteJoint>(pin);
+    above = link;
+  }
+  scene.add({.shapes = {circle(0.5)}, .position = {-5, -19.5}, .velocity = {1, 0}, .angular_damping = 0.1});
+  return scene;
+}
+
+Scene rope_to_count() {
+  Scene scene;
+  for (int i = 0; i < 3; ++i) {
+    scene.add({.shapes = {box(0.5, 0.5)}, .position = {static_cast<double>(i), 0}, .mass = 1.0 + i});
+  }
+  scene.add_joint(std::make_shared<const ThreeBodyRope>());
+  return scene;
+}
+
+std::vector<SceneToCount> scenes_to_count() {
+  return {
+      {"stack", stack_to_count({})},
+      {"stack, soft", stack_to_count({.stabilization = {.policy = StabilizationPolicy::soft}})},
+      {"stack, split", stack_to_count({.stabilization = {.policy = StabilizationPolicy::split_impulse}})},
+      {"stack, substeps", stack_to_count({.substeps = 2})},
+      {"pyramid", pyramid_to_count(5)},
+      {"discs, sorted", discs_to_count()},
+      {"chain", chain_to_count()},
+      {"rope", rope_to_count()},
+  };
+}
+
+/// Of 5 steps, once 15 steps have made room for all that a step needs.
+template <Scalar Real>
+long allocations_of_steady_steps(const Scene& scene, Solver<Real>& solver) {
+  World<Real> world(scene);
+  for (int step = 0; step < 15; ++step) world.step(solver);
+  const AllocationCount count;
+  for (int step = 0; step < 5; ++step) world.step(solver);
+  return count.value();
+}
+
+template <Scalar Real>
+void check_steady_steps(const SceneToCount& one, const SolverSettings& settings) {
+  for (const SolverMaker<Real>& make : all_solvers<Real>(Iterates::any)) {
+    const auto solver = make(settings);
+    CAPTURE(one.name);
+    CAPTURE(solver->name());
+    const long allocations = allocations_of_steady_steps<Real>(one.scene, *solver);
+    CHECK(allocations == 0);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the counter of allocations counts, and only while it lives") {
+  std::vector<double> array;
+  array.reserve(10);
+  long before = -1, once = -1, twice = -1;
+  {
+    const AllocationCount count;
+    before = count.value();
+    array.reserve(100);
+    once = count.value();
+    array.reserve(200);
+    twice = count.value();
+  }
+  CHECK(before == 0);
+  CHECK(once == 1);
+  CHECK(twice == 2);
+}
+
+#ifdef CAIRN_TEST_COUNTS_MALLOC
+TEST_CASE("the counter sees the matrices of Eigen, which do without operator new") {
+  Vector<double> vector;
+  long once = -1;
+  {
+    const AllocationCount count;
+    vector.resize(100);
+    once = count.value();
+  }
+  CHECK(once == 1);
+}
+#endif
+
+TEST_CASE(
+    "the scenes whose allocations are counted sort their boxes in one case, and compare all in others") {
+  CHECK(make_plan(discs_to_count()).broadphase == BroadphaseKind::sweep);
+  CHECK(make_plan(pyramid_to_count(5)).broadphase == BroadphaseKind::all_pairs);
+}
+
+TEST_CASE("a world that is new does allocate: the steps that are counted are those that follow") {
+  World<double> world(stack_to_count({}));
+  SequentialImpulse<double> solver;
+  long allocations = -1;
+  {
+    const AllocationCount count;
+    world.step(solver);
+    allocations = count.value();
+  }
+  CHECK(allocations > 0);
+}
+
+TEST_CASE_TEMPLATE("a steady step allocates nothing, whatever the scene, the policy and the solver", Real,
+                   float, double) {
+  for (const SceneToCount& one : scenes_to_count()) check_steady_steps<Real>(one, {.iterations = 4});
+}
+
+TEST_CASE_TEMPLATE("nor does one with an order of rows, a tolerance and patience", Real, float, double) {
+  const SceneToCount one = {"pyramid", pyramid_to_count(4)};
+  for (const RowOrder order : {RowOrder::alternating, RowOrder::shuffled, RowOrder::coloured}) {
+    check_steady_steps<Real>(
+        one, {.iterations = 5, .tolerance = 1e-3, .order = order, .relaxation = 1.1, .patience = 2});
+  }
+}
