@@ -73,7 +73,7 @@ LessonInfo info() {
        .what = "steps",
        .kind = Kind::whole}};
   info.cover = 4;
-  info.next = "lesson14_pulley   (a row on three bodies, and a joint of your own)";
+  info.next = "lesson12_blocks   (rows that belong together, solved together)";
   return info;
 }
 

@@ -41,7 +41,7 @@ LessonInfo info() {
                      {"m3", 3, 0.01, 100, "kg", "mass on the right, on one part"},
                      {"lift", 3, 0, 20, "m/s", "how fast the third mass is thrown up"}},
       .cover = 2,
-      .next = "lesson17_tower   (the solvers beside a third one, by somebody else)"};
+      .next = "lesson15_cone_or_pyramid   (two rows of friction that share one limit)"};
 }
 
 void print_row(Lesson& lesson, const PulleyRuns& all) {

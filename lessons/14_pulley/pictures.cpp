@@ -66,7 +66,9 @@ void draw_masses(Page& page, const Rect& rect, const PulleyRuns& all, const Pull
   draw_world(page, camera, masses, look);
   const double heaviest = *std::max_element(all.settings.masses.begin(), all.settings.masses.end());
   const render::ArrowScale scale{
-      .pixels_per_unit = 1.7 * camera.scale / (10 * heaviest), .longest = 400, .unit = "N"};
+      .pixels_per_unit = (page.compact() ? 1.1 : 1.7) * camera.scale / (10 * heaviest),
+      .longest = 400,
+      .unit = "N"};
   const std::array<double, 3> beside = {-0.5, 0.95, 0.5};  // [m] clear of the rope
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec2<double> middle = step.snapshot.bodies[i + 1].pose.position;

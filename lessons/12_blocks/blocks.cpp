@@ -1,0 +1,272 @@
+// The same problems for SequentialImpulse and for BlockSequentialImpulse.
+#include "blocks.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "measure/energy.hpp"
+#include "measure/recorder.hpp"
+
+namespace cairn::blocks {
+
+namespace {
+
+const int most_sweeps = 4000;
+const double beta = 0.2;  // as Stabilization has it
+
+/// `links` of 1 kg in a line at `angle` [rad] above the horizontal, each joined to the one before it.
+template <typename Joint>
+Scene line_of(int links, double length, double height, double angle, double dt) {
+  Scene scene({.gravity = {0, -gravity}, .dt = dt});
+  const Vec2<double> along = {std::cos(angle), std::sin(angle)};
+  BodyId last = ground;
+  for (int i = 0; i < links; ++i) {
+    const BodyId link = scene.add({.shapes = {box(length, height)},
+                                   .position = along * (length * (i + 0.5)),
+                                   .angle = angle,
+                                   .mass = 1,
+                                   .inertia = (length * length + height * height) / 12});
+    scene.join<Joint>({.a = last, .b = link, .anchor = along * (length * i)});
+    last = link;
+  }
+  return scene;
+}
+
+/// A rod as thin as the formulas have it, I = m l^2 / 12, but drawn with some width.
+Scene rod_scene(const BlocksSettings& settings) {
+  Scene scene({.gravity = {0, -gravity}, .dt = settings.dt});
+  const double angle = settings.angle * pi / 180;
+  const Vec2<double> middle = Vec2<double>(std::cos(angle), std::sin(angle)) * (rod_length / 2);
+  const BodyId rod = scene.add({.shapes = {box(rod_length, 0.12)},
+                                .position = middle,
+                                .angle = angle,
+                                .mass = 1,
+                                .inertia = rod_length * rod_length / 12});
+  scene.join<RevoluteJoint>({.a = ground, .b = rod, .anchor = {0, 0}});
+  return scene;
+}
+
+std::vector<Pair> pairs_of(const SweepRecorder<double>& recorder, double dt) {
+  std::vector<Pair> lambda;
+  for (const SweepRecord& sweep : recorder.sweeps())
+    lambda.push_back({sweep.impulse[0] / dt, sweep.impulse[1] / dt});
+  return lambda;
+}
+
+void record_updates(const SweepRecorder<double>& recorder, const VelocityProblem<double>& problem,
+                    RodRun& run) {
+  Pair lambda = {0, 0};
+  for (const RowRecord& record : recorder.rows()) {
+    RodUpdate update{.sweep = record.update.sweep, .row = record.update.row};
+    update.jv = record.update.row_velocity;
+    update.corrective = record.update.corrective / problem.dt;
+    update.before = lambda;
+    lambda[static_cast<std::size_t>(update.row)] = record.update.impulse_after / problem.dt;
+    update.after = lambda;
+    update.slip = {row_velocity(problem, problem.rows[0], record.velocity),
+                   row_velocity(problem, problem.rows[1], record.velocity)};
+    run.updates.push_back(update);
+  }
+}
+
+RodRun run_rod(const BlocksSettings& settings) {
+  const World<double> world(rod_scene(settings));
+  const VelocityProblem<double> problem = world.velocity_problem();
+  RodRun run{.start = snapshot(world), .system = system_matrices(problem)};
+  const Matrix<double>& A = run.system.A;
+  run.rate = A(0, 1) * A(0, 1) / (A(0, 0) * A(1, 1));
+  const double angle = settings.angle * pi / 180;
+  run.formula = {gravity * 0.75 * std::sin(angle) * std::cos(angle),
+                 gravity * (1 - 0.75 * std::cos(angle) * std::cos(angle))};
+  SweepRecorder<double> rows(SweepRecorder<double>::Detail::rows);
+  VelocityProblem<double> by_rows = problem;
+  SequentialImpulse<double>({.iterations = 6}).solve(by_rows, &rows);
+  run.by_rows = pairs_of(rows, settings.dt);
+  record_updates(rows, problem, run);
+  SweepRecorder<double> block;
+  VelocityProblem<double> by_block = problem;
+  BlockSequentialImpulse<double>({.iterations = 6}).solve(by_block, &block);
+  run.by_block = pairs_of(block, settings.dt);
+  return run;
+}
+
+double error_of(const std::vector<double>& impulse, const Vector<double>& exact, double dt) {
+  double error = 0;
+  for (std::size_t i = 0; i < impulse.size(); ++i)
+    error = std::max(error, std::abs(impulse[i] / dt - exact(static_cast<Eigen::Index>(i))));
+  return error / exact.lpNorm<Eigen::Infinity>();
+}
+
+/// Looks at every sweep until the goal is reached.
+class GoalObserver final : public SolveObserver<double> {
+ public:
+  GoalObserver(const Vector<double>& exact, ChainSolve& solve) : exact_(exact), solve_(solve) {}
+  void before_solve(const VelocityProblem<double>& problem) override { look(problem); }
+  void after_sweep(int, const VelocityProblem<double>& problem) override {
+    if (solve_.error.back() > goal) look(problem);
+  }
+
+ private:
+  void look(const VelocityProblem<double>& problem) {
+    solve_.error.push_back(error_of(problem.impulse, exact_, problem.dt));
+    solve_.velocity.push_back(problem.velocity);
+  }
+  const Vector<double>& exact_;
+  ChainSolve& solve_;
+};
+
+ChainSolve solve_chain(VelocityProblem<double> problem, const Vector<double>& exact, Solver<double>& solver) {
+  ChainSolve solve;
+  GoalObserver observer(exact, solve);
+  solver.solve(problem, &observer);
+  solve.sweeps = static_cast<int>(solve.error.size()) - 1;
+  return solve;
+}
+
+/// Gauss-Seidel on A lambda = b: one row at a time, or the `size` rows of a joint together. Sweeps to the
+/// goal.
+int dense_sweeps(const SystemMatrices<double>& system, const Vector<double>& exact, int size) {
+  Vector<double> lambda = Vector<double>::Zero(exact.size());
+  for (int sweep = 1; sweep <= most_sweeps; ++sweep) {
+    for (Eigen::Index first = 0; first < exact.size(); first += size) {
+      const Matrix<double> A_BB = system.A.block(first, first, size, size);
+      const Vector<double> left = (system.b - system.A * lambda).segment(first, size);
+      const Vector<double> correction = A_BB.partialPivLu().solve(left);
+      lambda.segment(first, size) += correction;
+    }
+    const Vector<double> error = lambda - exact;
+    if (error.lpNorm<Eigen::Infinity>() <= goal * exact.lpNorm<Eigen::Infinity>()) return sweep;
+  }
+  return most_sweeps;
+}
+
+/// 12 multiply-adds a row and sweep; a block of n rows n^2 more.
+void count_work(int rows, int size, ChainRun& run) {
+  run.rows.work = 12LL * rows * run.rows.sweeps;
+  run.blocks.work = (12LL + size) * rows * run.blocks.sweeps;
+}
+
+ChainRun run_chain(const std::string& name, const Scene& scene, int size) {
+  const World<double> world(scene);
+  const VelocityProblem<double> problem = world.velocity_problem();
+  const SystemMatrices<double> system = system_matrices(problem);
+  const Vector<double> exact = system.A.ldlt().solve(system.b);
+  ChainRun run{.name = name, .start = snapshot(world), .A = system.A};
+  SequentialImpulse<double> rows({.iterations = most_sweeps});
+  BlockSequentialImpulse<double> blocks({.iterations = most_sweeps});
+  run.rows = solve_chain(problem, exact, rows);
+  run.blocks = solve_chain(problem, exact, blocks);
+  run.dense_sweeps = dense_sweeps(system, exact, 1);
+  run.dense_block_sweeps = dense_sweeps(system, exact, size);
+  count_work(problem.row_count(), size, run);
+  return run;
+}
+
+/// Ten boxes on the ground: each of the two points below box i carries half of all that is above. Without
+/// friction, which would leave more than one answer.
+ChainRun run_tower(double dt) {
+  const int boxes = 10;
+  Scene scene({.gravity = {0, -gravity}, .dt = dt});
+  scene.add_ground();
+  for (int i = 0; i < boxes; ++i)
+    scene.add({.shapes = {box(1, 1)}, .position = {0, i + 0.5}, .mass = 1, .friction = 0});
+  const World<double> world(scene);
+  const VelocityProblem<double> problem = world.velocity_problem();
+  Vector<double> exact = Vector<double>::Zero(problem.row_count());
+  for (std::size_t block = 0; block < problem.blocks.size(); ++block) {
+    const RowBlock& rows = problem.blocks[block];
+    for (int i = rows.first; i < rows.first + rows.count; ++i) {
+      if (!problem.rows[static_cast<std::size_t>(i)].bounds.is_unilateral()) continue;
+      exact(i) = gravity * static_cast<double>(problem.blocks.size() - block) / 2;
+    }
+  }
+  ChainRun run{.name = "10 boxes in a tower", .start = snapshot(world)};
+  SequentialImpulse<double> rows({.iterations = most_sweeps});
+  BlockSequentialImpulse<double> blocks({.iterations = most_sweeps}, ContactBlock::two_normals);
+  run.rows = solve_chain(problem, exact, rows);
+  run.blocks = solve_chain(problem, exact, blocks);
+  count_work(problem.row_count(), 1, run);  // n^2 = 4 for two of four rows
+  return run;
+}
+
+std::vector<ChainRun> run_chains(double dt) {
+  std::vector<ChainRun> chains;
+  for (const int beams : {1, 2, 3, 5}) {
+    chains.push_back(run_chain(fmt::format("{} beam{}, welded", beams, beams == 1 ? "" : "s"),
+                               line_of<WeldJoint>(beams, beam_length, beam_height, 0, dt), 3));
+  }
+  chains.push_back(
+      run_chain("10 beams on pins, level", line_of<RevoluteJoint>(10, beam_length, beam_height, 0, dt), 2));
+  chains.push_back(run_chain("10 beams on pins, at 45°",
+                             line_of<RevoluteJoint>(10, beam_length, beam_height, pi / 4, dt), 2));
+  chains.push_back(run_tower(dt));
+  return chains;
+}
+
+World<double> bob_world(const BlocksSettings& settings) {
+  Scene scene({.gravity = {0, -gravity}, .dt = settings.dt});
+  const BodyId bob = scene.add({.shapes = {circle(0.1)},
+                                .position = {std::sin(settings.start_angle), -std::cos(settings.start_angle)},
+                                .mass = 1,
+                                .inertia = settings.inertia});
+  scene.join<RevoluteJoint>({.a = ground, .b = bob, .anchor = {0, 0}});
+  return World<double>(scene);
+}
+
+BobRun run_bob(const BlocksSettings& settings, Solver<double>& solver, Snapshot& last) {
+  World<double> world = bob_world(settings);
+  BobRun run{.largest_energy = -std::numeric_limits<double>::infinity()};
+  const int steps = static_cast<int>(std::lround(settings.pin_seconds / settings.dt));
+  for (int step = 0; step <= steps; ++step) {
+    if (step > 0) world.step(solver);
+    last = snapshot(world);
+    const Vec2<double> position = last.bodies[1].pose.position;
+    run.path.push_back(position);
+    run.energy.push_back(total_energy(last));
+    run.largest_energy = std::max(run.largest_energy, run.energy.back());
+    run.largest_stretch = std::max(run.largest_stretch, std::abs(position.norm() - 1));
+  }
+  return run;
+}
+
+}  // namespace
+
+BlocksRuns run_blocks(const BlocksSettings& settings) {
+  BlocksRuns all{.settings = settings, .rod = run_rod(settings), .chains = run_chains(settings.dt)};
+  const Matrix<double> A = system_matrices(bob_world(settings).velocity_problem()).A;
+  all.bob_rate = A(0, 1) * A(0, 1) / (A(0, 0) * A(1, 1));
+  SequentialImpulse<double> rows({.iterations = settings.sweeps});
+  BlockSequentialImpulse<double> block({.iterations = settings.sweeps});
+  Snapshot lost;
+  all.bob_rows = run_bob(settings, rows, lost);
+  all.bob_block = run_bob(settings, block, all.last);
+  return all;
+}
+
+// Semi-implicit Euler keeps H - (dt / 2) v . grad V, but for dt^2, so that H itself sways by
+// (dt / 2) m g w sin(angle) while the bob swings with w <= w_0 = sqrt(2 g (1 - cos a)).
+double energy_sway(const BlocksSettings& settings) {
+  const double fastest = std::sqrt(2 * gravity * (1 - std::cos(settings.start_angle)));
+  return settings.dt / 2 * gravity * fastest * std::sin(settings.start_angle);
+}
+
+// A step leads along the tangent, off the circle by (w dt)^2 / 2 at most, and Baumgarte takes the share beta
+// of that back in every step. The sway may add to m w^2 / 2.
+double stretch_bound(const BlocksSettings& settings) {
+  const double w_squared = 2 * gravity * (1 - std::cos(settings.start_angle)) + 2 * energy_sway(settings);
+  return w_squared * settings.dt * settings.dt / (2 * beta);
+}
+
+// What the stretch can lift is that times the pull m (g + w^2) of the pin.
+double energy_bound(const BlocksSettings& settings) {
+  const double w_squared = 2 * gravity * (1 - std::cos(settings.start_angle)) + 2 * energy_sway(settings);
+  return -gravity * std::cos(settings.start_angle) + energy_sway(settings) +
+         stretch_bound(settings) * (gravity + w_squared);
+}
+
+}  // namespace cairn::blocks

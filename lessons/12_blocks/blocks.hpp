@@ -1,0 +1,101 @@
+// Three scenes, each solved row by row and block by block: a rod on a pin, chains, and a bob that hardly
+// resists turning.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "cairn.hpp"
+
+namespace cairn::blocks {
+
+struct BlocksSettings {
+  double dt = 0.02;          // [s]
+  double angle = 45;         // [degrees] of the rod above the horizontal
+  double inertia = 1e-6;     // [kg m^2] of the bob
+  int sweeps = 5;            // a step, for the bob
+  double pin_seconds = 10;   // [s] that the bob is followed
+  double start_angle = 0.5;  // [rad] from which the bob is let go
+};
+
+inline constexpr double gravity = 10;     // [m/s^2]
+inline constexpr double rod_length = 2;   // [m], of 1 kg
+inline constexpr double beam_length = 1;  // [m], of 1 kg
+inline constexpr double beam_height = 0.2;
+
+using Pair = std::array<double, 2>;
+
+/// One of the two rows of the pin at work.
+struct RodUpdate {
+  int sweep = 0;
+  int row = 0;
+  double jv = 0;               // [m/s] before
+  double corrective = 0;       // [N]
+  Pair before = {0, 0};        // lambda [N]
+  Pair after = {0, 0};         // lambda [N]
+  Vec2<double> slip = {0, 0};  // [m/s] velocity of the pinned end afterwards: what the pin forbids
+};
+
+/// Scene A.
+struct RodRun {
+  Snapshot start = {};
+  SystemMatrices<double> system = {};
+  Pair formula = {0, 0};                // lambda from Newton's law of the turning rod [N]
+  double rate = 0;                      // A_12^2 / (A_11 A_22)
+  std::vector<RodUpdate> updates = {};  // six sweeps row by row
+  std::vector<Pair> by_rows = {};       // lambda after each sweep [N]; 0: nothing yet
+  std::vector<Pair> by_block = {};
+};
+
+/// One solver on one chain.
+struct ChainSolve {
+  std::vector<double> error = {};  // max |lambda - exact| / max |exact| after each sweep, until the goal
+  std::vector<std::vector<Vec3<double>>> velocity = {};  // of all bodies after each sweep
+  int sweeps = 0;                                        // to the goal
+  long long work = 0;                                    // multiply-adds to the goal
+};
+
+/// Scene B, and others to compare it with.
+struct ChainRun {
+  std::string name = {};
+  int dense_sweeps = -1;  // by Gauss-Seidel on A lambda = b with a dense A; -1: not for rows with bounds
+  int dense_block_sweeps = -1;
+  Snapshot start = {};
+  Matrix<double> A = {};
+  ChainSolve rows = {};
+  ChainSolve blocks = {};
+};
+
+/// Scene C: one solver.
+struct BobRun {
+  std::vector<Vec2<double>> path = {};  // [m] of the bob, after each step; 0: the start
+  std::vector<double> energy = {};      // [J], 0 at rest at the height of the pin
+  double largest_energy = 0;            // [J]
+  double largest_stretch = 0;           // [m] by which it left the circle around the pin
+};
+
+struct BlocksRuns {
+  BlocksSettings settings = {};
+  RodRun rod = {};
+  std::vector<ChainRun> chains = {};
+  double bob_rate = 0;  // A_12^2 / (A_11 A_22) of its pin, where it is let go
+  BobRun bob_rows = {};
+  BobRun bob_block = {};
+  Snapshot last = {};  // of the bob with the block
+};
+
+inline constexpr double goal = 0.01;          // error at which a chain counts as solved
+inline constexpr std::size_t welded_one = 0;  // in BlocksRuns::chains
+inline constexpr std::size_t welded_three = 2;
+inline constexpr std::size_t level_pins = 4;
+
+BlocksRuns run_blocks(const BlocksSettings& settings);
+
+/// The largest energy [J] and stretch [m] that a step of dt allows the bob, and by how much the energy sways
+/// [J] where nothing is lost.
+double energy_sway(const BlocksSettings& settings);
+double energy_bound(const BlocksSettings& settings);
+double stretch_bound(const BlocksSettings& settings);
+
+}  // namespace cairn::blocks

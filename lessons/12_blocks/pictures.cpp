@@ -1,0 +1,256 @@
+// The rod, its pin's impulses in the plane of lambda_1 and lambda_2, and the way of both solvers through it.
+#include "pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render/draw.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::blocks {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Point;
+using render::Rect;
+
+/// What a frame of scene A shows: the rod under these impulses, and the way to them.
+struct RodMoment {
+  Pair lambda = {0, 0};        // [N]
+  Vec2<double> slip = {0, 0};  // [m/s] of the pinned end
+  std::vector<Pair> way = {};  // through the plane
+  bool block = false;
+};
+
+RodMoment at_rest(const RodRun& rod, double dt) {
+  return {.slip = {-rod.system.b(0) * dt, -rod.system.b(1) * dt}, .way = {{0, 0}}};
+}
+
+RodMoment after_update(const RodRun& rod, std::size_t last) {
+  RodMoment moment{.lambda = rod.updates[last].after, .slip = rod.updates[last].slip, .way = {{0, 0}}};
+  for (std::size_t i = 0; i <= last; ++i) moment.way.push_back(rod.updates[i].after);
+  return moment;
+}
+
+RodMoment after_block(const RodRun& rod) {
+  return {.lambda = rod.by_block[1], .way = {{0, 0}, rod.by_block[1]}, .block = true};
+}
+
+/// And the weight, in the same scale, at x = `beside`.
+void draw_pin_force(Page& page, const render::Camera& camera, const Pair& lambda, double beside) {
+  const render::ArrowScale scale{
+      .pixels_per_unit = 0.13 * camera.scale, .longest = 1.5 * camera.scale, .unit = "N"};
+  for (const std::size_t row : {std::size_t{0}, std::size_t{1}}) {
+    if (!(lambda[row] > 0.05)) continue;
+    render::Arrow arrow{.kind = render::ArrowKind::joint,
+                        .label = fmt::format("λ_{{{}}} = {}", row + 1, fixed(lambda[row], 2))};
+    arrow.value[static_cast<Eigen::Index>(row)] = lambda[row];
+    draw_arrow(page, camera, scale, arrow);
+  }
+  draw_arrow(page, camera, scale,
+             {.kind = render::ArrowKind::external,
+              .tail = {beside, 1.2},
+              .value = {0, -gravity},
+              .label = page.compact() ? "" : "m g = 10"});
+}
+
+void draw_rod(Page& page, const Rect& rect, const RodRun& rod, const RodMoment& moment) {
+  const std::string speed = moment.slip.norm() < 1e-6 ? "0" : fixed(moment.slip.norm(), 3);
+  const Rect inside = page.panel(
+      rect, page.compact() ? fmt::format("pinned end: {} m/s", speed)
+                           : fmt::format("pull of the pin (N), its end of the rod moves at {} m/s", speed));
+  const double angle = rod.start.bodies[1].pose.angle;
+  const Vec2<double> end = Vec2<double>(std::cos(angle), std::sin(angle)) * rod_length;
+  const double beside = std::max(end.x(), 1.0) + 0.5;
+  const render::Camera camera =
+      render::fit(inside, {{-1.4, -0.7}, {beside + 0.3, std::max(end.y(), 1.3) + 0.1}});
+  page.canvas().push_clip(inside);
+  render::WorldLook look;
+  look.contacts = false;
+  look.numbers = false;
+  draw_world(page, camera, rod.start, look);
+  const render::ArrowScale speeds{
+      .pixels_per_unit = 3 * camera.scale, .longest = 0.7 * camera.scale, .unit = "m/s"};
+  if (moment.slip.norm() > 1e-6)
+    draw_arrow(page, camera, speeds, {.kind = render::ArrowKind::velocity, .value = moment.slip});
+  draw_pin_force(page, camera, moment.lambda, beside);
+  page.canvas().pop_clip();
+}
+
+/// All lambda with the same energy 1/2 lambda^T A lambda - b^T lambda as `through`: an ellipse.
+void draw_level(Page& page, const render::Camera& camera, const RodRun& rod, const Pair& through) {
+  const Matrix<double>& A = rod.system.A;
+  const double x = through[0] - rod.formula[0];
+  const double y = through[1] - rod.formula[1];
+  const double level = A(0, 0) * x * x + 2 * A(0, 1) * x * y + A(1, 1) * y * y;
+  std::vector<Point> points;
+  for (int i = 0; i <= 96; ++i) {
+    const double turn = 2 * pi * i / 96;
+    const double c = std::cos(turn);
+    const double s = std::sin(turn);
+    const double radius = std::sqrt(level / (A(0, 0) * c * c + 2 * A(0, 1) * c * s + A(1, 1) * s * s));
+    points.push_back(camera.project({rod.formula[0] + radius * c, rod.formula[1] + radius * s}));
+  }
+  page.canvas().polyline(points, {.width = 1.5, .color = page.theme().frame_line});
+}
+
+/// Where row `i` is satisfied: A_i1 lambda_1 + A_i2 lambda_2 = b_i.
+void draw_row_line(Page& page, const render::Camera& camera, const RodRun& rod, int i) {
+  const Matrix<double>& A = rod.system.A;
+  const Vec2<double> along = Vec2<double>(-A(i, 1), A(i, 0)).normalized() * 20;
+  const Vec2<double> middle = {rod.formula[0], rod.formula[1]};
+  page.canvas().line(camera.project(middle - along), camera.project(middle + along),
+                     {.width = 1.5, .color = page.theme().inactive, .dash = {8, 6}});
+}
+
+/// Which row each dashed line belongs to, at its end.
+void name_row_lines(Page& page, const render::Camera& camera, const RodRun& rod) {
+  const Matrix<double>& A = rod.system.A;
+  render::TextStyle text = page.tick();
+  text.halo = page.theme().panel;
+  text.align = render::Align::right;
+  const double low = -0.9;
+  Point at = camera.project({std::min((rod.system.b(0) - A(0, 1) * low) / A(0, 0), 0.0), low});
+  page.canvas().text({at.x() - 8, at.y()}, "row 1", text);
+  // To the right of the ring and below the line, clear of the axes and their numbers.
+  const double right = camera.unproject({camera.viewport.x + camera.viewport.width - 6, 0}).x();
+  at = camera.project({right, (rod.system.b(1) - A(1, 0) * right) / A(1, 1)});
+  page.canvas().text({at.x(), at.y() + 2.6 * text.size}, "row 2", text);
+}
+
+void draw_axes(Page& page, const render::Camera& camera, const RodRun& rod) {
+  const render::Stroke axis{.width = page.sizes().axis, .color = page.theme().outline};
+  const Rect& view = camera.viewport;
+  const Point origin = camera.project({0, 0});
+  page.canvas().line({view.x, origin.y()}, {view.x + view.width, origin.y()}, axis);
+  page.canvas().line({origin.x(), view.y}, {origin.x(), view.y + view.height}, axis);
+  const Point exact = camera.project({rod.formula[0], rod.formula[1]});
+  const render::Stroke guide{.width = 1, .color = page.theme().secondary_text, .dash = {2, 4}};
+  page.canvas().line(exact, {exact.x(), origin.y()}, guide);
+  page.canvas().line(exact, {origin.x(), exact.y()}, guide);
+  render::TextStyle text = page.tick();
+  text.halo = page.theme().panel;
+  text.align = render::Align::center;
+  page.canvas().text({exact.x(), origin.y() + text.size + 4}, fixed(rod.formula[0], 2), text);
+  text.align = render::Align::right;
+  page.canvas().text({origin.x() - 6, exact.y() + 0.35 * text.size}, fixed(rod.formula[1], 2), text);
+  page.canvas().text({view.x + view.width - 6, origin.y() - 8}, "λ_{1}", text);
+  text.align = render::Align::left;
+  page.canvas().text({origin.x() + 8, view.y + text.size}, "λ_{2}", text);
+}
+
+void draw_way(Page& page, const render::Camera& camera, const RodMoment& moment) {
+  const render::SeriesStyle style = moment.block ? style_of_blocks(page) : style_of_rows(page);
+  std::vector<Point> points;
+  for (const Pair& stop : moment.way) points.push_back(camera.project({stop[0], stop[1]}));
+  page.canvas().polyline(points, {.width = page.sizes().curve, .color = style.color});
+  for (const Point& point : points)
+    draw_marker(page.canvas(), point, style.marker, page.sizes().marker, style.color);
+}
+
+void draw_plane(Page& page, const Rect& rect, const RodRun& rod, const RodMoment& moment) {
+  const Rect inside = page.panel(rect, page.compact() ? "(λ_{1}, λ_{2}), N" : "λ of the pin's two rows (N)");
+  const render::Camera camera =
+      render::fit(inside, {{-1.5, -1.3}, {rod.formula[0] + 1.2, rod.formula[1] + 1.3}});
+  page.canvas().push_clip(inside);
+  for (const std::size_t sweep : {std::size_t{0}, std::size_t{1}, std::size_t{2}})
+    draw_level(page, camera, rod, rod.by_rows[sweep]);
+  draw_row_line(page, camera, rod, 0);
+  draw_row_line(page, camera, rod, 1);
+  draw_axes(page, camera, rod);
+  name_row_lines(page, camera, rod);
+  if (moment.block) draw_way(page, camera, after_update(rod, rod.updates.size() - 1));
+  draw_way(page, camera, moment);
+  page.canvas().circle(camera.project({rod.formula[0], rod.formula[1]}), page.sizes().joint,
+                       {.outline = page.theme().exact.color, .outline_width = page.sizes().outline});
+  page.canvas().pop_clip();
+}
+
+/// Rod and plane; returns what is free below the rod.
+Rect draw_moment(Page& page, const RodRun& rod, const RodMoment& moment) {
+  const std::vector<Rect> halves = columns(page.area(), {0.55, 0.45}, page.sizes().gap);
+  draw_plane(page, halves[1], rod, moment);
+  const std::vector<Rect> left = rows(halves[0], {0.6, 0.4}, page.sizes().gap);
+  draw_rod(page, left[0], rod, moment);
+  return left[1];
+}
+
+void draw_update(Page& page, const BlocksRuns& all, std::size_t i) {
+  const RodUpdate& update = all.rod.updates[i];
+  const Rect panel = draw_moment(page, all.rod, after_update(all.rod, i));
+  const auto row = static_cast<std::size_t>(update.row);
+  const double diagonal = all.rod.system.A(update.row, update.row);
+  page.equation(panel, {.number = fmt::format("eq (22), row {}", row + 1),
+                        .symbols = fmt::format("Δλ_{{{0}}} = (ζ − j_{{{0}}}·v) / (A_{{{0}{0}}} Δt)", row + 1),
+                        .numbers = fmt::format("= (0 − ({})) / ({} × {:g})", fixed(update.jv, 4),
+                                               fixed(diagonal, 2), all.settings.dt),
+                        .result = fmt::format("= {} N", fixed(update.corrective, 3)),
+                        .algorithm = fmt::format("λ_{{{}}}: {} → {}", row + 1, fixed(update.before[row], 3),
+                                                 fixed(update.after[row], 3)),
+                        .color = style_of_rows(page).color});
+}
+
+void draw_block(Page& page, const BlocksRuns& all) {
+  const Rect panel = draw_moment(page, all.rod, after_block(all.rod));
+  const Matrix<double>& A = all.rod.system.A;
+  page.equation(panel,
+                {.number = "4.3, both rows",
+                 .symbols = "A_{BB} Δλ = (ζ − J v) / Δt",
+                 .numbers = fmt::format("({} {}; {} {}) Δλ = ({}, {})", fixed(A(0, 0), 2), fixed(A(0, 1), 2),
+                                        fixed(A(1, 0), 2), fixed(A(1, 1), 2),
+                                        fixed(all.rod.system.b(0) + 0.0, 0), fixed(all.rod.system.b(1), 0)),
+                 .result = fmt::format("Δλ = ({}, {}) N", fixed(all.rod.by_block[1][0], 3),
+                                       fixed(all.rod.by_block[1][1], 3)),
+                 .algorithm = "sweep 1 of the block: nothing left to do",
+                 .color = style_of_blocks(page).color});
+}
+
+std::vector<Shot> rod_shots(const Runs& all) {
+  std::vector<Shot> shots;
+  shots.push_back(
+      {.state = "before the first sweep",
+       .alt = "A rod on a pin, about to fall, the plane of the pin's two impulses, and the question.",
+       .draw =
+           [all](Page& page) {
+             page.note(draw_moment(page, all->rod, at_rest(all->rod, all->settings.dt)), "Predict",
+                       "The pin has two rows. A row update moves along one axis until its own "
+                       "dashed line. How many sweeps to the ring? And if both are solved at once?");
+           },
+       .key = true});
+  for (std::size_t i = 1; i < all->rod.updates.size(); ++i) {
+    const RodUpdate& update = all->rod.updates[i];
+    shots.push_back({.state = fmt::format("A · rows · sweep {} · row {} of 2", update.sweep, update.row + 1),
+                     .alt = fmt::format(
+                         "Sweep {}, row {}: the impulses are {:.3f} and {:.3f} N; one more step "
+                         "of the zig-zag, and the pinned end moves at {:.4f} m/s.",
+                         update.sweep, update.row + 1, update.after[0], update.after[1], update.slip.norm()),
+                     .draw = [all, i](Page& page) { draw_update(page, *all, i); },
+                     .key = i == 1 || i == 2 || i == 5});
+  }
+  shots.push_back(
+      {.state = "A · the block · sweep 1",
+       .alt = "The block goes from zero to the answer in one step, beside the zig-zag of the rows.",
+       .draw = [all](Page& page) { draw_block(page, *all); },
+       .key = true});
+  return shots;
+}
+
+}  // namespace
+
+render::SeriesStyle style_of_rows(const Page& page) { return page.theme().si; }
+render::SeriesStyle style_of_blocks(const Page& page) { return page.theme().jacobi; }
+
+std::vector<Shot> blocks_shots(const BlocksRuns& recorded) {
+  const Runs all = std::make_shared<const BlocksRuns>(recorded);
+  std::vector<Shot> shots = rod_shots(all);
+  for (const std::vector<Shot>& more : {chain_shots(all), bob_shots(all)})
+    shots.insert(shots.end(), more.begin(), more.end());
+  return shots;
+}
+
+}  // namespace cairn::blocks

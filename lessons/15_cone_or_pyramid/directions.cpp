@@ -1,0 +1,113 @@
+// Where all pucks stop that start in one place with one speed.
+#include <algorithm>
+#include <cmath>
+
+#include "panels.hpp"
+#include "render/camera.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::top_view {
+
+namespace {
+
+using render::Page;
+using render::Point;
+using render::Rect;
+
+/// Where all pucks stop that start in one place with one speed.
+void draw_stops(Page& page, const Rect& rect, const Slides& all, int count) {
+  const Rect inside =
+      page.panel(rect, page.compact() ? "where pucks stop" : "where the pucks stop, by direction");
+  const double way = all.settings.way();
+  const double reach = 1.12 * way;
+  const render::Camera camera = render::fit(inside, {{-reach, -reach}, {reach, reach}});
+  const render::Stroke thin{.width = 1, .color = page.theme().inactive};
+  const Point start = camera.project({0, 0});
+  std::vector<Point> rim;
+  std::vector<Point> diamond;
+  for (int i = 0; i <= 96; ++i) {
+    const Vec2<double> along(std::cos(i * pi / 48), std::sin(i * pi / 48));
+    rim.push_back(camera.project(stopping_distance(all.settings, all.settings.speed()) * along));
+    diamond.push_back(camera.project(stop_on_rails(all.settings, all.settings.speed() * along)));
+  }
+  page.canvas().polyline(rim, {.width = 1.5, .color = page.theme().si.color, .dash = page.theme().si.dash});
+  page.canvas().polyline(diamond, {.width = 1.5, .color = page.theme().pgs.color});
+  const double radius = page.sizes().marker;
+  for (int i = 0; i < count; ++i) {
+    const Direction& direction = all.directions[static_cast<std::size_t>(i)];
+    const Point circle = camera.project(direction.circle);
+    const Point square = camera.project(direction.square);
+    page.canvas().line(start, circle, thin);
+    page.canvas().line(circle, square, {.width = 1.5, .color = page.theme().inactive, .dash = {4, 3}});
+    draw_marker(page.canvas(), circle, page.theme().si.marker, radius, page.theme().si.color);
+    draw_marker(page.canvas(), square, page.theme().pgs.marker, radius, page.theme().pgs.color);
+  }
+  render::TextStyle style = page.label();
+  style.halo = page.theme().panel;
+  style.align = render::Align::center;
+  const Point corner = camera.project({0.86 * way, 0.9 * way});
+  page.canvas().text(corner, "circle", style);
+  const Point low = camera.project({-0.3 * way, -0.36 * way});
+  page.canvas().text(low, "square", style);
+}
+
+/// Something about where a puck stops, as a share of v^2 / 2 mu g.
+using Measure = double (*)(const Vec2<double>& place);
+
+/// The measure of the square over the direction in degrees, by its formula.
+render::Series formula_series(const Page& page, Measure measure) {
+  render::SeriesStyle thin = page.theme().exact;
+  thin.marker = render::Marker::none;
+  render::Series series{.style = thin, .markers = false};
+  for (int i = 0; i <= 90; ++i) {
+    const double c = std::cos(i * pi / 180);
+    const double s = std::sin(i * pi / 180);
+    series.x.push_back(i);
+    series.y.push_back(measure({c * c, s * s}));
+  }
+  return series;
+}
+
+/// The measure of the slides that were made, from 0 to 90 degrees.
+render::Series slides_series(const std::string& name, const render::SeriesStyle& style, const Slides& all,
+                             int count, Vec2<double> Direction::*stop, Measure measure) {
+  render::Series series{.name = name, .style = style, .line = false};
+  for (int i = 0; i < std::min(count, 7); ++i) {
+    const Direction& direction = all.directions[static_cast<std::size_t>(i)];
+    series.x.push_back(direction.degrees);
+    // Half a step is what semi-implicit Euler lags behind.
+    const Vec2<double> place = direction.*stop + 0.5 * all.settings.dt * direction.velocity;
+    series.y.push_back(measure(place / all.settings.way()));
+  }
+  return series;
+}
+
+std::vector<render::Series> over_direction(const Page& page, const Slides& all, int count, Measure measure) {
+  return {formula_series(page, measure),
+          slides_series("circle", page.theme().si, all, count, &Direction::circle, measure),
+          slides_series("square", page.theme().pgs, all, count, &Direction::square, measure)};
+}
+
+double length_of(const Vec2<double>& place) { return place.norm(); }
+double heading_of(const Vec2<double>& place) { return std::atan2(place.y(), place.x()) * 180 / pi; }
+
+}  // namespace
+
+void draw_directions(Page& page, const Slides& all, int count) {
+  const std::vector<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
+  draw_stops(page, halves[0], all, count);
+  const std::vector<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  render::Plot length{.title = "way to the stop / (v²/2μg)"};
+  length.x = {.title = "direction (°)", .min = 0, .max = 90};
+  length.y = {.title = "", .min = 0.6, .max = 1.1};
+  length.series = over_direction(page, all, count, length_of);
+  length.goals = {{std::sqrt(0.5), "1/√2"}};
+  draw_plot(page, right[0], length);
+  render::Plot heading{.title = "heading at the end (°)"};
+  heading.x = length.x;
+  heading.y = {.title = "", .min = 0, .max = 90};
+  heading.series = over_direction(page, all, count, heading_of);
+  draw_plot(page, right[1], heading);
+}
+
+}  // namespace cairn::top_view

@@ -1,0 +1,156 @@
+// The table from above with both pucks, and the plane of the friction forces with both limits.
+#include "panels.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "render/draw.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::top_view {
+
+namespace {
+
+using render::Page;
+using render::Point;
+using render::Rect;
+
+const SlideStep& moment_of(const Slide& slide, int k) { return slide.steps[static_cast<std::size_t>(k)]; }
+
+/// Both pucks on one table.
+Snapshot both_pucks(const Slides& all, int k) {
+  Snapshot both = moment_of(all.circle, k).snapshot;
+  both.bodies.push_back(moment_of(all.square, k).snapshot.bodies[1]);
+  return both;
+}
+
+void draw_path(Page& page, const render::Camera& camera, const Slide& slide, int k,
+               const render::SeriesStyle& style) {
+  std::vector<Vec2<double>> path;
+  for (int i = 0; i <= k; ++i) path.push_back(moment_of(slide, i).place);
+  draw_trail(page, camera, path, {.color = style.color, .dash = style.dash});
+}
+
+void draw_puck_arrows(Page& page, const render::Camera& camera, const Slides& all, const SlideStep& step) {
+  const double way = all.settings.way() * camera.scale;  // [px]
+  const render::ArrowScale newtons{.pixels_per_unit = 0.16 * way / all.settings.limit(), .longest = way};
+  const render::ArrowScale speeds{.pixels_per_unit = 0.3 * way / all.settings.speed(), .longest = way};
+  if (step.velocity.norm() > 1e-9 * all.settings.speed()) {
+    draw_arrow(page, camera, speeds,
+               {.kind = render::ArrowKind::velocity, .tail = step.place, .value = step.velocity});
+  }
+  if (step.lambda.norm() > 1e-9 * all.settings.limit()) {
+    draw_arrow(page, camera, newtons,
+               {.kind = render::ArrowKind::friction, .tail = step.place, .value = step.lambda});
+  }
+}
+
+/// The table with a line at every round metre or part of one.
+render::Camera draw_floor(Page& page, const Rect& rect, const Slides& all) {
+  const double way = all.settings.way();
+  const Vec2<double> end = all.settings.velocity / all.settings.speed() * way;
+  const Aabb<double> seen = {{-0.26 * way, -0.2 * way}, {end.x() + 0.26 * way, end.y() + 0.1 * way}};
+  const std::vector<double> xs = render::round_ticks(-2 * way, 2 * way, 16);
+  const double spacing = xs[1] - xs[0];
+  const Rect inside =
+      page.panel(rect, fmt::format("the table from above, grid {} m", render::significant(spacing)));
+  const render::Camera camera = render::fit(inside, seen);
+  const render::Stroke stroke{.width = 1, .color = page.theme().grid};
+  page.canvas().push_clip(inside);
+  for (const double at : xs) {
+    page.canvas().line(camera.project({at, -2 * way}), camera.project({at, 2 * way}), stroke);
+    page.canvas().line(camera.project({-2 * way, at}), camera.project({2 * way, at}), stroke);
+  }
+  page.canvas().pop_clip();
+  return camera;
+}
+
+void name_pucks(Page& page, const Rect& inside, const render::Camera& camera, const Slides& all, int k) {
+  const Point circle = camera.project(moment_of(all.circle, k).place);
+  const Point square = camera.project(moment_of(all.square, k).place);
+  const double beside = 1.3 * all.settings.puck_radius() * camera.scale + 4;
+  const double size = page.label().size;
+  render::TextStyle style = page.label();
+  style.halo = page.theme().panel;
+  page.place_text({{circle.x() + beside, circle.y() + 0.35 * size}}, inside, "circle", style);
+  style.align = render::Align::right;
+  page.place_text({{square.x() - beside, square.y() + 0.35 * size}, {square.x(), square.y() + beside + size}},
+                  inside, "square", style);
+}
+
+/// Axes, the square in one piece and the circle dashed.
+void draw_limit_lines(Page& page, const render::Camera& camera, double limit, double reach) {
+  const render::Stroke axis{.width = 1, .color = page.theme().inactive};
+  page.canvas().line(camera.project({-reach, 0}), camera.project({reach, 0}), axis);
+  page.canvas().line(camera.project({0, -reach}), camera.project({0, reach}), axis);
+  const double width = page.sizes().curve;
+  std::vector<Point> corners;
+  for (const Vec2<double>& corner : {Vec2<double>(-1, -1), Vec2<double>(1, -1), Vec2<double>(1, 1),
+                                     Vec2<double>(-1, 1), Vec2<double>(-1, -1)}) {
+    corners.push_back(camera.project(limit * corner));
+  }
+  page.canvas().polyline(corners, {.width = width, .color = page.theme().pgs.color});
+  std::vector<Point> rim;
+  for (int i = 0; i <= 96; ++i)
+    rim.push_back(camera.project({limit * std::cos(i * pi / 48), limit * std::sin(i * pi / 48)}));
+  page.canvas().polyline(rim, {.width = width, .color = page.theme().si.color, .dash = page.theme().si.dash});
+}
+
+void name_limits(Page& page, const render::Camera& camera, double limit) {
+  const bool small = camera.viewport.width < 250;
+  render::TextStyle tick = page.tick();
+  tick.align = render::Align::center;
+  const Point top = camera.project({-0.5 * limit, limit});
+  page.canvas().text({top.x(), top.y() - 8}, small ? "square" : "square ±μN", tick);
+  tick.align = render::Align::left;
+  const Point right = camera.project({limit, 0});
+  page.canvas().text({right.x() + 6, right.y() - 5}, render::significant(limit), tick);
+  if (!small) page.canvas().text(camera.project({0.12 * limit, -0.72 * limit}), "circle", tick);
+}
+
+}  // namespace
+
+void draw_table(Page& page, const Rect& rect, const Slides& all, int k) {
+  const render::Camera camera = draw_floor(page, rect, all);
+  std::vector<Snapshot> earlier;
+  const int ghosts = 6;
+  const int last = static_cast<int>(all.circle.steps.size()) - 1;
+  for (int i = 0; i < ghosts; ++i) {
+    if (i * last / ghosts < k) earlier.push_back(both_pucks(all, i * last / ghosts));
+  }
+  draw_ghosts(page, camera, earlier);
+  draw_path(page, camera, all.circle, k, page.theme().si);
+  draw_path(page, camera, all.square, k, page.theme().pgs);
+  draw_world(page, camera, both_pucks(all, k), {.numbers = false});
+  for (const Slide* slide : {&all.circle, &all.square})
+    draw_puck_arrows(page, camera, all, moment_of(*slide, k));
+  if (k > 0) name_pucks(page, camera.viewport, camera, all, k);
+}
+
+void draw_limits(Page& page, const Rect& rect, const Slides& all, const Forces& forces) {
+  const Rect inside = page.panel(rect, rect.width < 250 ? "λ (N)" : "friction λ and its limits (N)");
+  const double limit = all.settings.limit();
+  const double reach = 1.3 * limit;
+  const render::Camera camera = render::fit(inside, {{-reach, -reach}, {reach, reach}});
+  draw_limit_lines(page, camera, limit, reach);
+  const double speed = forces.velocity.norm();
+  if (speed > 1e-9 * all.settings.speed()) {
+    const Vec2<double> along = forces.velocity / speed;
+    page.canvas().line(camera.project({0, 0}), camera.project(-reach * along),
+                       {.width = 1.5, .color = page.theme().velocity, .dash = {6, 5}});
+    draw_arrow(page, camera, {.pixels_per_unit = camera.scale, .longest = 1e4},
+               {.kind = render::ArrowKind::velocity, .value = 0.7 * limit * along, .label = "v"});
+  }
+  const render::ArrowScale scale{.pixels_per_unit = camera.scale, .longest = 1e4, .unit = "N"};
+  for (const Vec2<double>& force : forces.grey) {
+    draw_arrow(page, camera, scale, {.kind = render::ArrowKind::inactive, .value = force, .active = false});
+  }
+  for (const Vec2<double>& force : forces.active) {
+    if (!(force.norm() > 1e-9 * limit)) continue;
+    draw_arrow(page, camera, scale, {.kind = render::ArrowKind::friction, .value = force});
+  }
+  name_limits(page, camera, limit);
+}
+
+}  // namespace cairn::top_view

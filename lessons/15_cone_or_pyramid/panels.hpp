@@ -1,0 +1,27 @@
+// The parts of the frames of lesson 15.
+#pragma once
+
+#include <vector>
+
+#include "render/page.hpp"
+#include "slide.hpp"
+
+namespace cairn::top_view {
+
+/// What of the plane of the friction forces is shown beside its limits.
+struct Forces {
+  std::vector<Vec2<double>> grey = {};    // [N]
+  std::vector<Vec2<double>> active = {};  // [N]
+  Vec2<double> velocity = {0, 0};         // [m/s] with a dashed line against it; 0: none
+};
+
+/// The pucks where they are after step k, their paths, what moves them and what holds them.
+void draw_table(render::Page& page, const render::Rect& rect, const Slides& all, int k);
+
+/// The plane of the friction forces with the square, the circle, and some forces.
+void draw_limits(render::Page& page, const render::Rect& rect, const Slides& all, const Forces& forces);
+
+/// Where the pucks stop in the first `count` directions, and how far and where to over the direction.
+void draw_directions(render::Page& page, const Slides& all, int count);
+
+}  // namespace cairn::top_view

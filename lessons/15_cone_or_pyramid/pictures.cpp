@@ -1,0 +1,270 @@
+// The table from above, the plane of the friction forces with its two limits, and where all pucks stop.
+#include "pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include "panels.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::top_view {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Point;
+using render::Rect;
+
+using Recorded = std::shared_ptr<const Slides>;
+
+const SlideStep& step_of(const Slide& slide, int k) { return slide.steps[static_cast<std::size_t>(k)]; }
+
+std::string pair_text(const Vec2<double>& pair, int decimals) {
+  return fmt::format("({}, {})", fixed(pair.x() + 0.0, decimals), fixed(pair.y() + 0.0, decimals));
+}
+
+Rect draw_start(Page& page, const Slides& all, const Forces& forces) {
+  const std::vector<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
+  draw_limits(page, halves[0], all, forces);
+  return halves[1];
+}
+
+/// What (22) asks for and what the clamps leave, as far as the step has come: row x, row y, the vector.
+void draw_clamps(Page& page, const Rect& rect, const Slides& all, int known) {
+  const SlideSettings& settings = all.settings;
+  const Vec2<double> wanted = stopping_lambda(settings, settings.velocity);
+  const Vec2<double> parts = parts_clamped(settings, wanted);
+  const Vec2<double> vector = vector_clamped(settings, wanted);
+  const auto entry = [&](int needed, double force, int decimals) -> std::string {
+    return known >= needed ? fixed(force + 0.0, decimals) : "·";
+  };
+  render::TableView table{.header = {"λ (N)", "asked for", "parts clamped", "vector clamped"}};
+  if (page.compact()) table.header = {"λ (N)", "asked", "parts", "vector"};
+  table.rows = {{"λ_{x}", entry(1, wanted.x(), 1), entry(1, parts.x(), 2), entry(3, vector.x(), 2)},
+                {"λ_{y}", entry(2, wanted.y(), 1), entry(2, parts.y(), 2), entry(3, vector.y(), 2)},
+                {"|λ|", entry(2, wanted.norm(), 1), entry(2, parts.norm(), 2), entry(3, vector.norm(), 2)}};
+  if (known < 3) table.active_row = known - 1;
+  page.table(rect, "", table);
+}
+
+/// Equation, clamps and a note, from top to bottom.
+std::vector<Rect> beside_limits(const Page& page, const Rect& rest) {
+  if (page.compact()) return rows(rest, {0.33, 0.33, 0.34}, page.sizes().gap);
+  return rows(rest, {0.32, 0.34, 0.34}, page.sizes().gap);
+}
+
+/// One of the two rows in the first step: from what its equation asks for to what its clamp leaves.
+void draw_row(Page& page, const Slides& all, int i) {
+  const SlideSettings& settings = all.settings;
+  const Vec2<double> wanted = stopping_lambda(settings, settings.velocity);
+  const Vec2<double> parts = parts_clamped(settings, wanted);
+  const Vec2<double> first(parts.x(), 0);
+  Forces forces{.velocity = settings.velocity};
+  if (i == 1) forces.grey = {first};
+  forces.active = {i == 0 ? first : parts};
+  const Rect rest = draw_start(page, all, forces);
+  const std::vector<Rect> panels = beside_limits(page, rest);
+  const ConstraintRow<double>& row = all.first.rows[static_cast<std::size_t>(i)];
+  page.equation(
+      panels[0],
+      {.number = "eq (22)",
+       .symbols = "λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)",
+       .numbers = fmt::format("= (0 − {:g}) / ({:g} × {:g}) = {} N", row_velocity(all.first, row),
+                              inverse_effective_mass(all.first, row), settings.dt, fixed(wanted[i] + 0.0, 1)),
+       .result = fmt::format("clamped: λ_{} = {} N", i == 0 ? "x" : "y", fixed(parts[i] + 0.0, 2)),
+       .color = page.theme().friction});
+  draw_clamps(page, panels[1], all, i + 1);
+  if (i == 0) {
+    page.note(
+        panels[2], "Row x",
+        fmt::format("This row sees v_{{x}} alone. To stop it within the step would take {} times μN, so "
+                    "the clamp leaves −μN: the side of the square.",
+                    render::significant(-wanted.x() / settings.limit())));
+    return;
+  }
+  const double off = std::abs(std::atan2(parts.y(), parts.x()) - std::atan2(wanted.y(), wanted.x()));
+  page.note(panels[2], "Row y",
+            fmt::format("This row sees v_{{y}} alone. The two pull with {} N, which is {} times μN, and {}° "
+                        "away from the dashed line against v.",
+                        fixed(parts.norm(), 2), fixed(parts.norm() / settings.limit(), 2),
+                        fixed(std::min(off, 2 * pi - off) * 180 / pi, 1)));
+}
+
+void draw_vector(Page& page, const Slides& all) {
+  const SlideSettings& settings = all.settings;
+  const Vec2<double> wanted = stopping_lambda(settings, settings.velocity);
+  const Vec2<double> vector = vector_clamped(settings, wanted);
+  const Rect rest = draw_start(
+      page, all,
+      {.grey = {parts_clamped(settings, wanted)}, .active = {vector}, .velocity = settings.velocity});
+  const std::vector<Rect> panels = beside_limits(page, rest);
+  page.equation(panels[0], {.number = "paper 4.5",
+                            .symbols = "λ ← λ min(1, μN / |λ|)",
+                            .numbers = fmt::format("= {} × {:g} / {:g}", pair_text(wanted, 0),
+                                                   settings.limit(), wanted.norm()),
+                            .result = fmt::format("= {} N", pair_text(vector, 2)),
+                            .color = page.theme().friction});
+  draw_clamps(page, panels[1], all, 3);
+  page.note(panels[2], "Both rows at once",
+            "One clamp, for the length. The direction stays as it was, against v, and the length is μN in "
+            "every direction: Coulomb's circle.");
+}
+
+render::Series speed_series(const std::string& name, const render::SeriesStyle& style, const Slides& all,
+                            const Slide& slide, int k) {
+  render::Series series{.name = name, .style = style};
+  for (int i = 0; i <= k; ++i) {
+    series.x.push_back(i * all.settings.dt);
+    series.y.push_back(step_of(slide, i).velocity.norm());
+  }
+  return series;
+}
+
+void draw_speeds(Page& page, const Rect& rect, const Slides& all, int k) {
+  render::Plot plot{.title = "speed (m/s)"};
+  const int last = static_cast<int>(all.circle.steps.size()) - 1;
+  plot.x = {.title = "t (s)", .min = 0, .max = last * all.settings.dt};
+  plot.y = {.title = "", .min = 0, .max = 1.1 * all.settings.speed()};
+  plot.series = {speed_series("square", page.theme().pgs, all, all.square, k),
+                 speed_series("circle", page.theme().si, all, all.circle, k)};
+  plot.cursor = k * all.settings.dt;
+  draw_plot(page, rect, plot);
+}
+
+/// Left the table; returns what is free beside it.
+Rect draw_moment(Page& page, const Slides& all, int k) {
+  const std::vector<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
+  draw_table(page, halves[0], all, k);
+  return halves[1];
+}
+
+void draw_step(Page& page, const Slides& all, int k) {
+  const std::vector<Rect> right = rows(draw_moment(page, all, k), {0.5, 0.5}, page.sizes().gap);
+  const std::vector<Rect> top = columns(right[0], {0.46, 0.54}, page.sizes().gap);
+  const SlideStep& circle = step_of(all.circle, k);
+  const SlideStep& square = step_of(all.square, k);
+  draw_limits(page, top[0], all, {.active = {circle.lambda, square.lambda}});
+  const auto entry = [&](double force) { return fixed(force + 0.0, page.compact() ? 1 : 2); };
+  render::TableView table{.header = {"", "circle", "square"}};
+  table.rows = {{"λ_{x}", entry(circle.lambda.x()), entry(square.lambda.x())},
+                {"λ_{y}", entry(circle.lambda.y()), entry(square.lambda.y())},
+                {"|λ|", entry(circle.lambda.norm()), entry(square.lambda.norm())}};
+  if (!page.compact()) {
+    table.rows.push_back({"v_{x}", entry(circle.velocity.x()), entry(square.velocity.x())});
+    table.rows.push_back({"v_{y}", entry(circle.velocity.y()), entry(square.velocity.y())});
+    table.rows.push_back({"|v|", entry(circle.velocity.norm()), entry(square.velocity.norm())});
+  }
+  page.table(top[1], page.compact() ? "λ (N)" : "λ (N) and v (m/s)", table);
+  draw_speeds(page, right[1], all, k);
+}
+
+void draw_question(Page& page, const Slides& all) {
+  const std::vector<Rect> right = rows(draw_moment(page, all, 0), {0.42, 0.58}, page.sizes().gap);
+  page.note(right[0], "Predict",
+            page.compact()
+                ? "Clamp λ_{x} and λ_{y} each to μN, or the length of λ? Which puck stops first, and "
+                  "where?"
+                : "Friction is at most μN. Clamp λ_{x} and λ_{y} each, and λ stays in the square; "
+                  "clamp the length of λ, and it stays in the circle. Which puck stops first? Does "
+                  "either leave the straight line?");
+  draw_limits(page, right[1], all, {.velocity = all.settings.velocity});
+}
+
+Shot step_shot(const Recorded& all, int k, bool key) {
+  const SlideStep& circle = step_of(all->circle, k);
+  const SlideStep& square = step_of(all->square, k);
+  return {
+      .state = fmt::format("step {} · t = {:.2f} s", k, k * all->settings.dt),
+      .alt = fmt::format(
+          "After {:.2f} s: the puck with the circle is at ({:.2f}, {:.2f}) m and pulled with {:.2f} N, the "
+          "one with the square at ({:.2f}, {:.2f}) m with {:.2f} N.",
+          k * all->settings.dt, circle.place.x(), circle.place.y(), circle.lambda.norm(), square.place.x(),
+          square.place.y(), square.lambda.norm()),
+      .draw = [all, k](Page& page) { draw_step(page, *all, k); },
+      .key = key};
+}
+
+Shot direction_shot(const Recorded& all, int count) {
+  const int last = static_cast<int>(all->directions.size());
+  return {.state = fmt::format("{} of {} directions", count, last),
+          .alt = fmt::format(
+              "Where the pucks stop for {} of {} directions: with the circle on a circle, with the square on "
+              "a diamond inside it; and how far, and where to, over the direction.",
+              count, last),
+          .draw = [all, count](Page& page) { draw_directions(page, *all, count); },
+          .key = count == last};
+}
+
+std::string answer_text(const Slides& all) {
+  const Vec2<double> circle = all.circle.steps.back().place;
+  const Vec2<double> square = all.square.steps.back().place;
+  return fmt::format(
+      "The vector clamped: {} m, and as far in every direction. Its parts clamped: {} m, as each axis "
+      "stops by itself. Turn the square along v, and there is no difference to see.",
+      fixed(circle.norm(), 2), fixed(square.norm(), 2));
+}
+
+void draw_answer(Page& page, const Slides& all) {
+  const int last = static_cast<int>(all.circle.steps.size()) - 1;
+  const std::vector<Rect> right = rows(draw_moment(page, all, last), {0.55, 0.45}, page.sizes().gap);
+  page.note(right[0], "Answer", answer_text(all));
+  render::TableView table{.header = {"limit", "x (m)", "y (m)", "way (m)", "heading"}};
+  for (const Slide* slide : {&all.circle, &all.aligned, &all.square}) {
+    const Vec2<double> place = slide->steps.back().place;
+    std::string name = "circle";
+    if (slide->shape == FrictionShape::aligned_square) name = "square along v";
+    if (slide->shape == FrictionShape::square) name = page.compact() ? "square" : "square, axes x and y";
+    table.rows.push_back({name, fixed(place.x() + 0.0, 2), fixed(place.y() + 0.0, 2), fixed(place.norm(), 2),
+                          fixed(std::atan2(place.y(), place.x()) * 180 / pi, 1) + "°"});
+  }
+  if (page.compact()) {
+    table.header = {"limit", "way (m)", "heading"};
+    for (std::vector<std::string>& row : table.rows) row = {row[0], row[3], row[4]};
+  }
+  page.table(right[1], "where it stops", table);
+}
+
+}  // namespace
+
+std::vector<Shot> slide_shots(const Slides& recorded) {
+  const Recorded all = std::make_shared<const Slides>(recorded);
+  const int last = static_cast<int>(all->circle.steps.size()) - 1;
+  std::vector<Shot> shots;
+  shots.push_back({.state = "before the first step",
+                   .alt = "A puck on a table from above with its velocity, and the question.",
+                   .draw = [all](Page& page) { draw_question(page, *all); },
+                   .key = true});
+  for (int i = 0; i < 2; ++i) {
+    shots.push_back(
+        {.state = fmt::format("step 1 · row {} of 2", i + 1),
+         .alt = fmt::format("The plane of the friction forces with a square and a circle as limits: "
+                            "row {} is clamped to the square.",
+                            i == 0 ? "x" : "y"),
+         .draw = [all, i](Page& page) { draw_row(page, *all, i); },
+         .key = true});
+  }
+  shots.push_back({.state = "step 1 · the vector",
+                   .alt = "The same plane: the vector is clamped to the circle, and stays against v.",
+                   .draw = [all](Page& page) { draw_vector(page, *all); },
+                   .key = true});
+  const int stride = (last + 59) / 60;
+  std::set<int> keys;
+  for (const double part : {0.2, 0.4, 0.65, 0.85})
+    keys.insert(static_cast<int>(part * last) / stride * stride);
+  for (int k = stride; k < last; k += stride) shots.push_back(step_shot(all, k, keys.contains(k)));
+  shots.push_back(step_shot(all, last, true));
+  const int directions = static_cast<int>(all->directions.size());
+  for (int count = 1; count <= directions; ++count) shots.push_back(direction_shot(all, count));
+  shots.push_back({.state = "all at rest",
+                   .alt = "Both pucks at rest, each at the end of its path, and the answer.",
+                   .draw = [all](Page& page) { draw_answer(page, *all); },
+                   .key = true});
+  return shots;
+}
+
+}  // namespace cairn::top_view

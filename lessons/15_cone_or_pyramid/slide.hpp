@@ -1,0 +1,77 @@
+// A puck on a table, seen from above, and the three limits that its friction may have.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "cairn.hpp"
+
+namespace cairn::top_view {
+
+inline constexpr double puck_mass = 1;   // [kg]
+inline constexpr double puck_load = 10;  // [N] what presses it onto the table: N = m g
+
+enum class Method { sequential_impulses, projected_gauss_seidel };
+
+struct SlideSettings {
+  double dt = 0.02;  // [s]
+  double mu = 0.5;
+  Vec2<double> velocity = {3, 4};  // [m/s] at the start
+
+  double limit() const { return mu * puck_load; }                     // [N] mu N
+  double slowing() const { return limit() / puck_mass; }              // [m/s^2] mu g
+  double speed() const { return velocity.norm(); }                    // [m/s]
+  double way() const { return speed() * speed() / (2 * slowing()); }  // [m] v^2 / 2 mu g
+  double puck_radius() const { return 0.04 * way(); }  // [m] to be seen; the puck does not turn
+  double degrees() const { return std::atan2(velocity.y(), velocity.x()) * 180 / pi; }
+};
+
+/// What one step left behind.
+struct SlideStep {
+  Vec2<double> place = {0, 0};     // [m]
+  Vec2<double> velocity = {0, 0};  // [m/s]
+  Vec2<double> lambda = {0, 0};    // [N] the friction that acted, along x and y
+  Snapshot snapshot = {};
+};
+
+/// One puck from its start until it rests: steps[0] is the start.
+struct Slide {
+  FrictionShape shape = FrictionShape::circle;
+  std::vector<SlideStep> steps = {};
+};
+
+/// Where the pucks that start in one direction come to rest [m].
+struct Direction {
+  double degrees = 0;
+  Vec2<double> velocity = {0, 0};  // [m/s]
+  Vec2<double> circle = {0, 0};
+  Vec2<double> square = {0, 0};
+  Vec2<double> aligned = {0, 0};
+};
+
+struct Slides {
+  SlideSettings settings = {};
+  VelocityProblem<double> first = {};      // of the square, before its first sweep: row 0 is x, row 1 is y
+  Slide circle = {};                       // by sequential impulses, where the paper clamps the vector
+  Slide square = {};                       // by PGS, whose rows the paper clamps one by one
+  Slide aligned = {};                      // by PGS, its first row along the velocity
+  double solver_gap = 0;                   // [m] between the two solvers, each with all three shapes
+  std::vector<Direction> directions = {};  // all around, every 15 degrees
+};
+
+Slides run_slides(const SlideSettings& settings);
+
+/// -m v / dt: the friction that would stop the puck within a step [N]. Both rows have the inverse mass 1/m.
+Vec2<double> stopping_lambda(const SlideSettings& settings, const Vec2<double>& velocity);
+/// Each part clamped to mu N: the square.
+Vec2<double> parts_clamped(const SlideSettings& settings, const Vec2<double>& lambda);
+/// The length clamped to mu N, the direction kept: the circle (paper 4.5).
+Vec2<double> vector_clamped(const SlideSettings& settings, const Vec2<double>& lambda);
+
+/// How far something with this speed gets that loses mu g dt in a step [m]: semi-implicit Euler's answer.
+double stopping_distance(const SlideSettings& settings, double speed);
+
+/// The same for x and y, each by itself: where the puck with the square stops [m].
+Vec2<double> stop_on_rails(const SlideSettings& settings, const Vec2<double>& velocity);
+
+}  // namespace cairn::top_view

@@ -1,0 +1,111 @@
+// A box on feet as a problem by hand, and four solves of it.
+#include "feet.hpp"
+
+#include <cmath>
+#include <numeric>
+
+namespace cairn::everybody {
+
+namespace {
+
+double foot_at(int foot, int feet) { return -outermost + 2 * outermost * foot / (feet - 1.0); }
+
+VelocityProblem<double> feet_problem(int feet) {
+  VelocityProblem<double> problem;
+  problem.dt = time_step;
+  problem.inverse_mass = {{0, 0, 0}, {1 / box_mass, 1 / box_mass, 1}};  // the ground and the box
+  problem.velocity = {{0, 0, 0}, {0, -gravity * time_step, 0}};
+  for (int i = 0; i < feet; ++i) {
+    ConstraintRow<double> row;
+    row.a = {0};
+    row.b = {1};
+    row.jacobian_a = {0, -1, 0};
+    row.jacobian_b = {0, 1, foot_at(i, feet)};
+    row.bounds = Bounds<double>::unilateral();
+    row.key = {.source = static_cast<std::uint64_t>(i)};
+    problem.blocks.push_back({i, 1});
+    problem.rows.push_back(row);
+    problem.impulse.push_back(0);
+  }
+  return problem;
+}
+
+Snapshot box_on_feet(int feet) {
+  Scene scene;
+  scene.add_ground();
+  scene.add({.shapes = {box(1, 1)}, .position = {0, 0.62}, .mass = box_mass});
+  for (int i = 0; i < feet; ++i) {
+    scene.add(
+        {.type = BodyType::static_body, .shapes = {box(0.03, 0.12)}, .position = {foot_at(i, feet), 0.06}});
+  }
+  return snapshot(World(scene));
+}
+
+FeetHistory feet_history(const FeetRun& run, Method method) {
+  VelocityProblem<double> problem = run.problem;
+  const SweepRecorder<double> recorder = solved(method, run.settings.omega, run.settings.sweeps, problem);
+  FeetHistory history{.method = method};
+  for (const SweepRecord& sweep : recorder.sweeps()) {
+    VelocityProblem<double> twin = run.problem;
+    std::vector<double> lambda = sweep.impulse;
+    for (std::size_t i = 0; i < lambda.size(); ++i) {
+      apply_impulse(twin, twin.rows[i], lambda[i]);
+      lambda[i] /= time_step;
+    }
+    history.lambda.push_back(lambda);
+    history.speed.push_back(twin.velocity[1].y());
+    history.spin.push_back(twin.velocity[1].z());
+  }
+  return history;
+}
+
+}  // namespace
+
+SweepRecorder<double> solved(Method method, double omega, int sweeps, VelocityProblem<double>& problem,
+                             SweepRecorder<double>::Detail detail) {
+  SweepRecorder<double> recorder(detail);
+  SolverSettings settings{.iterations = sweeps};
+  if (method == Method::sequential) {
+    SequentialImpulse<double>(settings).solve(problem, &recorder);
+    return recorder;
+  }
+  if (method == Method::damped) settings.relaxation = omega;
+  const Splitting splitting = method == Method::split ? Splitting::mass : Splitting::none;
+  Jacobi<double>(settings, splitting).solve(problem, &recorder);
+  return recorder;
+}
+
+FeetRun run_feet(const FeetSettings& settings) {
+  FeetRun run{.settings = settings, .problem = feet_problem(settings.feet)};
+  for (const ConstraintRow<double>& row : run.problem.rows) {
+    run.share.push_back(1 / (box_mass * inverse_effective_mass(run.problem, row)));
+  }
+  run.answer = together(run.share);
+  for (const Method method : all_methods) run.histories.push_back(feet_history(run, method));
+  run.snapshot = box_on_feet(settings.feet);
+  return run;
+}
+
+const FeetHistory& history_of(const FeetRun& run, Method method) {
+  return run.histories[static_cast<std::size_t>(method)];
+}
+
+double together(const std::vector<double>& lambda) {
+  return std::accumulate(lambda.begin(), lambda.end(), 0.0);
+}
+
+double taken_at_once(const FeetRun& run, Method method) {
+  if (method == Method::damped) return run.settings.omega * run.answer;
+  // All rows act on the box: splitting its mass in n parts divides what each gives by n.
+  if (method == Method::split) return run.answer / run.settings.feet;
+  return run.answer;
+}
+
+double speed_by_formula(const FeetRun& run, Method method, int sweep) {
+  const double left = 1 - taken_at_once(run, method);
+  const double falling = -gravity * time_step;
+  if (std::abs(left) > 1) return falling * (sweep % 2 == 1 ? left : 1);
+  return falling * std::pow(left, sweep);
+}
+
+}  // namespace cairn::everybody

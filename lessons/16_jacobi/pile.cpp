@@ -1,0 +1,195 @@
+// The pyramid's matrix and its eigenvalues, solves of one step, and two worlds under a falling ball.
+#include "pile.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lessons/lesson.hpp"
+
+namespace cairn::everybody {
+
+namespace {
+
+const double goal = 0.01;   // of R_E
+const double pitch = 1.25;  // [m] from box to box in a row
+
+/// n of Splitting::mass for each body: how many rows would move it.
+std::vector<int> rows_on_each(const VelocityProblem<double>& problem) {
+  std::vector<int> count(problem.velocity.size(), 0);
+  for (const ConstraintRow<double>& row : problem.rows) {
+    for_each_term(problem, row,
+                  [&](BodyId body, const Vec3<double>&) { ++count[static_cast<std::size_t>(body.index)]; });
+  }
+  return count;
+}
+
+/// The largest eigenvalue of D^-1 A, which are those of D^-1/2 A D^-1/2; D as the method has it.
+double largest_eigenvalue(const VelocityProblem<double>& problem, Method method) {
+  const std::vector<int> count = rows_on_each(problem);
+  Eigen::MatrixXd scaled = system_matrices(problem).A;
+  Eigen::VectorXd root(scaled.rows());
+  for (Eigen::Index i = 0; i < root.size(); ++i) {
+    const ConstraintRow<double>& row = problem.rows[static_cast<std::size_t>(i)];
+    double divisor = 0;
+    for_each_term(problem, row, [&](BodyId id, const Vec3<double>& jacobian) {
+      const auto body = static_cast<std::size_t>(id.index);
+      const double parts = method == Method::split ? count[body] : 1;
+      divisor += parts * jacobian.dot(problem.inverse_mass[body].cwiseProduct(jacobian));
+    });
+    root[i] = 1 / std::sqrt(divisor);
+  }
+  scaled = root.asDiagonal() * scaled * root.asDiagonal();
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .maxCoeff();
+}
+
+/// After which sweep the residual stays below the goal; -1: it does not.
+int settled_after(const std::vector<double>& residual) {
+  int needed = static_cast<int>(residual.size());
+  while (needed > 0 && residual[static_cast<std::size_t>(needed - 1)] <= goal) --needed;
+  return needed < static_cast<int>(residual.size()) ? needed : -1;
+}
+
+PileHistory history_from(Method method, const SweepRecorder<double>& recorder) {
+  PileHistory history{.method = method};
+  for (const SweepRecord& sweep : recorder.sweeps()) {
+    const double value = sweep.residual_energy;
+    history.residual.push_back(std::isfinite(value) ? value : std::numeric_limits<double>::infinity());
+  }
+  history.sweeps_needed = settled_after(history.residual);
+  return history;
+}
+
+PileHistory pile_history(const PileRun& run, Method method) {
+  VelocityProblem<double> problem = run.problem;
+  const PileSettings& settings = run.settings;
+  PileHistory history = history_from(method, solved(method, settings.omega, settings.sweeps, problem));
+  if (method == Method::sequential) return history;
+  const double omega = method == Method::damped ? settings.omega : 1;
+  history.eigenvalue = omega * largest_eigenvalue(run.problem, method);
+  return history;
+}
+
+PileHistory coloured_history(const PileRun& run) {
+  VelocityProblem<double> problem = run.problem;
+  SweepRecorder<double> recorder;
+  SequentialImpulse<double>({.iterations = run.settings.sweeps, .order = RowOrder::coloured})
+      .solve(problem, &recorder);
+  return history_from(Method::sequential, recorder);
+}
+
+int colours_of(const VelocityProblem<double>& problem) {
+  RowSequence sequence;
+  order_rows(problem, RowOrder::coloured, 1, 1, sequence);
+  return static_cast<int>(sequence.colours.size()) - 1;
+}
+
+/// The same problem with its rows backwards.
+VelocityProblem<double> backwards(const VelocityProblem<double>& problem) {
+  VelocityProblem<double> result = problem;
+  const int last = problem.row_count() - 1;
+  result.blocks.clear();
+  for (int i = 0; i <= last; ++i) {
+    ConstraintRow<double>& row = result.rows[static_cast<std::size_t>(i)];
+    row = problem.rows[static_cast<std::size_t>(last - i)];
+    if (row.bounds.normal_row != Bounds<double>::none) row.bounds.normal_row = last - row.bounds.normal_row;
+    result.blocks.push_back({i, 1});
+  }
+  return result;
+}
+
+/// The largest difference that it makes to solve the rows backwards, over the largest impulse.
+double effect_of_order(const VelocityProblem<double>& start, Method method) {
+  VelocityProblem<double> straight = start;
+  VelocityProblem<double> other = backwards(start);
+  solved(method, 1, 20, straight);
+  solved(method, 1, 20, other);
+  double largest = 0;
+  double gap = 0;
+  for (std::size_t i = 0; i < start.rows.size(); ++i) {
+    largest = std::max(largest, std::abs(straight.impulse[i]));
+    gap = std::max(gap, std::abs(straight.impulse[i] - other.impulse[start.rows.size() - 1 - i]));
+  }
+  return gap / largest;
+}
+
+double asymmetry(const Snapshot& snapshot, int base) {
+  double largest = 0;
+  std::size_t first = 1;
+  for (int boxes = base; boxes >= 0; --boxes) {
+    const auto count = static_cast<std::size_t>(std::max(boxes, 1));  // the ball is a row of one
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec2<double> here = snapshot.bodies[first + i].pose.position;
+      const Vec2<double> twin = snapshot.bodies[first + count - 1 - i].pose.position;
+      largest = std::max({largest, std::abs(here.x() + twin.x()), std::abs(here.y() - twin.y())});
+    }
+    first += count;
+  }
+  return largest;
+}
+
+MirrorRun run_mirror(const PileSettings& settings, Method method, int step_sweeps) {
+  World<double> world(pile_scene(settings.base, 10));
+  const SolverSettings sweeps = {.iterations = step_sweeps};
+  Jacobi<double> at_once(sweeps, Splitting::mass);
+  SequentialImpulse<double> in_turn(sweeps);
+  Solver<double>* solver = &in_turn;
+  if (method == Method::split) solver = &at_once;
+  MirrorRun run{.method = method, .sweeps = step_sweeps};
+  for (int k = 0; k <= settings.steps; ++k) {
+    if (k > 0 && world.step(*solver).not_finite) {
+      throw Diverged("lesson16: the pyramid under " + solver->name() + " blew up");
+    }
+    run.frames.push_back(snapshot(world));
+    run.asymmetry.push_back(asymmetry(run.frames.back(), settings.base));
+  }
+  return run;
+}
+
+}  // namespace
+
+Scene pile_scene(int base, double ball_speed) {
+  Scene scene({.gravity = {0, -gravity}, .dt = time_step});
+  scene.add_ground();
+  for (int level = 0; level < base; ++level) {
+    for (int i = 0; i < base - level; ++i) {
+      const double x = (i - (base - level - 1) / 2.0) * pitch;
+      scene.add({.shapes = {box(1, 1)}, .position = {x, 0.5 + level}, .mass = 1});
+    }
+  }
+  if (ball_speed > 0) {
+    scene.add(
+        {.shapes = {circle(0.5)}, .position = {0, base + 1.0}, .velocity = {0, -ball_speed}, .mass = 5});
+  }
+  return scene;
+}
+
+PileRun run_pile(const PileSettings& settings) {
+  PileRun run{.settings = settings};
+  World<double> world(pile_scene(settings.base, 0));
+  run.problem = world.velocity_problem();
+  SequentialImpulse<double> solver({.iterations = settings.sweeps});
+  world.step(solver);
+  run.snapshot = snapshot(world);
+  run.largest_eigenvalue = largest_eigenvalue(run.problem, Method::plain);
+  run.colours = colours_of(run.problem);
+  run.rows_on_box = rows_on_each(run.problem);
+  for (const Method method : all_methods) run.histories.push_back(pile_history(run, method));
+  run.coloured = coloured_history(run);
+  run.order_at_once = effect_of_order(run.problem, Method::split);
+  run.order_in_turn = effect_of_order(run.problem, Method::sequential);
+  run.mirrors = {run_mirror(settings, Method::split, many_sweeps),
+                 run_mirror(settings, Method::sequential, few_sweeps),
+                 run_mirror(settings, Method::sequential, many_sweeps)};
+  return run;
+}
+
+int waits_per_sweep(const PileRun& run, const PileHistory& history) {
+  if (history.method != Method::sequential) return 1;
+  return &history == &run.coloured ? run.colours : run.problem.row_count();
+}
+
+}  // namespace cairn::everybody

@@ -1,0 +1,224 @@
+// The pyramid: what decides whether Jacobi converges, what it costs, and two worlds beside their mirror
+// images.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include "pictures.hpp"
+#include "render/draw.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::everybody {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Point;
+using render::Rect;
+
+using Pile = std::shared_ptr<const PileRun>;
+
+/// The pyramid with the number of rows on each box.
+void draw_rows_on_boxes(Page& page, const Rect& rect, const PileRun& run) {
+  const Rect inside = page.panel(rect, "rows on each box");
+  const double half = 0.625 * run.settings.base + 0.2;
+  const render::Camera camera = render::fit(inside, {{-half, -0.3}, {half, run.settings.base + 0.1}});
+  render::WorldLook look;
+  look.names = {""};
+  for (std::size_t i = 1; i < run.rows_on_box.size(); ++i)
+    look.names.push_back(fmt::format("{}", run.rows_on_box[i]));
+  draw_world(page, camera, run.snapshot, look);
+}
+
+std::string verdict_of(const PileHistory& history) {
+  if (history.method == Method::sequential) return "yes, in turn";
+  return history.eigenvalue < 2 ? "yes, below 2" : "no, above 2";
+}
+
+void draw_eigenvalues(Page& page, const PileRun& run) {
+  const std::vector<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
+  draw_rows_on_boxes(page, halves[0], run);
+  const std::vector<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
+  render::TableView table;
+  table.header = {"method", "ω × eigenvalue", "it converges"};
+  for (const PileHistory& history : run.histories) {
+    const bool in_turn = history.method == Method::sequential;
+    table.rows.push_back({method_name(history.method, run.settings.omega),
+                          in_turn ? "·" : fixed(history.eigenvalue, 3), verdict_of(history)});
+  }
+  page.table(right[0], "the largest eigenvalue of D^{−1} A", table);
+  const int most = *std::max_element(run.rows_on_box.begin() + 1, run.rows_on_box.end());
+  page.note(
+      right[1], "What decides",
+      page.compact()
+          ? fmt::format("Up to {} rows correct one box at the same time. Split masses give each "
+                        "row its share of the box, and the eigenvalue cannot pass 1.",
+                        most)
+          : fmt::format(
+                "Up to {} rows correct one box at the same time. With an eigenvalue above 2 some error "
+                "comes back larger from every sweep. Damping gives a part of each correction: it has to be "
+                "found for each scene. Split masses give each row its share of the box, and no "
+                "eigenvalue passes 1 in any scene.",
+                most));
+}
+
+void draw_convergence(Page& page, const PileRun& run) {
+  const std::vector<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
+  render::Plot plot{.title = "residual R_{E} after each sweep"};
+  plot.x = {.title = "sweep", .min = 0, .max = 300};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 5e-4, .max = 1e2};
+  for (const PileHistory& history : run.histories) {
+    render::Series series{.name = method_name(history.method, run.settings.omega),
+                          .style = style_of(page.theme(), history.method)};
+    for (std::size_t k = 0; k <= 300; ++k) {
+      if (!(history.residual[k] < 1e2 && history.residual[k] > 5e-4)) break;
+      series.x.push_back(static_cast<double>(k));
+      series.y.push_back(history.residual[k]);
+    }
+    plot.series.push_back(series);
+  }
+  plot.goals.push_back({0.01, "1 %"});
+  draw_plot(page, parts[0], plot);
+  render::TableView table;
+  table.header = {"method", "sweeps to 1 %", "waits a sweep", "waits"};
+  const auto line = [&](const std::string& name, const PileHistory& history) {
+    const int waits = waits_per_sweep(run, history);
+    const int needed = history.sweeps_needed;
+    table.rows.push_back({name, needed < 0 ? "never" : fmt::format("{}", needed), fmt::format("{}", waits),
+                          needed < 0 ? "·" : fmt::format("{}", needed * waits)});
+  };
+  for (const PileHistory& history : run.histories)
+    line(method_name(history.method, run.settings.omega), history);
+  line("SI, by colours", run.coloured);
+  const std::vector<Rect> below = columns(parts[1], {0.6, 0.4}, page.sizes().gap);
+  page.table(below[0], "", table);
+  page.note(below[1], page.compact() ? "" : "With a processor for each row",
+            page.compact()
+                ? "With a processor for each row, Jacobi waits once a sweep, SI for every row."
+                : "Jacobi waits once a sweep, SI for every row. By colours, rows that share no box "
+                  "go together, and SI can be parallel too.");
+}
+
+/// The same bodies seen in a mirror at x = 0.
+Snapshot mirrored(const Snapshot& snapshot) {
+  Snapshot image = snapshot;
+  for (SnapshotBody& body : image.bodies) {
+    body.pose = Pose<double>{{-body.pose.position.x(), body.pose.position.y()}, -body.pose.angle};
+  }
+  return image;
+}
+
+std::string mirror_name(const MirrorRun& mirror) {
+  return fmt::format("{}, {} sweeps", mirror.method == Method::split ? "split" : "SI", mirror.sweeps);
+}
+
+void draw_mirror(Page& page, const Rect& rect, const PileRun& run, std::size_t which, int step) {
+  const MirrorRun& mirror = run.mirrors[which];
+  const auto k = static_cast<std::size_t>(step);
+  const Rect inside = page.panel(rect, "");
+  render::Rect field = inside;
+  const double line = 1.3 * page.label().size;
+  field.y += line;
+  field.height -= line;
+  const double base = run.settings.base;
+  const double half = 0.625 * base + 0.6;
+  const render::Camera camera = render::fit(field, {{-half, -0.3}, {half, base + 1.9}});
+  render::WorldLook look;
+  look.numbers = false;
+  look.contacts = false;
+  look.penetration = false;
+  draw_world(page, camera, mirror.frames[k], look);
+  const Snapshot image = mirrored(mirror.frames[k]);
+  draw_ghosts(page, camera, std::span<const Snapshot>(&image, 1));
+  const render::SeriesStyle style = style_of(page.theme(), mirror.method);
+  page.canvas().rect({inside.x, inside.y + 0.15 * line, 0.5 * line, 0.5 * line}, {.fill = style.color});
+  page.canvas().text({inside.x + 0.8 * line, inside.y + 0.62 * line}, mirror_name(mirror), page.label());
+  render::TextStyle value = page.value();
+  value.align = render::Align::right;
+  page.canvas().text({inside.x + inside.width, inside.y + 0.62 * line},
+                     render::significant(mirror.asymmetry[k], 2) + " m", value);
+}
+
+/// Both worlds side by side; returns what is free below them.
+Rect draw_mirrors(Page& page, const PileRun& run, int step) {
+  const double scene = page.compact() ? 0.52 : 0.6;
+  const std::vector<Rect> parts = rows(page.area(), {scene, 1 - scene}, page.sizes().gap);
+  const std::vector<Rect> halves = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+  draw_mirror(page, halves[0], run, 0, step);
+  draw_mirror(page, halves[1], run, 1, step);
+  return parts[1];
+}
+
+void draw_asymmetry(Page& page, const PileRun& run, int step) {
+  render::Plot plot{.title = "how far a body is from its twin's mirror image (m)"};
+  plot.x = {.title = "step", .min = 0, .max = run.settings.steps};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-18, .max = 1e2};
+  for (const MirrorRun& mirror : run.mirrors) {
+    render::Series series{.name = mirror_name(mirror), .style = style_of(page.theme(), mirror.method)};
+    if (&mirror == &run.mirrors[2]) {
+      series.style.dash = {3, 4};
+      series.style.marker = render::Marker::circle;
+    }
+    for (int k = 0; k <= step; ++k) {
+      const double value = mirror.asymmetry[static_cast<std::size_t>(k)];
+      if (!(value >= 1e-18)) continue;  // zero has no place on this axis
+      series.x.push_back(k);
+      series.y.push_back(value);
+    }
+    plot.series.push_back(series);
+  }
+  plot.cursor = step;
+  draw_plot(page, draw_mirrors(page, run, step), plot);
+}
+
+Shot mirror_shot(const Pile& run, int step, const std::set<int>& keys) {
+  const auto k = static_cast<std::size_t>(step);
+  return {.state = fmt::format("step {} of {}", step, run->settings.steps),
+          .alt = fmt::format("Step {}: a ball falls on two pyramids, each drawn over its mirror image. Split "
+                             "Jacobi is off by {:.1e} m, SI by {:.1e} m.",
+                             step, run->mirrors[0].asymmetry[k], run->mirrors[1].asymmetry[k]),
+          .draw = [run, step](Page& page) { draw_asymmetry(page, *run, step); },
+          .key = keys.contains(step)};
+}
+
+}  // namespace
+
+std::vector<Shot> pile_shots(const PileRun& pile) {
+  const Pile run = std::make_shared<const PileRun>(pile);
+  const int last = run->settings.steps;
+  std::vector<Shot> shots;
+  shots.push_back({.state = fmt::format("a pyramid, {} rows", run->problem.row_count()),
+                   .alt = "A pyramid with the number of rows on each box, and the largest eigenvalue of each "
+                          "method.",
+                   .draw = [run](Page& page) { draw_eigenvalues(page, *run); },
+                   .key = true});
+  shots.push_back({.state = "one step of the pyramid",
+                   .alt = "Residual against sweeps for four methods, and how many waits each needs with a "
+                          "processor for each row.",
+                   .draw = [run](Page& page) { draw_convergence(page, *run); },
+                   .key = true});
+  for (int step = 1; step <= last; ++step) shots.push_back(mirror_shot(run, step, {5, 15, 30, last}));
+  shots.push_back(
+      {.state = "answer",
+       .alt = "Both pyramids after the last step, and the answer.",
+       .draw =
+           [run, last](Page& page) {
+             const std::string wash =
+                 fmt::format("SI too forgets its order, with more sweeps: {} of them leave {} mm.",
+                             many_sweeps, render::significant(1000 * run->mirrors[2].asymmetry.back(), 1));
+             page.note(
+                 draw_mirrors(page, *run, last), "Answer",
+                 std::string("More feet make it worse: each row gives all that is missing. Damped or with "
+                             "split masses Jacobi converges, in more sweeps than SI; but none of its rows "
+                             "waits for another, none comes first, and a mirror image stays one. ") +
+                     wash);
+           },
+       .key = true});
+  return shots;
+}
+
+}  // namespace cairn::everybody

@@ -1,0 +1,83 @@
+// Holds the documents against the tree: links lead somewhere, and quoted code is code of the project.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path document_root = CAIRN_SOURCE_DIR;
+
+std::vector<std::string> document_lines(const fs::path& file) {
+  std::ifstream in(file);
+  REQUIRE_MESSAGE(in.good(), file.string());
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string without_margins(const std::string& line) {
+  const std::size_t begin = line.find_first_not_of(" \t");
+  return begin == std::string::npos ? "" : line.substr(begin, line.find_last_not_of(" \t") + 1 - begin);
+}
+
+/// The documents of the project: what ends in .md, without what is built or downloaded.
+std::vector<fs::path> documents() {
+  std::vector<fs::path> files = {document_root / "README.md"};
+  for (const char* folder : {"src", "lessons", "tests", "render"}) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(document_root / folder)) {
+      if (entry.path().extension() == ".md") files.push_back(entry.path());
+    }
+  }
+  return files;
+}
+
+}  // namespace
+
+TEST_CASE("every link of every document leads to a file of the project") {
+  const std::regex link(R"(\]\(([^)#:]+)\)|src(?:set)?="([^":]+)\")");
+  int links = 0;
+  for (const fs::path& file : documents()) {
+    CAPTURE(file.string());
+    bool is_code = false;
+    for (const std::string& line : document_lines(file)) {
+      if (line.rfind("```", 0) == 0) is_code = !is_code;
+      if (is_code) continue;
+      for (std::sregex_iterator found(line.begin(), line.end(), link), end; found != end; ++found) {
+        const std::string target = (*found)[1].matched ? (*found)[1].str() : (*found)[2].str();
+        CAPTURE(target);
+        CHECK(fs::exists(file.parent_path() / target));
+        ++links;
+      }
+    }
+  }
+  CHECK(links > 50);
+}
+
+TEST_CASE("the page on extending fits on a screen or two, and every line of code in it is in use") {
+  std::set<std::string> code;
+  for (const char* file : {"lessons/14_pulley/rope.hpp", "src/solvers/sequential_impulse.cpp"}) {
+    for (const std::string& line : document_lines(document_root / file)) code.insert(without_margins(line));
+  }
+  const std::vector<std::string> page = document_lines(document_root / "src/EXTENDING.md");
+  CHECK(page.size() <= 60);
+  bool is_code = false;
+  int quoted = 0;
+  for (const std::string& line : page) {
+    if (line.rfind("```", 0) == 0) {
+      is_code = !is_code;
+    } else if (is_code) {
+      CAPTURE(line);
+      CHECK(code.count(without_margins(line)) == 1);
+      ++quoted;
+    }
+  }
+  CHECK(quoted > 10);
+}
