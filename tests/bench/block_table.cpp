@@ -1,4 +1,5 @@
 // Paper 4.3, measured: sweeps with and without blocks, and what a sweep costs.
+#include "table.hpp"
 #include "tables.hpp"
 
 #include <algorithm>
@@ -117,8 +118,14 @@ void print_block_table() {
       pin_chain("pin chain, 45 degrees", pi / 4), pin_chain("pin chain, level", 0), welded_beam(),
       frictional_stack("stack, straight", 0), frictional_stack("stack, staggered", 0.1)};
   const std::vector<BlockTableColumn> columns = block_table_columns();
-  std::printf("Sweeps from cold to a residual R_E, and the cost of a sweep in sweeps of SI (-: over %d).\n",
-              block_table_cap);
+  print_heading("4. Blocks: what it gains to solve rows together that belong together");
+  std::printf(
+      "Paper 4.3: solving the rows of a joint at once should converge faster. Sweeps from cold to a "
+      "residual\n"
+      "R_E, and what a sweep costs in sweeps of SI. (n, t): a normal with its friction; (n, n): the two "
+      "normals\n"
+      "of a manifold; -: over %d sweeps.\n\n",
+      block_table_cap);
   std::printf("%-23s %5s  %-15s %8s %8s %8s %6s\n", "scene", "rows", "blocks", "1e-2", "1e-4", "1e-6",
               "cost");
   for (const BlockScene& scene : scenes) {

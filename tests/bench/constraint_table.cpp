@@ -221,6 +221,7 @@ std::string bounds_cell(const VelocityProblem<double>& problem) {
     if (row.bounds.is_equality()) word = "any";
     if (row.bounds.is_unilateral()) word = ">= 0";
     if (row.bounds.is_friction()) word = row.bounds.second_normal_row < 0 ? "mu N" : "mu (N + N)";
+    if (row.bounds.disc > 0) word = "rest of a disc";
     counts[word] += 1;
   }
   std::string text;
