@@ -1,6 +1,8 @@
 // Floor 4. Refuses settings that no solver can work with.
 #include "solvers/solver.hpp"
 
+#include <cmath>
+
 #include "math/check.hpp"
 
 namespace cairn {
@@ -11,6 +13,8 @@ void check(const SolverSettings& settings, const std::string& solver) {
           "a finite number >= 0", settings.tolerance);
   require(settings.relaxation > 0 && settings.relaxation < 2, solver, "relaxation", "> 0 and < 2",
           settings.relaxation);
+  require(settings.time_budget >= 0 && std::isfinite(settings.time_budget), solver, "time_budget",
+          "a finite number >= 0 s", settings.time_budget);
   require(settings.patience >= 0, solver, "patience", ">= 0", settings.patience);
 }
 

@@ -13,8 +13,9 @@ namespace cairn {
 
 /// When to stop, for every iterative solver; and how to sweep, for those of the Gauss-Seidel kind.
 struct SolverSettings {
-  int iterations = 10;   // sweeps over all rows, at most
-  double tolerance = 0;  // stop once the residual R_E (residual.hpp) is at most this; 0: never sooner
+  int iterations = 10;     // sweeps over all rows, at most
+  double tolerance = 0;    // stop once the residual R_E (residual.hpp) is at most this; 0: never sooner
+  double time_budget = 0;  // [s] no sweep begins later than this; 0: none. Its answer depends on the machine
   RowOrder order = RowOrder::as_written;
   std::uint64_t seed = 1;  // of RowOrder::shuffled
   double relaxation = 1;   // omega of SOR (D. M. Young, 1954): every corrective impulse is multiplied by it
@@ -53,6 +54,7 @@ enum class Stop {
   tolerance,  // the residual asked for is reached
   stalled,    // impulses have not changed, but for rounding, for as many sweeps as patience says
   cycle,      // impulses repeat those of an earlier sweep exactly, and would do so for ever
+  time,       // the time budget is used up
   plateau,    // rows contradict each other: impulses drift, and the residual stays where it is
 };
 
@@ -82,8 +84,8 @@ std::size_t bytes_of(const std::vector<Element>& array) {
   return array.size() * sizeof(Element);
 }
 
-/// @throws std::invalid_argument unless iterations and patience are >= 0, tolerance is a finite number >= 0,
-/// and relaxation is above 0 and below 2.
+/// @throws std::invalid_argument unless iterations and patience are >= 0, tolerance and time_budget are
+/// finite numbers >= 0, and relaxation is above 0 and below 2.
 void check(const SolverSettings& settings, const std::string& solver);
 
 }  // namespace cairn

@@ -11,6 +11,7 @@ namespace cairn {
 template <Scalar Real>
 void Stopping<Real>::begin(const SolverSettings& settings, const VelocityProblem<Real>& problem) {
   settings_ = settings;
+  if (settings.time_budget > 0) began_ = std::chrono::steady_clock::now();
   scale_ = settings.tolerance > 0 || settings.patience > 0 ? residual_scale(problem) : Real(0);
   quiet_sweeps_ = 0;
   moved_ = false;
@@ -22,6 +23,10 @@ template <Scalar Real>
 Stop Stopping<Real>::judge(const VelocityProblem<Real>& problem, int sweep, Real largest_change) {
   if (settings_.tolerance > 0 && residual(problem, scale_).energy <= Real(settings_.tolerance)) {
     return Stop::tolerance;
+  }
+  if (settings_.time_budget > 0 &&
+      std::chrono::steady_clock::now() - began_ >= std::chrono::duration<double>(settings_.time_budget)) {
+    return Stop::time;
   }
   if (settings_.patience == 0) return Stop::sweeps;
 

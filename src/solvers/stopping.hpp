@@ -1,6 +1,7 @@
 // Floor 4. After which sweep an iterative solver stops, and why.
 #pragma once
 
+#include <chrono>
 #include <vector>
 
 #include "solvers/solver.hpp"
@@ -20,8 +21,9 @@ namespace cairn {
 ///   can end in a small circle of roundings. One remembered state is compared, renewed after sweeps 1, 2, 4,
 ///   8 ...: it finds a cycle of any length in memory for one (R. P. Brent, 1980). RowOrder::shuffled never
 ///   repeats itself, so nothing is sought there.
-/// Without tolerance and patience it costs nothing. Impulses that are not finite are never called stalled or
-/// cyclic.
+/// - time: the time budget, from begin() on, is used up. The only rule that depends on the machine.
+/// Without tolerance, patience and time budget it costs nothing. Impulses that are not finite are never
+/// called stalled or cyclic.
 template <Scalar Real>
 class Stopping {
  public:
@@ -63,13 +65,14 @@ class Stopping {
   bool repeats(const VelocityProblem<Real>& problem, int sweep);
 
   SolverSettings settings_;
-  Real scale_ = 0;                // of R_E
-  int quiet_sweeps_ = 0;          // in a row, without a change above rounding
-  bool moved_ = false;            // above rounding, since remembered_
-  Real residual_before_ = 0;      // R_E at half of the sweeps
-  Real change_before_ = 0;        // [N s] the largest change there
-  int remembered_sweep_ = 0;      // a power of two
-  std::vector<Real> remembered_;  // [N s] impulses after that sweep
+  std::chrono::steady_clock::time_point began_ = {};  // where there is a time budget
+  Real scale_ = 0;                                    // of R_E
+  int quiet_sweeps_ = 0;                              // in a row, without a change above rounding
+  bool moved_ = false;                                // above rounding, since remembered_
+  Real residual_before_ = 0;                          // R_E at half of the sweeps
+  Real change_before_ = 0;                            // [N s] the largest change there
+  int remembered_sweep_ = 0;                          // a power of two
+  std::vector<Real> remembered_;                      // [N s] impulses after that sweep
 };
 
 }  // namespace cairn

@@ -205,6 +205,24 @@ TEST_CASE("impulses that are not numbers are neither a standstill nor a cycle") 
   }
 }
 
+TEST_CASE("a solve ends with its time budget, after one sweep at least, and says so") {
+  for (const SolverMaker<double>& make : stopping_solvers<double>()) {
+    VelocityProblem<double> problem = hand_made_stack<double>(10, 10, 0.02);
+    // A nanosecond is gone once the clock is read again.
+    const SolveReport hurried = make({.iterations = 1000, .time_budget = 1e-9})->solve(problem);
+    CHECK(hurried.stop == Stop::time);
+    CHECK(hurried.iterations == 1);
+    CHECK_FALSE(hurried.converged);
+    const SolveReport patient = make({.iterations = 1000, .time_budget = 1e6})->solve(problem);
+    CHECK(patient.stop == Stop::sweeps);
+    CHECK(patient.iterations == 1000);
+  }
+  for (const double refused :
+       {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    CHECK_THROWS_AS(SequentialImpulse<double>({.time_budget = refused}), std::invalid_argument);
+  }
+}
+
 TEST_CASE("a patience below zero is refused") {
   for (const SolverMaker<double>& make : stopping_solvers<double>()) {
     CHECK_THROWS_AS(make({.patience = -1}), std::invalid_argument);
