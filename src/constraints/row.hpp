@@ -172,6 +172,14 @@ void apply_impulse(VelocityProblem<Real>& problem, const ConstraintRow<Real>& ro
   });
 }
 
+/// Gives every row the impulse that it has: a warm start, or (12) from the velocities before the solve.
+template <Scalar Real>
+void apply_impulses(VelocityProblem<Real>& problem) {
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    apply_impulse(problem, problem.rows[i], problem.impulse[i]);
+  }
+}
+
 /// j M^-1 j^T + gamma: A_ii of (15), the inverse of the effective mass [1/kg].
 template <Scalar Real>
 Real inverse_effective_mass(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
@@ -180,6 +188,13 @@ Real inverse_effective_mass(const VelocityProblem<Real>& problem, const Constrai
     sum += jacobian.dot(problem.inverse_mass[static_cast<std::size_t>(body.index)].cwiseProduct(jacobian));
   });
   return sum + row.softness;
+}
+
+/// 1 / A_ii [kg]; 0 between immovable bodies, where nothing can be done.
+template <Scalar Real>
+Real effective_mass(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
+  const Real inverse = inverse_effective_mass(problem, row);
+  return inverse > 0 ? 1 / inverse : Real(0);
 }
 
 }  // namespace cairn

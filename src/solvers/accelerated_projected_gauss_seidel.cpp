@@ -34,10 +34,9 @@ SolveReport AcceleratedProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& 
   stopping_.begin(settings_for_stopping(settings_), problem);
   prepare(problem);
 
-  SolveObserver<Real>* const row_observer =
-      observer != nullptr && observer->watches_rows() ? observer : nullptr;
-  return stopping_.repeat(problem, observer,
-                          [&](int number) { return iterate(number, problem, row_observer); });
+  return stopping_.repeat(problem, observer, [&](int number, auto watched) {
+    return iterate(number, problem, decltype(watched)::value ? observer : nullptr);
+  });
 }
 
 template <Scalar Real>
@@ -46,11 +45,9 @@ void AcceleratedProjectedGaussSeidel<Real>::prepare(VelocityProblem<Real>& probl
   restarts_ = 0;
   effective_mass_.resize(problem.rows.size());
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    const Real inverse = inverse_effective_mass(problem, problem.rows[i]);
-    effective_mass_[i] = inverse > 0 ? 1 / inverse : Real(0);  // two immovable bodies: nothing can be done
-    // Warm start: last step's impulse acts before the first sweep.
-    apply_impulse(problem, problem.rows[i], problem.impulse[i]);
+    effective_mass_[i] = effective_mass(problem, problem.rows[i]);
   }
+  apply_impulses(problem);  // warm start: those of last step act before the first sweep
   impulse_before_ = problem.impulse;
 }
 

@@ -56,21 +56,15 @@ SolveReport BlockSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
   if (observer != nullptr) observer->before_solve(problem);
   stopping_.begin(settings_, problem);
   prepare(problem);
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    // Warm start: last step's impulse acts before the first sweep.
-    apply_impulse(problem, problem.rows[i], problem.impulse[i]);
-  }
+  apply_impulses(problem);  // warm start: those of last step act before the first sweep
 
-  const bool watched = observer != nullptr && observer->watches_rows();
-  return stopping_.repeat(problem, observer, [&](int number) {
-    order_rows(problem, settings_.order, settings_.seed, number, sequence_);
+  return stopping_.repeat_rows(problem, observer, sequence_, [&](int number, auto watched) {
     Real largest_change = 0;
     for (const int row : sequence_.rows) {
       const Turn turn = turns_[static_cast<std::size_t>(row)];
       for (int k = turn.first; k < turn.last; ++k) {
         const Part& part = parts_[static_cast<std::size_t>(k)];
-        const Real change = watched ? update<true>(number, part, problem, observer)
-                                    : update<false>(number, part, problem, observer);
+        const Real change = update<decltype(watched)::value>(number, part, problem, observer);
         largest_change = std::max(largest_change, change);
       }
     }
@@ -162,9 +156,8 @@ void BlockSequentialImpulse<Real>::add_parts(const VelocityProblem<Real>& proble
 
 template <Scalar Real>
 void BlockSequentialImpulse<Real>::add_row(const VelocityProblem<Real>& problem, int row) {
-  const Real inverse = inverse_effective_mass(problem, block_row(problem, row));
   parts_.push_back({Kind::row, 1, static_cast<int>(effective_mass_.size()), {row}});
-  effective_mass_.push_back(inverse > 0 ? 1 / inverse : Real(0));
+  effective_mass_.push_back(effective_mass(problem, block_row(problem, row)));
 }
 
 template <Scalar Real>

@@ -18,15 +18,13 @@ SolveReport FactoredProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& pro
   stopping_.begin(settings_, problem);
   build(problem);
 
-  const bool watched = observer != nullptr && observer->watches_rows();
-  const SolveReport report = stopping_.repeat(problem, observer, [&](int number) {
-    order_rows(problem, settings_.order, settings_.seed, number, sequence_);
-    const Real change =
-        watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
-    // For those who look; the sweep itself does not need it.
-    if (observer != nullptr || stopping_.needs_velocity(number)) update_velocity(problem);
-    return change;
-  });
+  const SolveReport report =
+      stopping_.repeat_rows(problem, observer, sequence_, [&](int number, auto watched) {
+        const Real change = sweep<decltype(watched)::value>(number, problem, observer);
+        // For those who look; the sweep itself does not need it.
+        if (observer != nullptr || stopping_.needs_velocity(number)) update_velocity(problem);
+        return change;
+      });
   update_velocity(problem);
   return report;
 }
@@ -47,8 +45,7 @@ void FactoredProjectedGaussSeidel<Real>::build(const VelocityProblem<Real>& prob
     row.response_a = problem.inverse_mass[row.body_a].cwiseProduct(row.jacobian_a);
     row.response_b = problem.inverse_mass[row.body_b].cwiseProduct(row.jacobian_b);
     row.softness = source.softness;
-    const Real inverse = inverse_effective_mass(problem, source);
-    row.effective_mass = inverse > 0 ? 1 / inverse : Real(0);
+    row.effective_mass = effective_mass(problem, source);
     row.b = (source.bias - row_velocity(problem, source)) / problem.dt;
     row.lambda = problem.impulse[i] / problem.dt;
     accelerate(problem, i, row.lambda);

@@ -22,14 +22,10 @@ SolveReport Jacobi<Real>::solve(VelocityProblem<Real>& problem, SolveObserver<Re
   if (observer != nullptr) observer->before_solve(problem);
   stopping_.begin(settings_, problem);
   prepare(problem);
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    // Warm start: last step's impulse acts before the first sweep.
-    apply_impulse(problem, problem.rows[i], problem.impulse[i]);
-  }
+  apply_impulses(problem);  // warm start: those of last step act before the first sweep
 
-  const bool watched = observer != nullptr && observer->watches_rows();
-  return stopping_.repeat(problem, observer, [&](int number) {
-    return watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
+  return stopping_.repeat(problem, observer, [&](int number, auto watched) {
+    return sweep<decltype(watched)::value>(number, problem, observer);
   });
 }
 

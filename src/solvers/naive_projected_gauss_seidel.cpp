@@ -30,10 +30,8 @@ SolveReport NaiveProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& proble
   }
   recompute_velocity(problem);  // warm start (2.3): the impulses that are there already act
 
-  const bool watched = observer != nullptr && observer->watches_rows();
-  return stopping_.repeat(problem, observer, [&](int number) {
-    order_rows(problem, settings_.order, settings_.seed, number, sequence_);
-    return watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
+  return stopping_.repeat_rows(problem, observer, sequence_, [&](int number, auto watched) {
+    return sweep<decltype(watched)::value>(number, problem, observer);
   });
 }
 

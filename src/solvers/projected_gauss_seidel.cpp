@@ -28,15 +28,13 @@ SolveReport ProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem, So
     lambda_(i) = problem.impulse[static_cast<std::size_t>(i)] / problem.dt;  // warm start (2.3)
   }
 
-  const bool watched = observer != nullptr && observer->watches_rows();
-  const SolveReport report = stopping_.repeat(problem, observer, [&](int number) {
-    order_rows(problem, settings_.order, settings_.seed, number, sequence_);
-    const Real change =
-        watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
-    // For those who look; the sweep itself does not need it.
-    if (observer != nullptr || stopping_.needs_velocity(number)) update_velocity(problem);
-    return change;
-  });
+  const SolveReport report =
+      stopping_.repeat_rows(problem, observer, sequence_, [&](int number, auto watched) {
+        const Real change = sweep<decltype(watched)::value>(number, problem, observer);
+        // For those who look; the sweep itself does not need it.
+        if (observer != nullptr || stopping_.needs_velocity(number)) update_velocity(problem);
+        return change;
+      });
   update_velocity(problem);
   return report;
 }

@@ -5,17 +5,6 @@
 
 namespace cairn {
 
-namespace {
-
-/// 1 / A_ii, or 0 between two immovable bodies, where nothing can be done.
-template <Scalar Real>
-Real effective_mass_of(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
-  const Real inverse = inverse_effective_mass(problem, row);
-  return inverse > 0 ? 1 / inverse : Real(0);
-}
-
-}  // namespace
-
 template <Scalar Real>
 SequentialImpulse<Real>::SequentialImpulse(const SolverSettings& settings,
                                            const SequentialImpulseVariant& variant)
@@ -28,15 +17,10 @@ SolveReport SequentialImpulse<Real>::solve(VelocityProblem<Real>& problem, Solve
   if (observer != nullptr) observer->before_solve(problem);
   stopping_.begin(settings_, problem);
   prepare(problem);
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    // Warm start: last step's impulse acts before the first sweep.
-    apply_impulse(problem, problem.rows[i], problem.impulse[i]);
-  }
+  apply_impulses(problem);  // warm start: those of last step act before the first sweep
 
-  const bool watched = observer != nullptr && observer->watches_rows();
-  return stopping_.repeat(problem, observer, [&](int number) {
-    order_rows(problem, settings_.order, settings_.seed, number, sequence_);
-    return watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
+  return stopping_.repeat_rows(problem, observer, sequence_, [&](int number, auto watched) {
+    return sweep<decltype(watched)::value>(number, problem, observer);
   });
 }
 
@@ -45,7 +29,7 @@ void SequentialImpulse<Real>::prepare(const VelocityProblem<Real>& problem) {
   if (variant_.effective_mass == EffectiveMass::in_the_loop) return;
   effective_mass_.resize(problem.rows.size());
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    effective_mass_[i] = effective_mass_of(problem, problem.rows[i]);
+    effective_mass_[i] = effective_mass(problem, problem.rows[i]);
   }
 }
 
@@ -62,10 +46,10 @@ Real SequentialImpulse<Real>::sweep(int number, VelocityProblem<Real>& problem,
     const ConstraintRow<Real>& row = problem.rows[i];
     Real& accumulated = problem.impulse[i];
     const Real jv = row_velocity(problem, row);
-    const Real effective_mass = precomputed ? effective_mass_[i] : effective_mass_of(problem, row);
+    const Real mass = precomputed ? effective_mass_[i] : effective_mass(problem, row);
 
     // The impulse that satisfies this row alone: (22) times dt, with softness; relaxed.
-    const Real corrective = omega * ((row.bias - jv - row.softness * accumulated) * effective_mass);
+    const Real corrective = omega * ((row.bias - jv - row.softness * accumulated) * mass);
     const Real old = accumulated;
     accumulated = clamps_sum ? row.bounds.clamp(old + corrective, problem.impulse)
                              : old + row.bounds.clamp(corrective, problem.impulse);
@@ -73,7 +57,7 @@ Real SequentialImpulse<Real>::sweep(int number, VelocityProblem<Real>& problem,
 
     largest_change = std::max(largest_change, std::abs(accumulated - old));
     if constexpr (watched) {
-      const Real inverse = effective_mass > 0 ? 1 / effective_mass : Real(0);
+      const Real inverse = mass > 0 ? 1 / mass : Real(0);
       observer->after_row({number, turn, jv, inverse, corrective, old, accumulated}, problem);
     }
   }

@@ -25,15 +25,13 @@ SolveReport SparseProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& probl
   stopping_.begin(settings_, problem);
   build(problem);
 
-  const bool watched = observer != nullptr && observer->watches_rows();
-  const SolveReport report = stopping_.repeat(problem, observer, [&](int number) {
-    order_rows(problem, settings_.order, settings_.seed, number, sequence_);
-    const Real change =
-        watched ? sweep<true>(number, problem, observer) : sweep<false>(number, problem, observer);
-    // For those who look; the sweep itself does not need it.
-    if (observer != nullptr || stopping_.needs_velocity(number)) update_velocity(problem);
-    return change;
-  });
+  const SolveReport report =
+      stopping_.repeat_rows(problem, observer, sequence_, [&](int number, auto watched) {
+        const Real change = sweep<decltype(watched)::value>(number, problem, observer);
+        // For those who look; the sweep itself does not need it.
+        if (observer != nullptr || stopping_.needs_velocity(number)) update_velocity(problem);
+        return change;
+      });
   update_velocity(problem);
   return report;
 }
@@ -107,9 +105,7 @@ Real SparseProjectedGaussSeidel<Real>::row_product(std::size_t i) const {
 template <Scalar Real>
 void SparseProjectedGaussSeidel<Real>::update_velocity(VelocityProblem<Real>& problem) const {
   problem.velocity = velocity_;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    apply_impulse(problem, problem.rows[i], problem.impulse[i]);
-  }
+  apply_impulses(problem);
 }
 
 template <Scalar Real>

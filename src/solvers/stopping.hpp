@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <type_traits>
 #include <vector>
 
 #include "solvers/solver.hpp"
@@ -40,21 +41,33 @@ class Stopping {
   }
 
   /// Sweeps until the settings given to begin() say stop: "while not satisfied with global solution" of
-  /// Algorithm 1, in every iterative solver. sweep(number), from 1, does one sweep and returns the largest
-  /// change of an impulse [N s]; it leaves problem.velocity current where an observer or needs_velocity()
-  /// asks for it.
+  /// Algorithm 1, in every iterative solver. sweep(number, watched) does one sweep, from number 1, and
+  /// returns the largest change of an impulse [N s]; it leaves problem.velocity current where an observer or
+  /// needs_velocity() asks for it. `watched` is a std::true_type where an observer wants to see every row and
+  /// a std::false_type otherwise: sweeps are compiled for either, and those that nobody watches pay nothing.
   template <typename Sweep>
   SolveReport repeat(VelocityProblem<Real>& problem, SolveObserver<Real>* observer, const Sweep& sweep) {
+    const bool watched = observer != nullptr && observer->watches_rows();
     SolveReport report;
     while (report.iterations < settings_.iterations && report.stop == Stop::sweeps) {
       const int number = ++report.iterations;
-      const Real change = sweep(number);
+      const Real change = watched ? sweep(number, std::true_type()) : sweep(number, std::false_type());
       report.largest_change = static_cast<double>(change);
       if (observer != nullptr) observer->after_sweep(number, problem);
       report.stop = judge(problem, number, change);
     }
     report.converged = report.stop == Stop::tolerance;
     return report;
+  }
+
+  /// The same for solvers that visit row after row: every sweep finds the order of its rows in `sequence`.
+  template <typename Sweep>
+  SolveReport repeat_rows(VelocityProblem<Real>& problem, SolveObserver<Real>* observer,
+                          RowSequence& sequence, const Sweep& sweep) {
+    return repeat(problem, observer, [&](int number, auto watched) {
+      order_rows(problem, settings_.order, settings_.seed, number, sequence);
+      return sweep(number, watched);
+    });
   }
 
  private:
