@@ -15,22 +15,22 @@ namespace cairn {
 /// One scalar condition as a constraint states it, before anybody decided how fast errors go.
 template <Scalar Real>
 struct RowSpec {
-  BodyId a = {};
-  BodyId b = {};
+  BodyId a = {};                               // the first body
+  BodyId b = {};                               // the second body
   Real error = 0;                              // C (3) [m or rad]; for an inequality: the room left
   Vec3<Real> jacobian_a = Vec3<Real>::Zero();  // dC/dt = j v (5)
-  Vec3<Real> jacobian_b = Vec3<Real>::Zero();
-  Bounds<Real> bounds = {};  // a friction row names its normal row by place in this list
-  std::uint64_t part = 0;    // names the row within its constraint, from step to step
-  Real rebound = 0;          // [m/s] least separation speed, should the bodies meet in this step
-  Real speed = 0;            // [m/s or rad/s] that j v should have where C is 0: of a motor
-  // [N or N m]; replaces the bounds by |impulse| <= max_force dt, or by what the row that they name has left
-  // of a disc of that radius
+  Vec3<Real> jacobian_b = Vec3<Real>::Zero();  // the same for b
+  Bounds<Real> bounds = {};                    // a friction row names its normal row by place in this list
+  std::uint64_t part = 0;                      // names the row within its constraint, from step to step
+  Real rebound = 0;  // [m/s] least separation speed, should the bodies meet in this step
+  Real speed = 0;    // [m/s or rad/s] that j v should have where C is 0: of a motor
+  /// [N or N m]; replaces the bounds by |impulse| <= max_force dt, or by what the row that they name has left
+  /// of a disc of that radius
   std::optional<Real> max_force = {};
   std::optional<Softness> softness = {};    // none: rigid
   bool keeps_slop = true;                   // an inequality: may stay violated by the slop, as contacts do
   std::array<RowTerm<Real>, 2> extra = {};  // a third and a fourth body
-  int extra_count = 0;
+  int extra_count = 0;                      // how many of `extra` there are
 };
 
 /// How far the condition is from holding [m or rad], signed: all of the error of an equality, the missing
@@ -41,12 +41,13 @@ Real violation(const RowSpec<Real>& spec) {
   return spec.bounds.is_equality() ? spec.error : std::min(spec.error, Real(0));
 }
 
+/// The rows of a constraint, or of all of them.
 template <Scalar Real>
 using RowSpecs = std::vector<RowSpec<Real>>;
 
 /// A place where a joint is fastened.
 struct Attachment {
-  BodyId body = {};
+  BodyId body = {};              // that it is fastened to
   Vec2<double> anchor = {0, 0};  // [m] in the frame of the body
   bool turns = true;             // with the body; false: it keeps its place beside the centre of mass
 };
@@ -68,7 +69,9 @@ class Constraint {
 
   /// Appends the rows that hold at these poses. A degenerate one writes none.
   virtual void append_rows(const std::vector<Pose<float>>& poses, RowSpecs<float>& rows) const = 0;
+  /// The same in double.
   virtual void append_rows(const std::vector<Pose<double>>& poses, RowSpecs<double>& rows) const = 0;
+  /// The same in long double.
   virtual void append_rows(const std::vector<Pose<long double>>& poses,
                            RowSpecs<long double>& rows) const = 0;
 
@@ -76,8 +79,10 @@ class Constraint {
   /// goes. The velocities are those that the step would have without constraints.
   virtual void append_rows(const std::vector<Pose<float>>& poses, const std::vector<Vec3<float>>& velocities,
                            RowSpecs<float>& rows) const = 0;
+  /// The same in double.
   virtual void append_rows(const std::vector<Pose<double>>& poses,
                            const std::vector<Vec3<double>>& velocities, RowSpecs<double>& rows) const = 0;
+  /// The same in long double.
   virtual void append_rows(const std::vector<Pose<long double>>& poses,
                            const std::vector<Vec3<long double>>& velocities,
                            RowSpecs<long double>& rows) const = 0;
@@ -91,6 +96,8 @@ class Constraint {
 template <typename Derived>
 class ConstraintOf : public Constraint {
  public:
+  /// @cond
+  // Documented in Constraint.
   void append_rows(const std::vector<Pose<float>>& poses, RowSpecs<float>& rows) const override {
     derived().rows(poses, rows);
   }
@@ -113,6 +120,7 @@ class ConstraintOf : public Constraint {
                    RowSpecs<long double>& rows) const override {
     rows_in_motion(poses, velocities, rows);
   }
+  /// @endcond
 
  private:
   template <Scalar Real>

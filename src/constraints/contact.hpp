@@ -16,10 +16,10 @@ enum class FrictionRows {
 /// How two surfaces meet: the mixture of two materials.
 template <Scalar Real>
 struct ContactMaterial {
-  Real friction = 0;               // mu
-  Real restitution = 0;            // e: separation speed over approach speed
-  Real restitution_threshold = 0;  // [m/s] slower approaches do not rebound
-  FrictionRows friction_rows = FrictionRows::per_point;
+  Real friction = 0;                                     // mu
+  Real restitution = 0;                                  // e: separation speed over approach speed
+  Real restitution_threshold = 0;                        // [m/s] slower approaches do not rebound
+  FrictionRows friction_rows = FrictionRows::per_point;  // for both points of a manifold, or for each
 };
 
 /// The rows of a manifold between bodies a and b. For each point, with arms r_a, r_b from the centres of
@@ -39,6 +39,7 @@ void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
 
 /// Row parts of a contact point: its feature id with one bit for the kind of row.
 constexpr std::uint64_t normal_part(std::uint32_t feature) { return std::uint64_t{feature} << 1; }
+/// The part of the friction row behind normal_part(feature).
 constexpr std::uint64_t friction_part(std::uint32_t feature) { return normal_part(feature) | 1; }
 
 }  // namespace cairn

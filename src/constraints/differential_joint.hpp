@@ -15,6 +15,7 @@ namespace cairn {
 /// the angles alone. Source: the derivative of C.
 class DifferentialJoint final : public ConstraintOf<DifferentialJoint> {
  public:
+  /// What the joint is made from.
   struct Spec {
     BodyId a = {};  // one shaft
     BodyId b = {};  // the other one
@@ -29,6 +30,7 @@ class DifferentialJoint final : public ConstraintOf<DifferentialJoint> {
   /// The middles of the bodies: a shaft, the case, the other shaft.
   std::vector<Attachment> attachments() const override { return {{.body = a_}, {.body = c_}, {.body = b_}}; }
 
+  /// Appends the rows that hold at these poses.
   template <Scalar Real>
   void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 

@@ -18,14 +18,16 @@ namespace cairn {
 /// springs.
 class DistanceJoint final : public ConstraintOf<DistanceJoint> {
  public:
+  /// What holds the anchors at their distance: see the class.
   enum class Kind { rod, rope, spring };
+  /// What the joint is made from.
   struct Spec {
-    BodyId a = {};
-    BodyId b = {};
-    Vec2<double> anchor_a = {0, 0};  // [m], world, where the bodies are placed
-    Vec2<double> anchor_b = {0, 0};  // [m]
-    double length = -1;              // [m]; negative: the distance of the anchors
-    Kind kind = Kind::rod;
+    BodyId a = {};                          // the first body
+    BodyId b = {};                          // the second body
+    Vec2<double> anchor_a = {0, 0};         // [m], world, where the bodies are placed
+    Vec2<double> anchor_b = {0, 0};         // [m]
+    double length = -1;                     // [m]; negative: the distance of the anchors
+    Kind kind = Kind::rod;                  // rod, rope or spring
     std::optional<Softness> softness = {};  // a spring needs one, a rope may have one, a rod has none
     double slack_margin = 0.5;              // [m]; a rope that loses more slack in one step is overstretched
   };
@@ -38,8 +40,10 @@ class DistanceJoint final : public ConstraintOf<DistanceJoint> {
   /// "distance" for a rod, "rope" or "spring".
   std::string name() const override;
   std::vector<Attachment> attachments() const override { return {{a_, local_a_}, {b_, local_b_}}; }
+  /// Whether it is a rod, a rope or a spring.
   Kind kind() const { return kind_; }
 
+  /// Appends the rows that hold at these poses.
   template <Scalar Real>
   void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 

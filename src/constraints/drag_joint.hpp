@@ -15,12 +15,13 @@ namespace cairn {
 /// C; softness.hpp for springs.
 class DragJoint final : public ConstraintOf<DragJoint> {
  public:
+  /// What the joint is made from.
   struct Spec {
-    BodyId body = {};
+    BodyId body = {};              // that is pulled
     Vec2<double> anchor = {0, 0};  // [m], world, where the body is placed
     Vec2<double> target = {0, 0};  // [m], world
-    Softness softness = SwingSoftness{.frequency = 5, .damping_ratio = 0.7};
-    double max_force = 1000;  // [N]
+    Softness softness = SwingSoftness{.frequency = 5, .damping_ratio = 0.7};  // of the spring that pulls
+    double max_force = 1000;                                                  // [N]
   };
 
   /// `poses` are those the bodies start from.
@@ -32,6 +33,7 @@ class DragJoint final : public ConstraintOf<DragJoint> {
   std::vector<Attachment> attachments() const override { return {{ground, target_}, {body_, local_}}; }
   bool bodies_collide() const override { return true; }
 
+  /// Appends the rows that hold at these poses.
   template <Scalar Real>
   void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 

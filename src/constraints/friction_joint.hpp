@@ -33,18 +33,19 @@ enum class FrictionShape {
 /// the cone and axes along the velocity; the disc as in Coulomb's law.
 class FrictionJoint final : public ConstraintOf<FrictionJoint> {
  public:
+  /// What the joint is made from.
   struct Spec {
-    BodyId a = ground;
-    BodyId b = {};
-    std::optional<Vec2<double>> anchor = {};  // [m], world: where it acts on b; none: its centre of mass
-    double max_force = 0;                     // [N]; 0: slides freely
-    double max_torque = 0;                    // [N m]; 0: turns freely
-    FrictionShape shape = FrictionShape::circle;
+    BodyId a = ground;                            // the table
+    BodyId b = {};                                // what slides on it
+    std::optional<Vec2<double>> anchor = {};      // [m], world: where it acts on b; none: its centre of mass
+    double max_force = 0;                         // [N]; 0: slides freely
+    double max_torque = 0;                        // [N m]; 0: turns freely
+    FrictionShape shape = FrictionShape::circle;  // of the set of forces
   };
 
   /// `poses` are those the bodies start from.
-  /// @throws std::invalid_argument for one body twice, numbers that are not finite, or limits below 0 or both
-  /// 0.
+  /// @throws std::invalid_argument for one body twice, numbers that are not finite, limits below 0, or no
+  /// limit above 0.
   FrictionJoint(const Spec& spec, std::span<const Pose<double>> poses);
 
   std::string name() const override { return "friction"; }
@@ -54,6 +55,7 @@ class FrictionJoint final : public ConstraintOf<FrictionJoint> {
   /// As at rest.
   template <Scalar Real>
   void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  /// The same for bodies that move, at the velocities that they would have without constraints.
   template <Scalar Real>
   void rows(const std::vector<Pose<Real>>& poses, const std::vector<Vec3<Real>>& velocities,
             RowSpecs<Real>& rows) const;

@@ -17,14 +17,16 @@ namespace cairn {
 /// acts on the angles alone, so the wheels need pins of their own. Source: the derivative of C.
 class GearJoint final : public ConstraintOf<GearJoint> {
  public:
+  /// Whether both wheels have their teeth outside, or one runs inside the other.
   enum class Mesh { external, internal };
+  /// What the joint is made from.
   struct Spec {
-    BodyId a = {};
-    BodyId b = {};
-    BodyId c = ground;    // the carrier of both axles
-    double radius_a = 1;  // [m] of the pitch circle
-    double radius_b = 1;  // [m]
-    Mesh mesh = Mesh::external;
+    BodyId a = {};               // one wheel
+    BodyId b = {};               // the other one
+    BodyId c = ground;           // the carrier of both axles
+    double radius_a = 1;         // [m] of the pitch circle
+    double radius_b = 1;         // [m] of the other one
+    Mesh mesh = Mesh::external;  // which way they turn
   };
 
   /// `poses` are those the bodies start from.
@@ -35,6 +37,7 @@ class GearJoint final : public ConstraintOf<GearJoint> {
   /// The middles of the wheels.
   std::vector<Attachment> attachments() const override { return {{.body = a_}, {.body = b_}}; }
 
+  /// Appends the rows that hold at these poses.
   template <Scalar Real>
   void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 

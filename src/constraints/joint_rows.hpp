@@ -13,8 +13,8 @@ enum class JointPart : std::uint64_t { x, y, angle, lower_limit, upper_limit, mo
 
 /// The range that a coordinate of a joint is kept in: a length [m] or an angle [rad].
 struct JointLimits {
-  std::optional<double> lower = {};
-  std::optional<double> upper = {};
+  std::optional<double> lower = {};  // [m or rad]; none: no limit
+  std::optional<double> upper = {};  // [m or rad]
   double margin = 0;  // a limit this close has a row: it stops the bodies without ever being passed
 };
 
@@ -26,6 +26,7 @@ struct JointArms {
   Vec2<Real> d;    // [m] from the anchor of a to the anchor of b
 };
 
+/// The arms of a joint whose anchors are given in the frames of its bodies [m].
 template <Scalar Real>
 JointArms<Real> joint_arms(const Pose<Real>& a, const Pose<Real>& b, const Vec2<double>& local_a,
                            const Vec2<double>& local_b);
@@ -51,7 +52,7 @@ template <Scalar Real>
 void append_motor_row(const RowSpec<Real>& coordinate, double speed, double max_force, RowSpecs<Real>& rows);
 
 /// @throws std::invalid_argument unless lower and upper are finite, lower <= upper, and margin is finite and
-/// >= 0. `unit` as in "m".
+/// not negative. `unit` as in "m".
 void require_limits(const JointLimits& limits, const std::string& place, const std::string& unit);
 
 }  // namespace cairn

@@ -22,19 +22,21 @@ namespace cairn {
 /// derivative of C, with dn/dt = w_a x n; the bounds as in E. Catto, Modeling and Solving Constraints (2009).
 class PrismaticJoint final : public ConstraintOf<PrismaticJoint> {
  public:
+  /// Drives the slide.
   struct Motor {
     double speed = 0;      // [m/s] of b along the axis, seen from a
     double max_force = 0;  // [N]
   };
+  /// What the joint is made from.
   struct Spec {
-    BodyId a = {};
-    BodyId b = {};
+    BodyId a = {};                     // carries the line
+    BodyId b = {};                     // slides along it
     Vec2<double> anchor = {0, 0};      // [m], world, where the bodies are placed: there s is 0
     Vec2<double> axis = {1, 0};        // world, of any length
     std::optional<double> lower = {};  // [m]
     std::optional<double> upper = {};  // [m]
     double limit_margin = 0.5;         // [m]; a slider that moves further in one step runs past its limit
-    std::optional<Motor> motor = {};
+    std::optional<Motor> motor = {};   // none: slides freely
   };
 
   /// `poses` are those the bodies start from.
@@ -45,6 +47,7 @@ class PrismaticJoint final : public ConstraintOf<PrismaticJoint> {
   std::string name() const override { return "prismatic"; }
   std::vector<Attachment> attachments() const override { return {{a_, local_a_}, {b_, local_b_}}; }
 
+  /// Appends the rows that hold at these poses.
   template <Scalar Real>
   void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 

@@ -30,21 +30,25 @@ namespace cairn {
 /// E. Catto, Box2D's pulley joint (2007).
 class PulleyJoint final : public ConstraintOf<PulleyJoint> {
  public:
+  /// Whether the rope only pulls, or is a belt that pushes too.
   enum class Kind { rope, taut };
+  /// Whether the rope slips over the roller without friction, or is wound on it.
   enum class Roller { smooth, drum };
+  /// One end of the rope: where it is fastened, and the last roller before it.
   struct End {
-    BodyId body = {};
+    BodyId body = {};              // that the end is fastened to
     Vec2<double> anchor = {0, 0};  // [m], world, where the bodies are placed
     Vec2<double> roller = {0, 0};  // [m], world: where the rope to the anchor leaves its roller
     double parts = 1;              // of rope between them; more than 1: a block and tackle
     BodyId carrier = ground;       // that the roller is fixed to
-    Roller kind = Roller::smooth;
+    Roller kind = Roller::smooth;  // smooth, or a drum
   };
+  /// What the joint is made from.
   struct Spec {
-    std::vector<End> ends = {};
-    double length = -1;  // [m] sum of all parts; negative: as long as it is now
-    Kind kind = Kind::rope;
-    double slack_margin = 0.5;  // [m]; a rope that loses more slack in one step is overstretched
+    std::vector<End> ends = {};  // one or more, on up to four bodies
+    double length = -1;          // [m] sum of all parts; negative: as long as it is now
+    Kind kind = Kind::rope;      // rope or taut
+    double slack_margin = 0.5;   // [m]; a rope that loses more slack in one step is overstretched
   };
 
   /// `poses` are those the bodies start from.
@@ -57,8 +61,10 @@ class PulleyJoint final : public ConstraintOf<PulleyJoint> {
   /// From the first anchor over its roller to the next roller and down to its anchor, and so on.
   std::vector<Attachment> attachments() const override;
   bool bodies_collide() const override { return true; }
+  /// Whether it only pulls.
   Kind kind() const { return kind_; }
 
+  /// Appends the rows that hold at these poses.
   template <Scalar Real>
   void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 

@@ -20,18 +20,20 @@ namespace cairn {
 /// derivative of C; the bounds as in E. Catto, Modeling and Solving Constraints (2009).
 class RevoluteJoint final : public ConstraintOf<RevoluteJoint> {
  public:
+  /// Drives the angle.
   struct Motor {
     double speed = 0;       // [rad/s] of b, seen from a; positive: counterclockwise
     double max_torque = 0;  // [N m]
   };
+  /// What the joint is made from.
   struct Spec {
-    BodyId a = {};
-    BodyId b = {};
+    BodyId a = {};                     // the first body
+    BodyId b = {};                     // the second body
     Vec2<double> anchor = {0, 0};      // [m], world, where the bodies are placed
     std::optional<double> lower = {};  // [rad] from where b stands against a now
     std::optional<double> upper = {};  // [rad]
     double limit_margin = 0.5;         // [rad]; a body that turns further in one step runs past its limit
-    std::optional<Motor> motor = {};
+    std::optional<Motor> motor = {};   // none: turns freely
   };
 
   /// `poses` are those the bodies start from.
@@ -45,6 +47,7 @@ class RevoluteJoint final : public ConstraintOf<RevoluteJoint> {
   /// Whether it is a pin and nothing else.
   bool is_free() const { return !limits_.lower && !limits_.upper && !motor_; }
 
+  /// Appends the rows that hold at these poses.
   template <Scalar Real>
   void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 

@@ -18,6 +18,7 @@ namespace cairn {
 /// second may have what the first has left of it.
 template <Scalar Real>
 struct Bounds {
+  /// Stands for no row.
   static constexpr int none = -1;
 
   Real lower = -std::numeric_limits<Real>::infinity();  // [N s]
@@ -27,16 +28,24 @@ struct Bounds {
   int normal_row = none;                                // the row whose impulse sets the limit
   int second_normal_row = none;                         // adds its impulse, where friction is one row for two
 
+  /// No bounds: an equality.
   static Bounds equality() { return {}; }
+  /// An impulse >= 0 [N s]: the row only pushes.
   static Bounds unilateral() { return {.lower = 0}; }
+  /// An impulse of either sign, up to `limit` [N s].
   static Bounds at_most(Real limit) { return {.lower = -limit, .upper = limit}; }
+  /// Up to `mu` times the impulse of row `normal`, or of two rows together.
   static Bounds coulomb(Real mu, int normal, int second_normal = none) {
     return {.friction = mu, .normal_row = normal, .second_normal_row = second_normal};
   }
+  /// What row `first` leaves of a disc of this radius [N s].
   static Bounds rest_of_disc(Real radius, int first) { return {.disc = radius, .normal_row = first}; }
 
+  /// Whether any impulse is allowed.
   bool is_equality() const { return normal_row == none && lower == -upper && lower < -max_finite(); }
+  /// Whether the row only pushes.
   bool is_unilateral() const { return normal_row == none && lower == 0; }
+  /// Whether the impulse of another row sets the limit.
   bool is_friction() const { return normal_row != none; }
 
   /// Rows are counted from `first` now, instead of from 0.
@@ -74,14 +83,15 @@ struct Bounds {
 struct RowKey {
   std::uint64_t source = 0;  // which joint, or which two colliders
   std::uint64_t part = 0;    // which of its rows: feature id, limit, motor ...
+  /// By source, then by part.
   auto operator<=>(const RowKey&) const = default;
 };
 
 /// What a row has for one body: three entries of J (6).
 template <Scalar Real>
 struct RowTerm {
-  BodyId body = {};
-  Vec3<Real> jacobian = Vec3<Real>::Zero();
+  BodyId body = {};                          // on which it acts
+  Vec3<Real> jacobian = Vec3<Real>::Zero();  // j of that body, as in ConstraintRow
 };
 
 /// One row: j v + softness * impulse = bias, with the impulse inside its bounds. j has six numbers, three for
@@ -89,22 +99,22 @@ struct RowTerm {
 /// more than two bodies (paper 4.3): they stand in the problem's extra_terms.
 template <Scalar Real>
 struct ConstraintRow {
-  BodyId a = {};
-  BodyId b = {};
+  BodyId a = {};                               // the first body
+  BodyId b = {};                               // the second body
   Vec3<Real> jacobian_a = Vec3<Real>::Zero();  // j (5): 1, 1, m for a length; 0, 0, 1 for an angle
-  Vec3<Real> jacobian_b = Vec3<Real>::Zero();
-  Real bias = 0;      // zeta (7): the value j v should take [m/s or rad/s]
-  Real softness = 0;  // gamma (paper 4.3) [1/kg]; 0: rigid
-  Bounds<Real> bounds = {};
-  RowKey key = {};
-  int first_extra = 0;  // its terms of further bodies, in extra_terms
-  int extra_count = 0;
+  Vec3<Real> jacobian_b = Vec3<Real>::Zero();  // the same for b
+  Real bias = 0;                               // zeta (7): the value j v should take [m/s or rad/s]
+  Real softness = 0;                           // gamma (paper 4.3) [1/kg]; 0: rigid
+  Bounds<Real> bounds = {};                    // of the impulse [N s]
+  RowKey key = {};                             // its name in the next step
+  int first_extra = 0;                         // its terms of further bodies, in extra_terms
+  int extra_count = 0;                         // how many there are
 };
 
 /// The rows that one joint or manifold wrote: consecutive, solved together by solvers that can.
 struct RowBlock {
-  int first = 0;
-  int count = 0;
+  int first = 0;  // its first row
+  int count = 0;  // of rows
 };
 
 /// All that a solver needs to know of one step, and all that it answers: a plain value.
@@ -119,9 +129,45 @@ struct VelocityProblem {
   std::vector<Real> impulse = {};               // m [N s]; in: warm start; out: the answer
   Real dt = 1;                                  // [s]; the paper's lambda is impulse / dt
 
+  /// m.
   int row_count() const { return static_cast<int>(rows.size()); }
+  /// n, with the ground.
   int body_count() const { return static_cast<int>(velocity.size()); }
 };
+
+/// The same problem in another precision.
+template <Scalar To, Scalar From>
+VelocityProblem<To> converted(const VelocityProblem<From>& problem) {
+  const auto as_to = [](From x) { return static_cast<To>(x); };
+  VelocityProblem<To> result;
+  for (const ConstraintRow<From>& row : problem.rows) {
+    const Bounds<From>& bounds = row.bounds;
+    result.rows.push_back({.a = row.a,
+                           .b = row.b,
+                           .jacobian_a = row.jacobian_a.template cast<To>(),
+                           .jacobian_b = row.jacobian_b.template cast<To>(),
+                           .bias = as_to(row.bias),
+                           .softness = as_to(row.softness),
+                           .bounds = {.lower = as_to(bounds.lower),
+                                      .upper = as_to(bounds.upper),
+                                      .friction = as_to(bounds.friction),
+                                      .disc = as_to(bounds.disc),
+                                      .normal_row = bounds.normal_row,
+                                      .second_normal_row = bounds.second_normal_row},
+                           .key = row.key,
+                           .first_extra = row.first_extra,
+                           .extra_count = row.extra_count});
+  }
+  result.blocks = problem.blocks;
+  for (const RowTerm<From>& term : problem.extra_terms) {
+    result.extra_terms.push_back({term.body, term.jacobian.template cast<To>()});
+  }
+  for (const Vec3<From>& v : problem.inverse_mass) result.inverse_mass.push_back(v.template cast<To>());
+  for (const Vec3<From>& v : problem.velocity) result.velocity.push_back(v.template cast<To>());
+  for (const From impulse : problem.impulse) result.impulse.push_back(as_to(impulse));
+  result.dt = as_to(problem.dt);
+  return result;
+}
 
 /// Calls visit(BodyId, jacobian) for every body of a row beyond its two.
 template <Scalar Real, typename Visit>

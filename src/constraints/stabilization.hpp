@@ -26,7 +26,7 @@ enum class StabilizationPass {
 /// (1972); E. Catto, Solver2D (2024), for soft rows with a relaxing solve; E. Coumans' Bullet for split
 /// impulses.
 struct Stabilization {
-  StabilizationPolicy policy = StabilizationPolicy::baumgarte;
+  StabilizationPolicy policy = StabilizationPolicy::baumgarte;  // what becomes of errors
   double baumgarte = 0.2;  // beta: the share of an error that one step removes
   double slop = 0.005;     // [m] overlap of contacts that is left alone
   /// [m/s or rad/s] errors are taken back no faster than this.

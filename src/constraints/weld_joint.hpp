@@ -17,9 +17,10 @@ namespace cairn {
 /// n^4 sweeps a digit for n bodies. Source: the derivative of C.
 class WeldJoint final : public ConstraintOf<WeldJoint> {
  public:
+  /// What the joint is made from.
   struct Spec {
-    BodyId a = {};
-    BodyId b = {};
+    BodyId a = {};                 // the first body
+    BodyId b = {};                 // the second body
     Vec2<double> anchor = {0, 0};  // [m], world, where the bodies are placed
   };
 
@@ -30,6 +31,7 @@ class WeldJoint final : public ConstraintOf<WeldJoint> {
   std::string name() const override { return "weld"; }
   std::vector<Attachment> attachments() const override { return {{a_, local_a_}, {b_, local_b_}}; }
 
+  /// Appends the rows that hold at these poses.
   template <Scalar Real>
   void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 

@@ -10,8 +10,10 @@ namespace cairn {
 /// Rows that are solved together at most: a weld has three.
 inline constexpr int max_block_rows = 4;
 
+/// A number for each row of a block.
 template <Scalar Real>
 using BlockVector = std::array<Real, max_block_rows>;
+/// A_BB, row by row.
 template <Scalar Real>
 using BlockMatrix = std::array<BlockVector<Real>, max_block_rows>;
 
@@ -46,7 +48,7 @@ struct PairMatrix {
 template <Scalar Real>
 bool is_regular(const PairMatrix<Real>& A);
 
-/// Coulomb's law at one contact, exactly: impulses (x, y), normal and friction, with
+/// Coulomb's law at one contact, exactly. Finds impulses (x, y), normal and friction, with
 ///   w = A (x, y) + q,   x >= 0,  w_n >= 0,  x w_n = 0,   |y| <= mu x,
 ///   w_t = 0 where |y| < mu x,   w_t <= 0 where y = mu x,   w_t >= 0 where y = -mu x.
 /// Tries the modes one after the other: open (x = y = 0), stick (w = 0), slip (w_n = 0, y = +-mu x).

@@ -19,6 +19,7 @@ Real coupling(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& f
 /// keep, and nothing is allocated for a problem no larger than the last.
 class BodyRows {
  public:
+  /// Finds the rows of every body anew. `weight`: the diagonal of W, for each body.
   template <Scalar Real>
   void build(const VelocityProblem<Real>& problem, const std::vector<Vec3<Real>>& weight);
 

@@ -20,6 +20,14 @@ Real kinetic_norm(const VelocityProblem<Real>& problem) {
   return std::sqrt(sum);
 }
 
+/// e_i, where A_ii is known and above 0.
+template <Scalar Real>
+Real correction_at(const VelocityProblem<Real>& problem, std::size_t i, Real inverse) {
+  const ConstraintRow<Real>& row = problem.rows[i];
+  const Real impulse = problem.impulse[i];
+  return impulse - row.bounds.clamp(impulse - row_velocity_error(problem, i) / inverse, problem.impulse);
+}
+
 }  // namespace
 
 template <Scalar Real>
@@ -36,6 +44,18 @@ Real residual_scale(const VelocityProblem<Real>& problem) {
 }
 
 template <Scalar Real>
+Real row_velocity_error(const VelocityProblem<Real>& problem, std::size_t i) {
+  const ConstraintRow<Real>& row = problem.rows[i];
+  return row_velocity(problem, row) + row.softness * problem.impulse[i] - row.bias;
+}
+
+template <Scalar Real>
+Real natural_correction(const VelocityProblem<Real>& problem, std::size_t i) {
+  const Real inverse = inverse_effective_mass(problem, problem.rows[i]);
+  return inverse > 0 ? correction_at(problem, i, inverse) : Real(0);
+}
+
+template <Scalar Real>
 Residual<Real> residual(const VelocityProblem<Real>& problem, Real scale) {
   Residual<Real> result;
   Real sum = 0;
@@ -43,9 +63,7 @@ Residual<Real> residual(const VelocityProblem<Real>& problem, Real scale) {
     const ConstraintRow<Real>& row = problem.rows[i];
     const Real inverse = inverse_effective_mass(problem, row);
     if (!(inverse > 0)) continue;
-    const Real impulse = problem.impulse[i];
-    const Real w = row_velocity(problem, row) + row.softness * impulse - row.bias;
-    const Real e = impulse - row.bounds.clamp(impulse - w / inverse, problem.impulse);
+    const Real e = correction_at(problem, i, inverse);
     const Real speed = std::abs(inverse * e);
     sum += inverse * e * e;
     Real& of_kind = row.bounds.is_friction()     ? result.velocity_friction
@@ -61,6 +79,12 @@ Residual<Real> residual(const VelocityProblem<Real>& problem, Real scale) {
 template float residual_scale(const VelocityProblem<float>&);
 template double residual_scale(const VelocityProblem<double>&);
 template long double residual_scale(const VelocityProblem<long double>&);
+template float row_velocity_error(const VelocityProblem<float>&, std::size_t);
+template double row_velocity_error(const VelocityProblem<double>&, std::size_t);
+template long double row_velocity_error(const VelocityProblem<long double>&, std::size_t);
+template float natural_correction(const VelocityProblem<float>&, std::size_t);
+template double natural_correction(const VelocityProblem<double>&, std::size_t);
+template long double natural_correction(const VelocityProblem<long double>&, std::size_t);
 template Residual<float> residual(const VelocityProblem<float>&, float);
 template Residual<double> residual(const VelocityProblem<double>&, double);
 template Residual<long double> residual(const VelocityProblem<long double>&, long double);

@@ -20,7 +20,7 @@ enum class RowOrder {
 
 /// The rows of one sweep in the order of their turns. Keeps its memory from sweep to sweep.
 struct RowSequence {
-  std::vector<int> rows = {};
+  std::vector<int> rows = {};  // their places in the problem, in the order of their turns
   /// For RowOrder::coloured: where in `rows` each colour begins, then the number of rows. Otherwise empty.
   std::vector<int> colours = {};
   std::vector<int> waiting = {};   // scratch: rows without a colour yet

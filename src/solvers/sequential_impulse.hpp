@@ -21,8 +21,8 @@ enum class EffectiveMass {
 
 /// How Algorithm 1 is carried out: for lessons on why it is written as it is (paper 3.2 and 4.2).
 struct SequentialImpulseVariant {
-  Clamp clamp = Clamp::accumulated;
-  EffectiveMass effective_mass = EffectiveMass::precomputed;
+  Clamp clamp = Clamp::accumulated;                           // what is clamped
+  EffectiveMass effective_mass = EffectiveMass::precomputed;  // when they are computed
 };
 
 /// Algorithm 1. Visits one row after the other; computes the impulse that would satisfy that row alone (22),

@@ -16,9 +16,9 @@ struct SolverSettings {
   int iterations = 10;     // sweeps over all rows, at most
   double tolerance = 0;    // stop once the residual R_E (residual.hpp) is at most this; 0: never sooner
   double time_budget = 0;  // [s] no sweep begins later than this; 0: none. Its answer depends on the machine
-  RowOrder order = RowOrder::as_written;
-  std::uint64_t seed = 1;  // of RowOrder::shuffled
-  double relaxation = 1;   // omega of SOR (D. M. Young, 1954): every corrective impulse is multiplied by it
+  RowOrder order = RowOrder::as_written;  // of the rows in a sweep
+  std::uint64_t seed = 1;                 // of RowOrder::shuffled
+  double relaxation = 1;  // omega of SOR (D. M. Young, 1954): every corrective impulse is multiplied by it
   int patience = 0;  // so many sweeps at a standstill end it; cycles and plateaus do (stopping.hpp); 0: never
 };
 
@@ -44,7 +44,9 @@ class SolveObserver {
   virtual bool watches_rows() const { return false; }
   /// Before the first sweep: `problem` as given, warm start not applied yet.
   virtual void before_solve(const VelocityProblem<Real>&) {}
+  /// After a row update, where watches_rows().
   virtual void after_row(const RowUpdate<Real>&, const VelocityProblem<Real>&) {}
+  /// After every sweep, counted from 1.
   virtual void after_sweep(int /*sweep*/, const VelocityProblem<Real>&) {}
 };
 
@@ -58,11 +60,12 @@ enum class Stop {
   plateau,    // rows contradict each other: impulses drift, and the residual stays where it is
 };
 
+/// How a solve ended.
 struct SolveReport {
   int iterations = 0;         // sweeps done
   double largest_change = 0;  // [N s] the largest change of an impulse in the last sweep
   bool converged = false;     // the tolerance was asked for and reached
-  Stop stop = Stop::sweeps;
+  Stop stop = Stop::sweeps;   // why it ended
 };
 
 /// Owns settings and scratch memory only: the problem carries everything else.
@@ -70,6 +73,7 @@ template <Scalar Real>
 class Solver {
  public:
   virtual ~Solver() = default;
+  /// What tables call it.
   virtual std::string name() const = 0;
   /// Changes problem.velocity and problem.impulse, from the impulses that it finds there.
   virtual SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) = 0;

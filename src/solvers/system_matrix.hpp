@@ -7,8 +7,10 @@
 
 namespace cairn {
 
+/// A matrix whose size is known at run time.
 template <Scalar Real>
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+/// A column whose length is known at run time.
 template <Scalar Real>
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
