@@ -16,6 +16,8 @@
 #include "measure/csv.hpp"
 #include "measure/energy.hpp"
 #include "measure/recorder.hpp"
+#include "measure/trajectory.hpp"
+#include "measure/truth.hpp"
 #include "measure/violation.hpp"
 #include "solvers/accelerated_projected_gauss_seidel.hpp"
 #include "solvers/block_sequential_impulse.hpp"
@@ -32,3 +34,6 @@
 #include "world/scene.hpp"
 #include "world/snapshot.hpp"
 #include "world/world.hpp"
+
+/// Bodies, what constrains them, what solves the constraints, and what measures the answers.
+namespace cairn {}

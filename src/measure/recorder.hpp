@@ -10,14 +10,15 @@ namespace cairn {
 
 /// The state after one sweep; sweep 0 is the warm start, before any row was visited.
 struct SweepRecord {
-  int sweep = 0;
+  int sweep = 0;                     // from 0
   double residual_energy = 0;        // R_E
   double residual_velocity = 0;      // r_inf [m/s]
   std::vector<double> impulse = {};  // [N s], for each row
 };
 
+/// One row update and what it led to.
 struct RowRecord {
-  RowUpdate<double> update = {};
+  RowUpdate<double> update = {};            // what the solver did
   std::vector<Vec3<double>> velocity = {};  // of all bodies, after the update
 };
 
@@ -25,7 +26,9 @@ struct RowRecord {
 template <Scalar Real = double>
 class SweepRecorder final : public SolveObserver<Real> {
  public:
+  /// Whether single row updates are kept beside the sweeps.
   enum class Detail { sweeps, rows };
+  /// Keeps sweeps, and rows where they are asked for.
   explicit SweepRecorder(Detail detail = Detail::sweeps) : detail_(detail) {}
 
   bool watches_rows() const override { return detail_ == Detail::rows; }
@@ -33,7 +36,9 @@ class SweepRecorder final : public SolveObserver<Real> {
   void after_row(const RowUpdate<Real>& update, const VelocityProblem<Real>& problem) override;
   void after_sweep(int sweep, const VelocityProblem<Real>& problem) override;
 
+  /// From sweep 0 on.
   const std::vector<SweepRecord>& sweeps() const { return sweeps_; }
+  /// In the order in which they were visited; empty unless asked for.
   const std::vector<RowRecord>& rows() const { return rows_; }
 
  private:

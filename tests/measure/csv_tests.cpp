@@ -84,3 +84,25 @@ TEST_CASE("a row that is not as long as the header is refused") {
   CHECK_THROWS_WITH_AS(text_of_table({.header = {"a", "b"}, .rows = {{1LL}}}),
                        "write_csv: row must be as long as the header, got 1", std::invalid_argument);
 }
+
+TEST_CASE("what was written reads back: numbers bit for bit, text with commas, quotes and line breaks") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  CsvTable table = {.header = {"text", "a, \"b\"", "number"}, .rows = {}};
+  for (const double number : {0.1, -1e-310, 1 / 3.0, 6.02e23, infinity, -infinity}) {
+    table.rows.push_back({std::string("two\nlines, \"quoted\""), -7LL, number});
+  }
+  std::istringstream in(text_of_table(table));
+  const CsvTable read = read_csv(in, "table");
+  CHECK(read.header == table.header);
+  CHECK(read.rows == table.rows);
+}
+
+TEST_CASE("CSV that is cut off, or has rows of another length, is refused by its line") {
+  const auto refused = [](const std::string& text, const char* message) {
+    std::istringstream in(text);
+    CHECK_THROWS_WITH_AS(read_csv(in, "table.csv"), doctest::Contains(message), std::invalid_argument);
+  };
+  refused("a,b\n1,2\n3\n", "table.csv: line 3");
+  refused("a,b\n1,\"2\n", "a quote with a quote");
+  refused("a,b\n1,2", "table.csv: line 2");
+}

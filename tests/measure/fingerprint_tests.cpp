@@ -4,7 +4,7 @@
 #include <bit>
 #include <string>
 
-#include "lessons/fingerprint.hpp"
+#include "measure/fingerprint.hpp"
 
 using namespace cairn;
 

@@ -1,5 +1,5 @@
-// What of a state is hashed, and how.
-#include "lessons/fingerprint.hpp"
+// Floor 6. What of a state is hashed, and how.
+#include "measure/fingerprint.hpp"
 
 #include <fmt/format.h>
 
@@ -19,6 +19,12 @@ void Fingerprint::add(double number) {
   std::string bytes(8, '\0');
   for (std::size_t i = 0; i < 8; ++i) bytes[i] = static_cast<char>(bits >> (8 * i) & 0xFFu);
   add(std::string_view(bytes));
+}
+
+void Fingerprint::add(long double number) {
+  const auto head = static_cast<double>(number);
+  add(head);
+  add(static_cast<double>(number - static_cast<long double>(head)));
 }
 
 std::uint64_t fingerprint_of(const Snapshot& snapshot) {
