@@ -21,8 +21,11 @@ class Box2DContacts final : public b2ContactListener {
   /// sleep, stay as they are.
   void begin_step();
 
+  /// Forgets the contact.
   void EndContact(b2Contact* contact) override;
+  /// Notes where its points are before they are solved.
   void PreSolve(b2Contact* contact, const b2Manifold* old_manifold) override;
+  /// Adds the impulses [N s] that it was given.
   void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override;
 
   /// Ordered by colliders. `colliders` names each one's body.

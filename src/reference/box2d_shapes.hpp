@@ -16,6 +16,7 @@ class b2World;
 
 namespace cairn {
 
+/// The same vector in single precision.
 b2Vec2 to_box2d(const Vec2<double>& v);
 
 /// @throws std::invalid_argument for a capsule, a rounded polygon, or more than 8 vertices.

@@ -18,28 +18,25 @@ struct Box2DSettings {
   /// solved from the ground up, as Cairn does it; with `first_first` from the top down.
   enum class Creation { last_first, first_first };
 
-  int velocity_iterations = 8;
-  int position_iterations = 3;
-  bool sleeping = false;  // bodies that hardly moved for half a second are no longer simulated
+  int velocity_iterations = 8;  // sweeps over the velocities, each step
+  int position_iterations = 3;  // sweeps over the positions, each step
+  bool sleeping = false;        // bodies that hardly moved for half a second are no longer simulated
   /// Bodies cannot pass through static ones within a step. Box2D then solves contacts with static bodies a
   /// second time after the sweeps, so that the impulses of a step are no longer those of its solver alone.
   bool continuous = false;
-  Creation creation = Creation::last_first;
+  Creation creation = Creation::last_first;  // which body comes first
 };
 
 /// A scene in Box2D 2.4.1, in single precision. Masses, inertias and centres of mass are Cairn's, friction
 /// and restitution mix by the same rules, and damping has the same formula. Different are:
-///   - Polygons and segments carry a skin of 0.01 m, and shapes may sink 0.005 m into each other's skins: two
-///     polygons rest 0.015 m apart, a circle 0.005 m above a polygon.
-///   - Contact rows exist only where skins overlap; there is no Baumgarte term in the velocities, but a pass
-///   over
-///     the positions of its own.
-///   - Friction rows come before normal rows, and the two normal rows of a manifold are solved together,
-///   unless
-///     they are (nearly) the same row: then the first carries all.
-///   - Restitution takes the approach speed after gravity has acted, and no body moves more than 2 m or turns
-///   more
-///     than a quarter turn in a step.
+/// - Polygons and segments carry a skin of 0.01 m, and shapes may sink 0.005 m into each other's skins: two
+///   polygons rest 0.015 m apart, a circle 0.005 m above a polygon.
+/// - Contact rows exist only where skins overlap; there is no Baumgarte term in the velocities, but a pass
+///   over the positions of its own.
+/// - Friction rows come before normal rows, and the two normal rows of a manifold are solved together, unless
+///   they are (nearly) the same row: then the first carries all.
+/// - Restitution takes the approach speed after gravity has acted, and no body moves more than 2 m or turns
+///   more than a quarter turn in a step.
 class Box2DWorld {
  public:
   /// Copies what it needs of the scene.

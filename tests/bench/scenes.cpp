@@ -2,38 +2,14 @@
 #include "scenes.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "validation/case_scenes.hpp"
 
 namespace cairn::bench {
 
 namespace {
 
-const double link_length = 0.5;  // [m]
-
-void add_pyramid(Scene& scene, int base) {
-  scene.add_ground({.half_width = 0.6 * base + 10});
-  for (int level = 0; level < base; ++level) {
-    for (int i = 0; i < base - level; ++i) {
-      const double x = 1.1 * (i + 0.5 * (level - base + 1));  // the middle of the lowest row at 0
-      scene.add({.shapes = {box(1, 1)}, .position = {x, 0.5 + level}});
-    }
-  }
-}
-
-/// Hangs from the ground at (x, top), each rod below the one before, and swings from an angle at which none
-/// of its numbers vanishes.
-void add_chain(Scene& scene, int links, double x, double top) {
-  const double angle = 0.5;  // [rad] from the vertical
-  const Vec2<double> down(std::sin(angle), -std::cos(angle));
-  BodyId above = ground;
-  for (int i = 0; i < links; ++i) {
-    const Vec2<double> anchor = Vec2<double>(x, top) + i * link_length * down;
-    const BodyId link = scene.add(
-        {.shapes = {box(0.1, link_length)}, .position = anchor + link_length / 2 * down, .angle = angle});
-    scene.join<RevoluteJoint>({.a = above, .b = link, .anchor = anchor});
-    above = link;
-  }
-}
+using namespace cairn::cases;
 
 /// What the world would hand to its solver after a few steps.
 VelocityProblem<double> problem_of(const Scene& scene) {
@@ -56,7 +32,7 @@ VelocityProblem<double> pyramid_with_chains_problem(int base) {
   add_pyramid(scene, base);
   const int links = 10;  // of one chain: 20 rows
   const int chains = base * base / 50;
-  for (int i = 0; i < chains; ++i) add_chain(scene, links, 0.6 * base + 5 + 0.3 * i, base + 10.0);
+  for (int i = 0; i < chains; ++i) add_chain(scene, links, {0.6 * base + 5 + 0.3 * i, base + 10.0});
   return problem_of(scene);
 }
 
@@ -69,7 +45,7 @@ VelocityProblem<double> stack_problem(int boxes) {
 
 VelocityProblem<double> chain_problem(int links) {
   Scene scene;
-  add_chain(scene, links, 0, 0);
+  add_chain(scene, links, {0, 0});
   return problem_of(scene);
 }
 

@@ -28,48 +28,7 @@ Scene puck_scene(FrictionShape shape, double direction, double speed = puck_spee
   return scene;
 }
 
-Vec2<double> place_of_rest(FrictionShape shape, double direction) {
-  World world(puck_scene(shape, direction));
-  // The longest way takes v_0 / mu g, or a diagonal of a square less.
-  step_often(world, static_cast<int>(1.01 * puck_speed / table_grip / fine_dt), 2);
-  CHECK(world.bodies().velocity[1].norm() <= 1e-12);  // the rounding of its speed
-  return world.bodies().pose[1].position;
-}
-
-/// Semi-implicit Euler goes v_0 dt / 2 less far than v_0^2 / 2 mu g: dt mu g / v_0 of it, 2.5e-4.
-constexpr double puck_tolerance = 1e-3;
-
 }  // namespace
-
-// B38
-TEST_CASE("a puck in the friction circle slides straight, and v_0^2 / 2 mu g far, in any direction") {
-  const double distance = puck_speed * puck_speed / (2 * table_grip);
-  for (const FrictionShape shape : {FrictionShape::circle, FrictionShape::aligned_square}) {
-    for (const double degrees : {0.0, 30.0, 45.0, 100.0, 260.0}) {
-      const double direction = degrees * pi / 180;
-      const Vec2<double> place = place_of_rest(shape, direction);
-      CHECK(place.norm() == doctest::Approx(distance).epsilon(puck_tolerance));
-      const Vec2<double> along(std::cos(direction), std::sin(direction));
-      CHECK(std::abs(cross(along, place)) <= 1e-12);  // straight: nothing but rounding turns it
-    }
-  }
-}
-
-// B38
-TEST_CASE("a puck in the friction square goes sqrt(cos^4 + sin^4) as far, and turns to the nearer axis") {
-  const double distance = puck_speed * puck_speed / (2 * table_grip);
-  for (const double degrees : {0.0, 30.0, 45.0}) {
-    const double c = std::cos(degrees * pi / 180), s = std::sin(degrees * pi / 180);
-    const Vec2<double> place = place_of_rest(FrictionShape::square, degrees * pi / 180);
-    const double ratio = std::sqrt(c * c * c * c + s * s * s * s);  // 1, .7906, .7071
-    CHECK(place.norm() / distance == doctest::Approx(ratio).epsilon(puck_tolerance));
-    // Each axis stops by itself: the place is at tan^2 of the direction, 18.43 degrees for 30. An axis errs
-    // by dt / 2 of the time that it takes, here half a second at least.
-    CHECK(place.y() / distance == doctest::Approx(s * s).epsilon(puck_tolerance));
-    CHECK(std::atan2(place.y(), place.x()) * 180 / pi ==
-          doctest::Approx(std::atan2(s * s, c * c) * 180 / pi).epsilon(puck_tolerance));
-  }
-}
 
 TEST_CASE(
     "from rest, the circle holds a pull up to mu m g in all directions, and the square more on diagonals") {

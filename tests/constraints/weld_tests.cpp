@@ -57,30 +57,6 @@ TEST_CASE("two welded bodies fall and turn as one body of their common mass and 
   CHECK(velocity_b.y() == doctest::Approx(mass_b * speed / mass + spin * (2 - centre)).epsilon(1e-10));
 }
 
-// A7
-TEST_CASE("a cantilever of n welded unit boxes carries (n - k) m g and (n - k)^2 m g a / 2 at its joint k") {
-  const int count = 4;
-  const double mass = 2, side = 1;
-  Scene scene;
-  BodyId previous = ground;
-  for (int k = 0; k < count; ++k) {
-    BodySpec part = disc({(k + 0.5) * side, 0}, mass, mass * side * side / 6);
-    const BodyId next = scene.add(part);
-    scene.join<WeldJoint>({.a = previous, .b = next, .anchor = {k * side, 0}});
-    previous = next;
-  }
-  World world(scene);
-  // About 1.15 n^4 = 300 sweeps for a digit.
-  step_often(world, 1, 20 * 300);
-  for (int k = 0; k < count; ++k) {
-    const auto joint = static_cast<std::uint64_t>(k);
-    const double weight = (count - k) * mass * joint_gravity;
-    const double moment = weight * (count - k) * side / 2;
-    CHECK(joint_impulse(world, JointPart::y, joint) == doctest::Approx(weight * joint_dt).epsilon(1e-9));
-    CHECK(joint_impulse(world, JointPart::angle, joint) == doctest::Approx(moment * joint_dt).epsilon(1e-9));
-  }
-}
-
 TEST_CASE("a weld between one body and itself or at no place is refused") {
   CHECK(refusal_of<WeldJoint>({.a = {1}, .b = {1}}) == "WeldJoint: b must be another body than a, got 1");
   CHECK(refusal_of<WeldJoint>({.a = {0}, .b = {1}, .anchor = {0, std::nan("")}}) ==

@@ -24,16 +24,6 @@ World<double> sunk_body(const PopSpec& spec, const Shape<double>& shape) {
 
 double height_above_rest(const World<double>& world) { return pose_of(world, {1}).position.y() - 0.5; }
 
-/// Until it falls again [m].
-double pop_apex(World<double>& world, Solver<double>& solver) {
-  double top = height_above_rest(world);
-  for (double speed = 1; speed > 0 && world.time() < 10; speed = velocity_of(world, {1}).y()) {
-    world.step(solver);
-    top = std::max(top, height_above_rest(world));
-  }
-  return top;
-}
-
 }  // namespace
 
 // B24
@@ -53,41 +43,6 @@ TEST_CASE("a body that overlaps the ground by d leaves it with beta d / dt, what
         }
       }
     }
-  }
-}
-
-// B24
-TEST_CASE("its apex lies (beta d / dt)^2 / 2g - d above the place of rest, and half a step's way more") {
-  for (const double frequency : {120.0, 240.0, 480.0}) {
-    for (const double d : {0.05, 0.1, 0.2}) {
-      const PopSpec spec{.overlap = d, .frequency = frequency};
-      World world = sunk_body(spec, circle(0.5));
-      SequentialImpulse<double> solver;
-      const double apex = pop_apex(world, solver);
-      const double v = spec.baumgarte * d * frequency, dt = 1 / frequency;
-      const double ideal = v * v / (2 * test_gravity) - d;
-      // The sum of the steps' ways v - k g dt, up to the last one that goes up.
-      const double n = std::floor(v / (test_gravity * dt) + 1e-9);
-      const double discrete = dt * ((n + 1) * v - test_gravity * dt * n * (n + 1) / 2) - d;
-      CHECK(apex == doctest::Approx(discrete).epsilon(1e-9));
-      // v dt / 2 is beta d / 2 in any step: the error does not shrink with dt, but the apex grows.
-      CHECK(apex - ideal <= v * dt / 2 + test_gravity * dt * dt / 8 + 1e-9);
-      CHECK(apex - ideal >= 0);
-    }
-  }
-}
-
-// B24
-TEST_CASE("half of the time step throws an overlapping body four times as high") {
-  const double d = 0.2;
-  for (const double frequency : {240.0, 480.0, 960.0}) {
-    World world = sunk_body({.overlap = d, .frequency = frequency}, circle(0.5));
-    World finer = sunk_body({.overlap = d, .frequency = 2 * frequency}, circle(0.5));
-    SequentialImpulse<double> solver;
-    const double ratio = (pop_apex(finer, solver) + d) / (pop_apex(world, solver) + d);
-    // v^2 / 2g + v dt / 2 over v^2 / 2g is 1 + g dt / v, which is near 1 for small steps.
-    const double share = test_gravity / frequency / (0.2 * d * frequency);
-    CHECK(std::abs(ratio / 4 - 1) <= share);
   }
 }
 

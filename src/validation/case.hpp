@@ -1,0 +1,84 @@
+// Beside floor 6. A closed form as data: what a formula foretells beside what an engine gave.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solvers/solver.hpp"
+#include "world/scene.hpp"
+#include "world/snapshot.hpp"
+
+namespace cairn {
+
+/// One number that a formula foretells.
+struct Measured {
+  std::string what = {};     // "apex of the third bounce"
+  std::string formula = {};  // "e^6 h"
+  std::string unit = {};     // "m"; empty for a pure number
+  double expected = 0;
+  double got = 0;
+  double tolerance = 0;     // of |got - expected|
+  std::string reason = {};  // where the tolerance comes from
+  double error() const { return std::abs(got - expected); }
+  bool passes() const { return error() <= tolerance; }  // a NaN does not
+};
+
+/// Errors of one number at finer and finer steps.
+struct Convergence {
+  std::string what = {};
+  std::vector<double> dt = {};     // [s]
+  std::vector<double> error = {};  // of each, > 0
+  double lowest = 0.8;             // orders that pass
+  double highest = 1.2;
+  /// The slope of log error over log dt, by least squares.
+  double order() const;
+  bool passes() const { return order() >= lowest && order() <= highest; }
+};
+
+struct ValidationResult {
+  std::vector<Measured> numbers = {};
+  std::optional<Convergence> convergence = {};
+  bool passes() const;
+};
+
+/// A scene that moves, in one engine or another.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  /// One step of the scene's dt.
+  virtual void step() = 0;
+  virtual Snapshot snapshot() const = 0;
+};
+
+/// Makes engines of one kind. `iterations`: sweeps a step; Box2D's velocity iterations.
+/// @throws std::invalid_argument for scenes that the engine does not have.
+using EngineMaker = std::function<std::unique_ptr<Engine>(const Scene& scene, int iterations)>;
+
+/// Cairn in double, with sequential impulses.
+EngineMaker cairn_engine();
+/// Cairn in double, with the solver that `solver` makes for so many sweeps.
+EngineMaker cairn_engine(const std::function<std::unique_ptr<Solver<double>>(int iterations)>& solver);
+
+/// Whom a case can ask.
+enum class Asks {
+  cairn,       // it looks into problems and solvers
+  any_engine,  // it sees snapshots only
+};
+
+struct ValidationCase {
+  std::string id = {};      // of the list of cases: "B4"
+  std::string title = {};   // a sentence that holds
+  std::string source = {};  // "M. W. Walker, 1904"; "derived" where the comment of the case derives it
+  Asks asks = Asks::cairn;
+  /// `make` is cairn_engine() unless asks is any_engine.
+  std::function<ValidationResult(const EngineMaker& make)> run = {};
+};
+
+/// All cases, in the order of their ids.
+const std::vector<ValidationCase>& validation_cases();
+
+}  // namespace cairn

@@ -1,0 +1,165 @@
+// Beside floor 6. Problems written by hand, row by row, and how fast sweeps solve them.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "measure/recorder.hpp"
+#include "solvers/residual.hpp"
+#include "validation/case_constants.hpp"
+#include "validation/case_solvers.hpp"
+
+namespace cairn::cases {
+
+/// A problem with the ground and nothing else.
+template <Scalar Real>
+VelocityProblem<Real> empty_problem(Real dt = static_cast<Real>(standard_dt)) {
+  VelocityProblem<Real> problem;
+  problem.dt = dt;
+  problem.velocity = {Vec3<Real>::Zero()};
+  problem.inverse_mass = {Vec3<Real>::Zero()};
+  return problem;
+}
+
+/// Adds a body of the given mass [kg] and inertia [kg m^2].
+template <Scalar Real>
+BodyId add_body(VelocityProblem<Real>& problem, Real mass, Real inertia, const Vec3<Real>& velocity) {
+  problem.velocity.push_back(velocity);
+  problem.inverse_mass.push_back({1 / mass, 1 / mass, 1 / inertia});
+  return {problem.body_count() - 1};
+}
+
+/// Adds a row as a block of its own, without an impulse to start from, and returns its place.
+template <Scalar Real>
+int add_row(VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
+  problem.blocks.push_back({problem.row_count(), 1});
+  problem.rows.push_back(row);
+  problem.impulse.push_back(0);
+  return problem.row_count() - 1;
+}
+
+/// The row of two bodies that meet, or are tied, along y: j v = v_b - v_a.
+template <Scalar Real>
+ConstraintRow<Real> vertical_row(BodyId a, BodyId b, const Bounds<Real>& bounds) {
+  ConstraintRow<Real> row;
+  row.a = a;
+  row.b = b;
+  row.jacobian_a = {0, -1, 0};
+  row.jacobian_b = {0, 1, 0};
+  row.bounds = bounds;
+  return row;
+}
+
+/// A contact of the ground with body `b` at arm (x, y) from its centre: the normal is up.
+template <Scalar Real>
+ConstraintRow<Real> floor_row(BodyId b, Real x) {
+  ConstraintRow<Real> row;
+  row.b = b;
+  row.jacobian_b = {0, 1, x};
+  row.bounds = Bounds<Real>::unilateral();
+  return row;
+}
+
+/// The friction that goes with row `normal`, at height y from the centre of `b`: the tangent points right.
+template <Scalar Real>
+ConstraintRow<Real> floor_friction_row(BodyId b, Real y, Real friction, int normal) {
+  ConstraintRow<Real> row;
+  row.b = b;
+  row.jacobian_b = {1, 0, -y};
+  row.bounds = Bounds<Real>::coulomb(friction, normal);
+  return row;
+}
+
+/// Boxes on the ground, one on the other, from the lowest mass up, that have fallen for one step: row j is
+/// the contact under box j + 1. One normal row an interface, as nothing can tilt.
+template <Scalar Real>
+VelocityProblem<Real> column(const std::vector<Real>& masses) {
+  VelocityProblem<Real> problem = empty_problem<Real>();
+  const Real fall = -static_cast<Real>(standard_gravity) * problem.dt;
+  BodyId below = ground;
+  for (const Real mass : masses) {
+    const BodyId box = add_body<Real>(problem, mass, mass / 6, {0, fall, 0});
+    add_row(problem, vertical_row<Real>(below, box, Bounds<Real>::unilateral()));
+    below = box;
+  }
+  return problem;
+}
+
+/// n equal boxes.
+template <Scalar Real>
+VelocityProblem<Real> stack(int n) {
+  return column<Real>(std::vector<Real>(static_cast<std::size_t>(n), Real(1)));
+}
+
+/// Beads of 1 kg on a line, each tied to the next by a rod, at rest but for the first, which was struck.
+/// Rows: n - 1.
+inline VelocityProblem<double> free_chain(int n) {
+  VelocityProblem<double> problem = empty_problem<double>();
+  BodyId last = add_body<double>(problem, 1, 1, {0, 1, 0});
+  for (int i = 1; i < n; ++i) {
+    const BodyId bead = add_body<double>(problem, 1, 1, {0, 0, 0});
+    add_row(problem, vertical_row<double>(last, bead, Bounds<double>::equality()));
+    last = bead;
+  }
+  return problem;
+}
+
+/// Of the rod below, by the arm (0.5 cos, -0.5 sin) with tan = 2 from its centre to its lower end and its
+/// inertia 1/12: A_nn = 1 + 12 x^2, A_nt = 12 x y, A_tt = 1 + 12 y^2 [1/kg].
+inline constexpr double painleve_nn = 1.6, painleve_nt = 1.2, painleve_tt = 3.4;
+inline constexpr double painleve_fall = 0.01;  // [m/s] g dt
+
+/// A uniform rod of 1 m and 1 kg, inclined by atan 2, on its lower end that slides along the floor
+/// (P. Painleve, 1895), after one step of 0.001 s of falling. Its centre is on the left of that end and has
+/// the given speed to the right [m/s]: friction turns the end out of the floor when the end goes to the left,
+/// and into it when it goes to the right.
+template <Scalar Real>
+VelocityProblem<Real> painleve_rod(Real speed, Real friction) {
+  VelocityProblem<Real> problem = empty_problem<Real>(Real(0.001));
+  const Real x = Real(0.5) / std::sqrt(Real(5)), y = -2 * x;
+  const BodyId rod = add_body<Real>(problem, 1, Real(1) / 12, {speed, -static_cast<Real>(painleve_fall), 0});
+  const int normal = add_row(problem, floor_row<Real>(rod, x));
+  const int tangent = add_row(problem, floor_friction_row<Real>(rod, y, friction, normal));
+  problem.rows[static_cast<std::size_t>(tangent)].key.part = 1;
+  return problem;
+}
+
+/// The largest violation of any row by these impulses instead of those of the problem, whose velocities are
+/// those without any [m/s]: 0 for a solution.
+inline double violation_by(VelocityProblem<double> problem, const std::vector<double>& impulse) {
+  problem.impulse = impulse;
+  for (std::size_t i = 0; i < impulse.size(); ++i) apply_impulse(problem, problem.rows[i], impulse[i]);
+  return residual(problem, 1.0).velocity;
+}
+
+/// All impulses after each sweep, in the scalar they were computed in. Sweep 0 is the start.
+template <Scalar Real>
+class ImpulseTrace final : public SolveObserver<Real> {
+ public:
+  void before_solve(const VelocityProblem<Real>& problem) override { sweeps = {problem.impulse}; }
+  void after_sweep(int, const VelocityProblem<Real>& problem) override { sweeps.push_back(problem.impulse); }
+  std::vector<std::vector<Real>> sweeps = {};
+};
+
+/// The ratio of tensions up to which friction holds a rope that bends by pi in n equal corners (L. Euler,
+/// 1769, for many). At each one the pulls T and T' press with (T + T') sin(h), h half the corner, and pull
+/// along with (T' - T) cos(h).
+inline double capstan_ratio(int n, double friction) {
+  const double bend = friction * std::tan(pi / (2 * n));
+  return std::pow((1 + bend) / (1 - bend), n);
+}
+
+/// How many sweeps make the error ten times as small, where each leaves `rate` of it.
+inline double sweeps_a_digit(double rate) { return -std::log(10.0) / std::log(rate); }
+
+/// By how much one sweep shrinks the residual R_E, averaged from sweep `first` to sweep `last`.
+inline double measured_rate(const SolverMaker<double>& make, VelocityProblem<double> problem, int first,
+                            int last) {
+  SweepRecorder<double> recorder;
+  make({.iterations = last})->solve(problem, &recorder);
+  const double before = recorder.sweeps()[static_cast<std::size_t>(first)].residual_energy;
+  const double after = recorder.sweeps()[static_cast<std::size_t>(last)].residual_energy;
+  return std::pow(after / before, 1.0 / (last - first));
+}
+
+}  // namespace cairn::cases

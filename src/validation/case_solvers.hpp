@@ -1,0 +1,61 @@
+// Beside floor 6. The solvers that closed forms are asked of: a new solver is one line here.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "solvers/accelerated_projected_gauss_seidel.hpp"
+#include "solvers/block_sequential_impulse.hpp"
+#include "solvers/factored_projected_gauss_seidel.hpp"
+#include "solvers/jacobi.hpp"
+#include "solvers/naive_projected_gauss_seidel.hpp"
+#include "solvers/projected_gauss_seidel.hpp"
+#include "solvers/sequential_impulse.hpp"
+#include "solvers/sparse_projected_gauss_seidel.hpp"
+
+namespace cairn::cases {
+
+template <Scalar Real>
+using SolverMaker = std::function<std::unique_ptr<Solver<Real>>(const SolverSettings&)>;
+
+template <typename SolverType, Scalar Real>
+SolverMaker<Real> maker() {
+  return [](const SolverSettings& settings) { return std::make_unique<SolverType>(settings); };
+}
+
+/// The form of Jacobi's method that converges whenever Gauss-Seidel does.
+template <Scalar Real>
+std::unique_ptr<Solver<Real>> mass_splitting_jacobi(const SolverSettings& settings) {
+  return std::make_unique<Jacobi<Real>>(settings, Splitting::mass);
+}
+
+/// What a case wants of the solvers that it asks for.
+enum class Iterates {
+  of_gauss_seidel,  // after every sweep they have the impulses of Gauss-Seidel, but for rounding
+  any,              // they come to the same answer in their own way
+};
+
+template <Scalar Real>
+std::vector<SolverMaker<Real>> all_solvers(Iterates iterates = Iterates::of_gauss_seidel) {
+  std::vector<SolverMaker<Real>> solvers = {
+      maker<SequentialImpulse<Real>, Real>(),             // Algorithm 1
+      maker<ProjectedGaussSeidel<Real>, Real>(),          // A dense
+      maker<SparseProjectedGaussSeidel<Real>, Real>(),    // A without its zeros
+      maker<FactoredProjectedGaussSeidel<Real>, Real>(),  // A in two factors
+      maker<NaiveProjectedGaussSeidel<Real>, Real>(),     // every velocity after every row
+  };
+  if (iterates == Iterates::of_gauss_seidel) return solvers;
+  solvers.push_back(mass_splitting_jacobi<Real>);
+  solvers.push_back(maker<AcceleratedProjectedGaussSeidel<Real>, Real>());
+  solvers.push_back(maker<BlockSequentialImpulse<Real>, Real>());
+  return solvers;
+}
+
+/// The solvers of the paper, for cases that take long.
+template <Scalar Real>
+std::vector<SolverMaker<Real>> paper_solvers() {
+  return {maker<SequentialImpulse<Real>, Real>(), maker<ProjectedGaussSeidel<Real>, Real>()};
+}
+
+}  // namespace cairn::cases

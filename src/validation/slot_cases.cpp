@@ -1,0 +1,107 @@
+// Beside floor 6. Coulomb friction where it has two answers: a box in a tight slot.
+#include <algorithm>
+
+#include "validation/case_list.hpp"
+#include "validation/case_problems.hpp"
+#include "validation/worst.hpp"
+
+namespace cairn {
+
+namespace {
+
+using namespace cairn::cases;
+
+const double slot_friction = 0.5;                           // mu
+const double slot_weight = standard_gravity * standard_dt;  // [N s] m g dt of 1 kg
+
+/// A box of 1 kg that fits tightly between two walls, each with one contact and its friction, after one step
+/// of falling. Rows: normal and friction of the left wall, then of the right one. Up is along the tangents.
+VelocityProblem<double> box_in_slot() {
+  VelocityProblem<double> problem = empty_problem<double>();
+  const BodyId slot_box = add_body<double>(problem, 1, 1.0 / 6, {0, -slot_weight, 0});
+  for (const double side : {-1.0, 1.0}) {
+    ConstraintRow<double> normal;
+    normal.b = slot_box;
+    normal.jacobian_b = {-side, 0, 0};
+    normal.bounds = Bounds<double>::unilateral();
+    const int place = add_row(problem, normal);
+    ConstraintRow<double> tangent = normal;
+    tangent.jacobian_b = {0, 1, side / 2};
+    tangent.bounds = Bounds<double>::coulomb(slot_friction, place);
+    add_row(problem, tangent);
+  }
+  return problem;
+}
+
+/// Walls that press with `press` times m g dt / (2 mu), the least that can hold the box.
+VelocityProblem<double> pressed_box(double press, double friction_impulse) {
+  VelocityProblem<double> problem = box_in_slot();
+  const double normal = press * slot_weight / (2 * slot_friction);
+  problem.impulse = {normal, friction_impulse, normal, friction_impulse};
+  return problem;
+}
+
+// A10. Without normal impulses there is no friction, and without friction nothing presses: the box falls.
+// With equal normal impulses of m g dt / (2 mu) or more on both sides friction holds it.
+ValidationResult two_answers(const EngineMaker&) {
+  const std::string any = ": worst of 8 solvers",
+                    both = ", pressed by 1 and 1.5 m g dt / 2 mu: worst of 8 solvers";
+  Worst falls({.what = "speed from impulses 0" + any,
+               .formula = "-g dt",
+               .unit = "m/s",
+               .reason = "exact: nothing is added to it"});
+  Worst cold({.what = "violation by the answer without impulses" + any,
+              .formula = "0",
+              .unit = "m/s",
+              .reason = "exact"});
+  Worst stays({.what = "speed" + both, .formula = "0", .unit = "m/s", .reason = "64 epsilon of 1 m/s"});
+  Worst holds({.what = "sum of friction impulses" + both,
+               .formula = "m g dt",
+               .unit = "N s",
+               .reason = "64 epsilon of it"});
+  Worst warm({.what = "violation by the answer" + both,
+              .formula = "0",
+              .unit = "m/s",
+              .reason = "64 epsilon of 1 m/s"});
+  for (const SolverMaker<double>& make : all_solvers<double>(Iterates::any)) {
+    VelocityProblem<double> problem = box_in_slot();
+    make({.iterations = 50})->solve(problem);
+    falls.add(-slot_weight, problem.velocity[1].y(), 0);
+    cold.add(0, violation_by(box_in_slot(), problem.impulse), 0);
+    for (const double press : {1.0, 1.5}) {
+      problem = pressed_box(press, slot_weight / 2);
+      make({.iterations = 50})->solve(problem);
+      stays.add(0, problem.velocity[1].cwiseAbs().maxCoeff(), 64 * double_epsilon);
+      holds.add(slot_weight, problem.impulse[1] + problem.impulse[3], 64 * double_epsilon * slot_weight);
+      warm.add(0, violation_by(box_in_slot(), problem.impulse), 64 * double_epsilon);
+    }
+  }
+  return {.numbers = {falls.number(), cold.number(), stays.number(), holds.number(), warm.number()}};
+}
+
+// A10
+ValidationResult too_little_pressure(const EngineMaker&) {
+  Worst worst({.what = "speed, pressed by p = 0.6 m g dt / 2 mu: worst of 8 solvers",
+               .formula = "-g dt + 2 mu p / m",
+               .unit = "m/s",
+               .reason = "64 epsilon of 1 m/s"});
+  for (const SolverMaker<double>& make : all_solvers<double>(Iterates::any)) {
+    VelocityProblem<double> problem = pressed_box(0.6, 0);
+    make({.iterations = 50})->solve(problem);
+    worst.add(-0.4 * slot_weight, problem.velocity[1].y(), 64 * double_epsilon);
+  }
+  return {.numbers = {worst.number()}};
+}
+
+}  // namespace
+
+void add_slot_cases(ValidationCases& cases) {
+  cases.push_back({"A10",
+                   "A box in a tight slot has two answers, and the impulses at the start decide between them",
+                   "derived", Asks::cairn, two_answers});
+  cases.push_back({"A10b",
+                   "A box that its slot presses with less than m g dt / (2 mu) is slowed down, but not held",
+                   "derived", Asks::cairn, too_little_pressure});
+}
+
+}  // namespace cairn

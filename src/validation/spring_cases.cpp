@@ -1,0 +1,252 @@
+// Beside floor 6. Springs, against implicit Euler, continuous swings and statics: B27, B28 and B29.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "constraints/distance_joint.hpp"
+#include "validation/case_list.hpp"
+#include "validation/case_runs.hpp"
+#include "validation/worst.hpp"
+
+namespace cairn {
+
+namespace {
+
+using namespace cairn::cases;
+
+const double bob_mass = 3;         // [kg]
+const double unloaded_length = 2;  // [m], unloaded
+
+/// A bob under the origin on a spring that is longer by `stretch` than unloaded.
+Scene bob_on_spring(const Softness& softness, double stretch, double gravity, double dt) {
+  Scene scene({.gravity = {0, -gravity}, .dt = dt});
+  const Vec2<double> place(0, -unloaded_length - stretch);
+  const BodyId bob = scene.add({.position = place, .mass = bob_mass, .fixed_rotation = true});
+  scene.join<DistanceJoint>({.a = ground,
+                             .b = bob,
+                             .anchor_b = place,
+                             .length = unloaded_length,
+                             .kind = DistanceJoint::Kind::spring,
+                             .softness = softness});
+  return scene;
+}
+
+double stretch_of(const Motion& bob) { return -bob.position({1}).y() - unloaded_length; }
+
+const int spring_beads = 5;
+
+/// Five beads of 1 kg between two walls, on six springs of 1 N/m, in the shape of mode k: w = 2 sin(k pi /
+/// 12).
+Scene spring_chain(int mode, double amplitude, double dt) {
+  const int n = spring_beads;
+  Scene scene({.gravity = {0, 0}, .dt = dt});
+  const SpringSoftness spring{.stiffness = 1};
+  BodyId left = ground;
+  Vec2<double> anchor = {0, 0};
+  for (int i = 1; i <= n + 1; ++i) {
+    const Vec2<double> place(i + amplitude * std::sin(i * mode * pi / (n + 1)), 0);
+    const Vec2<double> end = i <= n ? place : Vec2<double>(n + 1, 0);
+    const BodyId bead = i <= n ? scene.add({.position = place, .mass = 1, .fixed_rotation = true}) : ground;
+    scene.join<DistanceJoint>({.a = left,
+                               .b = bead,
+                               .anchor_a = anchor,
+                               .anchor_b = end,
+                               .length = 1,
+                               .kind = DistanceJoint::Kind::spring,
+                               .softness = spring});
+    left = bead;
+    anchor = end;
+  }
+  return scene;
+}
+
+/// How far a mode of the chain is out: its part in the places of the beads [m].
+double mode_part(const Motion& chain, int mode) {
+  double part = 0;
+  for (int i = 1; i <= spring_beads; ++i) {
+    part += (chain.position({i}).x() - i) * std::sin(i * mode * pi / (spring_beads + 1));
+  }
+  return part * 2 / (spring_beads + 1);
+}
+
+struct ModeRun {
+  double frequency = 0;  // [rad/s] between the first and the last passage of the middle
+  double off = 0;        // [m] the most that a bead is beside where implicit Euler has it
+};
+
+const int mode_steps = 500;
+
+ModeRun run_mode(const EngineMaker& make, int mode, double dt) {
+  const double omega = 2 * std::sin(mode * pi / 12), amplitude = 0.1;
+  Motion chain(make, spring_chain(mode, amplitude, dt), 50);
+  ModeRun result;
+  double x = amplitude, v = 0;   // of the mode, by implicit Euler
+  std::vector<double> passages;  // [s]
+  for (int step = 0; step < mode_steps; ++step) {
+    const double before = mode_part(chain, mode);
+    chain.step();
+    const double after = mode_part(chain, mode);
+    if (before * after <= 0) passages.push_back(chain.time() - dt * after / (after - before));
+    v = (v - dt * omega * omega * x) / (1 + omega * omega * dt * dt);
+    x += dt * v;
+    for (int i = 1; i <= spring_beads; ++i) {
+      const double place = i + x * std::sin(i * mode * pi / 6);
+      result.off = std::max(result.off, std::abs(chain.position({i}).x() - place));
+    }
+  }
+  if (passages.size() < 2) return {.frequency = std::numeric_limits<double>::quiet_NaN(), .off = result.off};
+  result.frequency = (static_cast<double>(passages.size()) - 1) * pi / (passages.back() - passages.front());
+  return result;
+}
+
+ValidationResult beads_on_springs(const EngineMaker& make) {
+  ValidationResult result;
+  const double dt = 0.02;
+  Worst place;
+  for (int mode = 1; mode <= spring_beads; ++mode) {
+    const double omega = 2 * std::sin(mode * pi / 12), turn = omega * dt;
+    const ModeRun got = run_mode(make, mode, dt);
+    // It turns by atan(w dt) in a step, (w dt)^2 / 3 less than w dt.
+    result.numbers.push_back(within_share(1.5 * turn * turn / 3,
+                                          {.what = "mode " + std::to_string(mode) + " at 50 Hz",
+                                           .formula = "2 sqrt(k/m) sin(" + std::to_string(mode) + " pi/12)",
+                                           .unit = "rad/s",
+                                           .expected = omega,
+                                           .got = got.frequency,
+                                           .reason = "1.5 (w dt)^2/3: implicit Euler turns by atan(w dt)"}));
+    place.add({.what = "beads beside implicit Euler's, worst of 5 modes and 500 steps",
+               .formula = "v' = (v - dt w^2 x)/(1 + w^2 dt^2)",
+               .unit = "m",
+               .expected = 0,
+               .got = got.off,
+               .tolerance = 64 * 6 * double_epsilon * mode_steps,
+               .reason = "64 roundings of lengths up to 6 m in each of 500 steps"});
+  }
+  result.numbers.push_back(place.number());
+  return result;
+}
+
+/// What an undamped spring of f [Hz] does to z = x - i v / w in a step: the factor of its length, and the
+/// angle that it turns by [rad]. Means of four steps.
+struct SpringStep {
+  double factor = 0;
+  double turn = 0;
+};
+
+SpringStep undamped_steps(const EngineMaker& make, double frequency) {
+  const double omega = 2 * pi * frequency, start = 0.25;
+  Motion bob(make, bob_on_spring(SwingSoftness{.frequency = frequency}, start, 0, standard_dt), 1);
+  SpringStep mean;
+  double angle = 0;
+  for (int step = 0; step < 4; ++step) {
+    bob.step();
+    const double now = std::atan2(bob.velocity({1}).y() / omega, stretch_of(bob));
+    mean.turn += std::remainder(now - angle, 2 * pi) / 4;
+    angle = now;
+  }
+  mean.factor = std::pow(std::hypot(stretch_of(bob), bob.velocity({1}).y() / omega) / start, 0.25);
+  return mean;
+}
+
+void add_undamped_steps(const EngineMaker& make, double frequency, const std::string& name,
+                        ValidationResult& result) {
+  const double angle = 2 * pi * frequency * standard_dt;
+  const SpringStep got = undamped_steps(make, frequency);
+  const double rounding = 64 * double_epsilon * 2 / (0.25 * std::pow(1 + angle * angle, -2));
+  const std::string reason = "64 eps of places of 2 m, over what four steps leave";
+  result.numbers.push_back({.what = "|x - i v/w| kept in a step of 1/60 s at " + name,
+                            .formula = "1/sqrt(1 + w^2 dt^2)",
+                            .expected = 1 / std::sqrt(1 + angle * angle),
+                            .got = got.factor,
+                            .tolerance = rounding,
+                            .reason = reason});
+  result.numbers.push_back({.what = "turn of x - i v/w in a step of 1/60 s at " + name,
+                            .formula = "atan(w dt)",
+                            .unit = "rad",
+                            .expected = std::atan(angle),
+                            .got = got.turn,
+                            .tolerance = rounding,
+                            .reason = reason});
+}
+
+/// How far a bob on a damped spring of 0.2 Hz is after 2 s from where it should be [m].
+double damped_error(const EngineMaker& make, double zeta, double hertz) {
+  const double swing = 0.2, omega = 2 * pi * swing, t = 2, start = 0.25;  // [Hz], [rad/s], [s], [m]
+  const double damped = omega * std::sqrt(1 - zeta * zeta);
+  const double ideal = start * std::exp(-zeta * omega * t) *
+                       (std::cos(damped * t) + zeta / std::sqrt(1 - zeta * zeta) * std::sin(damped * t));
+  Motion bob(make,
+             bob_on_spring(SwingSoftness{.frequency = swing, .damping_ratio = zeta}, start, 0, 1 / hertz), 1);
+  bob.run(t);
+  return stretch_of(bob) - ideal;
+}
+
+ValidationResult damped_swing(const EngineMaker& make) {
+  ValidationResult result;
+  add_undamped_steps(make, 0.5, "0.5 Hz", result);
+  add_undamped_steps(make, 5, "5 Hz", result);
+  add_undamped_steps(make, 50, "50 Hz", result);
+  result.convergence =
+      converges("place of a spring of 0.2 Hz after 2 s, worse of zeta = 0 and 0.2", [&](double hertz) {
+        return std::max(std::abs(damped_error(make, 0, hertz)), std::abs(damped_error(make, 0.2, hertz)));
+      });
+  return result;
+}
+
+ValidationResult static_sag(const EngineMaker& make) {
+  const double stiffness = 150, seconds = 30;
+  const std::string reason = "1e-9: swings fade by e^-25 and more in 30 s";
+  Worst sag, load;
+  for (const double damping : {5.0, 50.0}) {
+    for (const double dt : {1.0 / 30, 1.0 / 60, 1.0 / 240}) {
+      const SpringSoftness spring{.stiffness = stiffness, .damping = damping};
+      Motion bob(make, bob_on_spring(spring, 0, standard_gravity, dt), 1);
+      bob.run(seconds);
+      sag.add(within_share(1e-9, {.what = "sag, worst of two dampings and three steps",
+                                  .formula = "m g/k",
+                                  .unit = "m",
+                                  .expected = bob_mass * standard_gravity / stiffness,
+                                  .got = stretch_of(bob),
+                                  .reason = reason}));
+      load.add(within_share(1e-9, {.what = "tension, worst of two dampings and three steps",
+                                   .formula = "m g",
+                                   .unit = "N",
+                                   .expected = bob_mass * standard_gravity,
+                                   .got = bob.now().joints[0].impulse.norm() / dt,
+                                   .reason = reason}));
+    }
+  }
+  const double omega = 2 * pi * 2;
+  const SwingSoftness swing{.frequency = 2, .damping_ratio = 0.7};
+  Motion bob(make, bob_on_spring(swing, 0, standard_gravity, standard_dt), 1);
+  bob.run(seconds);
+  return {.numbers = {sag.number(), load.number(),
+                      within_share(1e-9, {.what = "sag of a spring given by its frequency of 2 Hz",
+                                          .formula = "g/w^2",
+                                          .unit = "m",
+                                          .expected = standard_gravity / (omega * omega),
+                                          .got = stretch_of(bob),
+                                          .reason = reason})}};
+}
+
+}  // namespace
+
+void add_spring_cases(ValidationCases& cases) {
+  cases.push_back({.id = "B27",
+                   .title = "Five beads on springs swing in mode k with w = 2 sqrt(k / m) sin(k pi / 12)",
+                   .source = "J. L. Lagrange, 1759",
+                   .run = beads_on_springs});
+  cases.push_back(
+      {.id = "B28",
+       .title = "A soft joint is implicit Euler's spring, and converges to the damped swing like dt",
+       .source = "E. Catto, 2011; derived",
+       .run = damped_swing});
+  cases.push_back({.id = "B29",
+                   .title = "A soft joint sags by m g / k, whatever its damping and the step",
+                   .source = "R. Hooke, 1678",
+                   .run = static_sag});
+}
+
+}  // namespace cairn
