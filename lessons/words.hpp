@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "math/nearest.hpp"
+
 namespace cairn {
 
 /// "0.02", "-3", "1e-6" or a fraction such as "1/60". Nothing for anything else, infinity and NaN among it.
@@ -13,12 +15,6 @@ std::optional<double> parse_number(std::string_view text);
 
 /// Numbers between commas; nothing unless each is one.
 std::optional<std::vector<double>> parse_numbers(std::string_view text);
-
-/// How many letters have to be put in, left out or replaced to make `b` of `a`.
-int edit_distance(std::string_view a, std::string_view b);
-
-/// The candidate that is nearest to `word`, if it is at most two letters off; "" if none is.
-std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 /// The text in ASCII: "λ₂ = j M⁻¹ jᵀ" becomes "lambda_2 = j M^-1 j^T".
 std::string transliterated(std::string_view text);

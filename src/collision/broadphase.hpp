@@ -17,6 +17,7 @@ enum class BroadphaseKind { all_pairs, sweep };
 template <Scalar Real>
 class Broadphase {
  public:
+  /// Finds pairs in the given way.
   explicit Broadphase(BroadphaseKind kind = BroadphaseKind::all_pairs) : kind_(kind) {}
 
   /// All (i, j), i < j, whose boxes overlap, in ascending order: the same list for every kind. Pairs for

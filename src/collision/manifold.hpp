@@ -21,11 +21,11 @@ struct ManifoldPoint {
 /// mean of their mid-points), so that their tangent rows are exactly equal and never contradict each other.
 template <Scalar Real>
 struct Manifold {
-  int collider_a = 0;  // indices into the world's colliders, collider_a < collider_b
-  int collider_b = 0;
+  int collider_a = 0;                      // indices into the world's colliders, collider_a < collider_b
+  int collider_b = 0;                      // the higher one
   Vec2<Real> normal = Vec2<Real>::Zero();  // unit, from a to b
   int count = 0;                           // 0: apart by more than the margin
-  std::array<ManifoldPoint<Real>, 2> points = {};
+  std::array<ManifoldPoint<Real>, 2> points = {};  // the first `count` of them are in use
 };
 
 }  // namespace cairn

@@ -14,15 +14,20 @@ template <Scalar Real>
 struct RoundedHull {
   std::array<Vec2<Real>, max_polygon_vertices> vertices;  // [m], counter-clockwise
   std::array<Vec2<Real>, max_polygon_vertices> normals;   // normals[i]: outward unit, of the face i -> i + 1
-  int count = 0;
-  Real radius = 0;  // [m]
+  int count = 0;                                          // of vertices
+  Real radius = 0;                                        // [m]
   Real size = 0;    // [m], the largest distance of a vertex from vertex 0
   Real extent = 0;  // [m], the largest coordinate: rounding errors are proportional to it
 
+  /// Faces: none of a circle, otherwise as many as vertices.
   int face_count() const { return count == 1 ? 0 : count; }
+  /// The vertex after vertex i, counter-clockwise.
   int next(int i) const { return i + 1 == count ? 0 : i + 1; }
+  /// The vertex before vertex i.
   int previous(int i) const { return i == 0 ? count - 1 : i - 1; }
+  /// Vertex i [m].
   const Vec2<Real>& vertex(int i) const { return vertices[static_cast<std::size_t>(i)]; }
+  /// The outward unit normal of the face from vertex i to the next.
   const Vec2<Real>& normal(int i) const { return normals[static_cast<std::size_t>(i)]; }
 };
 

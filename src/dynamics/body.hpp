@@ -10,10 +10,12 @@ namespace cairn {
 
 /// A body's place in every array of bodies. Body 0 is the ground, which never moves.
 struct BodyId {
-  int index = 0;
+  int index = 0;  // from 0, the ground
+  /// By index.
   auto operator<=>(const BodyId&) const = default;
 };
 
+/// Body 0.
 inline constexpr BodyId ground = {0};
 
 /// static_body: never moves. kinematic: moves with a given velocity that nothing changes. dynamic: obeys
@@ -23,7 +25,7 @@ enum class BodyType { static_body, kinematic, dynamic };
 /// Parallel arrays over all bodies; planar, so three numbers a body where the paper has six.
 template <Scalar Real>
 struct BodyState {
-  std::vector<Pose<Real>> pose;
+  std::vector<Pose<Real>> pose;      // of centres of mass [m, rad]
   std::vector<Vec3<Real>> velocity;  // [m/s, m/s, rad/s]; eq. (1)
   std::vector<Vec3<Real>>
       inverse_mass;  // [1/kg, 1/kg, 1/(kg m^2)]; the diagonal of eq. (2); 0: cannot be moved

@@ -8,7 +8,7 @@ namespace cairn {
 /// What acts on one body besides constraints.
 template <Scalar Real>
 struct BodyForces {
-  Real gravity_scale = 1;
+  Real gravity_scale = 1;    // how many times the gravity of the scene it feels
   Real linear_damping = 0;   // [1/s]
   Real angular_damping = 0;  // [1/s]
 };

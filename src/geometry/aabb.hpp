@@ -5,11 +5,13 @@
 
 namespace cairn {
 
+/// A box whose sides are along x and y.
 template <Scalar Real>
 struct Aabb {
   Vec2<Real> lower = Vec2<Real>::Zero();  // [m]
   Vec2<Real> upper = Vec2<Real>::Zero();  // [m]
 
+  /// Whether they have a point in common; boxes that touch do.
   bool overlaps(const Aabb& other) const {
     return lower.x() <= other.upper.x() && other.lower.x() <= upper.x() && lower.y() <= other.upper.y() &&
            other.lower.y() <= upper.y();

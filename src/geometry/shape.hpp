@@ -10,8 +10,10 @@
 
 namespace cairn {
 
+/// As many corners as a polygon may have.
 inline constexpr int max_polygon_vertices = 16;
 
+/// All points within `radius` of the center.
 template <Scalar Real>
 struct Circle {
   Vec2<Real> center = Vec2<Real>::Zero();  // [m]
@@ -31,8 +33,8 @@ template <Scalar Real>
 struct Polygon {
   std::array<Vec2<Real>, max_polygon_vertices> vertices = {};  // [m]
   std::array<Vec2<Real>, max_polygon_vertices> normals = {};   // normals[i]: outward, of the edge i -> i + 1
-  int count = 0;
-  Real radius = 0;  // [m]
+  int count = 0;                                               // of vertices
+  Real radius = 0;                                             // [m]
 };
 
 /// A line without thickness and without mass: for static scenery. Both sides collide.
@@ -42,6 +44,7 @@ struct Segment {
   Vec2<Real> point2 = Vec2<Real>::Zero();  // [m]
 };
 
+/// Any of the shapes.
 template <Scalar Real>
 using Shape = std::variant<Circle<Real>, Capsule<Real>, Polygon<Real>, Segment<Real>>;
 

@@ -22,6 +22,8 @@ void require(bool holds, std::string_view place, std::string_view field, std::st
 /// @throws std::invalid_argument unless both numbers are finite. `unit` as in "m".
 void require_finite(const Vec2<double>& value, std::string_view place, std::string_view field,
                     std::string_view unit);
+/// The same for one number.
+/// @throws std::invalid_argument unless it is finite.
 void require_finite(double value, std::string_view place, std::string_view field, std::string_view unit);
 
 }  // namespace cairn

@@ -12,6 +12,7 @@ namespace cairn {
 template <typename T>
 concept Scalar = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, long double>;
 
+/// Two numbers: x and y.
 template <Scalar Real>
 using Vec2 = Eigen::Matrix<Real, 2, 1>;
 
@@ -19,6 +20,7 @@ using Vec2 = Eigen::Matrix<Real, 2, 1>;
 template <Scalar Real>
 using Vec3 = Eigen::Matrix<Real, 3, 1>;
 
+/// The ratio of a circle's circumference to its diameter.
 inline constexpr double pi = std::numbers::pi;
 
 /// The z component of a x b.
@@ -42,12 +44,14 @@ Vec2<Real> perpendicular(const Vec2<Real>& v) {
 /// Cosine and sine of an angle, kept together so that they are computed once.
 template <Scalar Real>
 struct Rotation {
-  Real c = 1;
-  Real s = 0;
+  Real c = 1;  // the cosine
+  Real s = 0;  // the sine
 
   Rotation() = default;
+  /// By an angle [rad], counter-clockwise.
   explicit Rotation(Real angle) : c(std::cos(angle)), s(std::sin(angle)) {}
 
+  /// The rotation applied to v.
   Vec2<Real> operator*(const Vec2<Real>& v) const { return {c * v.x() - s * v.y(), s * v.x() + c * v.y()}; }
   /// The inverse rotation applied to v.
   Vec2<Real> transposed_times(const Vec2<Real>& v) const {
@@ -58,8 +62,8 @@ struct Rotation {
 /// Where a body is: its centre of mass [m] and its angle [rad], which is continuous (never wrapped).
 template <Scalar Real>
 struct Pose {
-  Vec2<Real> position = Vec2<Real>::Zero();
-  Real angle = 0;
+  Vec2<Real> position = Vec2<Real>::Zero();  // [m] of the centre of mass
+  Real angle = 0;                            // [rad] counter-clockwise
 
   /// A point given in the body's frame, in the world.
   Vec2<Real> world(const Vec2<Real>& local) const { return position + Rotation<Real>(angle) * local; }

@@ -11,26 +11,27 @@ namespace cairn {
 
 /// Decided from the scene alone, before the first step.
 struct Plan {
-  int bodies = 0;          // with the ground
-  int dynamic_bodies = 0;  // those with velocities to solve for
-  int turning_bodies = 0;  // dynamic bodies that can turn
-  int colliders = 0;       // shapes
-  int joints = 0;
-  BroadphaseKind broadphase = BroadphaseKind::all_pairs;
-  bool collision = false;  // some pair of shapes could meet
-  bool gravity = false;    // some body feels it
-  bool damping = false;
-  bool friction = false;  // some pair of bodies with mu > 0
-  FrictionRows friction_rows = FrictionRows::per_point;
-  bool restitution = false;  // some body with e > 0
-  bool warm_start = false;
-  int substeps = 1;
+  int bodies = 0;                                         // with the ground
+  int dynamic_bodies = 0;                                 // those with velocities to solve for
+  int turning_bodies = 0;                                 // dynamic bodies that can turn
+  int colliders = 0;                                      // shapes
+  int joints = 0;                                         // of every kind
+  BroadphaseKind broadphase = BroadphaseKind::all_pairs;  // how pairs of shapes are found
+  bool collision = false;                                 // some pair of shapes could meet
+  bool gravity = false;                                   // some body feels it
+  bool damping = false;                                   // some body has it
+  bool friction = false;                                  // some pair of bodies with mu > 0
+  FrictionRows friction_rows = FrictionRows::per_point;   // one for each point or for each manifold
+  bool restitution = false;                               // some body with e > 0
+  bool warm_start = false;                                // solves begin from last step's impulses
+  int substeps = 1;                                       // in a step
   bool relaxes = false;                       // a second solve takes the speed of springs out again
   bool corrects_positions = false;            // a second solve takes errors back
   bool sleeping = false;                      // islands at rest take no part
   std::vector<std::string> shape_kinds = {};  // those that occur, sorted
 };
 
+/// What the scene requires.
 Plan make_plan(const Scene& scene);
 
 /// The plan in words: what is modelled, and what was left out and why. One line each.

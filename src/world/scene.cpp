@@ -69,9 +69,7 @@ void require_positive(double value, const char* field, const char* unit) {
           value);
 }
 
-}  // namespace
-
-Scene::Scene(const SceneSettings& settings) : settings_(settings), bodies_(1) {
+void check_settings(const SceneSettings& settings) {
   require_finite(settings.gravity, "Scene", "gravity", "m/s^2");
   require_time_step(settings.dt, "Scene");
   require(settings.substeps >= 1 && settings.substeps <= 1000000, "Scene", "substeps", "from 1 to 1000000",
@@ -89,7 +87,18 @@ Scene::Scene(const SceneSettings& settings) : settings_(settings), bodies_(1) {
     require_positive(settings.sleeping->angular_speed, "sleeping.angular_speed", "rad/s");
     require_positive(settings.sleeping->time, "sleeping.time", "s");
   }
+}
+
+}  // namespace
+
+Scene::Scene(const SceneSettings& settings) : settings_(settings), bodies_(1) {
+  check_settings(settings);
   bodies_[0].spec.type = BodyType::static_body;
+}
+
+void Scene::set_settings(const SceneSettings& settings) {
+  check_settings(settings);
+  settings_ = settings;
 }
 
 BodyId Scene::add(const BodySpec& spec) {
@@ -144,6 +153,20 @@ void Scene::add_joint(std::shared_ptr<const Constraint> joint, JointCollision co
   std::sort(apart_.begin(), apart_.end());
   apart_.erase(std::unique(apart_.begin(), apart_.end()), apart_.end());
   joints_.push_back(std::move(joint));
+}
+
+void Scene::displace(BodyId body, const Vec2<double>& offset, double angle) {
+  require(body.index > 0 && body.index < static_cast<int>(bodies_.size()), "Scene::displace", "body",
+          "the id of a body other than the ground", body.index);
+  require_finite(offset, "Scene::displace", "offset", "m");
+  require_finite(angle, "Scene::displace", "angle", "rad");
+  SceneBody& moved_body = bodies_[static_cast<std::size_t>(body.index)];
+  const Vec2<double> frame = moved_body.pose.local(moved_body.spec.position);
+  moved_body.pose.position += offset;
+  moved_body.pose.angle += angle;
+  require_finite(moved_body.pose.position, "Scene::displace", "position", "m");
+  moved_body.spec.position = moved_body.pose.world(frame);
+  moved_body.spec.angle += angle;
 }
 
 std::vector<Pose<double>> Scene::poses() const {

@@ -24,14 +24,14 @@ struct Sleeping {
 
 /// What holds for the whole scene, and how it steps.
 struct SceneSettings {
-  Vec2<double> gravity = {0, -10};  // [m/s^2]
-  double dt = 1.0 / 60;             // [s] one step
-  int substeps = 1;                 // a step is so many steps of dt / substeps, each solved anew
-  Stabilization stabilization = {};
+  Vec2<double> gravity = {0, -10};     // [m/s^2]
+  double dt = 1.0 / 60;                // [s] one step
+  int substeps = 1;                    // a step is so many steps of dt / substeps, each solved anew
+  Stabilization stabilization = {};    // how errors in positions are taken back
   bool warm_start = true;              // begin from last step's impulses
   double speculative_margin = 0.02;    // [m] shapes closer than this get contact rows with room to spare
   double restitution_threshold = 0.5;  // [m/s] slower approaches do not rebound
-  FrictionRows friction_rows = FrictionRows::per_point;
+  FrictionRows friction_rows = FrictionRows::per_point;  // one for each point or for each manifold
   /// Bodies that have come to rest are left out of the steps until something wakes them. Off: none ever is.
   std::optional<Sleeping> sleeping = {};
 };
@@ -39,22 +39,22 @@ struct SceneSettings {
 /// One body. Its mass is `mass`, or else density times area; its inertia follows from the shapes.
 /// Where two bodies touch, friction is sqrt(mu_a mu_b) and restitution max(e_a, e_b), as in Box2D.
 struct BodySpec {
-  BodyType type = BodyType::dynamic;
-  std::vector<Shape<double>> shapes = {};
-  Vec2<double> position = {0, 0};      // [m] of the frame that the shapes are given in
-  double angle = 0;                    // [rad]
-  Vec2<double> velocity = {0, 0};      // [m/s] of the centre of mass
-  double angular_velocity = 0;         // [rad/s]
-  std::optional<double> mass = {};     // [kg]
-  std::optional<double> inertia = {};  // [kg m^2] about the centre of mass
-  double density = 1;                  // [kg/m^2]
-  double friction = 0.6;               // mu
-  double restitution = 0;              // e, in [0, 1]
-  double linear_damping = 0;           // [1/s]
-  double angular_damping = 0;          // [1/s]
-  double gravity_scale = 1;
-  bool fixed_rotation = false;  // never turns: 1/I is 0
-  bool sensor = false;          // is seen to touch (StepRecord::sensed), and neither pushes nor is pushed
+  BodyType type = BodyType::dynamic;       // static, kinematic or dynamic
+  std::vector<Shape<double>> shapes = {};  // in the frame of `position` and `angle`; may be none
+  Vec2<double> position = {0, 0};          // [m] of the frame that the shapes are given in
+  double angle = 0;                        // [rad]
+  Vec2<double> velocity = {0, 0};          // [m/s] of the centre of mass
+  double angular_velocity = 0;             // [rad/s]
+  std::optional<double> mass = {};         // [kg]
+  std::optional<double> inertia = {};      // [kg m^2] about the centre of mass
+  double density = 1;                      // [kg/m^2]
+  double friction = 0.6;                   // mu
+  double restitution = 0;                  // e, in [0, 1]
+  double linear_damping = 0;               // [1/s]
+  double angular_damping = 0;              // [1/s]
+  double gravity_scale = 1;                // how many times the gravity of the scene it feels
+  bool fixed_rotation = false;             // never turns: 1/I is 0
+  bool sensor = false;  // is seen to touch (StepRecord::sensed), and neither pushes nor is pushed
   /// Never passes through what it could reach within a step: it gets contact rows with the room in between.
   /// May be stopped by what it would have passed at the side, and then rebounds before it arrives.
   bool fast = false;
@@ -62,19 +62,20 @@ struct BodySpec {
   std::uint32_t collides_with = ~0u;  // bits: of which categories both must accept the other's
 };
 
+/// The surface of the ground.
 struct GroundSpec {
   double height = 0;       // [m] of its surface
   double half_width = 50;  // [m]
-  double friction = 0.6;
-  double restitution = 0;
+  double friction = 0.6;   // mu
+  double restitution = 0;  // e, in [0, 1]
 };
 
 /// A body as the scene keeps it: its frame is at the centre of mass, and its shapes are moved accordingly.
 struct SceneBody {
-  BodySpec spec = {};
-  Pose<double> pose = {};
-  double mass = 0;     // [kg]; 0 unless dynamic
-  double inertia = 0;  // [kg m^2]; 0 unless it can turn
+  BodySpec spec = {};      // with its shapes in the frame of `pose`
+  Pose<double> pose = {};  // [m, rad] of the centre of mass
+  double mass = 0;         // [kg]; 0 unless dynamic
+  double inertia = 0;      // [kg m^2]; 0 unless it can turn
 };
 
 /// Whether the bodies of a joint may touch each other.
@@ -88,6 +89,8 @@ enum class JointCollision {
 /// Every function refuses bad input with std::invalid_argument, naming field, rule, unit and value.
 class Scene {
  public:
+  /// Holds the ground and nothing else.
+  /// @throws std::invalid_argument for settings out of range.
   explicit Scene(const SceneSettings& settings = {});
 
   /// @throws std::invalid_argument, also for a dynamic body without area and without mass.
@@ -107,9 +110,18 @@ class Scene {
   /// Any constraint, one of your own too.
   void add_joint(std::shared_ptr<const Constraint> joint,
                  JointCollision collision = JointCollision::as_usual);
+  /// The same bodies and joints under other rules. @throws std::invalid_argument, and then changes nothing.
+  void set_settings(const SceneSettings& settings);
+  /// Moves a body by `offset` [m] and turns it about its centre of mass by `angle` [rad]. Its joints stay
+  /// fastened to it where they are, and so begin with an error.
+  /// @throws std::invalid_argument for the ground, unknown bodies and numbers that are not finite.
+  void displace(BodyId body, const Vec2<double>& offset, double angle = 0);
 
+  /// What holds for the whole scene.
   const SceneSettings& settings() const { return settings_; }
+  /// In the order of their ids; the ground is the first.
   const std::vector<SceneBody>& bodies() const { return bodies_; }
+  /// In the order in which they were added.
   const std::vector<std::shared_ptr<const Constraint>>& joints() const { return joints_; }
   /// Pairs of bodies that a joint keeps from colliding, sorted, the lower id first.
   const std::vector<std::pair<BodyId, BodyId>>& apart() const { return apart_; }

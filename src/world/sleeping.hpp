@@ -32,6 +32,7 @@ class SleepState {
   /// Nothing sleeps at first. The scene must have SceneSettings::sleeping.
   explicit SleepState(const Scene& scene);
 
+  /// Whether the body sleeps.
   bool asleep(BodyId body) const { return island_[index_of(body)] != awake; }
   /// Whether it writes no rows: all of its bodies sleep, or cannot be moved.
   bool joint_asleep(std::size_t joint) const;

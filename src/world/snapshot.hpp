@@ -10,21 +10,22 @@
 
 namespace cairn {
 
+/// One body.
 struct SnapshotBody {
-  BodyType type = BodyType::static_body;
-  Pose<double> pose = {};             // of the centre of mass
-  Vec3<double> velocity = {0, 0, 0};  // [m/s, m/s, rad/s]
-  double mass = 0;                    // [kg]; 0 where it cannot be moved
-  double inertia = 0;                 // [kg m^2]; 0 where it cannot be turned
-  double gravity_scale = 1;
-  bool awake = true;
+  BodyType type = BodyType::static_body;   // static, kinematic or dynamic
+  Pose<double> pose = {};                  // of the centre of mass
+  Vec3<double> velocity = {0, 0, 0};       // [m/s, m/s, rad/s]
+  double mass = 0;                         // [kg]; 0 where it cannot be moved
+  double inertia = 0;                      // [kg m^2]; 0 where it cannot be turned
+  double gravity_scale = 1;                // how many times the gravity of the scene it feels
+  bool awake = true;                       // takes part in the steps
   std::vector<Shape<double>> shapes = {};  // in the frame of `pose`
 };
 
 /// One contact point.
 struct SnapshotContact {
-  BodyId a = {};
-  BodyId b = {};
+  BodyId a = {};                   // of its first shape
+  BodyId b = {};                   // of its second shape
   Vec2<double> position = {0, 0};  // [m]
   Vec2<double> normal = {0, 0};    // from a to b
   double separation = 0;           // [m], negative in overlap
@@ -37,24 +38,25 @@ struct SnapshotContact {
 
 /// One joint, as far as it can be drawn and measured.
 struct SnapshotJoint {
-  std::string name = {};
-  BodyId a = {};
-  BodyId b = {};
-  Vec2<double> anchor_a = {0, 0};  // [m], world
-  Vec2<double> anchor_b = {0, 0};
+  std::string name = {};                   // Constraint::name()
+  BodyId a = {};                           // where it begins
+  BodyId b = {};                           // where it ends
+  Vec2<double> anchor_a = {0, 0};          // [m], world
+  Vec2<double> anchor_b = {0, 0};          // [m], world
   std::vector<Vec2<double>> between = {};  // [m], world: where a rope goes on its way from a to b
   double drift = 0;                        // [m or rad], norm of what its rigid rows lack
   Vec2<double> impulse = {0, 0};           // [N s], on b, world
 };
 
+/// A world at one instant.
 struct Snapshot {
-  double time = 0;  // [s]
-  int step = 0;
-  double dt = 0;                          // [s] of the last substep: impulse / dt is the paper's lambda
-  Vec2<double> gravity = {0, 0};          // [m/s^2]
-  std::vector<SnapshotBody> bodies = {};  // index 0 is the ground
-  std::vector<SnapshotContact> contacts = {};
-  std::vector<SnapshotJoint> joints = {};
+  double time = 0;                             // [s]
+  int step = 0;                                // how many were taken before
+  double dt = 0;                               // [s] of the last substep: impulse / dt is the paper's lambda
+  Vec2<double> gravity = {0, 0};               // [m/s^2]
+  std::vector<SnapshotBody> bodies = {};       // index 0 is the ground
+  std::vector<SnapshotContact> contacts = {};  // ordered by the shapes that touch
+  std::vector<SnapshotJoint> joints = {};      // in the order of the scene
   std::vector<std::pair<BodyId, BodyId>> apart = {};  // bodies that a joint keeps from colliding, sorted
 };
 

@@ -43,6 +43,7 @@ struct StepRecord {
 template <Scalar Real = double>
 class World {
  public:
+  /// Begins where the scene's bodies stand, at time 0.
   explicit World(Scene scene);
 
   /// One step of dt, in as many substeps as the scene asks for. The same bits for the same scene, solver and
@@ -51,8 +52,8 @@ class World {
   /// The problem that step() would hand to its solver now: changes nothing.
   VelocityProblem<Real> velocity_problem() const;
 
-  /// From the next step on; impulses are carried over in proportion. @throws std::invalid_argument unless dt
-  /// > 0.
+  /// From the next step on [s]; impulses are carried over in proportion.
+  /// @throws std::invalid_argument unless dt is from 1e-12 to 1e6 s.
   void set_dt(double dt);
   /// Gives a body another velocity [m/s, m/s, rad/s].
   /// @throws std::invalid_argument for unknown or static bodies and numbers that are not finite.
@@ -63,13 +64,20 @@ class World {
   /// Whether the body takes part in the steps: always, unless it sleeps.
   bool is_awake(BodyId body) const { return !sleep_ || !sleep_->asleep(body); }
 
+  /// Poses and velocities now.
   const BodyState<Real>& bodies() const { return state_; }
+  /// What it was made from.
   const Scene& scene() const { return *scene_; }
+  /// What the scene requires, decided when the world was made.
   const Plan& plan() const { return *plan_; }
+  /// What the last step saw; empty before the first.
   const StepRecord<Real>& last_step() const { return record_; }
+  /// What has passed since the start.
   double time() const { return time_; }  // [s]
 
+  /// How many were taken.
   int steps() const { return steps_; }
+  /// Of the next step.
   double dt() const { return dt_; }  // [s]
 
  private:
@@ -116,6 +124,7 @@ class World {
   VelocityProblem<Real> second_problem_;  // of the policies that solve twice
 };
 
+/// `World world(scene);` is one in double.
 World(Scene)->World<double>;
 
 /// What the world looks like now. Contacts are those of the last step, where it found them.

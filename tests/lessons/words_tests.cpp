@@ -32,20 +32,6 @@ TEST_CASE("a list of numbers holds one number between every two commas") {
   CHECK_FALSE(parse_numbers(""));
 }
 
-TEST_CASE("the edit distance counts letters put in, left out and replaced") {
-  CHECK(edit_distance("kitten", "sitting") == 3);
-  CHECK(edit_distance("", "dt") == 2);
-  CHECK(edit_distance("sweeps", "sweps") == 1);
-  CHECK(edit_distance("theme", "theme") == 0);
-}
-
-TEST_CASE("a word two letters off finds its flag, a word three letters off does not") {
-  CHECK(nearest("boddies", {"dt", "bodies", "sweeps"}) == "bodies");
-  CHECK(nearest("swep", {"dt", "bodies", "sweeps"}) == "sweeps");
-  CHECK(nearest("swp", {"bodies", "sweeps"}) == "");
-  CHECK(nearest("x", {"dt"}) == "");  // every letter of it would be wrong
-}
-
 TEST_CASE("plain text spells Greek letters, raised and lowered signs out in ASCII") {
   CHECK(transliterated("λ₂ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)") == "lambda_2 = (zeta - j.v) / (j M^-1 j^T dt)");
   CHECK(transliterated("λΔt") == "lambda dt");

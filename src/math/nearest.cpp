@@ -1,0 +1,49 @@
+// Floor 0. Edit distance (V. Levenshtein, 1966).
+#include "math/nearest.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "math/check.hpp"
+
+namespace cairn {
+
+int edit_distance(std::string_view a, std::string_view b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    int diagonal = row[0];
+    row[0] = static_cast<int>(i) + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const int replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+  std::string best;
+  int least = 3;
+  for (const std::string& candidate : candidates) {
+    const int distance = edit_distance(word, candidate);
+    if (distance < least && distance < static_cast<int>(word.size())) {
+      least = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+void require_known(std::string_view word, const std::vector<std::string>& known, std::string_view place,
+                   std::string_view field) {
+  if (std::find(known.begin(), known.end(), word) != known.end()) return;
+  const std::string near = nearest(word, known);
+  std::string rule = "one of " + (known.empty() ? "none" : known.front());
+  for (std::size_t i = 1; i < known.size(); ++i) rule += ", " + known[i];
+  if (!near.empty()) rule = "a known name (" + near + "?)";
+  require(false, place, field, rule, word);
+}
+
+}  // namespace cairn

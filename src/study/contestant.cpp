@@ -1,0 +1,144 @@
+// Beside floor 6. Stepping a scene under a setting.
+#include "study/contestant.hpp"
+
+#include "measure/fingerprint.hpp"
+#include "solvers/residual.hpp"
+#include "study/solver_list.hpp"
+#include "world/world.hpp"
+#ifdef CAIRN_HAVE_BOX2D
+#include "reference/box2d_world.hpp"
+#endif
+
+namespace cairn {
+
+namespace {
+
+template <Scalar Real>
+void add_motion(const Pose<Real>& pose, const Vec3<Real>& velocity, Fingerprint& hash) {
+  hash.add(pose.position);
+  hash.add(pose.angle);
+  hash.add(velocity);
+}
+
+/// Hands every problem on, and counts.
+template <Scalar Real>
+class CountingSolver final : public Solver<Real> {
+ public:
+  explicit CountingSolver(std::unique_ptr<Solver<Real>> solver) : solver_(std::move(solver)) {}
+
+  std::string name() const override { return solver_->name(); }
+  SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override {
+    const SolveReport report = solver_->solve(problem, observer);
+    row_updates_ += std::int64_t{report.iterations} * problem.row_count();
+    return report;
+  }
+  std::int64_t row_updates() const { return row_updates_; }
+
+ private:
+  std::unique_ptr<Solver<Real>> solver_;
+  std::int64_t row_updates_ = 0;  // since it was made
+};
+
+template <Scalar Real>
+class WorldContestant final : public Contestant {
+ public:
+  WorldContestant(const Scene& scene, const Setting& setting)
+      : world_(scene),
+        solver_(make_solver<Real>(setting.solver, setting.sweeps)),
+        twin_(make_solver<Real>(setting.solver, setting.sweeps)) {}
+
+  void step() override {
+    updates_before_ = solver_.row_updates();
+    world_.step(solver_);
+  }
+  Snapshot snapshot() const override { return cairn::snapshot(world_); }
+  std::int64_t row_updates(const Snapshot&) const override { return solver_.row_updates() - updates_before_; }
+
+  std::optional<double> residual_ahead() override {
+    VelocityProblem<Real> problem = world_.velocity_problem();
+    const Real scale = residual_scale(problem);
+    twin_->solve(problem);
+    return static_cast<double>(residual(problem, scale).energy);
+  }
+
+  std::uint64_t state_hash() const override {
+    Fingerprint hash;
+    for (std::size_t i = 0; i < world_.bodies().pose.size(); ++i) {
+      add_motion(world_.bodies().pose[i], world_.bodies().velocity[i], hash);
+    }
+    return hash.value();
+  }
+
+ private:
+  World<Real> world_;
+  CountingSolver<Real> solver_;
+  std::unique_ptr<Solver<Real>> twin_;
+  std::int64_t updates_before_ = 0;
+};
+
+#ifdef CAIRN_HAVE_BOX2D
+class Box2DContestant final : public Contestant {
+ public:
+  Box2DContestant(const Scene& scene, const Setting& setting)
+      : setting_(setting),
+        world_(one_substep(scene), {.velocity_iterations = setting.sweeps.iterations,
+                                    .position_iterations = setting.position_iterations}) {}
+
+  void step() override {
+    for (int i = 0; i < setting_.substeps; ++i) world_.step();
+    steps_ += 1;
+  }
+  Snapshot snapshot() const override {
+    Snapshot result = world_.snapshot();
+    result.step = steps_;
+    return result;
+  }
+  std::int64_t row_updates(const Snapshot& after) const override {
+    std::int64_t rows = 2 * static_cast<std::int64_t>(after.contacts.size());
+    for (const SnapshotJoint& joint : after.joints) rows += joint.name == "revolute" ? 2 : 1;
+    return rows * setting_.sweeps.iterations * setting_.substeps;
+  }
+  std::optional<double> residual_ahead() override { return std::nullopt; }
+  std::uint64_t state_hash() const override {
+    Fingerprint hash;
+    for (const SnapshotBody& body : world_.snapshot().bodies) add_motion(body.pose, body.velocity, hash);
+    return hash.value();
+  }
+
+ private:
+  /// Box2D has no substeps: it takes shorter steps.
+  static Scene one_substep(Scene scene) {
+    SceneSettings settings = scene.settings();
+    settings.dt /= settings.substeps;
+    settings.substeps = 1;
+    scene.set_settings(settings);
+    return scene;
+  }
+
+  Setting setting_;
+  Box2DWorld world_;
+  int steps_ = 0;
+};
+#endif
+
+}  // namespace
+
+std::unique_ptr<Contestant> make_contestant(const Scene& scene, const Setting& setting) {
+  check(setting);
+  Scene prepared = scene;
+  prepared.set_settings(with_setting(scene.settings(), setting));
+#ifdef CAIRN_HAVE_BOX2D
+  if (setting.solver == "box2d") return std::make_unique<Box2DContestant>(prepared, setting);
+#endif
+  switch (setting.scalar) {
+    case Precision::single_precision:
+      return std::make_unique<WorldContestant<float>>(prepared, setting);
+    case Precision::long_double:
+      return std::make_unique<WorldContestant<long double>>(prepared, setting);
+    case Precision::double_precision:
+      break;
+  }
+  return std::make_unique<WorldContestant<double>>(prepared, setting);
+}
+
+}  // namespace cairn

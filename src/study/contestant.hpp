@@ -1,0 +1,36 @@
+// Beside floor 6. A scene under a setting, whoever steps it: Cairn in one of its scalars, or Box2D.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "study/setting.hpp"
+#include "world/snapshot.hpp"
+
+namespace cairn {
+
+class Contestant {
+ public:
+  virtual ~Contestant() = default;
+  /// One step of the setting's dt: all that is to be timed.
+  virtual void step() = 0;
+  virtual Snapshot snapshot() const = 0;
+  /// Row updates of the last step: rows times sweeps, summed over substeps and over the second solves of the
+  /// policies that have them. Of Box2D: two rows a contact point and those of the joints, as the snapshot
+  /// `after` the step has them, times velocity iterations and substeps. What came and went within the step
+  /// is not in it, nor are position iterations.
+  virtual std::int64_t row_updates(const Snapshot& after) const = 0;
+  /// R_E that the solver will reach in the next step, in the velocities of its first substep: solved a second
+  /// time beside the world. Nothing for Box2D, whose rows cannot be seen.
+  virtual std::optional<double> residual_ahead() = 0;
+  /// FNV-1a (G. Fowler, L. Noll, K. Vo) of all bits of poses and velocities.
+  virtual std::uint64_t state_hash() const = 0;
+};
+
+/// The scene steps by the setting in place of its own settings.
+/// @throws std::invalid_argument for a setting that check() refuses, and for Box2D a scene that it cannot
+/// run.
+std::unique_ptr<Contestant> make_contestant(const Scene& scene, const Setting& setting);
+
+}  // namespace cairn

@@ -1,0 +1,33 @@
+// Beside floor 6. Jitter from a generator whose numbers the C++ standard fixes.
+#include "study/jitter.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "math/check.hpp"
+
+namespace cairn {
+
+namespace {
+
+/// Uniform in [-1, 1), in steps of 2^-52: std::uniform_real_distribution is not the same everywhere.
+double uniform_jitter(std::mt19937_64& generator) {
+  return static_cast<double>(generator() >> 11) * 0x1p-52 - 1;
+}
+
+}  // namespace
+
+Scene jittered(const Scene& scene, double size, std::uint64_t seed) {
+  require(size >= 0 && std::isfinite(size), "jittered", "size", "a finite number >= 0 m", size);
+  Scene result = scene;
+  std::mt19937_64 generator(seed);
+  for (std::size_t i = 0; i < scene.bodies().size(); ++i) {
+    if (scene.bodies()[i].spec.type != BodyType::dynamic) continue;
+    const double x = uniform_jitter(generator);
+    const double y = uniform_jitter(generator);
+    result.displace({static_cast<int>(i)}, {size * x, size * y});
+  }
+  return result;
+}
+
+}  // namespace cairn

@@ -1,0 +1,122 @@
+// Beside floor 6. Journals of studies.
+#include "study/journal.hpp"
+
+#include <charconv>
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "math/check.hpp"
+#include "study/whole_file.hpp"
+
+namespace cairn {
+
+namespace {
+
+constexpr int most_shards = 10000;
+
+bool read_count(std::string_view text, int& number) {
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && rest == text.data() + text.size();
+}
+
+std::string title_line(const std::string& study) { return "# " + study; }
+
+/// Lines that end with a line break: one that does not was cut off.
+std::vector<std::string> whole_lines(std::istream& in) {
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line) && !in.eof();) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+Shard parse_shard(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  Shard shard;
+  const bool is_pair = slash != std::string_view::npos && read_count(text.substr(0, slash), shard.number) &&
+                       read_count(text.substr(slash + 1), shard.of);
+  const bool holds = is_pair && shard.number >= 1 && shard.number <= shard.of && shard.of <= most_shards;
+  require(holds, "shard", "part", "k/n with 1 <= k <= n <= " + std::to_string(most_shards), text);
+  return shard;
+}
+
+Journal::Journal(std::filesystem::path path, const Study& study)
+    : path_(std::move(path)), study_(study.name), tasks_(study.tasks.size()) {
+  std::vector<CsvCell> header = {std::string("task")};
+  header.insert(header.end(), study.header.begin(), study.header.end());
+  header_ = csv_line(header);
+  if (std::filesystem::exists(path_)) read(path_);
+  rewrite();  // without the line that was cut off
+}
+
+void Journal::read(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream all;
+  all << in.rdbuf();
+  if (!in) throw std::runtime_error(path.string() + ": cannot be read");
+  const std::string text = all.str(), ours = title_line(study_) + '\n' + header_ + '\n';
+  // It may have been cut off within its first two lines.
+  const bool is_ours = text.compare(0, ours.size(), ours, 0, text.size()) == 0;
+  const std::string first_line = text.substr(0, text.find('\n'));
+  const bool is_titled = first_line.rfind("# ", 0) == 0;
+  require(is_ours, path.string(), "journal", "of the study \"" + study_ + "\"",
+          "\"" + first_line.substr(is_titled ? 2 : 0) + "\"");
+  std::istringstream whole(text);
+  const std::vector<std::string> lines = whole_lines(whole);
+  for (std::size_t i = 2; i < lines.size(); ++i) {
+    int task = -1;
+    const bool is_task = read_count(std::string_view(lines[i]).substr(0, lines[i].find(',')), task);
+    require(is_task && task >= 0 && static_cast<std::size_t>(task) < tasks_, path.string(),
+            "line " + std::to_string(i + 1), "begun by the number of one of the tasks", lines[i]);
+    lines_.emplace(static_cast<std::size_t>(task), lines[i]);
+  }
+}
+
+void Journal::write(std::size_t task, const std::vector<CsvCell>& row) {
+  std::vector<CsvCell> cells = {static_cast<long long>(task)};
+  cells.insert(cells.end(), row.begin(), row.end());
+  const std::string line = csv_line(cells);
+  std::ofstream out(path_, std::ios::app);
+  out << line << '\n';
+  if (!out.flush()) throw std::runtime_error(path_.string() + ": cannot be written");
+  lines_[task] = line;
+}
+
+void Journal::absorb(const std::filesystem::path& other) {
+  require(std::filesystem::exists(other), other.string(), "journal", "a file that exists", "none");
+  read(other);
+  rewrite();
+}
+
+void Journal::rewrite() const { write_whole_file(path_, title_line(study_) + '\n' + csv()); }
+
+std::string Journal::csv() const {
+  std::string text = header_ + "\n";
+  for (const auto& [task, line] : lines_) text += line + "\n";
+  return text;
+}
+
+bool run_study(const Study& study, const Shard& shard, Journal& journal, const StudyProgress& progress) {
+  std::vector<std::size_t> waiting;
+  std::size_t total = 0;
+  for (std::size_t task = 0; task < study.tasks.size(); ++task) {
+    if (!shard.holds(task)) continue;
+    ++total;
+    if (!journal.has(task)) waiting.push_back(task);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  for (std::size_t i = 0; i < waiting.size(); ++i) {
+    journal.write(waiting[i], study.tasks[waiting[i]].run());
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    const double left =
+        passed.count() / static_cast<double>(i + 1) * static_cast<double>(waiting.size() - i - 1);
+    const bool goes_on = progress(total - (waiting.size() - i - 1), total, left);
+    if (!goes_on && i + 1 < waiting.size()) return false;
+  }
+  return true;
+}
+
+}  // namespace cairn

@@ -1,0 +1,59 @@
+// Beside floor 6. Finding a scene, and holding a run against what is expected of it.
+#include "study/scene_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "math/nearest.hpp"
+#include "study/scene_file.hpp"
+
+namespace cairn {
+
+const std::vector<SceneEntry>& scene_entries() {
+  static const std::vector<SceneEntry> entries = [] {
+    const char* folder = std::getenv("CAIRN_SCENES");
+    return read_scene_folder(folder && *folder ? folder : CAIRN_SCENE_DIR);
+  }();
+  return entries;
+}
+
+SceneEntry scene_entry(const std::string& name) {
+  const std::string ending = ".toml";
+  const bool is_file = name.size() > ending.size() && name.substr(name.size() - ending.size()) == ending;
+  if (is_file || name.find('/') != std::string::npos) return read_scene_file(name);
+  std::vector<std::string> known;
+  for (const SceneEntry& entry : scene_entries()) known.push_back(entry.name);
+  require_known(name, known, "scene_entry", "scene");
+  const auto found = std::find(known.begin(), known.end(), name);
+  return scene_entries()[static_cast<std::size_t>(found - known.begin())];
+}
+
+TrialOptions trial_options(const SceneEntry& scene) {
+  TrialOptions options{.seconds = scene.seconds};
+  if (scene.expectations.stands) options.stand_distance = *scene.expectations.stands;
+  return options;
+}
+
+std::vector<std::string> unmet(const Expectations& expectations, const TrialResult& result) {
+  if (result.status == TrialStatus::refused) return {"refused: " + result.reason};
+  if (result.status != TrialStatus::ok) {
+    return {fmt::format("{} after {:.3g} s", status_text(result.status), result.seconds)};
+  }
+  std::vector<std::string> missed;
+  const auto at_most = [&missed](const char* name, double value, const std::optional<double>& most,
+                                 const char* unit) {
+    if (!most || value <= *most) return;
+    missed.push_back(fmt::format("{} {:.3g} {}, expected at most {:g} {}", name, value, unit, *most, unit));
+  };
+  at_most("worst penetration", result.worst_penetration, expectations.penetration, "m");
+  at_most("worst drift", result.worst_drift, expectations.drift, "m or rad");
+  at_most("energy gain", 100 * result.energy_gain, expectations.energy_gain, "%");
+  if (expectations.stands && result.farthest > *expectations.stands) {
+    missed.push_back(fmt::format("stands for {:.3g} s of {:.3g} s", result.stands_until, result.seconds));
+  }
+  return missed;
+}
+
+}  // namespace cairn

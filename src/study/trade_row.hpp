@@ -1,0 +1,38 @@
+// Beside floor 6. The columns of every table about work and error.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "measure/csv.hpp"
+
+namespace cairn {
+
+struct TradeColumn {
+  std::string name = {};
+  std::string unit = {};  // "" for words and pure numbers
+};
+
+/// All columns, in order; one schema for frozen problems (level 1) and for trajectories (level 2).
+const std::vector<TradeColumn>& trade_columns();
+std::vector<std::string> trade_header();
+
+/// One row, filled by the names of its columns; what is not set stays empty.
+class TradeRow {
+ public:
+  /// @throws std::logic_error for a name that is no column.
+  void set(std::string_view column, CsvCell value);
+  std::vector<CsvCell> cells() const;
+
+ private:
+  std::map<std::string, CsvCell, std::less<>> values_;
+};
+
+/// A number of a table that was read back; NaN where the cell is empty or a word.
+double number_in(const CsvTable& table, std::size_t row, std::string_view column);
+/// A word of it; "" where there is none.
+std::string text_in(const CsvTable& table, std::size_t row, std::string_view column);
+
+}  // namespace cairn

@@ -1,0 +1,174 @@
+// Beside floor 6. Level 2 of the trade.
+#include "study/trajectory_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "math/nearest.hpp"
+#include "study/build_info.hpp"
+#include "study/jitter.hpp"
+#include "study/scene_list.hpp"
+#include "study/trade_row.hpp"
+
+namespace cairn {
+
+namespace {
+
+constexpr double start_jitter = 1e-6;  // [m]
+constexpr int survival_starts = 16;
+
+/// The value below which a share of the values lies.
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+/// All runs of one point of the grid.
+struct Runs {
+  std::vector<double> errors = {}, costs = {}, work = {}, stands = {}, penetrations = {}, drifts = {},
+                      gains = {};
+  std::vector<double> losses = {}, steps = {};
+  int stood = 0;
+  std::string status = "ok";  // of the first run that was not
+  std::uint64_t hash = 0;     // of the first start
+};
+
+void add_run(const TrajectoryScene& scene, const TrialResult& result, double error, Runs& runs) {
+  if (runs.costs.empty()) runs.hash = result.state_hash;
+  if (result.status != TrialStatus::ok && runs.status == "ok") runs.status = status_text(result.status);
+  const bool failed = result.status != TrialStatus::ok;
+  runs.errors.push_back(failed || std::isnan(error) ? std::numeric_limits<double>::infinity() : error);
+  runs.costs.push_back(result.cost());
+  runs.work.push_back(result.seconds > 0 ? static_cast<double>(result.row_updates) / result.seconds : 0);
+  runs.steps.push_back(result.steps > 0 ? 1e9 * result.step_seconds / result.steps : 0);
+  runs.stands.push_back(result.stands_until);
+  runs.penetrations.push_back(result.worst_penetration);
+  runs.drifts.push_back(result.worst_drift);
+  runs.gains.push_back(result.energy_gain);
+  runs.losses.push_back(result.energy_loss);
+  runs.stood += scene.stand_distance > 0 && result.stands() ? 1 : 0;
+}
+
+Runs all_runs(const TrajectoryScene& scene, const Setting& setting) {
+  Runs runs;
+  for (int start = 0; start < scene.starts; ++start) {
+    const std::unique_ptr<MotionError> error = scene.watch ? scene.watch() : nullptr;
+    TrialOptions options{.seconds = scene.seconds, .penetration_every = 10};
+    if (scene.stand_distance > 0) options.stand_distance = scene.stand_distance;
+    if (error) options.observer = [&error](const Snapshot& snapshot) { error->see(snapshot); };
+    const Scene made = scene.make();
+    const auto seed = static_cast<std::uint64_t>(start);
+    const TrialResult result =
+        run_trial(start == 0 ? made : jittered(made, start_jitter, seed), setting, options);
+    add_run(scene, result, error ? error->value() : 0, runs);
+    if (result.status == TrialStatus::refused) break;
+  }
+  return runs;
+}
+
+void set_setting(const Setting& setting, TradeRow& row) {
+  const bool is_single = setting.scalar == Precision::single_precision || setting.solver == "box2d";
+  row.set("scalar", std::string(is_single ? "float" : "double"));
+  row.set("solver", setting.solver);
+  row.set("setting", setting_text(setting));
+  row.set("dt", setting.dt);
+  row.set("substeps", static_cast<long long>(setting.substeps));
+  row.set("sweeps", static_cast<long long>(setting.sweeps.iterations));
+  row.set("warm", std::string(setting.warm_start ? "warm" : "cold"));
+  row.set("beta", setting.stabilization.baumgarte);
+  row.set("slop", setting.stabilization.slop);
+}
+
+std::vector<CsvCell> trajectory_row(const TrajectoryScene& scene, const Setting& setting) {
+  const Runs runs = all_runs(scene, setting);
+  TradeRow row;
+  set_build(row);
+  row.set("level", 2LL);
+  row.set("scene", scene.name);
+  set_setting(setting, row);
+  row.set("status", runs.status);
+  if (runs.status == "refused") return row.cells();
+  row.set("starts", static_cast<long long>(runs.costs.size()));
+  row.set("cost", quantile(runs.costs, 0.5));
+  row.set("work", quantile(runs.work, 0.5));
+  row.set("step_ns_med", quantile(runs.steps, 0.5));
+  row.set("pen_max", quantile(runs.penetrations, 1));
+  row.set("drift_max", quantile(runs.drifts, 1));
+  row.set("dE_max_gain", quantile(runs.gains, 1));
+  row.set("dE_final", -quantile(runs.losses, 0.5));
+  if (scene.stand_distance > 0) {
+    row.set("stands_until", quantile(runs.stands, 0.5));
+    row.set("survival", static_cast<double>(runs.stood) / static_cast<double>(runs.costs.size()));
+  }
+  if (scene.watch) {
+    row.set("err_name", scene.error_name);
+    row.set("err_ref", scene.error_formula);
+    row.set("err_value", quantile(runs.errors, 0.5));
+    row.set("err_p90", quantile(runs.errors, 0.9));
+  }
+  row.set("state_hash", fmt::format("{:016x}", runs.hash));
+  return row.cells();
+}
+
+}  // namespace
+
+TrajectoryScene trajectory_scene(const std::string& name) {
+  for (const AnsweredScene& scene : answered_scenes()) {
+    if (scene.name != name) continue;
+    return {.name = name,
+            .make = scene.make,
+            .seconds = scene.seconds,
+            .error_name = scene.what,
+            .error_formula = scene.formula,
+            .watch = scene.watch};
+  }
+  for (const SceneEntry& scene : scene_entries()) {
+    if (scene.name != name) continue;
+    const double stands = scene.expectations.stands.value_or(0);
+    return {.name = name,
+            .make = scene.make,
+            .seconds = scene.seconds,
+            .stand_distance = stands,
+            .starts = stands > 0 ? survival_starts : 1};
+  }
+  require_known(name, trajectory_names(), "tradeoff", "scene");
+  return {};
+}
+
+std::vector<std::string> trajectory_names() {
+  std::vector<std::string> names;
+  for (const AnsweredScene& scene : answered_scenes()) names.push_back(scene.name);
+  for (const SceneEntry& scene : scene_entries()) names.push_back(scene.name);
+  return names;
+}
+
+Study trajectory_study(const std::vector<TrajectoryScene>& scenes, const TrajectoryGrid& grid) {
+  Study study{.name = "cairn work against error 2:", .header = trade_header(), .tasks = {}};
+  for (const TrajectoryScene& scene : scenes) {
+    study.name += fmt::format(" {} x{}", scene.name, scene.starts);
+    for (const std::string& solver : grid.solvers) {
+      for (const int frequency : grid.frequencies) {
+        for (const int substeps : grid.substeps) {
+          for (const int sweeps : grid.sweeps) {
+            Setting setting{.solver = solver, .dt = 1.0 / frequency, .substeps = substeps};
+            setting.sweeps.iterations = sweeps;
+            setting.stabilization = grid.stabilization;
+            study.tasks.push_back({.name = scene.name + ", " + setting_text(setting),
+                                   .run = [scene, setting] { return trajectory_row(scene, setting); }});
+          }
+        }
+      }
+    }
+  }
+  study.name += ";";
+  for (const std::string& solver : grid.solvers) study.name += " " + solver;
+  study.name += fmt::format("; Hz {}; substeps {}; sweeps {}", fmt::join(grid.frequencies, " "),
+                            fmt::join(grid.substeps, " "), fmt::join(grid.sweeps, " "));
+  return study;
+}
+
+}  // namespace cairn

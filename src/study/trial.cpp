@@ -1,0 +1,172 @@
+// Beside floor 6. Stepping, timing and measuring, in turns.
+#include "study/trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <stdexcept>
+
+#include "math/check.hpp"
+#include "measure/trajectory.hpp"
+#include "measure/violation.hpp"
+#include "study/contestant.hpp"
+
+namespace cairn {
+
+namespace {
+
+void check_trial_options(const TrialOptions& options, double dt) {
+  const double most_steps = 1e9;
+  require(options.seconds >= 0 && options.seconds / dt <= most_steps, "run_trial", "seconds",
+          "from 0 to 1e9 steps", options.seconds);
+  require(options.stand_distance >= 0, "run_trial", "stand_distance", ">= 0 m", options.stand_distance);
+  require(options.penetration_every >= 1, "run_trial", "penetration_every", ">= 1 step",
+          options.penetration_every);
+  require(options.fastest > 0, "run_trial", "fastest", "> 0 m/s", options.fastest);
+  require(options.time_limit >= 0, "run_trial", "time_limit", ">= 0 s", options.time_limit);
+  require(static_cast<bool>(options.clock), "run_trial", "clock", "a function", "none");
+}
+
+TrialStatus motion_status(const Snapshot& now, double fastest) {
+  TrialStatus status = TrialStatus::ok;
+  for (const SnapshotBody& body : now.bodies) {
+    const bool finite =
+        body.pose.position.allFinite() && std::isfinite(body.pose.angle) && body.velocity.allFinite();
+    if (!finite) return TrialStatus::nan;
+    const double speed = std::max(body.velocity.head<2>().norm(), std::abs(body.velocity.z()));
+    if (speed > fastest) status = TrialStatus::diverged;
+  }
+  return status;
+}
+
+double farthest_from_start(const Snapshot& start, const Snapshot& now) {
+  double farthest = 0;
+  for (std::size_t i = 0; i < now.bodies.size(); ++i) {
+    if (now.bodies[i].type != BodyType::dynamic) continue;
+    farthest = std::max(farthest, (now.bodies[i].pose.position - start.bodies[i].pose.position).norm());
+  }
+  return farthest;
+}
+
+class Trial {
+ public:
+  Trial(Contestant& contestant, const TrialOptions& options, TrialResult& result)
+      : contestant_(contestant), options_(options), result_(result), start_(contestant.snapshot()) {
+    start_energy_ = total_energy(start_);
+    const double scale = energy_scale(start_);
+    result_.energy_scale = scale > 0 ? scale : 1;
+    if (options_.observer) options_.observer(start_);
+  }
+
+  void run(int steps, double dt) {
+    while (result_.steps < steps && result_.status == TrialStatus::ok) {
+      if (!step()) break;
+      result_.steps += 1;
+      result_.seconds = result_.steps * dt;
+      measure(contestant_.snapshot(), result_.steps == steps);
+      if (options_.gives_up && options_.gives_up(result_)) break;
+    }
+    if (!result_.fell_at) result_.stands_until = result_.seconds;
+    if (residuals_ > 0) result_.mean_residual = residual_sum_ / residuals_;
+    result_.state_hash = contestant_.state_hash();
+  }
+
+ private:
+  /// False: the solver has refused.
+  bool step() {
+    try {
+      measure_ahead();
+      const double before = options_.clock();
+      contestant_.step();
+      result_.step_seconds += options_.clock() - before;
+    } catch (const std::logic_error& refusal) {
+      result_.status = TrialStatus::refused;
+      result_.reason = refusal.what();
+      return false;
+    }
+    return true;
+  }
+
+  void measure_ahead() {
+    if (options_.residual == ResidualMeasure::off) return;
+    const std::optional<double> residual = contestant_.residual_ahead();
+    if (!residual) return;
+    residual_sum_ += *residual;
+    residuals_ += 1;
+    result_.worst_residual = std::max(result_.worst_residual.value_or(0), *residual);
+  }
+
+  void measure(const Snapshot& now, bool is_last) {
+    result_.row_updates += contestant_.row_updates(now);
+    if (options_.observer) options_.observer(now);
+    result_.status = motion_status(now, options_.fastest);
+    if (result_.status == TrialStatus::nan) return note_position(std::numeric_limits<double>::infinity());
+    note_position(farthest_from_start(start_, now));
+    result_.worst_drift = std::max(result_.worst_drift, worst_joint_drift(now));
+    const double change = (total_energy(now) - start_energy_) / result_.energy_scale;
+    result_.energy_gain = std::max(result_.energy_gain, change);
+    result_.energy_loss = -change;
+    if (is_last || result_.steps % options_.penetration_every == 0) {
+      result_.worst_penetration = std::max(result_.worst_penetration, worst_penetration(now));
+    }
+    const bool late = options_.time_limit > 0 && result_.step_seconds > options_.time_limit;
+    if (late && !is_last && result_.status == TrialStatus::ok) result_.status = TrialStatus::timeout;
+  }
+
+  void note_position(double distance) {
+    result_.farthest = std::max(result_.farthest, distance);
+    if (distance <= options_.stand_distance || result_.fell_at) return;
+    result_.fell_at = result_.stands_until = result_.seconds;
+  }
+
+  Contestant& contestant_;
+  const TrialOptions& options_;
+  TrialResult& result_;
+  Snapshot start_;
+  double start_energy_ = 0;  // [J]
+  double residual_sum_ = 0;
+  int residuals_ = 0;
+};
+
+}  // namespace
+
+std::string status_text(TrialStatus status) {
+  switch (status) {
+    case TrialStatus::ok:
+      return "ok";
+    case TrialStatus::diverged:
+      return "diverged";
+    case TrialStatus::nan:
+      return "nan";
+    case TrialStatus::refused:
+      return "refused";
+    case TrialStatus::timeout:
+      break;
+  }
+  return "timeout";
+}
+
+double thread_cpu_seconds() {
+  std::timespec time = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+TrialResult run_trial(const Scene& scene, const Setting& setting, const TrialOptions& options) {
+  check(setting);
+  check_trial_options(options, setting.dt);
+  TrialResult result;
+  std::unique_ptr<Contestant> contestant;
+  try {
+    contestant = make_contestant(scene, setting);
+  } catch (const std::logic_error& refusal) {
+    result.status = TrialStatus::refused;
+    result.reason = refusal.what();
+    return result;
+  }
+  const int steps = static_cast<int>(std::lround(options.seconds / setting.dt));
+  Trial(*contestant, options, result).run(steps, setting.dt);
+  return result;
+}
+
+}  // namespace cairn

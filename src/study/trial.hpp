@@ -1,0 +1,82 @@
+// Beside floor 6. One run of a scene under a setting: what it cost, and how good it was.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "study/setting.hpp"
+#include "world/snapshot.hpp"
+
+namespace cairn {
+
+/// How a run ended.
+enum class TrialStatus {
+  ok,        // all of its steps were done
+  diverged,  // a body became faster than TrialOptions::fastest
+  nan,       // a pose or a velocity is no finite number
+  refused,   // the engine cannot run the scene, or the solver its problem: TrialResult::reason says why
+  timeout,   // its steps took longer than TrialOptions::time_limit
+};
+
+/// "ok", "diverged", "nan", "refused" or "timeout".
+std::string status_text(TrialStatus status);
+
+/// Whether R_E is measured in every step, which takes a second solve of each.
+enum class ResidualMeasure { off, every_step };
+
+/// Seconds of processor time that this thread has used.
+double thread_cpu_seconds();
+
+struct TrialResult;
+
+struct TrialOptions {
+  double seconds = 2;  // [s] to simulate, rounded to whole steps
+  /// [m] The scene stands while every dynamic body's centre of mass is at most as far from its start.
+  double stand_distance = std::numeric_limits<double>::infinity();
+  /// Overlap is measured after every so many steps, and at the end. The other measures, taken after every
+  /// step, cost O(bodies + joints); this one looks for pairs and collides them, as a step does.
+  int penetration_every = 1;
+  ResidualMeasure residual = ResidualMeasure::off;
+  double fastest = 1000;  // [m/s and rad/s] of any body; what is faster has diverged
+  double time_limit = 0;  // [s] of the clock in all steps; 0: none
+  /// Asked after every step: true ends the run there, for example because it can no longer do what is wanted.
+  std::function<bool(const TrialResult&)> gives_up = {};
+  std::function<void(const Snapshot&)> observer = {};  // sees the start, and then every step
+  std::function<double()> clock = thread_cpu_seconds;  // [s]
+};
+
+/// The same for the same scene, setting and options, but for step_seconds, and what a time_limit or a
+/// solver's time budget makes of it.
+struct TrialResult {
+  TrialStatus status = TrialStatus::ok;
+  std::string reason = {};       // of a refusal
+  int steps = 0;                 // done
+  double seconds = 0;            // [s] simulated
+  double worst_penetration = 0;  // [m] of any step that was measured
+  double worst_drift = 0;        // [m or rad] of any joint after any step
+  double energy_scale = 0;  // [J] energy_scale() of the start (measure/trajectory.hpp); 1 J where it is 0
+  double energy_gain = 0;   // of the scale: how far kinetic and potential energy rose above the start's
+  double energy_loss = 0;   // of the scale: how far they are below it at the end; < 0: above it
+  double farthest = 0;      // [m] that a dynamic body's centre of mass was from its start
+  std::optional<double> fell_at = {};  // [s] after the first step where the scene did not stand; none: it did
+  double stands_until = 0;             // [s] fell_at, or else all of `seconds`
+  double step_seconds = 0;             // [s] of the clock in steps; measuring is not in it
+  std::int64_t row_updates = 0;        // see Contestant::row_updates
+  std::optional<double> worst_residual = {};  // R_E, where it was asked for and can be had
+  std::optional<double> mean_residual = {};
+  std::uint64_t state_hash = 0;  // see Contestant::state_hash; 0 after a refusal before the first step
+
+  bool stands() const { return status == TrialStatus::ok && !fell_at; }
+  /// Of the clock for each second simulated; 0 before any.
+  double cost() const { return seconds > 0 ? step_seconds / seconds : 0; }
+};
+
+/// Steps the scene, by the setting in place of its own settings, until its time is over or something goes
+/// wrong. Only the steps are timed. Blow-ups and refusals by the engine are results, not exceptions.
+/// @throws std::invalid_argument for a setting that check() refuses, and for options out of range.
+TrialResult run_trial(const Scene& scene, const Setting& setting, const TrialOptions& options = {});
+
+}  // namespace cairn

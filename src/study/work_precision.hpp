@@ -1,0 +1,60 @@
+// Beside floor 6. Work against error: what more work buys, solver by solver.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "measure/csv.hpp"
+#include "study/frozen_problem.hpp"
+#include "study/journal.hpp"
+#include "study/solve_trial.hpp"
+
+namespace cairn {
+
+/// Level 1: frozen problems, one step each. Every solver after 1, 2, 4 ... sweeps, from nothing and from the
+/// problem's own impulses, in each precision.
+struct SolveGrid {
+  std::vector<std::string> solvers = {"si", "accelerated", "block", "jacobi-split", "pgs-factored"};
+  int most_sweeps = 4096;
+  std::vector<Start> starts = {Start::cold, Start::warm};
+  std::vector<Precision> scalars = {Precision::double_precision, Precision::single_precision};
+  SolveTiming timing = {};
+};
+
+/// One task for each point of the grid on each problem. E_M is given where the reference says that the
+/// velocity is unique; failures stay in the table, with their status. Reads the frozen problems when a task
+/// runs, not before.
+Study solve_study(const std::vector<FrozenProblem>& problems, const SolveGrid& grid);
+
+/// A point of a chart: work and error of one row of a table.
+struct TradePoint {
+  std::string solver = {};
+  std::string setting = {};
+  double work = 0;
+  double error = 0;
+  bool on_front = false;  // no other point has both less work and a smaller error
+};
+
+/// The rows of a table that have these words in these columns.
+CsvTable rows_with(const CsvTable& table, const std::map<std::string, std::string>& words);
+
+/// What a table's rows come to: `work` and `error` name two of its columns. Rows that failed, and such whose
+/// numbers are not above 0, are not among them: an error of 0 stands at `least_error`.
+std::vector<TradePoint> trade_points(const CsvTable& table, const std::string& work, const std::string& error,
+                                     double least_error);
+
+/// The rows whose time can be believed: the quartile range of their solves is at most `most_spread` of the
+/// median. Rows without a time are kept.
+CsvTable rows_with_steady_times(const CsvTable& table, double most_spread);
+
+/// Work to come down to an error: the least row updates of each solver, infinite where it never did.
+struct WorkToError {
+  std::string scene = {};
+  std::string solver = {};
+  std::vector<double> row_updates = {};  // for each of the errors asked for
+  std::string ending = {};               // the status after the most sweeps
+};
+std::vector<WorkToError> work_to_errors(const CsvTable& table, const std::vector<double>& residuals);
+
+}  // namespace cairn

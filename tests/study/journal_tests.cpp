@@ -1,0 +1,117 @@
+// Studies that are stopped, taken up again, and shared out.
+#include "study/journal.hpp"
+
+#include <doctest/doctest.h>
+
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+using namespace cairn;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test, gone afterwards.
+struct JournalFolder {
+  JournalFolder() : path(fs::temp_directory_path() / ("cairn_journal_" + std::to_string(::getpid()))) {
+    fs::remove_all(path);
+    fs::create_directories(path);
+  }
+  ~JournalFolder() { fs::remove_all(path); }
+  fs::path path;
+};
+
+std::string journal_text(const fs::path& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Task k answers k^2, in digits and in a word with a comma; `runs` counts the tasks that were done.
+Study squares(int count, int& runs) {
+  Study study = {.name = "squares", .header = {"square", "word", "half"}, .tasks = {}};
+  for (int k = 0; k < count; ++k) {
+    study.tasks.push_back(
+        {.name = std::to_string(k), .run = [k, &runs]() -> std::vector<CsvCell> {
+           ++runs;
+           return {static_cast<long long>(k * k), std::string("a,") + std::to_string(k), k / 2.0};
+         }});
+  }
+  return study;
+}
+
+const StudyProgress to_the_end = [](std::size_t, std::size_t, double) { return true; };
+
+}  // namespace
+
+TEST_CASE("a study that was stopped goes on where it was, whatever was cut off") {
+  const JournalFolder folder;
+  int runs = 0;
+  const Study study = squares(7, runs);
+  const fs::path whole = folder.path / "whole.csv", cut = folder.path / "cut.csv";
+  Journal at_once(whole, study);
+  REQUIRE(run_study(study, {}, at_once, to_the_end));
+  CHECK(runs == 7);
+  {
+    Journal first(cut, study);
+    const bool finished =
+        run_study(study, {}, first, [](std::size_t done, std::size_t, double) { return done < 3; });
+    CHECK_FALSE(finished);
+    CHECK(first.size() == 3);
+  }
+  std::ofstream(cut, std::ios::app) << "3,9,half a li";  // the power went out
+  Journal second(cut, study);
+  CHECK(second.size() == 3);
+  runs = 0;
+  REQUIRE(run_study(study, {}, second, to_the_end));
+  CHECK(runs == 4);
+  CHECK(second.csv() == at_once.csv());
+  CHECK(journal_text(cut) == journal_text(whole));
+}
+
+TEST_CASE("shards do every task once, and merge to the same bytes in any order") {
+  const JournalFolder folder;
+  int runs = 0;
+  const Study study = squares(11, runs);
+  Journal at_once(folder.path / "whole.csv", study);
+  REQUIRE(run_study(study, {}, at_once, to_the_end));
+  runs = 0;
+  for (int k = 1; k <= 3; ++k) {
+    Journal part(folder.path / ("part" + std::to_string(k)), study);
+    REQUIRE(run_study(study, {.number = k, .of = 3}, part, to_the_end));
+  }
+  CHECK(runs == 11);
+  for (const std::string order : {"123", "312", "231"}) {
+    Journal merged(folder.path / ("merged" + order), study);
+    for (const char k : order) merged.absorb(folder.path / (std::string("part") + k));
+    CHECK(merged.csv() == at_once.csv());
+  }
+  std::istringstream text(at_once.csv());
+  const CsvTable table = read_csv(text, "squares");
+  REQUIRE(table.rows.size() == 11);
+  CHECK(std::get<long long>(table.rows[5][1]) == 25);
+  CHECK(std::get<std::string>(table.rows[5][2]) == "a,5");
+  CHECK(std::get<double>(table.rows[5][3]) == 2.5);
+}
+
+TEST_CASE("the journal of another study is left alone, and a wrong share is refused") {
+  const JournalFolder folder;
+  int runs = 0;
+  Study study = squares(2, runs);
+  const fs::path path = folder.path / "journal.csv";
+  std::ofstream(path) << "my diary\n";
+  CHECK_THROWS_WITH_AS(Journal(path, study), doctest::Contains("of the study \"squares\""),
+                       std::invalid_argument);
+  CHECK(journal_text(path) == "my diary\n");
+  std::ofstream(path, std::ios::trunc) << "# squares\ntask,square,word,half\n9,1,2,3\n";
+  CHECK_THROWS_WITH_AS(Journal(path, study), doctest::Contains("line 3"), std::invalid_argument);
+  CHECK_THROWS_AS(Journal(folder.path / "no" / "such" / "folder.csv", study), std::runtime_error);
+  CHECK(parse_shard("2/8").number == 2);
+  CHECK(parse_shard("2/8").of == 8);
+  for (const char* wrong : {"", "2", "0/3", "4/3", "1/0", "-1/2", "1/2/3", "a/b", "1/10001", "1 /2"}) {
+    CHECK_THROWS_WITH_AS(parse_shard(wrong), doctest::Contains("k/n"), std::invalid_argument);
+  }
+}

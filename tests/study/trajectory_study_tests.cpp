@@ -1,0 +1,167 @@
+// Whole runs against each other: every setting a row, whatever became of it.
+#include "study/trajectory_study.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "study/scene_list.hpp"
+#include "study/trade_row.hpp"
+
+using namespace cairn;
+
+namespace {
+
+CsvTable rows_of(const std::vector<TrajectoryScene>& scenes, const TrajectoryGrid& grid) {
+  const Study study = trajectory_study(scenes, grid);
+  CsvTable table{.header = study.header, .rows = {}};
+  for (const StudyTask& task : study.tasks) table.rows.push_back(task.run());
+  return table;
+}
+
+TrajectoryGrid one_setting(const std::string& solver) {
+  return {.solvers = {solver}, .frequencies = {60}, .substeps = {1}, .sweeps = {8}};
+}
+
+/// Always wrong by the same.
+class SameError final : public MotionError {
+ public:
+  explicit SameError(double error) : error_(error) {}
+  void see(const Snapshot&) override {}
+  double value() const override { return error_; }
+
+ private:
+  double error_;
+};
+
+/// A disc with this speed and nothing that acts on it.
+TrajectoryScene free_disc(double speed, double error) {
+  return {.name = "disc",
+          .make =
+              [speed] {
+                SceneSettings settings;
+                settings.gravity = {0, 0};
+                Scene scene(settings);
+                scene.add({.shapes = {circle(0.5)}, .velocity = {speed, 0}, .mass = 2});
+                return scene;
+              },
+          .seconds = 0.5,
+          .error_name = "error",
+          .error_formula = "made up",
+          .watch = [error] { return std::make_unique<SameError>(error); }};
+}
+
+}  // namespace
+
+TEST_CASE("every scene of the study can be made, and its names are told apart") {
+  std::set<std::string> names;
+  for (const std::string& name : trajectory_names()) {
+    CAPTURE(name);
+    CHECK(names.insert(name).second);
+    const TrajectoryScene scene = trajectory_scene(name);
+    CHECK(scene.name == name);
+    CHECK(scene.seconds > 0);
+    CHECK(scene.make().bodies().size() > 0);
+    CHECK((scene.starts > 1) == (scene.stand_distance > 0));
+    CHECK(scene.error_name.empty() == !scene.watch);
+  }
+  CHECK_THROWS_WITH_AS(trajectory_scene("pendulum-46"), doctest::Contains("pendulum-45"),
+                       std::invalid_argument);
+}
+
+TEST_CASE("a study of runs has a row for every point of its grid, of the right steps and sweeps") {
+  const TrajectoryGrid grid{
+      .solvers = {"si", "block"}, .frequencies = {30, 60}, .substeps = {1, 4}, .sweeps = {1, 8}};
+  const CsvTable table = rows_of({free_disc(1, 0.25)}, grid);
+  REQUIRE(table.rows.size() == 16);
+  std::set<std::string> settings;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    CHECK(settings.insert(text_in(table, i, "setting")).second);
+    CHECK(number_in(table, i, "level") == 2);
+    CHECK(number_in(table, i, "err_value") == 0.25);
+    CHECK(number_in(table, i, "dE_max_gain") == 0);  // nothing acts on it
+    CHECK(number_in(table, i, "starts") == 1);
+    CHECK(text_in(table, i, "status") == "ok");
+    CHECK(text_in(table, i, "survival").empty());
+    CHECK(std::isnan(number_in(table, i, "survival")));  // nothing was said about standing
+  }
+  CHECK(number_in(table, 0, "dt") == 1.0 / 30);
+  CHECK(number_in(table, 15, "dt") == 1.0 / 60);
+  CHECK(number_in(table, 15, "substeps") == 4);
+  CHECK(number_in(table, 15, "sweeps") == 8);
+}
+
+TEST_CASE("the work of a run is counted: rows times sweeps, for every substep of a second") {
+  // A pin has two rows: 2 x 8 x 60 x 4 row updates for each second of the pendulum.
+  TrajectoryScene scene = trajectory_scene("pendulum-45");
+  scene.seconds = 1;
+  TrajectoryGrid grid = one_setting("si");
+  grid.substeps = {4};
+  const CsvTable table = rows_of({scene}, grid);
+  CHECK(number_in(table, 0, "work") == doctest::Approx(2 * 8 * 60 * 4).epsilon(1e-12));
+  CHECK(number_in(table, 0, "cost") > 0);
+}
+
+TEST_CASE("runs that fail stay in the table, with an error that is infinite") {
+  const CsvTable fast = rows_of({free_disc(2000, 0.25)}, one_setting("si"));  // a trial ends at 1000 m/s
+  CHECK(text_in(fast, 0, "status") == "diverged");
+  CHECK(number_in(fast, 0, "err_value") == std::numeric_limits<double>::infinity());
+  const CsvTable lost = rows_of({free_disc(1, std::nan(""))}, one_setting("si"));
+  CHECK(number_in(lost, 0, "err_value") == std::numeric_limits<double>::infinity());
+}
+
+TEST_CASE("a scene that stands is started again and again, and the share that stood is told") {
+  TrajectoryScene stack = trajectory_scene("stack");
+  stack.seconds = 0.2;
+  stack.starts = 3;
+  stack.stand_distance = 0.22;
+  const CsvTable table = rows_of({stack}, one_setting("si"));
+  CHECK(number_in(table, 0, "starts") == 3);
+  CHECK(number_in(table, 0, "survival") == 1);  // free fall would be g t (t + dt) / 2 = 0.217 m
+  CHECK(number_in(table, 0, "stands_until") == doctest::Approx(0.2).epsilon(1e-12));
+  stack.stand_distance = 1e-9;  // even settling is more
+  CHECK(number_in(rows_of({stack}, one_setting("si")), 0, "survival") == 0);
+}
+
+TEST_CASE("two studies of runs give the same answers, but for their times") {
+  const TrajectoryScene scene = trajectory_scene("bounce");
+  const CsvTable first = rows_of({scene}, one_setting("si")), second = rows_of({scene}, one_setting("si"));
+  const std::set<std::string> times = {"cost", "step_ns_med"};
+  for (std::size_t i = 0; i < first.header.size(); ++i) {
+    CAPTURE(first.header[i]);
+    if (times.count(first.header[i]) == 0) CHECK(first.rows[0][i] == second.rows[0][i]);
+  }
+}
+
+TEST_CASE("the name of a study of runs tells every grid and every number of starts from every other") {
+  const TrajectoryScene stack = trajectory_scene("stack");
+  const std::string usual = trajectory_study({stack}, one_setting("si")).name;
+  std::vector<TrajectoryGrid> others(4, one_setting("si"));
+  others[0].solvers = {"block"};
+  others[1].frequencies = {120};
+  others[2].substeps = {2};
+  others[3].sweeps = {16};
+  for (const TrajectoryGrid& other : others) CHECK(trajectory_study({stack}, other).name != usual);
+  TrajectoryScene twice = stack;
+  twice.starts = 2;
+  CHECK(trajectory_study({twice}, one_setting("si")).name != usual);
+}
+
+#ifdef CAIRN_HAVE_BOX2D
+TEST_CASE("a scene that Box2D refuses stays in the table as refused") {
+  const CsvTable table = rows_of({trajectory_scene("weld-beam")}, one_setting("box2d"));
+  REQUIRE(table.rows.size() == 1);
+  CHECK(text_in(table, 0, "status") == "refused");
+  CHECK(text_in(table, 0, "solver") == "box2d");
+  CHECK(std::isnan(number_in(table, 0, "cost")));
+}
+
+TEST_CASE("a run of Box2D is a row as any other, in float") {
+  const CsvTable table = rows_of({trajectory_scene("stopping")}, one_setting("box2d"));
+  CHECK(text_in(table, 0, "status") == "ok");
+  CHECK(text_in(table, 0, "scalar") == "float");
+  CHECK(number_in(table, 0, "err_value") <= 0.02);  // twice mu g dt / v = 1 % of a step's way
+}
+#endif

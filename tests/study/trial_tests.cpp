@@ -1,0 +1,234 @@
+// One run of a scene under a setting.
+#include "study/trial.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "constraints/revolute_joint.hpp"
+#include "geometry/shape.hpp"
+#include "solvers/sequential_impulse.hpp"
+#include "study/contestant.hpp"
+#include "study/jitter.hpp"
+#include "study/scene_list.hpp"
+#include "study/solver_list.hpp"
+#include "world/world.hpp"
+
+using namespace cairn;
+
+namespace {
+
+const double trial_dt = 1.0 / 64;  // [s] exact, so that sums of it are
+
+/// A disc of 1 kg that falls from (0, 0), touching nothing.
+Scene falling_disc() {
+  Scene scene;
+  scene.add({.shapes = {circle(0.5)}, .mass = 1});
+  return scene;
+}
+
+/// n discs on the ground, side by side: n contact points, 2 n rows.
+Scene resting_discs(int discs) {
+  Scene scene;
+  scene.add_ground({.half_width = 2.0 * discs + 1});
+  for (int i = 0; i < discs; ++i) scene.add({.shapes = {circle(0.5)}, .position = {2.0 * i, 0.5}});
+  return scene;
+}
+
+/// A disc on three pins above each other. Of their three equal rows along y, plain Jacobi gives the same
+/// correction three times: every sweep makes -2 times the error of it.
+Scene disc_on_three_pins() {
+  Scene scene;
+  const BodyId disc = scene.add({.shapes = {circle(1)}});
+  for (const double y : {-0.5, 0.0, 0.5}) {
+    scene.join<RevoluteJoint>({.a = ground, .b = disc, .anchor = {0, y}});
+  }
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a run is as long as it was asked for, and shows the start and every step") {
+  int seen = 0;
+  double last = -1;
+  TrialOptions options{.seconds = 1};
+  options.observer = [&](const Snapshot& now) {
+    CHECK(now.step == seen);
+    seen += 1;
+    last = now.time;
+  };
+  const TrialResult result = run_trial(falling_disc(), {.dt = trial_dt}, options);
+  CHECK(result.status == TrialStatus::ok);
+  CHECK(result.steps == 64);
+  CHECK(result.seconds == 1);
+  CHECK(seen == 65);
+  CHECK(last == 1);
+}
+
+TEST_CASE("energy that a falling disc loses to the integration is g dt / 2 of its speed, of the scale") {
+  // Semi-implicit Euler falls g dt^2 n (n + 1) / 2 and reaches g dt n: m g^2 dt t / 2 is missing. The scale
+  // is m g times the diagonal of the box around the disc, sqrt(2) m.
+  const TrialResult result = run_trial(falling_disc(), {.dt = trial_dt}, {.seconds = 1});
+  CHECK(result.energy_scale == doctest::Approx(10 * std::sqrt(2)).epsilon(1e-14));
+  CHECK(result.energy_loss == doctest::Approx(0.5 * 100 * trial_dt / (10 * std::sqrt(2))).epsilon(1e-12));
+  CHECK(result.energy_gain == 0);
+  CHECK(result.farthest == doctest::Approx(10 * trial_dt * trial_dt * 64 * 65 / 2).epsilon(1e-12));
+}
+
+TEST_CASE("a scene stands until the step after which a body is too far from its start") {
+  // After n steps it has fallen g dt^2 n (n + 1) / 2: beyond 10 dt^2 45 from n = 10 on.
+  const double distance = 10 * trial_dt * trial_dt * 45 * 1.0001;
+  const TrialResult result =
+      run_trial(falling_disc(), {.dt = trial_dt}, {.seconds = 0.5, .stand_distance = distance});
+  REQUIRE(result.fell_at.has_value());
+  CHECK(*result.fell_at == 10 * trial_dt);
+  CHECK(result.stands_until == 10 * trial_dt);
+  CHECK_FALSE(result.stands());
+  const TrialResult shorter =
+      run_trial(falling_disc(), {.dt = trial_dt}, {.seconds = 9 * trial_dt, .stand_distance = distance});
+  CHECK(shorter.stands());
+  CHECK(shorter.stands_until == 9 * trial_dt);
+}
+
+TEST_CASE("only steps are timed, by the clock that was given") {
+  int readings = 0;
+  TrialOptions options{.seconds = 0.5};
+  options.clock = [&] { return 0.25 * readings++; };  // every reading a quarter of a second later
+  const TrialResult result = run_trial(falling_disc(), {.dt = trial_dt}, options);
+  CHECK(readings == 2 * 32);
+  CHECK(result.step_seconds == 0.25 * 32);
+  CHECK(result.cost() == 16);
+
+  readings = 0;
+  options.time_limit = 2;  // more than it after 9 steps
+  const TrialResult late = run_trial(falling_disc(), {.dt = trial_dt}, options);
+  CHECK(late.status == TrialStatus::timeout);
+  CHECK(late.steps == 9);
+  CHECK(thread_cpu_seconds() > 0);
+}
+
+TEST_CASE("row updates are rows times sweeps, over substeps and the second solves of a policy") {
+  const auto updates = [](const Setting& setting) {
+    return run_trial(resting_discs(3), setting, {.seconds = 5 * setting.dt}).row_updates;
+  };
+  CHECK(updates({.sweeps = {.iterations = 7}}) == 5 * 6 * 7);
+  CHECK(updates({.sweeps = {.iterations = 7}, .substeps = 3}) == 5 * 6 * 7 * 3);
+  CHECK(updates({.sweeps = {.iterations = 7},
+                 .substeps = 3,
+                 .stabilization = {.policy = StabilizationPolicy::soft}}) == 5 * 6 * 7 * 3 * 2);
+  CHECK(updates({.sweeps = {.iterations = 7},
+                 .stabilization = {.policy = StabilizationPolicy::split_impulse}}) == 5 * 6 * 7 * 2);
+}
+
+TEST_CASE("the same run has the same hash, and any other has another") {
+  const Scene stack = scene_entry("stack").make();
+  const TrialOptions options{.seconds = 0.5};
+  const std::uint64_t hash = run_trial(stack, {}, options).state_hash;
+  CHECK(run_trial(stack, {}, options).state_hash == hash);
+  CHECK(run_trial(stack, {.sweeps = {.iterations = 11}}, options).state_hash != hash);
+  CHECK(run_trial(stack, {.scalar = Precision::single_precision}, options).state_hash != hash);
+  CHECK(run_trial(stack, {.scalar = Precision::long_double}, options).state_hash != hash);
+  CHECK(run_trial(jittered(stack, 1e-6, 1), {}, options).state_hash != hash);
+}
+
+TEST_CASE("the hash is FNV-1a over poses and velocities, byte by byte") {
+  // The ground and one body at rest at the origin: 12 zeros of 8 bytes. A byte of 0 only multiplies.
+  Scene scene;
+  scene.add({.shapes = {circle(1)}});
+  std::uint64_t expected = 14695981039346656037U;
+  for (int i = 0; i < 12 * 8; ++i) expected *= 1099511628211U;
+  CHECK(make_contestant(scene, {})->state_hash() == expected);
+}
+
+TEST_CASE("R_E is measured where it is asked for, and is that of the solves of the run") {
+  const Scene stack = scene_entry("stack").make();
+  CHECK_FALSE(run_trial(stack, {}, {.seconds = 0.1}).worst_residual.has_value());
+  const TrialOptions options{.seconds = 1, .residual = ResidualMeasure::every_step};
+  const TrialResult few = run_trial(stack, {.sweeps = {.iterations = 5}}, options);
+  const TrialResult exact = run_trial(
+      stack, {.solver = "accelerated", .sweeps = {.iterations = 100000, .tolerance = 1e-9}}, options);
+  CHECK(*exact.worst_residual <= 1e-9);
+  CHECK(*few.mean_residual > 1e-3);  // 184 sweeps would bring it to 1e-2
+  CHECK(*few.worst_residual >= *few.mean_residual);
+  // Measuring changes nothing.
+  CHECK(few.state_hash == run_trial(stack, {.sweeps = {.iterations = 5}}, {.seconds = 1}).state_hash);
+  // No impulses at all: 1 by definition.
+  const TrialResult none = run_trial(stack, {.sweeps = {.iterations = 0}},
+                                     {.seconds = 1.0 / 60, .residual = ResidualMeasure::every_step});
+  CHECK(*none.worst_residual == doctest::Approx(1).epsilon(1e-12));
+}
+
+TEST_CASE("a solver that diverges is a result: what became of it, and when") {
+  // Speeds of g dt = 1/6 m/s times 2^60, and times 2^2000: beyond the largest double, 2^1024.
+  const auto run = [](const char* solver, int sweeps) {
+    const Setting setting{.solver = solver, .sweeps = {.iterations = sweeps}};
+    return run_trial(disc_on_three_pins(), setting, {.seconds = 1});
+  };
+  const TrialResult fast = run("jacobi", 60);
+  CHECK(fast.status == TrialStatus::diverged);
+  CHECK(fast.steps == 1);
+  CHECK_FALSE(fast.stands());
+  const TrialResult not_a_number = run("jacobi", 2000);
+  CHECK(not_a_number.status == TrialStatus::nan);
+  CHECK(not_a_number.steps == 1);
+  CHECK(std::isinf(not_a_number.farthest));
+  CHECK(not_a_number.worst_penetration == 0);  // of the steps before
+  CHECK(run("jacobi-split", 60).status == TrialStatus::ok);
+}
+
+TEST_CASE("a body faster than the limit has diverged") {
+  Scene scene({.gravity = {0, 0}});
+  scene.add({.shapes = {circle(1)}, .velocity = {0, 11}});
+  CHECK(run_trial(scene, {}, {.fastest = 11}).status == TrialStatus::ok);
+  const TrialResult result = run_trial(scene, {}, {.fastest = 10.9});
+  CHECK(result.status == TrialStatus::diverged);
+  CHECK(result.steps == 1);
+  CHECK(status_text(result.status) == "diverged");
+}
+
+TEST_CASE("a problem too large for the solver is a refusal, with its reason") {
+  const int discs = solver_entry("pgs").max_rows / 2 + 1;
+  const TrialResult result = run_trial(resting_discs(discs), {.solver = "pgs"}, {.seconds = 0.1});
+  CHECK(result.status == TrialStatus::refused);
+  CHECK(result.steps == 0);
+  CHECK_FALSE(result.reason.empty());
+}
+
+TEST_CASE("options out of range and settings that nothing runs under are refused by exceptions") {
+  const Scene scene = falling_disc();
+  CHECK_THROWS_AS(run_trial(scene, {.solver = "sj"}), std::invalid_argument);
+  CHECK_THROWS_AS(run_trial(scene, {.dt = -1}), std::invalid_argument);
+  CHECK_THROWS_AS(run_trial(scene, {}, {.seconds = -1}), std::invalid_argument);
+  CHECK_THROWS_AS(run_trial(scene, {}, {.seconds = NAN}), std::invalid_argument);
+  CHECK_THROWS_AS(run_trial(scene, {}, {.stand_distance = -1}), std::invalid_argument);
+  CHECK_THROWS_AS(run_trial(scene, {}, {.penetration_every = 0}), std::invalid_argument);
+  CHECK_THROWS_AS(run_trial(scene, {}, {.fastest = NAN}), std::invalid_argument);
+  CHECK_THROWS_AS(run_trial(scene, {}, {.time_limit = -1}), std::invalid_argument);
+}
+
+TEST_CASE("what an observer throws is its own, and no refusal") {
+  TrialOptions options;
+  options.observer = [](const Snapshot&) { throw std::invalid_argument("seen enough"); };
+  CHECK_THROWS_WITH(run_trial(falling_disc(), {}, options), "seen enough");
+}
+
+TEST_CASE("a trial steps as a world does that is stepped by hand") {
+  Scene scene = scene_entry("pyramid").make();
+  const Setting setting{.sweeps = {.iterations = 8}, .dt = 1.0 / 120, .substeps = 2};
+  Snapshot last;
+  TrialOptions options{.seconds = 0.25};
+  options.observer = [&](const Snapshot& now) { last = now; };
+  run_trial(scene, setting, options);
+  SceneSettings settings = scene.settings();
+  settings.dt = 1.0 / 120;
+  settings.substeps = 2;
+  scene.set_settings(settings);
+  World world(scene);
+  SequentialImpulse<double> solver({.iterations = 8});
+  for (int step = 0; step < 30; ++step) world.step(solver);
+  for (std::size_t i = 0; i < last.bodies.size(); ++i) {
+    CHECK(last.bodies[i].velocity == world.bodies().velocity[i]);
+    CHECK(last.bodies[i].pose.position == world.bodies().pose[i].position);
+  }
+}
