@@ -13,6 +13,11 @@ namespace {
 
 constexpr std::size_t most_series = 4;  // more cannot be told apart
 
+void check_places(const Places& places, const char* field) {
+  require(places.x.size() == places.y.size(), "draw_plot", field, "of as many x as y",
+          std::to_string(places.x.size()) + " and " + std::to_string(places.y.size()));
+}
+
 void check_plot(const Plot& plot) {
   require(plot.series.size() <= most_series, "draw_plot", "series", "at most 4",
           static_cast<double>(plot.series.size()));
@@ -20,6 +25,8 @@ void check_plot(const Plot& plot) {
     require(series.x.size() == series.y.size(), "draw_plot", "x", "as long as y",
             std::to_string(series.x.size()) + " and " + std::to_string(series.y.size()));
   }
+  check_places(plot.cloud, "cloud");
+  check_places(plot.front, "front");
 }
 
 void draw_cursor(Page& page, const PlotFrame& frame, const Plot& plot) {
@@ -59,6 +66,7 @@ void draw_plot(Page& page, const Rect& rect, const Plot& plot) {
   frame = lay_out(page, panel, shown, gutter_width(page, frame, shown, curves_of(frame, shown)));
   const std::vector<Curve> curves = curves_of(frame, shown);
   draw_axes(page, frame, shown);
+  draw_background(page, frame, shown);
   draw_goals(page, frame, shown);
   draw_cursor(page, frame, shown);
   draw_curves(page, frame, shown, curves);

@@ -33,6 +33,19 @@ struct GoalLine {
   std::string text = {};
 };
 
+/// Points that belong together: where x and y are.
+struct Places {
+  std::vector<double> x = {};
+  std::vector<double> y = {};
+};
+
+/// What is written beside a point, where there is room for it.
+struct PointLabel {
+  double x = 0;
+  double y = 0;
+  std::string text = {};
+};
+
 struct Plot {
   std::string title = {};
   Axis x = {};
@@ -40,6 +53,9 @@ struct Plot {
   std::vector<Series> series = {};  // at most 4
   std::vector<GoalLine> goals = {};
   std::optional<double> cursor = {};  // a vertical line at this x
+  Places cloud = {};                  // small and faint, behind everything: all that was tried
+  Places front = {};                  // a wide and faint line behind the curves: what nothing tried beats
+  std::vector<PointLabel> labels = {};
 };
 
 /// A panel with the plot. Nothing is drawn outside its axes.

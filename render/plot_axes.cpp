@@ -21,13 +21,15 @@ double widest(const Page& page, const std::vector<std::string>& texts) {
 
 std::vector<double> values_of(const Plot& plot, const std::vector<double> Series::*member) {
   std::vector<double> values;
-  for (const Series& series : plot.series) {
+  const auto add = [&](const Series& series) {
     // Only points that can be shown: both of their coordinates count.
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       if (!plottable(series.x[i], plot.x.scale) || !plottable(series.y[i], plot.y.scale)) continue;
       values.push_back((series.*member)[i]);
     }
-  }
+  };
+  for (const Series& series : plot.series) add(series);
+  for (const Places* places : {&plot.cloud, &plot.front}) add({.x = places->x, .y = places->y});
   return values;
 }
 

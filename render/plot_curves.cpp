@@ -93,6 +93,20 @@ Curve curve_of(const PlotFrame& frame, const Series& series) {
   return curve;
 }
 
+void draw_background(Page& page, const PlotFrame& frame, const Plot& plot) {
+  Canvas& canvas = page.canvas();
+  canvas.push_clip(frame.box);
+  const Series front{.x = plot.front.x, .y = plot.front.y};
+  for (const std::vector<Point>& piece : curve_of(frame, front).pieces) {
+    canvas.polyline(piece, {.width = 4 * page.sizes().curve, .color = faded(page.theme().exact.color, 0.25)});
+  }
+  const Series cloud{.x = plot.cloud.x, .y = plot.cloud.y, .line = false};
+  for (const Point& at : curve_of(frame, cloud).points) {
+    canvas.circle(at, 0.5 * page.sizes().marker, {.fill = faded(page.theme().secondary_text, 0.5)});
+  }
+  canvas.pop_clip();
+}
+
 void draw_curves(Page& page, const PlotFrame& frame, const Plot& plot, const std::vector<Curve>& curves) {
   Canvas& canvas = page.canvas();
   canvas.push_clip(frame.box);

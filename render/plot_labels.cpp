@@ -102,6 +102,23 @@ bool write_at_end(Page& page, Inside& inside, const EndLabel& label) {
   return write_inside(page, inside, places, series.name, style);
 }
 
+/// Right of its point, else left, above or below; not at all where it would stand on something.
+void write_beside(Page& page, Inside& inside, const PointLabel& label) {
+  const PlotFrame& frame = inside.frame;
+  if (!plottable(label.x, frame.x.scale) || !plottable(label.y, frame.y.scale)) return;
+  const Point at = frame.pixel(label.x, label.y);
+  const TextStyle style = page.tick();
+  const double width = page.canvas().text_width(label.text, style);
+  const double gap = page.sizes().marker + air;
+  std::vector<Point> places;
+  for (const double rise : {0.35, -0.6, 1.3, -1.6, 2.3}) {
+    for (const double left : {at.x() + gap, at.x() - gap - width, at.x() - width / 2}) {
+      places.emplace_back(left, at.y() + rise * style.size);
+    }
+  }
+  write_inside(page, inside, places, label.text, style);
+}
+
 void write_in_gutter(Page& page, const PlotFrame& frame, const Series& series, const Point& end, double y) {
   Canvas& canvas = page.canvas();
   const TextStyle style = series_label(page, series);
@@ -205,6 +222,7 @@ void draw_plot_labels(Page& page, const PlotFrame& frame, const Plot& plot,
     in_gutter.push_back(label);
     wanted.push_back(label.end.y());
   }
+  for (const PointLabel& label : plot.labels) write_beside(page, inside, label);
   const double height = 1.3 * series_label(page, {}).size;
   const std::vector<double> places =
       moved_apart(wanted, height, frame.box.y + height / 2, frame.box.y + frame.box.height - height / 2);

@@ -61,6 +61,9 @@ Curve curve_of(const PlotFrame& frame, const Series& series);
 /// Draws all curves, then all markers, and notes the curves for lint().
 void draw_curves(Page& page, const PlotFrame& frame, const Plot& plot, const std::vector<Curve>& curves);
 
+/// The cloud and the front.
+void draw_background(Page& page, const PlotFrame& frame, const Plot& plot);
+
 /// A marker in any paint; a tick is a line in the outline's colour.
 void paint_marker(Canvas& canvas, const Point& at, Marker marker, double radius, const Paint& paint);
 

@@ -126,7 +126,9 @@ std::vector<double> decade_ticks(double min, double max, int count) {
     for (int exponent = first; exponent <= last; ++exponent) {
       if (exponent % stride == 0) ticks.push_back(std::pow(10.0, exponent));
     }
-    if (static_cast<int>(ticks.size()) <= count) return ticks;
+    if (static_cast<int>(ticks.size()) > count) continue;
+    if (ticks.size() > 1 || first >= last || count < 2) return ticks;
+    return {std::pow(10.0, first), std::pow(10.0, last)};  // one tick alone would not tell the scale
   }
   return {};
 }

@@ -97,3 +97,11 @@ TEST_CASE("places move apart by no more than they must, and keep their order") {
   const std::vector<double> crowd = moved_apart({10, 12, 14, 16}, 30, 0, 60);  // no room: still apart
   for (std::size_t i = 1; i < crowd.size(); ++i) CHECK(crowd[i] - crowd[i - 1] == doctest::Approx(30));
 }
+
+TEST_CASE("where there is room for two ticks, some decades are never left with one") {
+  for (int last = -3; last < 9; ++last) {
+    for (int count = 2; count < 5; ++count) {
+      CHECK(decade_ticks(std::pow(10.0, -4), std::pow(10.0, last), count).size() >= 2);
+    }
+  }
+}
