@@ -84,13 +84,14 @@ Progress::Progress(const ConsoleSettings& settings, std::string what, std::size_
 
 Progress::~Progress() { clear(); }
 
-void Progress::advance(std::size_t done) {
+void Progress::advance(std::size_t done, std::string_view rest) {
   if (!wanted_) return;
   if (!always_ && std::chrono::steady_clock::now() - start_ < std::chrono::seconds(1)) return;
   constexpr std::size_t width = 30;
   const std::size_t filled = total_ == 0 ? width : std::min(width, width * done / total_);
   const std::string bar = std::string(filled, '#') + std::string(width - filled, '.');
-  const std::string text = fmt::format("[{}] {}/{} {}", bar, done, total_, what_);
+  const std::string text =
+      fmt::format("[{}] {}/{} {}{}{}", bar, done, total_, what_, rest.empty() ? "" : ", ", rest);
   std::fflush(stdout);
   fmt::print(stderr, "\r{:<{}}", text, shown_width_);
   std::fflush(stderr);

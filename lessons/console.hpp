@@ -63,7 +63,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void advance(std::size_t done);
+  /// `rest`: what is written behind the bar beside the count, such as the time that is left.
+  void advance(std::size_t done, std::string_view rest = "");
   /// Wipes the bar from the line.
   void clear();
 

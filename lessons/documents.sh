@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# Writes what commands print into the documents that show it.
+#   bash lessons/documents.sh PROGRAMS SOURCE [DESTINATION]
+# A document says so by a line "<!-- output of: COMMAND -->", or "<!-- output of: COMMAND (not compared) -->" where times
+# are in it or the command is slow; what stands in the ``` block behind that line is replaced. DESTINATION: another root for what is written;
+# blocks that are not compared are then left as they are.
+set -eu
+programs=$(cd "$1" && pwd)
+source=$(cd "$2" && pwd)
+destination=${3:-$source}
+mkdir -p "$destination"
+destination=$(cd "$destination" && pwd)
+export PATH=$programs:$PATH NO_COLOR=1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+# renewed DOCUMENT: prints it with its blocks made anew.
+renewed() {
+  local line command inside=0 replacing=0
+  while IFS= read -r line || [[ -n $line ]]; do
+    if [[ $replacing == 2 ]]; then
+      if [[ $line == '```' ]]; then replacing=0; fi
+      continue
+    fi
+    printf '%s\n' "$line"
+    if [[ $line == '<!-- output of: '*' -->' && $inside == 0 ]]; then
+      command=${line#<!-- output of: }
+      command=${command% -->}
+      if [[ $command == *' (not compared)' ]]; then
+        command=${command% (not compared)}
+        if [[ $destination != "$source" ]]; then continue; fi
+      fi
+      replacing=1
+    elif [[ $line == '```'* ]]; then
+      if [[ $replacing == 1 ]]; then
+        bash -c "$command" </dev/null 2>&1 || true
+        printf '```\n'
+        replacing=2
+      else
+        inside=$((1 - inside))
+      fi
+    fi
+  done <"$1"
+}
+
+grep -rl '^<!-- output of: ' --include='*.md' "$source/README.md" "$source/src" "$source/lessons" | sort | while IFS= read -r document; do
+  target=$destination/${document#"$source"/}
+  mkdir -p "$(dirname "$target")"
+  renewed "$document" >"$target.new"
+  mv "$target.new" "$target"
+done
+mkdir -p "$destination/src/validation"
+cairn validate --page "$destination/src/validation/RESULTS.md" --quiet >/dev/null

@@ -1,0 +1,114 @@
+// ffmpeg and img2webp, started without a shell.
+#include "lessons/sandbox/film_encoders.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "render/image.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Runs it with its output thrown away, and its standard input empty.
+void run_encoder(const fs::path& program, std::vector<std::string> words) {
+  words.insert(words.begin(), program.string());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+    posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_WRONLY, 0);
+  pid_t child = 0;
+  const int error = posix_spawn(&child, program.c_str(), &actions, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  int status = 0;
+  if (error == 0) waitpid(child, &status, 0);
+  if (error != 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    throw render::WriteError(program.string() + " could not write " + words.back());
+  }
+}
+
+/// Beside the target, so that nobody ever sees half a film. It keeps its ending: it tells the format.
+fs::path unfinished(const fs::path& target) {
+  return target.parent_path() / (".unfinished-" + target.filename().string());
+}
+
+void encode(const fs::path& program, std::vector<std::string> words, const fs::path& target) {
+  std::error_code error;
+  if (target.has_parent_path()) fs::create_directories(target.parent_path(), error);
+  const fs::path part = unfinished(target);
+  words.push_back(part.string());
+  try {
+    run_encoder(program, words);
+    fs::rename(part, target);
+  } catch (const std::exception& failure) {
+    fs::remove(part, error);
+    throw render::WriteError(target.string() + ": " + failure.what());
+  }
+}
+
+std::vector<std::string> ffmpeg_input(const fs::path& folder, double frames_per_second) {
+  return {"-y", "-framerate", fmt::format("{:g}", frames_per_second), "-i", (folder / "%04d.png").string()};
+}
+
+}  // namespace
+
+std::optional<fs::path> program_in_path(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::string folders = path == nullptr ? "" : path;
+  for (std::size_t begin = 0; begin <= folders.size();) {
+    const std::size_t end = std::min(folders.find(':', begin), folders.size());
+    const fs::path candidate = fs::path(folders.substr(begin, end - begin)) / name;
+    std::error_code ignored;
+    if (fs::is_regular_file(candidate, ignored) && access(candidate.c_str(), X_OK) == 0) return candidate;
+    begin = end + 1;
+  }
+  return std::nullopt;
+}
+
+void require_encoders(const FilmFiles& files) {
+  const bool has_ffmpeg = program_in_path("ffmpeg").has_value();
+  if (files.gif && !has_ffmpeg) {
+    throw render::WriteError("--gif needs the program ffmpeg, which is not in PATH; --apng needs none");
+  }
+  if (files.webp && !has_ffmpeg && !program_in_path("img2webp")) {
+    throw render::WriteError(
+        "--webp needs the program img2webp or ffmpeg, neither of which is in PATH; --apng needs none");
+  }
+}
+
+void encode_gif(const fs::path& folder, double frames_per_second, const fs::path& target) {
+  std::vector<std::string> words = ffmpeg_input(folder, frames_per_second);
+  // A palette of the film's own: the usual one dithers what is drawn in few colours.
+  words.insert(words.end(),
+               {"-vf", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=none", "-loop",
+                "0", "-f", "gif"});
+  encode(*program_in_path("ffmpeg"), words, target);
+}
+
+void encode_webp(const fs::path& folder, std::size_t count, double frames_per_second,
+                 const fs::path& target) {
+  const std::optional<fs::path> img2webp = program_in_path("img2webp");
+  if (!img2webp) {
+    std::vector<std::string> words = ffmpeg_input(folder, frames_per_second);
+    words.insert(words.end(), {"-c:v", "libwebp", "-lossless", "1", "-loop", "0", "-f", "webp"});
+    return encode(*program_in_path("ffmpeg"), words, target);
+  }
+  const long milliseconds = std::max(1L, std::lround(1000 / frames_per_second));
+  std::vector<std::string> words = {"-loop", "0", "-lossless", "-d", std::to_string(milliseconds)};
+  for (std::size_t i = 0; i < count; ++i) words.push_back((folder / fmt::format("{:04}.png", i)).string());
+  words.push_back("-o");
+  encode(*img2webp, words, target);
+}
+
+}  // namespace cairn::sandbox

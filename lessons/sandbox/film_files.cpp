@@ -1,0 +1,214 @@
+// Frames in a folder: which are there, which are to be drawn.
+#include "lessons/sandbox/film_files.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <future>
+#include <nlohmann/json.hpp>
+
+#include "lessons/sandbox/film_encoders.hpp"
+#include "lessons/sandbox/progress_line.hpp"
+#include "lessons/words.hpp"
+#include "render/sequence.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string frame_name(std::size_t index) { return fmt::format("{:04}.png", index); }
+
+bool is_frame_name(const std::string& name) {
+  return name.size() >= 8 && name.substr(name.size() - 4) == ".png" &&
+         name.find_first_not_of("0123456789") == name.size() - 4;
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw render::WriteError("cannot make the folder " + folder.string() + ": " + error.message());
+}
+
+/// What the folder's note says that its frames are of; nothing without a note.
+std::optional<std::string> identity_in(const fs::path& folder) {
+  std::ifstream stream(folder / "frames.json");
+  if (!stream) return std::nullopt;
+  const Json note = Json::parse(stream, nullptr, false);
+  if (!note.is_object() || !note.contains("film") || !note["film"].is_string()) return std::nullopt;
+  return note["film"].get<std::string>();
+}
+
+/// Frames in the folder, and what is left of those that were not finished.
+std::vector<fs::path> numbered_pictures(const fs::path& folder) {
+  std::vector<fs::path> numbered;
+  std::error_code none_there;
+  for (const auto& entry : fs::directory_iterator(folder, none_there)) {
+    std::string name = entry.path().filename().string();
+    if (name.size() > 5 && name.substr(name.size() - 5) == ".part") name.resize(name.size() - 5);
+    if (is_frame_name(name)) numbered.push_back(entry.path());
+  }
+  return numbered;
+}
+
+void require_own_folder(const fs::path& folder) {
+  if (identity_in(folder) || numbered_pictures(folder).empty()) return;
+  throw render::WriteError(
+      folder.string() +
+      " holds numbered pictures that are no film of cairn; name an empty folder, or a new one");
+}
+
+/// Makes the folder ready: afterwards, numbered pictures in it are whole frames of this very film.
+void prepare_folder(const fs::path& folder, const std::string& identity, const Json& note) {
+  make_folder(folder);
+  require_own_folder(folder);
+  const std::optional<std::string> before = identity_in(folder);
+  for (const fs::path& path : numbered_pictures(folder)) {
+    if (before != identity || path.extension() == ".part") fs::remove(path);
+  }
+  render::write_file(folder / "frames.json", std::string_view(note.dump(1) + "\n"));
+}
+
+/// Encodes one picture while the next is drawn.
+class FrameSaver {
+ public:
+  void save(const fs::path& path, render::Image image) {
+    finish();
+    pending_ = std::async(std::launch::async,
+                          [path, picture = std::move(image)] { render::write_png(path, picture); });
+  }
+  void finish() {
+    if (pending_.valid()) pending_.get();
+  }
+
+ private:
+  std::future<void> pending_ = {};
+};
+
+/// A folder that is gone when this is.
+class PassingFolder {
+ public:
+  PassingFolder() {
+    path_ = (fs::temp_directory_path() / "cairn-film-XXXXXX").string();
+    if (mkdtemp(path_.data()) == nullptr) throw render::WriteError("cannot make the folder " + path_);
+  }
+  ~PassingFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  PassingFolder(const PassingFolder&) = delete;
+  PassingFolder& operator=(const PassingFolder&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+/// Every frame of the film into the folder; what is there already stays.
+FilmOutcome fill_folder(SceneFilm& film, const fs::path& folder, const std::function<bool()>& stops,
+                        const ConsoleSettings& console) {
+  FilmOutcome outcome;
+  FrameSaver saver;
+  ProgressLine progress(console, "frames", film.frame_count());
+  for (std::size_t i = 0; i < film.frame_count() && !outcome.stopped; ++i) {
+    const fs::path path = folder / frame_name(i);
+    if (fs::exists(path)) {
+      outcome.kept += 1;
+    } else {
+      saver.save(path, film.draw(i));
+      outcome.drawn += 1;
+    }
+    progress.advance(i + 1);
+    outcome.stopped = stops && stops();
+  }
+  saver.finish();
+  return outcome;
+}
+
+void write_one_file_films(const FilmFiles& files, const fs::path& folder, std::size_t count,
+                          FilmOutcome& outcome) {
+  if (files.apng) {
+    std::vector<render::Image> images;
+    for (std::size_t i = 0; i < count; ++i) images.push_back(render::read_png(folder / frame_name(i)));
+    if (files.apng->has_parent_path()) make_folder(files.apng->parent_path());
+    render::write_apng(*files.apng, images, files.frames_per_second);
+    outcome.written.push_back(files.apng->string());
+  }
+  if (files.gif) {
+    encode_gif(folder, files.frames_per_second, *files.gif);
+    outcome.written.push_back(files.gif->string());
+  }
+  if (files.webp) {
+    encode_webp(folder, count, files.frames_per_second, *files.webp);
+    outcome.written.push_back(files.webp->string());
+  }
+}
+
+}  // namespace
+
+std::vector<Flag> film_flags() {
+  return {{"frames", "DIR",
+           "a film: 0000.png, 0001.png ... in a folder of its own; taken up again if interrupted"},
+          {"fps", "N", "frames for each second of the scene (30)"},
+          {"apng", "FILE", "the film in one file, as animated PNG"},
+          {"gif", "FILE", "the same as GIF; needs ffmpeg"},
+          {"webp", "FILE", "the same as WebP; needs img2webp or ffmpeg"}};
+}
+
+FilmFiles film_files(const Words& words) {
+  FilmFiles files;
+  if (const auto path = words.text("frames")) files.frames = *path;
+  if (const auto path = words.text("apng")) files.apng = *path;
+  if (const auto path = words.text("gif")) files.gif = *path;
+  if (const auto path = words.text("webp")) files.webp = *path;
+  files.frames_per_second = words.number("fps", 30, 0.01, 600);
+  require_encoders(files);
+  if (files.frames) require_own_folder(*files.frames);
+  return files;
+}
+
+std::string film_identity(const SceneEntry& scene, const std::vector<SceneRun>& runs, const FilmLook& look,
+                          double frames_per_second) {
+  std::string text = scene.name + ", " + scene.title;
+  for (const SceneRun& run : runs) {
+    text += fmt::format("; {}, {:.17g} s, state {:016x}", setting_text(run.setting), run.result.seconds,
+                        run.result.state_hash);
+  }
+  text += fmt::format("; {}x{}, {}, {:.17g} a second, shows", look.width, look.height,
+                      look.dark ? "dark" : "light", frames_per_second);
+  for (const std::string& what : look.shows) text += " " + what;
+  return text;
+}
+
+std::string film_text(const FilmOutcome& outcome) {
+  std::string text = "written: " + joined(outcome.written, ", ");
+  if (outcome.kept > 0) text += fmt::format(" ({} frames were there)", outcome.kept);
+  return text;
+}
+
+FilmOutcome write_film(SceneFilm& film, const std::string& identity, const FilmFiles& files,
+                       const std::function<bool()>& stops, const ConsoleSettings& console) {
+  if (film.frame_count() == 0) throw render::WriteError("there is no frame to draw");
+  std::optional<PassingFolder> passing;
+  if (!files.frames) passing.emplace();
+  const fs::path folder = files.frames ? *files.frames : fs::path(passing->path());
+  const Json note = {{"film", identity},
+                     {"frames", film.frame_count()},
+                     {"frames_per_second", files.frames_per_second},
+                     {"first", frame_name(0)},
+                     {"last", frame_name(film.frame_count() - 1)}};
+  prepare_folder(folder, identity, note);
+  FilmOutcome outcome = fill_folder(film, folder, stops, console);
+  if (outcome.stopped && outcome.drawn + outcome.kept < film.frame_count()) return outcome;
+  outcome.stopped = false;
+  if (files.frames) {
+    outcome.written.push_back(fmt::format("{} frames in {}", film.frame_count(), folder.string()));
+  }
+  write_one_file_films(files, folder, film.frame_count(), outcome);
+  return outcome;
+}
+
+}  // namespace cairn::sandbox

@@ -1,0 +1,32 @@
+// How far a long piece of work has come: a bar on a terminal, a plain line now and then in a pipe.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+#include "lessons/console.hpp"
+
+namespace cairn::sandbox {
+
+/// "12 s left", "3 min left".
+std::string time_left_text(double seconds);
+
+/// On stderr, from one second on; nothing when quiet.
+class ProgressLine {
+ public:
+  ProgressLine(const ConsoleSettings& settings, std::string what, std::size_t total);
+
+  void advance(std::size_t done);
+  void clear() { bar_.clear(); }
+
+ private:
+  std::string what_;
+  std::size_t total_;
+  bool is_plain_;
+  Progress bar_;
+  std::chrono::steady_clock::time_point start_;
+  std::chrono::steady_clock::time_point last_line_;
+};
+
+}  // namespace cairn::sandbox

@@ -1,0 +1,187 @@
+// Numbers of a run, with their units, beside what was expected of them.
+#include "lessons/sandbox/run_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "lessons/sandbox/verb.hpp"
+#include "lessons/words.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Color = Console::Color;
+
+constexpr int run_columns = 100;
+
+/// 1e-3 of the unit, with three digits; no "-0".
+std::string milli(double value) { return fmt::format("{:.3g}", 1e3 * value); }
+std::string percent(double share) { return fmt::format("{:.3g}", 100 * share); }
+
+/// "41 million".
+std::string count_text(std::int64_t count) {
+  const double value = static_cast<double>(count);
+  if (value < 1e5) return fmt::format("{}", count);
+  return value < 1e6 ? fmt::format("{:.0f} thousand", value / 1e3)
+                     : fmt::format("{:.3g} million", value / 1e6);
+}
+
+/// A line of the table: "  worst penetration  1.2 mm  expected at most 5 mm  ok".
+void print_line(Console& console, const std::string& name, const std::string& value,
+                const std::string& expected = {}, int verdict = 0) {
+  std::string line = "  " + padded(name, 20) + (expected.empty() ? value : padded(value, 22) + expected);
+  if (verdict == 0) return console.result(console.spelt(line));
+  const bool ok = verdict > 0;
+  console.result(console.spelt(line + "  ") +
+                 console.colored(ok ? "ok" : "MISSED", ok ? Color::good : Color::bad));
+}
+
+bool is_missed(const SceneRun& run, const std::string& name) {
+  for (const std::string& missed : run.missed) {
+    if (missed.rfind(name, 0) == 0) return true;
+  }
+  return false;
+}
+
+void print_measure(Console& console, const SceneRun& run, const std::string& name, const std::string& value,
+                   const std::optional<std::string>& most) {
+  const bool is_judged = most && run.result.status == TrialStatus::ok;
+  if (!is_judged) return print_line(console, name, value);
+  print_line(console, name, value, "expected at most " + *most, is_missed(run, name) ? -1 : 1);
+}
+
+std::optional<std::string> with_unit(const std::optional<double>& value, double factor, const char* unit) {
+  if (!value) return std::nullopt;
+  return fmt::format("{:g} {}", factor * *value, unit);
+}
+
+void print_standing(const SceneEntry& scene, const SceneRun& run, Console& console) {
+  const TrialResult& result = run.result;
+  const std::optional<double>& most = scene.expectations.stands;
+  if (!most || result.status != TrialStatus::ok)
+    return print_line(console, "farthest from start", fmt::format("{:.3g} m", result.farthest));
+  const std::string stands = result.stands() ? fmt::format("all {:g} s", result.seconds)
+                                             : fmt::format("until {:.3g} s", result.stands_until);
+  const bool missed = is_missed(run, "stands");
+  print_line(console, "stands", stands, fmt::format("expected within {} mm", milli(*most)), missed ? -1 : 1);
+}
+
+std::string verdict_text(const SceneEntry& scene, const SceneRun& run) {
+  if (run.result.status == TrialStatus::refused) return "left out: " + run.result.reason;
+  if (run.result.status != TrialStatus::ok) return run.missed.front();
+  if (!run.missed.empty()) {
+    return run.missed.size() == 1 ? "misses an expectation"
+                                  : fmt::format("misses {} expectations", run.missed.size());
+  }
+  const Expectations& e = scene.expectations;
+  if (!e.penetration && !e.drift && !e.energy_gain && !e.stands) return "nothing is expected of it";
+  if (run.result.seconds < scene.seconds - run.setting.dt / 2) {
+    return fmt::format("meets so far what is expected of {:g} s", scene.seconds);
+  }
+  const bool is_longer = run.result.seconds > scene.seconds + run.setting.dt / 2;
+  return "meets what is expected" + (is_longer ? fmt::format(" of its first {:g} s", scene.seconds) : "");
+}
+
+/// "si x10": what the runs of a comparison do not have in common.
+std::string contestant_label(const Setting& setting) {
+  const std::string text = setting_text(setting);
+  return text.substr(0, text.find(", ")) + (setting.solver == "box2d" ? ", float" : "");
+}
+
+void print_row(const SceneEntry& scene, const SceneRun& run, int width, Console& console) {
+  const TrialResult& result = run.result;
+  const std::string name = padded(contestant_label(run.setting), width);
+  if (result.status == TrialStatus::refused) {
+    console.result(name + "  " + wrapped("left out: " + result.reason, run_columns - width - 2, width + 2));
+    return;
+  }
+  const int steps = std::max(1, result.steps);
+  const std::string stands = scene.expectations.stands ? fmt::format("{:.3g}", result.stands_until) : "-";
+  const std::string numbers = fmt::format(
+      "{} {:>10.3g} {:>12.0f} {:>12} {:>10} {:>9} {:>8}  ", name, 1e3 * result.step_seconds / steps,
+      static_cast<double>(result.row_updates) / steps, milli(result.worst_penetration),
+      milli(result.worst_drift), percent(result.energy_gain), stands);
+  const std::string verdict = result.status != TrialStatus::ok ? status_text(result.status)
+                              : run.missed.empty()             ? "ok"
+                                                               : "misses";
+  console.result(numbers + console.colored(verdict, run.missed.empty() ? Color::good : Color::bad));
+}
+
+}  // namespace
+
+void print_run(const SceneEntry& scene, const SceneRun& run, Console& console) {
+  const TrialResult& result = run.result;
+  const Expectations& expected = scene.expectations;
+  console.result(console.spelt(fmt::format("{}: {}", scene.name, scene.title)));
+  print_line(console, "setting", setting_text(run.setting));
+  if (result.status != TrialStatus::refused) {
+    const double real_time = result.cost() > 0 ? 1 / result.cost() : 0;
+    print_line(console, "time", fmt::format("{:g} s in {} steps", result.seconds, result.steps));
+    print_line(console, "processor time",
+               fmt::format("{:.3g} ms a step, {:.3g} times as fast as real time",
+                           1e3 * result.step_seconds / std::max(1, result.steps), real_time));
+    print_line(console, "row updates", count_text(result.row_updates));
+    print_measure(console, run, "worst penetration", milli(result.worst_penetration) + " mm",
+                  with_unit(expected.penetration, 1e3, "mm"));
+    if (expected.drift || result.worst_drift > 0)
+      print_measure(console, run, "worst drift", milli(result.worst_drift) + " mm or mrad",
+                    with_unit(expected.drift, 1e3, "mm or mrad"));
+    print_measure(console, run, "energy gain", percent(result.energy_gain) + " %",
+                  with_unit(expected.energy_gain, 1, "%"));
+    print_standing(scene, run, console);
+  }
+  const std::string verdict = verdict_text(scene, run);
+  const bool is_good = run.missed.empty();
+  console.result("  " + console.colored(console.spelt(verdict), is_good ? Color::good : Color::bad));
+}
+
+void print_runs(const SceneEntry& scene, const std::vector<SceneRun>& runs, Console& console) {
+  int width = 6;
+  for (const SceneRun& run : runs) width = std::max(width, display_width(contestant_label(run.setting)));
+  const auto heading = [&](const std::string& first, const std::vector<std::string>& cells) {
+    console.result(fmt::format("{} {:>10} {:>12} {:>12} {:>10} {:>9} {:>8}", padded(first, width), cells[0],
+                               cells[1], cells[2], cells[3], cells[4], cells[5]));
+  };
+  heading("solver", {"ms a step", "row updates", "penetration", "drift", "energy", "stands"});
+  heading("", {"", "a step", "mm", "mm, mrad", "gain %", "s"});
+  for (const SceneRun& run : runs) print_row(scene, run, width, console);
+}
+
+nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
+  const TrialResult& result = run.result;
+  const Setting& setting = run.setting;
+  Json json = {{"scene", scene.name},
+               {"setting", setting_text(setting)},
+               {"solver", setting.solver},
+               {"sweeps", setting.sweeps.iterations},
+               {"substeps", setting.substeps},
+               {"dt_s", setting.dt},
+               {"status", status_text(result.status)}};
+  if (result.status == TrialStatus::refused) {
+    json["reason"] = result.reason;
+    return json;
+  }
+  json.update({{"time_s", result.seconds},
+               {"steps", result.steps},
+               {"step_ms", 1e3 * result.step_seconds / std::max(1, result.steps)},
+               {"row_updates", result.row_updates},
+               {"penetration_m", result.worst_penetration},
+               {"drift_m_or_rad", result.worst_drift},
+               {"energy_gain", result.energy_gain},
+               {"farthest_m", result.farthest},
+               {"stands_s", scene.expectations.stands ? Json(result.stands_until) : Json(nullptr)},
+               {"missed", run.missed},
+               {"state", fmt::format("{:016x}", result.state_hash)}});
+  return json;
+}
+
+int exit_code(const SceneRun& run) {
+  if (run.result.status == TrialStatus::refused) return bad_usage;
+  if (run.result.status != TrialStatus::ok) return diverged;
+  return run.missed.empty() ? all_well : check_failed;
+}
+
+}  // namespace cairn::sandbox

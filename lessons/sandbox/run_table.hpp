@@ -1,0 +1,23 @@
+// What runs have come to, as a table for people and as JSON for programs.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "lessons/sandbox/scene_run.hpp"
+
+namespace cairn::sandbox {
+
+/// One line a number, such as "worst penetration  1.2 mm   expected at most 5 mm  ok".
+void print_run(const SceneEntry& scene, const SceneRun& run, Console& console);
+
+/// One row a run.
+void print_runs(const SceneEntry& scene, const std::vector<SceneRun>& runs, Console& console);
+
+nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run);
+
+/// 0, 1 where an expectation is missed, 2 where the engine refused, 4 where it diverged.
+int exit_code(const SceneRun& run);
+
+}  // namespace cairn::sandbox

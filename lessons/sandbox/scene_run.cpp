@@ -1,0 +1,113 @@
+// A trial with an observer that keeps what is wanted.
+#include "lessons/sandbox/scene_run.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include "lessons/sandbox/progress_line.hpp"
+#include "math/check.hpp"
+#include "measure/energy.hpp"
+#include "measure/violation.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+bool is_finite(const Snapshot& snapshot) {
+  for (const SnapshotBody& body : snapshot.bodies) {
+    if (!body.pose.position.allFinite() || !std::isfinite(body.pose.angle) || !body.velocity.allFinite())
+      return false;
+  }
+  return true;
+}
+
+double sum_of_normal_impulses(const Snapshot& snapshot) {
+  double sum = 0;
+  for (const SnapshotContact& contact : snapshot.contacts) sum += contact.normal_impulse;
+  return sum;
+}
+
+/// Watches a run from outside: nothing that it does changes what is seen.
+class RunKeeper {
+ public:
+  RunKeeper(const Setting& setting, const RunWish& wish, SceneRun& run)
+      : dt_(setting.dt), wish_(wish), run_(run) {
+    if (wish_.series) {
+      run_.series.header = {"step",  "time_s",   "kinetic_J",         "potential_J", "penetration_m",
+                            "drift", "contacts", "normal_impulse_Ns", "fastest_m_s", "row_updates"};
+    }
+  }
+
+  void see(const Snapshot& snapshot) {
+    const bool finite = is_finite(snapshot);
+    const long long step = seen_++;
+    const double time = static_cast<double>(step) * dt_;  // [s]
+    // As many frames as have become due; where steps are longer than frames, each step is one.
+    if (wish_.frames_per_second > 0 && finite && time >= next_frame_ - 1e-9) {
+      run_.frames.push_back(snapshot);
+      while (time >= next_frame_ - 1e-9)
+        next_frame_ = static_cast<double>(++frame_) / wish_.frames_per_second;
+    }
+    if (wish_.series && finite) add_row(snapshot, step, time);
+  }
+
+  void count(const TrialResult& so_far) {
+    if (!run_.series.rows.empty()) run_.series.rows.back().back() = so_far.row_updates - updates_before_;
+    updates_before_ = so_far.row_updates;
+  }
+
+ private:
+  void add_row(const Snapshot& snapshot, long long step, double time) {
+    double fastest = 0;
+    for (const SnapshotBody& body : snapshot.bodies)
+      fastest = std::max(fastest, body.velocity.head<2>().norm());
+    run_.series.rows.push_back({step, time, kinetic_energy(snapshot), potential_energy(snapshot),
+                                worst_penetration(snapshot), worst_joint_drift(snapshot),
+                                static_cast<long long>(snapshot.contacts.size()),
+                                sum_of_normal_impulses(snapshot), fastest, 0LL});
+  }
+
+  double dt_;
+  const RunWish& wish_;
+  SceneRun& run_;
+  long long seen_ = 0;
+  long long frame_ = 0;
+  double next_frame_ = 0;  // [s]
+  std::int64_t updates_before_ = 0;
+};
+
+}  // namespace
+
+SceneRun run_scene(const SceneEntry& scene, const Setting& setting, const RunWish& wish,
+                   const ConsoleSettings& console) {
+  SceneRun run{.setting = setting};
+  RunKeeper keeper(setting, wish, run);
+  TrialOptions options = trial_options(scene);
+  options.seconds = wish.seconds;
+  const double steps = std::round(wish.seconds / setting.dt);
+  require(steps <= 1e9, "run_scene", "seconds", "from 0 to 1e9 steps", wish.seconds);
+  const int judged_at = static_cast<int>(std::lround(std::min(scene.seconds, wish.seconds) / setting.dt));
+  std::optional<TrialResult> judged;
+  ProgressLine progress(console, "steps", static_cast<std::size_t>(steps));
+  options.observer = [&keeper](const Snapshot& snapshot) { keeper.see(snapshot); };
+  options.gives_up = [&](const TrialResult& so_far) {
+    keeper.count(so_far);
+    progress.advance(static_cast<std::size_t>(so_far.steps));
+    if (so_far.steps == judged_at) judged = so_far;
+    run.stopped = wish.stops && wish.stops();
+    return run.stopped;
+  };
+  run.result = run_trial(scene.make(), setting, options);
+  progress.clear();
+  // A run that was shorter than the scene's own time, or that ended badly, is judged as far as it came.
+  if (!judged || run.result.steps <= judged_at) judged = run.result;
+  run.missed = unmet(scene.expectations, *judged);
+  return run;
+}
+
+std::string series_csv(const CsvTable& series) {
+  std::ostringstream text;
+  write_csv(text, series);
+  return text.str();
+}
+
+}  // namespace cairn::sandbox

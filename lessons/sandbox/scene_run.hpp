@@ -1,0 +1,38 @@
+// One run of a scene, with what a table, a film and a time series need of it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lessons/console.hpp"
+#include "measure/csv.hpp"
+#include "study/scene_list.hpp"
+
+namespace cairn::sandbox {
+
+/// What is to be kept of a run beside its result.
+struct RunWish {
+  double seconds = 2;                // [s]
+  double frames_per_second = 0;      // of the snapshots that are kept, as near as steps allow; 0: none
+  bool series = false;               // a row of numbers for every step
+  std::function<bool()> stops = {};  // asked after every step
+};
+
+struct SceneRun {
+  Setting setting = {};
+  TrialResult result = {};
+  std::vector<std::string> missed = {};  // expectations, in the seconds that they are for
+  std::vector<Snapshot> frames = {};     // none that is not finite
+  CsvTable series = {};                  // time_s, kinetic_J, ...
+  bool stopped = false;                  // by RunWish::stops
+};
+
+/// @throws std::invalid_argument for a setting or a time out of range.
+SceneRun run_scene(const SceneEntry& scene, const Setting& setting, const RunWish& wish,
+                   const ConsoleSettings& console);
+
+/// A time series for files: header and rows.
+std::string series_csv(const CsvTable& series);
+
+}  // namespace cairn::sandbox

@@ -1,0 +1,121 @@
+// From flags to a setting.
+#include "lessons/sandbox/scene_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/words.hpp"
+#include "study/solver_list.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+constexpr int most_sweeps = 1000000;
+constexpr int most_substeps = 10000;
+
+int sweeps_behind(const Words& words, std::string_view flag, const std::string& text, std::size_t colon) {
+  const std::optional<double> sweeps = parse_number(text.substr(colon + 1));
+  const bool fits = sweeps && std::trunc(*sweeps) == *sweeps && *sweeps >= 0 && *sweeps <= most_sweeps;
+  if (!fits) words.refuse(flag, "a solver, or a solver and its sweeps such as si:10", text);
+  return static_cast<int>(*sweeps);
+}
+
+double step_of(const Words& words, double standard) {
+  if (words.has("dt") && words.has("frequency")) {
+    throw UsageError("cairn " + words.verb + ": --dt and --frequency say the same; give one of them");
+  }
+  if (words.has("dt")) {
+    // A fraction says it best, and read_quantity() knows none.
+    const std::optional<double> fraction = parse_number(*words.text("dt"));
+    if (fraction && *fraction > 0) return *fraction;
+    return words.quantity("dt", "s", standard);
+  }
+  return words.has("frequency") ? 1 / words.number("frequency", 60, 1e-3, 1e9) : standard;
+}
+
+Precision scalar_of(const Words& words, Precision standard) {
+  if (!words.has("scalar")) return standard;
+  const std::string name = words.word("scalar", "double", scalar_names());
+  if (name == "float") return Precision::single_precision;
+  return name == "double" ? Precision::double_precision : Precision::long_double;
+}
+
+StabilizationPolicy policy_of(const Words& words, StabilizationPolicy standard) {
+  if (!words.has("stabilization")) return standard;
+  const std::string name = words.word("stabilization", "baumgarte", stabilization_names());
+  if (name == "none") return StabilizationPolicy::none;
+  if (name == "baumgarte") return StabilizationPolicy::baumgarte;
+  return name == "soft" ? StabilizationPolicy::soft : StabilizationPolicy::split_impulse;
+}
+
+}  // namespace
+
+std::vector<std::string> solver_names() {
+  std::vector<std::string> names;
+  for (const SolverEntry& entry : solver_entries()) names.push_back(entry.name);
+  if (has_box2d()) names.push_back("box2d");
+  return names;
+}
+
+const std::vector<std::string>& stabilization_names() {
+  static const std::vector<std::string> names = {"none", "baumgarte", "soft", "split-impulse"};
+  return names;
+}
+
+const std::vector<std::string>& scalar_names() {
+  static const std::vector<std::string> names = {"float", "double", "long-double"};
+  return names;
+}
+
+std::vector<Flag> setting_flags() {
+  return {{"solver", "NAME",
+           "or NAME:SWEEPS, such as si:10; cairn list solvers (the scene's own, as all of these)"},
+          {"sweeps", "N", "over all rows, at most"},
+          {"substeps", "N", "of which a step is made"},
+          {"frequency", "HZ", "steps a second"},
+          {"dt", "TIME", "the length of a step, such as 1/60 or 2ms, in place of --frequency"},
+          {"scalar", "WHICH", "float, double or long-double"},
+          {"stabilization", "WHICH", "none, baumgarte, soft or split-impulse; cairn list stabilizations"},
+          {"cold", "", "every step begins without the impulses of the last"}};
+}
+
+Setting with_solver(const Words& words, std::string_view flag, Setting setting, const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::string name = text.substr(0, colon);
+  const std::vector<std::string> known = solver_names();
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    if (name == "box2d") words.refuse(flag, "a solver of this program, which was built without Box2D", name);
+    const std::string meant = nearest(name, known);
+    words.refuse(flag, "one of " + joined(known, ", "),
+                 name + (meant.empty() ? "" : "; did you mean " + meant + "?"));
+  }
+  setting.solver = name;
+  if (colon != std::string::npos) setting.sweeps.iterations = sweeps_behind(words, flag, text, colon);
+  return setting;
+}
+
+Setting setting_of(const Words& words, const SceneEntry& scene) {
+  Setting setting = scene.setting;
+  if (const std::optional<std::string> solver = words.text("solver")) {
+    setting = with_solver(words, "solver", setting, *solver);
+  }
+  setting.sweeps.iterations = words.whole("sweeps", setting.sweeps.iterations, 0, most_sweeps);
+  setting.substeps = words.whole("substeps", setting.substeps, 1, most_substeps);
+  setting.dt = step_of(words, setting.dt);
+  setting.scalar = scalar_of(words, setting.scalar);
+  setting.stabilization.policy = policy_of(words, setting.stabilization.policy);
+  if (words.has("cold")) setting.warm_start = false;
+  check(setting);
+  return setting;
+}
+
+double seconds_of(const Words& words, const SceneEntry& scene) {
+  return words.quantity("seconds", "s", scene.seconds);
+}
+
+std::vector<Flag> joined_flags(std::vector<Flag> first, const std::vector<Flag>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+}  // namespace cairn::sandbox

@@ -1,0 +1,35 @@
+// The flags of the verbs that step a scene, and what they ask for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lessons/sandbox/verb.hpp"
+#include "study/scene_list.hpp"
+
+namespace cairn::sandbox {
+
+/// --solver, --sweeps, --substeps, --frequency, --dt, --scalar, --stabilization, --cold.
+std::vector<Flag> setting_flags();
+
+/// The scene's recommended setting, with what the words ask for in its place.
+/// @throws UsageError, std::invalid_argument for a setting that nobody can step by.
+Setting setting_of(const Words& words, const SceneEntry& scene);
+
+/// "si" or "si:20": the setting with that solver, and with as many sweeps.
+/// @throws UsageError that names --`flag`.
+Setting with_solver(const Words& words, std::string_view flag, Setting setting, const std::string& text);
+
+/// --seconds, or the scene's own [s].
+double seconds_of(const Words& words, const SceneEntry& scene);
+
+/// The names of all solvers that --solver takes.
+std::vector<std::string> solver_names();
+/// The words that --stabilization takes.
+const std::vector<std::string>& stabilization_names();
+const std::vector<std::string>& scalar_names();
+
+/// Both lists in one.
+std::vector<Flag> joined_flags(std::vector<Flag> first, const std::vector<Flag>& second);
+
+}  // namespace cairn::sandbox

@@ -1,0 +1,104 @@
+// Work against error, as a picture: every setting a dot, the best of each solver a curve.
+#include "lessons/sandbox/trade_chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "render/plot.hpp"
+#include "render/text_layout.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+/// What no other point of the list beats, from the least work to the most.
+std::vector<TradePoint> front_of(std::vector<TradePoint> points) {
+  std::stable_sort(points.begin(), points.end(), [](const TradePoint& a, const TradePoint& b) {
+    return a.work < b.work || (a.work == b.work && a.error < b.error);
+  });
+  std::vector<TradePoint> front;
+  for (const TradePoint& point : points) {
+    if (front.empty() || point.error < front.back().error) front.push_back(point);
+  }
+  return front;
+}
+
+render::Places places_of(const std::vector<TradePoint>& points) {
+  render::Places places;
+  for (const TradePoint& point : points) {
+    places.x.push_back(point.work);
+    places.y.push_back(point.error);
+  }
+  return places;
+}
+
+/// The setting without what all of a chart have.
+std::string brief(std::string setting) {
+  for (const std::string common : {", baumgarte", ", double"}) {
+    const std::size_t at = setting.find(common);
+    if (at != std::string::npos) setting.erase(at, common.size());
+  }
+  return setting;
+}
+
+render::Plot plot_of(const TradeChart& chart, const render::Theme& theme) {
+  render::Plot plot{.x = {.title = chart.work, .scale = render::AxisScale::logarithmic},
+                    .y = {.title = chart.error, .scale = render::AxisScale::logarithmic}};
+  plot.cloud = places_of(chart.points);
+  plot.front = places_of(front_of(chart.points));
+  for (const std::string& solver : chart.curves) {
+    std::vector<TradePoint> own;
+    std::copy_if(chart.points.begin(), chart.points.end(), std::back_inserter(own),
+                 [&](const TradePoint& point) { return point.solver == solver; });
+    const render::Places places = places_of(front_of(own));
+    plot.series.push_back(
+        {.name = solver_label(solver), .style = solver_style(solver, theme), .x = places.x, .y = places.y});
+  }
+  if (!chart.labels_all) return plot;
+  for (const TradePoint& point : front_of(chart.points)) {
+    plot.labels.push_back({point.work, point.error, unmarked(brief(point.setting))});
+  }
+  return plot;
+}
+
+}  // namespace
+
+render::SeriesStyle solver_style(const std::string& solver, const render::Theme& theme) {
+  if (solver == "si") return theme.si;
+  if (solver == "box2d") return theme.box2d;
+  if (solver.rfind("jacobi", 0) == 0) return theme.jacobi;
+  if (solver.rfind("pgs", 0) == 0 || solver == "block") return theme.pgs;
+  return theme.exact;
+}
+
+std::string solver_label(const std::string& solver) {
+  if (solver == "si") return "SI";
+  if (solver == "box2d") return "Box2D";
+  return solver.rfind("pgs", 0) == 0 ? "PGS" + solver.substr(3) : solver;
+}
+
+std::string unmarked(const std::string& text) {
+  std::string plain;
+  for (const char c : text) plain += c == '_' ? std::string("\\_") : std::string(1, c);
+  return plain;
+}
+
+render::Rect place_note(render::Page& page, const std::string& note) {
+  const render::Rect area = page.area();
+  if (note.empty()) return area;
+  const double size = page.secondary().size;
+  const std::size_t lines = render::wrapped(page.canvas(), note, area.width, page.secondary()).size();
+  const double height = (render::leading * (static_cast<double>(lines) - 1) + 1.8) * size;
+  page.paragraph({area.x, area.y + area.height - height + 1.5 * size}, area.width, note, page.secondary());
+  return {area.x, area.y, area.width, area.height - height};
+}
+
+render::Image draw_trade_chart(const TradeChart& chart, const render::Theme& theme) {
+  render::Page page(chart.width, chart.height, theme);
+  page.begin({.number = "", .title = chart.title, .state = fmt::format("{} settings", chart.points.size())});
+  const render::Rect area = place_note(page, chart.note);
+  draw_plot(page, area, plot_of(chart, theme));
+  return page.canvas().read();
+}
+
+}  // namespace cairn::sandbox

@@ -1,0 +1,208 @@
+// Reports of work against error.
+#include "lessons/sandbox/trade_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "lessons/records.hpp"
+#include "lessons/sandbox/profile_chart.hpp"
+#include "lessons/sandbox/trade_chart.hpp"
+#include "lessons/words.hpp"
+#include "render/image.hpp"
+#include "study/trade_row.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double least_drawn_error = 1e-16;            // an error of 0 stands here
+constexpr double most_spread = 0.1;                    // of times: quartile range over median
+const std::vector<double> goals = {1e-2, 1e-4, 1e-6};  // of R_E
+constexpr std::size_t profile_goal = 1;                // 1e-4
+
+/// Its units stand below the header.
+std::string csv_with_units(const std::string& csv) {
+  std::vector<CsvCell> units = {std::string()};
+  for (const TradeColumn& column : trade_columns()) units.push_back(column.unit);
+  const std::size_t end = csv.find('\n') + 1;
+  return csv.substr(0, end) + csv_line(units) + "\n" + csv.substr(end);
+}
+
+/// Counts in full, other numbers with three digits.
+std::string number_text(double value) {
+  const bool is_count = value == std::trunc(value) && std::abs(value) < 1e9;
+  return is_count ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
+/// "1e-4".
+std::string power_text(double goal) { return fmt::format("1e{:.0f}", std::log10(goal)); }
+
+/// Why a solver never came to an error: "cycle", "plateau", "nan", "refused", or "-" for too few sweeps.
+std::string ending_text(const WorkToError& work) { return work.ending == "ok" ? "-" : work.ending; }
+
+void print_work_to_errors(const std::vector<WorkToError>& all, Console& console) {
+  std::string head = fmt::format("{:<33}", "row updates down to R_E <=");
+  for (const double goal : goals) head += fmt::format(" {:>10}", power_text(goal));
+  console.result(head);
+  bool has_endings = false;
+  for (const WorkToError& work : all) {
+    std::string line = fmt::format("  {:<16} {:<14}", work.scene, work.solver);
+    for (const double updates : work.row_updates) {
+      const bool is_reached = std::isfinite(updates);
+      has_endings = has_endings || !is_reached;
+      line += fmt::format(" {:>10}", is_reached ? number_text(updates) : ending_text(work));
+    }
+    console.result(line);
+  }
+  if (has_endings) {
+    console.narrate("  -: not with so few sweeps; cycle, plateau: never, as its impulses repeat or drift");
+  }
+}
+
+std::string noisy_text(std::size_t noisy) {
+  return fmt::format("{} left out as noisy, their times spread by more than {:g} %", noisy,
+                     100 * most_spread);
+}
+
+/// `noisy` of the `settings` are not among those whose points these may be.
+void print_front(const TradeStudy& trade, std::size_t settings, std::size_t noisy,
+                 const std::vector<TradePoint>& points, Console& console) {
+  std::vector<TradePoint> front;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(front),
+               [](const TradePoint& p) { return p.on_front; });
+  std::stable_sort(front.begin(), front.end(),
+                   [](const TradePoint& a, const TradePoint& b) { return a.work < b.work; });
+  std::size_t width = 20;
+  for (const TradePoint& point : front) width = std::max(width, point.setting.size());
+  const std::size_t without = settings - noisy - points.size();
+  console.result(fmt::format("what nothing beats, of {} settings{}{}", settings,
+                             without > 0 ? fmt::format("; {} came to no number", without) : "",
+                             noisy > 0 ? "; " + noisy_text(noisy) : ""));
+  if (front.empty()) return;
+  console.result(fmt::format("  {:<{}} {:>12} {:>12}", "setting", width, trade.work_name, trade.error_name));
+  for (const TradePoint& point : front) {
+    console.result(
+        fmt::format("  {:<{}} {:>12} {:>12.3g}", point.setting, width, number_text(point.work), point.error));
+  }
+}
+
+void print_profiles(const std::vector<PerformanceProfile>& profiles, Console& console) {
+  const std::vector<double> factors = {1, 2, 5, 10, 100, 1000};
+  console.result(fmt::format("share of {} problems brought to R_E <= {} within so many times the least work",
+                             profiles.empty() ? 0 : profiles.front().ratios.size(),
+                             power_text(goals[profile_goal])));
+  std::string head = fmt::format("  {:<16}", "solver");
+  for (const double factor : factors) head += fmt::format(" {:>7}", fmt::format("x{:g}", factor));
+  console.result(head);
+  for (const PerformanceProfile& profile : profiles) {
+    std::string line = fmt::format("  {:<16}", profile.solver);
+    for (const double factor : factors) line += fmt::format(" {:>6.0f}%", 100 * profile.share(factor));
+    console.result(line);
+  }
+}
+
+/// "In a cycle for ever: si, block.": solvers that stand still before the last goal.
+std::string standstill_note(const std::vector<WorkToError>& all) {
+  std::string note;
+  for (const auto& [ending, words] :
+       {std::pair("cycle", " In a cycle for ever: "), std::pair("plateau", " On a plateau for ever: ")}) {
+    std::vector<std::string> names;
+    for (const WorkToError& work : all) {
+      if (work.ending == ending && !std::isfinite(work.row_updates.back())) names.push_back(work.solver);
+    }
+    if (!names.empty()) note += words + joined(names, ", ") + ".";
+  }
+  return note;
+}
+
+void write_chart(const Words& words, const TradeStudy& trade, const std::vector<TradePoint>& points,
+                 const std::string& note, const fs::path& path) {
+  TradeChart chart{.title = trade.title,
+                   .work = trade.work_axis,
+                   .error = trade.error_axis,
+                   .points = points,
+                   .curves = trade.curves};
+  chart.note =
+      "A dot is a setting; the wide line joins those that none beats, a curve the best of a solver. " +
+      unmarked(trade.note) + note;
+  chart.labels_all = words.has("labels");
+  render::write_png(path, draw_trade_chart(chart, theme_of(words)));
+}
+
+/// The profile of all problems. The names of the files that were written.
+std::string report_profile(const Words& words, const TradeStudy& trade, const std::vector<WorkToError>& work,
+                           const fs::path& folder, Console& console) {
+  const std::vector<PerformanceProfile> profiles = performance_profiles(work, profile_goal);
+  ProfileChart chart{
+      .title = fmt::format("{}, to R_{{E}} of at most {}", trade.title, power_text(goals[profile_goal])),
+      .note =
+          "At the left: how often a solver is the best of all. At the right: how often it gets "
+          "there at all. E. D. Dolan, J. J. Moré, 2002.",
+      .profiles = {}};
+  for (const std::string& solver : trade.curves) {
+    std::copy_if(profiles.begin(), profiles.end(), std::back_inserter(chart.profiles),
+                 [&](const PerformanceProfile& profile) { return profile.solver == solver; });
+  }
+  render::write_png(folder / "profile.png", draw_profile_chart(chart, theme_of(words)));
+  if (!words.has("json")) print_profiles(profiles, console);
+  return ", profile.png";
+}
+
+/// Table and chart of one scene. The names of the files that were written.
+std::string report_scene(const Words& words, const TradeStudy& trade, const CsvTable& shown,
+                         const std::string& standstill, const fs::path& folder, Console& console) {
+  const bool by_solve_time = trade.work == "solve_ns_med";
+  const CsvTable steady = by_solve_time ? rows_with_steady_times(shown, most_spread) : shown;
+  const std::vector<TradePoint> points = trade_points(steady, trade.work, trade.error, least_drawn_error);
+  const std::size_t noisy = shown.rows.size() - steady.rows.size();
+  if (!words.has("json")) print_front(trade, shown.rows.size(), noisy, points, console);
+  if (points.empty()) return "";
+  const std::string left_out = noisy > 0 ? " " + noisy_text(noisy) + "." : "";
+  write_chart(words, trade, points, standstill + left_out, folder / (trade.name + ".png"));
+  return ", .png";
+}
+
+}  // namespace
+
+CsvTable table_of(const std::string& csv, const std::string& name) {
+  std::istringstream in(csv);
+  return read_csv(in, name);
+}
+
+render::Theme theme_of(const Words& words) {
+  const bool is_dark = words.word("theme", "light", {"light", "dark"}) == "dark";
+  return is_dark ? render::dark_theme() : render::light_theme();
+}
+
+int report_trade(const Words& words, const TradeStudy& trade, const std::string& csv, const fs::path& folder,
+                 Console& console) {
+  const CsvTable table = table_of(csv, trade.name);
+  render::write_file(folder / (trade.name + ".csv"), csv_with_units(csv));
+  render::write_file(folder / (trade.name + ".json"), json_of(table));
+  if (words.has("json")) fmt::print("{}", json_of(table));
+  const CsvTable shown = rows_with(table, trade.shown);
+  std::vector<WorkToError> work;
+  if (trade.level == 1) work = work_to_errors(shown, goals);
+  if (trade.level == 1 && !words.has("json")) print_work_to_errors(work, console);
+  std::string written = (folder / (trade.name + ".csv")).string() + ", .json";
+  bool is_drawn = true;
+  if (!words.has("all")) {
+    const std::string chart = report_scene(words, trade, shown, standstill_note(work), folder, console);
+    is_drawn = !chart.empty();
+    written += chart;
+  } else if (trade.level == 1) {
+    written += report_profile(words, trade, work, folder, console);
+  }
+  console.narrate("written: " + written);
+  if (!is_drawn) {
+    console.warn("no chart: no setting came to a number of " + trade.error_name +
+                 (trade.error == "E_M" ? ", as the true velocity is not known to be unique" : ""));
+  }
+  return is_drawn ? all_well : check_failed;
+}
+
+}  // namespace cairn::sandbox

@@ -1,0 +1,164 @@
+// Studies of work against error, from the words of a command line.
+#include "lessons/sandbox/trade_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lessons/sandbox/trade_chart.hpp"
+#include "study/frozen_set.hpp"
+#include "study/solver_list.hpp"
+#include "study/trajectory_study.hpp"
+#include "study/work_precision.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+/// An error that can stand on the axis.
+struct ErrorColumn {
+  std::string word = {};
+  std::string column = {};
+  std::string axis = {};
+};
+
+const std::vector<ErrorColumn>& solve_errors() {
+  static const std::vector<ErrorColumn> errors = {
+      {"R_E", "R_E_v", "R_{E}: energy left over energy at the start"},
+      {"E_M", "E_M", "E_{M}: distance from the true velocity over that at the start"}};
+  return errors;
+}
+
+const std::vector<ErrorColumn>& trajectory_errors() {
+  static const std::vector<ErrorColumn> errors = {
+      {"formula", "err_value", "error of "},
+      {"penetration", "pen_max", "worst overlap (m)"},
+      {"drift", "drift_max", "worst drift of a joint (m)"},
+      {"energy", "dE_max_gain", "energy gained, of the scene's scale"}};
+  return errors;
+}
+
+const ErrorColumn& error_of(const Words& words, const std::vector<ErrorColumn>& errors,
+                            const std::string& standard) {
+  std::vector<std::string> known;
+  for (const ErrorColumn& error : errors) known.push_back(error.word);
+  const std::string word = words.word("error", standard, known);
+  return *std::find_if(errors.begin(), errors.end(), [&](const ErrorColumn& e) { return e.word == word; });
+}
+
+std::string lower_is_better(const std::string& axis) { return axis + "    lower is better ↓"; }
+std::string left_is_better(const std::string& axis) { return "← cheaper    " + axis; }
+
+/// `others`: contestants that are no solvers.
+std::vector<std::string> solvers_of(const Words& words, const std::vector<std::string>& standard,
+                                    const std::vector<std::string>& others) {
+  std::vector<std::string> known = others;
+  for (const SolverEntry& entry : solver_entries()) known.push_back(entry.name);
+  const std::vector<std::string> given = words.known_texts("solvers", known);
+  return given.empty() ? standard : given;
+}
+
+std::vector<std::string> first_four(std::vector<std::string> solvers) {
+  solvers.resize(std::min<std::size_t>(4, solvers.size()));
+  return solvers;
+}
+
+/// Level 1: frozen problems.
+TradeStudy solve_trade(const Words& words, const std::vector<std::string>& names) {
+  SolveGrid grid;
+  const bool by_time = words.word("work", "updates", {"updates", "time"}) == "time";
+  grid.solvers = solvers_of(words, grid.solvers, {});
+  const std::string start = words.word("start", "cold", {"cold", "warm"});
+  const std::string scalar = words.word("scalar", "double", {"double", "float"});
+  if (words.has("quick")) {
+    grid.scalars = {scalar == "double" ? Precision::double_precision : Precision::single_precision};
+    grid.timing = {.repetitions = by_time ? 10 : 0, .seconds = by_time ? 0.01 : 0};
+  }
+  std::vector<FrozenProblem> problems;
+  for (const std::string& name : names) problems.push_back(make_frozen(name));
+  const ErrorColumn& error = error_of(words, solve_errors(), "R_E");
+  return {
+      .study = solve_study(problems, grid),
+      .level = 1,
+      .name = names.size() == 1 ? names.front() : "level1",
+      .title = fmt::format("{}: one step, from a {} start, in {}",
+                           names.size() == 1 ? unmarked(names.front()) : "frozen problems", start, scalar),
+      .note = names.size() == 1 ? problems.front().description : "",
+      .work = by_time ? "solve_ns_med" : "row_updates",
+      .error = error.column,
+      .work_name = by_time ? "time (ns)" : "row updates",
+      .error_name = error.word,
+      .work_axis = left_is_better(by_time ? "time of one solve (ns)" : "row updates of one solve"),
+      .error_axis = lower_is_better(error.axis),
+      .curves = first_four(grid.solvers),
+      .shown = {{"warm", start}, {"scalar", scalar}}};
+}
+
+TrajectoryGrid trajectory_grid(const Words& words) {
+  TrajectoryGrid grid;
+  if (!has_box2d()) {
+    grid.solvers.erase(std::remove(grid.solvers.begin(), grid.solvers.end(), "box2d"), grid.solvers.end());
+  }
+  grid.solvers = solvers_of(words, grid.solvers,
+                            has_box2d() ? std::vector<std::string>{"box2d"} : std::vector<std::string>{});
+  if (!words.has("quick")) return grid;
+  grid.frequencies = {60, 120, 240};
+  grid.substeps = {1, 4};
+  grid.sweeps = {1, 4, 16, 64};
+  return grid;
+}
+
+std::string trajectory_note(const TrajectoryScene& scene) {
+  if (scene.watch) return "The formula: " + scene.error_formula + ".";
+  return scene.starts > 1 ? fmt::format("The worst of {} starts, 1e-6 m apart.", scene.starts) : "";
+}
+
+/// Level 2: whole runs.
+TradeStudy trajectory_trade(const Words& words, const std::vector<std::string>& names) {
+  for (const char* flag : {"start", "scalar"}) words.refuse_beside(flag, "for whole runs (level 2)");
+  const TrajectoryGrid grid = trajectory_grid(words);
+  std::vector<TrajectoryScene> scenes;
+  for (const std::string& name : names) {
+    scenes.push_back(trajectory_scene(name));
+    if (words.has("quick")) scenes.back().starts = std::min(scenes.back().starts, 2);
+  }
+  const TrajectoryScene& first = scenes.front();
+  const ErrorColumn& error = error_of(words, trajectory_errors(), first.watch ? "formula" : "penetration");
+  const bool by_formula = error.word == "formula";
+  if (by_formula && !first.watch) {
+    words.refuse("error", "penetration, drift or energy: no formula knows this scene", error.word);
+  }
+  const bool by_time = words.word("work", "time", {"updates", "time"}) == "time";
+  return {.study = trajectory_study(scenes, grid),
+          .level = 2,
+          .name = names.size() == 1 ? names.front() : "level2",
+          .title = fmt::format("{}: {:.3g} s", unmarked(first.name), first.seconds),
+          .note = trajectory_note(first),
+          .work = by_time ? "cost" : "work",
+          .error = error.column,
+          .work_name = by_time ? "time (s/s)" : "updates/s",
+          .error_name = error.word,
+          .work_axis = left_is_better(by_time ? "processor time for each second simulated (s)"
+                                              : "row updates for each second simulated"),
+          .error_axis = lower_is_better(error.axis + (by_formula ? first.error_name : "")),
+          .curves = first_four(grid.solvers),
+          .shown = {}};
+}
+
+}  // namespace
+
+TradeStudy trade_study(const Words& words) {
+  const bool all = words.has("all");
+  if (all == !words.places.empty()) {
+    throw UsageError(
+        "cairn tradeoff: it goes cairn tradeoff SCENE, or cairn tradeoff --all; --list shows the scenes");
+  }
+  const std::string name = all ? "" : words.places.front();
+  const bool is_frozen = std::count(frozen_names().begin(), frozen_names().end(), name) > 0;
+  const int level = words.whole("level", all || is_frozen ? 1 : 2, 1, 2);
+  const std::vector<std::string> everything = level == 1 ? frozen_names() : trajectory_names();
+  if (!all) words.require_known(level == 1 ? "SCENE, of level 1," : "SCENE, of level 2,", name, everything);
+  const std::vector<std::string> names = all ? everything : std::vector<std::string>{name};
+  return level == 1 ? solve_trade(words, names) : trajectory_trade(words, names);
+}
+
+}  // namespace cairn::sandbox

@@ -1,0 +1,191 @@
+// cairn explain: what a scene makes the engine do, and what it leaves out.
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "lessons/sandbox/scene_words.hpp"
+#include "lessons/sandbox/verbs.hpp"
+#include "lessons/words.hpp"
+#include "study/solver_list.hpp"
+#include "world/world.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Counts = std::map<std::string, int>;
+
+constexpr int most_rows_of_reference = 60;  // above, its exact answer takes too long for a glance
+
+/// What is counted in a scene before and after its first step.
+struct SceneCounts {
+  Counts bodies = {}, shapes = {}, joints = {};
+  int contacts = 0, rows = 0, equalities = 0, normals = 0, frictions = 0;
+  std::size_t problem_bytes = 0;
+};
+
+/// What a solver keeps beside the problem, or why that is not known.
+struct SolverMemory {
+  std::string solver = {};
+  std::size_t bytes = 0;
+  std::string unknown = {};
+};
+
+std::string body_type_name(BodyType type) {
+  if (type == BodyType::dynamic) return "dynamic";
+  return type == BodyType::kinematic ? "kinematic" : "static";
+}
+
+SceneCounts counts_of(const Scene& scene, const World<double>& after, int contacts) {
+  SceneCounts counts;
+  for (const SceneBody& body : scene.bodies()) {
+    counts.bodies[body_type_name(body.spec.type)] += 1;
+    for (const Shape<double>& shape : body.spec.shapes) counts.shapes[shape_name(shape)] += 1;
+  }
+  for (const auto& joint : scene.joints()) counts.joints[joint->name()] += 1;
+  const VelocityProblem<double>& problem = after.last_step().problem;
+  for (const ConstraintRow<double>& row : problem.rows) {
+    int& kind = row.bounds.is_friction()     ? counts.frictions
+                : row.bounds.is_unilateral() ? counts.normals
+                                             : counts.equalities;
+    kind += 1;
+  }
+  counts.contacts = contacts;
+  counts.rows = problem.row_count();
+  counts.problem_bytes = bytes_of(problem.rows) + bytes_of(problem.blocks) + bytes_of(problem.extra_terms) +
+                         bytes_of(problem.inverse_mass) + bytes_of(problem.velocity) +
+                         bytes_of(problem.impulse);
+  return counts;
+}
+
+std::vector<SolverMemory> memories_of(const VelocityProblem<double>& problem) {
+  std::vector<SolverMemory> memories;
+  for (const SolverEntry& entry : solver_entries()) {
+    SolverMemory memory{.solver = entry.name};
+    if (entry.name == "reference" && problem.row_count() > most_rows_of_reference) {
+      memory.unknown =
+          fmt::format("not tried with more than {} rows: it takes m^3 work", most_rows_of_reference);
+    } else {
+      try {
+        const auto solver = make_solver<double>(entry.name, {.iterations = 1});
+        VelocityProblem<double> copy = problem;
+        solver->solve(copy);
+        memory.bytes = solver->memory();
+      } catch (const std::logic_error& refusal) {
+        memory.unknown = std::string("refuses: ") + refusal.what();
+      }
+    }
+    memories.push_back(memory);
+  }
+  return memories;
+}
+
+std::string counts_text(const Counts& counts) {
+  std::vector<std::string> parts;
+  for (const auto& [name, count] : counts) parts.push_back(fmt::format("{} {}", count, name));
+  return parts.empty() ? "none" : joined(parts, ", ");
+}
+
+std::string bytes_text(std::size_t bytes) {
+  const double value = static_cast<double>(bytes);
+  if (bytes < 1024) return fmt::format("{} bytes", bytes);
+  return value < 1048576 ? fmt::format("{:.1f} KiB", value / 1024)
+                         : fmt::format("{:.1f} MiB", value / 1048576);
+}
+
+void print_explanation(const SceneEntry& entry, const Setting& setting, const Plan& plan,
+                       const SceneCounts& counts, const std::vector<SolverMemory>& memories,
+                       Console& console) {
+  const auto line = [&console](const std::string& name, const std::string& what) {
+    console.result(console.spelt("  " + padded(name, 14) + what));
+  };
+  console.result(console.spelt(entry.name + ": " + entry.title));
+  console.result(console.spelt(entry.look));
+  line("setting", setting_text(setting));
+  std::string text = explain(plan);
+  if (!text.empty() && text.back() == '\n') text.pop_back();
+  console.result(console.spelt(text));
+  console.result("It has");
+  line("bodies", counts_text(counts.bodies));
+  line("shapes", counts_text(counts.shapes));
+  line("joints", counts_text(counts.joints));
+  console.result("Its first step has");
+  line("contacts", fmt::format("{} points", counts.contacts));
+  line("rows", fmt::format("{}: {} of joints and motors, {} one-sided, {} of friction", counts.rows,
+                           counts.equalities, counts.normals, counts.frictions));
+  line("problem", bytes_text(counts.problem_bytes));
+  console.result("and keeps beside it, in double");
+  for (const SolverMemory& memory : memories) {
+    line(memory.solver, memory.unknown.empty() ? bytes_text(memory.bytes) : memory.unknown);
+  }
+}
+
+Json explanation_json(const SceneEntry& entry, const Setting& setting, const Plan& plan,
+                      const SceneCounts& counts, const std::vector<SolverMemory>& memories) {
+  Json memory = Json::object();
+  for (const SolverMemory& one : memories)
+    memory[one.solver] = one.unknown.empty() ? Json(one.bytes) : Json(nullptr);
+  return {{"scene", entry.name},
+          {"title", entry.title},
+          {"setting", setting_text(setting)},
+          {"bodies", counts.bodies},
+          {"shapes", counts.shapes},
+          {"joints", counts.joints},
+          {"velocities", 2 * plan.dynamic_bodies + plan.turning_bodies},
+          {"collision", plan.collision},
+          {"gravity", plan.gravity},
+          {"friction", plan.friction},
+          {"restitution", plan.restitution},
+          {"damping", plan.damping},
+          {"warm_start", plan.warm_start},
+          {"substeps", plan.substeps},
+          {"sleeping", plan.sleeping},
+          {"contacts", counts.contacts},
+          {"rows", counts.rows},
+          {"rows_of_joints", counts.equalities},
+          {"rows_one_sided", counts.normals},
+          {"rows_of_friction", counts.frictions},
+          {"problem_bytes", counts.problem_bytes},
+          {"solver_bytes", memory}};
+}
+
+int run_explain(const Words& words, Console& console) {
+  const SceneEntry& entry = scene_entry(words.places.front());
+  const Setting setting = setting_of(words, entry);
+  Scene scene = entry.make();
+  scene.set_settings(with_setting(scene.settings(), setting));
+  World<double> world(scene);
+  const VelocityProblem<double> problem = world.velocity_problem();
+  const auto solver = make_solver<double>("si", setting.sweeps);
+  const StepReport report = world.step(*solver);
+  const SceneCounts counts = counts_of(scene, world, report.contacts);
+  const std::vector<SolverMemory> memories = memories_of(problem);
+  if (words.has("json")) {
+    fmt::print("{}\n", explanation_json(entry, setting, world.plan(), counts, memories).dump(1));
+  } else {
+    print_explanation(entry, setting, world.plan(), counts, memories, console);
+  }
+  return all_well;
+}
+
+}  // namespace
+
+Verb explain_verb() {
+  return {
+      .name = "explain",
+      .places = "SCENE",
+      .fewest_places = 1,
+      .most_places = 1,
+      .summary = "what is modelled and what left out, and the cost in rows and memory",
+      .idea =
+          "A scene pays only for what it has: without friction there are no friction rows, without gravity "
+          "none is added. This verb says what the scene needs, what the step leaves out and why, how many "
+          "rows its first step has, and how much memory each solver wants for them.",
+      .flags = setting_flags(),
+      .examples = {"explain arch", "explain chain --stabilization split-impulse", "explain puck --json"},
+      .run = run_explain};
+}
+
+}  // namespace cairn::sandbox

@@ -1,0 +1,111 @@
+// cairn list: what there is to choose from.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "lessons/sandbox/scene_words.hpp"
+#include "lessons/sandbox/verbs.hpp"
+#include "lessons/words.hpp"
+#include "study/solver_list.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int list_columns = 100;
+
+struct Policy {
+  std::string name = {};
+  std::string what = {};
+};
+
+std::vector<Policy> policies() {
+  const std::vector<std::string>& names = stabilization_names();
+  return {{names[0], "errors in positions stay, and grow by the error of integration"},
+          {names[1], "velocities carry a share of the error for every step, and keep that speed"},
+          {names[2], "stiff springs in the rows; a second solve takes their speed out again"},
+          {names[3], "velocities of their own move the bodies once, and are forgotten"}};
+}
+
+Json scenes_json() {
+  Json all = Json::array();
+  for (const SceneEntry& scene : scene_entries()) {
+    all.push_back({{"name", scene.name},
+                   {"title", scene.title},
+                   {"look", scene.look},
+                   {"seconds", scene.seconds},
+                   {"setting", setting_text(scene.setting)}});
+  }
+  return all;
+}
+
+Json solvers_json() {
+  Json all = Json::array();
+  for (const SolverEntry& solver : solver_entries())
+    all.push_back({{"name", solver.name}, {"title", solver.title}, {"cost", solver.cost}});
+  if (has_box2d()) all.push_back({{"name", "box2d"}, {"title", "Box2D 2.4.1, beside Cairn"}, {"cost", ""}});
+  return all;
+}
+
+Json stabilizations_json() {
+  Json all = Json::array();
+  for (const Policy& policy : policies()) all.push_back({{"name", policy.name}, {"title", policy.what}});
+  return all;
+}
+
+void print_choices(const Json& all, const std::string& heading, Console& console) {
+  int width = 0;
+  for (const Json& one : all) width = std::max(width, display_width(one["name"].get<std::string>()));
+  console.result(console.colored(heading, Console::Color::bold));
+  for (const Json& one : all) {
+    std::string what = one["title"].get<std::string>();
+    const std::string cost = one.contains("cost") ? one["cost"].get<std::string>() : "";
+    if (!cost.empty()) what += ": " + cost;
+    const std::string line = "  " + padded(one["name"].get<std::string>(), width + 2) +
+                             wrapped(what, list_columns - width - 4, width + 4);
+    console.result(console.spelt(line));
+  }
+}
+
+int run_list(const Words& words, Console& console) {
+  const std::vector<std::string> kinds = {"scenes", "solvers", "stabilizations"};
+  const std::string kind = words.places.empty() ? "" : words.places.front();
+  if (!kind.empty() && std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+    const std::string meant = nearest(kind, kinds);
+    throw UsageError(
+        "cairn list: there is no list of " + kind +
+        (meant.empty() ? "; there are " + joined(kinds, ", ") : "; did you mean " + meant + "?"));
+  }
+  const Json lists = {
+      {"scenes", scenes_json()}, {"solvers", solvers_json()}, {"stabilizations", stabilizations_json()}};
+  if (words.has("json")) {
+    fmt::print("{}\n", (kind.empty() ? lists : lists[kind]).dump(1));
+    return all_well;
+  }
+  const std::vector<std::string> headings = {
+      "scenes (cairn run SCENE)", "solvers (--solver; m rows, n bodies)", "stabilizations (--stabilization)"};
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (kind.empty() || kind == kinds[i]) print_choices(lists[kinds[i]], headings[i], console);
+  }
+  return all_well;
+}
+
+}  // namespace
+
+Verb list_verb() {
+  return {.name = "list",
+          .places = "[KIND]",
+          .fewest_places = 0,
+          .most_places = 1,
+          .summary = "the scenes, solvers and stabilizations there are",
+          .idea =
+              "What can be named behind the other verbs and their flags, each with a word on what it is. "
+              "KIND: scenes, "
+              "solvers or stabilizations; all of them without it.",
+          .flags = {},
+          .examples = {"list", "list solvers", "list scenes --json"},
+          .run = run_list};
+}
+
+}  // namespace cairn::sandbox

@@ -1,0 +1,93 @@
+// cairn run: a scene, its numbers, and a film of it.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "lessons/sandbox/film_files.hpp"
+#include "lessons/sandbox/interrupt.hpp"
+#include "lessons/sandbox/run_table.hpp"
+#include "lessons/sandbox/scene_words.hpp"
+#include "lessons/sandbox/verbs.hpp"
+#include "lessons/words.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+int stopped_run(Console& console, const std::string& what) {
+  console.warn(what);
+  return stopped;
+}
+
+void write_series(const SceneRun& run, const std::string& path, Console& console) {
+  if (path == "-") {
+    fmt::print("{}", series_csv(run.series));
+    return;
+  }
+  render::write_file(path, std::string_view(series_csv(run.series)));
+  console.narrate(fmt::format("written: {}", path));
+}
+
+int run_run(const Words& words, Console& usual_console) {
+  const SceneEntry& scene = scene_entry(words.places.front());
+  const Setting setting = setting_of(words, scene);
+  const FilmFiles files = film_files(words);
+  const FilmLook look = look_of(words, files.frames ? "medium" : "small");
+  const std::string csv = words.text("csv").value_or("");
+  if (csv == "-" && words.has("json")) throw UsageError("cairn run: --csv - and --json both want stdout");
+  ConsoleSettings settings = words.console;
+  settings.narrates_on_stderr = settings.narrates_on_stderr || csv == "-";
+  Console data_console(settings);
+  Console& console = csv == "-" ? data_console : usual_console;
+  const Interrupt interrupt;
+  const RunWish wish{.seconds = seconds_of(words, scene),
+                     .frames_per_second = files.any() ? files.frames_per_second : 0,
+                     .series = !csv.empty(),
+                     .stops = [&interrupt] { return interrupt.came(); }};
+  const std::vector<SceneRun> runs = {run_scene(scene, setting, wish, words.console)};
+  const SceneRun& run = runs.front();
+  if (run.stopped) return stopped_run(console, "stopped before the run was over; nothing is written");
+  if (words.has("json")) {
+    fmt::print("{}\n", run_json(scene, run).dump(1));
+  } else {
+    print_run(scene, run, console);
+  }
+  const bool has_run = run.result.status != TrialStatus::refused;
+  if (!csv.empty() && has_run) write_series(run, csv, console);
+  if (files.any() && has_run) {
+    SceneFilm film(scene, runs, look);
+    const FilmOutcome outcome = write_film(film, film_identity(scene, runs, look, files.frames_per_second),
+                                           files, wish.stops, words.console);
+    if (outcome.stopped) {
+      return stopped_run(console, fmt::format("stopped after {} frames; the same command goes on there",
+                                              outcome.drawn + outcome.kept));
+    }
+    console.narrate(film_text(outcome));
+  }
+  return exit_code(run);
+}
+
+}  // namespace
+
+Verb run_verb() {
+  return {
+      .name = "run",
+      .places = "SCENE",
+      .fewest_places = 1,
+      .most_places = 1,
+      .summary = "steps a scene and says how well that went; a film if you ask for one",
+      .idea =
+          "Steps the scene by the setting that is recommended for it, or by yours, and holds what came out "
+          "against what is expected: overlap, drift of joints, energy out of nothing, whether it stands. "
+          "Nothing is written unless a flag names a file. Exit code 1 when an expectation is missed, 4 when "
+          "the run diverges.",
+      .flags = joined_flags(
+          joined_flags(joined_flags(setting_flags(), {{"seconds", "TIME", "to simulate (the scene's own)"}}),
+                       film_flags()),
+          joined_flags(look_flags(), {{"csv", "FILE", "a row of numbers for every step; - is stdout"}})),
+      .examples = {"run stack", "run chain-bob --solver si:20 --substeps 4",
+                   "run arch --frames out/arch --show loads --theme dark",
+                   "run puck --apng puck.png --show trails --seconds 2s"},
+      .run = run_run};
+}
+
+}  // namespace cairn::sandbox

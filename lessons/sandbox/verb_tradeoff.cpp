@@ -1,0 +1,151 @@
+// cairn tradeoff: what more work buys, as a table and a chart.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "lessons/records.hpp"
+#include "lessons/sandbox/interrupt.hpp"
+#include "lessons/sandbox/trade_report.hpp"
+#include "lessons/sandbox/verbs.hpp"
+#include "lessons/words.hpp"
+#include "study/frozen_set.hpp"
+#include "study/trajectory_study.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string left_text(double seconds) {
+  if (seconds < 90) return fmt::format("{:.0f} s left", seconds);
+  return fmt::format("{:.0f} min left", seconds / 60);
+}
+
+int list_scenes(const Words& words, Console& console) {
+  if (words.has("json")) {
+    const nlohmann::ordered_json lists = {{"level1", frozen_names()}, {"level2", trajectory_names()}};
+    fmt::print("{}\n", lists.dump());
+    return all_well;
+  }
+  const auto line = [&](const std::string& head, const std::vector<std::string>& names) {
+    console.result(head + ":\n  " + wrapped(joined(names, ", "), 98, 2));
+  };
+  line("level 1, one step of frozen problems", frozen_names());
+  line("level 2, whole runs", trajectory_names());
+  return all_well;
+}
+
+Shard shard_of(const Words& words) {
+  const std::optional<std::string> given = words.text("shard");
+  if (!given) return {};
+  words.refuse_beside("merge", "beside --shard");
+  try {
+    return parse_shard(*given);
+  } catch (const std::invalid_argument&) {
+    words.refuse("shard", "k/n with 1 <= k <= n <= 10000", *given);
+  }
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw std::runtime_error(folder.string() + ": cannot be made: " + error.message());
+}
+
+Journal open_journal(const fs::path& path, const Study& study) {
+  try {
+    return {path, study};
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("cairn tradeoff: ") + error.what() +
+                     "; --out writes elsewhere, or delete the journal to begin anew");
+  }
+}
+
+/// True when it went to its end.
+bool run_to_the_end(const Words& words, const Study& study, const Shard& shard, Journal& journal,
+                    Console& console) {
+  std::size_t count = 0;
+  for (std::size_t task = 0; task < study.tasks.size(); ++task) count += shard.holds(task) ? 1 : 0;
+  console.narrate(fmt::format("{} of {} settings to try", count, study.tasks.size()));
+  if (journal.size() > 0) {
+    console.narrate(fmt::format("{} of them were tried before, as the journal says", journal.size()));
+  }
+  const Interrupt interrupt;
+  Progress bar(words.console, "settings", count);
+  return run_study(study, shard, journal, [&](std::size_t done, std::size_t, double left) {
+    bar.advance(done, left_text(left));
+    return !interrupt.came();
+  });
+}
+
+int run_tradeoff(const Words& words, Console& console) {
+  if (words.has("list")) return list_scenes(words, console);
+  const Shard shard = shard_of(words);
+  (void)theme_of(words);  // refuses a wrong one before the work
+  const TradeStudy trade = trade_study(words);
+  const std::vector<std::string> parts = words.texts("merge");
+  const fs::path folder = words.text("out").value_or("out/tradeoff");
+  make_folder(folder);
+  const std::string part = shard.of > 1 ? fmt::format(".{}-of-{}", shard.number, shard.of) : "";
+  Journal journal = open_journal(folder / (trade.name + part + ".journal"), trade.study);
+  for (const std::string& other : parts) journal.absorb(other);
+  if (parts.empty() && !run_to_the_end(words, trade.study, shard, journal, console)) {
+    console.warn("stopped; the same command goes on where it was");
+    return stopped;
+  }
+  if (shard.of > 1) {
+    if (words.has("json")) fmt::print("{}", json_of(table_of(journal.csv(), trade.name)));
+    console.narrate(
+        fmt::format("part {} of {} is done; --merge puts the parts together", shard.number, shard.of));
+    return all_well;
+  }
+  if (journal.size() < trade.study.tasks.size()) {
+    console.warn(
+        fmt::format("cairn tradeoff: --merge must be all parts of the study, got {} of {} settings; "
+                    "without --merge the rest is done here",
+                    journal.size(), trade.study.tasks.size()));
+    return check_failed;
+  }
+  return report_trade(words, trade, journal.csv(), folder, console);
+}
+
+}  // namespace
+
+Verb tradeoff_verb() {
+  return {
+      .name = "tradeoff",
+      .places = "[SCENE]",
+      .fewest_places = 0,
+      .most_places = 1,
+      .summary = "work against error: a table and a chart",
+      .idea =
+          "Runs every setting of a grid and shows what more work buys. Of a frozen problem (level 1): "
+          "every solver after 1, 2, "
+          "4 ... 4096 sweeps, cold and warm, in float and double; row updates and time against R_E or, "
+          "where the true "
+          "velocity is known to be unique, E_M. Of a scene (level 2): solver, sweeps, substeps and steps "
+          "a second, with Box2D 2.4.1 "
+          "as one more contestant; the error is a formula's where one knows the motion, else the worst "
+          "overlap. It can be stopped and taken up again.",
+      .flags = {{"level", "1|2", "one step, or whole runs (as the scene asks for)"},
+                {"all", "", "all scenes of the level: no chart, but at level 1 a performance profile"},
+                {"quick", "", "a coarse grid: a minute instead of many"},
+                {"solvers", "NAME,NAME", "the first four get a curve", true},
+                {"work", "WHAT",
+                 "updates or time (level 1: updates, and of times the steady ones; level 2: time)"},
+                {"error", "WHAT", "level 1: R_E or E_M; level 2: formula, penetration, drift or energy"},
+                {"start", "WHICH", "level 1: cold or warm, in the chart (cold)"},
+                {"scalar", "WHICH", "level 1: double or float, in the chart (double)"},
+                {"labels", "", "writes the settings beside the points that nothing beats"},
+                {"theme", "WHICH", "light or dark (light)"},
+                {"out", "DIR", "for SCENE.csv, .json, .png (or profile.png) and the journal (out/tradeoff)"},
+                {"shard", "k/n", "does the k-th of n parts only"},
+                {"merge", "FILE,FILE", "puts the journals of parts together instead of running", true},
+                {"list", "", "what can be compared"}},
+      .examples = {"tradeoff stack10 --quick", "tradeoff pendulum-150 --labels",
+                   "tradeoff --all --level 1 --shard 1/4"},
+      .run = run_tradeoff};
+}
+
+}  // namespace cairn::sandbox

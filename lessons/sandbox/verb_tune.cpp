@@ -1,0 +1,220 @@
+// cairn tune: the cheapest setting that meets a wish.
+#include <fmt/format.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "lessons/sandbox/interrupt.hpp"
+#include "lessons/sandbox/verbs.hpp"
+#include "lessons/words.hpp"
+#include "study/jitter.hpp"
+#include "study/scene_list.hpp"
+#include "study/solver_list.hpp"
+#include "study/tuner.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Color = Console::Color;
+
+constexpr double jitter_size = 1e-6;  // [m]
+constexpr double longest_run = 1e5;   // [s]
+
+Wish wish_of(const Words& words) {
+  Wish wish;
+  if (words.has("penetration")) wish.penetration = words.quantity("penetration", "m", 0);
+  if (words.has("drift")) wish.drift = words.quantity("drift", "m", 0);
+  if (words.has("residual")) wish.residual = words.number("residual", 0, 1e-14, 1);
+  if (words.has("energy-gain")) wish.energy_gain = words.quantity("energy-gain", "%", 0);
+  if (words.has("stands")) wish.stands = words.quantity("stands", "s", 0, longest_run);
+  const bool is_empty =
+      !wish.penetration && !wish.drift && !wish.residual && !wish.energy_gain && !wish.stands;
+  if (is_empty) {
+    throw UsageError(
+        "cairn tune: a wish is missing: --penetration 2mm, --drift 1mm, --residual 0.01, --energy-gain 1% or "
+        "--stands 10s");
+  }
+  return wish;
+}
+
+std::string wish_text(const Wish& wish) {
+  std::vector<std::string> parts;
+  if (wish.penetration) parts.push_back(fmt::format("penetration at most {:g} mm", 1e3 * *wish.penetration));
+  if (wish.drift) parts.push_back(fmt::format("drift at most {:g} mm", 1e3 * *wish.drift));
+  if (wish.residual) parts.push_back(fmt::format("R_E at most {:g}", *wish.residual));
+  if (wish.energy_gain) parts.push_back(fmt::format("energy gain at most {:g} %", 1e2 * *wish.energy_gain));
+  if (wish.stands) parts.push_back(fmt::format("stands {:g} s", *wish.stands));
+  return joined(parts, ", ");
+}
+
+std::string found_text(const Candidate& candidate, const Wish& wish) {
+  std::string text;
+  if (wish.penetration) text += fmt::format(", penetration {:.3g} mm", 1e3 * candidate.worst_penetration);
+  if (wish.drift) text += fmt::format(", drift {:.3g} mm", 1e3 * candidate.worst_drift);
+  if (wish.residual) text += fmt::format(", R_E {:.2g}", candidate.worst_residual);
+  if (wish.energy_gain) text += fmt::format(", energy gain {:.3g} %", 1e2 * candidate.energy_gain);
+  if (wish.stands) text += fmt::format(", stands {:.3g} s", candidate.stands_until);
+  return text.empty() ? text : text.substr(2);
+}
+
+std::string starts_text(int starts) { return starts == 1 ? "1 start" : fmt::format("{} starts", starts); }
+
+/// One line of the table: who, with which setting, at what cost, and how well.
+std::string candidate_line(const std::string& who, const Candidate& candidate, double best_cost,
+                           const Wish& wish) {
+  return fmt::format("{:<12} {:<49} {:>7.3g} {:>11.3g} {:>7.2f}  {}", who, setting_text(candidate.setting),
+                     1e3 * candidate.cost, candidate.row_updates, candidate.cost / best_cost,
+                     found_text(candidate, wish));
+}
+
+void print_rival(const std::string& who, const std::optional<Candidate>& rival, double best_cost,
+                 const Wish& wish, Console& console) {
+  if (!rival) return;
+  const std::string line = rival->verdict.meets
+                               ? candidate_line(who, *rival, best_cost, wish)
+                               : fmt::format("{:<12} {:<49} misses it with the most work: {}", who,
+                                             setting_text(rival->setting), rival->verdict.missed);
+  console.result(console.spelt(line));
+}
+
+void print_answer(const TunerAnswer& answer, const Wish& wish, Console& console) {
+  console.result(fmt::format("{:<12} {:<49} {:>7} {:>11} {:>7}  {}", "", "for a second of the scene", "ms",
+                             "row updates", "x best", "the worst of all starts"));
+  const double best_cost = answer.best ? answer.best->cost : answer.plain_si ? answer.plain_si->cost : 1;
+  if (answer.best) {
+    console.result(
+        console.colored(console.spelt(candidate_line("best", *answer.best, best_cost, wish)), Color::good));
+    for (const Candidate& next : answer.runners_up) print_rival("runner-up", next, best_cost, wish, console);
+  } else {
+    console.result(console.colored("Nothing that was tried meets the wish.", Color::bad));
+    print_rival("nearest", answer.nearest, best_cost, wish, console);
+  }
+  print_rival("plain SI", answer.plain_si, best_cost, wish, console);
+  print_rival("Box2D 2.4.1", answer.box2d, best_cost, wish, console);
+}
+
+Json candidate_json(const std::optional<Candidate>& candidate) {
+  if (!candidate) return nullptr;
+  const Setting& setting = candidate->setting;
+  return {{"setting", setting_text(setting)},
+          {"solver", setting.solver},
+          {"sweeps", setting.sweeps.iterations},
+          {"dt", setting.dt},
+          {"substeps", setting.substeps},
+          {"cost_s_per_s", candidate->cost},
+          {"row_updates_per_s", candidate->row_updates},
+          {"penetration_m", candidate->worst_penetration},
+          {"drift_m", candidate->worst_drift},
+          {"residual", candidate->worst_residual},
+          {"energy_gain", candidate->energy_gain},
+          {"stands_s", candidate->stands_until},
+          {"starts", candidate->starts},
+          {"missed", candidate->verdict.missed}};
+}
+
+Json answer_json(const std::string& scene, const TunerAnswer& answer) {
+  Json runners_up = Json::array();
+  for (const Candidate& next : answer.runners_up) runners_up.push_back(candidate_json(next));
+  return {{"scene", scene},
+          {"best", candidate_json(answer.best)},
+          {"runners_up", runners_up},
+          {"plain_si", candidate_json(answer.plain_si)},
+          {"box2d", candidate_json(answer.box2d)},
+          {"nearest", candidate_json(answer.nearest)},
+          {"tried", answer.tried},
+          {"complete", answer.complete}};
+}
+
+std::vector<std::string> tunable() {
+  std::vector<std::string> names;
+  for (const SceneEntry& entry : scene_entries()) names.push_back(entry.name);
+  return names;
+}
+
+std::vector<std::string> solver_names() {
+  std::vector<std::string> names;
+  for (const SolverEntry& entry : solver_entries()) names.push_back(entry.name);
+  return names;
+}
+
+int run_tune(const Words& words, Console& console) {
+  words.require_known("SCENE", words.places.front(), tunable());
+  const SceneEntry entry = scene_entry(words.places.front());
+  const Wish wish = wish_of(words);
+  const double seconds = words.has("seconds") ? words.quantity("seconds", "s", 0, longest_run)
+                                              : std::max(entry.seconds, wish.stands.value_or(0));
+  if (wish.stands && seconds < *wish.stands)
+    words.refuse("seconds", "at least as long as --stands", *words.text("seconds"));
+  TrialOptions trial = trial_options(entry);
+  trial.seconds = seconds;
+  trial.residual = wish.residual ? ResidualMeasure::every_step : ResidualMeasure::off;
+  const Interrupt interrupt;
+  trial.gives_up = [&](const TrialResult& so_far) {
+    return interrupt.came() || !verdict_so_far(so_far, wish).meets;
+  };
+  const Scene scene = entry.make();
+  const TunerRun run = [&](const Setting& setting, std::uint64_t start) {
+    TrialResult result = run_trial(start == 0 ? scene : jittered(scene, jitter_size, start), setting, trial);
+    if (interrupt.came()) result.status = TrialStatus::timeout;  // it may have been cut short
+    return result;
+  };
+  Progress bar(words.console, "settings", tuner_settings({"si"}).size());
+  TunerOptions options;
+  options.starts = words.whole("starts", 16, 1, 1000);
+  if (words.has("solvers")) options.solvers = words.known_texts("solvers", solver_names());
+  options.time_limit = words.quantity("time", "s", 60);
+  trial.time_limit = options.time_limit;  // one run may not take more
+  options.progress = [&](int tried, int) {
+    bar.advance(static_cast<std::size_t>(tried));
+    return !interrupt.came();
+  };
+  console.narrate(fmt::format("{}: {}, for {:g} s from {}", entry.name, wish_text(wish), seconds,
+                              starts_text(options.starts)));
+  const TunerAnswer answer = tune(run, wish, options);
+  bar.clear();
+  if (interrupt.came()) {
+    console.warn(fmt::format("stopped after {} settings", answer.tried));
+    return stopped;
+  }
+  if (words.has("json"))
+    fmt::print("{}\n", answer_json(entry.name, answer).dump(1));
+  else
+    print_answer(answer, wish, console);
+  console.narrate(
+      fmt::format("{} settings tried{}", answer.tried,
+                  answer.complete ? "" : "; the time was over before the end: --time gives more"));
+  return answer.best ? all_well : check_failed;
+}
+
+}  // namespace
+
+Verb tune_verb() {
+  return {.name = "tune",
+          .places = "SCENE",
+          .fewest_places = 1,
+          .most_places = 1,
+          .summary = "the cheapest setting that meets an error you name",
+          .idea =
+              "Tries solvers, sweeps, steps, substeps and policies from the least work to the most, and "
+              "finds the one that costs "
+              "the least processor time of those that do what you wish, from 16 starts a thousandth of a "
+              "millimetre apart. "
+              "Says what that costs beside plain SI (60 Hz, Baumgarte, more and more sweeps) and beside "
+              "Box2D 2.4.1. "
+              "Several wishes must all be met. Exit code 1 when nothing does.",
+          .flags = {{"penetration", "LENGTH", "no two shapes overlap by more, such as 2mm"},
+                    {"drift", "LENGTH", "no joint is farther off, such as 1mm"},
+                    {"residual", "R_E", "no solve leaves more, such as 0.01"},
+                    {"energy-gain", "SHARE", "kinetic and potential energy never rise by more, such as 1%"},
+                    {"stands", "TIME", "nothing leaves its place for so long, such as 10s"},
+                    {"seconds", "TIME", "of every run (the scene's own, or as long as it should stand)"},
+                    {"solvers", "NAME,NAME", "to try (si, block, block-contact, accelerated)", true},
+                    {"starts", "N", "from which it must hold (16)"},
+                    {"time", "TIME", "for the search (60s)"}},
+          .examples = {"tune stack --penetration 2mm", "tune chain-bob --drift 5mm --energy-gain 1%",
+                       "tune stack-ratio --stands 10s --json"},
+          .run = run_tune};
+}
+
+}  // namespace cairn::sandbox

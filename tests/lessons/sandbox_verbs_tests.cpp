@@ -1,0 +1,188 @@
+// The verbs of cairn that list, run, explain, compare and inspect scenes, as processes.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "render/image.hpp"
+#include "sandbox_program.hpp"
+
+using namespace cairn;
+using namespace cairn::testing;
+
+TEST_CASE("cairn list names scenes, solvers and stabilizations, and each alone") {
+  const nlohmann::json all = cairn_json({"list"});
+  CHECK(all["scenes"].size() >= 20);
+  CHECK(all["solvers"].size() >= 11);
+  CHECK(all["stabilizations"].size() == 4);
+  CHECK(cairn_json({"list", "solvers"}) == all["solvers"]);
+  const Ran scenes = run_cairn({"list", "scenes"});
+  CHECK(scenes.code == 0);
+  for (const nlohmann::json& scene : all["scenes"])
+    CHECK(text_has(scenes.out, "  " + scene["name"].get<std::string>() + " "));
+  CHECK_FALSE(text_has(scenes.out, "jacobi-split"));
+  const Ran unknown = run_cairn({"list", "solver"});
+  CHECK(unknown.code == 2);
+  CHECK(text_has(unknown.err, "did you mean solvers?"));
+}
+
+TEST_CASE("cairn run holds a run against what is expected, and says so by its exit code") {
+  const Ran good = run_cairn({"run", "stack", "--seconds", "0.5s"});
+  CHECK(good.code == 0);
+  CHECK(text_has(good.out, "si x30, 60 Hz, baumgarte, double"));
+  CHECK(text_has(good.out, "0.5 s in 30 steps"));
+  // A hundred on one, after four sweeps: the light box is crushed at once.
+  const Ran bad = run_cairn({"run", "stack-ratio", "--solver", "si:4", "--seconds", "1s"});
+  CHECK(bad.code == 1);
+  CHECK(text_has(bad.out, "MISSED"));
+  // Jacobi without damping diverges where rows share bodies.
+  const Ran wild = run_cairn({"run", "ragdoll", "--solver", "jacobi"});
+  CHECK(wild.code == 4);
+  CHECK(text_has(wild.out, "diverged after"));
+}
+
+TEST_CASE("cairn run takes every part of the setting from its flags") {
+  const nlohmann::json run =
+      cairn_json({"run", "stack", "--solver", "block", "--sweeps", "7", "--substeps", "3", "--frequency",
+                  "120", "--scalar", "float", "--stabilization", "soft", "--seconds", "0.1s", "--cold"});
+  CHECK(run["setting"] == "block x7, 120 Hz x3, soft, float, cold");
+  CHECK(run["steps"] == 12);
+  CHECK(run["dt_s"] == 1.0 / 120);
+  CHECK(cairn_json({"run", "stack", "--dt", "1/100", "--seconds", "0.1s"})["steps"] == 10);
+  CHECK(cairn_json({"run", "stack", "--dt", "5ms", "--seconds", "0.1s"})["steps"] == 20);
+  CHECK(cairn_json({"run", "stack", "--solver", "si:3", "--seconds", "0.1s"})["sweeps"] == 3);
+}
+
+TEST_CASE("two runs by one command end in the same state") {
+  const nlohmann::json first = cairn_json({"run", "dominoes", "--seconds", "0.5s"});
+  CHECK(first["state"] == cairn_json({"run", "dominoes", "--seconds", "0.5s"})["state"]);
+  CHECK(first["state"] != cairn_json({"run", "dominoes", "--seconds", "0.5s", "--scalar", "float"})["state"]);
+}
+
+TEST_CASE("what the verbs cannot understand they refuse with a hint, before any work") {
+  struct Refusal {
+    std::vector<std::string> words;
+    std::string says;
+  };
+  const std::vector<Refusal> refusals = {
+      {{"run", "stac"}, "stack"},
+      {{"run"}, "a word is missing"},
+      {{"run", "stack", "--solver", "jakobi"}, "did you mean jacobi?"},
+      {{"run", "stack", "--solver", "si:many"}, "such as si:10"},
+      {{"run", "stack", "--dt", "0"}, "--dt must be a time above 0"},
+      {{"run", "stack", "--dt", "1/60", "--frequency", "60"}, "give one of them"},
+      {{"run", "stack", "--scalar", "doubel"}, "did you mean double?"},
+      {{"run", "stack", "--show", "lods"}, "did you mean loads?"},
+      {{"run", "stack", "--size", "10x10"}, "from 320x180"},
+      {{"run", "stack", "--csv", "-", "--json"}, "both want stdout"},
+      {{"compare", "stack", "--solvers", "si,pgs,block,accelerated,jacobi", "--frames", "never"},
+       "at most 4"},
+      {{"inspect", "stack", "--step", "0"}, "--step must be"},
+      {{"inspect", "stack", "--scalar", "float"}, "--scalar must be double"},
+      {{"inspect", "stack", "--solver", "box2d"}, "--solver must be"},
+      {{"completion", "fish"}, "bash or zsh"}};
+  for (const Refusal& refusal : refusals) {
+    const Ran ran = run_cairn(refusal.words);
+    CAPTURE(ran.err);
+    CHECK(ran.code == 2);
+    CHECK(ran.out.empty());
+    CHECK(text_has(ran.err, refusal.says));
+    CHECK(std::count(ran.err.begin(), ran.err.end(), '\n') == 1);
+  }
+  CHECK_FALSE(std::filesystem::exists("never"));
+}
+
+TEST_CASE("cairn explain counts bodies, joints and rows, and says what is left out") {
+  // 21 stones touch in 20 joints, and the ground twice: 22 manifolds of two points, each with a friction row.
+  const nlohmann::json arch = cairn_json({"explain", "arch"});
+  CHECK(arch["bodies"] == nlohmann::json{{"dynamic", 21}, {"static", 1}});
+  CHECK(arch["contacts"] == 44);
+  CHECK(arch["rows_one_sided"] == 44);
+  CHECK(arch["rows_of_friction"] == 44);
+  CHECK(arch["rows_of_joints"] == 0);
+  // A dense matrix of 88 rows is 88^2 doubles, at least.
+  CHECK(arch["solver_bytes"]["pgs"].get<std::size_t>() >= 88 * 88 * sizeof(double));
+  // A chain of 20 links: a pin has two rows.
+  const nlohmann::json chain = cairn_json({"explain", "chain"});
+  CHECK(chain["joints"] == nlohmann::json{{"revolute", 20}});
+  CHECK(chain["rows_of_joints"] == 40);
+  CHECK(text_has(run_cairn({"explain", "chain"}).out, "left out"));
+}
+
+TEST_CASE("cairn compare puts solvers in one table, and leaves out what cannot run the scene") {
+  const nlohmann::json rows =
+      cairn_json({"compare", "stack", "--solvers", "si:5,si:50,pgs:5", "--seconds", "0.5s"});
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[0]["sweeps"] == 5);
+  CHECK(rows[1]["row_updates"].get<double>() == 10 * rows[0]["row_updates"].get<double>());
+  // SI and PGS are the same iteration: they differ by rounding, which a standing stack does not amplify.
+  CHECK(rows[2]["penetration_m"].get<double>() ==
+        doctest::Approx(rows[0]["penetration_m"].get<double>()).epsilon(1e-6));
+  // Box2D has no capsules; or Cairn was built without it.
+  const nlohmann::json figure =
+      cairn_json({"compare", "ragdoll", "--solvers", "si,box2d", "--seconds", "0.2s"});
+  CHECK(figure[0]["status"] == "ok");
+  CHECK(figure[1]["status"] == "refused");
+  CHECK_FALSE(figure[1]["reason"].get<std::string>().empty());
+  CHECK(text_has(run_cairn({"compare", "ragdoll", "--solvers", "si,box2d", "--seconds", "0.2s"}).out,
+                 "left out: "));
+}
+
+TEST_CASE("cairn inspect shows the rows of a step, their sweeps and the exact answer") {
+  const nlohmann::json step = cairn_json({"inspect", "stack", "--step", "1", "--sweeps", "10"});
+  CHECK(step["rows"].size() == 40);  // ten manifolds of two points, each with its friction
+  CHECK(step["sweeps"].size() == 11);
+  CHECK(step["sweeps"][0]["R_E"] == 1.0);  // nothing was done
+  // Ten boxes of 1 kg at rest: the ground gives them 10 kg times g dt in all, at two points, one half each.
+  const double weight = 10 * 10 * step["time_s"].get<double>();
+  CHECK(step["rows"][0]["exact_Ns"].get<double>() + step["rows"][2]["exact_Ns"].get<double>() ==
+        doctest::Approx(weight).epsilon(1e-12));
+  CHECK(step["rows"][0]["impulse_Ns"] == step["sweeps"][10]["impulse_Ns"][0]);
+  CHECK(step["reference"]["residual"].get<double>() <= 1e-12);
+  CHECK(step["reference"]["impulses"] == "more than one");
+  // The reference beside itself.
+  const nlohmann::json exact = cairn_json({"inspect", "stack", "--step", "1", "--solver", "reference"});
+  CHECK(exact["reference"]["velocity_gap"] == 0.0);
+}
+
+TEST_CASE("cairn inspect prints a small A as text, and draws a large one") {
+  // Two weights on a rope over two pulleys: one row, and A = 1/m_1 + 1/m_2 of it.
+  const Ran pulley = run_cairn({"inspect", "pulley", "--step", "2"});
+  CHECK(pulley.code == 0);
+  CHECK(text_has(pulley.out, "1 rows"));
+  CHECK(text_has(pulley.out, "A = J M⁻¹ Jᵀ"));
+  const ScratchFolder folder;
+  const std::string picture = folder.path() + "/A.png";
+  const Ran arch =
+      run_cairn({"inspect", "arch", "--step", "1", "--sweeps", "5", "--picture", picture, "--size", "small"});
+  CHECK(arch.code == 0);
+  CHECK(text_has(arch.out, "88 x 88"));
+  CHECK(render::read_png(picture).width == 640);
+  CHECK(run_cairn({"inspect", "pulley", "--picture", "/dev/null/A.png"}).code == 3);
+}
+
+TEST_CASE("the completion script knows every verb, flag, scene and solver, and bash can read it") {
+  const Ran bash = run_cairn({"completion", "bash"});
+  CHECK(bash.code == 0);
+  for (const char* word : {"inspect", "--stabilization", "wrecking-ball", "accelerated", "split-impulse"})
+    CHECK(text_has(bash.out, word));
+  CHECK(text_has(run_cairn({"completion", "zsh"}).out, "bashcompinit"));
+  const ScratchFolder folder;
+  folder.write("completion.sh",
+               bash.out +
+                   "COMP_WORDS=(cairn run wreck) COMP_CWORD=2; _cairn; echo \"${COMPREPLY[@]}\"\n"
+                   "COMP_WORDS=(cairn run stack --solver acc) COMP_CWORD=4; _cairn; "
+                   "echo \"${COMPREPLY[@]}\"\n");
+  const std::string answer = folder.path() + "/answer";
+  REQUIRE(std::system(("cd " + folder.path() + " && bash completion.sh > " + answer).c_str()) == 0);
+  CHECK(folder.text("answer") == "wrecking-ball\naccelerated\n");
+}
+
+TEST_CASE("every one of these verbs explains itself with an example") {
+  for (const char* name : {"list", "run", "explain", "compare", "inspect", "completion"}) {
+    const Ran ran = run_cairn({name, "--help"});
+    CHECK(ran.code == 0);
+    CHECK(text_has(ran.out, std::string("For example\n  cairn ") + name));
+  }
+}
