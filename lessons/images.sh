@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Draws the pictures of the documents: the cover of every lesson, small, in both themes, and one larger picture.
+# Draws the pictures of the documents: the cover of every lesson, small, in both themes, one larger picture, and a
+# chart of work against error.
 #   bash lessons/images.sh PROGRAMS SCRATCH IMAGES
 set -eu
 programs=$1
@@ -28,4 +29,8 @@ for theme in light dark; do
     cover "$program" small "$theme" "${name#lesson}_$theme"
     if [[ $name == lesson17_* ]]; then cover "$program" medium "$theme" "cairn_$theme"; fi
   done
+  if [[ -x $programs/cairn ]]; then
+    "$programs/cairn" tradeoff stack10 --quick --theme "$theme" --out "$scratch/tradeoff_$theme" --quiet >/dev/null
+    cp "$scratch/tradeoff_$theme/stack10.png" "$images/tradeoff_$theme.png"
+  fi
 done

@@ -14,7 +14,7 @@
 #include "lessons/claims.hpp"
 #include "lessons/console.hpp"
 #include "lessons/film.hpp"
-#include "lessons/fingerprint.hpp"
+#include "measure/fingerprint.hpp"
 #include "lessons/help.hpp"
 #include "lessons/records.hpp"
 #include "lessons/words.hpp"

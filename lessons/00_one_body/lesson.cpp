@@ -49,7 +49,7 @@ LessonInfo info() {
        .what = "steps",
        .kind = Parameter::Kind::whole}};
   info.cover = -3;
-  info.next = "lesson06_sequential_impulses   (what stops a body: one push at a time)";
+  info.next = "lesson01_constraint_and_jacobian   (what takes some of this freedom away)";
   return info;
 }
 

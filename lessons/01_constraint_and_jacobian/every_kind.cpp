@@ -1,0 +1,158 @@
+// The derivative of every kind of constraint, compared with differences of its error.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "collision/collide.hpp"
+#include "lessons/random.hpp"
+#include "rod.hpp"
+
+namespace cairn::one_row {
+
+namespace {
+
+constexpr double far_margin = 100;  // [m or rad] limits and slack ropes have their rows too
+constexpr int random_rounds = 20;
+
+using Poses = std::vector<Pose<double>>;
+using Rows = std::function<RowSpecs<double>(const Poses&)>;
+
+struct Kind {
+  std::string name = {};
+  Rows rows = {};
+};
+
+template <typename Joint>
+Kind joint_kind(const std::string& name, const typename Joint::Spec& spec, const Poses& start) {
+  return {name, [joint = Joint(spec, start)](const Poses& poses) {
+            RowSpecs<double> rows;
+            joint.append_rows(poses, rows);
+            return rows;
+          }};
+}
+
+/// A disc above a wide box. Without friction: its row has no error that it could be the derivative of.
+Kind contact_kind() {
+  return {"contact", [](const Poses& poses) {
+            const Shape<double> disc = circle(0.3, {0.1, 0.2});
+            const Manifold<double> manifold =
+                collide<double>(disc, poses[1], box(40, 1), poses[2], far_margin);
+            RowSpecs<double> rows;
+            const std::vector<Vec3<double>> at_rest(poses.size(), Vec3<double>::Zero());
+            append_contact_rows<double>(manifold, {1}, {2}, {}, poses, at_rest, rows);
+            return rows;
+          }};
+}
+
+Vec2<double> random_point(Random& random, double reach) {
+  const double x = random.between(-reach, reach);
+  return {x, random.between(-reach, reach)};
+}
+
+/// The ground; two bodies one above the other, the lower one nearly level; a third beside them.
+Poses random_poses(Random& random) {
+  const Vec2<double> place = random_point(random, 2);
+  const Vec2<double> below(random.between(-1, 1), random.between(-6, -4));
+  Poses poses(4);
+  poses[1] = {place, random.between(-pi, pi)};
+  poses[2] = {place + below, random.between(-0.3, 0.3)};
+  poses[3] = {place + Vec2<double>(4, 0), random.between(-pi, pi)};
+  return poses;
+}
+
+std::vector<Kind> all_kinds(const Poses& start, Random& random) {
+  const BodyId a{1}, b{2}, c{3};
+  const Vec2<double> near_a = start[1].position + random_point(random, 1);
+  const Vec2<double> near_b = start[2].position + random_point(random, 1);
+  const Vec2<double> axis = Rotation<double>(random.between(-pi, pi)) * Vec2<double>(1, 0);
+  const PulleyJoint::End left{.body = a, .anchor = near_a, .roller = near_a + Vec2<double>(0, 3)};
+  const PulleyJoint::End right{
+      .body = b, .anchor = near_b, .roller = near_b + Vec2<double>(2, 0), .parts = 2};
+  const Softness soft = SwingSoftness{.frequency = 2, .damping_ratio = 0.5};
+  return {
+      joint_kind<DistanceJoint>("rod", {.a = a, .b = b, .anchor_a = near_a, .anchor_b = near_b}, start),
+      joint_kind<DistanceJoint>("rope",
+                                {.a = a,
+                                 .b = b,
+                                 .anchor_a = near_a,
+                                 .anchor_b = near_b,
+                                 .kind = DistanceJoint::Kind::rope,
+                                 .slack_margin = far_margin},
+                                start),
+      joint_kind<RevoluteJoint>(
+          "pin with limits",
+          {.a = a, .b = b, .anchor = near_a, .lower = -0.1, .upper = 0.3, .limit_margin = far_margin}, start),
+      joint_kind<PrismaticJoint>("slide with limits",
+                                 {.a = a,
+                                  .b = b,
+                                  .anchor = near_a,
+                                  .axis = axis,
+                                  .lower = -0.1,
+                                  .upper = 0.3,
+                                  .limit_margin = far_margin},
+                                 start),
+      joint_kind<WeldJoint>("weld", {.a = a, .b = b, .anchor = near_a}, start),
+      joint_kind<PulleyJoint>("pulley", {.ends = {left, right}, .slack_margin = far_margin}, start),
+      joint_kind<GearJoint>("gear", {.a = a, .b = b, .c = c, .radius_a = 0.5, .radius_b = 1.5}, start),
+      joint_kind<DifferentialJoint>("differential", {.a = a, .b = b, .c = c}, start),
+      joint_kind<DragJoint>(
+          "spring to a place",
+          {.body = b, .anchor = near_b, .target = random_point(random, 3), .softness = soft}, start),
+      contact_kind(),
+  };
+}
+
+/// The three numbers that a row has for one body.
+Vec3<double> part_of(const RowSpec<double>& row, BodyId body) {
+  Vec3<double> sum = Vec3<double>::Zero();
+  if (row.a == body) sum += row.jacobian_a;
+  if (row.b == body) sum += row.jacobian_b;
+  for (int k = 0; k < row.extra_count; ++k) {
+    const RowTerm<double>& term = row.extra[static_cast<std::size_t>(k)];
+    if (term.body == body) sum += term.jacobian;
+  }
+  return sum;
+}
+
+double largest_difference(const Rows& rows_at, const Poses& poses, double h) {
+  const RowSpecs<double> rows = rows_at(poses);
+  double largest = 0;
+  for (std::size_t body = 1; body < poses.size(); ++body) {
+    for (int k = 0; k < 3; ++k) {
+      Poses ahead = poses, behind = poses;
+      ahead[body] = carried(poses[body], Vec3<double>::Unit(k), h);
+      behind[body] = carried(poses[body], Vec3<double>::Unit(k), -h);
+      const RowSpecs<double> after = rows_at(ahead), before = rows_at(behind);
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double slope = (after.at(i).error - before.at(i).error) / (2 * h);
+        const double entry = part_of(rows[i], {static_cast<int>(body)})(k);
+        largest = std::max(largest, std::abs(slope - entry));
+      }
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<KindOfRows> compare_every_kind(std::uint64_t seed, double h) {
+  std::vector<KindOfRows> result;
+  Random random(seed);
+  for (int round = 0; round < random_rounds; ++round) {
+    Poses poses = random_poses(random);
+    const std::vector<Kind> kinds = all_kinds(poses, random);
+    for (std::size_t body = 1; body < poses.size(); ++body) {  // away from where the joints were made
+      poses[body].position += random_point(random, 0.2);
+      poses[body].angle += random.between(-0.2, 0.2);
+    }
+    result.resize(kinds.size());
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+      result[k].name = kinds[k].name;
+      result[k].rows = static_cast<int>(kinds[k].rows(poses).size());
+      result[k].error = std::max(result[k].error, largest_difference(kinds[k].rows, poses, h));
+    }
+  }
+  return result;
+}
+
+}  // namespace cairn::one_row

@@ -1,0 +1,279 @@
+// The frames: c and its level curves, j by small moves, j v for several motions, f, and the answer.
+#include "pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/matrix.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::one_row {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Rect;
+using render::significant;
+
+using Shared = std::shared_ptr<const Story>;
+
+const char* const coordinate_names[] = {"x", "y", "θ"};
+
+/// Left the scene; returns the two parts on the right.
+std::vector<Rect> draw_scene(Page& page, const Rod& rod, const RodLook& look, double upper) {
+  const std::vector<Rect> halves = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
+  draw_rod(page, halves[0], rod, look);
+  return rows(halves[1], {upper, 1 - upper}, page.sizes().gap);
+}
+
+/// The question or the answer, over the three velocities.
+void draw_note(Page& page, const Rod& rod, const RodLook& look, std::string_view title,
+               std::string_view text) {
+  const std::vector<Rect> parts = draw_scene(page, rod, look, page.compact() ? 0.56 : 0.6);
+  page.note(parts[0], title, text);
+  const bool answered = look.direction;
+  render::TableView table{.header = {"v (m/s, m/s, rad/s)", "j v (m/s)", ""}};
+  for (const Motion& motion : rod.asked) {
+    const Vec3<double>& v = motion.velocity;
+    table.rows.push_back(
+        {fmt::format("({}, {}, {})", significant(v.x()), significant(v.y()), significant(v.z())),
+         answered ? significant(motion.rate) : "?",
+         !answered          ? ""
+         : motion.rate == 0 ? "allowed"
+                            : "not allowed"});
+  }
+  page.table(parts[1], "", table);
+}
+
+std::string metres(double value) { return fixed(value, 4) + " m"; }
+
+void draw_error(Page& page, const Rod& rod) {
+  const std::vector<Rect> parts = draw_scene(page, rod, {.pose = rod.pose, .circles = true}, 0.46);
+  const Vec2<double>& p = rod.settings.anchor;
+  page.equation(parts[0], {.number = "eq (3)",
+                           .symbols = "c = |p| − length",
+                           .numbers = fmt::format("= √({}² + {}²) − {}", significant(p.x()),
+                                                  significant(-p.y()), significant(rod.length)),
+                           .result = "= 0 m"});
+  render::TableView table{.header = {"the box, moved", "c"}};
+  const std::vector<std::pair<std::string, Vec3<double>>> moves = {
+      {"not at all", {0, 0, 0}},
+      {"1 m to the right", {1, 0, 0}},
+      {"1 m up", {0, 1, 0}},
+      {"1 m along the rod", rod.asked[1].velocity},
+      {"turned by 1 rad", {0, 0, 1}}};
+  for (const auto& [name, move] : moves) {
+    Vec3<double> step = move;
+    if (name == "1 m along the rod") step = {rod.jacobian.x(), rod.jacobian.y(), 0};
+    table.rows.push_back({name, metres(error_at(rod, carried(rod.pose, step, 1)))});
+  }
+  page.table(parts[1], "c at other places", table);
+}
+
+void draw_jacobian(Page& page, const Rod& rod) {
+  const std::vector<Rect> parts =
+      draw_scene(page, rod, {.pose = rod.pose, .circles = true, .direction = true}, 0.3);
+  render::MatrixView view{.title = "j: one row, three numbers for the box"};
+  view.values = rod.jacobian.transpose();
+  for (const char* name : coordinate_names) view.column_names.emplace_back(name);
+  draw_matrix(page, parts[0], view);
+  const Vec3<double>& j = rod.jacobian;
+  page.equation(
+      parts[1],
+      {.number = "eq (5)",
+       .symbols = "j = (u_{x}, u_{y}, r × u)",
+       .numbers = fmt::format("u = ({}, {}), r = ({}, {}) m", significant(j.x()), significant(j.y()),
+                              significant(rod.arm.x()), significant(rod.arm.y())),
+       .result = fmt::format("r × u = {} m", significant(j.z())),
+       .algorithm = page.compact() ? "" : "u: along the rod; r: from the centre to the anchor"});
+}
+
+/// One coordinate moved both ways; the rows of the table up to it.
+void draw_nudge(Page& page, const Rod& rod, int coordinate) {
+  const Quotient large = quotient(rod, 0.5);  // large enough to be seen
+  const Pose<double> pose = carried(rod.pose, Vec3<double>::Unit(coordinate), large.h);
+  const std::vector<Rect> parts = draw_scene(page, rod, {.pose = pose, .ghost = true, .circles = true}, 0.46);
+  const Quotient& q = rod.quotients.front();
+  const auto k = static_cast<std::size_t>(coordinate);
+  page.equation(parts[0], {.number = fmt::format("dc/d{} by a central difference, h = {} {}",
+                                                 coordinate_names[k], q.h, coordinate == 2 ? "rad" : "m"),
+                           .symbols = "(c(+h) − c(−h)) / 2h",
+                           .numbers = fmt::format("= ({} − ({})) / {}", fixed(q.forward[k], 4),
+                                                  fixed(q.backward[k], 4), significant(2 * q.h)),
+                           .result = fmt::format("= {}", fixed(q.slope[k], 3))});
+  render::TableView table{.header = {"", "c(−h)", "c(+h)", "slope", "j"}, .active_row = coordinate};
+  for (std::size_t i = 0; i <= k; ++i) {
+    table.rows.push_back({coordinate_names[i], fixed(q.backward[i], 4), fixed(q.forward[i], 4),
+                          fixed(q.slope[i], 4), fixed(rod.jacobian(static_cast<int>(i)), 4)});
+  }
+  page.table(parts[1], "the slope of c, and j", table);
+}
+
+/// c while the box moves on at this velocity, and what j v makes of it.
+void draw_course(Page& page, const Rect& rect, const Rod& rod, const Motion& motion) {
+  render::Plot plot{.title = page.compact() ? "c (m)" : "c while the box keeps this velocity (m)"};
+  render::Series course{.name = "c", .style = {}, .markers = false};
+  course.style = {page.theme().outline, {}, render::Marker::none};
+  render::Series tangent{.name = "j v t", .style = {}, .markers = false};
+  tangent.style = {page.theme().velocity, {8, 6}, render::Marker::none};
+  double largest = 0.5;
+  for (int k = -20; k <= 20; ++k) {
+    const double t = 0.05 * k;
+    course.x.push_back(t);
+    course.y.push_back(error_at(rod, carried(rod.pose, motion.velocity, t)));
+    tangent.x.push_back(t);
+    tangent.y.push_back(motion.rate * t);
+    largest = std::max({largest, std::abs(course.y.back()), std::abs(tangent.y.back())});
+  }
+  plot.series = {course, tangent};
+  plot.x = {.title = "t (s)", .min = -1, .max = 1};
+  plot.y = {.title = "", .min = -1.1 * largest, .max = 1.1 * largest};
+  plot.cursor = 0;
+  draw_plot(page, rect, plot);
+}
+
+std::string in_brackets(double value) {
+  return value < 0 ? "(" + significant(value) + ")" : significant(value);
+}
+
+std::string product(double factor, double value) { return in_brackets(factor) + " × " + in_brackets(value); }
+
+void draw_motion(Page& page, const Rod& rod, const Motion& motion) {
+  const std::vector<Rect> parts =
+      draw_scene(page, rod, {.pose = rod.pose, .circles = true, .velocity = motion.velocity}, 0.42);
+  const Vec3<double>& j = rod.jacobian;
+  const Vec3<double>& v = motion.velocity;
+  const bool allowed = motion.rate == 0;
+  page.equation(
+      parts[0],
+      {.number = "eq (5)",
+       .symbols = fmt::format("dc/dt = j v,   v = ({}, {}, {})", significant(v.x()), significant(v.y()),
+                              significant(v.z())),
+       .numbers =
+           fmt::format("= {} + {} + {}", product(j.x(), v.x()), product(j.y(), v.y()), product(j.z(), v.z())),
+       .result = fmt::format("= {} m/s{}", significant(motion.rate), allowed ? ": allowed" : ": not allowed"),
+       .color = allowed ? render::transparent : page.theme().normal});
+  draw_course(page, parts[1], rod, motion);
+}
+
+void draw_force(Page& page, const Rod& rod) {
+  const std::vector<Rect> parts = draw_scene(page, rod, {.pose = rod.pose, .force = true}, 0.46);
+  const Vec3<double>& j = rod.jacobian;
+  page.equation(parts[0],
+                {.number = "eq (9), (10)",
+                 .symbols = "f = j^{T} λ",
+                 .numbers = fmt::format("= ({}, {}, {}) × ({} N)", significant(j.x()), significant(j.y()),
+                                        significant(j.z()), significant(rod.settings.lambda)),
+                 .result = fmt::format("= ({} N, {} N, {} N m)", significant(rod.force.x()),
+                                       significant(rod.force.y()), significant(rod.force.z())),
+                 .color = page.theme().normal});
+  render::TableView table{.header = {"what the rod allows", "power f·v"}};
+  for (const Motion& motion : rod.allowed)
+    table.rows.push_back({motion.name, fixed(rod.force.dot(motion.velocity), 3) + " W"});
+  table.rows.push_back({"along the rod, 1 m/s", fixed(rod.settings.lambda, 3) + " W"});
+  page.table(parts[1], page.compact() ? "" : "the force does no work in what it allows", table);
+}
+
+void draw_differences(Page& page, const Story& story) {
+  const std::vector<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
+  render::Plot plot{.title =
+                        page.compact() ? "|j − difference|" : "largest |j − central difference| of the rod"};
+  plot.x = {.title = "h (m or rad)", .scale = render::AxisScale::logarithmic, .min = 3e-12, .max = 1};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-13, .max = 1};
+  render::Series measured{
+      .name = "", .style = {page.theme().outline, {}, render::Marker::circle}, .line = false};
+  render::Series truncation{.name = "", .style = page.theme().exact, .markers = false};
+  render::Series rounding{.name = "", .style = page.theme().exact, .markers = false};
+  const auto& all = story.rod.quotients;
+  const double factor = all[2].error / (all[2].h * all[2].h);
+  for (auto q = all.rbegin(); q != all.rend(); ++q) {
+    measured.x.push_back(q->h);
+    measured.y.push_back(q->error);
+    truncation.x.push_back(q->h);
+    truncation.y.push_back(factor * q->h * q->h);
+    rounding.x.push_back(q->h);
+    rounding.y.push_back(2.2e-16 * story.rod.length / q->h);
+  }
+  plot.series = {measured, truncation, rounding};
+  plot.labels.push_back({3e-10, 2.2e-16 * story.rod.length / 3e-10, "∝ ε / h"});
+  plot.labels.push_back({1e-3, 1e-6 * factor, "∝ h²"});
+  draw_plot(page, parts[0], plot);
+  render::TableView table{.header = {"h = 10^{−5}, 20 poses", "rows", "difference"}};
+  for (const KindOfRows& kind : story.kinds)
+    table.rows.push_back({kind.name, fmt::format("{}", kind.rows), significant(kind.error, 2)});
+  page.table(parts[1], page.compact() ? "" : "every kind of row in the library", table);
+}
+
+Shot shot(const std::string& state, const std::string& alt, std::function<void(Page&)> draw) {
+  return {.state = state, .alt = alt, .draw = std::move(draw), .key = true};
+}
+
+Shot motion_shot(const Shared& story, const Motion& motion, const std::string& state) {
+  return shot(
+      state,
+      fmt::format("The velocities of the box and of its anchor as arrows; j v = {:.3f} m/s, the slope "
+                  "of c at this moment.",
+                  motion.rate),
+      [story, motion](Page& page) { draw_motion(page, story->rod, motion); });
+}
+
+std::vector<Shot> derivative_shots(const Shared& story) {
+  const Rod& rod = story->rod;
+  std::vector<Shot> shots;
+  shots.push_back(shot("c: where", "The rod, the box, and circles around the pivot where c is -1, 0 and 1 m.",
+                       [story](Page& page) { draw_error(page, story->rod); }));
+  shots.push_back(shot("j: which way",
+                       fmt::format("An arrow along the rod and an arc around the box: j = ({:.3f}, {:.3f}, "
+                                   "{:.3f}), at right angles to the circle c = 0.",
+                                   rod.jacobian.x(), rod.jacobian.y(), rod.jacobian.z()),
+                       [story](Page& page) { draw_jacobian(page, story->rod); }));
+  for (int k = 0; k < 3; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    Shot nudge = shot(fmt::format("the same by trying: {}", coordinate_names[at]),
+                      fmt::format("The box moved along coordinate {}: c grows by {:.3f} for 1 of it.", k + 1,
+                                  rod.quotients[0].slope[at]),
+                      [story, k](Page& page) { draw_nudge(page, story->rod, k); });
+    nudge.key = k != 1;
+    shots.push_back(nudge);
+  }
+  return shots;
+}
+
+}  // namespace
+
+std::vector<Shot> rod_shots(const Rod& rod, const std::vector<KindOfRows>& kinds) {
+  const auto story = std::make_shared<const Story>(Story{rod, kinds});
+  std::vector<Shot> shots;
+  shots.push_back(
+      shot("before we ask", "A box on a rod that hangs from a pivot, and the question.", [story](Page& page) {
+        draw_note(page, story->rod, {.pose = story->rod.pose}, "Predict",
+                  "Below are three velocities (v_{x}, v_{y}, ω) of the box. How fast does each make the rod "
+                  "longer? Which of them does a rod allow?");
+      }));
+  for (Shot& next : derivative_shots(story)) shots.push_back(std::move(next));
+  const Motion own{
+      .name = "", .velocity = rod.settings.velocity, .rate = rod.jacobian.dot(rod.settings.velocity)};
+  shots.push_back(motion_shot(story, own, "j v: how fast"));
+  for (std::size_t i = 0; i < rod.asked.size(); ++i)
+    shots.push_back(motion_shot(story, rod.asked[i], fmt::format("j v: velocity {} of 3", i + 1)));
+  shots.push_back(shot("j^Tλ: how strong",
+                       "The pull of the rod as an arrow at the anchor and its torque as an arc.",
+                       [story](Page& page) { draw_force(page, story->rod); }));
+  shots.back().state = "jᵀ λ: how strong";
+  shots.push_back(shot("j against differences",
+                       "The error of a central difference against its step: it falls as h squared, then "
+                       "rounding takes over. Beside it every kind of row in the library.",
+                       [story](Page& page) { draw_differences(page, *story); }));
+  shots.push_back(
+      shot("after the lesson", "The box with j as an arrow and an arc, and the answer.", [story](Page& page) {
+        draw_note(page, story->rod, {.pose = story->rod.pose, .circles = true, .direction = true}, "Answer",
+                  "By j v. Where that is 0 the rod allows the motion: along the circle, or turning about the "
+                  "anchor, or both at once. Along j it allows none, and along j it pulls.");
+      }));
+  return shots;
+}
+
+}  // namespace cairn::one_row

@@ -1,0 +1,77 @@
+// A box on a rod: the error c of the rod where the box is, its derivative j, and what both say about motions.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cairn.hpp"
+
+namespace cairn::one_row {
+
+/// The rod goes from the origin to an anchor on the box.
+struct RodSettings {
+  Vec2<double> anchor = {3, -4};      // [m]
+  double turn = 0;                    // [rad] of the box about the anchor
+  Vec3<double> velocity = {1, 2, 0};  // [m/s, m/s, rad/s]
+  double lambda = 0;                  // [N] of the rod; negative: it pulls
+};
+
+/// A velocity, and how fast it makes the rod longer.
+struct Motion {
+  std::string name = {};
+  Vec3<double> velocity = {0, 0, 0};  // [m/s, m/s, rad/s]
+  double rate = 0;                    // j v [m/s]; 0 where only rounding is left of it
+};
+
+/// dc by central differences of step h, and the largest distance from j.
+struct Quotient {
+  double h = 0;                                       // [m or rad]
+  std::array<double, 3> forward = {}, backward = {};  // [m] c at +h and at -h
+  std::array<double, 3> slope = {};                   // 1, 1, m
+  double error = 0;
+};
+
+/// How well the rows of one kind of constraint agree with central differences, over random poses.
+struct KindOfRows {
+  std::string name = {};
+  int rows = 0;
+  double error = 0;  // the largest
+};
+
+/// Everything that the lesson says about one pose.
+struct Rod {
+  RodSettings settings = {};
+  Snapshot snapshot = {};                             // the scene as it stands
+  std::shared_ptr<const Constraint> joint = nullptr;  // the rod
+  Pose<double> pose = {};                             // of the box
+  Vec2<double> arm = {0, 0};                          // [m] from its centre of mass to the anchor
+  double length = 0;                                  // [m] of the rod
+  double error = 0;                                   // c [m]
+  Vec3<double> jacobian = {0, 0, 0};                  // j: 1, 1, m
+  std::vector<Motion> asked = {};                     // the three of the question
+  std::vector<Motion> allowed = {};                   // swing, turn about the anchor, and a mixture
+  std::vector<Quotient> quotients = {};               // h = 10^-1, 10^-1.5 ... 10^-11
+  Vec3<double> force = {0, 0, 0};                     // f = j^T lambda [N, N, N m]
+};
+
+Rod hang_box(const RodSettings& settings);
+
+/// c [m] with the box at this pose.
+double error_at(const Rod& rod, const Pose<double>& pose);
+/// Where the box is after t seconds of this velocity [m/s, m/s, rad/s].
+Pose<double> carried(const Pose<double>& pose, const Vec3<double>& velocity, double t);
+/// The scene with the box at another pose.
+Snapshot moved_to(const Rod& rod, const Pose<double>& pose);
+Quotient quotient(const Rod& rod, double h);
+
+/// What a step of `h` costs in a central difference of these constraints: coordinates and arms are below 10
+/// m, third derivatives below 8 of them while no two anchors are nearer than 1 m, and every c is rounded a
+/// few times.
+double quotient_tolerance(double h);
+
+/// Every kind of constraint that the library has, each at 20 random poses.
+std::vector<KindOfRows> compare_every_kind(std::uint64_t seed, double h);
+
+}  // namespace cairn::one_row

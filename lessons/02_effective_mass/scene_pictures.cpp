@@ -1,0 +1,167 @@
+// The box on its peg: velocities, the push, and curves of the mass that is felt.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pictures.hpp"
+#include "render/draw.hpp"
+
+namespace cairn::felt_mass {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Point;
+using render::Rect;
+using render::significant;
+
+constexpr double longest_push = 0.8;  // [m] of the arrow in the middle
+constexpr double longest_bar = 0.55;  // [m]
+constexpr double longest_ray = 0.75;  // [m]
+
+void draw_fall(Page& page, const render::Camera& camera, const Pushes& all, const Push& push,
+               const PegLook& look) {
+  const Vec3<double>& v = (look.after ? push.after : push.before).bodies[2].velocity;
+  const render::ArrowScale scale{
+      .pixels_per_unit = 0.42 * camera.scale / all.settings.speed, .longest = 1e4, .unit = "m/s"};
+  // Before the push all of the box has one velocity: the arrow may stand where it hides nothing.
+  Vec2<double> tail = push.before.bodies[2].pose.position;
+  if (!look.after) tail.x() -= 0.35;
+  if (std::abs(v.y()) > 1e-9 * all.settings.speed)
+    draw_arrow(page, camera, scale,
+               {.kind = render::ArrowKind::velocity,
+                .tail = tail,
+                .value = v.head<2>(),
+                .label = significant(std::abs(v.y()), 3) + (page.compact() ? "" : " m/s")});
+}
+
+/// A turning sense around the middle of the box, above it.
+void draw_turning(Page& page, const render::Camera& camera, const Push& push) {
+  const double w = push.after.bodies[2].velocity.z();
+  const Vec2<double> middle = push.before.bodies[2].pose.position;
+  if (std::abs(w) < 1e-9) return;
+  std::vector<Point> points;
+  for (int k = 0; k <= 32; ++k) {
+    const double angle = 0.5 * pi + (w > 0 ? 1 : -1) * 0.6 * (k / 16.0 - 1);
+    points.push_back(camera.project(middle + Rotation<double>(angle) * Vec2<double>(0.85, 0)));
+  }
+  const Point tip = points.back();
+  const Point along = (tip - points[points.size() - 5]).normalized();
+  const Point side = 0.5 * page.sizes().head_width * perpendicular(along);
+  const Point base = tip - 0.9 * page.sizes().head_length * along;
+  page.canvas().polyline(points,
+                         {.width = 0.8 * page.sizes().arrow, .color = page.theme().velocity, .dash = {}});
+  const std::array<Point, 3> head = {base - side, tip, base + side};
+  page.canvas().polyline(head,
+                         {.width = 0.65 * page.sizes().arrow, .color = page.theme().velocity, .dash = {}});
+  render::TextStyle style = page.value();
+  style.align = render::Align::center;
+  page.canvas().text(points[16] + Point(0, -12), significant(w, 3) + " rad/s", style);
+}
+
+void draw_impulse(Page& page, const render::Camera& camera, const Pushes& all, const Push& push) {
+  const double whole = all.settings.mass * all.settings.speed;  // of the middle
+  const render::ArrowScale scale{
+      .pixels_per_unit = longest_push * camera.scale / whole, .longest = 1e4, .unit = "N s"};
+  const Vec2<double> tail(push.x, 0);
+  draw_arrow(page, camera, scale,
+             {.kind = render::ArrowKind::normal,
+              .tail = tail,
+              .value = {0, push.impulse},
+              .label = significant(push.impulse, 3) + (page.compact() ? "" : " N s")});
+}
+
+/// How heavy the box is for a push upwards, all along its underside.
+void draw_bars(Page& page, const render::Camera& camera, const Pushes& all) {
+  for (int k = -4; k <= 4; ++k) {
+    const double x = 0.125 * k;
+    const double mass = felt(all.settings.mass, {x, -0.5}, {0, 1});
+    const double length = longest_bar * mass / all.settings.mass;
+    const Point top = camera.project({x - 0.04, -0.02});
+    page.canvas().rect({top.x(), top.y(), 0.08 * camera.scale, length * camera.scale},
+                       {.fill = page.theme().normal, .outline = page.theme().outline, .outline_width = 1});
+    if (k % 4 != 0) continue;
+    render::TextStyle style = page.value();
+    const std::string text = significant(mass, 3) + (page.compact() ? "" : " kg");
+    style.align = k == 0 ? render::Align::center : k > 0 ? render::Align::left : render::Align::right;
+    const Point aside = k == 0 ? Point(0, style.size + 8) : Point(k > 0 ? 8 : -8, 0);
+    const Vec2<double> end(x + 0.01 * k, -0.02 - length);
+    page.canvas().text(camera.project(end) + aside, text, style);
+  }
+}
+
+/// What is felt in every direction at one point: as far from it as the mass is large.
+void draw_directions(Page& page, const render::Camera& camera, const Pushes& all, const Push& push) {
+  const Vec2<double> contact(push.x, 0);
+  const Vec2<double> arm = contact - push.before.bodies[2].pose.position;
+  const double scale = longest_ray / all.settings.mass;
+  std::vector<Point> points;
+  for (int k = 0; k <= 180; ++k) {
+    const Vec2<double> direction = Rotation<double>(pi * k / 90) * Vec2<double>(1, 0);
+    points.push_back(camera.project(contact + direction * (scale * felt(all.settings.mass, arm, direction))));
+  }
+  page.canvas().polyline(points, {.width = page.sizes().curve, .color = page.theme().normal, .dash = {}});
+  page.avoid(points);
+  const Vec2<double> second = push.x > 0 ? Vec2<double>(-arm.normalized()) : Vec2<double>(1, 0);
+  for (const Vec2<double>& ray : {Vec2<double>(0, 1), second}) {
+    const double mass = felt(all.settings.mass, arm, ray);
+    draw_arrow(page, camera, {.pixels_per_unit = scale * camera.scale, .longest = 1e4, .unit = "kg"},
+               {.kind = render::ArrowKind::normal, .tail = contact, .value = mass * ray});
+    // Beside the tip, where the other arrow is not.
+    render::TextStyle style = page.value();
+    style.halo = page.theme().background;
+    const std::string text = significant(mass, 3) + (page.compact() ? "" : " kg");
+    const double width = page.canvas().text_width(text, style);
+    const Point aside = ray.x() < 0   ? Point(-width - 8, -6)
+                        : ray.x() > 0 ? Point(8, style.size + 6)
+                                      : Point(8, -8);
+    page.canvas().text(camera.project(contact + scale * mass * ray) + aside, text, style);
+  }
+}
+
+/// Where the velocities after the push lead, for a while.
+void draw_way(Page& page, const render::Camera& camera, const Pushes& all, const Push& push) {
+  std::vector<Snapshot> later;
+  for (const double way : {0.45, 0.3, 0.15}) {  // [m] that the box would have fallen; the last one is darkest
+    Snapshot moved = push.after;
+    Pose<double>& pose = moved.bodies[2].pose;
+    const Vec3<double>& v = moved.bodies[2].velocity;
+    const double t = way / all.settings.speed;
+    pose.position += t * v.head<2>();
+    pose.angle += t * v.z();
+    later.push_back(moved);
+  }
+  draw_ghosts(page, camera, later);
+}
+
+}  // namespace
+
+void draw_push(Page& page, const Rect& rect, const Pushes& all, const Push& push, const PegLook& look) {
+  const bool no_peg = look.masses || look.directions;
+  const std::string title = !look.directions ? ""
+                            : push.x > 0     ? fmt::format("under x = {} m", significant(push.x))
+                                             : "under the middle";
+  const Rect inside = page.panel(rect, title);
+  const double lowest = no_peg ? -0.8 : -0.5;
+  const double highest = no_peg ? 1.15 : 1.6;
+  const render::Camera camera = render::fit(inside, {{-0.9, lowest}, {look.directions ? 1.1 : 0.9, highest}});
+  page.canvas().push_clip(inside);
+  Snapshot seen = push.before;
+  seen.contacts.clear();
+  if (no_peg) seen.bodies[1].shapes.clear();
+  draw_world(page, camera, seen, {.names = {"", "", ""}, .contacts = false});
+  if (look.after) draw_way(page, camera, all, push);
+  if (!no_peg)
+    page.canvas().circle(camera.project({push.x, 0}), page.sizes().contact, {.fill = page.theme().normal});
+  if (look.push) draw_impulse(page, camera, all, push);
+  if (!no_peg) draw_fall(page, camera, all, push, look);
+  if (look.after) draw_turning(page, camera, push);
+  if (look.masses) draw_bars(page, camera, all);
+  if (look.directions) draw_directions(page, camera, all, push);
+  page.canvas().pop_clip();
+}
+
+}  // namespace cairn::felt_mass

@@ -1,0 +1,85 @@
+// A pendulum, a hanging weight and a ball in the ground: three rows, each with an error to get rid of.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "cairn.hpp"
+
+namespace cairn::drift {
+
+inline constexpr double gravity = 10;        // [m/s^2]
+inline constexpr double rod_length = 1;      // [m]
+inline constexpr double hang_error = 0.1;    // [m] by which the weight hangs too low
+inline constexpr double ball_radius = 0.5;   // [m]
+inline constexpr double swing_time = 10;     // [s]
+inline constexpr double slop_tried = 0.005;  // [m]
+inline constexpr double deepest_tried =
+    0.4;  // [m] a ball deeper than that nearly has its middle below ground
+inline constexpr int hang_steps = 12;
+
+struct DriftSettings {
+  double dt = 0.02;    // [s]
+  double beta = 0.2;   // of (7)
+  double depth = 0.1;  // [m] by which the ball begins inside the ground
+};
+
+/// A pendulum that starts level with its pivot, at rest. Index: the step; 0 is the start.
+struct SwingRun {
+  double beta = 0;
+  std::vector<Snapshot> steps = {};
+  std::vector<double> error = {};  // C [m]: how much too long the rod is
+  double energy = 0;               // [J] at the end; 0 at the start, and for ever if it were exact
+  double fastest = 0;              // [m/s] across the rod, of all steps
+  double gap = 0;                  // [m] between C and what geometry makes of the step before; the largest
+};
+
+/// A weight on a rod, at rest but too low.
+struct HangRun {
+  double beta = 0;
+  std::vector<Snapshot> steps = {};
+  std::vector<double> error = {};  // C [m]
+};
+
+/// A ball of 1 kg that begins inside the ground.
+struct BallRun {
+  double beta = 0;
+  double slop = 0;  // [m]
+  std::vector<Snapshot> steps = {};
+  std::vector<double> height = {};  // C [m] of its lowest point above the ground
+  std::vector<double> speed = {};   // [m/s] upwards
+  std::vector<double> zeta = {};    // [m/s] of the step
+  std::vector<double> lambda = {};  // [N] of the step
+  double peak = 0;                  // [m] the largest height
+  double gap = 0;                   // [m] between heights and by_hand(); the largest
+};
+
+/// How deep a ball may begin without being let go in the second step.
+struct DepthLimit {
+  double beta = 0;
+  double formula = 0;   // [m] g dt^2 / beta^2
+  double measured = 0;  // [m] by bisection, with the engine
+};
+
+struct DriftRuns {
+  DriftSettings settings = {};
+  std::vector<SwingRun> swings = {};    // beta 0, the reader's, 1
+  std::vector<HangRun> hangs = {};      // the reader's, 1, 1.8, 2.1
+  std::vector<BallRun> balls = {};      // 0.1, the reader's, 0.5, 1
+  BallRun with_slop = {};               // the reader's
+  std::vector<DepthLimit> limits = {};  // of those not deeper than deepest_tried
+};
+
+DriftRuns run_drift(const DriftSettings& settings);
+
+/// The run with this beta, which must be there.
+const SwingRun& swing_of(const DriftRuns& all, double beta);
+const HangRun& hang_of(const DriftRuns& all, double beta);
+const BallRun& ball_of(const DriftRuns& all, double beta);
+
+/// g dt^2 / beta^2 [m].
+double limit_by_formula(double dt, double beta);
+/// How high [m] a ball hops that beta = 1 has put onto the ground in one step.
+double hop_by_formula(const DriftSettings& settings);
+
+}  // namespace cairn::drift

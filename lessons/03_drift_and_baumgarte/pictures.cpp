@@ -1,0 +1,106 @@
+// The question, the frames of the three scenes, and the answer.
+#include "pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+namespace cairn::drift {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Rect;
+
+using Runs = std::shared_ptr<const DriftRuns>;
+
+void draw_question(Page& page, const DriftRuns& all) {
+  const DriftSettings& settings = all.settings;
+  const std::vector<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const std::vector<Rect> right = rows(halves[1], {0.6, 0.4}, page.sizes().gap);
+  draw_balls(page, halves[0], all, 0, 0);
+  page.note(
+      right[0], "Predict",
+      fmt::format("Every ball begins {:g} mm inside the ground, each with its own β. β = 1 takes the whole "
+                  "error back in one step, which sounds best. How high does that ball hop?",
+                  1000 * settings.depth));
+  page.equation(right[1], {.number = "eq (7), β = 1",
+                           .symbols = "ζ = −β C / Δt",
+                           .numbers = fmt::format("= −1 × (−{:g}) / {:.4g}", settings.depth, settings.dt),
+                           .result = "= ? m/s"});
+}
+
+/// The step in which the ball with beta = 1 is highest.
+int highest_step(const DriftRuns& all) {
+  const std::vector<double>& height = ball_of(all, 1).height;
+  return static_cast<int>(std::max_element(height.begin(), height.end()) - height.begin());
+}
+
+std::string answer_text(const Page& page, const DriftRuns& all) {
+  const DriftSettings& settings = all.settings;
+  const std::string hop = fixed(ball_of(all, 1).peak, 2);
+  const std::string speed = fixed(settings.depth / settings.dt, 1);
+  const std::string limit = fixed(1000 * limit_by_formula(settings.dt, settings.beta), 0);
+  if (page.compact()) {
+    return fmt::format(
+        "{} m: it leaves at {} m/s. A contact can only push, so it holds the ball only up to a "
+        "depth of g Δt² / β²: {} mm with β = {:g}.",
+        hop, speed, limit, settings.beta);
+  }
+  return fmt::format(
+      "{} m. To be out in one step it needs {} m/s, and keeps that speed when it is out. A joint takes it "
+      "away "
+      "again in the next step. A contact can only push: it holds the ball if it is no deeper than g Δt² / "
+      "β², "
+      "with β = {:g} that is {} mm. So β = 1 is fine for a pendulum and bad for a contact, and 0.2 is a "
+      "common choice.",
+      hop, speed, settings.beta, limit);
+}
+
+void draw_answer(Page& page, const DriftRuns& all, int step) {
+  const std::vector<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const std::vector<Rect> left = rows(halves[0], {0.62, 0.38}, page.sizes().gap);
+  const std::vector<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  draw_balls(page, left[0], all, step, step);
+  draw_ball_table(page, left[1], all, step);
+  page.note(right[0], "Answer", answer_text(page, all));
+  draw_heights(page, right[1], all, static_cast<int>(all.balls[0].steps.size()) - 1);
+}
+
+}  // namespace
+
+std::string beta_name(double beta) { return fmt::format("β = {:g}", beta); }
+
+render::SeriesStyle curve_style(const render::Theme& theme, std::size_t k) {
+  static const std::array<render::SeriesStyle, 4> styles = {{{{}, {}, render::Marker::circle},
+                                                             {{}, {10, 6}, render::Marker::square},
+                                                             {{}, {2, 5}, render::Marker::diamond},
+                                                             {{}, {10, 5, 2, 5}, render::Marker::triangle}}};
+  render::SeriesStyle style = styles.at(k);
+  style.color = theme.outline;
+  return style;
+}
+
+std::vector<Shot> drift_shots(const DriftRuns& recorded) {
+  const Runs all = std::make_shared<const DriftRuns>(recorded);
+  std::vector<Shot> shots;
+  shots.push_back({.state = "before the first step",
+                   .alt = "Balls side by side, each as deep inside the ground, and the question.",
+                   .draw = [all](Page& page) { draw_question(page, *all); },
+                   .key = true});
+  for (const std::vector<Shot>& part : {swing_shots(*all), hang_shots(*all), ball_shots(*all)}) {
+    shots.insert(shots.end(), part.begin(), part.end());
+  }
+  const int highest = highest_step(*all);
+  shots.push_back({.state = fmt::format("step {} · answer", highest),
+                   .alt = "The balls when the one with β = 1 is highest, and the answer.",
+                   .draw = [all, highest](Page& page) { draw_answer(page, *all, highest); },
+                   .key = true});
+  return shots;
+}
+
+}  // namespace cairn::drift

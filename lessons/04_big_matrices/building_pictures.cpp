@@ -1,0 +1,205 @@
+// J row by row, A entry by entry, b row by row: where each number comes from.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+
+#include "pictures.hpp"
+#include "render/matrix.hpp"
+
+namespace cairn::big {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Rect;
+
+using Run = std::shared_ptr<const StackRun>;
+using Entry = std::pair<int, int>;
+
+/// The first `rows_known` rows of J.
+render::MatrixView view_of_J(const StackRun& run, int rows_known, int active) {
+  render::MatrixView view{.title = "J, without the ground's columns",
+                          .values = run.system.J,
+                          .row_names = row_names(run.boxes()),
+                          .column_names = column_names(run.boxes()),
+                          .column_group = 3,
+                          .active_row = active};
+  view.values.bottomRows(run.boxes() - rows_known).setZero();
+  return view;
+}
+
+void draw_masses(Page& page, const StackRun& run) {
+  const int n = run.boxes();
+  const std::vector<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
+  draw_stack(page, halves[0], run, {.velocity = run.system.velocity});
+  const std::vector<Rect> right = rows(halves[1], {0.74, 0.26}, page.sizes().gap);
+  render::MatrixView masses{.title = "M^{−1}: 1/m, 1/m, 1/I of each box",
+                            .values = run.system.inverse_mass.asDiagonal(),
+                            .column_names = column_names(n),
+                            .column_group = 3};
+  render::MatrixView velocity{.title = "v_{1}", .values = run.system.velocity, .row_names = column_names(n)};
+  // Both with the same cells, so that each number of v stands beside its row of the matrix.
+  const std::vector<Rect> matrices = columns(right[0], {0.2, 0.8}, page.sizes().gap);
+  velocity.column_names = {""};
+  draw_matrix(page, matrices[0], velocity);
+  draw_matrix(page, matrices[1], masses);
+  page.note(right[1], page.compact() ? "" : "(1) and (2)",
+            page.compact()
+                ? "Three numbers a box: x, y and its turning."
+                : "Three numbers a box: how fast it moves to the right, up, and how fast it turns. "
+                  "The ground is left out.");
+}
+
+void draw_row(Page& page, const StackRun& run, int row) {
+  const std::vector<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
+  draw_stack(page, halves[0], run, {.contact = row, .velocity = run.system.velocity});
+  const std::vector<Rect> right = rows(halves[1], {0.46, 0.54}, page.sizes().gap);
+  draw_matrix(page, right[0], view_of_J(run, row + 1, row));
+  const double v = run.system.velocity(1);
+  const std::string below = row > 0 ? fmt::format("−1 × {} + ", in_brackets(fixed(v, 3))) : "";
+  page.equation(right[1],
+                {.number = "eq (5)",
+                 .symbols = row > 0 ? fmt::format("j_{{{0}}}·v = −v_{{y{1}}} + v_{{y{0}}}", row + 1, row)
+                                    : "j_{1}·v = v_{y1}",
+                 .numbers = fmt::format("= {}1 × {}", below, in_brackets(fixed(v, 3))),
+                 .result = fmt::format("= {} m/s", fixed(run.row_velocity(row) + 0.0, 3)),
+                 .algorithm = row > 0 ? fmt::format("how fast boxes {} and {} part", row, row + 1)
+                                      : "how fast box 1 leaves the ground"});
+}
+
+/// A as far as it has been computed: up to the given entry of `order`.
+Eigen::MatrixXd known_part(const StackRun& run, const std::vector<Entry>& order, std::size_t count) {
+  Eigen::MatrixXd known = Eigen::MatrixXd::Zero(run.boxes(), run.boxes());
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto [i, j] = order[k];
+    known(i, j) = run.system.A(i, j);
+    known(j, i) = run.system.A(j, i);
+  }
+  return known;
+}
+
+/// J on top, what is being built below at the left; returns what is free at the right of that.
+Rect draw_building(Page& page, const StackRun& run, const StackView& stack, const render::MatrixView& built) {
+  const std::vector<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
+  draw_stack(page, halves[0], run, stack);
+  const std::vector<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  draw_matrix(page, right[0], view_of_J(run, run.boxes(), built.active_row));
+  const std::vector<Rect> below = columns(right[1], {0.45, 0.55}, page.sizes().gap);
+  draw_matrix(page, below[0], built);
+  return below[1];
+}
+
+/// "1 × 1 × (−1)" for the box that both rows have, "1 + 1" for a row with itself.
+std::string entry_in_numbers(const StackRun& run, int i, int j) {
+  const auto inverse = [&run](int box) { return brief(run.system.inverse_mass(3 * (box - 1))); };
+  if (i == j) {
+    return i == 0 ? fmt::format("1 × {} × 1", inverse(1))
+                  : fmt::format("1 × {} × 1 + 1 × {} × 1", inverse(i), inverse(i + 1));
+  }
+  return j == i + 1 ? fmt::format("1 × {} × (−1)", inverse(i + 1)) : "0";
+}
+
+void draw_entry(Page& page, const StackRun& run, const std::vector<Entry>& order, std::size_t k) {
+  const auto [i, j] = order[k];
+  render::MatrixView view{.title = "A = J M^{−1} J^{T} (kg^{−1})",
+                          .values = known_part(run, order, k + 1),
+                          .row_names = row_names(run.boxes()),
+                          .column_names = row_names(run.boxes()),
+                          .active_row = i};
+  StackView stack;
+  std::string reason;
+  if (i == j) {
+    stack.contact = i;
+    reason = i == 0 ? "row 1 has box 1 only" : fmt::format("row {0} has boxes {1} and {0}", i + 1, i);
+  } else if (j == i + 1) {
+    stack.box = i + 1;
+    reason = fmt::format("box {} is in both rows", i + 1);
+  } else {
+    reason = "no box is in both rows";
+  }
+  page.equation(draw_building(page, run, stack, view),
+                {.number = "eq (15)",
+                 .symbols = fmt::format("A_{{{0}{1}}} = j_{{{0}}} M^{{−1}} j_{{{1}}}^{{T}}", i + 1, j + 1),
+                 .numbers = "= " + entry_in_numbers(run, i, j),
+                 .result = fmt::format("= {} kg^{{−1}}", brief(run.system.A(i, j))),
+                 .algorithm = reason});
+}
+
+void draw_right_side(Page& page, const StackRun& run, int row) {
+  const int n = run.boxes();
+  render::MatrixView view{
+      .title = "A, and b (m/s²)", .row_names = row_names(n), .column_group = n, .active_row = row};
+  view.values.resize(n, n + 1);
+  Eigen::VectorXd b = run.system.b;
+  b.tail(n - row - 1).setZero();
+  view.values << run.system.A, b;
+  view.column_names = row_names(n);
+  view.column_names.push_back("b");
+  const std::string dt = brief(run.settings.dt);
+  const double jv = run.row_velocity(row) + 0.0;
+  page.equation(draw_building(page, run, {.contact = row, .velocity = run.system.velocity}, view),
+                {.number = "eq (15)",
+                 .symbols = fmt::format("b_{{{0}}} = ζ/Δt − j_{{{0}}}·v_{{1}}/Δt", row + 1),
+                 .numbers = fmt::format("= {}/{} − {}/{}", brief(run.system.zeta(row)), dt,
+                                        in_brackets(fixed(jv, 3)), dt),
+                 .result = fmt::format("= {} m/s²", brief(run.system.b(row))),
+                 .algorithm = std::abs(jv) > 0 ? "this contact closes in" : "both fall alike"});
+}
+
+std::vector<Entry> order_of_entries(int boxes) {
+  std::vector<Entry> order;
+  for (int i = 0; i < boxes; ++i) {
+    order.push_back({i, i});
+    if (i + 1 < boxes) order.push_back({i, i + 1});
+  }
+  if (boxes > 2) order.push_back({0, 2});
+  return order;
+}
+
+void append_entry_shots(const Run& run, std::vector<Shot>& shots) {
+  const std::vector<Entry> order = order_of_entries(run->boxes());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const auto [i, j] = order[k];
+    const int row = i;
+    const int column = j;
+    shots.push_back({.state = fmt::format("A · row {}, column {}", row + 1, column + 1),
+                     .alt = fmt::format("J, and A as far as it is known: entry {}, {} is {:.4g} per kg.",
+                                        row + 1, column + 1, run->system.A(row, column)),
+                     .draw = [run, order, k](Page& page) { draw_entry(page, *run, order, k); },
+                     .key = k == 1 || (row == 0 && column == 2)});
+  }
+}
+
+}  // namespace
+
+std::vector<Shot> building_shots(const StackRun& recorded) {
+  const Run run = std::make_shared<const StackRun>(recorded);
+  const int n = run->boxes();
+  std::vector<Shot> shots;
+  shots.push_back({.state = "v and M⁻¹",
+                   .alt = "The velocities of all boxes in one column, and the inverse masses on a diagonal.",
+                   .draw = [run](Page& page) { draw_masses(page, *run); },
+                   .key = true});
+  for (int row = 0; row < n; ++row) {
+    shots.push_back({.state = fmt::format("J · row {} of {}", row + 1, n),
+                     .alt = fmt::format("Row {} of J; its boxes part at {:.3f} m/s.", row + 1,
+                                        run->row_velocity(row) + 0.0),
+                     .draw = [run, row](Page& page) { draw_row(page, *run, row); },
+                     .key = row == 1});
+  }
+  append_entry_shots(run, shots);
+  for (int row = 0; row < n; ++row) {
+    shots.push_back({.state = fmt::format("b · row {} of {}", row + 1, n),
+                     .alt = fmt::format("A and b as far as it is known: b of row {} is {:.4g} m/s².", row + 1,
+                                        run->system.b(row) + 0.0),
+                     .draw = [run, row](Page& page) { draw_right_side(page, *run, row); },
+                     .key = row == 0});
+  }
+  return shots;
+}
+
+}  // namespace cairn::big

@@ -1,0 +1,166 @@
+// The stack beside the matrices, the question, and the answer.
+#include "pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "render/draw.hpp"
+#include "render/matrix.hpp"
+
+namespace cairn::big {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Point;
+using render::Rect;
+
+using Run = std::shared_ptr<const StackRun>;
+
+/// Left of the stack what each contact pushes upwards, as far as it is known.
+void draw_pushes(Page& page, const render::Camera& camera, const StackRun& run, int known) {
+  const double largest = lambda_by_formula(run, 0);
+  const render::ArrowScale scale{
+      .pixels_per_unit = 0.9 * camera.scale / largest, .longest = camera.scale, .unit = "N"};
+  for (int i = run.boxes() - known; i < run.boxes(); ++i) {
+    const double lambda = run.lambda(i);
+    draw_arrow(page, camera, scale,
+               {.kind = render::ArrowKind::normal, .tail = {-0.8, i}, .value = {0, lambda}});
+    render::TextStyle style = page.value();
+    style.align = render::Align::right;
+    const Point at = camera.project({-0.8, i + 0.25});
+    const std::string value = fixed(lambda, lambda < 1000 ? 2 : 0);
+    const std::string full = fmt::format("λ_{{{}}} = {} N", i + 1, value);
+    const double right = at.x() - 14;
+    const bool fits = right - page.canvas().text_width(full, style) > camera.viewport.x;
+    page.canvas().text({right, at.y() + style.size / 3}, fits ? full : value, style);
+  }
+}
+
+/// Right of the stack how fast each box moves.
+void draw_speeds(Page& page, const render::Camera& camera, const StackRun& run,
+                 const Eigen::VectorXd& velocity) {
+  const double largest = std::max(gravity * run.settings.dt, velocity.cwiseAbs().maxCoeff());
+  const render::ArrowScale scale{
+      .pixels_per_unit = 0.5 * camera.scale / largest, .longest = camera.scale, .unit = "m/s"};
+  for (int i = 0; i < run.boxes(); ++i) {
+    const double v = velocity(3 * i + 1);
+    draw_arrow(page, camera, scale,
+               {.kind = render::ArrowKind::velocity, .tail = {0.75, i + 0.5}, .value = {0, v}});
+    render::TextStyle style = page.value();
+    style.color = page.theme().secondary_text;
+    const Point at = camera.project({0.75, i + 0.5});
+    const std::string value = fixed(v, 3);
+    const double left = at.x() + 16;
+    const double edge = camera.viewport.x + camera.viewport.width;
+    const bool fits = left + page.canvas().text_width(value + " m/s", style) < edge;
+    page.canvas().text({left, at.y() + style.size / 3}, fits ? value + " m/s" : value, style);
+  }
+}
+
+void draw_question(Page& page, const StackRun& run) {
+  const std::vector<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
+  draw_stack(page, halves[0], run, {.contact = run.boxes() - 1, .velocity = run.system.velocity});
+  const std::vector<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  page.note(
+      right[0], "Predict",
+      fmt::format("All boxes fall at {} m/s: gravity has acted for one step. b has one number for each "
+                  "contact. What stands in b for the contact below the uppermost box, which weighs {} N?",
+                  brief(gravity * run.settings.dt), brief(gravity * run.settings.top)));
+  page.equation(right[1],
+                {.number = "eq (15)",
+                 .symbols = fmt::format("b_{{{}}} = ζ/Δt − j_{{{}}}·v_{{1}}/Δt", run.boxes(), run.boxes()),
+                 .numbers = "",
+                 .result = "= ? m/s²"});
+}
+
+void draw_answer(Page& page, const StackRun& run) {
+  const std::vector<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
+  draw_stack(page, halves[0], run, {.known = run.boxes(), .velocity = run.velocity});
+  const std::vector<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  const std::string text =
+      page.compact()
+          ? "0. Boxes that fall together do not close in. Only the ground's contact has something in b; A⁻¹ "
+            "passes it on."
+          : "0: two boxes that fall together do not close in on each other, however heavy they are. Only the "
+            "contact with the ground has something in b. A⁻¹ passes it on: it holds the masses that stand "
+            "above two contacts, and its first column, times b_{1}, is λ.";
+  page.note(right[0], "Answer", text);
+  const int n = run.boxes();
+  render::MatrixView inverse{.title = "A^{−1} (kg), and b (m/s²)", .row_names = row_names(n)};
+  inverse.values.resize(n, n + 1);
+  inverse.values << run.inverse, run.system.b;
+  inverse.column_names = row_names(n);
+  inverse.column_names.push_back("b");
+  inverse.column_group = n;
+  render::MatrixView lambda{.title = "λ (N)", .values = run.lambda, .row_names = row_names(n)};
+  const std::vector<Rect> below = columns(right[1], {0.62, 0.38}, page.sizes().gap);
+  draw_matrix(page, below[0], inverse);
+  draw_matrix(page, below[1], lambda);
+}
+
+}  // namespace
+
+void draw_stack(Page& page, const Rect& rect, const StackRun& run, const StackView& view) {
+  const Rect inside = page.panel(rect, "");
+  const double n = run.boxes();
+  const render::Camera camera = render::fit(inside, {{-2.1, -0.35}, {2.1, n + 0.2}});
+  render::WorldLook look;
+  look.penetration = false;
+  look.active_contact = view.contact;
+  if (view.contact >= 0) {
+    look.active_a = {view.contact};
+    look.active_b = {view.contact + 1};
+  }
+  if (view.box > 0) look.active_a = {view.box};
+  draw_world(page, camera, run.snapshot, look);
+  draw_pushes(page, camera, run, view.known);
+  if (view.velocity.size() > 0) draw_speeds(page, camera, run, view.velocity);
+}
+
+std::vector<std::string> column_names(int boxes) {
+  std::vector<std::string> names;
+  for (int box = 1; box <= boxes; ++box) {
+    for (const char* name : {"x", "y", "θ"}) names.push_back(fmt::format("{}_{{{}}}", name, box));
+  }
+  return names;
+}
+
+std::vector<std::string> row_names(int rows) {
+  std::vector<std::string> names;
+  for (int row = 1; row <= rows; ++row) names.push_back(fmt::format("{}", row));
+  return names;
+}
+
+std::string brief(double value) {
+  std::string text = fixed(value, 3);
+  while (text.ends_with('0')) text.pop_back();
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+std::string in_brackets(const std::string& number) {
+  return number.starts_with("−") ? "(" + number + ")" : number;
+}
+
+std::vector<Shot> stack_shots(const StackRun& recorded) {
+  const Run run = std::make_shared<const StackRun>(recorded);
+  std::vector<Shot> shots;
+  shots.push_back({.state = "before the first row",
+                   .alt = "A stack of boxes that all fall at the same speed, and the question.",
+                   .draw = [run](Page& page) { draw_question(page, *run); },
+                   .key = true});
+  for (const std::vector<Shot>& part : {building_shots(*run), solving_shots(*run)}) {
+    shots.insert(shots.end(), part.begin(), part.end());
+  }
+  shots.push_back({.state = "answer",
+                   .alt = "The stack held by its contacts, the inverse of A beside b and λ, and the answer.",
+                   .draw = [run](Page& page) { draw_answer(page, *run); },
+                   .key = true});
+  return shots;
+}
+
+}  // namespace cairn::big

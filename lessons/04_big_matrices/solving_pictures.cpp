@@ -1,0 +1,225 @@
+// Elimination, λ from the top down, the velocities after it, and what a larger stack would cost.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "pictures.hpp"
+#include "render/bars.hpp"
+#include "render/matrix.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::big {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Rect;
+
+using Run = std::shared_ptr<const StackRun>;
+
+/// [A | b] left, bars of the known lambda right, in `rect`.
+void draw_system(Page& page, const Rect& rect, const StackRun& run, int stage, int active, int known) {
+  const int n = run.boxes();
+  const std::vector<Rect> halves = columns(rect, {0.46, 0.54}, page.sizes().gap);
+  render::MatrixView view{.title = "A, and b (m/s²)",
+                          .values = run.stages[static_cast<std::size_t>(stage)],
+                          .row_names = row_names(n),
+                          .column_group = n,
+                          .active_row = active};
+  view.column_names = row_names(n);
+  view.column_names.push_back("b");
+  draw_matrix(page, halves[0], view);
+  if (known == 0) {
+    page.note(halves[1], "",
+              page.compact() ? "Each row loses the λ of the row above it."
+                             : "Each row loses the λ of the row above it. The last row then has "
+                               "a single λ left.");
+    return;
+  }
+  render::BarChart bars{.title = "λ (N)", .largest = 1.3 * lambda_by_formula(run, 0)};
+  for (int i = 0; i < n; ++i) {
+    const bool is_known = i >= n - known;
+    bars.bars.push_back({.name = fmt::format("row {}", i + 1),
+                         .before = is_known && i != active ? run.lambda(i) : 0,
+                         .added = is_known && i == active ? run.lambda(i) : 0,
+                         .active = is_known && i == active});
+  }
+  draw_bars(page, halves[1], bars);
+}
+
+void draw_elimination(Page& page, const StackRun& run, int row) {
+  const std::vector<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
+  draw_stack(page, halves[0], run, {.contact = row});
+  const std::vector<Rect> right = rows(halves[1], {0.52, 0.48}, page.sizes().gap);
+  draw_system(page, right[0], run, row, row, 0);
+  const Eigen::MatrixXd& before = run.stages[static_cast<std::size_t>(row - 1)];
+  const double upper = before(row - 1, row - 1);
+  const double lower = before(row, row - 1);
+  page.equation(right[1], {.number = fmt::format("row {} loses its λ_{{{}}}", row + 1, row),
+                           .symbols = fmt::format("row {0} ← row {0} − f × row {1}", row + 1, row),
+                           .numbers = fmt::format("f = {} / {}", brief(lower), brief(upper)),
+                           .result = fmt::format("f = {}", brief(lower / upper))});
+}
+
+void draw_back(Page& page, const StackRun& run, int row) {
+  const int n = run.boxes();
+  const std::vector<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
+  draw_stack(page, halves[0], run, {.contact = row, .known = n - row});
+  const std::vector<Rect> right = rows(halves[1], {0.52, 0.48}, page.sizes().gap);
+  draw_system(page, right[0], run, n - 1, row, n - row);
+  const Eigen::MatrixXd& last = run.stages.back();
+  const std::string pivot = brief(last(row, row));
+  const bool is_last = row + 1 == n;
+  const std::string symbols =
+      is_last
+          ? fmt::format("λ_{{{0}}} = b_{{{0}}} / A_{{{0}{0}}}", n)
+          : fmt::format("λ_{{{0}}} = (b_{{{0}}} − A_{{{0}{1}}} λ_{{{1}}}) / A_{{{0}{0}}}", row + 1, row + 2);
+  const std::string numbers =
+      is_last ? fmt::format("= {} / {}", brief(last(row, n)), pivot)
+              : fmt::format("= ({} − {} × {}) / {}", brief(last(row, n)),
+                            in_brackets(brief(last(row, row + 1))), brief(run.lambda(row + 1)), pivot);
+  page.equation(right[1], {.number = "eq (14)",
+                           .symbols = symbols,
+                           .numbers = numbers,
+                           .result = fmt::format("= {} N", brief(run.lambda(row))),
+                           .color = page.theme().normal});
+}
+
+void draw_velocities(Page& page, const StackRun& run) {
+  const int n = run.boxes();
+  const std::vector<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
+  draw_stack(page, halves[0], run, {.known = n, .velocity = run.velocity});
+  const std::vector<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
+  render::TableView table;
+  table.header = {"box", "v_{1} (m/s)", "from below (N)", "from above (N)", "v_{2} (m/s)"};
+  if (page.compact()) table.header = {"box", "v_{1}", "below", "above", "v_{2}"};
+  for (int i = n - 1; i >= 0; --i) {
+    table.rows.push_back({fmt::format("{}", i + 1), fixed(run.system.velocity(3 * i + 1), 3),
+                          fixed(run.lambda(i), 2), i + 1 < n ? fixed(-run.lambda(i + 1), 2) : "·",
+                          fixed(run.velocity(3 * i + 1) + 0.0, 3)});
+  }
+  table.active_row = n - 1;
+  page.table(right[0], "M^{−1} J^{T} λ Δt, box by box", table);
+  page.equation(
+      right[1],
+      {.number = "eq (12), box 1",
+       .symbols = "v_{2} = v_{1} + (λ_{1} − λ_{2}) Δt / m",
+       .numbers = fmt::format("= {} + ({} − {}) × {}", fixed(run.system.velocity(1), 3),
+                              fixed(run.lambda(0), 2), fixed(run.lambda(1), 2), brief(run.settings.dt)),
+       .result = fmt::format("= {} m/s", fixed(run.velocity(1) + 0.0, 3)),
+       .algorithm = run.settings.sunk > 0 ? "(11): J v = ζ" : "(11): J v = 0, and nothing falls",
+       .color = page.theme().velocity});
+}
+
+void draw_without_gravity(Page& page, const StackRun& run) {
+  const std::vector<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
+  draw_stack(page, halves[0], run, {.velocity = run.velocity_without});
+  const std::vector<double> weights =
+      page.compact() ? std::vector<double>{0.48, 0.52} : std::vector<double>{0.4, 0.25, 0.35};
+  const std::vector<Rect> right = rows(halves[1], weights, page.sizes().gap);
+  page.note(right[0], "A trap",
+            page.compact()
+                ? "(12) has no gravity in it. It has to be in v₁ before b is formed, or b does not "
+                  "know of it."
+                : "(12) has no force in it but those of the rows. If v_{1} is the velocity of a "
+                  "stack at rest, and gravity comes afterwards, b does not know of it: no contact "
+                  "carries any weight, and the stack falls.");
+  render::TableView table;
+  table.header = {page.compact() ? "gravity" : "gravity is added", "b_{1} (m/s²)", "λ_{1} (N)",
+                  "v after (m/s)"};
+  const double b = run.system.zeta(0) / run.settings.dt;
+  table.rows = {
+      {"before b", brief(run.system.b(0)), fixed(run.lambda(0), 2), fixed(run.velocity(1) + 0.0, 3)},
+      {"after", brief(b), fixed(run.lambda_without(0) + 0.0, 2), fixed(run.velocity_without(1), 3)}};
+  table.active_row = 1;
+  page.table(right[1], "the lowest box", table);
+  if (page.compact()) return;
+  const std::string dt = brief(run.settings.dt);
+  page.equation(right[2], {.number = "eq (15), at rest",
+                           .symbols = "b_{1} = ζ/Δt − j_{1}·v_{1}/Δt",
+                           .numbers = fmt::format("= {}/{} − 0/{}", brief(run.system.zeta(0)), dt, dt),
+                           .result = fmt::format("= {} m/s²", brief(b))});
+}
+
+void draw_growth(Page& page, const StackRun& run) {
+  const std::vector<Rect> parts = columns(page.area(), {0.6, 0.4}, page.sizes().gap);
+  const render::Color color = page.theme().outline;
+  const std::array<render::SeriesStyle, 4> styles = {{{color, {}, render::Marker::circle},
+                                                      {color, {10, 6}, render::Marker::square},
+                                                      {color, {2, 5}, render::Marker::diamond},
+                                                      {color, {10, 5, 2, 5}, render::Marker::triangle}}};
+  std::array<render::Series, 4> series;
+  const std::array<const char*, 4> names = {"elimination", "J", "A", "A, not 0"};
+  for (std::size_t k = 0; k < 4; ++k) {
+    series[k].name = names[k];
+    series[k].style = styles[k];
+  }
+  for (const Growth& growth : run.growth) {
+    for (render::Series& one : series) one.x.push_back(growth.boxes);
+    series[0].y.push_back(growth.elimination);
+    series[1].y.push_back(growth.all_of_J);
+    series[2].y.push_back(growth.all_of_A);
+    series[3].y.push_back(growth.used_of_A);
+  }
+  render::Plot plot{.title = "numbers to keep, and multiplications"};
+  plot.x = {.title = "boxes", .scale = render::AxisScale::logarithmic, .min = 2, .max = 400};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1, .max = 1e8};
+  plot.series.assign(series.begin(), series.end());
+  draw_plot(page, parts[0], plot);
+  const Growth& largest = run.growth.back();
+  page.note(
+      parts[1], "A larger stack",
+      page.compact()
+          ? fmt::format("{} boxes: {:.0f} numbers in A, of which {:.0f} are not 0.", largest.boxes,
+                        largest.all_of_A, largest.used_of_A)
+          : fmt::format("With {} boxes A has {:.0f} numbers, and {:.0f} of them are not 0. Elimination "
+                        "takes {:.1f} million multiplications, and contacts that may only push need "
+                        "several tries. So solvers for games sweep over the rows instead, and the "
+                        "second kind never builds A at all.",
+                        largest.boxes, largest.all_of_A, largest.used_of_A, 1e-6 * largest.elimination));
+}
+
+Shot back_shot(const Run& run, int row) {
+  return {
+      .state = fmt::format("λ of row {}", row + 1),
+      .alt = fmt::format("After elimination row {} gives {:.4g} N; pushes that are known stand beside the "
+                         "stack.",
+                         row + 1, run->lambda(row)),
+      .draw = [run, row](Page& page) { draw_back(page, *run, row); },
+      .key = row == 0};
+}
+
+}  // namespace
+
+std::vector<Shot> solving_shots(const StackRun& recorded) {
+  const Run run = std::make_shared<const StackRun>(recorded);
+  const int n = run->boxes();
+  std::vector<Shot> shots;
+  for (int row = 1; row < n; ++row) {
+    shots.push_back(
+        {.state = fmt::format("elimination · row {}", row + 1),
+         .alt = fmt::format("A and b once λ of row {} has been taken out of row {}.", row, row + 1),
+         .draw = [run, row](Page& page) { draw_elimination(page, *run, row); },
+         .key = row + 1 == n});
+  }
+  for (int row = n - 1; row >= 0; --row) shots.push_back(back_shot(run, row));
+  shots.push_back({.state = "v₂ = v₁ + M⁻¹ Jᵀ λ Δt",
+                   .alt = "Velocities before and after, and the two pushes upon each box.",
+                   .draw = [run](Page& page) { draw_velocities(page, *run); },
+                   .key = true});
+  shots.push_back({.state = "gravity after b",
+                   .alt = "The same stack with gravity added after b was formed: no contact holds it.",
+                   .draw = [run](Page& page) { draw_without_gravity(page, *run); },
+                   .key = true});
+  shots.push_back({.state = "3 to 300 boxes",
+                   .alt = "Numbers in J and A, and multiplications of an elimination, against the number of "
+                          "boxes.",
+                   .draw = [run](Page& page) { draw_growth(page, *run); },
+                   .key = true});
+  return shots;
+}
+
+}  // namespace cairn::big

@@ -1,0 +1,69 @@
+// A stack of boxes as one system of equations: built, solved and checked as section 2 of the paper says.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "cairn.hpp"
+
+namespace cairn::big {
+
+inline constexpr double gravity = 10;     // [m/s^2]
+inline constexpr double baumgarte = 0.2;  // beta
+
+struct StackSettings {
+  int boxes = 3;
+  double dt = 0.02;  // [s]
+  double top = 1;    // [kg] mass of the uppermost box; all others have 1 kg
+  double sunk = 0;   // [m] by which the lowest box is inside the ground
+};
+
+/// Everything without the ground, which has zeros in M^-1. Three columns a box.
+struct StackSystem {
+  Eigen::MatrixXd J = {};             // (6)
+  Eigen::VectorXd inverse_mass = {};  // the diagonal of (2)
+  Eigen::MatrixXd A = {};             // (15) [1/kg]
+  Eigen::VectorXd b = {};             // (15) [m/s^2]
+  Eigen::VectorXd velocity = {};      // v_1
+  Eigen::VectorXd zeta = {};          // (7) [m/s]
+};
+
+/// How large the system of n boxes is.
+struct Growth {
+  int boxes = 0;
+  double all_of_J = 0;  // numbers in the matrix
+  double all_of_A = 0;
+  double used_of_J = 0;  // those that are not 0
+  double used_of_A = 0;
+  double elimination = 0;  // multiplications for a full matrix, about m^3 / 3
+};
+
+struct StackRun {
+  StackSettings settings = {};
+  std::vector<double> mass = {};  // [kg] of each box, from the ground up
+  StackSystem system = {};
+  std::vector<Eigen::MatrixXd> stages = {};  // [A | b] before and after each row was used for elimination
+  Eigen::VectorXd lambda = {};               // [N]
+  Eigen::VectorXd velocity = {};             // v_2 (12)
+  Eigen::MatrixXd inverse = {};              // of A [kg]
+  Eigen::VectorXd eigenvalues = {};          // of A, ascending [1/kg]
+  Eigen::VectorXd reference = {};            // [N] of the library's exact solver, on rows of six numbers
+  Eigen::VectorXd row_velocity = {};         // j v_1 of each row by its own six numbers
+  Eigen::VectorXd lambda_without = {};       // [N] had gravity not been in v_1
+  Eigen::VectorXd velocity_without = {};     // v_2 with that, and gravity added after
+  std::vector<Growth> growth = {};
+  Snapshot snapshot = {};  // for drawing
+
+  int boxes() const { return settings.boxes; }
+};
+
+StackRun run_stack(const StackSettings& settings);
+
+/// [kg] that contact i (from 0) carries: box i + 1 and all above.
+double mass_above(const StackRun& run, int contact);
+/// lambda_i = (g + zeta_1 / dt) times that [N].
+double lambda_by_formula(const StackRun& run, int contact);
+/// A_ij from the masses alone [1/kg].
+double entry_by_formula(const StackRun& run, int i, int j);
+
+}  // namespace cairn::big
