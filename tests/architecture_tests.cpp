@@ -35,9 +35,15 @@ std::string without_first_folder(const std::string& path) { return path.substr(p
 // "src/constraints/row.hpp" -> "constraints"; "src/cairn.hpp" -> "".
 std::string room_of(const std::string& file) { return first_folder(without_first_folder(file)); }
 
+// Rooms beside the top floor: they see all of the floors.
+bool is_beside(const std::string& room) {
+  return room == "reference" || room == "study" || room == "validation";
+}
+
 std::string including_from_a_room(const std::string& room, const std::string& target) {
   const std::string other = first_folder(target);
-  if (room == "reference") return "";
+  if (is_beside(room)) return other == "study" && room != "study" ? "only a study looks at studies" : "";
+  if (other == "study" || other == "validation") return "the floors know nothing of " + other;
   if (other == "reference") return "only src/reference may know Box2D's world";
   const auto from = floor_of_room.find(room);
   const auto to = floor_of_room.find(other);
@@ -77,6 +83,10 @@ std::string objection_to_library(const std::string& file, const std::string& tar
     return begins_with(file, "src/reference/") ? "" : "Box2D is included in src/reference only";
   }
   const std::string library = first_folder(target);
+  if (library == "toml++") {
+    return begins_with(file, "src/study/") ? "" : "toml++ is included in src/study only";
+  }
+  if (library == "nlohmann" && begins_with(file, "src/study/")) return "";
   const bool is_of_the_core = library.empty() || library == "Eigen" || library == "fmt";
   return is_of_the_core || !begins_with(file, "src/") ? "" : "the core needs Eigen and fmt, not " + library;
 }
@@ -174,6 +184,10 @@ TEST_CASE("an include that breaks the floors is found, with its file and line") 
   CHECK(objections_to("src/reference/made_up.cpp", {box2d}).empty());
   CHECK(objections_to("src/world/made_up.cpp", {{.number = 1, .text = "#include <GL/osmesa.h>"}}).size() ==
         1);
+  const SourceLine toml = {.number = 1, .text = "#include <toml++/toml.h>"};
+  CHECK(objections_to("src/study/made_up.cpp", {toml}).empty());
+  CHECK(objections_to("src/world/made_up.cpp", {toml}).size() == 1);
+  CHECK(objections_to("lessons/sandbox/made_up.cpp", {toml}).size() == 1);
 }
 
 TEST_CASE("each rule of the floors allows what it should and refuses what it should") {

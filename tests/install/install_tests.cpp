@@ -1,0 +1,177 @@
+// What `cmake --install` gives, used as somebody else would: installs this build into a scratch folder, and
+// configures, compiles and runs the programs of tests/install/user with it.
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <doctest/doctest.h>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string user_folder = std::string(CAIRN_SOURCE_DIR) + "/tests/install/user";
+
+struct CommandResult {
+  int code = 0;
+  std::string output = {};  // stdout and stderr
+};
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// An empty folder of the build.
+fs::path scratch(const std::string& name) {
+  const fs::path folder = fs::path(CAIRN_BINARY_DIR) / "install_test" / name;
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+std::string quoted(const std::string& word) { return "\"" + word + "\""; }
+
+/// Runs a line of the shell; what it prints is kept in `folder` while it runs.
+CommandResult run_line(const fs::path& folder, const std::string& line) {
+  const fs::path log = folder / "log.txt";
+  const int status = std::system((line + " > " + quoted(log.string()) + " 2>&1").c_str());
+  return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .output = text_of(log)};
+}
+
+void require_success(const CommandResult& result) {
+  INFO(result.output);
+  REQUIRE(result.code == 0);
+}
+
+/// Installs the library, and moves what was installed: it may not depend on where it first was.
+fs::path installed_and_moved(const fs::path& folder) {
+  const std::string install = quoted(CAIRN_CMAKE) + " --install " + quoted(CAIRN_BINARY_DIR) +
+                              " --component library --prefix " + quoted((folder / "first").string());
+  require_success(run_line(folder, install));
+  fs::rename(folder / "first", folder / "prefix");
+  return folder / "prefix";
+}
+
+/// The first file of this name below a folder; empty when there is none.
+fs::path file_named(const fs::path& folder, const std::string& name) {
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().filename() == name) return entry.path();
+  }
+  return {};
+}
+
+/// The number that the user's program prints behind "newtons: "; NaN where it does not.
+double printed_newtons(const fs::path& folder, const fs::path& program) {
+  const CommandResult result = run_line(folder, quoted(program.string()));
+  require_success(result);
+  REQUIRE(result.output.rfind("newtons: ", 0) == 0);
+  return std::strtod(result.output.c_str() + 9, nullptr);
+}
+
+// The weight of the user's box [N]. Its program prints six digits, of which the last is worth 1e-4 N; sweeps
+// and steps leave far less, as the box stands still from the first step on.
+const double weight_of_box = 2.0 * 10.0;
+const double last_printed_digit = 1e-4;
+
+/// The headers below a folder, by their paths in it, sorted.
+std::vector<std::string> headers_below(const fs::path& root, const fs::path& folder) {
+  std::vector<std::string> headers;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() == ".hpp") headers.push_back(entry.path().lexically_relative(root).string());
+  }
+  std::sort(headers.begin(), headers.end());
+  return headers;
+}
+
+std::vector<std::string> public_headers() {
+  const fs::path source = fs::path(CAIRN_SOURCE_DIR) / "src";
+  std::vector<std::string> headers = {"cairn.hpp"};
+  std::istringstream rooms(CAIRN_PUBLIC_ROOMS);
+  for (std::string room; std::getline(rooms, room, ',');) {
+    for (const std::string& header : headers_below(source, source / room)) headers.push_back(header);
+  }
+  std::sort(headers.begin(), headers.end());
+  return headers;
+}
+
+}  // namespace
+
+TEST_CASE("what is installed has every public header and names no folder of the tree it came from") {
+  const fs::path prefix = installed_and_moved(scratch("files"));
+  const fs::path include = prefix / "include" / "cairn";
+  CHECK(headers_below(include, include) == public_headers());
+
+  int descriptions = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(prefix)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension != ".cmake" && extension != ".pc") continue;
+    ++descriptions;
+    INFO(entry.path().string());
+    const std::string text = text_of(entry.path());
+    CHECK(text.find(CAIRN_SOURCE_DIR) == std::string::npos);
+    CHECK(text.find(CAIRN_BINARY_DIR) == std::string::npos);
+    CHECK(text.find("-Wall") == std::string::npos);
+    CHECK(text.find("-Werror") == std::string::npos);
+  }
+  CHECK(descriptions >= 5);  // the package, its version, its targets, those of one build type, and cairn.pc
+}
+
+TEST_CASE("a program outside of the tree finds the installed library with CMake and computes with it") {
+  const fs::path folder = scratch("with_cmake");
+  const fs::path prefix = installed_and_moved(folder);
+  const fs::path build = folder / "build";
+  std::string configure = quoted(CAIRN_CMAKE) + " -S " + quoted(user_folder) + " -B " +
+                          quoted(build.string()) + " -G " + quoted(CAIRN_GENERATOR) + " " +
+                          quoted("-DCMAKE_MAKE_PROGRAM=" + std::string(CAIRN_MAKE)) + " " +
+                          quoted("-DCMAKE_CXX_COMPILER=" + std::string(CAIRN_COMPILER)) + " " +
+                          quoted("-DCMAKE_PREFIX_PATH=" + prefix.string());
+#ifdef CAIRN_HAVE_BOX2D
+  configure += " -DBOX2D=ON";
+#endif
+  require_success(run_line(folder, configure));
+  require_success(run_line(folder, quoted(CAIRN_CMAKE) + " --build " + quoted(build.string()) + " -j 2"));
+  CHECK(std::abs(printed_newtons(folder, build / "resting_box") - weight_of_box) < last_printed_digit);
+#ifdef CAIRN_HAVE_BOX2D
+  // Box2D computes in float: impulses of 1/3 N s in 1/60 s, to some roundings of 2^-24.
+  CHECK(std::abs(printed_newtons(folder, build / "second_opinion") - weight_of_box) < 1e-3);
+#endif
+}
+
+TEST_CASE("pkg-config says what compiles the same program, without a warning, and links it") {
+  const fs::path folder = scratch("with_pkg_config");
+  if (run_line(folder, "pkg-config --version").code != 0) {
+    MESSAGE("left out: there is no pkg-config here");
+    return;
+  }
+  const fs::path prefix = installed_and_moved(folder);
+  const fs::path description = file_named(prefix, "cairn.pc");
+  REQUIRE_FALSE(description.empty());
+  const std::string program = (folder / "resting_box").string();
+  const std::string flags = "$(PKG_CONFIG_PATH=" + quoted(description.parent_path().string()) +
+                            " pkg-config --cflags --libs cairn)";
+  require_success(run_line(folder, quoted(CAIRN_COMPILER) + " -std=c++20 -Wall -Wextra -Werror -o " +
+                                       quoted(program) + " " + quoted(user_folder + "/resting_box.cpp") +
+                                       " " + flags));
+  CHECK(std::abs(printed_newtons(folder, program) - weight_of_box) < last_printed_digit);
+}
+
+TEST_CASE("the reference documents every public name, and Doxygen reads all of it without a warning") {
+#ifdef CAIRN_DOXYGEN
+  const fs::path folder = scratch("reference");
+  const CommandResult result =
+      run_line(folder, quoted(CAIRN_DOXYGEN) + " " + quoted(std::string(CAIRN_BINARY_DIR) + "/Doxyfile"));
+  INFO(result.output);
+  CHECK(result.code == 0);
+  CHECK(result.output.empty());
+#else
+  MESSAGE("left out: there is no Doxygen here");
+#endif
+}

@@ -1,0 +1,17 @@
+// The same box in Box2D.
+#include <iostream>
+
+#include "measure/violation.hpp"
+#include "reference/box2d_world.hpp"
+
+int main() {
+  cairn::Scene scene;
+  scene.add_ground({.friction = 0.6});
+  const cairn::BodyId box = scene.add({.shapes = {cairn::box(1, 1)}, .position = {0, 0.5}, .mass = 2.0});
+
+  cairn::Box2DWorld world(scene);
+  for (int step = 0; step < 60; ++step) world.step();
+
+  const cairn::Snapshot now = world.snapshot();
+  std::cout << "newtons: " << cairn::normal_impulse_between(now, cairn::ground, box) / now.dt << '\n';
+}
