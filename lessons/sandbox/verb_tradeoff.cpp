@@ -79,8 +79,7 @@ bool run_to_the_end(const Words& words, const Study& study, const Shard& shard, 
   });
 }
 
-int run_tradeoff(const Words& words, Console& console) {
-  if (words.has("list")) return list_scenes(words, console);
+int run_level(const Words& words, Console& console) {
   const Shard shard = shard_of(words);
   (void)theme_of(words);  // refuses a wrong one before the work
   const TradeStudy trade = trade_study(words);
@@ -110,6 +109,21 @@ int run_tradeoff(const Words& words, Console& console) {
   return report_trade(words, trade, journal.csv(), folder, console);
 }
 
+int run_tradeoff(const Words& words, Console& console) {
+  if (words.has("list")) return list_scenes(words, console);
+  if (!words.has("all") || words.has("level")) return run_level(words, console);
+  if (words.has("json") || words.has("merge")) {
+    throw UsageError("cairn tradeoff: --all with --json or --merge needs --level 1 or --level 2");
+  }
+  for (const char* level : {"1", "2"}) {
+    Words one = words;
+    one.flags["level"] = {level};
+    const int code = run_level(one, console);
+    if (code != all_well) return code;
+  }
+  return all_well;
+}
+
 }  // namespace
 
 Verb tradeoff_verb() {
@@ -128,8 +142,8 @@ Verb tradeoff_verb() {
           "a second, with Box2D 2.4.1 "
           "as one more contestant; the error is a formula's where one knows the motion, else the worst "
           "overlap. It can be stopped and taken up again.",
-      .flags = {{"level", "1|2", "one step, or whole runs (as the scene asks for)"},
-                {"all", "", "all scenes of the level: no chart, but at level 1 a performance profile"},
+      .flags = {{"level", "1|2", "one step, or whole runs (as the scene asks for; --all: both)"},
+                {"all", "", "the whole study: all scenes of the level, or of both; no chart"},
                 {"quick", "", "a coarse grid: a minute instead of many"},
                 {"solvers", "NAME,NAME", "the first four get a curve", true},
                 {"work", "WHAT",

@@ -41,6 +41,11 @@ void check_wish(const Wish& wish) {
   require(!is_empty, "tune", "wish", "at least one error that is to be met", "none");
 }
 
+void check_tuner_options(const TunerOptions& options) {
+  require(options.starts >= 1, "tune", "starts", ">= 1", options.starts);
+  require(options.time_limit > 0, "tune", "time_limit", "> 0 s", options.time_limit);
+}
+
 /// Runs a setting from starts 0, 1, ... and stops at the first that misses the wish.
 Candidate tried_candidate(const TunerRun& run, const Setting& setting, const Wish& wish, int starts) {
   Candidate candidate{.setting = setting};
@@ -84,6 +89,13 @@ class TunerSearch {
     }
     if (options_.progress && !options_.progress(tried, total)) told_to_stop_ = true;
     return found->second;
+  }
+
+  /// Seldom cheaper, and never by much.
+  Candidate in_single_precision(const Candidate& candidate_in_double, int tried, int total) {
+    Setting setting = candidate_in_double.setting;
+    setting.scalar = Precision::single_precision;
+    return candidate(setting, tried, total);
   }
 
   /// Of a few settings in the order of their work, the first that meets the wish, else the last one tried.
@@ -162,8 +174,7 @@ Verdict verdict_so_far(const TrialResult& result, const Wish& wish) {
 
 TunerAnswer tune(const TunerRun& run, const Wish& wish, const TunerOptions& options) {
   check_wish(wish);
-  require(options.starts >= 1, "tune", "starts", ">= 1", options.starts);
-  require(options.time_limit > 0, "tune", "time_limit", "> 0 s", options.time_limit);
+  check_tuner_options(options);
   const std::vector<Setting> settings = tuner_settings(options.solvers);
   const int total = static_cast<int>(settings.size());
   TunerSearch search(run, wish, options);
@@ -184,13 +195,18 @@ TunerAnswer tune(const TunerRun& run, const Wish& wish, const TunerOptions& opti
     }
   }
   answer.complete = answer.complete && !search.told_to_stop();
-  const std::vector<Candidate> kinds = ranked(met);
+  std::vector<Candidate> kinds = ranked(met);
+  const std::size_t most = static_cast<std::size_t>(std::max(options.runners_up, 0)) + 1;
+  for (std::size_t i = 0; i < std::min(kinds.size(), most); ++i) {
+    const Candidate candidate = search.in_single_precision(kinds[i], ++answer.tried, total);
+    if (candidate.verdict.meets) met.push_back(candidate);
+  }
+  kinds = ranked(met);
   if (!kinds.empty()) {
     answer.best = kinds.front();
     answer.nearest.reset();
-    const std::size_t count =
-        std::min(kinds.size() - 1, static_cast<std::size_t>(std::max(options.runners_up, 0)));
-    answer.runners_up.assign(kinds.begin() + 1, kinds.begin() + 1 + static_cast<std::ptrdiff_t>(count));
+    const auto count = static_cast<std::ptrdiff_t>(std::min(kinds.size(), most));
+    answer.runners_up.assign(kinds.begin() + 1, kinds.begin() + count);
   }
   answer.plain_si = search.first_that_meets(plain_si_settings(), answer.tried, total);
   if (has_box2d()) answer.box2d = search.first_that_meets(box2d_settings(), answer.tried, total);
