@@ -50,6 +50,14 @@ StabilizationPolicy policy_of(const Words& words, StabilizationPolicy standard) 
 
 }  // namespace
 
+SceneEntry scene_of(const Words& words, const std::string& name, std::vector<std::string> others) {
+  if (!names_scene_file(name)) {
+    for (const SceneEntry& entry : scene_entries()) others.push_back(entry.name);
+    words.require_known("SCENE", name, others);
+  }
+  return scene_entry(name);
+}
+
 std::vector<std::string> solver_names() {
   std::vector<std::string> names;
   for (const SolverEntry& entry : solver_entries()) names.push_back(entry.name);

@@ -9,6 +9,11 @@
 
 namespace cairn::sandbox {
 
+/// The scene that comes with Cairn under this name, or the one in this file.
+/// @throws UsageError for a name that is neither one of them nor in `others`, std::invalid_argument for a
+/// file that cannot be read.
+SceneEntry scene_of(const Words& words, const std::string& name, std::vector<std::string> others = {});
+
 /// --solver, --sweeps, --substeps, --frequency, --dt, --scalar, --stabilization, --cold.
 std::vector<Flag> setting_flags();
 

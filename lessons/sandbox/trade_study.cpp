@@ -7,6 +7,7 @@
 
 #include "lessons/sandbox/trade_chart.hpp"
 #include "study/frozen_set.hpp"
+#include "study/scene_list.hpp"
 #include "study/solver_list.hpp"
 #include "study/trajectory_study.hpp"
 #include "study/work_precision.hpp"
@@ -130,7 +131,7 @@ TradeStudy trajectory_trade(const Words& words, const std::vector<std::string>& 
   const bool by_time = words.word("work", "time", {"updates", "time"}) == "time";
   return {.study = trajectory_study(scenes, grid),
           .level = 2,
-          .name = names.size() == 1 ? names.front() : "level2",
+          .name = names.size() == 1 ? first.name : "level2",
           .title = fmt::format("{}: {:.3g} s", unmarked(first.name), first.seconds),
           .note = trajectory_note(first),
           .work = by_time ? "cost" : "work",
@@ -156,7 +157,9 @@ TradeStudy trade_study(const Words& words) {
   const bool is_frozen = std::count(frozen_names().begin(), frozen_names().end(), name) > 0;
   const int level = words.whole("level", all || is_frozen ? 1 : 2, 1, 2);
   const std::vector<std::string> everything = level == 1 ? frozen_names() : trajectory_names();
-  if (!all) words.require_known(level == 1 ? "SCENE, of level 1," : "SCENE, of level 2,", name, everything);
+  const bool is_file = level == 2 && names_scene_file(name);
+  if (!all && !is_file)
+    words.require_known(level == 1 ? "SCENE, of level 1," : "SCENE, of level 2,", name, everything);
   const std::vector<std::string> names = all ? everything : std::vector<std::string>{name};
   return level == 1 ? solve_trade(words, names) : trajectory_trade(words, names);
 }

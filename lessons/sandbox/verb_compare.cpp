@@ -98,7 +98,7 @@ int compare_code(const std::vector<SceneRun>& runs) {
 }
 
 int run_compare(const Words& words, Console& console) {
-  const SceneEntry& scene = scene_entry(words.places.front());
+  const SceneEntry scene = scene_of(words, words.places.front());
   const std::vector<Setting> settings = compared_settings(words, scene);
   const FilmFiles files = film_files(words);
   (void)look_of(words, "small");  // refuses before any work is done

@@ -152,7 +152,7 @@ Json explanation_json(const SceneEntry& entry, const Setting& setting, const Pla
 }
 
 int run_explain(const Words& words, Console& console) {
-  const SceneEntry& entry = scene_entry(words.places.front());
+  const SceneEntry entry = scene_of(words, words.places.front());
   const Setting setting = setting_of(words, entry);
   Scene scene = entry.make();
   scene.set_settings(with_setting(scene.settings(), setting));

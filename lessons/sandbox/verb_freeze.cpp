@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "study/frozen_set.hpp"
-#include "study/scene_list.hpp"
 #include "study/solver_list.hpp"
 
 namespace cairn::sandbox {
@@ -19,8 +19,7 @@ bool is_of_the_set(const std::string& name) {
   return std::count(frozen_names().begin(), frozen_names().end(), name) > 0;
 }
 
-FrozenProblem frozen_scene(const std::string& name, int step, int sweeps) {
-  const SceneEntry entry = scene_entry(name);
+FrozenProblem frozen_scene(const SceneEntry& entry, int step, int sweeps) {
   World<double> world(entry.make());
   const auto solver = make_solver<double>("si", {.iterations = sweeps});
   for (int k = 0; k < step; ++k) {
@@ -28,7 +27,7 @@ FrozenProblem frozen_scene(const std::string& name, int step, int sweeps) {
     if (report.not_finite)
       throw std::invalid_argument("freeze: the scene is not finite after step " + std::to_string(k + 1));
   }
-  return freeze(world, name + "-" + std::to_string(step),
+  return freeze(world, entry.name + "-" + std::to_string(step),
                 fmt::format("{}, after {} steps of SI with {} sweeps", entry.title, step, sweeps));
 }
 
@@ -69,13 +68,14 @@ int run_freeze(const Words& words, Console& console) {
   if (words.places.empty())
     throw UsageError("cairn freeze: a word is missing: it goes cairn freeze SCENE; --list shows them");
   const std::string& name = words.places.front();
-  words.require_known("SCENE", name, freezable());
   const int step = words.whole("step", 30, 0, most_steps);
   const int sweeps = words.whole("sweeps", 10, 0, most_steps);
   if (is_of_the_set(name)) {
     for (const char* flag : {"step", "sweeps"}) words.refuse_beside(flag, "for a problem of the frozen set");
   }
-  const FrozenProblem frozen = is_of_the_set(name) ? make_frozen(name) : frozen_scene(name, step, sweeps);
+  const FrozenProblem frozen = is_of_the_set(name)
+                                   ? make_frozen(name)
+                                   : frozen_scene(scene_of(words, name, frozen_names()), step, sweeps);
   if (words.has("json")) {
     std::ostringstream text;
     write_frozen(text, frozen);

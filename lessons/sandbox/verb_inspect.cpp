@@ -185,7 +185,7 @@ Setting inspected_setting(const Words& words, const SceneEntry& scene) {
 }
 
 int run_inspect(const Words& words, Console& console) {
-  const SceneEntry& scene = scene_entry(words.places.front());
+  const SceneEntry scene = scene_of(words, words.places.front());
   const Setting setting = inspected_setting(words, scene);
   const int step = words.whole("step", 30, 1, 10000000);
   const int most = words.whole("rows", 24, 0, 1000000);

@@ -28,7 +28,7 @@ void write_series(const SceneRun& run, const std::string& path, Console& console
 }
 
 int run_run(const Words& words, Console& usual_console) {
-  const SceneEntry& scene = scene_entry(words.places.front());
+  const SceneEntry scene = scene_of(words, words.places.front());
   const Setting setting = setting_of(words, scene);
   const FilmFiles files = film_files(words);
   const FilmLook look = look_of(words, files.frames ? "medium" : "small");

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lessons/sandbox/interrupt.hpp"
+#include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
 #include "study/jitter.hpp"
@@ -126,49 +127,62 @@ Json answer_json(const std::string& scene, const TunerAnswer& answer) {
           {"complete", answer.complete}};
 }
 
-std::vector<std::string> tunable() {
-  std::vector<std::string> names;
-  for (const SceneEntry& entry : scene_entries()) names.push_back(entry.name);
-  return names;
-}
-
-std::vector<std::string> solver_names() {
+std::vector<std::string> solvers_to_tune() {
   std::vector<std::string> names;
   for (const SolverEntry& entry : solver_entries()) names.push_back(entry.name);
   return names;
 }
 
-int run_tune(const Words& words, Console& console) {
-  words.require_known("SCENE", words.places.front(), tunable());
-  const SceneEntry entry = scene_entry(words.places.front());
-  const Wish wish = wish_of(words);
-  const double seconds = words.has("seconds") ? words.quantity("seconds", "s", 0, longest_run)
-                                              : std::max(entry.seconds, wish.stands.value_or(0));
-  if (wish.stands && seconds < *wish.stands)
+double seconds_to_tune(const Words& words, const SceneEntry& entry, const Wish& wish) {
+  const double standard = std::max(entry.seconds, wish.stands.value_or(0));
+  const double seconds = words.has("seconds") ? words.quantity("seconds", "s", 0, longest_run) : standard;
+  if (wish.stands && seconds < *wish.stands) {
     words.refuse("seconds", "at least as long as --stands", *words.text("seconds"));
+  }
+  return seconds;
+}
+
+TunerOptions tuner_options(const Words& words, const Interrupt& interrupt, Progress& bar) {
+  TunerOptions options;
+  options.starts = words.whole("starts", 16, 1, 1000);
+  if (words.has("solvers")) options.solvers = words.known_texts("solvers", solvers_to_tune());
+  options.time_limit = words.quantity("time", "s", 60);
+  options.progress = [&interrupt, &bar](int tried, int) {
+    bar.advance(static_cast<std::size_t>(tried));
+    return !interrupt.came();
+  };
+  return options;
+}
+
+/// Runs of the scene that give up once the wish cannot be met any more, or the program is interrupted. What
+/// is passed must stay where it is.
+TunerRun tuner_run(const SceneEntry& entry, const Scene& scene, const TrialOptions& limits, const Wish& wish,
+                   const Interrupt& interrupt) {
   TrialOptions trial = trial_options(entry);
-  trial.seconds = seconds;
+  trial.seconds = limits.seconds;
+  trial.time_limit = limits.time_limit;
   trial.residual = wish.residual ? ResidualMeasure::every_step : ResidualMeasure::off;
-  const Interrupt interrupt;
-  trial.gives_up = [&](const TrialResult& so_far) {
+  trial.gives_up = [&wish, &interrupt](const TrialResult& so_far) {
     return interrupt.came() || !verdict_so_far(so_far, wish).meets;
   };
-  const Scene scene = entry.make();
-  const TunerRun run = [&](const Setting& setting, std::uint64_t start) {
+  return [trial, &scene, &interrupt](const Setting& setting, std::uint64_t start) {
     TrialResult result = run_trial(start == 0 ? scene : jittered(scene, jitter_size, start), setting, trial);
     if (interrupt.came()) result.status = TrialStatus::timeout;  // it may have been cut short
     return result;
   };
+}
+
+int run_tune(const Words& words, Console& console) {
+  const SceneEntry entry = scene_of(words, words.places.front());
+  const Wish wish = wish_of(words);
+  const double seconds = seconds_to_tune(words, entry, wish);
+  const Scene scene = entry.make();
+  const Interrupt interrupt;
   Progress bar(words.console, "settings", tuner_settings({"si"}).size());
-  TunerOptions options;
-  options.starts = words.whole("starts", 16, 1, 1000);
-  if (words.has("solvers")) options.solvers = words.known_texts("solvers", solver_names());
-  options.time_limit = words.quantity("time", "s", 60);
-  trial.time_limit = options.time_limit;  // one run may not take more
-  options.progress = [&](int tried, int) {
-    bar.advance(static_cast<std::size_t>(tried));
-    return !interrupt.came();
-  };
+  const TunerOptions options = tuner_options(words, interrupt, bar);
+  // One run may not take longer than the whole search.
+  const TrialOptions limits{.seconds = seconds, .time_limit = options.time_limit};
+  const TunerRun run = tuner_run(entry, scene, limits, wish, interrupt);
   console.narrate(fmt::format("{}: {}, for {:g} s from {}", entry.name, wish_text(wish), seconds,
                               starts_text(options.starts)));
   const TunerAnswer answer = tune(run, wish, options);
@@ -177,13 +191,13 @@ int run_tune(const Words& words, Console& console) {
     console.warn(fmt::format("stopped after {} settings", answer.tried));
     return stopped;
   }
-  if (words.has("json"))
+  if (words.has("json")) {
     fmt::print("{}\n", answer_json(entry.name, answer).dump(1));
-  else
+  } else {
     print_answer(answer, wish, console);
-  console.narrate(
-      fmt::format("{} settings tried{}", answer.tried,
-                  answer.complete ? "" : "; the time was over before the end: --time gives more"));
+  }
+  const char* late = answer.complete ? "" : "; the time was over before the end: --time gives more";
+  console.narrate(fmt::format("{} settings tried{}", answer.tried, late));
   return answer.best ? all_well : check_failed;
 }
 

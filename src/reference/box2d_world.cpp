@@ -72,6 +72,15 @@ double drift(const Constraint& joint, const std::vector<Pose<double>>& poses) {
   return std::sqrt(sum);
 }
 
+/// What this world of Box2D would ignore, and so must not be given.
+void check_contacts_of(const BodySpec& spec) {
+  const BodySpec usual;
+  require(!spec.sensor, "Box2DWorld", "sensor", "false: sensors are not taken over", "true");
+  const bool touches_all = spec.category == usual.category && spec.collides_with == usual.collides_with;
+  require(touches_all, "Box2DWorld", "category and collides_with", "as usual: filters are not taken over",
+          std::to_string(spec.category) + " and " + std::to_string(spec.collides_with));
+}
+
 }  // namespace
 
 struct Box2DWorld::Simulation {
@@ -93,6 +102,7 @@ struct Box2DWorld::Simulation {
 Box2DWorld::Simulation::Simulation(const Scene& the_scene, const Box2DSettings& the_settings)
     : scene(the_scene), settings(the_settings), world(to_box2d(scene.settings().gravity)) {
   check(settings);
+  for (const SceneBody& body : scene.bodies()) check_contacts_of(body.spec);
   world.SetContactListener(&contacts);
   world.SetWarmStarting(scene.settings().warm_start);
   world.SetAllowSleeping(settings.sleeping);

@@ -27,8 +27,9 @@ struct Box2DSettings {
   Creation creation = Creation::last_first;  // which body comes first
 };
 
-/// A scene in Box2D 2.4.1, in single precision. Masses, inertias and centres of mass are Cairn's, friction
-/// and restitution mix by the same rules, and damping has the same formula. Different are:
+/// A scene in Box2D 2.4.1, in single precision. `fast` means nothing to it. Masses, inertias and centres of
+/// mass are Cairn's, friction and restitution mix by the same rules, and damping has the same formula.
+/// Different are:
 /// - Polygons and segments carry a skin of 0.01 m, and shapes may sink 0.005 m into each other's skins: two
 ///   polygons rest 0.015 m apart, a circle 0.005 m above a polygon.
 /// - Contact rows exist only where skins overlap; there is no Baumgarte term in the velocities, but a pass
@@ -41,8 +42,8 @@ class Box2DWorld {
  public:
   /// Copies what it needs of the scene.
   /// @throws std::invalid_argument for what Box2D 2.4.1 does not have: capsules, rounded polygons, polygons
-  /// of more than 8 vertices, joints other than rods and plain pins, rods shorter than 0.005 m; and
-  /// for negative iteration counts.
+  /// of more than 8 vertices, sensors, bodies that not all may touch, joints other than rods and plain pins,
+  /// rods shorter than 0.005 m; and for negative iteration counts.
   explicit Box2DWorld(const Scene& scene, const Box2DSettings& settings = {});
   ~Box2DWorld();
   Box2DWorld(const Box2DWorld&) = delete;

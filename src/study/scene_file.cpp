@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "math/check.hpp"
+#include "measure/fingerprint.hpp"
 #include "study/scene_builder.hpp"
 #include "study/scene_formula.hpp"
 #include "study/scene_settings.hpp"
@@ -109,6 +110,9 @@ SceneEntry read_scene_text(const std::string& text, const std::string& file) {
   entry.camera = camera_of(table);
   entry.body_names = builder.names();
   entry.make = [scene = builder.scene()] { return scene; };
+  Fingerprint fingerprint;
+  fingerprint.add(std::string_view(text));
+  entry.fingerprint = fingerprint.value();
   return entry;
 }
 

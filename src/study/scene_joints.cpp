@@ -64,12 +64,18 @@ void join_distance(const ScenePair& pair) {
   pair.join<DistanceJoint>(spec);
 }
 
-void join_revolute(const ScenePair& pair) {
-  const SceneTable& table = pair.table;
-  RevoluteJoint::Spec spec{.a = pair.a, .b = pair.b, .anchor = pair.anchor()};
+/// Of a hinge or a slider.
+template <typename Spec>
+void read_limits(const SceneTable& table, Spec& spec) {
   spec.lower = number_if_given(table, "lower");
   spec.upper = number_if_given(table, "upper");
   spec.limit_margin = table.number("limit_margin");
+}
+
+void join_revolute(const ScenePair& pair) {
+  const SceneTable& table = pair.table;
+  RevoluteJoint::Spec spec{.a = pair.a, .b = pair.b, .anchor = pair.anchor()};
+  read_limits(table, spec);
   for (const SceneTable& motor : table.tables("motor")) {
     spec.motor =
         RevoluteJoint::Motor{.speed = motor.number("speed"), .max_torque = motor.number("max_torque")};
@@ -80,9 +86,7 @@ void join_revolute(const ScenePair& pair) {
 void join_prismatic(const ScenePair& pair) {
   const SceneTable& table = pair.table;
   PrismaticJoint::Spec spec{.a = pair.a, .b = pair.b, .anchor = pair.anchor(), .axis = table.point("axis")};
-  spec.lower = number_if_given(table, "lower");
-  spec.upper = number_if_given(table, "upper");
-  spec.limit_margin = table.number("limit_margin");
+  read_limits(table, spec);
   for (const SceneTable& motor : table.tables("motor")) {
     spec.motor =
         PrismaticJoint::Motor{.speed = motor.number("speed"), .max_force = motor.number("max_force")};

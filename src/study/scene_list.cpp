@@ -19,10 +19,12 @@ const std::vector<SceneEntry>& scene_entries() {
   return entries;
 }
 
+bool names_scene_file(const std::string& name) {
+  return name.ends_with(".toml") || name.find('/') != std::string::npos;
+}
+
 SceneEntry scene_entry(const std::string& name) {
-  const std::string ending = ".toml";
-  const bool is_file = name.size() > ending.size() && name.substr(name.size() - ending.size()) == ending;
-  if (is_file || name.find('/') != std::string::npos) return read_scene_file(name);
+  if (names_scene_file(name)) return read_scene_file(name);
   std::vector<std::string> known;
   for (const SceneEntry& entry : scene_entries()) known.push_back(entry.name);
   require_known(name, known, "scene_entry", "scene");

@@ -1,6 +1,7 @@
 // Beside floor 6. Scenes by name, and what may be expected of each.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -37,6 +38,7 @@ struct SceneEntry {
   std::optional<SceneCamera> camera = {};    // none: all that is there
   std::vector<std::string> body_names = {};  // by BodyId
   double order = 1000;                       // place in lists
+  std::uint64_t fingerprint = 0;             // of the text of its file
 };
 
 /// All that come with Cairn, from lessons/scenes, or from the folder that the environment variable
@@ -48,6 +50,8 @@ const std::vector<SceneEntry>& scene_entries();
 /// @throws std::invalid_argument for an unknown name, with the nearest known one, and for what
 /// read_scene_file refuses.
 SceneEntry scene_entry(const std::string& name);
+/// Whether it says where a scene file is: it has a '/' in it or ends in .toml.
+bool names_scene_file(const std::string& name);
 
 /// The options under which a trial of the scene can be held against its expectations.
 TrialOptions trial_options(const SceneEntry& scene);

@@ -126,17 +126,15 @@ TrajectoryScene trajectory_scene(const std::string& name) {
             .error_formula = scene.formula,
             .watch = scene.watch};
   }
-  for (const SceneEntry& scene : scene_entries()) {
-    if (scene.name != name) continue;
-    const double stands = scene.expectations.stands.value_or(0);
-    return {.name = name,
-            .make = scene.make,
-            .seconds = scene.seconds,
-            .stand_distance = stands,
-            .starts = stands > 0 ? survival_starts : 1};
-  }
-  require_known(name, trajectory_names(), "tradeoff", "scene");
-  return {};
+  if (!names_scene_file(name)) require_known(name, trajectory_names(), "tradeoff", "scene");
+  const SceneEntry scene = scene_entry(name);
+  const double stands = scene.expectations.stands.value_or(0);
+  return {.name = scene.name,
+          .make = scene.make,
+          .seconds = scene.seconds,
+          .stand_distance = stands,
+          .fingerprint = scene.fingerprint,
+          .starts = stands > 0 ? survival_starts : 1};
 }
 
 std::vector<std::string> trajectory_names() {
@@ -149,7 +147,7 @@ std::vector<std::string> trajectory_names() {
 Study trajectory_study(const std::vector<TrajectoryScene>& scenes, const TrajectoryGrid& grid) {
   Study study{.name = "cairn work against error 2:", .header = trade_header(), .tasks = {}};
   for (const TrajectoryScene& scene : scenes) {
-    study.name += fmt::format(" {} x{}", scene.name, scene.starts);
+    study.name += fmt::format(" {} {:x} x{}", scene.name, scene.fingerprint, scene.starts);
     for (const std::string& solver : grid.solvers) {
       for (const int frequency : grid.frequencies) {
         for (const int substeps : grid.substeps) {

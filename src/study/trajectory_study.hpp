@@ -20,10 +20,12 @@ struct TrajectoryScene {
   std::string error_name = {};
   std::string error_formula = {};
   std::function<std::unique_ptr<MotionError>()> watch = {};
-  int starts = 1;  // above 1: jittered by 1e-6 m, with seeds 1, 2 ...
+  std::uint64_t fingerprint = 0;  // of its file, where it has one: another text is another study
+  int starts = 1;                 // above 1: jittered by 1e-6 m, with seeds 1, 2 ...
 };
 
-/// Scenes of answered_scenes() and of scene_entries(), which start 16 times where they should stand.
+/// Scenes of answered_scenes(), of scene_entries() and of scene files. The last two start 16 times where they
+/// should stand.
 /// @throws std::invalid_argument for a name that neither has, with the nearest that one has.
 TrajectoryScene trajectory_scene(const std::string& name);
 /// The names of all of them.

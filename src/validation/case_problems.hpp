@@ -104,6 +104,25 @@ inline VelocityProblem<double> free_chain(int n) {
   return problem;
 }
 
+/// A box of 1 kg that fits tightly between two walls, each with one contact and its friction, after one step
+/// of falling. Rows: normal and friction of the left wall, then of the right one. Up is along the tangents.
+inline VelocityProblem<double> box_in_slot(double friction) {
+  VelocityProblem<double> problem = empty_problem<double>();
+  const BodyId slot_box = add_body<double>(problem, 1, 1.0 / 6, {0, -standard_gravity * standard_dt, 0});
+  for (const double side : {-1.0, 1.0}) {
+    ConstraintRow<double> normal;
+    normal.b = slot_box;
+    normal.jacobian_b = {-side, 0, 0};
+    normal.bounds = Bounds<double>::unilateral();
+    const int place = add_row(problem, normal);
+    ConstraintRow<double> tangent = normal;
+    tangent.jacobian_b = {0, 1, side / 2};
+    tangent.bounds = Bounds<double>::coulomb(friction, place);
+    add_row(problem, tangent);
+  }
+  return problem;
+}
+
 /// Of the rod below, by the arm (0.5 cos, -0.5 sin) with tan = 2 from its centre to its lower end and its
 /// inertia 1/12: A_nn = 1 + 12 x^2, A_nt = 12 x y, A_tt = 1 + 12 y^2 [1/kg].
 inline constexpr double painleve_nn = 1.6, painleve_nt = 1.2, painleve_tt = 3.4;

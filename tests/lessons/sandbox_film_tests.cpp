@@ -36,19 +36,7 @@ std::vector<std::string> frame_names(int count) {
 
 /// Starts a film and interrupts it once there is a frame. The exit code.
 int run_interrupted(const std::string& folder, const std::vector<std::string>& flags) {
-  std::vector<std::string> words = {std::string(CAIRN_BIN_DIR) + "/cairn"};
-  words.insert(words.end(), flags.begin(), flags.end());
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  const pid_t child = fork();
-  REQUIRE(child >= 0);
-  if (child == 0) {
-    const int nowhere = open("/dev/null", O_RDWR);
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
-    execv(pointers[0], pointers.data());
-    _exit(127);
-  }
+  const pid_t child = started_cairn(flags, "/dev/null");
   int status = 0;
   bool is_sent = false;
   for (int i = 0; i < 1000; ++i) {

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/types.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,6 +15,25 @@
 namespace cairn::testing {
 
 inline Ran run_cairn(const std::vector<std::string>& words) { return run_program("cairn", words); }
+
+/// Starts it with its stdout in a file, and says nothing of errors; the caller waits for it.
+inline pid_t started_cairn(std::vector<std::string> words, const std::string& out) {
+  words.insert(words.begin(), std::string(CAIRN_BIN_DIR) + "/cairn");
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  const pid_t child = fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    const int file = open(out.c_str(), O_WRONLY | O_CREAT, 0600), nothing = open("/dev/null", O_RDWR);
+    dup2(nothing, STDIN_FILENO);
+    dup2(file, STDOUT_FILENO);
+    dup2(nothing, STDERR_FILENO);
+    execv(pointers[0], pointers.data());
+    _exit(127);
+  }
+  return child;
+}
 
 /// What it says with --json.
 inline nlohmann::json cairn_json(std::vector<std::string> words) {

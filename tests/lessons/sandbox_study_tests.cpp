@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "child_lesson.hpp"
+#include "sandbox_program.hpp"
 #include "measure/csv.hpp"
 
 using namespace cairn::testing;
@@ -39,24 +39,6 @@ void check_same(const ScratchFolder& a, const ScratchFolder& b, const std::strin
     CHECK_FALSE(a.text(name + ending).empty());
     CHECK(a.text(name + ending) == b.text(name + ending));
   }
-}
-
-/// Starts the program with its stdout in a file; the caller waits for it.
-pid_t started(Flags words, const std::string& out) {
-  words.insert(words.begin(), std::string(CAIRN_BIN_DIR) + "/cairn");
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  const pid_t child = fork();
-  REQUIRE(child >= 0);
-  if (child == 0) {
-    const int file = open(out.c_str(), O_WRONLY | O_CREAT, 0600), nothing = open("/dev/null", O_WRONLY);
-    dup2(file, STDOUT_FILENO);
-    dup2(nothing, STDERR_FILENO);
-    execv(pointers[0], pointers.data());
-    _exit(127);
-  }
-  return child;
 }
 
 int exit_code_of(pid_t child) {
@@ -150,8 +132,8 @@ TEST_CASE("the journal of another grid, and a file that is none, are refused and
 TEST_CASE("a study that is interrupted ends with 130, and goes on to the bytes of one that was not") {
   const ScratchFolder whole, stopped;
   CHECK(study_in(whole, "silo60", {"--solvers", "si"}).code == 0);
-  const pid_t child =
-      started({"tradeoff", "silo60", "--quick", "--out", stopped.path(), "--solvers", "si"}, "/dev/null");
+  const pid_t child = started_cairn(
+      {"tradeoff", "silo60", "--quick", "--out", stopped.path(), "--solvers", "si"}, "/dev/null");
   // Two lines of title and header, and five answers.
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   while (lines_in(stopped.text("silo60.journal")) < 7 && std::chrono::steady_clock::now() < deadline) {
@@ -170,7 +152,7 @@ TEST_CASE("a study that is interrupted ends with 130, and goes on to the bytes o
 TEST_CASE("output that a full disk does not take ends with three") {
   for (const Flags& words :
        {Flags{"--help"}, Flags{"validate", "--list"}, Flags{"freeze", "stack", "--json"}}) {
-    CHECK(exit_code_of(started(words, "/dev/full")) == 3);
+    CHECK(exit_code_of(started_cairn(words, "/dev/full")) == 3);
   }
 }
 

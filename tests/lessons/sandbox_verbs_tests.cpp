@@ -11,6 +11,40 @@
 using namespace cairn;
 using namespace cairn::testing;
 
+TEST_CASE("every verb that takes a scene takes a file of one's own, and refuses an unknown name in one way") {
+  const ScratchFolder scratch;
+  const std::string scene = scratch.path() + "/own.toml", out = scratch.path() + "/out";
+  scratch.write("own.toml",
+                "seconds = 0.5\n[ground]\n[[body]]\nname = \"a\"\nbox = [1, 1]\nposition = [0, 0.5]\n");
+  using Flags = std::vector<std::string>;
+  const std::vector<Flags> verbs = {{"run"},
+                                    {"explain"},
+                                    {"compare", "--solvers", "si,accelerated"},
+                                    {"inspect", "--step", "2"},
+                                    {"freeze", "--step", "2", "--out", scratch.path() + "/own.json"},
+                                    {"tune", "--penetration", "10mm", "--starts", "1", "--solvers", "si"},
+                                    {"tradeoff", "--quick", "--solvers", "si", "--out", out}};
+  for (const Flags& verb : verbs) {
+    CAPTURE(verb.front());
+    const auto with = [&](const std::string& name) {
+      Flags words = verb;
+      words.insert(words.begin() + 1, name);
+      return run_cairn(words);
+    };
+    const Ran own = with(scene);
+    CAPTURE(own.err);
+    CHECK(own.code == 0);
+    const Ran unknown = with("no-such");
+    CHECK(unknown.code == 2);
+    CHECK(text_has(unknown.err, "cairn " + verb.front() + ": SCENE"));
+    CHECK(with(scratch.path() + "/none.toml").code == 2);
+  }
+  // Another text is another study: what is known of the old one is not taken for it.
+  scratch.write("own.toml",
+                "seconds = 0.6\n[ground]\n[[body]]\nname = \"a\"\nbox = [1, 1]\nposition = [0, 0.5]\n");
+  CHECK(run_cairn({"tradeoff", scene, "--quick", "--solvers", "si", "--out", out}).code != 0);
+}
+
 TEST_CASE("cairn list names scenes, solvers and stabilizations, and each alone") {
   const nlohmann::json all = cairn_json({"list"});
   CHECK(all["scenes"].size() >= 20);

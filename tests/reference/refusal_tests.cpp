@@ -43,6 +43,15 @@ class Magnet final : public ConstraintOf<Magnet> {
   void rows(const std::vector<Pose<Real>>&, RowSpecs<Real>&) const {}
 };
 
+TEST_CASE("sensors and filters, which Box2D would not be told of, are refused") {
+  Scene sensing, filtering;
+  sensing.add({.shapes = {box(1, 1)}, .sensor = true});
+  filtering.add({.shapes = {box(1, 1)}, .collides_with = 2});
+  CHECK(refusal(sensing) == "Box2DWorld: sensor must be false: sensors are not taken over, got true");
+  CHECK(refusal(filtering) ==
+        "Box2DWorld: category and collides_with must be as usual: filters are not taken over, got 1 and 2");
+}
+
 TEST_CASE("Box2D has no rounded polygons, no capsules and no polygons of more than 8 vertices") {
   CHECK(refusal(scene_with(box(1, 1, 0.1))) ==
         "Box2DWorld: polygon radius must be 0 m, as Box2D 2.4.1 does not round the corners of polygons, got "

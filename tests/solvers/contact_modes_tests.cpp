@@ -12,32 +12,10 @@ namespace {
 
 const double modes_fall = test_gravity * test_dt;  // [m/s] of one step
 
-/// A box of 1 kg between two walls, each with a contact and its friction, after one step of falling.
-VelocityProblem<double> box_between_walls(double friction) {
-  VelocityProblem<double> problem = empty_problem<double>();
-  const BodyId body = add_body<double>(problem, 1, 1.0 / 6, {0, -modes_fall, 0});
-  for (const double side : {-1.0, 1.0}) {
-    ConstraintRow<double> normal;
-    normal.b = body;
-    normal.jacobian_b = {-side, 0, 0};
-    normal.bounds = Bounds<double>::unilateral();
-    const int place = add_row(problem, normal);
-    ConstraintRow<double> tangent = normal;
-    tangent.jacobian_b = {0, 1, side / 2};
-    tangent.bounds = Bounds<double>::coulomb(friction, place);
-    add_row(problem, tangent);
-  }
-  return problem;
-}
-
-/// A uniform rod of 1 m and 1 kg on its lower end, inclined by atan 2: A_nn = 1.6, A_nt = -1.2 and
-/// A_tt = 3.4 (P. Painleve, 1895). Its end moves by `slide` along the floor and by `lift` off it [m/s].
+/// The rod of Painleve, whose end moves by `slide` along the floor and by `lift` off it [m/s].
 VelocityProblem<double> leaning_rod(double slide, double lift, double friction) {
-  VelocityProblem<double> problem = empty_problem<double>(0.001);
-  const double x = 0.5 / std::sqrt(5.0), y = -2 * x;
-  const BodyId rod = add_body<double>(problem, 1, 1.0 / 12, {slide, lift, 0});
-  const int normal = add_row(problem, floor_row<double>(rod, x));
-  add_row(problem, floor_friction_row<double>(rod, y, friction, normal));
+  VelocityProblem<double> problem = cases::painleve_rod<double>(slide, friction);
+  problem.velocity.back().y() = lift;
   return problem;
 }
 
@@ -72,7 +50,7 @@ TEST_CASE("c contacts with friction have 4^c modes, and too many are not begun w
 
 // A10
 TEST_CASE("a box in a tight slot falls or is held: both are found, and that walls may press at will") {
-  const ContactSolutions<double> all = all_contact_solutions(box_between_walls(0.5));
+  const ContactSolutions<double> all = all_contact_solutions(cases::box_in_slot(0.5));
   REQUIRE(all.complete);
   REQUIRE(all.solutions.size() == 2);
   const ContactSolution<double>& falls = all.solutions[0];
