@@ -127,7 +127,12 @@ void write_in_gutter(Page& page, const PlotFrame& frame, const Series& series, c
   if (edge - end.x() < 1.5 * leader) {
     canvas.line(end, mark, {.width = 1.5, .color = faded(series.style.color, 0.7)});
   }
-  draw_marker(canvas, mark, series.style.marker, page.sizes().marker, series.style.color);
+  if (series.markers) {
+    draw_marker(canvas, mark, series.style.marker, page.sizes().marker, series.style.color);
+  } else {
+    const Point half(page.sizes().marker, 0);
+    canvas.line(mark - half, mark + half, {.width = page.sizes().curve, .color = series.style.color});
+  }
   canvas.text({mark.x() + page.sizes().marker + air, baseline_around(y, style.size)}, series.name, style);
 }
 

@@ -37,13 +37,15 @@ std::string room_of(const std::string& file) { return first_folder(without_first
 
 // Rooms beside the top floor: they see all of the floors.
 bool is_beside(const std::string& room) {
-  return room == "reference" || room == "study" || room == "validation";
+  return room == "reference" || room == "study" || room == "validation" || room == "extremes";
 }
 
 std::string including_from_a_room(const std::string& room, const std::string& target) {
   const std::string other = first_folder(target);
-  if (is_beside(room)) return other == "study" && room != "study" ? "only a study looks at studies" : "";
-  if (other == "study" || other == "validation") return "the floors know nothing of " + other;
+  const bool sees_studies = room == "study" || room == "extremes";
+  if (is_beside(room)) return other == "study" && !sees_studies ? "only a study looks at studies" : "";
+  if (other == "study" || other == "validation" || other == "extremes")
+    return "the floors know nothing of " + other;
   if (other == "reference") return "only src/reference may know Box2D's world";
   const auto from = floor_of_room.find(room);
   const auto to = floor_of_room.find(other);
@@ -86,7 +88,8 @@ std::string objection_to_library(const std::string& file, const std::string& tar
   if (library == "toml++") {
     return begins_with(file, "src/study/") ? "" : "toml++ is included in src/study only";
   }
-  if (library == "nlohmann" && begins_with(file, "src/study/")) return "";
+  if (library == "nlohmann" && (begins_with(file, "src/study/") || begins_with(file, "src/extremes/")))
+    return "";
   const bool is_of_the_core = library.empty() || library == "Eigen" || library == "fmt";
   return is_of_the_core || !begins_with(file, "src/") ? "" : "the core needs Eigen and fmt, not " + library;
 }

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double least_drawn_error = 1e-16;            // an error of 0 stands here
+constexpr double least_residual = 1e-16;               // R_E below this is rounding
 constexpr double most_spread = 0.1;                    // of times: quartile range over median
 const std::vector<double> goals = {1e-2, 1e-4, 1e-6};  // of R_E
 constexpr std::size_t profile_goal = 1;                // 1e-4
@@ -119,8 +119,25 @@ std::string standstill_note(const std::vector<WorkToError>& all) {
   return note;
 }
 
-void write_chart(const Words& words, const TradeStudy& trade, const std::vector<TradePoint>& points,
+/// Errors of 0 have no place on a logarithmic axis: they get the decade below the least of the others.
+/// Whether there were any.
+bool place_zeros(std::vector<TradePoint>& points) {
+  double least = 1;
+  for (const TradePoint& point : points) {
+    if (point.error > 0) least = std::min(least, point.error);
+  }
+  bool any = false;
+  for (TradePoint& point : points) {
+    if (point.error > 0) continue;
+    point.error = std::pow(10, std::ceil(std::log10(least)) - 1);
+    any = true;
+  }
+  return any;
+}
+
+void write_chart(const Words& words, const TradeStudy& trade, std::vector<TradePoint> points,
                  const std::string& note, const fs::path& path) {
+  const bool has_zeros = place_zeros(points);
   TradeChart chart{.title = trade.title,
                    .work = trade.work_axis,
                    .error = trade.error_axis,
@@ -128,7 +145,7 @@ void write_chart(const Words& words, const TradeStudy& trade, const std::vector<
                    .curves = trade.curves};
   chart.note =
       "A dot is a setting; the wide line joins those that none beats, a curve the best of a solver. " +
-      unmarked(trade.note) + note;
+      unmarked(trade.note) + note + (has_zeros ? " What stands lowest has an error of 0." : "");
   chart.labels_all = words.has("labels");
   render::write_png(path, draw_trade_chart(chart, theme_of(words)));
 }
@@ -157,7 +174,8 @@ std::string report_scene(const Words& words, const TradeStudy& trade, const CsvT
                          const std::string& standstill, const fs::path& folder, Console& console) {
   const bool by_solve_time = trade.work == "solve_ns_med";
   const CsvTable steady = by_solve_time ? rows_with_steady_times(shown, most_spread) : shown;
-  const std::vector<TradePoint> points = trade_points(steady, trade.work, trade.error, least_drawn_error);
+  const std::vector<TradePoint> points =
+      trade_points(steady, trade.work, trade.error, trade.level == 1 ? least_residual : 0);
   const std::size_t noisy = shown.rows.size() - steady.rows.size();
   if (!words.has("json")) print_front(trade, shown.rows.size(), noisy, points, console);
   if (points.empty()) return "";

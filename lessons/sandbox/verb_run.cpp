@@ -8,6 +8,7 @@
 #include "lessons/sandbox/run_table.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
+#include "render/image.hpp"
 #include "lessons/words.hpp"
 
 namespace cairn::sandbox {

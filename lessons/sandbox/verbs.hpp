@@ -10,6 +10,7 @@ Verb run_verb();
 Verb explain_verb();
 Verb compare_verb();
 Verb inspect_verb();
+Verb extremes_verb();
 Verb freeze_verb();
 Verb tradeoff_verb();
 Verb tune_verb();

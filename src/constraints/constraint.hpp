@@ -27,10 +27,11 @@ struct RowSpec {
   /// [N or N m]; replaces the bounds by |impulse| <= max_force dt, or by what the row that they name has left
   /// of a disc of that radius
   std::optional<Real> max_force = {};
-  std::optional<Softness> softness = {};    // none: rigid
-  bool keeps_slop = true;                   // an inequality: may stay violated by the slop, as contacts do
-  std::array<RowTerm<Real>, 2> extra = {};  // a third and a fourth body
-  int extra_count = 0;                      // how many of `extra` there are
+  std::optional<Softness> softness = {};  // none: rigid
+  bool keeps_slop = true;                 // an inequality: may stay violated by the slop, as contacts do,
+  Real slop_limit = std::numeric_limits<Real>::infinity();  // [m] but by no more than this
+  std::array<RowTerm<Real>, 2> extra = {};                  // a third and a fourth body
+  int extra_count = 0;                                      // how many of `extra` there are
 };
 
 /// How far the condition is from holding [m or rad], signed: all of the error of an equality, the missing

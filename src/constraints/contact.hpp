@@ -1,6 +1,8 @@
 // Floor 3. Contact: keep two surfaces apart, and let friction resist their sliding.
 #pragma once
 
+#include <limits>
+
 #include "collision/manifold.hpp"
 #include "constraints/constraint.hpp"
 
@@ -16,10 +18,11 @@ enum class FrictionRows {
 /// How two surfaces meet: the mixture of two materials.
 template <Scalar Real>
 struct ContactMaterial {
-  Real friction = 0;                                     // mu
-  Real restitution = 0;                                  // e: separation speed over approach speed
-  Real restitution_threshold = 0;                        // [m/s] slower approaches do not rebound
-  FrictionRows friction_rows = FrictionRows::per_point;  // for both points of a manifold, or for each
+  Real friction = 0;                                        // mu
+  Real restitution = 0;                                     // e: separation speed over approach speed
+  Real restitution_threshold = 0;                           // [m/s] slower approaches do not rebound
+  FrictionRows friction_rows = FrictionRows::per_point;     // for both points of a manifold, or for each
+  Real slop_limit = std::numeric_limits<Real>::infinity();  // [m] no slop above this, whatever is asked for
 };
 
 /// The rows of a manifold between bodies a and b. For each point, with arms r_a, r_b from the centres of

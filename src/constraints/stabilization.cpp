@@ -69,7 +69,7 @@ Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization
   if (!spec.bounds.is_unilateral()) return spec.speed - return_speed(spec.error);
 
   const bool has_slop = spec.keeps_slop && !spec.softness;
-  const Real slop = has_slop ? static_cast<Real>(stabilization.slop) : Real(0);
+  const Real slop = has_slop ? std::min(static_cast<Real>(stabilization.slop), spec.slop_limit) : Real(0);
   Real bias = -spec.error / dt;
   if (spec.error < 0) bias = return_speed(std::max(Real(0), -spec.error - slop));
   if (pass == StabilizationPass::position) return bias - spec_velocity(spec, velocity);

@@ -28,7 +28,7 @@ enum class StabilizationPass {
 struct Stabilization {
   StabilizationPolicy policy = StabilizationPolicy::baumgarte;  // what becomes of errors
   double baumgarte = 0.2;  // beta: the share of an error that one step removes
-  double slop = 0.005;     // [m] overlap of contacts that is left alone
+  double slop = 0.005;     // [m] overlap of contacts that is left alone; less between small bodies
   /// [m/s or rad/s] errors are taken back no faster than this.
   double max_speed = std::numeric_limits<double>::infinity();
   SwingSoftness soft = {.frequency = 30, .damping_ratio = 10};  // of policy soft; at most 0.25 / dt

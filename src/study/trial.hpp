@@ -16,7 +16,7 @@ namespace cairn {
 enum class TrialStatus {
   ok,        // all of its steps were done
   diverged,  // a body became faster than TrialOptions::fastest
-  nan,       // a pose or a velocity is no finite number
+  nan,       // a pose or a velocity is no finite number, or would have been after a step
   refused,   // the engine cannot run the scene, or the solver its problem: TrialResult::reason says why
   timeout,   // its steps took longer than TrialOptions::time_limit
 };

@@ -44,6 +44,7 @@ Plan make_plan(const Scene& scene) {
   plan.joints = static_cast<int>(scene.joints().size());
   plan.broadphase = plan.colliders > all_pairs_limit ? BroadphaseKind::sweep : BroadphaseKind::all_pairs;
   plan.warm_start = scene.settings().warm_start;
+  plan.watches_warm_start = plan.warm_start && scene.settings().watches_warm_start;
   plan.substeps = scene.settings().substeps;
   plan.relaxes = scene.settings().stabilization.policy == StabilizationPolicy::soft;
   plan.corrects_positions = scene.settings().stabilization.policy == StabilizationPolicy::split_impulse;
@@ -74,8 +75,9 @@ std::string explain(const Plan& plan) {
                                ? std::string("every dynamic body turns")
                                : fmt::format("left out for {} of {} dynamic bodies: 1/I is 0",
                                              plan.dynamic_bodies - plan.turning_bodies, plan.dynamic_bodies));
-  text += line("warm start",
-               either(plan.warm_start, "impulses are kept from step to step", "left out by setting"));
+  const char* kept = plan.watches_warm_start ? "impulses are kept from step to step, unless they add energy"
+                                             : "impulses are kept from step to step";
+  text += line("warm start", either(plan.warm_start, kept, "left out by setting"));
   text += line("substeps", plan.substeps > 1 ? fmt::format("{} a step", plan.substeps)
                                              : std::string("left out: one solve a step"));
   std::string second = "left out: positions need none of their own";

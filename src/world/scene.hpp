@@ -24,11 +24,14 @@ struct Sleeping {
 
 /// What holds for the whole scene, and how it steps.
 struct SceneSettings {
-  Vec2<double> gravity = {0, -10};     // [m/s^2]
-  double dt = 1.0 / 60;                // [s] one step
-  int substeps = 1;                    // a step is so many steps of dt / substeps, each solved anew
-  Stabilization stabilization = {};    // how errors in positions are taken back
-  bool warm_start = true;              // begin from last step's impulses
+  Vec2<double> gravity = {0, -10};   // [m/s^2]
+  double dt = 1.0 / 60;              // [s] one step
+  int substeps = 1;                  // a step is so many steps of dt / substeps, each solved anew
+  Stabilization stabilization = {};  // how errors in positions are taken back
+  bool warm_start = true;            // begin from last step's impulses
+  /// Before a solve, impulses of the last step that would leave it with more energy than none at all are
+  /// forgotten (impulse_energy() in solvers/impulse_energy.hpp). O(m) a substep; off: not looked at.
+  bool watches_warm_start = false;
   double speculative_margin = 0.02;    // [m] shapes closer than this get contact rows with room to spare
   double restitution_threshold = 0.5;  // [m/s] slower approaches do not rebound
   FrictionRows friction_rows = FrictionRows::per_point;  // one for each point or for each manifold

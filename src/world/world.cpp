@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solvers/impulse_energy.hpp"
+
 namespace cairn {
 
 namespace {
@@ -21,17 +23,18 @@ std::uint64_t contact_source(int collider_a, int collider_b) {
 template <Scalar Real>
 StepReport World<Real>::step(Solver<Real>& solver, SolveObserver<Real>* observer) {
   StepReport report;
-  for (int i = 0; i < scene_->settings().substeps; ++i) substep(solver, observer, report);
+  for (int i = 0; i < scene_->settings().substeps && !report.not_finite; ++i) {
+    substep(solver, observer, report);
+  }
   report.awake.bodies = plan_->dynamic_bodies;
   if (sleep_) {
-    sleep_->let_sleep(record_.manifolds, record_.problem, dt_, state_.velocity);
+    if (!report.not_finite) sleep_->let_sleep(record_.manifolds, record_.problem, dt_, state_.velocity);
     report.awake = sleep_->count();
   }
   time_ += dt_;
   steps_ += 1;
   report.rows = record_.problem.row_count();
   for (const Manifold<Real>& manifold : record_.manifolds) report.contacts += manifold.count;
-  report.not_finite = first_not_finite();
   return report;
 }
 
@@ -41,6 +44,7 @@ void World<Real>::substep(Solver<Real>& solver, SolveObserver<Real>* observer, S
   apply_forces();   // 3     v_1 = v + dt M^-1 f: gravity is in before any constraint is solved
   write_rows(StabilizationPass::velocity, record_.problem);  // 4  joints and manifolds -> rows,
   warm_start();                                              //    with last step's impulses
+  if (plan_->watches_warm_start) watch_warm_start(report);
   if (plan_->relaxes) {
     second_problem_.velocity = record_.problem.velocity;
     write_rows(StabilizationPass::relax, second_problem_);
@@ -48,16 +52,19 @@ void World<Real>::substep(Solver<Real>& solver, SolveObserver<Real>* observer, S
   report.solve = solver.solve(record_.problem, observer);  // 5  -> impulses, v_2
   report.sweeps += report.solve.iterations;
 
-  state_.velocity = record_.problem.velocity;
+  moving_velocity_ = record_.problem.velocity;
   if (plan_->corrects_positions) correct_positions(solver, report);
-  integrate_positions(state_, substep_length());  // 6  with the new velocities: semi-implicit Euler
   if (plan_->relaxes) relax(solver, report);
+  report.not_finite = first_not_finite();
+  if (report.not_finite) return;  // nothing has moved, and the impulses remembered are those of before
+  state_.velocity.swap(moving_velocity_);
+  integrate_positions(state_, substep_length());  // 6  with the new velocities: semi-implicit Euler
   state_.velocity = record_.problem.velocity;
   remember_impulses();  // 7
 }
 
-/// The policy soft: solves again from v_1, without the springs that have just moved the positions, so that
-/// their speed does not stay in the velocities.
+/// The policy soft: solves again from v_1, without the springs that move the positions, so that their
+/// speed does not stay in the velocities.
 template <Scalar Real>
 void World<Real>::relax(Solver<Real>& solver, StepReport& report) {
   second_problem_.impulse = record_.problem.impulse;
@@ -74,7 +81,8 @@ void World<Real>::correct_positions(Solver<Real>& solver, StepReport& report) {
   for (Vec3<Real>& v : second_problem_.velocity) v.setZero();
   second_problem_.impulse.assign(second_problem_.rows.size(), Real(0));
   report.sweeps += solver.solve(second_problem_).iterations;
-  for (std::size_t i = 0; i < state_.velocity.size(); ++i) state_.velocity[i] += second_problem_.velocity[i];
+  for (std::size_t i = 0; i < moving_velocity_.size(); ++i)
+    moving_velocity_[i] += second_problem_.velocity[i];
 }
 
 template <Scalar Real>
@@ -151,6 +159,15 @@ void World<Real>::warm_start() {
   }
 }
 
+/// Begins from nothing where last step's impulses, as they are, would leave the solve with more energy than
+/// no impulses at all.
+template <Scalar Real>
+void World<Real>::watch_warm_start(StepReport& report) {
+  if (!(impulse_energy(record_.problem, moving_velocity_) > 0)) return;
+  std::fill(record_.problem.impulse.begin(), record_.problem.impulse.end(), Real(0));
+  report.dropped_warm_starts += 1;
+}
+
 /// Rows that have vanished are forgotten.
 template <Scalar Real>
 void World<Real>::remember_impulses() {
@@ -165,20 +182,26 @@ void World<Real>::remember_impulses() {
 
 template <Scalar Real>
 ContactMaterial<Real> World<Real>::material(BodyId a, BodyId b) const {
-  const BodySpec& spec_a = scene_->bodies()[static_cast<std::size_t>(a.index)].spec;
-  const BodySpec& spec_b = scene_->bodies()[static_cast<std::size_t>(b.index)].spec;
+  const auto index_a = static_cast<std::size_t>(a.index), index_b = static_cast<std::size_t>(b.index);
+  const BodySpec& spec_a = scene_->bodies()[index_a].spec;
+  const BodySpec& spec_b = scene_->bodies()[index_b].spec;
   return {.friction = static_cast<Real>(std::sqrt(spec_a.friction) * std::sqrt(spec_b.friction)),
           .restitution = static_cast<Real>(std::max(spec_a.restitution, spec_b.restitution)),
           .restitution_threshold = static_cast<Real>(scene_->settings().restitution_threshold),
-          .friction_rows = scene_->settings().friction_rows};
+          .friction_rows = scene_->settings().friction_rows,
+          .slop_limit = std::min(slop_limit_[index_a], slop_limit_[index_b])};
 }
 
+/// Of the bodies as the substep would leave them.
 template <Scalar Real>
 std::optional<BodyId> World<Real>::first_not_finite() const {
+  const Real dt = substep_length();
   for (std::size_t i = 0; i < state_.pose.size(); ++i) {
     const Pose<Real>& pose = state_.pose[i];
-    const bool finite = std::isfinite(pose.position.x()) && std::isfinite(pose.position.y()) &&
-                        std::isfinite(pose.angle) && state_.velocity[i].allFinite();
+    const Vec3<Real>& v = moving_velocity_[i];
+    const bool finite = std::isfinite(pose.position.x() + dt * v.x()) &&
+                        std::isfinite(pose.position.y() + dt * v.y()) &&
+                        std::isfinite(pose.angle + dt * v.z()) && record_.problem.velocity[i].allFinite();
     if (!finite) return BodyId{static_cast<int>(i)};
   }
   return std::nullopt;

@@ -19,14 +19,17 @@
 
 namespace cairn {
 
-/// What happened in one step. A blow-up is reported here, not thrown: nothing is clamped in silence.
+/// What happened in one step. A blow-up is reported here, not thrown: nothing is clamped in silence. The
+/// substep in which a body would get a position or a velocity that is no finite number is not done, nor are
+/// the further ones of its step: all bodies stay as they were, and only the time goes on.
 struct StepReport {
   SolveReport solve = {};                 // of the velocities; of the last substep
   int sweeps = 0;                         // all that were done, for relaxing and for positions too
   int contacts = 0;                       // contact points
   int rows = 0;                           // scalar constraints
   AwakeCount awake = {};                  // when the step ended; islands are counted where bodies may sleep
-  std::optional<BodyId> not_finite = {};  // the first body with a NaN or an infinity, if any
+  std::optional<BodyId> not_finite = {};  // the first body that would have a NaN or an infinity, if any
+  int dropped_warm_starts = 0;            // of substeps; see SceneSettings::watches_warm_start
 };
 
 /// What the last step saw and found. The first blocks of the problem are those of the joints, in the scene's
@@ -44,6 +47,8 @@ template <Scalar Real = double>
 class World {
  public:
   /// Begins where the scene's bodies stand, at time 0.
+  /// @throws std::invalid_argument for a body that Real has no number for, or which stands so far from the
+  /// origin that Real cannot tell positions within it apart.
   explicit World(Scene scene);
 
   /// One step of dt, in as many substeps as the scene asks for. The same bits for the same scene, solver and
@@ -99,6 +104,7 @@ class World {
   void relax(Solver<Real>& solver, StepReport& report);
   void correct_positions(Solver<Real>& solver, StepReport& report);
   void warm_start();
+  void watch_warm_start(StepReport& report);
   void remember_impulses();
   std::optional<BodyId> first_not_finite() const;
   ContactMaterial<Real> material(BodyId a, BodyId b) const;
@@ -107,6 +113,7 @@ class World {
   std::shared_ptr<const Plan> plan_;
   std::shared_ptr<const std::vector<Collider>> colliders_;
   std::vector<BodyForces<Real>> forces_;
+  std::vector<Real> slop_limit_;  // [m] of each body: a share of its smallest shape
   BodyState<Real> state_;
   std::vector<std::pair<RowKey, Real>> impulses_;  // of the last step, sorted by key
   StepRecord<Real> record_;
@@ -121,7 +128,8 @@ class World {
   std::vector<Aabb<Real>> boxes_;
   std::vector<char> movable_;  // of each collider: not of a pair where neither is
   RowSpecs<Real> specs_;
-  VelocityProblem<Real> second_problem_;  // of the policies that solve twice
+  VelocityProblem<Real> second_problem_;     // of the policies that solve twice
+  std::vector<Vec3<Real>> moving_velocity_;  // of each body: what its position moves by in this substep
 };
 
 /// `World world(scene);` is one in double.

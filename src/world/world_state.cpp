@@ -1,8 +1,56 @@
 // Floor 5. Making a world from its scene, and changing what a user may change.
+#include <algorithm>
+
+#include "geometry/aabb.hpp"
 #include "math/check.hpp"
 #include "world/world.hpp"
 
 namespace cairn {
+
+namespace {
+
+// Of the smallest shape of a body: what it may sink in at most, whatever the slop. Bodies of 0.1 m and more
+// keep the usual slop of 5 mm.
+constexpr double slop_share = 0.05;
+
+/// [m] the longer side of the box around a shape.
+double extent(const Shape<double>& shape) {
+  const Aabb<double> box = bounding_box(shape, Pose<double>{});
+  return (box.upper - box.lower).maxCoeff();
+}
+
+template <Scalar Real>
+void require_number(double value, std::size_t body, const char* field) {
+  require(std::isfinite(static_cast<Real>(value)), "World", field + (" of body " + std::to_string(body)),
+          "a number of its scalar type", value);
+}
+
+/// A body no longer than the distance of neighbouring numbers cannot touch anything in earnest.
+template <Scalar Real>
+void require_place(const SceneBody& body, std::size_t number) {
+  for (int axis = 0; axis < 2; ++axis) {
+    const double place = body.pose.position[axis];
+    require_number<Real>(place, number, "position");
+    require_number<Real>(body.spec.velocity[axis], number, "velocity");
+    const Real at = static_cast<Real>(std::abs(place));
+    const double step = static_cast<double>(std::nextafter(at, std::numeric_limits<Real>::infinity()) - at);
+    for (const Shape<double>& shape : body.spec.shapes) {
+      require(step < extent(shape), "World", "position of body " + std::to_string(number),
+              "nearer to the origin in this scalar type, for a shape of " + shortest(extent(shape)) + " m",
+              place);
+    }
+  }
+  require_number<Real>(body.pose.angle, number, "angle");
+  require_number<Real>(body.spec.angular_velocity, number, "angular_velocity");
+}
+
+double slop_limit(const BodySpec& spec) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Shape<double>& shape : spec.shapes) smallest = std::min(smallest, extent(shape));
+  return slop_share * smallest;
+}
+
+}  // namespace
 
 template <Scalar Real>
 World<Real>::World(Scene scene)
@@ -14,6 +62,8 @@ World<Real>::World(Scene scene)
   for (std::size_t i = 0; i < scene_->bodies().size(); ++i) {
     const SceneBody& body = scene_->bodies()[i];
     const BodySpec& spec = body.spec;
+    require_place<Real>(body, i);
+    slop_limit_.push_back(static_cast<Real>(slop_limit(spec)));
     state_.pose.push_back(
         {.position = body.pose.position.template cast<Real>(), .angle = static_cast<Real>(body.pose.angle)});
     state_.velocity.push_back({static_cast<Real>(spec.velocity.x()), static_cast<Real>(spec.velocity.y()),

@@ -1,0 +1,148 @@
+// cairn extremes: what holds, what degrades and what is refused, at the edges of what can be asked.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "extremes/extreme.hpp"
+#include "extremes/extreme_study.hpp"
+#include "lessons/records.hpp"
+#include "lessons/sandbox/interrupt.hpp"
+#include "lessons/sandbox/verbs.hpp"
+#include "lessons/words.hpp"
+#include "math/nearest.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+namespace fs = std::filesystem;
+using Color = Console::Color;
+
+ExtremeChoice choice_of(const Words& words) {
+  ExtremeChoice choice;
+  if (words.has("only")) choice.axes = words.texts("only");
+  if (words.has("quick")) choice.part = ExtremePart::quick;
+  std::vector<std::string> known;
+  for (const ExtremeAxis& axis : extreme_axes()) known.push_back(axis.name);
+  for (const std::string& axis : choice.axes) require_known(axis, known, "extremes", "axis");
+  return choice;
+}
+
+int list_axes(Console& console) {
+  for (const ExtremeAxis& axis : extreme_axes()) {
+    console.result(console.spelt(fmt::format("{:<14} {}", axis.name, axis.title)));
+    console.result(console.spelt(fmt::format("{:<14} {}", "", axis.settings)));
+  }
+  return all_well;
+}
+
+/// Columns as wide as their longest cell; the last one is a note.
+std::vector<std::string> lined_up(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::vector<std::string> lines;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
+    line.erase(line.find_last_not_of(' ') + 1);
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+void print_table(const std::vector<ExtremeRow>& found, const Words& words, Console& console) {
+  std::vector<std::vector<std::string>> cells = {
+      {"axis", "value", "solver", "policy", "verdict", "must", "quantity", "value", "limit", ""}};
+  std::vector<bool> good = {true};
+  for (const ExtremeRow& row : found) {
+    if (words.has("missed") && row.meets) continue;
+    const bool refused = row.verdict == "REFUSE";
+    cells.push_back({row.axis, row.value, row.solver, row.policy, row.verdict, row.required, row.quantity,
+                     refused ? "" : fmt::format("{:.3g}", row.measured),
+                     refused ? "" : fmt::format("{:.3g}", row.limit), row.meets ? "" : row.note});
+    good.push_back(row.meets);
+  }
+  const std::vector<std::string> lines = lined_up(cells);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    console.result(good[i] ? console.spelt(lines[i]) : console.colored(console.spelt(lines[i]), Color::bad));
+}
+
+int report_extremes(const std::vector<ExtremeRow>& found, const Words& words, Console& console) {
+  std::map<std::string, int> verdicts;
+  int missed = 0;
+  for (const ExtremeRow& row : found) {
+    verdicts[row.verdict] += 1;
+    missed += !row.meets;
+  }
+  if (words.has("json"))
+    fmt::print("{}\n", extreme_json(found));
+  else
+    print_table(found, words, console);
+  const std::string summary =
+      fmt::format("{} cases: {} OK, {} BOUND, {} REFUSE, {} FAIL; {} miss what is required", found.size(),
+                  verdicts["OK"], verdicts["BOUND"], verdicts["REFUSE"], verdicts["FAIL"], missed);
+  if (words.has("json"))
+    console.narrate(summary);
+  else
+    console.result(console.colored(summary, missed > 0 ? Color::bad : Color::good));
+  return missed > 0 ? check_failed : all_well;
+}
+
+int run_extremes(const Words& words, Console& console) {
+  if (words.has("list")) return list_axes(console);
+  const ExtremeChoice choice = choice_of(words);
+  const Study study = extreme_study(choice);
+  const Shard shard = parse_shard(words.text("shard").value_or("1/1"));
+  const fs::path folder = words.text("out").value_or("out/extremes");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  const fs::path file = folder / fmt::format("{}_{}_of_{}.csv", study.name, shard.number, shard.of);
+  if (words.has("again")) fs::remove(file, error);
+  Journal journal(file, study);
+  if (words.has("merge")) {
+    for (const std::string& other : words.texts("merge")) journal.absorb(other);
+  } else {
+    const Interrupt interrupt;
+    Progress bar(words.console, "cases", study.tasks.size() / static_cast<std::size_t>(shard.of));
+    const bool finished = run_study(study, shard, journal, [&](std::size_t done, std::size_t, double left) {
+      bar.advance(done, fmt::format("{:.0f} s left", left));
+      return !interrupt.came();
+    });
+    if (!finished) {
+      console.warn("stopped; the same command goes on where it was");
+      return 130;
+    }
+  }
+  const int code = report_extremes(extreme_rows(journal.csv()), words, console);
+  console.narrate("journal: " + file.string() + "; --again begins anew");
+  return code;
+}
+
+}  // namespace
+
+Verb extremes_verb() {
+  return {
+      .name = "extremes",
+      .summary = "what holds, degrades or is refused at the extremes",
+      .idea =
+          "Drives one thing after the other to its extremes: mass ratios, heights, steps, speeds, sizes, "
+          "springs, materials, numbers. OK: within the tolerance of what is measured. BOUND: not, but "
+          "finite, without an energy gain above 1 %, and nothing goes through anything else. REFUSE: an "
+          "error that names object and value. FAIL: none of these. Exit code 1 where a case misses what it "
+          "must do. It can be stopped and taken up again.",
+      .flags = {{"quick", "", "two settings for each value: half a minute instead of many"},
+                {"only", "AXIS,AXIS", "these alone", true},
+                {"missed", "", "shows those that miss what is required, and no others"},
+                {"out", "DIR", "for the journal (out/extremes)"},
+                {"again", "", "forgets what an earlier run has found"},
+                {"shard", "k/n", "does the k-th of n parts only"},
+                {"merge", "FILE,FILE", "puts the journals of parts together instead of running", true},
+                {"list", "", "the axes, and what each is tried with"}},
+      .examples = {"extremes --quick", "extremes --only stack,chain --missed", "extremes --shard 1/4"},
+      .run = run_extremes};
+}
+
+}  // namespace cairn::sandbox

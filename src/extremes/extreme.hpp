@@ -1,0 +1,59 @@
+// Beside floor 6. What an engine must do at the edges of what it can be asked: one case of one axis.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "study/setting.hpp"
+
+namespace cairn {
+
+/// How a case ended.
+enum class ExtremeVerdict {
+  ok,      // within the tolerance of its quantity
+  bound,   // not, but finite, without an energy gain above 1 %, and nothing went through anything else
+  refuse,  // std::invalid_argument that names field and value, or std::length_error for what needs too much
+           // memory
+  fail,    // none of these
+};
+
+/// "OK", "BOUND", "REFUSE" or "FAIL".
+std::string verdict_text(ExtremeVerdict verdict);
+
+/// Whether a case that must end as `required` may end so: what must be bounded may be right as well.
+bool meets(ExtremeVerdict required, ExtremeVerdict found);
+
+/// What was measured, and how it ended.
+struct ExtremeFinding {
+  ExtremeVerdict verdict = ExtremeVerdict::fail;
+  std::string quantity = {};  // "drift / link"
+  double value = 0;
+  double limit = 0;       // at most, for OK
+  std::string note = {};  // the message of a refusal, or why it failed
+};
+
+struct ExtremeCase {
+  std::string axis = {};
+  std::string value = {};  // of the axis, as text
+  Setting setting = {};
+  ExtremeVerdict required = ExtremeVerdict::bound;
+  bool quick = false;  // is in the part that tests can afford
+  std::function<ExtremeFinding(const Setting&)> run = {};
+};
+
+/// One thing that is driven to its extremes.
+struct ExtremeAxis {
+  std::string name = {};
+  std::string title = {};
+  std::string settings = {};  // solvers and policies that it is tried with, and why
+  std::function<std::vector<ExtremeCase>()> make = {};
+};
+
+/// All of them; cases are made when they are asked for.
+const std::vector<ExtremeAxis>& extreme_axes();
+
+/// Runs a case. Whatever it throws is a finding: a refusal, or a failure.
+ExtremeFinding find_out(const ExtremeCase& extreme);
+
+}  // namespace cairn

@@ -1,0 +1,64 @@
+// Beside floor 6. The groups of axes, one file each, and what they build their cases from.
+#pragma once
+
+#include "extremes/extreme.hpp"
+#include "study/trial.hpp"
+
+namespace cairn {
+
+std::vector<ExtremeAxis> load_axes();      // mass ratio, stack, chain
+std::vector<ExtremeAxis> step_axes();      // dt, variable dt, iterations
+std::vector<ExtremeAxis> motion_axes();    // speed, spin
+std::vector<ExtremeAxis> size_axes();      // distance from the origin, size ratio, overlap
+std::vector<ExtremeAxis> row_axes();       // tiny inertia, redundant and contradictory rows
+std::vector<ExtremeAxis> spring_axes();    // stiffness
+std::vector<ExtremeAxis> material_axes();  // friction, restitution
+std::vector<ExtremeAxis> number_axes();    // scalars, denormals, overflow, determinism
+std::vector<ExtremeAxis> count_axes();     // nothing at all, many bodies, many contacts on one
+std::vector<ExtremeAxis> input_axes();     // shapes, masses, and numbers that are none
+
+/// A setting of an axis, and whether it is in the quick part.
+struct ExtremeSetting {
+  Setting setting = {};
+  bool quick = false;
+};
+
+/// The settings most axes are tried with: si and block under each policy, and one each of the others.
+std::vector<ExtremeSetting> usual_settings();
+Setting setting_of(const std::string& solver, int sweeps,
+                   StabilizationPolicy policy = StabilizationPolicy::baumgarte, int substeps = 1);
+
+/// A scene to be stepped, what is measured of it, and what must not happen.
+struct ExtremeRun {
+  double seconds = 2;         // [s]
+  std::string quantity = {};  // what `measure` gives
+  double limit = 0;           // of `quantity`, for OK
+  std::function<double(const TrialResult&)> measure = {};
+  double thinnest = 1;        // [m] of the thinnest body: an overlap by half of it has gone through
+  double floor = -1e300;      // [m] a centre of mass below it has gone through
+  double energy_gain = 0.01;  // of its scale: more is a failure
+  /// [J] The scale; 0: energy_scale() of the start, which knows nothing of how far a single body can fall.
+  double energy_scale = 0;
+  std::function<bool(const Snapshot&)> escaped = {};  // a further way to have gone through something
+  double time_limit = 30;                             // [s] of processor time, at most
+};
+
+/// Judges by what ExtremeVerdict says. A refusal by the engine is passed on.
+/// @throws std::invalid_argument, std::length_error.
+ExtremeFinding run_extreme(const Scene& scene, const Setting& setting, const ExtremeRun& run);
+
+/// A finding that depends on one number alone: OK up to `limit`, a failure above `bound`, bounded between.
+ExtremeFinding judged(const std::string& quantity, double value, double limit, double bound);
+
+/// Calls run(Real()) with the scalar type that is asked for.
+template <typename Run>
+auto in_scalar(Precision scalar, const Run& run) {
+  if (scalar == Precision::single_precision) return run(float());
+  if (scalar == Precision::long_double) return run(static_cast<long double>(0));
+  return run(double());
+}
+
+/// A scene with the settings that a setting asks for.
+Scene scene_for(const Setting& setting, const SceneSettings& usual = {});
+
+}  // namespace cairn

@@ -1,0 +1,91 @@
+// Beside floor 6. Stepping a case, and judging it.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "extremes/extreme_axes.hpp"
+
+namespace cairn {
+
+namespace {
+
+bool is_below(const Snapshot& now, double floor) {
+  for (const SnapshotBody& body : now.bodies) {
+    if (body.type == BodyType::dynamic && body.pose.position.y() < floor) return true;
+  }
+  return false;
+}
+
+/// Why the run is not even bounded; empty: it is.
+std::string failure_of(const TrialResult& result, const ExtremeRun& run, const std::string& passage) {
+  if (result.status != TrialStatus::ok) {
+    return fmt::format("{} after {} steps", status_text(result.status), result.steps);
+  }
+  if (!passage.empty()) return passage;
+  const double scale = run.energy_scale > 0 ? run.energy_scale : result.energy_scale;
+  const double gain = result.energy_gain * result.energy_scale / scale;
+  if (!(gain <= run.energy_gain)) {
+    return fmt::format("energy grew by {:.3g} % of its scale", 100 * gain);
+  }
+  return "";
+}
+
+}  // namespace
+
+Setting setting_of(const std::string& solver, int sweeps, StabilizationPolicy policy, int substeps) {
+  Setting setting;
+  setting.solver = solver;
+  setting.sweeps.iterations = sweeps;
+  setting.stabilization.policy = policy;
+  setting.substeps = substeps;
+  return setting;
+}
+
+std::vector<ExtremeSetting> usual_settings() {
+  return {{setting_of("si", 10), true},
+          {setting_of("si", 10, StabilizationPolicy::soft), false},
+          {setting_of("si", 10, StabilizationPolicy::split_impulse), false},
+          {setting_of("block-contact", 10), true},
+          {setting_of("block", 10, StabilizationPolicy::soft), false},
+          {setting_of("pgs-sparse", 10), false},
+          {setting_of("accelerated", 30), false}};
+}
+
+ExtremeFinding run_extreme(const Scene& scene, const Setting& setting, const ExtremeRun& run) {
+  std::string passage;
+  TrialOptions options;
+  options.seconds = run.seconds;
+  options.fastest = std::numeric_limits<double>::infinity();
+  options.time_limit = run.time_limit;
+  options.observer = [&](const Snapshot& now) {
+    if (!passage.empty()) return;
+    if (is_below(now, run.floor)) passage = fmt::format("a body is below the floor at {:.3g} s", now.time);
+    if (run.escaped && run.escaped(now))
+      passage = fmt::format("something went through at {:.3g} s", now.time);
+  };
+  const TrialResult result = run_trial(scene, setting, options);
+  if (result.status == TrialStatus::refused) throw std::invalid_argument(result.reason);
+  if (passage.empty() && result.worst_penetration > run.thinnest / 2) {
+    passage = fmt::format("bodies overlap by {:.3g} m", result.worst_penetration);
+  }
+  ExtremeFinding finding{.quantity = run.quantity, .value = run.measure(result), .limit = run.limit};
+  finding.note = failure_of(result, run, passage);
+  if (finding.note.empty()) {
+    finding.verdict = finding.value <= run.limit ? ExtremeVerdict::ok : ExtremeVerdict::bound;
+  }
+  return finding;
+}
+
+ExtremeFinding judged(const std::string& quantity, double value, double limit, double bound) {
+  ExtremeFinding finding{.quantity = quantity, .value = value, .limit = limit};
+  if (value <= bound) finding.verdict = value <= limit ? ExtremeVerdict::ok : ExtremeVerdict::bound;
+  if (!(value <= bound)) finding.note = fmt::format("must be at most {:.3g}", bound);
+  return finding;
+}
+
+Scene scene_for(const Setting& setting, const SceneSettings& usual) {
+  return Scene(with_setting(usual, setting));
+}
+
+}  // namespace cairn

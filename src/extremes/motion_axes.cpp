@@ -1,0 +1,149 @@
+// Beside floor 6. Very fast, and spinning very fast.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "constraints/distance_joint.hpp"
+#include "extremes/extreme_axes.hpp"
+#include "world/world.hpp"
+
+namespace cairn {
+
+namespace {
+
+using Policy = StabilizationPolicy;
+
+enum class Bullet { disc, box };
+
+/// A fast body of 0.2 m, 3.3 m before a wall of 0.1 m.
+Scene shot_at_wall(double speed, Bullet kind, double restitution) {
+  Scene scene({.gravity = {0, 0}});
+  scene.add({.type = BodyType::static_body, .shapes = {box(0.1, 4)}, .position = {0, 0}});
+  const Shape<double> shape =
+      kind == Bullet::disc ? Shape<double>(circle(0.1)) : Shape<double>(box(0.2, 0.2));
+  scene.add({.shapes = {shape},
+             .position = {-3.3, 0.1},
+             .velocity = {speed, 0},
+             .restitution = restitution,
+             .fast = true});
+  return scene;
+}
+
+std::vector<ExtremeSetting> few_settings() {
+  return {{setting_of("si", 10), true},
+          {setting_of("si", 10, Policy::soft), false},
+          {setting_of("si", 10, Policy::split_impulse), true},
+          {setting_of("block-contact", 10), false},
+          {setting_of("accelerated", 10), false},
+          {setting_of("reference", 1), false}};
+}
+
+std::vector<ExtremeCase> speed_cases() {
+  std::vector<ExtremeCase> cases;
+  for (const double speed : {1.0, 10.0, 100.0, 1e3, 1e5}) {
+    for (const Bullet kind : {Bullet::disc, Bullet::box}) {
+      for (const double restitution : {0.0, 1.0}) {
+        for (const ExtremeSetting& tried : few_settings()) {
+          const auto run = [=](const Setting& setting) {
+            // Long enough for it to arrive, and not much longer.
+            const double seconds = std::max(4 / speed, 20 * setting.dt);
+            return run_extreme(
+                shot_at_wall(speed, kind, restitution), setting,
+                {.seconds = seconds,
+                 .quantity = "energy gain",
+                 .limit = 1e-9,
+                 .measure = [](const TrialResult& result) { return result.energy_gain; },
+                 .thinnest = 0.1,
+                 .escaped = [](const Snapshot& now) { return now.bodies.back().pose.position.x() > -0.05; }});
+          };
+          const std::string what =
+              fmt::format("{:g} m/s, {}, e {:g}", speed, kind == Bullet::disc ? "disc" : "box", restitution);
+          cases.push_back({"speed", what, tried.setting, ExtremeVerdict::bound, tried.quick, run});
+        }
+      }
+    }
+  }
+  return cases;
+}
+
+/// A free body keeps its spin, and its angle is that times time.
+ExtremeFinding free_spin(double turn, const Setting& setting) {
+  const double spin = turn / setting.dt;
+  double worst = 0;
+  Scene scene({.gravity = {0, 0}});
+  scene.add({.shapes = {box(1, 0.5)}, .angular_velocity = spin});
+  return run_extreme(scene, setting,
+                     {.seconds = 2,
+                      .quantity = "error of the angle / turned",
+                      .limit = 1e-12,
+                      .measure = [&](const TrialResult&) { return worst; },
+                      .escaped =
+                          [&](const Snapshot& now) {
+                            const double expected = spin * setting.dt * now.step;
+                            if (now.step == 0) return false;
+                            worst = std::max(worst, std::abs(now.bodies[1].pose.angle / expected - 1));
+                            return false;
+                          }});
+}
+
+/// A ball on a rod. Its place on the circle is found along the tangent, so that the rod is stretched by
+/// L (w dt)^2 / (2 beta) in the long run.
+ExtremeFinding spin_on_a_rod(double turn, const Setting& setting) {
+  const double spin = turn / setting.dt;
+  Scene scene({.gravity = {0, 0}});
+  const BodyId ball = scene.add({.shapes = {circle(0.1)}, .position = {1, 0}, .velocity = {0, spin}});
+  scene.join<DistanceJoint>({.a = ground, .b = ball, .anchor_b = {1, 0}});
+  const double law = turn * turn / (2 * setting.stabilization.baumgarte);
+  return run_extreme(
+      scene, setting,
+      {.seconds = 2, .quantity = "drift (m)", .limit = 1.5 * law, .measure = [](const TrialResult& result) {
+         return result.worst_drift;
+       }});
+}
+
+/// A box that spins where it touches the ground.
+ExtremeFinding spin_on_the_ground(double turn, const Setting& setting) {
+  Scene scene;
+  scene.add_ground({.half_width = 1e4});
+  scene.add({.shapes = {box(1, 0.5)}, .position = {0, 0.6}, .angular_velocity = turn / setting.dt});
+  return run_extreme(scene, setting,
+                     {.seconds = 2,
+                      .quantity = "energy gain",
+                      .limit = 1e-3,
+                      .measure = [](const TrialResult& result) { return result.energy_gain; },
+                      .thinnest = 0.5,
+                      .floor = 0});
+}
+
+std::vector<ExtremeCase> spin_cases() {
+  struct Turn {
+    std::string text;
+    double angle;
+  };
+  std::vector<ExtremeCase> cases;
+  for (const Turn& turn :
+       {Turn{"0.01", 0.01}, Turn{"0.1", 0.1}, Turn{"1", 1}, Turn{"pi", pi}, Turn{"100", 100}}) {
+    const double angle = turn.angle;
+    for (const ExtremeSetting& tried : few_settings()) {
+      const auto add = [&](const std::string& what, ExtremeVerdict required, const auto& run) {
+        cases.push_back({"spin", turn.text + " rad, " + what, tried.setting, required, tried.quick,
+                         [angle, run](const Setting& setting) { return run(angle, setting); }});
+      };
+      add("free", ExtremeVerdict::ok, free_spin);
+      const bool follows_law = angle <= 0.1 && tried.setting.stabilization.policy == Policy::baumgarte;
+      add("on a rod", follows_law ? ExtremeVerdict::ok : ExtremeVerdict::bound, spin_on_a_rod);
+      add("on the ground", ExtremeVerdict::bound, spin_on_the_ground);
+    }
+  }
+  return cases;
+}
+
+}  // namespace
+
+std::vector<ExtremeAxis> motion_axes() {
+  const std::string few = "si under every policy, and one of each family";
+  return {{"speed", "a fast body of 0.2 m against a wall of 0.1 m", few, speed_cases},
+          {"spin", "so many radians a step", few, spin_cases}};
+}
+
+}  // namespace cairn

@@ -1,0 +1,175 @@
+// Beside floor 6. Far from the origin, very small beside very large, and one inside the other.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "extremes/extreme_axes.hpp"
+#include "math/check.hpp"
+#include "world/world.hpp"
+
+namespace cairn {
+
+namespace {
+
+using Policy = StabilizationPolicy;
+
+/// Three boxes on a table at (x, x).
+Scene far_stack(double x) {
+  Scene scene;
+  scene.add({.type = BodyType::static_body, .shapes = {box(20, 2)}, .position = {x, x - 1}});
+  for (int i = 0; i < 3; ++i) scene.add({.shapes = {box(1, 1)}, .position = {x, x + 0.5 + i}});
+  return scene;
+}
+
+/// The same as at the origin: how far the boxes sink depends on the policy, and not on where they are.
+ExtremeFinding as_at_the_origin(double x, const Setting& setting) {
+  ExtremeRun run{.seconds = 2,
+                 .quantity = "beside the origin (m)",
+                 .limit = Stabilization().slop,
+                 .measure = [](const TrialResult& result) { return result.farthest; },
+                 .floor = -0.5};
+  const double near = run_extreme(far_stack(0), setting, run).value;
+  run.measure = [near](const TrialResult& result) { return std::abs(result.farthest - near); };
+  run.floor = x - 0.5;
+  return run_extreme(far_stack(x), setting, run);
+}
+
+struct Distance {
+  Precision scalar = Precision::double_precision;
+  double x = 0;  // [m]
+};
+
+std::string scalar_text(Precision scalar) {
+  if (scalar == Precision::single_precision) return "float";
+  return scalar == Precision::double_precision ? "double" : "long double";
+}
+
+/// [m] between neighbouring numbers at x.
+double spacing_at(const Distance& distance) {
+  return in_scalar(distance.scalar, [&](auto real) {
+    using Real = decltype(real);
+    const Real x = static_cast<Real>(distance.x);
+    return static_cast<double>(std::nextafter(x, std::numeric_limits<Real>::max()) - x);
+  });
+}
+
+/// As good as at the origin while neighbouring numbers are closer than a tenth of the slop; refused where a
+/// body is no longer than that.
+ExtremeVerdict required_of_distance(const Distance& distance) {
+  const double spacing = spacing_at(distance), slop = Stabilization().slop;
+  if (spacing >= 1) return ExtremeVerdict::refuse;
+  return spacing < slop / 10 ? ExtremeVerdict::ok : ExtremeVerdict::bound;
+}
+
+std::vector<Distance> distances() {
+  std::vector<Distance> all;
+  for (const double x : {0.0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8})
+    all.push_back({Precision::single_precision, x});
+  for (const double x : {0.0, 1e2, 1e4, 1e6, 1e8, 1e10, 1e12, 1e13, 1e14, 1e17})
+    all.push_back({Precision::double_precision, x});
+  for (const double x : {0.0, 1e14, 1e15}) all.push_back({Precision::long_double, x});
+  return all;
+}
+
+std::vector<ExtremeCase> distance_cases() {
+  std::vector<ExtremeCase> cases;
+  for (const Distance& distance : distances()) {
+    for (ExtremeSetting tried : usual_settings()) {
+      tried.setting.scalar = distance.scalar;
+      const double x = distance.x;
+      const auto run = [x](const Setting& setting) { return as_at_the_origin(x, setting); };
+      cases.push_back({"distance", fmt::format("{:g} m in {}", x, scalar_text(distance.scalar)),
+                       tried.setting, required_of_distance(distance), tried.quick, run});
+    }
+  }
+  return cases;
+}
+
+/// A body of `size` [m] on a box of 1 m, or a box of 1 m on one of `size`. The larger one cannot be moved: it
+/// would have more inertia than is allowed, and what it sinks in itself is more than all of the smaller one.
+Scene large_and_small(double size) {
+  const double lower = std::max(size, 1.0), upper = std::min(size, 1.0), density = 1000;
+  Scene scene;
+  scene.add({.type = BodyType::static_body, .shapes = {box(lower, lower)}, .position = {0, lower / 2}});
+  scene.add({.shapes = {box(upper, upper)}, .position = {0, lower + upper / 2}, .density = density});
+  return scene;
+}
+
+std::vector<ExtremeCase> size_cases() {
+  std::vector<ExtremeCase> cases;
+  for (const double size : {1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4}) {
+    for (const ExtremeSetting& tried : usual_settings()) {
+      const double small = std::min(size, 1.0);
+      const auto run = [size, small](const Setting& setting) {
+        return run_extreme(large_and_small(size), setting,
+                           {.seconds = 2,
+                            .quantity = "penetration / smaller",
+                            .limit = 0.1,
+                            .measure = [small](const TrialResult& r) { return r.worst_penetration / small; },
+                            .thinnest = small,
+                            .floor = 0});
+      };
+      cases.push_back({"size-ratio", shortest(size), tried.setting, ExtremeVerdict::ok, tried.quick, run});
+    }
+  }
+  return cases;
+}
+
+/// Two bodies of 1 m without gravity, the second so far into the first.
+Scene overlapping(const Shape<double>& first, const Shape<double>& second, double share) {
+  Scene scene({.gravity = {0, 0}});
+  scene.add({.shapes = {first}});
+  scene.add({.shapes = {second}, .position = {0, 1 - share}});
+  return scene;
+}
+
+std::vector<ExtremeCase> overlap_cases() {
+  struct Two {
+    std::string text;
+    Shape<double> first;
+    Shape<double> second;
+  };
+  const Shape<double> disc = circle(0.5), square = box(1, 1), rod = capsule({-0.3, 0}, {0.3, 0}, 0.5);
+  std::vector<ExtremeCase> cases;
+  for (const Two& two : {Two{"discs", disc, disc}, Two{"boxes", square, square}, Two{"capsules", rod, rod},
+                         Two{"disc in box", square, disc}, Two{"capsule in disc", disc, rod}}) {
+    for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+      for (ExtremeSetting tried : usual_settings()) {
+        // 4 m/s is as fast as bodies may part that began in each other.
+        const double cap = 4;
+        tried.setting.stabilization.max_speed = 3;
+        const auto run = [two, share, cap](const Setting& setting) {
+          double fastest = 0;
+          const auto look = [&](const Snapshot& now) {
+            for (const SnapshotBody& body : now.bodies) fastest = std::max(fastest, body.velocity.norm());
+            return fastest > cap;
+          };
+          return run_extreme(overlapping(two.first, two.second, share), setting,
+                             {.seconds = 2,
+                              .quantity = "fastest body (m/s)",
+                              .limit = cap,
+                              .measure = [&](const TrialResult&) { return fastest; },
+                              .thinnest = 1e300,
+                              .energy_gain = 1e300,
+                              .escaped = look});
+        };
+        cases.push_back({"overlap", fmt::format("{:g} %, {}", 100 * share, two.text), tried.setting,
+                         ExtremeVerdict::bound, tried.quick, run});
+      }
+    }
+  }
+  return cases;
+}
+
+}  // namespace
+
+std::vector<ExtremeAxis> size_axes() {
+  const std::string usual = "si and block under every policy, block-contact, PGS, accelerated";
+  return {{"distance", "three boxes so far from the origin, in x and in y, 2 s", usual, distance_cases},
+          {"size-ratio", "a box of so many metres beside one of 1 m, each of one material, 2 s", usual,
+           size_cases},
+          {"overlap", "two bodies of 1 m that begin so far in each other, 2 s",
+           usual + ", errors taken back at 3 m/s at most", overlap_cases}};
+}
+
+}  // namespace cairn

@@ -1,0 +1,94 @@
+// Beside floor 6. Springs from slack to much stiffer than a step can follow.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "constraints/distance_joint.hpp"
+#include "extremes/extreme_axes.hpp"
+#include "math/check.hpp"
+
+namespace cairn {
+
+namespace {
+
+/// So many balls of 1 kg one behind the other on springs of 1 m, all pulled out by 10 %.
+Scene row_of_balls(int balls, const SwingSoftness& softness) {
+  Scene scene({.gravity = {0, 0}});
+  BodyId before = ground;
+  for (int i = 1; i <= balls; ++i) {
+    const Vec2<double> place(1.1 * i, 0);
+    const BodyId ball = scene.add({.shapes = {circle(0.1)}, .position = place, .mass = 1});
+    scene.join<DistanceJoint>({.a = before,
+                               .b = ball,
+                               .anchor_a = {1.1 * (i - 1), 0},
+                               .anchor_b = place,
+                               .length = 1,
+                               .kind = DistanceJoint::Kind::spring,
+                               .softness = softness});
+    before = ball;
+  }
+  return scene;
+}
+
+/// A spring cannot throw farther than it was pulled: the swing beside the pull.
+ExtremeFinding swing(int balls, double frequency_dt, double damping, const Setting& setting) {
+  const double pull = 0.1;  // [m] of each spring
+  const SwingSoftness softness{.frequency = frequency_dt / setting.dt, .damping_ratio = damping};
+  double worst = 0;
+  const auto look = [&](const Snapshot& now) {
+    for (std::size_t i = 1; i < now.bodies.size(); ++i) {
+      const double length = now.bodies[i].pose.position.x() - now.bodies[i - 1].pose.position.x();
+      worst = std::max(worst, std::abs(length - 1));
+    }
+    // Coupled springs may gather what all of them were pulled, in one of them.
+    return worst > 1.01 * pull * balls;
+  };
+  return run_extreme(row_of_balls(balls, softness), setting,
+                     {.seconds = 240 * setting.dt,
+                      .quantity = "swing / pull",
+                      .limit = 1 + 1e-9,
+                      .measure = [&](const TrialResult&) { return worst / pull; },
+                      .thinnest = 1e300,
+                      .energy_gain = 1e300,  // what a spring holds is not in it
+                      .escaped = look});
+}
+
+std::vector<ExtremeCase> stiffness_cases() {
+  std::vector<ExtremeCase> cases;
+  for (const double frequency_dt : {0.01, 0.1, 0.25, 1.0, 10.0, 1e6}) {
+    for (const double damping : {0.0, 0.1, 1.0, 10.0}) {
+      for (const int balls : {1, 5}) {
+        for (ExtremeSetting tried : usual_settings()) {
+          if (frequency_dt > 1e5) tried.setting.dt = 1;  // the stiffest that is allowed is 1e6 Hz
+          const std::string what = fmt::format("f dt {:g}, zeta {:g}, {}", frequency_dt, damping,
+                                               balls == 1 ? "alone" : "5 in a row");
+          cases.push_back(
+              {"stiffness", what, tried.setting, balls == 1 ? ExtremeVerdict::ok : ExtremeVerdict::bound,
+               tried.quick,
+               [=](const Setting& setting) { return swing(balls, frequency_dt, damping, setting); }});
+        }
+      }
+    }
+  }
+  for (const double frequency : {0.0, -1.0, 1e7, double(INFINITY), double(NAN)}) {
+    cases.push_back({"stiffness",
+                     "f " + shortest(frequency) + " Hz",
+                     {},
+                     ExtremeVerdict::refuse,
+                     true,
+                     [frequency](const Setting&) {
+                       row_of_balls(1, {.frequency = frequency});
+                       return ExtremeFinding{.quantity = "not refused"};
+                     }});
+  }
+  return cases;
+}
+
+}  // namespace
+
+std::vector<ExtremeAxis> spring_axes() {
+  return {{"stiffness", "springs of frequency f and damping ratio zeta, 240 steps",
+           "si and block under every policy, block-contact, PGS, accelerated", stiffness_cases}};
+}
+
+}  // namespace cairn
