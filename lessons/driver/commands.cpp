@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "lessons/driver/exercises.hpp"
 #include "lessons/driver/process.hpp"
 #include "lessons/words.hpp"
 
@@ -156,17 +157,42 @@ int next(const Context& context, const std::vector<std::string>& flags) {
 
 int check_one(const Context& context, const Program& program, const std::vector<std::string>& flags) {
   Console console(context.settings);
-  const int code = run_aloud(command(program, {"--check"}, flags));
+  int code = run_aloud(command(program, {"--check"}, flags));
+  const std::optional<ExerciseFiles> exercise = exercise_of(program);
+  if (code == 0 && exercise) code = grade_exercise(program, *exercise);
   if (code == 0 && !note_pass(context.progress_file, program.number)) {
     console.warn("lessons: cannot write " + context.progress_file.string() + "; your progress is not kept");
   }
   return code;
 }
 
+int hint(const Context& context, const Program& program, const std::vector<std::string>& number) {
+  const std::optional<ExerciseFiles> exercise = exercise_of(program);
+  std::vector<std::string> words = {exercise ? exercise->program.string() : program.path.string(), "--hint"};
+  words.insert(words.end(), number.begin(), number.end());
+  if (!exercise && context.settings.plain) words.push_back("--plain");
+  return become(words);
+}
+
+int solution(const Context& context, const Program& program) {
+  const std::optional<ExerciseFiles> exercise = exercise_of(program);
+  Console console(context.settings);
+  if (!exercise) {
+    console.warn(fmt::format("lessons: lesson {} has no exercise", program.number));
+    return bad_usage;
+  }
+  if (read_progress(context.progress_file).count(program.number) == 0) {
+    console.warn(fmt::format("lessons: the answer is shown when yours has passed: bash lessons/run check {}",
+                             program.number));
+    return 1;
+  }
+  return show_solution(program, *exercise);
+}
+
 int check_all(const Context& context, const std::vector<std::string>& flags) {
   int failed = 0;
   for (const Program& program : context.programs) {
-    const int code = check_one(context, program, flags);
+    const int code = run_aloud(command(program, {"--check"}, flags));
     failed += code != 0 && code != skipped ? 1 : 0;
   }
   Console console(context.settings);

@@ -20,7 +20,13 @@ struct Context {
 int run_all(const Context& context, const std::vector<std::string>& flags);
 int list(const Context& context);
 int next(const Context& context, const std::vector<std::string>& flags);
+/// A lesson's own checks, then its exercise; notes a pass.
 int check_one(const Context& context, const Program& program, const std::vector<std::string>& flags);
+/// Of the exercise, or of the question of a lesson that has none.
+int hint(const Context& context, const Program& program, const std::vector<std::string>& number);
+/// The model answer, once the exercise has been passed.
+int solution(const Context& context, const Program& program);
+/// The lessons' own checks, without the exercises; notes nothing.
 int check_all(const Context& context, const std::vector<std::string>& flags);
 int progress(const Context& context);
 int doctor(const Context& context);

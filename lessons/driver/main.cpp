@@ -23,9 +23,10 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
   bash lessons/run next        the first lesson that you have not passed
   bash lessons/run 6           lesson 6 with its text; flags follow: 6 --bodies 10 --predict
   bash lessons/run 6 --help    the flags of lesson 6
-  bash lessons/run check 6     its checks; a pass is noted in lessons-progress.txt
+  bash lessons/run check 6     its checks and your exercise; a pass is noted in lessons-progress.txt
+  bash lessons/run check --all the checks of every lesson, without the exercises
 
-  run [N] [flags]   list   next   check N|--all   hint N [1-3]   progress
+  run [N] [flags]   list   next   check N|--all   hint N [1-3]   solution N   progress
   legend            what colours, dashes and markers mean
   doctor            whether pictures can be drawn here
   --plain           ASCII     --color auto|always|never     -h, --help     --version
@@ -89,12 +90,15 @@ int check(const Context& context, const Words& rest) {
   });
 }
 
-int hint(const Context& context, const Words& rest) {
+int give_hint(const Context& context, const Words& rest) {
   return with_lesson(context, "hint", rest, [&context](const Program& program, const Words& number) {
-    Words flags = {"--hint"};
-    flags.insert(flags.end(), number.begin(), number.end());
-    return run_one(context, program, flags);
+    return hint(context, program, number);
   });
+}
+
+int give_solution(const Context& context, const Words& rest) {
+  return with_lesson(context, "solution", rest,
+                     [&context](const Program& program, const Words&) { return solution(context, program); });
 }
 
 int run(const Context& context, const Words& rest) {
@@ -106,10 +110,15 @@ int run(const Context& context, const Words& rest) {
 
 int act(const Context& context, const std::string& word, const Words& rest) {
   const std::map<std::string, std::function<int()>> actions = {
-      {"run", [&] { return run(context, rest); }},   {"list", [&] { return list(context); }},
-      {"next", [&] { return next(context, rest); }}, {"check", [&] { return check(context, rest); }},
-      {"hint", [&] { return hint(context, rest); }}, {"progress", [&] { return progress(context); }},
-      {"doctor", [&] { return doctor(context); }},   {"legend", [&] { return legend(context); }}};
+      {"run", [&] { return run(context, rest); }},
+      {"list", [&] { return list(context); }},
+      {"next", [&] { return next(context, rest); }},
+      {"check", [&] { return check(context, rest); }},
+      {"hint", [&] { return give_hint(context, rest); }},
+      {"solution", [&] { return give_solution(context, rest); }},
+      {"progress", [&] { return progress(context); }},
+      {"doctor", [&] { return doctor(context); }},
+      {"legend", [&] { return legend(context); }}};
   const auto action = actions.find(word);
   if (action != actions.end()) return action->second();
   if (find(context.programs, word) != nullptr)

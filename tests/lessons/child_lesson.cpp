@@ -80,7 +80,7 @@ Ran run_in_child(const std::function<void(Lesson&)>& lesson, const std::vector<s
 
 Ran run_program(const std::string& name, const std::vector<std::string>& flags) {
   return run_apart([&name, &flags] {
-    std::vector<std::string> words = {std::string(CAIRN_BIN_DIR) + "/" + name};
+    std::vector<std::string> words = {(std::filesystem::path(CAIRN_BIN_DIR) / name).string()};
     words.insert(words.end(), flags.begin(), flags.end());
     const std::vector<char*> pointers = pointers_to(words);
     execv(pointers[0], pointers.data());

@@ -21,7 +21,7 @@ LessonInfo made_up_lesson();
 /// Runs `lesson` with these flags. The child's input is empty.
 Ran run_in_child(const std::function<void(Lesson&)>& lesson, const std::vector<std::string>& flags);
 
-/// Runs a program that was built beside the tests.
+/// Runs a program that was built beside the tests, or that has a path of its own.
 Ran run_program(const std::string& name, const std::vector<std::string>& flags);
 
 /// A shot that writes one word, with an alt text.

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "child_lesson.hpp"
@@ -70,16 +71,57 @@ TEST_CASE("the driver hands flags on and returns the exit code of the lesson") {
   CHECK(folder.names().empty());
 }
 
-TEST_CASE("a passed check is noted once, and next goes on behind it") {
+namespace {
+
+/// The driver and lesson 02 in a folder of their own, with an exercise that ends with this exit code, or
+/// none.
+Ran drive_beside_exercise(const ScratchFolder& folder, std::optional<int> exercise_code,
+                          const std::vector<std::string>& words) {
+  namespace fs = std::filesystem;
+  const fs::path bin = fs::path(folder.path()) / "bin";
+  fs::create_directories(bin);
+  for (const char* name : {"lessons", "lesson02_effective_mass"})
+    fs::copy_file(fs::path(CAIRN_BIN_DIR) / name, bin / name, fs::copy_options::overwrite_existing);
+  if (exercise_code) {
+    folder.write("bin/exercise02", "#!/bin/sh\nexit " + std::to_string(*exercise_code) + "\n");
+    fs::permissions(bin / "exercise02", fs::perms::owner_all);
+  }
+  const fs::path before = fs::current_path();
+  fs::current_path(folder.path());
+  const Ran ran = run_program((bin / "lessons").string(), words);
+  fs::current_path(before);
+  return ran;
+}
+
+}  // namespace
+
+TEST_CASE("a passed exercise is noted once, next goes on behind it, and then its answer is shown") {
   const ScratchFolder folder;
-  CHECK(drive_in(folder, {"check", "0"}).code == 0);
-  CHECK(drive_in(folder, {"check", "0"}).code == 0);
+  CHECK(drive_beside_exercise(folder, 0, {"solution", "2"}).code == 1);
+  CHECK(drive_beside_exercise(folder, 0, {"check", "2"}).code == 0);
+  CHECK(drive_beside_exercise(folder, 0, {"check", "2"}).code == 0);
   const std::string notes = folder.text("lessons-progress.txt");
-  CHECK(notes.rfind("00 passed 20", 0) == 0);
-  CHECK(notes.size() == std::string("00 passed 2026-11-20\n").size());
-  CHECK(folder.names() == std::vector<std::string>{"lessons-progress.txt"});
-  CHECK_FALSE(tells(drive_in(folder, {"next", "--frames", "none"}).out, "Next is lesson 0;"));
-  CHECK(tells(drive_in(folder, {"progress"}).out, "1 of "));
+  CHECK(notes.rfind("02 passed 20", 0) == 0);
+  CHECK(notes.size() == std::string("02 passed 2026-11-20\n").size());
+  CHECK(folder.names() == std::vector<std::string>{"bin", "lessons-progress.txt"});
+  CHECK_FALSE(tells(drive_beside_exercise(folder, 0, {"next"}).out, "Next is lesson 2;"));
+  CHECK(tells(drive_beside_exercise(folder, 0, {"progress"}).out, "1 of 1"));
+  const Ran solution = drive_beside_exercise(folder, 0, {"solution", "2"});
+  CHECK(solution.code == 0);
+  CHECK(tells(solution.out, "double impulse_of("));
+}
+
+TEST_CASE(
+    "an exercise that fails or is not built is not noted, and does not concern the checks of all lessons") {
+  const ScratchFolder folder;
+  CHECK(drive_beside_exercise(folder, 1, {"check", "2"}).code == 1);
+  CHECK(drive_beside_exercise(folder, 1, {"check", "--all"}).code == 0);
+  CHECK(folder.names() == std::vector<std::string>{"bin"});
+  const ScratchFolder elsewhere;
+  const Ran ran = drive_beside_exercise(elsewhere, std::nullopt, {"check", "2"});
+  CHECK(ran.code == 3);
+  CHECK(tells(ran.err, "bash lessons/run check 2 builds it"));
+  CHECK(elsewhere.names() == std::vector<std::string>{"bin"});
 }
 
 TEST_CASE("the doctor draws a picture and leaves nothing behind") {

@@ -1,0 +1,14 @@
+// Exercise 06. Write the inner loop of Algorithm 1 for one contact. Then: bash lessons/run check 6
+#include <algorithm>
+
+#include "exercise.hpp"
+
+namespace cairn::exercise06 {
+
+void update(Contact& contact, std::vector<Box>& boxes) {
+  Box& below = boxes[static_cast<std::size_t>(contact.below)];
+  Box& above = boxes[static_cast<std::size_t>(contact.above)];
+  (void)below, (void)above;  // <- your code: about five lines
+}
+
+}  // namespace cairn::exercise06

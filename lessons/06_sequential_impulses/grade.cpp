@@ -1,0 +1,106 @@
+// Exercise 06, graded: three boxes that fall onto each other, and a contact that takes back what it gave.
+#include <cmath>
+
+#include "exercise.hpp"
+
+namespace cairn::exercise06 {
+namespace {
+
+constexpr double push_rounding = 64 * 2.2204e-16;  // a dozen operations on numbers near 1
+
+/// After k sweeps over the contacts, from the ground up.
+struct Swept {
+  std::vector<Box> boxes = {};
+  std::vector<Contact> contacts = {};
+};
+
+Swept swept(Answer answer, std::vector<Box> boxes, int sweeps) {
+  Swept result{.boxes = std::move(boxes)};
+  const int count = static_cast<int>(result.boxes.size());
+  for (int i = 1; i < count; ++i) result.contacts.push_back({.below = i - 1, .above = i});
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (Contact& contact : result.contacts) answer(contact, result.boxes);
+  }
+  return result;
+}
+
+/// Ground, and three boxes of 1 kg with the speed of one step of falling: g dt = 0.2 m/s.
+std::vector<Box> tower() { return {{0, 0}, {1, -0.2}, {1, -0.2}, {1, -0.2}}; }
+
+void grade_tower(Grade& grade, Answer answer) {
+  const Swept one = swept(answer, tower(), 1), two = swept(answer, tower(), 2);
+  // Gauss-Seidel on A = [1 -1 0; -1 2 -1; 0 -1 2], b = (0.2, 0, 0), by hand.
+  grade.number({.what = "1 sweep: impulse of the ground (N s)",
+                .value = 0.2,
+                .tolerance = push_rounding,
+                .misconceptions = {{-0.2, "The sign: boxes that approach have to be pushed apart."},
+                                   {0, "Nothing was given to the contact's impulse."}}},
+               one.contacts[0].impulse);
+  grade.number(
+      {.what = "1 sweep: impulse between boxes 1 and 2 (N s)",
+       .value = 0.1,
+       .tolerance = push_rounding,
+       .misconceptions = {{0, "The velocities have not changed: apply the impulse at once, to both bodies."},
+                          {0.2, "Two bodies give way here: the effective mass has both in it."}}},
+      one.contacts[1].impulse);
+  grade.number({.what = "1 sweep: velocity of box 1 (m/s)",
+                .value = -0.1,
+                .tolerance = push_rounding,
+                .misconceptions = {{0, "Action and reaction: contact 2 pushes box 1 down."},
+                                   {0.1, "Action and reaction: contact 2 pushes box 1 down, not up."}}},
+               one.boxes[1].velocity);
+  grade.number({.what = "2 sweeps: impulse of the ground (N s)",
+                .value = 0.3,
+                .tolerance = push_rounding,
+                .misconceptions = {{0.1, "The second correction has replaced the first: add it."}}},
+               two.contacts[0].impulse);
+}
+
+/// A box comes down on another at 1 m/s, and is pulled up afterwards: the contact first gives 0.5 N s, and then
+/// has to take back some of it, and at last the rest.
+void grade_taking_back(Grade& grade, Answer answer) {
+  std::vector<Box> boxes = {{1, 0}, {1, -1}};
+  Contact contact{.below = 0, .above = 1};
+  answer(contact, boxes);
+  boxes[1].velocity += 0.6;
+  answer(contact, boxes);
+  grade.number(
+      {.what = "pulled up by 0.6 m/s afterwards: impulse (N s)",
+       .value = 0.2,
+       .tolerance = push_rounding,
+       .misconceptions = {{0.5, "A correction may be negative: only the sum may not. Clamp the sum."}}},
+      contact.impulse);
+  boxes[1].velocity += 2;
+  answer(contact, boxes);
+  grade.number({.what = "pulled up by 2 m/s more: impulse (N s)",
+                .value = 0,
+                .tolerance = push_rounding,
+                .misconceptions = {{-0.8, "A contact cannot pull: its impulse is never below 0."}}},
+               contact.impulse);
+  grade.number({.what = "and what the box below keeps of it (m/s)",
+                .value = 0,
+                .tolerance = push_rounding,
+                .misconceptions = {{0.8, "Apply what the clamp has left of the correction, not all of it."}}},
+               boxes[0].velocity);
+}
+
+}  // namespace
+
+void grade(Grade& grade, Answer answer) {
+  grade_tower(grade, answer);
+  grade_taking_back(grade, answer);
+}
+
+Exercise exercise() {
+  return {
+      .lesson = 6,
+      .task = "One row update of Algorithm 1: the correction, the sum and its clamp, and both velocities.",
+      .file = "lessons/06_sequential_impulses/exercise.cpp",
+      .hints =
+          {"What is j v of this contact, and how much impulse makes it 0?",
+           "j = (-1, 1), so j M⁻¹ jᵀ = 1/m_below + 1/m_above. Add the correction to what was given so far.",
+           "new sum = max(old sum + correction, 0); what is applied is new sum - old sum, to both boxes."},
+      .grade = [](Grade& marks) { grade(marks, update); }};
+}
+
+}  // namespace cairn::exercise06

@@ -1,0 +1,49 @@
+// Finds, grades and answers exercises.
+#include "lessons/driver/exercises.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "lessons/driver/process.hpp"
+
+namespace cairn::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int not_built = 3;
+
+}  // namespace
+
+std::optional<ExerciseFiles> exercise_of(const Program& lesson) {
+  const std::string number = two_digits(lesson.number);
+  const fs::path folder = fs::path(CAIRN_LESSONS_FOLDER) / lesson.name.substr(std::string("lesson").size());
+  if (!fs::exists(folder / "exercise.cpp")) return std::nullopt;
+  return ExerciseFiles{.program = lesson.path.parent_path() / ("exercise" + number),
+                       .solution = folder / "solution.cpp"};
+}
+
+int grade_exercise(const Program& lesson, const ExerciseFiles& files) {
+  if (!fs::exists(files.program)) {
+    fmt::print(stderr, "lessons: exercise {0} is not built; bash lessons/run check {0} builds it\n",
+               lesson.number);
+    return not_built;
+  }
+  return run_aloud({files.program.string()});
+}
+
+int show_solution(const Program& lesson, const ExerciseFiles& files) {
+  std::ifstream stream(files.solution);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (text.empty()) {
+    fmt::print(stderr, "lessons: cannot read {}, the answer to exercise {}\n", files.solution.string(),
+               lesson.number);
+    return not_built;
+  }
+  fmt::print("{}", text);
+  return 0;
+}
+
+}  // namespace cairn::driver

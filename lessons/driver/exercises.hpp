@@ -1,0 +1,26 @@
+// The exercises that belong to lessons.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "lessons/driver/catalogue.hpp"
+
+namespace cairn::driver {
+
+/// What a lesson's folder and the folder of the programs have for its exercise.
+struct ExerciseFiles {
+  std::filesystem::path program = {};   // grades; may not have been built
+  std::filesystem::path solution = {};  // a source file
+};
+
+/// None for a lesson without an exercise.
+std::optional<ExerciseFiles> exercise_of(const Program& lesson);
+
+/// Grades the answer, aloud. The exit code; 3 where the program has not been built.
+int grade_exercise(const Program& lesson, const ExerciseFiles& files);
+
+/// Prints the model answer.
+int show_solution(const Program& lesson, const ExerciseFiles& files);
+
+}  // namespace cairn::driver

@@ -1,0 +1,84 @@
+// Grading, and the words around it.
+#include "lessons/exercise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+
+namespace cairn {
+namespace {
+
+void print_marks(const Grade& grade) {
+  for (const Mark& mark : grade.marks()) {
+    const std::string numbers = mark.holds ? fmt::format("{:.6g}", mark.got)
+                                           : fmt::format("{:.6g}, not {:.6g}", mark.got, mark.expected);
+    fmt::print("CHECK  {:<58} {}  {}\n", mark.what, numbers, mark.holds ? "ok" : "no");
+    if (!mark.comment.empty()) fmt::print("       {}\n", mark.comment);
+  }
+}
+
+int show_hint(const Exercise& exercise, std::string_view word) {
+  const std::size_t count = exercise.hints.size();
+  const bool is_number = word.size() == 1 && word[0] >= '1' && word[0] <= '9';
+  const std::size_t number = is_number ? static_cast<std::size_t>(word[0] - '0') : 0;
+  if (number < 1 || number > count) {
+    fmt::print(stderr, "exercise {:02}: --hint must be a whole number from 1 to {}, got {}\n",
+               exercise.lesson, count, word);
+    return 2;
+  }
+  fmt::print("Hint {} of {}: {}\n", number, count, exercise.hints[number - 1]);
+  return 0;
+}
+
+}  // namespace
+
+void Grade::number(const ExpectedNumber& expected, double got) {
+  Mark mark{.what = expected.what, .expected = expected.value, .got = got};
+  mark.holds = std::abs(got - expected.value) <= expected.tolerance;  // a NaN holds nothing
+  if (!mark.holds) {
+    for (const Misconception& known : expected.misconceptions) {
+      const bool is_it = std::abs(got - known.value) <= expected.tolerance;
+      if (is_it && mark.comment.empty()) mark.comment = known.what;
+    }
+  }
+  marks_.push_back(mark);
+}
+
+bool Grade::passed() const {
+  return !marks_.empty() &&
+         std::all_of(marks_.begin(), marks_.end(), [](const Mark& mark) { return mark.holds; });
+}
+
+int exercise_program(const Exercise& exercise, int argument_count, const char* const* arguments) {
+  if (argument_count > 1) {
+    const bool is_hint = std::string_view(arguments[1]) == "--hint" && argument_count <= 3;
+    if (is_hint) return show_hint(exercise, argument_count == 3 ? arguments[2] : "1");
+    fmt::print(stderr, "exercise {:02}: unknown word {}; there is: --hint [1-{}]\n", exercise.lesson,
+               arguments[1], exercise.hints.size());
+    return 2;
+  }
+  Grade grade;
+  exercise.grade(grade);
+  fmt::print("EXERCISE {:02}  {}\n         {}\n", exercise.lesson, exercise.task, exercise.file);
+  print_marks(grade);
+  if (grade.passed()) {
+    fmt::print("Passed.\n");
+    return 0;
+  }
+  fmt::print("Not yet. A hint: bash lessons/run hint {}\n", exercise.lesson);
+  return 1;
+}
+
+int exercise_list_program(const std::vector<Exercise>& exercises) {
+  for (const Exercise& exercise : exercises) {
+    Grade grade;
+    exercise.grade(grade);
+    fmt::print("{:02} {}\n", exercise.lesson, grade.passed() ? "passed" : "failed");
+  }
+  return EXIT_SUCCESS;
+}
+
+}  // namespace cairn

@@ -1,0 +1,61 @@
+// The exercises: what is asked, and how an answer is graded.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cairn {
+
+/// A wrong number that gives away how it came about.
+struct Misconception {
+  double value = 0;       // that an answer gives which rests on it
+  std::string what = {};  // "That is the force: an impulse is the force times dt."
+};
+
+/// One number that an answer has to give.
+struct ExpectedNumber {
+  std::string what = {};  // "impulse under the corner (N s)"
+  double value = 0;
+  double tolerance = 0;  // of the number and of every misconception, in its unit
+  std::vector<Misconception> misconceptions = {};
+};
+
+/// What came of a number.
+struct Mark {
+  std::string what = {};
+  double expected = 0;
+  double got = 0;
+  bool holds = false;
+  std::string comment = {};  // names the misconception, if the number gives one away
+};
+
+/// The marks of an answer.
+class Grade {
+ public:
+  void number(const ExpectedNumber& expected, double got);
+
+  const std::vector<Mark>& marks() const { return marks_; }
+  /// Whether there are marks, and all of them hold.
+  bool passed() const;
+
+ private:
+  std::vector<Mark> marks_;
+};
+
+struct Exercise {
+  int lesson = 0;
+  std::string task = {};                   // what to write, and where the equation stands
+  std::string file = {};                   // that has the gap, from the project's folder
+  std::vector<std::string> hints = {};     // from vague to plain
+  std::function<void(Grade&)> grade = {};  // asks the answer for its numbers
+};
+
+/// A program that grades one exercise: shows the marks, or a hint with --hint K. Exit code 0: passed, 1: not
+/// yet, 2: bad usage.
+int exercise_program(const Exercise& exercise, int argument_count, const char* const* arguments);
+
+/// A program that grades many, a line each: "05 passed" or "05 failed". Exit code 0.
+int exercise_list_program(const std::vector<Exercise>& exercises);
+
+}  // namespace cairn

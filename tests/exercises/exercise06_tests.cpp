@@ -1,0 +1,95 @@
+// Exercise 06: every misconception is told from the answer.
+#include "lessons/06_sequential_impulses/exercise.hpp"
+
+#include <algorithm>
+
+#include "exercises/wrong_answers.hpp"
+
+namespace cairn::exercise06 {
+namespace {
+
+struct Pair {
+  Box& below;
+  Box& above;
+};
+
+Pair pair_of(const Contact& contact, std::vector<Box>& boxes) {
+  return {boxes[static_cast<std::size_t>(contact.below)], boxes[static_cast<std::size_t>(contact.above)]};
+}
+
+double correction_of(const Pair& p) {
+  return -(p.above.velocity - p.below.velocity) / (p.below.inverse_mass + p.above.inverse_mass);
+}
+
+void give(const Pair& p, double impulse) {
+  p.below.velocity -= p.below.inverse_mass * impulse;
+  p.above.velocity += p.above.inverse_mass * impulse;
+}
+
+bool update_is_told(Answer answer, const std::string& misconception) {
+  cairn::Grade marks;
+  grade(marks, answer);
+  return cairn::testing::names(marks, misconception);
+}
+
+void clamped_correction(Contact& contact, std::vector<Box>& boxes) {
+  const double correction = std::max(correction_of(pair_of(contact, boxes)), 0.0);
+  contact.impulse += correction;
+  give(pair_of(contact, boxes), correction);
+}
+
+void unclamped(Contact& contact, std::vector<Box>& boxes) {
+  const double correction = correction_of(pair_of(contact, boxes));
+  contact.impulse += correction;
+  give(pair_of(contact, boxes), correction);
+}
+
+void all_of_it_given(Contact& contact, std::vector<Box>& boxes) {
+  const double correction = correction_of(pair_of(contact, boxes));
+  contact.impulse = std::max(contact.impulse + correction, 0.0);
+  give(pair_of(contact, boxes), correction);
+}
+
+void replaced(Contact& contact, std::vector<Box>& boxes) {
+  const double correction = correction_of(pair_of(contact, boxes));
+  contact.impulse = std::max(correction, 0.0);
+  give(pair_of(contact, boxes), correction);
+}
+
+void nothing_applied(Contact& contact, std::vector<Box>& boxes) {
+  contact.impulse = std::max(contact.impulse + correction_of(pair_of(contact, boxes)), 0.0);
+}
+
+void only_above(Contact& contact, std::vector<Box>& boxes) {
+  const double correction = correction_of(pair_of(contact, boxes));
+  contact.impulse += correction;
+  pair_of(contact, boxes).above.velocity += correction * pair_of(contact, boxes).above.inverse_mass;
+}
+
+void one_mass(Contact& contact, std::vector<Box>& boxes) {
+  const Pair p = pair_of(contact, boxes);
+  const double correction = -(p.above.velocity - p.below.velocity) / p.above.inverse_mass;
+  contact.impulse += correction;
+  give(p, correction);
+}
+
+void wrong_sign(Contact& contact, std::vector<Box>& boxes) {
+  const double correction = -correction_of(pair_of(contact, boxes));
+  contact.impulse += correction;
+  give(pair_of(contact, boxes), correction);
+}
+
+}  // namespace
+
+TEST_CASE("exercise 06 tells what was clamped, forgotten, replaced or given to one body only") {
+  CHECK(update_is_told(clamped_correction, "Clamp the sum"));
+  CHECK(update_is_told(unclamped, "cannot pull"));
+  CHECK(update_is_told(all_of_it_given, "what the clamp has left"));
+  CHECK(update_is_told(replaced, "add it"));
+  CHECK(update_is_told(nothing_applied, "apply the impulse at once"));
+  CHECK(update_is_told(only_above, "Action and reaction"));
+  CHECK(update_is_told(one_mass, "the effective mass has both"));
+  CHECK(update_is_told(wrong_sign, "The sign"));
+}
+
+}  // namespace cairn::exercise06

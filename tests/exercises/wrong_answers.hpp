@@ -1,0 +1,24 @@
+// What an exercise says of a wrong answer.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "lessons/exercise.hpp"
+
+namespace cairn::testing {
+
+/// All comments on an answer that must not pass.
+inline std::string comments_of(const Grade& grade) {
+  CHECK_FALSE(grade.passed());
+  std::string all;
+  for (const Mark& mark : grade.marks()) all += mark.comment + "\n";
+  return all;
+}
+
+inline bool names(const Grade& grade, const std::string& misconception) {
+  return comments_of(grade).find(misconception) != std::string::npos;
+}
+
+}  // namespace cairn::testing
