@@ -1,0 +1,91 @@
+// Exercise 01, graded: against central differences of c, at twenty rails and arms.
+#include <algorithm>
+#include <cmath>
+
+#include "exercise.hpp"
+
+namespace cairn::exercise01 {
+namespace {
+
+constexpr double step = 1e-5;        // [m or rad] of the differences
+constexpr double difference = 1e-9;  // step^2 / 6 and the rounding 1e-16 / step of numbers near 1
+
+/// The distance of the point from the rail, once the body has moved by (x, y) and turned by angle.
+double distance(const Rail& rail, const std::array<double, 3>& moved) {
+  const double c = std::cos(moved[2]), s = std::sin(moved[2]);
+  const double x = moved[0] + c * rail.arm_x - s * rail.arm_y;
+  const double y = moved[1] + s * rail.arm_x + c * rail.arm_y;
+  return -std::sin(rail.slope) * x + std::cos(rail.slope) * y;
+}
+
+double slope_of_distance(const Rail& rail, std::size_t axis) {
+  std::array<double, 3> forth = {}, back = {};
+  forth[axis] = step;
+  back[axis] = -step;
+  return (distance(rail, forth) - distance(rail, back)) / (2 * step);
+}
+
+/// The i-th of twenty: slopes from -1.5 to 1.4 rad, arms all around the body.
+Rail rail_at(int i) {
+  return {.slope = -1.5 + 0.153 * i, .arm_x = std::sin(2.4 * i + 1), .arm_y = std::cos(1.7 * i)};
+}
+
+/// The largest difference between an entry and its slope.
+double worst_entry(Answer answer, std::size_t axis) {
+  double worst = 0;
+  for (int i = 0; i < 20; ++i) {
+    const double off = std::abs(answer(rail_at(i))[axis] - slope_of_distance(rail_at(i), axis));
+    worst = std::isnan(off) ? off : std::max(worst, off);
+  }
+  return worst;
+}
+
+}  // namespace
+
+void grade(Grade& grade, Answer answer) {
+  const double half = std::sqrt(3.0) / 2;
+  const Rail thirty{.slope = std::acos(half), .arm_x = 0.4, .arm_y = 0.2};
+  const double turn = 0.4 * half + 0.2 * 0.5;
+  const std::array<double, 3> j = answer(thirty);
+  grade.number(
+      {.what = "a rail of 30 degrees: j_x",
+       .value = -0.5,
+       .tolerance = difference,
+       .misconceptions = {{half, "That is along the rail: there the point may go. j points across."},
+                          {0.5, "c grows on the upper side: to the right means down into the rail."}}},
+      j[0]);
+  grade.number(
+      {.what = "a rail of 30 degrees: j_y",
+       .value = half,
+       .tolerance = difference,
+       .misconceptions = {{0.5, "That is along the rail: there the point may go. j points across."}}},
+      j[1]);
+  grade.number(
+      {.what = "with the arm (0.4, 0.2) m: j_theta (m)",
+       .value = turn,
+       .tolerance = difference,
+       .misconceptions = {{-turn, "The order: r x n, which is r_x n_y - r_y n_x."},
+                          {0, "The point moves as well when the body turns: where is the arm?"},
+                          {0.4 * half - 0.2 * 0.5, "A sign: r_x n_y - r_y n_x, and n_x is negative here."},
+                          {0.4 * -0.5 + 0.2 * half, "That is r n. The arm comes in as r x n."}}},
+      j[2]);
+  grade.number({.what = "20 rails: largest difference of j_x from dc/dx", .tolerance = difference},
+               worst_entry(answer, 0));
+  grade.number({.what = "20 rails: largest difference of j_y from dc/dy", .tolerance = difference},
+               worst_entry(answer, 1));
+  grade.number(
+      {.what = "20 rails: largest difference of j_theta from dc/dtheta (m)", .tolerance = difference},
+      worst_entry(answer, 2));
+}
+
+Exercise exercise() {
+  return {.lesson = 1,
+          .task = "The row j of a point that slides along a straight rail: equation (5).",
+          .file = "lessons/01_constraint_and_jacobian/exercise.cpp",
+          .hints = {"Which unit vector n points across the rail, to its upper side? c = n p.",
+                    "n = (-sin, cos) of the slope. How does the point p move when only the body turns?",
+                    "By omega (-r_y, r_x). So j_theta = n_x (-r_y) + n_y r_x."},
+          .grade = [](Grade& marks) { grade(marks, jacobian); }};
+}
+
+}  // namespace cairn::exercise01

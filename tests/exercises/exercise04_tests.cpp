@@ -1,0 +1,43 @@
+// Exercise 04: every misconception is told from the answer.
+#include "lessons/04_big_matrices/exercise.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "exercises/wrong_answers.hpp"
+
+namespace cairn::exercise04 {
+namespace {
+
+using Masses = std::vector<double>;
+
+bool entry_is_told(Answer answer, const std::string& misconception) {
+  Grade marks;
+  grade(marks, answer);
+  return testing::names(marks, misconception);
+}
+
+double mass(const Masses& masses, int box) { return masses[static_cast<std::size_t>(box)]; }
+
+double without_masses(int i, int j, const Masses&) {
+  return i == j ? (i == 0 ? 1 : 2) : (std::abs(i - j) == 1 ? -1 : 0);
+}
+
+double with_masses(int i, int j, const Masses& masses) {
+  return std::abs(i - j) == 1 ? -mass(masses, std::min(i, j)) : 0;
+}
+
+}  // namespace
+
+TEST_CASE("exercise 04 tells J Jᵀ, masses for their inverses, signs, the ground and the wrong neighbour") {
+  CHECK(entry_is_told(without_masses, "M⁻¹ is missing"));
+  CHECK(entry_is_told(with_masses, "The inverse mass"));
+  CHECK(entry_is_told([](int, int, const Masses&) { return 2.0; }, "the ground"));
+  CHECK(entry_is_told([](int, int, const Masses&) { return 1.0; }, "both give way"));
+  CHECK(entry_is_told([](int, int, const Masses&) { return 1.0; }, "The sign"));
+  CHECK(entry_is_told([](int, int, const Masses&) { return 0.0; }, "touch box 2"));
+  CHECK(
+      entry_is_told([](int i, int j, const Masses& m) { return -1 / mass(m, std::max(i, j)); }, "not box 2"));
+}
+
+}  // namespace cairn::exercise04
