@@ -1,0 +1,56 @@
+// Exercise 08: every misconception is told from the answer.
+#include "lessons/08_same_thing_twice/exercise.hpp"
+
+#include "exercises/wrong_answers.hpp"
+
+namespace cairn::exercise08 {
+namespace {
+
+bool is_told(Answer answer, const std::string& misconception) {
+  Grade marks;
+  grade(marks, answer);
+  return testing::names(marks, misconception);
+}
+
+using Matrix = std::vector<std::vector<double>>;
+using Numbers = std::vector<double>;
+
+/// What the row still lacks, with `own` times its own impulse taken off too.
+double lacking(int i, const Matrix& a, const Numbers& change, const Numbers& impulse, double own) {
+  const auto row = static_cast<std::size_t>(i);
+  double sum = change[row];
+  for (std::size_t k = 0; k < impulse.size(); ++k) sum -= (k == row ? own : 1) * a[row][k] * impulse[k];
+  return sum;
+}
+
+double diagonal(int i, const Matrix& a) {
+  return a[static_cast<std::size_t>(i)][static_cast<std::size_t>(i)];
+}
+
+double correction(int i, const Matrix& a, const Numbers& c, const Numbers& p) {
+  return lacking(i, a, c, p, 1) / diagonal(i, a);
+}
+
+double undivided(int i, const Matrix& a, const Numbers& c, const Numbers& p) {
+  return lacking(i, a, c, p, 0);
+}
+
+double other_sign(int i, const Matrix& a, const Numbers& c, const Numbers& p) {
+  return -lacking(i, a, c, p, 0) / diagonal(i, a);
+}
+
+double alone(int i, const Matrix& a, const Numbers& c, const Numbers&) {
+  return c[static_cast<std::size_t>(i)] / diagonal(i, a);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "exercise 08 tells SI's correction from PGS' value, a missing diagonal, a sign and a row that is alone") {
+  CHECK(is_told(correction, "the correction of SI"));
+  CHECK(is_told(undivided, "Divide by A_ii"));
+  CHECK(is_told(other_sign, "The sign"));
+  CHECK(is_told(alone, "The other rows push"));
+}
+
+}  // namespace cairn::exercise08

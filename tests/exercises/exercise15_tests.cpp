@@ -1,0 +1,59 @@
+// Exercise 15: every misconception is told from the answer.
+#include "lessons/15_cone_or_pyramid/exercise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "exercises/wrong_answers.hpp"
+
+namespace cairn::exercise15 {
+namespace {
+
+bool is_told(Answer answer, const std::string& misconception) {
+  Grade marks;
+  grade(marks, answer);
+  return testing::names(marks, misconception);
+}
+
+void to_square(double& x, double& y, double limit) {
+  x = std::clamp(x, -limit, limit);
+  y = std::clamp(y, -limit, limit);
+}
+
+void to_diagonal(double& x, double& y, double limit) {
+  x = std::copysign(limit * std::sqrt(0.5), x);
+  y = std::copysign(limit * std::sqrt(0.5), y);
+}
+
+void by_square(double& x, double& y, double limit) {
+  const double squared = x * x + y * y;
+  x *= limit / squared;
+  y *= limit / squared;
+}
+
+void always_on_circle(double& x, double& y, double limit) {
+  const double length = std::hypot(x, y);
+  x *= limit / length;
+  y *= limit / length;
+}
+
+void one_after_the_other(double& x, double& y, double limit) {
+  x *= limit / std::hypot(x, y);
+  y *= limit / std::hypot(x, y);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "exercise 15 tells a square, a changed direction, a squared length, a short vector made long and parts "
+    "scaled one by one") {
+  CHECK(is_told(to_square, "that is a square"));
+  CHECK(is_told(to_square, "outside the circle"));
+  CHECK(is_told(to_diagonal, "The direction has changed"));
+  CHECK(is_told(by_square, "not by its square"));
+  CHECK(is_told(always_on_circle, "stays as it is"));
+  CHECK(is_told([](double&, double&, double) {}, "Nothing was clamped"));
+  CHECK(is_told(one_after_the_other, "x must not be changed"));
+}
+
+}  // namespace cairn::exercise15
