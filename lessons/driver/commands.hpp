@@ -31,6 +31,8 @@ int check_all(const Context& context, const std::vector<std::string>& flags);
 int progress(const Context& context);
 int doctor(const Context& context);
 int legend(const Context& context);
+/// Every item of the paper, with the lesson, frame and check where it is met. 1 where one is in no lesson.
+int coverage(const Context& context);
 
 /// "  00  One body" for every lesson: for complaints about words that are none.
 std::string short_list(const Context& context);

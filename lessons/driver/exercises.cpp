@@ -17,9 +17,13 @@ constexpr int not_built = 3;
 
 }  // namespace
 
+fs::path lesson_folder(const Program& lesson) {
+  return fs::path(CAIRN_LESSONS_FOLDER) / lesson.name.substr(std::string("lesson").size());
+}
+
 std::optional<ExerciseFiles> exercise_of(const Program& lesson) {
   const std::string number = two_digits(lesson.number);
-  const fs::path folder = fs::path(CAIRN_LESSONS_FOLDER) / lesson.name.substr(std::string("lesson").size());
+  const fs::path folder = lesson_folder(lesson);
   if (!fs::exists(folder / "exercise.cpp")) return std::nullopt;
   return ExerciseFiles{.program = lesson.path.parent_path() / ("exercise" + number),
                        .solution = folder / "solution.cpp"};

@@ -14,6 +14,9 @@ struct ExerciseFiles {
   std::filesystem::path solution = {};  // a source file
 };
 
+/// Where the sources of a lesson are.
+std::filesystem::path lesson_folder(const Program& lesson);
+
 /// None for a lesson without an exercise.
 std::optional<ExerciseFiles> exercise_of(const Program& lesson);
 

@@ -28,6 +28,7 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
 
   run [N] [flags]   list   next   check N|--all   hint N [1-3]   solution N   progress
   legend            what colours, dashes and markers mean
+  coverage          where each equation and claim of the paper is met
   doctor            whether pictures can be drawn here
   --plain           ASCII     --color auto|always|never     -h, --help     --version
 Exit: 0 all well, 1 a lesson failed, 2 bad usage; one lesson alone: as that lesson says.
@@ -118,7 +119,8 @@ int act(const Context& context, const std::string& word, const Words& rest) {
       {"solution", [&] { return give_solution(context, rest); }},
       {"progress", [&] { return progress(context); }},
       {"doctor", [&] { return doctor(context); }},
-      {"legend", [&] { return legend(context); }}};
+      {"legend", [&] { return legend(context); }},
+      {"coverage", [&] { return coverage(context); }}};
   const auto action = actions.find(word);
   if (action != actions.end()) return action->second();
   if (find(context.programs, word) != nullptr)

@@ -1,0 +1,147 @@
+// The items of the paper, and the marks of the lessons.
+#include "lessons/driver/coverage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+#include "lessons/driver/commands.hpp"
+#include "lessons/driver/exercises.hpp"
+#include "lessons/words.hpp"
+
+namespace cairn::driver {
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(' ');
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(' ') - begin + 1);
+}
+
+bool is_item(const std::string& name) {
+  return std::any_of(paper_items().begin(), paper_items().end(),
+                     [&name](const PaperItem& item) { return item.name == name; });
+}
+
+/// A check may have a | in it, as in |λ|: only the first two separate.
+Covered covered_in(const std::string& line, const std::string& place) {
+  const std::size_t first = line.find('|');
+  const std::size_t second = first == std::string::npos ? first : line.find('|', first + 1);
+  Covered covered;
+  if (second != std::string::npos) {
+    covered.item = trimmed(line.substr(0, first));
+    const std::string frame = trimmed(line.substr(first + 1, second - first - 1));
+    const bool is_number =
+        !frame.empty() && frame.size() < 6 && frame.find_first_not_of("0123456789") == std::string::npos;
+    covered.frame = is_number ? std::stoi(frame) : 0;
+    covered.check = trimmed(line.substr(second + 1));
+  }
+  if (covered.frame < 1 || covered.check.empty()) {
+    throw std::runtime_error(place + " must be \"item | frame | check\", got " + line);
+  }
+  if (!is_item(covered.item)) throw std::runtime_error(place + ": the paper has no item " + covered.item);
+  return covered;
+}
+
+}  // namespace
+
+const std::vector<PaperItem>& paper_items() {
+  static const std::vector<PaperItem> items = {
+      {"(1)", "the system velocity v"},
+      {"(2)", "the system mass M⁻¹"},
+      {"(3)", "a constraint c = 0"},
+      {"(4)", "Baumgarte: dc/dt = −β c / Δt"},
+      {"(5)", "the Jacobian: dc/dt = j v"},
+      {"(6)", "the system Jacobian J"},
+      {"(7)", "ζ = −β c / Δt"},
+      {"(8)", "J v = ζ"},
+      {"(9)", "constraint forces and torques"},
+      {"(10)", "f = Jᵀ λ"},
+      {"(11)", "J v₂ = ζ"},
+      {"(12)", "v₂ = v₁ + M⁻¹ Jᵀ λ Δt"},
+      {"(13)", "J M⁻¹ Jᵀ λ = (ζ − J v₁) / Δt"},
+      {"(14)", "A λ = b"},
+      {"(15)", "A = J M⁻¹ Jᵀ, b = (ζ − J v₁) / Δt"},
+      {"2.2 bounds", "intervals of valid values for λ"},
+      {"2.3 sparsity", "J and M⁻¹ are mostly zeros"},
+      {"2.3 warm start", "last step's λ as the first guess"},
+      {"2.3 order", "rows come, go and change places"},
+      {"(16)", "v of two bodies"},
+      {"(17)", "M⁻¹ of two bodies"},
+      {"(18)", "the impulse p of a constraint"},
+      {"(19)", "v₂ = v₁ + M⁻¹ p"},
+      {"(20)", "0 = ζ − j v₂"},
+      {"(21)", "p = jᵀ λ Δt"},
+      {"(22)", "λ = (ζ − j v₁) / (j M⁻¹ jᵀ Δt)"},
+      {"(23)", "p = jᵀ (ζ − j v₁) / (j M⁻¹ jᵀ)"},
+      {"Algorithm 1", "sequential impulses"},
+      {"3.2 clamp", "the accumulated λ is clamped, not the correction"},
+      {"(24)", "η: the λ so far"},
+      {"(25)", "a step changes one η"},
+      {"(26)", "v = v̄ + M⁻¹ Jᵀ η Δt"},
+      {"(27)", "the step of SI, with η"},
+      {"(28)", "the step of Gauss-Seidel, with η"},
+      {"(29)", "both are the same"},
+      {"4.1", "SI and PGS are one algorithm"},
+      {"4.2 classes", "a class for each constraint keeps solver and constraints apart"},
+      {"4.2 intuition", "solve one constraint, then all, again and again"},
+      {"4.2 sparsity", "what PGS has to look for, SI has by itself"},
+      {"4.2 once", "effective mass and ζ do not change while iterating"},
+      {"4.3 bodies", "a row on more than two bodies, and no change of the solver"},
+      {"4.3 blocks", "a whole constraint at once converges better"},
+      {"4.3 softness", "a spring is a change of one class, or of A"},
+      {"4.4 two bodies", "a row changes two bodies; all velocities anew are a waste"},
+      {"(30)", "the non-zeros of A; SI is linear in m"},
+      {"4.4 virtual", "virtual calls cost little, and loops can be split"},
+      {"4.4 friction", "contact and friction share their work"},
+      {"4.4 locality", "large arrays and the cache"},
+      {"4.4 parallel", "Jacobi for parallel hardware"},
+      {"4.5 stacking", "equally stable with contacts and stacks"},
+      {"4.5 blocks", "blocks are more stable"},
+      {"4.5 cone", "a friction cone instead of a pyramid"},
+      {"4.5 aligned", "a pyramid along the velocity does as well"}};
+  return items;
+}
+
+std::vector<Covered> covered_by(const Program& lesson) {
+  const std::filesystem::path file = lesson_folder(lesson) / "covers.txt";
+  std::ifstream stream(file);
+  std::vector<Covered> all;
+  int number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    if (line.empty() || line.front() == '#') continue;
+    all.push_back(covered_in(line, fmt::format("{}:{}", file.string(), number)));
+  }
+  return all;
+}
+
+int coverage(const Context& context) {
+  Console console(context.settings);
+  int missing = 0;
+  console.result(fmt::format("{} {} {}", padded("paper", 14), padded("lesson, frame", 14), "check"));
+  for (const PaperItem& item : paper_items()) {
+    bool is_met = false;
+    console.result(
+        console.colored(console.spelt(padded(item.name, 14) + " " + item.what), Console::Color::bold));
+    for (const Program& program : context.programs) {
+      for (const Covered& covered : covered_by(program)) {
+        if (covered.item != item.name) continue;
+        is_met = true;
+        const std::string place = fmt::format("{}, {}", two_digits(program.number), covered.frame);
+        console.result(console.spelt(padded("", 14) + " " + padded(place, 14) + " " + covered.check));
+      }
+    }
+    if (!is_met) {
+      console.result(padded("", 14) + " " + console.colored("in no lesson", Console::Color::bad));
+      ++missing;
+    }
+  }
+  console.result(fmt::format("{} of {} items are met",
+                             paper_items().size() - static_cast<std::size_t>(missing), paper_items().size()));
+  return missing > 0 ? 1 : 0;
+}
+
+}  // namespace cairn::driver
