@@ -26,6 +26,12 @@ struct WorldLook {
 /// degrees; contacts; joints (rod, ring for a pin). Clipped to the camera's viewport.
 void draw_world(Page& page, const Camera& camera, const Snapshot& snapshot, const WorldLook& look = {});
 
+/// Says which moving bodies the picture does not show: an arrow at the border for those outside, with name
+/// and distance from the middle of the view; a ring around those smaller than a pixel; and notes for those
+/// whose pose is not finite and for all that there is no room to name. Names are those of `look`, or
+/// "body 7".
+void draw_unseen(Page& page, const Camera& camera, const Snapshot& snapshot, const WorldLook& look = {});
+
 /// Outlines of earlier poses, at most 7 of them evenly chosen, fading with age; the newest is the last.
 /// Dynamic bodies only.
 void draw_ghosts(Page& page, const Camera& camera, std::span<const Snapshot> earlier);

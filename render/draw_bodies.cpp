@@ -103,7 +103,7 @@ double name_size(const Page& page, const Camera& camera, const SnapshotBody& bod
 }
 
 void draw_static_body(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id) {
-  if (!is_drawable(camera, body.pose)) return;
+  if (!has_place(camera, body.pose)) return;
   const Paint line{.outline = page.theme().outline, .outline_width = page.sizes().outline};
   for (const Shape<double>& shape : body.shapes) {
     if (std::holds_alternative<Segment<double>>(shape)) {

@@ -1,6 +1,7 @@
 // Contacts, overlaps and joints of a drawn world.
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "render/draw_parts.hpp"
@@ -10,8 +11,10 @@
 namespace cairn::render {
 namespace {
 
-constexpr double least_depth = 2;       // [px] overlaps of less are not marked
-constexpr std::size_t most_depths = 4;  // that are written
+constexpr double least_depth = 2;          // [px] overlaps of less are not marked
+constexpr std::size_t most_depths = 4;     // that are written
+constexpr std::size_t some_contacts = 60;  // fewer are always drawn whole
+constexpr std::size_t many_contacts = 400;
 
 bool is_finite(const Camera& camera, const Vec2<double>& point) {
   return is_drawable(camera, {.position = point, .angle = 0});
@@ -95,7 +98,7 @@ void write_depth(Page& page, const Camera& camera, const SnapshotContact& contac
   TextStyle style = page.value();
   style.color = page.theme().text;
   style.halo = page.theme().background;
-  const std::string text = fixed(millimetres, millimetres < 10 ? 1 : 0) + " mm";
+  const std::string text = readable(millimetres, millimetres < 10 ? 1 : 0) + " mm";
   const double right = overlap.x + overlap.width + 10;
   const double left = overlap.x - 10 - page.canvas().text_width(text, style);
   const double middle = overlap.y + overlap.height / 2;
@@ -153,6 +156,39 @@ void draw_ring(Page& page, const Point& at) {
                         .outline_width = page.sizes().outline});
 }
 
+/// Whether markers of the usual size would hide the bodies: there are very many, or a fair number stand upon
+/// one another.
+bool is_crowded(const Page& page, const Camera& camera, const Snapshot& snapshot) {
+  if (snapshot.contacts.size() > many_contacts) return true;
+  if (snapshot.contacts.size() <= some_contacts) return false;
+  const double cell = 4 * page.sizes().contact;  // two markers wide
+  std::set<std::pair<long, long>> taken;
+  for (const SnapshotContact& contact : snapshot.contacts) {
+    if (!is_finite(camera, contact.position)) continue;
+    const Point at = camera.project(contact.position);
+    taken.emplace(std::lround(at.x() / cell), std::lround(at.y() / cell));
+  }
+  return 4 * taken.size() < 3 * snapshot.contacts.size();
+}
+
+/// Plain dots, at most one in a square twice as wide: they cover no more than a fifth of what is behind them.
+void draw_many_contacts(Page& page, const Camera& camera, const Snapshot& snapshot, const WorldLook& look) {
+  const double radius = 0.5 * page.sizes().contact;
+  std::set<std::pair<long, long>> taken;
+  for (std::size_t i = 0; i < snapshot.contacts.size(); ++i) {
+    const Vec2<double>& position = snapshot.contacts[i].position;
+    if (!is_finite(camera, position)) continue;
+    const Point at = camera.project(position);
+    const bool is_active = static_cast<int>(i) == look.active_contact;
+    const bool is_first =
+        taken.emplace(std::lround(at.x() / (4 * radius)), std::lround(at.y() / (4 * radius))).second;
+    if (is_first || is_active) {
+      page.canvas().circle(at, is_active ? page.sizes().contact : radius,
+                           {.fill = is_active ? page.theme().normal : page.theme().secondary_text});
+    }
+  }
+}
+
 }  // namespace
 
 void draw_penetrations(Page& page, const Camera& camera, const Snapshot& snapshot) {
@@ -175,6 +211,7 @@ void draw_penetrations(Page& page, const Camera& camera, const Snapshot& snapsho
 
 void draw_contacts(Page& page, const Camera& camera, const Snapshot& snapshot, const WorldLook& look) {
   const Theme& theme = page.theme();
+  if (is_crowded(page, camera, snapshot)) return draw_many_contacts(page, camera, snapshot, look);
   for (std::size_t i = 0; i < snapshot.contacts.size(); ++i) {
     const SnapshotContact& contact = snapshot.contacts[i];
     if (!is_finite(camera, contact.position)) continue;

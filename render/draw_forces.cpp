@@ -29,7 +29,7 @@ LineSegment line_of(const Camera& camera, const ArrowScale& scale, const Arrow& 
 }
 
 std::string value_text(const Page& page, const std::string& symbol, double value, const ArrowScale& scale) {
-  const std::string number = fixed(value, std::abs(value) < 100 ? 2 : 1);
+  const std::string number = readable(value, std::abs(value) < 100 ? 2 : 1);
   if (page.compact()) return number;
   return (symbol.empty() ? "" : symbol + " = ") + number + (scale.unit.empty() ? "" : " " + scale.unit);
 }

@@ -13,7 +13,9 @@ using Outline = std::vector<Point>;  // [px] a convex polygon
 
 /// A pose that can be drawn: finite, and not so far away that pixels lose their precision.
 bool is_drawable(const Camera& camera, const Pose<double>& pose);
-/// Drawable, and at least near the viewport.
+/// A pose whose body can be drawn, if only a part of it: finite, and not absurdly far away.
+bool has_place(const Camera& camera, const Pose<double>& pose);
+/// With a place, and at least near the viewport.
 bool is_seen(const Camera& camera, const SnapshotBody& body);
 
 /// The shape as a polygon that deviates by less than a quarter of a pixel. A segment has no area: 2 points.

@@ -8,12 +8,37 @@
 namespace cairn::render {
 namespace {
 
-constexpr double farthest_point = 1e7;  // [px]
-constexpr double deviation = 0.25;      // [px] of a polygon from the circle it stands for
-constexpr double most_corners = 96;     // of a circle
+constexpr double farthest_point = 1e7;    // [px]
+constexpr double farthest_center = 1e11;  // [px] of a body: doubles are 1e-5 px apart there
+constexpr double huge_pixels = 1e6;       // [px] here an arc across a picture is straight to half a pixel
+constexpr double beyond_view = 12;        // [px] beyond the viewport, where cut edges are not seen
+constexpr double deviation = 0.25;        // [px] of a polygon from the circle it stands for
+constexpr double most_corners = 96;       // of a circle
 
-bool is_near(const Point& point) {
-  return std::abs(point.x()) < farthest_point && std::abs(point.y()) < farthest_point;
+bool is_near(const Point& point, double farthest) {
+  return std::abs(point.x()) < farthest && std::abs(point.y()) < farthest;
+}
+
+bool is_finite_pose(const Pose<double>& pose) {
+  return pose.position.allFinite() && std::isfinite(pose.angle);
+}
+
+/// So large on the page that the canvas would not draw it whole.
+bool is_huge(const Camera& camera, const Pose<double>& pose, const Shape<double>& shape) {
+  return !is_near(camera.project(pose.position), huge_pixels) ||
+         bounding_radius(shape) * camera.scale > huge_pixels;
+}
+
+/// Of a huge circle what is near the viewport: the side of a straight line.
+Outline straightened(const Camera& camera, const Point& center, double radius) {
+  const Rect& view = camera.viewport;
+  const Point middle(view.x + view.width / 2, view.y + view.height / 2);
+  const Point outward = (middle - center).normalized();
+  const Point edge = center + radius * outward;
+  const double far_off = view.width + view.height + 2 * beyond_view;
+  const Point sideways_reach = far_off * perpendicular<double>(outward);
+  const Point inner = edge - (std::max((edge - middle).dot(outward), 0.0) + 2 * far_off) * outward;
+  return {edge - sideways_reach, edge + sideways_reach, inner + sideways_reach, inner - sideways_reach};
 }
 
 // Corners of an arc around `center`, from one angle to another [rad].
@@ -105,11 +130,15 @@ double depth(const Segment<double>& segment, const Vec2<double>& point) {
 }  // namespace
 
 bool is_drawable(const Camera& camera, const Pose<double>& pose) {
-  return pose.position.allFinite() && std::isfinite(pose.angle) && is_near(camera.project(pose.position));
+  return is_finite_pose(pose) && is_near(camera.project(pose.position), farthest_point);
+}
+
+bool has_place(const Camera& camera, const Pose<double>& pose) {
+  return is_finite_pose(pose) && is_near(camera.project(pose.position), farthest_center);
 }
 
 bool is_seen(const Camera& camera, const SnapshotBody& body) {
-  if (!is_drawable(camera, body.pose)) return false;
+  if (!has_place(camera, body.pose)) return false;
   const Point center = camera.project(body.pose.position);
   const Rect& view = camera.viewport;
   for (const Shape<double>& shape : body.shapes) {
@@ -123,6 +152,10 @@ bool is_seen(const Camera& camera, const SnapshotBody& body) {
 }
 
 Outline outline_of(const Camera& camera, const Pose<double>& pose, const Shape<double>& shape) {
+  if (const auto* circle = std::get_if<Circle<double>>(&shape)) {
+    const double radius = circle->radius * camera.scale;
+    if (radius > huge_pixels) return straightened(camera, camera.project(pose.world(circle->center)), radius);
+  }
   Outline outline;
   std::visit([&](const auto& kind) { append(outline, kind, camera.scale); }, shape);
   for (Point& point : outline) point = camera.project(pose.world(point));
@@ -162,7 +195,10 @@ double area(const Outline& outline) {
 
 void paint_shape(Canvas& canvas, const Camera& camera, const Pose<double>& pose, const Shape<double>& shape,
                  const Paint& paint) {
-  if (const auto* circle = std::get_if<Circle<double>>(&shape)) {
+  if (!std::holds_alternative<Segment<double>>(shape) && is_huge(camera, pose, shape)) {
+    const Outline part = clipped(outline_of(camera, pose, shape), inset(camera.viewport, -beyond_view));
+    if (part.size() > 2) canvas.polygon(part, paint);
+  } else if (const auto* circle = std::get_if<Circle<double>>(&shape)) {
     canvas.circle(camera.project(pose.world(circle->center)), circle->radius * camera.scale, paint);
   } else if (const auto* capsule = std::get_if<Capsule<double>>(&shape)) {
     canvas.capsule(camera.project(pose.world(capsule->point1)), camera.project(pose.world(capsule->point2)),

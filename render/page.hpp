@@ -98,6 +98,8 @@ Rect inset(const Rect& rect, double by);
 /// A number for people: fixed decimals, minus sign U+2212, "+" in front if positive and asked for.
 enum class Sign { negative_only, always };
 std::string fixed(double value, int decimals, Sign sign = Sign::negative_only);
+/// Fixed decimals below 100,000, beyond it three significant digits: a number that never fills a line.
+std::string readable(double value, int decimals);
 /// Up to `digits` significant digits, 1.1e−13 as "1.1×10^{−13}", minus sign U+2212.
 std::string significant(double value, int digits = 3);
 

@@ -145,4 +145,8 @@ std::string significant(double value, int digits) {
   return sign + plain({.text = rounded.text, .exponent = 0}) + "×10^{" + power + "}";
 }
 
+std::string readable(double value, int decimals) {
+  return std::abs(value) < 1e5 ? fixed(value, decimals) : significant(value);
+}
+
 }  // namespace cairn::render

@@ -1,6 +1,7 @@
 // Where to point the camera.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/aabb.hpp"
 #include "lessons/sandbox/scene_film.hpp"
@@ -8,7 +9,10 @@
 namespace cairn::sandbox {
 namespace {
 
-constexpr double farthest_seen = 1e5;  // [m]
+// What moves farther away than this from where it all began is not followed, so that what is left behind does
+// not become a dot: the larger of
+constexpr double many_extents = 3;    // of the start,
+constexpr double many_bodies = 60;    // of its usual size, the median.
 constexpr double flown_off = 2.5;     // times the extent of nearly all places: what is beyond is not followed
 constexpr double nearly_none = 0.02;  // of all places
 // In parts of the larger extent of what moves:
@@ -27,15 +31,36 @@ void include_box(Aabb<double>& bounds, const Aabb<double>& box) {
   bounds.upper = bounds.upper.cwiseMax(box.upper);
 }
 
-void add_moving(const Snapshot& snapshot, Extents& extents) {
+/// How far a film of a run that begins so may go.
+Aabb<double> followed(const Snapshot& start) {
+  std::optional<Aabb<double>> bounds;
+  std::vector<double> sizes;
+  for (const SnapshotBody& body : start.bodies) {
+    if (body.type != BodyType::dynamic) continue;
+    for (const Shape<double>& shape : body.shapes) {
+      const Aabb<double> box = bounding_box(shape, body.pose);
+      if (!box.lower.allFinite() || !box.upper.allFinite()) continue;
+      if (!bounds) bounds = box;
+      include_box(*bounds, box);
+      sizes.push_back((box.upper - box.lower).maxCoeff());
+    }
+  }
+  if (!bounds) return {};
+  std::sort(sizes.begin(), sizes.end());
+  const double extent = (bounds->upper - bounds->lower).maxCoeff();
+  const double room = std::max(many_extents * extent, many_bodies * sizes[sizes.size() / 2]);
+  return {.lower = bounds->lower.array() - room, .upper = bounds->upper.array() + room};
+}
+
+void add_moving(const Snapshot& snapshot, const Aabb<double>& limits, Extents& extents) {
   for (const SnapshotBody& body : snapshot.bodies) {
     if (body.type != BodyType::dynamic) continue;
     for (const Shape<double>& shape : body.shapes) {
       const Aabb<double> box = bounding_box(shape, body.pose);
-      const bool usable = box.lower.allFinite() && box.upper.allFinite() &&
-                          box.lower.cwiseAbs().maxCoeff() < farthest_seen &&
-                          box.upper.cwiseAbs().maxCoeff() < farthest_seen;
-      if (!usable) continue;
+      const bool is_followed = box.lower.allFinite() && box.upper.allFinite() &&
+                               (box.lower - limits.lower).minCoeff() >= 0 &&
+                               (limits.upper - box.upper).minCoeff() >= 0;
+      if (!is_followed) continue;
       for (int axis = 0; axis < 2; ++axis) {
         extents.lower[axis].push_back(box.lower[axis]);
         extents.upper[axis].push_back(box.upper[axis]);
@@ -96,7 +121,9 @@ void include_fixed(const Snapshot& snapshot, const Aabb<double>& moving, FilmVie
 FilmView view_of(const std::vector<SceneRun>& runs) {
   Extents extents;
   for (const SceneRun& run : runs) {
-    for (const Snapshot& snapshot : run.frames) add_moving(snapshot, extents);
+    if (run.frames.empty()) continue;
+    const Aabb<double> limits = followed(run.frames.front());
+    for (const Snapshot& snapshot : run.frames) add_moving(snapshot, limits, extents);
   }
   if (extents.lower[0].empty()) return {.box = {.lower = {-1, -1}, .upper = {1, 1}}};
   FilmView view;
@@ -109,7 +136,10 @@ FilmView view_of(const std::vector<SceneRun>& runs) {
   if (view.bottom && view.box.lower.y() < *view.bottom) view.bottom.reset();
   // Some room around it all, and never a view without size.
   const Vec2<double> size = view.box.upper - view.box.lower;
-  const double margin = std::max(0.04 * std::max(size.x(), size.y()), 1e-3);
+  const double spacing =
+      std::max(view.box.lower.cwiseAbs().maxCoeff(), view.box.upper.cwiseAbs().maxCoeff()) *
+      std::numeric_limits<double>::epsilon();
+  const double margin = std::max({0.04 * std::max(size.x(), size.y()), 100 * spacing, 1e-6});
   view.box.lower.array() -= margin;
   view.box.upper.array() += margin;
   return view;

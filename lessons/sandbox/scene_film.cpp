@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/sandbox/film_text.hpp"
 #include "lessons/words.hpp"
 #include "measure/violation.hpp"
 #include "render/draw.hpp"
@@ -170,7 +171,7 @@ render::Image SceneFilm::draw(std::size_t frame) {
   for (const SceneRun* run : runs_) longest = run->frames.size() > longest->frames.size() ? run : longest;
   const Snapshot& now = longest->frames[frame];
   page_.begin({.title = scene_.title,
-               .state = fmt::format("t = {:6.3f} s · step {:4}", now.time, now.step),
+               .state = time_text(now, longest->frames.back()),
                .frame = static_cast<int>(frame),
                .frames = static_cast<int>(frame_count())});
   const Rect area = page_.area();
@@ -194,6 +195,7 @@ void SceneFilm::draw_panel(const SceneRun& run, std::size_t frame, const Rect& r
   }
   const double top = is_alone ? 1 : bar;
   const bool is_over = frame >= run.frames.size();
+  const bool is_at_end = frame + 1 >= run.frames.size();
   if (!run.frames.empty()) {
     draw_scene(run, std::min(frame, run.frames.size() - 1),
                {world.x + 1, world.y + top, world.width - 2, world.height - top - 1});
@@ -205,7 +207,7 @@ void SceneFilm::draw_panel(const SceneRun& run, std::size_t frame, const Rect& r
   } else {
     errors = errors_text(run.frames[frame]);
   }
-  draw_caption(run, errors, below);
+  draw_caption(run, is_at_end ? ending_text(scene_, run) : "", errors, below);
 }
 
 void SceneFilm::draw_scene(const SceneRun& run, std::size_t frame, const Rect& rect) {
@@ -231,31 +233,41 @@ void SceneFilm::draw_scene(const SceneRun& run, std::size_t frame, const Rect& r
   if (look_.shows.count("velocities") != 0) {
     render::draw_velocities(page_, camera, many_arrows(largest_speed_, "m/s", camera), snapshot);
   }
+  render::draw_unseen(page_, camera, snapshot, {.names = scene_.body_names});
 }
 
 std::string SceneFilm::errors_text(const Snapshot& snapshot) const {
   std::string text;
-  if (shows_overlap_) text = fmt::format("overlap {:6.2f} mm", 1e3 * worst_penetration(snapshot));
+  if (shows_overlap_) text = "overlap " + error_text(worst_penetration(snapshot));
   if (!shows_drift_) return text;
-  return text +
-         fmt::format("{}drift {:6.2f} mm", text.empty() ? "" : "  ", 1e3 * worst_joint_drift(snapshot));
+  return text + (text.empty() ? "" : "  ") + "drift " + error_text(worst_joint_drift(snapshot));
 }
 
-void SceneFilm::draw_caption(const SceneRun& run, const std::string& errors, const Rect& rect) {
+/// The setting, and the errors beside it; where a run has ended badly, its ending in place of one of them.
+void SceneFilm::draw_caption(const SceneRun& run, const std::string& ending, const std::string& errors,
+                             const Rect& rect) {
   const double line = std::round(1.5 * page_.sizes().label);
   const double base = rect.y + std::round(0.95 * line);
   render::TextStyle left = page_.label();
   render::TextStyle right = page_.value();
   right.color = page_.theme().secondary_text;
+  render::TextStyle end = left;
+  end.bold = true;
   if (runs_.size() > 1) {
     write_fitted(page_, {rect.x, base}, rect.width, setting_text(run.setting), left);
-    write_fitted(page_, {rect.x, base + line}, rect.width, errors, right);
+    const bool has_ended = !ending.empty();
+    write_fitted(page_, {rect.x, base + line}, rect.width, has_ended ? ending : errors,
+                 has_ended ? end : right);
     return;
   }
   right.align = render::Align::right;
   const double used = page_.canvas().text_width(errors, right) + page_.sizes().gap;
   page_.canvas().text({rect.x + rect.width, base}, errors, right);
-  write_fitted(page_, {rect.x, base}, rect.width - used, setting_text(run.setting), left);
+  if (ending.empty()) {
+    write_fitted(page_, {rect.x, base}, rect.width - used, setting_text(run.setting), left);
+  } else {
+    write_fitted(page_, {rect.x, base}, rect.width - used, ending, end);
+  }
 }
 
 }  // namespace cairn::sandbox

@@ -58,7 +58,8 @@ class SceneFilm {
  private:
   void draw_panel(const SceneRun& run, std::size_t frame, const render::Rect& rect);
   void draw_scene(const SceneRun& run, std::size_t frame, const render::Rect& rect);
-  void draw_caption(const SceneRun& run, const std::string& errors, const render::Rect& rect);
+  void draw_caption(const SceneRun& run, const std::string& ending, const std::string& errors,
+                    const render::Rect& rect);
   std::string errors_text(const Snapshot& snapshot) const;
   render::Camera camera_in(const render::Rect& rect) const;
 

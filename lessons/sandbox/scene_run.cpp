@@ -2,6 +2,7 @@
 #include "lessons/sandbox/scene_run.hpp"
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 #include "lessons/sandbox/progress_line.hpp"
@@ -42,12 +43,19 @@ class RunKeeper {
     const long long step = seen_++;
     const double time = static_cast<double>(step) * dt_;  // [s]
     // As many frames as have become due; where steps are longer than frames, each step is one.
+    if (wish_.frames_per_second > 0 && finite) latest_ = snapshot;
     if (wish_.frames_per_second > 0 && finite && time >= next_frame_ - 1e-9) {
       run_.frames.push_back(snapshot);
       while (time >= next_frame_ - 1e-9)
         next_frame_ = static_cast<double>(++frame_) / wish_.frames_per_second;
     }
     if (wish_.series && finite) add_row(snapshot, step, time);
+  }
+
+  /// The last frame of a run that ends badly is that of its end, whether one was due or not.
+  void end(const TrialResult& result) {
+    if (result.status == TrialStatus::ok || !latest_) return;
+    if (run_.frames.empty() || run_.frames.back().step != latest_->step) run_.frames.push_back(*latest_);
   }
 
   void count(const TrialResult& so_far) {
@@ -71,7 +79,8 @@ class RunKeeper {
   SceneRun& run_;
   long long seen_ = 0;
   long long frame_ = 0;
-  double next_frame_ = 0;  // [s]
+  double next_frame_ = 0;                // [s]
+  std::optional<Snapshot> latest_ = {};  // where there are frames
   std::int64_t updates_before_ = 0;
 };
 
@@ -98,6 +107,7 @@ SceneRun run_scene(const SceneEntry& scene, const Setting& setting, const RunWis
   };
   run.result = run_trial(scene.make(), setting, options);
   progress.clear();
+  keeper.end(run.result);
   // A run that was shorter than the scene's own time, or that ended badly, is judged as far as it came.
   if (!judged || run.result.steps <= judged_at) judged = run.result;
   run.missed = unmet(scene.expectations, *judged);

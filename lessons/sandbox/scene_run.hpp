@@ -23,7 +23,7 @@ struct SceneRun {
   Setting setting = {};
   TrialResult result = {};
   std::vector<std::string> missed = {};  // expectations, in the seconds that they are for
-  std::vector<Snapshot> frames = {};     // none that is not finite
+  std::vector<Snapshot> frames = {};     // none that is not finite; of a run that ends badly, its end too
   CsvTable series = {};                  // time_s, kinetic_J, ...
   bool stopped = false;                  // by RunWish::stops
 };

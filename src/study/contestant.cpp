@@ -49,9 +49,9 @@ class WorldContestant final : public Contestant {
 
   void step() override {
     updates_before_ = solver_.row_updates();
-    stopped_ = world_.step(solver_).not_finite.has_value();
+    not_finite_ = world_.step(solver_).not_finite;
   }
-  bool stopped() const override { return stopped_; }
+  std::optional<BodyId> not_finite() const override { return not_finite_; }
   Snapshot snapshot() const override { return cairn::snapshot(world_); }
   std::int64_t row_updates(const Snapshot&) const override { return solver_.row_updates() - updates_before_; }
 
@@ -75,7 +75,7 @@ class WorldContestant final : public Contestant {
   CountingSolver<Real> solver_;
   std::unique_ptr<Solver<Real>> twin_;
   std::int64_t updates_before_ = 0;
-  bool stopped_ = false;
+  std::optional<BodyId> not_finite_ = {};
 };
 
 #ifdef CAIRN_HAVE_BOX2D

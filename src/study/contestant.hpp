@@ -16,8 +16,8 @@ class Contestant {
   /// One step of the setting's dt: all that is to be timed.
   virtual void step() = 0;
   virtual Snapshot snapshot() const = 0;
-  /// Whether the last step was not done, as it would have led to what is no finite number.
-  virtual bool stopped() const { return false; }
+  /// The body for whose sake the last step was not done: it would have got what is no finite number.
+  virtual std::optional<BodyId> not_finite() const { return std::nullopt; }
   /// Row updates of the last step: rows times sweeps, summed over substeps and over the second solves of the
   /// policies that have them. Of Box2D: two rows a contact point and those of the joints, as the snapshot
   /// `after` the step has them, times velocity iterations and substeps. What came and went within the step

@@ -41,7 +41,9 @@ TrialOptions trial_options(const SceneEntry& scene) {
 std::vector<std::string> unmet(const Expectations& expectations, const TrialResult& result) {
   if (result.status == TrialStatus::refused) return {"refused: " + result.reason};
   if (result.status != TrialStatus::ok) {
-    return {fmt::format("{} after {:.3g} s", status_text(result.status), result.seconds)};
+    const std::string ending = fmt::format("{} after {:.3g} s", status_text(result.status), result.seconds);
+    if (!result.not_finite) return {ending};
+    return {fmt::format("{}: body {} would not be finite", ending, result.not_finite->index)};
   }
   std::vector<std::string> missed;
   const auto at_most = [&missed](const char* name, double value, const std::optional<double>& most,

@@ -99,7 +99,8 @@ class Trial {
   void measure(const Snapshot& now, bool is_last) {
     result_.row_updates += contestant_.row_updates(now);
     if (options_.observer) options_.observer(now);
-    result_.status = contestant_.stopped() ? TrialStatus::nan : motion_status(now, options_.fastest);
+    result_.not_finite = contestant_.not_finite();
+    result_.status = result_.not_finite ? TrialStatus::nan : motion_status(now, options_.fastest);
     if (result_.status == TrialStatus::nan) return note_position(std::numeric_limits<double>::infinity());
     note_position(farthest_from_start(start_, now));
     result_.worst_drift = std::max(result_.worst_drift, worst_joint_drift(now));

@@ -52,11 +52,12 @@ struct TrialOptions {
 /// solver's time budget makes of it.
 struct TrialResult {
   TrialStatus status = TrialStatus::ok;
-  std::string reason = {};       // of a refusal
-  int steps = 0;                 // done
-  double seconds = 0;            // [s] simulated
-  double worst_penetration = 0;  // [m] of any step that was measured
-  double worst_drift = 0;        // [m or rad] of any joint after any step
+  std::string reason = {};                // of a refusal
+  std::optional<BodyId> not_finite = {};  // for whose sake the last step was not done: StepReport::not_finite
+  int steps = 0;                          // done
+  double seconds = 0;                     // [s] simulated
+  double worst_penetration = 0;           // [m] of any step that was measured
+  double worst_drift = 0;                 // [m or rad] of any joint after any step
   double energy_scale = 0;  // [J] energy_scale() of the start (measure/trajectory.hpp); 1 J where it is 0
   double energy_gain = 0;   // of the scale: how far kinetic and potential energy rose above the start's
   double energy_loss = 0;   // of the scale: how far they are below it at the end; < 0: above it

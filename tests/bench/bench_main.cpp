@@ -1,6 +1,6 @@
-// What the paper says of speed, memory and code, and what features and constraints cost: eight tables.
+// What the paper says of speed, memory and code, and what features and constraints cost: nine tables.
 //   bash tests/run bench   all of them, in about two minutes
-//   cairn_bench [solvers|layout|memory|blocks|lines|features|constraints|policies]   some of them
+//   cairn_bench [solvers|layout|memory|blocks|lines|features|constraints|policies|guards]   some of them
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -65,7 +65,8 @@ bool print_tables(const std::vector<std::string>& wanted) {
                                      {"lines", cairn::bench::print_lines_table},
                                      {"features", cairn::bench::print_feature_table},
                                      {"constraints", cairn::bench::print_constraint_table},
-                                     {"policies", cairn::bench::print_policy_table}};
+                                     {"policies", cairn::bench::print_policy_table},
+                                     {"guards", cairn::bench::print_guard_table}};
   const auto named = [&](const std::string& name) {
     return [&name](const Table& table) { return table.first == name; };
   };

@@ -25,6 +25,84 @@ Scene scene_with_runaway(int substeps, StabilizationPolicy policy) {
   return scene;
 }
 
+const std::vector<StabilizationPolicy> guard_policies = {
+    StabilizationPolicy::none, StabilizationPolicy::baumgarte, StabilizationPolicy::soft,
+    StabilizationPolicy::split_impulse};
+
+/// Two boxes on the ground, a rod that swings on a pin, and body 4, which floats far above them.
+Scene scene_with_floating_body(const SceneSettings& settings) {
+  Scene scene(settings);
+  scene.add_ground();
+  scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}});
+  scene.add({.shapes = {box(1, 1)}, .position = {0, 1.5}});
+  const BodyId rod = scene.add({.shapes = {box(2, 0.2)}, .position = {6, 3}});
+  scene.join<RevoluteJoint>({.a = ground, .b = rod, .anchor = {5, 3}});
+  scene.add({.position = {0, 1000}, .mass = 1, .gravity_scale = 0, .fixed_rotation = true});
+  return scene;
+}
+
+/// Bit by bit; what is no number is equal to nothing.
+template <Scalar Real>
+bool guard_same_state(const World<Real>& first, const World<Real>& second) {
+  for (std::size_t i = 0; i < first.bodies().pose.size(); ++i) {
+    const Pose<Real>& a = first.bodies().pose[i];
+    const Pose<Real>& b = second.bodies().pose[i];
+    if (a.position != b.position || a.angle != b.angle) return false;
+    if (first.bodies().velocity[i] != second.bodies().velocity[i]) return false;
+    if (first.is_awake({static_cast<int>(i)}) != second.is_awake({static_cast<int>(i)})) return false;
+  }
+  return true;
+}
+
+template <Scalar Real>
+void guard_take_steps(World<Real>& world, int count) {
+  SequentialImpulse<Real> solver;
+  for (int step = 0; step < count; ++step) CHECK_FALSE(world.step(solver).not_finite.has_value());
+}
+
+/// A world that is asked for a step that leaves the numbers goes on as its twin that never was.
+template <Scalar Real>
+void check_as_if_never_asked(const SceneSettings& settings, int steps_before) {
+  World<Real> world(scene_with_floating_body(settings));
+  guard_take_steps(world, steps_before);
+  World<Real> twin = world;
+  const BodyId floating{4};
+  SequentialImpulse<Real> solver;
+  // A substep is longer than 2 s then, and half of the largest number more than doubles.
+  world.set_dt(4.0 * settings.substeps);
+  world.set_velocity(floating, {0, static_cast<double>(std::numeric_limits<Real>::max() / 2), 0});
+  CHECK(world.step(solver).not_finite == floating);
+  for (const BodyId body : {BodyId{1}, BodyId{2}, BodyId{3}}) {
+    const auto i = static_cast<std::size_t>(body.index);
+    CHECK(world.bodies().pose[i].position == twin.bodies().pose[i].position);
+    CHECK(world.bodies().velocity[i] == twin.bodies().velocity[i]);
+    CHECK(world.is_awake(body) == twin.is_awake(body));
+  }
+  world.set_dt(settings.dt);
+  for (World<Real>* each : {&world, &twin}) {
+    each->set_velocity(floating, {0, 0, 0});
+    guard_take_steps(*each, 40);
+  }
+  CHECK(guard_same_state(world, twin));
+}
+
+/// SequentialImpulse, but what it does last in its solve number `bad` is to lose the spin of body 2.
+class LosingSolver final : public Solver<double> {
+ public:
+  explicit LosingSolver(int bad) : bad_(bad) {}
+  std::string name() const override { return "losing"; }
+  SolveReport solve(VelocityProblem<double>& problem, SolveObserver<double>* observer = nullptr) override {
+    const SolveReport report = solver_.solve(problem, observer);
+    if (++solves_ == bad_) problem.velocity[2].z() = std::numeric_limits<double>::quiet_NaN();
+    return report;
+  }
+
+ private:
+  SequentialImpulse<double> solver_{};
+  int bad_ = 0;
+  int solves_ = 0;
+};
+
 /// A box that has come to rest on the ground.
 World<double> box_at_rest(bool watches) {
   Scene scene({.watches_warm_start = watches});
@@ -39,8 +117,7 @@ World<double> box_at_rest(bool watches) {
 }  // namespace
 
 TEST_CASE("a step that would leave the numbers moves nothing, names the body, and lets time go on") {
-  for (const StabilizationPolicy policy : {StabilizationPolicy::none, StabilizationPolicy::baumgarte,
-                                           StabilizationPolicy::soft, StabilizationPolicy::split_impulse}) {
+  for (const StabilizationPolicy policy : guard_policies) {
     World<double> world(scene_with_runaway(1, policy));
     SequentialImpulse<double> solver;
     for (int step = 1; step <= 3; ++step) {
@@ -65,6 +142,63 @@ TEST_CASE("of a step with substeps those before the bad one are done") {
   CHECK(world.step(solver).not_finite == BodyId{2});
   CHECK(world.bodies().pose[1].position.x() == 5.25);
   CHECK(world.bodies().pose[2].position.y() == 0.9375 * guard_huge);
+}
+
+TEST_CASE("after a step that was not done, a world goes on as if it had never been asked for it") {
+  for (const StabilizationPolicy policy : guard_policies) {
+    for (const int substeps : {1, 4}) {
+      const SceneSettings settings{.substeps = substeps, .stabilization = {.policy = policy}};
+      CAPTURE(static_cast<int>(policy));
+      CAPTURE(substeps);
+      check_as_if_never_asked<float>(settings, 25);
+      check_as_if_never_asked<double>(settings, 25);
+    }
+  }
+  check_as_if_never_asked<double>({.watches_warm_start = true}, 25);
+}
+
+TEST_CASE("a step that was not done wakes nobody, and puts nobody to sleep") {
+  const SceneSettings settings{.sleeping = Sleeping{.time = 0.2}};
+  World<double> world(scene_with_floating_body(settings));
+  guard_take_steps(world, 60);
+  CHECK_FALSE(world.is_awake({1}));
+  CHECK(world.is_awake({3}));
+  check_as_if_never_asked<double>(settings, 5);   // nobody sleeps yet
+  check_as_if_never_asked<double>(settings, 60);  // the boxes do
+}
+
+TEST_CASE("what a solver loses is found in the solve it happens in, whatever the solve is for") {
+  struct Lost {
+    StabilizationPolicy policy;
+    int solves;  // of a step
+  };
+  for (const Lost& lost : {Lost{StabilizationPolicy::none, 1}, Lost{StabilizationPolicy::baumgarte, 1},
+                           Lost{StabilizationPolicy::soft, 2}, Lost{StabilizationPolicy::split_impulse, 2}}) {
+    for (int bad = 1; bad <= lost.solves; ++bad) {
+      World<double> world(scene_with_floating_body({.stabilization = {.policy = lost.policy}}));
+      guard_take_steps(world, 25);
+      World<double> twin = world;
+      LosingSolver solver(bad);
+      CAPTURE(static_cast<int>(lost.policy));
+      CAPTURE(bad);
+      const std::optional<BodyId> found = world.step(solver).not_finite;
+      CHECK(found.has_value());
+      if (bad == lost.solves) CHECK(found == BodyId{2});  // a solve after it would hand it on to others
+      CHECK(guard_same_state(world, twin));
+      guard_take_steps(world, 10);
+      guard_take_steps(twin, 10);
+      CHECK(guard_same_state(world, twin));
+    }
+  }
+}
+
+TEST_CASE("an angle that would leave the numbers stops the step as a position does") {
+  Scene scene({.dt = 1});
+  scene.add({.shapes = {circle(1)}, .angle = 0.75 * guard_huge, .angular_velocity = 0.75 * guard_huge});
+  World<double> world(scene);
+  SequentialImpulse<double> solver;
+  CHECK(world.step(solver).not_finite == BodyId{1});
+  CHECK(world.bodies().pose[1].angle == 0.75 * guard_huge);
 }
 
 TEST_CASE("a body beyond the numbers of a scalar type, or no longer than their spacing there, is refused") {
