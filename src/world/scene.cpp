@@ -148,10 +148,12 @@ void Scene::add_joint(std::shared_ptr<const Constraint> joint, JointCollision co
   const bool collide =
       collision == JointCollision::as_usual ? joint->bodies_collide() : collision == JointCollision::on;
   for (std::size_t i = 0; !collide && i < places.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) apart_.push_back(std::minmax(places[i].body, places[k].body));
+    for (std::size_t k = 0; k < i; ++k) {
+      const std::pair<BodyId, BodyId> pair = std::minmax(places[i].body, places[k].body);
+      const auto place = std::lower_bound(apart_.begin(), apart_.end(), pair);
+      if (place == apart_.end() || *place != pair) apart_.insert(place, pair);
+    }
   }
-  std::sort(apart_.begin(), apart_.end());
-  apart_.erase(std::unique(apart_.begin(), apart_.end()), apart_.end());
   joints_.push_back(std::move(joint));
 }
 

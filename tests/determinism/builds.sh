@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Builds cairn_hashes with every compiler there is, with and without optimisation, and compares what they
+# print. The last line is "N passed, N failed"; a build is compared with tests/determinism/hashes.txt, or with
+# the first build where the mathematical library is another one.
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+out=$root/build/determinism
+mkdir -p "$out"
+passed=0
+failed=0
+expected=$out/expected.txt
+grep -v '^#' "$root/tests/determinism/hashes.txt" >"$expected"
+for build in g++:-O0 g++:-O2 g++:-O3 clang++:-O0 clang++:-O2; do
+  compiler=${build%%:*}
+  level=${build##*:}
+  if ! command -v "$compiler" >/dev/null; then printf '%-12s is not there\n' "$compiler"; continue; fi
+  folder=$out/$compiler$level
+  printed=$out/$compiler$level.txt
+  if ! { cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Plain -DCMAKE_CXX_COMPILER="$compiler" \
+           -DCMAKE_CXX_FLAGS="$level" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON &&
+         cmake --build "$folder" --target cairn_hashes; } >"$folder.log" 2>&1; then
+    printf '%-12s %s does not build: %s\n' "$compiler" "$level" "$folder.log"
+    failed=$((failed + 1))
+    continue
+  fi
+  "$folder/bin/cairn_hashes" >"$printed"
+  if [[ $(head -n 1 "$printed") != $(head -n 1 "$expected") ]]; then cp "$printed" "$expected"; fi
+  if cmp -s "$printed" "$expected"; then
+    printf '%-12s %s gives the same bits in %d runs\n' "$compiler" "$level" "$(($(wc -l <"$printed") - 1))"
+    passed=$((passed + 1))
+  else
+    printf '%-12s %s gives other bits:\n' "$compiler" "$level"
+    diff "$expected" "$printed" | grep '^>' | head -n 20
+    failed=$((failed + 1))
+  fi
+done
+printf '%d passed, %d failed\n' "$passed" "$failed"
+[[ $failed == 0 && $passed != 0 ]]

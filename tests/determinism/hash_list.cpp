@@ -1,0 +1,118 @@
+// Which runs are hashed, and what of them.
+#include "determinism/hash_list.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include "measure/fingerprint.hpp"
+#include "study/contestant.hpp"
+#include "study/frozen_set.hpp"
+#include "study/scene_list.hpp"
+#include "study/solver_list.hpp"
+
+namespace cairn::determinism {
+
+namespace {
+
+const int hashed_steps = 60;
+
+/// Contacts of all kinds, joints of all kinds, and scenes that are seen from above or fall apart.
+const std::vector<std::string>& hashed_scenes() {
+  static const std::vector<std::string> names = {
+      "stack-offset", "arch", "bridge",  "chain-bob",    "cradle",  "differential", "gear-row",  "piston",
+      "pulley",       "puck", "ragdoll", "rolling-disc", "tumbler", "weld-beam",    "spring-row"};
+  return names;
+}
+
+const std::vector<std::string>& hashed_solvers() {
+  static const std::vector<std::string> names = {"si", "pgs", "block-contact", "accelerated"};
+  return names;
+}
+
+struct HashedScalar {
+  const char* name = "";
+  Precision precision = Precision::double_precision;
+};
+// A long double has as many bits as the compiler likes.
+constexpr HashedScalar hashed_scalars[] = {{"float", Precision::single_precision},
+                                           {"double", Precision::double_precision}};
+
+std::uint64_t hash_of_run(const SceneEntry& entry, const std::string& solver, Precision precision) {
+  Setting setting = entry.setting;
+  setting.solver = solver;
+  setting.scalar = precision;
+  const std::unique_ptr<Contestant> contestant = make_contestant(entry.make(), setting);
+  Fingerprint all;
+  for (int step = 0; step < hashed_steps; ++step) {
+    contestant->step();
+    all.add(hexadecimal(fingerprint_of(contestant->snapshot())));
+  }
+  return all.value();
+}
+
+std::uint64_t hash_of_solve(VelocityProblem<double> problem, const std::string& solver) {
+  make_solver<double>(solver)->solve(problem);
+  Fingerprint all;
+  for (const Vec3<double>& velocity : problem.velocity) all.add(velocity);
+  for (const double impulse : problem.impulse) all.add(impulse);
+  return all.value();
+}
+
+}  // namespace
+
+std::size_t run_count() {
+  return hashed_scenes().size() * hashed_solvers().size() * std::size(hashed_scalars);
+}
+
+std::string run_line(std::size_t run) {
+  const HashedScalar& scalar = hashed_scalars[run % std::size(hashed_scalars)];
+  const std::size_t pair = run / std::size(hashed_scalars);
+  const std::string& solver = hashed_solvers()[pair % hashed_solvers().size()];
+  const std::string& scene = hashed_scenes()[pair / hashed_solvers().size()];
+  const std::uint64_t hash = hash_of_run(scene_entry(scene), solver, scalar.precision);
+  return scene + " " + solver + " " + scalar.name + " " + hexadecimal(hash);
+}
+
+FrozenProblem written_and_read(const FrozenProblem& frozen) {
+  std::stringstream text;
+  write_frozen(text, frozen);
+  return read_frozen(text, frozen.name);
+}
+
+std::vector<std::string> frozen_lines(const std::vector<FrozenProblem>& problems) {
+  std::vector<std::string> lines;
+  for (const FrozenProblem& frozen : problems) {
+    for (const std::string& solver : hashed_solvers()) {
+      lines.push_back("frozen " + frozen.name + " " + solver + " " +
+                      hexadecimal(hash_of_solve(frozen.problem, solver)));
+    }
+  }
+  return lines;
+}
+
+std::string library_line() {
+  Fingerprint all;
+  for (int i = -500; i <= 500; ++i) {
+    // Volatile: the compiler, which knows these functions too, is not asked.
+    volatile double wide = i * 0.0137;
+    volatile float narrow = static_cast<float>(wide);
+    for (const double value :
+         {std::sin(wide), std::cos(wide), std::tan(wide), std::atan2(wide, 0.7), std::hypot(wide, 0.3)}) {
+      all.add(value);
+    }
+    for (const float value : {std::sin(narrow), std::cos(narrow), std::hypot(narrow, 0.3f)}) all.add(value);
+  }
+  return "libm " + hexadecimal(all.value());
+}
+
+std::vector<std::string> all_lines() {
+  std::vector<std::string> lines = {library_line()};
+  for (std::size_t run = 0; run < run_count(); ++run) lines.push_back(run_line(run));
+  std::vector<FrozenProblem> problems;
+  for (const std::string& name : frozen_names()) problems.push_back(make_frozen(name));
+  const std::vector<std::string> frozen = frozen_lines(problems);
+  lines.insert(lines.end(), frozen.begin(), frozen.end());
+  return lines;
+}
+
+}  // namespace cairn::determinism

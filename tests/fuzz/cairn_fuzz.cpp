@@ -1,0 +1,74 @@
+// cairn_fuzz: feeds a reader with bytes for some time, and keeps what did harm.
+//   cairn_fuzz [--target scene|frozen|words] [--seconds S] [--seed N] [file or folder ...]
+// Without files it begins from what is shipped and from tests/fuzz/corpus. With --seconds 0 it feeds the
+// files alone. What did harm is written to fuzz-TARGET-SEED-NUMBER in the current folder; the program ends
+// with 1.
+#include <fmt/format.h>
+
+#include <exception>
+#include <fstream>
+#include <stdexcept>
+
+#include "fuzz/fuzz_run.hpp"
+#include "fuzz/mutate.hpp"
+#include "lessons/words.hpp"
+
+namespace {
+
+using namespace cairn;
+using namespace cairn::fuzz;
+
+double number_behind(const std::vector<std::string>& words, std::size_t& place) {
+  const std::string flag = words[place];
+  const std::optional<double> number =
+      ++place < words.size() ? parse_number(words[place]) : std::optional<double>();
+  if (!number || !(*number >= 0 && *number <= 1e9)) {
+    throw std::invalid_argument("cairn_fuzz: " + flag + " must be a number from 0 to 1e9");
+  }
+  return *number;
+}
+
+Run run_of(const std::vector<std::string>& words) {
+  Run run;
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == "--seconds") {
+      run.seconds = number_behind(words, i);
+    } else if (words[i] == "--seed") {
+      run.seed = static_cast<std::uint64_t>(number_behind(words, i));
+    } else if (words[i] == "--target") {
+      run.target = target_of(++i < words.size() ? words[i] : "nothing");
+    } else if (words[i].rfind("--", 0) == 0) {
+      throw std::invalid_argument("cairn_fuzz: the words are --target, --seconds, --seed and files");
+    } else {
+      paths.push_back(words[i]);
+    }
+  }
+  run.seeds = paths.empty() ? usual_seeds(run.target, CAIRN_SOURCE_DIR) : read_seeds(paths);
+  return run;
+}
+
+int fuzz_and_tell(const std::vector<std::string>& words) {
+  const Run what = run_of(words);
+  const std::string target = target_names()[static_cast<std::size_t>(what.target)];
+  const RunReport report = fuzz::run(what);
+  for (const Harm& harm : report.harm) {
+    const std::string file = fmt::format("fuzz-{}-{}-{}", target, what.seed, harm.number);
+    std::ofstream(file, std::ios::binary) << input(what.seeds, what.seed, harm.number);
+    fmt::print("{}: {}\n{}\n", file, harm.what, harm.log);
+  }
+  fmt::print("{}: {} inputs, {} accepted, {} did harm\n", target, report.inputs, report.accepted,
+             report.harm.size());
+  return report.harm.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return fuzz_and_tell({argv + std::min(argc, 1), argv + argc});
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+}

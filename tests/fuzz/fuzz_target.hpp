@@ -1,0 +1,42 @@
+// What is fed with bytes: whatever they are, they are taken, or refused in one line.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace cairn::fuzz {
+
+/// What reads the bytes.
+enum class Target {
+  scene,   // a scene file; the scene that it makes is stepped in double and in float
+  frozen,  // a frozen problem; it is solved
+  words,   // a command line of `cairn`, without its name; run where that is quick
+};
+
+/// "scene", "frozen" and "words".
+const std::vector<std::string>& target_names();
+/// @throws std::invalid_argument for a name that is not among them.
+Target target_of(const std::string& name);
+
+/// How an input ended that did no harm.
+struct Outcome {
+  bool accepted = false;
+  std::string message = {};  // of a refusal
+};
+
+/// What must not happen: another exception than those for bad input, a refusal that says too little, numbers
+/// that are not finite and that nobody reports.
+struct Finding : std::logic_error {
+  using std::logic_error::logic_error;
+};
+
+/// Feeds the target. The words of a command line are divided by blanks and line ends; what they write goes to
+/// stdout and into the current folder.
+/// @throws Finding.
+Outcome feed(Target target, const std::string& bytes);
+
+/// Command lines with every verb and every flag, to begin from.
+std::vector<std::string> word_seeds();
+
+}  // namespace cairn::fuzz
