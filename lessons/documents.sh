@@ -14,6 +14,7 @@ export PATH=$programs:$PATH NO_COLOR=1
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
+ln -s "$source/lessons" lessons  # where commands find scenes that have no name of their own
 
 # renewed DOCUMENT: prints it with its blocks made anew.
 renewed() {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Draws the pictures of the documents: the cover of every lesson, small, in both themes, one larger picture, and a
-# chart of work against error.
+# Draws the pictures of the documents: the cover of every lesson, small, in both themes, one larger picture, a chart of
+# work against error, and the failures of sandbox/FAILURES.md.
 #   bash lessons/images.sh PROGRAMS SCRATCH IMAGES
 set -eu
 programs=$1
@@ -21,6 +21,31 @@ cover() {
   cp "$out"/l[0-9][0-9]_0001.png "$images/$4.png"
 }
 
+# failure NAME FRAME WORDS...: one frame of the film that `cairn WORDS` writes.
+failure() {
+  local name=$1_$theme frame=$2 code=0
+  shift 2
+  "$programs/cairn" "$@" --size small --theme "$theme" --frames "$scratch/$name" --quiet >/dev/null || code=$?
+  # 1 and 4 say that an expectation was missed, or that it diverged: that is what is shown.
+  if [[ $code != 0 && $code != 1 && $code != 4 ]]; then return "$code"; fi
+  cp "$scratch/$name/$frame.png" "$images/$name.png"
+}
+
+failures() {
+  local scenes
+  scenes=$(dirname "$0")/sandbox/failures
+  failure failure_few_sweeps 0002 compare stack-ratio --solvers si:10,accelerated:50 --fps 2 --seconds 1
+  failure failure_stretch 0002 compare chain-bob --solvers si:10,accelerated:100 --fps 1 --seconds 2
+  failure failure_pop 0001 run "$scenes/overlap.toml" --stabilization baumgarte --fps 5 --seconds 0.2 --show velocities
+  failure failure_pop_cured 0001 run "$scenes/overlap.toml" --fps 5 --seconds 0.2
+  failure failure_pin 0001 compare "$scenes/tiny-inertia.toml" --solvers si:10,block:10 --fps 2 --seconds 1 --show trails
+  failure failure_tunnel 0002 run "$scenes/thin-wall.toml" --fps 10 --seconds 0.2 --show trails,velocities
+  failure failure_far 0002 run "$scenes/far-away.toml" --scalar float --fps 1 --show velocities
+  failure failure_jacobi 0001 compare weld-beam --solvers jacobi:30,si:30 --fps 60 --seconds 0.1
+  failure failure_cycle 0003 compare painleve --solvers si:20,block-contact:20 --fps 10 --seconds 0.3 --show velocities
+  failure failure_slot 0004 run "$scenes/slot.toml" --stabilization baumgarte --fps 1 --seconds 4 --show loads
+}
+
 mkdir -p "$images"
 for theme in light dark; do
   for program in "$programs"/lesson[0-9][0-9]_*; do
@@ -32,5 +57,6 @@ for theme in light dark; do
   if [[ -x $programs/cairn ]]; then
     "$programs/cairn" tradeoff stack10 --quick --theme "$theme" --out "$scratch/tradeoff_$theme" --quiet >/dev/null
     cp "$scratch/tradeoff_$theme/stack10.png" "$images/tradeoff_$theme.png"
+    failures
   fi
 done

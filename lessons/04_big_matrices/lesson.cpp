@@ -44,7 +44,7 @@ LessonInfo info() {
                      {"top", 1, 0.01, 100, "kg", "mass of the uppermost box; the others have 1 kg"},
                      {"sunk", 0, 0, 0.02, "m", "how deep the lowest box is inside the ground, β = 0.2"}},
       .cover = 12,
-      .next = "lesson06_sequential_impulses   (the same answer without the matrices)"};
+      .next = "lesson05_sweep_and_bounds   (guess, fix one row, repeat; and what may not pull)"};
 }
 
 /// Without a minus in front of what rounding left of a zero.

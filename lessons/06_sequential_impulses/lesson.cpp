@@ -41,7 +41,7 @@ LessonInfo info() {
                      {"seed", 1, 0, 1e9, "", "of --order shuffle", Parameter::Kind::whole}},
       .choices = {{"order", {"up", "down", "shuffle"}, "in which rows are visited"}},
       .cover = 6,
-      .next = "lesson08_same_thing_twice   (the same pushes, out of a large matrix)"};
+      .next = "lesson07_clamp_the_sum   (why a contact may take back what it gave)"};
 }
 
 void print_updates(Lesson& lesson, const StackRun& run) {

@@ -38,7 +38,7 @@ LessonInfo info() {
                      {"sweeps", 50, 2, 1000, "", "sweeps", Parameter::Kind::whole},
                      {"seed", 1, 0, 1e9, "", "of the random problem", Parameter::Kind::whole}},
       .cover = 16,
-      .next = "lesson11_friction   (a row whose bounds lean on another row)"};
+      .next = "lesson09_warm_start   (yesterday's answer is today's first guess)"};
 }
 
 void print_first_sweep(Lesson& lesson, const TwiceRun& run) {

@@ -43,7 +43,7 @@ LessonInfo info() {
                      {"inertia", 1e-6, 1e-7, 1, "kg m^2", "of the bob: how hard it is to turn"},
                      {"sweeps", 5, 1, 20, "", "a step, for the bob", Parameter::Kind::whole}},
       .cover = 13,
-      .next = "lesson14_pulley   (one row on as many bodies as it likes)"};
+      .next = "lesson13_soft   (a row that gives way)"};
 }
 
 void print_rod(Lesson& lesson, const BlocksRuns& all) {

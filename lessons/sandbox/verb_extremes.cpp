@@ -8,6 +8,7 @@
 #include "extremes/extreme.hpp"
 #include "extremes/extreme_study.hpp"
 #include "lessons/records.hpp"
+#include "lessons/sandbox/atlas_report.hpp"
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
@@ -92,6 +93,8 @@ int report_extremes(const std::vector<ExtremeRow>& found, const Words& words, Co
 }
 
 int run_extremes(const Words& words, Console& console) {
+  if (words.has("atlas")) return run_atlas(words, console);
+  words.refuse_beside("theme", "without --atlas");
   if (words.has("list")) return list_axes(console);
   const ExtremeChoice choice = choice_of(words);
   const Study study = extreme_study(choice);
@@ -132,7 +135,9 @@ Verb extremes_verb() {
           "springs, materials, numbers. OK: within the tolerance of what is measured. BOUND: not, but "
           "finite, without an energy gain above 1 %, and nothing goes through anything else. REFUSE: an "
           "error that names object and value. FAIL: none of these. Exit code 1 where a case misses what it "
-          "must do. It can be stopped and taken up again.",
+          "must do. It can be stopped and taken up again. --atlas draws maps over two things at once "
+          "instead, a "
+          "panel for each solver: where it holds, where it degrades and where it explodes.",
       .flags = {{"quick", "", "two settings for each value: half a minute instead of many"},
                 {"only", "AXIS,AXIS", "these alone", true},
                 {"missed", "", "shows those that miss what is required, and no others"},
@@ -140,8 +145,11 @@ Verb extremes_verb() {
                 {"again", "", "forgets what an earlier run has found"},
                 {"shard", "k/n", "does the k-th of n parts only"},
                 {"merge", "FILE,FILE", "puts the journals of parts together instead of running", true},
-                {"list", "", "the axes, and what each is tried with"}},
-      .examples = {"extremes --quick", "extremes --only stack,chain --missed", "extremes --shard 1/4"},
+                {"list", "", "the axes, and what each is tried with"},
+                {"atlas", "DIR", "draws the maps into this folder, their journal beside them"},
+                {"theme", "NAME", "of the maps: light or dark (light)"}},
+      .examples = {"extremes --quick", "extremes --only stack,chain --missed", "extremes --shard 1/4",
+                   "extremes --atlas out/atlas --theme dark"},
       .run = run_extremes};
 }
 

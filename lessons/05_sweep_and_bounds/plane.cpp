@@ -1,0 +1,195 @@
+// The plane of two lambda: where they may be, where each row is satisfied, and the way of Gauss-Seidel.
+#include "plane.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "pictures.hpp"
+#include "render/camera.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::sweeps {
+
+namespace {
+
+using render::Page;
+using render::Point;
+using render::Rect;
+
+using Pair = std::array<double, 2>;
+
+/// Where a lambda would be negative: hatched as what nothing can enter.
+void draw_forbidden(Page& page, const render::Camera& camera) {
+  const Rect& view = camera.viewport;
+  const Point origin = camera.project({0, 0});
+  const auto block = [&page](const Rect& r) {
+    if (!(r.width > 0) || !(r.height > 0)) return;
+    const std::array<Point, 4> corners = {Point(r.x, r.y), Point(r.x + r.width, r.y),
+                                          Point(r.x + r.width, r.y + r.height), Point(r.x, r.y + r.height)};
+    page.canvas().polygon(corners, {.fill = render::faded(page.theme().static_body, 0.6)});
+    page.canvas().hatch(corners, {.width = 1, .color = render::faded(page.theme().static_hatch, 0.6)},
+                        2 * page.sizes().hatch_pitch);
+  };
+  const double bottom = view.y + view.height;
+  block({view.x, view.y, origin.x() - view.x, view.height});
+  block({origin.x(), origin.y(), view.x + view.width - origin.x(), bottom - origin.y()});
+  const render::Stroke axis{.width = page.sizes().axis, .color = page.theme().outline};
+  page.canvas().line({view.x, origin.y()}, {view.x + view.width, origin.y()}, axis);
+  page.canvas().line({origin.x(), view.y}, {origin.x(), bottom}, axis);
+  page.avoid({{view.x, origin.y()}, {view.x + view.width, origin.y()}});
+  page.avoid({{origin.x(), view.y}, {origin.x(), bottom}});
+}
+
+/// All lambda with the same 1/2 lambda^T A lambda - b^T lambda as `through`: an ellipse around the statics.
+void draw_level(Page& page, const render::Camera& camera, const RodRun& rod, const Pair& through) {
+  const Matrix<double>& A = rod.system.A;
+  const Vec2<double> middle(rod.statics[0], rod.statics[1]);
+  const Vec2<double> arm = Vec2<double>(through[0], through[1]) - middle;
+  const double size = std::sqrt(arm.dot(A * arm));
+  // With A = L L^T, the points of the level are L^-T times those of a circle.
+  const Matrix<double> upper = A.llt().matrixU();
+  std::vector<Point> points;
+  for (int i = 0; i <= 144; ++i) {
+    const Vec2<double> round(std::cos(2 * pi * i / 144), std::sin(2 * pi * i / 144));
+    const Vec2<double> out = upper.triangularView<Eigen::Upper>().solve(round);
+    points.push_back(camera.project(middle + size * out));
+  }
+  page.canvas().polyline(points, {.width = 1.5, .color = page.theme().inactive});
+  page.avoid(points);
+}
+
+/// Where row `i` is satisfied, A_i1 lambda_1 + A_i2 lambda_2 = b_i, with its name where there is room.
+struct RowLine {
+  Vec2<double> point = {0, 0};
+  Vec2<double> along = {1, 0};
+};
+
+RowLine row_line(const RodRun& rod, int i) {
+  const Matrix<double>& A = rod.system.A;
+  return {.point = {rod.statics[0], rod.statics[1]}, .along = Vec2<double>(-A(i, 1), A(i, 0)).normalized()};
+}
+
+void draw_row_line(Page& page, const render::Camera& camera, const RodRun& rod, int i) {
+  const RowLine line = row_line(rod, i);
+  const Point from = camera.project(line.point - 400 * line.along);
+  const Point to = camera.project(line.point + 400 * line.along);
+  page.canvas().line(from, to, {.width = 1.5, .color = page.theme().secondary_text, .dash = {8, 6}});
+  page.avoid({from, to});
+}
+
+render::TextStyle plane_text(const Page& page) {
+  render::TextStyle style = page.tick();
+  style.halo = page.theme().panel;
+  return style;
+}
+
+void name_row_line(Page& page, const render::Camera& camera, const RodRun& rod, int i) {
+  const RowLine line = row_line(rod, i);
+  const render::TextStyle style = plane_text(page);
+  const std::string text = fmt::format("row {}", i + 1);
+  const double width = page.canvas().text_width(text, style);
+  const Rect room = inset(camera.viewport, 4);
+  std::vector<Point> places;
+  for (int step = -80; step <= 80; ++step) {
+    const Point at = camera.project(line.point + (6.0 * step + 3) / camera.scale * line.along);
+    for (const double side : {1.0, -1.0}) {
+      const Point place(at.x() + (side > 0 ? 10 : -10 - width), at.y() + style.size / 3);
+      const bool fits = place.x() > room.x && place.x() + width < room.x + room.width &&
+                        place.y() - style.size > room.y && place.y() < room.y + room.height;
+      if (fits) places.push_back(place);
+    }
+  }
+  if (!places.empty()) page.place_text(places, room, text, style);
+}
+
+void draw_way(Page& page, const render::Camera& camera, const std::vector<Pair>& way,
+              const render::SeriesStyle& style, double width) {
+  std::vector<Point> points;
+  for (const Pair& stop : way) points.push_back(camera.project({stop[0], stop[1]}));
+  page.canvas().polyline(points, {.width = width, .color = style.color});
+  for (const Point& point : points) {
+    draw_marker(page.canvas(), point, style.marker, page.sizes().marker * 0.8, style.color);
+  }
+  page.avoid(points);
+}
+
+/// "(−20, 60)" beside a ring.
+void draw_goal(Page& page, const render::Camera& camera, const Pair& at, bool lit) {
+  const Point point = camera.project({at[0], at[1]});
+  const render::Color color = lit ? page.theme().exact.color : page.theme().secondary_text;
+  page.canvas().circle(point, page.sizes().joint + 2,
+                       {.outline = color, .outline_width = page.sizes().outline});
+  render::TextStyle style = plane_text(page);
+  style.color = page.theme().text;
+  const std::string text = fmt::format("({}, {})", brief(at[0], 1), brief(at[1], 1));
+  const double width = page.canvas().text_width(text, style);
+  const double away = page.sizes().joint + 8;
+  page.place_text({{point.x() + away, point.y() + style.size / 3},
+                   {point.x() - away - width, point.y() + style.size / 3},
+                   {point.x() - width / 2, point.y() - away},
+                   {point.x() - width / 2, point.y() + away + style.size},
+                   {point.x() + away, point.y() - away},
+                   {point.x() - away - width, point.y() - away},
+                   {point.x() + away, point.y() + away + style.size},
+                   {point.x() - away - width, point.y() + away + style.size}},
+                  inset(camera.viewport, 4), text, style);
+}
+
+/// What the last row asked for, where that is not what it got.
+void draw_asked(Page& page, const render::Camera& camera, const PlaneView& view) {
+  if (view.way.empty() || !(std::min(view.asked[0], view.asked[1]) < -1e-9)) return;
+  const Point from = camera.project({view.way.back()[0], view.way.back()[1]});
+  const Point to = camera.project({view.asked[0], view.asked[1]});
+  const render::Color color = page.theme().pgs.color;
+  page.canvas().line(from, to, {.width = 2, .color = color, .dash = {4, 4}});
+  page.canvas().circle(to, page.sizes().marker,
+                       {.fill = page.theme().panel, .outline = color, .outline_width = 2});
+  page.avoid({from, to});
+}
+
+void name_pull(Page& page, const render::Camera& camera) {
+  const render::TextStyle style = plane_text(page);
+  const Point origin = camera.project({0, 0});
+  const std::string text = page.compact() ? "λ_{1} < 0" : "λ_{1} < 0: a pull";
+  const double width = page.canvas().text_width(text, style);
+  if (camera.viewport.x + width + 24 > origin.x()) return;
+  page.canvas().text({camera.viewport.x + 12, origin.y() - 12}, text, style);
+}
+
+render::Camera plane_camera(const Rect& rect, const RodRun& rod) {
+  const double left = std::min(0.0, rod.statics[0]);
+  const double right = std::max(10.0, rod.statics[0]);
+  const double top = std::max(rod.statics[1], rod.formula[1]);
+  const double margin = 0.16 * std::max(right - left, top);
+  return render::fit(rect, {{left - margin, -0.8 * margin}, {right + margin, top + margin}});
+}
+
+}  // namespace
+
+void draw_plane(Page& page, const Rect& rect, const SweepRun& run, const PlaneView& view) {
+  const RodRun& rod = run.rod;
+  Rect inside =
+      page.panel(rect, page.compact() ? "λ_{1} →, λ_{2} ↑ (N)" : "λ_{1} to the right, λ_{2} up (N)");
+  const render::Camera camera = plane_camera(inside, rod);
+  page.canvas().push_clip(inside);
+  draw_forbidden(page, camera);
+  const std::vector<double>& first = rod.bounded.after[rod.tips() ? 1 : 0];
+  if (rod.tips()) draw_level(page, camera, rod, rod.formula);
+  draw_level(page, camera, rod, {first[0], first[1]});
+  draw_row_line(page, camera, rod, 0);
+  draw_row_line(page, camera, rod, 1);
+  draw_way(page, camera, view.other, {page.theme().secondary_text, {}, render::Marker::diamond}, 1.5);
+  draw_asked(page, camera, view);
+  draw_way(page, camera, view.way, page.theme().pgs, page.sizes().curve);
+  draw_goal(page, camera, rod.statics, !rod.tips());
+  if (rod.tips()) draw_goal(page, camera, rod.formula, true);
+  name_pull(page, camera);
+  name_row_line(page, camera, rod, 0);
+  name_row_line(page, camera, rod, 1);
+  page.canvas().pop_clip();
+}
+
+}  // namespace cairn::sweeps

@@ -1,0 +1,240 @@
+// The rod on its supports, beside the plane of its two lambda.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "pictures.hpp"
+#include "plane.hpp"
+#include "render/draw.hpp"
+
+namespace cairn::sweeps {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Point;
+using render::Rect;
+
+using Pair = std::array<double, 2>;
+
+Pair pair_of(const std::vector<double>& lambda) { return {lambda[0], lambda[1]}; }
+
+/// Beside the upper end of a force, where there is room: left of it if possible.
+void label_force(Page& page, const render::Camera& camera, const Vec2<double>& top, const std::string& text) {
+  const Point at = camera.project(top);
+  render::TextStyle style = page.value();
+  style.bold = true;
+  style.halo = page.theme().panel;
+  const double width = page.canvas().text_width(text, style);
+  const double left = at.x() - 14 - width;
+  const double right = at.x() + 14;
+  page.place_text({{left, at.y() + style.size},
+                   {left, at.y()},
+                   {left, at.y() - 8},
+                   {right, at.y()},
+                   {at.x() - width / 2, at.y() - 8},
+                   {left, at.y() - 1.8 * style.size},
+                   {left, at.y() - 3 * style.size},
+                   {right, at.y() + style.size},
+                   {at.x() - width / 2, at.y() - 3 * style.size}},
+                  camera.viewport, text, style);
+}
+
+/// The rod, what its supports give, its weight; behind it where it goes, if wanted.
+void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const Pair& lambda,
+              std::span<const Snapshot> motion = {}) {
+  const Rect inside = page.panel(rect, page.compact() ? "" : "N");
+  const render::Camera camera = render::fit(inside, {{-0.75, -0.8}, {rod_length + 0.5, 1.6}});
+  page.canvas().push_clip(inside);
+  render::WorldLook look;
+  look.contacts = false;
+  look.numbers = false;
+  look.penetration = false;
+  if (!motion.empty()) draw_ghosts(page, camera, motion);
+  draw_world(page, camera, run.rod.snapshot, look);
+  const double largest = std::max({std::abs(run.rod.statics[0]), run.rod.statics[1], rod_mass * gravity});
+  const render::ArrowScale scale{
+      .pixels_per_unit = 1.25 * camera.scale / largest, .longest = 1.4 * camera.scale, .unit = "N"};
+  const double weight = rod_mass * gravity;
+  const double shift = std::abs(run.rod.arm[1]) < 0.2 ? -0.2 : 0;  // not upon the push below it
+  draw_arrow(page, camera, scale,
+             {.kind = render::ArrowKind::external,
+              .tail = {rod_length / 2 + shift, 0.12 + weight / largest * 1.25},
+              .value = {0, -weight},
+              .label = page.compact() ? "m g" : fmt::format("m g = {}", brief(weight))});
+  for (const std::size_t i : {std::size_t{1}, std::size_t{0}}) {
+    if (std::abs(lambda[i]) < 0.005) continue;
+    const double x = i == 0 ? 0.02 : run.settings.support;
+    const bool pulls = lambda[i] < 0;
+    const double start = pulls ? 0.1 - lambda[i] / largest * 1.25 : 0.1;
+    const double top = 0.1 + std::abs(lambda[i]) / largest * 1.25;
+    draw_arrow(page, camera, scale,
+               {.kind = pulls ? render::ArrowKind::negative_correction : render::ArrowKind::normal,
+                .tail = {x, start},
+                .value = {0, lambda[i]}});
+    label_force(page, camera, {x, pulls ? top + 0.2 : top},
+                fmt::format("λ_{{{}}} = {}", i + 1, brief(lambda[i], 2)));
+  }
+  page.canvas().pop_clip();
+}
+
+std::vector<Pair> way_of(const Swept& swept, std::size_t count) {
+  std::vector<Pair> way = {{0, 0}};
+  for (std::size_t k = 0; k < count; ++k) way.push_back(pair_of(swept.after[k]));
+  return way;
+}
+
+/// Rod at the top left, plane right; returns what is free below the rod.
+Rect draw_rod_moment(Page& page, const SweepRun& run, const Pair& lambda, const PlaneView& view,
+                     std::span<const Snapshot> motion = {}) {
+  const std::vector<Rect> halves = columns(page.area(), {0.57, 0.43}, page.sizes().gap);
+  draw_plane(page, halves[1], run, view);
+  const std::vector<Rect> left = rows(halves[0], {0.54, 0.46}, page.sizes().gap);
+  draw_rod(page, left[0], run, lambda, motion);
+  return left[1];
+}
+
+/// So many updates of the solve without the clamp as can be told apart.
+std::size_t visible_updates(const RodRun& rod) {
+  return std::min(rod.unbounded.after.size(), std::size_t{300});
+}
+
+void draw_unbounded(Page& page, const SweepRun& run) {
+  const RodRun& rod = run.rod;
+  const Rect rest =
+      draw_rod_moment(page, run, rod.statics, {.other = way_of(rod.unbounded, visible_updates(rod))});
+  const Matrix<double>& A = rod.system.A;
+  page.equation(
+      rest,
+      {.number = "eq (14), no bounds",
+       .symbols = "A λ = b",
+       .numbers = fmt::format("({} {}; {} {}) λ = ({}, {})", brief(A(0, 0)), brief(A(0, 1)), brief(A(1, 0)),
+                              brief(A(1, 1)), brief(rod.system.b(0)), brief(rod.system.b(1))),
+       .result = fmt::format("λ = ({}, {}) N", brief(rod.statics[0], 2), brief(rod.statics[1], 2)),
+       .algorithm = rod.tips() ? "a support that pulls" : "both supports push"});
+}
+
+void draw_rod_update(Page& page, const SweepRun& run, std::size_t k) {
+  const RodRun& rod = run.rod;
+  PlaneView view{.way = way_of(rod.bounded, k + 1)};
+  const RowUpdate<double>& update = rod.bounded.updates[k];
+  view.asked = view.way[k];
+  view.asked[static_cast<std::size_t>(update.row)] =
+      (update.impulse_before + update.corrective) / run.settings.dt;
+  const Rect rest = draw_rod_moment(page, run, pair_of(rod.bounded.after[k]), view);
+  page.equation(rest, equation_28(page, rod.system, rod.bounded, k));
+}
+
+/// w = A lambda - b of both rows, beside lambda.
+void draw_complement(Page& page, const SweepRun& run) {
+  const RodRun& rod = run.rod;
+  PlaneView view{.way = way_of(rod.bounded, rod.bounded.after.size())};
+  view.asked = {rod.formula[0] - rod.leaving[0] / rod.system.A(0, 0), rod.formula[1]};
+  const Rect rest = draw_rod_moment(page, run, pair_of(rod.settled.after.back()), view);
+  render::TableView table;
+  table.header = {"row", "λ (N)", page.compact() ? "w" : "w = A λ − b (m/s²)", page.compact() ? "" : "λ w"};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double lambda = rod.settled.after.back()[i];
+    const bool leaves = rod.leaving[i] > 1e-9;
+    table.rows.push_back({fmt::format("{}", i + 1), brief(lambda), brief(rod.leaving[i]),
+                          page.compact() ? (leaves ? "leaves" : "holds") : "0"});
+  }
+  table.active_row = rod.tips() ? 0 : -1;
+  const std::vector<Rect> parts = rows(rest, {0.56, 0.44}, page.sizes().gap);
+  page.table(page.compact() ? rest : parts[0],
+             page.compact() ? "λ ≥ 0, w ≥ 0, λ w = 0" : "A contact pushes, or it opens; never both", table);
+  if (page.compact()) return;
+  page.note(parts[1], "",
+            "λ ≥ 0, w ≥ 0, λ w = 0. The ellipses are levels of ½ λ·A λ − b·λ; the answer is the lowest point "
+            "where λ may be.");
+}
+
+void draw_question(Page& page, const SweepRun& run) {
+  const std::vector<Rect> halves = rows(page.area(), {0.73, 0.27}, page.sizes().gap);
+  draw_rod(page, halves[0], run, run.rod.statics);
+  page.note(
+      halves[1], "Predict",
+      run.rod.tips()
+          ? fmt::format("A λ = b says: the left support pulls with {} N, the right one pushes with {} "
+                        "N. But a support cannot pull. How hard does the right one push then?",
+                        brief(-run.rod.statics[0], 2), brief(run.rod.statics[1], 2))
+          : fmt::format("A λ = b says: the left support pushes with {} N, the right one with {} N. What "
+                        "changes when neither can pull?",
+                        brief(run.rod.statics[0], 2), brief(run.rod.statics[1], 2)));
+}
+
+void draw_answer(Page& page, const SweepRun& run) {
+  const RodRun& rod = run.rod;
+  const std::span<const Snapshot> motion = rod.tips() ? std::span(rod.motion) : std::span<const Snapshot>();
+  const Rect rest =
+      draw_rod_moment(page, run, rod.formula, {.way = way_of(rod.bounded, rod.bounded.after.size())}, motion);
+  const std::string much = fmt::format("{} N, not {}. ", brief(rod.formula[1], 2), brief(rod.statics[1], 2));
+  const std::string text =
+      !rod.tips() ? "Nothing. Both push anyway, so the clamp never acts."
+      : page.compact()
+          ? much + "The clamp takes the pull away at every visit, and the other row sees it: the rod tips."
+          : much +
+                "The pull held the rod level, and the right support had to carry it as well. The clamp takes "
+                "it away at every visit, and the other row sees that at once: the rod tips about the right "
+                "support.";
+  page.note(rest, "Answer", text);
+}
+
+Shot rod_update_shot(const Run& run, std::size_t k, std::size_t first_cut) {
+  const Swept& swept = run->rod.bounded;
+  const RowUpdate<double>& update = swept.updates[k];
+  const bool cut = update.impulse_before + update.corrective < -1e-12;
+  return {.state = fmt::format("B · sweep {}/{} · row {} of 2", update.sweep, run->settings.sweeps,
+                               update.row + 1),
+          .alt = fmt::format("Sweep {}, row {} of the rod: λ is ({:.4g}, {:.4g}) N{}; one more step of the "
+                             "zig-zag in the plane.",
+                             update.sweep, update.row + 1, swept.after[k][0], swept.after[k][1],
+                             cut ? ", the row having been clamped" : ""),
+          .draw = [run, k](Page& page) { draw_rod_update(page, *run, k); },
+          .key = k == 1 || k == first_cut || k == first_cut + 1};
+}
+
+}  // namespace
+
+std::vector<Shot> rod_shots(const Run& run) {
+  const Swept& swept = run->rod.bounded;
+  std::size_t first_cut = 4;  // of a rod that does not tip: any two frames
+  for (std::size_t k = swept.updates.size(); k-- > 0;) {
+    if (swept.updates[k].impulse_before + swept.updates[k].corrective < -1e-12) first_cut = k;
+  }
+  std::vector<Shot> shots;
+  shots.push_back({.state = "B · without clamp",
+                   .alt =
+                       "The rod with the pull that A λ = b asks for, and a zig-zag to that answer, through "
+                       "the hatched part of the plane where λ is negative.",
+                   .draw = [run](Page& page) { draw_unbounded(page, *run); },
+                   .key = true});
+  for (std::size_t k = 0; k < swept.updates.size(); ++k) shots.push_back(rod_update_shot(run, k, first_cut));
+  shots.push_back({.state = "B · solved",
+                   .alt = "λ and w of both supports: one is zero where the other is not.",
+                   .draw = [run](Page& page) { draw_complement(page, *run); },
+                   .key = true});
+  return shots;
+}
+
+Shot question_shot(const Run& run) {
+  return {.state = "before the first sweep",
+          .alt =
+              "A rod on two supports, both left of its middle, the forces that hold it, one of them a pull, "
+              "and the question.",
+          .draw = [run](Page& page) { draw_question(page, *run); },
+          .key = true};
+}
+
+Shot answer_shot(const Run& run) {
+  return {.state = "answer",
+          .alt = "The rod with the push of the right support alone, tipping, and the answer.",
+          .draw = [run](Page& page) { draw_answer(page, *run); },
+          .key = true};
+}
+
+}  // namespace cairn::sweeps

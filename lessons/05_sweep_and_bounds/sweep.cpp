@@ -1,0 +1,204 @@
+// The two systems by hand, their sweeps by the library, and other accounts of both.
+#include "sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn::sweeps {
+
+namespace {
+
+/// A normal row between two bodies that pushes b upwards, `arm` to the right of b's centre.
+ConstraintRow<double> pushing_row(int a, int b, double arm) {
+  ConstraintRow<double> row;
+  row.a = {a};
+  row.b = {b};
+  row.jacobian_a = {0, -1, 0};
+  row.jacobian_b = {0, 1, arm};
+  row.bounds = Bounds<double>::unilateral();
+  return row;
+}
+
+void append(VelocityProblem<double>& problem, ConstraintRow<double> row) {
+  row.key = {.source = static_cast<std::uint64_t>(problem.row_count())};
+  problem.blocks.push_back({problem.row_count(), 1});
+  problem.rows.push_back(row);
+  problem.impulse.push_back(0);
+}
+
+/// Gravity has acted for one step: everything falls at g dt.
+VelocityProblem<double> stack_problem(const SweepSettings& settings) {
+  const auto n = static_cast<std::size_t>(settings.boxes);
+  VelocityProblem<double> problem;
+  problem.dt = settings.dt;
+  problem.inverse_mass.assign(n + 1, {1, 1, 6});  // of a unit box of 1 kg
+  problem.inverse_mass[0] = {0, 0, 0};            // the ground
+  problem.velocity.assign(n + 1, {0, -gravity * settings.dt, 0});
+  problem.velocity[0] = {0, 0, 0};
+  for (int i = 0; i < settings.boxes; ++i) append(problem, pushing_row(i, i + 1, 0));
+  return problem;
+}
+
+VelocityProblem<double> rod_problem(const SweepSettings& settings) {
+  VelocityProblem<double> problem;
+  problem.dt = settings.dt;
+  problem.inverse_mass = {{0, 0, 0}, {1 / rod_mass, 1 / rod_mass, 1 / rod_inertia}};
+  problem.velocity = {{0, 0, 0}, {0, -gravity * settings.dt, 0}};
+  append(problem, pushing_row(0, 1, -rod_length / 2));
+  append(problem, pushing_row(0, 1, settings.support - rod_length / 2));
+  return problem;
+}
+
+VelocityProblem<double> without_bounds(VelocityProblem<double> problem) {
+  for (ConstraintRow<double>& row : problem.rows) row.bounds = Bounds<double>::equality();
+  return problem;
+}
+
+Swept swept(VelocityProblem<double> problem, int sweeps, RowOrder order = RowOrder::as_written) {
+  ProjectedGaussSeidel<double> solver({.iterations = sweeps, .order = order});
+  SweepRecorder<double> recorder(SweepRecorder<double>::Detail::rows);
+  const double dt = problem.dt;
+  solver.solve(problem, &recorder);
+  Swept result{.velocity = problem.velocity};
+  std::vector<double> lambda(problem.rows.size(), 0.0);
+  for (const RowRecord& record : recorder.rows()) {
+    lambda[static_cast<std::size_t>(record.update.row)] = record.update.impulse_after / dt;
+    result.updates.push_back(record.update);
+    result.after.push_back(lambda);
+  }
+  for (const SweepRecord& record : recorder.sweeps()) {
+    result.by_sweep.push_back(record.impulse);
+    for (double& value : result.by_sweep.back()) value /= dt;
+  }
+  return result;
+}
+
+double largest_error(const std::vector<double>& lambda, const std::vector<double>& exact) {
+  double largest = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) largest = std::max(largest, std::abs(lambda[i] - exact[i]));
+  return largest / exact[0];
+}
+
+Snapshot stack_at_rest(const SweepSettings& settings) {
+  Scene scene;
+  scene.add_ground();
+  for (int i = 0; i < settings.boxes; ++i)
+    scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1});
+  Snapshot result = snapshot(World(scene));
+  for (int i = 0; i < settings.boxes; ++i)
+    result.contacts.push_back({.a = {i}, .b = {i + 1}, .position = {0, double(i)}, .normal = {0, 1}});
+  return result;
+}
+
+StackRun run_stack(const SweepSettings& settings) {
+  const VelocityProblem<double> problem = stack_problem(settings);
+  StackRun run{.system = system_matrices(problem),
+               .up = swept(problem, settings.sweeps),
+               .down = swept(problem, settings.sweeps, RowOrder::reverse),
+               .unbounded = swept(without_bounds(problem), settings.sweeps),
+               .snapshot = stack_at_rest(settings)};
+  for (int i = 0; i < settings.boxes; ++i) run.exact.push_back((settings.boxes - i) * gravity);
+  for (const std::vector<double>& lambda : run.up.by_sweep)
+    run.error.push_back(largest_error(lambda, run.exact));
+  return run;
+}
+
+/// The rod on two wedges, and half a second of what it does: for pictures.
+void move_rod(const SweepSettings& settings, RodRun& run) {
+  Scene scene({.gravity = {0, -gravity}, .dt = 0.01});
+  scene.add_ground({.height = -0.6});
+  // A little inside the end of the rod: two corners that meet have no normal.
+  for (const double x : {0.02, settings.support}) {
+    scene.add({.type = BodyType::static_body,
+               .shapes = {polygon({{x - 0.16, -0.6}, {x + 0.16, -0.6}, {x, 0}})},
+               .friction = 1});
+  }
+  scene.add({.shapes = {box(rod_length, 0.1)},
+             .position = {rod_length / 2, 0.05},
+             .mass = rod_mass,
+             .inertia = rod_inertia,
+             .friction = 1});
+  World world(scene);
+  SequentialImpulse solver({.iterations = 100});
+  run.snapshot = snapshot(world);
+  run.motion.push_back(run.snapshot);
+  for (int step = 1; step <= 50; ++step) {
+    world.step(solver);
+    if (step % 10 == 0) run.motion.push_back(snapshot(world));
+  }
+}
+
+RodRun run_rod(const SweepSettings& settings) {
+  const VelocityProblem<double> problem = rod_problem(settings);
+  RodRun run{.system = system_matrices(problem)};
+  const Matrix<double>& A = run.system.A;
+  run.rate = A(0, 1) * A(0, 1) / (A(0, 0) * A(1, 1));
+  run.bounded = swept(problem, settings.sweeps);
+  // Until rounding: the error begins at no more than 1000 N, and 1e-17 of that is below every digit.
+  const int enough = run.rate > 0 ? 3 + static_cast<int>(std::ceil(std::log(1e-17) / std::log(run.rate))) : 3;
+  run.unbounded = swept(without_bounds(problem), std::max(enough, settings.sweeps));
+  run.settled = swept(problem, enough);
+  for (int i = 0; i < 2; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    run.arm[k] = problem.rows[k].jacobian_b.z();
+    const std::vector<double>& lambda = run.settled.after.back();
+    run.leaving[k] = A(i, 0) * lambda[0] + A(i, 1) * lambda[1] - run.system.b(i);
+  }
+  // Forces and moments about the left end balance.
+  const double weight = rod_mass * gravity;
+  run.statics[1] = weight * rod_length / 2 / settings.support;
+  run.statics[0] = weight - run.statics[1];
+  // A rod that tips is held at one point only, by what stops that point: b_2 / A_22 (22).
+  const double arm = settings.support - rod_length / 2;
+  run.formula = run.statics;
+  if (run.tips()) run.formula = {0, gravity / (1 / rod_mass + arm * arm / rod_inertia)};
+  move_rod(settings, run);
+  return run;
+}
+
+}  // namespace
+
+SweepRun run_sweeps(const SweepSettings& settings) {
+  return {.settings = settings, .stack = run_stack(settings), .rod = run_rod(settings)};
+}
+
+std::vector<double> counted_lambda(const SweepRun& run, int sweep) {
+  const long long unit = 1LL << 30;
+  const auto n = static_cast<std::size_t>(run.settings.boxes);
+  std::vector<long long> count(n + 2, 0);  // with a zero below the first and above the last
+  for (int k = 0; k < sweep; ++k) {
+    for (std::size_t i = 1; i <= n; ++i)
+      count[i] = i == 1 ? unit + count[2] : (count[i - 1] + count[i + 1]) / 2;
+  }
+  std::vector<double> lambda;
+  for (std::size_t i = 1; i <= n; ++i)
+    lambda.push_back(gravity * static_cast<double>(count[i]) / static_cast<double>(unit));
+  return lambda;
+}
+
+double error_factor(int boxes) {
+  const double c = std::cos(pi / (2 * boxes));
+  return c * c;
+}
+
+double measured_error_factor(const SweepSettings& settings) {
+  // Until a millionth of the error is left: far above rounding, long after the other errors.
+  const int sweeps = static_cast<int>(std::ceil(std::log(1e-6) / std::log(error_factor(settings.boxes))));
+  SweepSettings longer = settings;
+  longer.sweeps = sweeps;
+  const StackRun run = run_stack(longer);
+  const auto last = static_cast<std::size_t>(sweeps);
+  return run.error[last] / run.error[last - 1];
+}
+
+std::vector<Interval> kinds_of_rows() {
+  // The normal row of the friction has given 10 N s, and mu is 0.6.
+  return {
+      {"contact, rope", "a contact only pushes, a rope only pulls", "0", "∞", Bounds<double>::unilateral()},
+      {"rod, pin, weld", "holds in both directions", "−∞", "∞", Bounds<double>::equality()},
+      {"motor", "as strong as it is, both ways", "−F Δt", "F Δt", Bounds<double>::at_most(6)},
+      {"friction", "up to μ times the normal impulse", "−μ λ_{n} Δt", "μ λ_{n} Δt",
+       Bounds<double>::coulomb(0.6, 0)}};
+}
+
+}  // namespace cairn::sweeps

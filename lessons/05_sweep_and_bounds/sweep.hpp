@@ -1,0 +1,87 @@
+// Two systems A lambda = b, swept row by row with and without bounds: a stack, and a rod on two supports.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "cairn.hpp"
+
+namespace cairn::sweeps {
+
+inline constexpr double gravity = 10;     // [m/s^2]
+inline constexpr double rod_mass = 4;     // [kg]
+inline constexpr double rod_length = 3;   // [m]
+inline constexpr double rod_inertia = 3;  // [kg m^2] of a thin rod: m l^2 / 12
+
+struct SweepSettings {
+  int boxes = 3;
+  double dt = 0.02;  // [s]
+  int sweeps = 10;
+  double support = 1;  // [m] from the left end of the rod to its right support; the left one is at the end
+};
+
+/// One solve, recorded. All lambda in N.
+struct Swept {
+  std::vector<RowUpdate<double>> updates = {};     // of every row
+  std::vector<std::vector<double>> after = {};     // all lambda after each of these
+  std::vector<std::vector<double>> by_sweep = {};  // and after each sweep; 0: nothing yet
+  std::vector<Vec3<double>> velocity = {};         // of all bodies, at the end
+};
+
+/// Scene A: one row for each contact of a stack of unit boxes of 1 kg, from the ground up.
+struct StackRun {
+  SystemMatrices<double> system = {};
+  Swept up = {};                   // from the ground up
+  Swept down = {};                 // from the top down
+  Swept unbounded = {};            // up, with rows that could pull as well
+  std::vector<double> exact = {};  // [N] the weight above each contact
+  std::vector<double> error = {};  // largest error of any lambda after each sweep, over the largest lambda
+  Snapshot snapshot = {};
+};
+
+/// Scene B: a row for each support of a rod.
+struct RodRun {
+  SystemMatrices<double> system = {};
+  Swept bounded = {};                  // sweeps of projected Gauss-Seidel
+  Swept unbounded = {};                // the same with rows that could pull as well
+  Swept settled = {};                  // bounded, swept until rounding
+  std::array<double, 2> statics = {};  // [N] what A lambda = b says
+  std::array<double, 2> formula = {};  // [N] with supports that can only push
+  std::array<double, 2> leaving = {};  // [m/s^2] w = A lambda - b of what it settles at
+  std::array<double, 2> arm = {};      // [m] from the middle of the rod to each support, to the right
+  double rate = 0;                     // of Gauss-Seidel: A_12^2 / (A_11 A_22)
+  Snapshot snapshot = {};
+  std::vector<Snapshot> motion = {};  // 0.5 s of it, every 0.1 s
+  bool tips() const { return statics[0] < 0; }
+};
+
+struct SweepRun {
+  SweepSettings settings = {};
+  StackRun stack = {};
+  RodRun rod = {};
+};
+
+SweepRun run_sweeps(const SweepSettings& settings);
+
+/// Lambda [N] of the stack after the given sweep from the ground up, counted in whole numbers: every update
+/// takes the half of a sum, so that after few sweeps each is a whole number of 2^-30 b_1.
+std::vector<double> counted_lambda(const SweepRun& run, int sweep);
+
+/// What a sweep leaves of the error of a stack of n boxes: cos^2(pi / 2n). (The scaled matrix has the
+/// eigenvalues 1 - cos((2k - 1) pi / 2n), and Gauss-Seidel squares what Jacobi leaves: D. M. Young, 1954.)
+double error_factor(int boxes);
+/// The same, measured after so many sweeps that the other errors have died out.
+double measured_error_factor(const SweepSettings& settings);
+
+/// For each kind of row its interval, and what is left of a few values.
+struct Interval {
+  std::string name = {};
+  std::string reason = {};
+  std::string lower = {};  // its ends in symbols
+  std::string upper = {};
+  Bounds<double> bounds = {};
+};
+std::vector<Interval> kinds_of_rows();
+
+}  // namespace cairn::sweeps

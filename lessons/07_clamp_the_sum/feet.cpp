@@ -1,0 +1,181 @@
+// The landing as two rows by hand, solved in three ways; its formulas; and the box let go in a world.
+#include "feet.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn::feet {
+
+namespace {
+
+VelocityProblem<double> landing_problem(const Pair& foot, double speed) {
+  VelocityProblem<double> problem;
+  problem.dt = time_step;
+  problem.inverse_mass = {{0, 0, 0}, {1 / box_mass, 1 / box_mass, 1 / box_inertia}};  // the ground, the box
+  problem.velocity = {{0, 0, 0}, {0, -speed, 0}};
+  problem.impulse = {0, 0};
+  for (const double x : foot) {
+    ConstraintRow<double> row;
+    row.a = {0};
+    row.b = {1};
+    row.jacobian_a = {0, -1, 0};
+    row.jacobian_b = {0, 1, x};
+    row.bounds = Bounds<double>::unilateral();
+    row.key = {.source = static_cast<std::uint64_t>(problem.row_count())};
+    problem.blocks.push_back({problem.row_count(), 1});
+    problem.rows.push_back(row);
+  }
+  return problem;
+}
+
+/// For the third way the rows do not know of any bounds while they are swept.
+SweepRecorder<double> recorded(Clamped clamped, int sweeps, VelocityProblem<double>& problem) {
+  if (clamped == Clamped::afterwards) {
+    for (ConstraintRow<double>& row : problem.rows) row.bounds = Bounds<double>::equality();
+  }
+  SequentialImpulseVariant variant;
+  if (clamped == Clamped::increment) variant.clamp = Clamp::increment;
+  SequentialImpulse<double> solver({.iterations = sweeps}, variant);
+  SweepRecorder<double> recorder(SweepRecorder<double>::Detail::rows);
+  solver.solve(problem, &recorder);
+  return recorder;
+}
+
+Landing land(const Pair& foot, const FeetSettings& settings, Clamped clamped) {
+  const VelocityProblem<double> start = landing_problem(foot, settings.speed);
+  VelocityProblem<double> problem = start;
+  const SweepRecorder<double> recorder = recorded(clamped, settings.sweeps, problem);
+  Landing landing{.clamped = clamped};
+  Pair sums = {};
+  for (const RowRecord& record : recorder.rows()) {
+    const RowUpdate<double>& update = record.update;
+    Visit visit{
+        .sweep = update.sweep, .foot = update.row, .jv = update.row_velocity, .asked = update.corrective};
+    visit.before = sums;
+    sums[static_cast<std::size_t>(update.row)] = update.impulse_after;
+    visit.after = sums;
+    landing.visits.push_back(visit);
+  }
+  landing.impulse = sums;
+  landing.velocity = problem.velocity[1];
+  if (clamped == Clamped::afterwards) {
+    VelocityProblem<double> twin = start;
+    for (std::size_t i = 0; i < 2; ++i) {
+      landing.impulse[i] = std::max(sums[i], 0.0);
+      apply_impulse(twin, twin.rows[i], landing.impulse[i]);
+    }
+    landing.velocity = twin.velocity[1];
+  }
+  for (std::size_t i = 0; i < 2; ++i)
+    landing.foot_velocity[i] = landing.velocity.y() + landing.velocity.z() * foot[i];
+  return landing;
+}
+
+/// Both feet are stopped, if both have to push for that; else the nearer one alone.
+Pair exact_impulses(const BoxRun& box, double speed) {
+  const double determinant = box.A11 * box.A22 - box.A12 * box.A12;
+  const Pair both = {speed * (box.A22 - box.A12) / determinant, speed * (box.A11 - box.A12) / determinant};
+  if (both[1] < 0) return {speed / box.A11, 0};
+  if (both[0] < 0) return {0, speed / box.A22};
+  return both;
+}
+
+/// A box on two round feet: each touches the ground in one point.
+Scene box_on_feet(const Pair& foot, double speed) {
+  const double radius = 0.06;
+  Scene scene({.gravity = {0, -gravity}, .dt = time_step, .warm_start = false});
+  scene.add_ground({.friction = 0});
+  scene.add({.shapes = {box(1, 1), circle(radius, {foot[0], -0.5 - radius}),
+                        circle(radius, {foot[1], -0.5 - radius})},
+             .position = {0, 0.5 + 2 * radius},
+             .velocity = {0, -speed},
+             .mass = box_mass,
+             .inertia = box_inertia,
+             .friction = 0});
+  return scene;
+}
+
+BoxRun run_box(const Pair& foot, const FeetSettings& settings) {
+  BoxRun run{.foot = foot};
+  const VelocityProblem<double> problem = landing_problem(foot, settings.speed);
+  const SystemMatrices<double> system = system_matrices(problem);
+  run.A11 = system.A(0, 0);
+  run.A12 = system.A(0, 1);
+  run.A22 = system.A(1, 1);
+  run.exact = exact_impulses(run, settings.speed);
+  for (const Clamped clamped : {Clamped::increment, Clamped::sum, Clamped::afterwards})
+    run.landings[static_cast<std::size_t>(clamped)] = land(foot, settings, clamped);
+  VelocityProblem<double> twin = problem;
+  ProjectedGaussSeidel<double>({.iterations = settings.sweeps}).solve(twin);
+  run.of_matrix = {twin.impulse[0], twin.impulse[1]};
+  run.snapshot = snapshot(World(box_on_feet(foot, settings.speed)));
+  return run;
+}
+
+std::vector<Snapshot> followed(const FeetSettings& settings, Clamp clamp) {
+  // Gravity acts before the solve: it lands with `speed`.
+  World world(box_on_feet({-settings.foot, settings.foot}, settings.speed - gravity * time_step));
+  SequentialImpulse solver({.iterations = settings.sweeps}, {.clamp = clamp});
+  std::vector<Snapshot> motion = {snapshot(world)};
+  for (int step = 0; step < motion_steps; ++step) {
+    world.step(solver);
+    motion.push_back(snapshot(world));
+  }
+  return motion;
+}
+
+double height_of(const std::vector<Snapshot>& motion) {
+  double highest = 0;
+  for (const Snapshot& moment : motion)
+    highest = std::max(highest, moment.bodies[1].pose.position.y() - motion[0].bodies[1].pose.position.y());
+  return highest;
+}
+
+Spread spread_at(double foot, const FeetSettings& settings) {
+  FeetSettings at = settings;
+  at.foot = foot;
+  const BoxRun box = run_box({-foot, foot}, at);
+  const Landing& naive = box.by(Clamped::increment);
+  Spread spread{
+      .foot = foot, .ratio = box.A12 / box.A11, .speed = naive.velocity.y(), .spin = naive.velocity.z()};
+  const double q = std::max(spread.ratio, 0.0);
+  spread.formula_speed = settings.speed * q * (1 - q) / 2;
+  spread.formula_spin = -foot * settings.speed * q / (box.A11 * box_inertia);
+  for (std::size_t i = 0; i < 2; ++i)
+    spread.gap = std::max(spread.gap, std::abs(naive.impulse[i] - box.by(Clamped::sum).impulse[i]));
+  return spread;
+}
+
+}  // namespace
+
+double Landing::energy() const {
+  return 0.5 * box_mass * (velocity.x() * velocity.x() + velocity.y() * velocity.y()) +
+         0.5 * box_inertia * velocity.z() * velocity.z();
+}
+
+FeetRun run_feet(const FeetSettings& settings) {
+  FeetRun run{.settings = settings,
+              .middle = run_box({-settings.foot, settings.foot}, settings),
+              .side = run_box(side_feet, settings)};
+  for (int k = 1; k <= 50; ++k) run.spreads.push_back(spread_at(0.01 * k, settings));
+  run.hop = followed(settings, Clamp::increment);
+  run.still = followed(settings, Clamp::accumulated);
+  run.hop_height = height_of(run.hop);
+  run.still_height = height_of(run.still);
+  return run;
+}
+
+Pair increments_by_formula(const BoxRun& box, double speed) {
+  const double first = speed / box.A11;
+  return {first, (speed - box.A12 * first) / box.A22};
+}
+
+Pair sums_by_formula(const BoxRun& box, double speed, int sweep) {
+  const double q = box.A12 / box.A11;
+  const double each = speed / (box.A11 + box.A12);
+  return {each * (1 + std::pow(q, 2 * sweep - 1)), each * (1 - std::pow(q, 2 * sweep))};
+}
+
+double harmless_distance() { return std::sqrt(box_inertia / box_mass); }
+
+}  // namespace cairn::feet

@@ -1,0 +1,102 @@
+// A box that lands on two feet, and three places to put the clamp.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "cairn.hpp"
+
+namespace cairn::feet {
+
+inline constexpr double box_mass = 6;      // [kg]
+inline constexpr double box_inertia = 1;   // [kg m^2]: the box is 1 m by 1 m
+inline constexpr double gravity = 10;      // [m/s^2]
+inline constexpr double time_step = 0.02;  // [s]
+inline constexpr int motion_steps = 40;    // that are followed after the impact
+
+/// Two numbers, one for each foot: the left one first.
+using Pair = std::array<double, 2>;
+
+/// What is cut off below zero.
+enum class Clamped {
+  increment,   // every single push: a mistake
+  sum,         // what a foot has given in total: Algorithm 1
+  afterwards,  // the sums, once, after the last sweep: another mistake
+};
+
+struct FeetSettings {
+  double foot = 0.25;  // [m] from the middle of the box to each foot
+  double speed = 10;   // [m/s] at which it lands
+  int sweeps = 10;
+};
+
+/// One row update.
+struct Visit {
+  int sweep = 0;     // from 1
+  int foot = 0;      // 0 or 1
+  double jv = 0;     // [m/s] of the foot before, upwards
+  double asked = 0;  // [N s] what would stop it
+  Pair before = {};  // [N s] sums
+  Pair after = {};   // [N s] sums
+  double given() const {
+    return after[static_cast<std::size_t>(foot)] - before[static_cast<std::size_t>(foot)];
+  }
+};
+
+/// One way to solve one landing.
+struct Landing {
+  Clamped clamped = Clamped::sum;
+  std::vector<Visit> visits = {};
+  Pair impulse = {};                  // [N s] in the end
+  Vec3<double> velocity = {0, 0, 0};  // of the box afterwards
+  Pair foot_velocity = {};            // [m/s] of the feet afterwards, upwards
+  double together() const { return impulse[0] + impulse[1]; }
+  double energy() const;  // [J] afterwards
+};
+
+/// One box, landing with both feet at once.
+struct BoxRun {
+  Pair foot = {};                        // [m] right of the middle
+  double A11 = 0, A12 = 0, A22 = 0;      // [1/kg]
+  Pair exact = {};                       // [N s] by formula
+  Pair of_matrix = {};                   // [N s] of projected Gauss-Seidel on A, after as many sweeps
+  std::array<Landing, 3> landings = {};  // in the order of Clamped
+  Snapshot snapshot = {};                // as it lands
+  const Landing& by(Clamped clamped) const { return landings[static_cast<std::size_t>(clamped)]; }
+};
+
+/// What naive clamping does for feet at some distance.
+struct Spread {
+  double foot = 0;   // [m]
+  double ratio = 0;  // A_12 / A_11
+  double speed = 0;  // [m/s] upwards, afterwards
+  double spin = 0;   // [rad/s]
+  double formula_speed = 0;
+  double formula_spin = 0;
+  double gap = 0;  // [N s] to the clamp on the sum
+};
+
+struct FeetRun {
+  FeetSettings settings = {};
+  BoxRun middle = {};  // scene A: feet on both sides of the middle
+  BoxRun side = {};    // scene B: both feet right of it
+  std::vector<Spread> spreads = {};
+  std::vector<Snapshot> hop = {};    // after 0, 1, ... steps with the clamp on the increment
+  std::vector<Snapshot> still = {};  // and with the clamp on the sum
+  double hop_height = 0;             // [m] the most that the middle of the box rises
+  double still_height = 0;
+};
+
+inline constexpr Pair side_feet = {0.1, 0.4};  // [m] of scene B
+
+FeetRun run_feet(const FeetSettings& settings);
+
+/// Scene A, clamp on the increment: one visit of each foot, and nothing after if A_12 >= 0 [N s].
+Pair increments_by_formula(const BoxRun& box, double speed);
+/// Scene A, clamp on the sum, after so many sweeps [N s].
+Pair sums_by_formula(const BoxRun& box, double speed, int sweep);
+/// From this distance on, A_12 <= 0: what one foot gives, the other has to give too [m].
+double harmless_distance();
+
+}  // namespace cairn::feet

@@ -1,0 +1,163 @@
+// What becomes of the box, how it depends on its feet, and the third place for the clamp.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "pictures.hpp"
+#include "render/draw.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::feet {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Rect;
+using render::Sign;
+
+double height_at(const std::vector<Snapshot>& motion, std::size_t step) {
+  return 1000 * (motion[step].bodies[1].pose.position.y() - motion[0].bodies[1].pose.position.y());
+}
+
+void draw_motion(Page& page, const Rect& rect, const std::vector<Snapshot>& motion, std::size_t step,
+                 Clamped clamped) {
+  const Rect inside = clamp_panel(page, rect, clamped);
+  const render::Camera camera = render::fit(inside, {{-1.3, -0.1}, {1.3, 1.5}});
+  page.canvas().push_clip(inside);
+  std::vector<Snapshot> earlier;
+  for (std::size_t k = 0; k < step; k += 4) earlier.push_back(motion[k]);
+  draw_ghosts(page, camera, earlier);
+  render::WorldLook look;
+  look.contacts = false;
+  look.numbers = false;
+  look.penetration = false;
+  draw_world(page, camera, motion[step], look);
+  page.canvas().pop_clip();
+}
+
+render::Series heights(const Page& page, const std::vector<Snapshot>& motion, Clamped clamped) {
+  render::Series series{.name = clamped == Clamped::sum ? "the sum" : "each push",
+                        .style = style_of(page.theme(), clamped)};
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    series.x.push_back(static_cast<double>(k) * time_step);
+    series.y.push_back(height_at(motion, k));
+  }
+  return series;
+}
+
+void draw_step(Page& page, const FeetRun& run, std::size_t step) {
+  const std::vector<Rect> parts = rows(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const std::vector<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+  draw_motion(page, top[0], run.hop, step, Clamped::increment);
+  draw_motion(page, top[1], run.still, step, Clamped::sum);
+  render::Plot plot{.title = "how far the middle of the box has risen (mm)"};
+  plot.x = {.title = "t (s)", .min = 0, .max = motion_steps * time_step};
+  plot.y = {.title = ""};
+  plot.series = {heights(page, run.hop, Clamped::increment), heights(page, run.still, Clamped::sum)};
+  plot.cursor = static_cast<double>(step) * time_step;
+  draw_plot(page, parts[1], plot);
+}
+
+void draw_spread(Page& page, const FeetRun& run) {
+  const std::vector<Rect> parts = columns(page.area(), {0.64, 0.36}, page.sizes().gap);
+  render::Series foot{.name = "foot 1 rises", .style = style_of(page.theme(), Clamped::increment)};
+  render::Series box{.name = "box rises", .style = style_of(page.theme(), Clamped::afterwards)};
+  box.style.marker = render::Marker::circle;
+  render::Series sum{.name = "as it should", .style = page.theme().exact, .markers = false};
+  for (const Spread& spread : run.spreads) {
+    for (render::Series* series : {&foot, &box, &sum}) series->x.push_back(spread.foot);
+    foot.y.push_back(std::max(spread.formula_speed - spread.foot * spread.formula_spin, 0.0));
+    box.y.push_back(std::max(spread.formula_speed, 0.0));
+    sum.y.push_back(0);
+  }
+  render::Plot plot{.title = "each push clamped: speed afterwards (m/s)"};
+  plot.x = {.title = "feet at ± (m)", .min = 0, .max = 0.5};
+  plot.y = {.title = "", .min = 0};
+  plot.series = {foot, box, sum};
+  plot.cursor = harmless_distance();
+  draw_plot(page, parts[0], plot);
+  const std::vector<Rect> right = rows(parts[1], {0.55, 0.45}, page.sizes().gap);
+  page.note(right[0], "When it goes well",
+            page.compact()
+                ? "With A_{12} ≤ 0 nobody ever takes back."
+                : "Beyond the vertical line A_{12} ≤ 0: a push at one foot makes the other sink. Nobody "
+                  "ever has to take back, and both clamps do the same.");
+  page.equation(right[1], {.number = page.compact() ? "A_{12} = 0" : "A_{12} = 1/m − r²/I = 0",
+                           .symbols = "r = √(I/m)",
+                           .numbers = fmt::format("= √({:g}/{:g})", box_inertia, box_mass),
+                           .result = fmt::format("= {} m", fixed(harmless_distance(), 3))});
+}
+
+void draw_side(Page& page, const FeetRun& run) {
+  const std::vector<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const std::vector<Rect> top = columns(parts[0], {1, 1, 1}, page.sizes().gap);
+  double largest = 0;
+  for (const Landing& landing : run.side.landings) largest = std::max(largest, landing.impulse[0]);
+  std::size_t at = 0;
+  render::TableView table;
+  table.header = {"clamped", "p_{1} (N s)", "p_{2} (N s)", "foot 1 (m/s)", "energy (J)"};
+  if (page.compact()) table.header = {"clamped", "p_{1}", "p_{2}", "foot 1", "J"};
+  for (const Landing& landing : run.side.landings) {
+    draw_box(page, clamp_panel(page, top[at++], landing.clamped), run.side, largest,
+             {.impulse = landing.impulse,
+              .foot = 0,
+              .foot_velocity = landing.foot_velocity,
+              .fastest = run.settings.speed});
+    const char* name = landing.clamped == Clamped::sum         ? "the sum"
+                       : landing.clamped == Clamped::increment ? "each push"
+                                                               : "at the end";
+    const double rise = std::abs(landing.foot_velocity[0]) < 5e-3 ? 0 : landing.foot_velocity[0];
+    table.rows.push_back({name, fixed(landing.impulse[0], 2), fixed(landing.impulse[1] + 0.0, 2),
+                          fixed(rise, 2, Sign::always), fixed(landing.energy(), 1)});
+  }
+  table.active_row = 2;
+  const std::vector<Rect> below = columns(parts[1], {0.55, 0.45}, page.sizes().gap);
+  page.table(below[0], "", table);
+  page.note(below[1], page.compact() ? "" : "Too late",
+            page.compact() ? "At the end, foot 1 still pushes against a pull that is gone."
+                           : "Unclamped, foot 2 would pull, and foot 1 push against that. Cut off the pull "
+                             "at the end, and foot 1 "
+                             "still pushes against it: the box is thrown up.");
+}
+
+Shot motion_shot(const Run& run, std::size_t step) {
+  return {.state = fmt::format("t = {} s", fixed(static_cast<double>(step) * time_step, 2)),
+          .alt = fmt::format(
+              "{:.2f} s after the landing: with each push clamped the middle of the box is {:.1f} mm "
+              "higher and it has turned by {:.0f} degrees, with the sum clamped {:.1f} mm.",
+              static_cast<double>(step) * time_step, height_at(run->hop, step),
+              std::abs(run->hop[step].bodies[1].pose.angle) * 180 / pi, height_at(run->still, step)),
+          .draw = [run, step](Page& page) { draw_step(page, *run, step); },
+          .key = step == 8 || step == static_cast<std::size_t>(motion_steps)};
+}
+
+}  // namespace
+
+std::vector<Shot> motion_shots(const Run& run) {
+  std::vector<Shot> shots;
+  for (std::size_t step = 1; step < run->hop.size(); ++step) shots.push_back(motion_shot(run, step));
+  return shots;
+}
+
+Shot spread_shot(const Run& run) {
+  return {.state = "feet at any distance",
+          .alt =
+              "How fast the box and its left foot rise after a landing with each push clamped, against the "
+              "distance of the feet: nothing from 0.408 m on.",
+          .draw = [run](Page& page) { draw_spread(page, *run); },
+          .key = true};
+}
+
+Shot side_shot(const Run& run) {
+  return {
+      .state = "B · both feet at one side",
+      .alt =
+          "A box with both feet right of its middle, three times: clamped once at the end it is thrown up.",
+      .draw = [run](Page& page) { draw_side(page, *run); },
+      .key = true};
+}
+
+}  // namespace cairn::feet

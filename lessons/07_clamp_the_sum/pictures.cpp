@@ -1,0 +1,276 @@
+// The box on its feet, visit by visit, with the clamp on each push and on the sum side by side.
+#include "pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render/bars.hpp"
+#include "render/draw.hpp"
+
+namespace cairn::feet {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Point;
+using render::Rect;
+using render::Sign;
+
+/// So that nothing that rounding left has a sign.
+double cleaned(double value) { return std::abs(value) < 5e-5 ? 0 : value; }
+
+/// How fast a foot moves, beside the box: an arrow, and its value below.
+void draw_foot_velocity(Page& page, const render::Camera& camera, double fastest, double x, double velocity) {
+  const render::ArrowScale scale{
+      .pixels_per_unit = 0.6 * camera.scale / fastest, .longest = 0.7 * camera.scale, .unit = "m/s"};
+  if (std::abs(velocity) * scale.pixels_per_unit >= 2) {
+    draw_arrow(page, camera, scale,
+               {.kind = render::ArrowKind::velocity,
+                .tail = {x, velocity > 0 ? 0.4 : 0.4 - 0.6 * velocity / fastest},
+                .value = {0, velocity}});
+  }
+  render::TextStyle style = page.value();
+  style.align = render::Align::center;
+  style.color = page.theme().secondary_text;
+  const bool has_room = camera.viewport.width > 450;
+  page.canvas().text(camera.project({x, 0.2}),
+                     fixed(cleaned(velocity), 2, Sign::always) + (has_room ? " m/s" : ""), style);
+}
+
+/// The sum of a foot at the tip of its arrow, where there is room.
+void label_sum(Page& page, const render::Camera& camera, const Vec2<double>& tip, double value, bool lit) {
+  if (value < 0.005) return;
+  render::TextStyle style = page.value();
+  style.bold = lit;
+  style.halo = page.theme().body;
+  const Point at = camera.project(tip);
+  const std::string text = fixed(value, 2);
+  const double width = page.canvas().text_width(text, style);
+  const double above = at.y() - 6;
+  const double middle = at.x() - width / 2;
+  const double inwards = tip.x() < 0 ? 3.0 : -6.0;
+  page.place_text({{middle + inwards, above},
+                   {at.x() + 8, at.y() + style.size},
+                   {at.x() - 8 - width, at.y() + style.size},
+                   {middle, above - 1.3 * style.size},
+                   {middle, above - 2.6 * style.size},
+                   {at.x() + 8, at.y() + 2.4 * style.size}},
+                  camera.viewport, text, style);
+}
+
+render::BarChart sums_of(const Page& page, const FeetRun& run, const Landing& landing, std::size_t k) {
+  const Visit& visit = landing.visits[k];
+  const double largest = std::max(run.middle.exact[0], visit.after[0]);
+  render::BarChart chart{.title = "p, in total (N s)",
+                         .largest = 1.3 * std::max(largest, run.middle.exact[0] * 1.45)};
+  chart.color = style_of(page.theme(), landing.clamped).color;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const bool active = static_cast<int>(i) == visit.foot && std::abs(visit.given()) > 0.005;
+    chart.bars.push_back({.name = fmt::format("foot {}", i + 1),
+                          .before = visit.before[i],
+                          .added = visit.after[i] - visit.before[i],
+                          .exact = run.middle.exact[i],
+                          .active = active});
+  }
+  return chart;
+}
+
+render::Equation equation_of(const Page& page, const Landing& landing, std::size_t k) {
+  const Visit& visit = landing.visits[k];
+  const auto foot = static_cast<std::size_t>(visit.foot);
+  const std::string before = fixed(visit.before[foot], 2);
+  const std::string asked = fixed(std::abs(cleaned(visit.asked)), 2);
+  const char* sign = cleaned(visit.asked) < 0 ? "−" : "+";
+  const std::string p = fmt::format("p_{{{}}}", foot + 1);
+  render::Equation equation;
+  equation.number = fmt::format("(22) asks for {} N s", fixed(cleaned(visit.asked), 2, Sign::always));
+  if (landing.clamped == Clamped::increment) {
+    equation.symbols = fmt::format("{} ← {} + max(0, p_{{corr}})", p, p);
+    equation.numbers = fmt::format("= {} + max(0, {}{})", before, cleaned(visit.asked) < 0 ? "−" : "", asked);
+  } else {
+    equation.symbols = fmt::format("{} ← max(0, {} + p_{{corr}})", p, p);
+    equation.numbers = fmt::format("= max(0, {} {} {})", before, sign, asked);
+  }
+  equation.result = fmt::format("= {} N s", fixed(visit.after[foot], 2));
+  equation.color = style_of(page.theme(), landing.clamped).color;
+  return equation;
+}
+
+double largest_of(const FeetRun& run) {
+  return std::max({run.middle.by(Clamped::increment).impulse[0], run.middle.exact[0], run.middle.exact[1]});
+}
+
+void draw_visit(Page& page, const FeetRun& run, std::size_t k) {
+  const std::vector<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  std::size_t at = 0;
+  for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
+    const Landing& landing = run.middle.by(clamped);
+    const std::vector<double> weights =
+        page.compact() ? std::vector<double>{0.56, 0.44} : std::vector<double>{0.44, 0.24, 0.32};
+    const std::vector<Rect> parts = rows(halves[at++], weights, page.sizes().gap);
+    draw_box(page, clamp_panel(page, parts[0], clamped), run.middle, largest_of(run),
+             view_after(run.middle, run.settings.speed, landing, k));
+    if (!page.compact()) draw_bars(page, parts[1], sums_of(page, run, landing, k));
+    page.equation(parts.back(), equation_of(page, landing, k));
+  }
+}
+
+void draw_question(Page& page, const FeetRun& run) {
+  const std::vector<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const std::vector<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+  const Landing& landing = run.middle.by(Clamped::sum);
+  const BoxView view = view_after(run.middle, run.settings.speed, landing, 1);
+  draw_box(page, page.panel(top[0], page.compact() ? "after one sweep" : "after one sweep: p (N s)"),
+           run.middle, largest_of(run), view);
+  const double left = cleaned(view.foot_velocity[0]);
+  page.note(top[1], "Predict",
+            fmt::format("The box has landed at {} m/s. Foot 1 stopped itself with {} N s, then foot 2 itself "
+                        "with {} N s. Now foot 1 {} at {} m/s. How much does it give on its second visit?",
+                        fixed(run.settings.speed, 1), fixed(view.impulse[0], 2), fixed(view.impulse[1], 2),
+                        left > 0 ? "rises" : "sinks", fixed(std::abs(left), 2)));
+  const std::vector<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
+  draw_bars(page, below[0], sums_of(page, run, landing, 1));
+  const std::string speed = fixed(left, 2);
+  page.equation(below[1], {.number = "eq (22), foot 1",
+                           .symbols = "p_{corr} = −j·v / A_{11}",
+                           .numbers = fmt::format("= −{} / {}", left < 0 ? "(" + speed + ")" : speed,
+                                                  fixed(run.middle.A11, 4)),
+                           .result = "= ? N s"});
+}
+
+void draw_answer(Page& page, const FeetRun& run) {
+  const std::vector<Rect> parts = rows(page.area(), {0.58, 0.42}, page.sizes().gap);
+  const std::vector<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+  const std::vector<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
+  render::TableView table;
+  table.header = {"clamped", page.compact() ? "p_{1}" : "p_{1} (N s)",
+                  page.compact() ? "p_{2}" : "p_{2} (N s)", page.compact() ? "v" : "v (m/s)"};
+  std::size_t at = 0;
+  for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
+    const Landing& each = run.middle.by(clamped);
+    draw_box(page, clamp_panel(page, top[at++], clamped), run.middle, largest_of(run),
+             view_after(run.middle, run.settings.speed, each, each.visits.size() - 1));
+    table.rows.push_back({clamped == Clamped::sum ? "sum" : "push", fixed(each.impulse[0], 2),
+                          fixed(each.impulse[1], 2), fixed(cleaned(each.velocity.y()), 2, Sign::always)});
+  }
+  table.active_row = 1;
+  page.table(below[1], "", table);
+  const double second = run.middle.by(Clamped::sum).visits[2].given();
+  const std::string given = fixed(second, 2, Sign::always);
+  page.note(below[0], "Answer",
+            second >= 0      ? given + " N s: more. The feet are so far out that both clamps do the same."
+            : page.compact() ? given + " N s. Each push may be negative, the sum may not."
+                             : given +
+                                   " N s: it takes back what it gave before the other foot had its turn. A "
+                                   "push may be negative; the sum may not.");
+}
+
+Shot visit_shot(const Run& run, std::size_t k) {
+  const Visit& naive = run->middle.by(Clamped::increment).visits[k];
+  const Visit& sum = run->middle.by(Clamped::sum).visits[k];
+  return {.state = fmt::format("sweep {}/{} · foot {}", sum.sweep, run->settings.sweeps, sum.foot + 1),
+          .alt = fmt::format("Sweep {}, foot {}: with each push clamped it gives {:.2f} N s, with the sum "
+                             "clamped {:.2f} N s; boxes, sums and both formulas side by side.",
+                             sum.sweep, sum.foot + 1, naive.given(), sum.given()),
+          .draw = [run, k](Page& page) { draw_visit(page, *run, k); },
+          .key = k < 4 || k + 1 == run->middle.by(Clamped::sum).visits.size()};
+}
+
+}  // namespace
+
+render::SeriesStyle style_of(const render::Theme& theme, Clamped clamped) {
+  if (clamped == Clamped::sum) return theme.si;
+  render::SeriesStyle style = theme.jacobi;
+  if (clamped == Clamped::increment) style.dash = {};
+  return style;
+}
+
+Rect clamp_panel(Page& page, const Rect& rect, Clamped clamped) {
+  const char* name = clamped == Clamped::sum         ? "the sum is clamped"
+                     : clamped == Clamped::increment ? "each push is clamped"
+                                                     : "clamped once, at the end";
+  const char* brief = clamped == Clamped::sum         ? "the sum"
+                      : clamped == Clamped::increment ? "each push"
+                                                      : "once, at the end";
+  const Rect inside = page.panel(rect, rect.width < 300 ? brief : name);
+  page.canvas().rect({rect.x, rect.y, rect.width, 5}, {.fill = style_of(page.theme(), clamped).color});
+  return inside;
+}
+
+BoxView view_after(const BoxRun& box, double speed, const Landing& landing, std::size_t visit) {
+  const Visit& last = landing.visits[visit];
+  BoxView view{
+      .impulse = last.after, .foot = last.foot, .before = last.before[static_cast<std::size_t>(last.foot)]};
+  view.foot_velocity = {-speed + box.A11 * last.after[0] + box.A12 * last.after[1],
+                        -speed + box.A12 * last.after[0] + box.A22 * last.after[1]};
+  view.fastest = speed;
+  return view;
+}
+
+void draw_box(Page& page, const Rect& rect, const BoxRun& box, double largest, const BoxView& view) {
+  const render::Camera camera = render::fit(rect, {{-1.15, -0.1}, {1.15, 1.17}});
+  const double tallest = 0.9;  // [m]
+  page.canvas().push_clip(rect);
+  render::WorldLook look;
+  look.contacts = false;
+  look.numbers = false;
+  look.penetration = false;
+  draw_world(page, camera, box.snapshot, look);
+  const render::ArrowScale scale{
+      .pixels_per_unit = tallest * camera.scale / largest, .longest = 1.15 * camera.scale, .unit = "N s"};
+  draw_foot_velocity(page, camera, view.fastest, -0.85, view.foot_velocity[0]);
+  draw_foot_velocity(page, camera, view.fastest, 0.85, view.foot_velocity[1]);
+  for (int i = 0; i < 2; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double x = box.foot[k];
+    const bool lit = i == view.foot;
+    const double given = lit ? view.impulse[k] - view.before : 0;
+    const double tip = tallest * (given < 0 ? view.before : view.impulse[k]) / largest;
+    if (view.impulse[k] > 0.005)
+      draw_arrow(page, camera, scale, {.tail = {x, 0}, .value = {0, view.impulse[k]}, .active = lit});
+    if (given < -0.005) {
+      draw_arrow(page, camera, scale,
+                 {.kind = render::ArrowKind::negative_correction,
+                  .tail = {x + (i == 0 ? -0.1 : 0.1), tip},
+                  .value = {0, given}});
+    }
+    // Beside the tip, where what was taken back stands above it.
+    const double aside = given < -0.005 ? (i == 0 ? 0.2 : -0.2) : 0;
+    const double height = tallest * view.impulse[k] / largest - 0.1 * std::abs(aside);
+    label_sum(page, camera, {x + aside, height}, view.impulse[k], lit);
+  }
+  page.canvas().pop_clip();
+}
+
+std::vector<Shot> visit_shots(const Run& run) {
+  std::vector<Shot> shots;
+  for (std::size_t k = 0; k < run->middle.by(Clamped::sum).visits.size(); ++k)
+    shots.push_back(visit_shot(run, k));
+  return shots;
+}
+
+std::vector<Shot> feet_shots(const FeetRun& recorded) {
+  const Run run = std::make_shared<const FeetRun>(recorded);
+  std::vector<Shot> shots;
+  shots.push_back({.state = "after one sweep",
+                   .alt =
+                       "A box on two feet after one sweep, with the impulses of its feet and how fast they "
+                       "move, and the question.",
+                   .draw = [run](Page& page) { draw_question(page, *run); },
+                   .key = true});
+  for (const std::vector<Shot>& part : {visit_shots(run), motion_shots(run)})
+    shots.insert(shots.end(), part.begin(), part.end());
+  shots.push_back(spread_shot(run));
+  shots.push_back(side_shot(run));
+  shots.push_back({.state = "answer",
+                   .alt = "The box at rest, with equal impulses, the answer, and a table of both clamps.",
+                   .draw = [run](Page& page) { draw_answer(page, *run); },
+                   .key = true});
+  return shots;
+}
+
+}  // namespace cairn::feet

@@ -1,0 +1,230 @@
+// How the error goes, step by step and sweep by sweep, and impulses that come to the wrong row.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "pictures.hpp"
+#include "render/bars.hpp"
+#include "render/draw.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::warm {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Rect;
+
+using All = std::shared_ptr<const WarmStart>;
+
+constexpr double smallest_error = 1e-6;  // of the chart
+
+/// |lambda_1 / W - 1| of every step, as long as `bound` stays above what the chart shows.
+render::Series error_series(const std::vector<std::vector<double>>& loads, double weight, double bound) {
+  render::Series series;
+  for (std::size_t k = 1; k < loads.size(); ++k) {
+    const double step = static_cast<double>(k);
+    if (std::pow(bound, step) < smallest_error) break;
+    series.x.push_back(step);
+    series.y.push_back(std::max(std::abs(loads[k][0] / weight - 1), smallest_error));
+  }
+  return series;
+}
+
+void draw_errors(Page& page, const WarmStart& all) {
+  const std::vector<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const StartSettings& settings = all.settings;
+  const double g = share_left(settings.boxes, settings.sweeps);
+  render::Series cold = error_series(all.cold.loads, settings.weight(), g);
+  cold.name = "cold";
+  cold.style = {page.theme().negative, {10, 6}, render::Marker::square};
+  render::Series warm = error_series(all.warm.loads, settings.weight(), std::sqrt(g));
+  warm.name = "warm";
+  warm.style = {page.theme().positive, {}, render::Marker::circle};
+  render::Series bound{.name = "√g per step", .style = page.theme().exact, .markers = false};
+  for (const double k : warm.x) {
+    bound.x.push_back(k);
+    bound.y.push_back(std::pow(g, 0.5 * k));
+  }
+  render::Plot plot{.title = "|λ_{1}/W − 1| after each step"};
+  plot.x = {.title = "step", .min = 0, .max = settings.steps};
+  plot.y = {.scale = render::AxisScale::logarithmic, .min = smallest_error, .max = 2};
+  plot.series = {cold, warm, bound};
+  draw_plot(page, parts[0], plot);
+  page.note(
+      parts[1], "The price of memory",
+      page.compact()
+          ? fmt::format("Sweeps leave g = {:.3f} of a cold error. Warm, velocities remember too: √g, and "
+                        "it swings.",
+                        g)
+          : fmt::format("The sweeps of a step ({}) leave g = {:.3f} of what they find. Cold, the loads "
+                        "become right at that rate, but each step falls short of its own answer by the "
+                        "same amount again, and that is a speed: the tower sinks. Warm, what is missing "
+                        "comes back twice, in the first guess and in the velocities. So the error swings, "
+                        "and a step leaves √g = {:.3f} of it.",
+                        settings.sweeps, g, std::sqrt(g)));
+}
+
+void draw_cold_sweeps(Page& page, const WarmStart& all) {
+  const std::vector<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const render::Color color = page.theme().outline;
+  const std::array<render::SeriesStyle, 4> styles = {{{color, {2, 5}, render::Marker::diamond},
+                                                      {color, {10, 5, 2, 5}, render::Marker::triangle},
+                                                      {color, {10, 6}, render::Marker::square},
+                                                      {color, {}, render::Marker::circle}}};
+  render::Plot plot{.title = "what the lowest contact lacks, in one step from nothing"};
+  plot.x = {.title = "sweeps", .scale = render::AxisScale::logarithmic, .min = 1, .max = 2000};
+  plot.y = {.scale = render::AxisScale::logarithmic, .min = 0.005, .max = 1};
+  for (std::size_t s = 0; s < all.sweeps.size(); ++s) {
+    const ColdSweeps& cold = all.sweeps[s];
+    render::Series series{.name = fmt::format("{} boxes", cold.boxes), .style = styles[s]};
+    for (std::size_t k = 1; k < cold.error.size() && cold.error[k] > 0.005; ++k) {
+      series.x.push_back(static_cast<double>(k));
+      series.y.push_back(cold.error[k]);
+    }
+    plot.series.push_back(series);
+  }
+  plot.goals.push_back({wanted_error, "1 %"});
+  draw_plot(page, parts[0], plot);
+  const std::vector<Rect> right = rows(parts[1], {0.38, 0.62}, page.sizes().gap);
+  render::TableView table{.header = {"boxes", "sweeps to 1 %", "formula"}};
+  for (const ColdSweeps& cold : all.sweeps) {
+    table.rows.push_back({fmt::format("{}", cold.boxes), fmt::format("{}", cold.needed),
+                          fixed(needed_by_formula(cold.boxes), 1)});
+  }
+  page.table(right[0], "", table);
+  page.note(right[1], "",
+            page.compact() ? "Twice as high: four times as many."
+                           : "A sweep from the ground up hands weight on by one contact at a time, and back. "
+                             "That is how heat spreads along a rod: twice as long, four times the time.");
+}
+
+/// The tower, with the velocity that the first guess gives to each box.
+void draw_thrown(Page& page, const Rect& rect, const WarmStart& all) {
+  const Rect inside = page.panel(rect, page.compact() ? "by number" : "by number, before a sweep");
+  const double n = all.settings.boxes;
+  const render::Camera camera = render::fit(inside, {{-1.5, -0.5}, {2.2, n + 1.2}});
+  render::WorldLook look;
+  look.contacts = false;
+  look.penetration = false;
+  look.numbers = camera.scale >= 20;
+  draw_world(page, camera, all.warm.frames.front(), look);
+  const std::vector<double>& velocity = all.reversed.velocity_by_number;
+  const render::ArrowScale scale{
+      .pixels_per_unit = 1.2 * camera.scale / velocity.back(), .longest = 2 * camera.scale, .unit = "m/s"};
+  for (std::size_t i = 0; i < velocity.size(); ++i) {
+    draw_arrow(page, camera, scale,
+               {.kind = render::ArrowKind::velocity,
+                .tail = {0.75, static_cast<double>(i) + 0.5},
+                .value = {0, velocity[i]}});
+  }
+  for (const std::size_t i : {std::size_t{0}, velocity.size() - 1}) {
+    const render::Point at = camera.project({0.95, static_cast<double>(i) + 0.4});
+    page.canvas().text({at.x() + 6, at.y()}, fixed(velocity[i], 2), page.value());
+  }
+}
+
+render::BarChart guess_bars(const std::vector<double>& guess, const std::string& title, double weight) {
+  render::BarChart chart{.title = title, .largest = 1.2 * weight, .decimals = 0};
+  const auto n = static_cast<int>(guess.size());
+  for (int i = n - 1; i >= 0; --i) {
+    chart.bars.push_back({.name = fmt::format("λ_{{{}}}", i + 1),
+                          .added = guess[static_cast<std::size_t>(i)],
+                          .exact = (n - i) * gravity});
+  }
+  return chart;
+}
+
+void draw_reversed(Page& page, const WarmStart& all) {
+  const std::vector<Rect> parts = rows(page.area(), {0.72, 0.28}, page.sizes().gap);
+  const std::vector<Rect> panels = columns(parts[0], {0.3, 0.35, 0.35}, page.sizes().gap);
+  const double weight = all.settings.weight();
+  draw_thrown(page, panels[0], all);
+  draw_bars(page, panels[1], guess_bars(all.reversed.by_number, "first guess by number (N)", weight));
+  draw_bars(page, panels[2], guess_bars(all.reversed.by_key, "first guess by key (N)", weight));
+  double after = 0;
+  for (const double v : all.reversed.velocity_after) after = std::max(after, std::abs(v));
+  page.note(
+      parts[1], "",
+      page.compact()
+          ? fmt::format("Contacts found from the top down. By number the top box is thrown at {:.1f} m/s.",
+                        all.reversed.velocity_by_number.back())
+          : fmt::format("The tower stands, and this step finds its contacts from the top down. Kept by "
+                        "number, each impulse comes to the wrong contact: {:.1f} m/s for the top box, and "
+                        "{:.2f} m/s somewhere when all sweeps are done. Kept by key, nothing moves.",
+                        all.reversed.velocity_by_number.back(), after));
+}
+
+/// The step in which loads by number are most wrong, once the tower has come to rest.
+int worst_guest_step(const WarmStart& all) {
+  const std::vector<std::vector<double>>& loads = all.guest.by_number;
+  std::size_t worst = loads.size() / 2;
+  for (std::size_t k = worst; k < loads.size(); ++k) {
+    const double weight = all.settings.weight();
+    if (std::abs(loads[k][0] - weight) > std::abs(loads[worst][0] - weight)) worst = k;
+  }
+  return static_cast<int>(worst);
+}
+
+void draw_guest(Page& page, const WarmStart& all) {
+  const std::vector<Rect> parts = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
+  const int step = worst_guest_step(all);
+  const Rect inside = page.panel(parts[0], "");
+  const render::Camera camera = render::fit(inside, {{-2.4, -0.6}, {1.2, all.settings.boxes + 0.4}});
+  render::WorldLook look;
+  look.contacts = false;
+  look.penetration = false;
+  look.numbers = false;
+  draw_world(page, camera, all.guest.frames[static_cast<std::size_t>(step)], look);
+  const std::vector<Rect> right = rows(parts[1], {0.68, 0.32}, page.sizes().gap);
+  render::Plot plot{.title = "load λ_{1} on the lowest box (N)"};
+  const std::size_t first = all.guest.by_key.size() / 4;  // once the first swings are over
+  plot.x = {.title = "step", .min = static_cast<double>(first), .max = all.settings.steps};
+  plot.series = {{.name = "by key", .style = {page.theme().positive, {}, render::Marker::circle}},
+                 {.name = "by number", .style = {page.theme().external, {2, 5}, render::Marker::triangle}}};
+  for (std::size_t k = first; k < all.guest.by_key.size(); ++k) {
+    for (render::Series& series : plot.series) series.x.push_back(static_cast<double>(k));
+    plot.series[0].y.push_back(all.guest.by_key[k][0]);
+    plot.series[1].y.push_back(all.guest.by_number[k][0]);
+  }
+  plot.cursor = step;
+  draw_plot(page, right[0], plot);
+  page.note(right[1], "",
+            page.compact()
+                ? "A ball bounces; its contact comes first. By number, the tower feels it."
+                : "A ball bounces beside the tower and touches nothing of it. Whenever its contact "
+                  "is there, it is the first row, and all others move on by one. By number the tower "
+                  "is shaken; by key not one bit of its loads changes.");
+}
+
+}  // namespace
+
+std::vector<Shot> order_shots(const WarmStart& recorded) {
+  const All all = std::make_shared<const WarmStart>(recorded);
+  return {
+      {.state = "error against steps",
+       .alt = "The error of the lowest load against steps, logarithmic: cold falls fast and smoothly, warm "
+              "swings below a line of slope √g.",
+       .draw = [all](Page& page) { draw_errors(page, *all); },
+       .key = true},
+      {.state = "one step from nothing",
+       .alt = "What the lowest contact lacks against sweeps, for 3, 5, 10 and 20 boxes, with 1 % marked.",
+       .draw = [all](Page& page) { draw_cold_sweeps(page, *all); },
+       .key = true},
+      {.state = "rows in another order",
+       .alt = "First guesses by number and by key when rows come from the top down: by number all but one "
+              "box fall, and the top box is thrown upwards.",
+       .draw = [all](Page& page) { draw_reversed(page, *all); },
+       .key = true},
+      {.state = "a ball bounces beside it",
+       .alt = "A tower with a ball beside it, and the lowest load by key, steady, and by number, shaken at "
+              "every bounce.",
+       .draw = [all](Page& page) { draw_guest(page, *all); },
+       .key = true}};
+}
+
+}  // namespace cairn::warm

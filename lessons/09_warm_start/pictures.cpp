@@ -1,0 +1,210 @@
+// Three towers side by side, cold, warm and one row off, above one chart that all three share.
+#include "pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <set>
+
+#include "render/draw.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::warm {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Point;
+using render::Rect;
+using render::SeriesStyle;
+
+using All = std::shared_ptr<const WarmStart>;
+
+std::array<SeriesStyle, 3> start_styles(const Page& page) {
+  return {{{page.theme().negative, {10, 6}, render::Marker::square},
+           {page.theme().positive, {}, render::Marker::circle},
+           {page.theme().external, {2, 5}, render::Marker::triangle}}};
+}
+
+std::array<const StartRun*, 3> runs_of(const WarmStart& all) { return {&all.cold, &all.warm, &all.shifted}; }
+
+double largest_load(const WarmStart& all) {
+  double largest = all.settings.weight();
+  for (const StartRun* run : runs_of(all)) {
+    for (const std::vector<double>& frame : run->loads) {
+      largest = std::max(largest, *std::max_element(frame.begin(), frame.end()));
+    }
+  }
+  return largest;
+}
+
+double top_of(const StartRun& run, int frame) {
+  return run.frames[static_cast<std::size_t>(frame)].bodies.back().pose.position.y() + 0.5;
+}
+
+/// Bars to the right of the tower, one beside the box that each load carries, with a tick at its weight.
+void draw_loads(Page& page, const render::Camera& camera, const Rect& room, const WarmStart& all,
+                const StartRun& run, int frame, const SeriesStyle& style) {
+  render::Canvas& canvas = page.canvas();
+  const double per_newton = room.width / largest_load(all);
+  const double thickness = std::clamp(0.42 * camera.scale, 3.0, 12.0);
+  const auto k = static_cast<std::size_t>(frame);
+  for (int i = 0; i < all.settings.boxes; ++i) {
+    const auto interface = static_cast<std::size_t>(i);
+    const double center = run.frames[k].bodies[interface + 1].pose.position.y();
+    const double y = camera.project({0, center}).y();
+    const double load = run.loads[k][interface];
+    canvas.rect({room.x, y - thickness / 2, std::max(0.0, load * per_newton), thickness},
+                {.fill = style.color, .outline = page.theme().outline, .outline_width = 1});
+    const double tick = room.x + (all.settings.boxes - i) * gravity * per_newton;
+    canvas.line({tick, y - thickness}, {tick, y + thickness}, {.width = 2, .color = page.theme().outline});
+  }
+}
+
+/// Where the top of the tower was at the start.
+void draw_start_line(Page& page, const render::Camera& camera, double boxes) {
+  page.canvas().line(camera.project({-1, boxes}), camera.project({1, boxes}),
+                     {.width = 1.5, .color = page.theme().secondary_text, .dash = {6, 4}});
+}
+
+/// One start: its colour on top, its name, its tower, its loads.
+void draw_start(Page& page, const Rect& rect, const WarmStart& all, const StartRun& run, int frame,
+                const SeriesStyle& style) {
+  render::Canvas& canvas = page.canvas();
+  const Rect inside = page.panel(rect, "");
+  canvas.rect({rect.x, rect.y, rect.width, 6}, {.fill = style.color});
+  render::TextStyle name = page.label();
+  name.bold = true;
+  const double line = name.size * 1.2;
+  render::draw_marker(canvas, {inside.x + 6, inside.y + line - 0.35 * name.size}, style.marker,
+                      page.sizes().marker, style.color);
+  canvas.text({inside.x + 18, inside.y + line}, run.name, name);
+  render::TextStyle number = page.value();
+  number.align = render::Align::right;
+  const double moved = 1000 * (top_of(run, frame) - all.settings.boxes);
+  canvas.text({inside.x + inside.width, inside.y + line}, fixed(moved, 0, render::Sign::always) + " mm",
+              number);
+
+  const double top = inside.y + line + 10;
+  const double n = all.settings.boxes;
+  const Rect view = {inside.x, top, inside.width, inside.y + inside.height - top};
+  render::Camera camera = render::fit(view, {{-1.2, -0.6}, {1.2, n + 0.4}});
+  camera.center.x() = 0.5 * view.width / camera.scale - 1.2;  // the tower at the left
+  render::WorldLook look;
+  look.contacts = false;
+  look.numbers = camera.scale >= 20;  // or those of two digits would be missing
+  look.penetration = false;
+  draw_world(page, camera, run.frames[static_cast<std::size_t>(frame)], look);
+  draw_start_line(page, camera, n);
+  const double left = camera.project({0.5, 0}).x() + 14;
+  draw_loads(page, camera, {left, top, inside.x + inside.width - left, view.height}, all, run, frame, style);
+}
+
+void draw_towers(Page& page, const Rect& rect, const WarmStart& all, int frame) {
+  const std::vector<Rect> panels = columns(rect, {1, 1, 1}, page.sizes().gap);
+  const std::array<SeriesStyle, 3> styles = start_styles(page);
+  const std::array<const StartRun*, 3> runs = runs_of(all);
+  for (std::size_t s = 0; s < runs.size(); ++s) draw_start(page, panels[s], all, *runs[s], frame, styles[s]);
+}
+
+void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int frame) {
+  render::Plot plot{.title = fmt::format("load λ_{{1}} on the lowest box, step by step; its weight: {:g} N",
+                                         all.settings.weight())};
+  constexpr int near = 30;  // steps that the first frames show
+  plot.x = {.min = 0, .max = frame <= near ? near : all.settings.steps};
+  plot.y = {.min = 0, .max = 1.15 * largest_load(all)};
+  const std::array<SeriesStyle, 3> styles = start_styles(page);
+  const std::array<const StartRun*, 3> runs = runs_of(all);
+  for (std::size_t s = 0; s < runs.size(); ++s) {
+    render::Series series{.name = runs[s]->name, .style = styles[s]};
+    for (int k = 0; k <= frame; ++k) {
+      series.x.push_back(k);
+      series.y.push_back(runs[s]->loads[static_cast<std::size_t>(k)][0]);
+    }
+    plot.series.push_back(series);
+  }
+  plot.goals.push_back({all.settings.weight(), ""});
+  plot.cursor = frame;
+  draw_plot(page, rect, plot);
+}
+
+void draw_step(Page& page, const WarmStart& all, int frame) {
+  const std::vector<Rect> parts = rows(page.area(), {0.56, 0.44}, page.sizes().gap);
+  draw_towers(page, parts[0], all, frame);
+  draw_load_plot(page, parts[1], all, frame);
+}
+
+void draw_note(Page& page, const WarmStart& all, int frame, std::string_view title, std::string_view text) {
+  const std::vector<Rect> parts = rows(page.area(), {0.64, 0.36}, page.sizes().gap);
+  draw_towers(page, parts[0], all, frame);
+  page.note(parts[1], title, text);
+}
+
+Shot step_shot(const All& all, int frame) {
+  const auto k = static_cast<std::size_t>(frame);
+  return {
+      .state = fmt::format("step {} · t = {} s", frame, fixed(frame * all->settings.dt, 2)),
+      .alt = fmt::format("Step {}: the lowest box carries {:.2f} N cold, {:.2f} N warm and {:.2f} N one row "
+                         "off; the towers are {:.3f} m, {:.3f} m and {:.3f} m high.",
+                         frame, all->cold.loads[k][0], all->warm.loads[k][0], all->shifted.loads[k][0],
+                         top_of(all->cold, frame), top_of(all->warm, frame), top_of(all->shifted, frame)),
+      .draw = [all, frame](Page& page) { draw_step(page, *all, frame); }};
+}
+
+Shot question_shot(const All& all) {
+  return {
+      .state = "before the first step",
+      .alt = "Three equal towers named cold, warm and one row off, without any load yet, and the question.",
+      .draw =
+          [all](Page& page) {
+            draw_note(page, *all, 0, "Predict",
+                      fmt::format("Three towers, sweeps in each step: {}. One begins each step from nothing, "
+                                  "one from last step's impulses, one from those of the contact below. "
+                                  "From nothing, how many sweeps would ONE step need until the lowest "
+                                  "contact carries 99 % of the {:g} N?",
+                                  all->settings.sweeps, all->settings.weight()));
+          },
+      .key = true};
+}
+
+std::string answer_text(const WarmStart& all) {
+  const double weight = all.settings.weight();
+  std::string text = fmt::format(
+      "{} sweeps in one step. With a warm start {} in each step do, as those of all steps work on one "
+      "answer. "
+      "From nothing the loads come out right in the end, and the tower sinks for ever.",
+      all.own.needed, all.settings.sweeps);
+  if (unrest(all.shifted.loads, weight) > wanted_error * weight) {
+    text += " From a neighbour's impulses nothing ever comes to rest.";
+  }
+  return text;
+}
+
+Shot answer_shot(const All& all) {
+  return {
+      .state = fmt::format("after {} steps", all->settings.steps),
+      .alt = fmt::format("The three towers at the end, and the answer: {} sweeps.", all->own.needed),
+      .draw = [all](Page& page) { draw_note(page, *all, all->settings.steps, "Answer", answer_text(*all)); },
+      .key = true};
+}
+
+}  // namespace
+
+std::vector<Shot> start_shots(const WarmStart& recorded) {
+  const All all = std::make_shared<const WarmStart>(recorded);
+  const int last = all->settings.steps;
+  const std::set<int> keys = {1, 2, 5, 10, 20, last};
+  std::vector<Shot> shots = {question_shot(all)};
+  for (int k = 1; k <= last; ++k) {
+    shots.push_back(step_shot(all, k));
+    shots.back().key = keys.contains(k);
+  }
+  for (Shot& shot : order_shots(*all)) shots.push_back(std::move(shot));
+  shots.push_back(answer_shot(all));
+  return shots;
+}
+
+}  // namespace cairn::warm

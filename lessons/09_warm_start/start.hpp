@@ -1,0 +1,107 @@
+// A tower that begins every step from nothing, from last step's impulses, or from those of another row.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cairn.hpp"
+
+namespace cairn::warm {
+
+inline constexpr double gravity = 10;         // [m/s^2]
+inline constexpr double too_deep = 0.4;       // [m] of overlap; at half a box contacts would push sideways
+inline constexpr double wanted_error = 0.01;  // of the load on the lowest contact
+
+struct StartSettings {
+  int boxes = 10;  // of 1 kg and 1 m
+  int sweeps = 10;
+  int steps = 120;
+  double dt = 0.02;  // [s]
+
+  double weight() const { return boxes * gravity; }  // [N]
+};
+
+/// What the first sweep of a step finds.
+enum class Start {
+  cold,     // no impulses
+  warm,     // each row its own of the step before
+  shifted,  // each contact that of the contact below it
+};
+
+/// Frame k is the state after k steps; frame 0 is the start.
+struct StartRun {
+  std::string name = {};
+  std::vector<Snapshot> frames = {};            // steps + 1
+  std::vector<std::vector<double>> loads = {};  // [frame][interface] [N]; interface 0 is the ground's
+  int comparable = 0;                           // the last frame before any overlap is too_deep
+};
+
+/// The tower, with an elastic ball that bounces beside it. Its contact, when there is one, is the first row.
+struct GuestRun {
+  std::vector<std::vector<double>> by_key = {};     // [frame][interface] [N]
+  std::vector<std::vector<double>> by_number = {};  // impulses kept in a list, found by their place
+  std::vector<char> ball_touches = {};              // in each frame
+  std::vector<Snapshot> frames = {};                // of the run by number
+};
+
+/// The tower at rest whose contacts are found from the top down in this step, and not from the ground up.
+struct ReversedStep {
+  std::vector<double> by_key = {};              // [N] first guess of each interface
+  std::vector<double> by_number = {};           // [N]
+  std::vector<double> velocity_by_key = {};     // [m/s] of each box with that guess, before any sweep
+  std::vector<double> velocity_by_number = {};  // [m/s]
+  std::vector<double> velocity_after = {};      // [m/s] by number, when all sweeps are done
+};
+
+/// A cold start: the relative error of the lowest load after every sweep, 1 at sweep 0.
+struct ColdSweeps {
+  int boxes = 0;
+  std::vector<double> error = {};
+  int needed = 0;  // sweeps until the error is wanted_error
+};
+
+struct WarmStart {
+  StartSettings settings = {};
+  StartRun cold = {};
+  StartRun warm = {};
+  StartRun shifted = {};
+  GuestRun guest = {};
+  ReversedStep reversed = {};
+  std::vector<ColdSweeps> sweeps = {};  // of 3, 5, 10 and 20 boxes
+  ColdSweeps own = {};                  // of this tower
+  double load_at_half_dt = 0;           // [N] lowest first guess once dt is halved after the warm run
+};
+
+WarmStart run_all(const StartSettings& settings);
+
+/// Masses on a line in plain loops: gravity, Gauss-Seidel from the ground up, semi-implicit Euler. No engine.
+/// [frame][interface] [N]
+std::vector<std::vector<double>> loads_by_hand(const StartSettings& settings);
+
+/// The cold tower by powers of the matrix of Gauss-Seidel, G = -(D + L)^-1 U.
+struct ColdTheory {
+  std::vector<std::vector<double>> loads = {};  // [frame][interface] [N]
+  std::vector<double> top_velocity = {};        // [m/s] of the uppermost box, for each frame
+};
+ColdTheory cold_by_matrix(const StartSettings& settings);
+
+/// What of an error `sweeps` sweeps over n boxes leave in the long run: g = cos^2(pi / 2n) to that power.
+double share_left(int boxes, double sweeps);
+/// A cold start's sweeps to `wanted_error`: what is left of the slowest mode, which is 8/pi^2 of the error.
+double needed_by_formula(int boxes);
+/// 1 - 8/pi^2 g^(k/2) cos(theta k), cos theta = sqrt(g): the warm load on the lowest contact after k steps
+/// over the weight, if there were no mode but the slowest.
+double warm_mode(const StartSettings& settings, int step);
+
+/// The largest |load - weight| of the lowest contact in the last quarter of the steps [N].
+double unrest(const std::vector<std::vector<double>>& loads, double weight);
+
+/// One normal row for each interface of a tower that gravity has just made fall.
+VelocityProblem<double> tower_rows(int boxes, double dt);
+/// Last step's impulses under their names, sorted: what a world keeps from step to step.
+using Memory = std::vector<std::pair<RowKey, double>>;
+/// Last step's impulse of that row; 0 for a row that was not there.
+double remembered(const Memory& memory, const RowKey& key);
+
+}  // namespace cairn::warm

@@ -1,0 +1,249 @@
+// The question, the smallest pyramid row by row beside its A, the pattern of a larger one, and the answer.
+#include "pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "render/draw.hpp"
+#include "render/matrix.hpp"
+
+namespace cairn::stored {
+
+namespace {
+
+using render::Page;
+using render::Point;
+using render::Rect;
+
+using Run = std::shared_ptr<const StoredRun>;
+
+constexpr std::size_t smallest = 0;  // of the pyramids
+constexpr std::size_t middle = 2;
+constexpr std::size_t largest = 3;
+
+void draw_pyramid(Page& page, const Rect& rect, const StoredRun& run, std::size_t which) {
+  const Rect inside = page.panel(rect, "");
+  const double base = run.pyramids[which].base;
+  const double half = 0.5 * run.settings.spacing * base + 0.3;
+  const render::Camera camera = render::fit(inside, {{-half, -0.5}, {half, base + 0.3}});
+  render::WorldLook look;
+  look.contacts = false;
+  look.penetration = false;
+  look.numbers = camera.scale > 30;
+  draw_world(page, camera, run.snapshots[which], look);
+}
+
+/// Whether rows i and j of the smallest pyramid meet in A.
+bool meet(const Eigen::MatrixXd& A, int i, int j) { return std::abs(A(i, j)) > 1e-12; }
+
+/// The contacts of the smallest pyramid: the active one, those that it meets, and the others.
+void draw_met(Page& page, const Rect& rect, const StoredRun& run, const Eigen::MatrixXd& A, int active) {
+  const Rect inside = page.panel(rect, "");
+  const double half = 0.5 * run.settings.spacing * 3 + 0.4;
+  const render::Camera camera = render::fit(inside, {{-half, -0.5}, {half, 3.3}});
+  const VelocityProblem<double>& problem = run.problems[smallest];
+  const ConstraintRow<double>& row = problem.rows[static_cast<std::size_t>(active)];
+  render::WorldLook look;
+  look.contacts = false;
+  look.penetration = false;
+  look.active_a = row.a;
+  look.active_b = row.b;
+  draw_world(page, camera, run.snapshots[smallest], look);
+  const std::vector<SnapshotContact>& contacts = run.snapshots[smallest].contacts;
+  render::TextStyle style = page.tick();
+  for (int j = 0; j < static_cast<int>(contacts.size()); ++j) {
+    const Point at = camera.project(contacts[static_cast<std::size_t>(j)].position);
+    const bool is_met = meet(A, active, j);
+    const double radius = j == active ? page.sizes().new_contact : page.sizes().contact;
+    page.canvas().circle(at, radius,
+                         {.fill = is_met ? page.theme().normal : page.theme().inactive,
+                          .outline = page.theme().outline,
+                          .outline_width = j == active ? 2.0 : 0.0});
+    style.bold = is_met;
+    // The two points of an overlap have their numbers between them, in the upper and in the lower box.
+    const bool is_left = j % 2 == 0;
+    const bool is_above = is_left || problem.rows[static_cast<std::size_t>(j)].a == ground;
+    style.align = is_left ? render::Align::left : render::Align::right;
+    const Point beside(at.x() + (is_left ? 8 : -8), at.y() + (is_above ? -7 : 7 + 0.8 * style.size));
+    if (!page.compact()) page.canvas().text(beside, fmt::format("{}", j + 1), style);
+  }
+}
+
+std::string body_name(BodyId body) {
+  return body == ground ? "the ground" : fmt::format("box {}", body.index);
+}
+
+void draw_row(Page& page, const StoredRun& run, int active) {
+  const std::vector<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
+  const std::vector<Rect> left = rows(halves[0], {0.62, 0.38}, page.sizes().gap);
+  const VelocityProblem<double>& problem = run.problems[smallest];
+  const Eigen::MatrixXd A = system_matrices(problem).A;
+  draw_met(page, left[0], run, A, active);
+  const ConstraintRow<double>& row = problem.rows[static_cast<std::size_t>(active)];
+  int met = 0;
+  for (int j = 0; j < problem.row_count(); ++j) met += meet(A, active, j);
+  page.note(left[1], "",
+            page.compact()
+                ? fmt::format("Row {}: not 0 for {} of {} rows.", active + 1, met, problem.row_count())
+                : fmt::format("Row {}: {} and {}. A push here changes how {} of {} contacts close in, "
+                              "itself among them: those on the same boxes. All else in this row of A is 0.",
+                              active + 1, body_name(row.a), body_name(row.b), met, problem.row_count()));
+  render::MatrixView view{.title = "A (1/kg), base 3", .values = A, .active_row = active};
+  for (int j = 1; j <= problem.row_count(); ++j) view.row_names.push_back(fmt::format("{}", j));
+  view.column_names = view.row_names;
+  draw_matrix(page, halves[1], view);
+}
+
+/// 1 where A is not zero, -1 where (30) counts and A is zero.
+render::MatrixView pattern_view(const StoredRun& run, std::size_t which) {
+  const std::vector<std::vector<Entry>> entries = pattern(run.problems[which]);
+  const auto m = static_cast<Eigen::Index>(entries.size());
+  render::MatrixView view;
+  view.values = Eigen::MatrixXd::Zero(m, m);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    for (Eigen::Index j = 0; j < m; ++j) {
+      const Entry entry = entries[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+      if (entry == Entry::printed_only) view.values(i, j) = -1;
+      if (entry == Entry::true_entry || entry == Entry::missed) view.values(i, j) = 1;
+    }
+  }
+  return view;
+}
+
+/// What the two colours of a pattern say.
+void draw_colours(Page& page, const Rect& rect) {
+  const Rect inside = page.panel(rect, "");
+  const double side = page.label().size;
+  double y = inside.y + 4;
+  const std::vector<std::pair<render::Color, const char*>> meanings = {
+      {page.theme().positive, "in A"},
+      {page.theme().negative, page.compact() ? "(30) only" : "counted by (30), 0 in A"}};
+  for (const auto& meaning : meanings) {
+    page.canvas().rect({inside.x, y, side, side}, {.fill = meaning.first});
+    page.canvas().text({inside.x + side + 8, y + 0.85 * side}, meaning.second, page.label());
+    y += 1.6 * side;
+  }
+}
+
+void draw_pattern(Page& page, const StoredRun& run) {
+  const std::vector<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
+  draw_matrix(page, parts[0], pattern_view(run, middle));
+  const std::vector<double> weights =
+      page.compact() ? std::vector<double>{0.24, 0.42, 0.34} : std::vector<double>{0.16, 0.36, 0.48};
+  const std::vector<Rect> right = rows(parts[1], weights, page.sizes().gap);
+  draw_colours(page, right[0]);
+  const Count& count = run.pyramids[middle];
+  render::TableView table{.header = {"base 10", "numbers"}};
+  table.rows = {{"full A", fmt::format("{:.0f}", count.dense)},
+                {page.compact() ? "(30)" : "(30) as printed", fmt::format("{:.0f}", count.printed)},
+                {"not zero", fmt::format("{:.0f}", count.non_zeros)},
+                {"SI", fmt::format("{:.0f}", count.rows)}};
+  page.table(right[1], "", table);
+  page.note(right[2], "",
+            page.compact() ? "Blue: boxes that share only the ground."
+                           : "Blue: the lowest boxes have only the ground in common. It cannot be moved, so "
+                             "nothing that one does reaches the other. (30) has no M^{−1} and counts them.");
+}
+
+void draw_two_patterns(Page& page, const StoredRun& run) {
+  const std::vector<Rect> panels = columns(page.area(), {0.37, 0.37, 0.26}, page.sizes().gap);
+  for (const std::size_t which : {smallest, smallest + 1}) {
+    render::MatrixView view = pattern_view(run, which);
+    view.title =
+        fmt::format("base {}: {} × {}", run.pyramids[which].base, view.values.rows(), view.values.cols());
+    const std::vector<Rect> parts = rows(panels[which], {0.76, 0.24}, page.sizes().gap);
+    draw_matrix(page, parts[0], view);
+    draw_pyramid(page, parts[1], run, which);
+  }
+  page.note(panels[2], "",
+            page.compact()
+                ? "Orange: not 0. Blue: 0, but counted by (30)."
+                : "Orange: rows that share a box, not 0. Blue: rows that share only the ground, 0 in "
+                  "A, but counted by (30). The larger the pyramid, the emptier is A.");
+}
+
+void draw_question(Page& page, const StoredRun& run) {
+  const std::vector<Rect> halves = columns(page.area(), {0.52, 0.48}, page.sizes().gap);
+  draw_pyramid(page, halves[0], run, largest);
+  const Count& count = run.pyramids[largest];
+  const std::vector<Rect> right = rows(halves[1], {0.6, 0.4}, page.sizes().gap);
+  page.note(
+      right[0], "Predict",
+      fmt::format("{} boxes, two rows for each overlap: two for every box on the ground, four for every "
+                  "other. A full A has an entry for each pair of rows; SI keeps one number for each "
+                  "row. How many times more is that?",
+                  count.bodies));
+  page.equation(right[1], {.number = "numbers to keep",
+                           .symbols = "full A: m × m",
+                           .numbers = "SI: m",
+                           .result = "= ? times more"});
+}
+
+void draw_answer(Page& page, const StoredRun& run) {
+  const std::vector<Rect> parts = rows(page.area(), {0.48, 0.52}, page.sizes().gap);
+  render::TableView table;
+  table.header = {"", "rows", "full A", "(30)", "not zero", "SI"};
+  for (const Count& count : run.pyramids) {
+    table.rows.push_back({count.name, fmt::format("{:.0f}", count.rows), fmt::format("{:.0f}", count.dense),
+                          fmt::format("{:.0f}", count.printed), fmt::format("{:.0f}", count.non_zeros),
+                          fmt::format("{:.0f}", count.rows)});
+  }
+  table.active_row = static_cast<int>(largest);
+  page.table(parts[0], "numbers to keep", table);
+  const Count& count = run.pyramids[largest];
+  page.note(
+      parts[1], "Answer",
+      page.compact()
+          ? fmt::format("{:.0f} times: m² against m. Of these numbers {:.1f} a row are not zero, and a "
+                        "sparse sweep does what SI does.",
+                        count.rows, count.non_zeros / count.rows)
+          : fmt::format("{:.0f} times, m² against m. But only {:.1f} numbers a row are not zero. PGS that "
+                        "leaves the zeros out grows like m, as SI does, and works about as hard in a "
+                        "sweep: {:.0f} multiply-adds against {:.0f}. What is left between them is "
+                        "memory, and the work of building A in every step.",
+                        count.rows, count.non_zeros / count.rows, work_of(count).sparse, work_of(count).si));
+}
+
+Shot row_shot(const Run& run, int row) {
+  return {.state = fmt::format("row {} of {}", row + 1, run->problems[smallest].row_count()),
+          .alt = fmt::format("A pyramid of six boxes: contact {} is lit with all contacts on the same boxes; "
+                             "beside it A as a heat map with row {} framed.",
+                             row + 1, row + 1),
+          .draw = [run, row](Page& page) { draw_row(page, *run, row); },
+          .key = row == 0 || row == 8};
+}
+
+}  // namespace
+
+std::vector<Shot> stored_shots(const StoredRun& recorded) {
+  const Run run = std::make_shared<const StoredRun>(recorded);
+  std::vector<Shot> shots;
+  shots.push_back({.state = "count first",
+                   .alt = "A large pyramid of boxes, and the question.",
+                   .draw = [run](Page& page) { draw_question(page, *run); },
+                   .key = true});
+  for (int row = 0; row < run->problems[smallest].row_count(); ++row) shots.push_back(row_shot(run, row));
+  shots.push_back({.state = "base 3 and 5",
+                   .alt =
+                       "The patterns of A for pyramids of base 3 and 5: entries in A, and entries that only "
+                       "equation 30 counts.",
+                   .draw = [run](Page& page) { draw_two_patterns(page, *run); },
+                   .key = true});
+  shots.push_back({.state = "base 10",
+                   .alt =
+                       "The pattern of A for 200 rows: a narrow band, and what equation 30 counts beside it, "
+                       "with four numbers to compare.",
+                   .draw = [run](Page& page) { draw_pattern(page, *run); },
+                   .key = true});
+  for (const std::vector<Shot>& part : {case_shots(*run), cost_shots(*run)}) {
+    shots.insert(shots.end(), part.begin(), part.end());
+  }
+  shots.push_back({.state = "answer",
+                   .alt = "A table of what is stored for four pyramids, and the answer.",
+                   .draw = [run](Page& page) { draw_answer(page, *run); },
+                   .key = true});
+  return shots;
+}
+
+}  // namespace cairn::stored

@@ -1,0 +1,209 @@
+// The scenes, the counts, and what four solvers say that they keep.
+#include "stored.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solvers/body_rows.hpp"
+
+namespace cairn::stored {
+
+namespace {
+
+Count count_of(const VelocityProblem<double>& problem) {
+  const double m = problem.row_count();
+  return {.bodies = problem.body_count() - 1,
+          .rows = m,
+          .dense = m * m,
+          .printed = static_cast<double>(non_zeros_as_printed(problem)),
+          .non_zeros = static_cast<double>(non_zeros(problem)),
+          .pairs = static_cast<double>(coupled_pairs(problem))};
+}
+
+Snapshot with_contacts(const Scene& scene) {
+  World world(scene);
+  SequentialImpulse solver({.iterations = 1});
+  world.step(solver);
+  Snapshot result = snapshot(World(scene));
+  result.contacts = snapshot(world).contacts;
+  return result;
+}
+
+template <typename Solver>
+Kept kept_by(Solver solver, const VelocityProblem<double>& problem) {
+  VelocityProblem<double> copy = problem;
+  solver.solve(copy);
+  return {.name = solver.name(), .bytes = static_cast<double>(solver.memory()), .impulse = copy.impulse};
+}
+
+/// A body for a case: a beam about `x`, with any mass and inertia.
+struct CaseBody {
+  double x = 0;
+  double width = 1;
+  double mass = 1;
+  double inertia = 1;
+};
+
+/// A point where the ground pushes body `body` (from 1) upwards.
+struct CaseContact {
+  int body = 1;
+  double x = 0;
+};
+
+PairCase pair_case(const std::string& title, const std::vector<CaseBody>& bodies,
+                   const std::vector<CaseContact>& contacts) {
+  constexpr double thickness = 0.5;
+  Scene scene;
+  scene.add_ground();
+  for (const CaseBody& body : bodies) {
+    scene.add({.shapes = {box(body.width, thickness)},
+               .position = {body.x, thickness / 2},
+               .mass = body.mass,
+               .inertia = body.inertia});
+  }
+  PairCase result{.title = title, .snapshot = snapshot(World(scene))};
+  VelocityProblem<double>& problem = result.problem;
+  problem.inverse_mass.push_back({0, 0, 0});
+  for (const CaseBody& body : bodies) {
+    problem.inverse_mass.push_back({1 / body.mass, 1 / body.mass, 1 / body.inertia});
+  }
+  problem.velocity.assign(problem.inverse_mass.size(), Vec3<double>::Zero());
+  problem.impulse.assign(contacts.size(), 0.0);
+  for (const CaseContact& contact : contacts) {
+    const double arm = contact.x - bodies[static_cast<std::size_t>(contact.body - 1)].x;
+    ConstraintRow<double> row;
+    row.a = ground;
+    row.b = {contact.body};
+    row.jacobian_a = {0, -1, -contact.x};  // about the origin of the ground
+    row.jacobian_b = {0, 1, arm};
+    row.bounds = Bounds<double>::unilateral();
+    problem.blocks.push_back({problem.row_count(), 1});
+    problem.rows.push_back(row);
+    result.snapshot.contacts.push_back(
+        {.a = ground, .b = {contact.body}, .position = {contact.x, 0}, .normal = {0, 1}});
+  }
+  const std::vector<Vec3<double>> ones(problem.inverse_mass.size(), Vec3<double>::Ones());
+  result.printed = coupling(problem, problem.rows[0], problem.rows[1], ones);
+  result.coupling = coupling(problem, problem.rows[0], problem.rows[1], problem.inverse_mass);
+  return result;
+}
+
+/// J_1 . J_2 has a share 1 + r_1 r_2 of the body, with arms from its centre, and a share 1 + x_1 x_2 of the
+/// ground, with places from its origin: below the centre in the first two cases, so that both say the same.
+std::vector<PairCase> pair_cases() {
+  const CaseBody heavy{.x = 0, .width = 4.4, .mass = 6, .inertia = 1};   // r_1 r_2 = -1
+  const CaseBody struck{.x = 0, .width = 1.2, .mass = 6, .inertia = 1};  // r_1 r_2 = -I / m
+  const CaseBody left{.x = -1, .width = 1, .mass = 1, .inertia = 1.0 / 6};
+  const CaseBody right{.x = 1.5, .width = 1, .mass = 1, .inertia = 1.0 / 6};
+  return {pair_case("counted as 0, and is not", {heavy}, {{1, 0.5}, {1, -2}}),
+          pair_case("counted, and is 0", {struck}, {{1, 0.5}, {1, -1.0 / 3}}),
+          pair_case("counted for the ground", {left, right}, {{1, -1}, {2, 1.5}})};
+}
+
+}  // namespace
+
+Scene pyramid_scene(int base, double spacing) {
+  Scene scene({.gravity = {0, -10}, .dt = 0.02});
+  scene.add_ground({.friction = 0});
+  for (int row = 0; row < base; ++row) {
+    const int boxes = base - row;
+    for (int i = 0; i < boxes; ++i) {
+      const double x = spacing * (i - 0.5 * (boxes - 1));
+      scene.add({.shapes = {box(1, 1)}, .position = {x, 0.5 + row}, .mass = 1, .friction = 0});
+    }
+  }
+  return scene;
+}
+
+Scene tray_scene(int boxes) {
+  Scene scene({.gravity = {0, -10}, .dt = 0.02});
+  constexpr double pitch = 1.25;  // [m]
+  const double width = pitch * boxes;
+  scene.add_ground({.half_width = width, .friction = 0});
+  scene.add({.shapes = {box(width, 0.5)}, .position = {0, 0.25}, .mass = 1, .friction = 0});
+  for (int i = 0; i < boxes; ++i) {
+    const double x = pitch * (i - 0.5 * (boxes - 1));
+    scene.add({.shapes = {box(1, 1)}, .position = {x, 1}, .mass = 1, .friction = 0});
+  }
+  return scene;
+}
+
+StoredRun run_stored(const StoredSettings& settings) {
+  StoredRun run{.settings = settings};
+  for (const int base : {3, 5, 10, settings.base}) {
+    const Scene scene = pyramid_scene(base, settings.spacing);
+    run.problems.push_back(World(scene).velocity_problem());
+    Count count = count_of(run.problems.back());
+    count.name = fmt::format("base {}", base);
+    count.base = base;
+    run.pyramids.push_back(count);
+    run.snapshots.push_back(with_contacts(scene));
+  }
+  const VelocityProblem<double>& largest = run.problems.back();
+  const SolverSettings sweeps{.iterations = settings.sweeps};
+  run.kept = {kept_by(SequentialImpulse<double>(sweeps), largest),
+              kept_by(FactoredProjectedGaussSeidel<double>(sweeps), largest),
+              kept_by(SparseProjectedGaussSeidel<double>(sweeps), largest),
+              kept_by(ProjectedGaussSeidel<double>(sweeps), largest)};
+  // As many rows as the pyramid of base 10, but for the two below the tray.
+  constexpr int on_tray = 99;
+  run.tray_problem = World(tray_scene(on_tray)).velocity_problem();
+  run.tray = count_of(run.tray_problem);
+  run.tray.name = "tray";
+  run.tray_snapshot = with_contacts(tray_scene(9));
+  run.cases = pair_cases();
+  return run;
+}
+
+Work work_of(const Count& count) {
+  return {.naive = 6 * count.dense, .dense = count.dense, .sparse = count.pairs, .si = 12 * count.rows};
+}
+
+/// The lowest row stands on the ground; every other box on two.
+double rows_by_formula(int base) { return 2.0 * base + 4 * (base * (base - 1) / 2.0); }
+
+double pairs_by_formula(int base) {
+  double sum = 0;
+  double shared = 0;  // manifolds between two boxes
+  for (int row = 0; row < base; ++row) {
+    const int boxes = base - row;
+    for (int i = 0; i < boxes; ++i) {
+      const int below = row == 0 ? 1 : 2;
+      const int above = (i > 0 ? 1 : 0) + (i + 1 < boxes ? 1 : 0);
+      const double rows = 2.0 * (below + above);
+      sum += rows * rows;
+      shared += above;
+    }
+  }
+  return sum - 4 * shared;
+}
+
+double count_entries(const Eigen::MatrixXd& matrix) {
+  const double largest = matrix.cwiseAbs().maxCoeff();
+  return static_cast<double>((matrix.array().abs() > 1e-12 * largest).count());
+}
+
+std::vector<std::vector<Entry>> pattern(const VelocityProblem<double>& problem) {
+  const std::vector<Vec3<double>> ones(problem.inverse_mass.size(), Vec3<double>::Ones());
+  std::vector<std::vector<Entry>> result;
+  for (const ConstraintRow<double>& first : problem.rows) {
+    std::vector<Entry>& line = result.emplace_back();
+    for (const ConstraintRow<double>& second : problem.rows) {
+      const bool is_true = coupling(problem, first, second, problem.inverse_mass) != 0;
+      const bool is_printed = coupling(problem, first, second, ones) != 0;
+      line.push_back(is_true ? (is_printed ? Entry::true_entry : Entry::missed)
+                             : (is_printed ? Entry::printed_only : Entry::zero));
+    }
+  }
+  return result;
+}
+
+std::string bytes_text(double bytes) {
+  if (bytes < 1024) return fmt::format("{:.0f} B", bytes);
+  if (bytes < 1024 * 1024) return fmt::format("{:.1f} KiB", bytes / 1024);
+  return fmt::format("{:.1f} MiB", bytes / 1024 / 1024);
+}
+
+}  // namespace cairn::stored

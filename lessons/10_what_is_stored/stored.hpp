@@ -1,0 +1,87 @@
+// Pyramids and what solvers keep of them; and rows on which eq. (30) counts too few or too many.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cairn.hpp"
+
+namespace cairn::stored {
+
+struct StoredSettings {
+  int base = 20;         // boxes in the lowest row of the largest pyramid
+  double spacing = 1.1;  // [m] between centres of a row; boxes of 1 m
+  int sweeps = 10;       // of each solver, where their answers are compared
+};
+
+/// Numbers (of 8 bytes) that one problem needs, by what is stored.
+struct Count {
+  std::string name = {};  // "base 10"
+  int base = 0;           // 0: not a pyramid
+  int bodies = 0;         // without the ground
+  double rows = 0;        // m
+  double dense = 0;       // m^2
+  double printed = 0;     // eq. (30) as it is printed
+  double non_zeros = 0;   // J_i M^-1 J_j^T != 0
+  double pairs = 0;       // rows that share a body that can move: what a sparse A has room for
+};
+
+/// Multiply-adds of one sweep.
+struct Work {
+  double naive = 0;   // every velocity anew for each row: 6 m^2
+  double dense = 0;   // a row of A for each row: m^2
+  double sparse = 0;  // only what is not zero
+  double si = 0;      // 6 to read a row's velocity, 6 to change it
+};
+Work work_of(const Count& count);
+
+/// What a solver has kept beside the problem, by its own account [bytes], and its answer.
+struct Kept {
+  std::string name = {};
+  double bytes = 0;
+  std::vector<double> impulse = {};  // [N s]
+};
+
+/// Two rows for which (30) and A disagree, or not.
+struct PairCase {
+  std::string title = {};
+  VelocityProblem<double> problem = {};  // two rows
+  double printed = 0;                    // J_1 . J_2
+  double coupling = 0;                   // J_1 M^-1 J_2^T [1/kg]
+  Snapshot snapshot = {};                // with the two contacts
+};
+
+struct StoredRun {
+  StoredSettings settings = {};
+  std::vector<Count> pyramids = {};                    // of base 3, 5, 10 and the one asked for
+  std::vector<VelocityProblem<double>> problems = {};  // of these
+  std::vector<Snapshot> snapshots = {};
+  std::vector<Kept> kept = {};  // for the largest: SI, factored, sparse and dense PGS
+  Count tray = {};              // boxes that all stand on one body
+  VelocityProblem<double> tray_problem = {};
+  Snapshot tray_snapshot = {};
+  std::vector<PairCase> cases = {};
+};
+
+StoredRun run_stored(const StoredSettings& settings);
+
+/// A pyramid without friction, gravity just applied.
+Scene pyramid_scene(int base, double spacing);
+/// `boxes` of them on one tray that can move.
+Scene tray_scene(int boxes);
+
+/// By counting boxes: two rows for each overlap, 4 of them on the sides of most boxes.
+double rows_by_formula(int base);
+/// Sum over bodies of (rows on the body)^2, less those pairs that were counted on two bodies.
+double pairs_by_formula(int base);
+/// Entries of a matrix that are not zero but for rounding: 1e-12 of its largest.
+double count_entries(const Eigen::MatrixXd& matrix);
+
+enum class Entry { zero = 0, printed_only = -1, true_entry = 1, missed = 2 };
+/// For every pair of rows: whether it is in A, and whether (30) as printed counts it.
+std::vector<std::vector<Entry>> pattern(const VelocityProblem<double>& problem);
+
+/// "312.5 KiB"
+std::string bytes_text(double bytes);
+
+}  // namespace cairn::stored

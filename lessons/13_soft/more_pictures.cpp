@@ -1,0 +1,261 @@
+// Springs from soft to stiff, three weights as sweeps go by, and a spring that is a force.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pictures.hpp"
+#include "render/bars.hpp"
+#include "render/matrix.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::soft {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Rect;
+
+const int shown_sweeps = 6;
+
+void draw_stiff_curves(Page& page, const Rect& rect, const SoftRuns& all) {
+  render::Plot plot{.title = "C (mm)"};
+  plot.x = {.title = "t (s)", .min = 0, .max = seconds};
+  const render::Color color = style_of_soft(page).color;
+  const std::array<render::SeriesStyle, 4> styles = {{{color, {2, 5}, render::Marker::diamond},
+                                                      {color, {10, 6}, render::Marker::square},
+                                                      {color, {10, 5, 2, 5}, render::Marker::triangle},
+                                                      {color, {}, render::Marker::circle}}};
+  double lowest = 0;
+  double highest = 0;
+  const std::array<std::size_t, 4> shown = {0, 2, 4, all.stiff.size() - 1};
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const StiffRun& run = all.stiff[shown[i]];
+    render::Series series{.name = run.frequency < 1e5 ? fmt::format("{:g} Hz", run.frequency) : "10^{6} Hz",
+                          .style = styles[i]};
+    for (std::size_t step = 0; step < run.error.size(); ++step) {
+      series.x.push_back(static_cast<double>(step) * all.settings.dt);
+      series.y.push_back(1000 * run.error[step]);
+    }
+    plot.series.push_back(series);
+    lowest = std::min(lowest, *std::min_element(series.y.begin(), series.y.end()));
+    highest = std::max(highest, *std::max_element(series.y.begin(), series.y.end()));
+  }
+  plot.y = {.title = "", .min = lowest - 20, .max = highest + 20};
+  draw_plot(page, rect, plot);
+}
+
+void draw_stiff(Page& page, const SoftRuns& all) {
+  const std::vector<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
+  draw_stiff_curves(page, halves[0], all);
+  render::TableView table{.header = {"f (Hz)", "γ (1/kg)", "β", "m g / k (mm)"}};
+  if (page.compact()) table.header = {"f (Hz)", "γ", "β", "sag (mm)"};
+  for (const StiffRun& run : all.stiff) {
+    const double sag = 1000 * run.sag;
+    table.rows.push_back({run.frequency < 1e5 ? fmt::format("{:g}", run.frequency) : "10^{6}",
+                          render::significant(run.gamma, 2), fixed(run.beta, 4),
+                          render::significant(sag, 2)});
+    if (run.frequency == all.settings.frequency) table.active_row = static_cast<int>(table.rows.size()) - 1;
+  }
+  const double top = page.compact() ? 0.72 : 0.6;
+  const std::vector<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
+  page.table(right[0], page.compact() ? "" : "the same Δt and damping ratio", table);
+  page.note(right[1], "Stiffer",
+            page.compact()
+                ? "γ goes to 0 and β to 1: a rod."
+                : "Δt k outgrows c: β goes to 1. The row becomes a rod that takes its error back in "
+                  "one step.");
+}
+
+void draw_matrices(Page& page, const SoftRuns& all) {
+  const double top = page.compact() ? 0.52 : 0.48;
+  const std::vector<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
+  const std::vector<Rect> halves = columns(parts[0], {0.8, 0.8, 1.4}, page.sizes().gap);
+  const std::vector<std::string> names = {"1", "2", "3"};
+  draw_matrix(page, halves[0],
+              {.title = "A, three rods (1/kg)",
+               .values = all.rigid_column.A,
+               .row_names = names,
+               .column_names = names});
+  draw_matrix(
+      page, halves[1],
+      {.title = "A + γ, springs", .values = all.soft_column.A, .row_names = names, .column_names = names});
+  page.note(halves[2], "Three weights",
+            page.compact()
+                ? "One upon the other, on a rod each, or a spring each. A spring adds γ to its own A_{ii}."
+                : "One upon the other, each on a rod, or each on a spring. All that a spring does to A "
+                  "is to add its γ to its own diagonal entry. The rows lean less on each other: sweeps "
+                  "gain more.");
+  const std::vector<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
+  const ColumnRun& soft = all.soft_column;
+  page.equation(below[0], {.number = "eq (15), PGS",
+                           .symbols = "A_{11} with γ = A_{11} + γ",
+                           .numbers = fmt::format("= {:.3g} + {:.3g}", all.rigid_column.A(0, 0), soft.gamma),
+                           .result = fmt::format("= {:.4g} 1/kg", soft.A(0, 0)),
+                           .algorithm = "a change of the matrix",
+                           .color = page.theme().pgs.color});
+  // Sweep 2 of row 1; zeta is 0, as the springs begin without load.
+  const double dt = all.settings.dt;
+  const double given = soft.gamma * soft.by_si[1][0] * dt;
+  const double change = soft.by_si[2][0] - soft.by_si[1][0];
+  const double jv = -given - change * soft.A(0, 0) * dt;
+  page.equation(below[1], {.number = "eq (22), SI: row 1, sweep 2",
+                           .symbols = "Δλ = (ζ − j·v − γ λ Δt) / ((A_{ii} + γ) Δt)",
+                           .numbers = fmt::format("= (0 − ({}) − {}) / ({:.3g} × {:.3g})", fixed(jv, 4),
+                                                  fixed(given, 4), soft.A(0, 0), dt),
+                           .result = fmt::format("= {} N", fixed(change, 4)),
+                           .algorithm = "a term in one constraint's routine",
+                           .color = page.theme().si.color});
+}
+
+void draw_lambdas(Page& page, const Rect& rect, const ColumnRun& run, std::size_t sweep,
+                  const std::string& title, render::Color color) {
+  const double largest = *std::max_element(run.exact.begin(), run.exact.end());
+  render::BarChart chart{.title = title, .largest = 1.3 * largest, .color = color};
+  for (std::size_t i = 0; i < run.exact.size(); ++i) {
+    const double before = run.by_si[sweep - 1][i];
+    chart.bars.push_back({.name = fmt::format("row {}", i + 1),
+                          .before = before,
+                          .added = run.by_si[sweep][i] - before,
+                          .exact = run.exact[i]});
+  }
+  draw_bars(page, rect, chart);
+}
+
+void draw_sweep(Page& page, const SoftRuns& all, std::size_t sweep) {
+  const std::vector<Rect> parts = rows(page.area(), {0.48, 0.52}, page.sizes().gap);
+  const std::vector<Rect> top = columns(parts[0], {1, 1}, page.sizes().gap);
+  draw_lambdas(page, top[0], all.rigid_column, sweep, "rods: λ (N)", style_of_rigid(page).color);
+  draw_lambdas(page, top[1], all.soft_column, sweep, "springs: λ (N)", style_of_soft(page).color);
+  render::Plot plot{.title = "largest error of λ, over the largest λ"};
+  plot.x = {.title = "sweep", .min = 0, .max = shown_sweeps};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-8, .max = 10};
+  const auto add = [&](const std::string& name, const ColumnRun& run, const render::SeriesStyle& style) {
+    render::Series series{.name = name, .style = style};
+    for (std::size_t k = 0; k <= sweep; ++k) {
+      series.x.push_back(static_cast<double>(k));
+      series.y.push_back(std::max(run.error[k], 1e-12));
+    }
+    plot.series.push_back(series);
+  };
+  add(fmt::format("rods, × {} a sweep", fixed(all.rigid_column.rate, 2)), all.rigid_column,
+      style_of_rigid(page));
+  add(fmt::format("springs, × {:.2g}", all.soft_column.rate), all.soft_column, style_of_soft(page));
+  draw_plot(page, parts[1], plot);
+}
+
+render::SeriesStyle style_of_force(const Page& page) {
+  return {page.theme().external, {2, 5}, render::Marker::triangle};
+}
+
+void draw_run_away(Page& page, const Rect& rect, const SoftRuns& all) {
+  render::Plot plot{.title = page.compact() ? "distance from rest (m), 100 Hz, Δt = 0.05 s"
+                                            : "distance from the place of rest (m), 100 Hz, Δt = 0.05 s"};
+  plot.x = {.title = "step", .min = 0, .max = 6};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-12, .max = 1e20};
+  SoftSettings harsh = all.settings;
+  harsh.frequency = harsh_hertz;
+  const double sag = harsh.mass * gravity / stiffness(harsh);
+  const auto add = [&](const std::string& name, const std::vector<double>& error,
+                       const render::SeriesStyle& style) {
+    render::Series series{.name = name, .style = style};
+    for (std::size_t k = 0; k <= 6; ++k) {
+      series.x.push_back(static_cast<double>(k));
+      series.y.push_back(std::abs(error[k] + sag));
+    }
+    plot.series.push_back(series);
+  };
+  add("force", all.harsh_force, style_of_force(page));
+  add("row", all.harsh_row, style_of_soft(page));
+  draw_plot(page, rect, plot);
+}
+
+void draw_growth(Page& page, const Rect& rect, const SoftRuns& all) {
+  render::Plot plot{.title = page.compact()
+                                 ? "a step multiplies a swing by"
+                                 : "a step multiplies a swing by at most (Δt and damping of the scene)"};
+  plot.x = {.title = "f (Hz)", .scale = render::AxisScale::logarithmic, .min = 0.1, .max = 100};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-3, .max = 1e3};
+  render::Series row{.name = "row", .style = style_of_soft(page)};
+  render::Series force{.name = "force", .style = style_of_force(page)};
+  for (const Growth& growth : all.growth) {
+    row.x.push_back(growth.frequency);
+    row.y.push_back(growth.row);
+    force.x.push_back(growth.frequency);
+    force.y.push_back(growth.force);
+  }
+  plot.series = {force, row};
+  plot.goals.push_back({1, page.compact() ? "" : "above: grows"});
+  draw_plot(page, rect, plot);
+}
+
+/// The first frequency at which a force makes swings grow.
+double largest_hertz(const SoftRuns& all) {
+  // z^2 + 4 zeta z < 4 with z = w dt: then both parts of a swing shrink.
+  const double z = 2 * (std::sqrt(all.settings.damping * all.settings.damping + 1) - all.settings.damping);
+  return z / (2 * pi * all.settings.dt);
+}
+
+void draw_harsh(Page& page, const SoftRuns& all) {
+  const double top = page.compact() ? 0.66 : 0.7;
+  const std::vector<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
+  const std::vector<Rect> halves = columns(parts[0], {1, 1}, page.sizes().gap);
+  draw_run_away(page, halves[0], all);
+  draw_growth(page, halves[1], all);
+  const double hertz = largest_hertz(all);
+  page.note(
+      parts[1], "A force, or a row",
+      page.compact()
+          ? fmt::format("A force runs away above {:.3g} Hz at this Δt; a row never does.", hertz)
+          : fmt::format("A force −k C − c v knows where the weight was. Above {:.3g} Hz, at this Δt, it "
+                        "pushes too far, and further each time. A row knows where the weight is going: it "
+                        "never runs away, but it damps what it cannot follow.",
+                        hertz));
+}
+
+}  // namespace
+
+std::vector<Shot> stiff_shots(const Runs& all) {
+  return {
+      {.state = "stiffer and stiffer",
+       .alt =
+           "Swings on springs from 1 Hz to a million Hz, and a table of their γ, β and sag: γ goes to 0, β "
+           "to 1, the sag to 0.",
+       .draw = [all](Page& page) { draw_stiff(page, *all); },
+       .key = true}};
+}
+
+std::vector<Shot> column_shots(const Runs& all) {
+  std::vector<Shot> shots;
+  shots.push_back(
+      {.state = "three weights · A",
+       .alt = fmt::format("A of three rods, and A of three springs: the same, but with γ = {:.3g} added "
+                          "to the diagonal.",
+                          all->soft_column.gamma),
+       .draw = [all](Page& page) { draw_matrices(page, *all); },
+       .key = true});
+  for (std::size_t sweep = 1; sweep <= shown_sweeps; ++sweep) {
+    shots.push_back(
+        {.state = fmt::format("three weights · sweep {}", sweep),
+         .alt = fmt::format("After sweep {} the largest error is {:.2g} with rods and {:.2g} with "
+                            "springs.",
+                            sweep, all->rigid_column.error[sweep], all->soft_column.error[sweep]),
+         .draw = [all, sweep](Page& page) { draw_sweep(page, *all, sweep); },
+         .key = sweep == 1 || sweep == shown_sweeps});
+  }
+  return shots;
+}
+
+std::vector<Shot> harsh_shots(const Runs& all) {
+  return {
+      {.state = "100 Hz, Δt = 0.05 s",
+       .alt =
+           "Left: the same stiff spring as a force runs away, as a row it comes to rest. Right: by how much "
+           "a step multiplies a swing, against the frequency; as a row always less than 1.",
+       .draw = [all](Page& page) { draw_harsh(page, *all); },
+       .key = true}};
+}
+
+}  // namespace cairn::soft

@@ -1,0 +1,248 @@
+// The engine's runs, and the same springs by hand.
+#include "spring.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "measure/recorder.hpp"
+
+namespace cairn::soft {
+
+namespace {
+
+using Kind = DistanceJoint::Kind;
+
+SwingSoftness swing_of(const SoftSettings& settings) { return {settings.frequency, settings.damping}; }
+
+/// A weight on the ground's spring or rod. It cannot turn, and stands straight above, so it moves up and
+/// down.
+Scene weight_scene(const SoftSettings& settings, Kind kind, double beta) {
+  Scene scene({.gravity = {0, -gravity}, .dt = settings.dt, .stabilization = {.baumgarte = beta}});
+  const Vec2<double> place(0, rest_length - settings.pressed);
+  const BodyId weight = scene.add({.shapes = {box(2 * half_height, 2 * half_height)},
+                                   .position = place + Vec2<double>(0, half_height),
+                                   .mass = settings.mass,
+                                   .fixed_rotation = true});
+  std::optional<Softness> softness;
+  if (kind == Kind::spring) softness = swing_of(settings);
+  scene.join<DistanceJoint>({.a = ground,
+                             .b = weight,
+                             .anchor_b = place,
+                             .length = rest_length,
+                             .kind = kind,
+                             .softness = softness});
+  return scene;
+}
+
+int steps_in(double time, double dt) { return static_cast<int>(std::lround(time / dt)); }
+
+void record(WeightRun& run, const World<double>& world) {
+  run.steps.push_back(snapshot(world));
+  const SnapshotBody& weight = run.steps.back().bodies[1];
+  run.error.push_back(weight.pose.position.y() - half_height - rest_length);
+  run.speed.push_back(weight.velocity.y());
+}
+
+WeightRun run_weight(const SoftSettings& settings, Kind kind, double beta, int steps) {
+  World<double> world(weight_scene(settings, kind, beta));
+  SequentialImpulse<double> solver({.iterations = 1});  // one row is solved in one sweep
+  WeightRun run;
+  record(run, world);
+  run.rows.push_back({});
+  for (int step = 0; step < steps; ++step) {
+    const VelocityProblem<double> problem = world.velocity_problem();
+    const ConstraintRow<double>& row = problem.rows[0];
+    run.gamma = row.softness;
+    run.rows.push_back({.zeta = row.bias, .free = row_velocity(problem, row)});
+    world.step(solver);
+    run.rows.back().lambda = world.last_step().problem.impulse[0] / settings.dt;
+    record(run, world);
+  }
+  run.beta = kind == Kind::rod ? beta : return_rate<double>(swing_of(settings), settings.dt) * settings.dt;
+  return run;
+}
+
+/// Steps until a soft row has forgotten all but 1e-13 of where it began. A swing keeps the share
+/// 1 / sqrt(1 + 2 zeta z + z^2) of itself in a step, z = w dt; without one, the slower of its two parts does.
+/// Near critical damping these two have a factor of 1 + w t in front, less than 40 at the end: hence 1e-15.
+int steps_to_rest(const SoftSettings& settings) {
+  const double z = angular_frequency(settings.frequency) * settings.dt;
+  const double determinant = 1 / (1 + 2 * settings.damping * z + z * z);
+  const double half_trace = (1 + settings.damping * z) * determinant;
+  const double under_root = half_trace * half_trace - determinant;
+  const double kept = under_root > 0 ? half_trace + std::sqrt(under_root) : std::sqrt(determinant);
+  return 10 + static_cast<int>(std::ceil(std::log(1e-15) / std::log(kept)));
+}
+
+void run_to_rest(SoftRuns& all) {
+  World<double> world(weight_scene(all.settings, Kind::spring, 0));
+  SequentialImpulse<double> solver({.iterations = 1});
+  const int steps = steps_to_rest(all.settings);
+  for (int step = 0; step < steps; ++step) world.step(solver);
+  all.rest_error = world.bodies().pose[1].position.y() - half_height - rest_length;
+  all.rest_lambda = world.last_step().problem.impulse[0] / all.settings.dt;
+}
+
+std::vector<StiffRun> run_stiff(const SoftSettings& settings) {
+  std::vector<StiffRun> runs;
+  for (const double frequency : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 200.0, 1e6}) {
+    SoftSettings stiff = settings;
+    stiff.frequency = frequency;
+    const WeightRun run = run_weight(stiff, Kind::spring, 0, steps_in(seconds, settings.dt));
+    runs.push_back({.frequency = frequency,
+                    .gamma = run.gamma,
+                    .beta = run.beta,
+                    .sag = settings.mass * gravity / stiffness(stiff),
+                    .error = run.error});
+  }
+  return runs;
+}
+
+Scene column_scene(const SoftSettings& settings, Kind kind) {
+  Scene scene({.gravity = {0, -gravity}, .dt = settings.dt});
+  BodyId below = ground;
+  std::optional<Softness> softness;
+  if (kind == Kind::spring) softness = SpringSoftness{stiffness(settings), damping_constant(settings)};
+  for (int i = 1; i <= column_weights; ++i) {
+    const Vec2<double> place(0, rest_length * i);
+    const BodyId weight = scene.add({.position = place, .mass = settings.mass, .fixed_rotation = true});
+    scene.join<DistanceJoint>({.a = below,
+                               .b = weight,
+                               .anchor_a = {0, rest_length * (i - 1)},
+                               .anchor_b = place,
+                               .length = rest_length,
+                               .kind = kind,
+                               .softness = softness});
+    below = weight;
+  }
+  return scene;
+}
+
+std::vector<std::vector<double>> sweeps_of(Solver<double>& solver, VelocityProblem<double> problem) {
+  SweepRecorder<double> recorder;
+  solver.solve(problem, &recorder);
+  std::vector<std::vector<double>> lambdas;
+  for (const SweepRecord& sweep : recorder.sweeps()) {
+    lambdas.push_back(sweep.impulse);
+    for (double& lambda : lambdas.back()) lambda /= problem.dt;
+  }
+  return lambdas;
+}
+
+/// Of a tridiagonal A of three rows: A_12^2 / (A_11 A_22) + A_23^2 / (A_22 A_33) (D. M. Young, 1954: the
+/// square of what Jacobi keeps).
+double rate_by_formula(const Matrix<double>& A) {
+  return A(0, 1) * A(0, 1) / (A(0, 0) * A(1, 1)) + A(1, 2) * A(1, 2) / (A(1, 1) * A(2, 2));
+}
+
+ColumnRun run_column(const SoftSettings& settings, Kind kind) {
+  const World<double> world(column_scene(settings, kind));
+  const VelocityProblem<double> problem = world.velocity_problem();
+  const SystemMatrices<double> system = system_matrices(problem);
+  ColumnRun run{.gamma = problem.rows[0].softness, .A = system.A};
+  const Vector<double> exact = system.A.ldlt().solve(system.b);
+  run.exact.assign(exact.begin(), exact.end());
+  ProjectedGaussSeidel<double> pgs({.iterations = column_sweeps});
+  SequentialImpulse<double> si({.iterations = column_sweeps});
+  run.by_pgs = sweeps_of(pgs, problem);
+  run.by_si = sweeps_of(si, problem);
+  for (const std::vector<double>& lambda : run.by_si) {
+    double error = 0;
+    for (std::size_t i = 0; i < lambda.size(); ++i)
+      error = std::max(error, std::abs(lambda[i] - run.exact[i]));
+    run.error.push_back(error / exact.lpNorm<Eigen::Infinity>());
+  }
+  run.rate = rate_by_formula(run.A);
+  return run;
+}
+
+/// The larger absolute value of the two numbers with this sum and product.
+double larger_root(double sum, double product) {
+  const std::complex<double> root = std::sqrt(std::complex<double>(sum * sum / 4 - product));
+  return std::max(std::abs(sum / 2 + root), std::abs(sum / 2 - root));
+}
+
+Growth growth_at(double frequency, const SoftSettings& settings) {
+  const double z = angular_frequency(frequency) * settings.dt;
+  const double resisting = 1 + 2 * settings.damping * z + z * z;
+  return {.frequency = frequency,
+          .row = larger_root(2 * (1 + settings.damping * z) / resisting, 1 / resisting),
+          .force = larger_root(2 - 2 * settings.damping * z - z * z, 1 - 2 * settings.damping * z)};
+}
+
+}  // namespace
+
+double angular_frequency(double frequency) { return 2 * pi * frequency; }
+
+double stiffness(const SoftSettings& settings) {
+  const double w = angular_frequency(settings.frequency);
+  return settings.mass * w * w;
+}
+
+double damping_constant(const SoftSettings& settings) {
+  return 2 * settings.mass * settings.damping * angular_frequency(settings.frequency);
+}
+
+double exact_error(const SoftSettings& settings, double t) {
+  const double w = angular_frequency(settings.frequency);
+  const double rest = -gravity / (w * w);
+  const double begin = -settings.pressed - rest;
+  const std::complex<double> root = std::sqrt(std::complex<double>(settings.damping * settings.damping - 1));
+  if (std::abs(root) < 1e-6) return rest + begin * (1 + w * t) * std::exp(-w * t);
+  const std::complex<double> slow = w * (root - settings.damping);
+  const std::complex<double> fast = -w * (root + settings.damping);
+  const std::complex<double> swing = (slow * std::exp(fast * t) - fast * std::exp(slow * t)) / (slow - fast);
+  return rest + begin * swing.real();
+}
+
+std::vector<double> by_row(const SoftSettings& settings, int steps) {
+  const double w = angular_frequency(settings.frequency);
+  const double h = settings.dt;
+  double v = 0;
+  std::vector<double> error = {-settings.pressed};
+  for (int step = 0; step < steps; ++step) {
+    const double pull = gravity + w * w * error.back();
+    v = (v - h * pull) / (1 + 2 * settings.damping * w * h + w * w * h * h);
+    error.push_back(error.back() + h * v);
+  }
+  return error;
+}
+
+std::vector<double> by_force(const SoftSettings& settings, int steps) {
+  const double w = angular_frequency(settings.frequency);
+  double v = 0;
+  std::vector<double> error = {-settings.pressed};
+  for (int step = 0; step < steps; ++step) {
+    v -= settings.dt * (gravity + w * w * error.back() + 2 * settings.damping * w * v);
+    error.push_back(error.back() + settings.dt * v);
+  }
+  return error;
+}
+
+double swing_energy(const SoftSettings& settings, double error, double speed) {
+  const double k = stiffness(settings);
+  const double out = error + settings.mass * gravity / k;
+  return (settings.mass * speed * speed + k * out * out) / 2;
+}
+
+SoftRuns run_soft(const SoftSettings& settings) {
+  SoftRuns all{.settings = settings};
+  const int steps = steps_in(seconds, settings.dt);
+  all.spring = run_weight(settings, Kind::spring, 0, steps);
+  all.rigid = run_weight(settings, Kind::rod, all.spring.beta, steps);
+  run_to_rest(all);
+  all.stiff = run_stiff(settings);
+  all.rigid_column = run_column(settings, Kind::rod);
+  all.soft_column = run_column(settings, Kind::spring);
+  for (int i = 0; i <= 60; ++i) all.growth.push_back(growth_at(0.1 * std::pow(10, i / 20.0), settings));
+  SoftSettings harsh = settings;
+  harsh.frequency = harsh_hertz;
+  harsh.dt = harsh_dt;
+  all.harsh_row = run_weight(harsh, Kind::spring, 0, harsh_steps).error;
+  all.harsh_force = by_force(harsh, harsh_steps);
+  return all;
+}
+
+}  // namespace cairn::soft

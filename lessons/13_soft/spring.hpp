@@ -1,0 +1,106 @@
+// A weight that stands on a soft row, on a rigid row with the same beta, and on a spring that is a force; and
+// three weights on three soft rows.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cairn.hpp"
+
+namespace cairn::soft {
+
+inline constexpr double gravity = 10;        // [m/s^2]
+inline constexpr double rest_length = 1;     // [m] of a spring without load
+inline constexpr double half_height = 0.15;  // [m] of the weight, which stands on the spring's end
+inline constexpr double seconds = 1.5;       // that the weight is followed
+inline constexpr int column_weights = 3;     // one upon the other, each on a spring of its own
+inline constexpr int column_sweeps = 12;     // of one step
+inline constexpr double harsh_hertz = 100;   // a spring that no step of harsh_dt can follow
+inline constexpr double harsh_dt = 0.05;     // [s]
+inline constexpr int harsh_steps = 20;
+
+struct SoftSettings {
+  double frequency = 2;  // f [Hz]
+  double damping = 0.5;  // zeta, the ratio: 1 is the fastest return without overshoot
+  double dt = 0.02;      // [s]
+  double mass = 1;       // [kg]
+  double pressed = 0.2;  // [m] by which the spring is pressed together at the start
+};
+
+/// What (22) has to know of one step, and its answer.
+struct StepRow {
+  double zeta = 0;    // [m/s] of the row
+  double free = 0;    // [m/s] j v with gravity, before the row has acted
+  double lambda = 0;  // [N] upwards
+};
+
+/// A weight on one row. Index: the step; 0 is the start. rows[0] is empty.
+struct WeightRun {
+  double gamma = 0;  // [1/kg]
+  double beta = 0;   // rate times dt
+  std::vector<Snapshot> steps = {};
+  std::vector<double> error = {};  // C [m]: length less rest_length, negative where pressed
+  std::vector<double> speed = {};  // [m/s] upwards
+  std::vector<StepRow> rows = {};
+};
+
+/// One stiffness after the other, at the same dt, damping ratio and mass.
+struct StiffRun {
+  double frequency = 0;  // [Hz]
+  double gamma = 0;      // [1/kg]
+  double beta = 0;
+  double sag = 0;                  // [m] at rest, by m g / k
+  std::vector<double> error = {};  // C [m] after each step
+};
+
+/// Three weights, one step, one lambda per spring [N]. Index 0 of lambdas: before the first sweep.
+struct ColumnRun {
+  double gamma = 0;  // [1/kg] 0: three rigid rows
+  Matrix<double> A = {};
+  std::vector<double> exact = {};
+  std::vector<std::vector<double>> by_pgs = {};  // after each sweep
+  std::vector<std::vector<double>> by_si = {};
+  std::vector<double> error = {};  // of SI after each sweep, over the largest exact lambda
+  double rate = 0;                 // by formula: what a sweep leaves of the error
+};
+
+/// How much a step enlarges a swing, at most, and what twenty steps made of it.
+struct Growth {
+  double frequency = 0;  // [Hz]
+  double row = 0;        // by formula, of a soft row
+  double force = 0;      // by formula, of a force -k C - c v in the step of lesson 00
+};
+
+struct SoftRuns {
+  SoftSettings settings = {};
+  WeightRun spring = {};   // the soft row
+  WeightRun rigid = {};    // a rod with beta of the soft row
+  double rest_error = 0;   // C [m] of the soft row once it has come to rest
+  double rest_lambda = 0;  // [N] there
+  std::vector<StiffRun> stiff = {};
+  ColumnRun rigid_column = {};
+  ColumnRun soft_column = {};
+  std::vector<Growth> growth = {};
+  std::vector<double> harsh_row = {};    // C [m], harsh_hertz at harsh_dt, step by step, by the engine
+  std::vector<double> harsh_force = {};  // the same as a force
+};
+
+SoftRuns run_soft(const SoftSettings& settings);
+
+/// 2 pi f [rad/s], m w^2 [N/m], 2 m zeta w [N s/m].
+double angular_frequency(double frequency);
+double stiffness(const SoftSettings& settings);
+double damping_constant(const SoftSettings& settings);
+
+/// C [m] at time t of the same spring with no steps at all, begun at rest and pressed by settings.pressed.
+double exact_error(const SoftSettings& settings, double t);
+
+/// C [m] after each of `steps` steps: implicit Euler, the formula of src/constraints/softness.hpp, and a
+/// force taken at the beginning of the step.
+std::vector<double> by_row(const SoftSettings& settings, int steps);
+std::vector<double> by_force(const SoftSettings& settings, int steps);
+
+/// The energy of swinging about the place of rest [J], from C and speed.
+double swing_energy(const SoftSettings& settings, double error, double speed);
+
+}  // namespace cairn::soft

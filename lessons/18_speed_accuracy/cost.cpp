@@ -1,0 +1,234 @@
+// The tower as rows, the solvers on it, and what theory says about them.
+#include "cost.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace cairn::cost {
+
+namespace {
+
+double error_of(const std::vector<double>& lambda, const std::vector<double>& exact) {
+  double error = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) error = std::max(error, std::abs(lambda[i] - exact[i]));
+  return error / exact[0];
+}
+
+/// Writes a curve while a solver works.
+template <typename Real>
+class CurveObserver final : public SolveObserver<Real> {
+ public:
+  CurveObserver(Curve& curve, double least) : curve_(curve), least_(least) {}
+  void before_solve(const VelocityProblem<Real>& problem) override {
+    exact_ = exact_lambda(problem.row_count());
+    look(problem);
+  }
+  void after_sweep(int, const VelocityProblem<Real>& problem) override {
+    if (curve_.error.back() > least_) look(problem);
+  }
+
+ private:
+  void look(const VelocityProblem<Real>& problem) {
+    std::vector<double> lambda;
+    for (const Real impulse : problem.impulse) lambda.push_back(static_cast<double>(impulse) / time_step);
+    curve_.error.push_back(error_of(lambda, exact_));
+    if (curve_.lambda.size() <= kept_sweeps) curve_.lambda.push_back(lambda);
+  }
+  Curve& curve_;
+  double least_;
+  std::vector<double> exact_ = {};
+};
+
+/// Sweeps until least_error, and some: a rate multiplies by itself, SOR's for a while a little more slowly.
+int enough_sweeps(double rate) {
+  return 200 + static_cast<int>(1.5 * std::log(least_error / 100) / std::log(rate));
+}
+
+template <typename Real>
+void draw_curve(Solver<Real>& solver, const VelocityProblem<double>& problem, double least, Curve& curve) {
+  CurveObserver<Real> observer(curve, least);
+  VelocityProblem<Real> copy = converted<Real>(problem);
+  solver.solve(copy, &observer);
+}
+
+std::vector<Curve> draw_curves(int boxes, double omega) {
+  const VelocityProblem<double> problem = tower_problem(boxes);
+  const double cosine = jacobi_rate(boxes);
+  std::vector<Curve> curves = {
+      {.name = "SI", .work = 12.0 * boxes, .rate = cosine * cosine},
+      {.name = "Jacobi, half steps", .work = 12.0 * boxes, .rate = (1 + cosine) / 2},
+      {.name = fmt::format("SOR, ω = {:.4g}", omega), .work = 13.0 * boxes, .rate = sor_rate(boxes, omega)},
+      {.name = "SI with momentum", .work = 24.0 * boxes}};
+  SequentialImpulse<double> si({.iterations = enough_sweeps(curves[si_curve].rate)});
+  Jacobi<double> jacobi({.iterations = enough_sweeps(curves[jacobi_curve].rate), .relaxation = 0.5});
+  SequentialImpulse<double> sor(
+      {.iterations = std::min(enough_sweeps(curves[sor_curve].rate), 50000), .relaxation = omega});
+  AcceleratedProjectedGaussSeidel<double> accelerated({.iterations = 200 + 60 * boxes});
+  draw_curve<double>(si, problem, least_error, curves[si_curve]);
+  draw_curve<double>(jacobi, problem, least_error, curves[jacobi_curve]);
+  draw_curve<double>(sor, problem, least_error, curves[sor_curve]);
+  draw_curve<double>(accelerated, problem, least_error, curves[accelerated_curve]);
+  return curves;
+}
+
+SizeCost cost_of(int boxes) {
+  const VelocityProblem<double> problem = tower_problem(boxes);
+  const int sweeps = 2 * boxes * boxes + 20;
+  Curve si;
+  Curve sor;
+  SequentialImpulse<double> plain({.iterations = sweeps});
+  SequentialImpulse<double> relaxed({.iterations = sweeps, .relaxation = best_relaxation(boxes)});
+  draw_curve<double>(plain, problem, 0.01, si);
+  draw_curve<double>(relaxed, problem, 0.01, sor);
+  const std::vector<double> by_hand = errors_by_hand(boxes, 1, sweeps);
+  const auto first = std::find_if(by_hand.begin(), by_hand.end(), [](double e) { return e <= 0.01; });
+  return {.boxes = boxes,
+          .si = sweeps_to(si, 0.01),
+          .sor = sweeps_to(sor, 0.01),
+          .by_hand = static_cast<int>(first - by_hand.begin())};
+}
+
+/// A step after the other; boxes stay where they are, as their overlaps ask for nothing (β = 0).
+std::vector<double> follow_frames(const CostSettings& settings, bool is_warm) {
+  VelocityProblem<double> problem = tower_problem(settings.boxes);
+  const std::vector<double> exact = exact_lambda(settings.boxes);
+  SequentialImpulse<double> solver({.iterations = settings.sweeps});
+  std::vector<double> errors = {1};
+  for (int frame = 1; frame <= frames; ++frame) {
+    if (!is_warm) std::fill(problem.impulse.begin(), problem.impulse.end(), 0.0);
+    solver.solve(problem);
+    std::vector<double> lambda;
+    for (const double impulse : problem.impulse) lambda.push_back(impulse / time_step);
+    errors.push_back(error_of(lambda, exact));
+    for (std::size_t i = 1; i < problem.velocity.size(); ++i) problem.velocity[i].y() -= gravity * time_step;
+  }
+  return errors;
+}
+
+Matrix<double> tower_matrix(int boxes) {
+  Matrix<double> A = Matrix<double>::Zero(boxes, boxes);
+  for (int i = 0; i < boxes; ++i) {
+    A(i, i) = i == 0 ? 1 : 2;
+    if (i > 0) A(i, i - 1) = A(i - 1, i) = -1;
+  }
+  return A;
+}
+
+}  // namespace
+
+VelocityProblem<double> tower_problem(int boxes) {
+  const auto n = static_cast<std::size_t>(boxes);
+  VelocityProblem<double> problem;
+  problem.dt = time_step;
+  problem.inverse_mass.assign(n + 1, {1, 1, 6});  // of a unit box of 1 kg
+  problem.inverse_mass[0] = {0, 0, 0};            // the ground
+  problem.velocity.assign(n + 1, {0, -gravity * time_step, 0});
+  problem.velocity[0] = {0, 0, 0};
+  problem.impulse.assign(n, 0.0);
+  for (int i = 0; i < boxes; ++i) {
+    ConstraintRow<double> row;
+    row.a = {i};
+    row.b = {i + 1};
+    row.jacobian_a = {0, -1, 0};
+    row.jacobian_b = {0, 1, 0};
+    row.bounds = Bounds<double>::unilateral();
+    row.key = {.source = static_cast<std::uint64_t>(i)};
+    problem.blocks.push_back({i, 1});
+    problem.rows.push_back(row);
+  }
+  return problem;
+}
+
+std::vector<double> exact_lambda(int boxes) {
+  std::vector<double> exact;
+  for (int i = 0; i < boxes; ++i) exact.push_back((boxes - i) * gravity);
+  return exact;
+}
+
+int sweeps_to(const Curve& curve, double error) {
+  for (std::size_t k = 0; k < curve.error.size(); ++k) {
+    if (curve.error[k] <= error) return static_cast<int>(k);
+  }
+  return -1;
+}
+
+double sweeps_per_digit(const Curve& curve) { return std::log(10) / -std::log(curve.rate); }
+
+double jacobi_rate(int boxes) { return std::cos(pi / (2 * boxes)); }
+
+double best_relaxation(int boxes) { return 2 / (1 + std::sin(pi / (2 * boxes))); }
+
+double sor_rate(int boxes, double omega) {
+  if (omega >= best_relaxation(boxes)) return omega - 1;
+  // lambda of (lambda + omega - 1)^2 = lambda omega^2 cos^2(pi / 2n); the larger.
+  const double half = omega * jacobi_rate(boxes) / 2;
+  const double root = half + std::sqrt(std::max(0.0, half * half - omega + 1));
+  return root * root;
+}
+
+double sor_rate_by_matrix(int boxes, double omega) {
+  const Matrix<double> A = tower_matrix(boxes);
+  const Matrix<double> D = A.diagonal().asDiagonal();
+  const Matrix<double> lower = A.triangularView<Eigen::StrictlyLower>();
+  const Matrix<double> left = D + omega * lower;
+  const Matrix<double> sweep = Matrix<double>::Identity(boxes, boxes) - omega * left.partialPivLu().solve(A);
+  return Eigen::EigenSolver<Matrix<double>>(sweep, false).eigenvalues().cwiseAbs().maxCoeff();
+}
+
+std::vector<double> errors_by_hand(int boxes, double omega, int sweeps) {
+  const auto n = static_cast<std::size_t>(boxes);
+  const std::vector<double> exact = exact_lambda(boxes);
+  std::vector<double> lambda(n, 0.0);
+  std::vector<double> errors = {error_of(lambda, exact)};
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (std::size_t i = 0; i < n; ++i) {
+      double left = (i == 0 ? gravity : 0) - (i == 0 ? 1 : 2) * lambda[i];
+      if (i > 0) left += lambda[i - 1];
+      if (i + 1 < n) left += lambda[i + 1];
+      lambda[i] = std::max(0.0, lambda[i] + omega * left / (i == 0 ? 1 : 2));
+    }
+    errors.push_back(error_of(lambda, exact));
+  }
+  return errors;
+}
+
+double error_energy(const std::vector<double>& lambda) {
+  const std::vector<double> exact = exact_lambda(static_cast<int>(lambda.size()));
+  double energy = 0;
+  double above = 0;
+  for (std::size_t i = lambda.size(); i-- > 0;) {
+    const double error = (lambda[i] - exact[i]) * time_step;  // [N s]
+    energy += (error - above) * (error - above) / 2;          // of box i, which is pushed from both sides
+    above = error;
+  }
+  return energy;
+}
+
+CostRun run_cost(const CostSettings& settings) {
+  CostRun run{.settings = settings};
+  run.best_omega = best_relaxation(settings.boxes);
+  run.omega = settings.omega > 0 ? settings.omega : run.best_omega;
+  run.curves = draw_curves(settings.boxes, run.omega);
+  const VelocityProblem<double> problem = tower_problem(settings.boxes);
+  const int sweeps = static_cast<int>(1.4 * static_cast<double>(run.curves[si_curve].error.size()));
+  ProjectedGaussSeidel<double> pgs({.iterations = sweeps});
+  SequentialImpulse<float> single({.iterations = sweeps});
+  draw_curve<double>(pgs, problem, 0, run.pgs);
+  draw_curve<float>(single, problem, 0, run.single);
+  for (const int boxes : tower_sizes) run.sizes.push_back(cost_of(boxes));
+  run.frames = {.warm = follow_frames(settings, true), .cold = follow_frames(settings, false)};
+  run.times = measure_times();
+  run.non_zeros = coupled_pairs(problem);
+  Scene scene;
+  scene.add_ground();
+  for (int i = 0; i < settings.boxes; ++i)
+    scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1});
+  run.tower = snapshot(World(scene));
+  return run;
+}
+
+}  // namespace cairn::cost

@@ -1,0 +1,264 @@
+// Errors against sweeps, work and time; tower sizes, precision, warm starts.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pictures.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::cost {
+
+namespace {
+
+using render::AxisScale;
+using render::fixed;
+using render::Page;
+using render::Rect;
+
+/// Every error of a curve against `unit` times its sweep; sparsely, as the axis is logarithmic.
+render::Series against(const Page& page, const CostRun& run, std::size_t which, double unit) {
+  render::Series series{.name = short_name(run, which), .style = style_of(page, which)};
+  const Curve& curve = run.curves[which];
+  double next = 1;
+  for (std::size_t k = 1; k < curve.error.size(); ++k) {
+    if (static_cast<double>(k) < next && k + 1 < curve.error.size()) continue;
+    next = std::max(static_cast<double>(k) + 1, static_cast<double>(k) * 1.03);
+    series.x.push_back(unit * static_cast<double>(k));
+    series.y.push_back(std::max(curve.error[k], least_error));
+  }
+  return series;
+}
+
+/// A chart with a note beside it, or below it where there is little room.
+std::vector<Rect> chart_and_note(const Page& page) {
+  if (page.compact()) return rows(page.area(), {0.76, 0.24}, page.sizes().gap);
+  return columns(page.area(), {0.64, 0.36}, page.sizes().gap);
+}
+
+render::Axis error_axis() {
+  return {.title = "", .scale = AxisScale::logarithmic, .min = least_error, .max = 2};
+}
+
+void draw_digits(Page& page, const CostRun& run) {
+  const std::vector<Rect> halves = columns(page.area(), {1, 1}, page.sizes().gap);
+  render::Plot sweeps{.title = page.compact() ? "error against sweeps" : "error of λ against sweeps"};
+  sweeps.x = {.title = "sweeps", .scale = AxisScale::logarithmic, .min = 1};
+  sweeps.y = error_axis();
+  render::Plot work{.title =
+                        page.compact() ? "error against multiply-adds" : "error of λ against multiply-adds"};
+  work.x = {.title = "multiply-adds", .scale = AxisScale::logarithmic, .min = 100};
+  work.y = error_axis();
+  for (std::size_t which = 0; which < run.curves.size(); ++which) {
+    sweeps.series.push_back(against(page, run, which, 1));
+    work.series.push_back(against(page, run, which, run.curves[which].work));
+  }
+  draw_plot(page, halves[0], sweeps);
+  const double n = run.settings.boxes;
+  work.cursor = n * n * n / 3 + n * n;
+  work.labels.push_back({*work.cursor, 1e-10, "elimination"});
+  draw_plot(page, halves[1], work);
+}
+
+void draw_sizes(Page& page, const CostRun& run) {
+  const std::vector<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
+  render::Plot plot{.title = "sweeps until 1 % is left"};
+  plot.x = {.title = "boxes", .scale = AxisScale::logarithmic, .min = 2, .max = 30};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1, .max = 3000};
+  render::Series square{.name = "1.78 n²", .style = page.theme().exact, .markers = false};
+  square.style.marker = render::Marker::none;
+  for (const double n : {2.0, 30.0}) {
+    square.x.push_back(n);
+    square.y.push_back(1.78 * n * n);
+  }
+  render::Series si{.name = "SI", .style = style_of(page, si_curve)};
+  render::Series sor{.name = "best ω", .style = style_of(page, sor_curve)};
+  render::TableView table{.header = {"boxes", "SI", "best ω", "ratio"}};
+  for (const SizeCost& size : run.sizes) {
+    si.x.push_back(size.boxes);
+    si.y.push_back(size.si);
+    sor.x.push_back(size.boxes);
+    sor.y.push_back(size.sor);
+    table.rows.push_back({fmt::format("{}", size.boxes), fmt::format("{}", size.si),
+                          fmt::format("{}", size.sor), fixed(static_cast<double>(size.si) / size.sor, 1)});
+  }
+  plot.series = {square, si, sor};
+  draw_plot(page, halves[0], plot);
+  const std::vector<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  page.table(right[0], "sweeps until 1 % is left", table);
+  page.note(right[1], "The scene decides",
+            page.compact()
+                ? "Twice as many boxes: four times the sweeps for SI, twice with the best ω."
+                : "A sweep hands loads on from box to box. Twice as many boxes take four times the sweeps, "
+                  "and each of these has twice the rows. With the best ω it is twice the sweeps; but who "
+                  "knows the best ω of a pile?");
+}
+
+void draw_precision(Page& page, const CostRun& run) {
+  const std::vector<Rect> halves = chart_and_note(page);
+  render::Plot plot{.title = "error of λ, sweep by sweep"};
+  plot.x = {.title = "sweep", .min = 0, .max = static_cast<double>(run.pgs.error.size())};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-15, .max = 2};
+  const auto add = [&](const std::string& name, const Curve& curve, const render::SeriesStyle& style) {
+    render::Series series{.name = name, .style = style};
+    const std::size_t stride = std::max<std::size_t>(1, curve.error.size() / 400);
+    for (std::size_t k = 0; k < curve.error.size(); k += stride) {
+      series.x.push_back(static_cast<double>(k));
+      series.y.push_back(std::max(curve.error[k], 1e-16));
+    }
+    plot.series.push_back(series);
+  };
+  add("float", run.single, page.theme().si);
+  add("double", run.pgs, page.theme().pgs);
+  draw_plot(page, halves[0], plot);
+  const std::string least = render::significant(run.single.error.back(), 2);
+  page.note(halves[1], "The last digits",
+            page.compact()
+                ? fmt::format("In float the digits end at {}, and sweeps after that are lost.", least)
+                : fmt::format(
+                      "Both lose the same share of the error in every sweep. In float the digits end at {}: "
+                      "each sweep rounds, and the rounding of a load goes on through the tower as any other "
+                      "error does. That is far below what a game asks for; sweeps after that are lost.",
+                      least));
+}
+
+void draw_frames(Page& page, const CostRun& run) {
+  const std::vector<Rect> halves = chart_and_note(page);
+  render::Plot plot{.title = fmt::format("error of λ after each step, {} sweep{} a step", run.settings.sweeps,
+                                         run.settings.sweeps == 1 ? "" : "s")};
+  plot.x = {.title = "step", .min = 0, .max = frames};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-4, .max = 2};
+  const auto add = [&](const std::string& name, const std::vector<double>& error,
+                       const render::SeriesStyle& style) {
+    render::Series series{.name = name, .style = style};
+    for (std::size_t k = 0; k < error.size(); ++k) {
+      series.x.push_back(static_cast<double>(k));
+      series.y.push_back(error[k]);
+    }
+    plot.series.push_back(series);
+  };
+  add("warm", run.frames.warm, page.theme().si);
+  render::SeriesStyle cold = page.theme().si;
+  cold.dash = {2, 5};
+  cold.marker = render::Marker::diamond;
+  add("cold", run.frames.cold, cold);
+  plot.goals.push_back({0.01, "1 %"});
+  draw_plot(page, halves[0], plot);
+  page.note(halves[1], "Spread over steps",
+            page.compact()
+                ? "A warm start pays for a digit in parts. Until then the tower sinks a little."
+                : "Each step begins with what the last one has found, so that a digit is paid for in "
+                  "parts. The price is time: the steps before have left the boxes a speed, and the load "
+                  "swings about the right one.\n\nCold, the load comes right only because the boxes fall "
+                  "fast enough.");
+}
+
+void draw_updates(Page& page, const CostRun& run) {
+  const std::vector<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  render::Plot plot{.title =
+                        page.compact() ? "ns for a row update" : "time of one row update (ns), this machine"};
+  plot.x = {.title = "rows", .scale = AxisScale::logarithmic, .min = 8, .max = 250};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 5};
+  const render::Color color = page.theme().pgs.color;
+  const std::array<std::pair<std::size_t, render::SeriesStyle>, 4> chosen = {
+      {{si_time, page.theme().si},
+       {sparse_time, {color, {2, 5}, render::Marker::diamond}},
+       {dense_time, page.theme().pgs},
+       {naive_time, {color, {10, 5, 2, 5}, render::Marker::triangle}}}};
+  for (const auto& one : chosen) {
+    const SolverTime& time = run.times[one.first];
+    render::Series series{.name = time.name, .style = one.second};
+    for (std::size_t k = 0; k < timed_rows.size(); ++k) {
+      series.x.push_back(timed_rows[k]);
+      series.y.push_back(time.nanoseconds[k]);
+    }
+    plot.series.push_back(series);
+  }
+  draw_plot(page, halves[0], plot);
+  render::TableView table{.header = {"ns", "10 rows", "50", "200"}};
+  if (page.compact()) table.header = {"ns", "10 rows", "200"};
+  for (const SolverTime& time : run.times) {
+    table.rows.push_back({time.name});
+    for (std::size_t k = 0; k < timed_rows.size(); ++k) {
+      if (page.compact() && k == 1) continue;
+      const double nanoseconds = time.nanoseconds[k];
+      table.rows.back().push_back(fixed(nanoseconds, nanoseconds < 100 ? 1 : 0));
+    }
+  }
+  if (page.compact()) {
+    page.table(halves[1], "", table);
+    return;
+  }
+  const std::vector<Rect> right = rows(halves[1], {0.64, 0.36}, page.sizes().gap);
+  page.table(right[0], "one row update of a tower, preparation included", table);
+  page.note(
+      right[1], "The machine",
+      "A row of a dense A has as many entries as there are rows, and naive PGS computes all velocities "
+      "for each λ: both grow with the tower. The last line knows this tower by heart and looks nothing up.");
+}
+
+void draw_clock(Page& page, const CostRun& run) {
+  const double top = page.compact() ? 0.7 : 0.74;
+  const std::vector<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
+  render::Plot plot{.title = "error of λ against time (µs), this machine"};
+  plot.x = {.title = "µs", .scale = AxisScale::logarithmic};
+  plot.y = error_axis();
+  const std::array<std::size_t, 4> clock = {si_time, jacobi_time, si_time, accelerated_time};
+  const std::size_t size = run.settings.boxes > 20 ? 1 : 0;
+  for (std::size_t which = 0; which < run.curves.size(); ++which) {
+    const double sweep = 1e-3 * run.times[clock[which]].nanoseconds[size] * run.settings.boxes;
+    plot.series.push_back(against(page, run, which, sweep));
+  }
+  draw_plot(page, parts[0], plot);
+  const double factor = run.times[accelerated_time].nanoseconds[size] / run.times[si_time].nanoseconds[size];
+  page.note(parts[1], "Which is the fastest?",
+            page.compact()
+                ? fmt::format("A sweep with momentum takes {} times as long. Does it pay?", fixed(factor, 1))
+                : fmt::format(
+                      "A sweep with momentum takes {} times as long as one of SI. Whether that pays depends "
+                      "on the digits that are asked for, and on the tower: look where curves cross.",
+                      fixed(factor, 1)));
+}
+
+}  // namespace
+
+std::vector<Shot> digit_shots(const Runs& run) {
+  return {
+      {.state = "sweeps, and work",
+       .alt = "Errors of four solvers against sweeps and against multiply-adds: SI and Jacobi creep, SOR and "
+              "momentum fall.",
+       .draw = [run](Page& page) { draw_digits(page, *run); },
+       .key = true},
+      {.state = "3, 5, 10, 20 boxes",
+       .alt =
+           "Sweeps until 1 % is left against the number of boxes: SI's grow like its square, those with the "
+           "best ω like the number.",
+       .draw = [run](Page& page) { draw_sizes(page, *run); },
+       .key = true},
+      {.state = "float, double",
+       .alt = fmt::format("Errors of SI in float and in double, sweep by sweep: float ends at {:.1e}.",
+                          run->single.error.back()),
+       .draw = [run](Page& page) { draw_precision(page, *run); },
+       .key = true},
+      {.state = "step after step",
+       .alt = "Errors after each of 50 steps, warm and cold, with few sweeps a step.",
+       .draw = [run](Page& page) { draw_frames(page, *run); },
+       .key = true}};
+}
+
+std::vector<Shot> clock_shots(const Runs& run) {
+  return {
+      {.state = "time of a row update",
+       .alt =
+           "Time of one row update against the number of rows: the same for SI and sparse PGS at any size, "
+           "growing with the rows for dense and naive PGS.",
+       .draw = [run](Page& page) { draw_updates(page, *run); },
+       .key = true},
+      {.state = "error against time",
+       .alt = "Errors of four solvers against the time that they take on this machine.",
+       .draw = [run](Page& page) { draw_clock(page, *run); },
+       .key = true}};
+}
+
+}  // namespace cairn::cost

@@ -1,0 +1,207 @@
+// The tower and its loads, sweep by sweep under four solvers; the question, and the answer.
+#include "pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/draw.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::cost {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Point;
+using render::Rect;
+
+const std::array<int, 8> shown = {1, 2, 5, 10, 20, 50, 100, 200};
+
+const std::vector<double>& lambda_after(const Curve& curve, int sweep) {
+  return curve.lambda[std::min(static_cast<std::size_t>(sweep), curve.lambda.size() - 1)];
+}
+
+double error_after(const Curve& curve, int sweep) {
+  return curve.error[std::min(static_cast<std::size_t>(sweep), curve.error.size() - 1)];
+}
+
+std::string error_text(double error) {
+  if (error <= least_error) return "< 10^{−12}";
+  return error > 5e-4 ? fixed(100 * error, 1) + " %" : render::significant(error, 2);
+}
+
+/// The tower; beside each box what it is given after so many sweeps of SI, and a tick at what it should be.
+void draw_tower(Page& page, const Rect& rect, const CostRun& run, int sweep) {
+  const Curve& curve = run.curves[si_curve];
+  const std::vector<double>& lambda = lambda_after(curve, sweep);
+  const std::vector<double> exact = exact_lambda(run.settings.boxes);
+  const Rect inside = page.panel(rect, fmt::format("λ after {} sweeps of SI, tick: exact", sweep));
+  const double n = run.settings.boxes;
+  render::Camera camera = render::fit(inside, {{-0.8, -0.4}, {0.8, n + 0.2}});
+  camera.center.x() = 0.5 * inside.width / camera.scale - 0.8;  // the tower at the left
+  render::WorldLook look;
+  look.contacts = false;
+  look.penetration = false;
+  look.numbers = camera.scale >= 20;  // or those of two digits would be missing
+  draw_world(page, camera, run.tower, look);
+  const double left = camera.project({0.5, 0}).x() + 14;
+  const double right = inside.x + inside.width - 4;
+  const double thickness = std::clamp(0.42 * camera.scale, 2.0, 12.0);
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const double y = camera.project({0, static_cast<double>(i) + 0.5}).y();
+    const double per_newton = (right - left) / exact[0];
+    page.canvas().rect(
+        {left, y - thickness / 2, lambda[i] * per_newton, thickness},
+        {.fill = style_of(page, si_curve).color, .outline = page.theme().outline, .outline_width = 1});
+    const double tick = left + exact[i] * per_newton;
+    page.canvas().line({tick, y - thickness}, {tick, y + thickness},
+                       {.width = 2, .color = page.theme().exact.color});
+  }
+}
+
+void draw_loads(Page& page, const Rect& rect, const CostRun& run, std::size_t which, int sweep) {
+  const Curve& curve = run.curves[which];
+  const std::vector<double>& lambda = lambda_after(curve, sweep);
+  const std::vector<double> exact = exact_lambda(run.settings.boxes);
+  const Rect inside = page.panel(rect, short_name(run, which));
+  page.canvas().rect({rect.x, rect.y, rect.width, 4}, {.fill = style_of(page, which).color});
+  const double line = page.value().size * 1.5;
+  const double pitch = (inside.height - line) / static_cast<double>(exact.size());
+  const double per_newton = (inside.width - 8) / (1.15 * exact[0]);
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const double top = inside.y + line + pitch * static_cast<double>(exact.size() - 1 - i);
+    const double width = std::min(lambda[i] * per_newton, inside.width);
+    page.canvas().rect(
+        {inside.x, top + 0.2 * pitch, width, 0.6 * pitch},
+        {.fill = style_of(page, which).color, .outline = page.theme().outline, .outline_width = 1});
+    const double tick = inside.x + exact[i] * per_newton;
+    page.canvas().line({tick, top + 0.05 * pitch}, {tick, top + 0.95 * pitch},
+                       {.width = 2, .color = page.theme().exact.color});
+  }
+  render::TextStyle text = page.value();
+  text.align = render::Align::right;
+  page.canvas().text({inside.x + inside.width, inside.y + text.size},
+                     "off: " + error_text(error_after(curve, sweep)), text);
+}
+
+render::Series series_of(const Page& page, const CostRun& run, std::size_t which, int sweeps) {
+  render::Series series{.name = short_name(run, which), .style = style_of(page, which)};
+  const Curve& curve = run.curves[which];
+  const auto end = std::min(static_cast<std::size_t>(sweeps) + 1, curve.error.size());
+  for (std::size_t k = 0; k < end; ++k) {
+    series.x.push_back(static_cast<double>(k));
+    series.y.push_back(std::max(curve.error[k], least_error));
+  }
+  return series;
+}
+
+void draw_sweep(Page& page, const CostRun& run, int sweep) {
+  const std::vector<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const std::vector<Rect> panels = columns(parts[0], {1, 1, 1, 1}, page.sizes().gap);
+  render::Plot plot{.title = "largest error of λ, over the largest λ"};
+  plot.x = {.title = "sweep", .min = 0, .max = sweep <= 20 ? 20.0 : kept_sweeps};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-6, .max = 2};
+  for (std::size_t which = 0; which < run.curves.size(); ++which) {
+    draw_loads(page, panels[which], run, which, sweep);
+    plot.series.push_back(series_of(page, run, which, sweep));
+  }
+  plot.goals.push_back({0.01, "1 %"});
+  plot.cursor = sweep;
+  draw_plot(page, parts[1], plot);
+}
+
+Shot sweep_shot(const Runs& run, int sweep, bool key) {
+  std::string alt = fmt::format("After {} sweeps the largest error is", sweep);
+  for (std::size_t which = 0; which < run->curves.size(); ++which)
+    alt += fmt::format(" {:.2g} with {},", error_after(run->curves[which], sweep), run->curves[which].name);
+  alt.back() = '.';
+  return {.state = fmt::format("sweep {}", sweep),
+          .alt = alt,
+          .draw = [run, sweep](Page& page) { draw_sweep(page, *run, sweep); },
+          .key = key};
+}
+
+/// Tower left, SI's error right, a text below it.
+void draw_words(Page& page, const CostRun& run, int sweep, int until, std::string_view title,
+                std::string_view text) {
+  const std::vector<Rect> halves = columns(page.area(), {0.42, 0.58}, page.sizes().gap);
+  const double top = page.compact() ? 0.5 : 0.54;
+  const std::vector<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
+  draw_tower(page, halves[0], run, sweep);
+  render::Plot plot{.title = "largest error of λ, over the largest λ"};
+  plot.x = {.title = "sweep", .min = 0, .max = std::max(until, 20)};
+  plot.y = {.title = "", .min = 0, .max = 1.05};
+  plot.series.push_back(series_of(page, run, si_curve, until));
+  if (until > 20) plot.goals.push_back({0.01, "1 %"});
+  draw_plot(page, right[0], plot);
+  page.note(right[1], title, text);
+}
+
+void draw_question(Page& page, const CostRun& run) {
+  const auto whole = [](double error) {
+    return error > 0.01 ? fixed(100 * error, 0) + " %" : error_text(error);
+  };
+  const double ten = error_after(run.curves[si_curve], 10);
+  const double twenty = error_after(run.curves[si_curve], 20);
+  draw_words(
+      page, run, 10, 20, "Predict",
+      fmt::format("10 sweeps of SI leave {} of the error, 20 leave {}. Is twice the work half the error? "
+                  "How many sweeps leave 1 %?",
+                  whole(ten), whole(twenty)));
+}
+
+void draw_answer(Page& page, const CostRun& run) {
+  const Curve& si = run.curves[si_curve];
+  const int sweeps = sweeps_to(si, 0.01);
+  const int tenth = sweeps_to(si, 0.1);
+  draw_words(page, run, sweeps, sweeps, "Answer",
+             page.compact()
+                 ? fmt::format("{} sweeps. Each leaves {} of the error: {} to 10 %, {} more to 1 %.", sweeps,
+                               fixed(si.rate, 3), tenth, sweeps - tenth)
+                 : fmt::format("{} sweeps: each leaves the same {} of the error. {} to 10 %, {} more to "
+                               "1 %, and as many again for every digit after that. With the best ω it "
+                               "is {} for a digit.",
+                               sweeps, fixed(si.rate, 4), tenth, sweeps - tenth,
+                               fixed(std::log(10) / -std::log(run.best_omega - 1), 1)));
+}
+
+}  // namespace
+
+render::SeriesStyle style_of(const Page& page, std::size_t curve) {
+  if (curve == si_curve) return page.theme().si;
+  if (curve == jacobi_curve) return page.theme().jacobi;
+  if (curve == sor_curve) return page.theme().pgs;
+  return {page.theme().external, {2, 5}, render::Marker::triangle};
+}
+
+std::string short_name(const CostRun& run, std::size_t curve) {
+  if (curve == jacobi_curve) return "Jacobi ½";
+  if (curve == sor_curve) return fmt::format("ω = {}", fixed(run.omega, 2));
+  return curve == si_curve ? "SI" : "momentum";
+}
+
+std::vector<Shot> cost_shots(const CostRun& recorded) {
+  const Runs run = std::make_shared<const CostRun>(recorded);
+  std::vector<Shot> shots;
+  shots.push_back(
+      {.state = "after 10 sweeps",
+       .alt = "A tower of boxes, what SI has found of its loads after 10 sweeps, and the question.",
+       .draw = [run](Page& page) { draw_question(page, *run); },
+       .key = true});
+  for (const int sweep : shown)
+    shots.push_back(sweep_shot(run, sweep, sweep == 1 || sweep == 10 || sweep == 50 || sweep == 200));
+  for (const std::vector<Shot>& more : {digit_shots(run), clock_shots(run)})
+    shots.insert(shots.end(), more.begin(), more.end());
+  shots.push_back(
+      {.state = "answer",
+       .alt = "The tower's loads when 1 % of the error is left, SI's error until then, and the answer.",
+       .draw = [run](Page& page) { draw_answer(page, *run); },
+       .key = true});
+  return shots;
+}
+
+}  // namespace cairn::cost

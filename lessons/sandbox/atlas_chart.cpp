@@ -1,0 +1,152 @@
+// A page of the atlas: panels, axes, legend.
+#include "lessons/sandbox/atlas_chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/sandbox/atlas_cells.hpp"
+#include "math/check.hpp"
+#include "render/lint.hpp"
+#include "render/text_layout.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+using render::Align;
+using render::Rect;
+using render::TextStyle;
+
+constexpr std::size_t panels_in_a_row = 4;
+constexpr double small_type = 13;  // [px] of findings, rules and axes
+constexpr double edge = 12;        // [px] free inside a panel
+
+TextStyle small_style(const render::Page& page, Align align = Align::left) {
+  return {.size = small_type, .color = page.theme().secondary_text, .align = align};
+}
+
+TextStyle name_style(const render::Page& page) {
+  return {.size = 16, .color = page.theme().text, .bold = true};
+}
+
+/// Slots from left to right and down; the legend has what the panels leave of the last row.
+std::vector<Rect> slots(const render::Page& page, std::size_t panels) {
+  const double gap = 10, width = page.canvas().width() - 2 * page.sizes().margin;
+  const double top = page.area().y, height = page.canvas().height() - page.sizes().margin - top;
+  std::vector<Rect> all;
+  // In whole pixels, so that the same text in two panels has the same pixels, and the file stays small.
+  const double each = std::floor((width - gap * (panels_in_a_row - 1)) / panels_in_a_row);
+  const double tall = std::floor((height - gap) / 2);
+  for (std::size_t i = 0; i <= panels; ++i) {
+    const double column = static_cast<double>(i % panels_in_a_row), row = i < panels_in_a_row ? 0.0 : 1.0;
+    all.push_back({page.sizes().margin + column * (each + gap), top + row * (tall + gap), each, tall});
+  }
+  all.back().width = page.sizes().margin + width - all.back().x;
+  return all;
+}
+
+void frame_panel(render::Page& page, const Rect& rect) {
+  const Rect frame = {std::floor(rect.x) + 0.5, std::floor(rect.y) + 0.5, std::floor(rect.width) - 1,
+                      std::floor(rect.height) - 1};
+  page.canvas().rect(frame,
+                     {.fill = page.theme().panel, .outline = page.theme().frame_line, .outline_width = 1});
+}
+
+void write_x_axis(render::Page& page, const AtlasGrid& grid) {
+  const AtlasMap& map = grid.sheet.map;
+  TextStyle style = small_style(page, Align::center);
+  const double base = grid.box.y + grid.box.height + 15;
+  for (std::size_t x = 0; x < grid.columns(); ++x) {
+    const bool headline = map.reading != AtlasReading::up_to_x && x == map.headline;
+    style.bold = headline;
+    style.color = headline ? page.theme().text : page.theme().secondary_text;
+    const std::string& label = map.x.labels[x];
+    if (!label.empty()) page.canvas().text({(grid.left(x) + grid.left(x + 1)) / 2, base}, label, style);
+  }
+  page.canvas().text({grid.box.x + grid.box.width / 2, base + 18}, map.x.title,
+                     small_style(page, Align::center));
+}
+
+void write_y_axis(render::Page& page, const AtlasGrid& grid, double left) {
+  const AtlasMap& map = grid.sheet.map;
+  page.canvas().text({left, grid.box.y - 7}, grid.one_row() ? "exact: it has no sweeps" : "↑ " + map.y.title,
+                     small_style(page));
+  if (grid.one_row()) return;
+  for (std::size_t y = 0; y < grid.rows(); ++y) {
+    const double middle = (grid.top(y) + grid.top(y + 1)) / 2;
+    page.canvas().text({grid.box.x - 6, render::baseline_around(middle, small_type)}, map.y.labels[y],
+                       small_style(page, Align::right));
+  }
+}
+
+double widest_y_label(const render::Page& page, const AtlasMap& map) {
+  double width = 0;
+  for (const std::string& label : map.y.labels)
+    width = std::max(width, page.canvas().text_width(label, small_style(page)));
+  return width;
+}
+
+std::string finding_line(const AtlasSheet& sheet, std::size_t panel) {
+  const std::string finding = panel_finding(sheet, panel);
+  if (sheet.map.reading == AtlasReading::up_to_x) return finding;
+  return shortest(sheet.map.x.values[sheet.map.headline]) + ": " + finding;
+}
+
+void draw_panel(render::Page& page, const AtlasSheet& sheet, std::size_t panel, const Rect& rect) {
+  frame_panel(page, rect);
+  render::Canvas& canvas = page.canvas();
+  const double left = rect.x + edge, width = rect.width - 2 * edge;
+  canvas.text({left, rect.y + 24}, sheet.map.panels[panel].title, name_style(page));
+  const std::string finding = finding_line(sheet, panel);
+  const TextStyle style = small_style(page);
+  double base = rect.y + 44;
+  for (const std::string& line : render::wrapped(canvas, finding, width, style)) {
+    canvas.text({left, base}, line, style);
+    base += 17;
+  }
+  const double top = std::round(base + 11), beside = std::ceil(widest_y_label(page, sheet.map)) + 8;
+  const double columns = static_cast<double>(sheet.map.x.values.size());
+  const double wide = columns * std::floor((width - beside) / columns);
+  const AtlasGrid grid{sheet, panel, {left + beside, top, wide, rect.y + rect.height - 44 - top}};
+  draw_atlas_cells(page, grid);
+  draw_atlas_boundary(page, grid);
+  write_x_axis(page, grid);
+  write_y_axis(page, grid, left);
+}
+
+void draw_legend(render::Page& page, const AtlasSheet& sheet, const Rect& rect) {
+  render::Canvas& canvas = page.canvas();
+  const double left = rect.x + edge, width = rect.width - 2 * edge;
+  double base = rect.y + 24;
+  for (std::size_t i = 0; i < atlas_classes; ++i) {
+    const AtlasRule& rule = sheet.map.classes[i];
+    if (rule.name.empty()) continue;
+    const Rect swatch = {left, base - 14, 24, 18};
+    draw_class(page, swatch, static_cast<AtlasClass>(i));
+    canvas.rect(swatch, {.outline = page.theme().frame_line, .outline_width = 1});
+    TextStyle name = name_style(page);
+    name.size = 15;
+    canvas.text({left + 34, base}, rule.name, name);
+    const TextStyle style = small_style(page);
+    for (const std::string& line : render::wrapped(canvas, rule.rule, width - 34, style)) {
+      base += 17;
+      canvas.text({left + 34, base}, line, style);
+    }
+    base += 25;
+  }
+  page.paragraph({left, base + 6}, width,
+                 sheet.map.what + " The thick line bounds the first of these classes.", small_style(page));
+}
+
+}  // namespace
+
+AtlasPicture draw_atlas(const AtlasSheet& sheet, const render::Theme& theme) {
+  render::Page page(1280, 720, theme);
+  page.begin({.number = "", .title = sheet_finding(sheet), .state = ""});
+  const std::vector<Rect> places = slots(page, sheet.map.panels.size());
+  for (std::size_t panel = 0; panel < sheet.map.panels.size(); ++panel)
+    draw_panel(page, sheet, panel, places[panel]);
+  draw_legend(page, sheet, places.back());
+  return {page.canvas().read(), render::lint(page)};
+}
+
+}  // namespace cairn::sandbox

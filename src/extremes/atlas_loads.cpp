@@ -1,0 +1,184 @@
+// Beside floor 6. Maps of what has to carry: heavy on light, high stacks, long chains.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "constraints/revolute_joint.hpp"
+#include "extremes/atlas_maps.hpp"
+
+namespace cairn {
+
+namespace {
+
+/// Powers of 2, every one labelled.
+AtlasAxis sweep_axis(const std::string& title, int most) {
+  AtlasAxis axis{.title = title};
+  for (int value = 1; value <= most; value *= 2) {
+    axis.values.push_back(value);
+    axis.labels.push_back(std::to_string(value));
+  }
+  return axis;
+}
+
+AtlasAxis whole_axis(const std::string& title, const std::vector<int>& values) {
+  AtlasAxis axis{.title = title};
+  for (const int value : values) {
+    axis.values.push_back(value);
+    axis.labels.push_back(std::to_string(value));
+  }
+  return axis;
+}
+
+/// All families, and Box2D where there is one.
+std::vector<AtlasPanel> load_panels() {
+  std::vector<AtlasPanel> panels = {{"SI, and so PGS", atlas_setting("si"), true},
+                                    {"block", atlas_setting("block")},
+                                    {"block-contact", atlas_setting("block-contact")},
+                                    {"accelerated", atlas_setting("accelerated"), true},
+                                    {"jacobi-split", atlas_setting("jacobi-split")},
+                                    {"reference", atlas_setting("reference", 1), false, true}};
+  if (has_box2d()) panels.push_back({"Box2D 2.4.1", atlas_setting("box2d"), true});
+  return panels;
+}
+
+std::array<AtlasRule, atlas_classes> standing_classes() {
+  return {{{"stands", "a box moved less than 2.5 cm for each box"},
+           {"leans", "less than 25 cm for each box"},
+           {"falls", "farther, and stays finite"},
+           {"explodes", "10 % more energy than at the start"},
+           {"", ""}}};
+}
+
+AtlasLimits standing_limits(double seconds, double boxes) {
+  return {.seconds = seconds, .holds = 0.025 * boxes, .strained = 0.25 * boxes};
+}
+
+double way_of(const TrialResult& result) { return result.farthest; }
+
+Scene boxes_of(const std::vector<double>& masses) {
+  const double count = static_cast<double>(masses.size());
+  Scene scene;
+  scene.add_ground({.half_width = 2 * count + 20});
+  double y = 0.5;
+  for (const double mass : masses) {
+    scene.add({.shapes = {box(1, 1)}, .position = {0, y}, .mass = mass});
+    y += 1;
+  }
+  return scene;
+}
+
+Setting swept(const AtlasPanel& panel, double sweeps) {
+  Setting setting = panel.setting;
+  if (!panel.ignores_y) setting.sweeps.iterations = static_cast<int>(sweeps);
+  return setting;
+}
+
+/// Links of 0.5 m and 1 kg, level with the pin, and a bob of 100 kg. They have no shapes: drift alone is to
+/// be seen.
+Scene level_chain(int links) {
+  const double length = 0.5, radius = 0.25, bob = 100;
+  const double link_inertia = (length * length + 0.01) / 12;  // a bar of 1 kg, 0.1 m thick
+  Scene scene;
+  BodyId above = ground;
+  for (int i = 0; i < links; ++i) {
+    const BodyId link = scene.add({.position = {(i + 0.5) * length, 0}, .mass = 1, .inertia = link_inertia});
+    scene.join<RevoluteJoint>({.a = above, .b = link, .anchor = {i * length, 0}});
+    above = link;
+  }
+  const double end = links * length;
+  const BodyId ball =
+      scene.add({.position = {end + radius, 0}, .mass = bob, .inertia = 0.5 * bob * radius * radius});
+  scene.join<RevoluteJoint>({.a = above, .b = ball, .anchor = {end, 0}});
+  return scene;
+}
+
+Setting chain_setting(const std::string& solver, StabilizationPolicy policy) {
+  Setting setting = atlas_setting(solver, 4);
+  setting.stabilization.policy = policy;
+  return setting;
+}
+
+std::vector<AtlasPanel> chain_panels() {
+  using Policy = StabilizationPolicy;
+  std::vector<AtlasPanel> panels = {
+      {"SI, Baumgarte", chain_setting("si", Policy::baumgarte), true},
+      {"SI, soft rows", chain_setting("si", Policy::soft)},
+      {"SI, split impulse", chain_setting("si", Policy::split_impulse), true},
+      {"block, split impulse", chain_setting("block", Policy::split_impulse)},
+      {"accelerated, split impulse", chain_setting("accelerated", Policy::split_impulse)},
+      {"jacobi-split, split impulse", chain_setting("jacobi-split", Policy::split_impulse)}};
+  if (has_box2d()) panels.push_back({"Box2D 2.4.1", atlas_setting("box2d", 4), true});
+  return panels;
+}
+
+}  // namespace
+
+AtlasMap mass_ratio_map() {
+  AtlasMap map;
+  map.name = "mass-ratio";
+  map.what = "A box of M kg on one of 1 kg, 3 s at 60 steps a second. Warm start, Baumgarte.";
+  map.quantity = "farthest way of a box [m]";
+  map.x = {.title = "mass ratio M / m",
+           .values = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1e3, 2e3, 5e3, 1e4},
+           .labels = {"1", "", "", "10", "", "", "100", "", "", "10^3", "", "", "10^4"}};
+  map.y = sweep_axis("sweeps a step", 1024);
+  map.panels = load_panels();
+  map.classes = standing_classes();
+  map.headline = 6;
+  map.headline_text = "A mass ratio of 100 stands";
+  map.y_unit = "sweeps";
+  map.run = [](const AtlasPanel& panel, double ratio, double sweeps) {
+    return atlas_cell(boxes_of({1, ratio}), swept(panel, sweeps), standing_limits(3, 2), way_of);
+  };
+  return map;
+}
+
+AtlasMap stack_map() {
+  AtlasMap map;
+  map.name = "stack";
+  map.what = "Boxes of 1 kg, 6 s at 60 steps a second. Warm start, Baumgarte.";
+  map.quantity = "farthest way of a box [m]";
+  map.x = whole_axis("boxes", {2, 4, 5, 7, 10, 14, 20, 28, 40});
+  map.y = sweep_axis("sweeps a step", 512);
+  map.panels = load_panels();
+  map.classes = standing_classes();
+  map.headline = 6;
+  map.headline_text = "A stack of 20 stands";
+  map.y_unit = "sweeps";
+  map.run = [](const AtlasPanel& panel, double boxes, double sweeps) {
+    if (panel.setting.solver == "reference" && boxes > 10) return AtlasCell{};  // rows^3 a step: minutes
+    const std::vector<double> masses(static_cast<std::size_t>(boxes), 1.0);
+    return atlas_cell(boxes_of(masses), swept(panel, sweeps), standing_limits(6, boxes), way_of);
+  };
+  return map;
+}
+
+AtlasMap chain_map() {
+  AtlasMap map;
+  map.name = "chain";
+  map.what =
+      "Links of 0.5 m and 1 kg with a bob of 100 kg, let go level, 2 s at 60 steps a second, 4 sweeps a "
+      "substep, warm start. PGS is SI, and block-contact is block.";
+  map.quantity = "worst gap of a joint over the length of a link";
+  map.x = whole_axis("links", {2, 5, 10, 20, 40, 80, 160});
+  map.y = sweep_axis("substeps a step", 64);
+  map.panels = chain_panels();
+  map.classes = {{{"holds", "joints open by less than 1 % of a link"},
+                  {"stretches", "less than 25 % of a link"},
+                  {"tears", "farther, and stays finite"},
+                  {"explodes", "10 % more energy than at the start"},
+                  {"", ""}}};
+  map.headline = 3;
+  map.headline_text = "A chain of 20 holds";
+  map.y_unit = "substeps";
+  map.run = [](const AtlasPanel& panel, double links, double substeps) {
+    Setting setting = panel.setting;
+    setting.substeps = static_cast<int>(substeps);
+    return atlas_cell(level_chain(static_cast<int>(links)), setting,
+                      {.seconds = 2, .holds = 0.01, .strained = 0.25},
+                      [](const TrialResult& result) { return result.worst_drift / 0.5; });
+  };
+  return map;
+}
+
+}  // namespace cairn
