@@ -14,6 +14,7 @@ Verb extremes_verb();
 Verb freeze_verb();
 Verb tradeoff_verb();
 Verb tune_verb();
+Verb recommend_verb();
 Verb validate_verb();
 Verb completion_verb();
 

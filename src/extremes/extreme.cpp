@@ -30,7 +30,7 @@ const std::vector<ExtremeAxis>& extreme_axes() {
   static const std::vector<ExtremeAxis> axes = [] {
     std::vector<ExtremeAxis> all;
     for (const auto& group : {load_axes(), step_axes(), motion_axes(), size_axes(), row_axes(), spring_axes(),
-                              material_axes(), number_axes(), count_axes(), input_axes()}) {
+                              material_axes(), number_axes(), count_axes(), input_axes(), target_axes()}) {
       all.insert(all.end(), group.begin(), group.end());
     }
     return all;

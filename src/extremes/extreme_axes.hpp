@@ -16,6 +16,7 @@ std::vector<ExtremeAxis> material_axes();  // friction, restitution
 std::vector<ExtremeAxis> number_axes();    // scalars, denormals, overflow, determinism
 std::vector<ExtremeAxis> count_axes();     // nothing at all, many bodies, many contacts on one
 std::vector<ExtremeAxis> input_axes();     // shapes, masses, and numbers that are none
+std::vector<ExtremeAxis> target_axes();    // what recommended settings must reach
 
 /// A setting of an axis, and whether it is in the quick part.
 struct ExtremeSetting {
@@ -43,7 +44,7 @@ struct ExtremeRun {
   double time_limit = 30;                             // [s] of processor time, at most
 };
 
-/// Judges by what ExtremeVerdict says. A refusal by the engine is passed on.
+/// Judges by what ExtremeVerdict says, with SceneSettings::guarded. A refusal by the engine is passed on.
 /// @throws std::invalid_argument, std::length_error.
 ExtremeFinding run_extreme(const Scene& scene, const Setting& setting, const ExtremeRun& run);
 
@@ -58,7 +59,7 @@ auto in_scalar(Precision scalar, const Run& run) {
   return run(double());
 }
 
-/// A scene with the settings that a setting asks for.
+/// A scene with the settings that a setting asks for, and guarded.
 Scene scene_for(const Setting& setting, const SceneSettings& usual = {});
 
 }  // namespace cairn

@@ -175,15 +175,18 @@ long double ExactBounds::clamp(long double value, const Vector<long double>& x) 
   return std::max(std::min(value, largest), -largest);
 }
 
-long double exact_scale(const VelocityProblem<long double>& problem) {
-  long double sum = 0;
-  for (const ConstraintRow<long double>& row : problem.rows) {
-    const long double inverse = inverse_effective_mass(problem, row),
-                      w = row_velocity(problem, row) - row.bias;
+template <Scalar Real>
+Real exact_scale(const VelocityProblem<Real>& problem) {
+  Real sum = 0;
+  for (const ConstraintRow<Real>& row : problem.rows) {
+    const Real inverse = inverse_effective_mass(problem, row), w = row_velocity(problem, row) - row.bias;
     if (inverse > 0) sum += w * w / inverse;
   }
-  return std::max(residual_scale(problem), 1e-3L * std::sqrt(sum));
+  return std::max(residual_scale(problem), Real(1e-3) * std::sqrt(sum));
 }
+
+template double exact_scale(const VelocityProblem<double>&);
+template long double exact_scale(const VelocityProblem<long double>&);
 
 ExactReduction reduce_to_exact_rows(const VelocityProblem<long double>& problem) {
   ExactReduction reduction;

@@ -57,7 +57,8 @@ struct ExactReduction {
 
 /// The scale of R_E (residual.hpp). Where nothing but friction asks for an impulse, that is next to nothing:
 /// so it is a thousandth of the norm of all rows' speeds, in sqrt(J), at least.
-long double exact_scale(const VelocityProblem<long double>& problem);
+template <Scalar Real>
+Real exact_scale(const VelocityProblem<Real>& problem);
 
 /// O(m^3).
 /// @throws std::invalid_argument for two rows that share a disc, which is no linear complementarity problem,

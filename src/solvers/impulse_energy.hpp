@@ -1,4 +1,5 @@
-// Floor 4. What impulses do to the energy that a solve makes small.
+// Floor 4. How good impulses are to begin a solve from: the energy that they lead to, and how large they may
+// be.
 #pragma once
 
 #include "constraints/row.hpp"
@@ -12,5 +13,13 @@ namespace cairn {
 /// warm start with none in the same way (E. Todorov, 2014).
 template <Scalar Real>
 Real impulse_energy(const VelocityProblem<Real>& problem, std::vector<Vec3<Real>>& scratch);
+
+/// Limits the impulses that a solve begins from, by 100 times all there is to stop or to move:
+///   sum of m |v| + sum of |bias| / A_ii + sum of the impulses of springs and motors   [N s]
+/// Levers and wedges make impulses larger than that sum, though hardly by so much. Rows that contradict each
+/// other do, step by step and without end: with (12) their impulses cancel, so that no velocity tells.
+/// O(m); two passes over the impulses and nothing else where all of them are small.
+template <Scalar Real>
+void limit_impulses(VelocityProblem<Real>& problem);
 
 }  // namespace cairn

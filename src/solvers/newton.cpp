@@ -32,11 +32,9 @@ constexpr long double rounding_residual = 1e-13L;
 class NewtonIteration {
  public:
   NewtonIteration(VelocityProblem<long double>& problem, const NewtonSettings& settings)
-      : problem_(problem),
-        settings_(settings),
-        scale_(exact_scale(problem)),
-        rows_(problem),
-        best_(problem.impulse) {}
+      : problem_(problem), settings_(settings), scale_(exact_scale(problem)), best_(problem.impulse) {
+    rows_.begin(problem);
+  }
 
   NewtonResult run() {
     restart_at(problem_.impulse);
@@ -120,12 +118,17 @@ class NewtonIteration {
 
   bool factorize() {
     entries_.clear();
-    rows_.append_slope(entries_);
-    std::vector<Eigen::Triplet<double>> triplets;
-    triplets.reserve(entries_.size());
-    for (const MatrixEntry& entry : entries_) triplets.emplace_back(entry.row, entry.column, entry.value);
-    Eigen::SparseMatrix<double> matrix(rows_.freedoms(), rows_.freedoms());
-    matrix.setFromTriplets(triplets.begin(), triplets.end());
+    const int freedoms = static_cast<int>(rows_.freedoms());
+    for (int k = 0; k < freedoms; ++k) entries_.emplace_back(k, k, 1);
+    rows_.for_each_slope([this](const auto& left, const auto& right, long double factor) {
+      for (const auto& l : left) {
+        for (const auto& r : right) {
+          entries_.emplace_back(l.column, r.column, static_cast<double>(factor * l.value * r.value));
+        }
+      }
+    });
+    Eigen::SparseMatrix<double> matrix(freedoms, freedoms);
+    matrix.setFromTriplets(entries_.begin(), entries_.end());
     factors_.compute(matrix);
     return factors_.info() == Eigen::Success;
   }
@@ -147,12 +150,12 @@ class NewtonIteration {
   VelocityProblem<long double>& problem_;
   NewtonSettings settings_;
   long double scale_ = 0;
-  ProximalRows rows_;
+  ProximalRows<long double> rows_;
   long double residual_ = 0;  // R_E at the centre
   std::vector<long double> best_;
   bool has_best_ = false;
   NewtonResult result_;
-  std::vector<MatrixEntry> entries_;
+  std::vector<Eigen::Triplet<double>> entries_;
   Eigen::SparseLU<Eigen::SparseMatrix<double>> factors_;
 };
 

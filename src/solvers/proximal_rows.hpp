@@ -1,19 +1,13 @@
 // Floor 4. Rows made a little soft around the impulses of the moment: what Newton's method solves.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "constraints/row.hpp"
 #include "solvers/system_matrix.hpp"
 
 namespace cairn {
-
-/// One number of a sparse matrix.
-struct MatrixEntry {
-  int row = 0;       // from 0
-  int column = 0;    // from 0
-  double value = 0;  // added to what stands there
-};
 
 /// A problem in sqrt(J), as in exact_rows.hpp, but row by row and with its equalities: x_i = impulse_i
 /// sqrt(A_ii) and u = M^(1/2) (v - v_before), 3 n numbers, so that u = G^T x and w = G u + c x + s. Every row
@@ -25,52 +19,64 @@ struct MatrixEntry {
 /// impulses can be eliminated, however many depend on each other: what is left is to find du with
 ///   F(du) = du - G^T (x(du) - x') = 0.
 /// F is piecewise linear but for discs; without friction it is the gradient of a strongly convex function.
+template <Scalar Real>
 class ProximalRows {
  public:
-  /// Keeps what it needs; the problem's impulses are not looked at.
-  explicit ProximalRows(const VelocityProblem<long double>& problem);
+  /// One number of a row of G, never 0.
+  struct Term {
+    int column = 0;  // 3 * body + axis; those of a body stand together
+    Real value = 0;  // of G
+  };
+
+  /// Keeps what it needs of the problem, in memory that is used again; its impulses are not looked at.
+  void begin(const VelocityProblem<Real>& problem);
 
   /// Takes x' from impulses [N s], brought inside their bounds.
-  void center_at(const std::vector<long double>& impulse);
+  void center_at(const std::vector<Real>& impulse);
   /// Takes x' from the last evaluation.
   void center_at_last() { center_at(impulses()); }
+  /// x' [N s].
+  std::vector<Real> center_impulses() const { return impulses_of(center_); }
   /// How soft the rows are from now on.
-  void soften(long double epsilon) { epsilon_ = epsilon; }
+  void soften(Real epsilon) { epsilon_ = epsilon; }
 
   /// 3 n: the numbers of du.
   Eigen::Index freedoms() const { return freedoms_; }
   /// |x - clamp(x - w)| at the centre: R_E times its scale.
-  long double error() const;
+  Real error() const;
   /// F(du).
-  const Vector<long double>& evaluate(const Vector<long double>& du);
+  const Vector<Real>& evaluate(const Vector<Real>& du);
   /// F of the last evaluation.
-  const Vector<long double>& value() const { return value_; }
-  /// dF/du at the last evaluation: appended to `entries`, some places twice, for their sum.
-  void append_slope(std::vector<MatrixEntry>& entries) const;
+  const Vector<Real>& value() const { return value_; }
+  /// Calls visit(left, right, factor), each side the terms of a row: dF/du at the last evaluation is the
+  /// identity and the sum of factor left right^T.
+  template <typename Visit>
+  void for_each_slope(const Visit& visit) const;
+  /// Calls visit(terms) for the terms of every row.
+  template <typename Visit>
+  void for_each_terms(const Visit& visit) const {
+    for (const Row& row : rows_) visit(terms_of(row));
+  }
   /// x(du) of the last evaluation [N s].
-  std::vector<long double> impulses() const;
+  std::vector<Real> impulses() const { return impulses_of(x_); }
 
  private:
-  struct Term {
-    int column = 0;
-    long double value = 0;
-  };
   struct Row {
     int first = 0;  // of its terms
     int count = 0;
-    long double softness = 0;         // c
-    long double constant = 0;         // s
-    long double unit = 0;             // impulse = unit * x; 0: the row can do nothing
-    Bounds<long double> bounds = {};  // in sqrt(J); those of friction and its disc as they were [N s]
+    Real softness = 0;         // c
+    Real constant = 0;         // s
+    Real unit = 0;             // impulse = unit * x; 0: the row can do nothing
+    Bounds<Real> bounds = {};  // in sqrt(J); those of friction and its disc as they were [N s]
   };
-  enum class Mode { free, held, sliding };  // within its bounds, at a fixed one, at one that another row sets
-
-  long double product(const Row& row, const Vector<long double>& u) const;
-  long double clamp(std::size_t i, long double wish, const Vector<long double>& x) const;
+  std::vector<Real> impulses_of(const Vector<Real>& x) const;
+  Real product(const Row& row, const Vector<Real>& u) const;
+  Real clamp(std::size_t i, Real wish, const Vector<Real>& x) const;
   /// d clamp / d x_other, at the end that `wish` is beyond.
-  long double slope_of_limit(std::size_t i, int other) const;
-  void append_product(const Row& row, const Row& column, long double factor,
-                      std::vector<MatrixEntry>& entries) const;
+  Real slope_of_limit(std::size_t i, int other) const;
+  std::span<const Term> terms_of(const Row& row) const {
+    return {terms_.data() + row.first, static_cast<std::size_t>(row.count)};
+  }
   /// Calls visit(i) for all rows, those that limit others first.
   template <typename Visit>
   void for_each_row(const Visit& visit) const {
@@ -81,14 +87,35 @@ class ProximalRows {
   }
 
   Eigen::Index freedoms_ = 0;
-  long double epsilon_ = 1;
+  Real epsilon_ = 1;
   std::vector<Term> terms_;
   std::vector<Row> rows_;
-  Vector<long double> center_;    // x'
-  Vector<long double> center_w_;  // w'
-  Vector<long double> x_;         // of the last evaluation
-  Vector<long double> wish_;      // the same before clamping
-  Vector<long double> value_;     // F
+  Vector<Real> center_;    // x'
+  Vector<Real> center_w_;  // w'
+  Vector<Real> x_;         // of the last evaluation
+  Vector<Real> wish_;      // the same before clamping
+  Vector<Real> value_;     // F
 };
+
+template <Scalar Real>
+template <typename Visit>
+void ProximalRows<Real>::for_each_slope(const Visit& visit) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    const Row& row = rows_[i];
+    if (row.unit == 0) continue;
+    if (x_(at) == wish_(at)) {
+      visit(terms_of(row), terms_of(row), 1 / (epsilon_ + row.softness));
+    } else if (row.bounds.is_friction()) {
+      for (const int other : {row.bounds.normal_row, row.bounds.second_normal_row}) {
+        if (other == Bounds<Real>::none) continue;
+        const Row& normal = rows_[static_cast<std::size_t>(other)];
+        if (normal.unit == 0) continue;
+        const Real slope = slope_of_limit(i, other);
+        if (slope != 0) visit(terms_of(row), terms_of(normal), slope / (epsilon_ + normal.softness));
+      }
+    }
+  }
+}
 
 }  // namespace cairn

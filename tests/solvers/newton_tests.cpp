@@ -1,4 +1,5 @@
 // The exact methods against each other, and against sweeps, on random problems and on those of worlds.
+#include <limits>
 #include <random>
 
 #include "../validation/problems.hpp"
@@ -181,6 +182,9 @@ TEST_CASE(
 TEST_CASE("Newton's method agrees with Lemke's at a hundred rows and more, without and with friction") {
   for (const double mu : {0.0, 0.5}) {
     Scene scene = chain_with_bob(50, 10);
+    SceneSettings settings = scene.settings();  // the bob is deep in the ground: pushed out, there is an answer
+    settings.stabilization.max_speed = std::numeric_limits<double>::infinity();
+    scene.set_settings(settings);
     for (int i = 0; i < 30; ++i) {
       const double speed = i % 3;  // [m/s]
       scene.add(
