@@ -1,0 +1,42 @@
+// Two boxes, one upon the other: how many sweeps their masses cost.
+#pragma once
+
+#include <vector>
+
+#include "cairn.hpp"
+
+namespace cairn::edges {
+
+inline constexpr double gravity = 10;      // [m/s^2]
+inline constexpr double time_step = 0.02;  // [s]
+inline constexpr double goal = 0.01;       // share of the error that is left when a load counts as right
+
+/// A box of 1 kg on the ground, with one of `ratio` kg on it: one row for each of the two contacts.
+VelocityProblem<double> two_boxes(double ratio);
+/// The same as a scene, to be drawn and to be stepped.
+Scene two_boxes_scene(double ratio);
+
+/// What a solve from nothing did, sweep by sweep.
+struct RatioRun {
+  double ratio = 1;                                // mass above / mass below
+  std::vector<std::vector<double>> load = {};      // [sweep][row] [N]; all zero before the first sweep
+  std::vector<double> error = {};                  // of the load on the ground: 1 at first, 0 when right
+  std::vector<std::vector<double>> speed_jv = {};  // [sweep][row] [m/s]: j v when the row was visited
+  int counted = 0;                                 // sweeps until the error is below the goal
+  double largest_gap = 0;                          // of any sweep, from the formula
+};
+
+/// Sequential impulses, for as many sweeps as the goal takes, and at least `sweeps`.
+RatioRun run_ratio(double ratio, int sweeps);
+
+/// The error after k sweeps is (R / (1 + R))^k, for both loads.
+double rate_by_formula(double ratio);
+/// The first whole k with (R / (1 + R))^k <= share.
+int sweeps_by_formula(double ratio, double share = goal);
+
+/// One thousandth to ten thousand, and `ratio` and its inverse among them, in order.
+std::vector<RatioRun> run_ratios(double ratio, int sweeps);
+/// @throws std::out_of_range for one that was not run.
+const RatioRun& run_of(const std::vector<RatioRun>& runs, double ratio);
+
+}  // namespace cairn::edges

@@ -1,0 +1,86 @@
+// A scene of four things that do not touch, stepped under switches that each leave something out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cairn.hpp"
+
+namespace cairn::needs {
+
+inline constexpr double time_step = 0.02;  // [s]
+inline constexpr int base = 5;             // boxes in the lowest row of the pyramid
+inline constexpr int pyramid_boxes = base * (base + 1) / 2;
+
+struct NeedsSettings {
+  int sweeps = 50;          // in every step; where a step may end sooner, at most
+  double tolerance = 1e-3;  // of R_E, at which it may
+  int tower = 10;           // boxes
+  int links = 5;            // of the chain
+  int steps = 140;
+};
+
+/// What is left out.
+struct Switches {
+  std::string name = {};
+  std::string what = {};
+  FrictionRows friction_rows = FrictionRows::per_point;
+  double friction = 0.6;    // mu; 0: no rows of friction at all
+  bool ends_early = false;  // a step ends at the tolerance
+  bool by_island = false;   // and each island has an end of its own
+  bool sleeps = false;
+};
+
+/// In this order: everything, one row of friction a manifold, no friction, early exit, early exit by islands,
+/// sleep, all of them but no friction.
+std::vector<Switches> all_switches();
+inline constexpr std::size_t everything = 0, shared_friction = 1, no_friction = 2, early = 3, by_islands = 4,
+                             sleeping = 5, all_free = 6;
+
+/// What one step has cost.
+struct StepBill {
+  int rows = 0;
+  int sweeps = 0;         // the most that any island has taken
+  long long updates = 0;  // of rows: rows x sweeps
+  double residual = 0;    // the largest R_E of a solve that has ended at the tolerance
+  int awake = 0;          // bodies
+};
+
+struct BillRun {
+  Switches switches = {};
+  std::vector<Snapshot> frames = {};  // one for each step, the start first
+  std::vector<StepBill> steps = {};   // from step 1
+  long long updates = 0;              // of all steps
+  double seconds = 0;                 // that the steps took, on this machine
+  double off_before = 0;              // [m] from the reference, before the ball touches anything
+  double off_after = 0;               // [m] and until the end
+};
+
+struct NeedsRun {
+  NeedsSettings settings = {};
+  BillRun reference = {};          // everything, until R_E is 1e-6, islands by themselves
+  std::vector<BillRun> runs = {};  // as all_switches()
+  double alone = 0;                // [m] how far bodies go another way if their island is a scene of its own
+  int touch = 0;                   // the step in which the ball reaches the pyramid; 0: never
+};
+
+NeedsRun run_bills(const NeedsSettings& settings);
+
+/// The island that a body is in at the start, by number; 0: it is alone.
+enum class Group { loose, pyramid, tower, chain };
+Group group_of(const NeedsSettings& settings, std::size_t body);
+
+/// The things by themselves, in the order of the whole scene.
+enum class Thing { pyramid_and_ball, tower, chain };
+/// The whole scene holds all things.
+Scene scene_of(const NeedsSettings& settings, const Switches& switches, const std::vector<Thing>& things);
+BodyId ball_of(const NeedsSettings& settings);
+
+/// The largest distance of any body in any frame [m], up to `last`.
+double largest_distance(const std::vector<Snapshot>& first, const std::vector<Snapshot>& second,
+                        std::size_t from, std::size_t last);
+
+/// Rows of the scene in step 1, with so many behind each contact point and so many behind each manifold.
+int rows_by_formula(const NeedsSettings& settings, const Switches& switches);
+
+}  // namespace cairn::needs

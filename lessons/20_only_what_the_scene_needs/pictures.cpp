@@ -1,0 +1,221 @@
+// The scene with its islands, awake or asleep, and below it what each switch pays for this step.
+#include "pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <set>
+
+#include "render/bars.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::needs {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Rect;
+using Run = std::shared_ptr<const NeedsRun>;
+
+void draw_bill(Page& page, const Rect& rect, const NeedsRun& all, std::size_t step) {
+  render::BarChart chart{
+      .title = "this step adds row updates", .color = page.theme().si.color, .decimals = 0};
+  long long most = 0;
+  for (const BillRun& run : all.runs) {
+    const long long updates = run.steps[step - 1].updates;
+    most = std::max(most, updates);
+    chart.bars.push_back({.name = run.switches.name, .added = static_cast<double>(updates), .active = true});
+  }
+  chart.largest = 1.25 * static_cast<double>(std::max(most, 1LL));
+  draw_bars(page, rect, chart);
+}
+
+/// All of them are SI, so that they share its colour.
+render::SeriesStyle style_of(const Page& page, std::size_t which) {
+  const std::array<render::Marker, 3> markers = {render::Marker::square, render::Marker::circle,
+                                                 render::Marker::triangle};
+  const std::array<std::vector<double>, 3> dashes = {std::vector<double>{10, 6}, {3, 4}, {}};
+  return {.color = page.theme().si.color, .dash = dashes[which], .marker = markers[which]};
+}
+
+void draw_course(Page& page, const Rect& rect, const NeedsRun& all, std::size_t step) {
+  render::Plot plot{.title = "row updates, step by step"};
+  plot.x = {.min = 0, .max = all.settings.steps};
+  double most = 1;
+  std::size_t which = 0;
+  for (const std::size_t i : {everything, sleeping, all_free}) {
+    render::Series series{.name = all.runs[i].switches.name, .style = style_of(page, which++)};
+    for (std::size_t k = 1; k <= all.runs[i].steps.size(); ++k) {
+      const auto updates = static_cast<double>(all.runs[i].steps[k - 1].updates);
+      most = std::max(most, updates);
+      if (k > step) continue;
+      series.x.push_back(static_cast<double>(k));
+      series.y.push_back(updates);
+    }
+    plot.series.push_back(series);
+  }
+  plot.y = {.min = 0, .max = 1.15 * most};
+  plot.cursor = static_cast<double>(step);
+  draw_plot(page, rect, plot);
+}
+
+void draw_step(Page& page, const NeedsRun& all, std::size_t step) {
+  const std::vector<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
+  draw_scene(page, parts[0], all, step);
+  const std::vector<Rect> below = columns(parts[1], {0.46, 0.54}, page.sizes().gap);
+  draw_bill(page, below[0], all, step);
+  draw_course(page, below[1], all, step);
+}
+
+Shot step_shot(const Run& all, int step, bool key) {
+  const auto k = static_cast<std::size_t>(step);
+  const StepBill& whole = all->runs[everything].steps[k - 1];
+  const StepBill& asleep = all->runs[sleeping].steps[k - 1];
+  const StepBill& together = all->runs[all_free].steps[k - 1];
+  return {
+      .state = fmt::format("step {} · {} of {} bodies awake", step, asleep.awake, whole.awake),
+      .alt = fmt::format("Step {}: a pyramid, a tower, a chain and a ball; {} bodies are awake. Row updates: "
+                         "{} with everything, {} with sleep, {} with all switches together.",
+                         step, asleep.awake, whole.updates, asleep.updates, together.updates),
+      .draw = [all, k](Page& page) { draw_step(page, *all, k); },
+      .key = key};
+}
+
+std::string millimetres(double metres) { return fixed(1000 * metres, metres < 0.1 ? 1 : 0); }
+
+void draw_total(Page& page, const Rect& rect, const NeedsRun& all) {
+  render::BarChart chart{.title = "row updates of all steps, thousands", .color = page.theme().si.color};
+  chart.decimals = 0;
+  for (const BillRun& run : all.runs)
+    chart.bars.push_back(
+        {.name = run.switches.name, .added = static_cast<double>(run.updates) / 1000, .active = true});
+  chart.largest = 1.3 * static_cast<double>(all.runs[everything].updates) / 1000;
+  draw_bars(page, rect, chart);
+}
+
+void draw_table(Page& page, const NeedsRun& all) {
+  render::TableView table;
+  table.header = {"switch", "rows", "least", "updates a step", "of all", "off before", "off after (mm)"};
+  const auto of_all = static_cast<double>(all.runs[everything].updates);
+  for (const BillRun& run : all.runs) {
+    int least = run.steps[0].rows;
+    for (const StepBill& bill : run.steps) least = std::min(least, bill.rows);
+    table.rows.push_back({run.switches.name, fmt::format("{}", run.steps[0].rows), fmt::format("{}", least),
+                          fmt::format("{}", run.updates / all.settings.steps),
+                          fixed(100 * static_cast<double>(run.updates) / of_all, 0) + " %",
+                          millimetres(run.off_before), millimetres(run.off_after)});
+  }
+  if (page.compact()) {
+    table.header = {"switch", "updates", "of all", "before", "after (mm)"};
+    for (std::vector<std::string>& row : table.rows) row.erase(row.begin() + 1, row.begin() + 3);
+  }
+  const double top = page.compact() ? 0.52 : 0.5;
+  const std::vector<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
+  page.table(parts[0], "", table);
+  const std::vector<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
+  draw_total(page, below[0], all);
+  page.note(
+      below[1], "Off",
+      page.compact()
+          ? "From a run with all rows and all sweeps it takes. Friction was not needed, until the ball "
+            "came."
+          : "How far any body is from where it is with all rows and as many sweeps as it takes, before "
+            "the ball touches the pyramid and after. Friction was not needed by anything, until the ball "
+            "came.");
+}
+
+void draw_choice(Page& page, const NeedsRun&) {
+  render::TableView table;
+  table.header = {"the scene has", "take", "because", "lesson"};
+  table.rows = {{"contacts and joints, as games have", "SI, warm", "it builds nothing", "06, 09"},
+                {"a use for A itself, few rows", "PGS", "A shows who leans on whom", "08, 10"},
+                {"a processor for every row", "Jacobi, split", "nobody waits", "16"},
+                {"joints of two or three rows", "blocks", "at once instead of in turns", "12"},
+                {"springs, or rows that may give", "soft rows", "γ beside j M⁻¹ jᵀ is all", "13"},
+                {"towers, heavy on light", "more sweeps, substeps", "R / (1 + R) a sweep", "18, 19"},
+                {"things at rest", "sleep", "no rows at all", "20"}};
+  if (page.compact()) {
+    table.header.erase(table.header.begin() + 2);
+    for (std::vector<std::string>& row : table.rows) row.erase(row.begin() + 2);
+  }
+  const std::vector<Rect> parts = rows(page.area(), {0.58, 0.42}, page.sizes().gap);
+  page.table(parts[0], "", table);
+  page.note(
+      parts[1], "Section 5",
+      page.compact()
+          ? "\"The SI solver is the better choice in most situations\": its constraints are classes of "
+            "their own, and it is what is easiest to leave things out of."
+          : "The paper ends with SI as the better choice in most situations: equal in what it computes, "
+            "easier to keep. This course adds what each of the others is for. Each of them is a lesson; "
+            "none of them is worth a row that the scene does not need.");
+}
+
+void draw_note(Page& page, const NeedsRun& all, std::size_t step, std::string_view title,
+               std::string_view text) {
+  const std::vector<Rect> parts = rows(page.area(), {0.66, 0.34}, page.sizes().gap);
+  draw_scene(page, parts[0], all, step);
+  page.note(parts[1], title, text);
+}
+
+std::string answer_text(const NeedsRun& all) {
+  const auto share = [&](std::size_t i) {
+    return fixed(
+        100 * static_cast<double>(all.runs[i].updates) / static_cast<double>(all.runs[everything].updates),
+        0);
+  };
+  return fmt::format(
+      "Sleep leaves {} % of the row updates, an exit of its own for each island {} %, both and shared "
+      "friction "
+      "{} %. No friction leaves {} %, and is the one that is wrong: by {} mm after the ball has come.",
+      share(sleeping), share(by_islands), share(all_free), share(no_friction),
+      millimetres(all.runs[no_friction].off_after));
+}
+
+/// Steps worth a frame of their own: early, asleep, touched, late.
+std::set<int> key_steps(const NeedsRun& all) {
+  std::set<int> keys = {1, all.settings.steps};
+  if (all.touch > 2) keys.insert({all.touch - 2, all.touch + 2});
+  return keys;
+}
+
+}  // namespace
+
+std::vector<Shot> needs_shots(const NeedsRun& recorded) {
+  const Run all = std::make_shared<const NeedsRun>(recorded);
+  const auto note_shot = [&](std::string state, std::string alt, std::size_t step, std::string title,
+                             std::string text) {
+    return Shot{.state = std::move(state),
+                .alt = std::move(alt),
+                .draw = [=](Page& page) { draw_note(page, *all, step, title, text); },
+                .key = true};
+  };
+  const StepBill& first = all->runs[everything].steps[0];
+  std::vector<Shot> shots;
+  shots.push_back(note_shot(
+      "before the first step", "A pyramid, a tower, a chain and a ball in flight, and the question.", 0,
+      "Predict",
+      fmt::format(
+          "{} rows, {} sweeps: {} row updates in each step. The pyramid and the tower only stand there. "
+          "How many are really needed? And what can be left out at no cost at all?",
+          first.rows, first.sweeps, first.updates)));
+  const std::set<int> keys = key_steps(*all);
+  std::set<int> steps = keys;
+  for (int step = 2; step < all->settings.steps; step += 2) steps.insert(step);
+  for (const int step : steps) shots.push_back(step_shot(all, step, keys.contains(step)));
+  shots.push_back({.state = fmt::format("{} steps", all->settings.steps),
+                   .alt = "A table: what each switch costs in rows and row updates, and how far it is off.",
+                   .draw = [all](Page& page) { draw_table(page, *all); },
+                   .key = true});
+  shots.push_back({.state = "what to take when",
+                   .alt = "A table: what a scene may have, and the solver or switch for it.",
+                   .draw = [all](Page& page) { draw_choice(page, *all); },
+                   .key = true});
+  shots.push_back(note_shot("the answer", "The scene at the end, and the answer: " + answer_text(*all),
+                            static_cast<std::size_t>(all->settings.steps), "Answer", answer_text(*all)));
+  return shots;
+}
+
+}  // namespace cairn::needs

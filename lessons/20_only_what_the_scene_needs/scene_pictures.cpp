@@ -1,0 +1,107 @@
+// The scene: islands in frames, and those that sleep pale.
+#include <algorithm>
+#include <variant>
+
+#include "pictures.hpp"
+#include "render/draw.hpp"
+
+namespace cairn::needs {
+
+namespace {
+
+using render::Page;
+using render::Point;
+using render::Rect;
+
+const std::size_t shown = sleeping;  // the run whose bodies are drawn
+
+/// What an island of the frame is like.
+struct Island {
+  Aabb<double> box = {};
+  int bodies = 0;
+  int awake = 0;
+};
+
+Island island_of(const NeedsRun& all, const Snapshot& now, Group group) {
+  Snapshot part = now;
+  part.bodies.resize(1);
+  Island island;
+  for (std::size_t i = 1; i < now.bodies.size(); ++i) {
+    if (group_of(all.settings, i) != group) continue;
+    part.bodies.push_back(now.bodies[i]);
+    ++island.bodies;
+    island.awake += now.bodies[i].awake ? 1 : 0;
+  }
+  island.box = render::bounds_of(std::vector<Snapshot>{part});
+  return island;
+}
+
+/// Sleepers again, pale and with dashed outlines. All of them are polygons, or the ball.
+void draw_sleepers(Page& page, const render::Camera& camera, const Snapshot& now) {
+  const render::Theme& theme = page.theme();
+  const render::Stroke outline{.width = page.sizes().outline, .color = theme.inactive, .dash = {4, 3}};
+  for (std::size_t i = 1; i < now.bodies.size(); ++i) {
+    const SnapshotBody& body = now.bodies[i];
+    const auto* shape = std::get_if<Polygon<double>>(body.shapes.data());
+    if (body.awake || shape == nullptr) continue;
+    std::vector<Point> corners;
+    for (int k = 0; k < shape->count; ++k)
+      corners.push_back(camera.project(body.pose.world(shape->vertices[static_cast<std::size_t>(k)])));
+    page.canvas().polygon(corners, {.fill = theme.panel, .outline = theme.panel, .outline_width = 3});
+    page.canvas().polygon(corners, {.fill = theme.sleeping});
+    corners.push_back(corners[0]);
+    page.canvas().polyline(corners, outline);
+  }
+}
+
+/// A dashed frame around an island, with its name and whether it sleeps.
+void draw_island(Page& page, const render::Camera& camera, const Island& island, const std::string& name) {
+  const render::Theme& theme = page.theme();
+  const double margin = 0.25;  // [m]
+  const Point low =
+      camera.project({island.box.lower.x() - margin, std::max(0.0, island.box.lower.y() - margin)});
+  const Point high = camera.project({island.box.upper.x() + margin, island.box.upper.y() + margin});
+  const bool asleep = island.awake == 0;
+  const std::vector<Point> frame = {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low};
+  page.canvas().polyline(frame, {.width = page.sizes().axis,
+                                 .color = asleep ? theme.inactive : theme.si.color,
+                                 .dash = asleep ? std::vector<double>{2, 5} : std::vector<double>{8, 5}});
+  render::TextStyle text = page.tick();
+  text.align = render::Align::center;
+  text.halo = theme.panel;
+  const std::string state = asleep ? "asleep" : "awake";
+  const double x = (low.x() + high.x()) / 2, above = high.y() - 0.4 * text.size;
+  const std::vector<Point> places = {{x, above},
+                                     {x, above - 1.3 * text.size},
+                                     {x, low.y() + 1.3 * text.size},
+                                     {x, above - 2.6 * text.size},
+                                     {x, low.y() + 2.6 * text.size}};
+  page.place_text(places, camera.viewport, name + ": " + state, text);
+}
+
+Aabb<double> view_of(const NeedsSettings& settings) {
+  const double right = 20 + 0.8 * settings.links;
+  const double top = std::max({settings.tower + 1.9, 0.8 * settings.links + 2.6, 7.4});
+  return {{-10, -0.45}, {right, top}};
+}
+
+}  // namespace
+
+void draw_scene(Page& page, const Rect& rect, const NeedsRun& all, std::size_t step) {
+  const Rect inside = page.panel(rect, "");
+  const render::Camera camera = render::fit(inside, view_of(all.settings));
+  const Snapshot& now = all.runs[shown].frames[step];
+  page.canvas().push_clip(inside);
+  render::WorldLook look;
+  look.contacts = false;
+  look.numbers = false;
+  look.penetration = false;
+  draw_world(page, camera, now, look);
+  draw_sleepers(page, camera, now);
+  draw_island(page, camera, island_of(all, now, Group::pyramid), "pyramid");
+  draw_island(page, camera, island_of(all, now, Group::tower), "tower");
+  draw_island(page, camera, island_of(all, now, Group::chain), "chain");
+  page.canvas().pop_clip();
+}
+
+}  // namespace cairn::needs

@@ -1,0 +1,57 @@
+// Exercise 10: every misconception is told from the answer.
+#include "lessons/10_what_is_stored/exercise.hpp"
+
+#include "exercises/wrong_answers.hpp"
+
+namespace cairn::exercise10 {
+namespace {
+
+bool is_told(Answer answer, const std::string& misconception) {
+  Grade marks;
+  grade(marks, answer);
+  return testing::names(marks, misconception);
+}
+
+using Rows = std::vector<RowBodies>;
+using Numbers = std::vector<double>;
+
+bool share(const RowBodies& i, const RowBodies& j) {
+  return i.a == j.a || i.a == j.b || i.b == j.a || i.b == j.b;
+}
+
+int with_ground(const Rows& rows, const Numbers&) {
+  int count = 0;
+  for (const RowBodies& i : rows) {
+    for (const RowBodies& j : rows) count += share(i, j) ? 1 : 0;
+  }
+  return count;
+}
+
+int all_pairs(const Rows& rows, const Numbers&) { return static_cast<int>(rows.size() * rows.size()); }
+
+int without_diagonal(const Rows& rows, const Numbers& inverse) {
+  return entries(rows, inverse) - static_cast<int>(rows.size());
+}
+
+int one_half(const Rows& rows, const Numbers& inverse) {
+  return (entries(rows, inverse) + static_cast<int>(rows.size())) / 2;
+}
+
+int ground_for_ever(const Rows& rows, const Numbers& inverse) {
+  Numbers without_tray = inverse;
+  without_tray[0] = 0;
+  return entries(rows, without_tray);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "exercise 10 tells the ground, all pairs, a missing diagonal, one half and a tray taken for the ground") {
+  CHECK(is_told(with_ground, "share the ground only"));
+  CHECK(is_told(all_pairs, "share no body"));
+  CHECK(is_told(without_diagonal, "The diagonal counts"));
+  CHECK(is_told(one_half, "two halves"));
+  CHECK(is_told(ground_for_ever, "The tray can move"));
+}
+
+}  // namespace cairn::exercise10

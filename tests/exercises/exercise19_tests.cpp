@@ -1,0 +1,53 @@
+// Exercise 19: every misconception is told from the answer.
+#include "lessons/19_extremes/exercise.hpp"
+
+#include <cmath>
+
+#include "exercises/wrong_answers.hpp"
+
+namespace cairn::exercise19 {
+namespace {
+
+bool is_told(Answer answer, const std::string& misconception) {
+  Grade marks;
+  grade(marks, answer);
+  return testing::names(marks, misconception);
+}
+
+double sweeps_of(double above, double below, double share) {
+  return std::log(share) / std::log(above / (above + below));
+}
+
+int rounded_down(double above, double below, double share) {
+  return static_cast<int>(sweeps_of(above, below, share));
+}
+
+int upside_down(double above, double below, double share) {
+  return static_cast<int>(std::ceil(sweeps_of(below, above, share)));
+}
+
+int of_jacobi(double above, double below, double share) {
+  return static_cast<int>(std::ceil(2 * sweeps_of(above, below, share)));
+}
+
+int with_mixed_logarithms(double above, double below, double share) {
+  return static_cast<int>(std::ceil(std::log10(share) / std::log(above / (above + below))));
+}
+
+int below_at_rest(double above, double below, double share) {
+  const double rate = 1 - below / above;
+  return rate > 0 ? static_cast<int>(std::ceil(std::log(share) / std::log(rate))) : 1;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "exercise 19 tells a sweep too few, boxes upside down, Jacobi, mixed logarithms and a box at rest") {
+  CHECK(is_told(rounded_down, "One too few"));
+  CHECK(is_told(upside_down, "Mind which box is above"));
+  CHECK(is_told(of_jacobi, "That is Jacobi"));
+  CHECK(is_told(with_mixed_logarithms, "Mind the logarithms"));
+  CHECK(is_told(below_at_rest, "the light box falls too"));
+}
+
+}  // namespace cairn::exercise19

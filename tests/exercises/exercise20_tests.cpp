@@ -1,0 +1,62 @@
+// Exercise 20: every misconception is told from the answer.
+#include "lessons/20_only_what_the_scene_needs/exercise.hpp"
+
+#include <algorithm>
+
+#include "exercises/wrong_answers.hpp"
+
+namespace cairn::exercise20 {
+namespace {
+
+bool is_told(Answer answer, const std::string& misconception) {
+  Grade marks;
+  grade(marks, answer);
+  return testing::names(marks, misconception);
+}
+
+int with_rows_a_box(const std::vector<Island>& islands, int rows) {
+  int updates = 0;
+  for (const Island& island : islands) {
+    if (!island.asleep) updates += (rows * island.boxes + 2 * island.pins) * island.sweeps;
+  }
+  return updates;
+}
+
+int sleepers_too(const std::vector<Island>& islands) {
+  int updates = 0;
+  for (const Island& island : islands) updates += (3 * island.boxes + 2 * island.pins) * island.sweeps;
+  return updates;
+}
+
+int all_wait(const std::vector<Island>& islands) {
+  int rows = 0, most = 0;
+  for (const Island& island : islands) {
+    if (island.asleep) continue;
+    rows += 3 * island.boxes + 2 * island.pins;
+    most = std::max(most, island.sweeps);
+  }
+  return rows * most;
+}
+
+int rows_only(const std::vector<Island>& islands) {
+  int rows = 0;
+  for (const Island& island : islands) rows += island.asleep ? 0 : 3 * island.boxes + 2 * island.pins;
+  return rows;
+}
+
+int two_frictions(const std::vector<Island>& islands) { return with_rows_a_box(islands, 4); }
+
+int no_friction(const std::vector<Island>& islands) { return with_rows_a_box(islands, 2); }
+
+}  // namespace
+
+TEST_CASE(
+    "exercise 20 tells sleepers that pay, islands that wait, rows without sweeps and miscounted friction") {
+  CHECK(is_told(sleepers_too, "What sleeps has no rows"));
+  CHECK(is_told(all_wait, "Nobody waits"));
+  CHECK(is_told(rows_only, "How often is each swept"));
+  CHECK(is_told(two_frictions, "share one row of friction"));
+  CHECK(is_told(no_friction, "Where is the friction"));
+}
+
+}  // namespace cairn::exercise20
