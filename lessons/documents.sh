@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes what commands print into the documents that show it.
+# Writes what commands print, and what source files say, into the documents that show it.
 #   bash lessons/documents.sh PROGRAMS SOURCE [DESTINATION]
 # A document says so by a line "<!-- output of: COMMAND -->", or "<!-- output of: COMMAND (not compared) -->" where times
 # are in it or the command is slow; what stands in the ``` block behind that line is replaced. DESTINATION: another root for what is written;
@@ -15,6 +15,26 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 ln -s "$source/lessons" lessons  # where commands find scenes that have no name of their own
+
+fail() {
+  printf '%s\n' "$1" >&2
+  exit 1
+}
+
+# quoted FILE NAME: prints the region or the function, moved to the left margin; fails where there is neither.
+quoted() {
+  awk -v name="$2" '
+    { line = $0; sub(/^ +/, "", line) }
+    line == "// [/" name "]" { exit }
+    is_region { text = text substr($0, margin + 1) "\n" }
+    line == "// [" name "]" { is_region = 1; margin = index($0, "/") - 1 }
+    END { if (text == "") exit 1; printf "%s", text }' "$1" && return
+  awk -v name="$2" '
+    !is_inside && /^[A-Za-z]/ && !/;$/ && $0 ~ "[ :*&]" name "[(]" { is_inside = 1 }
+    is_inside { print }
+    is_inside && /^}/ { found = 1; exit }
+    END { exit !found }' "$1"
+}
 
 # renewed DOCUMENT: prints it with its blocks made anew.
 renewed() {
@@ -33,9 +53,17 @@ renewed() {
         if [[ $destination != "$source" ]]; then continue; fi
       fi
       replacing=1
+    elif [[ $line == '<!-- source: '*' '*' -->' && $inside == 0 ]]; then
+      command=${line#<!-- source: }
+      command="quoted ${command% -->}"
+      replacing=1
     elif [[ $line == '```'* ]]; then
       if [[ $replacing == 1 ]]; then
-        bash -c "$command" </dev/null 2>&1 || true
+        if [[ $command == 'quoted '* ]]; then
+          quoted "$(dirname "$1")/$(cut -d ' ' -f 2 <<<"$command")" "${command##* }" || fail "$1: there is no ${command#quoted }"
+        else
+          bash -c "$command" </dev/null 2>&1 || true
+        fi
         printf '```\n'
         replacing=2
       else
@@ -45,7 +73,7 @@ renewed() {
   done <"$1"
 }
 
-grep -rl '^<!-- output of: ' --include='*.md' "$source/README.md" "$source/src" "$source/lessons" | sort | while IFS= read -r document; do
+grep -rlE '^<!-- (output of|source): ' --include='*.md' "$source/README.md" "$source/src" "$source/lessons" | sort | while IFS= read -r document; do
   target=$destination/${document#"$source"/}
   mkdir -p "$(dirname "$target")"
   renewed "$document" >"$target.new"

@@ -133,8 +133,8 @@ std::string parameters_text(const LessonInfo& info) {
 
 std::string info_json(const LessonInfo& info) {
   const nlohmann::ordered_json json = {
-      {"number", info.number}, {"name", info.name}, {"title", info.title},       {"idea", info.idea},
-      {"paper", info.paper},   {"next", info.next}, {"hints", info.hints.size()}};
+      {"number", info.number}, {"name", info.name}, {"title", info.title},        {"idea", info.idea},
+      {"paper", info.paper},   {"next", info.next}, {"hints", info.hints.size()}, {"cover", info.cover}};
   return json.dump() + "\n";
 }
 

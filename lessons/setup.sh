@@ -1,17 +1,20 @@
 #!/usr/bin/env bash
 # Set-up and build, shared by lessons/run and tests/run.
-#   bash lessons/setup.sh [clang|bench|docs]   installs what is missing (alone: nothing is built)
-# When sourced it only defines: cairn_set_up [clang|bench|docs], cairn_build PRESET TARGET...
+#   bash lessons/setup.sh [clang|bench|docs|book]   installs what is missing (alone: nothing is built)
+# When sourced it only defines: cairn_set_up [clang|bench|docs|book], cairn_build PRESET TARGET...
 
 cairn_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cairn_installed=no  # becomes yes when packages were installed: then CMake has to look again
 
 cairn_packages=(g++ cmake ninja-build pkg-config ccache libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libstb-dev zlib1g-dev fonts-dejavu-core libosmesa6-dev libegl-dev libbox2d-dev doctest-dev
-  libtomlplusplus-dev)
+  libtomlplusplus-dev libmd4c-dev libmd4c-html0-dev)
 cairn_bench_packages=(libbenchmark-dev)
 cairn_docs_packages=(doxygen)
 cairn_clang_packages=(clang clang-tidy clang-format libclang-rt-dev)
+# A browser for the test of the lesson book. Node.js comes in packages of other makers too, npm within it.
+cairn_book_packages=(chromium)
+if ! command -v npm >/dev/null; then cairn_book_packages+=(nodejs npm); fi
 # Packages that some releases do not have. Without OSMesa the pictures are drawn through EGL.
 cairn_dispensable=" libosmesa6-dev libclang-rt-dev "
 
@@ -67,6 +70,7 @@ cairn_install() {
 cairn_set_up() {
   local -a needed=("${cairn_packages[@]}")
   if [[ ${1:-} == clang ]]; then needed+=("${cairn_clang_packages[@]}"); fi
+  if [[ ${1:-} == book ]]; then needed+=("${cairn_book_packages[@]}"); fi
   if [[ ${1:-} == docs ]]; then needed+=("${cairn_docs_packages[@]}"); fi
   if [[ ${1:-} == bench ]]; then needed+=("${cairn_bench_packages[@]}"); fi
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then

@@ -64,7 +64,10 @@ About ask(const Program& program) {
   const ProcessResult result = run_quietly({program.path.string(), "--info-json"});
   const auto json = nlohmann::json::parse(result.output, nullptr, false);
   if (!json.is_object()) return {.title = program.name, .idea = "(cannot be started)"};
-  return {.title = json.value("title", program.name), .idea = json.value("idea", "")};
+  return {.title = json.value("title", program.name),
+          .idea = json.value("idea", ""),
+          .paper = json.value("paper", ""),
+          .cover = json.value("cover", 1)};
 }
 
 ProgressNotes read_progress(const fs::path& file) {

@@ -29,6 +29,8 @@ std::string two_digits(int number);
 struct About {
   std::string title = {};
   std::string idea = {};
+  std::string paper = {};  // "paper 3.2, Algorithm 1, eq (19)-(23)"
+  int cover = 1;           // the frame that stands for the lesson, from 1; negative: from the end
 };
 About ask(const Program& program);
 

@@ -33,6 +33,8 @@ int doctor(const Context& context);
 int legend(const Context& context);
 /// Every item of the paper, with the lesson, frame and check where it is met. 1 where one is in no lesson.
 int coverage(const Context& context);
+/// The lesson book, as pages that work from a file: book [FOLDER] [flags of the lessons].
+int book(const Context& context, const std::vector<std::string>& words);
 
 /// "  00  One body" for every lesson: for complaints about words that are none.
 std::string short_list(const Context& context);

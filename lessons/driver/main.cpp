@@ -25,8 +25,10 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
   bash lessons/run 6 --help    the flags of lesson 6
   bash lessons/run check 6     its checks and your exercise; a pass is noted in lessons-progress.txt
   bash lessons/run check --all the checks of every lesson, without the exercises
+  bash lessons/run book        every lesson as a page for the browser, in out/book/
 
   run [N] [flags]   list   next   check N|--all   hint N [1-3]   solution N   progress
+  book [DIR]        text, code, output and pictures of all lessons; flags follow: --frames all
   legend            what colours, dashes and markers mean
   coverage          where each equation and claim of the paper is met
   doctor            whether pictures can be drawn here
@@ -120,7 +122,8 @@ int act(const Context& context, const std::string& word, const Words& rest) {
       {"progress", [&] { return progress(context); }},
       {"doctor", [&] { return doctor(context); }},
       {"legend", [&] { return legend(context); }},
-      {"coverage", [&] { return coverage(context); }}};
+      {"coverage", [&] { return coverage(context); }},
+      {"book", [&] { return book(context, rest); }}};
   const auto action = actions.find(word);
   if (action != actions.end()) return action->second();
   if (find(context.programs, word) != nullptr)

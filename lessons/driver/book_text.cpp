@@ -1,0 +1,218 @@
+// Markdown of the lessons as HTML: md4c reads it, and what it gives is then fitted into the page.
+#include "lessons/driver/book_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <stdexcept>
+
+#ifdef CAIRN_HAVE_MD4C
+#include <md4c-html.h>
+#endif
+
+#include "lessons/driver/book.hpp"
+
+namespace cairn::driver {
+namespace {
+
+constexpr const char* source_mark = "<!-- source: ";
+constexpr const char* output_mark = "<!-- output of: ";
+
+/// Replaces every piece between `open` and `close` by what the function makes of its inside.
+std::string replaced(const std::string& text, const std::string& open, const std::string& close,
+                     const std::function<std::string(const std::string&)>& by) {
+  std::string result;
+  std::size_t at = 0;
+  while (true) {
+    const std::size_t begin = text.find(open, at);
+    const std::size_t end = begin == std::string::npos ? begin : text.find(close, begin + open.size());
+    if (end == std::string::npos) return result + text.substr(at);
+    result += text.substr(at, begin - at);
+    result += by(text.substr(begin + open.size(), end - begin - open.size()));
+    at = end + close.size();
+  }
+}
+
+/// "What to look at" -> "what-to-look-at".
+std::string anchor_of(const std::string& title) {
+  std::string anchor;
+  bool is_in_tag = false;
+  for (const char c : title) {
+    if (c == '<' || c == '>') is_in_tag = c == '<';
+    if (is_in_tag) continue;
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+      anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (!anchor.empty() && anchor.back() != '-') {
+      anchor += '-';
+    }
+  }
+  while (!anchor.empty() && anchor.back() == '-') anchor.pop_back();
+  return anchor;
+}
+
+/// Where a link of a lesson's text leads in the book; "" for nowhere.
+std::string led_on(const std::string& target, const TextPlaces& places) {
+  if (target.rfind("http", 0) == 0 || target.rfind("#", 0) == 0) return target;
+  const auto file = places.files.find(target);
+  if (file != places.files.end()) return file->second;
+  for (const auto& [folder, page] : places.pages) {
+    if (target == "../" + folder + "/README.md") return page;
+  }
+  return "";
+}
+
+/// A link that leads nowhere in the book, to a source file that is not on this page, is its text alone.
+std::string with_links(const std::string& html, const TextPlaces& places) {
+  return replaced(html, "<a href=\"", "</a>", [&places](const std::string& link) {
+    const std::size_t quote = link.find('"');
+    const std::string target = led_on(link.substr(0, quote), places);
+    const std::string words = link.substr(link.find('>') + 1);
+    return target.empty() ? words : fmt::format("<a href=\"{}\">{}</a>", target, words);
+  });
+}
+
+/// "../../src/solvers/jacobi.cpp" -> "src/solvers/jacobi.cpp".
+std::string without_dots(std::string file) {
+  while (file.rfind("../", 0) == 0) file.erase(0, 3);
+  return file;
+}
+
+/// "peg.cpp push", as a comment names a quoted piece of a file.
+struct Quote {
+  std::string file = {};
+  std::string name = {};
+
+  explicit Quote(const std::string& comment)
+      : file(comment.substr(0, comment.find(' '))), name(comment.substr(comment.find(' ') + 1)) {}
+  std::string anchor() const { return without_dots(file) + "-" + name; }
+  std::string caption() const {
+    return "<code>" + name + "</code> in <code>" + without_dots(file) + "</code>";
+  }
+};
+
+/// Links to files of which a piece is quoted lead to that piece.
+TextPlaces with_quotes(const TextPlaces& places, const std::string& html) {
+  TextPlaces more = places;
+  replaced(html, source_mark, " -->", [&more](const std::string& comment) {
+    const Quote quote(comment);
+    more.files.insert({quote.file, "#" + quote.anchor()});
+    return std::string();
+  });
+  return more;
+}
+
+/// A figure of the block of code behind a comment.
+std::string quoted_figure(const std::string& anchor, const std::string& caption, const std::string& piece) {
+  const std::string id = anchor.empty() ? "" : " id=\"" + anchor + "\"";
+  return fmt::format("<figure class=\"code\"{}>\n<figcaption>{}</figcaption>\n{}</pre>\n</figure>", id,
+                     caption, piece.substr(piece.find("<pre")));
+}
+
+/// Blocks of code that the keyboard can scroll. A block behind a comment that says where it is from gets a
+/// caption.
+std::string with_code(const std::string& html) {
+  const auto block = [](const std::string&) { return std::string("<pre tabindex=\"0\"><code>"); };
+  const auto source = [](const std::string& piece) {
+    const Quote quote(piece.substr(0, piece.find(" -->")));
+    return quoted_figure(quote.anchor(), quote.caption(), piece);
+  };
+  const auto output = [](const std::string& piece) {
+    const std::string mark = piece.substr(0, piece.find(" -->"));
+    const std::string command = mark.substr(0, mark.find(" (not compared)"));
+    return quoted_figure("", "What <code>" + escaped(command) + "</code> prints", piece);
+  };
+  const std::string text = replaced(html, "<pre><code", ">", block);
+  return replaced(replaced(text, source_mark, "</pre>", source), output_mark, "</pre>", output);
+}
+
+std::string with_pictures_and_tables(const std::string& html, const TextPlaces& places) {
+  const auto cover = [&places](const std::string&) { return places.cover; };
+  const auto table = [](const std::string& rows) {
+    return "<div class=\"table\" role=\"region\" aria-label=\"Table\" tabindex=\"0\"><table>" + rows +
+           "</table></div>";
+  };
+  return replaced(replaced(html, "<picture>", "</picture>", cover), "<table>", "</table>", table);
+}
+
+std::string with_heading_anchor(const std::string& section, const std::string& title) {
+  return fmt::format("<h2 id=\"{}\">{}", anchor_of(title), section.substr(std::string("<h2>").size()));
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+#ifdef CAIRN_HAVE_MD4C
+
+bool can_make_books() { return true; }
+
+std::string html_of(const std::string& markdown) {
+  std::string html;
+  const auto add = [](const MD_CHAR* text, MD_SIZE size, void* result) {
+    static_cast<std::string*>(result)->append(text, size);
+  };
+  const int code = md_html(markdown.data(), static_cast<MD_SIZE>(markdown.size()), add, &html,
+                           MD_FLAG_TABLES | MD_FLAG_STRIKETHROUGH, 0);
+  if (code != 0) throw std::runtime_error("html_of: the Markdown cannot be read");
+  return html;
+}
+
+#else
+
+bool can_make_books() { return false; }
+
+std::string html_of(const std::string&) {
+  throw std::runtime_error("html_of: this build cannot read Markdown");
+}
+
+#endif
+
+std::string code_figure(const std::string& anchor, const std::string& caption, std::string_view code) {
+  return fmt::format(
+      "<figure class=\"code\" id=\"{}\">\n<figcaption>{}</figcaption>\n"
+      "<pre tabindex=\"0\"><code>{}</code></pre>\n</figure>\n",
+      anchor, caption, escaped(code));
+}
+
+std::vector<Section> sections_of(const std::string& markdown, const TextPlaces& places) {
+  const std::string plain = html_of(markdown);
+  const std::string linked = with_links(plain, with_quotes(places, plain));
+  const std::string html = with_pictures_and_tables(with_code(linked), places);
+  std::vector<Section> sections;
+  for (std::size_t begin = 0; begin < html.size();) {
+    const std::size_t end = std::min(html.find("<h2>", begin + 1), html.size());
+    Section section = {.html = html.substr(begin, end - begin)};
+    if (section.html.rfind("<h2>", 0) == 0) {
+      section.title = section.html.substr(4, section.html.find("</h2>") - 4);
+      section.html = with_heading_anchor(section.html, section.title);
+    }
+    sections.push_back(section);
+    begin = end;
+  }
+  return sections;
+}
+
+}  // namespace cairn::driver

@@ -1,0 +1,240 @@
+// The lesson book in a real browser, from files and without a network.
+//   node browser.mjs BOOK [SCREENSHOTS]
+// The last line is "N passed, N failed". With a second folder it leaves screenshots there, to be looked at.
+import { existsSync, mkdirSync, readdirSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const { chromium } = createRequire(join(process.cwd(), "book"))("playwright-core");
+
+const book = resolve(process.argv[2] ?? "out/book");
+const screenshots = process.argv[3] && resolve(process.argv[3]);
+const widths = [1280, 390];
+const themes = ["light", "dark"];
+const pages = readdirSync(book).filter((name) => name.endsWith(".html")).sort();
+const lessons = pages.filter((name) => name !== "index.html");
+const browserPath = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
+
+let passed = 0;
+let failed = 0;
+function check(holds, claim, detail = "") {
+  if (holds) { ++passed; return; }
+  ++failed;
+  console.log(`FAILED ${claim}${detail === "" ? "" : ": " + detail}`);
+}
+
+const address = (page, hash = "") => pathToFileURL(join(book, page)).href + hash;
+
+// A tab that notes what goes wrong in it, and every address that it asks for.
+async function open(browser, options) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  await context.setOffline(true);
+  const tab = await context.newPage();
+  const troubles = [];
+  tab.on("console", (message) => { if (message.type() === "error") troubles.push(message.text()); });
+  tab.on("pageerror", (error) => troubles.push(error.message));
+  tab.on("requestfailed", (request) => troubles.push("cannot load " + request.url()));
+  tab.on("request", (request) => {
+    if (!/^(file|data):/.test(request.url())) troubles.push("asks for " + request.url());
+  });
+  return { context, tab, troubles };
+}
+
+const overflow = () => {
+  const width = document.documentElement.clientWidth;
+  const isClipped = (element) => {
+    for (let at = element; at; at = at.parentElement) if (getComputedStyle(at).overflowX === "auto") return true;
+    return false;
+  };
+  const wide = [...document.querySelectorAll("body *")].filter((element) => {
+    const box = element.getBoundingClientRect();
+    return box.width > 0 && box.right > width + 1 && !isClipped(element);
+  });
+  return wide.map((element) => element.tagName + "." + element.className).slice(0, 3).join(" ");
+};
+
+const brokenPictures = (theme) => [...document.images].filter((image) => {
+  const isShown = image.getClientRects().length > 0;
+  return !image.alt || (isShown && (!image.naturalWidth || !image.currentSrc.includes(`_${theme}.png`)));
+}).length;
+
+// Text against what is behind it: at least 4.5 : 1 (WCAG 2.2, 1.4.3).
+const paleText = () => {
+  const channels = (color) => color.match(/[\d.]+/g).map(Number);
+  const light = ([r, g, b]) => [r, g, b].map((c) => c / 255)
+    .map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
+    .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+  const behind = (element) => {
+    for (let at = element; at; at = at.parentElement) {
+      const color = channels(getComputedStyle(at).backgroundColor);
+      if (color.length < 4 || color[3] === 1) return light(color);
+    }
+    return 1;
+  };
+  const texts = [...document.querySelectorAll("p, li, a, h1, h2, h3, td, th, code, button, summary, figcaption")];
+  const ratio = (element) => {
+    const pair = [light(channels(getComputedStyle(element).color)), behind(element)].sort((a, b) => b - a);
+    return (pair[0] + 0.05) / (pair[1] + 0.05);
+  };
+  return texts.filter((element) => element.getClientRects().length > 0 && ratio(element) < 4.5)
+    .map((element) => `${element.tagName} "${element.textContent.slice(0, 30)}" ${ratio(element).toFixed(2)}`)
+    .slice(0, 3).join("; ");
+};
+
+async function checkLooks(browser) {
+  for (const theme of themes) {
+    for (const width of widths) {
+      const { context, tab, troubles } =
+        await open(browser, { colorScheme: theme, viewport: { width, height: 844 } });
+      for (const name of pages) {
+        const where = `${name} at ${width} px, ${theme}`;
+        await tab.goto(address(name));
+        const wide = await tab.evaluate(overflow);
+        check(wide === "", `${where}: nothing overflows`, wide);
+        check(await tab.evaluate(brokenPictures, theme) === 0, `${where}: pictures load, in the theme, with alt text`);
+        const pale = await tab.evaluate(paleText);
+        check(pale === "", `${where}: text stands out`, pale);
+        if (screenshots) {
+          await tab.screenshot({ path: join(screenshots, `${name.replace(".html", "")}_${width}_${theme}.png`), fullPage: true });
+        }
+      }
+      check(troubles.length === 0, `pages at ${width} px, ${theme}, load without an error`, troubles.join("; "));
+      await context.close();
+    }
+  }
+}
+
+// What the player of a page says of itself.
+const playerState = () => {
+  const shown = [...document.querySelectorAll(".frames > li")].filter((item) => item.getClientRects().length > 0);
+  return {
+    shown: shown.map((item) => item.id).join(" "),
+    slider: Number(document.querySelector(".controls input").value),
+    spoken: document.querySelector(".controls input").getAttribute("aria-valuetext"),
+    caption: document.querySelector(".caption p").textContent,
+    hash: location.hash,
+  };
+};
+
+async function checkPlayer(browser, name) {
+  const { context, tab, troubles } = await open(browser, {});
+  await tab.clock.install();
+  await tab.goto(address(name));
+  const ids = await tab.$$eval(".frames > li", (items) => items.map((item) => item.id));
+  const stands = async (index, claim) => {
+    const state = await tab.evaluate(playerState);
+    const spoken = state.spoken === state.caption && state.caption.includes("Frame " + ids[index].slice(6) + " ");
+    check(state.shown === ids[index] && state.slider === index && spoken, `${name}: ${claim}`, JSON.stringify(state));
+    return state;
+  };
+  await stands(0, "the first frame is shown, alone");
+  await tab.focus(".controls input");
+  await tab.keyboard.press("ArrowRight");
+  const state = await stands(1, "the right arrow goes on");
+  check(state.hash === "#" + ids[1], `${name}: the address follows`, state.hash);
+  await tab.keyboard.press("End");
+  await stands(ids.length - 1, "End goes to the end");
+  await tab.keyboard.press("ArrowRight");
+  await stands(ids.length - 1, "and nothing goes past it");
+  await tab.keyboard.press("Home");
+  await stands(0, "Home goes back");
+  const box = await tab.locator(".controls input").boundingBox();
+  await tab.mouse.click(box.x + box.width - 2, box.y + box.height / 2);
+  await stands(ids.length - 1, "a click at the end of the slider shows the last frame");
+  await tab.click(".previous");
+  await stands(ids.length - 2, "the button goes back");
+  await tab.keyboard.press("Home");
+  await tab.click(".play");
+  await tab.clock.runFor(1600);
+  await stands(1, "the film runs");
+  await tab.clock.runFor(1600 * ids.length);
+  await stands(ids.length - 1, "and ends at the last frame");
+  check(await tab.textContent(".play") === "Play", `${name}: after which it can be played again`);
+  await tab.click(".caption summary");
+  check(await tab.isVisible(".caption details p"), `${name}: the description is shown on demand`);
+  await tab.click(".previous");
+  check(await tab.isVisible(".caption details p"), `${name}: and stays for other frames`);
+  const middle = Math.floor(ids.length / 2);
+  await tab.goto("about:blank");
+  await tab.goto(address(name, "#" + ids[middle]));
+  await stands(middle, "a link opens its frame");
+  check(await tab.evaluate(() => Math.abs(document.querySelector(".player").getBoundingClientRect().top) < 100),
+    `${name}: and brings it into view`);
+  check(troubles.length === 0, `${name}: the player works without an error`, troubles.join("; "));
+  await context.close();
+}
+
+async function checkTheme(browser) {
+  const { context, tab } = await open(browser, { colorScheme: "light" });
+  await tab.goto(address(lessons[0]));
+  const paper = () => tab.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const light = await paper();
+  await tab.click("button.theme");
+  await tab.waitForFunction(() => [...document.images].every((image) => image.complete));
+  check(await paper() !== light, "the button makes the page dark");
+  check(await tab.evaluate(brokenPictures, "dark") === 0, "and its pictures");
+  await tab.emulateMedia({ media: "print" });
+  check(await paper() === "rgb(255, 255, 255)", "paper is white all the same");
+  await tab.waitForFunction(() => [...document.images].every((image) => image.complete));
+  check(await tab.evaluate(brokenPictures, "light") === 0, "and all frames are on it, light");
+  await tab.emulateMedia({ media: "screen" });
+  await tab.goto(address("index.html"));
+  check(await paper() !== light, "the choice holds for the next page");
+  await context.close();
+}
+
+async function checkKeyboard(browser, name) {
+  const { context, tab } = await open(browser, {});
+  await tab.goto(address(name));
+  await tab.keyboard.press("Tab");
+  check(await tab.evaluate(() => document.activeElement.className) === "skip", `${name}: first comes the skip link`);
+  const reached = new Set(["skip"]);
+  let unmarked = "";
+  for (let i = 0; i < 200; ++i) {
+    await tab.keyboard.press("Tab");
+    const focus = await tab.evaluate(() => {
+      const at = document.activeElement;
+      return { tag: at.tagName, name: at.className || at.tagName, outline: getComputedStyle(at).outlineStyle };
+    });
+    if (focus.tag === "BODY") break;
+    if (focus.outline === "none") unmarked = focus.name;
+    reached.add(focus.name);
+  }
+  for (const wanted of ["theme", "previous", "play", "next", "INPUT", "SUMMARY", "PRE", "A"]) {
+    check(reached.has(wanted), `${name}: the keyboard reaches ${wanted}`);
+  }
+  check(unmarked === "", `${name}: what has the focus is marked`, unmarked);
+  await context.close();
+}
+
+async function checkWithoutScript(browser, name) {
+  const { context, tab } = await open(browser, { javaScriptEnabled: false });
+  await tab.goto(address(name));
+  const items = tab.locator(".frames > li");
+  const visible = await Promise.all((await items.all()).map((item) => item.isVisible()));
+  check(visible.length > 0 && visible.every(Boolean), `${name}: without its script every frame is shown`);
+  check(!(await tab.isVisible(".controls")), `${name}: and no button that does nothing`);
+  await context.close();
+}
+
+if (!browserPath) {
+  console.log("There is no chromium here.\n0 passed, 1 failed");
+  process.exit(1);
+}
+if (screenshots) mkdirSync(screenshots, { recursive: true });
+const browser = await chromium.launch({ executablePath: browserPath, args: ["--no-sandbox"] });
+try {
+  check(lessons.length > 0, "the book has lessons");
+  await checkLooks(browser);
+  for (const name of new Set([lessons[0], lessons.at(-1)])) await checkPlayer(browser, name);
+  await checkTheme(browser);
+  await checkKeyboard(browser, lessons.at(-1));
+  await checkWithoutScript(browser, lessons.at(-1));
+} catch (error) {
+  check(false, "the test runs to its end", error.message);
+} finally {
+  await browser.close();
+}
+console.log(`${passed} passed, ${failed} failed`);
+process.exit(failed === 0 ? 0 : 1);

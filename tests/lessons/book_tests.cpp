@@ -1,0 +1,271 @@
+// The lesson book: pages that are whole, links that lead somewhere, pictures that the lessons drew.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "child_lesson.hpp"
+
+namespace cairn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using Pages = std::map<std::string, std::string>;  // the text of each by its name
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Cairn without md4c makes no books.
+bool book_is_missing(const Ran& ran) {
+  const bool cannot = ran.code == 3 && ran.err.find("cannot read Markdown") != std::string::npos;
+  if (cannot) MESSAGE("the driver was built without md4c: there is no book to look at");
+  return cannot;
+}
+
+/// The whole book, made once for all tests.
+struct WholeBook {
+  ScratchFolder scratch = {};
+  fs::path folder = scratch.path() + "/book";
+  Ran ran = run_program("lessons", {"book", folder.string()});
+  Pages pages = {};
+
+  WholeBook() {
+    if (!fs::exists(folder)) return;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() == ".html") {
+        pages[entry.path().filename().string()] = bytes_of(entry.path());
+      }
+    }
+  }
+};
+
+const WholeBook& whole_book() {
+  static const WholeBook book;
+  return book;
+}
+
+std::vector<std::string> all_matches(const std::string& text, const std::regex& pattern) {
+  std::vector<std::string> found;
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
+    found.push_back((*match)[1].str());
+  return found;
+}
+
+/// "lesson06_sequential_impulses" of every lesson that was built.
+std::vector<std::string> built_lessons() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(CAIRN_BIN_DIR)) {
+    const std::string name = entry.path().filename().string();
+    if (std::regex_match(name, std::regex("lesson[0-9][0-9]_[a-z0-9_]+"))) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// A driver with only a few lessons beside it.
+std::string small_driver(const ScratchFolder& scratch, const std::vector<std::string>& lessons) {
+  const fs::path folder = scratch.path() + "/bin";
+  fs::create_directories(folder);
+  fs::copy_file(CAIRN_BIN_DIR "/lessons", folder / "lessons");
+  for (const std::string& name : lessons) fs::create_symlink(fs::path(CAIRN_BIN_DIR) / name, folder / name);
+  return (folder / "lessons").string();
+}
+
+/// What is wrong with the nesting of the elements of a page; empty when nothing is.
+std::string nesting_error(const std::string& page) {
+  const std::set<std::string> without_end = {"meta", "link", "img", "source", "input", "br", "hr"};
+  std::vector<std::string> open;
+  static const std::regex tag("<(/?)([a-z][a-z0-9]*)((?:\\s+[a-z-]+(?:=\"[^\"<]*\")?)*)\\s*>");
+  const std::string text = page.substr(page.find("<html"));
+  std::size_t seen = 0;
+  for (std::sregex_iterator match(text.begin(), text.end(), tag), end; match != end; ++match, ++seen) {
+    const std::string name = (*match)[2].str();
+    if ((*match)[1].length() == 0) {
+      if (without_end.count(name) == 0) open.push_back(name);
+    } else if (open.empty() || open.back() != name) {
+      return "</" + name + "> in " + (open.empty() ? "nothing" : open.back());
+    } else {
+      open.pop_back();
+    }
+  }
+  // Every < is the beginning of a tag that was understood: what is text was escaped.
+  if (seen != static_cast<std::size_t>(std::count(text.begin(), text.end(), '<'))) return "a stray <";
+  return open.empty() ? "" : "<" + open.back() + "> is not closed";
+}
+
+}  // namespace
+
+TEST_CASE("the lesson book has a page for every lesson, under 25 MB in all") {
+  const WholeBook& book = whole_book();
+  if (book_is_missing(book.ran)) return;
+  CAPTURE(book.ran.err);
+  REQUIRE(book.ran.code == 0);
+  CHECK_FALSE(fs::exists(book.folder / "unfinished"));
+  for (const std::string& name : built_lessons()) {
+    CAPTURE(name);
+    const std::string page = name.substr(0, 8) + ".html";
+    REQUIRE(book.pages.count(page) == 1);
+    CHECK(book.pages.at("index.html").find("href=\"" + page + "\"") != std::string::npos);
+  }
+  CHECK(book.pages.size() == built_lessons().size() + 1);
+  std::uintmax_t size = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(book.folder)) {
+    if (entry.is_regular_file()) size += entry.file_size();
+  }
+  CHECK(size < 25'000'000);
+}
+
+TEST_CASE("every page of the lesson book is well formed, and every picture has its words") {
+  for (const auto& entry : whole_book().pages) {
+    const std::string& name = entry.first;
+    const std::string& page = entry.second;
+    CAPTURE(name);
+    CHECK(nesting_error(page) == "");
+    const std::vector<std::string> ids = all_matches(page, std::regex(" id=\"([^\"]*)\""));
+    CHECK(std::set<std::string>(ids.begin(), ids.end()).size() == ids.size());
+    const auto pictures = all_matches(page, std::regex("<(img) "));
+    const auto described =
+        all_matches(page, std::regex("<img src=\"[^\"]+\" width=\"[0-9]+\" height=\"[0-9]+\" "
+                                     "alt=\"([^\"]+)\">"));
+    CHECK(pictures.size() == described.size());
+    CHECK(page.find("<!-- ") == std::string::npos);  // every comment of the texts was followed
+    CHECK(all_matches(page, std::regex("<(h1)")).size() == 1);
+  }
+}
+
+TEST_CASE("every link and picture of the lesson book is in the book") {
+  const WholeBook& book = whole_book();
+  for (const auto& entry : book.pages) {
+    const std::string& name = entry.first;
+    const std::string& page = entry.second;
+    for (const std::string& target : all_matches(page, std::regex(" (?:href|src|srcset)=\"([^\"]*)\""))) {
+      if (target.rfind("https://", 0) == 0 || target.rfind("data:", 0) == 0) continue;
+      CAPTURE(name);
+      CAPTURE(target);
+      const std::size_t hash = target.find('#');
+      const std::string file = hash == 0 ? name : target.substr(0, hash);
+      CHECK(fs::is_regular_file(book.folder / file));
+      if (hash == std::string::npos) continue;
+      CHECK(bytes_of(book.folder / file).find(" id=\"" + target.substr(hash + 1) + "\"") !=
+            std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("the book shows what the lesson drew and printed, its text and its exercise") {
+  const WholeBook& book = whole_book();
+  if (book_is_missing(book.ran)) return;
+  const std::string& page = book.pages.at("lesson06.html");
+  const ScratchFolder out;
+  const Ran ran = run_program("lesson06_sequential_impulses", {"--size", "small", "-o", out.path()});
+  REQUIRE(ran.code == 0);
+  const auto film = nlohmann::json::parse(out.text("frames.json"));
+  for (const auto& frame : film["frames"]) {
+    const int number = frame["frame"];
+    CAPTURE(number);
+    CHECK(page.find("<li id=\"frame-" + std::to_string(number) + "\">") != std::string::npos);
+    CHECK(page.find(frame["state"].get<std::string>()) != std::string::npos);
+    CHECK(page.find("alt=\"" + frame["alt"].get<std::string>() + "\"") != std::string::npos);
+    char name[32] = {};
+    std::snprintf(name, sizeof(name), "lesson06_%04d_light.png", number);
+    CHECK(bytes_of(book.folder / "frames" / name) == out.text(frame["file"].get<std::string>()));
+  }
+  CHECK(all_matches(page, std::regex("<li (id=\"frame-)")).size() == film["frames"].size());
+  for (const std::string& line : all_matches(ran.out, std::regex("(CHECK .*)"))) {
+    CAPTURE(line);
+    CHECK(page.find(line) != std::string::npos);
+  }
+  CHECK(page.find("your code: about five lines") != std::string::npos);                  // exercise.cpp
+  CHECK(page.find("how hard must I push") != std::string::npos);                         // README.md
+  CHECK(page.find("const Real jv = row_velocity(problem, row);") != std::string::npos);  // what it quotes
+}
+
+TEST_CASE("two makings of the lesson book give the same bytes, and only its own files are replaced") {
+  const ScratchFolder scratch;
+  const std::string driver =
+      small_driver(scratch, {"lesson02_effective_mass", "lesson06_sequential_impulses", "lesson11_friction"});
+  const std::string one = scratch.path() + "/one";
+  const std::string two = scratch.path() + "/elsewhere/two";
+  const Ran first = run_program(driver, {"book", one, "--frames", "cover"});
+  if (book_is_missing(first)) return;
+  REQUIRE(first.code == 0);
+  REQUIRE(run_program(driver, {"book", two, "--frames", "1:3"}).code == 0);
+  scratch.write("elsewhere/two/mine.txt", "mine");
+  REQUIRE(run_program(driver, {"book", two, "--frames", "cover"}).code == 0);
+  CHECK(scratch.text("elsewhere/two/mine.txt") == "mine");
+  fs::remove(two + "/mine.txt");
+  int files = 0;
+  for (const std::string below : {"", "/frames"}) {
+    CHECK(scratch.names("one" + below) == scratch.names("elsewhere/two" + below));
+    for (const auto& entry : fs::directory_iterator(one + below)) {
+      if (!entry.is_regular_file()) continue;
+      CAPTURE(entry.path().string());
+      CHECK(bytes_of(entry.path()) == bytes_of(two + below + "/" + entry.path().filename().string()));
+      ++files;
+    }
+  }
+  CHECK(files == 4 + 2 + 3 * 2);  // pages, style and script, a cover of each in two themes
+}
+
+TEST_CASE("a book that cannot be made says so, and is not half made") {
+  const ScratchFolder scratch;
+  const std::string driver = small_driver(scratch, {"lesson06_sequential_impulses"});
+  const Ran wrong = run_program(driver, {"book", scratch.path() + "/book", "--sise", "small"});
+  if (book_is_missing(wrong)) return;
+  CHECK(wrong.code == 2);
+  CHECK(wrong.err.find("--sise") != std::string::npos);
+  CHECK_FALSE(fs::exists(scratch.path() + "/book/index.html"));
+  scratch.write("file", "no folder");
+  const Ran blocked = run_program(driver, {"book", scratch.path() + "/file/book"});
+  CHECK(blocked.code == 3);
+  CHECK(blocked.err.find("/file/book") != std::string::npos);
+}
+
+TEST_CASE("a book of a lesson whose claims do not hold is made, and says so") {
+  const ScratchFolder scratch;
+  const std::string driver = small_driver(scratch, {"lesson11_friction"});
+  // Two sweeps leave the first step unfinished, which the lesson's text names as a run that fails.
+  const Ran ran =
+      run_program(driver, {"book", scratch.path() + "/book", "--frames", "cover", "--sweeps", "2"});
+  if (book_is_missing(ran)) return;
+  CHECK(ran.code == 1);
+  CHECK(ran.err.find("check failed") != std::string::npos);
+  CHECK(scratch.text("book/lesson11.html").find("FAILED") != std::string::npos);
+}
+
+TEST_CASE("a document quotes a region or a function of a source file, and none that is not there") {
+  const ScratchFolder scratch;
+  const std::string quote = "# T\n\n<!-- source: code.cpp NAME -->\n```cpp\nold\n```\nend\n";
+  const std::string command = "bash '" CAIRN_SOURCE_DIR "/lessons/documents.sh' '" + scratch.path() + "' '" +
+                              scratch.path() + "/tree' '" + scratch.path() + "/new' 2>'" + scratch.path() +
+                              "/said'";
+  for (const char* folder : {"/tree/src", "/tree/lessons"}) fs::create_directories(scratch.path() + folder);
+  scratch.write("cairn", "#!/bin/sh\n");  // documents.sh also asks it for a page of results
+  fs::permissions(scratch.path() + "/cairn", fs::perms::owner_all);
+  scratch.write("tree/README.md", "");
+  scratch.write(
+      "tree/lessons/code.cpp",
+      "int other() { return 1; }\n\nint whole(int a,\n          int b) {\n  // [part]\n  if (a < b) {\n"
+      "    return a;\n  }\n  // [/part]\n  return b;\n}\n");
+  const auto quoted = [&](const std::string& name) {
+    scratch.write("tree/lessons/text.md", std::regex_replace(quote, std::regex("NAME"), name));
+    return std::system(command.c_str()) == 0 ? scratch.text("new/lessons/text.md") : scratch.text("said");
+  };
+  CHECK(quoted("part").find("```cpp\nif (a < b) {\n  return a;\n}\n```\nend\n") != std::string::npos);
+  CHECK(quoted("whole").find("```cpp\nint whole(int a,\n          int b) {\n") != std::string::npos);
+  CHECK(quoted("whole").find("  return b;\n}\n```\nend\n") != std::string::npos);
+  CHECK(quoted("gone").find("there is no code.cpp gone") != std::string::npos);
+}
+
+}  // namespace cairn::testing
