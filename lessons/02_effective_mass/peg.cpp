@@ -33,6 +33,7 @@ Push push_at(const PegSettings& settings, double x, double peg_mass) {
   World<double> world(peg_scene(settings, x, peg_mass, 0));
   const VelocityProblem<double> problem = world.velocity_problem();
   Push push{.x = x, .row = problem.rows.at(0), .before = snapshot(world)};
+  // [push]
   push.inverse_mass = problem.inverse_mass;
   push.inverse = inverse_effective_mass(problem, push.row);
   push.by_matrices = system_matrices(problem).A(0, 0);
@@ -43,6 +44,7 @@ Push push_at(const PegSettings& settings, double x, double peg_mass) {
   const VelocityProblem<double>& solved = world.last_step().problem;
   push.impulse = solved.impulse.at(0);
   push.rate_after = row_velocity(solved, push.row);
+  // [/push]
   push.after = push.before;
   for (std::size_t i = 0; i < push.after.bodies.size(); ++i)
     push.after.bodies[i].velocity = solved.velocity[i];

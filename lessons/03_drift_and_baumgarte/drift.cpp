@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace cairn::drift {
@@ -12,8 +13,12 @@ namespace {
 /// One row, so one sweep is all it takes.
 World<double> one_row_world(const Scene& scene) { return World<double>(scene); }
 
+/// Equation (7) as it stands: without the cap that Cairn puts on it where nobody asks otherwise.
 SceneSettings scene_settings(double dt, double beta, double slop = 0) {
-  return {.gravity = {0, -gravity}, .dt = dt, .stabilization = {.baumgarte = beta, .slop = slop}};
+  return {.gravity = {0, -gravity},
+          .dt = dt,
+          .stabilization = {
+              .baumgarte = beta, .slop = slop, .max_speed = std::numeric_limits<double>::infinity()}};
 }
 
 /// A weight of 1 kg on a rod from the origin, `too_low` metres too far away in the direction `towards`.

@@ -30,8 +30,10 @@ struct RowSpec {
   std::optional<Softness> softness = {};  // none: rigid
   bool keeps_slop = true;                 // an inequality: may stay violated by the slop, as contacts do,
   Real slop_limit = std::numeric_limits<Real>::infinity();  // [m] but by no more than this
-  std::array<RowTerm<Real>, 2> extra = {};                  // a third and a fourth body
-  int extra_count = 0;                                      // how many of `extra` there are
+  /// [m/s^2] of a contact: its overlap goes no faster than a fall through it (Stabilization::max_speed)
+  std::optional<Real> gravity = {};
+  std::array<RowTerm<Real>, 2> extra = {};  // a third and a fourth body
+  int extra_count = 0;                      // how many of `extra` there are
 };
 
 /// How far the condition is from holding [m or rad], signed: all of the error of an equality, the missing

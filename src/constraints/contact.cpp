@@ -42,6 +42,7 @@ void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
     normal.bounds = Bounds<Real>::unilateral();
     normal.part = normal_part(point.feature);
     normal.slop_limit = material.slop_limit;
+    normal.gravity = material.gravity;
     const Real approach =
         -normal.jacobian_a.dot(velocity[index_a]) - normal.jacobian_b.dot(velocity[index_b]);
     if (approach > material.restitution_threshold) normal.rebound = material.restitution * approach;

@@ -23,6 +23,7 @@ struct ContactMaterial {
   Real restitution_threshold = 0;                           // [m/s] slower approaches do not rebound
   FrictionRows friction_rows = FrictionRows::per_point;     // for both points of a manifold, or for each
   Real slop_limit = std::numeric_limits<Real>::infinity();  // [m] no slop above this, whatever is asked for
+  Real gravity = 0;  // [m/s^2] that a body in overlap has to rise against; 0: none
 };
 
 /// The rows of a manifold between bodies a and b. For each point, with arms r_a, r_b from the centres of

@@ -2,6 +2,7 @@
 #include "constraints/stabilization.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cairn {
 
@@ -54,6 +55,17 @@ Real recovery_rate(const Stabilization& stabilization, StabilizationPass pass, R
   return now ? static_cast<Real>(stabilization.baumgarte) / dt : Real(0);
 }
 
+/// [m/s] How fast a contact takes this much overlap back at most. Half as fast as a fall through it, where
+/// velocities keep the speed: up to four overlaps d on each other then lift the last body no higher than they
+/// are deep, as n sqrt(g d / 2) <= sqrt(2 g n d). Without gravity nothing says how fast that is.
+template <Scalar Real>
+Real speed_limit(const RowSpec<Real>& spec, const Stabilization& stabilization, Real overlap) {
+  if (!spec.gravity || std::isinf(stabilization.max_speed)) return std::numeric_limits<Real>::infinity();
+  const Real limit = static_cast<Real>(stabilization.max_speed);
+  const bool keeps_speed = stabilization.policy == StabilizationPolicy::baumgarte && *spec.gravity > 0;
+  return keeps_speed ? std::min(limit, std::sqrt(*spec.gravity * overlap / 2)) : limit;
+}
+
 }  // namespace
 
 template <Scalar Real>
@@ -61,17 +73,15 @@ Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization
                    Real dt, const std::vector<Vec3<Real>>& velocity) {
   const std::optional<Softness> spring = spring_of(spec, stabilization, pass, dt, velocity);
   const Real rate = spring ? return_rate(*spring, dt) : recovery_rate(stabilization, pass, dt);
-  const auto return_speed = [&](Real error) {
-    if (spec.softness) return error * rate;
-    const Real cap = static_cast<Real>(stabilization.max_speed);
-    return std::clamp(error * rate, -cap, cap);
-  };
-  if (!spec.bounds.is_unilateral()) return spec.speed - return_speed(spec.error);
+  if (!spec.bounds.is_unilateral()) return spec.speed - spec.error * rate;
 
   const bool has_slop = spec.keeps_slop && !spec.softness;
   const Real slop = has_slop ? std::min(static_cast<Real>(stabilization.slop), spec.slop_limit) : Real(0);
   Real bias = -spec.error / dt;
-  if (spec.error < 0) bias = return_speed(std::max(Real(0), -spec.error - slop));
+  if (spec.error < 0) {
+    const Real overlap = std::max(Real(0), -spec.error - slop);
+    bias = std::min(rate * overlap, speed_limit(spec, stabilization, overlap));
+  }
   if (pass == StabilizationPass::position) return bias - spec_velocity(spec, velocity);
   return rebounds(spec, dt, velocity) ? std::max(bias, spec.rebound) : bias;
 }

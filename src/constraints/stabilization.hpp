@@ -29,8 +29,10 @@ struct Stabilization {
   StabilizationPolicy policy = StabilizationPolicy::baumgarte;  // what becomes of errors
   double baumgarte = 0.2;  // beta: the share of an error that one step removes
   double slop = 0.005;     // [m] overlap of contacts that is left alone; less between small bodies
-  /// [m/s or rad/s] errors are taken back no faster than this.
-  double max_speed = std::numeric_limits<double>::infinity();
+  /// [m/s] Contacts take overlap back no faster than this, nor under Baumgarte than by sqrt(g depth / 2),
+  /// half the speed of a fall through it: it lifts a body out and no higher, however short the step.
+  /// Infinite: neither holds.
+  double max_speed = 4;
   SwingSoftness soft = {.frequency = 30, .damping_ratio = 10};  // of policy soft; at most 0.25 / dt
 };
 

@@ -64,7 +64,11 @@ ExtremeFinding run_extreme(const Scene& scene, const Setting& setting, const Ext
     if (run.escaped && run.escaped(now))
       passage = fmt::format("something went through at {:.3g} s", now.time);
   };
-  const TrialResult result = run_trial(scene, setting, options);
+  Scene guarded = scene;
+  SceneSettings settings = scene.settings();
+  settings.guarded = true;
+  guarded.set_settings(settings);
+  const TrialResult result = run_trial(guarded, setting, options);
   if (result.status == TrialStatus::refused) throw std::invalid_argument(result.reason);
   if (passage.empty() && result.worst_penetration > run.thinnest / 2) {
     passage = fmt::format("bodies overlap by {:.3g} m", result.worst_penetration);
@@ -85,7 +89,9 @@ ExtremeFinding judged(const std::string& quantity, double value, double limit, d
 }
 
 Scene scene_for(const Setting& setting, const SceneSettings& usual) {
-  return Scene(with_setting(usual, setting));
+  SceneSettings settings = with_setting(usual, setting);
+  settings.guarded = true;
+  return Scene(settings);
 }
 
 }  // namespace cairn

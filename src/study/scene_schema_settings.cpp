@@ -49,6 +49,7 @@ std::vector<SceneKey> scene_step_keys() {
       {"step", "speculative_margin", number, "m", "0.02", ">= 0", "nearer shapes get contact rows"},
       {"step", "restitution_threshold", number, "m/s", "0.5", ">= 0", "slower approaches do not rebound"},
       {"step", "friction_rows", word, "", "per point", "per point, per manifold", "rows of friction"},
+      {"step", "guarded", flag, "", "false", "", "solves that fail are looked after"},
       {"step", "sleeping", table, "", "", "sleeping", "bodies at rest are left out; without it never"},
       {"sleeping", "speed", number, "m/s", "0.05", "> 0", "of the centre of mass"},
       {"sleeping", "angular_speed", number, "rad/s", "0.05", "> 0", "of its turning"},
@@ -61,7 +62,7 @@ std::vector<SceneKey> scene_step_keys() {
        "what becomes of them"},
       {"stabilization", "baumgarte", number, "", "0.2", ">= 0", "share of an error that a step removes"},
       {"stabilization", "slop", number, "m", "0.005", ">= 0", "overlap of contacts that is left alone"},
-      {"stabilization", "max_speed", number, "m/s", "inf", "> 0 or inf", "errors go no faster"},
+      {"stabilization", "max_speed", number, "m/s", "4", "> 0 or inf", "overlap of contacts goes no faster"},
       {"stabilization", "frequency", number, "Hz", "30", "from 1e-6 to 1e6", "of the policy soft"},
       {"stabilization", "damping_ratio", number, "", "10", "from 0 to 1e30", "of the policy soft"},
   };

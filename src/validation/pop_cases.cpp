@@ -1,6 +1,7 @@
 // Beside floor 6. Overlap that Baumgarte stabilization turns into speed: B24.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <variant>
 
@@ -14,10 +15,13 @@ namespace {
 
 using namespace cairn::cases;
 
+/// The bare law (7), whose pop this is.
+const double uncapped = std::numeric_limits<double>::infinity();
+
 struct PopSpec {
   double overlap = 0.1;    // [m] d, at rest
   double frequency = 240;  // [1/s] steps
-  Stabilization stabilization = {.baumgarte = 0.2, .slop = 0};
+  Stabilization stabilization = {.baumgarte = 0.2, .slop = 0, .max_speed = uncapped};
   Shape<double> shape = circle(0.5);  // 1 m high
 };
 

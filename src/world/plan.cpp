@@ -44,7 +44,7 @@ Plan make_plan(const Scene& scene) {
   plan.joints = static_cast<int>(scene.joints().size());
   plan.broadphase = plan.colliders > all_pairs_limit ? BroadphaseKind::sweep : BroadphaseKind::all_pairs;
   plan.warm_start = scene.settings().warm_start;
-  plan.watches_warm_start = plan.warm_start && scene.settings().watches_warm_start;
+  plan.guarded = scene.settings().guarded;
   plan.substeps = scene.settings().substeps;
   plan.relaxes = scene.settings().stabilization.policy == StabilizationPolicy::soft;
   plan.corrects_positions = scene.settings().stabilization.policy == StabilizationPolicy::split_impulse;
@@ -75,15 +75,16 @@ std::string explain(const Plan& plan) {
                                ? std::string("every dynamic body turns")
                                : fmt::format("left out for {} of {} dynamic bodies: 1/I is 0",
                                              plan.dynamic_bodies - plan.turning_bodies, plan.dynamic_bodies));
-  const char* kept = plan.watches_warm_start ? "impulses are kept from step to step, unless they add energy"
-                                             : "impulses are kept from step to step";
-  text += line("warm start", either(plan.warm_start, kept, "left out by setting"));
+  text += line("warm start",
+               either(plan.warm_start, "impulses are kept from step to step", "left out by setting"));
   text += line("substeps", plan.substeps > 1 ? fmt::format("{} a step", plan.substeps)
                                              : std::string("left out: one solve a step"));
   std::string second = "left out: positions need none of their own";
   if (plan.relaxes) second = "soft rows: each step is solved again without springs";
   if (plan.corrects_positions) second = "split impulse: errors are taken back apart from the velocities";
   text += line("second solve", second);
+  text += line("guards", either(plan.guarded, "solves that fail are looked after",
+                                "left out: solves are taken as they are"));
   text += line("sleeping", either(plan.sleeping, "islands at rest take no part until something wakes them",
                                   "left out: every body takes part in every step"));
   return text;

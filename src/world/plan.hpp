@@ -24,7 +24,7 @@ struct Plan {
   FrictionRows friction_rows = FrictionRows::per_point;   // one for each point or for each manifold
   bool restitution = false;                               // some body with e > 0
   bool warm_start = false;                                // solves begin from last step's impulses
-  bool watches_warm_start = false;                        // they are forgotten where they would add energy
+  bool guarded = false;                                   // failed solves are looked after
   int substeps = 1;                                       // in a step
   bool relaxes = false;                       // a second solve takes the speed of springs out again
   bool corrects_positions = false;            // a second solve takes errors back

@@ -29,9 +29,11 @@ struct SceneSettings {
   int substeps = 1;                  // a step is so many steps of dt / substeps, each solved anew
   Stabilization stabilization = {};  // how errors in positions are taken back
   bool warm_start = true;            // begin from last step's impulses
-  /// Before a solve, impulses of the last step that would leave it with more energy than none at all are
-  /// forgotten (impulse_energy() in solvers/impulse_energy.hpp). O(m) a substep; off: not looked at.
-  bool watches_warm_start = false;
+  /// Looks after solves that fail. Impulses of the last step that would leave a solve with more energy than
+  /// none at all are forgotten, and such that are out of all proportion are limited
+  /// (solvers/impulse_energy.hpp); bodies that a solve has left going through each other are kept apart
+  /// (world/last_word.hpp). StepReport says how often. O(m) a substep; off: nothing of it is looked at.
+  bool guarded = false;
   double speculative_margin = 0.02;    // [m] shapes closer than this get contact rows with room to spare
   double restitution_threshold = 0.5;  // [m/s] slower approaches do not rebound
   FrictionRows friction_rows = FrictionRows::per_point;  // one for each point or for each manifold
@@ -59,7 +61,8 @@ struct BodySpec {
   bool fixed_rotation = false;             // never turns: 1/I is 0
   bool sensor = false;  // is seen to touch (StepRecord::sensed), and neither pushes nor is pushed
   /// Never passes through what it could reach within a step: it gets contact rows with the room in between.
-  /// May be stopped by what it would have passed at the side, and then rebounds before it arrives.
+  /// May be stopped by what it would have passed at the side, and then rebounds before it arrives. So does
+  /// every body in a step in which it goes farther than its largest shape is long.
   bool fast = false;
   std::uint32_t category = 1;         // bits: what it is
   std::uint32_t collides_with = ~0u;  // bits: of which categories both must accept the other's

@@ -18,6 +18,15 @@ std::uint64_t contact_source(int collider_a, int collider_b) {
          static_cast<std::uint64_t>(collider_b);
 }
 
+/// The impulse of a row in a sorted list, or the end of the list.
+template <typename Impulses>
+auto find_impulse(const Impulses& impulses, const RowKey& key) {
+  const auto found =
+      std::lower_bound(impulses.begin(), impulses.end(), key,
+                       [](const auto& entry, const RowKey& wanted) { return entry.first < wanted; });
+  return found != impulses.end() && found->first == key ? found : impulses.end();
+}
+
 }  // namespace
 
 template <Scalar Real>
@@ -44,7 +53,7 @@ void World<Real>::substep(Solver<Real>& solver, SolveObserver<Real>* observer, S
   apply_forces();   // 3     v_1 = v + dt M^-1 f: gravity is in before any constraint is solved
   write_rows(StabilizationPass::velocity, record_.problem);  // 4  joints and manifolds -> rows,
   warm_start();                                              //    with last step's impulses
-  if (plan_->watches_warm_start) watch_warm_start(report);
+  if (plan_->guarded) guard_warm_start(report);
   if (plan_->relaxes) {
     second_problem_.velocity = record_.problem.velocity;
     write_rows(StabilizationPass::relax, second_problem_);
@@ -55,6 +64,7 @@ void World<Real>::substep(Solver<Real>& solver, SolveObserver<Real>* observer, S
   moving_velocity_ = record_.problem.velocity;
   if (plan_->corrects_positions) correct_positions(solver, report);
   if (plan_->relaxes) relax(solver, report);
+  if (plan_->guarded) keep_apart(report);
   report.not_finite = first_not_finite();
   if (report.not_finite) return;  // nothing has moved, and the impulses remembered are those of before
   state_.velocity.swap(moving_velocity_);
@@ -150,30 +160,38 @@ void World<Real>::warm_start() {
   record_.is_new.assign(problem.rows.size(), 1);
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     const RowKey& key = problem.rows[i].key;
-    const auto found =
-        std::lower_bound(impulses_.begin(), impulses_.end(), key,
-                         [](const auto& entry, const RowKey& wanted) { return entry.first < wanted; });
-    if (found == impulses_.end() || found->first != key) continue;
+    const auto found = find_impulse(impulses_, key);
+    if (found == impulses_.end()) continue;
     record_.is_new[i] = 0;
     if (plan_->warm_start) problem.impulse[i] = scale * found->second;
   }
 }
 
 /// Begins from nothing where last step's impulses, as they are, would leave the solve with more energy than
-/// no impulses at all.
+/// no impulses at all; and never from such as nothing in the scene explains.
 template <Scalar Real>
-void World<Real>::watch_warm_start(StepReport& report) {
+void World<Real>::guard_warm_start(StepReport& report) {
+  limit_impulses(record_.problem);
   if (!(impulse_energy(record_.problem, moving_velocity_) > 0)) return;
   std::fill(record_.problem.impulse.begin(), record_.problem.impulse.end(), Real(0));
   report.dropped_warm_starts += 1;
 }
 
-/// Rows that have vanished are forgotten.
+/// Rows that have vanished are forgotten. What a step has added to an impulse made good for errors of the
+/// velocities, which do not grow with dt as forces do. After a shorter step than the last one, only a share
+/// of it is kept: as much as it will be again when it is scaled for a longer one.
 template <Scalar Real>
 void World<Real>::remember_impulses() {
+  const Real share = previous_dt_ > 0 ? substep_length() / static_cast<Real>(previous_dt_) : Real(1);
+  std::vector<std::pair<RowKey, Real>> before;
+  if (share < 1) before.swap(impulses_);
   impulses_.clear();
   for (std::size_t i = 0; i < record_.problem.rows.size(); ++i) {
     impulses_.emplace_back(record_.problem.rows[i].key, record_.problem.impulse[i]);
+  }
+  for (auto& [key, impulse] : impulses_) {
+    const auto found = find_impulse(before, key);
+    if (found != before.end()) impulse = share * (found->second + impulse - share * found->second);
   }
   std::sort(impulses_.begin(), impulses_.end(),
             [](const auto& left, const auto& right) { return left.first < right.first; });
@@ -189,7 +207,8 @@ ContactMaterial<Real> World<Real>::material(BodyId a, BodyId b) const {
           .restitution = static_cast<Real>(std::max(spec_a.restitution, spec_b.restitution)),
           .restitution_threshold = static_cast<Real>(scene_->settings().restitution_threshold),
           .friction_rows = scene_->settings().friction_rows,
-          .slop_limit = std::min(slop_limit_[index_a], slop_limit_[index_b])};
+          .slop_limit = std::min(slop_limit_[index_a], slop_limit_[index_b]),
+          .gravity = static_cast<Real>(scene_->settings().gravity.norm())};
 }
 
 /// Of the bodies as the substep would leave them.

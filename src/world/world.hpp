@@ -29,7 +29,11 @@ struct StepReport {
   int rows = 0;                           // scalar constraints
   AwakeCount awake = {};                  // when the step ended; islands are counted where bodies may sleep
   std::optional<BodyId> not_finite = {};  // the first body that would have a NaN or an infinity, if any
-  int dropped_warm_starts = 0;            // of substeps; see SceneSettings::watches_warm_start
+  int dropped_warm_starts = 0;            // of substeps, where SceneSettings::guarded
+  /// Substeps, where SceneSettings::guarded, in which the solve had left bodies going through each other, so
+  /// that they were kept apart (world/last_word.hpp): more sweeps, substeps or an exact solver are called
+  /// for.
+  int kept_apart = 0;
 };
 
 /// What the last step saw and found. The first blocks of the problem are those of the joints, in the scene's
@@ -104,7 +108,8 @@ class World {
   void relax(Solver<Real>& solver, StepReport& report);
   void correct_positions(Solver<Real>& solver, StepReport& report);
   void warm_start();
-  void watch_warm_start(StepReport& report);
+  void guard_warm_start(StepReport& report);
+  void keep_apart(StepReport& report);
   void remember_impulses();
   std::optional<BodyId> first_not_finite() const;
   ContactMaterial<Real> material(BodyId a, BodyId b) const;
@@ -114,6 +119,7 @@ class World {
   std::shared_ptr<const std::vector<Collider>> colliders_;
   std::vector<BodyForces<Real>> forces_;
   std::vector<Real> slop_limit_;  // [m] of each body: a share of its smallest shape
+  std::vector<Real> length_;      // [m] of each body: of its largest shape
   BodyState<Real> state_;
   std::vector<std::pair<RowKey, Real>> impulses_;  // of the last step, sorted by key
   StepRecord<Real> record_;

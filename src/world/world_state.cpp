@@ -50,6 +50,12 @@ double slop_limit(const BodySpec& spec) {
   return slop_share * smallest;
 }
 
+double length(const BodySpec& spec) {
+  double largest = 0;
+  for (const Shape<double>& shape : spec.shapes) largest = std::max(largest, extent(shape));
+  return largest;
+}
+
 }  // namespace
 
 template <Scalar Real>
@@ -64,6 +70,7 @@ World<Real>::World(Scene scene)
     const BodySpec& spec = body.spec;
     require_place<Real>(body, i);
     slop_limit_.push_back(static_cast<Real>(slop_limit(spec)));
+    length_.push_back(static_cast<Real>(length(spec)));
     state_.pose.push_back(
         {.position = body.pose.position.template cast<Real>(), .angle = static_cast<Real>(body.pose.angle)});
     state_.velocity.push_back({static_cast<Real>(spec.velocity.x()), static_cast<Real>(spec.velocity.y()),

@@ -15,7 +15,7 @@ namespace {
 
 /// Towers of ten boxes side by side, or the same boxes in flight, where nothing touches.
 Scene guarded_scene(int bodies, bool touching, bool watches) {
-  Scene scene({.watches_warm_start = watches});
+  Scene scene({.guarded = watches});
   scene.add_ground({.half_width = bodies + 10.0});
   for (int i = 0; i < bodies; ++i) {
     const int tower = i / 10, level = i % 10;
@@ -115,7 +115,8 @@ void print_guard_table() {
   fmt::print(
       "Every substep asks of every body, before it moves, whether its new position and its new velocity are\n"
       "finite numbers; that cannot be switched off, so a copy of the check is timed beside the whole step\n"
-      "(SequentialImpulse, 10 sweeps) that has it in it. A warm start is watched where a scene asks for it:\n"
+      "(SequentialImpulse, 10 sweeps) that has it in it. Where a scene asks for it, failed solves are looked "
+      "after:\n"
       "one more pass over the rows before the solve. The three are timed in turns: ratios are medians of "
       "31.\n\n");
   TextTable table({{"boxes", ""},
@@ -123,7 +124,7 @@ void print_guard_table() {
                    {"noise", ""},
                    {"finite check", "ns/body"},
                    {"share", "of the step"},
-                   {"watched warm start", "to the step"}});
+                   {"guarded", "to the step"}});
   for (const bool touching : {false, true}) {
     for (const int bodies : {10, 1000}) add_guard_row(table, bodies, touching);
   }

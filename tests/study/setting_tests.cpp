@@ -25,9 +25,9 @@ TEST_CASE("a setting is written as the things that differ from the usual") {
         "si x10 omega 1.3 patience 3, 60 Hz, none, long double");
   CHECK(setting_text({.stabilization = {.policy = StabilizationPolicy::soft,
                                         .slop = 0.001,
-                                        .max_speed = 4,
+                                        .max_speed = 3,
                                         .soft = {.frequency = 60, .damping_ratio = 5}}}) ==
-        "si x10, 60 Hz, soft 60 Hz zeta 5 slop 0.001 m at most 4 m/s, double");
+        "si x10, 60 Hz, soft 60 Hz zeta 5 slop 0.001 m at most 3 m/s, double");
   CHECK(setting_text({.solver = "box2d", .sweeps = {.iterations = 8}, .position_iterations = 3}) ==
         "box2d x8+3, 60 Hz, float");
 }

@@ -16,7 +16,10 @@ struct PopSpec {
 
 /// A disc of radius 0.5 m, or a box as high as that, in the ground by d.
 World<double> sunk_body(const PopSpec& spec, const Shape<double>& shape) {
-  Scene scene({.dt = 1 / spec.frequency, .stabilization = {.baumgarte = spec.baumgarte, .slop = spec.slop}});
+  Scene scene({.dt = 1 / spec.frequency,
+               .stabilization = {.baumgarte = spec.baumgarte,
+                                 .slop = spec.slop,
+                                 .max_speed = std::numeric_limits<double>::infinity()}});
   scene.add_ground();
   scene.add({.shapes = {shape}, .position = {0, 0.5 - spec.overlap}, .mass = 3});
   return World(scene);

@@ -37,7 +37,9 @@ void run_steps(World<double>& world, int steps) {
 
 }  // namespace
 
-TEST_CASE("a fast body never passes a thin wall, at any speed up to 1e5 m/s; another one does") {
+TEST_CASE(
+    "a fast body never passes a thin wall, at any speed up to 1e5 m/s, nor one that goes its length in a "
+    "step") {
   for (const double speed : {1.0, 10.0, 100.0, 1e3, 1e5}) {
     CAPTURE(speed);
     World<double> world = bullet_and_wall(speed, true);
@@ -47,9 +49,9 @@ TEST_CASE("a fast body never passes a thin wall, at any speed up to 1e5 m/s; ano
     }
     CHECK(world.bodies().velocity[2].x() <= 1e-9 * speed);
   }
-  World<double> slow = bullet_and_wall(1e3, false);
-  run_steps(slow, 10);
-  CHECK(bullet_x(slow) > 1);
+  World<double> other = bullet_and_wall(1e3, false);
+  run_steps(other, 10);
+  CHECK(bullet_x(other) <= -0.05 + 1e-6);
 }
 
 TEST_CASE("a fast body rebounds with e of its speed, as any other") {
