@@ -20,6 +20,7 @@ namespace cairn {
 template <Scalar Real>
 class BlockFactors {
  public:
+  /// What one body has to do with another, or with itself.
   using Block = Eigen::Matrix<Real, 3, 3>;
 
   /// The bodies, and the pairs (lower, higher) of those that share a row, sorted and each once.
