@@ -20,6 +20,12 @@ Real kinetic_norm(const VelocityProblem<Real>& problem) {
   return std::sqrt(sum);
 }
 
+/// Keeps the larger one, and what is not a number once it was seen.
+template <Scalar Real>
+void raise(Real& worst, Real value) {
+  if (value > worst || std::isnan(value)) worst = value;
+}
+
 /// e_i, where A_ii is known and above 0.
 template <Scalar Real>
 Real correction_at(const VelocityProblem<Real>& problem, std::size_t i, Real inverse) {
@@ -69,8 +75,8 @@ Residual<Real> residual(const VelocityProblem<Real>& problem, Real scale) {
     Real& of_kind = row.bounds.is_friction()     ? result.velocity_friction
                     : row.bounds.is_unilateral() ? result.velocity_normal
                                                  : result.velocity_equality;
-    of_kind = std::max(of_kind, speed);
-    result.velocity = std::max(result.velocity, speed);
+    raise(of_kind, speed);
+    raise(result.velocity, speed);
   }
   result.energy = sum == 0 ? Real(0) : std::sqrt(sum) / scale;
   return result;

@@ -99,6 +99,18 @@ TEST_CASE_TEMPLATE("where the velocities are unique, every solver finds them fro
   }
 }
 
+TEST_CASE_TEMPLATE("a velocity that is not a number leaves none in the residual, whatever row it is in", Real,
+                   float, double, long double) {
+  for (const int body : {1, 2}) {
+    VelocityProblem<Real> problem = box_with_a_lid<Real>();
+    const Real scale = residual_scale(problem);
+    problem.velocity[static_cast<std::size_t>(body)].x() = std::numeric_limits<Real>::quiet_NaN();
+    const Residual<Real> found = residual(problem, scale);
+    CHECK(std::isnan(found.velocity));
+    CHECK(std::isnan(found.energy));
+  }
+}
+
 TEST_CASE_TEMPLATE("every impulse is inside its bounds after every sweep", Real, float, double, long double) {
   for (const SolverMaker<Real>& make : solvers_in_turn<Real>()) {
     VelocityProblem<Real> problem = box_with_a_lid<Real>();
