@@ -22,6 +22,13 @@ inline constexpr BodyId ground = {0};
 /// forces.
 enum class BodyType { static_body, kinematic, dynamic };
 
+/// Whether two bodies, each with a category and the categories it collides with, may touch: neither has
+/// excluded the other's category.
+template <typename Body>
+bool may_touch(const Body& a, const Body& b) {
+  return (a.category & b.collides_with) != 0 && (b.category & a.collides_with) != 0;
+}
+
 /// Parallel arrays over all bodies; planar, so three numbers a body where the paper has six.
 template <Scalar Real>
 struct BodyState {

@@ -10,6 +10,15 @@
 
 namespace cairn {
 
+namespace {
+
+bool is_apart(const Snapshot& snapshot, int first, int second) {
+  const std::pair<BodyId, BodyId> bodies = std::minmax(BodyId{first}, BodyId{second});
+  return std::binary_search(snapshot.apart.begin(), snapshot.apart.end(), bodies);
+}
+
+}  // namespace
+
 double worst_penetration(const Snapshot& snapshot) {
   struct Item {
     int body;
@@ -20,6 +29,7 @@ double worst_penetration(const Snapshot& snapshot) {
   std::vector<char> movable;
   for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
     const SnapshotBody& body = snapshot.bodies[i];
+    if (body.sensor) continue;
     for (const Shape<double>& shape : body.shapes) {
       items.push_back({static_cast<int>(i), &shape});
       boxes.push_back(bounding_box(shape, body.pose));
@@ -32,12 +42,10 @@ double worst_penetration(const Snapshot& snapshot) {
   for (const auto& [i, j] : broadphase.pairs(boxes, movable)) {
     const Item& a = items[static_cast<std::size_t>(i)];
     const Item& b = items[static_cast<std::size_t>(j)];
-    const std::pair<BodyId, BodyId> bodies = std::minmax(BodyId{a.body}, BodyId{b.body});
-    if (a.body == b.body || std::binary_search(snapshot.apart.begin(), snapshot.apart.end(), bodies))
-      continue;
-    const Pose<double>& pose_a = snapshot.bodies[static_cast<std::size_t>(a.body)].pose;
-    const Pose<double>& pose_b = snapshot.bodies[static_cast<std::size_t>(b.body)].pose;
-    const Manifold<double> manifold = collide(*a.shape, pose_a, *b.shape, pose_b, 0.0);
+    const SnapshotBody& body_a = snapshot.bodies[static_cast<std::size_t>(a.body)];
+    const SnapshotBody& body_b = snapshot.bodies[static_cast<std::size_t>(b.body)];
+    if (a.body == b.body || !may_touch(body_a, body_b) || is_apart(snapshot, a.body, b.body)) continue;
+    const Manifold<double> manifold = collide(*a.shape, body_a.pose, *b.shape, body_b.pose, 0.0);
     for (int k = 0; k < manifold.count; ++k) {
       worst = std::max(worst, -manifold.points[static_cast<std::size_t>(k)].separation);
     }

@@ -7,7 +7,8 @@ namespace cairn {
 
 /// The deepest overlap of any two shapes of different bodies, of which one is dynamic [m]; 0 when none
 /// overlap. Measured on the shapes as they stand now, not on the contacts that a solver saw: it is the same
-/// measure for every engine. Pairs joined by a joint are left out.
+/// measure for every engine. Left out are sensors, and pairs that a joint or their categories keep from
+/// touching.
 double worst_penetration(const Snapshot& snapshot);
 
 /// The largest drift of a joint [m or rad]; 0 without joints.

@@ -145,6 +145,7 @@ SnapshotBody Box2DWorld::Simulation::body(std::size_t index) const {
           .mass = static_cast<double>(box2d_body.GetMass()),
           .inertia = static_cast<double>(box2d_body.GetInertia()),
           .gravity_scale = scene_body.spec.gravity_scale,
+          .awake = box2d_body.IsAwake(),
           .shapes = scene_body.spec.shapes};
 }
 

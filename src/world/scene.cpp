@@ -182,10 +182,6 @@ void Scene::require_body(BodyId id, const char* field) const {
           "the id of a body of this scene", id.index);
 }
 
-bool may_touch(const BodySpec& a, const BodySpec& b) {
-  return (a.category & b.collides_with) != 0 && (b.category & a.collides_with) != 0;
-}
-
 void require_time_step(double dt, const char* place) {
   require(dt >= 1e-12 && dt <= 1e6, place, "dt", "from 1e-12 to 1e6 s", dt);
 }

@@ -142,9 +142,6 @@ class Scene {
   std::vector<std::pair<BodyId, BodyId>> apart_;
 };
 
-/// Whether two bodies may touch: neither has excluded the other's category.
-bool may_touch(const BodySpec& a, const BodySpec& b);
-
 /// @throws std::invalid_argument unless dt is from 1e-12 to 1e6 s.
 void require_time_step(double dt, const char* place);
 

@@ -1,6 +1,7 @@
 // Floor 5. What a world looked like at one instant: plain values in double, for measuring and drawing.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,9 @@ struct SnapshotBody {
   double inertia = 0;                      // [kg m^2]; 0 where it cannot be turned
   double gravity_scale = 1;                // how many times the gravity of the scene it feels
   bool awake = true;                       // takes part in the steps
+  bool sensor = false;                     // is seen to touch, and neither pushes nor is pushed
+  std::uint32_t category = 1;              // bits: what it is
+  std::uint32_t collides_with = ~0u;       // bits: of which categories both must accept the other's
   std::vector<Shape<double>> shapes = {};  // in the frame of `pose`
 };
 

@@ -44,6 +44,18 @@ TEST_CASE("bodies of which none is dynamic, and bodies that a joint keeps apart,
   CHECK(worst_penetration(joined) == 0);
 }
 
+TEST_CASE("sensors, and bodies whose categories exclude each other, do not penetrate") {
+  Snapshot sensing = boxes_at({{0, 0}, {0, 0.5}});
+  sensing.bodies[1].sensor = true;
+  CHECK(worst_penetration(sensing) == 0);
+  Snapshot sorted = boxes_at({{0, 0}, {0, 0.5}});
+  sorted.bodies[0].category = 2;
+  sorted.bodies[1].collides_with = 1;
+  CHECK(worst_penetration(sorted) == 0);
+  sorted.bodies[1].collides_with = 3;
+  CHECK(worst_penetration(sorted) == doctest::Approx(0.5).epsilon(overlap_rounding));
+}
+
 TEST_CASE("the drift of a rod is its stretch, that of a pin the distance of its two points") {
   Scene scene({.gravity = {0, 0}, .stabilization = {.baumgarte = 0}});
   const BodyId ball = scene.add({.shapes = {circle(0.1)}, .position = {3, 4}});
