@@ -16,9 +16,10 @@ Rect grown(const Rect& rect, double by) { return inset(rect, -by); }
 
 bool is_active(BodyId id, const WorldLook& look) { return id == look.active_a || id == look.active_b; }
 
-Color fill_of(const Theme& theme, BodyId id, const WorldLook& look) {
+Color fill_of(const Theme& theme, const SnapshotBody& body, BodyId id, const WorldLook& look) {
   if (id == look.active_a) return theme.active_a;
-  return id == look.active_b ? theme.active_b : theme.body;
+  if (id == look.active_b) return theme.active_b;
+  return body.awake ? theme.body : theme.sleeping;
 }
 
 // Of the ground only what looks up is drawn: it has no visible end.
@@ -119,12 +120,12 @@ void draw_dynamic_body(Page& page, const Camera& camera, const SnapshotBody& bod
                        const WorldLook& look) {
   if (!is_seen(camera, body)) return;
   Canvas& canvas = page.canvas();
-  const Color fill = fill_of(page.theme(), id, look);
+  const Color fill = fill_of(page.theme(), body, id, look);
+  const Color line = body.awake ? page.theme().outline : page.theme().inactive;
   const double width = is_active(id, look) ? page.sizes().active_outline : page.sizes().outline;
   const bool is_compound = body.shapes.size() > 1;
   // All outlines of a compound first, twice as wide; then the fills upon their inner halves.
-  const Paint first{
-      .fill = fill, .outline = page.theme().outline, .outline_width = is_compound ? 2 * width : width};
+  const Paint first{.fill = fill, .outline = line, .outline_width = is_compound ? 2 * width : width};
   for (const Shape<double>& shape : body.shapes) paint_shape(canvas, camera, body.pose, shape, first);
   if (is_compound) {
     const Paint second{.fill = fill, .outline = fill, .outline_width = 1};  // no seam between two pieces
@@ -148,7 +149,7 @@ void write_name(Page& page, const Camera& camera, const SnapshotBody& body, Body
                         .color = page.theme().text,
                         .bold = true,
                         .align = Align::center,
-                        .halo = fill_of(page.theme(), id, look)};
+                        .halo = fill_of(page.theme(), body, id, look)};
   const Point middle = camera.project(body.pose.position);
   const std::vector<Point> place = {Point(middle.x(), baseline_around(middle.y(), size))};
   if (!write_if_free(page, place, camera.viewport, name, style) || !is_active(id, look)) return;

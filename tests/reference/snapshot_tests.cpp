@@ -181,6 +181,8 @@ TEST_CASE("a box that Box2D has put to sleep keeps its contacts, and stays awake
   const Snapshot seen = sleepy.snapshot();
   CHECK(seen.contacts.size() == 2);
   CHECK_FALSE(seen.contacts.front().is_new);
+  CHECK_FALSE(seen.bodies[static_cast<std::size_t>(resting.index)].awake);
+  CHECK(awake.snapshot().bodies[static_cast<std::size_t>(resting.index)].awake);
   CHECK(total_normal(seen) == doctest::Approx(mass * g * seen.dt).epsilon(impulse_tolerance));
 }
 

@@ -62,6 +62,18 @@ TEST_CASE("a body is painted where the camera sees it, with its outline on its e
   CHECK(distance_at(image, {3, 1.5}, theme.background, 0, -4) <= 2);
 }
 
+TEST_CASE("a body that sleeps is pale, with a grey outline, and in its lit colour where it is lit") {
+  Snapshot world = with_ground();
+  world.bodies.push_back(dynamic_body(box(2, 1), {3, 1}));
+  world.bodies[1].awake = false;
+  const Theme theme = light_theme();
+  const Image asleep = picture_of_world(world, {.numbers = false});
+  CHECK(distance_at(asleep, {3, 1}, theme.sleeping, 0, 0) <= 2);
+  CHECK(distance_at(asleep, {2, 1}, theme.inactive, 0, 0) < 80);  // half of the edge's pixel
+  const Image lit = picture_of_world(world, {.numbers = false, .active_a = {1}});
+  CHECK(distance_at(lit, {3, 1}, theme.active_a, 0, 0) <= 2);
+}
+
 TEST_CASE("the ground reaches from end to end of the viewport, and not beyond") {
   const Theme theme = light_theme();
   const Image image = picture_of_world(with_ground());
