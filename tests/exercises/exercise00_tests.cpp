@@ -6,12 +6,6 @@
 namespace cairn::exercise00 {
 namespace {
 
-bool step_is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 void place_first(Falling& body, double acceleration, double dt) {
   body.height += body.velocity * dt;
   body.velocity += acceleration * dt;
@@ -31,13 +25,13 @@ void without_gravity(Falling& body, double, double dt) { body.height += body.vel
 }  // namespace
 
 TEST_CASE("exercise 00 tells explicit Euler, the parabola, a forgotten dt and a sign") {
-  CHECK(step_is_told(place_first, "explicit Euler"));
-  CHECK(step_is_told(parabola, "the parabola itself"));
-  CHECK(step_is_told(without_dt, "a change of velocity"));
-  CHECK(step_is_told(without_dt, "The height has not changed"));
-  CHECK(step_is_told(other_sign, "The sign"));
-  CHECK(step_is_told(without_gravity, "The velocity has not changed"));
-  CHECK(step_is_told(without_gravity, "Gravity has not"));
+  CHECK(testing::tells<grade>(place_first, "explicit Euler"));
+  CHECK(testing::tells<grade>(parabola, "the parabola itself"));
+  CHECK(testing::tells<grade>(without_dt, "a change of velocity"));
+  CHECK(testing::tells<grade>(without_dt, "The height has not changed"));
+  CHECK(testing::tells<grade>(other_sign, "The sign"));
+  CHECK(testing::tells<grade>(without_gravity, "The velocity has not changed"));
+  CHECK(testing::tells<grade>(without_gravity, "Gravity has not"));
 }
 
 }  // namespace cairn::exercise00

@@ -10,12 +10,6 @@ namespace {
 
 using Row = std::array<double, 3>;
 
-bool row_is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 Row along(const Rail& rail) { return {std::cos(rail.slope), std::sin(rail.slope), 0}; }
 
 Row below(const Rail& rail) { return {std::sin(rail.slope), std::cos(rail.slope), 0}; }
@@ -34,12 +28,12 @@ Row one_sign(const Rail& r) { return across(r, r.arm_x * std::cos(r.slope) - r.a
 }  // namespace
 
 TEST_CASE("exercise 01 tells along from across, a forgotten arm, an order and a sign") {
-  CHECK(row_is_told(along, "along the rail"));
-  CHECK(row_is_told(below, "upper side"));
-  CHECK(row_is_told([](const Rail& r) { return across(r, 0); }, "where is the arm"));
-  CHECK(row_is_told(other_order, "The order"));
-  CHECK(row_is_told(product, "That is r n"));
-  CHECK(row_is_told(one_sign, "n_x is negative"));
+  CHECK(testing::tells<grade>(along, "along the rail"));
+  CHECK(testing::tells<grade>(below, "upper side"));
+  CHECK(testing::tells<grade>([](const Rail& r) { return across(r, 0); }, "where is the arm"));
+  CHECK(testing::tells<grade>(other_order, "The order"));
+  CHECK(testing::tells<grade>(product, "That is r n"));
+  CHECK(testing::tells<grade>(one_sign, "n_x is negative"));
 }
 
 }  // namespace cairn::exercise01

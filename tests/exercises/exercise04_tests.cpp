@@ -11,12 +11,6 @@ namespace {
 
 using Masses = std::vector<double>;
 
-bool entry_is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 double mass(const Masses& masses, int box) { return masses[static_cast<std::size_t>(box)]; }
 
 double without_masses(int i, int j, const Masses&) {
@@ -30,14 +24,14 @@ double with_masses(int i, int j, const Masses& masses) {
 }  // namespace
 
 TEST_CASE("exercise 04 tells J Jᵀ, masses for their inverses, signs, the ground and the wrong neighbour") {
-  CHECK(entry_is_told(without_masses, "M⁻¹ is missing"));
-  CHECK(entry_is_told(with_masses, "The inverse mass"));
-  CHECK(entry_is_told([](int, int, const Masses&) { return 2.0; }, "the ground"));
-  CHECK(entry_is_told([](int, int, const Masses&) { return 1.0; }, "both give way"));
-  CHECK(entry_is_told([](int, int, const Masses&) { return 1.0; }, "The sign"));
-  CHECK(entry_is_told([](int, int, const Masses&) { return 0.0; }, "touch box 2"));
-  CHECK(
-      entry_is_told([](int i, int j, const Masses& m) { return -1 / mass(m, std::max(i, j)); }, "not box 2"));
+  CHECK(testing::tells<grade>(without_masses, "M⁻¹ is missing"));
+  CHECK(testing::tells<grade>(with_masses, "The inverse mass"));
+  CHECK(testing::tells<grade>([](int, int, const Masses&) { return 2.0; }, "the ground"));
+  CHECK(testing::tells<grade>([](int, int, const Masses&) { return 1.0; }, "both give way"));
+  CHECK(testing::tells<grade>([](int, int, const Masses&) { return 1.0; }, "The sign"));
+  CHECK(testing::tells<grade>([](int, int, const Masses&) { return 0.0; }, "touch box 2"));
+  CHECK(testing::tells<grade>([](int i, int j, const Masses& m) { return -1 / mass(m, std::max(i, j)); },
+                              "not box 2"));
 }
 
 }  // namespace cairn::exercise04

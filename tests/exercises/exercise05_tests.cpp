@@ -9,12 +9,6 @@
 namespace cairn::exercise05 {
 namespace {
 
-bool is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 constexpr double without_end = std::numeric_limits<double>::infinity();
 
 Interval free_interval(RowKind, double) { return {-without_end, without_end}; }
@@ -32,19 +26,19 @@ double always_upper(double, const Interval& i) { return i.upper; }
 }  // namespace
 
 TEST_CASE("exercise 05 tells intervals of other rows, and clamps that go elsewhere") {
-  CHECK(is_told({free_interval, clamped}, "A contact does not pull"));
-  CHECK(is_told({free_interval, clamped}, "A rope does not push"));
-  CHECK(is_told({free_interval, clamped}, "A motor drives"));
-  CHECK(is_told({push_interval, clamped}, "A joint pulls"));
-  CHECK(is_told({push_interval, clamped}, "A rope pulls"));
-  CHECK(is_told({pull_interval, clamped}, "A contact pushes"));
-  CHECK(is_told({pull_interval, clamped}, "A joint pushes"));
-  CHECK(is_told({weak_interval, clamped}, "A contact does not pull"));
-  CHECK(is_told({push_interval, clamped}, "A motor brakes"));
-  CHECK(is_told({interval_of, unclamped}, "Nothing was clamped"));
-  CHECK(is_told({interval_of, to_zero}, "to its end, not to 0"));
-  CHECK(is_told({interval_of, swapped_ends}, "the other end"));
-  CHECK(is_told({interval_of, always_upper}, "in the interval stays"));
+  CHECK(testing::tells<grade>(Answer{free_interval, clamped}, "A contact does not pull"));
+  CHECK(testing::tells<grade>(Answer{free_interval, clamped}, "A rope does not push"));
+  CHECK(testing::tells<grade>(Answer{free_interval, clamped}, "A motor drives"));
+  CHECK(testing::tells<grade>(Answer{push_interval, clamped}, "A joint pulls"));
+  CHECK(testing::tells<grade>(Answer{push_interval, clamped}, "A rope pulls"));
+  CHECK(testing::tells<grade>(Answer{pull_interval, clamped}, "A contact pushes"));
+  CHECK(testing::tells<grade>(Answer{pull_interval, clamped}, "A joint pushes"));
+  CHECK(testing::tells<grade>(Answer{weak_interval, clamped}, "A contact does not pull"));
+  CHECK(testing::tells<grade>(Answer{push_interval, clamped}, "A motor brakes"));
+  CHECK(testing::tells<grade>(Answer{interval_of, unclamped}, "Nothing was clamped"));
+  CHECK(testing::tells<grade>(Answer{interval_of, to_zero}, "to its end, not to 0"));
+  CHECK(testing::tells<grade>(Answer{interval_of, swapped_ends}, "the other end"));
+  CHECK(testing::tells<grade>(Answer{interval_of, always_upper}, "in the interval stays"));
 }
 
 }  // namespace cairn::exercise05

@@ -26,12 +26,6 @@ void give(const Pair& p, double impulse) {
   p.above.velocity += p.above.inverse_mass * impulse;
 }
 
-bool update_is_told(Answer answer, const std::string& misconception) {
-  cairn::Grade marks;
-  grade(marks, answer);
-  return cairn::testing::names(marks, misconception);
-}
-
 void clamped_correction(Contact& contact, std::vector<Box>& boxes) {
   const double correction = std::max(correction_of(pair_of(contact, boxes)), 0.0);
   contact.impulse += correction;
@@ -82,14 +76,14 @@ void wrong_sign(Contact& contact, std::vector<Box>& boxes) {
 }  // namespace
 
 TEST_CASE("exercise 06 tells what was clamped, forgotten, replaced or given to one body only") {
-  CHECK(update_is_told(clamped_correction, "Clamp the sum"));
-  CHECK(update_is_told(unclamped, "cannot pull"));
-  CHECK(update_is_told(all_of_it_given, "what the clamp has left"));
-  CHECK(update_is_told(replaced, "add it"));
-  CHECK(update_is_told(nothing_applied, "apply the impulse at once"));
-  CHECK(update_is_told(only_above, "Action and reaction"));
-  CHECK(update_is_told(one_mass, "the effective mass has both"));
-  CHECK(update_is_told(wrong_sign, "The sign"));
+  CHECK(testing::tells<grade>(clamped_correction, "Clamp the sum"));
+  CHECK(testing::tells<grade>(unclamped, "cannot pull"));
+  CHECK(testing::tells<grade>(all_of_it_given, "what the clamp has left"));
+  CHECK(testing::tells<grade>(replaced, "add it"));
+  CHECK(testing::tells<grade>(nothing_applied, "apply the impulse at once"));
+  CHECK(testing::tells<grade>(only_above, "Action and reaction"));
+  CHECK(testing::tells<grade>(one_mass, "the effective mass has both"));
+  CHECK(testing::tells<grade>(wrong_sign, "The sign"));
 }
 
 }  // namespace cairn::exercise06

@@ -6,26 +6,18 @@
 #include "exercises/wrong_answers.hpp"
 
 namespace cairn::exercise07 {
-namespace {
-
-bool is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
-}  // namespace
-
 TEST_CASE(
     "exercise 07 tells a place without its sign, a box that does not turn or rise, and a mass for its "
     "inverse") {
-  CHECK(is_told([](const Feet& f) { return 1 / f.mass - f.left * f.right / f.inertia; },
-                "the sign of a place"));
-  CHECK(is_told([](const Feet& f) { return 1 / f.mass - std::abs(f.left * f.right) / f.inertia; },
-                "Feet at one side"));
-  CHECK(is_told([](const Feet& f) { return 1 / f.mass; }, "turns as well"));
-  CHECK(is_told([](const Feet& f) { return f.left * f.right / f.inertia; }, "rises as a whole"));
-  CHECK(is_told([](const Feet& f) { return f.mass + f.left * f.right / f.inertia; }, "The inverse mass"));
+  CHECK(testing::tells<grade>([](const Feet& f) { return 1 / f.mass - f.left * f.right / f.inertia; },
+                              "the sign of a place"));
+  CHECK(testing::tells<grade>(
+      [](const Feet& f) { return 1 / f.mass - std::abs(f.left * f.right) / f.inertia; }, "Feet at one side"));
+  CHECK(testing::tells<grade>([](const Feet& f) { return 1 / f.mass; }, "turns as well"));
+  CHECK(
+      testing::tells<grade>([](const Feet& f) { return f.left * f.right / f.inertia; }, "rises as a whole"));
+  CHECK(testing::tells<grade>([](const Feet& f) { return f.mass + f.left * f.right / f.inertia; },
+                              "The inverse mass"));
 }
 
 }  // namespace cairn::exercise07

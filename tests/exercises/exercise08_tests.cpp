@@ -6,12 +6,6 @@
 namespace cairn::exercise08 {
 namespace {
 
-bool is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 using Matrix = std::vector<std::vector<double>>;
 using Numbers = std::vector<double>;
 
@@ -47,10 +41,10 @@ double alone(int i, const Matrix& a, const Numbers& c, const Numbers&) {
 
 TEST_CASE(
     "exercise 08 tells SI's correction from PGS' value, a missing diagonal, a sign and a row that is alone") {
-  CHECK(is_told(correction, "the correction of SI"));
-  CHECK(is_told(undivided, "Divide by A_ii"));
-  CHECK(is_told(other_sign, "The sign"));
-  CHECK(is_told(alone, "The other rows push"));
+  CHECK(testing::tells<grade>(correction, "the correction of SI"));
+  CHECK(testing::tells<grade>(undivided, "Divide by A_ii"));
+  CHECK(testing::tells<grade>(other_sign, "The sign"));
+  CHECK(testing::tells<grade>(alone, "The other rows push"));
 }
 
 }  // namespace cairn::exercise08

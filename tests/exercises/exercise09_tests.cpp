@@ -8,12 +8,6 @@
 namespace cairn::exercise09 {
 namespace {
 
-bool is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 using Keys = std::vector<int>;
 using Numbers = std::vector<double>;
 using Store = std::vector<Kept>;
@@ -57,13 +51,13 @@ Numbers without_new(const Keys& keys, const Store& kept, double now, double befo
 
 TEST_CASE(
     "exercise 09 tells rows known by their place, what has vanished, what is new and what should be scaled") {
-  CHECK(is_told(by_place, "not by their place"));
-  CHECK(is_told(by_place, "a new row begins with 0"));
-  CHECK(is_told(all_of_yesterday, "has vanished"));
-  CHECK(is_told(nothing, "begins with what it had"));
-  CHECK(is_told(unscaled, "force times dt"));
-  CHECK(is_told(scaled_up, "needs less"));
-  CHECK(is_told(without_new, "A new row needs"));
+  CHECK(testing::tells<grade>(by_place, "not by their place"));
+  CHECK(testing::tells<grade>(by_place, "a new row begins with 0"));
+  CHECK(testing::tells<grade>(all_of_yesterday, "has vanished"));
+  CHECK(testing::tells<grade>(nothing, "begins with what it had"));
+  CHECK(testing::tells<grade>(unscaled, "force times dt"));
+  CHECK(testing::tells<grade>(scaled_up, "needs less"));
+  CHECK(testing::tells<grade>(without_new, "A new row needs"));
 }
 
 }  // namespace cairn::exercise09

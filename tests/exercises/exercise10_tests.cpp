@@ -6,12 +6,6 @@
 namespace cairn::exercise10 {
 namespace {
 
-bool is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 using Rows = std::vector<RowBodies>;
 using Numbers = std::vector<double>;
 
@@ -47,11 +41,11 @@ int ground_for_ever(const Rows& rows, const Numbers& inverse) {
 
 TEST_CASE(
     "exercise 10 tells the ground, all pairs, a missing diagonal, one half and a tray taken for the ground") {
-  CHECK(is_told(with_ground, "share the ground only"));
-  CHECK(is_told(all_pairs, "share no body"));
-  CHECK(is_told(without_diagonal, "The diagonal counts"));
-  CHECK(is_told(one_half, "two halves"));
-  CHECK(is_told(ground_for_ever, "The tray can move"));
+  CHECK(testing::tells<grade>(with_ground, "share the ground only"));
+  CHECK(testing::tells<grade>(all_pairs, "share no body"));
+  CHECK(testing::tells<grade>(without_diagonal, "The diagonal counts"));
+  CHECK(testing::tells<grade>(one_half, "two halves"));
+  CHECK(testing::tells<grade>(ground_for_ever, "The tray can move"));
 }
 
 }  // namespace cairn::exercise10

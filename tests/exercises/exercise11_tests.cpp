@@ -8,12 +8,6 @@
 namespace cairn::exercise11 {
 namespace {
 
-bool is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 /// The tangent impulse becomes `sum`, and the block is pushed by what that adds.
 void become(Contact& contact, Block& block, double sum) {
   block.slide += block.inverse_mass * (sum - contact.tangent_impulse);
@@ -53,12 +47,12 @@ void old_bound(Contact& c, Block& b) {
 TEST_CASE(
     "exercise 11 tells a bound forgotten, one way only, on the correction or of yesterday, and a velocity "
     "left as it was") {
-  CHECK(is_told(unbounded, "at most mu times"));
-  CHECK(is_told(clamped_correction, "Clamp the sum"));
-  CHECK(is_told(one_way, "both ways"));
-  CHECK(is_told(other_sign, "The sign"));
-  CHECK(is_told(not_applied, "has not changed"));
-  CHECK(is_told(old_bound, "as it is now"));
+  CHECK(testing::tells<grade>(unbounded, "at most mu times"));
+  CHECK(testing::tells<grade>(clamped_correction, "Clamp the sum"));
+  CHECK(testing::tells<grade>(one_way, "both ways"));
+  CHECK(testing::tells<grade>(other_sign, "The sign"));
+  CHECK(testing::tells<grade>(not_applied, "has not changed"));
+  CHECK(testing::tells<grade>(old_bound, "as it is now"));
 }
 
 }  // namespace cairn::exercise11

@@ -6,12 +6,6 @@
 namespace cairn::exercise12 {
 namespace {
 
-bool is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 using Two = std::array<double, 2>;
 
 double determinant(double k11, double k12, double k22) { return k11 * k22 - k12 * k12; }
@@ -41,11 +35,11 @@ Two other_sign(double k11, double k12, double k22, const Two& c) {
 }  // namespace
 
 TEST_CASE("exercise 12 tells rows solved alone, a missing determinant, signs and places in the inverse") {
-  CHECK(is_told(each_alone, "Each row for itself"));
-  CHECK(is_told(undivided, "The determinant"));
-  CHECK(is_told(plus_sign, "The sign of k12"));
-  CHECK(is_told(unswapped, "change places"));
-  CHECK(is_told(other_sign, "The sign: K x"));
+  CHECK(testing::tells<grade>(each_alone, "Each row for itself"));
+  CHECK(testing::tells<grade>(undivided, "The determinant"));
+  CHECK(testing::tells<grade>(plus_sign, "The sign of k12"));
+  CHECK(testing::tells<grade>(unswapped, "change places"));
+  CHECK(testing::tells<grade>(other_sign, "The sign: K x"));
 }
 
 }  // namespace cairn::exercise12

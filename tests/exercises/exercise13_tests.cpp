@@ -8,12 +8,6 @@
 namespace cairn::exercise13 {
 namespace {
 
-bool is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 Soft of_spring(double stiffness, double damping, double dt) {
   return {1 / (dt * (damping + dt * stiffness)), dt * stiffness / (damping + dt * stiffness)};
 }
@@ -41,12 +35,12 @@ Soft turned_over(double m, double f, double ratio, double dt) {
 }  // namespace
 
 TEST_CASE("exercise 13 tells Hz for rad/s, half of the damping, a missing dt and inverses") {
-  CHECK(is_told(in_hertz, "2 pi times"));
-  CHECK(is_told(half_damping, "where is the 2"));
-  CHECK(is_told(one_dt_missing, "force times dt"));
-  CHECK(is_told(one_dt_missing, "without a unit"));
-  CHECK(is_told(turned_over, "the inverse"));
-  CHECK(is_told(turned_over, "what is left of the error"));
+  CHECK(testing::tells<grade>(in_hertz, "2 pi times"));
+  CHECK(testing::tells<grade>(half_damping, "where is the 2"));
+  CHECK(testing::tells<grade>(one_dt_missing, "force times dt"));
+  CHECK(testing::tells<grade>(one_dt_missing, "without a unit"));
+  CHECK(testing::tells<grade>(turned_over, "the inverse"));
+  CHECK(testing::tells<grade>(turned_over, "what is left of the error"));
 }
 
 }  // namespace cairn::exercise13

@@ -6,20 +6,14 @@
 namespace cairn::exercise14 {
 namespace {
 
-bool is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 using Row = std::array<double, 2>;
 
 }  // namespace
 
 TEST_CASE("exercise 14 tells wheels that mesh from inside, and teeth that change places") {
-  CHECK(is_told([](double a, double b) { return Row{a, -b}; }, "opposite ways"));
-  CHECK(is_told([](double a, double b) { return Row{b, a}; }, "which number belongs"));
-  CHECK(is_told([](double a, double b) { return Row{b, -a}; }, "the other way round"));
+  CHECK(testing::tells<grade>([](double a, double b) { return Row{a, -b}; }, "opposite ways"));
+  CHECK(testing::tells<grade>([](double a, double b) { return Row{b, a}; }, "which number belongs"));
+  CHECK(testing::tells<grade>([](double a, double b) { return Row{b, -a}; }, "the other way round"));
 }
 
 }  // namespace cairn::exercise14

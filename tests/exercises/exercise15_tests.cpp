@@ -9,12 +9,6 @@
 namespace cairn::exercise15 {
 namespace {
 
-bool is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 void to_square(double& x, double& y, double limit) {
   x = std::clamp(x, -limit, limit);
   y = std::clamp(y, -limit, limit);
@@ -47,13 +41,13 @@ void one_after_the_other(double& x, double& y, double limit) {
 TEST_CASE(
     "exercise 15 tells a square, a changed direction, a squared length, a short vector made long and parts "
     "scaled one by one") {
-  CHECK(is_told(to_square, "that is a square"));
-  CHECK(is_told(to_square, "outside the circle"));
-  CHECK(is_told(to_diagonal, "The direction has changed"));
-  CHECK(is_told(by_square, "not by its square"));
-  CHECK(is_told(always_on_circle, "stays as it is"));
-  CHECK(is_told([](double&, double&, double) {}, "Nothing was clamped"));
-  CHECK(is_told(one_after_the_other, "x must not be changed"));
+  CHECK(testing::tells<grade>(to_square, "that is a square"));
+  CHECK(testing::tells<grade>(to_square, "outside the circle"));
+  CHECK(testing::tells<grade>(to_diagonal, "The direction has changed"));
+  CHECK(testing::tells<grade>(by_square, "not by its square"));
+  CHECK(testing::tells<grade>(always_on_circle, "stays as it is"));
+  CHECK(testing::tells<grade>([](double&, double&, double) {}, "Nothing was clamped"));
+  CHECK(testing::tells<grade>(one_after_the_other, "x must not be changed"));
 }
 
 }  // namespace cairn::exercise15

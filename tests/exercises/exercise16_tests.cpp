@@ -4,22 +4,12 @@
 #include "exercises/wrong_answers.hpp"
 
 namespace cairn::exercise16 {
-namespace {
-
-bool is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
-}  // namespace
-
 TEST_CASE("exercise 16 tells whole corrections, half ones, and such that take for ever") {
-  CHECK(is_told([](int) { return 1.0; }, "far too much"));
-  CHECK(is_told([](int) { return 0.5; }, "nobody to disturb"));
-  CHECK(is_told([](int) { return 0.5; }, "too much"));
-  CHECK(is_told([](int) { return 0.001; }, "for ever"));
-  CHECK(is_told([](int contacts) { return 0.3 / contacts; }, "a larger omega"));
+  CHECK(testing::tells<grade>([](int) { return 1.0; }, "far too much"));
+  CHECK(testing::tells<grade>([](int) { return 0.5; }, "nobody to disturb"));
+  CHECK(testing::tells<grade>([](int) { return 0.5; }, "too much"));
+  CHECK(testing::tells<grade>([](int) { return 0.001; }, "for ever"));
+  CHECK(testing::tells<grade>([](int contacts) { return 0.3 / contacts; }, "a larger omega"));
 }
 
 }  // namespace cairn::exercise16

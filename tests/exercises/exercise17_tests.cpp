@@ -8,12 +8,6 @@
 namespace cairn::exercise17 {
 namespace {
 
-bool is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 double rate_of(int boxes) { return std::pow(std::cos(std::acos(-1.0) / (2.0 * boxes)), 2); }
 
 int whole_above(double sweeps) { return static_cast<int>(std::ceil(sweeps)); }
@@ -33,10 +27,10 @@ int mixed_logarithms(int boxes, double share) {
 }  // namespace
 
 TEST_CASE("exercise 17 tells Jacobi's rate, a sweep too few, a tower without height and mixed logarithms") {
-  CHECK(is_told(of_jacobi, "That is Jacobi"));
-  CHECK(is_told(rounded_down, "One too few"));
-  CHECK(is_told(without_height, "Where is the height"));
-  CHECK(is_told(mixed_logarithms, "Mind the logarithms"));
+  CHECK(testing::tells<grade>(of_jacobi, "That is Jacobi"));
+  CHECK(testing::tells<grade>(rounded_down, "One too few"));
+  CHECK(testing::tells<grade>(without_height, "Where is the height"));
+  CHECK(testing::tells<grade>(mixed_logarithms, "Mind the logarithms"));
 }
 
 }  // namespace cairn::exercise17

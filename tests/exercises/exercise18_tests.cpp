@@ -8,12 +8,6 @@
 namespace cairn::exercise18 {
 namespace {
 
-bool is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 double jacobi_rate(int boxes) { return std::cos(std::acos(-1.0) / (2.0 * boxes)); }
 
 double of_root(double rate) { return 2 / (1 + std::sqrt(1 - rate)); }
@@ -23,13 +17,15 @@ double of_root(double rate) { return 2 / (1 + std::sqrt(1 - rate)); }
 TEST_CASE(
     "exercise 18 tells Gauss-Seidel, a rate not squared or squared twice, another angle, and too bold a "
     "step") {
-  CHECK(is_told([](int) { return 1.0; }, "Gauss-Seidel"));
-  CHECK(is_told([](int boxes) { return of_root(jacobi_rate(boxes)); }, "belongs under the root"));
-  CHECK(is_told([](int boxes) { return of_root(std::pow(jacobi_rate(boxes), 4)); },
-                "not that of Gauss-Seidel"));
-  CHECK(is_told([](int boxes) { return 2 / (1 + std::sin(std::acos(-1.0) / boxes)); }, "The angle"));
-  CHECK(is_told([](int) { return 2.0; }, "At 2"));
-  CHECK(is_told([](int) { return 1.0; }, "A neighbour does better"));
+  CHECK(testing::tells<grade>([](int) { return 1.0; }, "Gauss-Seidel"));
+  CHECK(
+      testing::tells<grade>([](int boxes) { return of_root(jacobi_rate(boxes)); }, "belongs under the root"));
+  CHECK(testing::tells<grade>([](int boxes) { return of_root(std::pow(jacobi_rate(boxes), 4)); },
+                              "not that of Gauss-Seidel"));
+  CHECK(testing::tells<grade>([](int boxes) { return 2 / (1 + std::sin(std::acos(-1.0) / boxes)); },
+                              "The angle"));
+  CHECK(testing::tells<grade>([](int) { return 2.0; }, "At 2"));
+  CHECK(testing::tells<grade>([](int) { return 1.0; }, "A neighbour does better"));
 }
 
 }  // namespace cairn::exercise18

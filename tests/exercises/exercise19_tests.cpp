@@ -8,12 +8,6 @@
 namespace cairn::exercise19 {
 namespace {
 
-bool is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 double sweeps_of(double above, double below, double share) {
   return std::log(share) / std::log(above / (above + below));
 }
@@ -43,11 +37,11 @@ int below_at_rest(double above, double below, double share) {
 
 TEST_CASE(
     "exercise 19 tells a sweep too few, boxes upside down, Jacobi, mixed logarithms and a box at rest") {
-  CHECK(is_told(rounded_down, "One too few"));
-  CHECK(is_told(upside_down, "Mind which box is above"));
-  CHECK(is_told(of_jacobi, "That is Jacobi"));
-  CHECK(is_told(with_mixed_logarithms, "Mind the logarithms"));
-  CHECK(is_told(below_at_rest, "the light box falls too"));
+  CHECK(testing::tells<grade>(rounded_down, "One too few"));
+  CHECK(testing::tells<grade>(upside_down, "Mind which box is above"));
+  CHECK(testing::tells<grade>(of_jacobi, "That is Jacobi"));
+  CHECK(testing::tells<grade>(with_mixed_logarithms, "Mind the logarithms"));
+  CHECK(testing::tells<grade>(below_at_rest, "the light box falls too"));
 }
 
 }  // namespace cairn::exercise19

@@ -8,12 +8,6 @@
 namespace cairn::exercise20 {
 namespace {
 
-bool is_told(Answer answer, const std::string& misconception) {
-  Grade marks;
-  grade(marks, answer);
-  return testing::names(marks, misconception);
-}
-
 int with_rows_a_box(const std::vector<Island>& islands, int rows) {
   int updates = 0;
   for (const Island& island : islands) {
@@ -52,11 +46,11 @@ int no_friction(const std::vector<Island>& islands) { return with_rows_a_box(isl
 
 TEST_CASE(
     "exercise 20 tells sleepers that pay, islands that wait, rows without sweeps and miscounted friction") {
-  CHECK(is_told(sleepers_too, "What sleeps has no rows"));
-  CHECK(is_told(all_wait, "Nobody waits"));
-  CHECK(is_told(rows_only, "How often is each swept"));
-  CHECK(is_told(two_frictions, "share one row of friction"));
-  CHECK(is_told(no_friction, "Where is the friction"));
+  CHECK(testing::tells<grade>(sleepers_too, "What sleeps has no rows"));
+  CHECK(testing::tells<grade>(all_wait, "Nobody waits"));
+  CHECK(testing::tells<grade>(rows_only, "How often is each swept"));
+  CHECK(testing::tells<grade>(two_frictions, "share one row of friction"));
+  CHECK(testing::tells<grade>(no_friction, "Where is the friction"));
 }
 
 }  // namespace cairn::exercise20

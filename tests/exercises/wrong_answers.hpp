@@ -21,4 +21,12 @@ inline bool names(const Grade& grade, const std::string& misconception) {
   return comments_of(grade).find(misconception) != std::string::npos;
 }
 
+/// Whether `grade`, the grader of an exercise, says what is misunderstood in an answer.
+template <auto grade, typename Answer>
+bool tells(const Answer& answer, const std::string& misconception) {
+  Grade marks;
+  grade(marks, answer);
+  return names(marks, misconception);
+}
+
 }  // namespace cairn::testing
