@@ -43,6 +43,7 @@
     const items = [...player.querySelectorAll(".frames > li")];
     const slider = player.querySelector("input");
     const play = player.querySelector(".play");
+    const enlarge = player.querySelector(".enlarge");
     const caption = player.querySelector(".caption");
     const last = items.length - 1;
     let at = 0;
@@ -95,6 +96,9 @@
     player.querySelector(".previous").addEventListener("click", () => choose(at - 1));
     player.querySelector(".next").addEventListener("click", () => choose(at + 1));
     play.addEventListener("click", () => (timer ? stop() : start()));
+    enlarge.addEventListener("click", () => {
+      enlarge.setAttribute("aria-pressed", String(player.classList.toggle("enlarged")));
+    });
     slider.addEventListener("input", () => choose(Number(slider.value)));
     player.addEventListener("keydown", (event) => {
       const steps = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: last };

@@ -87,6 +87,7 @@ constexpr const char* player_controls = R"(<div class="controls" hidden>
 <button type="button" class="play">Play</button>
 <button type="button" class="next" aria-label="Next frame">▶&#xFE0E;</button>
 <input type="range" min="0" max="{}" value="0" step="1" aria-label="Frame">
+<button type="button" class="enlarge" aria-label="Frames in full size" aria-pressed="false">1:1</button>
 </div>
 <div class="caption" hidden></div>
 )";

@@ -165,6 +165,28 @@ async function checkPlayer(browser, name) {
   await context.close();
 }
 
+async function checkEnlarging(browser, name) {
+  const { context, tab } = await open(browser, { viewport: { width: 390, height: 844 } });
+  await tab.goto(address(name));
+  const shown = () => tab.evaluate(() => {
+    const image = [...document.querySelectorAll(".frames img")].find((each) => each.getClientRects().length > 0);
+    return { width: image.clientWidth, whole: image.naturalWidth };
+  });
+  const fitted = await shown();
+  check(fitted.width <= 390 && fitted.whole >= 640, `${name}: a frame fits a narrow page`, JSON.stringify(fitted));
+  await tab.click(".enlarge");
+  const large = await shown();
+  check(large.width === large.whole, `${name}: and is shown in full size on demand`, JSON.stringify(large));
+  const wide = await tab.evaluate(overflow);
+  check(wide === "", `${name}: within a frame that can be moved`, wide);
+  if (screenshots) {
+    await tab.locator(".player").screenshot({ path: join(screenshots, `${name.replace(".html", "")}_enlarged.png`) });
+  }
+  await tab.click(".enlarge");
+  check((await shown()).width === fitted.width, `${name}: and fits again`);
+  await context.close();
+}
+
 async function checkTheme(browser) {
   const { context, tab } = await open(browser, { colorScheme: "light" });
   await tab.goto(address(lessons[0]));
@@ -228,6 +250,7 @@ try {
   check(lessons.length > 0, "the book has lessons");
   await checkLooks(browser);
   for (const name of new Set([lessons[0], lessons.at(-1)])) await checkPlayer(browser, name);
+  await checkEnlarging(browser, lessons.at(-1));
   await checkTheme(browser);
   await checkKeyboard(browser, lessons.at(-1));
   await checkWithoutScript(browser, lessons.at(-1));
