@@ -4,62 +4,23 @@
 #include <algorithm>
 #include <limits>
 
-#include "cairn.hpp"
-
 namespace cairn::one_body {
-
-namespace {
-
-// Nothing but the box: no ground to hit, so that all we see is the integrator.
-World<double> thrown_box(const Throw& thrown) {
-  Scene scene({.gravity = {0, -thrown.gravity}, .dt = thrown.dt});
-  scene.add({.shapes = {box(1, 1)},
-             .position = thrown.start,
-             .velocity = thrown.velocity.head<2>(),
-             .angular_velocity = thrown.velocity.z(),
-             .mass = 1});
-  return World(std::move(scene));
-}
-
-//> explicit_euler
-// The other order: the position takes the old velocity, and only then does the velocity change.
-std::vector<Vec2<double>> explicit_euler(const Throw& thrown) {
-  const Vec2<double> gravity(0, -thrown.gravity);
-  Vec2<double> position = thrown.start;
-  Vec2<double> velocity = thrown.velocity.head<2>();
-  std::vector<Vec2<double>> path = {position};
-  for (int step = 0; step < thrown.steps; ++step) {
-    position += thrown.dt * velocity;
-    velocity += thrown.dt * gravity;
-    path.push_back(position);
-  }
-  return path;
-}
-//< explicit_euler
-
-}  // namespace
 
 Vec2<double> parabola(const Throw& thrown, double t) {
   return {thrown.start.x() + thrown.velocity.x() * t,
           thrown.start.y() + thrown.velocity.y() * t - thrown.gravity * t * t / 2};
 }
 
-Flight fly(const Throw& thrown) {
-  Flight flight;
-  flight.thrown = thrown;
-  World<double> world = thrown_box(thrown);
-  flight.inverse_mass = world.bodies().inverse_mass[1];
-  SequentialImpulse<double> solver;  // has no rows to solve here
-  for (int step = 0; step <= thrown.steps; ++step) {
-    if (step > 0) world.step(solver);
-    const double t = step * thrown.dt;
-    flight.time.push_back(t);
-    flight.cairn.push_back(snapshot(world));
-    flight.semi_implicit.push_back(world.bodies().pose[1].position);
-    flight.exact.push_back(parabola(thrown, t));
-  }
-  flight.explicit_euler = explicit_euler(thrown);
-  return flight;
+void record(Flight& flight, const World<double>& world, const Particle& semi_implicit,
+            const Particle& explicit_euler) {
+  const double t = static_cast<double>(flight.time.size()) * flight.thrown.dt;
+  const Vec2<double> position = world.bodies().pose[1].position;
+  flight.time.push_back(t);
+  flight.cairn.push_back(snapshot(world));
+  flight.semi_implicit.push_back(position);
+  flight.explicit_euler.push_back(explicit_euler.position);
+  flight.exact.push_back(parabola(flight.thrown, t));
+  flight.gap = std::max(flight.gap, (position - semi_implicit.position).norm());
 }
 
 double final_error(const Flight& flight, const std::vector<Vec2<double>>& path) {

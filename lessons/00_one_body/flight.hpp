@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "world/snapshot.hpp"
+#include "world/world.hpp"
 
 namespace cairn::one_body {
 
@@ -25,9 +26,25 @@ struct Flight {
   std::vector<Vec2<double>> semi_implicit = {};   // [m] centres of the above
   std::vector<Vec2<double>> explicit_euler = {};  // [m]
   std::vector<Vec2<double>> exact = {};           // [m]
+  double gap = 0;  // [m] the largest between Cairn's box and semi-implicit Euler by hand
 };
 
-Flight fly(const Throw& thrown);
+/// What halving the time step does to the error, at one and the same instant.
+struct Convergence {
+  std::vector<double> dt = {};              // [s]
+  std::vector<double> semi_implicit = {};   // [m] below the parabola
+  std::vector<double> explicit_euler = {};  // [m] above it
+};
+
+/// The centre of the box, moved by hand.
+struct Particle {
+  Vec2<double> position = {0, 0};  // [m]
+  Vec2<double> velocity = {0, 0};  // [m/s]
+};
+
+/// Appends an instant to the flight.
+void record(Flight& flight, const World<double>& world, const Particle& semi_implicit,
+            const Particle& explicit_euler);
 
 /// Where the exact parabola is at time t [s].
 Vec2<double> parabola(const Throw& thrown, double t);

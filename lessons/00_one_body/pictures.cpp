@@ -100,8 +100,8 @@ Shot answer_shot(const SharedStory& story) {
 MatrixView inverse_mass_view(const Story& story) {
   MatrixView view = {.title = "M⁻¹   eq (2)"};
   view.values = story.flight.inverse_mass.asDiagonal();
-  view.row_names = {"x", "y", "φ"};
-  view.column_names = {"x", "y", "φ"};
+  view.row_names = {"x", "y", "θ"};
+  view.column_names = {"x", "y", "θ"};
   view.colors = MatrixColors::magnitude;
   return view;
 }
@@ -115,14 +115,14 @@ Equation inertia_equation() {
 
 TableView state_table(const Story& story) {
   const Throw& thrown = story.flight.thrown;
-  TableView table = {.header = {"", "where", "rate v", "1/inertia"}};
+  TableView table = {.header = {"", "where", "rate v", "M⁻¹"}};
   const Vec3<double>& w = story.flight.inverse_mass;
   table.rows.push_back({"x", fixed(thrown.start.x(), 1) + " m", fixed(thrown.velocity.x(), 1) + " m/s",
                         fixed(w.x(), 1) + " /kg"});
   table.rows.push_back({"y", fixed(thrown.start.y(), 1) + " m", fixed(thrown.velocity.y(), 1) + " m/s",
                         fixed(w.y(), 1) + " /kg"});
   table.rows.push_back(
-      {"φ", fixed(0, 1) + " rad", fixed(thrown.velocity.z(), 1) + " rad/s", fixed(w.z(), 1) + " /kg m²"});
+      {"θ", fixed(0, 1) + " rad", fixed(thrown.velocity.z(), 1) + " rad/s", fixed(w.z(), 1) + " /(kg m²)"});
   return table;
 }
 

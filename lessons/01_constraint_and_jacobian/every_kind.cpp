@@ -60,14 +60,18 @@ Poses random_poses(Random& random) {
   return poses;
 }
 
+Kind pulley_kind(const Vec2<double>& near_a, const Vec2<double>& near_b, const Poses& start) {
+  const PulleyJoint::End left{.body = {1}, .anchor = near_a, .roller = near_a + Vec2<double>(0, 3)};
+  const PulleyJoint::End right{
+      .body = {2}, .anchor = near_b, .roller = near_b + Vec2<double>(2, 0), .parts = 2};
+  return joint_kind<PulleyJoint>("pulley", {.ends = {left, right}, .slack_margin = far_margin}, start);
+}
+
 std::vector<Kind> all_kinds(const Poses& start, Random& random) {
   const BodyId a{1}, b{2}, c{3};
   const Vec2<double> near_a = start[1].position + random_point(random, 1);
   const Vec2<double> near_b = start[2].position + random_point(random, 1);
   const Vec2<double> axis = Rotation<double>(random.between(-pi, pi)) * Vec2<double>(1, 0);
-  const PulleyJoint::End left{.body = a, .anchor = near_a, .roller = near_a + Vec2<double>(0, 3)};
-  const PulleyJoint::End right{
-      .body = b, .anchor = near_b, .roller = near_b + Vec2<double>(2, 0), .parts = 2};
   const Softness soft = SwingSoftness{.frequency = 2, .damping_ratio = 0.5};
   return {
       joint_kind<DistanceJoint>("rod", {.a = a, .b = b, .anchor_a = near_a, .anchor_b = near_b}, start),
@@ -92,7 +96,7 @@ std::vector<Kind> all_kinds(const Poses& start, Random& random) {
                                   .limit_margin = far_margin},
                                  start),
       joint_kind<WeldJoint>("weld", {.a = a, .b = b, .anchor = near_a}, start),
-      joint_kind<PulleyJoint>("pulley", {.ends = {left, right}, .slack_margin = far_margin}, start),
+      pulley_kind(near_a, near_b, start),
       joint_kind<GearJoint>("gear", {.a = a, .b = b, .c = c, .radius_a = 0.5, .radius_b = 1.5}, start),
       joint_kind<DifferentialJoint>("differential", {.a = a, .b = b, .c = c}, start),
       joint_kind<DragJoint>(

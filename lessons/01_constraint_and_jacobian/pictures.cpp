@@ -170,10 +170,10 @@ void draw_force(Page& page, const Rod& rod) {
                  .result = fmt::format("= ({} N, {} N, {} N m)", significant(rod.force.x()),
                                        significant(rod.force.y()), significant(rod.force.z())),
                  .color = page.theme().normal});
-  render::TableView table{.header = {"what the rod allows", "power f·v"}};
+  render::TableView table{.header = {"motion", "power f·v"}};
   for (const Motion& motion : rod.allowed)
     table.rows.push_back({motion.name, fixed(rod.force.dot(motion.velocity), 3) + " W"});
-  table.rows.push_back({"along the rod, 1 m/s", fixed(rod.settings.lambda, 3) + " W"});
+  table.rows.push_back({"forbidden: along it", fixed(rod.settings.lambda, 3) + " W"});
   page.table(parts[1], page.compact() ? "" : "the force does no work in what it allows", table);
 }
 
@@ -233,7 +233,7 @@ std::vector<Shot> derivative_shots(const Shared& story) {
   for (int k = 0; k < 3; ++k) {
     const auto at = static_cast<std::size_t>(k);
     Shot nudge = shot(fmt::format("the same by trying: {}", coordinate_names[at]),
-                      fmt::format("The box moved along coordinate {}: c grows by {:.3f} for 1 of it.", k + 1,
+                      fmt::format("The box moved in {}: c grows by {:.3f} for 1 of it.", coordinate_names[at],
                                   rod.quotients[0].slope[at]),
                       [story, k](Page& page) { draw_nudge(page, story->rod, k); });
     nudge.key = k != 1;

@@ -10,6 +10,8 @@
 
 namespace cairn::one_row {
 
+inline constexpr double small_step = 1e-5;  // of central differences: near the best one for double
+
 /// The rod goes from the origin to an anchor on the box.
 struct RodSettings {
   Vec2<double> anchor = {3, -4};      // [m]
@@ -43,27 +45,30 @@ struct KindOfRows {
 /// Everything that the lesson says about one pose.
 struct Rod {
   RodSettings settings = {};
-  Snapshot snapshot = {};                             // the scene as it stands
-  std::shared_ptr<const Constraint> joint = nullptr;  // the rod
-  Pose<double> pose = {};                             // of the box
-  Vec2<double> arm = {0, 0};                          // [m] from its centre of mass to the anchor
-  double length = 0;                                  // [m] of the rod
-  double error = 0;                                   // c [m]
-  Vec3<double> jacobian = {0, 0, 0};                  // j: 1, 1, m
-  std::vector<Motion> asked = {};                     // the three of the question
-  std::vector<Motion> allowed = {};                   // swing, turn about the anchor, and a mixture
-  std::vector<Quotient> quotients = {};               // h = 10^-1, 10^-1.5 ... 10^-11
-  Vec3<double> force = {0, 0, 0};                     // f = j^T lambda [N, N, N m]
+  Snapshot snapshot = {};                // the scene as it stands
+  RowSpec<double> row = {};              // of the library's rod
+  Pose<double> pose = {};                // of the box
+  Vec2<double> local_anchor = {0, 0};    // [m] the anchor in the frame of the box
+  Vec2<double> arm = {0, 0};             // [m] from its centre of mass to the anchor
+  double length = 0;                     // [m] of the rod
+  double error = 0;                      // c [m]
+  Vec3<double> jacobian = {0, 0, 0};     // j: 1, 1, m
+  std::vector<Motion> asked = {};        // the three of the question
+  std::vector<Motion> allowed = {};      // swing, turn about the anchor, and a mixture
+  std::vector<Quotient> quotients = {};  // h = 10^-1, 10^-1.5 ... 10^-11
+  Vec3<double> force = {0, 0, 0};        // f = j^T lambda [N, N, N m]
 };
 
-Rod hang_box(const RodSettings& settings);
-
 /// c [m] with the box at this pose.
-double error_at(const Rod& rod, const Pose<double>& pose);
+double error_at(const Rod& rod, const Pose<double>& box);
 /// Where the box is after t seconds of this velocity [m/s, m/s, rad/s].
 Pose<double> carried(const Pose<double>& pose, const Vec3<double>& velocity, double t);
 /// The scene with the box at another pose.
 Snapshot moved_to(const Rod& rod, const Pose<double>& pose);
+/// The motions of the question, and those that a row with this j leaves of three: swing, turn about the
+/// anchor, and a mixture of both.
+std::vector<Motion> asked_motions(const Vec3<double>& jacobian);
+std::vector<Motion> allowed_motions(const Vec3<double>& jacobian, const Vec2<double>& arm);
 Quotient quotient(const Rod& rod, double h);
 
 /// What a step of `h` costs in a central difference of these constraints: coordinates and arms are below 10

@@ -129,8 +129,11 @@ void write_at_tip(Page& page, const render::Camera& camera, const Vec2<double>& 
   const double gap = along.y() > 0 ? -8 : 8 + style.size;
   const double half = page.canvas().text_width(text, style) / 2;
   const Point at = camera.project(tip) + Point(0, gap);
-  page.place_text({at, at - Point(0.7 * half, 0), at + Point(0.7 * half, 0), at - Point(1.2 * half, 0)},
-                  camera.viewport, text, style);
+  std::vector<Point> places = {at};
+  for (const double away : {0.0, 1.5 * gap, 3 * gap}) {
+    for (const double aside : {-0.7, 0.7, -1.2, 1.2}) places.push_back(at + Point(aside * half, away));
+  }
+  page.place_text(places, camera.viewport, text, style);
 }
 
 /// The velocity of the centre, and that of the anchor, which is what the rod sees.
@@ -147,7 +150,7 @@ void draw_velocity_arrows(Page& page, const render::Camera& camera, const Rod& r
     draw_arrow(page, camera, scale,
                {.kind = render::ArrowKind::velocity, .tail = tail, .value = value, .active = of_anchor});
   }
-  const std::string text = fmt::format("anchor {} m/s", significant(at_anchor.norm(), 3));
+  const std::string text = fmt::format("{} m/s", significant(at_anchor.norm(), 3));
   write_at_tip(page, camera, rod.settings.anchor + at_anchor * scale.pixels_per_unit / camera.scale,
                at_anchor, text);
 }

@@ -15,6 +15,13 @@ struct PegSettings {
   double x = 0.5;    // [m] of the peg to the right of the middle
 };
 
+/// A push as (19)-(22) say, without the solver.
+struct HandPush {
+  double impulse = 0;            // lambda dt [N s]
+  Vec3<double> v_a = {0, 0, 0};  // of the peg, after it
+  Vec3<double> v_b = {0, 0, 0};  // of the box
+};
+
 /// Everything about one push.
 struct Push {
   double x = 0;                                 // [m] of the peg
@@ -25,7 +32,8 @@ struct Push {
   double inverse = 0;                           // j M^-1 j^T [1/kg], from the row
   double by_matrices = 0;                       // the same entry of A = J M^-1 J^T (15)
   double impulse = 0;                           // lambda dt [N s], as the solver found it
-  double rate_before = 0, rate_after = 0;       // j v_1, j v_2 [m/s]
+  HandPush by_hand = {};
+  double rate_before = 0, rate_after = 0;  // j v_1, j v_2 [m/s]
 };
 
 /// The peg held by something of finite mass.
@@ -41,8 +49,6 @@ struct Pushes {
   std::vector<OtherMass> others = {};
   double sideways = 0;  // [kg] of the friction row in the middle of the underside
 };
-
-Pushes push_everywhere(const PegSettings& settings);
 
 /// 1 / (1/m + (r x d)^2 / I) [kg]: what is felt at the arm r in the direction d, by hand.
 double felt(double mass, const Vec2<double>& arm, const Vec2<double>& direction);

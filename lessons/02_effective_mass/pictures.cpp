@@ -226,10 +226,10 @@ std::vector<Shot> peg_shots(const Pushes& recorded) {
   const auto all = std::make_shared<const Pushes>(recorded);
   std::vector<Shot> shots;
   shots.push_back(
-      shot("before the push", "A box falls on a peg under its corner, and the question.", [all](Page& page) {
+      shot("before the push", "A box falls on a peg beside its middle, and the question.", [all](Page& page) {
         draw_note(page, *all, {}, "Predict",
                   "The box falls on a peg. Only the point above the peg has to stop. Does that "
-                  "take more under the corner than under the middle, or less?",
+                  "take more here than under the middle, or less?",
                   0);
       }));
   shots.push_back(shot("the row",
@@ -238,15 +238,14 @@ std::vector<Shot> peg_shots(const Pushes& recorded) {
   append_pushes(all, shots);
   shots.push_back(shot("here", "Bars along the underside of the box: the felt mass is largest in the middle.",
                        [all](Page& page) { draw_here(page, *all); }));
-  shots.push_back(
-      shot("this way",
-           "Under the middle and under the corner a closed curve: its distance from the contact is "
-           "the felt mass in that direction, all of the box towards its centre and less across.",
-           [all](Page& page) { draw_this_way(page, *all); }));
+  shots.push_back(shot("this way",
+                       "Under the middle and beside it a closed curve: its distance from the contact is "
+                       "the felt mass in that direction, all of the box towards its centre and less across.",
+                       [all](Page& page) { draw_this_way(page, *all); }));
   shots.push_back(shot("against whom",
                        "The felt mass against the mass of the peg: never more than the box alone.",
                        [all](Page& page) { draw_others(page, *all); }));
-  shots.push_back(shot("after the lesson", "The push under the corner, and the answer.", [all](Page& page) {
+  shots.push_back(shot("after the lesson", "The push beside the middle, and the answer.", [all](Page& page) {
     draw_note(page, *all, {.push = true}, "Answer",
               fmt::format("Less: {} N s instead of {}. Away from the middle the box gives way by turning, so "
                           "the peg meets only {} of its {} kg.",

@@ -24,21 +24,14 @@ struct DriftSettings {
   double depth = 0.1;  // [m] by which the ball begins inside the ground
 };
 
-/// A pendulum that starts level with its pivot, at rest. Index: the step; 0 is the start.
-struct SwingRun {
+/// A weight on a rod from the origin, let go at rest. Index: the step; 0 is the start.
+struct RodRun {
   double beta = 0;
   std::vector<Snapshot> steps = {};
   std::vector<double> error = {};  // C [m]: how much too long the rod is
-  double energy = 0;               // [J] at the end; 0 at the start, and for ever if it were exact
+  double energy = 0;               // [J] at the end, above a weight at rest in the height of the pivot
   double fastest = 0;              // [m/s] across the rod, of all steps
   double gap = 0;                  // [m] between C and what geometry makes of the step before; the largest
-};
-
-/// A weight on a rod, at rest but too low.
-struct HangRun {
-  double beta = 0;
-  std::vector<Snapshot> steps = {};
-  std::vector<double> error = {};  // C [m]
 };
 
 /// A ball of 1 kg that begins inside the ground.
@@ -51,7 +44,7 @@ struct BallRun {
   std::vector<double> zeta = {};    // [m/s] of the step
   std::vector<double> lambda = {};  // [N] of the step
   double peak = 0;                  // [m] the largest height
-  double gap = 0;                   // [m] between heights and by_hand(); the largest
+  double gap = 0;                   // [m] between heights and those by hand; the largest
 };
 
 /// How deep a ball may begin without being let go in the second step.
@@ -63,18 +56,30 @@ struct DepthLimit {
 
 struct DriftRuns {
   DriftSettings settings = {};
-  std::vector<SwingRun> swings = {};    // beta 0, the reader's, 1
-  std::vector<HangRun> hangs = {};      // the reader's, 1, 1.8, 2.1
+  std::vector<RodRun> swings = {};      // let go level with the pivot; beta 0, the reader's, 1
+  std::vector<RodRun> hangs = {};       // below the pivot, but too low; the reader's, 1, 1.8, 2.1
   std::vector<BallRun> balls = {};      // 0.1, the reader's, 0.5, 1
   BallRun with_slop = {};               // the reader's
   std::vector<DepthLimit> limits = {};  // of those not deeper than deepest_tried
 };
 
-DriftRuns run_drift(const DriftSettings& settings);
+/// A weight of 1 kg at `start` on a rod that should be rod_length long.
+World<double> rod_world(double dt, double beta, const Vec2<double>& start);
+/// A ball of 1 kg in the ground.
+World<double> ball_world(const DriftSettings& settings, double slop);
+
+/// Appends what the ball's world has come to; the start has no row yet.
+void record(BallRun& run, const World<double>& world);
+
+/// In ascending order, each once.
+std::vector<double> ascending(std::vector<double> values);
+
+/// For the reader's beta and some more.
+std::vector<DepthLimit> find_limits(const DriftSettings& settings);
 
 /// The run with this beta, which must be there.
-const SwingRun& swing_of(const DriftRuns& all, double beta);
-const HangRun& hang_of(const DriftRuns& all, double beta);
+const RodRun& swing_of(const DriftRuns& all, double beta);
+const RodRun& hang_of(const DriftRuns& all, double beta);
 const BallRun& ball_of(const DriftRuns& all, double beta);
 
 /// g dt^2 / beta^2 [m].

@@ -14,7 +14,7 @@ struct Recovery {
 };
 
 /// zeta [m/s] of a contact that is `depth` m inside, equation (7): the separation speed that its row asks
-/// for. 0 where the depth is within the slop.
+/// for. 0 where the depth is within the slop, and for bodies that are apart (a depth below 0).
 double wanted_speed(double depth, const Recovery& recovery);
 
 using Answer = double (*)(double, const Recovery&);

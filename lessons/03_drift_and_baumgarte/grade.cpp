@@ -7,6 +7,7 @@ namespace cairn::exercise03 {
 namespace {
 
 constexpr double few_roundings = 1e-14;  // of numbers near 1, after at most fifty operations
+const char* const apart = "Bodies that are apart are not drawn together.";
 
 /// What is left of a depth after some steps without gravity, each of which moves by zeta dt.
 double left_of(Answer answer, double depth, const Recovery& recovery, int steps) {
@@ -14,18 +15,7 @@ double left_of(Answer answer, double depth, const Recovery& recovery, int steps)
   return depth;
 }
 
-}  // namespace
-
-void grade(Grade& grade, Answer answer) {
-  Recovery plain{.beta = 0.2, .slop = 0, .max_speed = std::numeric_limits<double>::infinity(), .dt = 0.02};
-  grade.number({.what = "0.1 m deep, beta 0.2, dt 0.02 s: zeta (m/s)",
-                .value = 1,
-                .tolerance = few_roundings,
-                .misconceptions = {{-1, "The sign: C is -depth, and zeta = -beta C / dt."},
-                                   {0.02, "A speed: the share of the error, over dt."},
-                                   {5, "Only the share beta of it in each step."},
-                                   {0.0004, "Divide by dt: a short step has to move fast to get as far."}}},
-               answer(0.1, plain));
+void grade_slop(Grade& grade, Answer answer, const Recovery& plain) {
   Recovery sloppy = plain;
   sloppy.slop = 0.005;
   grade.number({.what = "0.105 m deep with a slop of 5 mm: zeta (m/s)",
@@ -43,9 +33,23 @@ void grade(Grade& grade, Answer answer) {
   grade.number({.what = "not touching, 0.01 m apart: zeta (m/s)",
                 .value = 0,
                 .tolerance = few_roundings,
-                .misconceptions = {{-0.1, "Bodies that are apart are not drawn together."},
-                                   {-0.15, "Bodies that are apart are not drawn together."}}},
+                .misconceptions = {{-0.1, apart}, {-0.15, apart}}},
                answer(-0.01, sloppy));
+}
+
+}  // namespace
+
+void grade(Grade& grade, Answer answer) {
+  Recovery plain{.beta = 0.2, .slop = 0, .max_speed = std::numeric_limits<double>::infinity(), .dt = 0.02};
+  grade.number({.what = "0.1 m deep, beta 0.2, dt 0.02 s: zeta (m/s)",
+                .value = 1,
+                .tolerance = few_roundings,
+                .misconceptions = {{-1, "The sign: C is -depth, and zeta = -beta C / dt."},
+                                   {0.02, "A speed: the share of the error, over dt."},
+                                   {5, "Only the share beta of it in each step."},
+                                   {0.0004, "Divide by dt: a short step has to move fast to get as far."}}},
+               answer(0.1, plain));
+  grade_slop(grade, answer, plain);
   Recovery limited = plain;
   limited.max_speed = 0.5;
   grade.number({.what = "0.1 m deep, at most 0.5 m/s: zeta (m/s)",

@@ -34,7 +34,7 @@ std::vector<Vec2<double>> true_circle() {
 }
 
 /// What the body has gone through in the last `steps` steps.
-std::vector<Vec2<double>> path_of(const SwingRun& run, int step, int steps) {
+std::vector<Vec2<double>> path_of(const RodRun& run, int step, int steps) {
   std::vector<Vec2<double>> points;
   for (int k = std::max(0, step - steps); k <= step; ++k) {
     points.push_back(run.steps[static_cast<std::size_t>(k)].bodies[1].pose.position);
@@ -59,7 +59,7 @@ std::string millimetres(double metres) {
   return fixed(1000 * metres, std::abs(metres) < 0.0095 ? 1 : 0) + " mm";
 }
 
-void draw_pendulum(Page& page, const Rect& rect, const DriftRuns& all, const SwingRun& run, int step) {
+void draw_pendulum(Page& page, const Rect& rect, const DriftRuns& all, const RodRun& run, int step) {
   const auto k = static_cast<std::size_t>(step);
   const Rect field = titled_panel(page, rect, beta_name(run.beta), "C = " + millimetres(run.error[k]));
   const render::Camera camera = render::fit(field, {{-1.7, -1.7}, {1.7, 0.15}});
@@ -77,7 +77,7 @@ void draw_swing_errors(Page& page, const Rect& rect, const DriftRuns& all, int s
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-5, .max = 1e1};
   const int stride = std::max(1, static_cast<int>(all.swings[0].steps.size()) / 250);
   for (std::size_t i = 0; i < all.swings.size(); ++i) {
-    const SwingRun& run = all.swings[i];
+    const RodRun& run = all.swings[i];
     render::Series series{.name = beta_name(run.beta), .style = curve_style(page.theme(), i)};
     for (int k = 1; k <= step; k += stride) {
       series.x.push_back(k * all.settings.dt);
@@ -102,7 +102,7 @@ Shot swing_shot(const Runs& all, int step, bool key) {
   std::string alt =
       fmt::format("Pendulums after {:.1f} s, drawn over the true circle: the rod is too long by",
                   step * all->settings.dt);
-  for (const SwingRun& run : all->swings) {
+  for (const RodRun& run : all->swings) {
     alt += fmt::format(" {:.4f} m with β = {:g};", run.error[static_cast<std::size_t>(step)], run.beta);
   }
   alt.back() = '.';
@@ -166,7 +166,7 @@ void draw_hang(Page& page, const DriftRuns& all, int step) {
     plot.series.push_back(series);
   }
   draw_plot(page, right[0], plot);
-  const HangRun& run = hang_of(all, all.settings.beta);
+  const RodRun& run = hang_of(all, all.settings.beta);
   page.equation(right[1],
                 {.number = "eq (7)",
                  .symbols = "C ← C + ζ Δt = (1 − β) C",
@@ -176,7 +176,7 @@ void draw_hang(Page& page, const DriftRuns& all, int step) {
 
 Shot hang_shot(const Runs& all, int step, bool key) {
   std::string alt = fmt::format("Hanging weights after step {}, off by", step);
-  for (const HangRun& run : all->hangs) {
+  for (const RodRun& run : all->hangs) {
     alt +=
         fmt::format(" {:.1f} mm with β = {:g};", 1000 * run.error[static_cast<std::size_t>(step)], run.beta);
   }

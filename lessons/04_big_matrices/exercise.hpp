@@ -7,7 +7,7 @@ namespace cairn::exercise04 {
 
 /// A_ij [1/kg] of a stack with one contact under each box: contact 0 is between the ground and box 0, contact
 /// i between the boxes i - 1 and i. `masses` [kg] are those of the boxes, from the ground up. A = J M^-1 J^T
-/// (14).
+/// (15).
 double entry(int i, int j, const std::vector<double>& masses);
 
 using Answer = double (*)(int, int, const std::vector<double>&);

@@ -61,7 +61,7 @@ void grade(Grade& grade, Answer answer) {
 Exercise exercise() {
   return {
       .lesson = 4,
-      .task = "The entries of A = J M⁻¹ Jᵀ for a stack of any height: equation (14).",
+      .task = "The entries of A = J M⁻¹ Jᵀ for a stack of any height: equation (15).",
       .file = "lessons/04_big_matrices/exercise.cpp",
       .hints = {"Row i of J has -1 at the box below the contact and +1 at the box above it.",
                 "A_ij is the sum over the boxes that both contacts touch of (entry of i)(entry of j) / m.",

@@ -1,216 +1,95 @@
-// Lesson 04. Big matrices: all bodies and all rows in one equation, and its direct solution.
-#include "lessons/lesson.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
+// Lesson 04. All bodies and all rows at once. The rows are written below each other, which makes J (6); so
+// are the velocities, v. The forces that make J v = ζ true (11) solve A λ = b, (14) and (15): one equation
+// for each contact. We build A and b for a stack of boxes, solve them as at school, from the first row down
+// and then up again, and put λ into (12) to see that the stack stands still.
 #include "pictures.hpp"
-#include "system.hpp"
+#include "report.hpp"
+
+namespace cairn::big {
+
+StackSystem assemble(const VelocityProblem<double>& problem) {
+  const Eigen::Index rows = problem.row_count(), bodies = problem.body_count() - 1;  // without the ground
+  StackSystem system{.J = Eigen::MatrixXd::Zero(rows, 3 * bodies),
+                     .inverse_mass = Eigen::VectorXd(3 * bodies),
+                     .velocity = Eigen::VectorXd(3 * bodies),
+                     .zeta = Eigen::VectorXd(rows),
+                     .dt = problem.dt};
+  // [assemble]
+  for (int i = 0; i < rows; ++i) {
+    const ConstraintRow<double>& row = problem.rows[static_cast<std::size_t>(i)];
+    if (row.a != ground) system.J.block<1, 3>(i, 3 * row.a.index - 3) = row.jacobian_a.transpose();  // (6)
+    system.J.block<1, 3>(i, 3 * row.b.index - 3) = row.jacobian_b.transpose();
+    system.zeta(i) = row.bias;
+  }
+  for (std::size_t body = 1; body < problem.velocity.size(); ++body) {  // 0 is the ground
+    const Eigen::Index column = 3 * static_cast<Eigen::Index>(body) - 3;
+    system.velocity.segment<3>(column) = problem.velocity[body];          // (1)
+    system.inverse_mass.segment<3>(column) = problem.inverse_mass[body];  // (2)
+  }
+  system.A = system.J * system.inverse_mass.asDiagonal() * system.J.transpose();  // (15)
+  system.b = (system.zeta - system.J * system.velocity) / system.dt;
+  // [/assemble]
+  return system;
+}
+
+std::vector<Eigen::MatrixXd> eliminate(const StackSystem& system) {
+  const Eigen::Index m = system.b.size();
+  Eigen::MatrixXd stage(m, m + 1);
+  stage << system.A, system.b;
+  std::vector<Eigen::MatrixXd> stages = {stage};
+  // [eliminate]
+  for (Eigen::Index pivot = 0; pivot + 1 < m; ++pivot) {
+    for (Eigen::Index row = pivot + 1; row < m; ++row) {
+      const double factor = stage(row, pivot) / stage(pivot, pivot);
+      stage.row(row) -= factor * stage.row(pivot);
+      stage(row, pivot) = 0;
+    }
+    stages.push_back(stage);  // for the pictures
+  }
+  // [/eliminate]
+  return stages;
+}
+
+Eigen::VectorXd substitute_back(const Eigen::MatrixXd& stage) {
+  const Eigen::Index m = stage.rows();
+  Eigen::VectorXd lambda(m);
+  for (Eigen::Index i = m - 1; i >= 0; --i) {
+    double rest = stage(i, m);
+    for (Eigen::Index j = i + 1; j < m; ++j) rest -= stage(i, j) * lambda(j);
+    lambda(i) = rest / stage(i, i);
+  }
+  return lambda;
+}
+
+Eigen::VectorXd velocity_after(const StackSystem& system, const Eigen::VectorXd& lambda) {
+  const Eigen::VectorXd impulse = system.J.transpose() * lambda * system.dt;
+  return system.velocity + system.inverse_mass.cwiseProduct(impulse);  // (12)
+}
+
+}  // namespace cairn::big
 
 namespace {
 
 using namespace cairn;
 using namespace cairn::big;
 
-const double epsilon = std::numeric_limits<double>::epsilon();
-
-LessonInfo info() {
-  return {
-      .number = 4,
-      .name = "big_matrices",
-      .title = "Big matrices",
-      .idea =
-          "Write the velocities of all bodies below each other, and all rows below each other: J v = ζ. What "
-          "forces make that true? They solve A λ = b, one equation for each row, all at once.",
-      .paper = "paper 2.1, 2.2, eq (1)-(15)",
-      .equations = {"(11)  J v₂ = ζ                         what the step is to achieve",
-                    "(12)  v₂ = v₁ + M⁻¹ Jᵀ λ Δt            how forces in the direction of J's rows do it",
-                    "(14)  A λ = b                          (12) put into (11)",
-                    "(15)  A = J M⁻¹ Jᵀ,  b = ζ/Δt − J v₁/Δt"},
-      .needs = {"lesson 01", "lesson 02"},
-      .reads = {"src/solvers/system_matrix.hpp", "src/solvers/system_matrix.cpp"},
-      .question =
-          "b has one number for each contact. The uppermost box weighs 10 N per kg and falls like the "
-          "others. What stands in b for the contact below it, in m/s²?",
-      .hints = {"b looks at the two bodies of a contact, not at one.",
-                "b = ζ/Δt − j·v₁/Δt, and j·v₁ says how fast the two close in.",
-                "Both boxes fall at g Δt. How fast do they close in on each other?"},
-      .parameters = {{"boxes", 3, 2, 5, "", "boxes in the stack", Parameter::Kind::whole},
-                     {"dt", 0.02, 0.005, 0.1, "s", "time step"},
-                     {"top", 1, 0.01, 100, "kg", "mass of the uppermost box; the others have 1 kg"},
-                     {"sunk", 0, 0, 0.02, "m", "how deep the lowest box is inside the ground, β = 0.2"}},
-      .cover = 12,
-      .next = "lesson05_sweep_and_bounds   (guess, fix one row, repeat; and what may not pull)"};
-}
-
-/// Without a minus in front of what rounding left of a zero.
-double cleaned(double value) { return std::abs(value) < 1e-12 ? 0 : value; }
-
-void print_matrices(Lesson& lesson, const StackRun& run) {
-  const int n = run.boxes();
-  std::string diagonal = "M⁻¹ = diag(";
-  for (int box = 0; box < n; ++box) {
-    const Eigen::Index k = 3 * box;
-    diagonal += fmt::format("{}{:g}, {:g}, {:g}", box > 0 ? " | " : "", run.system.inverse_mass(k),
-                            run.system.inverse_mass(k + 1), run.system.inverse_mass(k + 2));
-  }
-  lesson.print(diagonal + ")   1/m, 1/m, 1/I of each box");
-  std::string head = "row  J: x  y  θ";
-  for (int box = 2; box <= n; ++box) head += " |  x  y  θ";
-  lesson.print(head + fmt::format("    A{}b (m/s²)", std::string(static_cast<std::size_t>(7 * n + 1), ' ')));
-  for (int i = 0; i < n; ++i) {
-    std::string line = fmt::format("{:>3}    ", i + 1);
-    for (int k = 0; k < 3 * n; ++k)
-      line += fmt::format("{}{:>2g} ", k > 0 && k % 3 == 0 ? "| " : "", cleaned(run.system.J(i, k)));
-    for (int j = 0; j < n; ++j) line += fmt::format("{:>7.4g}", cleaned(run.system.A(i, j)));
-    lesson.print(line + fmt::format("{:>12.4f}", cleaned(run.system.b(i))));
-  }
-  lesson.print();
-}
-
-void print_right_side(Lesson& lesson, const StackRun& run) {
-  for (int i = 0; i < run.boxes(); ++i) {
-    const double jv = run.row_velocity(i);
-    lesson.print(fmt::format("(15) b_{} = ζ/Δt − j·v₁/Δt = {:.4g}/{:.4g} − ({:.4g})/{:.4g} = {:.4g} m/s²",
-                             i + 1, run.system.zeta(i), run.settings.dt, cleaned(jv), run.settings.dt,
-                             cleaned(run.system.b(i))));
-  }
-  lesson.print();
-}
-
-void print_solution(Lesson& lesson, const StackRun& run) {
-  const int n = run.boxes();
-  lesson.print("Elimination: the row above, times a factor, is taken from each row");
-  for (int row = 1; row < n; ++row) {
-    const Eigen::MatrixXd& before = run.stages[static_cast<std::size_t>(row - 1)];
-    const Eigen::MatrixXd& after = run.stages[static_cast<std::size_t>(row)];
-    std::string line = fmt::format("  row {} − ({:.4g}) × row {}:", row + 1,
-                                   before(row, row - 1) / before(row - 1, row - 1), row);
-    for (int j = 0; j < n; ++j) line += fmt::format(" {:>7.4g}", cleaned(after(row, j)));
-    lesson.print(line + fmt::format(" | {:.4f}", cleaned(after(row, n))));
-  }
-  const Eigen::MatrixXd& last = run.stages.back();
-  for (int i = n - 1; i >= 0; --i) {
-    const std::string rest =
-        i + 1 < n ? fmt::format("({:.4g} − ({:.4g}) × {:.4f})", last(i, n), last(i, i + 1), run.lambda(i + 1))
-                  : fmt::format("{:.4g}", last(i, n));
-    lesson.print(fmt::format("  λ_{} = {} / {:.4g} = {:.4f} N    and (12): box {} at {:+.4f} m/s", i + 1,
-                             rest, last(i, i), run.lambda(i), i + 1, cleaned(run.velocity(3 * i + 1))));
-  }
-  lesson.print(fmt::format("eigenvalues of A from {:.4f} to {:.4f} kg⁻¹, condition number {:.4g}",
-                           run.eigenvalues(0), run.eigenvalues(n - 1),
-                           run.eigenvalues(n - 1) / run.eigenvalues(0)));
-  lesson.print();
-}
-
-void print_growth(Lesson& lesson, const StackRun& run) {
-  lesson.print("boxes    numbers in J    not 0    in A    not 0    multiplications, if A were full");
-  for (const Growth& growth : run.growth) {
-    lesson.print(fmt::format("{:>5} {:>15.0f} {:>8.0f} {:>7.0f} {:>8.0f} {:>13.0f}", growth.boxes,
-                             growth.all_of_J, growth.used_of_J, growth.all_of_A, growth.used_of_A,
-                             growth.elimination));
-  }
-  lesson.print();
-}
-
-void check_matrices(Lesson& lesson, const StackRun& run) {
-  const StackSystem& system = run.system;
-  const int n = run.boxes();
-  // Each is a sum of two products, the same in both; a third for what is not touched.
-  lesson.check_small("J v₁ of the matrix = j·v₁ of each row (m/s)",
-                     (system.J * system.velocity - run.row_velocity).cwiseAbs().maxCoeff(),
-                     8 * epsilon * gravity * run.settings.dt);
-  double gap = 0;
-  double inverse_gap = 0;
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      gap = std::max(gap, std::abs(system.A(i, j) - entry_by_formula(run, i, j)));
-      inverse_gap = std::max(inverse_gap, std::abs(run.inverse(i, j) - mass_above(run, std::max(i, j))));
-    }
-  }
-  // Two divisions, a sum.
-  const double largest = system.A.cwiseAbs().maxCoeff();
-  lesson.check_small("A: Σ 1/m of a row's boxes, −1/m of the box between two (kg⁻¹)", gap,
-                     4 * epsilon * largest);
-  const double condition = run.eigenvalues(n - 1) / run.eigenvalues(0);
-  // A direct solution is as good as rounding times the condition number, times a few for each row.
-  const double solved = 8 * n * epsilon * condition;
-  lesson.check_small("A⁻¹: the mass above the higher of two contacts (kg)", inverse_gap,
-                     solved * mass_above(run, 0));
-  lesson.check_that("A is symmetric and positive definite: least eigenvalue (kg⁻¹)",
-                    system.A == system.A.transpose() && run.eigenvalues(0) > 0,
-                    fmt::format("{:.4g}", run.eigenvalues(0)));
-  if (run.settings.top == 1) {
-    double worst = 0;
-    for (int k = 1; k <= n; ++k) {
-      const double expected = 2 - 2 * std::cos((2 * k - 1) * std::numbers::pi / (2 * n + 1));
-      worst = std::max(worst, std::abs(run.eigenvalues(k - 1) - expected));
-    }
-    // Eigenvalues of a symmetric matrix are good to some n roundings of the largest, which is below 4.
-    lesson.check_small("eigenvalues = 2 − 2 cos((2k − 1) π / (2n + 1)) (kg⁻¹)", worst, 8 * n * epsilon * 4);
-  }
-}
-
-void check_solution(Lesson& lesson, const StackRun& run) {
-  const StackSystem& system = run.system;
-  const int n = run.boxes();
-  const double dt = run.settings.dt;
-  double gap = 0;
-  for (int i = 0; i < n; ++i) gap = std::max(gap, std::abs(run.lambda(i) - lambda_by_formula(run, i)));
-  const double largest = lambda_by_formula(run, 0);
-  const double condition = run.eigenvalues(n - 1) / run.eigenvalues(0);
-  const double solved = 8 * n * epsilon * condition * largest;  // as above
-  lesson.check_small("λ = mass above × (g + ζ₁/Δt) (N)", gap, solved);
-  lesson.check_small("the library's exact solver, on rows of six numbers (N)",
-                     (run.lambda - run.reference).cwiseAbs().maxCoeff(), solved);
-  // The remainder of an elimination is of the size of its roundings, whatever the condition number.
-  const double remainder = 16 * n * epsilon * run.eigenvalues(n - 1) * largest * dt;
-  lesson.check_small("(11) J v₂ = ζ (m/s)", (system.J * run.velocity - system.zeta).cwiseAbs().maxCoeff(),
-                     remainder);
-  // b is then ζ/Δt alone.
-  const double without = lambda_by_formula(run, 0) - mass_above(run, 0) * gravity;
-  lesson.check_equal("gravity not in v₁: λ₁ holds nothing up (N)", run.lambda_without(0), without, solved);
-  lesson.check_equal("and the lowest contact closes in by g Δt more than it should (m/s)",
-                     system.zeta(0) - system.J.row(0).dot(run.velocity_without), gravity * dt,
-                     remainder + 16 * epsilon * gravity * dt);
-}
-
-CsvTable entries_table(const StackRun& run) {
-  CsvTable table{.header = {"matrix", "row", "column", "value"}};
-  const auto add = [&table](const char* name, const Eigen::MatrixXd& matrix) {
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-      for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-        table.rows.push_back(
-            {name, static_cast<long long>(i + 1), static_cast<long long>(j + 1), matrix(i, j)});
-      }
-    }
-  };
-  add("J", run.system.J);
-  add("inverse_mass", run.system.inverse_mass);
-  add("A", run.system.A);
-  add("b", run.system.b);
-  add("lambda", run.lambda);
-  add("velocity_before", run.system.velocity);
-  add("velocity_after", run.velocity);
-  return table;
+StackRun solve_stack(const StackSettings& settings) {
+  StackRun run{.settings = settings};
+  const VelocityProblem<double> problem = stack_rows(settings, gravity * settings.dt);
+  run.system = assemble(problem);
+  run.stages = eliminate(run.system);
+  run.lambda = substitute_back(run.stages.back());
+  run.velocity = velocity_after(run.system, run.lambda);
+  solve_otherwise(problem, run);
+  return run;
 }
 
 void run(Lesson& lesson) {
-  const StackRun stack = run_stack({.boxes = lesson.whole("boxes"),
-                                    .dt = lesson.real("dt"),
-                                    .top = lesson.real("top"),
-                                    .sunk = lesson.real("sunk")});
-  lesson.print(fmt::format(
-      "Scene: {} unit boxes on the ground, the uppermost of {:g} kg, the others of 1 kg; g = {:g} m/s², "
-      "Δt = {:.4g} s",
-      stack.boxes(), stack.settings.top, gravity, stack.settings.dt));
-  lesson.print(
-      fmt::format("       one normal row for each contact; gravity is in v₁ already: all fall at {:.4g} m/s",
-                  gravity * stack.settings.dt));
+  const StackRun stack = solve_stack({.boxes = lesson.whole("boxes"),
+                                      .dt = lesson.real("dt"),
+                                      .top = lesson.real("top"),
+                                      .sunk = lesson.real("sunk")});
+  print_scene(lesson, stack);
   lesson.predict();
   lesson.print();
   print_matrices(lesson, stack);
@@ -232,4 +111,4 @@ void run(Lesson& lesson) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return cairn::run_lesson(info(), run, argc, argv); }
+int main(int argc, char** argv) { return cairn::run_lesson(card(), run, argc, argv); }

@@ -26,6 +26,7 @@ struct StackSystem {
   Eigen::VectorXd b = {};             // (15) [m/s^2]
   Eigen::VectorXd velocity = {};      // v_1
   Eigen::VectorXd zeta = {};          // (7) [m/s]
+  double dt = 0;                      // [s]
 };
 
 /// How large the system of n boxes is.
@@ -51,13 +52,25 @@ struct StackRun {
   Eigen::VectorXd row_velocity = {};         // j v_1 of each row by its own six numbers
   Eigen::VectorXd lambda_without = {};       // [N] had gravity not been in v_1
   Eigen::VectorXd velocity_without = {};     // v_2 with that, and gravity added after
+  double library_gap = 0;                    // between system and the library's A and b; the largest
   std::vector<Growth> growth = {};
   Snapshot snapshot = {};  // for drawing
 
   int boxes() const { return settings.boxes; }
 };
 
-StackRun run_stack(const StackSettings& settings);
+/// Boxes of 1 m, one normal row for each contact. `fall`: [m/s] what gravity has done to all of them already.
+VelocityProblem<double> stack_rows(const StackSettings& settings, double fall);
+/// All rows in one system.
+StackSystem assemble(const VelocityProblem<double>& problem);
+/// Gauss's elimination of [A | b], from the first row down. A is positive definite, so no rows are swapped.
+std::vector<Eigen::MatrixXd> eliminate(const StackSystem& system);
+/// Lambda [N] of the last stage, from the last row up: each has one unknown left.
+Eigen::VectorXd substitute_back(const Eigen::MatrixXd& stage);
+/// v_2 (12).
+Eigen::VectorXd velocity_after(const StackSystem& system, const Eigen::VectorXd& lambda);
+/// Everything else in `run`, for comparison.
+void solve_otherwise(const VelocityProblem<double>& problem, StackRun& run);
 
 /// [kg] that contact i (from 0) carries: box i + 1 and all above.
 double mass_above(const StackRun& run, int contact);

@@ -1,245 +1,101 @@
-// Lesson 05. Sweep and bounds: A lambda = b row by row, and supports that can only push.
-#include "lessons/lesson.hpp"
-
-#include <fmt/format.h>
-
+// Lesson 05. A λ = b without elimination: guess all λ, put one row right, then the next, and again from the
+// beginning. That is Gauss-Seidel (28). Where a row may only push, its λ is cut off at 0 at once: projected
+// Gauss-Seidel, which finds who pushes and who lets go while it sweeps. A stack of boxes shows how fast it
+// comes, a rod on two supports what the clamp does. The loop stands here; the library's solver runs beside it
+// and is recorded.
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <numeric>
 
 #include "pictures.hpp"
-#include "sweep.hpp"
+#include "report.hpp"
+
+namespace cairn::sweeps {
+
+/// A contact that pushes body b upwards, `arm` [m] to the right of its centre, and body a (0: the ground)
+/// down.
+void add_contact(VelocityProblem<double>& problem, int a, int b, double arm) {
+  ConstraintRow<double> row;
+  row.a = {a};
+  row.b = {b};
+  row.jacobian_a = {0, -1, 0};
+  row.jacobian_b = {0, 1, arm};
+  row.bounds = Bounds<double>::unilateral();
+  row.key = {.source = static_cast<std::uint64_t>(problem.row_count())};
+  problem.blocks.push_back({problem.row_count(), 1});
+  problem.rows.push_back(row);
+  problem.impulse.push_back(0);
+}
+
+VelocityProblem<double> stack_problem(const SweepSettings& settings) {
+  const auto n = static_cast<std::size_t>(settings.boxes);
+  VelocityProblem<double> problem;
+  problem.dt = settings.dt;
+  problem.inverse_mass.assign(n + 1, {1, 1, 6});  // of a unit box of 1 kg
+  problem.inverse_mass[0] = {0, 0, 0};            // the ground
+  problem.velocity.assign(n + 1, {0, -gravity * settings.dt, 0});
+  problem.velocity[0] = {0, 0, 0};
+  for (int i = 0; i < settings.boxes; ++i) add_contact(problem, i, i + 1, 0);
+  return problem;
+}
+
+VelocityProblem<double> rod_problem(const SweepSettings& settings) {
+  VelocityProblem<double> problem;
+  problem.dt = settings.dt;
+  problem.inverse_mass = {{0, 0, 0}, {1 / rod_mass, 1 / rod_mass, 1 / rod_inertia}};
+  problem.velocity = {{0, 0, 0}, {0, -gravity * settings.dt, 0}};
+  add_contact(problem, 0, 1, -rod_length / 2);
+  add_contact(problem, 0, 1, settings.support - rod_length / 2);
+  return problem;
+}
+
+void sweep_by_hand(const SystemMatrices<double>& system, const std::vector<int>& order, double lowest,
+                   Vector<double>& lambda) {
+  const Matrix<double>& A = system.A;
+  // [sweep]
+  for (const int i : order) {
+    double rest = system.b(i);
+    for (int j = 0; j < A.cols(); ++j)
+      if (j != i) rest -= A(i, j) * lambda(j);  // the newest λ that there is
+
+    lambda(i) = rest / A(i, i);               // (28): now row i is right
+    lambda(i) = std::max(lowest, lambda(i));  // its interval: from 0 for a contact, from −∞ for a rod
+  }
+  // [/sweep]
+}
+
+Swept swept(VelocityProblem<double> problem, int sweeps, RowOrder order) {
+  const SystemMatrices<double> system = system_matrices(problem);
+  std::vector<int> rows(problem.rows.size());
+  std::iota(rows.begin(), rows.end(), 0);
+  if (order == RowOrder::reverse) std::reverse(rows.begin(), rows.end());
+  ProjectedGaussSeidel<double> solver({.iterations = sweeps, .order = order});
+  SweepRecorder<double> recorder(SweepRecorder<double>::Detail::rows);
+  solver.solve(problem, &recorder);
+  Swept result = recorded(recorder, problem.dt);
+  result.velocity = problem.velocity;
+  Vector<double> by_hand = Vector<double>::Zero(problem.row_count());  // and the same sweeps by hand
+  for (std::size_t k = 1; k < result.by_sweep.size(); ++k) {
+    sweep_by_hand(system, rows, problem.rows[0].bounds.lower, by_hand);
+    for (const int i : rows)
+      result.gap =
+          std::max(result.gap, std::abs(by_hand(i) - result.by_sweep[k][static_cast<std::size_t>(i)]));
+  }
+  return result;
+}
+
+}  // namespace cairn::sweeps
 
 namespace {
 
 using namespace cairn;
 using namespace cairn::sweeps;
 
-const double epsilon = std::numeric_limits<double>::epsilon();
-
-LessonInfo info() {
-  return {
-      .number = 5,
-      .name = "sweep_and_bounds",
-      .title = "Sweep, and clamp",
-      .idea =
-          "Guess all λ. Put one row right, then the next, round and round: that is Gauss-Seidel. Cut each λ "
-          "off where its interval ends, and contacts that may only push are solved too: projected "
-          "Gauss-Seidel.",
-      .paper = "paper 2.2, eq (14), (28), and the interval at its end",
-      .equations =
-          {"(14)  A λ = b                                     all rows at once: lesson 04",
-           "(28)  λ_i ← (b_i − Σ_{j≠i} A_ij λ_j) / A_ii       one row, with the newest λ of the others",
-           "2.2   λ_i ← max(λ_min, min(λ_i, λ_max))           a contact: 0 ≤ λ"},
-      .needs = {"lesson 04"},
-      .reads = {"src/solvers/projected_gauss_seidel.cpp", "src/constraints/row.hpp"},
-      .question =
-          "A rod of 4 kg and 3 m lies with its left end on one support; the other stands 1 m from there. "
-          "A λ = b says: the left one pulls with 20 N, the right one pushes with 60 N. But the left one "
-          "cannot pull. How hard does the right one push then, in N?",
-      .hints = {"Without the pull, does the right support have more to hold or less?",
-                "Only one point of the rod is held. The rest of it may fall.",
-                "λ₂ = b₂ / A₂₂, with A₂₂ = 1/4 + 0.5²/3 and b₂ = 10 m/s²."},
-      .parameters = {{"boxes", 3, 2, 6, "", "boxes in the stack", Parameter::Kind::whole},
-                     {"dt", 0.02, 0.005, 0.1, "s", "time step"},
-                     {"sweeps", 10, 3, 100, "", "sweeps", Parameter::Kind::whole},
-                     {"support", 1, 0.5, 3, "m", "from the left end of the rod to the right support"}},
-      .cover = -3,
-      .next = "lesson06_sequential_impulses   (the same answer without the matrices)"};
-}
-
-/// Without a minus in front of what rounding left of a zero.
-double cleaned(double value) { return std::abs(value) < 1e-12 ? 0 : value; }
-
-std::string in_brackets(double value) {
-  return value < 0 ? fmt::format("({:.4g})", value) : fmt::format("{:.4g}", cleaned(value));
-}
-
-/// "(0 − (−1) × 10 − (−1) × 0) / 2 = 5": (28) with the numbers of one update, before it is clamped.
-std::string row_in_numbers(const SystemMatrices<double>& system, const Swept& swept, std::size_t k) {
-  const int i = swept.updates[k].row;
-  std::string sum = fmt::format("{:.4g}", cleaned(system.b(i)));
-  double rest = system.b(i);
-  for (int j = 0; j < static_cast<int>(system.b.size()); ++j) {
-    if (j == i || system.A(i, j) == 0) continue;
-    const double other = k > 0 ? swept.after[k - 1][static_cast<std::size_t>(j)] : 0;
-    rest -= system.A(i, j) * other;
-    sum += fmt::format(" − {} × {:.4g}", in_brackets(system.A(i, j)), cleaned(other));
-  }
-  return fmt::format("({}) / {:.4g} = {:.4f}", sum, system.A(i, i), cleaned(rest / system.A(i, i)));
-}
-
-void print_update(Lesson& lesson, const SystemMatrices<double>& system, const Swept& swept, std::size_t k,
-                  std::size_t shown) {
-  const RowUpdate<double>& update = swept.updates[k];
-  const double after = swept.after[k][static_cast<std::size_t>(update.row)];
-  const bool cut = update.impulse_before + update.corrective < -1e-12;
-  const std::string line =
-      fmt::format("  sweep {} row {}: λ_{} = {}{}", update.sweep, update.row + 1, update.row + 1,
-                  row_in_numbers(system, swept, k), cut ? fmt::format("  → clamped to {:g}", after) : "");
-  k < shown ? lesson.print(line) : lesson.detail(line);
-}
-
-void print_stack(Lesson& lesson, const SweepRun& run) {
-  const StackRun& stack = run.stack;
-  lesson.print(fmt::format("Scene A: {} unit boxes of 1 kg on each other; A and b are those of lesson 04",
-                           run.settings.boxes));
-  const auto shown = static_cast<std::size_t>(std::min(2 * run.settings.boxes, 9 - run.settings.boxes));
-  for (std::size_t k = 0; k < stack.up.updates.size(); ++k)
-    print_update(lesson, stack.system, stack.up, k, shown);
-  lesson.print(fmt::format("  ...  (-v shows all {} updates)", stack.up.updates.size()));
-  std::string header = "after sweep";
-  std::vector<std::size_t> sweeps;
-  for (const int sweep : {1, 2, 3, 5, 10, 20, 50, 100}) {
-    if (sweep > run.settings.sweeps) break;
-    sweeps.push_back(static_cast<std::size_t>(sweep));
-    header += fmt::format("{:>9}", sweep);
-  }
-  lesson.print(header + "    exact");
-  for (std::size_t i = 0; i < stack.exact.size(); ++i) {
-    std::string line = fmt::format("λ_{:<9}", i + 1);
-    for (const std::size_t sweep : sweeps) line += fmt::format("{:>9.4f}", stack.up.by_sweep[sweep][i]);
-    lesson.print(line + fmt::format("{:>9.4f}   N", stack.exact[i]));
-  }
-  std::string line = "error      ";
-  for (const std::size_t sweep : sweeps) line += fmt::format("{:>9.4f}", stack.error[sweep]);
-  lesson.print(line + fmt::format("           of λ_1"));
-  line = "λ_1, down  ";
-  for (const std::size_t sweep : sweeps) line += fmt::format("{:>9.4f}", stack.down.by_sweep[sweep][0]);
-  lesson.print(line + "           the same from the top down");
-  lesson.print();
-}
-
-void print_rod(Lesson& lesson, const SweepRun& run) {
-  const RodRun& rod = run.rod;
-  const Matrix<double>& A = rod.system.A;
-  lesson.print(fmt::format("Scene B: the rod; supports at 0 and {:g} m, its middle at {:g} m; I = {:g} kg m²",
-                           run.settings.support, rod_length / 2, rod_inertia));
-  lesson.print(fmt::format(
-      "  A = [{0:.4g} {1:.4g}; {1:.4g} {2:.4g}], b = ({3:.4g}, {4:.4g}); A λ = b: λ = "
-      "({5:.4g}, {6:.4g}) N",
-      A(0, 0), cleaned(A(0, 1)), A(1, 1), rod.system.b(0), rod.system.b(1), rod.statics[0], rod.statics[1]));
-  for (std::size_t k = 0; k < rod.bounded.updates.size(); ++k)
-    print_update(lesson, rod.system, rod.bounded, k, 6);
-  lesson.print("support   A λ = b: λ (N)   0 ≤ λ: λ (N)   w = A λ − b (m/s²)");
-  for (std::size_t i = 0; i < 2; ++i) {
-    const bool leaves = rod.leaving[i] > 1e-9;
-    lesson.print(fmt::format("{:<7} {:>16.4f} {:>14.4f} {:>20.4f}   {}", i == 0 ? "left" : "right",
-                             rod.statics[i], cleaned(rod.settled.after.back()[i]), cleaned(rod.leaving[i]),
-                             leaves ? "let go: the rod leaves it" : "holds"));
-  }
-  lesson.print();
-}
-
-void print_intervals(Lesson& lesson) {
-  lesson.print("The interval is data of the row (N s). What comes of −8, +4 and +8, μ λ Δt being 6:");
-  for (const Interval& kind : kinds_of_rows()) {
-    const std::vector<double> impulse = {10.0};
-    std::string line = fmt::format("  {:<15}", kind.name);
-    for (const double value : {-8.0, 4.0, 8.0})
-      line += fmt::format("{:>5g}", kind.bounds.clamp(value, impulse));
-    lesson.print(line + "   " + kind.reason);
-  }
-  lesson.print();
-}
-
-double largest_gap(const std::vector<double>& a, const std::vector<double>& b) {
-  double gap = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) gap = std::max(gap, std::abs(a[i] - b[i]));
-  return gap;
-}
-
-/// Going down, row i has after sweep k what it had going up i - 1 sweeps earlier.
-double order_gap(const StackRun& stack) {
-  double gap = 0;
-  for (std::size_t k = 0; k < stack.up.by_sweep.size(); ++k) {
-    for (std::size_t i = 0; i < stack.exact.size(); ++i) {
-      const double earlier = k >= i ? stack.up.by_sweep[k - i][i] : 0;
-      gap = std::max(gap, std::abs(stack.down.by_sweep[k][i] - earlier));
-    }
-  }
-  return gap;
-}
-
-void check_stack(Lesson& lesson, const SweepRun& run) {
-  const StackRun& stack = run.stack;
-  // b_1 is one difference and one quotient; each of the updates adds a few roundings of the largest lambda.
-  const double rounding = 4 * epsilon * static_cast<double>(stack.up.updates.size()) * stack.exact[0];
-  double gap = 0;
-  for (int sweep = 0; sweep <= 3; ++sweep) {
-    const std::vector<double>& lambda = stack.up.by_sweep[static_cast<std::size_t>(sweep)];
-    gap = std::max(gap, largest_gap(lambda, counted_lambda(run, sweep)));
-  }
-  lesson.check_small("three sweeps, counted in whole numbers: halves of sums (N)", gap, rounding);
-  const double factor = error_factor(run.settings.boxes);
-  // At the end a millionth of the other errors' decay is left, and 1e-10 of rounding.
-  lesson.check_equal(fmt::format("a sweep leaves cos²(π/{}) of the error", 2 * run.settings.boxes),
-                     measured_error_factor(run.settings), factor, 1e-6);
-  // The very same numbers are added, and zeros: not even rounding differs.
-  lesson.check_small("top down: λ_i comes i − 1 sweeps later than bottom up (N)", order_gap(stack), 0);
-  lesson.check_small("no λ would pull here: with and without clamp, the same λ (N)",
-                     largest_gap(stack.up.by_sweep.back(), stack.unbounded.by_sweep.back()), 0);
-}
-
-void check_rod(Lesson& lesson, const SweepRun& run) {
-  const RodRun& rod = run.rod;
-  const std::vector<double>& lambda = rod.settled.after.back();
-  // A system solved until rounding is off by that times its condition, which is below 4 / (1 - rate).
-  const double largest = std::max(std::abs(rod.statics[0]), rod.statics[1]);
-  const double rounding = 16 * epsilon * largest * 4 / (1 - rod.rate);
-  const std::vector<double>& pulled = rod.unbounded.after.back();
-  // (enough sweeps leave 1e-17 of a first error that is no larger than twice the largest lambda)
-  lesson.check_small("without clamp: forces and moments of statics (N)",
-                     std::max(std::abs(pulled[0] - rod.statics[0]), std::abs(pulled[1] - rod.statics[1])),
-                     rounding);
-  lesson.check_small(rod.tips() ? "with clamp: λ₁ = 0, λ₂ = g / (1/m + r²/I) (N)"
-                                : "with clamp: the same, for both supports push (N)",
-                     std::max(std::abs(lambda[0] - rod.formula[0]), std::abs(lambda[1] - rod.formula[1])),
-                     rounding);
-  const double least = std::min({lambda[0], lambda[1], rod.leaving[0], rod.leaving[1]});
-  const double largest_entry = std::max(rod.system.A(0, 0), rod.system.A(1, 1));
-  const double complement =
-      std::max(std::abs(lambda[0] * rod.leaving[0]), std::abs(lambda[1] * rod.leaving[1]));
-  lesson.check_small("λ ≥ 0 and w = A λ − b ≥ 0: the least of all four", std::min(least, 0.0),
-                     2 * largest_entry * rounding);
-  lesson.check_small("λ w = 0: what pushes holds, what leaves does not push (N m/s²)", complement,
-                     4 * largest_entry * rounding * largest);
-  // The ends move as (12) says: velocities of the body, against w of the rows.
-  const Vec3<double>& v = rod.settled.velocity[1];
-  double gap = 0;
-  for (std::size_t i = 0; i < 2; ++i)
-    gap = std::max(gap, std::abs(v.y() + v.z() * rod.arm[i] - rod.leaving[i] * run.settings.dt));
-  lesson.check_small("(12) above the supports the rod moves at w Δt (m/s)", gap,
-                     32 * epsilon * largest * run.settings.dt * largest_entry);
-}
-
-void append_rows(CsvTable& table, const char* name, const Swept& swept, double dt) {
-  for (std::size_t k = 0; k < swept.updates.size(); ++k) {
-    const RowUpdate<double>& update = swept.updates[k];
-    table.rows.push_back({name, static_cast<long long>(update.sweep), static_cast<long long>(update.row + 1),
-                          update.inverse_mass, update.row_velocity, update.corrective / dt,
-                          update.impulse_before / dt, update.impulse_after / dt});
-  }
-}
-
-CsvTable updates_table(const SweepRun& run) {
-  CsvTable table{
-      .header = {"system", "sweep", "row", "a_ii", "jv", "lambda_corr", "lambda_old", "lambda_new"}};
-  append_rows(table, "stack", run.stack.up, run.settings.dt);
-  append_rows(table, "stack_down", run.stack.down, run.settings.dt);
-  append_rows(table, "rod", run.rod.bounded, run.settings.dt);
-  append_rows(table, "rod_unbounded", run.rod.unbounded, run.settings.dt);
-  return table;
-}
-
 void run(Lesson& lesson) {
   const SweepRun all = run_sweeps({.boxes = lesson.whole("boxes"),
                                    .dt = lesson.real("dt"),
                                    .sweeps = lesson.whole("sweeps"),
                                    .support = lesson.real("support")});
-  lesson.print(fmt::format(
-      "Scenes: g = {:g} m/s², Δt = {:g} s; gravity is in v₁ already; {} sweeps from λ = 0, no warm start",
-      gravity, all.settings.dt, all.settings.sweeps));
+  print_scenes(lesson, all.settings);
   lesson.predict();
   lesson.print();
   print_stack(lesson, all);
@@ -261,4 +117,4 @@ void run(Lesson& lesson) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return cairn::run_lesson(info(), run, argc, argv); }
+int main(int argc, char** argv) { return cairn::run_lesson(card(), run, argc, argv); }

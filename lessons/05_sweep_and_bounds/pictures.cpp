@@ -232,6 +232,7 @@ std::string sources(const Page& page, const SystemMatrices<double>& system, int 
     text += fmt::format("{}λ_{{{}}} {}", text.empty() ? "" : ", ", j + 1,
                         j < i ? "of this sweep" : "of the last");
   }
+  if (text.empty()) return "no other λ in this row";
   return page.compact() ? text : "with " + text;
 }
 
@@ -260,9 +261,11 @@ render::Equation equation_28(const Page& page, const SystemMatrices<double>& sys
   const double value = rest / system.A(i, i);
   const double after = swept.after[update][static_cast<std::size_t>(i)];
   const bool cut = value < after - 1e-9;
+  const bool alone = symbols.find("−") == std::string::npos;
+  if (!alone) symbols = "(" + symbols + ")", numbers = "(" + numbers + ")";
   return {.number = "eq (28)",
-          .symbols = fmt::format("λ_{{{0}}} = ({1}) / A_{{{0}{0}}}", i + 1, symbols),
-          .numbers = fmt::format("= ({}) / {}", numbers, brief(system.A(i, i))),
+          .symbols = fmt::format("λ_{{{0}}} = {1} / A_{{{0}{0}}}", i + 1, symbols),
+          .numbers = fmt::format("= {} / {}", numbers, brief(system.A(i, i))),
           .result = fmt::format("= {} N", brief(value)),
           .algorithm = cut ? fmt::format("λ ≥ 0:  clamped to {}", brief(after)) : sources(page, system, i),
           .color = page.theme().normal};

@@ -44,10 +44,21 @@ void label_force(Page& page, const render::Camera& camera, const Vec2<double>& t
                   camera.viewport, text, style);
 }
 
+/// The same for the weight: right of it if possible.
+void label_weight(Page& page, const render::Camera& camera, const Vec2<double>& top,
+                  const std::string& text) {
+  const Point at = camera.project(top);
+  render::TextStyle style = page.value();
+  style.halo = page.theme().panel;
+  const double left = at.x() - 14 - page.canvas().text_width(text, style);
+  page.place_text({{at.x() + 14, at.y() + 2 * style.size}, {at.x() + 14, at.y()}, {left, at.y()}},
+                  camera.viewport, text, style);
+}
+
 /// The rod, what its supports give, its weight; behind it where it goes, if wanted.
 void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const Pair& lambda,
               std::span<const Snapshot> motion = {}) {
-  const Rect inside = page.panel(rect, page.compact() ? "" : "N");
+  const Rect inside = page.panel(rect, page.compact() ? "" : "forces (N)");
   const render::Camera camera = render::fit(inside, {{-0.75, -0.8}, {rod_length + 0.5, 1.6}});
   page.canvas().push_clip(inside);
   render::WorldLook look;
@@ -61,24 +72,24 @@ void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const Pair& lam
       .pixels_per_unit = 1.25 * camera.scale / largest, .longest = 1.4 * camera.scale, .unit = "N"};
   const double weight = rod_mass * gravity;
   const double shift = std::abs(run.rod.arm[1]) < 0.2 ? -0.2 : 0;  // not upon the push below it
-  draw_arrow(page, camera, scale,
-             {.kind = render::ArrowKind::external,
-              .tail = {rod_length / 2 + shift, 0.12 + weight / largest * 1.25},
-              .value = {0, -weight},
-              .label = page.compact() ? "m g" : fmt::format("m g = {}", brief(weight))});
+  const Vec2<double> tail(rod_length / 2 + shift, 0.12 + weight / largest * 1.25);
+  draw_arrow(page, camera, scale, {.kind = render::ArrowKind::external, .tail = tail, .value = {0, -weight}});
+  const std::array<double, 2> place = {0.02, run.settings.support};
   for (const std::size_t i : {std::size_t{1}, std::size_t{0}}) {
     if (std::abs(lambda[i]) < 0.005) continue;
-    const double x = i == 0 ? 0.02 : run.settings.support;
     const bool pulls = lambda[i] < 0;
-    const double start = pulls ? 0.1 - lambda[i] / largest * 1.25 : 0.1;
-    const double top = 0.1 + std::abs(lambda[i]) / largest * 1.25;
     draw_arrow(page, camera, scale,
                {.kind = pulls ? render::ArrowKind::negative_correction : render::ArrowKind::normal,
-                .tail = {x, start},
+                .tail = {place[i], pulls ? 0.1 - lambda[i] / largest * 1.25 : 0.1},
                 .value = {0, lambda[i]}});
-    label_force(page, camera, {x, pulls ? top + 0.2 : top},
+  }
+  for (const std::size_t i : {std::size_t{1}, std::size_t{0}}) {  // when both arrows are there to keep off
+    if (std::abs(lambda[i]) < 0.005) continue;
+    const double top = 0.1 + std::abs(lambda[i]) / largest * 1.25;
+    label_force(page, camera, {place[i], lambda[i] < 0 ? top + 0.2 : top},
                 fmt::format("λ_{{{}}} = {}", i + 1, brief(lambda[i], 2)));
   }
+  label_weight(page, camera, tail, page.compact() ? "m g" : fmt::format("m g = {}", brief(weight)));
   page.canvas().pop_clip();
 }
 

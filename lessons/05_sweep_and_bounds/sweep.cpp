@@ -1,4 +1,4 @@
-// The two systems by hand, their sweeps by the library, and other accounts of both.
+// What is done with the two systems, and other accounts of both.
 #include "sweep.hpp"
 
 #include <algorithm>
@@ -8,69 +8,9 @@ namespace cairn::sweeps {
 
 namespace {
 
-/// A normal row between two bodies that pushes b upwards, `arm` to the right of b's centre.
-ConstraintRow<double> pushing_row(int a, int b, double arm) {
-  ConstraintRow<double> row;
-  row.a = {a};
-  row.b = {b};
-  row.jacobian_a = {0, -1, 0};
-  row.jacobian_b = {0, 1, arm};
-  row.bounds = Bounds<double>::unilateral();
-  return row;
-}
-
-void append(VelocityProblem<double>& problem, ConstraintRow<double> row) {
-  row.key = {.source = static_cast<std::uint64_t>(problem.row_count())};
-  problem.blocks.push_back({problem.row_count(), 1});
-  problem.rows.push_back(row);
-  problem.impulse.push_back(0);
-}
-
-/// Gravity has acted for one step: everything falls at g dt.
-VelocityProblem<double> stack_problem(const SweepSettings& settings) {
-  const auto n = static_cast<std::size_t>(settings.boxes);
-  VelocityProblem<double> problem;
-  problem.dt = settings.dt;
-  problem.inverse_mass.assign(n + 1, {1, 1, 6});  // of a unit box of 1 kg
-  problem.inverse_mass[0] = {0, 0, 0};            // the ground
-  problem.velocity.assign(n + 1, {0, -gravity * settings.dt, 0});
-  problem.velocity[0] = {0, 0, 0};
-  for (int i = 0; i < settings.boxes; ++i) append(problem, pushing_row(i, i + 1, 0));
-  return problem;
-}
-
-VelocityProblem<double> rod_problem(const SweepSettings& settings) {
-  VelocityProblem<double> problem;
-  problem.dt = settings.dt;
-  problem.inverse_mass = {{0, 0, 0}, {1 / rod_mass, 1 / rod_mass, 1 / rod_inertia}};
-  problem.velocity = {{0, 0, 0}, {0, -gravity * settings.dt, 0}};
-  append(problem, pushing_row(0, 1, -rod_length / 2));
-  append(problem, pushing_row(0, 1, settings.support - rod_length / 2));
-  return problem;
-}
-
 VelocityProblem<double> without_bounds(VelocityProblem<double> problem) {
   for (ConstraintRow<double>& row : problem.rows) row.bounds = Bounds<double>::equality();
   return problem;
-}
-
-Swept swept(VelocityProblem<double> problem, int sweeps, RowOrder order = RowOrder::as_written) {
-  ProjectedGaussSeidel<double> solver({.iterations = sweeps, .order = order});
-  SweepRecorder<double> recorder(SweepRecorder<double>::Detail::rows);
-  const double dt = problem.dt;
-  solver.solve(problem, &recorder);
-  Swept result{.velocity = problem.velocity};
-  std::vector<double> lambda(problem.rows.size(), 0.0);
-  for (const RowRecord& record : recorder.rows()) {
-    lambda[static_cast<std::size_t>(record.update.row)] = record.update.impulse_after / dt;
-    result.updates.push_back(record.update);
-    result.after.push_back(lambda);
-  }
-  for (const SweepRecord& record : recorder.sweeps()) {
-    result.by_sweep.push_back(record.impulse);
-    for (double& value : result.by_sweep.back()) value /= dt;
-  }
-  return result;
 }
 
 double largest_error(const std::vector<double>& lambda, const std::vector<double>& exact) {
@@ -157,6 +97,21 @@ RodRun run_rod(const SweepSettings& settings) {
 }
 
 }  // namespace
+
+Swept recorded(const SweepRecorder<double>& recorder, double dt) {
+  Swept result;
+  std::vector<double> lambda(recorder.sweeps().at(0).impulse.size(), 0.0);
+  for (const RowRecord& record : recorder.rows()) {
+    lambda[static_cast<std::size_t>(record.update.row)] = record.update.impulse_after / dt;
+    result.updates.push_back(record.update);
+    result.after.push_back(lambda);
+  }
+  for (const SweepRecord& record : recorder.sweeps()) {
+    result.by_sweep.push_back(record.impulse);
+    for (double& value : result.by_sweep.back()) value /= dt;
+  }
+  return result;
+}
 
 SweepRun run_sweeps(const SweepSettings& settings) {
   return {.settings = settings, .stack = run_stack(settings), .rod = run_rod(settings)};

@@ -27,6 +27,7 @@ struct Swept {
   std::vector<std::vector<double>> after = {};     // all lambda after each of these
   std::vector<std::vector<double>> by_sweep = {};  // and after each sweep; 0: nothing yet
   std::vector<Vec3<double>> velocity = {};         // of all bodies, at the end
+  double gap = 0;                                  // [N] to the same sweeps by hand; the largest
 };
 
 /// Scene A: one row for each contact of a stack of unit boxes of 1 kg, from the ground up.
@@ -61,6 +62,15 @@ struct SweepRun {
   StackRun stack = {};
   RodRun rod = {};
 };
+
+/// The two systems. Gravity has acted for one step: everything falls at g dt.
+VelocityProblem<double> stack_problem(const SweepSettings& settings);
+VelocityProblem<double> rod_problem(const SweepSettings& settings);
+
+/// So many sweeps of the library's projected Gauss-Seidel, and of the same by hand.
+Swept swept(VelocityProblem<double> problem, int sweeps, RowOrder order = RowOrder::as_written);
+/// What was recorded of a solve, in N.
+Swept recorded(const SweepRecorder<double>& recorder, double dt);
 
 SweepRun run_sweeps(const SweepSettings& settings);
 

@@ -1,0 +1,42 @@
+// Lesson 00. What --help and --about say, and what may be changed.
+#include "report.hpp"
+
+namespace cairn::one_body {
+
+LessonInfo card() {
+  LessonInfo info;
+  info.number = 0;
+  info.name = "one_body";
+  info.title = "One body";
+  info.idea = "A body is three numbers and their rates; a step changes the rates first, then the numbers.";
+  info.paper = "paper 2.1, eq (1), (2); 2.2, left half of (12)";
+  info.equations = {"(1)   v = (v_x, v_y, ω)", "(2)   M⁻¹ = diag(1/m, 1/m, 1/I)",
+                    "(12)  v₂ = v₁ + M⁻¹ f Δt,  here f = m g;  then x₂ = x₁ + v₂ Δt"};
+  info.reads = {"src/dynamics/body.hpp", "src/dynamics/integrate.cpp", "src/geometry/mass.cpp"};
+  info.question =
+      "When it comes down, is the simulated box above or below the exact parabola, and by how many metres?";
+  info.hints = {
+      "Which velocity does a step use: the one at its beginning or the one at its end?",
+      "While the box slows down on its way up, the velocity at the end of a step is the smaller one.",
+      "In each step the velocity used is g Δt / 2 smaller than the mean one; that adds up for t seconds."};
+  info.parameters = {
+      {.flag = "dt", .standard = 0.02, .min = 1e-4, .max = 0.2, .unit = "s", .what = "time step"},
+      {.flag = "gravity", .standard = 10, .min = 0.1, .max = 100, .unit = "m/s²", .what = "gravity"},
+      {.flag = "spin",
+       .standard = -1,
+       .min = -20,
+       .max = 20,
+       .unit = "rad/s",
+       .what = "how fast the box turns"},
+      {.flag = "steps",
+       .standard = 60,
+       .min = 6,
+       .max = 2000,
+       .what = "steps",
+       .kind = Parameter::Kind::whole}};
+  info.cover = -3;
+  info.next = "lesson01_constraint_and_jacobian   (what takes some of this freedom away)";
+  return info;
+}
+
+}  // namespace cairn::one_body

@@ -1,0 +1,37 @@
+// Lesson 05. What --help and --about say, and what may be changed.
+#include "report.hpp"
+
+namespace cairn::sweeps {
+
+LessonInfo card() {
+  return {
+      .number = 5,
+      .name = "sweep_and_bounds",
+      .title = "Sweep, and clamp",
+      .idea =
+          "Guess all λ. Put one row right, then the next, round and round: that is Gauss-Seidel. Cut each λ "
+          "off where its interval ends, and contacts that may only push are solved too: projected "
+          "Gauss-Seidel.",
+      .paper = "paper 2.2, eq (14), (28), and the interval at its end",
+      .equations =
+          {"(14)  A λ = b                                     all rows at once: lesson 04",
+           "(28)  λ_i ← (b_i − Σ_{j≠i} A_ij λ_j) / A_ii       one row, with the newest λ of the others",
+           "2.2   λ_i ← max(λ_min, min(λ_i, λ_max))           a contact: 0 ≤ λ"},
+      .needs = {"lesson 04"},
+      .reads = {"src/solvers/projected_gauss_seidel.cpp", "src/constraints/row.hpp"},
+      .question =
+          "A rod of 4 kg and 3 m lies with its left end on one support; the other stands 1 m from there. "
+          "A λ = b says: the left one pulls with 20 N, the right one pushes with 60 N. But the left one "
+          "cannot pull. How hard does the right one push then, in N?",
+      .hints = {"Without the pull, does the right support have more to hold or less?",
+                "Only one point of the rod is held. The rest of it may fall.",
+                "λ₂ = b₂ / A₂₂, with A₂₂ = 1/4 + 0.5²/3 and b₂ = 10 m/s²."},
+      .parameters = {{"boxes", 3, 2, 6, "", "boxes in the stack", Parameter::Kind::whole},
+                     {"dt", 0.02, 0.005, 0.1, "s", "time step"},
+                     {"sweeps", 10, 3, 100, "", "sweeps", Parameter::Kind::whole},
+                     {"support", 1, 0.5, 3, "m", "from the left end of the rod to the right support"}},
+      .cover = -3,
+      .next = "lesson06_sequential_impulses   (the same answer without the matrices)"};
+}
+
+}  // namespace cairn::sweeps
