@@ -56,6 +56,8 @@ void draw_force(Page& page, const Camera& camera, const ArrowScale& scale, const
   const double side = arrow.value.x() < 0 ? -width : 0;
   std::vector<Point> places = {tip + Point(arrow.value.x() < 0 ? -width - 8 : 16, size / 3)};
   if (arrow.value.y() < 0) places.insert(places.begin(), tip + Point(side, 1.4 * size));
+  // Clear of the bracket that may stand at the tip.
+  if (arrow.kind == ArrowKind::external) places.insert(places.begin(), tip + Point(size, -size));
   if (arrow.kind == ArrowKind::friction) {
     // Below the shaft, which comes down to the right from the tip.
     const double drop = 0.8 * width * std::abs(arrow.value.y() / arrow.value.x());

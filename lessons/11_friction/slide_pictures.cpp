@@ -178,7 +178,7 @@ Shot slide_shot(const SharedStudy& study, int step) {
   const auto k = static_cast<std::size_t>(step);
   const int steps = slide.slope.steps;
   Shot shot;
-  shot.key = step == steps / 3 || step == 2 * steps / 3 || step == steps;
+  shot.key = step == steps / 2 || step == steps;
   shot.state = fmt::format("μ = {} · t = {} s", fixed(slide.block.friction, 2), fixed(slide.time[k], 2));
   shot.alt =
       fmt::format("After {} s the block slides at {} m/s in Cairn{}; the points lie on the exact line.",

@@ -1,8 +1,7 @@
-// Lesson 11. A block on a slope: the scene, what Coulomb says of it, and what two engines make of it.
+// Lesson 11. A block on a slope, observed; and what two engines make of it.
 #include "slope.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace cairn::friction {
 
@@ -17,19 +16,6 @@ double downhill_speed(const Slope& slope, const Snapshot& snapshot) {
 double downhill_way(const Slope& slope, const Snapshot& start, const Snapshot& now,
                     std::size_t body = first_block) {
   return slope.downhill().dot(now.bodies[body].pose.position - start.bodies[body].pose.position);
-}
-
-/// What the friction rows of the last step did: how far outside their bounds, and with what power.
-void judge_rows(const World<double>& world, Slide& slide) {
-  const VelocityProblem<double>& problem = world.last_step().problem;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    const ConstraintRow<double>& row = problem.rows[i];
-    if (!row.bounds.is_friction()) continue;
-    const double lambda = problem.impulse[i] / problem.dt;
-    const double load = problem.impulse[static_cast<std::size_t>(row.bounds.normal_row)] / problem.dt;
-    slide.worst_cone = std::max(slide.worst_cone, std::abs(lambda) - row.bounds.friction * load);
-    slide.largest_power = std::max(slide.largest_power, lambda * row_velocity(problem, row));
-  }
 }
 
 std::vector<Snapshot> cairn_run(const Scene& scene, const Slope& slope) {
@@ -50,58 +36,30 @@ std::vector<Snapshot> run_in(Engine engine, const Slope& slope, const Block& blo
 
 }  // namespace
 
-Coulomb coulomb(const Slope& slope, const Block& block) {
-  Coulomb result;
-  result.load = block.mass * slope.gravity * std::cos(slope.angle);
-  result.needed = block.mass * slope.gravity * std::sin(slope.angle);
-  result.limit = block.friction * result.load;
-  result.acceleration = std::max(0.0, result.needed - result.limit) / block.mass;
-  return result;
+void look(const World<double>& world, Slide& slide) {
+  slide.time.push_back(static_cast<double>(slide.frames.size()) * slide.slope.dt);
+  slide.frames.push_back(snapshot(world));
+  slide.speed.push_back(downhill_speed(slide.slope, slide.frames.back()));
+  slide.way.push_back(downhill_way(slide.slope, slide.frames.front(), slide.frames.back()));
 }
 
-Scene slope_scene(const Slope& slope, const std::vector<Block>& blocks) {
-  Scene scene({.gravity = {0, -slope.gravity}, .dt = slope.dt});
-  const Vec2<double> foot(slope.length * std::cos(slope.angle), 0);
-  const Vec2<double> top(0, slope.length * std::sin(slope.angle));
-  scene.add(
-      {.type = BodyType::static_body, .shapes = {polygon({Vec2<double>(0, 0), foot, top})}, .friction = 1});
-  for (const Block& block : blocks) {
-    const Vec2<double> centre = top + block.from_top * slope.downhill() + 0.5 * slope.normal();
-    // A pair's mu is sqrt(mu_a mu_b), and the slope's is 1.
-    const double friction = block.friction * block.friction;
-    scene.add({.shapes = {box(1, 1)},
-               .position = centre,
-               .angle = -slope.angle,
-               .mass = block.mass,
-               .friction = friction});
+void judge_rows(const World<double>& world, Slide& slide) {
+  const VelocityProblem<double>& problem = world.last_step().problem;
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    const ConstraintRow<double>& row = problem.rows[i];
+    if (!row.bounds.is_friction()) continue;
+    const double lambda = problem.impulse[i] / problem.dt;
+    const double load = problem.impulse[static_cast<std::size_t>(row.bounds.normal_row)] / problem.dt;
+    slide.worst_cone = std::max(slide.worst_cone, std::abs(lambda) - row.bounds.friction * load);
+    slide.largest_power = std::max(slide.largest_power, lambda * row_velocity(problem, row));
   }
-  return scene;
 }
 
-Slide slide(const Slope& slope, const Block& block) {
-  Slide result;
-  result.slope = slope;
-  result.block = block;
-  result.worst_cone = result.largest_power = -std::numeric_limits<double>::infinity();
-  const Scene scene = slope_scene(slope, {block});
-  World<double> world(scene);
-  SequentialImpulse<double> solver({.iterations = slope.sweeps});
-  SweepRecorder<double> recorder;
-  for (int step = 0; step <= slope.steps; ++step) {
-    if (step > 0) {
-      world.step(solver, step == 1 ? &recorder : nullptr);
-      judge_rows(world, result);
-    }
-    result.time.push_back(step * slope.dt);
-    result.frames.push_back(snapshot(world));
-    result.speed.push_back(downhill_speed(slope, result.frames.back()));
-    result.way.push_back(downhill_way(slope, result.frames.front(), result.frames.back()));
-  }
-  result.first_step = recorder.sweeps();
-  if (has_box2d()) result.box2d_frames = box2d_run(scene, slope.steps, slope.sweeps);
-  for (const Snapshot& frame : result.box2d_frames)
-    result.box2d_speed.push_back(downhill_speed(slope, frame));
-  return result;
+void ask_box2d(Slide& slide) {
+  if (!has_box2d()) return;
+  const Slope& slope = slide.slope;
+  slide.box2d_frames = box2d_run(slope_scene(slope, {slide.block}), slope.steps, slope.sweeps);
+  for (const Snapshot& frame : slide.box2d_frames) slide.box2d_speed.push_back(downhill_speed(slope, frame));
 }
 
 Contest contest(const Slope& slope, const std::vector<Block>& blocks) {

@@ -1,7 +1,7 @@
 // Lesson 11. A block on a slope: the scene, what Coulomb says of it, and what two engines make of it.
 #pragma once
 
-#include <functional>
+#include <limits>
 #include <vector>
 
 #include "cairn.hpp"
@@ -49,13 +49,24 @@ struct Slide {
   std::vector<Snapshot> box2d_frames = {};  // empty in a build without Box2D
   std::vector<double> box2d_speed = {};
   std::vector<SweepRecord> first_step = {};  // the impulses after each sweep of the first step
-  double worst_cone = 0;  // [N] the largest |lambda_t| - mu lambda_n of any row in any step
-  double largest_power =
-      0;  // [W] the largest power of the friction of any row in any step; below 0: it brakes
+  // Of any row in any step:
+  double worst_cone = -std::numeric_limits<double>::infinity();  // [N] the largest |lambda_t| - mu lambda_n
+  double largest_power = -std::numeric_limits<double>::infinity();  // [W] of friction; below 0: it brakes
 };
 
 Scene slope_scene(const Slope& slope, const std::vector<Block>& blocks);
+/// The impulses [N s] of all rows after each sweep of the first step, by the plain loop of lesson.cpp; 0:
+/// none.
+std::vector<std::vector<double>> sweeps_by_hand(const Slope& slope, const Block& block);
+/// The same step and all that follow, by the library's solver.
 Slide slide(const Slope& slope, const Block& block);
+
+/// Adds the state of the world as it is now.
+void look(const World<double>& world, Slide& slide);
+/// What the friction rows of the last step did: how far outside their bounds, and with what power.
+void judge_rows(const World<double>& world, Slide& slide);
+/// Adds Box2D's account of the same slide, where this build has it.
+void ask_box2d(Slide& slide);
 
 /// How far each of several blocks on one slope has slid in the end [m], and what it looks like.
 struct Contest {

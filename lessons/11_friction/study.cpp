@@ -79,6 +79,7 @@ Study make_study(const StudySettings& settings) {
   study.settings = settings;
   study.settings.slope = slope;
   study.slippery = slide(slope, slippery);
+  study.by_hand = sweeps_by_hand(slope, slippery);
   study.rough = slide(slope, rough);
   study.heavy = slide(slope, heavy);
   study.trials = make_trials(settings);

@@ -39,6 +39,7 @@ struct Threshold {
 struct Study {
   StudySettings settings = {};
   Slide slippery = {};
+  std::vector<std::vector<double>> by_hand = {};  // its first step, sweep by sweep, without the solver
   Slide rough = {};
   Slide heavy = {};  // the rough block with more mass
   std::vector<Trial> trials = {};

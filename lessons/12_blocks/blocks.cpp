@@ -4,19 +4,15 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "measure/energy.hpp"
 #include "measure/recorder.hpp"
 
 namespace cairn::blocks {
 
 namespace {
 
-const int most_sweeps = 4000;
 const double beta = 0.2;  // as Stabilization has it
 
 /// `links` of 1 kg in a line at `angle` [rad] above the horizontal, each joined to the one before it.
@@ -35,64 +31,6 @@ Scene line_of(int links, double length, double height, double angle, double dt) 
     last = link;
   }
   return scene;
-}
-
-/// A rod as thin as the formulas have it, I = m l^2 / 12, but drawn with some width.
-Scene rod_scene(const BlocksSettings& settings) {
-  Scene scene({.gravity = {0, -gravity}, .dt = settings.dt});
-  const double angle = settings.angle * pi / 180;
-  const Vec2<double> middle = Vec2<double>(std::cos(angle), std::sin(angle)) * (rod_length / 2);
-  const BodyId rod = scene.add({.shapes = {box(rod_length, 0.12)},
-                                .position = middle,
-                                .angle = angle,
-                                .mass = 1,
-                                .inertia = rod_length * rod_length / 12});
-  scene.join<RevoluteJoint>({.a = ground, .b = rod, .anchor = {0, 0}});
-  return scene;
-}
-
-std::vector<Pair> pairs_of(const SweepRecorder<double>& recorder, double dt) {
-  std::vector<Pair> lambda;
-  for (const SweepRecord& sweep : recorder.sweeps())
-    lambda.push_back({sweep.impulse[0] / dt, sweep.impulse[1] / dt});
-  return lambda;
-}
-
-void record_updates(const SweepRecorder<double>& recorder, const VelocityProblem<double>& problem,
-                    RodRun& run) {
-  Pair lambda = {0, 0};
-  for (const RowRecord& record : recorder.rows()) {
-    RodUpdate update{.sweep = record.update.sweep, .row = record.update.row};
-    update.jv = record.update.row_velocity;
-    update.corrective = record.update.corrective / problem.dt;
-    update.before = lambda;
-    lambda[static_cast<std::size_t>(update.row)] = record.update.impulse_after / problem.dt;
-    update.after = lambda;
-    update.slip = {row_velocity(problem, problem.rows[0], record.velocity),
-                   row_velocity(problem, problem.rows[1], record.velocity)};
-    run.updates.push_back(update);
-  }
-}
-
-RodRun run_rod(const BlocksSettings& settings) {
-  const World<double> world(rod_scene(settings));
-  const VelocityProblem<double> problem = world.velocity_problem();
-  RodRun run{.start = snapshot(world), .system = system_matrices(problem)};
-  const Matrix<double>& A = run.system.A;
-  run.rate = A(0, 1) * A(0, 1) / (A(0, 0) * A(1, 1));
-  const double angle = settings.angle * pi / 180;
-  run.formula = {gravity * 0.75 * std::sin(angle) * std::cos(angle),
-                 gravity * (1 - 0.75 * std::cos(angle) * std::cos(angle))};
-  SweepRecorder<double> rows(SweepRecorder<double>::Detail::rows);
-  VelocityProblem<double> by_rows = problem;
-  SequentialImpulse<double>({.iterations = 6}).solve(by_rows, &rows);
-  run.by_rows = pairs_of(rows, settings.dt);
-  record_updates(rows, problem, run);
-  SweepRecorder<double> block;
-  VelocityProblem<double> by_block = problem;
-  BlockSequentialImpulse<double>({.iterations = 6}).solve(by_block, &block);
-  run.by_block = pairs_of(block, settings.dt);
-  return run;
 }
 
 double error_of(const std::vector<double>& impulse, const Vector<double>& exact, double dt) {
@@ -128,23 +66,6 @@ ChainSolve solve_chain(VelocityProblem<double> problem, const Vector<double>& ex
   return solve;
 }
 
-/// Gauss-Seidel on A lambda = b: one row at a time, or the `size` rows of a joint together. Sweeps to the
-/// goal.
-int dense_sweeps(const SystemMatrices<double>& system, const Vector<double>& exact, int size) {
-  Vector<double> lambda = Vector<double>::Zero(exact.size());
-  for (int sweep = 1; sweep <= most_sweeps; ++sweep) {
-    for (Eigen::Index first = 0; first < exact.size(); first += size) {
-      const Matrix<double> A_BB = system.A.block(first, first, size, size);
-      const Vector<double> left = (system.b - system.A * lambda).segment(first, size);
-      const Vector<double> correction = A_BB.partialPivLu().solve(left);
-      lambda.segment(first, size) += correction;
-    }
-    const Vector<double> error = lambda - exact;
-    if (error.lpNorm<Eigen::Infinity>() <= goal * exact.lpNorm<Eigen::Infinity>()) return sweep;
-  }
-  return most_sweeps;
-}
-
 /// 12 multiply-adds a row and sweep; a block of n rows n^2 more.
 void count_work(int rows, int size, ChainRun& run) {
   run.rows.work = 12LL * rows * run.rows.sweeps;
@@ -161,8 +82,8 @@ ChainRun run_chain(const std::string& name, const Scene& scene, int size) {
   BlockSequentialImpulse<double> blocks({.iterations = most_sweeps});
   run.rows = solve_chain(problem, exact, rows);
   run.blocks = solve_chain(problem, exact, blocks);
-  run.dense_sweeps = dense_sweeps(system, exact, 1);
-  run.dense_block_sweeps = dense_sweeps(system, exact, size);
+  run.dense_sweeps = sweeps_by_hand(system, exact, 1);
+  run.dense_block_sweeps = sweeps_by_hand(system, exact, size);
   count_work(problem.row_count(), size, run);
   return run;
 }
@@ -208,6 +129,39 @@ std::vector<ChainRun> run_chains(double dt) {
   return chains;
 }
 
+}  // namespace
+
+std::vector<Pair> pairs_of(const SweepRecorder<double>& recorder, double dt) {
+  std::vector<Pair> lambda;
+  for (const SweepRecord& sweep : recorder.sweeps())
+    lambda.push_back({sweep.impulse[0] / dt, sweep.impulse[1] / dt});
+  return lambda;
+}
+
+void record_rows(const SweepRecorder<double>& recorder, const VelocityProblem<double>& problem, RodRun& run) {
+  run.by_rows = pairs_of(recorder, problem.dt);
+  Pair lambda = {0, 0};
+  for (const RowRecord& record : recorder.rows()) {
+    RodUpdate update{.sweep = record.update.sweep, .row = record.update.row};
+    update.jv = record.update.row_velocity;
+    update.corrective = record.update.corrective / problem.dt;
+    update.before = lambda;
+    lambda[static_cast<std::size_t>(update.row)] = record.update.impulse_after / problem.dt;
+    update.after = lambda;
+    update.slip = {row_velocity(problem, problem.rows[0], record.velocity),
+                   row_velocity(problem, problem.rows[1], record.velocity)};
+    run.updates.push_back(update);
+  }
+}
+
+void add_formulas(const BlocksSettings& settings, RodRun& run) {
+  const Matrix<double>& A = run.system.A;
+  run.rate = A(0, 1) * A(0, 1) / (A(0, 0) * A(1, 1));
+  const double angle = settings.angle * pi / 180;
+  run.formula = {gravity * 0.75 * std::sin(angle) * std::cos(angle),
+                 gravity * (1 - 0.75 * std::cos(angle) * std::cos(angle))};
+}
+
 World<double> bob_world(const BlocksSettings& settings) {
   Scene scene({.gravity = {0, -gravity}, .dt = settings.dt});
   const BodyId bob = scene.add({.shapes = {circle(0.1)},
@@ -217,24 +171,6 @@ World<double> bob_world(const BlocksSettings& settings) {
   scene.join<RevoluteJoint>({.a = ground, .b = bob, .anchor = {0, 0}});
   return World<double>(scene);
 }
-
-BobRun run_bob(const BlocksSettings& settings, Solver<double>& solver, Snapshot& last) {
-  World<double> world = bob_world(settings);
-  BobRun run{.largest_energy = -std::numeric_limits<double>::infinity()};
-  const int steps = static_cast<int>(std::lround(settings.pin_seconds / settings.dt));
-  for (int step = 0; step <= steps; ++step) {
-    if (step > 0) world.step(solver);
-    last = snapshot(world);
-    const Vec2<double> position = last.bodies[1].pose.position;
-    run.path.push_back(position);
-    run.energy.push_back(total_energy(last));
-    run.largest_energy = std::max(run.largest_energy, run.energy.back());
-    run.largest_stretch = std::max(run.largest_stretch, std::abs(position.norm() - 1));
-  }
-  return run;
-}
-
-}  // namespace
 
 BlocksRuns run_blocks(const BlocksSettings& settings) {
   BlocksRuns all{.settings = settings, .rod = run_rod(settings), .chains = run_chains(settings.dt)};

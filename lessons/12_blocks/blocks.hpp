@@ -85,12 +85,29 @@ struct BlocksRuns {
   Snapshot last = {};  // of the bob with the block
 };
 
+inline constexpr int most_sweeps = 4000;      // before a solver gives up
 inline constexpr double goal = 0.01;          // error at which a chain counts as solved
 inline constexpr std::size_t welded_one = 0;  // in BlocksRuns::chains
 inline constexpr std::size_t welded_three = 2;
 inline constexpr std::size_t level_pins = 4;
 
 BlocksRuns run_blocks(const BlocksSettings& settings);
+
+// The parts that run_blocks() puts together; those that the lesson is about stand in lesson.cpp.
+
+/// Gauss-Seidel on A lambda = b: one row at a time (size 1), or the `size` rows of a joint together. Sweeps
+/// to the goal.
+int sweeps_by_hand(const SystemMatrices<double>& system, const Vector<double>& exact, int size);
+RodRun run_rod(const BlocksSettings& settings);
+World<double> bob_world(const BlocksSettings& settings);
+BobRun run_bob(const BlocksSettings& settings, Solver<double>& solver, Snapshot& last);
+
+/// lambda after each sweep [N] of two rows.
+std::vector<Pair> pairs_of(const SweepRecorder<double>& recorder, double dt);
+/// Every update of the two rows.
+void record_rows(const SweepRecorder<double>& recorder, const VelocityProblem<double>& problem, RodRun& run);
+/// What Newton's law and the theory of Gauss-Seidel say of the rod.
+void add_formulas(const BlocksSettings& settings, RodRun& run);
 
 /// The largest energy [J] and stretch [m] that a step of dt allows the bob, and by how much the energy sways
 /// [J] where nothing is lost.

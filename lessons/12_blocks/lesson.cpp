@@ -1,197 +1,113 @@
 // Lesson 12. Blocks: solve what belongs together in one go.
+//
+// A joint writes two or three rows, and all of them pull at the same two bodies: what one row puts right, the
+// next one spoils. Instead of dividing by A_ii, row after row, sequential impulses may solve with the small
+// square of A that belongs to the joint. The loop stays as it is; only the step in it grows from a number to
+// a block. Where does that save sweeps, where does it not, and where does it hold what rows cannot?
 #include "lessons/lesson.hpp"
 
-#include <fmt/format.h>
-
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "blocks.hpp"
 #include "pictures.hpp"
+#include "report.hpp"
+
+namespace cairn::blocks {
+
+int sweeps_by_hand(const SystemMatrices<double>& system, const Vector<double>& exact, int size) {
+  const Matrix<double>& A = system.A;
+  const Vector<double>& b = system.b;
+  // [block]
+  std::vector<Eigen::PartialPivLU<Matrix<double>>> joints;  // A_BB of each joint, factorized once a step
+  for (Eigen::Index first = 0; first < b.size(); first += size)
+    joints.emplace_back(A.block(first, first, size, size));
+
+  Vector<double> lambda = Vector<double>::Zero(b.size());
+  for (int sweep = 1; sweep <= most_sweeps; ++sweep) {
+    for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+      const Eigen::Index first = static_cast<Eigen::Index>(joint) * size;
+      const Vector<double> missing = (b - A * lambda).segment(first, size);  // (zeta_B - J_B v) / dt
+      const Vector<double> correction = joints[joint].solve(missing);        // size 1: divided by A_ii, (22)
+      lambda.segment(first, size) += correction;
+    }
+    if ((lambda - exact).lpNorm<Eigen::Infinity>() <= goal * exact.lpNorm<Eigen::Infinity>()) return sweep;
+  }
+  // [/block]
+  return most_sweeps;
+}
+
+// A rod as thin as the formulas have it, I = m l^2 / 12, but drawn with some width.
+Scene rod_scene(const BlocksSettings& settings) {
+  Scene scene({.gravity = {0, -gravity}, .dt = settings.dt});
+  const double angle = settings.angle * pi / 180;
+  const Vec2<double> middle = Vec2<double>(std::cos(angle), std::sin(angle)) * (rod_length / 2);
+  const BodyId rod = scene.add({.shapes = {box(rod_length, 0.12)},
+                                .position = middle,
+                                .angle = angle,
+                                .mass = 1,
+                                .inertia = rod_length * rod_length / 12});
+  scene.join<RevoluteJoint>({.a = ground, .b = rod, .anchor = {0, 0}});
+  return scene;
+}
+
+RodRun run_rod(const BlocksSettings& settings) {
+  const World<double> world(rod_scene(settings));
+  const VelocityProblem<double> problem = world.velocity_problem();
+  RodRun run{.start = snapshot(world), .system = system_matrices(problem)};
+  // [solvers]
+  VelocityProblem<double> by_rows = problem;
+  SweepRecorder<double> rows(SweepRecorder<double>::Detail::rows);
+  SequentialImpulse<double>({.iterations = 6}).solve(by_rows, &rows);
+
+  VelocityProblem<double> by_block = problem;
+  SweepRecorder<double> block;
+  BlockSequentialImpulse<double>({.iterations = 6}).solve(by_block, &block);
+  // [/solvers]
+  record_rows(rows, problem, run);
+  run.by_block = pairs_of(block, settings.dt);
+  add_formulas(settings, run);
+  return run;
+}
+
+BobRun run_bob(const BlocksSettings& settings, Solver<double>& solver, Snapshot& last) {
+  World<double> world = bob_world(settings);
+  BobRun run{.largest_energy = -std::numeric_limits<double>::infinity()};
+  const int steps = static_cast<int>(std::lround(settings.pin_seconds / settings.dt));
+  for (int step = 0; step <= steps; ++step) {
+    if (step > 0) world.step(solver);
+    last = snapshot(world);
+    const Vec2<double> position = last.bodies[1].pose.position;
+    run.path.push_back(position);
+    run.energy.push_back(total_energy(last));
+    run.largest_energy = std::max(run.largest_energy, run.energy.back());
+    run.largest_stretch = std::max(run.largest_stretch, std::abs(position.norm() - 1));
+  }
+  return run;
+}
 
 namespace {
 
-using namespace cairn;
-using namespace cairn::blocks;
-
-const double epsilon = 2.3e-16;
-
-LessonInfo info() {
-  return {
-      .number = 12,
-      .name = "blocks",
-      .title = "What belongs together",
-      .idea =
-          "The rows of one joint pull at the same two bodies. Sequential impulses may solve them together, "
-          "as a block, and then they cannot work against each other.",
-      .paper = "paper 4.3, 4.4, 4.5",
-      .equations = {"(22)  Aᵢᵢ Δλᵢ = (ζᵢ − jᵢ·v) / Δt             one row: a number to divide by",
-                    "4.3   A_BB Δλ_B = (ζ_B − J_B v) / Δt          one joint: 2 rows of a pin, 3 of a weld",
-                    "      A_BB = J_B M⁻¹ J_Bᵀ                     factorized once a step, not once a sweep"},
-      .needs = {"lesson 06"},
-      .reads = {"src/solvers/block_sequential_impulse.hpp", "tests/solvers/block_tests.cpp"},
-      .question =
-          "One welded beam: its 3 rows need 16 sweeps to 1 %, its block 1. Three beams, each welded to the "
-          "one "
-          "before: row by row 435 sweeps. How many with blocks?",
-      .hints =
-          {"A block ends the quarrel between the rows of one joint. Are there others?",
-           "To the other joints a block is what a row is: it stops its own error and starts one next door.",
-           "Of the sweeps, three in four remain."},
-      .parameters = {{"dt", 0.02, 0.005, 0.02, "s", "time step"},
-                     {"angle", 45, 5, 85, "°", "of the rod above the horizontal"},
-                     {"inertia", 1e-6, 1e-7, 1, "kg m^2", "of the bob: how hard it is to turn"},
-                     {"sweeps", 5, 1, 20, "", "a step, for the bob", Parameter::Kind::whole}},
-      .cover = 13,
-      .next = "lesson13_soft   (a row that gives way)"};
-}
-
-void print_rod(Lesson& lesson, const BlocksRuns& all) {
-  const RodRun& rod = all.rod;
-  const Matrix<double>& A = rod.system.A;
-  lesson.print(fmt::format("A: the pin.  A = [{:.4g} {:.4g}; {:.4g} {:.4g}] 1/kg,  b = ({:.4g}, {:.4g}) m/s²",
-                           A(0, 0), A(0, 1), A(1, 0), A(1, 1), rod.system.b(0) + 0.0, rod.system.b(1)));
-  lesson.print("  sweep row      j·v    Δλ (N), (22)       λ₁        λ₂ (N)   pinned end moves at (m/s)");
-  for (std::size_t i = 0; i < rod.updates.size(); ++i) {
-    const RodUpdate& update = rod.updates[i];
-    const std::string line =
-        fmt::format("  {:>5} {:>3} {:>8.4f} {:>+15.4f} {:>8.4f} {:>9.4f}   ({:>7.4f}, {:>7.4f})",
-                    update.sweep, update.row + 1, update.jv, update.corrective, update.after[0],
-                    update.after[1], update.slip.x(), update.slip.y());
-    if (i < 6) {
-      lesson.print(line);
-    } else {
-      lesson.detail(line);
-    }
-  }
-  lesson.print(fmt::format("  the block, sweep 1:        A⁻¹ b = {:>8.4f} {:>9.4f}   ( 0,       0     )",
-                           rod.by_block[1][0], rod.by_block[1][1]));
-  lesson.print();
-}
-
-void print_chains(Lesson& lesson, const BlocksRuns& all) {
-  lesson.print("B: sweeps until no λ is wrong by more than 1 % of the largest, and multiply-adds for them");
-  lesson.print("                               rows   blocks    work of blocks / rows");
-  for (const ChainRun& chain : all.chains) {
-    const double ratio = static_cast<double>(chain.blocks.work) / static_cast<double>(chain.rows.work);
-    lesson.print(fmt::format("  {:<26} {:>6} {:>8} {:>16.2f}", chain.name, chain.rows.sweeps,
-                             chain.blocks.sweeps, ratio));
-  }
-  lesson.print();
-}
-
-std::string energy_text(double energy) { return fmt::format("{:>12.4g}", energy); }
-
-void print_bob(Lesson& lesson, const BlocksRuns& all) {
-  const BlocksSettings& settings = all.settings;
-  lesson.print(
-      fmt::format("C: the bob.  A sweep of two rows leaves {:.7f} of the error; {} sweeps leave {:.4f}",
-                  all.bob_rate, settings.sweeps, std::pow(all.bob_rate, settings.sweeps)));
-  lesson.print(
-      "  energy (J) after      0 s       0.5 s         1 s         2 s        10 s   furthest off (m)");
-  for (const auto& [name, run] : {std::pair{"rows", &all.bob_rows}, std::pair{"block", &all.bob_block}}) {
-    std::string line = fmt::format("  {:<10}", name);
-    for (const double time : {0.0, 0.5, 1.0, 2.0, 10.0}) {
-      const auto step = static_cast<std::size_t>(std::lround(time / settings.dt));
-      line += energy_text(run->energy[std::min(step, run->energy.size() - 1)]);
-    }
-    lesson.print(line + fmt::format("{:>14.3g}", run->largest_stretch));
-  }
-  lesson.print();
-}
-
-double distance(const Pair& a, const Pair& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
-
-void check_rod(Lesson& lesson, const BlocksRuns& all) {
-  const RodRun& rod = all.rod;
-  // Some 16 roundings of J and A lambda at the size of b / A_ii < 10 N, amplified by the condition of A, 4:
-  // its eigenvalues are 1 and 1 + 3.
-  lesson.check_small("the pin's block is right after one sweep: λ − Newton's law (N)",
-                     distance(rod.by_block[1], rod.formula), 16 * epsilon * 10 * 4);
-  // From the second sweep on each sweep shrinks the one error that is left. Where the rows hardly couple the
-  // error itself is soon round-off: 40 epsilon of 10 N, of an error that was `first` before.
-  const double first = distance(rod.by_rows[1], rod.formula);
-  const double second = distance(rod.by_rows[2], rod.formula);
-  lesson.check_equal("row by row its error shrinks each sweep by A₁₂² / (A₁₁ A₂₂)", second / first, rod.rate,
-                     2 * 16 * epsilon * 40 / first);
-}
-
-void check_chains(Lesson& lesson, const BlocksRuns& all) {
-  lesson.check_equal("one weld as a block: sweeps to 1 %", all.chains[welded_one].blocks.sweeps, 1, 0);
-  int difference = 0;
-  int worst = 0;
-  for (const ChainRun& chain : all.chains) {
-    worst = std::max(worst, chain.blocks.sweeps - chain.rows.sweeps);
-    if (chain.dense_sweeps < 0) continue;
-    difference = std::max({difference, std::abs(chain.dense_sweeps - chain.rows.sweeps),
-                           std::abs(chain.dense_block_sweeps - chain.blocks.sweeps)});
-  }
-  // Counts may differ by 1 only where an error is 1 % but for rounding.
-  lesson.check_small("sweeps differ from those of Gauss-Seidel with a dense A by", difference, 1);
-  const ChainRun& level = all.chains[level_pins];
-  double gap = 0;
-  for (std::size_t k = 0; k < std::min(level.rows.error.size(), level.blocks.error.size()); ++k)
-    gap = std::max(gap, std::abs(level.rows.error[k] - level.blocks.error[k]));
-  // The same numbers but for rounding: 20 rows, a few sweeps, errors of at most 1.
-  lesson.check_small("level pins: errors of rows and blocks differ, sweep for sweep, by", gap,
-                     64 * epsilon * 20);
-  lesson.check_small("sweeps that blocks need more than rows, in any of these scenes", worst, 0);
-}
-
-void check_bob(Lesson& lesson, const BlocksRuns& all) {
-  // stretch_bound() and energy_bound() say where the bounds come from.
-  lesson.check_small("block: the bob leaves its circle by no more than (ω Δt)² / 2β (m)",
-                     all.bob_block.largest_stretch, stretch_bound(all.settings));
-  const double bound = energy_bound(all.settings);
-  lesson.check_that("block: its energy never exceeds start, sway and stretch (J)",
-                    all.bob_block.largest_energy <= bound,
-                    fmt::format("{:.4f} <= {:.4f}", all.bob_block.largest_energy, bound));
-  // Of rows this lesson claims nothing where their sweeps take a noticeable part of the error away.
-  if (!(std::pow(all.bob_rate, all.settings.sweeps) > 0.99)) return;
-  lesson.check_that("rows: energy for a height of 100 m, out of nothing (J)",
-                    all.bob_rows.largest_energy > 1000, fmt::format("{:.3g}", all.bob_rows.largest_energy));
-}
-
-CsvTable sweeps_table(const BlocksRuns& all) {
-  CsvTable table{.header = {"scene", "solver", "sweep", "error"}};
-  for (const ChainRun& chain : all.chains) {
-    for (std::size_t k = 0; k < chain.rows.error.size(); ++k)
-      table.rows.push_back({chain.name, "SI", static_cast<long long>(k), chain.rows.error[k]});
-    for (std::size_t k = 0; k < chain.blocks.error.size(); ++k)
-      table.rows.push_back({chain.name, "block SI", static_cast<long long>(k), chain.blocks.error[k]});
-  }
-  return table;
-}
-
 void run(Lesson& lesson) {
-  const BlocksSettings settings{.dt = lesson.real("dt"),
-                                .angle = lesson.real("angle"),
-                                .inertia = lesson.real("inertia"),
-                                .sweeps = lesson.whole("sweeps")};
+  const BlocksSettings settings = settings_of(lesson);
   const BlocksRuns all = run_blocks(settings);
-  lesson.print(fmt::format(
-      "Scene: g = {:g} m/s², Δt = {:g} s; every body has 1 kg.  A: a rod of {:g} m on a pin, at {:g}°.",
-      gravity, settings.dt, rod_length, settings.angle));
-  lesson.print(fmt::format(
-      "  B: beams of {:g} × {:g} m.  C: a bob with I = {:g} kg m² on a pin, arm 1 m, {} sweeps a step.",
-      beam_length, beam_height, settings.inertia, settings.sweeps));
+  print_scene(lesson, settings);
   lesson.predict();
-  lesson.print();
-  print_rod(lesson, all);
-  print_chains(lesson, all);
-  print_bob(lesson, all);
+  print_runs(lesson, all);
   const double right = all.chains[welded_three].blocks.sweeps;
   lesson.answer({right}, 0.15 * right,
                 "A block settles what its own rows disagree about. What is left is between the joints, and "
                 "that takes as many sweeps as before, or nearly.");
-  check_rod(lesson, all);
-  check_chains(lesson, all);
-  check_bob(lesson, all);
+  check_runs(lesson, all);
   lesson.film(blocks_shots(all));
   lesson.data(sweeps_table(all));
   lesson.fingerprint(all.last);
 }
 
 }  // namespace
+}  // namespace cairn::blocks
 
-int main(int argc, char** argv) { return cairn::run_lesson(info(), run, argc, argv); }
+int main(int argc, char** argv) {
+  return cairn::run_lesson(cairn::blocks::card(), cairn::blocks::run, argc, argv);
+}

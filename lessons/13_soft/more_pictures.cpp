@@ -55,8 +55,8 @@ void draw_stiff(Page& page, const SoftRuns& all) {
   for (const StiffRun& run : all.stiff) {
     const double sag = 1000 * run.sag;
     table.rows.push_back({run.frequency < 1e5 ? fmt::format("{:g}", run.frequency) : "10^{6}",
-                          render::significant(run.gamma, 2), fixed(run.beta, 4),
-                          render::significant(sag, 2)});
+                          render::significant(run.gamma, 3), fixed(run.beta, 4),
+                          render::significant(sag, 3)});
     if (run.frequency == all.settings.frequency) table.active_row = static_cast<int>(table.rows.size()) - 1;
   }
   const double top = page.compact() ? 0.72 : 0.6;
@@ -208,11 +208,12 @@ void draw_harsh(Page& page, const SoftRuns& all) {
   page.note(
       parts[1], "A force, or a row",
       page.compact()
-          ? fmt::format("A force runs away above {:.3g} Hz at this Δt; a row never does.", hertz)
-          : fmt::format("A force −k C − c v knows where the weight was. Above {:.3g} Hz, at this Δt, it "
+          ? fmt::format("A force runs away above {:.3g} Hz at Δt = {:g} s; a row never does.", hertz,
+                        all.settings.dt)
+          : fmt::format("A force −k C − c v knows where the weight was. Above {:.3g} Hz, at Δt = {:g} s, it "
                         "pushes too far, and further each time. A row knows where the weight is going: it "
                         "never runs away, but it damps what it cannot follow.",
-                        hertz));
+                        hertz, all.settings.dt));
 }
 
 }  // namespace

@@ -14,55 +14,7 @@ namespace {
 
 using Kind = DistanceJoint::Kind;
 
-SwingSoftness swing_of(const SoftSettings& settings) { return {settings.frequency, settings.damping}; }
-
-/// A weight on the ground's spring or rod. It cannot turn, and stands straight above, so it moves up and
-/// down.
-Scene weight_scene(const SoftSettings& settings, Kind kind, double beta) {
-  Scene scene({.gravity = {0, -gravity}, .dt = settings.dt, .stabilization = {.baumgarte = beta}});
-  const Vec2<double> place(0, rest_length - settings.pressed);
-  const BodyId weight = scene.add({.shapes = {box(2 * half_height, 2 * half_height)},
-                                   .position = place + Vec2<double>(0, half_height),
-                                   .mass = settings.mass,
-                                   .fixed_rotation = true});
-  std::optional<Softness> softness;
-  if (kind == Kind::spring) softness = swing_of(settings);
-  scene.join<DistanceJoint>({.a = ground,
-                             .b = weight,
-                             .anchor_b = place,
-                             .length = rest_length,
-                             .kind = kind,
-                             .softness = softness});
-  return scene;
-}
-
 int steps_in(double time, double dt) { return static_cast<int>(std::lround(time / dt)); }
-
-void record(WeightRun& run, const World<double>& world) {
-  run.steps.push_back(snapshot(world));
-  const SnapshotBody& weight = run.steps.back().bodies[1];
-  run.error.push_back(weight.pose.position.y() - half_height - rest_length);
-  run.speed.push_back(weight.velocity.y());
-}
-
-WeightRun run_weight(const SoftSettings& settings, Kind kind, double beta, int steps) {
-  World<double> world(weight_scene(settings, kind, beta));
-  SequentialImpulse<double> solver({.iterations = 1});  // one row is solved in one sweep
-  WeightRun run;
-  record(run, world);
-  run.rows.push_back({});
-  for (int step = 0; step < steps; ++step) {
-    const VelocityProblem<double> problem = world.velocity_problem();
-    const ConstraintRow<double>& row = problem.rows[0];
-    run.gamma = row.softness;
-    run.rows.push_back({.zeta = row.bias, .free = row_velocity(problem, row)});
-    world.step(solver);
-    run.rows.back().lambda = world.last_step().problem.impulse[0] / settings.dt;
-    record(run, world);
-  }
-  run.beta = kind == Kind::rod ? beta : return_rate<double>(swing_of(settings), settings.dt) * settings.dt;
-  return run;
-}
 
 /// Steps until a soft row has forgotten all but 1e-13 of where it began. A swing keeps the share
 /// 1 / sqrt(1 + 2 zeta z + z^2) of itself in a step, z = w dt; without one, the slower of its two parts does.
@@ -174,6 +126,15 @@ Growth growth_at(double frequency, const SoftSettings& settings) {
 
 }  // namespace
 
+SwingSoftness swing_of(const SoftSettings& settings) { return {settings.frequency, settings.damping}; }
+
+void record(WeightRun& run, const World<double>& world) {
+  run.steps.push_back(snapshot(world));
+  const SnapshotBody& weight = run.steps.back().bodies[1];
+  run.error.push_back(weight.pose.position.y() - half_height - rest_length);
+  run.speed.push_back(weight.velocity.y());
+}
+
 double angular_frequency(double frequency) { return 2 * pi * frequency; }
 
 double stiffness(const SoftSettings& settings) {
@@ -197,7 +158,7 @@ double exact_error(const SoftSettings& settings, double t) {
   return rest + begin * swing.real();
 }
 
-std::vector<double> by_row(const SoftSettings& settings, int steps) {
+std::vector<double> by_implicit_euler(const SoftSettings& settings, int steps) {
   const double w = angular_frequency(settings.frequency);
   const double h = settings.dt;
   double v = 0;
@@ -206,17 +167,6 @@ std::vector<double> by_row(const SoftSettings& settings, int steps) {
     const double pull = gravity + w * w * error.back();
     v = (v - h * pull) / (1 + 2 * settings.damping * w * h + w * w * h * h);
     error.push_back(error.back() + h * v);
-  }
-  return error;
-}
-
-std::vector<double> by_force(const SoftSettings& settings, int steps) {
-  const double w = angular_frequency(settings.frequency);
-  double v = 0;
-  std::vector<double> error = {-settings.pressed};
-  for (int step = 0; step < steps; ++step) {
-    v -= settings.dt * (gravity + w * w * error.back() + 2 * settings.damping * w * v);
-    error.push_back(error.back() + settings.dt * v);
   }
   return error;
 }

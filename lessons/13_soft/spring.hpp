@@ -95,10 +95,21 @@ double damping_constant(const SoftSettings& settings);
 /// C [m] at time t of the same spring with no steps at all, begun at rest and pressed by settings.pressed.
 double exact_error(const SoftSettings& settings, double t);
 
-/// C [m] after each of `steps` steps: implicit Euler, the formula of src/constraints/softness.hpp, and a
-/// force taken at the beginning of the step.
+// What the lesson is about stands in lesson.cpp.
+
+/// C [m] after each of `steps` steps of a row with gamma and beta, and of a force taken at the beginning of
+/// the step.
 std::vector<double> by_row(const SoftSettings& settings, int steps);
 std::vector<double> by_force(const SoftSettings& settings, int steps);
+/// The same with no row and no force but the formula of src/constraints/softness.hpp: implicit Euler.
+std::vector<double> by_implicit_euler(const SoftSettings& settings, int steps);
+
+/// A weight on the ground's spring, or on a rod with this beta; and what the library makes of it.
+Scene weight_scene(const SoftSettings& settings, DistanceJoint::Kind kind, double beta);
+WeightRun run_weight(const SoftSettings& settings, DistanceJoint::Kind kind, double beta, int steps);
+SwingSoftness swing_of(const SoftSettings& settings);
+/// Adds the state of the world as it is now.
+void record(WeightRun& run, const World<double>& world);
 
 /// The energy of swinging about the place of rest [J], from C and speed.
 double swing_energy(const SoftSettings& settings, double error, double speed);

@@ -49,6 +49,33 @@ void draw_rope(Page& page, const render::Camera& camera, const PulleyStep& step)
   draw_wheel(page, camera, {0, loop});
 }
 
+/// The step in which the rope pulls hardest: that of the jerk, if there is one.
+int hardest_pull(const PulleyRuns& all) {
+  const std::vector<PulleyStep>& steps = all.runs[0].steps;
+  const auto weaker = [](const PulleyStep& a, const PulleyStep& b) { return a.tension < b.tension; };
+  return static_cast<int>(std::max_element(steps.begin(), steps.end(), weaker) - steps.begin());
+}
+
+/// How hard the rope pulls at mass i, beside it.
+void draw_pull(Page& page, const render::Camera& camera, const render::ArrowScale& scale, std::size_t i,
+               const Vec2<double>& middle, double pull) {
+  if (!(pull > 0)) return;
+  const std::array<double, 3> beside = {-0.5, 1.05, 0.5};  // [m] clear of the rope
+  const Vec2<double> tail = middle + Vec2<double>(beside[i], -0.3);
+  draw_arrow(page, camera, scale, {.kind = render::ArrowKind::joint, .tail = tail, .value = {0, pull}});
+  const double length = pull * scale.pixels_per_unit;
+  if (length > scale.longest) return;  // a cut arrow has its number already
+  // Above the tip, on the side where there is no rope; or beside the shaft.
+  render::TextStyle style = page.value();
+  style.halo = page.theme().panel;
+  style.align = i == 0 ? render::Align::right : render::Align::left;
+  const double out = i == 0 ? -1 : 1;
+  const Point foot = camera.project(tail);
+  const Point tip = foot + Point(-0.1 * out * camera.scale, -length - 6);
+  page.place_text({tip, foot + Point(out * style.size, -length / 2)}, camera.viewport,
+                  fixed(pull, page.compact() ? 0 : 1) + " N", style);
+}
+
 /// The masses by their weight in kg, with what the rope and gravity do to each.
 void draw_masses(Page& page, const Rect& rect, const PulleyRuns& all, const PulleyStep& step) {
   const Rect inside = page.panel(rect, "");
@@ -64,27 +91,22 @@ void draw_masses(Page& page, const Rect& rect, const PulleyRuns& all, const Pull
   Snapshot masses = step.snapshot;
   masses.joints.clear();  // the rope is drawn already, as it runs
   draw_world(page, camera, masses, look);
-  const double heaviest = *std::max_element(all.settings.masses.begin(), all.settings.masses.end());
+  const double heaviest = gravity * *std::max_element(all.settings.masses.begin(), all.settings.masses.end());
+  const std::vector<PulleyStep>& steps = all.runs[0].steps;
+  const double hardest = 2 * steps[static_cast<std::size_t>(hardest_pull(all))].tension;  // on two parts
+  // [N/m] A weight is at most 1.6 m long, a pull 3 m, unless it is far beyond all weights.
+  const double newtons = std::max(std::min(hardest, 6 * heaviest) / 3, heaviest / 1.6);
   const render::ArrowScale scale{
-      .pixels_per_unit = (page.compact() ? 1.1 : 1.7) * camera.scale / (10 * heaviest),
-      .longest = 400,
-      .unit = "N"};
-  const std::array<double, 3> beside = {-0.5, 0.95, 0.5};  // [m] clear of the rope
+      .pixels_per_unit = camera.scale / newtons, .longest = 3.03 * camera.scale, .unit = "N"};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec2<double> middle = step.snapshot.bodies[i + 1].pose.position;
-    const double weight = 10 * all.settings.masses[i];
+    const double weight = gravity * all.settings.masses[i];
     draw_arrow(page, camera, scale,
                {.kind = render::ArrowKind::external,
                 .tail = middle + Vec2<double>(0, -0.3),
                 .value = {0, -weight},
                 .label = page.compact() ? "" : fixed(weight, 0) + " N"});
-    const double pull = parts[i] * step.tension;
-    if (!(pull > 0)) continue;
-    draw_arrow(page, camera, scale,
-               {.kind = render::ArrowKind::normal,
-                .tail = middle + Vec2<double>(beside[i], -0.3),
-                .value = {0, pull},
-                .label = fixed(pull, page.compact() ? 0 : 1) + " N"});
+    draw_pull(page, camera, scale, i, middle, parts[i] * step.tension);
   }
 }
 
@@ -124,7 +146,7 @@ void draw_equation(Page& page, const PulleyRuns& all) {
                                    .numbers = fmt::format("= (0 − ({})) / ({} × {:g})", fixed(jv, 3),
                                                           fixed(inverse, 4), all.settings.dt),
                                    .result = fmt::format("= {} N", fixed(all.runs[0].steps[1].tension, 3)),
-                                   .color = page.theme().normal});
+                                   .color = page.theme().text});
   render::TableView table;
   table.header = {"solver, one sweep", "λ (N)", "bytes"};
   for (const PulleyRun& run : all.runs) {
@@ -148,8 +170,8 @@ void draw_step(Page& page, const PulleyRuns& all, int k) {
     series.y.push_back(steps[static_cast<std::size_t>(i)].tension);
   }
   plot.series.push_back(series);
-  const double tension = tension_by_formula(all.settings);
-  plot.goals.push_back({tension, fmt::format("Σ r g / Σ r²/m = {} N", fixed(tension, 1))});
+  const double tension = tension_by_hand(all.settings);
+  plot.goals.push_back({tension, fmt::format("by hand: {} N", fixed(tension, 1))});
   plot.cursor = k;
   draw_plot(page, rest, plot);
 }
@@ -176,7 +198,7 @@ std::vector<Shot> pulley_shots(const PulleyRuns& recorded) {
   const Runs all = std::make_shared<const PulleyRuns>(recorded);
   const int last = all->settings.steps;
   const int lift = all->settings.lift_step;
-  const std::set<int> keys = {5, lift, lift + 1, lift + 5, lift + 10, last - 10, last};
+  const std::set<int> keys = {lift, lift + 1, lift + 10, hardest_pull(*all), last};
   std::vector<Shot> shots;
   shots.push_back(
       {.state = "before the first step",
@@ -194,7 +216,7 @@ std::vector<Shot> pulley_shots(const PulleyRuns& recorded) {
        .draw = [all](Page& page) { draw_equation(page, *all); },
        .key = true});
   for (int k = 2; k <= last; ++k) shots.push_back(step_shot(all, k, keys));
-  const double tension = tension_by_formula(all->settings);
+  const double tension = tension_by_hand(all->settings);
   shots.push_back({.state = fmt::format("after {} steps", last),
                    .alt = "The masses after the last step, and the answer.",
                    .draw =

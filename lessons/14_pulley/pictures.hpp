@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "falls.hpp"
 #include "lessons/lesson.hpp"
-#include "rope.hpp"
 
 namespace cairn::pulley {
 

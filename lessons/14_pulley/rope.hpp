@@ -1,4 +1,4 @@
-// A joint of this lesson's own, on three bodies at once, and the scene that it holds.
+// A joint of this lesson's own, on three bodies at once.
 #pragma once
 
 #include <array>
@@ -31,6 +31,7 @@ class RopeOverWheels final : public ConstraintOf<RopeOverWheels> {
 
   template <Scalar Real>
   void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+    // [row]
     RowSpec<Real> row;
     row.error = static_cast<Real>(length_);
     for (const End& end : ends_) {
@@ -46,49 +47,12 @@ class RopeOverWheels final : public ConstraintOf<RopeOverWheels> {
     row.bounds = Bounds<Real>::unilateral();
     row.keeps_slop = false;
     rows.push_back(row);
+    // [/row]
   }
 
  private:
   std::array<End, 3> ends_;
   double length_;
 };
-
-inline constexpr std::array<double, 3> parts = {1, 2, 1};  // r_i
-inline constexpr double wheel_radius = 0.7;                // [m]
-inline constexpr double wheel_height = 6;                  // [m] of the fixed wheels' middles
-
-struct PulleySettings {
-  double dt = 0.02;                          // [s]
-  std::array<double, 3> masses = {1, 2, 3};  // [kg]
-  int steps = 50;
-  int lift_step = 20;  // after it the third mass is thrown upwards
-  double lift = 3;     // [m/s]
-};
-
-/// What one step left behind.
-struct PulleyStep {
-  Snapshot snapshot = {};
-  std::array<double, 3> speed = {};  // [m/s] upwards
-  double tension = 0;                // lambda [N]
-  double room = 0;                   // C [m]: 0 where the rope is taut
-};
-
-/// One solver's account of the whole fall.
-struct PulleyRun {
-  std::string solver = {};
-  std::vector<PulleyStep> steps = {};  // steps[0] is the start
-  std::size_t memory = 0;              // bytes beside the problem
-};
-
-struct PulleyRuns {
-  PulleySettings settings = {};
-  VelocityProblem<double> first = {};  // the problem of the first step
-  std::vector<PulleyRun> runs = {};    // SI first, then six others
-};
-
-PulleyRuns run_pulleys(const PulleySettings& settings);
-
-/// T = sum r_i g / sum r_i^2 / m_i [N], in the rope while it is taut.
-double tension_by_formula(const PulleySettings& settings);
 
 }  // namespace cairn::pulley

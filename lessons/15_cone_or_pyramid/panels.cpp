@@ -100,10 +100,10 @@ void draw_limit_lines(Page& page, const render::Camera& camera, double limit, do
 void name_limits(Page& page, const render::Camera& camera, double limit) {
   const bool small = camera.viewport.width < 250;
   render::TextStyle tick = page.tick();
-  tick.align = render::Align::center;
-  const Point top = camera.project({-0.5 * limit, limit});
-  page.canvas().text({top.x(), top.y() - 8}, small ? "square" : "square ±μN", tick);
-  tick.align = render::Align::left;
+  const Point corner = camera.project({-limit, limit});
+  const std::string name = "square ±μN";
+  const bool fits = page.canvas().text_width(name, tick) + 8 < limit * camera.scale;  // left of the axis
+  page.canvas().text({corner.x(), corner.y() - 8}, fits ? name : "square", tick);
   const Point right = camera.project({limit, 0});
   page.canvas().text({right.x() + 6, right.y() - 5}, render::significant(limit), tick);
   if (!small) page.canvas().text(camera.project({0.12 * limit, -0.72 * limit}), "circle", tick);

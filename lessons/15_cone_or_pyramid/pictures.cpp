@@ -254,8 +254,7 @@ std::vector<Shot> slide_shots(const Slides& recorded) {
                    .key = true});
   const int stride = (last + 59) / 60;
   std::set<int> keys;
-  for (const double part : {0.2, 0.4, 0.65, 0.85})
-    keys.insert(static_cast<int>(part * last) / stride * stride);
+  for (const double part : {0.4, 0.65, 0.85}) keys.insert(static_cast<int>(part * last) / stride * stride);
   for (int k = stride; k < last; k += stride) shots.push_back(step_shot(all, k, keys.contains(k)));
   shots.push_back(step_shot(all, last, true));
   const int directions = static_cast<int>(all->directions.size());

@@ -8,48 +8,6 @@ namespace cairn::top_view {
 
 namespace {
 
-Scene puck_on_table(const SlideSettings& settings, FrictionShape shape) {
-  Scene scene({.gravity = {0, 0}, .dt = settings.dt});  // gravity points into the table
-  const BodyId puck = scene.add({.shapes = {circle(settings.puck_radius())},
-                                 .velocity = settings.velocity,
-                                 .mass = puck_mass,
-                                 .fixed_rotation = true});
-  scene.join<FrictionJoint>({.b = puck, .max_force = settings.limit(), .shape = shape});
-  return scene;
-}
-
-SlideStep look_from_above(const World<double>& world) {
-  SlideStep step{.place = world.bodies().pose[1].position,
-                 .velocity = world.bodies().velocity[1].head<2>(),
-                 .snapshot = snapshot(world)};
-  const VelocityProblem<double>& problem = world.last_step().problem;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    step.lambda += problem.rows[i].jacobian_b.head<2>() * (problem.impulse[i] / problem.dt);
-  }
-  step.snapshot.joints.clear();  // friction is drawn as an arrow
-  return step;
-}
-
-/// Until the puck that gets farthest has been at rest for two steps.
-int step_count(const SlideSettings& settings) {
-  return static_cast<int>(std::ceil(settings.speed() / (settings.slowing() * settings.dt))) + 2;
-}
-
-Slide slide_once(const SlideSettings& settings, FrictionShape shape, Method method) {
-  const SolverSettings one_sweep = {.iterations = 1};  // the two rows do not disturb each other
-  SequentialImpulse<double> si(one_sweep);
-  ProjectedGaussSeidel<double> pgs(one_sweep);
-  World<double> world(puck_on_table(settings, shape));
-  Slide slide{.shape = shape, .steps = {look_from_above(world)}};
-  const int steps = step_count(settings);
-  for (int k = 0; k < steps; ++k) {
-    if (method == Method::sequential_impulses) world.step(si);
-    if (method == Method::projected_gauss_seidel) world.step(pgs);
-    slide.steps.push_back(look_from_above(world));
-  }
-  return slide;
-}
-
 double largest_gap(const Slide& one, const Slide& other) {
   double gap = 0;
   for (std::size_t k = 0; k < one.steps.size(); ++k)
@@ -72,6 +30,22 @@ Direction in_direction(SlideSettings settings, double degrees) {
 
 }  // namespace
 
+SlideStep look_from_above(const World<double>& world) {
+  SlideStep step{.place = world.bodies().pose[1].position,
+                 .velocity = world.bodies().velocity[1].head<2>(),
+                 .snapshot = snapshot(world)};
+  const VelocityProblem<double>& problem = world.last_step().problem;
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    step.lambda += problem.rows[i].jacobian_b.head<2>() * (problem.impulse[i] / problem.dt);
+  }
+  step.snapshot.joints.clear();  // friction is drawn as an arrow
+  return step;
+}
+
+int step_count(const SlideSettings& settings) {
+  return static_cast<int>(std::ceil(settings.speed() / (settings.slowing() * settings.dt))) + 2;
+}
+
 Slides run_slides(const SlideSettings& settings) {
   const Method si = Method::sequential_impulses;
   const Method pgs = Method::projected_gauss_seidel;
@@ -79,7 +53,9 @@ Slides run_slides(const SlideSettings& settings) {
              .first = World<double>(puck_on_table(settings, FrictionShape::square)).velocity_problem(),
              .circle = slide_once(settings, FrictionShape::circle, si),
              .square = slide_once(settings, FrictionShape::square, pgs),
-             .aligned = slide_once(settings, FrictionShape::aligned_square, pgs)};
+             .aligned = slide_once(settings, FrictionShape::aligned_square, pgs),
+             .circle_by_hand = slide_by_hand(settings, vector_clamped),
+             .square_by_hand = slide_by_hand(settings, parts_clamped)};
   all.solver_gap =
       std::max({largest_gap(all.circle, slide_once(settings, FrictionShape::circle, pgs)),
                 largest_gap(all.square, slide_once(settings, FrictionShape::square, si)),
@@ -87,21 +63,6 @@ Slides run_slides(const SlideSettings& settings) {
   for (int degrees = 0; degrees < 360; degrees += 15)
     all.directions.push_back(in_direction(settings, degrees));
   return all;
-}
-
-Vec2<double> stopping_lambda(const SlideSettings& settings, const Vec2<double>& velocity) {
-  return -puck_mass / settings.dt * velocity;
-}
-
-Vec2<double> parts_clamped(const SlideSettings& settings, const Vec2<double>& lambda) {
-  const double limit = settings.limit();
-  return {std::clamp(lambda.x(), -limit, limit), std::clamp(lambda.y(), -limit, limit)};
-}
-
-Vec2<double> vector_clamped(const SlideSettings& settings, const Vec2<double>& lambda) {
-  const double length = lambda.norm();
-  if (length <= settings.limit()) return lambda;
-  return settings.limit() / length * lambda;
 }
 
 double stopping_distance(const SlideSettings& settings, double speed) {

@@ -51,10 +51,12 @@ struct Direction {
 
 struct Slides {
   SlideSettings settings = {};
-  VelocityProblem<double> first = {};      // of the square, before its first sweep: row 0 is x, row 1 is y
-  Slide circle = {};                       // by sequential impulses, where the paper clamps the vector
-  Slide square = {};                       // by PGS, whose rows the paper clamps one by one
-  Slide aligned = {};                      // by PGS, its first row along the velocity
+  VelocityProblem<double> first = {};  // of the square, before its first sweep: row 0 is x, row 1 is y
+  Slide circle = {};                   // by sequential impulses, where the paper clamps the vector
+  Slide square = {};                   // by PGS, whose rows the paper clamps one by one
+  Slide aligned = {};                  // by PGS, its first row along the velocity
+  std::vector<Vec2<double>> circle_by_hand = {};  // [m] where the puck is after each step, by a plain loop
+  std::vector<Vec2<double>> square_by_hand = {};
   double solver_gap = 0;                   // [m] between the two solvers, each with all three shapes
   std::vector<Direction> directions = {};  // all around, every 15 degrees
 };
@@ -67,6 +69,19 @@ Vec2<double> stopping_lambda(const SlideSettings& settings, const Vec2<double>& 
 Vec2<double> parts_clamped(const SlideSettings& settings, const Vec2<double>& lambda);
 /// The length clamped to mu N, the direction kept: the circle (paper 4.5).
 Vec2<double> vector_clamped(const SlideSettings& settings, const Vec2<double>& lambda);
+
+/// One of the two.
+using Limit = Vec2<double> (*)(const SlideSettings& settings, const Vec2<double>& lambda);
+
+/// The puck's place [m] after each step, in a plain loop.
+std::vector<Vec2<double>> slide_by_hand(const SlideSettings& settings, Limit clamped);
+/// The same by the library.
+Scene puck_on_table(const SlideSettings& settings, FrictionShape shape);
+Slide slide_once(const SlideSettings& settings, FrictionShape shape, Method method);
+SlideStep look_from_above(const World<double>& world);
+
+/// Until the puck that gets farthest has been at rest for two steps.
+int step_count(const SlideSettings& settings);
 
 /// How far something with this speed gets that loses mu g dt in a step [m]: semi-implicit Euler's answer.
 double stopping_distance(const SlideSettings& settings, double speed);

@@ -1,0 +1,53 @@
+// Lesson 11. What the lesson says of itself, and the settings that its parameters make.
+#include <algorithm>
+
+#include "report.hpp"
+
+namespace cairn::friction {
+
+LessonInfo card() {
+  LessonInfo info;
+  info.number = 11;
+  info.name = "friction";
+  info.title = "Friction";
+  info.idea =
+      "Friction is a row like any other, but its bounds lean on its neighbour: what the normal row gives.";
+  info.paper = "paper 2.2, \"interval of valid values\"; 4.4, contact and friction";
+  info.equations = {"j_n v ≥ 0,  λ_n ≥ 0            normal row: the contact may push, never pull",
+                    "j_t v = 0,  |λ_t| ≤ μ λ_n      tangent row: Coulomb's law as bounds",
+                    "holds while tan θ ≤ μ; else slides with a = g (sin θ − μ cos θ)"};
+  info.needs = {"lesson 06"};
+  info.reads = {"src/constraints/contact.cpp", "src/constraints/row.hpp",
+                "src/solvers/sequential_impulse.cpp"};
+  info.question = "The rough block just holds. Double its mass: does it start to slide?";
+  info.hints = {"What pulls the block down the slope, and what does that depend on?",
+                "Write down the limit of friction, and look for the mass in it.",
+                "Needed: m g sin θ. Limit: μ m g cos θ. Divide one by the other."};
+  using Kind = Parameter::Kind;
+  info.parameters = {{"angle", 30, 5, 35, "°", "angle of the slope"},
+                     {"mu", 0.5, 0.05, 0.8, "", "friction of the slippery block"},
+                     {"mu-rough", 0.6, 0.05, 0.8, "", "friction of the rough one"},
+                     {"mass", 2, 0.001, 1000, "kg", "mass of the rough one's twin"},
+                     {"gravity", 10, 1, 20, "m/s²", "gravity"},
+                     {"dt", 0.02, 0.001, 0.05, "s", "time step"},
+                     {"sweeps", 50, 1, 1000, "", "sweeps per step", Kind::whole},
+                     {"steps", 100, 40, 400, "", "steps", Kind::whole}};
+  info.cover = 4;
+  info.next = "lesson12_blocks   (rows that belong together, solved together)";
+  return info;
+}
+
+StudySettings settings_of(const Lesson& lesson) {
+  StudySettings settings;
+  settings.slope.angle = lesson.real("angle") * pi / 180;
+  settings.slope.gravity = lesson.real("gravity");
+  settings.slope.dt = lesson.real("dt");
+  settings.slope.sweeps = lesson.whole("sweeps");
+  settings.slope.steps = lesson.whole("steps");
+  settings.slippery = std::min(lesson.real("mu"), lesson.real("mu-rough"));
+  settings.rough = std::max(lesson.real("mu"), lesson.real("mu-rough"));
+  settings.mass = lesson.real("mass");
+  return settings;
+}
+
+}  // namespace cairn::friction

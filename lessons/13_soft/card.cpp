@@ -1,0 +1,45 @@
+// Lesson 13. What the lesson says of itself, and the settings that its parameters make.
+#include "report.hpp"
+
+namespace cairn::soft {
+
+LessonInfo card() {
+  return {
+      .number = 13,
+      .name = "soft",
+      .title = "A row that gives way",
+      .idea =
+          "A spring need not be a force. Let a row give way by γ for every unit of its own impulse: with β "
+          "and "
+          "γ from stiffness and damping it is a spring, for any stiffness and any step.",
+      .paper = "paper 4.3, with eq (7), (15), (22)",
+      .equations = {"4.3   j·v + γ λ Δt = ζ = −β C / Δt               (11) of a row that gives way",
+                    "      γ = 1 / (Δt (c + Δt k)),  β = Δt k / (c + Δt k)",
+                    "(15)  (A + γ) λ = b                               PGS: γ on the diagonal of A",
+                    "(22)  Δλ = (ζ − j·v − γ λ Δt) / ((A_ii + γ) Δt)   SI: one more term, in one class"},
+      .needs = {"lesson 03", "lesson 06"},
+      .reads = {"src/constraints/softness.hpp", "src/solvers/sequential_impulse.cpp"},
+      .question =
+          "The spring gets stiffer and stiffer, and its γ goes to 0. Where does β go, and how far "
+          "(in mm) does the weight sag then? (two numbers)",
+      .hints = {"Which of the two terms in c + Δt k grows faster with the frequency?",
+                "k grows like its square, c in proportion: Δt k / (c + Δt k) is nearly Δt k / Δt k.",
+                "A row with γ = 0 is one of lesson 03. Which β takes all of its error back in one step?"},
+      .parameters = {{"frequency", 2, 1, 100, "Hz", "of the spring, as it would swing undamped"},
+                     {"damping", 0.5, 0.1, 2, "", "ratio; 1 is the fastest return without overshoot"},
+                     {"dt", 0.02, 0.005, 0.05, "s", "time step"},
+                     {"mass", 1, 0.01, 100, "kg", "of each weight"},
+                     {"pressed", 0.2, 0, 0.3, "m", "how far the spring is pressed together at the start"}},
+      .cover = 21,
+      .next = "lesson14_pulley   (one row on as many bodies as it likes)"};
+}
+
+SoftSettings settings_of(const Lesson& lesson) {
+  return {.frequency = lesson.real("frequency"),
+          .damping = lesson.real("damping"),
+          .dt = lesson.real("dt"),
+          .mass = lesson.real("mass"),
+          .pressed = lesson.real("pressed")};
+}
+
+}  // namespace cairn::soft

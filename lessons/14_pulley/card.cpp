@@ -1,0 +1,42 @@
+// Lesson 14. What the lesson says of itself, and the settings that its parameters make.
+#include "report.hpp"
+
+namespace cairn::pulley {
+
+LessonInfo card() {
+  return {
+      .number = 14,
+      .name = "pulley",
+      .title = "A rope on three bodies",
+      .idea =
+          "A row of J has a block for every body that it touches. A rope over wheels touches three, in one "
+          "row, in a joint that this lesson writes itself; every solver takes it as it is.",
+      .paper = "paper 4.2, 4.3",
+      .equations =
+          {"(5)   dC/dt = j v,  j = (0, r₁, 0,  0, r₂, 0,  0, r₃, 0)     one row, three bodies",
+           "(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)                          with three terms in each sum",
+           "      T = Σ rᵢ g / Σ (rᵢ² / mᵢ)                              what λ has to be"},
+      .needs = {"lesson 06"},
+      .reads = {"src/constraints/constraint.hpp", "src/constraints/row.hpp"},
+      .question =
+          "Masses of 1, 2 and 3 kg hang on one rope, the 2 kg on two parts of it. How hard is it "
+          "pulled, in newtons: more or less than the 30 N that the heaviest weighs?",
+      .hints = {"What the rope gives on one side it takes on the others: y₁ + 2 y₂ + y₃ stays as it is.",
+                "λ follows from (22) with j v = −4 g Δt: each part of the rope counts.",
+                "j M⁻¹ jᵀ = 1/1 + 4/2 + 1/3."},
+      .parameters = {{"dt", 0.02, 0.0001, 0.1, "s", "time step"},
+                     {"m1", 1, 0.01, 100, "kg", "mass on the left, on one part of the rope"},
+                     {"m2", 2, 0.01, 100, "kg", "mass in the middle, on two parts"},
+                     {"m3", 3, 0.01, 100, "kg", "mass on the right, on one part"},
+                     {"lift", 3, 0, 20, "m/s", "how fast the third mass is thrown up; 0: not at all"}},
+      .cover = 2,
+      .next = "lesson15_cone_or_pyramid   (two rows of friction that share one limit)"};
+}
+
+PulleySettings settings_of(const Lesson& lesson) {
+  return {.dt = lesson.real("dt"),
+          .masses = {lesson.real("m1"), lesson.real("m2"), lesson.real("m3")},
+          .lift = lesson.real("lift")};
+}
+
+}  // namespace cairn::pulley

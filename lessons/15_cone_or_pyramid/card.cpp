@@ -1,0 +1,40 @@
+// Lesson 15. What the lesson says of itself, and the settings that its parameters make.
+#include "report.hpp"
+
+namespace cairn::top_view {
+
+LessonInfo card() {
+  return {
+      .number = 15,
+      .name = "cone_or_pyramid",
+      .title = "Cone or pyramid",
+      .idea =
+          "Seen from above, friction has two axes. Clamp the part on each axis, and the limit is a square, "
+          "too strong along its diagonals; clamp the length of the vector, and it is Coulomb's circle.",
+      .paper = "paper 4.5, the interval of λ in 2.2, eq (22)",
+      .equations =
+          {"(22)     λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)         one row for each axis",
+           "square   −μN ≤ λ_x ≤ μN,  −μN ≤ λ_y ≤ μN       two clamps: the pyramid, cut across",
+           "circle   √(λ_x² + λ_y²) ≤ μN                   one clamp, of the vector: the cone, cut across"},
+      .needs = {"lesson 06", "lesson 11"},
+      .reads = {"src/constraints/friction_joint.hpp", "src/constraints/row.hpp"},
+      .question =
+          "A puck slides off with v = (3, 4) m/s. With the vector clamped it stops after 2.45 m. How far "
+          "from its start does it stop, in metres, if λ_x and λ_y are clamped each to μN?",
+      .hints = {"Does the friction of the square point against v? Draw the corner that it ends in.",
+                "Each axis knows nothing of the other: two pucks on two rails, at 3 and at 4 m/s.",
+                "Each stops after v²/2μg, and half a step less: 0.87 m along x, 1.56 m along y."},
+      .parameters = {{"dt", 0.02, 0.005, 0.05, "s", "time step"},
+                     {"mu", 0.5, 0.1, 1, "", "friction coefficient"},
+                     {"vx", 3, 2, 10, "m/s", "speed to the right"},
+                     {"vy", 4, 0, 10, "m/s", "speed upwards in the picture"}},
+      .cover = 4,
+      .next = "lesson16_jacobi   (all rows at once: parallel, and dangerous)"};
+}
+
+SlideSettings settings_of(const Lesson& lesson) {
+  return {
+      .dt = lesson.real("dt"), .mu = lesson.real("mu"), .velocity = {lesson.real("vx"), lesson.real("vy")}};
+}
+
+}  // namespace cairn::top_view
