@@ -41,7 +41,8 @@ void grade_tower(Grade& grade, Answer answer) {
        .value = 0.1,
        .tolerance = push_rounding,
        .misconceptions = {{0, "The velocities have not changed: apply the impulse at once, to both bodies."},
-                          {0.2, "Two bodies give way here: the effective mass has both in it."}}},
+                          {0.2, "Two bodies give way here: the effective mass has both in it."},
+                          {0.4, "Two bodies that give way need less, not more: divide by j M⁻¹ jᵀ."}}},
       one.contacts[1].impulse);
   grade.number({.what = "1 sweep: velocity of box 1 (m/s)",
                 .value = -0.1,
@@ -56,8 +57,8 @@ void grade_tower(Grade& grade, Answer answer) {
                two.contacts[0].impulse);
 }
 
-/// A box comes down on another at 1 m/s, and is pulled up afterwards: the contact first gives 0.5 N s, and then
-/// has to take back some of it, and at last the rest.
+/// A box comes down on another at 1 m/s, and is pulled up afterwards: the contact first gives 0.5 N s, and
+/// then has to take back some of it, and at last the rest.
 void grade_taking_back(Grade& grade, Answer answer) {
   std::vector<Box> boxes = {{1, 0}, {1, -1}};
   Contact contact{.below = 0, .above = 1};

@@ -212,20 +212,21 @@ std::vector<Shot> stack_shots(const StackRun& recorded) {
   const std::vector<Vec3<double>>& after_one = run->updates[static_cast<std::size_t>(n - 1)].velocity;
   std::string speeds;
   for (int i = 1; i <= n; ++i) {
-    speeds += (i > 1 ? ", " : "") + fixed(after_one[static_cast<std::size_t>(i)].y(), 4);
+    speeds += (i > 1 ? ", " : "") + fixed(0 - after_one[static_cast<std::size_t>(i)].y(), 4);
   }
-  shots.push_back({.state = fmt::format("after {} sweeps", run->settings.sweeps),
-                   .alt = fmt::format("The stack after the last sweep, and the answer: {} m/s.", speeds),
-                   .draw =
-                       [run, updates, speeds](Page& page) {
-                         draw_note(
-                             page, *run, updates - 1, "Answer",
-                             fmt::format("After one sweep: {} m/s, from the lowest box up. The last pair no "
-                                         "longer closes in; the others do again, for each push disturbs its "
-                                         "neighbours. Hence the next sweep.",
-                                         speeds));
-                       },
-                   .key = true});
+  shots.push_back(
+      {.state = fmt::format("after {} sweeps", run->settings.sweeps),
+       .alt = fmt::format("The stack after the last sweep, and the answer: {} m/s.", speeds),
+       .draw =
+           [run, updates, speeds](Page& page) {
+             draw_note(
+                 page, *run, updates - 1, "Answer",
+                 fmt::format("After one sweep: {} m/s, from the lowest box up. The pair visited last no "
+                             "longer closes in; the others do again, for each push disturbs its "
+                             "neighbours. Hence the next sweep.",
+                             speeds));
+           },
+       .key = true});
   return shots;
 }
 

@@ -1,4 +1,4 @@
-// The stack as a problem by hand; its solve, recorded; and two independent accounts of it.
+// The stack as a problem by hand, and two independent accounts of its solve.
 #include "stack.hpp"
 
 #include <algorithm>
@@ -32,8 +32,8 @@ Snapshot stack_at_rest(const StackSettings& settings) {
   return snapshot(World(scene));
 }
 
-}  // namespace
-
+/// Boxes of 1 kg that gravity has just made fall, one normal row per interface with j = (0, -1, 0 | 0, 1, 0),
+/// and nothing else. Row k is the k-th in visiting order.
 VelocityProblem<double> stack_problem(const StackSettings& settings,
                                       const std::vector<int>& interface_of_row) {
   const auto n = static_cast<std::size_t>(settings.boxes);
@@ -58,15 +58,11 @@ VelocityProblem<double> stack_problem(const StackSettings& settings,
   return problem;
 }
 
-StackRun run_stack(const StackSettings& settings) {
+}  // namespace
+
+StackRun falling_stack(const StackSettings& settings) {
   StackRun run{.settings = settings, .interface_of_row = visiting_order(settings)};
   run.problem = stack_problem(settings, run.interface_of_row);
-  VelocityProblem<double> problem = run.problem;
-  SequentialImpulse solver({.iterations = settings.sweeps});
-  SweepRecorder<double> recorder(SweepRecorder<double>::Detail::rows);
-  solver.solve(problem, &recorder);
-  run.updates = recorder.rows();
-  run.sweeps = recorder.sweeps();
   for (int i = 0; i < settings.boxes; ++i) run.exact.push_back((settings.boxes - i) * settings.gravity);
   run.snapshot = stack_at_rest(settings);
   return run;
@@ -76,7 +72,7 @@ std::vector<double> lambda_after(const StackRun& run, int sweep) {
   std::vector<double> lambda(run.exact.size(), 0.0);
   for (std::size_t row = 0; row < lambda.size(); ++row) {
     const auto interface = static_cast<std::size_t>(run.interface_of_row[row]);
-    lambda[interface] = run.sweeps[static_cast<std::size_t>(sweep)].impulse[row] / run.settings.dt;
+    lambda[interface] = run.sweeps[static_cast<std::size_t>(sweep)][row] / run.settings.dt;
   }
   return lambda;
 }
@@ -105,21 +101,24 @@ double error_factor(int boxes) {
 }
 
 double measured_error_factor(const StackSettings& settings) {
-  StackSettings longer = settings;
   // So many sweeps that a millionth of the error is left: slow enough to forget the other errors, and far
   // above rounding.
   const double factor = error_factor(settings.boxes);
-  longer.sweeps = factor > 0 ? static_cast<int>(std::ceil(std::log(1e-6) / std::log(factor))) : 2;
-  const StackRun run = run_stack(longer);
-  const auto error = [&run](int sweep) {
-    const std::vector<double> lambda = lambda_after(run, sweep);
+  const int sweeps = factor > 0 ? static_cast<int>(std::ceil(std::log(1e-6) / std::log(factor))) : 2;
+  const StackRun run = falling_stack(settings);
+  const auto error_after = [&run](int count) {
+    VelocityProblem<double> problem = run.problem;
+    SequentialImpulse({.iterations = count}).solve(problem);
     double sum = 0;
-    for (std::size_t i = 0; i < lambda.size(); ++i)
-      sum += (lambda[i] - run.exact[i]) * (lambda[i] - run.exact[i]);
+    for (std::size_t row = 0; row < problem.impulse.size(); ++row) {
+      const double exact = run.exact[static_cast<std::size_t>(run.interface_of_row[row])];
+      const double error = problem.impulse[row] / problem.dt - exact;
+      sum += error * error;
+    }
     return std::sqrt(sum);
   };
-  const double before = error(longer.sweeps - 1);
-  return before > 0 ? error(longer.sweeps) / before : 0;
+  const double before = error_after(sweeps - 1);
+  return before > 0 ? error_after(sweeps) / before : 0;
 }
 
 }  // namespace cairn::stack

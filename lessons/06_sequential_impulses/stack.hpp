@@ -24,17 +24,13 @@ struct StackRun {
   std::vector<int> interface_of_row = {};  // interface i is below box i + 1; interface 0 is the ground's
   VelocityProblem<double> problem = {};    // as it was before the solve
   std::vector<RowRecord> updates = {};     // sweeps * boxes
-  std::vector<SweepRecord> sweeps = {};    // sweeps + 1; 0: nothing given yet
-  std::vector<double> exact = {};          // [N] for each interface: the weight above it
-  Snapshot snapshot = {};                  // the stack at rest, for drawing
+  std::vector<std::vector<double>> sweeps = {};  // [N s] for each row, after 0, 1, ... sweeps
+  std::vector<double> exact = {};                // [N] for each interface: the weight above it
+  Snapshot snapshot = {};                        // the stack at rest, for drawing
 };
 
-/// The problem written by hand: boxes of 1 kg that gravity has just made fall, one normal row per interface
-/// with j = (0, -1, 0 | 0, 1, 0), and nothing else. Row k is the k-th in visiting order.
-VelocityProblem<double> stack_problem(const StackSettings& settings,
-                                      const std::vector<int>& interface_of_row);
-
-StackRun run_stack(const StackSettings& settings);
+/// The stack after one step of falling, its rows written by hand, and nothing solved yet.
+StackRun falling_stack(const StackSettings& settings);
 
 /// lambda [N] of each interface after the given sweep.
 std::vector<double> lambda_after(const StackRun& run, int sweep);

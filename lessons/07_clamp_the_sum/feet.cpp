@@ -1,4 +1,4 @@
-// The landing as two rows by hand, solved in three ways; its formulas; and the box let go in a world.
+// The landing as two rows by hand, its formulas, and the box let go in a world.
 #include "feet.hpp"
 
 #include <algorithm>
@@ -7,69 +7,6 @@
 namespace cairn::feet {
 
 namespace {
-
-VelocityProblem<double> landing_problem(const Pair& foot, double speed) {
-  VelocityProblem<double> problem;
-  problem.dt = time_step;
-  problem.inverse_mass = {{0, 0, 0}, {1 / box_mass, 1 / box_mass, 1 / box_inertia}};  // the ground, the box
-  problem.velocity = {{0, 0, 0}, {0, -speed, 0}};
-  problem.impulse = {0, 0};
-  for (const double x : foot) {
-    ConstraintRow<double> row;
-    row.a = {0};
-    row.b = {1};
-    row.jacobian_a = {0, -1, 0};
-    row.jacobian_b = {0, 1, x};
-    row.bounds = Bounds<double>::unilateral();
-    row.key = {.source = static_cast<std::uint64_t>(problem.row_count())};
-    problem.blocks.push_back({problem.row_count(), 1});
-    problem.rows.push_back(row);
-  }
-  return problem;
-}
-
-/// For the third way the rows do not know of any bounds while they are swept.
-SweepRecorder<double> recorded(Clamped clamped, int sweeps, VelocityProblem<double>& problem) {
-  if (clamped == Clamped::afterwards) {
-    for (ConstraintRow<double>& row : problem.rows) row.bounds = Bounds<double>::equality();
-  }
-  SequentialImpulseVariant variant;
-  if (clamped == Clamped::increment) variant.clamp = Clamp::increment;
-  SequentialImpulse<double> solver({.iterations = sweeps}, variant);
-  SweepRecorder<double> recorder(SweepRecorder<double>::Detail::rows);
-  solver.solve(problem, &recorder);
-  return recorder;
-}
-
-Landing land(const Pair& foot, const FeetSettings& settings, Clamped clamped) {
-  const VelocityProblem<double> start = landing_problem(foot, settings.speed);
-  VelocityProblem<double> problem = start;
-  const SweepRecorder<double> recorder = recorded(clamped, settings.sweeps, problem);
-  Landing landing{.clamped = clamped};
-  Pair sums = {};
-  for (const RowRecord& record : recorder.rows()) {
-    const RowUpdate<double>& update = record.update;
-    Visit visit{
-        .sweep = update.sweep, .foot = update.row, .jv = update.row_velocity, .asked = update.corrective};
-    visit.before = sums;
-    sums[static_cast<std::size_t>(update.row)] = update.impulse_after;
-    visit.after = sums;
-    landing.visits.push_back(visit);
-  }
-  landing.impulse = sums;
-  landing.velocity = problem.velocity[1];
-  if (clamped == Clamped::afterwards) {
-    VelocityProblem<double> twin = start;
-    for (std::size_t i = 0; i < 2; ++i) {
-      landing.impulse[i] = std::max(sums[i], 0.0);
-      apply_impulse(twin, twin.rows[i], landing.impulse[i]);
-    }
-    landing.velocity = twin.velocity[1];
-  }
-  for (std::size_t i = 0; i < 2; ++i)
-    landing.foot_velocity[i] = landing.velocity.y() + landing.velocity.z() * foot[i];
-  return landing;
-}
 
 /// Both feet are stopped, if both have to push for that; else the nearer one alone.
 Pair exact_impulses(const BoxRun& box, double speed) {
@@ -95,23 +32,6 @@ Scene box_on_feet(const Pair& foot, double speed) {
   return scene;
 }
 
-BoxRun run_box(const Pair& foot, const FeetSettings& settings) {
-  BoxRun run{.foot = foot};
-  const VelocityProblem<double> problem = landing_problem(foot, settings.speed);
-  const SystemMatrices<double> system = system_matrices(problem);
-  run.A11 = system.A(0, 0);
-  run.A12 = system.A(0, 1);
-  run.A22 = system.A(1, 1);
-  run.exact = exact_impulses(run, settings.speed);
-  for (const Clamped clamped : {Clamped::increment, Clamped::sum, Clamped::afterwards})
-    run.landings[static_cast<std::size_t>(clamped)] = land(foot, settings, clamped);
-  VelocityProblem<double> twin = problem;
-  ProjectedGaussSeidel<double>({.iterations = settings.sweeps}).solve(twin);
-  run.of_matrix = {twin.impulse[0], twin.impulse[1]};
-  run.snapshot = snapshot(World(box_on_feet(foot, settings.speed)));
-  return run;
-}
-
 std::vector<Snapshot> followed(const FeetSettings& settings, Clamp clamp) {
   // Gravity acts before the solve: it lands with `speed`.
   World world(box_on_feet({-settings.foot, settings.foot}, settings.speed - gravity * time_step));
@@ -131,21 +51,6 @@ double height_of(const std::vector<Snapshot>& motion) {
   return highest;
 }
 
-Spread spread_at(double foot, const FeetSettings& settings) {
-  FeetSettings at = settings;
-  at.foot = foot;
-  const BoxRun box = run_box({-foot, foot}, at);
-  const Landing& naive = box.by(Clamped::increment);
-  Spread spread{
-      .foot = foot, .ratio = box.A12 / box.A11, .speed = naive.velocity.y(), .spin = naive.velocity.z()};
-  const double q = std::max(spread.ratio, 0.0);
-  spread.formula_speed = settings.speed * q * (1 - q) / 2;
-  spread.formula_spin = -foot * settings.speed * q / (box.A11 * box_inertia);
-  for (std::size_t i = 0; i < 2; ++i)
-    spread.gap = std::max(spread.gap, std::abs(naive.impulse[i] - box.by(Clamped::sum).impulse[i]));
-  return spread;
-}
-
 }  // namespace
 
 double Landing::energy() const {
@@ -153,16 +58,60 @@ double Landing::energy() const {
          0.5 * box_inertia * velocity.z() * velocity.z();
 }
 
-FeetRun run_feet(const FeetSettings& settings) {
-  FeetRun run{.settings = settings,
-              .middle = run_box({-settings.foot, settings.foot}, settings),
-              .side = run_box(side_feet, settings)};
-  for (int k = 1; k <= 50; ++k) run.spreads.push_back(spread_at(0.01 * k, settings));
-  run.hop = followed(settings, Clamp::increment);
-  run.still = followed(settings, Clamp::accumulated);
+VelocityProblem<double> landing_problem(const Pair& foot, double speed) {
+  VelocityProblem<double> problem;
+  problem.dt = time_step;
+  problem.inverse_mass = {{0, 0, 0}, {1 / box_mass, 1 / box_mass, 1 / box_inertia}};  // the ground, the box
+  problem.velocity = {{0, 0, 0}, {0, -speed, 0}};
+  problem.impulse = {0, 0};
+  for (const double x : foot) {
+    ConstraintRow<double> row;
+    row.a = {0};
+    row.b = {1};
+    row.jacobian_a = {0, -1, 0};
+    row.jacobian_b = {0, 1, x};
+    row.bounds = Bounds<double>::unilateral();
+    row.key = {.source = static_cast<std::uint64_t>(problem.row_count())};
+    problem.blocks.push_back({problem.row_count(), 1});
+    problem.rows.push_back(row);
+  }
+  return problem;
+}
+
+BoxRun box_at(const Pair& foot, const FeetSettings& settings) {
+  BoxRun run{.foot = foot};
+  const VelocityProblem<double> problem = landing_problem(foot, settings.speed);
+  const SystemMatrices<double> system = system_matrices(problem);
+  run.A11 = system.A(0, 0);
+  run.A12 = system.A(0, 1);
+  run.A22 = system.A(1, 1);
+  run.exact = exact_impulses(run, settings.speed);
+  VelocityProblem<double> twin = problem;
+  ProjectedGaussSeidel<double>({.iterations = settings.sweeps}).solve(twin);
+  run.of_matrix = {twin.impulse[0], twin.impulse[1]};
+  run.snapshot = snapshot(World(box_on_feet(foot, settings.speed)));
+  return run;
+}
+
+Spread spread_of(const BoxRun& box, double speed) {
+  const Landing& naive = box.by(Clamped::increment);
+  Spread spread{.foot = box.foot[1],
+                .ratio = box.A12 / box.A11,
+                .speed = naive.velocity.y(),
+                .spin = naive.velocity.z()};
+  const double q = std::max(spread.ratio, 0.0);
+  spread.formula_speed = speed * q * (1 - q) / 2;
+  spread.formula_spin = -spread.foot * speed * q / (box.A11 * box_inertia);
+  for (std::size_t i = 0; i < 2; ++i)
+    spread.gap = std::max(spread.gap, std::abs(naive.impulse[i] - box.by(Clamped::sum).impulse[i]));
+  return spread;
+}
+
+void follow_in_a_world(FeetRun& run) {
+  run.hop = followed(run.settings, Clamp::increment);
+  run.still = followed(run.settings, Clamp::accumulated);
   run.hop_height = height_of(run.hop);
   run.still_height = height_of(run.still);
-  return run;
 }
 
 Pair increments_by_formula(const BoxRun& box, double speed) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -90,7 +91,14 @@ struct FeetRun {
 
 inline constexpr Pair side_feet = {0.1, 0.4};  // [m] of scene B
 
-FeetRun run_feet(const FeetSettings& settings);
+/// The two rows of a landing: gravity apart, a box that comes down with `speed`, and has to be stopped.
+VelocityProblem<double> landing_problem(const Pair& foot, double speed);
+/// A box and its A, with what formulas and PGS say, and not landed yet.
+BoxRun box_at(const Pair& foot, const FeetSettings& settings);
+/// What the clamp on the increment did to a box that has landed.
+Spread spread_of(const BoxRun& box, double speed);
+/// Lets the box of scene A go in a world, with either clamp.
+void follow_in_a_world(FeetRun& run);
 
 /// Scene A, clamp on the increment: one visit of each foot, and nothing after if A_12 >= 0 [N s].
 Pair increments_by_formula(const BoxRun& box, double speed);
@@ -98,5 +106,8 @@ Pair increments_by_formula(const BoxRun& box, double speed);
 Pair sums_by_formula(const BoxRun& box, double speed, int sweep);
 /// From this distance on, A_12 <= 0: what one foot gives, the other has to give too [m].
 double harmless_distance();
+
+/// Without the sign that rounding leaves on what is zero in four decimals.
+inline double cleaned(double value) { return std::abs(value) < 5e-5 ? 0 : value; }
 
 }  // namespace cairn::feet

@@ -1,248 +1,107 @@
 // Lesson 07. Clamp the sum: a contact may take back what it gave.
+// A box lands on two feet. Sequential impulses stop the left foot, then the right one, and that makes the
+// left one rise: it has given too much. A contact must not pull, so something has to be clamped at 0; the
+// question is what. We land the box three times: each push clamped, the sum of a foot's pushes clamped
+// (Algorithm 1), and the sums clamped once, when all sweeps are over. Only one of the three lets it stand.
 #include "lessons/lesson.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "feet.hpp"
 #include "pictures.hpp"
+#include "report.hpp"
 
 namespace {
 
 using namespace cairn;
 using namespace cairn::feet;
 
-const double epsilon = std::numeric_limits<double>::epsilon();
+// [visit]
+/// One visit to one foot. problem.impulse holds p, what each foot has given in total.
+Visit visit(int sweep, std::size_t foot, Clamped clamped, VelocityProblem<double>& problem) {
+  const ConstraintRow<double>& row = problem.rows[foot];
+  double& p = problem.impulse[foot];
+  const double jv = row_velocity(problem, row);
+  const double asked = (row.bias - jv) * effective_mass(problem, row);  // (22) times Δt; below 0: take back
+  Visit visit{.sweep = sweep, .foot = static_cast<int>(foot), .jv = jv, .asked = asked};
+  visit.before = {problem.impulse[0], problem.impulse[1]};
 
-LessonInfo info() {
-  return {
-      .number = 7,
-      .name = "clamp_the_sum",
-      .title = "Clamp the sum",
-      .idea =
-          "A contact must not pull, so its λ must not be negative. Its total λ, that is. A single push may "
-          "be: a contact takes back what was too much. Who clamps each push forbids that.",
-      .paper = "paper 3.2, second paragraph, and Algorithm 1",
-      .equations =
-          {"(22)  p_corr = (ζ − j·v) / (j M⁻¹ jᵀ)          what this visit asks for [N s]; here ζ = 0",
-           "3.2   p ← max(0, p + p_corr)                  right: what has been given in total",
-           "      p ← p + max(0, p_corr)                  wrong: what is given now"},
-      .needs = {"lesson 06"},
-      .reads = {"src/solvers/sequential_impulse.cpp", "src/solvers/sequential_impulse.hpp"},
-      .question =
-          "A box of 6 kg lands at 10 m/s on two feet, 0.25 m left and right of its middle. The left foot "
-          "stops itself with 43.64 N s, then the right one itself with 23.80 N s. That turns the box, and "
-          "the "
-          "left foot rises at 2.48 m/s. How much does it give on its second visit, in N s?",
-      .hints = {"Was the first push of the left foot too small, right, or too large?",
-                "p_corr = −j·v / A₁₁, and nothing in it asks for a sign.",
-                "A₁₁ = 1/6 + 0.25² = 11/48 per kg; p_corr = −2.48 × 48/11."},
-      .parameters = {{"foot", 0.25, 0.05, 0.5, "m", "from the middle of the box to each foot"},
-                     {"speed", 10, 0.5, 50, "m/s", "how fast it lands"},
-                     {"sweeps", 10, 2, 100, "", "sweeps", Parameter::Kind::whole}},
-      .cover = 4,
-      .next = "lesson08_same_thing_twice   (the same pushes, out of a large matrix)"};
+  const double before = p;
+  if (clamped == Clamped::increment) p = before + std::max(asked, 0.0);  // wrong: nothing is ever taken back
+  if (clamped == Clamped::sum) p = std::max(before + asked, 0.0);        // right
+  if (clamped == Clamped::afterwards) p = before + asked;                // not now: after the last sweep
+  apply_impulse(problem, row, p - before);
+
+  visit.after = {problem.impulse[0], problem.impulse[1]};
+  return visit;
 }
+// [/visit]
 
-/// Without a sign in front of what is zero in four decimals.
-double cleaned(double value) { return std::abs(value) < 5e-5 ? 0 : value; }
-
-void print_visits(Lesson& lesson, const FeetRun& run) {
-  const std::vector<Visit>& naive = run.middle.by(Clamped::increment).visits;
-  const std::vector<Visit>& sum = run.middle.by(Clamped::sum).visits;
-  lesson.print("            each push is clamped (m/s, N s)         the sum is clamped (m/s, N s)");
-  lesson.print("sweep foot      j·v    p_corr       p after         j·v    p_corr       p after");
-  for (std::size_t k = 0; k < sum.size(); ++k) {
-    const auto foot = static_cast<std::size_t>(sum[k].foot);
-    const auto half = [foot](const Visit& visit) {
-      return fmt::format("{:>+9.4f} {:>+9.4f} {:>13.4f}", cleaned(visit.jv) + 0.0, cleaned(visit.asked) + 0.0,
-                         visit.after[foot]);
-    };
-    const std::string line =
-        fmt::format("{:>5} {:>4} {}   {}", sum[k].sweep, foot + 1, half(naive[k]), half(sum[k]));
-    k < 6 ? lesson.print(line) : lesson.detail(line);
+Landing land(const Pair& feet, const FeetSettings& settings, Clamped clamped) {
+  VelocityProblem<double> problem = landing_problem(feet, settings.speed);
+  Landing landing{.clamped = clamped};
+  for (int sweep = 1; sweep <= settings.sweeps; ++sweep) {
+    for (std::size_t foot = 0; foot < 2; ++foot)
+      landing.visits.push_back(visit(sweep, foot, clamped, problem));
   }
-  lesson.print(fmt::format("  ...  (-v shows all {} visits)", sum.size()));
-  lesson.print();
-}
-
-const char* name_of(Clamped clamped) {
-  switch (clamped) {
-    case Clamped::increment:
-      return "each push";
-    case Clamped::sum:
-      return "the sum";
-    case Clamped::afterwards:
-      break;
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    double& p = problem.impulse[foot];
+    const double kept = std::max(p, 0.0);  // changes something only where nothing was clamped before
+    apply_impulse(problem, problem.rows[foot], kept - p);
+    p = kept;
   }
-  return "once, at the end";
+  landing.impulse = {problem.impulse[0], problem.impulse[1]};
+  landing.velocity = problem.velocity[1];
+  for (std::size_t foot = 0; foot < 2; ++foot)
+    landing.foot_velocity[foot] = row_velocity(problem, problem.rows[foot]);
+  return landing;
 }
 
-void print_landings(Lesson& lesson, const BoxRun& box, const std::string& where) {
-  lesson.print(fmt::format("{:<26} p_1 (N s)   p_2 (N s)  together   v (m/s)  ω (rad/s)  energy (J)", where));
-  for (const Landing& landing : box.landings) {
-    lesson.print(fmt::format("  clamped: {:<16} {:>10.4f} {:>11.4f} {:>9.4f} {:>+9.4f} {:>+10.4f} {:>11.4f}",
-                             name_of(landing.clamped), landing.impulse[0], landing.impulse[1],
-                             landing.together(), cleaned(landing.velocity.y()) + 0.0,
-                             cleaned(landing.velocity.z()) + 0.0, landing.energy()));
+BoxRun land_in_three_ways(const Pair& feet, const FeetSettings& settings) {
+  BoxRun box = box_at(feet, settings);
+  for (const Clamped clamped : {Clamped::increment, Clamped::sum, Clamped::afterwards})
+    box.landings[static_cast<std::size_t>(clamped)] = land(feet, settings, clamped);
+  return box;
+}
+
+FeetRun land_everywhere(const FeetSettings& settings) {
+  FeetRun run{.settings = settings,
+              .middle = land_in_three_ways({-settings.foot, settings.foot}, settings),
+              .side = land_in_three_ways(side_feet, settings)};
+  for (int k = 1; k <= 50; ++k) {
+    const double foot = 0.01 * k;
+    run.spreads.push_back(spread_of(land_in_three_ways({-foot, foot}, settings), settings.speed));
   }
-  lesson.print(fmt::format("  exact                     {:>10.4f} {:>11.4f} {:>9.4f}", box.exact[0],
-                           box.exact[1], box.exact[0] + box.exact[1]));
-}
-
-void print_rest(Lesson& lesson, const FeetRun& run) {
-  lesson.print();
-  lesson.print(
-      fmt::format("Let go in a world, {:.4g} s later: each push clamped, the box rises by up to {:.1f} mm "
-                  "and turned by {:.0f}°;",
-                  motion_steps * time_step, 1000 * run.hop_height,
-                  std::abs(run.hop.back().bodies[1].pose.angle) * 180 / pi));
-  lesson.print(fmt::format("the sum clamped, it has risen by {:.4f} mm and turned by {:.4f}°.",
-                           1000 * run.still_height,
-                           std::abs(run.still.back().bodies[1].pose.angle) * 180 / pi));
-  lesson.print();
-  std::string feet = "feet at (m)         ";
-  std::string ratio = "A_12 / A_11         ";
-  std::string speed = "leaves at (m/s)     ";
-  for (std::size_t k = 4; k < run.spreads.size(); k += 5) {
-    feet += fmt::format("{:>7.2f}", run.spreads[k].foot);
-    ratio += fmt::format("{:>7.3f}", run.spreads[k].ratio);
-    speed += fmt::format("{:>7.3f}", cleaned(run.spreads[k].speed));
-  }
-  lesson.print(feet);
-  lesson.print(ratio);
-  lesson.print(speed + "   each push clamped");
-  lesson.print();
-}
-
-double largest_gap(const Pair& a, const Pair& b) {
-  return std::max(std::abs(a[0] - b[0]), std::abs(a[1] - b[1]));
-}
-
-void check_sums(Lesson& lesson, const FeetRun& run) {
-  const BoxRun& box = run.middle;
-  const double speed = run.settings.speed;
-  const auto visits = static_cast<double>(box.by(Clamped::sum).visits.size());
-  // A visit rounds j v, the quotient and the sum: a few times half an ulp of the largest impulse.
-  const double rounding = 4 * epsilon * visits * box_mass * speed;
-  double gap = 0;
-  for (int sweep = 1; sweep <= run.settings.sweeps; ++sweep) {
-    const Visit& last = box.by(Clamped::sum).visits[static_cast<std::size_t>(2 * sweep - 1)];
-    gap = std::max(gap, largest_gap(last.after, sums_by_formula(box, speed, sweep)));
-  }
-  lesson.check_small("the sum: m v/2 (1 + q²ᵏ⁻¹), m v/2 (1 − q²ᵏ) after k sweeps (N s)", gap, rounding);
-  lesson.check_small("PGS on A λ = b, which clamps λ itself: the same (N s)",
-                     largest_gap(box.of_matrix, box.by(Clamped::sum).impulse), rounding);
-  if (box.A12 > 0) {
-    const Landing& naive = box.by(Clamped::increment);
-    lesson.check_small("each push: nothing after the first sweep, v/A₁₁ + v/A₁₁ (1 − q) (N s)",
-                       largest_gap(naive.impulse, increments_by_formula(box, speed)), rounding);
-    // Of the two impulses, over the mass.
-    lesson.check_equal("and the box leaves at v q (1 − q) / 2 (m/s)", naive.velocity.y(),
-                       speed * (box.A12 / box.A11) * (1 - box.A12 / box.A11) / 2, 2 * rounding / box_mass);
-  }
-  double harmless = 0;
-  double formula = 0;
-  for (const Spread& spread : run.spreads) {
-    if (spread.foot > harmless_distance()) harmless = std::max(harmless, spread.gap);
-    // Beyond, further sweeps change what the first has given, and the formula is not for that.
-    if (spread.foot > harmless_distance()) continue;
-    formula = std::max({formula, std::abs(spread.speed - spread.formula_speed),
-                        std::abs(spread.spin - spread.formula_spin)});
-  }
-  lesson.check_small("feet beyond √(I/m), A₁₂ < 0: both clamps, the same bits (N s)", harmless, 0);
-  lesson.check_small("nearer: v and ω of each push clamped, by formula (m/s, rad/s)", formula, 2 * rounding);
-}
-
-/// Scene B: two rows without bounds after k sweeps, in closed form; the second comes out negative.
-Pair unbounded_by_formula(const BoxRun& box, double speed, int sweeps) {
-  const double determinant = box.A11 * box.A22 - box.A12 * box.A12;
-  const double first = speed * (box.A22 - box.A12) / determinant;
-  const double second = speed * (box.A11 - box.A12) / determinant;
-  const double rate = box.A12 * box.A12 / (box.A11 * box.A22);
-  return {first + box.A12 / box.A11 * second * std::pow(rate, sweeps - 1),
-          second * (1 - std::pow(rate, sweeps))};
-}
-
-void check_rest(Lesson& lesson, const FeetRun& run) {
-  const BoxRun& side = run.side;
-  const double speed = run.settings.speed;
-  const auto visits = static_cast<double>(2 * run.settings.sweeps);
-  // As above; the two rows are nearly the same, and what is 80 may be off by the condition of A, below 40.
-  const double rounding = 40 * 4 * epsilon * visits * box_mass * speed;
-  const Pair all = unbounded_by_formula(side, speed, run.settings.sweeps);
-  lesson.check_small("B, once at the end: foot 1 by formula, foot 2 cut to 0 (N s)",
-                     largest_gap(side.by(Clamped::afterwards).impulse, {all[0], std::max(all[1], 0.0)}),
-                     rounding);
-  lesson.check_small("B, the sum: v/A₁₁ and 0, after the first visit of each (N s)",
-                     largest_gap(side.by(Clamped::sum).impulse, side.exact), rounding);
-  const Landing& naive = run.middle.by(Clamped::increment);
-  // The ground is met to within rounding of the heights, which a row takes for a speed: over dt.
-  lesson.check_small("in the world: the same velocity after the first step (m/s, rad/s)",
-                     (run.hop[1].bodies[1].velocity - naive.velocity).cwiseAbs().maxCoeff(),
-                     rounding + 16 * epsilon / time_step * speed);
-  const double q = std::abs(run.middle.A12 / run.middle.A11);
-  const double left = std::pow(q, 2 * run.settings.sweeps - 1);
-  if (left > 0.01) return;
-  // Every step leaves this share of what it stops: the landing once, then g dt again and again. The box rises
-  // by no more than all that is left for a step each, and by rounding.
-  const double all_stopped = speed + 2 * motion_steps * gravity * time_step;
-  lesson.check_small("in the world: with the sum clamped, the box does not rise (m)", run.still_height,
-                     time_step * left * all_stopped + 1e-12);
-}
-
-CsvTable visits_table(const FeetRun& run) {
-  CsvTable table{.header = {"scene", "clamped", "sweep", "foot", "jv", "p_corr", "p_before", "p_after"}};
-  const auto add = [&table](const char* scene, const BoxRun& box) {
-    for (const Landing& landing : box.landings) {
-      for (const Visit& visit : landing.visits) {
-        const auto foot = static_cast<std::size_t>(visit.foot);
-        table.rows.push_back({scene, name_of(landing.clamped), static_cast<long long>(visit.sweep),
-                              static_cast<long long>(visit.foot + 1), visit.jv, visit.asked,
-                              visit.before[foot], visit.after[foot]});
-      }
-    }
-  };
-  add("A", run.middle);
-  add("B", run.side);
-  return table;
+  follow_in_a_world(run);
+  return run;
 }
 
 void run(Lesson& lesson) {
-  const FeetRun all = run_feet(
+  const FeetRun all = land_everywhere(
       {.foot = lesson.real("foot"), .speed = lesson.real("speed"), .sweeps = lesson.whole("sweeps")});
-  lesson.print(
-      fmt::format("Scene A: {:g} kg, I = {:g} kg m², feet at −{:g} and {:g} m, lands at {:g} m/s; A = "
-                  "[{:.4g} {:.4g}; {:.4g} {:.4g}] kg⁻¹",
-                  box_mass, box_inertia, all.settings.foot, all.settings.foot, all.settings.speed,
-                  all.middle.A11, all.middle.A12, all.middle.A12, all.middle.A22));
+  tell_scene(lesson, all);
   lesson.predict();
-  lesson.print();
-  print_visits(lesson, all);
-  print_landings(lesson, all.middle, "A");
-  print_landings(lesson, all.side, fmt::format("B: feet at {:g}, {:g} m", side_feet[0], side_feet[1]));
-  print_rest(lesson, all);
+  tell_visits(lesson, all);
+  tell_landings(lesson, all);
+  tell_motion(lesson, all);
   const double second = all.middle.by(Clamped::sum).visits[2].given();
   lesson.answer({second}, 0.01 * std::abs(second) + 1e-9,
                 second < 0
                     ? "It takes back: it gave more than its share before the other foot had its turn. "
                       "The sum stays positive, and nobody pulls."
                     : "It gives more: with feet this far out, what one gives the other has to give too.");
-  check_sums(lesson, all);
-  check_rest(lesson, all);
+  check_claims(lesson, all);
   lesson.film(feet_shots(all));
-  lesson.data(visits_table(all));
+  lesson.data(table_of(all));
   std::vector<double> numbers;
-  for (const Landing& landing : all.middle.landings)
-    numbers.insert(numbers.end(), landing.impulse.begin(), landing.impulse.end());
-  for (const Landing& landing : all.side.landings)
-    numbers.insert(numbers.end(), landing.impulse.begin(), landing.impulse.end());
+  for (const BoxRun* box : {&all.middle, &all.side}) {
+    for (const Landing& landing : box->landings)
+      numbers.insert(numbers.end(), landing.impulse.begin(), landing.impulse.end());
+  }
   lesson.fingerprint(numbers);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return cairn::run_lesson(info(), run, argc, argv); }
+int main(int argc, char** argv) { return run_lesson(card(), run, argc, argv); }

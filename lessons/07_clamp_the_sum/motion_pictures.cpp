@@ -53,7 +53,8 @@ void draw_step(Page& page, const FeetRun& run, std::size_t step) {
   const std::vector<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
   draw_motion(page, top[0], run.hop, step, Clamped::increment);
   draw_motion(page, top[1], run.still, step, Clamped::sum);
-  render::Plot plot{.title = "how far the middle of the box has risen (mm)"};
+  render::Plot plot{.title = fmt::format("how far the middle of the box has risen (mm): {} at most",
+                                         fixed(1000 * run.hop_height, 0))};
   plot.x = {.title = "t (s)", .min = 0, .max = motion_steps * time_step};
   plot.y = {.title = ""};
   plot.series = {heights(page, run.hop, Clamped::increment), heights(page, run.still, Clamped::sum)};

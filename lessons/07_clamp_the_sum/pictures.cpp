@@ -20,9 +20,6 @@ using render::Point;
 using render::Rect;
 using render::Sign;
 
-/// So that nothing that rounding left has a sign.
-double cleaned(double value) { return std::abs(value) < 5e-5 ? 0 : value; }
-
 /// How fast a foot moves, beside the box: an arrow, and its value below.
 void draw_foot_velocity(Page& page, const render::Camera& camera, double fastest, double x, double velocity) {
   const render::ArrowScale scale{

@@ -1,4 +1,4 @@
-// Both solvers on one random problem, and equations (26) to (29) evaluated in plain loops.
+// A random problem, and what both solvers of the library make of it.
 #include "twice.hpp"
 
 #include <algorithm>
@@ -81,39 +81,6 @@ std::vector<std::vector<double>> lambdas(const SweepRecorder<double>& recorder, 
   return result;
 }
 
-/// (28) and (29) for row i, in plain loops.
-void fill_in_pgs(RowStep& step, const SystemMatrices<double>& system, const std::vector<double>& eta) {
-  const Eigen::Index i = step.row;
-  double others = 0;  // the two sums of (28)
-  double all = 0;     // A_i . eta of (29)
-  for (Eigen::Index j = 0; j < system.b.size(); ++j) {
-    const double term = system.A(i, j) * eta[static_cast<std::size_t>(j)];
-    all += term;
-    if (j != i) others += term;
-  }
-  const double a_ii = system.A(i, i);
-  step.by_28 = (system.b(i) - others) / a_ii;
-  step.by_29 = (-all + a_ii * eta[static_cast<std::size_t>(i)]) / a_ii + system.b(i) / a_ii;
-}
-
-std::vector<RowStep> first_sweep(const TwiceRun& run, const std::vector<RowRecord>& pgs,
-                                 const std::vector<RowRecord>& si) {
-  const double dt = run.problem.dt;
-  std::vector<double> eta(run.problem.rows.size(), 0.0);
-  std::vector<RowStep> steps;
-  for (std::size_t l = 0; l < run.problem.rows.size(); ++l) {
-    const RowUpdate<double>& update = si[l].update;
-    RowStep step{.row = update.row, .eta = update.impulse_before / dt, .row_velocity = update.row_velocity};
-    step.by_27 = (update.impulse_before + update.corrective) / dt;
-    fill_in_pgs(step, run.system, eta);
-    step.pgs = pgs[l].update.impulse_after / dt;
-    step.si = update.impulse_after / dt;
-    eta[l] = step.pgs;
-    steps.push_back(step);
-  }
-  return steps;
-}
-
 /// How far the velocities of SI are from (26), over all of its row updates.
 double identity_error(const VelocityProblem<double>& problem, const std::vector<RowRecord>& updates) {
   std::vector<double> eta(problem.rows.size(), 0.0);
@@ -130,8 +97,7 @@ double identity_error(const VelocityProblem<double>& problem, const std::vector<
   return largest;
 }
 
-}  // namespace
-
+/// Random masses, velocities and rows, each between two bodies; every second row is one-sided (lambda >= 0).
 VelocityProblem<double> random_problem(const TwiceSettings& settings) {
   Random random(settings.seed);
   VelocityProblem<double> problem;
@@ -156,10 +122,12 @@ VelocityProblem<double> random_problem(const TwiceSettings& settings) {
   return problem;
 }
 
-TwiceRun run_twice(const TwiceSettings& settings) {
+}  // namespace
+
+TwiceRun solve_with_the_library(const TwiceSettings& settings) {
   TwiceRun run{.settings = settings, .problem = random_problem(settings)};
   run.system = system_matrices(run.problem);
-  SweepRecorder<double> pgs(SweepRecorder<double>::Detail::rows);
+  SweepRecorder<double> pgs;
   SweepRecorder<double> si(SweepRecorder<double>::Detail::rows);
   VelocityProblem<double> for_pgs = run.problem;
   VelocityProblem<double> for_si = run.problem;
@@ -167,7 +135,6 @@ TwiceRun run_twice(const TwiceSettings& settings) {
   SequentialImpulse({.iterations = settings.sweeps}).solve(for_si, &si);
   run.pgs = lambdas(pgs, settings.dt);
   run.si = lambdas(si, settings.dt);
-  run.steps = first_sweep(run, pgs.rows(), si.rows());
   run.identity_error = identity_error(run.problem, si.rows());
   for (std::size_t i = 0; i < for_si.rows.size(); ++i) {
     run.at_bound += for_si.rows[i].bounds.is_unilateral() && for_si.impulse[i] == 0;

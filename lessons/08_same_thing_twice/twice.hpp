@@ -17,9 +17,6 @@ struct TwiceSettings {
   std::uint64_t seed = 1;
 };
 
-/// Random masses, velocities and rows, each between two bodies; every second row is one-sided (lambda >= 0).
-VelocityProblem<double> random_problem(const TwiceSettings& settings);
-
 /// One row update of the first sweep, computed three ways, before clamping [N].
 struct RowStep {
   int row = 0;              // from 0
@@ -53,7 +50,8 @@ struct TwiceRun {
   int at_bound = 0;           // rows that end at lambda = 0
 };
 
-TwiceRun run_twice(const TwiceSettings& settings);
+/// Everything but `steps`.
+TwiceRun solve_with_the_library(const TwiceSettings& settings);
 
 /// How far two exact accounts of Gauss-Seidel may part by rounding after k sweeps, relative to the largest
 /// lambda. An update of one row commits some three roundings of that size (a sum of 20 products, or j v and

@@ -1,4 +1,6 @@
 // Exercise 09. Give every row its own impulse to begin with. Then: bash lessons/run check 9
+// Return one impulse for each of `keys`, in their order: what the row of that key had in `kept`, 0 for a row
+// that is new. The force is what stays when the step changes from dt_before to dt_now; the impulse is not.
 #include <algorithm>
 #include <cmath>
 

@@ -1,13 +1,13 @@
-// Lesson 09. Warm start: last step's impulses as the first guess, and why each must find its own row.
+// Lesson 09. Warm start: the first part of Algorithm 1, which lesson 06 left out.
+// A tower that stood a moment ago still stands, and its contacts push as hard as before. So the sweeps of a
+// step begin with the impulses of the last one, and each impulse has to find its own row again: it is kept
+// under the row's name. Three towers show what that is worth: one begins every step from nothing, one from
+// its own impulses, one from those of the contact below. Two more runs mistake the number of a row for its
+// name.
 #include "lessons/lesson.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "pictures.hpp"
+#include "report.hpp"
 #include "start.hpp"
 
 namespace {
@@ -15,186 +15,67 @@ namespace {
 using namespace cairn;
 using namespace cairn::warm;
 
-const double epsilon = std::numeric_limits<double>::epsilon();
-
-LessonInfo info() {
-  return {
-      .number = 9,
-      .name = "warm_start",
-      .title = "Warm start",
-      .idea =
-          "A tower that stood a moment ago still stands, and its contacts push as hard as before. Begin the "
-          "sweeps from last step's impulses: the sweeps of all steps then work on one answer together.",
-      .paper = "paper 2.3 (last paragraph), 3.2, Algorithm 1",
-      .equations = {"lines 2-6   λ ← λ of the last step, if that row was there; else 0",
-                    "(21)        v ← v + M⁻¹ jᵀ λ Δt             that guess acts before the first sweep",
-                    "(22)        λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)   then sweeps as ever"},
-      .needs = {"lesson 05", "lesson 06"},
-      .reads = {"src/world/world.cpp", "src/constraints/row.hpp"},
-      .question =
-          "The lowest contact has to carry the whole tower. Beginning from nothing, how many sweeps does one "
-          "step need until that contact carries 99 % of it?",
-      .hints = {"A sweep hands weight on from box to box. Ten sweeps give a tower of ten a third of it.",
-                "In the long run a sweep leaves cos²(π/2n) of the error: 0.9755 for ten boxes.",
-                "Which power of 0.9755 is about 1/80?"},
-      .parameters = {{"boxes", 10, 3, 20, "", "boxes of 1 kg in the tower", Parameter::Kind::whole},
-                     {"sweeps", 10, 1, 50, "", "sweeps in each step", Parameter::Kind::whole},
-                     {"steps", 120, 60, 300, "", "steps of each run", Parameter::Kind::whole},
-                     {"dt", 0.02, 0.005, 0.03, "s", "time step"}},
-      .cover = -6,
-      .next = "lesson10_what_is_stored   (what the two solvers keep, and what they need)"};
+// [guess]
+/// Last step's impulse of the row of that name; 0 if it was not there.
+double remembered(const Memory& last, const RowKey& key) {
+  for (const auto& entry : last)
+    if (entry.first == key) return entry.second;
+  return 0;
 }
 
-/// How far the uppermost box has moved [mm], upwards positive.
-double moved(const StartRun& run, int boxes) {
-  return 1000 * (run.frames.back().bodies.back().pose.position.y() - (boxes - 0.5));
-}
-
-void print_loads(Lesson& lesson, const WarmStart& all) {
-  lesson.print("load on the lowest box (N), λ₁ of its contact");
-  lesson.print("step          cold        warm   one row off      W (1 − 8/π² g^(k/2) cos θk)");
-  for (const int step : {1, 2, 3, 5, 10, 20, 40, 80, 120, 200, 300}) {
-    if (step > all.settings.steps) break;
-    const auto k = static_cast<std::size_t>(step);
-    lesson.print(fmt::format("{:>4} {:>13.2f} {:>11.2f} {:>13.2f} {:>30.2f}", step, all.cold.loads[k][0],
-                             all.warm.loads[k][0], all.shifted.loads[k][0],
-                             all.settings.weight() * warm_mode(all.settings, step)));
+/// Lines 2-6 of Algorithm 1: what the rows of a step begin with.
+std::vector<double> first_guess(const VelocityProblem<double>& problem, Start start, const Memory& last) {
+  std::vector<double> guess(problem.rows.size(), 0.0);  // cold: from nothing
+  for (std::size_t i = 0; i < guess.size(); ++i) {
+    const std::size_t below = i < 2 ? i : i - 2;  // a contact between two boxes has two rows
+    if (start == Start::warm) guess[i] = remembered(last, problem.rows[i].key);
+    if (start == Start::shifted) guess[i] = remembered(last, problem.rows[below].key);  // a mistake
+    if (start == Start::by_number && i < last.size()) guess[i] = last[i].second;        // another
   }
-  const int n = all.settings.boxes;
-  lesson.print(fmt::format("top moved {:>8.1f} mm {:>8.1f} mm {:>10.1f} mm", moved(all.cold, n),
-                           moved(all.warm, n), moved(all.shifted, n)));
-  const double weight = all.settings.weight();
-  lesson.print(fmt::format("|λ₁ − W| in the last quarter: at most {:.2g} N, {:.2g} N and {:.2g} N",
-                           unrest(all.cold.loads, weight), unrest(all.warm.loads, weight),
-                           unrest(all.shifted.loads, weight)));
-  const double g = share_left(n, all.settings.sweeps);
-  lesson.print(
-      fmt::format("g = cos²(π/2n)^{} = {:.4f}: what the sweeps of a step leave of an error; "
-                  "a warm step leaves √g = {:.4f}, and swings",
-                  all.settings.sweeps, g, std::sqrt(g)));
-  lesson.print();
+  return guess;
 }
+// [/guess]
 
-void print_sweeps(Lesson& lesson, const WarmStart& all) {
-  lesson.print("one step from nothing: sweeps until the lowest contact lacks 1 %");
-  for (const ColdSweeps& cold : all.sweeps) {
-    lesson.print(fmt::format("  {:>2} boxes {:>6} sweeps    ln(800/π²) / (−2 ln cos(π/2n)) = {:.1f}",
-                             cold.boxes, cold.needed, needed_by_formula(cold.boxes)));
+/// Sequential impulses that remember. The world's own warm start, which does the same, is off.
+class Remembering final : public Solver<double> {
+ public:
+  Remembering(int sweeps, Start start) : sweeps_({.iterations = sweeps}), start_(start) {}
+  std::string name() const override { return "SI with a first guess"; }
+
+  // [solve]
+  SolveReport solve(VelocityProblem<double>& problem, SolveObserver<double>* observer = nullptr) override {
+    problem.impulse = first_guess(problem, start_, last_);
+    const SolveReport report = sweeps_.solve(problem, observer);  // (21): the guess acts; then the sweeps
+
+    last_.clear();
+    for (std::size_t i = 0; i < problem.rows.size(); ++i)
+      last_.emplace_back(problem.rows[i].key, problem.impulse[i]);
+    return report;
   }
-  lesson.print();
-}
+  // [/solve]
 
-std::string listed(const std::vector<double>& numbers) {
-  std::string text;
-  for (const double number : numbers) text += fmt::format(" {:>7.4g}", number);
-  return text;
-}
+ private:
+  SequentialImpulse<double> sweeps_;
+  Start start_;
+  Memory last_;
+};
 
-void print_order(Lesson& lesson, const WarmStart& all) {
-  const ReversedStep& step = all.reversed;
-  lesson.print(
-      "At rest, contacts are found from the top down this time. First guess (N), from the ground up:");
-  lesson.print("  by key   " + listed(step.by_key));
-  lesson.print("  by number" + listed(step.by_number));
-  lesson.print("and the velocities that it gives the boxes (m/s):");
-  lesson.print("  by key   " + listed(step.velocity_by_key));
-  lesson.print("  by number" + listed(step.velocity_by_number));
-  lesson.print("A ball bounces beside the tower; when it touches the ground, its contact is the first row.");
-  lesson.print(fmt::format("  |λ₁ − W| in the last quarter: at most {:.2g} N by key, {:.2g} N by number",
-                           unrest(all.guest.by_key, all.settings.weight()),
-                           unrest(all.guest.by_number, all.settings.weight())));
-  lesson.print();
-}
-
-/// See lesson 17: each visit rounds sums of at most twice the weight. Where a contact has opened, its bias
-/// adds a rounding of the height, over dt^2, in every step.
-double load_rounding(const StartSettings& settings) {
-  const double visits = double(settings.steps) * settings.sweeps * 2 * settings.boxes;
-  const double heights = settings.steps * settings.boxes / (settings.dt * settings.dt);
-  return epsilon * (2 * settings.weight() * visits + 4 * heights);
-}
-
-double largest_gap(const std::vector<std::vector<double>>& first,
-                   const std::vector<std::vector<double>>& second, int frames) {
-  double largest = 0;
-  for (int k = 0; k <= frames; ++k) {
-    const auto frame = static_cast<std::size_t>(k);
-    for (std::size_t i = 0; i < first[frame].size(); ++i) {
-      largest = std::max(largest, std::abs(first[frame][i] - second[frame][i]));
-    }
-  }
-  return largest;
-}
-
-void check_runs(Lesson& lesson, const WarmStart& all) {
-  const StartSettings& settings = all.settings;
-  lesson.check_that("step 1 is the same for all three: there is nothing to remember yet",
-                    all.cold.loads[1] == all.warm.loads[1] && all.cold.loads[1] == all.shifted.loads[1],
-                    fmt::format("{:.2f} N", all.cold.loads[1][0]));
-  const double rounding = load_rounding(settings);
-  lesson.check_small("warm: Gauss-Seidel on masses on a line, in plain loops (N)",
-                     largest_gap(all.warm.loads, loads_by_hand(settings), settings.steps), rounding);
-  const ColdTheory theory = cold_by_matrix(settings);
-  const int last = all.cold.comparable;
-  lesson.check_small("cold: λ by powers of the matrix of Gauss-Seidel (N)",
-                     largest_gap(all.cold.loads, theory.loads, last), rounding);
-  const auto frame = static_cast<std::size_t>(last);
-  // A velocity is a sum of as many impulses; rounding of a load times dt.
-  lesson.check_equal(fmt::format("cold: the top sinks in step {} at the speed that follows (m/s)", last),
-                     all.cold.frames[frame].bodies.back().velocity.y(), theory.top_velocity[frame],
-                     rounding * settings.dt * settings.boxes);
-}
-
-void check_rates(Lesson& lesson, const WarmStart& all) {
-  const StartSettings& settings = all.settings;
-  double worst = 0;
-  for (int k = 1; k <= settings.steps; ++k) {
-    const double error = all.warm.loads[static_cast<std::size_t>(k)][0] / settings.weight() - 1;
-    // All modes together begin with the whole weight, and none shrinks more slowly than the first. A visit
-    // from row to row is up to one sweep behind or ahead of the mode.
-    const double bound = share_left(settings.boxes, 0.5 * settings.sweeps * k - 1) +
-                         load_rounding(settings) / settings.weight();
-    worst = std::max(worst, std::abs(error) / bound);
-  }
-  lesson.check_small("warm: |λ₁/W − 1| in units of cos(π/2n)^(sweeps × steps)", worst, 1);
-  double off = 0;
-  for (const ColdSweeps& cold : all.sweeps) {
-    off = std::max(off, std::abs(cold.needed - needed_by_formula(cold.boxes)));
-  }
-  // Rounded up to a whole sweep, and up to one sweep behind or ahead, as above.
-  lesson.check_small("one cold step: sweeps to 1 %, formula and count", off, 2);
-}
-
-void check_order(Lesson& lesson, const WarmStart& all) {
-  const StartSettings& settings = all.settings;
-  lesson.check_that("by key a ball bouncing beside it changes no bit of the tower's loads",
-                    all.guest.by_key == all.warm.loads,
-                    fmt::format("{} of {} steps",
-                                std::count(all.guest.ball_touches.begin(), all.guest.ball_touches.end(), 1),
-                                settings.steps));
-  double fastest = 0;
-  for (const double v : all.reversed.velocity_by_key) fastest = std::max(fastest, std::abs(v));
-  // The weight of the tower, times dt, is rounded when added and when taken away.
-  const double rounding = 4 * epsilon * settings.weight() * settings.dt;
-  lesson.check_small("rows in another order, by key: all boxes stay at rest (m/s)", fastest, rounding);
-  lesson.check_equal("by number the top box is thrown at (n − 1) g Δt (m/s)",
-                     all.reversed.velocity_by_number.back(), (settings.boxes - 1) * gravity * settings.dt,
-                     rounding);
-  // One scaling of an impulse, one division.
-  lesson.check_equal("half the Δt, half the impulse: λ₁ as before (N)", all.load_at_half_dt,
-                     all.warm.loads.back()[0], 8 * epsilon * settings.weight() * 2);
-}
-
-CsvTable loads_table(const WarmStart& all) {
-  CsvTable table{.header = {"step", "interface", "cold_newton", "warm_newton", "one_row_off_newton",
-                            "ball_by_number_newton"}};
-  for (std::size_t k = 1; k < all.warm.loads.size(); ++k) {
-    for (std::size_t i = 0; i < all.warm.loads[k].size(); ++i) {
-      table.rows.push_back({static_cast<long long>(k), static_cast<long long>(i + 1), all.cold.loads[k][i],
-                            all.warm.loads[k][i], all.shifted.loads[k][i], all.guest.by_number[k][i]});
-    }
-  }
-  return table;
+WarmStart run_all(const StartSettings& settings) {
+  const int sweeps = settings.sweeps;
+  Remembering cold(sweeps, Start::cold), warm(sweeps, Start::warm), shifted(sweeps, Start::shifted);
+  Remembering with_guest(sweeps, Start::warm), numbered(sweeps, Start::by_number);
+  WarmStart all{.settings = settings};
+  all.cold = follow_tower(settings, cold, "cold");
+  all.warm = follow_tower(settings, warm, "warm");
+  all.shifted = follow_tower(settings, shifted, "one row off");
+  all.guest = follow_guest(settings, with_guest, numbered);
+  const TowerAtRest rest = tower_found_from_the_top(settings);
+  all.reversed = begun_with(rest.problem, first_guess(rest.problem, Start::warm, rest.last),
+                            first_guess(rest.problem, Start::by_number, rest.last), sweeps);
+  for (const int boxes : {3, 5, 10, 20}) all.sweeps.push_back(sweep_cold(boxes, settings.dt));
+  all.own = sweep_cold(settings.boxes, settings.dt);
+  all.library = run_library(settings);
+  return all;
 }
 
 void run(Lesson& lesson) {
@@ -202,28 +83,21 @@ void run(Lesson& lesson) {
                                  .sweeps = lesson.whole("sweeps"),
                                  .steps = lesson.whole("steps"),
                                  .dt = lesson.real("dt")});
-  const StartSettings& settings = all.settings;
-  lesson.print(
-      fmt::format("Scene: {} boxes of 1 kg upon each other, W = {:g} N, g = {:g} m/s², Δt = {:.4g} s, {} "
-                  "sweeps in each step, β = 0",
-                  settings.boxes, settings.weight(), gravity, settings.dt, settings.sweeps));
+  tell_scene(lesson, all.settings);
   lesson.predict();
-  lesson.print();
-  print_loads(lesson, all);
-  print_sweeps(lesson, all);
-  print_order(lesson, all);
+  tell_loads(lesson, all);
+  tell_sweeps(lesson, all);
+  tell_order(lesson, all);
   // A guess within a tenth is as good as the formula.
   lesson.answer({static_cast<double>(all.own.needed)}, 0.1 * all.own.needed,
                 "It grows with the square of the height. A warm start does the same work, a few sweeps in "
                 "each step, while the tower stands.");
-  check_runs(lesson, all);
-  check_rates(lesson, all);
-  check_order(lesson, all);
+  check_claims(lesson, all);
   lesson.film(start_shots(all));
-  lesson.data(loads_table(all));
+  lesson.data(table_of(all));
   lesson.fingerprint(all.warm.frames.back());
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return cairn::run_lesson(info(), run, argc, argv); }
+int main(int argc, char** argv) { return run_lesson(card(), run, argc, argv); }

@@ -41,10 +41,10 @@ void draw_errors(Page& page, const WarmStart& all) {
   const double g = share_left(settings.boxes, settings.sweeps);
   render::Series cold = error_series(all.cold.loads, settings.weight(), g);
   cold.name = "cold";
-  cold.style = {page.theme().negative, {10, 6}, render::Marker::square};
+  cold.style = start_styles(page.theme())[0];
   render::Series warm = error_series(all.warm.loads, settings.weight(), std::sqrt(g));
   warm.name = "warm";
-  warm.style = {page.theme().positive, {}, render::Marker::circle};
+  warm.style = start_styles(page.theme())[1];
   render::Series bound{.name = "√g per step", .style = page.theme().exact, .markers = false};
   for (const double k : warm.x) {
     bound.x.push_back(k);
@@ -184,8 +184,8 @@ void draw_guest(Page& page, const WarmStart& all) {
   render::Plot plot{.title = "load λ_{1} on the lowest box (N)"};
   const std::size_t first = all.guest.by_key.size() / 4;  // once the first swings are over
   plot.x = {.title = "step", .min = static_cast<double>(first), .max = all.settings.steps};
-  plot.series = {{.name = "by key", .style = {page.theme().positive, {}, render::Marker::circle}},
-                 {.name = "by number", .style = {page.theme().external, {2, 5}, render::Marker::triangle}}};
+  plot.series = {{.name = "by key", .style = start_styles(page.theme())[1]},
+                 {.name = "by number", .style = start_styles(page.theme())[2]}};
   for (std::size_t k = first; k < all.guest.by_key.size(); ++k) {
     for (render::Series& series : plot.series) series.x.push_back(static_cast<double>(k));
     plot.series[0].y.push_back(all.guest.by_key[k][0]);

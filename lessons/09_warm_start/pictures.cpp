@@ -23,12 +23,6 @@ using render::SeriesStyle;
 
 using All = std::shared_ptr<const WarmStart>;
 
-std::array<SeriesStyle, 3> start_styles(const Page& page) {
-  return {{{page.theme().negative, {10, 6}, render::Marker::square},
-           {page.theme().positive, {}, render::Marker::circle},
-           {page.theme().external, {2, 5}, render::Marker::triangle}}};
-}
-
 std::array<const StartRun*, 3> runs_of(const WarmStart& all) { return {&all.cold, &all.warm, &all.shifted}; }
 
 double largest_load(const WarmStart& all) {
@@ -85,8 +79,8 @@ void draw_start(Page& page, const Rect& rect, const WarmStart& all, const StartR
   render::TextStyle number = page.value();
   number.align = render::Align::right;
   const double moved = 1000 * (top_of(run, frame) - all.settings.boxes);
-  canvas.text({inside.x + inside.width, inside.y + line}, fixed(moved, 0, render::Sign::always) + " mm",
-              number);
+  canvas.text({inside.x + inside.width, inside.y + line},
+              (page.compact() ? "" : "top ") + fixed(moved, 0, render::Sign::always) + " mm", number);
 
   const double top = inside.y + line + 10;
   const double n = all.settings.boxes;
@@ -105,7 +99,7 @@ void draw_start(Page& page, const Rect& rect, const WarmStart& all, const StartR
 
 void draw_towers(Page& page, const Rect& rect, const WarmStart& all, int frame) {
   const std::vector<Rect> panels = columns(rect, {1, 1, 1}, page.sizes().gap);
-  const std::array<SeriesStyle, 3> styles = start_styles(page);
+  const std::array<SeriesStyle, 3> styles = start_styles(page.theme());
   const std::array<const StartRun*, 3> runs = runs_of(all);
   for (std::size_t s = 0; s < runs.size(); ++s) draw_start(page, panels[s], all, *runs[s], frame, styles[s]);
 }
@@ -116,7 +110,7 @@ void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int fram
   constexpr int near = 30;  // steps that the first frames show
   plot.x = {.min = 0, .max = frame <= near ? near : all.settings.steps};
   plot.y = {.min = 0, .max = 1.15 * largest_load(all)};
-  const std::array<SeriesStyle, 3> styles = start_styles(page);
+  const std::array<SeriesStyle, 3> styles = start_styles(page.theme());
   const std::array<const StartRun*, 3> runs = runs_of(all);
   for (std::size_t s = 0; s < runs.size(); ++s) {
     render::Series series{.name = runs[s]->name, .style = styles[s]};
@@ -172,11 +166,12 @@ Shot question_shot(const All& all) {
 
 std::string answer_text(const WarmStart& all) {
   const double weight = all.settings.weight();
-  std::string text = fmt::format(
-      "{} sweeps in one step. With a warm start {} in each step do, as those of all steps work on one "
-      "answer. "
-      "From nothing the loads come out right in the end, and the tower sinks for ever.",
-      all.own.needed, all.settings.sweeps);
+  std::string text =
+      fmt::format("{} sweeps in one step. Warm, the {} of each step go on where those of the last one ended.",
+                  all.own.needed, all.settings.sweeps);
+  text += unrest(all.cold.loads, weight) > wanted_error * weight
+              ? " From nothing the tower falls into itself."
+              : " From nothing the loads come out right in the end, and the tower sinks for ever.";
   if (unrest(all.shifted.loads, weight) > wanted_error * weight) {
     text += " From a neighbour's impulses nothing ever comes to rest.";
   }
@@ -192,6 +187,12 @@ Shot answer_shot(const All& all) {
 }
 
 }  // namespace
+
+std::array<SeriesStyle, 3> start_styles(const render::Theme& theme) {
+  return {{{theme.si.color, {10, 6}, render::Marker::square},
+           {theme.si.color, {}, render::Marker::circle},
+           theme.jacobi}};
+}
 
 std::vector<Shot> start_shots(const WarmStart& recorded) {
   const All all = std::make_shared<const WarmStart>(recorded);

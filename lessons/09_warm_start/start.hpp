@@ -24,10 +24,14 @@ struct StartSettings {
 
 /// What the first sweep of a step finds.
 enum class Start {
-  cold,     // no impulses
-  warm,     // each row its own of the step before
-  shifted,  // each contact that of the contact below it
+  cold,       // no impulses
+  warm,       // each row its own of the step before
+  shifted,    // each contact that of the contact below it: a mistake
+  by_number,  // each row that of the row which had its place: another mistake
 };
+
+/// Last step's impulses [N s] under the names of their rows, in the order of the rows.
+using Memory = std::vector<std::pair<RowKey, double>>;
 
 /// Frame k is the state after k steps; frame 0 is the start.
 struct StartRun {
@@ -61,6 +65,18 @@ struct ColdSweeps {
   int needed = 0;  // sweeps until the error is wanted_error
 };
 
+/// The warm tower again, with the world's own memory.
+struct LibraryRun {
+  std::vector<std::vector<double>> loads = {};  // [frame][interface] [N]
+  double load_at_half_dt = 0;                   // [N] lowest first guess once dt is halved at the end
+};
+
+/// Rows of a tower that has begun to fall, from the top down, and the weights as the last step left them.
+struct TowerAtRest {
+  VelocityProblem<double> problem = {};
+  Memory last = {};  // from the ground up
+};
+
 struct WarmStart {
   StartSettings settings = {};
   StartRun cold = {};
@@ -70,10 +86,18 @@ struct WarmStart {
   ReversedStep reversed = {};
   std::vector<ColdSweeps> sweeps = {};  // of 3, 5, 10 and 20 boxes
   ColdSweeps own = {};                  // of this tower
-  double load_at_half_dt = 0;           // [N] lowest first guess once dt is halved after the warm run
+  LibraryRun library = {};
 };
 
-WarmStart run_all(const StartSettings& settings);
+StartRun follow_tower(const StartSettings& settings, Solver<double>& solver, const char* name);
+GuestRun follow_guest(const StartSettings& settings, Solver<double>& by_key, Solver<double>& by_number);
+LibraryRun run_library(const StartSettings& settings);
+TowerAtRest tower_found_from_the_top(const StartSettings& settings);
+/// What the first guesses [N s], one for each row of the problem, do to the boxes.
+ReversedStep begun_with(VelocityProblem<double> problem, const std::vector<double>& by_key,
+                        const std::vector<double>& by_number, int sweeps);
+/// One step from nothing, until the lowest contact lacks wanted_error, and some sweeps more.
+ColdSweeps sweep_cold(int boxes, double dt);
 
 /// Masses on a line in plain loops: gravity, Gauss-Seidel from the ground up, semi-implicit Euler. No engine.
 /// [frame][interface] [N]
@@ -96,12 +120,5 @@ double warm_mode(const StartSettings& settings, int step);
 
 /// The largest |load - weight| of the lowest contact in the last quarter of the steps [N].
 double unrest(const std::vector<std::vector<double>>& loads, double weight);
-
-/// One normal row for each interface of a tower that gravity has just made fall.
-VelocityProblem<double> tower_rows(int boxes, double dt);
-/// Last step's impulses under their names, sorted: what a world keeps from step to step.
-using Memory = std::vector<std::pair<RowKey, double>>;
-/// Last step's impulse of that row; 0 for a row that was not there.
-double remembered(const Memory& memory, const RowKey& key);
 
 }  // namespace cairn::warm

@@ -94,12 +94,8 @@ void draw_case(Page& page, const PairCase& one, const CaseText& text) {
   draw_case_scene(page, left[0], one);
   page.note(left[1], "", page.compact() ? text.brief : text.note);
   const std::vector<Rect> right = rows(halves[1], {1, 1}, page.sizes().gap);
-  render::Equation printed = text.printed;
-  render::Equation coupling = text.coupling;
-  printed.color = page.theme().negative;
-  coupling.color = page.theme().positive;
-  page.equation(right[0], printed);
-  page.equation(right[1], coupling);
+  page.equation(right[0], text.printed);
+  page.equation(right[1], text.coupling);
 }
 
 }  // namespace

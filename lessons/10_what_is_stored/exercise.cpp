@@ -1,4 +1,6 @@
 // Exercise 10. Count the entries of A. Then: bash lessons/run check 10
+// A has an entry for every pair of rows, first and second, that share a body which can move: count them all,
+// a row with itself too. inverse_mass is 0 for a body that cannot move.
 #include <algorithm>
 #include <cmath>
 

@@ -29,13 +29,14 @@ std::vector<double> masses(int boxes, double of_ground) {
 
 void grade(Grade& grade, Answer answer) {
   // A stack: n on the diagonal, and 2 (n - 1) beside it.
-  grade.number({.what = "3 boxes on each other, a row each",
-                .value = 7,
-                .tolerance = 0,
-                .misconceptions = {{4, "The diagonal counts too: a row shares its bodies with itself."},
-                                   {9, "Rows 1 and 3 share no body."},
-                                   {5, "A has two halves: A_ij and A_ji."}}},
-               answer(stack_rows(3, 1), masses(3, 0)));
+  grade.number(
+      {.what = "3 boxes on each other, a row each",
+       .value = 7,
+       .tolerance = 0,
+       .misconceptions = {{4, "The diagonal counts too: a row shares its bodies with itself."},
+                          {9, "Rows 1 and 3 share no body; and a pair with two in common is one pair."},
+                          {5, "A has two halves: A_ij and A_ji."}}},
+      answer(stack_rows(3, 1), masses(3, 0)));
   // Four times as many with two rows a contact: each entry becomes a block of 2 x 2.
   grade.number({.what = "3 boxes on each other, two rows each", .value = 28, .tolerance = 0},
                answer(stack_rows(3, 2), masses(3, 0)));
@@ -48,7 +49,8 @@ void grade(Grade& grade, Answer answer) {
   grade.number({.what = "5 boxes on a tray that can move",
                 .value = 25,
                 .tolerance = 0,
-                .misconceptions = {{5, "The tray can move: what pushes one box is felt by all rows."}}},
+                .misconceptions = {{5, "The tray can move: what pushes one box is felt by all rows."},
+                                   {30, "A row has two bodies in common with itself, and is one entry."}}},
                answer(side_by_side(5), masses(5, 1)));
 }
 

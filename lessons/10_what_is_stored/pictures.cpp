@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "render/draw.hpp"
@@ -95,20 +97,32 @@ void draw_row(Page& page, const StoredRun& run, int active) {
   draw_matrix(page, halves[1], view);
 }
 
-/// 1 where A is not zero, -1 where (30) counts and A is zero.
-render::MatrixView pattern_view(const StoredRun& run, std::size_t which) {
+/// Dark: in A. Grey, as all that does nothing: zero in A, and counted by (30).
+render::Color colour_of(const render::Theme& theme, Entry entry) {
+  return entry == Entry::printed_only ? theme.inactive : theme.outline;
+}
+
+/// The pattern of a pyramid's A as large as `rect` allows; what lies together in a row is drawn in one piece,
+/// on whole pixels, or seams would show.
+void draw_entries(Page& page, const Rect& rect, const StoredRun& run, std::size_t which) {
   const std::vector<std::vector<Entry>> entries = pattern(run.problems[which]);
-  const auto m = static_cast<Eigen::Index>(entries.size());
-  render::MatrixView view;
-  view.values = Eigen::MatrixXd::Zero(m, m);
-  for (Eigen::Index i = 0; i < m; ++i) {
-    for (Eigen::Index j = 0; j < m; ++j) {
-      const Entry entry = entries[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-      if (entry == Entry::printed_only) view.values(i, j) = -1;
-      if (entry == Entry::true_entry || entry == Entry::missed) view.values(i, j) = 1;
+  const std::size_t m = entries.size();
+  const double side = std::min(rect.width, rect.height);
+  const double left = std::round(rect.x), top = std::round(rect.y);
+  const auto edge = [&](std::size_t k) {
+    return std::round(side * static_cast<double>(k) / static_cast<double>(m));
+  };
+  for (std::size_t i = 0; i < m; ++i) {
+    const double height = std::max(1.0, edge(i + 1) - edge(i));
+    for (std::size_t first = 0, end = 0; first < m; first = end) {
+      while (end < m && entries[i][end] == entries[i][first]) ++end;
+      if (entries[i][first] == Entry::zero) continue;
+      page.canvas().rect({left + edge(first), top + edge(i), edge(end) - edge(first), height},
+                         {.fill = colour_of(page.theme(), entries[i][first])});
     }
   }
-  return view;
+  page.canvas().rect({left, top, edge(m), edge(m)},
+                     {.outline = page.theme().outline, .outline_width = page.sizes().outline});
 }
 
 /// What the two colours of a pattern say.
@@ -117,8 +131,9 @@ void draw_colours(Page& page, const Rect& rect) {
   const double side = page.label().size;
   double y = inside.y + 4;
   const std::vector<std::pair<render::Color, const char*>> meanings = {
-      {page.theme().positive, "in A"},
-      {page.theme().negative, page.compact() ? "(30) only" : "counted by (30), 0 in A"}};
+      {colour_of(page.theme(), Entry::true_entry), "in A"},
+      {colour_of(page.theme(), Entry::printed_only),
+       page.compact() ? "(30) only" : "counted by (30), 0 in A"}};
   for (const auto& meaning : meanings) {
     page.canvas().rect({inside.x, y, side, side}, {.fill = meaning.first});
     page.canvas().text({inside.x + side + 8, y + 0.85 * side}, meaning.second, page.label());
@@ -128,7 +143,7 @@ void draw_colours(Page& page, const Rect& rect) {
 
 void draw_pattern(Page& page, const StoredRun& run) {
   const std::vector<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
-  draw_matrix(page, parts[0], pattern_view(run, middle));
+  draw_entries(page, parts[0], run, middle);
   const std::vector<double> weights =
       page.compact() ? std::vector<double>{0.24, 0.42, 0.34} : std::vector<double>{0.16, 0.36, 0.48};
   const std::vector<Rect> right = rows(parts[1], weights, page.sizes().gap);
@@ -141,25 +156,24 @@ void draw_pattern(Page& page, const StoredRun& run) {
                 {"SI", fmt::format("{:.0f}", count.rows)}};
   page.table(right[1], "", table);
   page.note(right[2], "",
-            page.compact() ? "Blue: boxes that share only the ground."
-                           : "Blue: the lowest boxes have only the ground in common. It cannot be moved, so "
+            page.compact() ? "Grey: boxes that share only the ground."
+                           : "Grey: the lowest boxes have only the ground in common. It cannot be moved, so "
                              "nothing that one does reaches the other. (30) has no M^{−1} and counts them.");
 }
 
 void draw_two_patterns(Page& page, const StoredRun& run) {
   const std::vector<Rect> panels = columns(page.area(), {0.37, 0.37, 0.26}, page.sizes().gap);
   for (const std::size_t which : {smallest, smallest + 1}) {
-    render::MatrixView view = pattern_view(run, which);
-    view.title =
-        fmt::format("base {}: {} × {}", run.pyramids[which].base, view.values.rows(), view.values.cols());
     const std::vector<Rect> parts = rows(panels[which], {0.76, 0.24}, page.sizes().gap);
-    draw_matrix(page, parts[0], view);
+    const Rect inside = page.panel(parts[0], fmt::format("base {}: {:g} × {:g}", run.pyramids[which].base,
+                                                         run.pyramids[which].rows, run.pyramids[which].rows));
+    draw_entries(page, inside, run, which);
     draw_pyramid(page, parts[1], run, which);
   }
   page.note(panels[2], "",
             page.compact()
-                ? "Orange: not 0. Blue: 0, but counted by (30)."
-                : "Orange: rows that share a box, not 0. Blue: rows that share only the ground, 0 in "
+                ? "Dark: not 0. Grey: 0, but counted by (30)."
+                : "Dark: rows that share a box, not 0. Grey: rows that share only the ground, 0 in "
                   "A, but counted by (30). The larger the pyramid, the emptier is A.");
 }
 

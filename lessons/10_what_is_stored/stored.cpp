@@ -1,4 +1,4 @@
-// The scenes, the counts, and what four solvers say that they keep.
+// The scenes, the three pairs, and counts by formula.
 #include "stored.hpp"
 
 #include <fmt/format.h>
@@ -11,32 +11,6 @@
 namespace cairn::stored {
 
 namespace {
-
-Count count_of(const VelocityProblem<double>& problem) {
-  const double m = problem.row_count();
-  return {.bodies = problem.body_count() - 1,
-          .rows = m,
-          .dense = m * m,
-          .printed = static_cast<double>(non_zeros_as_printed(problem)),
-          .non_zeros = static_cast<double>(non_zeros(problem)),
-          .pairs = static_cast<double>(coupled_pairs(problem))};
-}
-
-Snapshot with_contacts(const Scene& scene) {
-  World world(scene);
-  SequentialImpulse solver({.iterations = 1});
-  world.step(solver);
-  Snapshot result = snapshot(World(scene));
-  result.contacts = snapshot(world).contacts;
-  return result;
-}
-
-template <typename Solver>
-Kept kept_by(Solver solver, const VelocityProblem<double>& problem) {
-  VelocityProblem<double> copy = problem;
-  solver.solve(copy);
-  return {.name = solver.name(), .bytes = static_cast<double>(solver.memory()), .impulse = copy.impulse};
-}
 
 /// A body for a case: a beam about `x`, with any mass and inertia.
 struct CaseBody {
@@ -90,18 +64,6 @@ PairCase pair_case(const std::string& title, const std::vector<CaseBody>& bodies
   return result;
 }
 
-/// J_1 . J_2 has a share 1 + r_1 r_2 of the body, with arms from its centre, and a share 1 + x_1 x_2 of the
-/// ground, with places from its origin: below the centre in the first two cases, so that both say the same.
-std::vector<PairCase> pair_cases() {
-  const CaseBody heavy{.x = 0, .width = 4.4, .mass = 6, .inertia = 1};   // r_1 r_2 = -1
-  const CaseBody struck{.x = 0, .width = 1.2, .mass = 6, .inertia = 1};  // r_1 r_2 = -I / m
-  const CaseBody left{.x = -1, .width = 1, .mass = 1, .inertia = 1.0 / 6};
-  const CaseBody right{.x = 1.5, .width = 1, .mass = 1, .inertia = 1.0 / 6};
-  return {pair_case("counted as 0, and is not", {heavy}, {{1, 0.5}, {1, -2}}),
-          pair_case("counted, and is 0", {struck}, {{1, 0.5}, {1, -1.0 / 3}}),
-          pair_case("counted for the ground", {left, right}, {{1, -1}, {2, 1.5}})};
-}
-
 }  // namespace
 
 Scene pyramid_scene(int base, double spacing) {
@@ -130,31 +92,25 @@ Scene tray_scene(int boxes) {
   return scene;
 }
 
-StoredRun run_stored(const StoredSettings& settings) {
-  StoredRun run{.settings = settings};
-  for (const int base : {3, 5, 10, settings.base}) {
-    const Scene scene = pyramid_scene(base, settings.spacing);
-    run.problems.push_back(World(scene).velocity_problem());
-    Count count = count_of(run.problems.back());
-    count.name = fmt::format("base {}", base);
-    count.base = base;
-    run.pyramids.push_back(count);
-    run.snapshots.push_back(with_contacts(scene));
-  }
-  const VelocityProblem<double>& largest = run.problems.back();
-  const SolverSettings sweeps{.iterations = settings.sweeps};
-  run.kept = {kept_by(SequentialImpulse<double>(sweeps), largest),
-              kept_by(FactoredProjectedGaussSeidel<double>(sweeps), largest),
-              kept_by(SparseProjectedGaussSeidel<double>(sweeps), largest),
-              kept_by(ProjectedGaussSeidel<double>(sweeps), largest)};
-  // As many rows as the pyramid of base 10, but for the two below the tray.
-  constexpr int on_tray = 99;
-  run.tray_problem = World(tray_scene(on_tray)).velocity_problem();
-  run.tray = count_of(run.tray_problem);
-  run.tray.name = "tray";
-  run.tray_snapshot = with_contacts(tray_scene(9));
-  run.cases = pair_cases();
-  return run;
+Snapshot with_contacts(const Scene& scene) {
+  World world(scene);
+  SequentialImpulse solver({.iterations = 1});
+  world.step(solver);
+  Snapshot result = snapshot(World(scene));
+  result.contacts = snapshot(world).contacts;
+  return result;
+}
+
+/// J_1 . J_2 has a share 1 + r_1 r_2 of the body, with arms from its centre, and a share 1 + x_1 x_2 of the
+/// ground, with places from its origin: below the centre in the first two cases, so that both say the same.
+std::vector<PairCase> pair_cases() {
+  const CaseBody heavy{.x = 0, .width = 4.4, .mass = 6, .inertia = 1};   // r_1 r_2 = -1
+  const CaseBody struck{.x = 0, .width = 1.2, .mass = 6, .inertia = 1};  // r_1 r_2 = -I / m
+  const CaseBody left{.x = -1, .width = 1, .mass = 1, .inertia = 1.0 / 6};
+  const CaseBody right{.x = 1.5, .width = 1, .mass = 1, .inertia = 1.0 / 6};
+  return {pair_case("counted as 0, and is not", {heavy}, {{1, 0.5}, {1, -2}}),
+          pair_case("counted, and is 0", {struck}, {{1, 0.5}, {1, -1.0 / 3}}),
+          pair_case("counted for the ground", {left, right}, {{1, -1}, {2, 1.5}})};
 }
 
 Work work_of(const Count& count) {

@@ -58,17 +58,21 @@ struct StoredRun {
   std::vector<Snapshot> snapshots = {};
   std::vector<Kept> kept = {};  // for the largest: SI, factored, sparse and dense PGS
   Count tray = {};              // boxes that all stand on one body
-  VelocityProblem<double> tray_problem = {};
   Snapshot tray_snapshot = {};
   std::vector<PairCase> cases = {};
 };
-
-StoredRun run_stored(const StoredSettings& settings);
 
 /// A pyramid without friction, gravity just applied.
 Scene pyramid_scene(int base, double spacing);
 /// `boxes` of them on one tray that can move.
 Scene tray_scene(int boxes);
+
+/// As many rows as the pyramid of base 10 has, but for the two below the tray.
+inline constexpr int boxes_on_tray = 99;
+/// How a scene begins, with the contacts that it has after a step.
+Snapshot with_contacts(const Scene& scene);
+/// Three pairs: (30) misses an entry; counts one that is zero; counts the ground.
+std::vector<PairCase> pair_cases();
 
 /// By counting boxes: two rows for each overlap, 4 of them on the sides of most boxes.
 double rows_by_formula(int base);

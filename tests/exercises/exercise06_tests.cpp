@@ -67,6 +67,14 @@ void one_mass(Contact& contact, std::vector<Box>& boxes) {
   give(p, correction);
 }
 
+void multiplied(Contact& contact, std::vector<Box>& boxes) {
+  const Pair p = pair_of(contact, boxes);
+  const double inverse = p.below.inverse_mass + p.above.inverse_mass;
+  const double correction = correction_of(p) * inverse * inverse;
+  contact.impulse += correction;
+  give(p, correction);
+}
+
 void wrong_sign(Contact& contact, std::vector<Box>& boxes) {
   const double correction = -correction_of(pair_of(contact, boxes));
   contact.impulse += correction;
@@ -83,6 +91,7 @@ TEST_CASE("exercise 06 tells what was clamped, forgotten, replaced or given to o
   CHECK(testing::tells<grade>(nothing_applied, "apply the impulse at once"));
   CHECK(testing::tells<grade>(only_above, "Action and reaction"));
   CHECK(testing::tells<grade>(one_mass, "the effective mass has both"));
+  CHECK(testing::tells<grade>(multiplied, "divide by"));
   CHECK(testing::tells<grade>(wrong_sign, "The sign"));
 }
 

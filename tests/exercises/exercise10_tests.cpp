@@ -23,6 +23,19 @@ int with_ground(const Rows& rows, const Numbers&) {
 
 int all_pairs(const Rows& rows, const Numbers&) { return static_cast<int>(rows.size() * rows.size()); }
 
+int once_for_each_body(const Rows& rows, const Numbers& inverse) {
+  int count = 0;
+  for (const RowBodies& i : rows) {
+    for (const RowBodies& j : rows) {
+      for (const int body : {i.a, i.b}) {
+        const bool moves = inverse[static_cast<std::size_t>(body)] > 0;
+        count += moves && (body == j.a || body == j.b) ? 1 : 0;
+      }
+    }
+  }
+  return count;
+}
+
 int without_diagonal(const Rows& rows, const Numbers& inverse) {
   return entries(rows, inverse) - static_cast<int>(rows.size());
 }
@@ -40,9 +53,11 @@ int ground_for_ever(const Rows& rows, const Numbers& inverse) {
 }  // namespace
 
 TEST_CASE(
-    "exercise 10 tells the ground, all pairs, a missing diagonal, one half and a tray taken for the ground") {
+    "exercise 10 tells the ground, all pairs, pairs counted twice, a missing diagonal, one half and a tray "
+    "taken for the ground") {
   CHECK(testing::tells<grade>(with_ground, "share the ground only"));
   CHECK(testing::tells<grade>(all_pairs, "share no body"));
+  CHECK(testing::tells<grade>(once_for_each_body, "is one entry"));
   CHECK(testing::tells<grade>(without_diagonal, "The diagonal counts"));
   CHECK(testing::tells<grade>(one_half, "two halves"));
   CHECK(testing::tells<grade>(ground_for_ever, "The tray can move"));

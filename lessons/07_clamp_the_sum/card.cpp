@@ -1,0 +1,35 @@
+// What lesson 07 is: its title, its equations, its question, its parameters.
+#include "report.hpp"
+
+namespace cairn::feet {
+
+LessonInfo card() {
+  return {
+      .number = 7,
+      .name = "clamp_the_sum",
+      .title = "Clamp the sum",
+      .idea =
+          "A contact must not pull, so its λ must not be negative. Its total λ, that is. A single push may "
+          "be: a contact takes back what was too much. Who clamps each push forbids that.",
+      .paper = "paper 3.2, second paragraph, and Algorithm 1",
+      .equations =
+          {"(22)  p_corr = (ζ − j·v) / (j M⁻¹ jᵀ)          what this visit asks for [N s]; here ζ = 0",
+           "3.2   p ← max(0, p + p_corr)                  right: what has been given in total",
+           "      p ← p + max(0, p_corr)                  wrong: what is given now"},
+      .needs = {"lesson 06"},
+      .reads = {"src/solvers/sequential_impulse.cpp", "src/solvers/sequential_impulse.hpp"},
+      .question =
+          "A box of 6 kg lands at 10 m/s on two feet, 0.25 m left and right of its middle. The left foot "
+          "stops itself with 43.64 N s, then the right one itself with 23.80 N s. That turns the box, and "
+          "the left foot rises at 2.48 m/s. How much does it give on its second visit, in N s?",
+      .hints = {"Was the first push of the left foot too small, right, or too large?",
+                "p_corr = −j·v / A₁₁, and nothing in it asks for a sign.",
+                "A₁₁ = 1/6 + 0.25² = 11/48 per kg; p_corr = −2.48 × 48/11."},
+      .parameters = {{"foot", 0.25, 0.05, 0.5, "m", "from the middle of the box to each foot"},
+                     {"speed", 10, 0.5, 50, "m/s", "how fast it lands"},
+                     {"sweeps", 10, 2, 100, "", "sweeps", Parameter::Kind::whole}},
+      .cover = 4,
+      .next = "lesson08_same_thing_twice   (the same pushes, out of a large matrix)"};
+}
+
+}  // namespace cairn::feet

@@ -1,0 +1,95 @@
+// Prints one sweep row by row and the differences in three precisions, and checks them.
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn::twice {
+
+namespace {
+
+void check_precision(Lesson& lesson, const PrecisionRun& precision) {
+  // The worst of all sweeps, each measured by its own bound: at most 1.
+  double worst = 0;
+  for (std::size_t k = 1; k < precision.difference.size(); ++k) {
+    worst = std::max(
+        worst, precision.difference[k] / precision.scale / rounding_bound(precision, static_cast<int>(k)));
+  }
+  lesson.check_small(fmt::format("{}: PGS = SI after every sweep, in units of 64 ε (1 + k)", precision.name),
+                     worst, 1);
+}
+
+}  // namespace
+
+void tell_scene(Lesson& lesson, const TwiceSettings& settings) {
+  lesson.print(fmt::format(
+      "Scene: {} bodies with random masses and velocities, {} random rows between them, every second "
+      "one-sided; Δt = {:g} s, {} sweeps, seed {}",
+      settings.bodies, settings.rows, settings.dt, settings.sweeps, settings.seed));
+}
+
+void tell_first_sweep(Lesson& lesson, const TwiceRun& run) {
+  lesson.print();
+  lesson.print("Sweep 1, before clamping (N):");
+  lesson.print(" row      η_i       j·v         (27) SI       (28) PGS           (29)   (27)-(28)   clamped");
+  for (const RowStep& step : run.steps) {
+    lesson.print(fmt::format("{:>4} {:>8.3f} {:>9.4f} {:>15.8f} {:>14.8f} {:>14.8f} {:>11.1e} {:>9.3f}",
+                             step.row + 1, step.eta, step.row_velocity, step.by_27, step.by_28, step.by_29,
+                             step.by_27 - step.by_28, step.si));
+  }
+  lesson.print();
+}
+
+void tell_precisions(Lesson& lesson, const TwiceRun& run) {
+  lesson.print(fmt::format("max |λ_PGS − λ_SI| after {} sweeps, {} of {} rows at their bound:",
+                           run.settings.sweeps, run.at_bound, run.problem.row_count()));
+  for (const PrecisionRun& precision : run.precisions) {
+    const double worst = *std::max_element(precision.difference.begin(), precision.difference.end());
+    lesson.print(fmt::format("  {:<12} {:>9.1e} N of {:.1f} N: {:.1e}, where ε is {:.1e}", precision.name,
+                             worst, precision.scale, worst / precision.scale, precision.epsilon));
+  }
+  lesson.print("Erratum: in (28) of the paper read i for l, and m for n; both sums use the newest η.");
+  lesson.print();
+}
+
+void check_claims(Lesson& lesson, const TwiceRun& run) {
+  double by_row = 0;
+  double scale = 0;
+  for (const RowStep& step : run.steps) {
+    scale = std::max({scale, std::abs(step.by_27), std::abs(step.by_28)});
+    by_row = std::max({by_row, std::abs(step.by_27 - step.by_28), std::abs(step.by_27 - step.by_29)});
+  }
+  // One sweep: see rounding_bound().
+  lesson.check_small("(27) = (29) = (28) for every row of sweep 1 (N)", by_row, 128 * 2.3e-16 * scale);
+  double to_library = 0;
+  for (const RowStep& step : run.steps) {
+    const auto i = static_cast<std::size_t>(step.row);
+    to_library = std::max({to_library, std::abs(step.pgs - run.pgs[1][i]), std::abs(step.si - run.si[1][i])});
+  }
+  lesson.check_small("and the library's two solvers, after one sweep (N)", to_library, 128 * 2.3e-16 * scale);
+  for (const PrecisionRun& precision : run.precisions) check_precision(lesson, precision);
+  check_precision(lesson, run.warm);
+  // Every update rounds two bodies' velocities, which are of the size of M^-1 J^T lambda dt: at most 10 a
+  // row.
+  const double updates = static_cast<double>(run.settings.sweeps) * run.problem.row_count();
+  const double velocity_scale = 10 * run.precisions[1].scale * run.settings.dt + 2;
+  lesson.check_small("(26) after every row update of SI (m/s)", run.identity_error,
+                     2.3e-16 * updates * velocity_scale);
+  lesson.check_that("some one-sided rows end at their bound", run.at_bound > 0,
+                    fmt::format("{} of {}", run.at_bound, run.problem.row_count() / 2));
+}
+
+CsvTable table_of(const TwiceRun& run) {
+  CsvTable table{.header = {"precision", "sweep", "largest_difference_newton", "largest_lambda_newton"}};
+  for (const PrecisionRun& precision : run.precisions) {
+    for (std::size_t k = 0; k < precision.difference.size(); ++k) {
+      table.rows.push_back(
+          {precision.name, static_cast<long long>(k), precision.difference[k], precision.scale});
+    }
+  }
+  return table;
+}
+
+}  // namespace cairn::twice

@@ -1,0 +1,170 @@
+// Prints the counts, what solvers keep and the three pairs, and checks them by formulas.
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solvers/body_rows.hpp"
+
+namespace cairn::stored {
+
+namespace {
+
+const double epsilon = std::numeric_limits<double>::epsilon();
+
+/// The full A of base 10; that of the largest would take as long as all the rest.
+void check_entries(Lesson& lesson, const StoredRun& run) {
+  const VelocityProblem<double>& problem = run.problems[2];
+  const Eigen::MatrixXd A = system_matrices(problem).A;
+  double gap = 0;
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    for (Eigen::Index j = 0; j < A.cols(); ++j) {
+      const double entry = coupling(problem, problem.rows[static_cast<std::size_t>(i)],
+                                    problem.rows[static_cast<std::size_t>(j)], problem.inverse_mass);
+      gap = std::max(gap, std::abs(A(i, j) - entry));
+    }
+  }
+  // A sum of six products, in another order.
+  lesson.check_small("base 10: J M⁻¹ Jᵀ multiplied out, and pair by pair (1/kg)", gap,
+                     8 * epsilon * A.cwiseAbs().maxCoeff());
+  // Where terms cancel, rounding may leave something: then the full A has fewer.
+  const double entries = count_entries(A);
+  lesson.check_that("and it has no entry that was not counted", entries <= run.pyramids[2].non_zeros,
+                    fmt::format("{:.0f} of {:.0f}", entries, run.pyramids[2].non_zeros));
+}
+
+void check_counts(Lesson& lesson, const StoredRun& run) {
+  double rows_off = 0;
+  double pairs_off = 0;
+  double linear = 0;
+  double beyond = 0;
+  for (const Count& count : run.pyramids) {
+    rows_off = std::max(rows_off, std::abs(count.rows - rows_by_formula(count.base)));
+    pairs_off = std::max(pairs_off, std::abs(count.pairs - pairs_by_formula(count.base)));
+    linear = std::max(linear, count.pairs / count.rows);
+    const double ground_only = 4.0 * count.base * count.base - 4.0 * count.base;
+    beyond = std::max(beyond, count.printed - count.pairs - ground_only);
+  }
+  lesson.check_equal("m: 2 rows for a box on the ground, 4 for one on two others", rows_off, 0, 0);
+  lesson.check_equal("rows that share a body: Σ (rows on it)², less what two bodies count", pairs_off, 0, 0);
+  // A box has at most 8 rows; a row between two of them meets 8 + 8, itself and its twin counted twice.
+  lesson.check_that("sparse A grows like m: entries for each row, at most 14", linear <= 14,
+                    fmt::format("{:.2f}", linear));
+  lesson.check_that("(30) as printed: beyond these only rows that share the ground", beyond <= 0,
+                    fmt::format("{:.0f} − {:.0f}", run.pyramids[2].printed, run.pyramids[2].non_zeros));
+  double library = 0;
+  for (std::size_t i = 0; i < run.problems.size(); ++i) {
+    const VelocityProblem<double>& problem = run.problems[i];
+    const Count& count = run.pyramids[i];
+    library = std::max({library, std::abs(static_cast<double>(non_zeros(problem)) - count.non_zeros),
+                        std::abs(static_cast<double>(non_zeros_as_printed(problem)) - count.printed),
+                        std::abs(static_cast<double>(coupled_pairs(problem)) - count.pairs)});
+  }
+  lesson.check_equal("the library's counts, which go from body to body: the same", library, 0, 0);
+  check_entries(lesson, run);
+  lesson.check_equal("the tray: all pairs of rows share a body", run.tray.pairs, run.tray.dense, 0);
+}
+
+void check_cases(Lesson& lesson, const StoredRun& run) {
+  // Products of numbers of the size of 1; 1/3 and 1/6 are rounded.
+  const double rounding = 4 * epsilon;
+  const std::vector<double> printed = {0, 5.0 / 3, -0.5};
+  const std::vector<double> coupling = {-5.0 / 6, 0, 0};
+  double off = 0;
+  for (std::size_t i = 0; i < run.cases.size(); ++i) {
+    off = std::max(off, std::abs(run.cases[i].printed - printed[i]));
+    off = std::max(off, std::abs(run.cases[i].coupling - coupling[i]));
+  }
+  lesson.check_small("three pairs: J_1·J_2 = 0, 5/3, −1/2 and A_12 = −5/6, 0, 0", off, rounding);
+}
+
+void check_solvers(Lesson& lesson, const StoredRun& run) {
+  const Count& tallest = run.pyramids.back();
+  lesson.check_equal("SI keeps one number a row (bytes)", run.kept[0].bytes, 8 * tallest.rows, 0);
+  lesson.check_that("sparse PGS: 12 bytes for each pair, and more; PGS: 8 m², and more",
+                    run.kept[2].bytes >= 12 * tallest.pairs && run.kept[3].bytes >= 8 * tallest.dense,
+                    bytes_text(run.kept[2].bytes) + " and " + bytes_text(run.kept[3].bytes));
+  double gap = 0;
+  double scale = 0;
+  for (const Kept& kept : run.kept) {
+    for (std::size_t i = 0; i < kept.impulse.size(); ++i) {
+      scale = std::max(scale, std::abs(kept.impulse[i]));
+      gap = std::max(gap, std::abs(kept.impulse[i] - run.kept[0].impulse[i]));
+    }
+  }
+  // As in lesson 08: 64 roundings of the largest number for each sweep are more than sums of 14 terms make.
+  lesson.check_small(fmt::format("all four: the same impulses after {} sweeps (N s)", run.settings.sweeps),
+                     gap, 64 * epsilon * (1 + run.settings.sweeps) * scale);
+}
+
+}  // namespace
+
+void tell_scene(Lesson& lesson, const StoredRun& run) {
+  lesson.print(
+      fmt::format("Scene: pyramids of unit boxes of 1 kg, {:.4g} m apart in a row, without friction; base 3, "
+                  "5, 10 and {}",
+                  run.settings.spacing, run.settings.base));
+}
+
+void tell_counts(Lesson& lesson, const StoredRun& run) {
+  lesson.print();
+  lesson.print(
+      "numbers       bodies    rows m     full m²   (30) printed   not zero   share a body       SI m");
+  std::vector<Count> counts = run.pyramids;
+  counts.push_back(run.tray);
+  for (const Count& count : counts) {
+    lesson.print(fmt::format("{:<12} {:>7} {:>9.0f} {:>11.0f} {:>14.0f} {:>10.0f} {:>14.0f} {:>10.0f}",
+                             count.name, count.bodies, count.rows, count.dense, count.printed,
+                             count.non_zeros, count.pairs, count.rows));
+  }
+  lesson.print("tray: 99 boxes that stand on one body. All rows share it, and no entry of A is zero.");
+  lesson.print();
+  lesson.print(
+      "multiply-adds of a sweep   naive 6 m²     full A m²      sparse A     SI 12 m    sparse / SI");
+  for (const Count& count : counts) {
+    const Work work = work_of(count);
+    lesson.print(fmt::format("{:<24} {:>12.0f} {:>13.0f} {:>13.0f} {:>11.0f} {:>13.2f}", count.name,
+                             work.naive, work.dense, work.sparse, work.si, work.sparse / work.si));
+  }
+  lesson.print();
+}
+
+void tell_kept(Lesson& lesson, const StoredRun& run) {
+  lesson.print(fmt::format("base {}: what each solver keeps beside the rows, which take {} each",
+                           run.settings.base, bytes_text(sizeof(ConstraintRow<double>))));
+  for (const Kept& kept : run.kept) {
+    lesson.print(fmt::format("  {:<14}{:>12}   {:>8.1f} bytes a row", kept.name, bytes_text(kept.bytes),
+                             kept.bytes / run.pyramids.back().rows));
+  }
+  lesson.print();
+}
+
+void tell_cases(Lesson& lesson, const StoredRun& run) {
+  lesson.print("(30) and A, pair by pair             J_1 · J_2    J_1 M⁻¹ J_2ᵀ (1/kg)");
+  for (const PairCase& one : run.cases) {
+    lesson.print(fmt::format("  {:<32}{:>12.4f} {:>14.4f}", one.title, one.printed, one.coupling));
+  }
+  lesson.print();
+}
+
+void check_claims(Lesson& lesson, const StoredRun& run) {
+  check_counts(lesson, run);
+  check_cases(lesson, run);
+  check_solvers(lesson, run);
+}
+
+CsvTable table_of(const StoredRun& run) {
+  CsvTable table{.header = {"scene", "bodies", "rows", "full", "printed", "non_zeros", "pairs"}};
+  std::vector<Count> counts = run.pyramids;
+  counts.push_back(run.tray);
+  for (const Count& count : counts) {
+    table.rows.push_back({count.name, static_cast<long long>(count.bodies), count.rows, count.dense,
+                          count.printed, count.non_zeros, count.pairs});
+  }
+  return table;
+}
+
+}  // namespace cairn::stored
