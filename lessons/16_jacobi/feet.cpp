@@ -1,4 +1,4 @@
-// A box on feet as a problem by hand, and four solves of it.
+// A box on feet as a problem by hand, and what theory says of it.
 #include "feet.hpp"
 
 #include <cmath>
@@ -30,7 +30,7 @@ VelocityProblem<double> feet_problem(int feet) {
   return problem;
 }
 
-Snapshot box_on_feet(int feet) {
+Snapshot picture_of(int feet) {
   Scene scene;
   scene.add_ground();
   scene.add({.shapes = {box(1, 1)}, .position = {0, 0.62}, .mass = box_mass});
@@ -41,29 +41,10 @@ Snapshot box_on_feet(int feet) {
   return snapshot(World(scene));
 }
 
-FeetHistory feet_history(const FeetRun& run, Method method) {
-  VelocityProblem<double> problem = run.problem;
-  const SweepRecorder<double> recorder = solved(method, run.settings.omega, run.settings.sweeps, problem);
-  FeetHistory history{.method = method};
-  for (const SweepRecord& sweep : recorder.sweeps()) {
-    VelocityProblem<double> twin = run.problem;
-    std::vector<double> lambda = sweep.impulse;
-    for (std::size_t i = 0; i < lambda.size(); ++i) {
-      apply_impulse(twin, twin.rows[i], lambda[i]);
-      lambda[i] /= time_step;
-    }
-    history.lambda.push_back(lambda);
-    history.speed.push_back(twin.velocity[1].y());
-    history.spin.push_back(twin.velocity[1].z());
-  }
-  return history;
-}
-
 }  // namespace
 
-SweepRecorder<double> solved(Method method, double omega, int sweeps, VelocityProblem<double>& problem,
-                             SweepRecorder<double>::Detail detail) {
-  SweepRecorder<double> recorder(detail);
+SweepRecorder<double> solved(Method method, double omega, int sweeps, VelocityProblem<double>& problem) {
+  SweepRecorder<double> recorder;
   SolverSettings settings{.iterations = sweeps};
   if (method == Method::sequential) {
     SequentialImpulse<double>(settings).solve(problem, &recorder);
@@ -75,14 +56,13 @@ SweepRecorder<double> solved(Method method, double omega, int sweeps, VelocityPr
   return recorder;
 }
 
-FeetRun run_feet(const FeetSettings& settings) {
+FeetRun box_on_feet(const FeetSettings& settings) {
   FeetRun run{.settings = settings, .problem = feet_problem(settings.feet)};
   for (const ConstraintRow<double>& row : run.problem.rows) {
     run.share.push_back(1 / (box_mass * inverse_effective_mass(run.problem, row)));
   }
   run.answer = together(run.share);
-  for (const Method method : all_methods) run.histories.push_back(feet_history(run, method));
-  run.snapshot = box_on_feet(settings.feet);
+  run.snapshot = picture_of(settings.feet);
   return run;
 }
 

@@ -17,9 +17,8 @@ inline constexpr double outermost = 0.25;  // [m] from the middle to the last fo
 enum class Method { plain, damped, split, sequential };
 inline constexpr Method all_methods[] = {Method::plain, Method::damped, Method::split, Method::sequential};
 
-/// Solves with one of them and returns what the recorder saw. Omega is for Method::damped.
-SweepRecorder<double> solved(Method method, double omega, int sweeps, VelocityProblem<double>& problem,
-                             SweepRecorder<double>::Detail detail = SweepRecorder<double>::Detail::sweeps);
+/// Solves with the library's and returns what the recorder saw. Omega is for Method::damped.
+SweepRecorder<double> solved(Method method, double omega, int sweeps, VelocityProblem<double>& problem);
 
 struct FeetSettings {
   int feet = 3;
@@ -32,7 +31,6 @@ struct FeetHistory {
   Method method = Method::plain;
   std::vector<std::vector<double>> lambda = {};  // [N] of each foot
   std::vector<double> speed = {};                // [m/s] of the box, upwards
-  std::vector<double> spin = {};                 // [rad/s]
 };
 
 struct FeetRun {
@@ -44,7 +42,8 @@ struct FeetRun {
   Snapshot snapshot = {};                   // the box on its feet
 };
 
-FeetRun run_feet(const FeetSettings& settings);
+/// All but the histories.
+FeetRun box_on_feet(const FeetSettings& settings);
 
 const FeetHistory& history_of(const FeetRun& run, Method method);
 double together(const std::vector<double>& lambda);

@@ -53,22 +53,25 @@ void grade(Grade& grade, Answer answer) {
                answer(1));
   for (const int feet : {2, 3, 5, 9}) {
     const double got = pushes(feet, answer(feet)).back();
-    grade.number({.what = std::to_string(feet) + " feet, after 400 sweeps: sum of impulses (N s)",
-                  .value = whole_push,
-                  .tolerance = settled,
-                  .misconceptions = {{pushes(feet, 1).back(),
-                                      "All feet correct the whole error: together that is far too much."},
-                                     {pushes(feet, 0.5).back(),
-                                      "Half of the error each is still too much for so many feet."},
-                                     {pushes(feet, 0.001).back(), "Far too careful: it takes for ever."}}},
-                 got);
+    grade.number(
+        {.what = std::to_string(feet) + " feet, after 400 sweeps: sum of impulses (N s)",
+         .value = whole_push,
+         .tolerance = settled,
+         .misconceptions =
+             {{pushes(feet, 1).back(),
+               "Together the feet take back more than twice what is wrong: that is far too much."},
+              {pushes(feet, 0.5).back(), "Half of the error each is still too much for so many feet."},
+              {pushes(feet, 0.001).back(), "Far too careful: it takes for ever."}}},
+        got);
   }
   const int needed = sweeps_to_settle(pushes(9, answer(9))), usual = sweeps_to_settle(pushes(9, 1.0 / 9));
+  const double pace = needed == most_sweeps ? -1 : needed <= 2 * usual ? 1 : 0;
   grade.number({.what = "nine feet: 1 if it takes at most twice the sweeps of 1 over the number of rows",
                 .value = 1,
                 .tolerance = 0,
-                .misconceptions = {{0, "It settles, but a larger omega would do."}}},
-               needed <= 2 * usual ? 1 : 0);
+                .misconceptions = {{0, "It settles, but a larger omega would do."},
+                                   {-1, "It does not settle, or far too slowly."}}},
+               pace);
 }
 
 Exercise exercise() {

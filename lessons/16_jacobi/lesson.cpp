@@ -1,202 +1,89 @@
-// Lesson 16. Jacobi: everybody at once, which is parallel, fair, and dangerous.
+// Lesson 16. Jacobi: everybody at once.
+// Gauss-Seidel goes from row to row, and each row sees what the one before has done. Here all rows look at
+// the same velocities, and only then do all of them act: nobody waits, and nobody comes first. But rows that
+// share a body correct the same error several times over. A box on three feet is thrown up, let go, and
+// thrown up again, for ever, unless each row gives less: ω of it (damped), or what its share of the body's
+// mass asks for (split).
 #include "lessons/lesson.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "feet.hpp"
+#include "colours.hpp"
 #include "pictures.hpp"
-#include "pile.hpp"
+#include "report.hpp"
 
 namespace {
 
 using namespace cairn;
 using namespace cairn::everybody;
 
-const double epsilon = std::numeric_limits<double>::epsilon();
-
-LessonInfo info() {
-  return {
-      .number = 16,
-      .name = "jacobi",
-      .title = "Everybody at once",
-      .idea =
-          "Rows that wait for nobody can all be computed at the same time, and their order means nothing. "
-          "But "
-          "rows that share a body then correct the same error several times over.",
-      .paper = "paper 4.4",
-      .equations = {"(22)  λᵢ ← λᵢ + ω (ζᵢ − jᵢ·v) / (Dᵢᵢ Δt)    for all rows i, with the same v; then clamp",
-                    "(21)  v ← v + M⁻¹ Jᵀ Δλ Δt                 all of it acts, once",
-                    "      ω · largest eigenvalue of D⁻¹ A < 2  or it need not converge",
-                    "      plain: Dᵢᵢ = Aᵢᵢ, ω = 1; damped: ω < 1; split: each body's part of Aᵢᵢ times its "
-                    "number of rows"},
-      .needs = {"lesson 06", "lesson 11"},
-      .reads = {"src/solvers/jacobi.hpp", "src/solvers/jacobi.cpp", "src/solvers/row_order.hpp"},
-      .question =
-          "A box that weighs 60 N stands on three feet (--feet). Each pushes as if it were alone, and all do "
-          "so "
-          "at "
-          "once. How much do they push together in the first sweep, in newtons?",
-      .hints = {"The foot in the middle, alone, has to carry everything.",
-                "A foot at the side also turns the box: it stops its own corner with less, 1 / A_ii.",
-                "A_ii = 1/6 + r²/1, for three feet with r = −0.25, 0, 0.25 m; each gives 10 / A_ii newtons."},
-      .parameters = {{"feet", 3, 2, 8, "", "feet under the box", Parameter::Kind::whole},
-                     {"omega", 0.3, 0.1, 1, "", "what the damped form gives of each correction"},
-                     {"base", 4, 2, 6, "", "boxes in the pyramid's lowest row", Parameter::Kind::whole}},
-      .cover = -2,
-      .next = "lesson17_tower   (the solvers beside a third one, by somebody else)"};
+/// ω / D_ii: what row i gives of its error ζ − j·v. The ground cannot be moved, so that D_ii is the box's
+/// part alone.
+std::vector<double> shares_of_error(const VelocityProblem<double>& problem, Method method, double omega) {
+  std::vector<double> give;
+  // [shares]
+  for (const ConstraintRow<double>& row : problem.rows) {
+    double divisor = inverse_effective_mass(problem, row);        // A_ii, as in Gauss-Seidel
+    if (method == Method::split) divisor *= problem.row_count();  // the box, in as many parts as it has rows
+    give.push_back((method == Method::damped ? omega : 1) / divisor);
+  }
+  // [/shares]
+  return give;
 }
 
-std::string numbers(const std::vector<double>& values, const char* form) {
-  std::string line;
-  for (const double value : values) line += fmt::format(fmt::runtime(form), value);
-  return line;
+/// One sweep of Jacobi.
+void sweep_at_once(VelocityProblem<double>& problem, const std::vector<double>& give) {
+  // [at_once]
+  std::vector<double> next;
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {  // all look at the same v ...
+    const ConstraintRow<double>& row = problem.rows[i];
+    const double corrective = (row.bias - row_velocity(problem, row)) * give[i];  // (22), times Δt
+    next.push_back(row.bounds.clamp(problem.impulse[i] + corrective, problem.impulse));
+  }
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {                   // ... and all of it acts, once
+    apply_impulse(problem, problem.rows[i], next[i] - problem.impulse[i]);  // (21)
+    problem.impulse[i] = next[i];
+  }
+  // [/at_once]
 }
 
-void print_feet(Lesson& lesson, const FeetRun& run) {
-  lesson.print("Plain Jacobi, λ of each foot from the left (N), and the box's speed:");
-  const FeetHistory& plain = history_of(run, Method::plain);
-  for (std::size_t k = 1; k <= 4; ++k) {
-    lesson.print(fmt::format("  sweep {}  (22) {}   together {:7.2f} N    (21) v = {:+.4f} m/s", k,
-                             numbers(plain.lambda[k], "{:8.2f}"), together(plain.lambda[k]), plain.speed[k]));
+/// One sweep of Gauss-Seidel, SI: the same two lines, in one loop.
+void sweep_in_turn(VelocityProblem<double>& problem, const std::vector<double>& give) {
+  // [in_turn]
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    const ConstraintRow<double>& row = problem.rows[i];
+    const double corrective = (row.bias - row_velocity(problem, row)) * give[i];  // (22), times Δt
+    const double next = row.bounds.clamp(problem.impulse[i] + corrective, problem.impulse);
+    apply_impulse(problem, row, next - problem.impulse[i]);  // (21): the next row sees it
+    problem.impulse[i] = next;
   }
-  lesson.print();
-  lesson.print("v after sweep (m/s)      1         2         3         5        10    taken at once");
-  for (const FeetHistory& history : run.histories) {
-    const std::vector<double>& v = history.speed;
-    const bool in_turn = history.method == Method::sequential;
-    lesson.print(
-        fmt::format("  {:<17} {:+9.4f} {:+9.4f} {:+9.4f} {:+9.4f} {:+9.4f}    {}",
-                    method_name(history.method, run.settings.omega), v[1], v[2], v[3], v[5], v[10],
-                    in_turn ? "in turn" : fmt::format("{:.3f}", taken_at_once(run, history.method))));
-  }
-  lesson.print();
+  // [/in_turn]
 }
 
-void print_pile(Lesson& lesson, const PileRun& run) {
-  lesson.print(fmt::format("Pyramid: {} boxes, {} rows, up to {} on one box, one step from rest, μ = 0.6",
-                           run.problem.body_count() - 1, run.problem.row_count(),
-                           *std::max_element(run.rows_on_box.begin() + 1, run.rows_on_box.end())));
-  lesson.print("method               ω·eigenvalue    R_E after 20     sweeps to 1 %   × waits   = waits");
-  const auto line = [&](const std::string& name, const PileHistory& history) {
-    const bool in_turn = history.method == Method::sequential;
-    const int waits = waits_per_sweep(run, history);
-    const int needed = history.sweeps_needed;
-    lesson.print(fmt::format("  {:<18} {:>13} {:>15.3g} {:>17} {:>9} {:>9}", name,
-                             in_turn ? "" : fmt::format("{:.3f}", history.eigenvalue), history.residual[20],
-                             needed < 0 ? "never" : fmt::format("{}", needed), waits,
-                             needed < 0 ? "" : fmt::format("{}", needed * waits)));
-  };
-  for (const PileHistory& history : run.histories) {
-    line(method_name(history.method, run.settings.omega), history);
+/// The box on its feet, sweep by sweep.
+FeetHistory stand(const FeetRun& run, Method method) {
+  VelocityProblem<double> problem = run.problem;
+  const std::vector<double> give = shares_of_error(problem, method, run.settings.omega);
+  FeetHistory history{.method = method};
+  for (int k = 0; k <= run.settings.sweeps; ++k) {
+    if (k > 0 && method == Method::sequential) sweep_in_turn(problem, give);
+    if (k > 0 && method != Method::sequential) sweep_at_once(problem, give);
+    history.speed.push_back(problem.velocity[1].y());
+    std::vector<double>& lambda = history.lambda.emplace_back();
+    for (const double impulse : problem.impulse) lambda.push_back(impulse / problem.dt);
   }
-  line("SI, by colours", run.coloured);
-  lesson.print("A wait: for other rows, if each row had a processor of its own.");
-  lesson.print();
-  lesson.print("a ball on the pyramid: sweeps   off its mirror image after 10      30      60 steps (m)");
-  for (const MirrorRun& mirror : run.mirrors) {
-    const std::vector<double>& off = mirror.asymmetry;
-    lesson.print(fmt::format("  {:<18} {:>9} {:>30.0e} {:>7.0e} {:>7.0e}",
-                             method_name(mirror.method, run.settings.omega), mirror.sweeps, off[10], off[30],
-                             off[60]));
-  }
-  lesson.print();
-}
-
-void check_feet(Lesson& lesson, const FeetRun& run) {
-  const double weight = box_mass * gravity;
-  const double first = together(history_of(run, Method::plain).lambda[1]);
-  // Some ten roundings a foot, at the size of the weight.
-  lesson.check_equal("first sweep, all feet together: Σ g / A_ii (N)", first, weight * run.answer,
-                     16 * run.settings.feet * epsilon * weight);
-  double gap = 0;
-  for (const Method method : {Method::plain, Method::damped, Method::split}) {
-    const std::vector<double>& speed = history_of(run, method).speed;
-    for (std::size_t k = 0; k < speed.size(); ++k) {
-      gap = std::max(gap, std::abs(speed[k] - speed_by_formula(run, method, static_cast<int>(k))));
-    }
-  }
-  // Of a problem with one body and a few rows, 64 ε a sweep, at the speed that plain Jacobi throws the box
-  // up.
-  const double fastest = gravity * time_step * std::max(1.0, run.answer - 1);
-  lesson.check_small("three forms of Jacobi: v follows the closed forms (m/s)", gap,
-                     64 * epsilon * (1 + run.settings.sweeps) * fastest);
-}
-
-void check_pile(Lesson& lesson, const PileRun& run) {
-  const PileHistory& plain = run.histories[0];
-  const PileHistory& damped = run.histories[1];
-  const PileHistory& split = run.histories[2];
-  const PileHistory& in_turn = run.histories[3];
-  // An eigenvalue of a symmetric matrix of m rows is good to some m ε of the largest.
-  lesson.check_that("split masses: no eigenvalue above 1",
-                    split.eigenvalue <= 1 + run.problem.row_count() * 16 * epsilon,
-                    fmt::format("{:.4f}", split.eigenvalue));
-  lesson.check_that("plain: eigenvalue above 2, and worse than no impulse at all",
-                    plain.eigenvalue > 2 && !(plain.residual.back() <= 1),
-                    fmt::format("{:.3g}", plain.residual.back()));
-  // Below 2 it converges, but the nearer the slower, and friction moves its bounds: asked for with some room.
-  if (damped.eigenvalue <= 1.95) {
-    lesson.check_that("damped: below 2, and it settles (sweeps to 1 %)", damped.sweeps_needed > 0,
-                      fmt::format("{}", damped.sweeps_needed));
-  }
-  lesson.check_that("split settles, in more sweeps than SI",
-                    in_turn.sweeps_needed > 0 && split.sweeps_needed > in_turn.sweeps_needed,
-                    fmt::format("{} > {}", split.sweeps_needed, in_turn.sweeps_needed));
-}
-
-void check_order(Lesson& lesson, const PileRun& run) {
-  // 64 ε a sweep of the largest impulse; another order only adds up the same numbers in another order.
-  const double rounding = 64 * epsilon * (1 + 20);
-  lesson.check_small("rows backwards, split Jacobi: change of λ", run.order_at_once, rounding);
-  lesson.check_that("rows backwards, SI: more than rounding", run.order_in_turn > 1000 * rounding,
-                    fmt::format("{:.2g}", run.order_in_turn));
-  // As above in every step; impulses are speeds of up to 10 m/s here, and act for Δt.
-  const double drift = run.settings.steps * 64 * epsilon * (1 + many_sweeps) * 10 * time_step;
-  const auto worst = [&](std::size_t i) {
-    return *std::max_element(run.mirrors[i].asymmetry.begin(), run.mirrors[i].asymmetry.end());
-  };
-  lesson.check_small("split Jacobi keeps the mirror symmetry (m)", worst(0), drift);
-  lesson.check_that("SI breaks it, in ten sweeps a step: by more than 1 mm", worst(1) > 1e-3,
-                    fmt::format("{:.0f} mm", 1000 * worst(1)));
-}
-
-CsvTable sweeps_table(const FeetRun& feet, const PileRun& pile) {
-  CsvTable table{.header = {"scene", "method", "sweep", "speed", "residual"}};
-  for (const FeetHistory& history : feet.histories) {
-    for (std::size_t k = 0; k < history.speed.size(); ++k) {
-      table.rows.push_back({"feet", method_name(history.method, feet.settings.omega),
-                            static_cast<long long>(k), history.speed[k], 0.0});
-    }
-  }
-  for (const PileHistory& history : pile.histories) {
-    for (std::size_t k = 0; k <= 300; ++k) {
-      table.rows.push_back({"pyramid", method_name(history.method, feet.settings.omega),
-                            static_cast<long long>(k), 0.0, history.residual[k]});
-    }
-  }
-  return table;
+  return history;
 }
 
 void run(Lesson& lesson) {
-  const FeetRun feet = run_feet({.feet = lesson.whole("feet"), .omega = lesson.real("omega")});
+  FeetRun feet = box_on_feet({.feet = lesson.whole("feet"), .omega = lesson.real("omega")});
+  for (const Method method : all_methods) feet.histories.push_back(stand(feet, method));
   const PileRun pile = run_pile({.base = lesson.whole("base"), .omega = lesson.real("omega")});
   lesson.print(fmt::format(
       "Scene: a box of {:g} kg on {} feet from x = −{} to {} m, Δt = {:g} s; then a pyramid of {} boxes",
       box_mass, feet.settings.feet, outermost, outermost, time_step, pile.problem.body_count() - 1));
   lesson.predict();
-  lesson.print();
-  print_feet(lesson, feet);
-  print_pile(lesson, pile);
-  lesson.answer({box_mass * gravity * feet.answer}, 0.5,
-                "Every foot sees the whole fall and stops it alone, so the box is thrown up. Above twice the "
-                "weight, the next sweep lets go altogether, and it begins again.");
-  check_feet(lesson, feet);
-  check_pile(lesson, pile);
-  check_order(lesson, pile);
+  report(lesson, feet, pile);
   lesson.film(everybody_shots(feet, pile));
   lesson.data(sweeps_table(feet, pile));
   lesson.fingerprint(pile.mirrors[0].frames.back());
@@ -204,4 +91,4 @@ void run(Lesson& lesson) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return cairn::run_lesson(info(), run, argc, argv); }
+int main(int argc, char** argv) { return cairn::run_lesson(cairn::everybody::card(), run, argc, argv); }

@@ -16,6 +16,9 @@ std::vector<Shot> everybody_shots(const FeetRun& feet, const PileRun& pile);
 std::vector<Shot> feet_shots(const FeetRun& feet);
 std::vector<Shot> pile_shots(const PileRun& pile);
 
+/// The pyramid's contacts by colour, and what goes at the same time.
+void draw_colours(render::Page& page, const PileRun& run);
+
 /// "Jacobi", "Jacobi, ω = 0.3", "Jacobi, split", "SI".
 std::string method_name(Method method, double omega);
 

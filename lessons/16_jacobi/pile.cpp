@@ -176,6 +176,8 @@ PileRun run_pile(const PileSettings& settings) {
   run.snapshot = snapshot(world);
   run.largest_eigenvalue = largest_eigenvalue(run.problem, Method::plain);
   run.colours = colours_of(run.problem);
+  run.contacts = colour_contacts(run.problem);
+  run.larger = colour_contacts(World<double>(pile_scene(larger_base, 0)).velocity_problem());
   run.rows_on_box = rows_on_each(run.problem);
   for (const Method method : all_methods) run.histories.push_back(pile_history(run, method));
   run.coloured = coloured_history(run);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "colours.hpp"
 #include "feet.hpp"
 
 namespace cairn::everybody {
@@ -24,6 +25,7 @@ struct PileHistory {
 
 inline constexpr int many_sweeps = 300;
 inline constexpr int few_sweeps = 10;
+inline constexpr int larger_base = 10;
 
 /// What a solver leaves of the mirror symmetry, step by step; step 0 is the start.
 struct MirrorRun {
@@ -38,7 +40,9 @@ struct PileRun {
   VelocityProblem<double> problem = {};     // of the first step, without a ball
   Snapshot snapshot = {};                   // with its contacts
   double largest_eigenvalue = 0;            // of D^-1 A, D the diagonal of A
-  int colours = 0;                          // groups of rows that share no box
+  int colours = 0;                          // of the rows, as the solver gives them
+  Colouring contacts = {};                  // of this pyramid
+  Colouring larger = {};                    // of one with larger_base boxes at the bottom
   std::vector<int> rows_on_box = {};        // the numbers n of Splitting::mass
   std::vector<PileHistory> histories = {};  // in the order of all_methods
   PileHistory coloured = {};                // sequential, colour by colour

@@ -185,6 +185,22 @@ Shot mirror_shot(const Pile& run, int step, const std::set<int>& keys) {
           .key = keys.contains(step)};
 }
 
+Shot answer_shot(const Pile& run) {
+  const std::string text = fmt::format(
+      "More feet make it worse: each row gives all that is missing. Damped or with split masses Jacobi "
+      "converges, in a pyramid in more sweeps than SI; but none of its rows waits for another, none comes "
+      "first, and a mirror image stays one. SI too forgets its order, with more sweeps: {} of them leave {} "
+      "mm.",
+      many_sweeps, render::significant(1000 * run->mirrors[2].asymmetry.back(), 1));
+  const auto draw = [run, text](Page& page) {
+    page.note(draw_mirrors(page, *run, run->settings.steps), "Answer", text);
+  };
+  return {.state = "answer",
+          .alt = "Both pyramids after the last step, and the answer.",
+          .draw = draw,
+          .key = true};
+}
+
 }  // namespace
 
 std::vector<Shot> pile_shots(const PileRun& pile) {
@@ -201,23 +217,16 @@ std::vector<Shot> pile_shots(const PileRun& pile) {
                           "processor for each row.",
                    .draw = [run](Page& page) { draw_convergence(page, *run); },
                    .key = true});
-  for (int step = 1; step <= last; ++step) shots.push_back(mirror_shot(run, step, {5, 15, 30, last}));
   shots.push_back(
-      {.state = "answer",
-       .alt = "Both pyramids after the last step, and the answer.",
-       .draw =
-           [run, last](Page& page) {
-             const std::string wash =
-                 fmt::format("SI too forgets its order, with more sweeps: {} of them leave {} mm.",
-                             many_sweeps, render::significant(1000 * run->mirrors[2].asymmetry.back(), 1));
-             page.note(
-                 draw_mirrors(page, *run, last), "Answer",
-                 std::string("More feet make it worse: each row gives all that is missing. Damped or with "
-                             "split masses Jacobi converges, in more sweeps than SI; but none of its rows "
-                             "waits for another, none comes first, and a mirror image stays one. ") +
-                     wash);
-           },
+      {.state =
+           fmt::format("{} contacts, {} colours", run->contacts.contacts.size(), run->contacts.count.size()),
+       .alt = fmt::format("The contacts of the pyramid, joined box to box and numbered by colour: "
+                          "{} of them go at the same time in {} turns.",
+                          counts_text(run->contacts), run->contacts.count.size()),
+       .draw = [run](Page& page) { draw_colours(page, *run); },
        .key = true});
+  for (int step = 1; step <= last; ++step) shots.push_back(mirror_shot(run, step, {5, 15, last}));
+  shots.push_back(answer_shot(run));
   return shots;
 }
 

@@ -8,12 +8,6 @@
 
 namespace cairn::tower {
 
-struct TowerRuns {
-  TowerSettings settings = {};
-  std::vector<EngineRun> warm = {};  // PGS, SI, Box2D
-  std::vector<EngineRun> cold = {};  // the same without warm starting
-};
-
 /// The question, the warm tower step by step, the cold one, and the answer.
 std::vector<Shot> tower_shots(const TowerRuns& runs);
 

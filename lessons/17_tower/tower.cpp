@@ -1,4 +1,4 @@
-// The scene, the three engines, and a fourth account of it by hand.
+// The scene, the loads of a snapshot, and Box2D.
 #include "tower.hpp"
 
 #include <algorithm>
@@ -21,24 +21,12 @@ std::vector<double> loads_of(const Snapshot& snapshot, const TowerSettings& sett
   return loads;
 }
 
+}  // namespace
+
 void record(EngineRun& run, const Snapshot& snapshot, const TowerSettings& settings) {
   run.loads.push_back(loads_of(snapshot, settings));
   run.frames.push_back(snapshot);
 }
-
-EngineRun run_cairn(const TowerSettings& settings, Solver<double>& solver) {
-  World world(tower_scene(settings));
-  EngineRun run{.name = solver.name()};
-  record(run, snapshot(world), settings);
-  for (int k = 0; k < settings.steps; ++k) {
-    if (world.step(solver).not_finite)
-      throw Diverged("lesson17: the tower under " + solver.name() + " blew up");
-    record(run, snapshot(world), settings);
-  }
-  return run;
-}
-
-}  // namespace
 
 Scene tower_scene(const TowerSettings& settings) {
   Scene scene({.gravity = {0, -settings.gravity},
@@ -54,16 +42,6 @@ Scene tower_scene(const TowerSettings& settings) {
                .fixed_rotation = true});
   }
   return scene;
-}
-
-EngineRun run_pgs(const TowerSettings& settings) {
-  ProjectedGaussSeidel solver({.iterations = settings.sweeps});
-  return run_cairn(settings, solver);
-}
-
-EngineRun run_si(const TowerSettings& settings) {
-  SequentialImpulse solver({.iterations = settings.sweeps});
-  return run_cairn(settings, solver);
 }
 
 #ifdef CAIRN_HAVE_BOX2D
@@ -98,37 +76,7 @@ int box2d_falls_asleep(const TowerSettings&, int) { return -1; }
 
 #endif
 
-std::vector<std::vector<double>> loads_by_hand(const TowerSettings& settings) {
-  const auto n = static_cast<std::size_t>(settings.boxes);
-  std::vector<double> v(n + 1, 0.0);        // [m/s] of each box; v[0]: the ground
-  std::vector<double> impulse(n + 1, 0.0);  // [N s] between box i and the one below
-  const auto push = [&](std::size_t i, double p) {
-    v[i] += p;
-    if (i > 1) v[i - 1] -= p;
-  };
-  std::vector<std::vector<double>> loads(1, std::vector<double>(n, 0.0));
-  for (int k = 0; k < settings.steps; ++k) {
-    for (std::size_t i = 1; i <= n; ++i) v[i] -= settings.gravity * settings.dt;
-    for (std::size_t i = 1; i <= n; ++i) {
-      if (!settings.warm_start) impulse[i] = 0;
-      push(i, impulse[i]);
-    }
-    for (int sweep = 0; sweep < settings.sweeps; ++sweep) {
-      for (std::size_t i = 1; i <= n; ++i) {
-        const double corrective = (v[i - 1] - v[i]) / (i > 1 ? 2 : 1);  // eq (22), masses of 1 kg
-        const double sum = std::max(impulse[i] + corrective, 0.0);
-        push(i, sum - impulse[i]);
-        impulse[i] = sum;
-      }
-    }
-    std::vector<double>& load = loads.emplace_back();
-    for (std::size_t i = 1; i <= n; ++i) load.push_back(impulse[i] / settings.dt);
-  }
-  return loads;
-}
-
-double largest_gap(const std::vector<std::vector<double>>& first,
-                   const std::vector<std::vector<double>>& second, int frames) {
+double largest_gap(const Loads& first, const Loads& second, int frames) {
   double largest = 0;
   for (std::size_t k = 1; k <= static_cast<std::size_t>(frames) && k < first.size(); ++k) {
     for (std::size_t i = 0; i < first[k].size(); ++i) {
@@ -136,6 +84,26 @@ double largest_gap(const std::vector<std::vector<double>>& first,
     }
   }
   return largest;
+}
+
+int steps_as_tower(const std::vector<EngineRun>& runs) {
+  const std::size_t steps = runs[0].frames.size() - 1;
+  for (std::size_t k = 1; k <= steps; ++k) {
+    for (const EngineRun& run : runs) {
+      double below = -0.5;  // [m] where the ground would be if it were a box
+      for (std::size_t i = 1; i < run.frames[k].bodies.size(); ++i) {
+        const double here = run.frames[k].bodies[i].pose.position.y();
+        if (here - below < 0.5) return static_cast<int>(k);
+        below = here;
+      }
+    }
+  }
+  return static_cast<int>(steps);
+}
+
+double gap_to_box2d(const TowerRuns& runs) {
+  return std::max(largest_gap(runs.warm[1].loads, runs.warm[2].loads, steps_as_tower(runs.warm)),
+                  largest_gap(runs.cold[1].loads, runs.cold[2].loads, steps_as_tower(runs.cold)));
 }
 
 }  // namespace cairn::tower

@@ -1,4 +1,4 @@
-// Ten boxes, one upon the other, under three engines: the scene, the runs and their loads.
+// Ten boxes, one upon the other: the scene, its loads, and Box2D.
 #pragma once
 
 #include <string>
@@ -17,32 +17,42 @@ struct TowerSettings {
   bool warm_start = true;
 };
 
+using Loads = std::vector<std::vector<double>>;  // [step][interface] [N]; interface 0 is the ground's
+
 /// What one engine did. Frame k is the state after k steps; frame 0 is the start.
 struct EngineRun {
   std::string name = {};
   std::vector<Snapshot> frames = {};  // steps + 1
-  std::vector<std::vector<double>> loads =
-      {};  // [frame][interface] [N]; interface 0 is the ground's; 0 in frame 0
+  Loads loads = {};                   // all 0 in frame 0
+};
+
+struct TowerRuns {
+  TowerSettings settings = {};
+  std::vector<EngineRun> warm = {};  // PGS, SI, Box2D
+  std::vector<EngineRun> cold = {};  // the same without warm starting
+  Loads warm_by_hand = {};           // and without any engine
+  Loads cold_by_hand = {};
 };
 
 /// Boxes of 1 kg that touch exactly. They cannot turn: the two contact points of an interface then ask for
 /// the same, and an interface counts as one row, in every engine.
 Scene tower_scene(const TowerSettings& settings);
 
-EngineRun run_pgs(const TowerSettings& settings);
-EngineRun run_si(const TowerSettings& settings);
+/// Adds the state of a world and its loads.
+void record(EngineRun& run, const Snapshot& snapshot, const TowerSettings& settings);
+
 /// @throws Skipped in a build without Box2D.
 EngineRun run_box2d(const TowerSettings& settings);
 
 /// The first step after which Box2D no longer simulates the lowest box, or -1 within `limit` steps.
 int box2d_falls_asleep(const TowerSettings& settings, int limit);
 
-/// The same tower written out by hand: masses on a line, Gauss-Seidel from the ground up, no engine at all.
-/// loads[k][i] [N] after k steps.
-std::vector<std::vector<double>> loads_by_hand(const TowerSettings& settings);
-
 /// The largest difference of any load over the first `frames` frames [N].
-double largest_gap(const std::vector<std::vector<double>>& first,
-                   const std::vector<std::vector<double>>& second, int frames);
+double largest_gap(const Loads& first, const Loads& second, int frames);
+/// The first steps, until any two neighbours overlap by half a box in any of the runs. After that boxes meet
+/// that are no neighbours, and it is a tower no longer.
+int steps_as_tower(const std::vector<EngineRun>& runs);
+/// Of SI's loads and Box2D's, warm or cold, as long as it is a tower [N].
+double gap_to_box2d(const TowerRuns& runs);
 
 }  // namespace cairn::tower

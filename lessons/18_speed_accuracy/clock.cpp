@@ -91,7 +91,7 @@ std::vector<SolverTime> measure_times() {
   NaiveProjectedGaussSeidel<double> naive(settings);
   return {time_of<double>("SI", si),
           time_of<double>("Jacobi", jacobi),
-          time_of<double>("SI with momentum", accelerated),
+          time_of<double>("PGS with momentum", accelerated),
           time_of<double>("sparse PGS", sparse),
           time_of<double>("dense PGS", dense),
           time_of<double>("naive PGS", naive),

@@ -1,8 +1,6 @@
 // The tower as rows, the solvers on it, and what theory says about them.
 #include "cost.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
@@ -11,12 +9,6 @@
 namespace cairn::cost {
 
 namespace {
-
-double error_of(const std::vector<double>& lambda, const std::vector<double>& exact) {
-  double error = 0;
-  for (std::size_t i = 0; i < exact.size(); ++i) error = std::max(error, std::abs(lambda[i] - exact[i]));
-  return error / exact[0];
-}
 
 /// Writes a curve while a solver works.
 template <typename Real>
@@ -42,55 +34,6 @@ class CurveObserver final : public SolveObserver<Real> {
   double least_;
   std::vector<double> exact_ = {};
 };
-
-/// Sweeps until least_error, and some: a rate multiplies by itself, SOR's for a while a little more slowly.
-int enough_sweeps(double rate) {
-  return 200 + static_cast<int>(1.5 * std::log(least_error / 100) / std::log(rate));
-}
-
-template <typename Real>
-void draw_curve(Solver<Real>& solver, const VelocityProblem<double>& problem, double least, Curve& curve) {
-  CurveObserver<Real> observer(curve, least);
-  VelocityProblem<Real> copy = converted<Real>(problem);
-  solver.solve(copy, &observer);
-}
-
-std::vector<Curve> draw_curves(int boxes, double omega) {
-  const VelocityProblem<double> problem = tower_problem(boxes);
-  const double cosine = jacobi_rate(boxes);
-  std::vector<Curve> curves = {
-      {.name = "SI", .work = 12.0 * boxes, .rate = cosine * cosine},
-      {.name = "Jacobi, half steps", .work = 12.0 * boxes, .rate = (1 + cosine) / 2},
-      {.name = fmt::format("SOR, ω = {:.4g}", omega), .work = 13.0 * boxes, .rate = sor_rate(boxes, omega)},
-      {.name = "SI with momentum", .work = 24.0 * boxes}};
-  SequentialImpulse<double> si({.iterations = enough_sweeps(curves[si_curve].rate)});
-  Jacobi<double> jacobi({.iterations = enough_sweeps(curves[jacobi_curve].rate), .relaxation = 0.5});
-  SequentialImpulse<double> sor(
-      {.iterations = std::min(enough_sweeps(curves[sor_curve].rate), 50000), .relaxation = omega});
-  AcceleratedProjectedGaussSeidel<double> accelerated({.iterations = 200 + 60 * boxes});
-  draw_curve<double>(si, problem, least_error, curves[si_curve]);
-  draw_curve<double>(jacobi, problem, least_error, curves[jacobi_curve]);
-  draw_curve<double>(sor, problem, least_error, curves[sor_curve]);
-  draw_curve<double>(accelerated, problem, least_error, curves[accelerated_curve]);
-  return curves;
-}
-
-SizeCost cost_of(int boxes) {
-  const VelocityProblem<double> problem = tower_problem(boxes);
-  const int sweeps = 2 * boxes * boxes + 20;
-  Curve si;
-  Curve sor;
-  SequentialImpulse<double> plain({.iterations = sweeps});
-  SequentialImpulse<double> relaxed({.iterations = sweeps, .relaxation = best_relaxation(boxes)});
-  draw_curve<double>(plain, problem, 0.01, si);
-  draw_curve<double>(relaxed, problem, 0.01, sor);
-  const std::vector<double> by_hand = errors_by_hand(boxes, 1, sweeps);
-  const auto first = std::find_if(by_hand.begin(), by_hand.end(), [](double e) { return e <= 0.01; });
-  return {.boxes = boxes,
-          .si = sweeps_to(si, 0.01),
-          .sor = sweeps_to(sor, 0.01),
-          .by_hand = static_cast<int>(first - by_hand.begin())};
-}
 
 /// A step after the other; boxes stay where they are, as their overlaps ask for nothing (β = 0).
 std::vector<double> follow_frames(const CostSettings& settings, bool is_warm) {
@@ -119,6 +62,12 @@ Matrix<double> tower_matrix(int boxes) {
 }
 
 }  // namespace
+
+double error_of(const std::vector<double>& lambda, const std::vector<double>& exact) {
+  double error = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) error = std::max(error, std::abs(lambda[i] - exact[i]));
+  return error / exact[0];
+}
 
 VelocityProblem<double> tower_problem(int boxes) {
   const auto n = static_cast<std::size_t>(boxes);
@@ -149,9 +98,9 @@ std::vector<double> exact_lambda(int boxes) {
   return exact;
 }
 
-int sweeps_to(const Curve& curve, double error) {
-  for (std::size_t k = 0; k < curve.error.size(); ++k) {
-    if (curve.error[k] <= error) return static_cast<int>(k);
+int sweeps_to(const std::vector<double>& errors, double error) {
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    if (errors[k] <= error) return static_cast<int>(k);
   }
   return -1;
 }
@@ -179,23 +128,6 @@ double sor_rate_by_matrix(int boxes, double omega) {
   return Eigen::EigenSolver<Matrix<double>>(sweep, false).eigenvalues().cwiseAbs().maxCoeff();
 }
 
-std::vector<double> errors_by_hand(int boxes, double omega, int sweeps) {
-  const auto n = static_cast<std::size_t>(boxes);
-  const std::vector<double> exact = exact_lambda(boxes);
-  std::vector<double> lambda(n, 0.0);
-  std::vector<double> errors = {error_of(lambda, exact)};
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (std::size_t i = 0; i < n; ++i) {
-      double left = (i == 0 ? gravity : 0) - (i == 0 ? 1 : 2) * lambda[i];
-      if (i > 0) left += lambda[i - 1];
-      if (i + 1 < n) left += lambda[i + 1];
-      lambda[i] = std::max(0.0, lambda[i] + omega * left / (i == 0 ? 1 : 2));
-    }
-    errors.push_back(error_of(lambda, exact));
-  }
-  return errors;
-}
-
 double error_energy(const std::vector<double>& lambda) {
   const std::vector<double> exact = exact_lambda(static_cast<int>(lambda.size()));
   double energy = 0;
@@ -208,27 +140,41 @@ double error_energy(const std::vector<double>& lambda) {
   return energy;
 }
 
-CostRun run_cost(const CostSettings& settings) {
-  CostRun run{.settings = settings};
-  run.best_omega = best_relaxation(settings.boxes);
-  run.omega = settings.omega > 0 ? settings.omega : run.best_omega;
-  run.curves = draw_curves(settings.boxes, run.omega);
-  const VelocityProblem<double> problem = tower_problem(settings.boxes);
+template <typename Real>
+void watch(Solver<Real>& solver, int boxes, double least, Curve& curve) {
+  CurveObserver<Real> observer(curve, least);
+  VelocityProblem<Real> problem = converted<Real>(tower_problem(boxes));
+  solver.solve(problem, &observer);
+}
+template void watch<float>(Solver<float>&, int, double, Curve&);
+template void watch<double>(Solver<double>&, int, double, Curve&);
+
+int most_sweeps(int boxes) { return 2 * boxes * boxes + 20; }
+
+SizeCost sweeps_to_one_percent(int boxes) {
+  Curve si;
+  Curve sor;
+  SequentialImpulse<double> plain({.iterations = most_sweeps(boxes)});
+  SequentialImpulse<double> relaxed({.iterations = most_sweeps(boxes), .relaxation = best_relaxation(boxes)});
+  watch<double>(plain, boxes, 0.01, si);
+  watch<double>(relaxed, boxes, 0.01, sor);
+  return {.boxes = boxes, .si = sweeps_to(si.error, 0.01), .sor = sweeps_to(sor.error, 0.01)};
+}
+
+void look_closer(CostRun& run) {
+  const int boxes = run.settings.boxes;
   const int sweeps = static_cast<int>(1.4 * static_cast<double>(run.curves[si_curve].error.size()));
   ProjectedGaussSeidel<double> pgs({.iterations = sweeps});
   SequentialImpulse<float> single({.iterations = sweeps});
-  draw_curve<double>(pgs, problem, 0, run.pgs);
-  draw_curve<float>(single, problem, 0, run.single);
-  for (const int boxes : tower_sizes) run.sizes.push_back(cost_of(boxes));
-  run.frames = {.warm = follow_frames(settings, true), .cold = follow_frames(settings, false)};
+  watch<double>(pgs, boxes, 0, run.pgs);
+  watch<float>(single, boxes, 0, run.single);
+  run.frames = {.warm = follow_frames(run.settings, true), .cold = follow_frames(run.settings, false)};
   run.times = measure_times();
-  run.non_zeros = coupled_pairs(problem);
+  run.non_zeros = coupled_pairs(tower_problem(boxes));
   Scene scene;
   scene.add_ground();
-  for (int i = 0; i < settings.boxes; ++i)
-    scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1});
+  for (int i = 0; i < boxes; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1});
   run.tower = snapshot(World(scene));
-  return run;
 }
 
 }  // namespace cairn::cost

@@ -32,6 +32,7 @@ struct Curve {
   double rate = 0;                               // what a sweep leaves of the error in the end; 0: no formula
   std::vector<double> error = {};                // until least_error
   std::vector<std::vector<double>> lambda = {};  // [N] of the first kept_sweeps
+  std::vector<double> by_hand = {};              // the same errors by plain loops, of the first kept_sweeps
 };
 
 /// In the order of CostRun::curves.
@@ -70,13 +71,25 @@ struct CostRun {
   Snapshot tower = {};
 };
 
-CostRun run_cost(const CostSettings& settings);
+/// The largest error of any load, over the largest load.
+double error_of(const std::vector<double>& lambda, const std::vector<double>& exact);
+
+/// One cold step of the tower under a solver, which is watched after each sweep until the error is `least`.
+template <typename Real>
+void watch(Solver<Real>& solver, int boxes, double least, Curve& curve);
+
+/// SI and SOR on a tower of that size, in at most so many sweeps.
+SizeCost sweeps_to_one_percent(int boxes);
+int most_sweeps(int boxes);
+
+/// The rest of a run that has its curves: other digits, warm frames, times, and the tower to draw.
+void look_closer(CostRun& run);
 
 /// (n - i) g [N]: what each box has to be given, from the ground up.
 std::vector<double> exact_lambda(int boxes);
 
 /// The first sweep after which the error is at most this; -1: none.
-int sweeps_to(const Curve& curve, double error);
+int sweeps_to(const std::vector<double>& errors, double error);
 /// Sweeps for one more digit in the end: ln 10 / -ln(rate).
 double sweeps_per_digit(const Curve& curve);
 
@@ -86,9 +99,6 @@ double best_relaxation(int boxes);
 /// Of SOR with this omega, by Young's formula, and as the largest eigenvalue of its matrix.
 double sor_rate(int boxes, double omega);
 double sor_rate_by_matrix(int boxes, double omega);
-
-/// Errors after each of `sweeps` sweeps of SOR over A lambda = b, by plain loops.
-std::vector<double> errors_by_hand(int boxes, double omega, int sweeps);
 
 /// 1/2 e^T A e dt^2 of e = lambda - exact [J]: the kinetic energy of what velocities are wrong by. Every row
 /// update makes it smaller.

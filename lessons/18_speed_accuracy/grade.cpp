@@ -55,13 +55,15 @@ void grade(Grade& grade, Answer answer) {
 }
 
 Exercise exercise() {
-  return {.lesson = 18,
-          .task = "The over-relaxation with which a tower takes the fewest sweeps.",
-          .file = "lessons/18_speed_accuracy/exercise.cpp",
-          .hints = {"Young: omega = 2 / (1 + sqrt(1 - rho^2)). Which rho?",
-                    "rho is Jacobi's rate, cos(pi / (2 n)).",
-                    "sqrt(1 - cos^2) = sin: omega = 2 / (1 + sin(pi / (2 n)))."},
-          .grade = [](Grade& marks) { grade(marks, best_relaxation); }};
+  return {
+      .lesson = 18,
+      .task = "The over-relaxation with which a tower takes the fewest sweeps.",
+      .file = "lessons/18_speed_accuracy/exercise.cpp",
+      .hints =
+          {"The mean of rho and 1 is cos^2 of an angle, and 2 cos^2(x) - 1 = cos(2 x). Which rho is that?",
+           "rho is Jacobi's rate, cos(pi / (2 n)).",
+           "sqrt(1 - cos^2) = sin: omega = 2 / (1 + sin(pi / (2 n)))."},
+      .grade = [](Grade& marks) { grade(marks, best_relaxation); }};
 }
 
 }  // namespace cairn::exercise18

@@ -154,8 +154,7 @@ void draw_frames(Page& page, const CostRun& run) {
                   "fast enough.");
 }
 
-void draw_updates(Page& page, const CostRun& run) {
-  const std::vector<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+render::Plot update_plot(const Page& page, const CostRun& run) {
   render::Plot plot{.title =
                         page.compact() ? "ns for a row update" : "time of one row update (ns), this machine"};
   plot.x = {.title = "rows", .scale = AxisScale::logarithmic, .min = 8, .max = 250};
@@ -175,7 +174,10 @@ void draw_updates(Page& page, const CostRun& run) {
     }
     plot.series.push_back(series);
   }
-  draw_plot(page, halves[0], plot);
+  return plot;
+}
+
+render::TableView update_table(const Page& page, const CostRun& run) {
   render::TableView table{.header = {"ns", "10 rows", "50", "200"}};
   if (page.compact()) table.header = {"ns", "10 rows", "200"};
   for (const SolverTime& time : run.times) {
@@ -186,12 +188,18 @@ void draw_updates(Page& page, const CostRun& run) {
       table.rows.back().push_back(fixed(nanoseconds, nanoseconds < 100 ? 1 : 0));
     }
   }
+  return table;
+}
+
+void draw_updates(Page& page, const CostRun& run) {
+  const std::vector<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  draw_plot(page, halves[0], update_plot(page, run));
   if (page.compact()) {
-    page.table(halves[1], "", table);
+    page.table(halves[1], "", update_table(page, run));
     return;
   }
   const std::vector<Rect> right = rows(halves[1], {0.64, 0.36}, page.sizes().gap);
-  page.table(right[0], "one row update of a tower, preparation included", table);
+  page.table(right[0], "one row update of a tower, preparation included", update_table(page, run));
   page.note(
       right[1], "The machine",
       "A row of a dense A has as many entries as there are rows, and naive PGS computes all velocities "

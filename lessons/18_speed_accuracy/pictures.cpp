@@ -156,8 +156,8 @@ void draw_question(Page& page, const CostRun& run) {
 
 void draw_answer(Page& page, const CostRun& run) {
   const Curve& si = run.curves[si_curve];
-  const int sweeps = sweeps_to(si, 0.01);
-  const int tenth = sweeps_to(si, 0.1);
+  const int sweeps = sweeps_to(si.error, 0.01);
+  const int tenth = sweeps_to(si.error, 0.1);
   draw_words(page, run, sweeps, sweeps, "Answer",
              page.compact()
                  ? fmt::format("{} sweeps. Each leaves {} of the error: {} to 10 %, {} more to 1 %.", sweeps,
@@ -171,11 +171,13 @@ void draw_answer(Page& page, const CostRun& run) {
 
 }  // namespace
 
+// SOR is SI with another factor, and momentum is given to PGS: each keeps its colour, and has a dash of its
+// own.
 render::SeriesStyle style_of(const Page& page, std::size_t curve) {
   if (curve == si_curve) return page.theme().si;
   if (curve == jacobi_curve) return page.theme().jacobi;
-  if (curve == sor_curve) return page.theme().pgs;
-  return {page.theme().external, {2, 5}, render::Marker::triangle};
+  if (curve == sor_curve) return {page.theme().si.color, {}, render::Marker::circle};
+  return {page.theme().pgs.color, {2, 5}, render::Marker::triangle};
 }
 
 std::string short_name(const CostRun& run, std::size_t curve) {

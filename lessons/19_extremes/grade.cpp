@@ -38,7 +38,9 @@ ExpectedNumber expected(double above, double below, double share) {
       {std::ceil(std::log(share) / std::log(1 / (1 + ratio))), "Mind which box is above: R = above / below."},
       {std::ceil(2 * exact), "That is Jacobi, whose rate is the square root: Gauss-Seidel is twice as fast."},
       {std::ceil(exact / std::log(10.0)),
-       "Mind the logarithms: rate^k = share, so k = log(share) / log(rate)."}};
+       "Mind the logarithms: rate^k = share, so k = log(share) / log(rate)."},
+      {std::ceil(4.6 * ratio),
+       "4.6 R is about right for 1 % and a large R; this asks for the exact number."}};
   if (ratio > 1) {
     number.misconceptions.push_back({std::ceil(std::log(share) / std::log(1 - 1 / ratio)),
                                      "A sweep leaves R / (1 + R), not 1 - 1 / R: the light box falls too."});

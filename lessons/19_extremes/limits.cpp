@@ -148,9 +148,4 @@ Stop try_long_quarrel() {
 
 double first_step_by_formula(double turn) { return std::sqrt(1 + turn * turn) - 1; }
 
-double first_step_of_sling(double turn) {
-  const std::vector<EdgeCase> cases = run_wall({.boxes = 2, .turn = turn, .steps = 1});
-  return cases[sling].off;
-}
-
 }  // namespace cairn::edges

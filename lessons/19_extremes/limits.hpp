@@ -39,9 +39,8 @@ double try_twice(int sweeps, int steps);
 /// Of the two pins in one solve of thousands of sweeps: why it ended.
 Stop try_long_quarrel();
 
-/// By how much the rod of a sling is too long after one step [m], for a turn of so many radians: engine.
-double first_step_of_sling(double turn);
-/// And by formula: it goes straight on.
+/// By how much the rod of a sling is too long after one step [m], for a turn of so many radians: it goes
+/// straight on.
 double first_step_by_formula(double turn);
 
 }  // namespace cairn::edges

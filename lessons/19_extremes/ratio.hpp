@@ -26,16 +26,14 @@ struct RatioRun {
   double largest_gap = 0;                          // of any sweep, from the formula
 };
 
-/// Sequential impulses, for as many sweeps as the goal takes, and at least `sweeps`.
-RatioRun run_ratio(double ratio, int sweeps);
+/// The largest distance of its loads from the formula, in any sweep, as a share of what is right.
+double gap_to_formula(const RatioRun& run);
 
 /// The error after k sweeps is (R / (1 + R))^k, for both loads.
 double rate_by_formula(double ratio);
 /// The first whole k with (R / (1 + R))^k <= share.
 int sweeps_by_formula(double ratio, double share = goal);
 
-/// One thousandth to ten thousand, and `ratio` and its inverse among them, in order.
-std::vector<RatioRun> run_ratios(double ratio, int sweeps);
 /// @throws std::out_of_range for one that was not run.
 const RatioRun& run_of(const std::vector<RatioRun>& runs, double ratio);
 

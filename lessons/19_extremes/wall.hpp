@@ -1,6 +1,7 @@
 // Eight small worlds, each driven to where it breaks or does not, and a stamp for each.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,9 +41,17 @@ struct EdgeCase {
 /// By `off` and `energy_gain`.
 Stamp stamp_of(const EdgeCase& edge);
 
+/// A scene, and what is measured of it.
+struct SmallWorld {
+  EdgeCase edge = {};
+  Scene scene = Scene();
+  double budget = 0;  // [J] the energy that it has to spend; infinite where errors in positions bring some
+  std::function<double(const Snapshot&)> off = {};
+};
+
 /// In this order: heavy on light, light on heavy, the tower, a ball shot at a wall, one marked as fast, the
 /// pin, the sling, two pins that contradict each other.
-std::vector<EdgeCase> run_wall(const WallSettings& settings);
+std::vector<SmallWorld> small_worlds(const WallSettings& settings);
 
 inline constexpr std::size_t ball = 3, fast_ball = 4, pin = 5, sling = 6, two_pins = 7;
 inline constexpr double ball_radius = 0.5;  // [m]

@@ -80,10 +80,11 @@ void draw_edge(Page& page, const Rect& rect, const EdgeCase& edge, std::size_t w
   look.contacts = false;
   look.numbers = false;
   look.penetration = false;
-  look.names = {"", "", "ball"};
+  look.names = {"", which == pin ? "body" : "", "ball"};
   draw_world(page, camera, edge.frames[step], look);
   page.canvas().pop_clip();
-  if (which == ball) draw_unseen(page, camera, edge.frames[step], look);
+  if (which == pin) page.avoid({camera.project({-0.1, 0}), camera.project({edge.view.upper.x(), 0})});
+  if (which == ball || which == pin) draw_unseen(page, camera, edge.frames[step], look);
   const double base = inside.y + inside.height - 0.35 * page.sizes().tick;
   const bool has_room = inside.width > 15 * page.sizes().tick;
   const bool tells_energy =

@@ -11,6 +11,7 @@ namespace cairn::needs {
 inline constexpr double time_step = 0.02;  // [s]
 inline constexpr int base = 5;             // boxes in the lowest row of the pyramid
 inline constexpr int pyramid_boxes = base * (base + 1) / 2;
+inline constexpr double reference_tolerance = 1e-6;  // of R_E
 
 struct NeedsSettings {
   int sweeps = 50;          // in every step; where a step may end sooner, at most
@@ -64,7 +65,34 @@ struct NeedsRun {
   int touch = 0;                   // the step in which the ball reaches the pyramid; 0: never
 };
 
-NeedsRun run_bills(const NeedsSettings& settings);
+/// The least rows of any step.
+int least_rows(const BillRun& run);
+
+/// Remembers the scale of R_E, which needs the velocities before the warm start.
+class ScaleObserver final : public SolveObserver<double> {
+ public:
+  void before_solve(const VelocityProblem<double>& problem) override { scale_ = residual_scale(problem); }
+  double scale() const { return scale_; }
+
+ private:
+  double scale_ = 0;
+};
+
+/// A world of a run: the whole scene, or one of its islands.
+struct Stage {
+  World<double> world;
+  SequentialImpulse<double> solver;
+  ScaleObserver scale = {};
+};
+
+std::vector<Stage> stages_of(const NeedsSettings& settings, const Switches& switches, double tolerance);
+/// All stages as one world.
+Snapshot together(const std::vector<Stage>& stages);
+/// R_E after the last step.
+double residual_left(const Stage& stage);
+
+/// The first frame in which the ball touches anything but the ground; 0: never.
+int first_touch(const std::vector<Snapshot>& frames, BodyId ball);
 
 /// The island that a body is in at the start, by number; 0: it is alone.
 enum class Group { loose, pyramid, tower, chain };

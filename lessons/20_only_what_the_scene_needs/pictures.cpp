@@ -8,7 +8,7 @@
 #include <memory>
 #include <set>
 
-#include "render/bars.hpp"
+#include "render/draw.hpp"
 #include "render/plot.hpp"
 
 namespace cairn::needs {
@@ -20,17 +20,38 @@ using render::Page;
 using render::Rect;
 using Run = std::shared_ptr<const NeedsRun>;
 
-void draw_bill(Page& page, const Rect& rect, const NeedsRun& all, std::size_t step) {
-  render::BarChart chart{
-      .title = "this step adds row updates", .color = page.theme().si.color, .decimals = 0};
-  long long most = 0;
-  for (const BillRun& run : all.runs) {
-    const long long updates = run.steps[step - 1].updates;
-    most = std::max(most, updates);
-    chart.bars.push_back({.name = run.switches.name, .added = static_cast<double>(updates), .active = true});
+/// Horizontal bars, a number for each switch.
+void draw_amounts(Page& page, const Rect& rect, std::string_view title, const NeedsRun& all,
+                  const std::vector<double>& amounts) {
+  const Rect inside = page.panel(rect, title);
+  const render::TextStyle name = page.tick();
+  render::TextStyle value = page.tick();
+  value.bold = true;
+  value.color = page.theme().text;
+  double names = 0;
+  double most = 1;
+  for (std::size_t i = 0; i < amounts.size(); ++i) {
+    names = std::max(names, page.canvas().text_width(all.runs[i].switches.name, name));
+    most = std::max(most, amounts[i]);
   }
-  chart.largest = 1.25 * static_cast<double>(std::max(most, 1LL));
-  draw_bars(page, rect, chart);
+  const double left = inside.x + names + 10;
+  const double longest = inside.x + inside.width - left - page.canvas().text_width("9999999", value);
+  const double line = inside.height / static_cast<double>(amounts.size());
+  for (std::size_t i = 0; i < amounts.size(); ++i) {
+    const double middle = inside.y + line * (static_cast<double>(i) + 0.5);
+    const double base = middle + 0.36 * name.size;
+    const double width = longest * amounts[i] / most;
+    page.canvas().text({inside.x, base}, all.runs[i].switches.name, name);
+    page.canvas().rect({left, middle - 0.32 * line, width, 0.64 * line},
+                       {.fill = page.theme().si.color, .outline = page.theme().outline, .outline_width = 1});
+    page.canvas().text({left + width + 6, base}, fixed(amounts[i], 0), value);
+  }
+}
+
+void draw_bill(Page& page, const Rect& rect, const NeedsRun& all, std::size_t step) {
+  std::vector<double> updates;
+  for (const BillRun& run : all.runs) updates.push_back(static_cast<double>(run.steps[step - 1].updates));
+  draw_amounts(page, rect, "row updates of this step", all, updates);
 }
 
 /// All of them are SI, so that they share its colour.
@@ -75,25 +96,20 @@ Shot step_shot(const Run& all, int step, bool key) {
   const StepBill& whole = all->runs[everything].steps[k - 1];
   const StepBill& asleep = all->runs[sleeping].steps[k - 1];
   const StepBill& together = all->runs[all_free].steps[k - 1];
-  return {
-      .state = fmt::format("step {} · {} of {} bodies awake", step, asleep.awake, whole.awake),
-      .alt = fmt::format("Step {}: a pyramid, a tower, a chain and a ball; {} bodies are awake. Row updates: "
-                         "{} with everything, {} with sleep, {} with all switches together.",
-                         step, asleep.awake, whole.updates, asleep.updates, together.updates),
-      .draw = [all, k](Page& page) { draw_step(page, *all, k); },
-      .key = key};
+  return {.state = fmt::format("step {} · {} of {} bodies awake", step, asleep.awake, whole.awake),
+          .alt = fmt::format("Step {}: a pyramid, a tower, a chain and a ball; {} bodies are awake. Row "
+                             "updates: {} with everything, {} with sleep, {} with all switches together.",
+                             step, asleep.awake, whole.updates, asleep.updates, together.updates),
+          .draw = [all, k](Page& page) { draw_step(page, *all, k); },
+          .key = key};
 }
 
 std::string millimetres(double metres) { return fixed(1000 * metres, metres < 0.1 ? 1 : 0); }
 
 void draw_total(Page& page, const Rect& rect, const NeedsRun& all) {
-  render::BarChart chart{.title = "row updates of all steps, thousands", .color = page.theme().si.color};
-  chart.decimals = 0;
-  for (const BillRun& run : all.runs)
-    chart.bars.push_back(
-        {.name = run.switches.name, .added = static_cast<double>(run.updates) / 1000, .active = true});
-  chart.largest = 1.3 * static_cast<double>(all.runs[everything].updates) / 1000;
-  draw_bars(page, rect, chart);
+  std::vector<double> thousands;
+  for (const BillRun& run : all.runs) thousands.push_back(static_cast<double>(run.updates) / 1000);
+  draw_amounts(page, rect, "row updates of all steps, thousands", all, thousands);
 }
 
 void draw_table(Page& page, const NeedsRun& all) {
@@ -101,9 +117,8 @@ void draw_table(Page& page, const NeedsRun& all) {
   table.header = {"switch", "rows", "least", "updates a step", "of all", "off before", "off after (mm)"};
   const auto of_all = static_cast<double>(all.runs[everything].updates);
   for (const BillRun& run : all.runs) {
-    int least = run.steps[0].rows;
-    for (const StepBill& bill : run.steps) least = std::min(least, bill.rows);
-    table.rows.push_back({run.switches.name, fmt::format("{}", run.steps[0].rows), fmt::format("{}", least),
+    table.rows.push_back({run.switches.name, fmt::format("{}", run.steps[0].rows),
+                          fmt::format("{}", least_rows(run)),
                           fmt::format("{}", run.updates / all.settings.steps),
                           fixed(100 * static_cast<double>(run.updates) / of_all, 0) + " %",
                           millimetres(run.off_before), millimetres(run.off_after)});
@@ -120,11 +135,9 @@ void draw_table(Page& page, const NeedsRun& all) {
   page.note(
       below[1], "Off",
       page.compact()
-          ? "From a run with all rows and all sweeps it takes. Friction was not needed, until the ball "
-            "came."
-          : "How far any body is from where it is with all rows and as many sweeps as it takes, before "
-            "the ball touches the pyramid and after. Friction was not needed by anything, until the ball "
-            "came.");
+          ? "From a run with all rows and all sweeps it takes. Friction was not needed, until the ball came."
+          : "How far any body is from where it is with all rows and as many sweeps as it takes, before the "
+            "ball touches the pyramid and after. Friction was not needed by anything, until the ball came.");
 }
 
 void draw_choice(Page& page, const NeedsRun&) {
@@ -143,14 +156,13 @@ void draw_choice(Page& page, const NeedsRun&) {
   }
   const std::vector<Rect> parts = rows(page.area(), {0.58, 0.42}, page.sizes().gap);
   page.table(parts[0], "", table);
-  page.note(
-      parts[1], "Section 5",
-      page.compact()
-          ? "\"The SI solver is the better choice in most situations\": its constraints are classes of "
-            "their own, and it is what is easiest to leave things out of."
-          : "The paper ends with SI as the better choice in most situations: equal in what it computes, "
-            "easier to keep. This course adds what each of the others is for. Each of them is a lesson; "
-            "none of them is worth a row that the scene does not need.");
+  page.note(parts[1], "Section 5",
+            page.compact()
+                ? "\"The SI solver is the better choice in most situations\": its constraints are classes of "
+                  "their own, and it is what is easiest to leave things out of."
+                : "The paper ends with SI as the better choice in most situations: equal in what it "
+                  "computes, easier to keep. This course adds what each of the others is for. Each of them "
+                  "is a lesson; none of them is worth a row that the scene does not need.");
 }
 
 void draw_note(Page& page, const NeedsRun& all, std::size_t step, std::string_view title,
@@ -168,8 +180,8 @@ std::string answer_text(const NeedsRun& all) {
   };
   return fmt::format(
       "Sleep leaves {} % of the row updates, an exit of its own for each island {} %, both and shared "
-      "friction "
-      "{} %. No friction leaves {} %, and is the one that is wrong: by {} mm after the ball has come.",
+      "friction {} %. No friction leaves {} %, and is the one that is wrong: by {} mm after the ball has "
+      "come.",
       share(sleeping), share(by_islands), share(all_free), share(no_friction),
       millimetres(all.runs[no_friction].off_after));
 }
@@ -197,10 +209,9 @@ std::vector<Shot> needs_shots(const NeedsRun& recorded) {
   shots.push_back(note_shot(
       "before the first step", "A pyramid, a tower, a chain and a ball in flight, and the question.", 0,
       "Predict",
-      fmt::format(
-          "{} rows, {} sweeps: {} row updates in each step. The pyramid and the tower only stand there. "
-          "How many are really needed? And what can be left out at no cost at all?",
-          first.rows, first.sweeps, first.updates)));
+      fmt::format("{} rows, {} sweeps: {} row updates in each step. The pyramid and the tower only stand "
+                  "there. How many are really needed? And what can be left out at no cost at all?",
+                  first.rows, first.sweeps, first.updates)));
   const std::set<int> keys = key_steps(*all);
   std::set<int> steps = keys;
   for (int step = 2; step < all->settings.steps; step += 2) steps.insert(step);

@@ -1,6 +1,5 @@
 // The scene: islands in frames, and those that sleep pale.
 #include <algorithm>
-#include <variant>
 
 #include "pictures.hpp"
 #include "render/draw.hpp"
@@ -34,24 +33,6 @@ Island island_of(const NeedsRun& all, const Snapshot& now, Group group) {
   }
   island.box = render::bounds_of(std::vector<Snapshot>{part});
   return island;
-}
-
-/// Sleepers again, pale and with dashed outlines. All of them are polygons, or the ball.
-void draw_sleepers(Page& page, const render::Camera& camera, const Snapshot& now) {
-  const render::Theme& theme = page.theme();
-  const render::Stroke outline{.width = page.sizes().outline, .color = theme.inactive, .dash = {4, 3}};
-  for (std::size_t i = 1; i < now.bodies.size(); ++i) {
-    const SnapshotBody& body = now.bodies[i];
-    const auto* shape = std::get_if<Polygon<double>>(body.shapes.data());
-    if (body.awake || shape == nullptr) continue;
-    std::vector<Point> corners;
-    for (int k = 0; k < shape->count; ++k)
-      corners.push_back(camera.project(body.pose.world(shape->vertices[static_cast<std::size_t>(k)])));
-    page.canvas().polygon(corners, {.fill = theme.panel, .outline = theme.panel, .outline_width = 3});
-    page.canvas().polygon(corners, {.fill = theme.sleeping});
-    corners.push_back(corners[0]);
-    page.canvas().polyline(corners, outline);
-  }
 }
 
 /// A dashed frame around an island, with its name and whether it sleeps.
@@ -97,7 +78,6 @@ void draw_scene(Page& page, const Rect& rect, const NeedsRun& all, std::size_t s
   look.numbers = false;
   look.penetration = false;
   draw_world(page, camera, now, look);
-  draw_sleepers(page, camera, now);
   draw_island(page, camera, island_of(all, now, Group::pyramid), "pyramid");
   draw_island(page, camera, island_of(all, now, Group::tower), "tower");
   draw_island(page, camera, island_of(all, now, Group::chain), "chain");

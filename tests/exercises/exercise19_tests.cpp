@@ -33,11 +33,16 @@ int below_at_rest(double above, double below, double share) {
   return rate > 0 ? static_cast<int>(std::ceil(std::log(share) / std::log(rate))) : 1;
 }
 
+int by_the_rule_of_thumb(double above, double below, double) {
+  return static_cast<int>(std::ceil(4.6 * above / below));
+}
+
 }  // namespace
 
 TEST_CASE(
     "exercise 19 tells a sweep too few, boxes upside down, Jacobi, mixed logarithms and a box at rest") {
   CHECK(testing::tells<grade>(rounded_down, "One too few"));
+  CHECK(testing::tells<grade>(by_the_rule_of_thumb, "asks for the exact number"));
   CHECK(testing::tells<grade>(upside_down, "Mind which box is above"));
   CHECK(testing::tells<grade>(of_jacobi, "That is Jacobi"));
   CHECK(testing::tells<grade>(with_mixed_logarithms, "Mind the logarithms"));

@@ -1,0 +1,110 @@
+// The contacts of the pyramid as a graph: which colour each has, and what goes at the same time.
+#include <fmt/format.h>
+
+#include "pictures.hpp"
+#include "render/draw.hpp"
+
+namespace cairn::everybody {
+
+namespace {
+
+using render::Page;
+using render::Point;
+using render::Rect;
+
+render::Camera pyramid_camera(const Rect& inside, int base) {
+  const double half = 0.625 * base + 0.2;
+  return render::fit(inside, {{-half, -0.3}, {half, base + 0.1}});
+}
+
+/// From the middle of one box to the middle of the other; from the ground straight up.
+struct Edge {
+  Point from = {0, 0};
+  Point to = {0, 0};
+};
+
+Edge edge_of(const render::Camera& camera, const Snapshot& snapshot, const ColouredContact& contact) {
+  const Vec2<double> upper = snapshot.bodies[static_cast<std::size_t>(contact.b.index)].pose.position;
+  Vec2<double> lower = snapshot.bodies[static_cast<std::size_t>(contact.a.index)].pose.position;
+  if (contact.a == ground) lower = {upper.x(), 0};
+  return {camera.project(lower), camera.project(upper)};
+}
+
+/// All contacts, each with the number of its colour.
+void draw_graph(Page& page, const Rect& rect, const PileRun& run) {
+  const Rect inside = page.panel(rect, page.compact() ? "" : "contacts, numbered by colour");
+  const render::Camera camera = pyramid_camera(inside, run.settings.base);
+  render::WorldLook look;
+  look.numbers = false;
+  look.contacts = false;
+  draw_world(page, camera, run.snapshot, look);
+  for (const ColouredContact& contact : run.contacts.contacts) {
+    const Edge edge = edge_of(camera, run.snapshot, contact);
+    page.canvas().line(edge.from, edge.to, {.width = page.sizes().axis, .color = page.theme().inactive});
+  }
+  render::TextStyle text = page.value();
+  text.bold = true;
+  text.align = render::Align::center;
+  const double radius = 0.72 * text.size;
+  for (const ColouredContact& contact : run.contacts.contacts) {
+    const Edge edge = edge_of(camera, run.snapshot, contact);
+    const double share = contact.a == ground ? 0.0 : 0.5;
+    const Point middle = edge.from + share * (edge.to - edge.from);
+    page.canvas().circle(middle, radius,
+                         {.fill = page.theme().panel, .outline = page.theme().outline, .outline_width = 1});
+    page.canvas().text({middle.x(), middle.y() + 0.36 * text.size}, fmt::format("{}", contact.colour + 1),
+                       text);
+  }
+}
+
+/// One turn: the contacts of a colour, and the boxes that they hold; every box has one at most.
+void draw_turn(Page& page, const Rect& rect, const PileRun& run, int colour) {
+  const int count = run.contacts.count[static_cast<std::size_t>(colour)];
+  const Rect inside =
+      page.panel(rect, fmt::format("turn {}: {} contact{}", colour + 1, count, count == 1 ? "" : "s"));
+  const render::Camera camera = pyramid_camera(inside, run.settings.base);
+  for (const SnapshotBody& body : run.snapshot.bodies) {
+    if (body.type != BodyType::dynamic) continue;
+    const Point low = camera.project(body.pose.position - Vec2<double>(0.5, 0.5));
+    const Point high = camera.project(body.pose.position + Vec2<double>(0.5, 0.5));
+    page.canvas().rect({low.x(), high.y(), high.x() - low.x(), low.y() - high.y()},
+                       {.fill = page.theme().body, .outline = page.theme().inactive, .outline_width = 1});
+  }
+  const Point left = camera.project({-0.625 * run.settings.base, 0});
+  const Point right = camera.project({0.625 * run.settings.base, 0});
+  page.canvas().line(left, right, {.width = page.sizes().axis, .color = page.theme().outline});
+  for (const ColouredContact& contact : run.contacts.contacts) {
+    if (contact.colour != colour) continue;
+    const Edge edge = edge_of(camera, run.snapshot, contact);
+    page.canvas().line(edge.from, edge.to, {.width = page.sizes().arrow, .color = page.theme().normal});
+    page.canvas().circle(edge.to, page.sizes().contact, {.fill = page.theme().normal});
+    if (contact.a != ground)
+      page.canvas().circle(edge.from, page.sizes().contact, {.fill = page.theme().normal});
+  }
+}
+
+}  // namespace
+
+void draw_colours(Page& page, const PileRun& run) {
+  const std::vector<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
+  draw_graph(page, halves[0], run);
+  const std::vector<Rect> right = rows(halves[1], {0.68, 0.32}, page.sizes().gap);
+  const std::size_t turns = run.contacts.count.size();
+  const std::size_t across = (turns + 1) / 2;
+  const std::vector<Rect> lines = rows(right[0], {1, 1}, page.sizes().gap);
+  for (std::size_t k = 0; k < turns; ++k) {
+    const std::vector<Rect> panels =
+        columns(lines[k / across], std::vector<double>(across, 1), page.sizes().gap);
+    draw_turn(page, panels[k % across], run, static_cast<int>(k));
+  }
+  const std::size_t contacts = run.contacts.contacts.size();
+  page.note(
+      right[1], page.compact() ? "" : "Gauss-Seidel in parallel",
+      page.compact()
+          ? fmt::format("No box has two contacts in a turn: {} turns for {} contacts.", turns, contacts)
+          : fmt::format("In a turn no box has two contacts, so none of them has to wait: {} turns for {} "
+                        "contacts. {} boxes at the bottom: {} turns of {}.",
+                        turns, contacts, larger_base, run.larger.count.size(), counts_text(run.larger)));
+}
+
+}  // namespace cairn::everybody

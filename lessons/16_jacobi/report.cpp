@@ -1,0 +1,200 @@
+// What lesson 16 prints, and the claims that it makes.
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "pictures.hpp"
+
+namespace cairn::everybody {
+
+namespace {
+
+const double epsilon = std::numeric_limits<double>::epsilon();
+
+std::string numbers(const std::vector<double>& values, const char* form) {
+  std::string line;
+  for (const double value : values) line += fmt::format(fmt::runtime(form), value);
+  return line;
+}
+
+void print_feet(Lesson& lesson, const FeetRun& run) {
+  lesson.print("Plain Jacobi, λ of each foot from the left (N), and the box's speed:");
+  const FeetHistory& plain = history_of(run, Method::plain);
+  for (std::size_t k = 1; k <= 4; ++k) {
+    lesson.print(fmt::format("  sweep {}  (22) {}   together {:7.2f} N    (21) v = {:+.4f} m/s", k,
+                             numbers(plain.lambda[k], "{:8.2f}"), together(plain.lambda[k]), plain.speed[k]));
+  }
+  lesson.print();
+  lesson.print("v after sweep (m/s)      1         2         3         5        10    taken at once");
+  for (const FeetHistory& history : run.histories) {
+    const std::vector<double>& v = history.speed;
+    const bool in_turn = history.method == Method::sequential;
+    lesson.print(
+        fmt::format("  {:<17} {:+9.4f} {:+9.4f} {:+9.4f} {:+9.4f} {:+9.4f}    {}",
+                    method_name(history.method, run.settings.omega), v[1], v[2], v[3], v[5], v[10],
+                    in_turn ? "in turn" : fmt::format("{:.3f}", taken_at_once(run, history.method))));
+  }
+  lesson.print();
+}
+
+void print_colours(Lesson& lesson, const PileRun& run) {
+  lesson.print("Contacts in colours, those of a colour at the same time, as they share no box:");
+  for (const Colouring* each : {&run.contacts, &run.larger}) {
+    const std::size_t contacts = each->contacts.size();
+    lesson.print(fmt::format("  {:>3} contacts, up to {} on a box: {} colours of {} contacts", contacts,
+                             each->most_on_a_box, each->count.size(), counts_text(*each)));
+  }
+}
+
+void print_pile(Lesson& lesson, const PileRun& run) {
+  lesson.print(fmt::format("Pyramid: {} boxes, {} rows, up to {} on one box, one step from rest, μ = 0.6",
+                           run.problem.body_count() - 1, run.problem.row_count(),
+                           *std::max_element(run.rows_on_box.begin() + 1, run.rows_on_box.end())));
+  lesson.print("method               ω·eigenvalue    R_E after 20     sweeps to 1 %   × waits   = waits");
+  const auto line = [&](const std::string& name, const PileHistory& history) {
+    const bool in_turn = history.method == Method::sequential;
+    const int waits = waits_per_sweep(run, history);
+    const int needed = history.sweeps_needed;
+    lesson.print(fmt::format("  {:<18} {:>13} {:>15.3g} {:>17} {:>9} {:>9}", name,
+                             in_turn ? "" : fmt::format("{:.3f}", history.eigenvalue), history.residual[20],
+                             needed < 0 ? "never" : fmt::format("{}", needed), waits,
+                             needed < 0 ? "" : fmt::format("{}", needed * waits)));
+  };
+  for (const PileHistory& history : run.histories) {
+    line(method_name(history.method, run.settings.omega), history);
+  }
+  line("SI, by colours", run.coloured);
+  lesson.print("A wait: for other rows, if each row had a processor of its own.");
+  lesson.print();
+  print_colours(lesson, run);
+  lesson.print();
+  lesson.print("a ball on the pyramid: sweeps   off its mirror image after 10      30      60 steps (m)");
+  for (const MirrorRun& mirror : run.mirrors) {
+    const std::vector<double>& off = mirror.asymmetry;
+    lesson.print(fmt::format("  {:<18} {:>9} {:>30.0e} {:>7.0e} {:>7.0e}",
+                             method_name(mirror.method, run.settings.omega), mirror.sweeps, off[10], off[30],
+                             off[60]));
+  }
+  lesson.print();
+}
+
+void check_feet(Lesson& lesson, const FeetRun& run) {
+  const double weight = box_mass * gravity;
+  const double first = together(history_of(run, Method::plain).lambda[1]);
+  // Some ten roundings a foot, at the size of the weight.
+  lesson.check_equal("first sweep, all feet together: Σ g / A_ii (N)", first, weight * run.answer,
+                     16 * run.settings.feet * epsilon * weight);
+  double gap = 0;
+  for (const Method method : {Method::plain, Method::damped, Method::split}) {
+    const std::vector<double>& speed = history_of(run, method).speed;
+    for (std::size_t k = 0; k < speed.size(); ++k) {
+      gap = std::max(gap, std::abs(speed[k] - speed_by_formula(run, method, static_cast<int>(k))));
+    }
+  }
+  // Of a problem with one body and a few rows, 64 ε a sweep, at the speed that plain Jacobi throws the box
+  // up.
+  const double fastest = gravity * time_step * std::max(1.0, run.answer - 1);
+  lesson.check_small("three forms of Jacobi: v follows the closed forms (m/s)", gap,
+                     64 * epsilon * (1 + run.settings.sweeps) * fastest);
+}
+
+void check_pile(Lesson& lesson, const PileRun& run) {
+  const PileHistory& plain = run.histories[0];
+  const PileHistory& damped = run.histories[1];
+  const PileHistory& split = run.histories[2];
+  const PileHistory& in_turn = run.histories[3];
+  // An eigenvalue of a symmetric matrix of m rows is good to some m ε of the largest.
+  lesson.check_that("split masses: no eigenvalue above 1",
+                    split.eigenvalue <= 1 + run.problem.row_count() * 16 * epsilon,
+                    fmt::format("{:.4f}", split.eigenvalue));
+  lesson.check_that("plain: eigenvalue above 2, and worse than no impulse at all",
+                    plain.eigenvalue > 2 && !(plain.residual.back() <= 1),
+                    fmt::format("{:.3g}", plain.residual.back()));
+  // Below 2 it converges, but the nearer the slower, and friction moves its bounds: asked for with some room.
+  if (damped.eigenvalue <= 1.95) {
+    lesson.check_that("damped: below 2, and it settles (sweeps to 1 %)", damped.sweeps_needed > 0,
+                      fmt::format("{}", damped.sweeps_needed));
+  }
+  lesson.check_that("split settles, in more sweeps than SI",
+                    in_turn.sweeps_needed > 0 && split.sweeps_needed > in_turn.sweeps_needed,
+                    fmt::format("{} > {}", split.sweeps_needed, in_turn.sweeps_needed));
+}
+
+void check_order(Lesson& lesson, const PileRun& run) {
+  // 64 ε a sweep of the largest impulse; another order only adds up the same numbers in another order.
+  const double rounding = 64 * epsilon * (1 + 20);
+  lesson.check_small("rows backwards, split Jacobi: change of λ", run.order_at_once, rounding);
+  lesson.check_that("rows backwards, SI: more than rounding", run.order_in_turn > 1000 * rounding,
+                    fmt::format("{:.2g}", run.order_in_turn));
+  // As above in every step; impulses are speeds of up to 10 m/s here, and act for Δt.
+  const double drift = run.settings.steps * 64 * epsilon * (1 + many_sweeps) * 10 * time_step;
+  const auto worst = [&](std::size_t i) {
+    return *std::max_element(run.mirrors[i].asymmetry.begin(), run.mirrors[i].asymmetry.end());
+  };
+  lesson.check_small("split Jacobi keeps the mirror symmetry (m)", worst(0), drift);
+  lesson.check_that("SI breaks it, in ten sweeps a step: by more than 1 mm", worst(1) > 1e-3,
+                    fmt::format("{:.0f} mm", 1000 * worst(1)));
+}
+
+/// The sweeps of lesson.cpp beside those of the library.
+void check_library(Lesson& lesson, const FeetRun& run) {
+  double gap = 0;
+  double largest = 0;
+  for (const FeetHistory& history : run.histories) {
+    VelocityProblem<double> problem = run.problem;
+    solved(history.method, run.settings.omega, run.settings.sweeps, problem);
+    for (std::size_t i = 0; i < problem.impulse.size(); ++i) {
+      gap = std::max(gap, std::abs(problem.impulse[i] / time_step - history.lambda.back()[i]));
+      largest = std::max(largest, history.lambda.back()[i]);
+    }
+  }
+  // Eight roundings for each foot in each sweep.
+  lesson.check_small("these sweeps and the library's solvers: the same λ (N)", gap,
+                     8 * run.settings.feet * run.settings.sweeps * epsilon * largest);
+}
+
+void check_colours(Lesson& lesson, const PileRun& run) {
+  const int rows = run.problem.row_count() / static_cast<int>(run.contacts.contacts.size());  // of a contact
+  lesson.check_small("contacts of one colour that share a box", clashes(run.problem, run.contacts), 0);
+  lesson.check_equal("waits of a sweep by colours: rows of a contact × colours", run.colours,
+                     rows * static_cast<double>(run.contacts.count.size()), 0);
+}
+
+}  // namespace
+
+CsvTable sweeps_table(const FeetRun& feet, const PileRun& pile) {
+  CsvTable table{.header = {"scene", "method", "sweep", "speed", "residual"}};
+  for (const FeetHistory& history : feet.histories) {
+    for (std::size_t k = 0; k < history.speed.size(); ++k) {
+      table.rows.push_back({"feet", method_name(history.method, feet.settings.omega),
+                            static_cast<long long>(k), history.speed[k], 0.0});
+    }
+  }
+  for (const PileHistory& history : pile.histories) {
+    for (std::size_t k = 0; k <= 300; ++k) {
+      table.rows.push_back({"pyramid", method_name(history.method, feet.settings.omega),
+                            static_cast<long long>(k), 0.0, history.residual[k]});
+    }
+  }
+  return table;
+}
+
+void report(Lesson& lesson, const FeetRun& feet, const PileRun& pile) {
+  lesson.print();
+  print_feet(lesson, feet);
+  print_pile(lesson, pile);
+  lesson.answer({box_mass * gravity * feet.answer}, 0.5,
+                "Every foot sees the whole fall and stops it alone, so the box is thrown up. Above twice the "
+                "weight, the next sweep lets go altogether, and it begins again.");
+  check_feet(lesson, feet);
+  check_library(lesson, feet);
+  check_pile(lesson, pile);
+  check_colours(lesson, pile);
+  check_order(lesson, pile);
+}
+
+}  // namespace cairn::everybody

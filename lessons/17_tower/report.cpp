@@ -1,0 +1,98 @@
+// What lesson 17 prints, and the claims that it makes.
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cairn::tower {
+
+namespace {
+
+void print_loads(Lesson& lesson, std::string_view title, const std::vector<EngineRun>& runs) {
+  lesson.print();
+  lesson.print(fmt::format("{:<22}{:>12}{:>12}{:>14}   N on the lowest box", title, runs[0].name,
+                           runs[1].name, runs[2].name));
+  const int steps = static_cast<int>(runs[0].loads.size()) - 1;
+  for (const int k : {1, 2, 3, 5, 10, 20, 50, 100}) {
+    if (k > steps) break;
+    const auto frame = static_cast<std::size_t>(k);
+    lesson.print(fmt::format("  step {:>3}             {:>12.4f}{:>12.4f}{:>14.4f}", k,
+                             runs[0].loads[frame][0], runs[1].loads[frame][0], runs[2].loads[frame][0]));
+  }
+}
+
+/// PGS and SI differ by rounding: each of sweeps x rows visits a step rounds sums of loads at most as large
+/// as twice the weight, and a sweep passes errors on to the next with a factor below 1, so at most some 4 /
+/// rate sweeps count; all sweeps of all steps are a safe bound.
+double rounding_bound(const TowerSettings& settings) {
+  const double visits = double(settings.steps) * settings.sweeps * 2 * settings.boxes;
+  return 2.3e-16 * 2 * settings.boxes * settings.gravity * visits;
+}
+
+void check_runs(Lesson& lesson, std::string_view start, const std::vector<EngineRun>& runs,
+                const Loads& by_hand, const TowerSettings& settings) {
+  const double bound = rounding_bound(settings);
+  const int steps = steps_as_tower(runs);
+  const std::string loads = steps == settings.steps ? "loads (N)" : fmt::format("loads, {} steps (N)", steps);
+  lesson.check_small(fmt::format("{}: PGS and SI carry the same {}", start, loads),
+                     largest_gap(runs[0].loads, runs[1].loads, steps), bound);
+  lesson.check_small(fmt::format("{}: SI is Gauss-Seidel on masses on a line{}", start, loads.substr(5)),
+                     largest_gap(runs[1].loads, by_hand, steps), bound);
+  // Box2D rounds to 24 bits; see tests/reference/tower_tests.cpp for 10 boxes. Weight and sweeps scale it.
+  const double load_tolerance = 1e-3 * (settings.boxes * settings.gravity / 100) * (0.02 / settings.dt);
+  lesson.check_small(fmt::format("{}: SI and Box2D carry the same {}", start, loads),
+                     largest_gap(runs[1].loads, runs[2].loads, steps), load_tolerance);
+}
+
+double top_of(const EngineRun& run) { return run.frames.back().bodies.back().pose.position.y() + 0.5; }
+
+void print_ends(Lesson& lesson, const TowerRuns& runs) {
+  lesson.print(fmt::format(
+      "Top of the tower at {:.2f} s:  warm {:.3f} m (SI) and {:.3f} m (Box2D), cold {:.3f} m and {:.3f} m.",
+      runs.settings.steps * runs.settings.dt, top_of(runs.warm[1]), top_of(runs.warm[2]),
+      top_of(runs.cold[1]), top_of(runs.cold[2])));
+  const int cold = steps_as_tower(runs.cold);
+  if (cold < runs.settings.steps)
+    lesson.print(fmt::format(
+        "Cold, boxes overlap by half from step {} on: from there it is a tower no longer.", cold));
+  lesson.print(
+      "Box2D wraps its shapes in a skin and pushes them apart by a pass of its own: compare loads, not "
+      "heights.");
+  const int asleep = box2d_falls_asleep(runs.settings, 500);
+  if (asleep > 0)
+    lesson.print(fmt::format("With sleeping allowed, Box2D stops simulating it after step {}.", asleep));
+}
+
+}  // namespace
+
+void report(Lesson& lesson, const TowerRuns& runs) {
+  print_loads(lesson, "warm start", runs.warm);
+  print_loads(lesson, "cold start", runs.cold);
+  lesson.print();
+  print_ends(lesson, runs);
+  lesson.print();
+  lesson.answer(
+      {gap_to_box2d(runs)}, 1e-3,
+      "PGS and SI are one algorithm. Box2D is the same once more, in the same order, in single precision.");
+  check_runs(lesson, "warm", runs.warm, runs.warm_by_hand, runs.settings);
+  check_runs(lesson, "cold", runs.cold, runs.cold_by_hand, runs.settings);
+  const double first = runs.warm[1].loads[1][0];
+  lesson.check_equal("step 1 is the same, warm or cold (N)", runs.cold[1].loads[1][0], first, 0);
+}
+
+CsvTable loads_table(const TowerRuns& runs) {
+  CsvTable table{.header = {"start", "step", "interface", "pgs_newton", "si_newton", "box2d_newton"}};
+  for (const auto* engines : {&runs.warm, &runs.cold}) {
+    for (std::size_t k = 1; k < (*engines)[0].loads.size(); ++k) {
+      for (std::size_t i = 0; i < (*engines)[0].loads[k].size(); ++i) {
+        table.rows.push_back({engines == &runs.warm ? "warm" : "cold", static_cast<long long>(k),
+                              static_cast<long long>(i + 1), (*engines)[0].loads[k][i],
+                              (*engines)[1].loads[k][i], (*engines)[2].loads[k][i]});
+      }
+    }
+  }
+  return table;
+}
+
+}  // namespace cairn::tower

@@ -1,0 +1,145 @@
+// What lesson 19 prints, and the claims that it makes.
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cairn::edges {
+
+namespace {
+
+const double epsilon = std::numeric_limits<double>::epsilon();
+
+void print_ratios(Lesson& lesson, const ExtremesRun& run) {
+  lesson.print("error left (%)    sweep 1       2      10     100    1000   to 1 %   ln 100 / ln(1 + 1/R)");
+  for (auto each = run.ratios.rbegin(); each != run.ratios.rend(); ++each) {
+    std::string line = fmt::format("  {:<12}", name_of(each->ratio));
+    for (const std::size_t k : {1u, 2u, 10u, 100u, 1000u})
+      line += fmt::format("{:>8.2f}", 100 * std::max(0.0, each->error[k]));
+    lesson.print(line + fmt::format("{:>9}{:>15.3f}", each->counted,
+                                    std::log(goal) / std::log(rate_by_formula(each->ratio))));
+  }
+  lesson.print();
+}
+
+void print_wall(Lesson& lesson, const ExtremesRun& run) {
+  lesson.print(fmt::format("Eight worlds, {} steps of {:g} s, {} sweeps:   off by at most     energy gained",
+                           run.settings.steps, time_step, run.settings.sweeps));
+  for (const EdgeCase& edge : run.wall) {
+    const std::string off = edge.off <= 9.995 ? fmt::format("{:.2f} % of", 100 * std::max(edge.off, 1e-9))
+                                              : fmt::format("{:.0f} times", edge.off);
+    lesson.print(fmt::format("  {:<20}{:>14} {:<22}{:>8.2f} %    {}", edge.name, off, edge.quantity,
+                             100 * edge.energy_gain, stamp_text(edge.stamp)));
+  }
+  std::string line = "Sling, 10 rad/s, longer after a step by:";
+  for (const double rate : {240.0, 60.0, 30.0, 10.0})
+    line += fmt::format("  {:.1f} mm (1/{:g} s)", 1000 * first_step_by_formula(10 / rate), rate);
+  lesson.print(line);
+  lesson.print();
+}
+
+void print_refusals(Lesson& lesson, const ExtremesRun& run) {
+  lesson.print("Asked for, and answered by std::invalid_argument:");
+  for (const Refusal& refusal : run.refusals)
+    lesson.print(fmt::format("  {:<40}{}", refusal.asked, refusal.message));
+  lesson.print();
+}
+
+void check_ratios(Lesson& lesson, const ExtremesRun& run) {
+  double gap = 0;
+  int wrong = 0;
+  for (const RatioRun& each : run.ratios) {
+    // Each sweep rounds some eight times, and what it rounds stays for about 1 + R sweeps.
+    gap = std::max(gap, each.largest_gap / (16 * epsilon * (1 + each.ratio)));
+    if (each.counted != sweeps_by_formula(each.ratio)) ++wrong;
+  }
+  lesson.check_small("error = (R / (1 + R))ᵏ in every sweep (share of what rounding allows)", gap, 1);
+  lesson.check_small("sweeps to 1 %: counted = ln 100 / ln(1 + 1/R), rounded up (ratios that differ)", wrong,
+                     0);
+}
+
+void check_wall(Lesson& lesson, const ExtremesRun& run) {
+  const EdgeCase& pulled = run.wall[pin];
+  double gap = 0, largest = 1;
+  for (std::size_t k = 0; k < pulled.off_by_step.size(); ++k) {
+    const double formula = std::pow(std::abs(1 - run.settings.beta), static_cast<double>(k));
+    largest = std::max(largest, formula);
+    gap = std::max(gap, std::abs(pulled.off_by_step[k] - formula));
+  }
+  // Some eight roundings of C in each step, and each grows as C does.
+  lesson.check_small("pin: C is |1 − β|ᵏ of the first (share of the largest)", gap / largest,
+                     16 * epsilon * run.settings.steps);
+  const double turn = run.settings.turn;
+  lesson.check_equal("sling: after one step the rod is L √(1 + φ²) (m)", run.wall[sling].off_by_step[1],
+                     first_step_by_formula(turn), 16 * epsilon * (1 + turn));
+  // It may keep the slop of 5 mm.
+  lesson.check_small("fast ball: depth in the wall (m)", run.wall[fast_ball].off * 2 * ball_radius, 0.0051);
+  double pins = 0;
+  const std::vector<double> given = quarrel(run.wall[two_pins]);
+  for (std::size_t k = 0; k < given.size(); ++k)
+    pins = std::max(pins, std::abs(given[k] - quarrel_by_formula(run.settings, static_cast<int>(k))));
+  // Two roundings of the sum in each of all sweeps.
+  const double visits = 2.0 * run.settings.sweeps * run.settings.steps;
+  lesson.check_small("two pins: λ grows by m β d / Δt² a sweep (share of the last)",
+                     pins / std::abs(quarrel_by_formula(run.settings, run.settings.steps)), visits * epsilon);
+  lesson.check_that("two pins, one long solve: told as a plateau", try_long_quarrel() == Stop::plateau,
+                    "rows contradict each other");
+}
+
+void check_limits(Lesson& lesson, const ExtremesRun& run) {
+  const Scaled scaled = try_scaled_masses(run.settings.sweeps);
+  // Masses that are powers of two change exponents only.
+  lesson.check_small("all masses times 2²⁰ and 2⁻²⁰: change of heights (m)",
+                     std::max(scaled.heavy, scaled.light), 0);
+  // Some 64 roundings a step, at a length of 1 m, carried along by all further steps.
+  const double steps = run.settings.steps;
+  lesson.check_small("a rod stated twice: change of the swing (m)",
+                     try_twice(run.settings.sweeps, run.settings.steps), 64 * epsilon * steps * steps);
+  const auto refused = std::count_if(run.refusals.begin(), run.refusals.end(), [](const Refusal& refusal) {
+    return refusal.message.find("must be") != std::string::npos &&
+           refusal.message.find("got") != std::string::npos;
+  });
+  lesson.check_equal("bad input refused, with rule and value", static_cast<double>(refused),
+                     static_cast<double>(run.refusals.size()), 0);
+  const Guarded guarded = try_not_a_number();
+  lesson.check_that("0 / 0 in a joint: the body is named, and nothing has moved",
+                    guarded.body == guarded.joined && guarded.finite && guarded.moved == 0,
+                    fmt::format("body {}", guarded.body));
+}
+
+}  // namespace
+
+void report(Lesson& lesson, const ExtremesRun& run) {
+  lesson.print();
+  print_ratios(lesson, run);
+  print_wall(lesson, run);
+  print_refusals(lesson, run);
+  const double heavy = run_of(run.ratios, run.settings.ratio).counted;
+  const double light = run_of(run.ratios, 1 / run.settings.ratio).counted;
+  lesson.answer(
+      {heavy, light}, std::max(2.0, 0.02 * heavy),
+      "The light box stands between the heavy one and the ground: in each sweep the ground learns of no more "
+      "weight than the light box passes on. The other way round the first guess is nearly right.");
+  check_ratios(lesson, run);
+  check_wall(lesson, run);
+  check_limits(lesson, run);
+}
+
+CsvTable numbers_table(const ExtremesRun& run) {
+  CsvTable table{.header = {"world", "step", "off"}};
+  for (const EdgeCase& edge : run.wall) {
+    for (std::size_t k = 0; k < edge.off_by_step.size(); ++k)
+      table.rows.push_back({edge.name, static_cast<long long>(k), edge.off_by_step[k]});
+  }
+  for (const RatioRun& each : run.ratios) {
+    const auto end = std::min<std::size_t>(each.error.size(), 101);
+    for (std::size_t k = 0; k < end; ++k)
+      table.rows.push_back({name_of(each.ratio), static_cast<long long>(k), each.error[k]});
+  }
+  return table;
+}
+
+}  // namespace cairn::edges

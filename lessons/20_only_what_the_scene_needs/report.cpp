@@ -1,0 +1,133 @@
+// What lesson 20 prints, and the claims that it makes.
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cairn::needs {
+
+namespace {
+
+void print_bills(Lesson& lesson, const NeedsRun& all) {
+  const double steps = all.settings.steps;
+  lesson.print(
+      "switch                rows  least   updates a step        %      µs    off before    off after (mm)");
+  for (const BillRun& run : all.runs) {
+    lesson.print(fmt::format(
+        "  {:<18}{:>6}{:>7}{:>17}{:>9.1f}{:>8.0f}{:>14.1f}{:>13.1f}", run.switches.name, run.steps[0].rows,
+        least_rows(run), run.updates / all.settings.steps,
+        100.0 * static_cast<double>(run.updates) / static_cast<double>(all.runs[everything].updates),
+        1e6 * run.seconds / steps, 1000 * run.off_before, 1000 * run.off_after));
+  }
+  lesson.print(
+      "µs: of whole steps, with the search for contacts, here and now; never checked. R_E costs a pass "
+      "itself.");
+  lesson.print(all.touch > 0
+                   ? fmt::format("before, after: step {}, in which the ball touches the pyramid.", all.touch)
+                   : "before: the ball touches nothing in these steps.");
+  lesson.print();
+}
+
+void print_steps(Lesson& lesson, const NeedsRun& all) {
+  lesson.print("rows × sweeps in step       1      20      40      60      80     100     120     140");
+  for (const std::size_t i : {everything, by_islands, sleeping, all_free}) {
+    std::string line = fmt::format("  {:<20}", all.runs[i].switches.name);
+    for (const std::size_t k : {1u, 20u, 40u, 60u, 80u, 100u, 120u, 140u}) {
+      if (k <= all.runs[i].steps.size()) line += fmt::format("{:>8}", all.runs[i].steps[k - 1].updates);
+    }
+    lesson.print(line);
+  }
+  lesson.print();
+}
+
+/// How far sleepers have moved, and whether rows were written for what sleeps alone.
+struct SleepFacts {
+  double moved = 0;    // [m]
+  int wrong_rows = 0;  // steps in which only ball and chain are awake, with other rows than the chain's
+  int such_steps = 0;
+  int woken = 0;    // the step in which the pyramid has woken up; 0: never slept, or never woken
+  int touched = 0;  // the step in which the ball came near it
+};
+
+SleepFacts look_at_sleep(const NeedsRun& all) {
+  SleepFacts facts;
+  const BillRun& run = all.runs[sleeping];
+  const BodyId ball = ball_of(all.settings);
+  for (std::size_t k = 1; k < run.frames.size(); ++k) {
+    const Snapshot& before = run.frames[k - 1];
+    const Snapshot& now = run.frames[k];
+    for (std::size_t i = 1; i < now.bodies.size(); ++i) {
+      if (before.bodies[i].awake || now.bodies[i].awake) continue;
+      const Vec2<double> gap = now.bodies[i].pose.position - before.bodies[i].pose.position;
+      facts.moved = std::max(facts.moved, gap.norm());
+    }
+    bool at_ball = false;
+    for (const SnapshotContact& contact : now.contacts)
+      at_ball = at_ball || contact.a == ball || contact.b == ball;
+    if (facts.touched == 0 && at_ball) facts.touched = static_cast<int>(k);
+    if (facts.woken == 0 && !before.bodies[1].awake && now.bodies[1].awake) facts.woken = static_cast<int>(k);
+    if (!at_ball && run.steps[k - 1].awake == all.settings.links + 1 && !before.bodies[1].awake) {
+      facts.such_steps += 1;
+      // Those that fall asleep in this step had rows in it.
+      if (k >= 2 && run.steps[k - 2].awake == all.settings.links + 1)
+        facts.wrong_rows += run.steps[k - 1].rows != 2 * all.settings.links;
+    }
+  }
+  return facts;
+}
+
+void check_all(Lesson& lesson, const NeedsRun& all) {
+  int wrong = 0;
+  for (const BillRun& run : all.runs)
+    wrong += run.steps[0].rows != rows_by_formula(all.settings, run.switches);
+  lesson.check_small("rows of step 1, counted by hand (switches that differ)", wrong, 0);
+  lesson.check_small("an island by itself moves as in the whole scene (m)", all.alone, 0);
+  const SleepFacts facts = look_at_sleep(all);
+  lesson.check_small("what sleeps stays where it is (m)", facts.moved, 0);
+  if (facts.such_steps > 0) {
+    lesson.check_small("ball and chain awake: rows other than 2 a link (steps)", facts.wrong_rows, 0);
+  }
+  if (facts.woken > 0) {
+    lesson.check_equal("the pyramid wakes up in the step in which the ball is near it", facts.woken,
+                       facts.touched, 0);
+  }
+  double residual = 0;
+  for (const std::size_t i : {early, by_islands, all_free}) {
+    for (const StepBill& bill : all.runs[i].steps) residual = std::max(residual, bill.residual);
+  }
+  lesson.check_small("a step that ends early has R_E at most as asked for", residual, all.settings.tolerance);
+  lesson.check_that("fewer rows, fewer updates: everything > shared > no friction",
+                    all.runs[everything].updates > all.runs[shared_friction].updates &&
+                        all.runs[shared_friction].updates > all.runs[no_friction].updates,
+                    fmt::format("{} > {} > {}", all.runs[everything].updates,
+                                all.runs[shared_friction].updates, all.runs[no_friction].updates));
+}
+
+}  // namespace
+
+void report(Lesson& lesson, const NeedsRun& all) {
+  lesson.print();
+  print_bills(lesson, all);
+  print_steps(lesson, all);
+  const double left = 2.0 * all.settings.links * all.settings.sweeps;
+  lesson.answer({left}, 0.05 * left,
+                "Only the chain has rows then, two for each pin. No friction is the switch that costs: "
+                "nothing needs it while all stand, and everything once the ball has come.");
+  check_all(lesson, all);
+}
+
+CsvTable bills_table(const NeedsRun& all) {
+  CsvTable table{.header = {"switch", "step", "rows", "sweeps", "updates", "awake"}};
+  for (const BillRun& run : all.runs) {
+    for (std::size_t k = 0; k < run.steps.size(); ++k) {
+      const StepBill& bill = run.steps[k];
+      table.rows.push_back({run.switches.name, static_cast<long long>(k + 1),
+                            static_cast<long long>(bill.rows), static_cast<long long>(bill.sweeps),
+                            bill.updates, static_cast<long long>(bill.awake)});
+    }
+  }
+  return table;
+}
+
+}  // namespace cairn::needs
