@@ -8,6 +8,7 @@
 
 #include "lessons/sandbox/verb.hpp"
 #include "lessons/words.hpp"
+#include "study/build_info.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -61,12 +62,14 @@ std::optional<std::string> with_unit(const std::optional<double>& value, double 
 void print_standing(const SceneEntry& scene, const SceneRun& run, Console& console) {
   const TrialResult& result = run.result;
   const std::optional<double>& most = scene.expectations.stands;
+  if (!std::isfinite(result.farthest)) return;  // the verdict says what became of it
   if (!most || result.status != TrialStatus::ok)
     return print_line(console, "farthest from start", fmt::format("{:.3g} m", result.farthest));
   const std::string stands = result.stands() ? fmt::format("all {:g} s", result.seconds)
                                              : fmt::format("until {:.3g} s", result.stands_until);
   const bool missed = is_missed(run, "stands");
-  print_line(console, "stands", stands, fmt::format("expected within {} mm", milli(*most)), missed ? -1 : 1);
+  print_line(console, "stands", stands, fmt::format("expected within {} mm of its place", milli(*most)),
+             missed ? -1 : 1);
 }
 
 std::string verdict_text(const SceneEntry& scene, const SceneRun& run) {
@@ -150,6 +153,12 @@ void print_runs(const SceneEntry& scene, const std::vector<SceneRun>& runs, Cons
   for (const SceneRun& run : runs) print_row(scene, run, width, console);
 }
 
+nlohmann::ordered_json build_json() {
+  Json json = Json::object();
+  for (const auto& [name, value] : build_entries()) json[name] = value;
+  return json;
+}
+
 nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
   const TrialResult& result = run.result;
   const Setting& setting = run.setting;
@@ -174,6 +183,7 @@ nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
                {"farthest_m", result.farthest},
                {"stands_s", scene.expectations.stands ? Json(result.stands_until) : Json(nullptr)},
                {"missed", run.missed},
+               {"build", build_json()},
                {"state", fmt::format("{:016x}", result.state_hash)}});
   return json;
 }

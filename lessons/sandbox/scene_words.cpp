@@ -52,8 +52,9 @@ StabilizationPolicy policy_of(const Words& words, StabilizationPolicy standard) 
 
 SceneEntry scene_of(const Words& words, const std::string& name, std::vector<std::string> others) {
   if (!names_scene_file(name)) {
+    const std::string list = others.empty() ? "cairn list scenes" : "cairn " + words.verb + " --list";
     for (const SceneEntry& entry : scene_entries()) others.push_back(entry.name);
-    words.require_known("SCENE", name, others);
+    words.require_known("SCENE", name, others, list);
   }
   return scene_entry(name);
 }

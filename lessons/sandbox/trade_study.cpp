@@ -110,7 +110,11 @@ TrajectoryGrid trajectory_grid(const Words& words) {
 
 std::string trajectory_note(const TrajectoryScene& scene) {
   if (scene.watch) return "The formula: " + scene.error_formula + ".";
-  return scene.starts > 1 ? fmt::format("The worst of {} starts, 1e-6 m apart.", scene.starts) : "";
+  return scene.starts > 1
+             ? fmt::format(
+                   "The worst of up to {} starts, 1e-6 m apart; settings under which it falls are left out.",
+                   scene.starts)
+             : "";
 }
 
 /// Level 2: whole runs.
@@ -159,7 +163,8 @@ TradeStudy trade_study(const Words& words) {
   const std::vector<std::string> everything = level == 1 ? frozen_names() : trajectory_names();
   const bool is_file = level == 2 && names_scene_file(name);
   if (!all && !is_file)
-    words.require_known(level == 1 ? "SCENE, of level 1," : "SCENE, of level 2,", name, everything);
+    words.require_known(level == 1 ? "SCENE, of level 1," : "SCENE, of level 2,", name, everything,
+                        "cairn tradeoff --list");
   const std::vector<std::string> names = all ? everything : std::vector<std::string>{name};
   return level == 1 ? solve_trade(words, names) : trajectory_trade(words, names);
 }

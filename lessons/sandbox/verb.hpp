@@ -60,9 +60,10 @@ struct Words {
                   double most = std::numeric_limits<double>::max()) const;
   /// Every value given, once each. @throws UsageError unless each is one of `known`.
   std::vector<std::string> known_texts(std::string_view flag, const std::vector<std::string>& known) const;
+  /// `list`: the command that shows them, where there are too many for a message.
   /// @throws UsageError "cairn VERB: what must be ..." unless `value` is one of `known`.
-  void require_known(std::string_view what, const std::string& value,
-                     const std::vector<std::string>& known) const;
+  void require_known(std::string_view what, const std::string& value, const std::vector<std::string>& known,
+                     const std::string& list = {}) const;
   /// @throws UsageError where the flag is given, but means nothing there.
   void refuse_beside(std::string_view flag, const std::string& what) const;
   /// @throws UsageError "cairn VERB: --flag must be rule, got value".

@@ -19,7 +19,8 @@ constexpr std::size_t most_runners_up = 3;
 
 std::string wish_line(const RecommendRun& run) {
   std::string text;
-  if (run.wish.stands) text += fmt::format(", nothing {:g} mm off its place", 1e3 * run.stand_distance);
+  if (run.wish.stands)
+    text += fmt::format(", nothing {:g} mm off the place it settled in", 1e3 * run.stand_distance);
   if (run.wish.penetration) text += fmt::format(", overlap up to {:g} mm", 1e3 * *run.wish.penetration);
   if (run.wish.drift) text += fmt::format(", joints within {:g} mm", 1e3 * *run.wish.drift);
   if (run.wish.energy_gain) text += fmt::format(", energy gain up to {:g} %", 100 * *run.wish.energy_gain);
@@ -76,7 +77,7 @@ Json kind_json(const Recommendation& of_kind) {
   json["runners_up"] = Json::array();
   for (std::size_t i = 1; i < std::min(best.size(), most_runners_up + 1); ++i)
     json["runners_up"].push_back(best[i].setting);
-  json["candidates"] = all.front().at("candidates");
+  json["candidates"] = all.at("recommendations").front().at("candidates");
   return json;
 }
 

@@ -141,7 +141,8 @@ Verb tradeoff_verb() {
           "velocity is known to be unique, E_M. Of a scene (level 2): solver, sweeps, substeps and steps "
           "a second, with Box2D 2.4.1 "
           "as one more contestant; the error is a formula's where one knows the motion, else the worst "
-          "overlap. It can be stopped and taken up again.",
+          "overlap. Settings under which a scene falls, or that take more than about half of real time, are "
+          "not followed further. It can be stopped and taken up again.",
       .flags = {{"level", "1|2", "one step, or whole runs (as the scene asks for; --all: both)"},
                 {"all", "", "the whole study: all scenes of the level, or of both; no chart"},
                 {"quick", "", "a coarse grid: a minute instead of many"},

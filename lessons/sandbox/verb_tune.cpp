@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lessons/sandbox/interrupt.hpp"
+#include "lessons/sandbox/run_table.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
@@ -72,10 +73,11 @@ std::string candidate_line(const std::string& who, const Candidate& candidate, d
 void print_rival(const std::string& who, const std::optional<Candidate>& rival, double best_cost,
                  const Wish& wish, Console& console) {
   if (!rival) return;
+  const char* others = rival->list_exhausted ? "; with less work it misses, too" : "";
   const std::string line = rival->verdict.meets
                                ? candidate_line(who, *rival, best_cost, wish)
-                               : fmt::format("{:<12} {:<49} misses it with the most work: {}", who,
-                                             setting_text(rival->setting), rival->verdict.missed);
+                               : fmt::format("{:<12} {:<49} misses it: {}{}", who,
+                                             setting_text(rival->setting), rival->verdict.missed, others);
   console.result(console.spelt(line));
 }
 
@@ -89,7 +91,7 @@ void print_answer(const TunerAnswer& answer, const Wish& wish, Console& console)
     for (const Candidate& next : answer.runners_up) print_rival("runner-up", next, best_cost, wish, console);
   } else {
     console.result(console.colored("Nothing that was tried meets the wish.", Color::bad));
-    print_rival("nearest", answer.nearest, best_cost, wish, console);
+    print_rival("most work", answer.nearest, best_cost, wish, console);
   }
   print_rival("plain SI", answer.plain_si, best_cost, wish, console);
   print_rival("Box2D 2.4.1", answer.box2d, best_cost, wish, console);
@@ -123,6 +125,7 @@ Json answer_json(const std::string& scene, const TunerAnswer& answer) {
           {"plain_si", candidate_json(answer.plain_si)},
           {"box2d", candidate_json(answer.box2d)},
           {"nearest", candidate_json(answer.nearest)},
+          {"build", build_json()},
           {"tried", answer.tried},
           {"complete", answer.complete}};
 }
@@ -140,6 +143,12 @@ double seconds_to_tune(const Words& words, const SceneEntry& entry, const Wish& 
     words.refuse("seconds", "at least as long as --stands", *words.text("seconds"));
   }
   return seconds;
+}
+
+/// Standing needs a distance, which only the scene can say.
+void check_stands(const Words& words, const SceneEntry& entry) {
+  if (!words.has("stands") || entry.expectations.stands) return;
+  words.refuse("stands", "for a scene that says how near its bodies stay ([expect] stands)", entry.name);
 }
 
 TunerOptions tuner_options(const Words& words, const Interrupt& interrupt, Progress& bar) {
@@ -175,6 +184,7 @@ TunerRun tuner_run(const SceneEntry& entry, const Scene& scene, const TrialOptio
 int run_tune(const Words& words, Console& console) {
   const SceneEntry entry = scene_of(words, words.places.front());
   const Wish wish = wish_of(words);
+  check_stands(words, entry);
   const double seconds = seconds_to_tune(words, entry, wish);
   const Scene scene = entry.make();
   const Interrupt interrupt;
@@ -204,31 +214,35 @@ int run_tune(const Words& words, Console& console) {
 }  // namespace
 
 Verb tune_verb() {
-  return {.name = "tune",
-          .places = "SCENE",
-          .fewest_places = 1,
-          .most_places = 1,
-          .summary = "the cheapest setting that meets an error you name",
-          .idea =
-              "Tries solvers, sweeps, steps, substeps and policies from the least work to the most, and "
-              "finds the one that costs "
-              "the least processor time of those that do what you wish, from 16 starts a thousandth of a "
-              "millimetre apart. "
-              "Says what that costs beside plain SI (60 Hz, Baumgarte, more and more sweeps) and beside "
-              "Box2D 2.4.1. "
-              "Several wishes must all be met. Exit code 1 when nothing does.",
-          .flags = {{"penetration", "LENGTH", "no two shapes overlap by more, such as 2mm"},
-                    {"drift", "LENGTH", "no joint is farther off, such as 1mm"},
-                    {"residual", "R_E", "no solve leaves more, such as 0.01"},
-                    {"energy-gain", "SHARE", "kinetic and potential energy never rise by more, such as 1%"},
-                    {"stands", "TIME", "nothing leaves its place for so long, such as 10s"},
-                    {"seconds", "TIME", "of every run (the scene's own, or as long as it should stand)"},
-                    {"solvers", "NAME,NAME", "to try (si, block, block-contact, accelerated)", true},
-                    {"starts", "N", "from which it must hold (16)"},
-                    {"time", "TIME", "for the search (60s)"}},
-          .examples = {"tune stack --penetration 2mm", "tune chain-bob --drift 5mm --energy-gain 1%",
-                       "tune stack-ratio --stands 10s --json"},
-          .run = run_tune};
+  return {
+      .name = "tune",
+      .places = "SCENE",
+      .fewest_places = 1,
+      .most_places = 1,
+      .summary = "the cheapest setting that meets an error you name",
+      .idea =
+          "Tries solvers, sweeps, steps, substeps and policies from the least work to the most, and "
+          "finds the one that costs "
+          "the least processor time of those that do what you wish, from 16 starts a thousandth of a "
+          "millimetre apart. "
+          "Says what that costs beside plain SI (60 Hz, Baumgarte, more and more sweeps) and beside "
+          "Box2D 2.4.1. "
+          "Several wishes must all be met. Exit code 1 when nothing does. A scene stands while no body is "
+          "farther from its place, aside or down, than it allows ([expect] stands in its file); places are "
+          "those after the first second (or half of a shorter run). Until then, and upwards, a body may "
+          "come as far as half its radius.",
+      .flags = {{"penetration", "LENGTH", "no two shapes overlap by more, such as 2mm"},
+                {"drift", "LENGTH", "no joint is farther off, such as 1mm"},
+                {"residual", "R_E", "no solve leaves more, such as 0.01"},
+                {"energy-gain", "SHARE", "kinetic and potential energy never rise by more, such as 1%"},
+                {"stands", "TIME", "nothing leaves the place it settles in for so long, such as 10s"},
+                {"seconds", "TIME", "of every run (the scene's own, or as long as it should stand)"},
+                {"solvers", "NAME,NAME", "to try (si, block, block-contact, accelerated)", true},
+                {"starts", "N", "from which it must hold (16)"},
+                {"time", "TIME", "for the search (60s)"}},
+      .examples = {"tune stack --penetration 2mm", "tune chain-bob --drift 5mm --energy-gain 1%",
+                   "tune stack-ratio --stands 10s --json"},
+      .run = run_tune};
 }
 
 }  // namespace cairn::sandbox

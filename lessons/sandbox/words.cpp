@@ -77,12 +77,13 @@ int Words::whole(std::string_view flag, int standard, int least, int most) const
 }
 
 void Words::require_known(std::string_view what, const std::string& value,
-                          const std::vector<std::string>& known) const {
+                          const std::vector<std::string>& known, const std::string& list) const {
   if (std::find(known.begin(), known.end(), value) != known.end()) return;
   const std::string meant = nearest(value, known);
-  throw UsageError("cairn " + verb + ": " + std::string(what) + " must be " +
-                   (meant.empty() ? "one of " + joined(known, ", ") + ", got " + value
-                                  : "a known name, got " + value + "; did you mean " + meant + "?"));
+  std::string rule = "a known name, got " + value + "; did you mean " + meant + "?";
+  if (meant.empty()) rule = "one of " + joined(known, ", ") + ", got " + value;
+  if (meant.empty() && !list.empty()) rule = "a known name, got " + value + "; " + list + " shows them";
+  throw UsageError("cairn " + verb + ": " + std::string(what) + " must be " + rule);
 }
 
 std::vector<std::string> Words::known_texts(std::string_view flag,

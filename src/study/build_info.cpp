@@ -1,9 +1,13 @@
 // Beside floor 6. Machine and compiler.
 #include "study/build_info.hpp"
 
+#include <sched.h>
+
 #include <fstream>
 
 namespace cairn {
+
+namespace {
 
 std::string cpu_name() {
   std::ifstream in("/proc/cpuinfo");
@@ -14,6 +18,13 @@ std::string cpu_name() {
   return "unknown";
 }
 
+/// A container or `taskset` may leave fewer than the machine has.
+std::string usable_cores() {
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  return sched_getaffinity(0, sizeof cores, &cores) == 0 ? std::to_string(CPU_COUNT(&cores)) : "unknown";
+}
+
 std::string compiler_name() {
 #ifdef __clang__
   return "clang " __clang_version__;
@@ -22,13 +33,19 @@ std::string compiler_name() {
 #endif
 }
 
-std::string build_flags() { return CAIRN_BUILD_FLAGS; }
+}  // namespace
+
+const std::vector<std::pair<std::string, std::string>>& build_entries() {
+  static const std::vector<std::pair<std::string, std::string>> entries = {
+      {"schema", "cairn-2"},         {"version", CAIRN_VERSION},
+      {"git", build_commit()},       {"box2d", CAIRN_BOX2D_VERSION},
+      {"compiler", compiler_name()}, {"flags", CAIRN_BUILD_FLAGS},
+      {"cpu", cpu_name()},           {"cores", usable_cores()}};
+  return entries;
+}
 
 void set_build(TradeRow& row) {
-  row.set("schema", std::string("cairn-1"));
-  row.set("cpu", cpu_name());
-  row.set("compiler", compiler_name());
-  row.set("flags", build_flags());
+  for (const auto& [name, value] : build_entries()) row.set(name, value);
 }
 
 }  // namespace cairn

@@ -1,17 +1,24 @@
-// Beside floor 6. What numbers about time come from.
+// Beside floor 6. What numbers about time come from, and what it takes to have them again.
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "study/trade_row.hpp"
 
 namespace cairn {
 
-std::string cpu_name();       // as the system calls it, "unknown" where it does not tell
-std::string compiler_name();  // with its version
-std::string build_flags();
+/// The commit of the tree that Cairn was built from, as git wrote it when the build was configured; "none"
+/// for a tree without git. What was changed since that commit is not in it.
+std::string build_commit();
 
-/// Fills the columns schema, cpu, compiler and flags.
+/// By the names of their columns: schema (of the tables), version, git, box2d (its version, "none" without
+/// it), compiler, flags, cpu (as the system calls it, "unknown" where it does not tell) and cores (that this
+/// process may use).
+const std::vector<std::pair<std::string, std::string>>& build_entries();
+
+/// Fills the columns of build_entries().
 void set_build(TradeRow& row);
 
 }  // namespace cairn

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "study/build_info.hpp"
+
 namespace cairn {
 
 namespace {
@@ -137,7 +139,8 @@ std::vector<Recommendation> read_recommendations(const std::filesystem::path& pa
   if (!in) throw std::runtime_error(path.string() + ": cannot be read");
   std::vector<Recommendation> all;
   try {
-    for (const RecommendJson& kind : RecommendJson::parse(in)) {
+    const RecommendJson file = RecommendJson::parse(in);
+    for (const RecommendJson& kind : file.at("recommendations")) {
       all.push_back({.kind = kind.at("kind"), .candidates = {}});
       for (const RecommendJson& candidate : kind.at("candidates")) {
         all.back().candidates.push_back({.setting = candidate.at("setting"), .findings = {}});
@@ -164,7 +167,9 @@ std::string recommendations_json(const std::vector<Recommendation>& all) {
     }
     kinds.push_back({{"kind", of_kind.kind}, {"candidates", candidates}});
   }
-  return kinds.dump(1) + "\n";
+  RecommendJson build = RecommendJson::object();
+  for (const auto& [name, value] : build_entries()) build[name] = value;
+  return RecommendJson({{"build", build}, {"recommendations", kinds}}).dump(1) + "\n";
 }
 
 }  // namespace cairn

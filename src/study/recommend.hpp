@@ -90,7 +90,7 @@ std::filesystem::path recommended_file();
 /// @throws std::invalid_argument for a file that is not of this kind, std::runtime_error for one that cannot
 /// be read; both name it.
 std::vector<Recommendation> read_recommendations(const std::filesystem::path& path);
-/// The text of such a file.
+/// The text of such a file, which says first what build its times come from.
 std::string recommendations_json(const std::vector<Recommendation>& all);
 
 }  // namespace cairn

@@ -14,7 +14,7 @@ using Policy = StabilizationPolicy;
 
 constexpr double most_gain = 0.01;  // of the energy scale: in every run
 
-/// Towers stand where nothing is a centimetre off its place.
+/// Towers stand where nothing leaves the place in which it has settled by more than a centimetre.
 RecommendRun tower_run(const std::string& name, double seconds, int boxes, double top) {
   return {.name = name,
           .seconds = seconds,

@@ -54,7 +54,7 @@ std::vector<std::string> unmet(const Expectations& expectations, const TrialResu
   at_most("worst penetration", result.worst_penetration, expectations.penetration, "m");
   at_most("worst drift", result.worst_drift, expectations.drift, "m or rad");
   at_most("energy gain", 100 * result.energy_gain, expectations.energy_gain, "%");
-  if (expectations.stands && result.farthest > *expectations.stands) {
+  if (expectations.stands && result.fell_at) {
     missed.push_back(fmt::format("stands for {:.3g} s of {:.3g} s", result.stands_until, result.seconds));
   }
   return missed;

@@ -86,7 +86,7 @@ std::vector<SceneKey> scene_recommended_keys() {
       {"expect", "penetration", number, "m", "", "> 0", "no overlap is deeper"},
       {"expect", "drift", number, "m or rad", "", "> 0", "no joint is further off"},
       {"expect", "energy_gain", number, "%", "", "> 0", "energy does not rise by more"},
-      {"expect", "stands", number, "m", "", "> 0", "no body moves further from where it begins"},
+      {"expect", "stands", number, "m", "", "> 0", "once the scene has settled, no body moves further"},
   };
 }
 

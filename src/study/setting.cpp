@@ -33,6 +33,13 @@ std::string sweeps_text(const SolverSettings& sweeps) {
   return text;
 }
 
+std::string precision_text(Precision scalar) {
+  if (scalar == Precision::single_precision) return "float";
+  return scalar == Precision::double_precision ? "double" : "long double";
+}
+
+}  // namespace
+
 std::string stabilization_text(const Stabilization& stabilization) {
   const Stabilization usual;
   std::string text;
@@ -61,13 +68,6 @@ std::string stabilization_text(const Stabilization& stabilization) {
     text += fmt::format(" at most {:g} m/s", stabilization.max_speed);
   return text;
 }
-
-std::string precision_text(Precision scalar) {
-  if (scalar == Precision::single_precision) return "float";
-  return scalar == Precision::double_precision ? "double" : "long double";
-}
-
-}  // namespace
 
 std::string setting_text(const Setting& setting) {
   std::string rate = fmt::format("{:.6g} Hz", 1 / setting.dt);

@@ -28,6 +28,9 @@ struct Setting {
 /// "si x10, 60 Hz x4, soft, double": what differs from the defaults is said, and nothing else.
 std::string setting_text(const Setting& setting);
 
+/// "baumgarte", "soft 40 Hz": the policy, and what differs from its defaults.
+std::string stabilization_text(const Stabilization& stabilization);
+
 /// @throws std::invalid_argument for an unknown solver, with the nearest known one, for numbers that it
 /// cannot work with, and for "box2d" where Cairn was built without it.
 void check(const Setting& setting);

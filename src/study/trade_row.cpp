@@ -9,9 +9,13 @@ namespace cairn {
 
 const std::vector<TradeColumn>& trade_columns() {
   static const std::vector<TradeColumn> columns = {{"schema", ""},
-                                                   {"cpu", ""},
+                                                   {"version", ""},
+                                                   {"git", ""},
+                                                   {"box2d", ""},
                                                    {"compiler", ""},
                                                    {"flags", ""},
+                                                   {"cpu", ""},
+                                                   {"cores", ""},
                                                    {"scalar", ""},
                                                    {"scene", ""},
                                                    {"scene_hash", ""},
@@ -57,6 +61,7 @@ const std::vector<TradeColumn>& trade_columns() {
                                                    {"err_value", ""},
                                                    {"err_p90", ""},
                                                    {"err_ref", ""},
+                                                   {"ref_kind", ""},
                                                    {"status", ""},
                                                    {"state_hash", ""}};
   return columns;

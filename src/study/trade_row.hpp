@@ -15,7 +15,9 @@ struct TradeColumn {
   std::string unit = {};  // "" for words and pure numbers
 };
 
-/// All columns, in order; one schema for frozen problems (level 1) and for trajectories (level 2).
+/// All columns, in order; one schema for frozen problems (level 1) and for trajectories (level 2). There is
+/// none for momentum, which the ground takes up in nearly every scene, and none for the rank of A, which no
+/// solver asks for.
 const std::vector<TradeColumn>& trade_columns();
 std::vector<std::string> trade_header();
 

@@ -10,6 +10,7 @@
 #include "measure/trajectory.hpp"
 #include "measure/violation.hpp"
 #include "study/contestant.hpp"
+#include "study/standing.hpp"
 
 namespace cairn {
 
@@ -20,6 +21,7 @@ void check_trial_options(const TrialOptions& options, double dt) {
   require(options.seconds >= 0 && options.seconds / dt <= most_steps, "run_trial", "seconds",
           "from 0 to 1e9 steps", options.seconds);
   require(options.stand_distance >= 0, "run_trial", "stand_distance", ">= 0 m", options.stand_distance);
+  require(options.settle_seconds >= 0, "run_trial", "settle_seconds", ">= 0 s", options.settle_seconds);
   require(options.penetration_every >= 1, "run_trial", "penetration_every", ">= 1 step",
           options.penetration_every);
   require(options.fastest > 0, "run_trial", "fastest", "> 0 m/s", options.fastest);
@@ -51,7 +53,11 @@ double farthest_from_start(const Snapshot& start, const Snapshot& now) {
 class Trial {
  public:
   Trial(Contestant& contestant, const TrialOptions& options, TrialResult& result)
-      : contestant_(contestant), options_(options), result_(result), start_(contestant.snapshot()) {
+      : contestant_(contestant),
+        options_(options),
+        result_(result),
+        start_(contestant.snapshot()),
+        standing_(start_, options.stand_distance, std::min(options.settle_seconds, options.seconds / 2)) {
     start_energy_ = total_energy(start_);
     const double scale = energy_scale(start_);
     result_.energy_scale = scale > 0 ? scale : 1;
@@ -101,8 +107,12 @@ class Trial {
     if (options_.observer) options_.observer(now);
     result_.not_finite = contestant_.not_finite();
     result_.status = result_.not_finite ? TrialStatus::nan : motion_status(now, options_.fastest);
-    if (result_.status == TrialStatus::nan) return note_position(std::numeric_limits<double>::infinity());
-    note_position(farthest_from_start(start_, now));
+    if (result_.status == TrialStatus::nan) {
+      result_.farthest = std::numeric_limits<double>::infinity();
+      return note_fall();
+    }
+    result_.farthest = std::max(result_.farthest, farthest_from_start(start_, now));
+    if (!standing_.holds(now, result_.seconds)) note_fall();
     result_.worst_drift = std::max(result_.worst_drift, worst_joint_drift(now));
     const double change = (total_energy(now) - start_energy_) / result_.energy_scale;
     result_.energy_gain = std::max(result_.energy_gain, change);
@@ -114,16 +124,15 @@ class Trial {
     if (late && !is_last && result_.status == TrialStatus::ok) result_.status = TrialStatus::timeout;
   }
 
-  void note_position(double distance) {
-    result_.farthest = std::max(result_.farthest, distance);
-    if (distance <= options_.stand_distance || result_.fell_at) return;
-    result_.fell_at = result_.stands_until = result_.seconds;
+  void note_fall() {
+    if (!result_.fell_at) result_.fell_at = result_.stands_until = result_.seconds;
   }
 
   Contestant& contestant_;
   const TrialOptions& options_;
   TrialResult& result_;
   Snapshot start_;
+  Standing standing_;
   double start_energy_ = 0;  // [J]
   double residual_sum_ = 0;
   int residuals_ = 0;

@@ -34,8 +34,10 @@ struct TrialResult;
 
 struct TrialOptions {
   double seconds = 2;  // [s] to simulate, rounded to whole steps
-  /// [m] The scene stands while every dynamic body's centre of mass is at most as far from its start.
+  /// [m] The scene stands while every dynamic body's centre of mass is at most as far from its place: where
+  /// it is after settle_seconds. Until then half its bounding radius is allowed (see Standing).
   double stand_distance = std::numeric_limits<double>::infinity();
+  double settle_seconds = 1;  // [s] but at most half of `seconds`; with 0 the places are those of the start
   /// Overlap is measured after every so many steps, and at the end. The other measures, taken after every
   /// step, cost O(bodies + joints); this one looks for pairs and collides them, as a step does.
   int penetration_every = 1;
@@ -61,7 +63,7 @@ struct TrialResult {
   double energy_scale = 0;  // [J] energy_scale() of the start (measure/trajectory.hpp); 1 J where it is 0
   double energy_gain = 0;   // of the scale: how far kinetic and potential energy rose above the start's
   double energy_loss = 0;   // of the scale: how far they are below it at the end; < 0: above it
-  double farthest = 0;      // [m] that a dynamic body's centre of mass was from its start
+  double farthest = 0;      // [m] that a dynamic body's centre of mass was from its start, infinite for nan
   std::optional<double> fell_at = {};  // [s] after the first step where the scene did not stand; none: it did
   double stands_until = 0;             // [s] fell_at, or else all of `seconds`
   double step_seconds = 0;             // [s] of the clock in steps; measuring is not in it

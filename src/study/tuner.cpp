@@ -26,6 +26,11 @@ double median_of(std::vector<double> values) {
 
 std::string length_text(double metres) { return fmt::format("{:.3g} mm", 1e3 * metres); }
 
+/// Runs are often given up where they miss the wish: what was found is of so much of them.
+Verdict missed_verdict(const std::string& what, const TrialResult& result) {
+  return {false, fmt::format("{} after {:.3g} s", what, result.seconds)};
+}
+
 void check_wish(const Wish& wish) {
   const std::pair<const char*, std::optional<double>> fields[] = {{"penetration", wish.penetration},
                                                                   {"drift", wish.drift},
@@ -106,6 +111,7 @@ class TunerSearch {
       if (told_to_stop_ || (last && late())) break;
       last = candidate(setting, tried, total);
       if (last->verdict.meets) break;
+      last->list_exhausted = &setting == &settings.back();
     }
     return last;
   }
@@ -149,7 +155,7 @@ Verdict verdict(const TrialResult& result, const Wish& wish) {
 Verdict verdict_so_far(const TrialResult& result, const Wish& wish) {
   if (result.status == TrialStatus::refused) return {false, "refused: " + result.reason};
   if (result.status != TrialStatus::ok) {
-    return {false, fmt::format("{} after {:.3g} s", status_text(result.status), result.seconds)};
+    return missed_verdict(status_text(result.status), result);
   }
   const auto misses = [](double value, const std::optional<double>& limit) {
     return limit && !(value <= *limit);
@@ -158,16 +164,18 @@ Verdict verdict_so_far(const TrialResult& result, const Wish& wish) {
     return {false, fmt::format("stands {:.3g} s", *result.fell_at)};
   }
   if (misses(result.worst_penetration, wish.penetration)) {
-    return {false, "penetration " + length_text(result.worst_penetration)};
+    return missed_verdict("penetration " + length_text(result.worst_penetration), result);
   }
-  if (misses(result.worst_drift, wish.drift)) return {false, "drift " + length_text(result.worst_drift)};
+  if (misses(result.worst_drift, wish.drift)) {
+    return missed_verdict("drift " + length_text(result.worst_drift), result);
+  }
   if (misses(result.energy_gain, wish.energy_gain)) {
-    return {false, fmt::format("energy gain {:.3g} %", 100 * result.energy_gain)};
+    return missed_verdict(fmt::format("energy gain {:.3g} %", 100 * result.energy_gain), result);
   }
   // Who cannot tell its residual does not meet a wish for one.
   if (wish.residual && !result.worst_residual) return {false, "R_E cannot be measured"};
   if (misses(result.worst_residual.value_or(0), wish.residual)) {
-    return {false, fmt::format("R_E {:.2g}", *result.worst_residual)};
+    return missed_verdict(fmt::format("R_E {:.2g}", *result.worst_residual), result);
   }
   return {};
 }

@@ -17,10 +17,11 @@ struct Wish {
   std::optional<double> drift = {};        // [m or rad] of any joint, at most
   std::optional<double> residual = {};     // R_E left by any solve, at most
   std::optional<double> energy_gain = {};  // of the scene's energy scale, at most
-  std::optional<double> stands = {};       // [s] nothing leaves its place for so long
+  std::optional<double> stands = {};       // [s] as TrialResult::stands_until, at least
 };
 
-/// Whether a run did what was wished, and otherwise the first thing that it missed: "penetration 3.1 mm".
+/// Whether a run did what was wished, and otherwise the first thing that it missed, with the time that was
+/// simulated until then: "penetration 3.1 mm after 0.5 s".
 struct Verdict {
   bool meets = true;
   std::string missed = {};
@@ -44,6 +45,8 @@ struct Candidate {
   double worst_residual = 0;
   double energy_gain = 0;
   double stands_until = 0;  // [s] the least
+  /// It misses the wish, and so does every setting of its list that is expected to be less work.
+  bool list_exhausted = false;
 };
 
 struct TunerOptions {

@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "measure/fingerprint.hpp"
 #include "solvers/non_zeros.hpp"
 #include "solvers/reference_solver.hpp"
 #include "study/build_info.hpp"
@@ -24,12 +25,31 @@ struct KnownProblem {
   FrozenProblem frozen = {};
   Uniqueness unique = Uniqueness::unknown;
   std::optional<std::vector<Vec3<double>>> truth = {};
+  std::uint64_t fingerprint = 0;  // of its numbers
   bool solved = false;
 };
+
+std::uint64_t problem_fingerprint(const VelocityProblem<double>& problem) {
+  Fingerprint hash;
+  hash.add(problem.dt);
+  for (const Vec3<double>& inverse_mass : problem.inverse_mass) hash.add(inverse_mass);
+  for (const Vec3<double>& velocity : problem.velocity) hash.add(velocity);
+  for (const double impulse : problem.impulse) hash.add(impulse);
+  for (const ConstraintRow<double>& row : problem.rows) {
+    for (const int body : {row.a.index, row.b.index}) hash.add(static_cast<double>(body));
+    hash.add(row.jacobian_a);
+    hash.add(row.jacobian_b);
+    for (const double number :
+         {row.bias, row.softness, row.bounds.lower, row.bounds.upper, row.bounds.friction})
+      hash.add(number);
+  }
+  return hash.value();
+}
 
 void find_truth(KnownProblem& known) {
   if (known.solved) return;
   known.solved = true;
+  known.fingerprint = problem_fingerprint(known.frozen.problem);
   ReferenceSolver<double> reference;
   VelocityProblem<double> answer = known.frozen.problem;
   const SolveReport report = reference.solve(answer);
@@ -68,6 +88,7 @@ std::vector<CsvCell> solve_row(KnownProblem& known, const SolveChoice& choice, c
   set_build(row);
   row.set("scalar", scalar_word(choice.scalar));
   row.set("scene", known.frozen.name);
+  row.set("scene_hash", hexadecimal(known.fingerprint));
   row.set("level", 1LL);
   row.set("bodies", static_cast<long long>(problem.body_count()));
   row.set("rows", static_cast<long long>(problem.row_count()));
@@ -78,6 +99,8 @@ std::vector<CsvCell> solve_row(KnownProblem& known, const SolveChoice& choice, c
   row.set("dt", problem.dt);
   row.set("sweeps", static_cast<long long>(choice.sweeps));
   row.set("warm", start_word(choice.start));
+  row.set("friction_model", std::string("coupled"));
+  if (known.truth) row.set("ref_kind", std::string("reference"));
   row.set("status", outcome.status);
   if (outcome.status == "refused") return row.cells();
   row.set("row_updates", static_cast<long long>(outcome.row_updates));

@@ -43,6 +43,16 @@ TEST_CASE("a run in Box2D has the same hash when it is repeated, and its rows ar
   CHECK_FALSE(first.mean_residual.has_value());  // its rows cannot be seen
 }
 
+TEST_CASE("a tower of ten stands in Box2D, whose skin lifts it by more than its place is wide") {
+  const SceneEntry stack = scene_entry("stack");
+  TrialOptions options = trial_options(stack);
+  options.seconds = 10;
+  const TrialResult result = run_trial(stack.make(), usual_box2d, options);
+  CHECK(result.stands());
+  CHECK(result.stands_until == 10);
+  CHECK(result.farthest > *stack.expectations.stands);  // from where it was placed
+}
+
 TEST_CASE("a step of Box2D with substeps is as many shorter steps") {
   const Scene tower = scene_entry("stack-offset").make();
   Setting coarse = usual_box2d;

@@ -130,6 +130,7 @@ TEST_CASE("expectations that were missed are told with both numbers, and met one
   CHECK(missed[2] == "energy gain 3 %, expected at most 1 %");
   CHECK(missed[3] == "stands for 0.5 s of 2 s");
   CHECK(unmet({}, result).empty());
+  result.fell_at.reset();
   CHECK(unmet({.penetration = 0.25, .drift = 0.5, .energy_gain = 3, .stands = 2}, result).empty());
   result.status = TrialStatus::nan;
   CHECK(unmet({}, result).size() == 1);

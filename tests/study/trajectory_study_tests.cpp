@@ -101,6 +101,7 @@ TEST_CASE("the work of a run is counted: rows times sweeps, for every substep of
   grid.substeps = {4};
   const CsvTable table = rows_of({scene}, grid);
   CHECK(number_in(table, 0, "work") == doctest::Approx(2 * 8 * 60 * 4).epsilon(1e-12));
+  CHECK(number_in(table, 0, "row_updates") == 2 * 8 * 60 * 4);
   CHECK(number_in(table, 0, "cost") > 0);
 }
 
@@ -122,7 +123,62 @@ TEST_CASE("a scene that stands is started again and again, and the share that st
   CHECK(number_in(table, 0, "survival") == 1);  // free fall would be g t (t + dt) / 2 = 0.217 m
   CHECK(number_in(table, 0, "stands_until") == doctest::Approx(0.2).epsilon(1e-12));
   stack.stand_distance = 1e-9;  // even settling is more
-  CHECK(number_in(rows_of({stack}, one_setting("si")), 0, "survival") == 0);
+  const CsvTable fallen = rows_of({stack}, one_setting("si"));
+  CHECK(number_in(fallen, 0, "survival") == 0);
+  CHECK(text_in(fallen, 0, "status") == "fell");
+  CHECK(number_in(fallen, 0, "starts") == 1);  // the first has said what there is to say
+}
+
+TEST_CASE("starts that come to the same places are not repeated beyond three, and others are") {
+  // What is jittered by 1e-6 m and then flies without forces ends as far from its own start: all agree.
+  TrajectoryScene disc = free_disc(0.1, 0);
+  disc.starts = 16;
+  disc.stand_distance = 1;
+  CHECK(number_in(rows_of({disc}, one_setting("si")), 0, "starts") == 3);
+  // A disc a millimetre above the ground falls as far as it was jittered: by up to 1e-6 m more or less, which
+  // is far more than a hundredth of 1e-5 m.
+  disc.make = [] {
+    Scene scene;
+    scene.add_ground({.half_width = 2});
+    scene.add({.shapes = {circle(0.5)}, .position = {0, 0.501}});
+    return scene;
+  };
+  disc.stand_distance = 1e-5;
+  const CsvTable table = rows_of({disc}, one_setting("si"));
+  CHECK(number_in(table, 0, "starts") == 16);
+  CHECK(number_in(table, 0, "survival") == 1);
+}
+
+TEST_CASE("a setting with more work than real time allows is given up, and says so") {
+  // A tower of 100 boxes has 400 rows: 400 x 64 x 960 x 16 are 4e8 row updates a second.
+  TrajectoryScene tower = free_disc(0, 0);
+  tower.watch = nullptr;
+  tower.make = [] {
+    Scene scene;
+    scene.add_ground({.half_width = 8});
+    for (int i = 0; i < 100; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, i + 0.5}});
+    return scene;
+  };
+  tower.seconds = 0.05;
+  TrajectoryGrid grid = one_setting("si");
+  grid.frequencies = {960};
+  grid.substeps = {16};
+  grid.sweeps = {64};
+  const CsvTable table = rows_of({tower}, grid);
+  CHECK(text_in(table, 0, "status") == "timeout");
+  CHECK(number_in(table, 0, "work") > most_trajectory_work);
+  CHECK(number_in(table, 0, "work") == doctest::Approx(400.0 * 64 * 960 * 16).epsilon(0.01));
+}
+
+TEST_CASE("a row says what it takes to have it again") {
+  const CsvTable table = rows_of({trajectory_scene("bounce")}, one_setting("si"));
+  for (const char* name : {"schema", "version", "git", "box2d", "compiler", "flags", "cpu", "scene_hash",
+                           "stabilizer", "friction_model", "err_ref", "ref_kind"}) {
+    CAPTURE(name);
+    CHECK_FALSE(text_in(table, 0, name).empty());
+  }
+  CHECK(text_in(table, 0, "scene_hash") !=
+        text_in(rows_of({trajectory_scene("stopping")}, one_setting("si")), 0, "scene_hash"));
 }
 
 TEST_CASE("two studies of runs give the same answers, but for their times") {

@@ -76,17 +76,19 @@ TEST_CASE("energy that a falling disc loses to the integration is g dt / 2 of it
   CHECK(result.farthest == doctest::Approx(10 * trial_dt * trial_dt * 64 * 65 / 2).epsilon(1e-12));
 }
 
-TEST_CASE("a scene stands until the step after which a body is too far from its start") {
+TEST_CASE(
+    "a scene without time to settle stands until the step after which a body is too far from its start") {
   // After n steps it has fallen g dt^2 n (n + 1) / 2: beyond 10 dt^2 45 from n = 10 on.
   const double distance = 10 * trial_dt * trial_dt * 45 * 1.0001;
-  const TrialResult result =
-      run_trial(falling_disc(), {.dt = trial_dt}, {.seconds = 0.5, .stand_distance = distance});
+  const TrialResult result = run_trial(falling_disc(), {.dt = trial_dt},
+                                       {.seconds = 0.5, .stand_distance = distance, .settle_seconds = 0});
   REQUIRE(result.fell_at.has_value());
   CHECK(*result.fell_at == 10 * trial_dt);
   CHECK(result.stands_until == 10 * trial_dt);
   CHECK_FALSE(result.stands());
   const TrialResult shorter =
-      run_trial(falling_disc(), {.dt = trial_dt}, {.seconds = 9 * trial_dt, .stand_distance = distance});
+      run_trial(falling_disc(), {.dt = trial_dt},
+                {.seconds = 9 * trial_dt, .stand_distance = distance, .settle_seconds = 0});
   CHECK(shorter.stands());
   CHECK(shorter.stands_until == 9 * trial_dt);
 }
@@ -202,6 +204,7 @@ TEST_CASE("options out of range and settings that nothing runs under are refused
   CHECK_THROWS_AS(run_trial(scene, {}, {.seconds = -1}), std::invalid_argument);
   CHECK_THROWS_AS(run_trial(scene, {}, {.seconds = NAN}), std::invalid_argument);
   CHECK_THROWS_AS(run_trial(scene, {}, {.stand_distance = -1}), std::invalid_argument);
+  CHECK_THROWS_AS(run_trial(scene, {}, {.settle_seconds = -1}), std::invalid_argument);
   CHECK_THROWS_AS(run_trial(scene, {}, {.penetration_every = 0}), std::invalid_argument);
   CHECK_THROWS_AS(run_trial(scene, {}, {.fastest = NAN}), std::invalid_argument);
   CHECK_THROWS_AS(run_trial(scene, {}, {.time_limit = -1}), std::invalid_argument);

@@ -72,6 +72,8 @@ TEST_CASE("where nothing meets a wish the tuner says so, and what came of the mo
   CHECK(answer.runners_up.empty());
   REQUIRE(answer.plain_si);
   CHECK_FALSE(answer.plain_si->verdict.meets);
+  CHECK(answer.plain_si->list_exhausted);
+  CHECK(answer.plain_si->setting.sweeps.iterations == 1024);
   CHECK(answer.complete);
   CHECK(answer.tried == static_cast<int>(tuner_settings({"si"}).size()));
   REQUIRE(answer.nearest);
@@ -109,7 +111,7 @@ TEST_CASE("a verdict names what was missed, and NaN meets no wish") {
   result.seconds = result.stands_until = 3;
   result.worst_penetration = 0.0031;
   CHECK(verdict(result, {.penetration = 0.004}).meets);
-  CHECK(verdict(result, {.penetration = 0.003}).missed == "penetration 3.1 mm");
+  CHECK(verdict(result, {.penetration = 0.003}).missed == "penetration 3.1 mm after 3 s");
   CHECK(verdict(result, {.stands = 5}).missed == "stands 3 s");
   CHECK_FALSE(verdict(result, {.residual = 1}).meets);  // it was not measured
   result.worst_drift = std::numeric_limits<double>::quiet_NaN();

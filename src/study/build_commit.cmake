@@ -1,0 +1,25 @@
+# The commit that stands checked out, for the tables of studies: "none" where the tree is no git tree of its own. It is
+# read again when git moves to another commit, as its log then grows.
+set(CAIRN_COMMIT "none")
+find_package(Git QUIET)
+if(Git_FOUND)
+  execute_process(COMMAND ${GIT_EXECUTABLE} rev-parse --show-toplevel HEAD --git-path logs/HEAD
+                  WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} OUTPUT_VARIABLE answer RESULT_VARIABLE code ERROR_QUIET
+                  OUTPUT_STRIP_TRAILING_WHITESPACE)
+  string(REPLACE "\n" ";" answer "${answer}")
+  list(LENGTH answer lines)
+  if(code EQUAL 0 AND lines EQUAL 3)
+    list(GET answer 0 top)
+    list(GET answer 2 log)
+    get_filename_component(log ${log} ABSOLUTE BASE_DIR ${CMAKE_SOURCE_DIR})
+    file(REAL_PATH ${top} top)
+    file(REAL_PATH ${CMAKE_SOURCE_DIR} source)
+    if(top STREQUAL source)
+      list(GET answer 1 CAIRN_COMMIT)
+      if(EXISTS ${log})
+        set_property(DIRECTORY ${CMAKE_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${log})
+      endif()
+    endif()
+  endif()
+endif()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/build_commit.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/build_commit.cpp @ONLY)

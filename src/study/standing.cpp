@@ -1,0 +1,54 @@
+// Beside floor 6. Places, and ways from them.
+#include "study/standing.hpp"
+
+#include <algorithm>
+
+#include "geometry/aabb.hpp"
+
+namespace cairn {
+
+namespace {
+
+double wide_distance(const SnapshotBody& body, double distance) {
+  double radius = 0;  // [m] about the centre of mass
+  for (const Shape<double>& shape : body.shapes) radius = std::max(radius, bounding_radius(shape));
+  return std::max(distance, radius / 2);
+}
+
+}  // namespace
+
+Standing::Standing(const Snapshot& start, double distance, double settle_seconds)
+    : distance_(distance), settle_seconds_(settle_seconds), settled_(settle_seconds <= 0) {
+  for (const SnapshotBody& body : start.bodies) {
+    places_.push_back(body.pose.position);
+    wide_distances_.push_back(wide_distance(body, distance));
+  }
+}
+
+bool Standing::holds(const SnapshotBody& body, const Vec2<double>& gravity, std::size_t i) const {
+  const Vec2<double> way = body.pose.position - places_[i];
+  const double length = way.norm();
+  if (!settled_) return length <= wide_distances_[i];
+  const Vec2<double> force = body.gravity_scale * gravity;
+  const bool is_lifted = way.dot(force) < 0;
+  if (!is_lifted) return length <= distance_;
+  const Vec2<double> up = -force.normalized();
+  const Vec2<double> aside = way - way.dot(up) * up;
+  return aside.norm() <= distance_ && length <= wide_distances_[i];
+}
+
+bool Standing::holds(const Snapshot& now, double time) {
+  bool all_hold = true;
+  for (std::size_t i = 0; i < now.bodies.size(); ++i) {
+    if (now.bodies[i].type != BodyType::dynamic) continue;
+    all_hold = all_hold && holds(now.bodies[i], now.gravity, i);
+  }
+  const double rounding = 1e-9 * settle_seconds_;  // of sums of time steps
+  if (!settled_ && time >= settle_seconds_ - rounding) {
+    settled_ = true;
+    for (std::size_t i = 0; i < now.bodies.size(); ++i) places_[i] = now.bodies[i].pose.position;
+  }
+  return all_hold;
+}
+
+}  // namespace cairn
