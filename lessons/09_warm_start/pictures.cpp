@@ -8,7 +8,7 @@
 #include <memory>
 #include <set>
 
-#include "render/draw.hpp"
+#include "lessons/tower_panel.hpp"
 #include "render/plot.hpp"
 
 namespace cairn::warm {
@@ -17,7 +17,6 @@ namespace {
 
 using render::fixed;
 using render::Page;
-using render::Point;
 using render::Rect;
 using render::SeriesStyle;
 
@@ -39,62 +38,23 @@ double top_of(const StartRun& run, int frame) {
   return run.frames[static_cast<std::size_t>(frame)].bodies.back().pose.position.y() + 0.5;
 }
 
-/// Bars to the right of the tower, one beside the box that each load carries, with a tick at its weight.
-void draw_loads(Page& page, const render::Camera& camera, const Rect& room, const WarmStart& all,
-                const StartRun& run, int frame, const SeriesStyle& style) {
-  render::Canvas& canvas = page.canvas();
-  const double per_newton = room.width / largest_load(all);
-  const double thickness = std::clamp(0.42 * camera.scale, 3.0, 12.0);
-  const auto k = static_cast<std::size_t>(frame);
-  for (int i = 0; i < all.settings.boxes; ++i) {
-    const auto interface = static_cast<std::size_t>(i);
-    const double center = run.frames[k].bodies[interface + 1].pose.position.y();
-    const double y = camera.project({0, center}).y();
-    const double load = run.loads[k][interface];
-    canvas.rect({room.x, y - thickness / 2, std::max(0.0, load * per_newton), thickness},
-                {.fill = style.color, .outline = page.theme().outline, .outline_width = 1});
-    const double tick = room.x + (all.settings.boxes - i) * gravity * per_newton;
-    canvas.line({tick, y - thickness}, {tick, y + thickness}, {.width = 2, .color = page.theme().outline});
-  }
-}
-
 /// Where the top of the tower was at the start.
 void draw_start_line(Page& page, const render::Camera& camera, double boxes) {
   page.canvas().line(camera.project({-1, boxes}), camera.project({1, boxes}),
                      {.width = 1.5, .color = page.theme().secondary_text, .dash = {6, 4}});
 }
 
-/// One start: its colour on top, its name, its tower, its loads.
+/// One start: its tower and its loads.
 void draw_start(Page& page, const Rect& rect, const WarmStart& all, const StartRun& run, int frame,
                 const SeriesStyle& style) {
-  render::Canvas& canvas = page.canvas();
-  const Rect inside = page.panel(rect, "");
-  canvas.rect({rect.x, rect.y, rect.width, 6}, {.fill = style.color});
-  render::TextStyle name = page.label();
-  name.bold = true;
-  const double line = name.size * 1.2;
-  render::draw_marker(canvas, {inside.x + 6, inside.y + line - 0.35 * name.size}, style.marker,
-                      page.sizes().marker, style.color);
-  canvas.text({inside.x + 18, inside.y + line}, run.name, name);
-  render::TextStyle number = page.value();
-  number.align = render::Align::right;
   const double moved = 1000 * (top_of(run, frame) - all.settings.boxes);
-  canvas.text({inside.x + inside.width, inside.y + line},
-              (page.compact() ? "" : "top ") + fixed(moved, 0, render::Sign::always) + " mm", number);
-
-  const double top = inside.y + line + 10;
-  const double n = all.settings.boxes;
-  const Rect view = {inside.x, top, inside.width, inside.y + inside.height - top};
-  render::Camera camera = render::fit(view, {{-1.2, -0.6}, {1.2, n + 0.4}});
-  camera.center.x() = 0.5 * view.width / camera.scale - 1.2;  // the tower at the left
-  render::WorldLook look;
-  look.contacts = false;
-  look.numbers = camera.scale >= 20;  // or those of two digits would be missing
-  look.penetration = false;
-  draw_world(page, camera, run.frames[static_cast<std::size_t>(frame)], look);
-  draw_start_line(page, camera, n);
-  const double left = camera.project({0.5, 0}).x() + 14;
-  draw_loads(page, camera, {left, top, inside.x + inside.width - left, view.height}, all, run, frame, style);
+  const std::string top = (page.compact() ? "" : "top ") + fixed(moved, 0, render::Sign::always) + " mm";
+  const Rect view = draw_solver_panel(page, rect, style, run.name, top);
+  const auto k = static_cast<std::size_t>(frame);
+  const render::Camera camera =
+      draw_tower_loads(page, view, run.frames[k], run.loads[k],
+                       {.box_weight = gravity, .largest = largest_load(all), .color = style.color});
+  draw_start_line(page, camera, all.settings.boxes);
 }
 
 void draw_towers(Page& page, const Rect& rect, const WarmStart& all, int frame) {

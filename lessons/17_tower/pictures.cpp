@@ -9,7 +9,7 @@
 #include <memory>
 #include <set>
 
-#include "render/draw.hpp"
+#include "lessons/tower_panel.hpp"
 #include "render/plot.hpp"
 
 namespace cairn::tower {
@@ -17,7 +17,6 @@ namespace cairn::tower {
 namespace {
 
 using render::Page;
-using render::Point;
 using render::Rect;
 using render::SeriesStyle;
 
@@ -37,65 +36,20 @@ double largest_load(const TowerRuns& runs) {
   return largest;
 }
 
-/// What each interface should carry when all is at rest: the weight above it [N].
-double exact_load(const TowerSettings& settings, int interface) {
-  return (settings.boxes - interface) * settings.gravity;
-}
-
-/// Bars that grow to the right from `left`, one at the height of each interface, with a tick at the exact
-/// load.
-void draw_loads(Page& page, const render::Camera& camera, double left, double width, const TowerRuns& runs,
-                const EngineRun& run, int frame, const SeriesStyle& style) {
-  render::Canvas& canvas = page.canvas();
-  const double per_newton = width / largest_load(runs);
-  const double thickness = std::clamp(0.42 * camera.scale, 3.0, 12.0);
-  const std::vector<double>& loads = run.loads[static_cast<std::size_t>(frame)];
-  for (int i = 0; i < runs.settings.boxes; ++i) {
-    const double y = camera.project({0, i + 0.25}).y();  // in the lower half of the box that it carries
-    const double load = loads[static_cast<std::size_t>(i)];
-    canvas.rect({left, y - thickness / 2, std::max(0.0, load * per_newton), thickness},
-                {.fill = style.color, .outline = page.theme().outline, .outline_width = 1});
-    const double tick = left + exact_load(runs.settings, i) * per_newton;
-    canvas.line({tick, y - thickness}, {tick, y + thickness}, {.width = 2, .color = page.theme().outline});
-  }
-}
-
-/// One engine: its colour on top, its name, its tower, its loads.
+/// One engine: its tower and its loads.
 void draw_engine(Page& page, const Rect& rect, const TowerRuns& runs, const EngineRun& run, int frame,
                  const SeriesStyle& style) {
-  render::Canvas& canvas = page.canvas();
-  const Rect inside = page.panel(rect, "");
-  canvas.rect({rect.x, rect.y, rect.width, 6}, {.fill = style.color});
-  render::TextStyle name = page.label();
-  name.bold = true;
-  const double line = name.size * 1.2;
-  render::draw_marker(canvas, {inside.x + 6, inside.y + line - 0.35 * name.size}, style.marker,
-                      page.sizes().marker, style.color);
-  canvas.text({inside.x + 18, inside.y + line}, run.name, name);
-
-  const std::vector<double>& loads = run.loads[static_cast<std::size_t>(frame)];
-  render::TextStyle number = page.value();
-  number.align = render::Align::right;
-  canvas.text({inside.x + inside.width, inside.y + line}, render::fixed(loads[0], 2) + " N", number);
-
-  const double height = run.frames[static_cast<std::size_t>(frame)].bodies.back().pose.position.y() + 0.5;
+  const auto k = static_cast<std::size_t>(frame);
+  const std::string lowest = render::fixed(run.loads[k][0], 2) + " N";
+  const Rect view = draw_solver_panel(page, rect, style, run.name, lowest);
+  const double height = run.frames[k].bodies.back().pose.position.y() + 0.5;
   render::TextStyle small = page.tick();
   small.align = render::Align::right;
-  canvas.text({inside.x + inside.width, inside.y + 2.1 * line},
-              fmt::format("top: {} m", render::fixed(height, 2)), small);
-
-  const double top = inside.y + line + 10;
-  const double n = runs.settings.boxes;
-  const Rect view = {inside.x, top, inside.width, inside.y + inside.height - top};
-  render::Camera camera = render::fit(view, {{-1.2, -0.6}, {1.2, n + 0.4}});
-  camera.center.x() = 0.5 * view.width / camera.scale - 1.2;  // the tower at the left
-  render::WorldLook look;
-  look.contacts = false;
-  look.numbers = camera.scale >= 20;  // or those of two digits would be missing
-  look.penetration = false;
-  draw_world(page, camera, run.frames[static_cast<std::size_t>(frame)], look);
-  const double left = camera.project({0.5, 0}).x() + 12;
-  draw_loads(page, camera, left, inside.x + inside.width - left, runs, run, frame, style);
+  page.canvas().text({view.x + view.width, view.y + 0.6 * small.size},
+                     fmt::format("top: {} m", render::fixed(height, 2)), small);
+  draw_tower_loads(
+      page, view, run.frames[k], run.loads[k],
+      {.box_weight = runs.settings.gravity, .largest = largest_load(runs), .color = style.color});
 }
 
 /// The lowest load over the frames so far, for all three engines.
@@ -115,7 +69,8 @@ render::Plot load_plot(const Page& page, const TowerRuns& runs, const std::vecto
     }
     plot.series.push_back(series);
   }
-  plot.goals.push_back({exact_load(settings, 0), fmt::format("the weight: {:g} N", exact_load(settings, 0))});
+  const double weight = settings.boxes * settings.gravity;
+  plot.goals.push_back({weight, fmt::format("the weight: {:g} N", weight)});
   plot.cursor = frame;
   return plot;
 }

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "render/draw.hpp"
+#include "lessons/tower_panel.hpp"
 #include "render/plot.hpp"
 
 namespace cairn::cost {
@@ -16,7 +16,6 @@ namespace {
 
 using render::fixed;
 using render::Page;
-using render::Point;
 using render::Rect;
 
 const std::array<int, 8> shown = {1, 2, 5, 10, 20, 50, 100, 200};
@@ -38,29 +37,11 @@ std::string error_text(double error) {
 void draw_tower(Page& page, const Rect& rect, const CostRun& run, int sweep) {
   const Curve& curve = run.curves[si_curve];
   const std::vector<double>& lambda = lambda_after(curve, sweep);
-  const std::vector<double> exact = exact_lambda(run.settings.boxes);
   const Rect inside = page.panel(rect, fmt::format("λ after {} sweeps of SI, tick: exact", sweep));
-  const double n = run.settings.boxes;
-  render::Camera camera = render::fit(inside, {{-0.8, -0.4}, {0.8, n + 0.2}});
-  camera.center.x() = 0.5 * inside.width / camera.scale - 0.8;  // the tower at the left
-  render::WorldLook look;
-  look.contacts = false;
-  look.penetration = false;
-  look.numbers = camera.scale >= 20;  // or those of two digits would be missing
-  draw_world(page, camera, run.tower, look);
-  const double left = camera.project({0.5, 0}).x() + 14;
-  const double right = inside.x + inside.width - 4;
-  const double thickness = std::clamp(0.42 * camera.scale, 2.0, 12.0);
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    const double y = camera.project({0, static_cast<double>(i) + 0.5}).y();
-    const double per_newton = (right - left) / exact[0];
-    page.canvas().rect(
-        {left, y - thickness / 2, lambda[i] * per_newton, thickness},
-        {.fill = style_of(page, si_curve).color, .outline = page.theme().outline, .outline_width = 1});
-    const double tick = left + exact[i] * per_newton;
-    page.canvas().line({tick, y - thickness}, {tick, y + thickness},
-                       {.width = 2, .color = page.theme().exact.color});
-  }
+  draw_tower_loads(page, inside, run.tower, lambda,
+                   {.box_weight = gravity,
+                    .largest = exact_lambda(run.settings.boxes)[0],
+                    .color = style_of(page, si_curve).color});
 }
 
 void draw_loads(Page& page, const Rect& rect, const CostRun& run, std::size_t which, int sweep) {
