@@ -46,6 +46,21 @@ std::optional<Softness> spring_of(const RowSpec<Real>& spec, const Stabilization
   return soft;
 }
 
+/// What the policy's spring of a row carries [1/kg]: its A_ii; or, of a row that holds points of two bodies
+/// together, only what A_ii has of their masses. The rows of one point share it, whichever way the axes are
+/// turned. With A_ii, inertia that hardly resists would make the spring weak for the mass too, which hangs on
+/// it along the arm: a pin 1 m from 1 kg and 1e-3 kg m^2 would give way a thousand times as far.
+template <Scalar Real>
+Real carried_inverse_mass(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
+  if (!row.bounds.is_equality()) return inverse_effective_mass(problem, row);
+  Real of_masses = 0;
+  for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
+    const Real inverse_mass = problem.inverse_mass[static_cast<std::size_t>(body.index)].x();
+    of_masses += inverse_mass * jacobian.template head<2>().squaredNorm();
+  });
+  return of_masses > 0 ? of_masses : inverse_effective_mass(problem, row);
+}
+
 /// By how much of its error a rigid row recovers in a second: what stands for beta / dt in (7).
 template <Scalar Real>
 Real recovery_rate(const Stabilization& stabilization, StabilizationPass pass, Real dt) {
@@ -115,7 +130,8 @@ ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilizatio
   }
   if (const auto spring = spring_of(spec, stabilization, pass, problem.dt, problem.velocity)) {
     // The row is still rigid here: this is j M^-1 j^T alone.
-    const Real inverse_mass = inverse_effective_mass(problem, row);
+    const Real inverse_mass =
+        spec.softness ? inverse_effective_mass(problem, row) : carried_inverse_mass(problem, row);
     row.softness = row_softness(*spring, inverse_mass, problem.dt);
   }
   return row;

@@ -48,6 +48,11 @@ struct ExtremeRun {
 /// @throws std::invalid_argument, std::length_error.
 ExtremeFinding run_extreme(const Scene& scene, const Setting& setting, const ExtremeRun& run);
 
+/// [m] By how much the springs of policy soft give way under `load` [N] on a point where an impulse of 1 N s
+/// changes the approach by `inverse_mass` [1/kg]: a point's spring has the stiffness omega^2 / inverse_mass,
+/// and omega goes up to a quarter of the steps. 0 under every other policy.
+double spring_sag(const Setting& setting, double load, double inverse_mass);
+
 /// A finding that depends on one number alone: OK up to `limit`, a failure above `bound`, bounded between.
 ExtremeFinding judged(const std::string& quantity, double value, double limit, double bound);
 

@@ -66,7 +66,7 @@ double seconds_at(double speed, const Setting& setting) {
 /// The least of a few runs each, in turns: what else the machine does makes times longer, never shorter.
 ExtremeFinding slow_down(double speed, const Setting& setting) {
   double usual = INFINITY, tiny = INFINITY;
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 15; ++i) {
     usual = std::min(usual, seconds_at(1, setting));
     tiny = std::min(tiny, seconds_at(speed, setting));
   }

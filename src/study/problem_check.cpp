@@ -52,8 +52,13 @@ void check_bounds(const VelocityProblem<double>& problem, const ProblemPlace& pl
   const auto stands_alone = [&](int row) {
     return !problem.rows[static_cast<std::size_t>(row)].bounds.is_friction();
   };
+  // Impulses must come to lie inside: times the inverse mass of any body of a scene, these still are
+  // velocities.
+  const double most_begun = 1e30;
   place.require_that(bounds.lower < infinity, "bounds.lower", "a number below infinity N s", bounds.lower);
   place.require_that(bounds.upper > -infinity, "bounds.upper", "a number above -infinity N s", bounds.upper);
+  place.require_that(bounds.lower <= most_begun, "bounds.lower", "a number up to 1e30 N s", bounds.lower);
+  place.require_that(bounds.upper >= -most_begun, "bounds.upper", "a number from -1e30 N s on", bounds.upper);
   place.require_that(bounds.lower <= bounds.upper, "bounds.upper", "a number >= lower N s", bounds.upper);
   place.require_that(bounds.friction >= 0 && std::isfinite(bounds.friction), "bounds.friction",
                      "a finite number >= 0", bounds.friction);

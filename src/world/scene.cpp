@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "geometry/aabb.hpp"
 #include "geometry/mass.hpp"
 #include "math/check.hpp"
 
@@ -48,6 +49,17 @@ void check_material(const BodySpec& spec) {
   require_unit_interval(spec.restitution, "Scene::add", "restitution");
   require_range(spec.linear_damping, 0, "Scene::add", "linear_damping", "1/s");
   require_range(spec.angular_damping, 0, "Scene::add", "angular_damping", "1/s");
+}
+
+/// Makers of shapes refuse bad numbers; a shape written by hand has asked none of them.
+void check_shapes(const BodySpec& spec) {
+  for (std::size_t i = 0; i < spec.shapes.size(); ++i) {
+    const Aabb<double> box = bounding_box(spec.shapes[i], Pose<double>{});
+    const Vec2<double> size = box.upper - box.lower;
+    const bool has_size = size.allFinite() && size.minCoeff() >= 0 && size.maxCoeff() > 0;
+    require(has_size, "Scene::add", "size of shapes[" + std::to_string(i) + "]", "> 0 m and finite",
+            size.maxCoeff());
+  }
 }
 
 /// Mass and inertia of a dynamic body from its shapes, unless they are given.
@@ -104,6 +116,7 @@ void Scene::set_settings(const SceneSettings& settings) {
 BodyId Scene::add(const BodySpec& spec) {
   check_motion(spec);
   check_material(spec);
+  check_shapes(spec);
   SceneBody body{.spec = spec, .pose = {.position = spec.position, .angle = spec.angle}};
   const MassProperties shapes = mass_properties(spec.shapes);
   if (spec.type == BodyType::dynamic) set_mass(body, shapes);

@@ -29,10 +29,12 @@ struct SceneSettings {
   int substeps = 1;                  // a step is so many steps of dt / substeps, each solved anew
   Stabilization stabilization = {};  // how errors in positions are taken back
   bool warm_start = true;            // begin from last step's impulses
-  /// Looks after solves that fail. Impulses of the last step that would leave a solve with more energy than
-  /// none at all are forgotten, and such that are out of all proportion are limited
-  /// (solvers/impulse_energy.hpp); bodies that a solve has left going through each other are kept apart
-  /// (world/last_word.hpp). StepReport says how often. O(m) a substep; off: nothing of it is looked at.
+  /// Looks after solves that fail. Of the impulses that a solve begins from, and of those that it ends with,
+  /// only the share is kept that has the least energy, and such that are out of all proportion are limited
+  /// (solvers/impulse_energy.hpp); joints that have come apart are asked for no speeds without end, and
+  /// bodies that a solve has left going through each other are kept apart (world/last_word.hpp). StepReport
+  /// says how far. Springs of policy soft that would let a body through are refused. O(m) a substep; off:
+  /// nothing of it is looked at.
   bool guarded = false;
   double speculative_margin = 0.02;    // [m] shapes closer than this get contact rows with room to spare
   double restitution_threshold = 0.5;  // [m/s] slower approaches do not rebound

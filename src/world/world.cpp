@@ -27,6 +27,46 @@ auto find_impulse(const Impulses& impulses, const RowKey& key) {
   return found != impulses.end() && found->first == key ? found : impulses.end();
 }
 
+/// Whether no impulse of a row could change a velocity, as that of a row for the angle between the ground and
+/// a body that never turns: A_ii is 0, so it is not written. No row names one like it for its bounds.
+template <Scalar Real>
+bool moves_nothing(const RowSpec<Real>& spec, const std::vector<Vec3<Real>>& inverse_mass) {
+  const auto is_still = [&](BodyId body, const Vec3<Real>& jacobian) {
+    return inverse_mass[static_cast<std::size_t>(body.index)].cwiseProduct(jacobian).isZero(0);
+  };
+  bool still = is_still(spec.a, spec.jacobian_a) && is_still(spec.b, spec.jacobian_b);
+  for (int k = 0; k < spec.extra_count; ++k) {
+    const RowTerm<Real>& term = spec.extra[static_cast<std::size_t>(k)];
+    still = still && is_still(term.body, term.jacobian);
+  }
+  return still;
+}
+
+// Times slop_limit_, a twentieth of a body's smallest shape: a quarter of that shape.
+constexpr double slops_in_joint_error = 5;
+
+/// A joint that has come apart by more than a quarter of the smaller of its bodies has failed: what is
+/// further is taken back no faster, for Baumgarte would give the bodies beta C / dt of an error C without
+/// end.
+template <Scalar Real>
+void limit_joint_bias(std::size_t joints, Real rate, const std::vector<Real>& slop_limit,
+                      VelocityProblem<Real>& problem) {
+  if (!(rate > 0)) return;
+  for (std::size_t i = 0; i < joints; ++i) {
+    const RowBlock& block = problem.blocks[i];
+    for (int k = block.first; k < block.first + block.count; ++k) {
+      ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(k)];
+      const bool holds_points =
+          !row.jacobian_a.template head<2>().isZero(0) || !row.jacobian_b.template head<2>().isZero(0);
+      if (!row.bounds.is_equality() || !holds_points) continue;
+      const Real smaller = std::min(slop_limit[static_cast<std::size_t>(row.a.index)],
+                                    slop_limit[static_cast<std::size_t>(row.b.index)]);
+      const Real most = rate * static_cast<Real>(slops_in_joint_error) * smaller;
+      row.bias = std::clamp(row.bias, -most, most);
+    }
+  }
+}
+
 }  // namespace
 
 template <Scalar Real>
@@ -60,6 +100,7 @@ void World<Real>::substep(Solver<Real>& solver, SolveObserver<Real>* observer, S
   }
   report.solve = solver.solve(record_.problem, observer);  // 5  -> impulses, v_2
   report.sweeps += report.solve.iterations;
+  if (plan_->guarded) guard_solve(report);
 
   moving_velocity_ = record_.problem.velocity;
   if (plan_->corrects_positions) correct_positions(solver, report);
@@ -80,6 +121,7 @@ void World<Real>::relax(Solver<Real>& solver, StepReport& report) {
   second_problem_.impulse = record_.problem.impulse;
   report.sweeps += solver.solve(second_problem_).iterations;
   std::swap(record_.problem, second_problem_);
+  if (plan_->guarded) guard_solve(report);
 }
 
 /// The policy split_impulse: adds velocities that take errors back. The velocities of the step come back once
@@ -143,6 +185,7 @@ template <Scalar Real>
 void World<Real>::append_block(StabilizationPass pass, std::uint64_t source, VelocityProblem<Real>& problem) {
   const int first = problem.row_count();
   for (const RowSpec<Real>& spec : specs_) {
+    if (moves_nothing(spec, problem.inverse_mass)) continue;
     problem.rows.push_back(
         stabilized_row(spec, scene_->settings().stabilization, pass, problem, source, first));
   }
@@ -167,14 +210,24 @@ void World<Real>::warm_start() {
   }
 }
 
-/// Begins from nothing where last step's impulses, as they are, would leave the solve with more energy than
-/// no impulses at all; and never from such as nothing in the scene explains.
+/// Begins from no more of last step's impulses than does good, and never from such as nothing in the scene
+/// explains; and asks no joint that has failed for speeds without end.
 template <Scalar Real>
 void World<Real>::guard_warm_start(StepReport& report) {
+  const Stabilization& stabilization = scene_->settings().stabilization;
   limit_impulses(record_.problem);
-  if (!(impulse_energy(record_.problem, moving_velocity_) > 0)) return;
-  std::fill(record_.problem.impulse.begin(), record_.problem.impulse.end(), Real(0));
-  report.dropped_warm_starts += 1;
+  if (stabilization.policy == StabilizationPolicy::baumgarte)
+    limit_joint_bias(scene_->joints().size(), static_cast<Real>(stabilization.baumgarte) / substep_length(),
+                     slop_limit_, record_.problem);
+  const Real share = limit_warm_start(record_.problem, solved_velocity_);
+  report.warm_share = std::min(report.warm_share, static_cast<double>(share));
+}
+
+/// Sweeps that were too few, or in which rows quarrel, may leave more energy than any row asks for.
+template <Scalar Real>
+void World<Real>::guard_solve(StepReport& report) {
+  const Real share = limit_solved(record_.problem, solved_velocity_);
+  report.solved_share = std::min(report.solved_share, static_cast<double>(share));
 }
 
 /// Rows that have vanished are forgotten. What a step has added to an impulse made good for errors of the
@@ -211,19 +264,23 @@ ContactMaterial<Real> World<Real>::material(BodyId a, BodyId b) const {
           .gravity = static_cast<Real>(scene_->settings().gravity.norm())};
 }
 
-/// Of the bodies as the substep would leave them.
+/// Of the bodies as the substep would leave them, the first that can be moved: what solves lose, they hand on
+/// to whatever immovable body the row holds.
 template <Scalar Real>
 std::optional<BodyId> World<Real>::first_not_finite() const {
   const Real dt = substep_length();
+  std::optional<BodyId> first;
   for (std::size_t i = 0; i < state_.pose.size(); ++i) {
     const Pose<Real>& pose = state_.pose[i];
     const Vec3<Real>& v = moving_velocity_[i];
     const bool finite = std::isfinite(pose.position.x() + dt * v.x()) &&
                         std::isfinite(pose.position.y() + dt * v.y()) &&
                         std::isfinite(pose.angle + dt * v.z()) && record_.problem.velocity[i].allFinite();
-    if (!finite) return BodyId{static_cast<int>(i)};
+    if (finite) continue;
+    if (state_.inverse_mass[i].x() > 0) return BodyId{static_cast<int>(i)};
+    if (!first) first = BodyId{static_cast<int>(i)};
   }
-  return std::nullopt;
+  return first;
 }
 
 template class World<float>;

@@ -29,7 +29,10 @@ struct StepReport {
   int rows = 0;                           // scalar constraints
   AwakeCount awake = {};                  // when the step ended; islands are counted where bodies may sleep
   std::optional<BodyId> not_finite = {};  // the first body that would have a NaN or an infinity, if any
-  int dropped_warm_starts = 0;            // of substeps, where SceneSettings::guarded
+  /// Where SceneSettings::guarded, and of the substep where it was least: the share of last step's impulses
+  /// that its solve began from, and the share of what it solved that was kept (solvers/impulse_energy.hpp).
+  double warm_share = 1;
+  double solved_share = 1;
   /// Substeps, where SceneSettings::guarded, in which the solve had left bodies going through each other, so
   /// that they were kept apart (world/last_word.hpp): more sweeps, substeps or an exact solver are called
   /// for.
@@ -52,7 +55,8 @@ class World {
  public:
   /// Begins where the scene's bodies stand, at time 0.
   /// @throws std::invalid_argument for a body that Real has no number for, or which stands so far from the
-  /// origin that Real cannot tell positions within it apart.
+  /// origin that Real cannot tell positions within it apart; and, in a guarded scene, for one that springs of
+  /// policy soft would let through.
   explicit World(Scene scene);
 
   /// One step of dt, in as many substeps as the scene asks for. The same bits for the same scene, solver and
@@ -109,6 +113,7 @@ class World {
   void correct_positions(Solver<Real>& solver, StepReport& report);
   void warm_start();
   void guard_warm_start(StepReport& report);
+  void guard_solve(StepReport& report);
   void keep_apart(StepReport& report);
   void remember_impulses();
   std::optional<BodyId> first_not_finite() const;
@@ -136,6 +141,7 @@ class World {
   RowSpecs<Real> specs_;
   VelocityProblem<Real> second_problem_;     // of the policies that solve twice
   std::vector<Vec3<Real>> moving_velocity_;  // of each body: what its position moves by in this substep
+  std::vector<Vec3<Real>> solved_velocity_;  // of each body: what impulses have given it
 };
 
 /// `World world(scene);` is one in double.

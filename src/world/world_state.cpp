@@ -44,10 +44,27 @@ void require_place(const SceneBody& body, std::size_t number) {
   require_number<Real>(body.spec.angular_velocity, number, "angular_velocity");
 }
 
-double slop_limit(const BodySpec& spec) {
+/// [m] Infinite without shapes.
+double smallest_extent(const BodySpec& spec) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Shape<double>& shape : spec.shapes) smallest = std::min(smallest, extent(shape));
-  return slop_share * smallest;
+  return smallest;
+}
+
+/// The springs of policy soft swing at most 0.25 / dt times a second, and give way to a weight m g by
+/// g / omega^2: to half the length of a body, and they let it through.
+void require_springs_hold(const SceneSettings& settings, const SceneBody& body, std::size_t number) {
+  const Stabilization& stabilization = settings.stabilization;
+  const bool on_springs = settings.guarded && stabilization.policy == StabilizationPolicy::soft;
+  if (!on_springs || body.spec.type != BodyType::dynamic) return;
+  const double most = 0.25 * settings.substeps / settings.dt;  // [Hz]
+  const double omega = 2 * pi * std::min(stabilization.soft.frequency, most);
+  const double sag = std::abs(body.spec.gravity_scale) * settings.gravity.norm() / (omega * omega);
+  const double smallest = smallest_extent(body.spec);
+  require(sag < smallest / 2, "World", "stabilization.soft",
+          "stiffer, or substeps shorter, for body " + std::to_string(number) + " of " + shortest(smallest) +
+              " m, into which springs may give way by less than half",
+          shortest(sag) + " m");
 }
 
 double length(const BodySpec& spec) {
@@ -69,7 +86,8 @@ World<Real>::World(Scene scene)
     const SceneBody& body = scene_->bodies()[i];
     const BodySpec& spec = body.spec;
     require_place<Real>(body, i);
-    slop_limit_.push_back(static_cast<Real>(slop_limit(spec)));
+    require_springs_hold(scene_->settings(), body, i);
+    slop_limit_.push_back(static_cast<Real>(slop_share * smallest_extent(spec)));
     length_.push_back(static_cast<Real>(length(spec)));
     state_.pose.push_back(
         {.position = body.pose.position.template cast<Real>(), .angle = static_cast<Real>(body.pose.angle)});

@@ -1,15 +1,21 @@
 #!/usr/bin/env bash
 # Builds cairn_hashes with every compiler there is, with and without optimisation, and compares what they
-# print. The last line is "N passed, N failed"; a build is compared with tests/determinism/hashes.txt, or with
-# the first build where the mathematical library is another one.
+# print. The last lines say which builds were compared, and "N passed, N failed"; a build is compared with
+# tests/determinism/hashes.txt, or with the first build where the mathematical library is another one.
+#   bash tests/determinism/builds.sh                      all of them
+#   bash tests/determinism/builds.sh g++:-O3 clang++:-O2  these alone
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 out=$root/build/determinism
 mkdir -p "$out"
 passed=0
 failed=0
 expected=$out/expected.txt
-grep -v '^#' "$root/tests/determinism/hashes.txt" >"$expected"
-for build in g++:-O0 g++:-O2 g++:-O3 clang++:-O0 clang++:-O2; do
+reference=tests/determinism/hashes.txt
+compared=()
+builds=("$@")
+if [[ $# == 0 ]]; then builds=(g++:-O0 g++:-O2 g++:-O3 clang++:-O0 clang++:-O2); fi
+grep -v '^#' "$root/$reference" >"$expected"
+for build in "${builds[@]}"; do
   compiler=${build%%:*}
   level=${build##*:}
   if ! command -v "$compiler" >/dev/null; then printf '%-12s is not there\n' "$compiler"; continue; fi
@@ -23,7 +29,11 @@ for build in g++:-O0 g++:-O2 g++:-O3 clang++:-O0 clang++:-O2; do
     continue
   fi
   "$folder/bin/cairn_hashes" >"$printed"
-  if [[ $(head -n 1 "$printed") != $(head -n 1 "$expected") ]]; then cp "$printed" "$expected"; fi
+  if [[ $(head -n 1 "$printed") != $(head -n 1 "$expected") ]]; then
+    reference="$compiler $level, for the mathematical library here is another one"
+    cp "$printed" "$expected"
+  fi
+  compared+=("$compiler $level")
   if cmp -s "$printed" "$expected"; then
     printf '%-12s %s gives the same bits in %d runs\n' "$compiler" "$level" "$(($(wc -l <"$printed") - 1))"
     passed=$((passed + 1))
@@ -33,5 +43,7 @@ for build in g++:-O0 g++:-O2 g++:-O3 clang++:-O0 clang++:-O2; do
     failed=$((failed + 1))
   fi
 done
-printf '%d passed, %d failed\n' "$passed" "$failed"
+printf 'compared with %s:' "$reference"
+printf ' %s;' "${compared[@]}"
+printf '\n%d passed, %d failed\n' "$passed" "$failed"
 [[ $failed == 0 && $passed != 0 ]]

@@ -15,6 +15,7 @@
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
 #include "math/check.hpp"
+#include "study/problem_check.hpp"
 #include "study/solver_list.hpp"
 #include "world/scene.hpp"
 
@@ -215,6 +216,28 @@ TEST_CASE("every number of a solver's settings is refused by name, whichever sol
     CHECK_THROWS_AS(make_solver<double>(entry.name, {.iterations = -1}), std::invalid_argument);
     CHECK_THROWS_AS(make_solver<double>(entry.name, {.patience = -1}), std::invalid_argument);
   }
+}
+
+TEST_CASE("bounds of a frozen row that only huge impulses keep are refused by name") {
+  const auto of_problem = [](const std::function<void(VelocityProblem<double>&, double)>& set) {
+    return [set](double value) {
+      VelocityProblem<double> problem;
+      problem.velocity = {{0, 0, 0}, {0, 0, 0}};
+      problem.inverse_mass = {{0, 0, 0}, {1, 1, 1}};
+      problem.rows.push_back({.a = ground, .b = {1}, .jacobian_b = {1, 0, 0}});
+      problem.impulse = {0};
+      problem.blocks = {{0, 1}};
+      check(problem, "a test");  // is one, as it is
+      set(problem, value);
+      check(problem, "a test");
+    };
+  };
+  check_fields({{"rows[0].bounds.lower",
+                 of_problem([](auto& problem, double x) { problem.rows[0].bounds.lower = x; }),
+                 {1e31, 1e308, field_infinity}},
+                {"rows[0].bounds.upper",
+                 of_problem([](auto& problem, double x) { problem.rows[0].bounds.upper = x; }),
+                 {-1e31, -1e308, -field_infinity}}});
 }
 
 TEST_CASE("whoever gives a type another field is reminded of the tables above") {

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "constraints/revolute_joint.hpp"
-#include "solvers/impulse_energy.hpp"
 #include "solvers/sequential_impulse.hpp"
 #include "world/world.hpp"
 
@@ -102,17 +101,6 @@ class LosingSolver final : public Solver<double> {
   int bad_ = 0;
   int solves_ = 0;
 };
-
-/// A box that has come to rest on the ground.
-World<double> box_at_rest(bool watches) {
-  Scene scene({.guarded = watches});
-  scene.add_ground();
-  scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}});
-  World<double> world(scene);
-  SequentialImpulse<double> solver({.iterations = 50});
-  for (int step = 0; step < 60; ++step) world.step(solver);
-  return world;
-}
 
 }  // namespace
 
@@ -215,37 +203,6 @@ TEST_CASE("a body beyond the numbers of a scalar type, or no longer than their s
   CHECK_THROWS_AS(World<double>(make(far * 536870912, 0)), std::invalid_argument);  // 2^52
   CHECK_NOTHROW(World<float>(make(0, 1e38)));
   CHECK_THROWS_AS(World<float>(make(0, 1e39)), std::invalid_argument);
-}
-
-TEST_CASE("the energy of impulses is that of the bodies after them, beside what the rows ask for") {
-  // One body of 2 kg, one row on its speed: D = p^2 / (2 m) + p (v - bias) + softness p^2 / 2.
-  VelocityProblem<double> problem;
-  problem.velocity = {{0, 0, 0}, {0, -3, 0}};
-  problem.inverse_mass = {{0, 0, 0}, {0.5, 0.5, 1}};
-  problem.rows.push_back({.a = ground, .b = {1}, .jacobian_b = {0, 1, 0}, .bias = 0.25, .softness = 0.125});
-  problem.impulse = {4};
-  std::vector<Vec3<double>> scratch;
-  CHECK(impulse_energy(problem, scratch) == 4 * 4 * 0.25 + 4 * (-3 - 0.25) + 0.125 * 4 * 4 / 2);
-  problem.impulse = {0};
-  CHECK(impulse_energy(problem, scratch) == 0);
-}
-
-TEST_CASE("impulses that hold a box at rest are kept, and dropped once it leaves the ground by itself") {
-  SequentialImpulse<double> no_sweeps({.iterations = 0});
-  const double dt = 1.0 / 60, gravity = 10;
-  World<double> resting = box_at_rest(true);
-  CHECK(resting.step(no_sweeps).dropped_warm_starts == 0);
-  CHECK(std::abs(resting.bodies().velocity[1].y()) < 1e-6);  // what 60 steps of 50 sweeps have left
-
-  // Thrown up with 1 m/s, it needs no impulse; the last one, m g dt, would make it faster by g dt.
-  for (const bool watches : {false, true}) {
-    World<double> world = box_at_rest(watches);
-    world.set_velocity({1}, {0, 1, 0});
-    const StepReport report = world.step(no_sweeps);
-    CHECK(report.dropped_warm_starts == (watches ? 1 : 0));
-    const double expected = watches ? 1 - gravity * dt : 1;
-    CHECK(world.bodies().velocity[1].y() == doctest::Approx(expected).epsilon(1e-6));
-  }
 }
 
 TEST_CASE("the plan says whether solves that fail are looked after") {
