@@ -6,6 +6,7 @@ set -eu
 programs=$1
 scratch=$2
 images=$3
+rm -rf "$scratch"  # what was begun by another build is not gone on with
 
 # cover PROGRAM SIZE THEME NAME: draws one cover and puts it into the folder of images.
 cover() {

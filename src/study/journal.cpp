@@ -62,6 +62,8 @@ void Journal::read(const std::filesystem::path& path) {
   const bool is_ours = text.compare(0, ours.size(), ours, 0, text.size()) == 0;
   const std::string first_line = text.substr(0, text.find('\n'));
   const bool is_titled = first_line.rfind("# ", 0) == 0;
+  const bool has_title = first_line == title_line(study_);
+  require(is_ours || !has_title, path.string(), "columns", "those of this version", "others");
   require(is_ours, path.string(), "journal", "of the study \"" + study_ + "\"",
           "\"" + first_line.substr(is_titled ? 2 : 0) + "\"");
   std::istringstream whole(text);

@@ -106,6 +106,9 @@ TEST_CASE("the journal of another study is left alone, and a wrong share is refu
   CHECK_THROWS_WITH_AS(Journal(path, study), doctest::Contains("of the study \"squares\""),
                        std::invalid_argument);
   CHECK(journal_text(path) == "my diary\n");
+  std::ofstream(path, std::ios::trunc) << "# squares\ntask,square,third\n";
+  CHECK_THROWS_WITH_AS(Journal(path, study), doctest::Contains("columns must be those of this version"),
+                       std::invalid_argument);
   std::ofstream(path, std::ios::trunc) << "# squares\ntask,square,word,half\n9,1,2,3\n";
   CHECK_THROWS_WITH_AS(Journal(path, study), doctest::Contains("line 3"), std::invalid_argument);
   CHECK_THROWS_AS(Journal(folder.path / "no" / "such" / "folder.csv", study), std::runtime_error);
