@@ -31,8 +31,8 @@ struct StepReport {
   std::optional<BodyId> not_finite = {};  // the first body that would have a NaN or an infinity, if any
   /// Where SceneSettings::guarded, and of the substep where it was least: the share of last step's impulses
   /// that its solve began from, and the share of what it solved that was kept (solvers/impulse_energy.hpp).
-  double warm_share = 1;
-  double solved_share = 1;
+  double warm_share = 1;    // of what it began from
+  double solved_share = 1;  // of what it solved
   /// Substeps, where SceneSettings::guarded, in which the solve had left bodies going through each other, so
   /// that they were kept apart (world/last_word.hpp): more sweeps, substeps or an exact solver are called
   /// for.
