@@ -65,7 +65,7 @@ Real AcceleratedProjectedGaussSeidel<Real>::iterate(int number, VelocityProblem<
 
   const bool descends = gained + descent.change <= -descent.share / 2;
   if (k_ == 1 || descends) {
-    ++k_;
+    k_ = descent.share > 0 ? k_ + 1 : 1;  // what is too small to have an energy needs no momentum
   } else {
     problem.impulse = impulse_before_;
     problem.velocity = velocity_before_;
