@@ -40,9 +40,8 @@ std::optional<Softness> spring_of(const RowSpec<Real>& spec, const Stabilization
       stabilization.policy == StabilizationPolicy::soft && pass == StabilizationPass::velocity;
   if (!is_asked_for || holds_no_position(spec)) return std::nullopt;
   if (spec.bounds.is_unilateral() && (spec.error >= 0 || rebounds(spec, dt, velocity))) return std::nullopt;
-  // A spring that swings faster than a quarter of the steps cannot be followed by them.
   SwingSoftness soft = stabilization.soft;
-  soft.frequency = std::min(soft.frequency, 0.25 / static_cast<double>(dt));
+  soft.frequency = spring_frequency(stabilization, static_cast<double>(dt));
   return soft;
 }
 
@@ -82,6 +81,15 @@ Real speed_limit(const RowSpec<Real>& spec, const Stabilization& stabilization, 
 }
 
 }  // namespace
+
+double spring_frequency(const Stabilization& stabilization, double dt) {
+  return std::min(stabilization.soft.frequency, 0.25 / dt);
+}
+
+double spring_sag(const Stabilization& stabilization, double dt, double acceleration) {
+  const double omega = 2 * pi * spring_frequency(stabilization, dt);
+  return acceleration / (omega * omega);
+}
 
 template <Scalar Real>
 Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization, StabilizationPass pass,

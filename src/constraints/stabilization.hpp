@@ -36,6 +36,14 @@ struct Stabilization {
   SwingSoftness soft = {.frequency = 30, .damping_ratio = 10};  // of policy soft; at most 0.25 / dt
 };
 
+/// [Hz] How often the springs of policy soft swing in steps of dt [s]: no more often than a quarter of the
+/// steps, which could not follow them.
+double spring_frequency(const Stabilization& stabilization, double dt);
+
+/// [m] By how much these springs give way at rest, g / omega^2, where a load would accelerate what it acts on
+/// by `acceleration` [m/s^2].
+double spring_sag(const Stabilization& stabilization, double dt, double acceleration);
+
 /// zeta (7) of one row: the value that j v should take in a step of dt [s].
 ///   an equality        -beta C / dt
 ///   an inequality with room left (C > 0)        -C / dt: it may use its room up, and no more

@@ -83,9 +83,7 @@ ExtremeFinding run_extreme(const Scene& scene, const Setting& setting, const Ext
 
 double spring_sag(const Setting& setting, double load, double inverse_mass) {
   if (setting.stabilization.policy != StabilizationPolicy::soft) return 0;
-  const double most = 0.25 * setting.substeps / setting.dt;  // [Hz]
-  const double omega = 2 * pi * std::min(setting.stabilization.soft.frequency, most);
-  return load * inverse_mass / (omega * omega);
+  return cairn::spring_sag(setting.stabilization, setting.dt / setting.substeps, load * inverse_mass);
 }
 
 ExtremeFinding judged(const std::string& quantity, double value, double limit, double bound) {

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solvers/impulse_energy.hpp"
-
 namespace cairn {
 
 namespace {
@@ -40,31 +38,6 @@ bool moves_nothing(const RowSpec<Real>& spec, const std::vector<Vec3<Real>>& inv
     still = still && is_still(term.body, term.jacobian);
   }
   return still;
-}
-
-// Times slop_limit_, a twentieth of a body's smallest shape: a quarter of that shape.
-constexpr double slops_in_joint_error = 5;
-
-/// A joint that has come apart by more than a quarter of the smaller of its bodies has failed: what is
-/// further is taken back no faster, for Baumgarte would give the bodies beta C / dt of an error C without
-/// end.
-template <Scalar Real>
-void limit_joint_bias(std::size_t joints, Real rate, const std::vector<Real>& slop_limit,
-                      VelocityProblem<Real>& problem) {
-  if (!(rate > 0)) return;
-  for (std::size_t i = 0; i < joints; ++i) {
-    const RowBlock& block = problem.blocks[i];
-    for (int k = block.first; k < block.first + block.count; ++k) {
-      ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(k)];
-      const bool holds_points =
-          !row.jacobian_a.template head<2>().isZero(0) || !row.jacobian_b.template head<2>().isZero(0);
-      if (!row.bounds.is_equality() || !holds_points) continue;
-      const Real smaller = std::min(slop_limit[static_cast<std::size_t>(row.a.index)],
-                                    slop_limit[static_cast<std::size_t>(row.b.index)]);
-      const Real most = rate * static_cast<Real>(slops_in_joint_error) * smaller;
-      row.bias = std::clamp(row.bias, -most, most);
-    }
-  }
 }
 
 }  // namespace
@@ -210,26 +183,6 @@ void World<Real>::warm_start() {
   }
 }
 
-/// Begins from no more of last step's impulses than does good, and never from such as nothing in the scene
-/// explains; and asks no joint that has failed for speeds without end.
-template <Scalar Real>
-void World<Real>::guard_warm_start(StepReport& report) {
-  const Stabilization& stabilization = scene_->settings().stabilization;
-  limit_impulses(record_.problem);
-  if (stabilization.policy == StabilizationPolicy::baumgarte)
-    limit_joint_bias(scene_->joints().size(), static_cast<Real>(stabilization.baumgarte) / substep_length(),
-                     slop_limit_, record_.problem);
-  const Real share = limit_warm_start(record_.problem, solved_velocity_);
-  report.warm_share = std::min(report.warm_share, static_cast<double>(share));
-}
-
-/// Sweeps that were too few, or in which rows quarrel, may leave more energy than any row asks for.
-template <Scalar Real>
-void World<Real>::guard_solve(StepReport& report) {
-  const Real share = limit_solved(record_.problem, solved_velocity_);
-  report.solved_share = std::min(report.solved_share, static_cast<double>(share));
-}
-
 /// Rows that have vanished are forgotten. What a step has added to an impulse made good for errors of the
 /// velocities, which do not grow with dt as forces do. After a shorter step than the last one, only a share
 /// of it is kept: as much as it will be again when it is scaled for a longer one.
@@ -262,25 +215,6 @@ ContactMaterial<Real> World<Real>::material(BodyId a, BodyId b) const {
           .friction_rows = scene_->settings().friction_rows,
           .slop_limit = std::min(slop_limit_[index_a], slop_limit_[index_b]),
           .gravity = static_cast<Real>(scene_->settings().gravity.norm())};
-}
-
-/// Of the bodies as the substep would leave them, the first that can be moved: what solves lose, they hand on
-/// to whatever immovable body the row holds.
-template <Scalar Real>
-std::optional<BodyId> World<Real>::first_not_finite() const {
-  const Real dt = substep_length();
-  std::optional<BodyId> first;
-  for (std::size_t i = 0; i < state_.pose.size(); ++i) {
-    const Pose<Real>& pose = state_.pose[i];
-    const Vec3<Real>& v = moving_velocity_[i];
-    const bool finite = std::isfinite(pose.position.x() + dt * v.x()) &&
-                        std::isfinite(pose.position.y() + dt * v.y()) &&
-                        std::isfinite(pose.angle + dt * v.z()) && record_.problem.velocity[i].allFinite();
-    if (finite) continue;
-    if (state_.inverse_mass[i].x() > 0) return BodyId{static_cast<int>(i)};
-    if (!first) first = BodyId{static_cast<int>(i)};
-  }
-  return first;
 }
 
 template class World<float>;

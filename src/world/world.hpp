@@ -123,8 +123,9 @@ class World {
   std::shared_ptr<const Plan> plan_;
   std::shared_ptr<const std::vector<Collider>> colliders_;
   std::vector<BodyForces<Real>> forces_;
-  std::vector<Real> slop_limit_;  // [m] of each body: a share of its smallest shape
-  std::vector<Real> length_;      // [m] of each body: of its largest shape
+  std::vector<Real> slop_limit_;    // [m] of each body: a share of its smallest shape
+  std::vector<Real> failed_error_;  // [m] likewise: deeper in another, it is on its way through
+  std::vector<Real> length_;        // [m] of each body: of its largest shape
   BodyState<Real> state_;
   std::vector<std::pair<RowKey, Real>> impulses_;  // of the last step, sorted by key
   StepRecord<Real> record_;

@@ -2,18 +2,9 @@
 #include <algorithm>
 
 #include "collision/collide.hpp"
-#include "world/last_word.hpp"
 #include "world/world.hpp"
 
 namespace cairn {
-
-namespace {
-
-// Times what a body may sink in at ease (slop_limit_, a twentieth of its smallest shape): a quarter of that
-// shape. What is deeper in another is on its way through.
-constexpr double slops_in_depth = 5;
-
-}  // namespace
 
 template <Scalar Real>
 void World<Real>::find_contacts() {
@@ -81,39 +72,6 @@ Real World<Real>::reach(BodyId body) const {
   const Real gravity = static_cast<Real>(spec.gravity_scale * scene_->settings().gravity.norm());
   const Real way = dt * (state_.velocity[index].template head<2>().norm() + dt * std::abs(gravity));
   return spec.fast || way > length_[index] ? way : Real(0);
-}
-
-/// Where the solve has left bodies going through each other, they are stopped: in how they move and in what
-/// they keep. In every other step this changes nothing.
-template <Scalar Real>
-void World<Real>::keep_apart(StepReport& report) {
-  const VelocityProblem<Real>& problem = record_.problem;
-  std::size_t block = scene_->joints().size();
-  const auto limits_of = [&](const Manifold<Real>& manifold, const auto& visit) {
-    const auto a =
-        static_cast<std::size_t>((*colliders_)[static_cast<std::size_t>(manifold.collider_a)].body.index);
-    const auto b =
-        static_cast<std::size_t>((*colliders_)[static_cast<std::size_t>(manifold.collider_b)].body.index);
-    const Real depth = static_cast<Real>(slops_in_depth) * std::min(slop_limit_[a], slop_limit_[b]);
-    int row = problem.blocks[block++].first;
-    for (int i = 0; i < manifold.count; ++i, ++row) {
-      while (!problem.rows[static_cast<std::size_t>(row)].bounds.is_unilateral()) ++row;
-      visit(ContactLimit<Real>{row, manifold.points[static_cast<std::size_t>(i)].separation, depth});
-    }
-  };
-  bool any = false;
-  for (const Manifold<Real>& manifold : record_.manifolds)
-    limits_of(manifold, [&](const ContactLimit<Real>& limit) {
-      any = any || goes_too_deep(problem, limit, moving_velocity_);
-    });
-  if (!any) return;
-  report.kept_apart += 1;
-  std::vector<ContactLimit<Real>> limits;
-  block = scene_->joints().size();
-  for (const Manifold<Real>& manifold : record_.manifolds)
-    limits_of(manifold, [&](const ContactLimit<Real>& limit) { limits.push_back(limit); });
-  keep_bodies_apart(problem, limits, moving_velocity_);
-  keep_bodies_apart(problem, limits, record_.problem.velocity);
 }
 
 template class World<float>;

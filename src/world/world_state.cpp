@@ -12,6 +12,8 @@ namespace {
 // Of the smallest shape of a body: what it may sink in at most, whatever the slop. Bodies of 0.1 m and more
 // keep the usual slop of 5 mm.
 constexpr double slop_share = 0.05;
+// Likewise: what is deeper in another has passed half of the way to its middle.
+constexpr double failed_share = 0.25;
 
 /// [m] the longer side of the box around a shape.
 double extent(const Shape<double>& shape) {
@@ -51,15 +53,13 @@ double smallest_extent(const BodySpec& spec) {
   return smallest;
 }
 
-/// The springs of policy soft swing at most 0.25 / dt times a second, and give way to a weight m g by
-/// g / omega^2: to half the length of a body, and they let it through.
+/// Springs that give way to a weight by half the length of a body let it through.
 void require_springs_hold(const SceneSettings& settings, const SceneBody& body, std::size_t number) {
   const Stabilization& stabilization = settings.stabilization;
   const bool on_springs = settings.guarded && stabilization.policy == StabilizationPolicy::soft;
   if (!on_springs || body.spec.type != BodyType::dynamic) return;
-  const double most = 0.25 * settings.substeps / settings.dt;  // [Hz]
-  const double omega = 2 * pi * std::min(stabilization.soft.frequency, most);
-  const double sag = std::abs(body.spec.gravity_scale) * settings.gravity.norm() / (omega * omega);
+  const double weight = std::abs(body.spec.gravity_scale) * settings.gravity.norm();  // [N/kg]
+  const double sag = spring_sag(stabilization, settings.dt / settings.substeps, weight);
   const double smallest = smallest_extent(body.spec);
   require(sag < smallest / 2, "World", "stabilization.soft",
           "stiffer, or substeps shorter, for body " + std::to_string(number) + " of " + shortest(smallest) +
@@ -88,6 +88,7 @@ World<Real>::World(Scene scene)
     require_place<Real>(body, i);
     require_springs_hold(scene_->settings(), body, i);
     slop_limit_.push_back(static_cast<Real>(slop_share * smallest_extent(spec)));
+    failed_error_.push_back(static_cast<Real>(failed_share * smallest_extent(spec)));
     length_.push_back(static_cast<Real>(length(spec)));
     state_.pose.push_back(
         {.position = body.pose.position.template cast<Real>(), .angle = static_cast<Real>(body.pose.angle)});

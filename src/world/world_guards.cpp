@@ -1,0 +1,112 @@
+// Floor 5. What looks after solves that fail: before the solve, behind it, and before anything moves.
+#include <algorithm>
+#include <cmath>
+
+#include "solvers/impulse_energy.hpp"
+#include "world/last_word.hpp"
+#include "world/world.hpp"
+
+namespace cairn {
+
+namespace {
+
+/// A joint that has come apart by more than a quarter of the smaller of its bodies has failed: what is
+/// further is taken back no faster, for Baumgarte would give the bodies beta C / dt of an error C without
+/// end.
+template <Scalar Real>
+void limit_joint_bias(std::size_t joints, Real rate, const std::vector<Real>& failed_error,
+                      VelocityProblem<Real>& problem) {
+  if (!(rate > 0)) return;
+  for (std::size_t i = 0; i < joints; ++i) {
+    const RowBlock& block = problem.blocks[i];
+    for (int k = block.first; k < block.first + block.count; ++k) {
+      ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(k)];
+      const bool holds_points =
+          !row.jacobian_a.template head<2>().isZero(0) || !row.jacobian_b.template head<2>().isZero(0);
+      if (!row.bounds.is_equality() || !holds_points) continue;
+      const Real most = rate * std::min(failed_error[static_cast<std::size_t>(row.a.index)],
+                                        failed_error[static_cast<std::size_t>(row.b.index)]);
+      row.bias = std::clamp(row.bias, -most, most);
+    }
+  }
+}
+
+}  // namespace
+
+/// Begins from no more of last step's impulses than does good, and never from such as nothing in the scene
+/// explains; and asks no joint that has failed for speeds without end.
+template <Scalar Real>
+void World<Real>::guard_warm_start(StepReport& report) {
+  const Stabilization& stabilization = scene_->settings().stabilization;
+  limit_impulses(record_.problem);
+  if (stabilization.policy == StabilizationPolicy::baumgarte)
+    limit_joint_bias(scene_->joints().size(), static_cast<Real>(stabilization.baumgarte) / substep_length(),
+                     failed_error_, record_.problem);
+  const Real share = limit_warm_start(record_.problem, solved_velocity_);
+  report.warm_share = std::min(report.warm_share, static_cast<double>(share));
+}
+
+/// Sweeps that were too few, or in which rows quarrel, may leave more energy than any row asks for.
+template <Scalar Real>
+void World<Real>::guard_solve(StepReport& report) {
+  const Real share = limit_solved(record_.problem, solved_velocity_);
+  report.solved_share = std::min(report.solved_share, static_cast<double>(share));
+}
+
+/// Where the solve has left bodies going through each other, they are stopped: in how they move and in what
+/// they keep. In every other step this changes nothing.
+template <Scalar Real>
+void World<Real>::keep_apart(StepReport& report) {
+  const VelocityProblem<Real>& problem = record_.problem;
+  std::size_t block = scene_->joints().size();
+  const auto limits_of = [&](const Manifold<Real>& manifold, const auto& visit) {
+    const auto a =
+        static_cast<std::size_t>((*colliders_)[static_cast<std::size_t>(manifold.collider_a)].body.index);
+    const auto b =
+        static_cast<std::size_t>((*colliders_)[static_cast<std::size_t>(manifold.collider_b)].body.index);
+    const Real depth = std::min(failed_error_[a], failed_error_[b]);
+    int row = problem.blocks[block++].first;
+    for (int i = 0; i < manifold.count; ++i, ++row) {
+      while (!problem.rows[static_cast<std::size_t>(row)].bounds.is_unilateral()) ++row;
+      visit(ContactLimit<Real>{row, manifold.points[static_cast<std::size_t>(i)].separation, depth});
+    }
+  };
+  bool any = false;
+  for (const Manifold<Real>& manifold : record_.manifolds)
+    limits_of(manifold, [&](const ContactLimit<Real>& limit) {
+      any = any || goes_too_deep(problem, limit, moving_velocity_);
+    });
+  if (!any) return;
+  report.kept_apart += 1;
+  std::vector<ContactLimit<Real>> limits;
+  block = scene_->joints().size();
+  for (const Manifold<Real>& manifold : record_.manifolds)
+    limits_of(manifold, [&](const ContactLimit<Real>& limit) { limits.push_back(limit); });
+  keep_bodies_apart(problem, limits, moving_velocity_);
+  keep_bodies_apart(problem, limits, record_.problem.velocity);
+}
+
+/// Of the bodies as the substep would leave them, the first that can be moved: what solves lose, they hand on
+/// to whatever immovable body the row holds.
+template <Scalar Real>
+std::optional<BodyId> World<Real>::first_not_finite() const {
+  const Real dt = substep_length();
+  std::optional<BodyId> first;
+  for (std::size_t i = 0; i < state_.pose.size(); ++i) {
+    const Pose<Real>& pose = state_.pose[i];
+    const Vec3<Real>& v = moving_velocity_[i];
+    const bool finite = std::isfinite(pose.position.x() + dt * v.x()) &&
+                        std::isfinite(pose.position.y() + dt * v.y()) &&
+                        std::isfinite(pose.angle + dt * v.z()) && record_.problem.velocity[i].allFinite();
+    if (finite) continue;
+    if (state_.inverse_mass[i].x() > 0) return BodyId{static_cast<int>(i)};
+    if (!first) first = BodyId{static_cast<int>(i)};
+  }
+  return first;
+}
+
+template class World<float>;
+template class World<double>;
+template class World<long double>;
+
+}  // namespace cairn
