@@ -19,6 +19,9 @@ using render::TextStyle;
 constexpr std::size_t panels_in_a_row = 4;
 constexpr double small_type = 13;  // [px] of findings, rules and axes
 constexpr double edge = 12;        // [px] free inside a panel
+constexpr double gap = 10;         // [px] between panels
+constexpr double panel_height = 317;
+constexpr int head_height = 66;  // [px] above the first row and below the last
 
 TextStyle small_style(const render::Page& page, Align align = Align::left) {
   return {.size = small_type, .color = page.theme().secondary_text, .align = align};
@@ -28,17 +31,20 @@ TextStyle name_style(const render::Page& page) {
   return {.size = 16, .color = page.theme().text, .bold = true};
 }
 
+/// With the legend behind the panels.
+std::size_t rows_of(std::size_t panels) { return panels / panels_in_a_row + 1; }
+
 /// Slots from left to right and down; the legend has what the panels leave of the last row.
 std::vector<Rect> slots(const render::Page& page, std::size_t panels) {
-  const double gap = 10, width = page.canvas().width() - 2 * page.sizes().margin;
-  const double top = page.area().y, height = page.canvas().height() - page.sizes().margin - top;
+  const double width = page.canvas().width() - 2 * page.sizes().margin;
   std::vector<Rect> all;
   // In whole pixels, so that the same text in two panels has the same pixels, and the file stays small.
   const double each = std::floor((width - gap * (panels_in_a_row - 1)) / panels_in_a_row);
-  const double tall = std::floor((height - gap) / 2);
   for (std::size_t i = 0; i <= panels; ++i) {
-    const double column = static_cast<double>(i % panels_in_a_row), row = i < panels_in_a_row ? 0.0 : 1.0;
-    all.push_back({page.sizes().margin + column * (each + gap), top + row * (tall + gap), each, tall});
+    const auto column = static_cast<double>(i % panels_in_a_row);
+    const auto row = static_cast<double>(i / panels_in_a_row);
+    all.push_back({page.sizes().margin + column * (each + gap), page.area().y + row * (panel_height + gap),
+                   each, panel_height});
   }
   all.back().width = page.sizes().margin + width - all.back().x;
   return all;
@@ -140,7 +146,9 @@ void draw_legend(render::Page& page, const AtlasSheet& sheet, const Rect& rect) 
 }  // namespace
 
 AtlasPicture draw_atlas(const AtlasSheet& sheet, const render::Theme& theme) {
-  render::Page page(1280, 720, theme);
+  const auto rows = static_cast<double>(rows_of(sheet.map.panels.size()));
+  const int height = head_height + static_cast<int>(rows * (panel_height + gap));
+  render::Page page(1280, height, theme);
   page.begin({.number = "", .title = sheet_finding(sheet), .state = ""});
   const std::vector<Rect> places = slots(page, sheet.map.panels.size());
   for (std::size_t panel = 0; panel < sheet.map.panels.size(); ++panel)

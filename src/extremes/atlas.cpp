@@ -78,6 +78,14 @@ Setting atlas_setting(const std::string& solver, int sweeps) {
   return setting;
 }
 
+std::vector<AtlasPanel> solver_panels(int sweeps) {
+  std::vector<AtlasPanel> panels = {{"SI, and so PGS", atlas_setting("si", sweeps), true}};
+  for (const char* solver :
+       {"block", "block-contact", "accelerated", "newton", "jacobi", "jacobi-damped", "jacobi-split"})
+    panels.push_back({solver, atlas_setting(solver, sweeps)});
+  return panels;
+}
+
 AtlasClass class_of(double measured, const AtlasLimits& limits) {
   if (measured <= limits.holds) return AtlasClass::holds;
   if (measured <= limits.strained) return AtlasClass::strained;

@@ -18,6 +18,9 @@ AtlasMap origin_map();
 /// The setting of a panel: 60 steps a second, Baumgarte, warm start, double, unless the map says otherwise.
 Setting atlas_setting(const std::string& solver, int sweeps = 10);
 
+/// A panel for each solver that sweeps. PGS is none of its own: its numbers are those of SI.
+std::vector<AtlasPanel> solver_panels(int sweeps);
+
 /// What separates the classes of a run that stays finite.
 struct AtlasLimits {
   double seconds = 2;
