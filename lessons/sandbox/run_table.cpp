@@ -153,12 +153,6 @@ void print_runs(const SceneEntry& scene, const std::vector<SceneRun>& runs, Cons
   for (const SceneRun& run : runs) print_row(scene, run, width, console);
 }
 
-nlohmann::ordered_json build_json() {
-  Json json = Json::object();
-  for (const auto& [name, value] : build_entries()) json[name] = value;
-  return json;
-}
-
 nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
   const TrialResult& result = run.result;
   const Setting& setting = run.setting;

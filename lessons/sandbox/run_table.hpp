@@ -15,8 +15,6 @@ void print_run(const SceneEntry& scene, const SceneRun& run, Console& console);
 /// One row a run.
 void print_runs(const SceneEntry& scene, const std::vector<SceneRun>& runs, Console& console);
 
-/// What the numbers come from: build_entries().
-nlohmann::ordered_json build_json();
 nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run);
 
 /// 0, 1 where an expectation is missed, 2 where the engine refused, 4 where it diverged.

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "lessons/sandbox/interrupt.hpp"
-#include "lessons/sandbox/run_table.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
+#include "study/build_info.hpp"
 #include "study/jitter.hpp"
 #include "study/scene_list.hpp"
 #include "study/solver_list.hpp"

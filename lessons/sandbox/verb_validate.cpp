@@ -9,6 +9,7 @@
 #include "lessons/words.hpp"
 #include "math/check.hpp"
 #include "render/image.hpp"
+#include "study/build_info.hpp"
 #include "validation/box2d_engine.hpp"
 #include "validation/case.hpp"
 
@@ -231,12 +232,12 @@ int run_validate(const Words& words, Console& console) {
   const std::vector<const ValidationCase*> cases = chosen_cases(words);
   std::vector<Outcome> outcomes;
   Progress bar(words.console, "closed forms", cases.size());
-  Json json = Json::array();
+  Json json = {{"build", build_json()}, {"cases", Json::array()}};
   for (const ValidationCase* test : cases) {
     outcomes.push_back(outcome_of(*test));
     bar.clear();
     if (words.has("json")) {
-      json.push_back(outcome_json(outcomes.back()));
+      json["cases"].push_back(outcome_json(outcomes.back()));
     } else if (!words.has("summary") || !outcomes.back().cairn.passes()) {
       print_outcome(outcomes.back(), console);
     }

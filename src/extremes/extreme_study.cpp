@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "math/check.hpp"
+#include "study/build_info.hpp"
 
 namespace cairn {
 
@@ -108,21 +109,21 @@ std::vector<ExtremeRow> extreme_rows(const std::string& csv) {
 }
 
 std::string extreme_json(const std::vector<ExtremeRow>& rows) {
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  nlohmann::ordered_json cases = nlohmann::ordered_json::array();
   for (const ExtremeRow& row : rows) {
-    all.push_back({{"axis", row.axis},
-                   {"value", row.value},
-                   {"solver", row.solver},
-                   {"policy", row.policy},
-                   {"required", row.required},
-                   {"verdict", row.verdict},
-                   {"quantity", row.quantity},
-                   {"measured", row.measured},
-                   {"limit", row.limit},
-                   {"note", row.note},
-                   {"meets", row.meets}});
+    cases.push_back({{"axis", row.axis},
+                     {"value", row.value},
+                     {"solver", row.solver},
+                     {"policy", row.policy},
+                     {"required", row.required},
+                     {"verdict", row.verdict},
+                     {"quantity", row.quantity},
+                     {"measured", row.measured},
+                     {"limit", row.limit},
+                     {"note", row.note},
+                     {"meets", row.meets}});
   }
-  return all.dump(1);
+  return nlohmann::ordered_json({{"build", build_json()}, {"cases", cases}}).dump(1);
 }
 
 }  // namespace cairn

@@ -35,7 +35,7 @@ struct ExtremeRow {
 Study extreme_study(const ExtremeChoice& choice);
 /// From Journal::csv(). @throws std::invalid_argument for a table that is not of such a study.
 std::vector<ExtremeRow> extreme_rows(const std::string& csv);
-/// A list of objects.
+/// An object: "build", what the numbers come from, and "cases", an object a row.
 std::string extreme_json(const std::vector<ExtremeRow>& rows);
 
 }  // namespace cairn

@@ -4,6 +4,7 @@
 #include <sched.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 namespace cairn {
 
@@ -42,6 +43,12 @@ const std::vector<std::pair<std::string, std::string>>& build_entries() {
       {"compiler", compiler_name()}, {"flags", CAIRN_BUILD_FLAGS},
       {"cpu", cpu_name()},           {"cores", usable_cores()}};
   return entries;
+}
+
+nlohmann::ordered_json build_json() {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : build_entries()) json[name] = value;
+  return json;
 }
 
 void set_build(TradeRow& row) {

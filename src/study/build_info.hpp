@@ -1,6 +1,7 @@
 // Beside floor 6. What numbers about time come from, and what it takes to have them again.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,9 @@ std::string build_commit();
 /// it), compiler, flags, cpu (as the system calls it, "unknown" where it does not tell) and cores (that this
 /// process may use).
 const std::vector<std::pair<std::string, std::string>>& build_entries();
+
+/// The same as an object, to stand beside numbers in JSON.
+nlohmann::ordered_json build_json();
 
 /// Fills the columns of build_entries().
 void set_build(TradeRow& row);

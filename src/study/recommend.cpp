@@ -167,9 +167,7 @@ std::string recommendations_json(const std::vector<Recommendation>& all) {
     }
     kinds.push_back({{"kind", of_kind.kind}, {"candidates", candidates}});
   }
-  RecommendJson build = RecommendJson::object();
-  for (const auto& [name, value] : build_entries()) build[name] = value;
-  return RecommendJson({{"build", build}, {"recommendations", kinds}}).dump(1) + "\n";
+  return RecommendJson({{"build", build_json()}, {"recommendations", kinds}}).dump(1) + "\n";
 }
 
 }  // namespace cairn

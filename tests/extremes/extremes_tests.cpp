@@ -99,6 +99,7 @@ TEST_CASE("rows come back from the journal as they were found, and from JSON's t
   std::size_t objects = 0;
   for (std::size_t at = 0; (at = json.find("\"axis\"", at)) != std::string::npos; ++at) ++objects;
   CHECK(objects == rows.size());
+  CHECK(json.find("\"build\"") != std::string::npos);
   CHECK_THROWS_AS(extreme_study({.axes = {"nothing"}}), std::invalid_argument);
   std::filesystem::remove(file);
 }

@@ -183,7 +183,9 @@ TEST_CASE("validate compares what is asked for, and says the same to people and 
   const Ran programs = cairn_with({"validate", "--only", "A3,A2", "--json"});
   CHECK(programs.code == 0);
   CHECK(holds(programs.err, "2 of 2 closed forms hold"));
-  const auto cases = nlohmann::json::parse(programs.out);
+  const auto json = nlohmann::json::parse(programs.out);
+  CHECK(json.at("build").at("version").is_string());
+  const auto& cases = json.at("cases");
   REQUIRE(cases.size() == 2);
   for (const auto& one : cases) {
     CHECK(one.at("passes") == true);
