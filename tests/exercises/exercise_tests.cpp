@@ -26,7 +26,7 @@ std::vector<std::string> lessons_with_exercises() {
 
 std::string output_of(const std::string& program) {
   std::string text;
-  FILE* pipe = popen((std::string(CAIRN_BIN_DIR) + "/" + program).c_str(), "r");
+  FILE* pipe = popen((std::filesystem::path(CAIRN_BIN_DIR) / program).c_str(), "r");
   REQUIRE(pipe != nullptr);
   for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
   CHECK(pclose(pipe) == 0);

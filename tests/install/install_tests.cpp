@@ -166,8 +166,8 @@ TEST_CASE("pkg-config says what compiles the same program, without a warning, an
 TEST_CASE("the reference documents every public name, and Doxygen reads all of it without a warning") {
 #ifdef CAIRN_DOXYGEN
   const fs::path folder = scratch("reference");
-  const CommandResult result =
-      run_line(folder, quoted(CAIRN_DOXYGEN) + " " + quoted(std::string(CAIRN_BINARY_DIR) + "/Doxyfile"));
+  const CommandResult result = run_line(
+      folder, quoted(CAIRN_DOXYGEN) + " " + quoted((fs::path(CAIRN_BINARY_DIR) / "Doxyfile").string()));
   INFO(result.output);
   CHECK(result.code == 0);
   CHECK(result.output.empty());

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -27,7 +28,7 @@ using namespace cairn;
 namespace {
 
 std::string schema_file(const std::string& name) {
-  std::ifstream stream(std::string(CAIRN_SOURCE_DIR) + "/lessons/scenes/" + name);
+  std::ifstream stream(std::filesystem::path(CAIRN_SOURCE_DIR) / "lessons/scenes" / name);
   REQUIRE(stream.good());
   return {std::istreambuf_iterator<char>(stream), {}};
 }
