@@ -23,6 +23,15 @@ using FrozenJson = nlohmann::json;
 
 const std::size_t largest_frozen = std::size_t{32} << 20;  // [bytes]
 const std::size_t longest_frozen_text = 2000;              // [bytes]
+const std::size_t longest_complaint = 200;  // [bytes] of the parser, which repeats what it read
+
+/// No longer than that, and cut between two letters of UTF-8.
+std::string beginning(const std::string& complaint) {
+  if (complaint.size() <= longest_complaint) return complaint;
+  std::size_t end = longest_complaint;
+  while (end > 0 && (static_cast<unsigned char>(complaint[end]) & 0xC0U) == 0x80U) --end;
+  return complaint.substr(0, end) + "...";
+}
 
 /// What a message shows of a value: one line of plain letters, whatever there is.
 std::string frozen_shown(const FrozenJson& value) {
@@ -186,7 +195,7 @@ FrozenJson parse_frozen(const std::string& text, const std::string& name) {
     return FrozenJson::parse(text, watch);
   } catch (const FrozenJson::exception& error) {
     const std::string what = error.what();  // "[json.exception...] parse error at line 3, column 1: ..."
-    require(false, name, "text", "JSON", what.substr(what.find("] ") + 2));
+    require(false, name, "text", "JSON", beginning(what.substr(what.find("] ") + 2)));
     throw;
   }
 }
