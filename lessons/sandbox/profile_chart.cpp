@@ -12,9 +12,8 @@ namespace {
 constexpr double most_times = 1000;  // tau, at the right end of the axis
 
 /// The corners of its steps.
-render::Series profile_steps(const PerformanceProfile& profile, const render::Theme& theme) {
-  render::Series series{
-      .name = solver_label(profile.solver), .style = solver_style(profile.solver, theme), .markers = false};
+render::Series profile_steps(const PerformanceProfile& profile, const render::SeriesStyle& style) {
+  render::Series series{.name = solver_label(profile.solver), .style = style, .markers = false};
   double share = profile.share(1);
   const auto corner = [&](double times) {
     series.x.push_back(times);
@@ -44,8 +43,11 @@ render::Image draw_profile_chart(const ProfileChart& chart, const render::Theme&
             .min = 1,
             .max = most_times},
       .y = {.title = "share of problems solved    higher is better ↑", .min = 0, .max = 1}};
-  for (const PerformanceProfile& profile : chart.profiles)
-    plot.series.push_back(profile_steps(profile, theme));
+  std::vector<std::string> solvers;
+  for (const PerformanceProfile& profile : chart.profiles) solvers.push_back(profile.solver);
+  const std::vector<render::SeriesStyle> styles = solver_styles(solvers, theme);
+  for (std::size_t i = 0; i < solvers.size(); ++i)
+    plot.series.push_back(profile_steps(chart.profiles[i], styles[i]));
   draw_plot(page, area, plot);
   return page.canvas().read();
 }

@@ -46,13 +46,14 @@ render::Plot plot_of(const TradeChart& chart, const render::Theme& theme) {
                     .y = {.title = chart.error, .scale = render::AxisScale::logarithmic}};
   plot.cloud = places_of(chart.points);
   plot.front = places_of(front_of(chart.points));
-  for (const std::string& solver : chart.curves) {
+  const std::vector<render::SeriesStyle> styles = solver_styles(chart.curves, theme);
+  for (std::size_t i = 0; i < chart.curves.size(); ++i) {
+    const std::string& solver = chart.curves[i];
     std::vector<TradePoint> own;
     std::copy_if(chart.points.begin(), chart.points.end(), std::back_inserter(own),
                  [&](const TradePoint& point) { return point.solver == solver; });
     const render::Places places = places_of(front_of(own));
-    plot.series.push_back(
-        {.name = solver_label(solver), .style = solver_style(solver, theme), .x = places.x, .y = places.y});
+    plot.series.push_back({.name = solver_label(solver), .style = styles[i], .x = places.x, .y = places.y});
   }
   if (!chart.labels_all) return plot;
   for (const TradePoint& point : front_of(chart.points)) {
@@ -61,14 +62,34 @@ render::Plot plot_of(const TradeChart& chart, const render::Theme& theme) {
   return plot;
 }
 
-}  // namespace
-
-render::SeriesStyle solver_style(const std::string& solver, const render::Theme& theme) {
+/// That of its family.
+render::SeriesStyle family_style(const std::string& solver, const render::Theme& theme) {
   if (solver == "si") return theme.si;
   if (solver == "box2d") return theme.box2d;
   if (solver.rfind("jacobi", 0) == 0) return theme.jacobi;
   if (solver.rfind("pgs", 0) == 0 || solver == "block") return theme.pgs;
   return theme.exact;
+}
+
+}  // namespace
+
+std::vector<render::SeriesStyle> solver_styles(const std::vector<std::string>& solvers,
+                                               const render::Theme& theme) {
+  std::vector<render::SeriesStyle> free = {theme.exact, theme.jacobi, theme.pgs, theme.si, theme.box2d};
+  const auto take = [&free](const render::SeriesStyle& style) {
+    return std::erase_if(free, [&](const auto& other) { return other.marker == style.marker; }) > 0;
+  };
+  std::vector<render::SeriesStyle> styles;
+  std::vector<std::size_t> without;  // one of their own
+  for (std::size_t i = 0; i < solvers.size(); ++i) {
+    styles.push_back(family_style(solvers[i], theme));
+    if (!take(styles.back())) without.push_back(i);
+  }
+  for (const std::size_t i : without) {
+    styles[i] = free.front();
+    take(styles[i]);
+  }
+  return styles;
 }
 
 std::string solver_label(const std::string& solver) {

@@ -23,8 +23,10 @@ struct TradeChart {
   int height = 720;
 };
 
-/// The look of a solver's curve, and its name beside it.
-render::SeriesStyle solver_style(const std::string& solver, const render::Theme& theme);
+/// The looks of at most 5 solvers' curves: their own, or what is left where two have the same.
+std::vector<render::SeriesStyle> solver_styles(const std::vector<std::string>& solvers,
+                                               const render::Theme& theme);
+/// The name beside a curve.
 std::string solver_label(const std::string& solver);
 /// The text for pictures, where _ alone would begin a subscript.
 std::string unmarked(const std::string& text);

@@ -41,7 +41,7 @@ SolveReport NewtonSolver<Real>::solve(VelocityProblem<Real>& problem, SolveObser
   } else {
     answer(converted<Work>(problem));
   }
-  SolveReport report{.iterations = systems_};
+  SolveReport report{.iterations = systems_, .extra_sweeps = sweeps_};
   for (std::size_t i = 0; i < problem.rows.size(); ++i) problem.impulse[i] = static_cast<Real>(best_[i]);
   apply_impulses(problem);
   report.converged = least_residual_ <= enough();
@@ -81,6 +81,7 @@ void NewtonSolver<Real>::begin(const VelocityProblem<Work>& problem) {
   factors_.begin(problem.body_count(), pairs_);
   scale_ = exact_scale(problem);
   systems_ = 0;
+  sweeps_ = 1;
   best_ = problem.impulse;
   rows_.center_at(best_);
   residual_ = least_residual_ = std::numeric_limits<Work>::infinity();
@@ -102,6 +103,7 @@ void NewtonSolver<Real>::sweep(const VelocityProblem<Work>& problem, int sweeps)
   swept_ = problem;
   swept_.impulse = best_;
   AcceleratedProjectedGaussSeidel<Work>({.iterations = sweeps}).solve(swept_);
+  sweeps_ += sweeps;
   rows_.center_at(swept_.impulse);
   note_center();
 }

@@ -64,6 +64,7 @@ class NewtonSolver final : public Solver<Real> {
   VelocityProblem<Work> swept_;  // a copy for sweeps
   std::vector<Work> best_;       // [N s] the impulses with that
   int systems_ = 0;              // solved
+  int sweeps_ = 0;               // done between them, and one to look at the warm start
 };
 
 }  // namespace cairn

@@ -62,7 +62,8 @@ enum class Stop {
 
 /// How a solve ended.
 struct SolveReport {
-  int iterations = 0;         // sweeps done
+  int iterations = 0;         // sweeps done; linear systems solved, where those are what is counted
+  int extra_sweeps = 0;       // beside such systems
   double largest_change = 0;  // [N s] the largest change of an impulse in the last sweep
   bool converged = false;     // the tolerance was asked for and reached
   Stop stop = Stop::sweeps;   // why it ended

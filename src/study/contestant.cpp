@@ -24,18 +24,20 @@ void add_motion(const Pose<Real>& pose, const Vec3<Real>& velocity, Fingerprint&
 template <Scalar Real>
 class CountingSolver final : public Solver<Real> {
  public:
-  explicit CountingSolver(std::unique_ptr<Solver<Real>> solver) : solver_(std::move(solver)) {}
+  CountingSolver(const std::string& name, const SolverSettings& settings)
+      : solver_(make_solver<Real>(name, settings)), entry_(solver_entry(name)) {}
 
   std::string name() const override { return solver_->name(); }
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override {
     const SolveReport report = solver_->solve(problem, observer);
-    row_updates_ += std::int64_t{report.iterations} * problem.row_count();
+    row_updates_ += counted_updates(entry_, report, problem.row_count());
     return report;
   }
   std::int64_t row_updates() const { return row_updates_; }
 
  private:
   std::unique_ptr<Solver<Real>> solver_;
+  const SolverEntry& entry_;
   std::int64_t row_updates_ = 0;  // since it was made
 };
 
@@ -44,7 +46,7 @@ class WorldContestant final : public Contestant {
  public:
   WorldContestant(const Scene& scene, const Setting& setting)
       : world_(scene),
-        solver_(make_solver<Real>(setting.solver, setting.sweeps)),
+        solver_(setting.solver, setting.sweeps),
         twin_(make_solver<Real>(setting.solver, setting.sweeps)) {}
 
   void step() override {

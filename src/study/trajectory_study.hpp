@@ -32,7 +32,7 @@ TrajectoryScene trajectory_scene(const std::string& name);
 std::vector<std::string> trajectory_names();
 
 struct TrajectoryGrid {
-  std::vector<std::string> solvers = {"si", "block", "accelerated", "box2d"};
+  std::vector<std::string> solvers = {"si", "accelerated", "newton", "box2d", "block"};
   std::vector<int> frequencies = {30, 60, 120, 240, 480, 960};  // [Hz]
   std::vector<int> substeps = {1, 4, 16};
   std::vector<int> sweeps = {1, 2, 4, 8, 16, 32, 64};

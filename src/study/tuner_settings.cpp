@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "study/solver_list.hpp"
 #include "study/tuner.hpp"
 
 namespace cairn {
@@ -17,7 +18,13 @@ double work_of_a_sweep(const std::string& solver) {
   if (solver == "block" || solver == "block-contact") return 1.6;
   if (solver == "accelerated") return 1.3;
   if (solver == "pgs-sparse") return 1.8;
-  return 1;
+  return solver == "box2d" ? 1 : solver_entry(solver).updates_a_row;
+}
+
+/// Newton's method seldom needs a second linear system, and more than a few hardly ever.
+int most_sweeps_of(const std::string& solver) {
+  if (solver == "reference") return 1;
+  return solver == "newton" ? 16 : 256;
 }
 
 void sort_by_work(std::vector<Setting>& settings) {
@@ -46,7 +53,7 @@ double expected_work(const Setting& setting) {
 std::vector<Setting> tuner_settings(const std::vector<std::string>& solvers) {
   std::vector<Setting> settings;
   for (const std::string& solver : solvers) {
-    const int most_sweeps = solver == "reference" ? 1 : 256;
+    const int most_sweeps = most_sweeps_of(solver);
     for (const int frequency : {60, 120, 240}) {
       for (const int substeps : {1, 2, 4, 8, 16}) {
         for (int sweeps = 1; sweeps <= most_sweeps; sweeps *= 2) {

@@ -15,7 +15,7 @@ namespace cairn {
 /// Level 1: frozen problems, one step each. Every solver after 1, 2, 4 ... sweeps, from nothing and from the
 /// problem's own impulses, in each precision.
 struct SolveGrid {
-  std::vector<std::string> solvers = {"si", "accelerated", "block", "jacobi-split", "pgs-factored"};
+  std::vector<std::string> solvers = {"si", "accelerated", "newton", "jacobi-split", "block", "pgs-factored"};
   int most_sweeps = 4096;
   std::vector<Start> starts = {Start::cold, Start::warm};
   std::vector<Precision> scalars = {Precision::double_precision, Precision::single_precision};

@@ -84,6 +84,21 @@ TEST_CASE("where the warm start is the answer, Newton's method solves no system 
   }
 }
 
+TEST_CASE("Newton's method owns up to the sweeps that lead it on") {
+  // To look at the warm start takes as long as one sweep. At the limit of friction one linear system is not
+  // enough, and the first failure is followed by 30.
+  VelocityProblem<double> pushed = pushed_box(0.5 * speed_of_a_step);
+  const SolveReport led = NewtonSolver<double>({.iterations = 1}).solve(pushed);
+  CHECK(led.iterations == 1);
+  CHECK(led.extra_sweeps == 1 + 30);
+  VelocityProblem<double> solved = loaded_stack(10, 1e3), again = solved;
+  NewtonSolver<double>({.iterations = 50}).solve(solved);
+  again.impulse = solved.impulse;
+  const SolveReport warm = NewtonSolver<double>({.iterations = 50, .tolerance = 1e-9}).solve(again);
+  CHECK(warm.iterations == 0);
+  CHECK(warm.extra_sweeps == 1);
+}
+
 TEST_CASE("Newton's method slides and sticks as Coulomb says") {
   const double weight = speed_of_a_step;  // [N s] of 1 kg
   for (const double speed : {0.01, 0.09, 0.2, 3.0}) {

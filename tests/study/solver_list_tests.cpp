@@ -74,3 +74,14 @@ TEST_CASE("entries say which solvers the order of the rows means something to") 
     CHECK((forward.impulse != slow.impulse) == entry.uses_relaxation);
   }
 }
+
+TEST_CASE(
+    "a sweep counts for an update of each row, a linear system for as many as it takes as long, and both add "
+    "up") {
+  const SolveReport report{.iterations = 3, .extra_sweeps = 5};
+  CHECK(counted_updates(solver_entry("newton"), report, 4) == (3 * 15 + 5) * 4);
+  for (const SolverEntry& entry : solver_entries()) {
+    CAPTURE(entry.name);
+    if (entry.name != "newton") CHECK(counted_updates(entry, {.iterations = 7}, 4) == 7 * 4);
+  }
+}

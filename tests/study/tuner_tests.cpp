@@ -151,3 +151,15 @@ TEST_CASE("no setting runs twice, and once it is told to stop none runs at all")
   CHECK_FALSE(stopped.complete);
   CHECK_FALSE(stopped.plain_si);
 }
+
+TEST_CASE(
+    "the tuner tries Newton's method, with a few systems, among the solvers that are not said otherwise") {
+  int with_newton = 0, most = 0;
+  for (const Setting& setting : tuner_settings(TunerOptions().solvers)) {
+    if (setting.solver != "newton") continue;
+    with_newton += 1;
+    most = std::max(most, setting.sweeps.iterations);
+  }
+  CHECK(with_newton == 3 * 5 * 5 * 3);  // steps a second, substeps, 1 to 16 systems, policies
+  CHECK(most == 16);
+}
