@@ -21,7 +21,8 @@ double work_of_a_sweep(const std::string& solver) {
   return solver == "box2d" ? 1 : solver_entry(solver).updates_a_row;
 }
 
-/// Newton's method seldom needs a second linear system, and more than a few hardly ever.
+/// In level 2 of the study no scene that newton loses with 1 to 16 linear systems a step, at a step of the
+/// grid, is held with 32 or 64: none of 738.
 int most_sweeps_of(const std::string& solver) {
   if (solver == "reference") return 1;
   return solver == "newton" ? 16 : 256;
