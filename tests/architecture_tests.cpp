@@ -10,11 +10,13 @@
 namespace {
 
 // The rooms of src and their floors. A room may include itself and every room on a lower floor; collision may
-// also name the bodies of dynamics, which stands beside it.
+// also name the bodies of dynamics, which stands beside it. The core, which is installed, ends with measure.
 const std::map<std::string, int> floor_of_room = {
-    {"math", 0},        {"geometry", 1}, {"dynamics", 2}, {"collision", 2},
-    {"constraints", 3}, {"solvers", 4},  {"world", 5},    {"measure", 6},
+    {"math", 0},    {"geometry", 1},   {"dynamics", 2}, {"collision", 2}, {"constraints", 3},
+    {"solvers", 4}, {"world", 5},      {"measure", 6},  {"reference", 7}, {"scenes", 7},
+    {"frozen", 9},  {"validation", 8}, {"study", 10},   {"tuning", 11},   {"extremes", 12},
 };
+const int last_floor_of_the_core = 6;
 
 struct SourceLine {
   int number = 0;
@@ -35,23 +37,21 @@ std::string without_first_folder(const std::string& path) { return path.substr(p
 // "src/constraints/row.hpp" -> "constraints"; "src/cairn.hpp" -> "".
 std::string room_of(const std::string& file) { return first_folder(without_first_folder(file)); }
 
-// Rooms beside the top floor: they see all of the floors.
-bool is_beside(const std::string& room) {
-  return room == "reference" || room == "study" || room == "validation" || room == "extremes";
+// Folders of solvers: what all of them share lies in none, and the exact methods may begin with a sweep.
+std::string including_within_solvers(const std::string& file, const std::string& target) {
+  const std::string from = first_folder(without_first_folder(without_first_folder(file)));
+  const std::string to = first_folder(without_first_folder(target));
+  if (to.empty() || to == from) return "";
+  return from == "exact" && to == "iterative" ? ""
+                                              : "what solvers share must not know those in solvers/" + to;
 }
 
-std::string including_from_a_room(const std::string& room, const std::string& target) {
-  const std::string other = first_folder(target);
-  const bool sees_studies = room == "study" || room == "extremes";
-  if (is_beside(room)) return other == "study" && !sees_studies ? "only a study looks at studies" : "";
-  if (other == "study" || other == "validation" || other == "extremes")
-    return "the floors know nothing of " + other;
-  if (other == "reference") return "only src/reference may know Box2D's world";
-  const auto from = floor_of_room.find(room);
-  const auto to = floor_of_room.find(other);
+std::string including_from_a_room(const std::string& file, const std::string& target) {
+  const std::string room = room_of(file), other = first_folder(target);
+  const auto from = floor_of_room.find(room), to = floor_of_room.find(other);
   if (from == floor_of_room.end()) return room + " is no room of src";
   if (to == floor_of_room.end()) return "there is no room " + other + " on the floors of src";
-  if (room == other) return "";
+  if (room == other) return room == "solvers" ? including_within_solvers(file, target) : "";
   if (room == "solvers" && other == "constraints" && target != "constraints/row.hpp") {
     return "solvers see rows only: constraints/row.hpp";
   }
@@ -62,7 +62,7 @@ std::string including_from_a_room(const std::string& room, const std::string& ta
 // `render` draws values: vectors, shapes, snapshots and tables.
 std::string including_from_render(const std::string& target) {
   const std::string other = first_folder(target);
-  const bool is_of_src = floor_of_room.count(other) != 0 || other == "reference" || target == "cairn.hpp";
+  const bool is_of_src = floor_of_room.count(other) != 0 || target == "cairn.hpp";
   const bool is_seen =
       other == "math" || other == "geometry" || target == "world/snapshot.hpp" || target == "measure/csv.hpp";
   if (is_of_src && !is_seen) return "render sees math, geometry, world/snapshot.hpp and measure/csv.hpp only";
@@ -74,9 +74,12 @@ std::string including_from_render(const std::string& target) {
 std::string objection(const std::string& file, const std::string& target) {
   if (begins_with(file, "render/")) return including_from_render(target);
   if (!begins_with(file, "src/")) return "";
-  if (file == "src/cairn.hpp") return first_folder(target) == "reference" ? "the core knows no Box2D" : "";
   if (begins_with(target, ".")) return "paths in src begin with the room";
-  return including_from_a_room(room_of(file), target);
+  if (file != "src/cairn.hpp") return including_from_a_room(file, target);
+  const auto floor = floor_of_room.find(first_folder(target));
+  return floor != floor_of_room.end() && floor->second <= last_floor_of_the_core
+             ? ""
+             : "the core ends with measure";
 }
 
 // The same for the header of a library: Box2D has one place, and physics never knows that pictures exist.
@@ -86,10 +89,11 @@ std::string objection_to_library(const std::string& file, const std::string& tar
   }
   const std::string library = first_folder(target);
   if (library == "toml++") {
-    return begins_with(file, "src/study/") ? "" : "toml++ is included in src/study only";
+    return begins_with(file, "src/scenes/") ? "" : "toml++ is included in src/scenes only";
   }
-  if (library == "nlohmann" && (begins_with(file, "src/study/") || begins_with(file, "src/extremes/")))
-    return "";
+  const auto floor = floor_of_room.find(room_of(file));
+  const bool is_a_study = floor != floor_of_room.end() && floor->second >= floor_of_room.at("frozen");
+  if (library == "nlohmann" && is_a_study) return "";
   const bool is_of_the_core = library.empty() || library == "Eigen" || library == "fmt";
   return is_of_the_core || !begins_with(file, "src/") ? "" : "the core needs Eigen and fmt, not " + library;
 }
@@ -124,10 +128,9 @@ std::vector<std::string> objections_to(const std::string& file, const std::vecto
 // Why the first line of a file of src is not the head comment it should be; empty when it is.
 std::string objection_to_head(const std::string& file, const std::string& first_line) {
   if (file == "src/cairn.hpp") return begins_with(first_line, "// ") ? "" : "should begin with a comment";
-  const std::string room = room_of(file);
-  const auto floor = floor_of_room.find(room);
-  const std::string head =
-      floor == floor_of_room.end() ? "// Beside floor " : "// Floor " + std::to_string(floor->second) + ". ";
+  const auto floor = floor_of_room.find(room_of(file));
+  if (floor == floor_of_room.end()) return "is in no room of src";
+  const std::string head = "// Floor " + std::to_string(floor->second) + ". ";
   const bool is_head = begins_with(first_line, head) && first_line.size() > head.size();
   return is_head ? "" : "should begin with \"" + head + "\" and what the file is for";
 }
@@ -188,7 +191,8 @@ TEST_CASE("an include that breaks the floors is found, with its file and line") 
   CHECK(objections_to("src/world/made_up.cpp", {{.number = 1, .text = "#include <GL/osmesa.h>"}}).size() ==
         1);
   const SourceLine toml = {.number = 1, .text = "#include <toml++/toml.h>"};
-  CHECK(objections_to("src/study/made_up.cpp", {toml}).empty());
+  CHECK(objections_to("src/scenes/made_up.cpp", {toml}).empty());
+  CHECK(objections_to("src/study/made_up.cpp", {toml}).size() == 1);
   CHECK(objections_to("src/world/made_up.cpp", {toml}).size() == 1);
   CHECK(objections_to("lessons/sandbox/made_up.cpp", {toml}).size() == 1);
 }
@@ -207,6 +211,13 @@ TEST_CASE("each rule of the floors allows what it should and refuses what it sho
   CHECK_FALSE(objection("src/measure/a.hpp", "../world/world.hpp").empty());
   CHECK_FALSE(objection("src/attic/a.hpp", "math/math.hpp").empty());
   CHECK(objection("src/reference/a.hpp", "world/scene.hpp").empty());
+  CHECK(objection("src/solvers/exact/a.hpp", "solvers/iterative/b.hpp").empty());
+  CHECK(objection("src/solvers/exact/a.hpp", "solvers/solver.hpp").empty());
+  CHECK_FALSE(objection("src/solvers/iterative/a.hpp", "solvers/exact/b.hpp").empty());
+  CHECK_FALSE(objection("src/solvers/a.hpp", "solvers/iterative/b.hpp").empty());
+  CHECK(objection("src/study/a.hpp", "scenes/scene_file.hpp").empty());
+  CHECK_FALSE(objection("src/scenes/a.hpp", "study/trial.hpp").empty());
+  CHECK_FALSE(objection("src/scenes/a.hpp", "reference/box2d_world.hpp").empty());
   CHECK_FALSE(objection("src/cairn.hpp", "reference/box2d_world.hpp").empty());
   for (const char* seen : {"math/math.hpp", "geometry/shape.hpp", "world/snapshot.hpp", "measure/csv.hpp"}) {
     CHECK(objection("render/a.hpp", seen).empty());
@@ -237,6 +248,6 @@ TEST_CASE("every file of the core says on its first line on which floor it is, a
   CHECK(objection_to_head("src/solvers/a.hpp", "// Floor 4. Rows, solved.").empty());
   CHECK_FALSE(objection_to_head("src/solvers/a.hpp", "// Floor 3. Rows, solved.").empty());
   CHECK_FALSE(objection_to_head("src/solvers/a.hpp", "// Floor 4. ").empty());
-  CHECK_FALSE(objection_to_head("src/reference/a.hpp", "// Floor 6. Box2D.").empty());
+  CHECK_FALSE(objection_to_head("src/reference/a.hpp", "// Beside floor 6. Box2D.").empty());
   CHECK_FALSE(objection_to_head("src/cairn.hpp", "#pragma once").empty());
 }

@@ -18,7 +18,7 @@ LessonInfo card() {
            "(21)  p_c = jᵀ λ Δt            where it may act: along j",
            "(22)  λ = (ζ − j v₁) / (j M⁻¹ jᵀ Δt)   and so p_c = jᵀ (ζ − j v₁) / (j M⁻¹ jᵀ), eq (23)"},
       .needs = {"lesson 01"},
-      .reads = {"src/constraints/row.hpp", "src/solvers/sequential_impulse.cpp"},
+      .reads = {"src/constraints/row.hpp", "src/solvers/iterative/sequential_impulse.cpp"},
       .question =
           "A unit box of 6 kg (or --mass) falls at 1 m/s (or --speed) and meets a peg. Under its middle the "
           "peg "

@@ -5,7 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-#include "solvers/reference_solver.hpp"
+#include "solvers/exact/reference_solver.hpp"
 
 namespace cairn::big {
 

@@ -18,7 +18,7 @@ LessonInfo card() {
            "(28)  λ_i ← (b_i − Σ_{j≠i} A_ij λ_j) / A_ii       one row, with the newest λ of the others",
            "2.2   λ_i ← max(λ_min, min(λ_i, λ_max))           a contact: 0 ≤ λ"},
       .needs = {"lesson 04"},
-      .reads = {"src/solvers/projected_gauss_seidel.cpp", "src/constraints/row.hpp"},
+      .reads = {"src/solvers/iterative/projected_gauss_seidel.cpp", "src/constraints/row.hpp"},
       .question =
           "A rod of 4 kg and 3 m lies with its left end on one support; the other stands 1 m from there. "
           "A λ = b says: the left one pulls with 20 N, the right one pushes with 60 N. But the left one "

@@ -16,7 +16,7 @@ LessonInfo card() {
                     "(23)  p = jᵀ λ Δt                        the impulse it gives [N s]",
                     "(21)  v ← v + M⁻¹ p                      to its two bodies, at once"},
       .needs = {"lesson 02", "lesson 05"},
-      .reads = {"src/solvers/sequential_impulse.cpp", "src/constraints/row.hpp"},
+      .reads = {"src/solvers/iterative/sequential_impulse.cpp", "src/constraints/row.hpp"},
       .question = "After one sweep over the rows: how fast does each box still fall (m/s, lowest first)?",
       .hints =
           {"A push acts on both boxes of a contact: it stops the upper one and speeds up the lower one.",

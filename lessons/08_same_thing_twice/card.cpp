@@ -17,7 +17,7 @@ LessonInfo card() {
                     "(28)  η_i ← (b_i − Σ_{j≠i} A_ij η_j) / A_ii        one update of PGS",
                     "(29)  put A = J M⁻¹ Jᵀ, b = (ζ − J v̄)/Δt and (26) into (28), and (27) is left"},
       .needs = {"lesson 05", "lesson 06"},
-      .reads = {"src/solvers/projected_gauss_seidel.cpp", "src/solvers/sequential_impulse.cpp"},
+      .reads = {"src/solvers/iterative/projected_gauss_seidel.cpp", "src/solvers/iterative/sequential_impulse.cpp"},
       .question =
           "After 50 sweeps in single precision: will the impulses of PGS and SI be equal to the last bit? "
           "(1: yes, 0: no)",

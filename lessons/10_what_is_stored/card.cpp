@@ -16,7 +16,7 @@ LessonInfo card() {
                     "(30)  non-zero elements in A = Σ Σ δ(J_i · J_j)   as printed, without M⁻¹",
                     "(22)  1 / (j M⁻¹ jᵀ)                            one number a row"},
       .needs = {"lesson 04", "lesson 06"},
-      .reads = {"src/solvers/non_zeros.hpp", "src/solvers/sparse_projected_gauss_seidel.hpp",
+      .reads = {"src/solvers/non_zeros.hpp", "src/solvers/iterative/sparse_projected_gauss_seidel.hpp",
                 "src/solvers/body_rows.hpp"},
       .question =
           "Boxes in a pyramid, two rows for each overlap. How many times more numbers does a full A hold for "

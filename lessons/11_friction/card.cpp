@@ -18,7 +18,7 @@ LessonInfo card() {
                     "holds while tan θ ≤ μ; else slides with a = g (sin θ − μ cos θ)"};
   info.needs = {"lesson 06"};
   info.reads = {"src/constraints/contact.cpp", "src/constraints/row.hpp",
-                "src/solvers/sequential_impulse.cpp"};
+                "src/solvers/iterative/sequential_impulse.cpp"};
   info.question = "The rough block just holds. Double its mass: does it start to slide?";
   info.hints = {"What pulls the block down the slope, and what does that depend on?",
                 "Write down the limit of friction, and look for the mass in it.",

@@ -16,7 +16,7 @@ LessonInfo card() {
                     "4.3   A_BB Δλ_B = (ζ_B − J_B v) / Δt          one joint: 2 rows of a pin, 3 of a weld",
                     "      A_BB = J_B M⁻¹ J_Bᵀ                     factorized once a step, not once a sweep"},
       .needs = {"lesson 06"},
-      .reads = {"src/solvers/block_sequential_impulse.hpp", "tests/solvers/block_tests.cpp"},
+      .reads = {"src/solvers/iterative/block_sequential_impulse.hpp", "tests/solvers/iterative/block_tests.cpp"},
       .question =
           "One welded beam: its 3 rows need 16 sweeps to 1 %, its block 1. Three beams, each welded to the "
           "one "

@@ -18,7 +18,7 @@ LessonInfo card() {
                     "(15)  (A + γ) λ = b                               PGS: γ on the diagonal of A",
                     "(22)  Δλ = (ζ − j·v − γ λ Δt) / ((A_ii + γ) Δt)   SI: one more term, in one class"},
       .needs = {"lesson 03", "lesson 06"},
-      .reads = {"src/constraints/softness.hpp", "src/solvers/sequential_impulse.cpp"},
+      .reads = {"src/constraints/softness.hpp", "src/solvers/iterative/sequential_impulse.cpp"},
       .question =
           "The spring gets stiffer and stiffer, and its γ goes to 0. Where does β go, and how far "
           "(in mm) does the weight sag then? (two numbers)",

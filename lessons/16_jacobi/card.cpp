@@ -18,7 +18,7 @@ LessonInfo card() {
                     "      plain: Dᵢᵢ = Aᵢᵢ, ω = 1; damped: ω < 1; split: each body's part of Aᵢᵢ times its "
                     "number of rows"},
       .needs = {"lesson 06", "lesson 11"},
-      .reads = {"src/solvers/jacobi.hpp", "src/solvers/jacobi.cpp", "src/solvers/row_order.hpp"},
+      .reads = {"src/solvers/iterative/jacobi.hpp", "src/solvers/iterative/jacobi.cpp", "src/solvers/row_order.hpp"},
       .question =
           "A box that weighs 60 N stands on three feet (--feet). Each pushes as if it were alone, and all do "
           "so at once. How much do they push together in the first sweep, in newtons?",

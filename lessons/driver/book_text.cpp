@@ -73,7 +73,7 @@ std::string with_links(const std::string& html, const TextPlaces& places) {
   });
 }
 
-/// "../../src/solvers/jacobi.cpp" -> "src/solvers/jacobi.cpp".
+/// "../../src/solvers/iterative/jacobi.cpp" -> "src/solvers/iterative/jacobi.cpp".
 std::string without_dots(std::string file) {
   while (file.rfind("../", 0) == 0) file.erase(0, 3);
   return file;

@@ -9,6 +9,7 @@
 #include "math/check.hpp"
 #include "measure/energy.hpp"
 #include "measure/violation.hpp"
+#include "study/expectation.hpp"
 
 namespace cairn::sandbox {
 namespace {

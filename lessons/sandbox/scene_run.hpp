@@ -7,7 +7,7 @@
 
 #include "lessons/console.hpp"
 #include "measure/csv.hpp"
-#include "study/scene_list.hpp"
+#include "scenes/scene_list.hpp"
 
 namespace cairn::sandbox {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lessons/words.hpp"
-#include "study/solver_list.hpp"
+#include "scenes/solver_list.hpp"
 
 namespace cairn::sandbox {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lessons/sandbox/verb.hpp"
-#include "study/scene_list.hpp"
+#include "scenes/scene_list.hpp"
 
 namespace cairn::sandbox {
 

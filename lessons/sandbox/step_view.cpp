@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "study/solver_list.hpp"
+#include "scenes/solver_list.hpp"
 #include "world/world.hpp"
 
 namespace cairn::sandbox {

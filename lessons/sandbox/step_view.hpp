@@ -8,8 +8,8 @@
 #include "measure/recorder.hpp"
 #include "render/image.hpp"
 #include "render/theme.hpp"
-#include "solvers/reference_solver.hpp"
-#include "study/scene_list.hpp"
+#include "solvers/exact/reference_solver.hpp"
+#include "scenes/scene_list.hpp"
 
 namespace cairn::sandbox {
 

@@ -8,7 +8,7 @@
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
-#include "study/solver_list.hpp"
+#include "scenes/solver_list.hpp"
 #include "world/world.hpp"
 
 namespace cairn::sandbox {

@@ -7,8 +7,8 @@
 
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "study/frozen_set.hpp"
-#include "study/solver_list.hpp"
+#include "frozen/frozen_set.hpp"
+#include "scenes/solver_list.hpp"
 
 namespace cairn::sandbox {
 namespace {

@@ -6,7 +6,7 @@
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
-#include "study/solver_list.hpp"
+#include "scenes/solver_list.hpp"
 
 namespace cairn::sandbox {
 namespace {

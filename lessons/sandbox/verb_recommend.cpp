@@ -5,8 +5,8 @@
 
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "study/recommend.hpp"
-#include "study/whole_file.hpp"
+#include "tuning/recommend.hpp"
+#include "measure/whole_file.hpp"
 
 namespace cairn::sandbox {
 namespace {

@@ -9,7 +9,7 @@
 #include "lessons/sandbox/trade_report.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
-#include "study/frozen_set.hpp"
+#include "frozen/frozen_set.hpp"
 #include "study/trajectory_study.hpp"
 
 namespace cairn::sandbox {

@@ -10,9 +10,9 @@
 #include "lessons/words.hpp"
 #include "study/build_info.hpp"
 #include "study/jitter.hpp"
-#include "study/scene_list.hpp"
-#include "study/solver_list.hpp"
-#include "study/tuner.hpp"
+#include "study/expectation.hpp"
+#include "scenes/solver_list.hpp"
+#include "tuning/tuner.hpp"
 
 namespace cairn::sandbox {
 namespace {

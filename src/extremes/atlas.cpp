@@ -1,4 +1,4 @@
-// Beside floor 6. The maps as a study, and read back from its journal.
+// Floor 12. The maps as a study, and read back from its journal.
 #include "extremes/atlas.hpp"
 
 #include <algorithm>

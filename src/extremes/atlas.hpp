@@ -1,4 +1,4 @@
-// Beside floor 6. The stability atlas: over two axes at once, what holds, what degrades and what explodes.
+// Floor 12. The stability atlas: over two axes at once, what holds, what degrades and what explodes.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "study/journal.hpp"
-#include "study/setting.hpp"
+#include "scenes/setting.hpp"
 
 namespace cairn {
 

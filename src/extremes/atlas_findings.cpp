@@ -1,4 +1,4 @@
-// Beside floor 6. What a map of the atlas says, in words.
+// Floor 12. What a map of the atlas says, in words.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Beside floor 6. Maps of what has to carry: heavy on light, high stacks, long chains.
+// Floor 12. Maps of what has to carry: heavy on light, high stacks, long chains.
 #include <fmt/format.h>
 
 #include <cmath>

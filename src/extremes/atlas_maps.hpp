@@ -1,4 +1,4 @@
-// Beside floor 6. How the maps of the atlas run a cell, for its own source files only.
+// Floor 12. How the maps of the atlas run a cell, for its own source files only.
 #pragma once
 
 #include <limits>

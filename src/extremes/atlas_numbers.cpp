@@ -1,4 +1,4 @@
-// Beside floor 6. Maps of what a step and a number can resolve: springs, and places far from the origin.
+// Floor 12. Maps of what a step and a number can resolve: springs, and places far from the origin.
 #include <fmt/format.h>
 
 #include <cmath>

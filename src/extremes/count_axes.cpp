@@ -1,4 +1,4 @@
-// Beside floor 6. Nothing at all, and very much.
+// Floor 12. Nothing at all, and very much.
 #include <fmt/format.h>
 
 #include <cmath>

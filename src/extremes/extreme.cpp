@@ -1,4 +1,4 @@
-// Beside floor 6. From what a case does to a verdict.
+// Floor 12. From what a case does to a verdict.
 #include "extremes/extreme.hpp"
 
 #include <cmath>

@@ -1,11 +1,11 @@
-// Beside floor 6. What an engine must do at the edges of what it can be asked: one case of one axis.
+// Floor 12. What an engine must do at the edges of what it can be asked: one case of one axis.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "study/setting.hpp"
+#include "scenes/setting.hpp"
 
 namespace cairn {
 

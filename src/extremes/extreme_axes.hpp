@@ -1,4 +1,4 @@
-// Beside floor 6. The groups of axes, one file each, and what they build their cases from.
+// Floor 12. The groups of axes, one file each, and what they build their cases from.
 #pragma once
 
 #include "extremes/extreme.hpp"

@@ -1,4 +1,4 @@
-// Beside floor 6. Stepping a case, and judging it.
+// Floor 12. Stepping a case, and judging it.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Beside floor 6. Tasks and rows of the extremes.
+// Floor 12. Tasks and rows of the extremes.
 #include "extremes/extreme_study.hpp"
 
 #include <fmt/format.h>

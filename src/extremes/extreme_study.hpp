@@ -1,4 +1,4 @@
-// Beside floor 6. The extremes as a study: case by case on disk, and read back from there.
+// Floor 12. The extremes as a study: case by case on disk, and read back from there.
 #pragma once
 
 #include <string>

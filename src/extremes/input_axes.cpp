@@ -1,4 +1,4 @@
-// Beside floor 6. What cannot be simulated: shapes, masses and numbers.
+// Floor 12. What cannot be simulated: shapes, masses and numbers.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "constraints/revolute_joint.hpp"
 #include "extremes/extreme_axes.hpp"
 #include "math/check.hpp"
-#include "study/solver_list.hpp"
+#include "scenes/solver_list.hpp"
 #include "world/world.hpp"
 
 namespace cairn {

@@ -1,4 +1,4 @@
-// Beside floor 6. Heavy on light, high stacks, long chains.
+// Floor 12. Heavy on light, high stacks, long chains.
 #include <fmt/format.h>
 
 #include "constraints/revolute_joint.hpp"

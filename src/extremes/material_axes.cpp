@@ -1,4 +1,4 @@
-// Beside floor 6. From ice to glue, and from clay to rubber.
+// Floor 12. From ice to glue, and from clay to rubber.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Beside floor 6. Very fast, and spinning very fast.
+// Floor 12. Very fast, and spinning very fast.
 #include <fmt/format.h>
 
 #include <cmath>

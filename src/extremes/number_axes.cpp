@@ -1,11 +1,11 @@
-// Beside floor 6. What numbers do: precision, the smallest and the largest of them, and the same bits twice.
+// Floor 12. What numbers do: precision, the smallest and the largest of them, and the same bits twice.
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "constraints/revolute_joint.hpp"
 #include "extremes/extreme_axes.hpp"
-#include "study/solver_list.hpp"
+#include "scenes/solver_list.hpp"
 #include "world/world.hpp"
 
 namespace cairn {

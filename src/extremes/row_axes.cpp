@@ -1,4 +1,4 @@
-// Beside floor 6. Rows that are hard to solve: hardly any inertia, the same said twice, and contradictions.
+// Floor 12. Rows that are hard to solve: hardly any inertia, the same said twice, and contradictions.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "constraints/weld_joint.hpp"
 #include "extremes/extreme_axes.hpp"
 #include "measure/trajectory.hpp"
-#include "study/solver_list.hpp"
+#include "scenes/solver_list.hpp"
 #include "world/world.hpp"
 
 namespace cairn {

@@ -1,11 +1,11 @@
-// Beside floor 6. Far from the origin, very small beside very large, and one inside the other.
+// Floor 12. Far from the origin, very small beside very large, and one inside the other.
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "extremes/extreme_axes.hpp"
 #include "math/check.hpp"
-#include "study/solver_list.hpp"
+#include "scenes/solver_list.hpp"
 #include "world/world.hpp"
 
 namespace cairn {

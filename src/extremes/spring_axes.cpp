@@ -1,4 +1,4 @@
-// Beside floor 6. Springs from slack to much stiffer than a step can follow.
+// Floor 12. Springs from slack to much stiffer than a step can follow.
 #include <fmt/format.h>
 
 #include <cmath>

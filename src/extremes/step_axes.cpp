@@ -1,4 +1,4 @@
-// Beside floor 6. Long steps, short steps, steps that change, and how often a step sweeps.
+// Floor 12. Long steps, short steps, steps that change, and how often a step sweeps.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -6,7 +6,7 @@
 
 #include "extremes/extreme_axes.hpp"
 #include "math/check.hpp"
-#include "study/solver_list.hpp"
+#include "scenes/solver_list.hpp"
 #include "world/world.hpp"
 
 namespace cairn {

@@ -1,6 +1,6 @@
-// Beside floor 6. What recommended settings must reach where plain ones fall, stretch or sink.
+// Floor 12. What recommended settings must reach where plain ones fall, stretch or sink.
 #include "extremes/extreme_axes.hpp"
-#include "study/recommend_scenes.hpp"
+#include "tuning/recommend_scenes.hpp"
 
 namespace cairn {
 

@@ -1,4 +1,4 @@
-// Beside floor 6. From Box2D's contacts to Cairn's conventions.
+// Floor 7. From Box2D's contacts to Cairn's conventions.
 #include "reference/box2d_contacts.hpp"
 
 #include <box2d/b2_body.h>

@@ -1,4 +1,4 @@
-// Beside floor 6. What Box2D reports of its contacts while it steps, collected for a snapshot.
+// Floor 7. What Box2D reports of its contacts while it steps, collected for a snapshot.
 #pragma once
 
 #include <box2d/b2_contact.h>

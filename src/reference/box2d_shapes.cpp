@@ -1,4 +1,4 @@
-// Beside floor 6. From Cairn's shapes and joints to Box2D's.
+// Floor 7. From Cairn's shapes and joints to Box2D's.
 #include "reference/box2d_shapes.hpp"
 
 #include <box2d/box2d.h>

@@ -1,4 +1,4 @@
-// Beside floor 6. Shapes and joints as Box2D takes them, and refusing what it does not have.
+// Floor 7. Shapes and joints as Box2D takes them, and refusing what it does not have.
 #pragma once
 
 #include <box2d/b2_shape.h>

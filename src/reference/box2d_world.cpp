@@ -1,4 +1,4 @@
-// Beside floor 6. Building a Box2D world from a scene, stepping it, and reading it back.
+// Floor 7. Building a Box2D world from a scene, stepping it, and reading it back.
 #include "reference/box2d_world.hpp"
 
 #include <box2d/box2d.h>

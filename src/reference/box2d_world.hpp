@@ -1,4 +1,4 @@
-// Beside floor 6. The same scene, stepped by Box2D 2.4.1: a second opinion for tests, lessons and
+// Floor 7. The same scene, stepped by Box2D 2.4.1: a second opinion for tests, lessons and
 // comparisons.
 #pragma once
 

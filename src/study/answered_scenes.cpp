@@ -1,4 +1,4 @@
-// Beside floor 6. Motions with a known end.
+// Floor 10. Motions with a known end.
 #include "study/answered_scenes.hpp"
 
 #include <algorithm>

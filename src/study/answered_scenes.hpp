@@ -1,4 +1,4 @@
-// Beside floor 6. Motions whose end a formula knows: for measuring what a setting costs and misses.
+// Floor 10. Motions whose end a formula knows: for measuring what a setting costs and misses.
 #pragma once
 
 #include <functional>

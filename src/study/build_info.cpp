@@ -1,4 +1,4 @@
-// Beside floor 6. Machine and compiler.
+// Floor 10. Machine and compiler.
 #include "study/build_info.hpp"
 
 #include <sched.h>

@@ -1,9 +1,9 @@
-// Beside floor 6. Stepping a scene under a setting.
+// Floor 10. Stepping a scene under a setting.
 #include "study/contestant.hpp"
 
 #include "measure/fingerprint.hpp"
 #include "solvers/residual.hpp"
-#include "study/solver_list.hpp"
+#include "scenes/solver_list.hpp"
 #include "world/world.hpp"
 #ifdef CAIRN_HAVE_BOX2D
 #include "reference/box2d_world.hpp"

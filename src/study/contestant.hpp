@@ -1,11 +1,11 @@
-// Beside floor 6. A scene under a setting, whoever steps it: Cairn in one of its scalars, or Box2D.
+// Floor 10. A scene under a setting, whoever steps it: Cairn in one of its scalars, or Box2D.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 
-#include "study/setting.hpp"
+#include "scenes/setting.hpp"
 #include "world/snapshot.hpp"
 
 namespace cairn {

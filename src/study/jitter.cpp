@@ -1,4 +1,4 @@
-// Beside floor 6. Jitter from a generator whose numbers the C++ standard fixes.
+// Floor 10. Jitter from a generator whose numbers the C++ standard fixes.
 #include "study/jitter.hpp"
 
 #include <cmath>

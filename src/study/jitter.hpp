@@ -1,4 +1,4 @@
-// Beside floor 6. A scene that begins a little elsewhere.
+// Floor 10. A scene that begins a little elsewhere.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Beside floor 6. Journals of studies.
+// Floor 10. Journals of studies.
 #include "study/journal.hpp"
 
 #include <charconv>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "math/check.hpp"
-#include "study/whole_file.hpp"
+#include "measure/whole_file.hpp"
 
 namespace cairn {
 

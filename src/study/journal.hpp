@@ -1,4 +1,4 @@
-// Beside floor 6. Long studies, task by task on disk: they can be stopped, taken up again, and shared out.
+// Floor 10. Long studies, task by task on disk: they can be stopped, taken up again, and shared out.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Beside floor 6. Ratios to the best.
+// Floor 10. Ratios to the best.
 #include "study/profile.hpp"
 
 #include <algorithm>

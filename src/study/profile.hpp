@@ -1,4 +1,4 @@
-// Beside floor 6. Performance profiles: how often a solver is how close to the best.
+// Floor 10. Performance profiles: how often a solver is how close to the best.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Beside floor 6. Solving, judging, and solving again for the clock.
+// Floor 10. Solving, judging, and solving again for the clock.
 #include "study/solve_trial.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "measure/fingerprint.hpp"
-#include "study/solver_list.hpp"
+#include "scenes/solver_list.hpp"
 #include "study/trial.hpp"
 
 namespace cairn {

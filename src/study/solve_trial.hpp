@@ -1,4 +1,4 @@
-// Beside floor 6. One solver on one frozen problem: how far it comes with so many sweeps, and in what time.
+// Floor 10. One solver on one frozen problem: how far it comes with so many sweeps, and in what time.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 #include "measure/truth.hpp"
 #include "solvers/solver.hpp"
-#include "study/setting.hpp"
+#include "scenes/setting.hpp"
 
 namespace cairn {
 

@@ -1,4 +1,4 @@
-// Beside floor 6. Places, and ways from them.
+// Floor 10. Places, and ways from them.
 #include "study/standing.hpp"
 
 #include <algorithm>

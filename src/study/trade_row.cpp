@@ -1,4 +1,4 @@
-// Beside floor 6. Rows by the names of their columns.
+// Floor 10. Rows by the names of their columns.
 #include "study/trade_row.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Beside floor 6. The columns of every table about work and error.
+// Floor 10. The columns of every table about work and error.
 #pragma once
 
 #include <map>

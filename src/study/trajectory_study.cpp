@@ -1,4 +1,4 @@
-// Beside floor 6. Level 2 of the trade.
+// Floor 10. Level 2 of the trade.
 #include "study/trajectory_study.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include "measure/fingerprint.hpp"
 #include "study/build_info.hpp"
 #include "study/jitter.hpp"
-#include "study/scene_list.hpp"
+#include "scenes/scene_list.hpp"
 #include "study/trade_row.hpp"
 #include "world/world.hpp"
 

@@ -1,4 +1,4 @@
-// Beside floor 6. Level 2 of the trade: whole runs, with formulas where there are any, and Box2D beside.
+// Floor 10. Level 2 of the trade: whole runs, with formulas where there are any, and Box2D beside.
 #pragma once
 
 #include <string>

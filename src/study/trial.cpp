@@ -1,4 +1,4 @@
-// Beside floor 6. Stepping, timing and measuring, in turns.
+// Floor 10. Stepping, timing and measuring, in turns.
 #include "study/trial.hpp"
 
 #include <algorithm>

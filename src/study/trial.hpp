@@ -1,4 +1,4 @@
-// Beside floor 6. One run of a scene under a setting: what it cost, and how good it was.
+// Floor 10. One run of a scene under a setting: what it cost, and how good it was.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "study/setting.hpp"
+#include "scenes/setting.hpp"
 #include "world/snapshot.hpp"
 
 namespace cairn {

@@ -1,4 +1,4 @@
-// Beside floor 6. Level 1 of the trade: frozen problems.
+// Floor 10. Level 1 of the trade: frozen problems.
 #include "study/work_precision.hpp"
 
 #include <fmt/format.h>
@@ -11,9 +11,9 @@
 
 #include "measure/fingerprint.hpp"
 #include "solvers/non_zeros.hpp"
-#include "solvers/reference_solver.hpp"
+#include "solvers/exact/reference_solver.hpp"
 #include "study/build_info.hpp"
-#include "study/solver_list.hpp"
+#include "scenes/solver_list.hpp"
 #include "study/trade_row.hpp"
 
 namespace cairn {

@@ -1,4 +1,4 @@
-// Beside floor 6. Work against error: what more work buys, solver by solver.
+// Floor 10. Work against error: what more work buys, solver by solver.
 #pragma once
 
 #include <map>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "measure/csv.hpp"
-#include "study/frozen_problem.hpp"
+#include "frozen/frozen_problem.hpp"
 #include "study/journal.hpp"
 #include "study/solve_trial.hpp"
 

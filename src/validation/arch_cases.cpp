@@ -1,4 +1,4 @@
-// Beside floor 6. A masonry arch, stones that only friction and thrust keep up: B36.
+// Floor 8. A masonry arch, stones that only friction and thrust keep up: B36.
 #include <algorithm>
 #include <cmath>
 #include <limits>

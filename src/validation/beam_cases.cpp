@@ -1,4 +1,4 @@
-// Beside floor 6. How slowly sweeps converge where bodies bend each other: welded beams, and stacks that
+// Floor 8. How slowly sweeps converge where bodies bend each other: welded beams, and stacks that
 // friction glues.
 //
 // Both are cantilevers, clamped at the ground. Their slowest mode is that of a bending moment Q(k) along the

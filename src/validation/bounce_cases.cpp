@@ -1,4 +1,4 @@
-// Beside floor 6. A ball that bounces.
+// Floor 8. A ball that bounces.
 #include <fmt/format.h>
 
 #include "geometry/shape.hpp"

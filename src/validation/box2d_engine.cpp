@@ -1,4 +1,4 @@
-// Beside floor 6. Box2D 2.4.1 as an engine that cases can ask.
+// Floor 8. Box2D 2.4.1 as an engine that cases can ask.
 #include "validation/box2d_engine.hpp"
 
 #ifdef CAIRN_HAVE_BOX2D

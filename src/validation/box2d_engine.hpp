@@ -1,4 +1,4 @@
-// Beside floor 6. Box2D 2.4.1 as an engine that cases can ask.
+// Floor 8. Box2D 2.4.1 as an engine that cases can ask.
 #pragma once
 
 #include "validation/case.hpp"

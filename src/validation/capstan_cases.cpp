@@ -1,4 +1,4 @@
-// Beside floor 6. A rope round a post, how much more than the other side one side of it can hold: B32.
+// Floor 8. A rope round a post, how much more than the other side one side of it can hold: B32.
 #include <cmath>
 #include <string>
 

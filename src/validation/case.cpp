@@ -1,10 +1,10 @@
-// Beside floor 6. Orders of convergence, and Cairn as an engine.
+// Floor 8. Orders of convergence, and Cairn as an engine.
 #include "validation/case.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "solvers/sequential_impulse.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
 namespace cairn {

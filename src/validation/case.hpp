@@ -1,4 +1,4 @@
-// Beside floor 6. A closed form as data: what a formula foretells beside what an engine gave.
+// Floor 8. A closed form as data: what a formula foretells beside what an engine gave.
 #pragma once
 
 #include <cmath>

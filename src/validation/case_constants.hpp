@@ -1,4 +1,4 @@
-// Beside floor 6. Numbers that cases share.
+// Floor 8. Numbers that cases share.
 #pragma once
 
 #include <limits>

@@ -1,4 +1,4 @@
-// Beside floor 6. All closed forms, from the files that hold them.
+// Floor 8. All closed forms, from the files that hold them.
 #include "validation/case_list.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Beside floor 6. Which file holds which closed forms: a new file is one line here and one in case_list.cpp.
+// Floor 8. Which file holds which closed forms: a new file is one line here and one in case_list.cpp.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Beside floor 6. Problems written by hand, row by row, and how fast sweeps solve them.
+// Floor 8. Problems written by hand, row by row, and how fast sweeps solve them.
 #pragma once
 
 #include <cmath>

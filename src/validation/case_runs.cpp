@@ -1,4 +1,4 @@
-// Beside floor 6. What many cases do: running, bisecting, refining, and asking every solver.
+// Floor 8. What many cases do: running, bisecting, refining, and asking every solver.
 #include "validation/case_runs.hpp"
 
 #include <cmath>

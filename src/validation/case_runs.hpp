@@ -1,4 +1,4 @@
-// Beside floor 6. What many cases do: run a scene for a while, bisect for a threshold, refine dt, ask every
+// Floor 8. What many cases do: run a scene for a while, bisect for a threshold, refine dt, ask every
 // solver.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Beside floor 6. Scenes that closed forms, frozen problems and tests share.
+// Floor 8. Scenes that closed forms, frozen problems and tests share.
 //
 // A header without a source file: the tests of the core link nothing of this room.
 #pragma once

@@ -1,18 +1,18 @@
-// Beside floor 6. The solvers that closed forms are asked of: a new solver is one line here.
+// Floor 8. The solvers that closed forms are asked of: a new solver is one line here.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <vector>
 
-#include "solvers/accelerated_projected_gauss_seidel.hpp"
-#include "solvers/block_sequential_impulse.hpp"
-#include "solvers/factored_projected_gauss_seidel.hpp"
-#include "solvers/jacobi.hpp"
-#include "solvers/naive_projected_gauss_seidel.hpp"
-#include "solvers/projected_gauss_seidel.hpp"
-#include "solvers/sequential_impulse.hpp"
-#include "solvers/sparse_projected_gauss_seidel.hpp"
+#include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
+#include "solvers/iterative/block_sequential_impulse.hpp"
+#include "solvers/iterative/factored_projected_gauss_seidel.hpp"
+#include "solvers/iterative/jacobi.hpp"
+#include "solvers/iterative/naive_projected_gauss_seidel.hpp"
+#include "solvers/iterative/projected_gauss_seidel.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
+#include "solvers/iterative/sparse_projected_gauss_seidel.hpp"
 
 namespace cairn::cases {
 

@@ -1,4 +1,4 @@
-// Beside floor 6. Chains and unequal masses: how fast sweeps solve them; and rows that one body has too many.
+// Floor 8. Chains and unequal masses: how fast sweeps solve them; and rows that one body has too many.
 #include <algorithm>
 #include <numeric>
 

@@ -1,4 +1,4 @@
-// Beside floor 6. Free flight, and two discs that meet in it.
+// Floor 8. Free flight, and two discs that meet in it.
 #include <fmt/format.h>
 
 #include "geometry/shape.hpp"

@@ -1,4 +1,4 @@
-// Beside floor 6. A blow on a hinged rod.
+// Floor 8. A blow on a hinged rod.
 #include <fmt/format.h>
 
 #include "constraints/revolute_joint.hpp"

@@ -1,4 +1,4 @@
-// Beside floor 6. One step that decides everything: sliding feet, impacts, rows in a line.
+// Floor 8. One step that decides everything: sliding feet, impacts, rows in a line.
 #include <algorithm>
 
 #include "geometry/shape.hpp"

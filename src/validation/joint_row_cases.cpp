@@ -1,4 +1,4 @@
-// Beside floor 6. Single rows: a rope on many bodies, wheels in mesh, a spring.
+// Floor 8. Single rows: a rope on many bodies, wheels in mesh, a spring.
 #include <algorithm>
 
 #include "constraints/distance_joint.hpp"

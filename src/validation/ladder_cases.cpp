@@ -1,4 +1,4 @@
-// Beside floor 6. A ladder between a floor and a wall.
+// Floor 8. A ladder between a floor and a wall.
 #include <fmt/format.h>
 
 #include "geometry/shape.hpp"

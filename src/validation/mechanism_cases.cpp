@@ -1,4 +1,4 @@
-// Beside floor 6. Mechanisms, against the geometry that they are made for: B21 and B22.
+// Floor 8. Mechanisms, against the geometry that they are made for: B21 and B22.
 #include <algorithm>
 #include <cmath>
 #include <string>

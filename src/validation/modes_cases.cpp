@@ -1,4 +1,4 @@
-// Beside floor 6. Small modes of hanging chains: B17 and B26.
+// Floor 8. Small modes of hanging chains: B17 and B26.
 #include <cmath>
 #include <limits>
 #include <string>

@@ -1,4 +1,4 @@
-// Beside floor 6. Momentum of bodies that only have each other, and discs that pass it on along a line.
+// Floor 8. Momentum of bodies that only have each other, and discs that pass it on along a line.
 #include <fmt/format.h>
 
 #include <random>
@@ -6,7 +6,7 @@
 
 #include "geometry/shape.hpp"
 #include "measure/energy.hpp"
-#include "solvers/sequential_impulse.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 #include "validation/case_list.hpp"
 #include "validation/case_runs.hpp"
 #include "validation/worst.hpp"

@@ -1,4 +1,4 @@
-// Beside floor 6. Blocks that reach over an edge: B35.
+// Floor 8. Blocks that reach over an edge: B35.
 #include <cmath>
 #include <string>
 

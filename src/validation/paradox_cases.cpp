@@ -1,4 +1,4 @@
-// Beside floor 6. Painleve's rod: Coulomb friction that sweeps never find, and impacts without a collision.
+// Floor 8. Painleve's rod: Coulomb friction that sweeps never find, and impacts without a collision.
 #include <algorithm>
 
 #include "validation/case_list.hpp"

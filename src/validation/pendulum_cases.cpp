@@ -1,4 +1,4 @@
-// Beside floor 6. A rod that swings about its end, and two that tumble.
+// Floor 8. A rod that swings about its end, and two that tumble.
 #include <fmt/format.h>
 
 #include <algorithm>

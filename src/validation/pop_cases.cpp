@@ -1,4 +1,4 @@
-// Beside floor 6. Overlap that Baumgarte stabilization turns into speed: B24.
+// Floor 8. Overlap that Baumgarte stabilization turns into speed: B24.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-// Beside floor 6. Pucks on a table, seen from above, cones and pyramids of friction: B38.
+// Floor 8. Pucks on a table, seen from above, cones and pyramids of friction: B38.
 #include <cmath>
 #include <string>
 

@@ -1,4 +1,4 @@
-// Beside floor 6. Ropes over rollers and drums, and a gear box: B18, B19 and B20.
+// Floor 8. Ropes over rollers and drums, and a gear box: B18, B19 and B20.
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -1,4 +1,4 @@
-// Beside floor 6. A tall block that rocks from one bottom corner to the other: B40.
+// Floor 8. A tall block that rocks from one bottom corner to the other: B40.
 #include <cmath>
 #include <limits>
 #include <string>

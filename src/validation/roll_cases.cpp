@@ -1,4 +1,4 @@
-// Beside floor 6. Discs that are thrown along the ground, slip, and come to roll.
+// Floor 8. Discs that are thrown along the ground, slip, and come to roll.
 #include <fmt/format.h>
 
 #include "geometry/shape.hpp"

@@ -1,4 +1,4 @@
-// Beside floor 6. What Baumgarte stabilization leaves of a rod that turns: B23.
+// Floor 8. What Baumgarte stabilization leaves of a rod that turns: B23.
 #include <cmath>
 #include <string>
 

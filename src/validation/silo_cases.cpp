@@ -1,4 +1,4 @@
-// Beside floor 6. A silo, whose walls carry most of what stands between them: B37.
+// Floor 8. A silo, whose walls carry most of what stands between them: B37.
 #include <cmath>
 #include <cstdint>
 

@@ -1,4 +1,4 @@
-// Beside floor 6. A block that slides to a halt, and what friction turns into heat.
+// Floor 8. A block that slides to a halt, and what friction turns into heat.
 #include <algorithm>
 
 #include "geometry/shape.hpp"

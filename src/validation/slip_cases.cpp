@@ -1,4 +1,4 @@
-// Beside floor 6. One step of a rope round a post, which is held or slips: B32b.
+// Floor 8. One step of a rope round a post, which is held or slips: B32b.
 #include <string>
 #include <vector>
 

@@ -1,4 +1,4 @@
-// Beside floor 6. Blocks and wheels on a slope: sticking, sliding, rolling and tipping.
+// Floor 8. Blocks and wheels on a slope: sticking, sliding, rolling and tipping.
 #include "geometry/shape.hpp"
 #include "validation/case_list.hpp"
 #include "validation/case_runs.hpp"

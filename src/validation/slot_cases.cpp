@@ -1,4 +1,4 @@
-// Beside floor 6. Coulomb friction where it has two answers: a box in a tight slot.
+// Floor 8. Coulomb friction where it has two answers: a box in a tight slot.
 #include <algorithm>
 
 #include "validation/case_list.hpp"

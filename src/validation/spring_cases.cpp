@@ -1,4 +1,4 @@
-// Beside floor 6. Springs, against implicit Euler, continuous swings and statics: B27, B28 and B29.
+// Floor 8. Springs, against implicit Euler, continuous swings and statics: B27, B28 and B29.
 #include <algorithm>
 #include <cmath>
 #include <limits>

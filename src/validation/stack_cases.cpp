@@ -1,4 +1,4 @@
-// Beside floor 6. Stacks: what their contacts carry, and how fast sweeps find it out.
+// Floor 8. Stacks: what their contacts carry, and how fast sweeps find it out.
 #include <algorithm>
 
 #include "measure/violation.hpp"

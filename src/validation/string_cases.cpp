@@ -1,4 +1,4 @@
-// Beside floor 6. A weight on two strings: B41.
+// Floor 8. A weight on two strings: B41.
 #include <cmath>
 #include <string>
 

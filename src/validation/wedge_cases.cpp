@@ -1,4 +1,4 @@
-// Beside floor 6. A block that slides down a wedge that is free to go.
+// Floor 8. A block that slides down a wedge that is free to go.
 #include "geometry/shape.hpp"
 #include "validation/case_list.hpp"
 #include "validation/case_runs.hpp"

@@ -1,4 +1,4 @@
-// Beside floor 6. A wheel with corners that rolls down a slope: every corner takes its share of the speed.
+// Floor 8. A wheel with corners that rolls down a slope: every corner takes its share of the speed.
 #include <fmt/format.h>
 
 #include "geometry/shape.hpp"

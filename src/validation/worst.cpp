@@ -1,4 +1,4 @@
-// Beside floor 6. Of many measurements of one thing the one that is furthest from its formula.
+// Floor 8. Of many measurements of one thing the one that is furthest from its formula.
 #include "validation/worst.hpp"
 
 #include <limits>

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "cairn.hpp"
-#include "solvers/block_sequential_impulse.hpp"
+#include "solvers/iterative/block_sequential_impulse.hpp"
 
 namespace cairn::bench {
 

@@ -10,7 +10,7 @@
 
 #include "constraints/joint_rows.hpp"
 #include "geometry/shape.hpp"
-#include "solvers/sequential_impulse.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
 namespace cairn::testing {

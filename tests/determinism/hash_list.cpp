@@ -6,9 +6,9 @@
 
 #include "measure/fingerprint.hpp"
 #include "study/contestant.hpp"
-#include "study/frozen_set.hpp"
-#include "study/scene_list.hpp"
-#include "study/solver_list.hpp"
+#include "frozen/frozen_set.hpp"
+#include "scenes/scene_list.hpp"
+#include "scenes/solver_list.hpp"
 
 namespace cairn::determinism {
 

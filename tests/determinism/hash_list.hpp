@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "study/frozen_problem.hpp"
+#include "frozen/frozen_problem.hpp"
 
 namespace cairn::determinism {
 

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "determinism/hash_list.hpp"
-#include "study/frozen_set.hpp"
+#include "frozen/frozen_set.hpp"
 
 using namespace cairn;
 
@@ -73,7 +73,7 @@ TEST_CASE("worlds in three threads beside each other give the bits that they giv
 TEST_CASE("a frozen problem has the same answer to the last bit once it was saved and reloaded") {
   std::vector<FrozenProblem> reloaded;
   const std::vector<FrozenProblem> kept =
-      read_frozen_set(std::string(CAIRN_SOURCE_DIR) + "/tests/study/frozen");
+      read_frozen_set(std::string(CAIRN_SOURCE_DIR) + "/tests/frozen/problems");
   for (const FrozenProblem& frozen : kept) reloaded.push_back(determinism::written_and_read(frozen));
   CHECK(determinism::frozen_lines(reloaded) == determinism::frozen_lines(kept));
 }

@@ -10,7 +10,7 @@
 
 #include "extremes/atlas_maps.hpp"
 #include "math/math.hpp"
-#include "study/solver_list.hpp"
+#include "scenes/solver_list.hpp"
 
 using namespace cairn;
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "solvers/impulse_energy.hpp"
-#include "study/scene_list.hpp"
-#include "study/solver_list.hpp"
+#include "scenes/scene_list.hpp"
+#include "scenes/solver_list.hpp"
 #include "world/world.hpp"
 
 using namespace cairn;

@@ -15,8 +15,8 @@
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
 #include "math/check.hpp"
-#include "study/problem_check.hpp"
-#include "study/solver_list.hpp"
+#include "frozen/problem_check.hpp"
+#include "scenes/solver_list.hpp"
 #include "world/scene.hpp"
 
 using namespace cairn;

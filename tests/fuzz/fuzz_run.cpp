@@ -187,7 +187,7 @@ std::vector<std::string> usual_seeds(Target target, const std::string& source_fo
   std::vector<std::string> paths = {source_folder + "/tests/fuzz/corpus/" +
                                     target_names()[static_cast<std::size_t>(target)]};
   if (target == Target::scene) paths.push_back(source_folder + "/lessons/scenes");
-  if (target == Target::frozen) paths.push_back(source_folder + "/tests/study/frozen");
+  if (target == Target::frozen) paths.push_back(source_folder + "/tests/frozen/problems");
   std::vector<std::string> seeds = read_seeds(paths);
   if (target != Target::words) return seeds;
   const std::vector<std::string> lines = word_seeds();

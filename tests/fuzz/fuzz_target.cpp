@@ -6,10 +6,10 @@
 
 #include "fuzz/fuzz_words.hpp"
 #include "math/check.hpp"
-#include "solvers/sequential_impulse.hpp"
-#include "study/frozen_problem.hpp"
-#include "study/scene_file.hpp"
-#include "study/solver_list.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
+#include "frozen/frozen_problem.hpp"
+#include "scenes/scene_file.hpp"
+#include "scenes/solver_list.hpp"
 #include "world/world.hpp"
 
 namespace cairn::fuzz {

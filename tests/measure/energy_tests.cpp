@@ -3,7 +3,7 @@
 
 #include "../geometry/random_shapes.hpp"
 #include "measure/energy.hpp"
-#include "solvers/sequential_impulse.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
 using namespace cairn;

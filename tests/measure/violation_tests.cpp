@@ -4,7 +4,7 @@
 #include "constraints/distance_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "measure/violation.hpp"
-#include "solvers/sequential_impulse.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
 using namespace cairn;

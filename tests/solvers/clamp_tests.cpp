@@ -4,7 +4,7 @@
 #include <limits>
 #include <random>
 
-#include "solvers/sequential_impulse.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 
 using namespace cairn;
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "study/contestant.hpp"
-#include "study/scene_list.hpp"
+#include "study/expectation.hpp"
 
 #ifdef CAIRN_HAVE_BOX2D
 

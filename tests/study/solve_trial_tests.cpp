@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solvers/reference_solver.hpp"
+#include "solvers/exact/reference_solver.hpp"
 #include "validation/case_problems.hpp"
 
 using namespace cairn;

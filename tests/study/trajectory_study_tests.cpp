@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "study/scene_list.hpp"
+#include "scenes/scene_list.hpp"
 #include "study/trade_row.hpp"
 
 using namespace cairn;

@@ -8,11 +8,11 @@
 
 #include "constraints/revolute_joint.hpp"
 #include "geometry/shape.hpp"
-#include "solvers/sequential_impulse.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 #include "study/contestant.hpp"
 #include "study/jitter.hpp"
-#include "study/scene_list.hpp"
-#include "study/solver_list.hpp"
+#include "scenes/scene_list.hpp"
+#include "scenes/solver_list.hpp"
 #include "world/world.hpp"
 
 using namespace cairn;

@@ -5,7 +5,7 @@
 
 #include "constraints/distance_joint.hpp"
 #include "geometry/shape.hpp"
-#include "solvers/sequential_impulse.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 #include "solvers/system_matrix.hpp"
 #include "world/world.hpp"
 

@@ -7,9 +7,9 @@
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
 #include "measure/energy.hpp"
-#include "solvers/block_sequential_impulse.hpp"
+#include "solvers/iterative/block_sequential_impulse.hpp"
 #include "solvers/impulse_energy.hpp"
-#include "solvers/sequential_impulse.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
 using namespace cairn;

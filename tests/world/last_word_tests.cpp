@@ -5,7 +5,7 @@
 
 #include "geometry/shape.hpp"
 #include "solvers/impulse_energy.hpp"
-#include "solvers/sequential_impulse.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 #include "world/last_word.hpp"
 #include "world/world.hpp"
 

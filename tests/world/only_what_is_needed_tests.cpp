@@ -9,8 +9,8 @@
 #include "constraints/distance_joint.hpp"
 #include "constraints/prismatic_joint.hpp"
 #include "constraints/revolute_joint.hpp"
-#include "solvers/projected_gauss_seidel.hpp"
-#include "solvers/sequential_impulse.hpp"
+#include "solvers/iterative/projected_gauss_seidel.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
 using namespace cairn;

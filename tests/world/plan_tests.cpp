@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "constraints/revolute_joint.hpp"
-#include "solvers/sequential_impulse.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
 using namespace cairn;

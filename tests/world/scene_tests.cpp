@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solvers/sequential_impulse.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
 using namespace cairn;

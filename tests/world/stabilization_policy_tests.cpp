@@ -7,7 +7,7 @@
 #include "constraints/revolute_joint.hpp"
 #include "geometry/shape.hpp"
 #include "measure/violation.hpp"
-#include "solvers/sequential_impulse.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
 using namespace cairn;

@@ -1,0 +1,48 @@
+// Floor 9. One step's problem, kept: every solver can be given the very same numbers.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "constraints/row.hpp"
+
+namespace cairn {
+
+/// A problem with its name. Its velocities are those before any impulse, its impulses what a solver would
+/// start from.
+struct FrozenProblem {
+  std::string name = {};               // letters, digits, - and _: at most 64; names its file too
+  std::string description = {};        // what it is of, and after which steps
+  std::vector<std::string> tags = {};  // "cold" or "warm", "40 rows", "settled" or "moving" ...
+  VelocityProblem<double> problem = {};
+};
+
+/// Writes JSON, one line for each body, row and block:
+///   "schema"       "cairn frozen problem 1"
+///   "name", "description", "tags"
+///   "dt"           [s]
+///   "bodies"       [inverse mass x, y, inverse inertia, v_x, v_y, w] of each; the ground first
+///   "extra_terms"  [body, j_x, j_y, j_w] of each
+///   "rows"         [a, b, [j of a], [j of b], bias, softness, [bounds], [key], impulse, first_extra,
+///                  extra_count] of each; without extra terms the last two may be left out. Bounds are
+///                  [lower, upper] or [lower, upper, friction, disc, normal_row, second_normal_row], where
+///                  infinities are "inf" and "-inf" and no row is -1; a key is [source, part] in hexadecimal.
+///   "blocks"       [first, count] of each
+/// Numbers have 17 digits, so that they read back bit-equal.
+/// @throws std::invalid_argument for a problem that read_frozen would refuse.
+void write_frozen(std::ostream& out, const FrozenProblem& frozen);
+
+/// Reads what write_frozen wrote, from the whole stream; `name` stands for it in messages.
+/// @throws std::invalid_argument "name: rows[3][7] must be rule, got value" for anything else: no JSON,
+/// fields that are missing, unknown or given twice, wrong types and counts, numbers out of range, a problem
+/// that check() (problem_check.hpp) refuses, text behind the end, and more than 32 MiB.
+FrozenProblem read_frozen(std::istream& in, const std::string& name);
+
+/// The same in a file, which is written beside and then renamed: no reader ever sees half of one.
+/// @throws std::runtime_error when the file cannot be read or written.
+void write_frozen_file(const std::filesystem::path& path, const FrozenProblem& frozen);
+FrozenProblem read_frozen_file(const std::filesystem::path& path);
+
+}  // namespace cairn

@@ -1,0 +1,106 @@
+// Floor 7. Bodies and their shapes from a scene file.
+#include <map>
+
+#include "scenes/scene_builder.hpp"
+
+namespace cairn {
+
+namespace {
+
+/// The key of the one shape that a table has; "": none.
+std::string shape_key(const SceneTable& table) {
+  std::string found;
+  for (const char* key : {"box", "circle", "capsule", "polygon", "segment"}) {
+    if (!table.has(key)) continue;
+    if (!found.empty())
+      table.refuse(key, "the only shape; for several there is shapes = [{...}, {...}]",
+                   "a " + found + " beside it");
+    found = key;
+  }
+  return found;
+}
+
+Shape<double> make_scene_shape(const SceneTable& table, const std::string& key) {
+  const double radius = table.number("radius");
+  if (key == "circle") return circle(table.number("circle"));
+  if (key == "box") return box(table.point("box").x(), table.point("box").y(), radius);
+  const std::vector<Vec2<double>> points = table.points(key);
+  if (key == "polygon") return polygon(points, radius);
+  if (points.size() != 2) table.refuse(key, "two points [[x, y], [x, y]]");
+  if (key == "segment") return segment(points[0], points[1]);
+  return capsule(points[0], points[1], radius);
+}
+
+void build_body(SceneBuilder& builder, const SceneTable& table, int number) {
+  BodySpec spec = moving_matter_of(table);
+  spec.position = table.point("position");
+  spec.shapes = shape_of(table);
+  if (!spec.shapes.empty() && table.has("shapes")) {
+    table.refuse("shapes", "the only shapes, without a shape beside them");
+  }
+  for (const SceneTable& part : table.tables("shapes")) {
+    const std::vector<Shape<double>> shape = shape_of(part);
+    if (shape.empty()) part.refuse("", "a shape: box, circle, capsule, polygon or segment", "none of them");
+    const bool is_moved = part.has("offset") || part.has("turn");
+    spec.shapes.push_back(is_moved ? moved(shape[0], part.point("offset"), part.number("turn")) : shape[0]);
+  }
+  builder.add(table, spec,
+              table.has("name") ? builder.claim_name(table, "") : "body." + std::to_string(number));
+}
+
+using SceneRepeat = void (*)(SceneBuilder&, const SceneTable&, const std::string&);
+
+const std::map<std::string, SceneRepeat>& scene_repeats() {
+  static const std::map<std::string, SceneRepeat> repeats = {
+      {"link", build_link},     {"stack", build_stack}, {"pyramid", build_pyramid},   {"row", build_row},
+      {"pile", build_pile},     {"arch", build_arch},   {"dominoes", build_dominoes}, {"cards", build_cards},
+      {"cradle", build_cradle}, {"chain", build_chain}};
+  return repeats;
+}
+
+}  // namespace
+
+BodySpec matter_of(const SceneTable& table) {
+  const BodyType types[] = {BodyType::dynamic, BodyType::static_body, BodyType::kinematic};
+  BodySpec spec;
+  spec.type = types[table.word("type")];
+  if (table.has("mass")) spec.mass = table.number("mass");
+  if (table.has("inertia")) spec.inertia = table.number("inertia");
+  spec.density = table.number("density");
+  spec.friction = table.number("friction");
+  spec.restitution = table.number("restitution");
+  spec.linear_damping = table.number("linear_damping");
+  spec.angular_damping = table.number("angular_damping");
+  spec.gravity_scale = table.number("gravity_scale");
+  spec.fixed_rotation = table.flag("fixed_rotation");
+  spec.sensor = table.flag("sensor");
+  spec.fast = table.flag("fast");
+  spec.category = static_cast<std::uint32_t>(table.number("category"));
+  spec.collides_with = static_cast<std::uint32_t>(table.number("collides_with"));
+  return spec;
+}
+
+BodySpec moving_matter_of(const SceneTable& table) {
+  BodySpec spec = matter_of(table);
+  spec.angle = table.number("angle");
+  spec.velocity = table.point("velocity");
+  spec.angular_velocity = table.number("angular_velocity");
+  return spec;
+}
+
+std::vector<Shape<double>> shape_of(const SceneTable& table) {
+  const std::string key = shape_key(table);
+  if (table.has("radius") && (key.empty() || key == "circle" || key == "segment")) {
+    table.refuse("radius", "beside a box, capsule or polygon; a disc is circle = its radius");
+  }
+  std::vector<Shape<double>> shapes;
+  if (!key.empty()) table.guard([&] { shapes.push_back(make_scene_shape(table, key)); });
+  return shapes;
+}
+
+void build_bodies(SceneBuilder& builder, const SceneTable& table, int number) {
+  if (table.kind() == "body") return build_body(builder, table, number);
+  scene_repeats().at(table.kind())(builder, table, builder.claim_name(table, table.kind()));
+}
+
+}  // namespace cairn

@@ -1,0 +1,90 @@
+// Floor 7. Bodies by name.
+#include "scenes/scene_builder.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "math/nearest.hpp"
+
+namespace cairn {
+
+namespace {
+
+const std::size_t most_scene_bodies = 20000;
+
+bool is_scene_name(const std::string& name) {
+  const auto belongs = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
+  return !name.empty() && name.size() <= 60 && std::all_of(name.begin(), name.end(), belongs);
+}
+
+std::string body_names_rule(const std::string& word, const std::vector<std::string>& names) {
+  const std::string near = nearest(word, names);
+  if (!near.empty()) return "the name of a body (" + near + "?)";
+  const std::size_t most = 8;  // names that a message lists
+  std::string rule = "the name of a body: ";
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) rule += (i > 0 ? ", " : "") + names[i];
+  return rule + (names.size() > most ? " and so on" : "");
+}
+
+}  // namespace
+
+std::string SceneBuilder::claim_name(const SceneTable& table, const std::string& fallback) {
+  const std::string name = table.has("name") ? table.text("name") : fallback;
+  if (table.has("name") && !is_scene_name(name)) {
+    table.refuse("name", "1 to 60 letters, digits, _ and -");
+  }
+  if (!claimed_.insert(name).second)
+    table.refuse("name", "a name that nothing else has", '"' + name + "\" once more");
+  return name;
+}
+
+BodyId SceneBuilder::add(const SceneTable& table, const BodySpec& spec, const std::string& name) {
+  if (names_.size() > most_scene_bodies) {
+    table.refuse("", "part of a scene of at most 20000 bodies", "one more");
+  }
+  BodyId id;
+  table.guard([&] { id = scene_.add(spec); });
+  if (!ids_.emplace(name, id).second) table.refuse("", "a body with a name of its own", name + " once more");
+  names_.push_back(name);
+  return id;
+}
+
+void SceneBuilder::add_ground(const SceneTable& table) {
+  table.guard([&] {
+    scene_.add_ground({.height = table.number("height"),
+                       .half_width = table.number("half_width"),
+                       .friction = table.number("friction"),
+                       .restitution = table.number("restitution")});
+  });
+}
+
+BodyId SceneBuilder::body(const SceneTable& table, const std::string& key) const {
+  const std::string name = table.text(key);
+  const auto found = ids_.find(name);
+  if (found == ids_.end()) table.refuse(key, body_names_rule(name, names_));
+  return found->second;
+}
+
+std::vector<BodyId> SceneBuilder::bodies(const SceneTable& table, const std::string& key) const {
+  const std::string name = table.text(key);
+  if (name.size() < 3 || name.substr(name.size() - 2) != ".*") return {body(table, key)};
+  const std::string beginning = name.substr(0, name.size() - 1);
+  std::vector<BodyId> found;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (names_[i].compare(0, beginning.size(), beginning) == 0) found.push_back({static_cast<int>(i)});
+  }
+  if (found.empty()) table.refuse(key, "the name of a row, and .* behind it");
+  return found;
+}
+
+void SceneBuilder::require_room_for_joint(const SceneTable& table) const {
+  const std::size_t most = 50000;
+  if (scene_.joints().size() >= most) table.refuse("", "part of a scene of at most 50000 joints", "one more");
+}
+
+void SceneBuilder::finish() {
+  for (const SceneBody& each : scene_.bodies()) poses_.push_back(each.pose);
+  for (const auto& work : waiting_) work();
+}
+
+}  // namespace cairn

@@ -1,0 +1,85 @@
+// Floor 7. A scene under construction: bodies by name, and joints that wait for them.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "constraints/softness.hpp"
+#include "scenes/scene_table.hpp"
+#include "world/scene.hpp"
+
+namespace cairn {
+
+/// Bodies come at once, in the order of the file; joints when all bodies are there, in the order of the file.
+class SceneBuilder {
+ public:
+  explicit SceneBuilder(const SceneSettings& settings) : scene_(settings), names_({"ground"}) {}
+
+  /// The name that a table gives, or else `fallback`. @throws std::invalid_argument for one that is taken.
+  std::string claim_name(const SceneTable& table, const std::string& fallback);
+  /// @throws std::invalid_argument for what Scene::add refuses, and beyond 20,000 bodies.
+  BodyId add(const SceneTable& table, const BodySpec& spec, const std::string& name);
+  /// The body that a key names; a refusal names the nearest one.
+  BodyId body(const SceneTable& table, const std::string& key) const;
+  /// The same, or with "row.*" all bodies of a row.
+  std::vector<BodyId> bodies(const SceneTable& table, const std::string& key) const;
+  Vec2<double> center(BodyId body) const { return scene_.bodies()[place(body)].pose.position; }
+  double mass(BodyId body) const { return scene_.bodies()[place(body)].mass; }
+  void add_ground(const SceneTable& table);
+
+  /// Runs `work` once all bodies are there.
+  void later(std::function<void()> work) { waiting_.push_back(std::move(work)); }
+  void finish();
+  template <typename Joint>
+  void join(const SceneTable& table, const typename Joint::Spec& spec,
+            JointCollision collision = JointCollision::as_usual) {
+    require_room_for_joint(table);
+    table.guard([&] { scene_.add_joint(std::make_shared<const Joint>(spec, poses_), collision); });
+  }
+
+  const Scene& scene() const { return scene_; }
+  /// By BodyId.
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  void require_room_for_joint(const SceneTable& table) const;
+  static std::size_t place(BodyId body) { return static_cast<std::size_t>(body.index); }
+
+  Scene scene_;
+  std::vector<std::string> names_;
+  std::map<std::string, BodyId> ids_ = {{"ground", ground}};
+  std::set<std::string> claimed_ = {"ground"};
+  std::vector<std::function<void()>> waiting_ = {};
+  std::vector<Pose<double>> poses_ = {};  // once all bodies are there
+};
+
+/// What the keys of the groups matter and motion say.
+BodySpec matter_of(const SceneTable& table);
+BodySpec moving_matter_of(const SceneTable& table);
+/// The shape of a table with the group shape; empty: it has none.
+std::vector<Shape<double>> shape_of(const SceneTable& table);
+std::optional<Softness> softness_of(const SceneTable& table);
+
+/// Adds what the table says. Its kind is one of those that make bodies.
+void build_bodies(SceneBuilder& builder, const SceneTable& table, int number);
+/// `number`: which [[joint]] it is.
+void build_joint(SceneBuilder& builder, const SceneContext& context, const SceneValue& value, int number);
+
+// One for each kind of table that stands for many bodies; `name` is that of the whole.
+void build_link(SceneBuilder& builder, const SceneTable& table, const std::string& name);
+void build_stack(SceneBuilder& builder, const SceneTable& table, const std::string& name);
+void build_pyramid(SceneBuilder& builder, const SceneTable& table, const std::string& name);
+void build_row(SceneBuilder& builder, const SceneTable& table, const std::string& name);
+void build_pile(SceneBuilder& builder, const SceneTable& table, const std::string& name);
+void build_arch(SceneBuilder& builder, const SceneTable& table, const std::string& name);
+void build_dominoes(SceneBuilder& builder, const SceneTable& table, const std::string& name);
+void build_cards(SceneBuilder& builder, const SceneTable& table, const std::string& name);
+void build_cradle(SceneBuilder& builder, const SceneTable& table, const std::string& name);
+void build_chain(SceneBuilder& builder, const SceneTable& table, const std::string& name);
+
+}  // namespace cairn

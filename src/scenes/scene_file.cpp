@@ -1,0 +1,143 @@
+// Floor 7. From the text of a file to a scene.
+#include "scenes/scene_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "math/check.hpp"
+#include "measure/fingerprint.hpp"
+#include "scenes/scene_builder.hpp"
+#include "scenes/scene_formula.hpp"
+#include "scenes/scene_settings.hpp"
+
+namespace cairn {
+
+namespace {
+
+/// [numbers], in order: each may use those before it. They hold for the whole file, wherever they stand.
+std::map<std::string, double> numbers_of(const SceneContext& context, const SceneValue& file) {
+  SceneContext known = context;
+  const SceneValue* table = file.find("numbers");
+  if (!table || table->kind != SceneValue::Kind::table) return {};
+  for (const SceneValue& item : table->items) {
+    const std::string path = "numbers." + item.key;
+    const bool is_word = evaluate_formula(item.key, {{item.key, 0}}).problem.empty();
+    const bool is_free = evaluate_formula(item.key, {}).problem.compare(0, 12, "unknown word") == 0;
+    if (!is_word || !is_free || item.key == "deg" || item.key == "rad") {
+      refuse_scene(context.file, item.key_mark,
+                   path + " must be a name of letters, digits and _ that sums do not have yet");
+    }
+    const std::string rule = "a finite number, or a sum of numbers above it";
+    const double number = scene_number(known, item, path, rule);
+    if (!std::isfinite(number)) {
+      refuse_scene(context.file, item.mark, path + " must be " + rule + ", got " + description(item));
+    }
+    known.numbers[item.key] = number;
+  }
+  return known.numbers;
+}
+
+/// The kinds of tables that make bodies.
+bool makes_bodies(const SceneTable& file, const std::string& key) {
+  const SceneKey* found = find_scene_key(scene_table_kind(file.kind()), key);
+  return found && found->type == SceneType::tables && key != "joint";
+}
+
+/// One table of a list: which one of its kind, and what it says.
+struct SceneItem {
+  std::string kind = {};
+  int number = 0;  // from 1
+  const SceneValue* value = nullptr;
+};
+
+/// All tables that make bodies and joints, in the order of the file.
+std::vector<SceneItem> items_of(const SceneTable& file, const SceneValue& root) {
+  std::vector<SceneItem> items;
+  for (const SceneValue& member : root.items) {
+    if (member.key != "joint" && !makes_bodies(file, member.key)) continue;
+    int number = 0;
+    for (const SceneValue& item : member.items) {
+      items.push_back({.kind = member.key, .number = ++number, .value = &item});
+    }
+  }
+  std::stable_sort(items.begin(), items.end(), [](const SceneItem& a, const SceneItem& b) {
+    return std::pair(a.value->mark.line, a.value->mark.column) <
+           std::pair(b.value->mark.line, b.value->mark.column);
+  });
+  return items;
+}
+
+void build_items(SceneBuilder& builder, const SceneContext& context, const std::vector<SceneItem>& items) {
+  for (const SceneItem& item : items) {
+    if (item.kind == "joint") {
+      build_joint(builder, context, *item.value, item.number);
+    } else {
+      const std::string path = item.kind + "[" + std::to_string(item.number) + "]";
+      build_bodies(builder, SceneTable(context, *item.value, item.kind, path), item.number);
+    }
+  }
+  builder.finish();
+}
+
+std::string stem_of(const std::string& file) { return std::filesystem::path(file).stem().string(); }
+
+}  // namespace
+
+SceneEntry read_scene_text(const std::string& text, const std::string& file) {
+  const SceneValue root = parse_toml(text, file);
+  SceneContext context{.file = file};
+  context.numbers = numbers_of(context, root);
+  const SceneTable table(context, root, "scene", "");
+  const SceneSettings settings = scene_settings_of(table);
+  SceneBuilder builder(settings);
+  for (const SceneTable& surface : table.tables("ground")) builder.add_ground(surface);
+  build_items(builder, context, items_of(table, root));
+
+  SceneEntry entry;
+  entry.name = stem_of(file);
+  entry.title = table.has("title") ? table.text("title") : entry.name;
+  entry.look = table.text("look");
+  entry.order = table.number("order");
+  entry.seconds = table.number("seconds");
+  entry.expectations = expectations_of(table);
+  entry.setting = recommended_of(table, settings);
+  entry.camera = camera_of(table);
+  entry.body_names = builder.names();
+  entry.make = [scene = builder.scene()] { return scene; };
+  Fingerprint fingerprint;
+  fingerprint.add(std::string_view(text));
+  entry.fingerprint = fingerprint.value();
+  return entry;
+}
+
+SceneEntry read_scene_file(const std::string& path) {
+  const std::uintmax_t most = 1000000;  // [bytes] parse_toml refuses more: there is no need to read it
+  std::ifstream stream(path, std::ios::binary);
+  require(stream.good() && !std::filesystem::is_directory(path), "read_scene_file", "path",
+          "a file that can be read", path);
+  std::string text(most + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return read_scene_text(text, path);
+}
+
+std::vector<SceneEntry> read_scene_folder(const std::string& folder) {
+  require(std::filesystem::is_directory(folder), "read_scene_folder", "folder", "a folder", folder);
+  std::vector<SceneEntry> entries;
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    if (file.path().extension() == ".toml") entries.push_back(read_scene_file(file.path().string()));
+  }
+  require(!entries.empty(), "read_scene_folder", "folder", "one with scenes in files *.toml", folder);
+  std::sort(entries.begin(), entries.end(), [](const SceneEntry& a, const SceneEntry& b) {
+    return std::pair(a.order, a.name) < std::pair(b.order, b.name);
+  });
+  return entries;
+}
+
+}  // namespace cairn

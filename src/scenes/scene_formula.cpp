@@ -1,0 +1,160 @@
+// Floor 7. Reads a sum by recursive descent, and computes it on the way.
+#include "scenes/scene_formula.hpp"
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "math/math.hpp"
+#include "math/nearest.hpp"
+
+namespace cairn {
+
+namespace {
+
+using FormulaFunction = double (*)(double);
+
+const std::map<std::string, FormulaFunction>& formula_functions() {
+  static const std::map<std::string, FormulaFunction> functions = {
+      {"sqrt", [](double x) { return std::sqrt(x); }}, {"abs", [](double x) { return std::abs(x); }},
+      {"sin", [](double x) { return std::sin(x); }},   {"cos", [](double x) { return std::cos(x); }},
+      {"tan", [](double x) { return std::tan(x); }},   {"asin", [](double x) { return std::asin(x); }},
+      {"acos", [](double x) { return std::acos(x); }}, {"atan", [](double x) { return std::atan(x); }}};
+  return functions;
+}
+
+class FormulaReader {
+ public:
+  FormulaReader(const std::string& text, const std::map<std::string, double>& numbers)
+      : text_(text), numbers_(numbers) {}
+
+  FormulaResult read() {
+    const double value = sum();
+    if (problem_.empty() && at() != '\0') complain(std::string("unexpected \"") + at() + "\"");
+    if (problem_.empty() && !std::isfinite(value)) complain("its value is not finite");
+    return {.value = value, .problem = problem_};
+  }
+
+ private:
+  char at() {
+    while (place_ < text_.size() && text_[place_] == ' ') ++place_;
+    return place_ < text_.size() ? text_[place_] : '\0';
+  }
+  bool take(char sign) {
+    if (at() != sign) return false;
+    ++place_;
+    return true;
+  }
+  double complain(const std::string& problem) {
+    if (problem_.empty()) problem_ = problem;
+    place_ = text_.size();
+    return 0;
+  }
+
+  double sum() {
+    double value = product();
+    while (at() == '+' || at() == '-') {
+      if (take('+')) {
+        value += product();
+      } else {
+        take('-');
+        value -= product();
+      }
+    }
+    return value;
+  }
+
+  double product() {
+    double value = factor();
+    while (at() == '*' || at() == '/') {
+      if (take('*')) {
+        value *= factor();
+      } else {
+        take('/');
+        value /= factor();
+      }
+    }
+    return value;
+  }
+
+  double factor() {
+    const int deepest = 50;  // brackets and signs in each other: the stack has an end
+    if (depth_ >= deepest) return complain("more than 50 brackets in each other");
+    ++depth_;
+    double value = 0;
+    if (take('-')) {
+      value = -factor();
+    } else if (take('(')) {
+      value = bracket();
+    } else if (std::isalpha(static_cast<unsigned char>(at()))) {
+      value = named();
+    } else {
+      value = literal();
+    }
+    --depth_;
+    return value;
+  }
+
+  double bracket() {
+    const double value = sum();
+    return take(')') ? value : complain("a bracket that is not closed");
+  }
+
+  std::string word() {
+    at();
+    const std::size_t begin = place_;
+    const auto belongs = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+    while (place_ < text_.size() && belongs(text_[place_])) ++place_;
+    return text_.substr(begin, place_ - begin);
+  }
+
+  double named() {
+    const std::string name = word();
+    const auto number = numbers_.find(name);
+    if (number != numbers_.end()) return number->second;
+    if (name == "pi") return pi;
+    const auto function = formula_functions().find(name);
+    if (function != formula_functions().end()) {
+      if (!take('(')) return complain(name + " without a bracket behind it");
+      return function->second(bracket());
+    }
+    return complain("unknown word " + name + hint(name));
+  }
+
+  std::string hint(const std::string& name) const {
+    std::vector<std::string> known = {"pi", "deg"};
+    for (const auto& entry : numbers_) known.push_back(entry.first);
+    for (const auto& entry : formula_functions()) known.push_back(entry.first);
+    const std::string near = nearest(name, known);
+    return near.empty() ? "" : " (" + near + "?)";
+  }
+
+  double literal() {
+    if (at() == '\0') return complain("a number is missing at its end");
+    double value = 0;
+    const char* begin = text_.data() + place_;
+    const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
+    if (error != std::errc() || end == begin) return complain(std::string("unexpected \"") + at() + "\"");
+    place_ += static_cast<std::size_t>(end - begin);
+    if (!std::isalpha(static_cast<unsigned char>(at()))) return value;
+    const std::string unit = word();
+    if (unit == "deg") return value * pi / 180;
+    if (unit == "rad") return value;
+    return complain("unknown unit " + unit + ", only deg and rad can stand behind a number");
+  }
+
+  const std::string& text_;
+  const std::map<std::string, double>& numbers_;
+  std::string problem_ = {};
+  std::size_t place_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+FormulaResult evaluate_formula(const std::string& text, const std::map<std::string, double>& numbers) {
+  return FormulaReader(text, numbers).read();
+}
+
+}  // namespace cairn

@@ -1,0 +1,201 @@
+// Floor 7. Joints from a scene file.
+#include <algorithm>
+#include <map>
+
+#include "constraints/differential_joint.hpp"
+#include "constraints/distance_joint.hpp"
+#include "constraints/drag_joint.hpp"
+#include "constraints/friction_joint.hpp"
+#include "constraints/gear_joint.hpp"
+#include "constraints/prismatic_joint.hpp"
+#include "constraints/pulley_joint.hpp"
+#include "constraints/revolute_joint.hpp"
+#include "constraints/weld_joint.hpp"
+#include "scenes/scene_builder.hpp"
+
+namespace cairn {
+
+namespace {
+
+JointCollision collision_of(const SceneTable& table) {
+  const JointCollision choices[] = {JointCollision::as_usual, JointCollision::on, JointCollision::off};
+  return choices[table.word("collide")];
+}
+
+std::optional<double> number_if_given(const SceneTable& table, const std::string& key) {
+  if (!table.has(key)) return std::nullopt;
+  return table.number(key);
+}
+
+Vec2<double> anchor_or_center(const SceneBuilder& builder, const SceneTable& table, const std::string& key,
+                              BodyId body) {
+  return table.has(key) ? table.point(key) : builder.center(body);
+}
+
+/// What a table says of a joint of the body `b`, `a` being known.
+struct ScenePair {
+  SceneBuilder& builder;
+  const SceneTable& table;
+  BodyId a = ground;
+  BodyId b = {};
+
+  Vec2<double> anchor() const { return anchor_or_center(builder, table, "anchor", b); }
+  template <typename Joint>
+  void join(const typename Joint::Spec& spec) const {
+    builder.join<Joint>(table, spec, collision_of(table));
+  }
+};
+
+void join_distance(const ScenePair& pair) {
+  const std::map<std::string, DistanceJoint::Kind> kinds = {{"rod", DistanceJoint::Kind::rod},
+                                                            {"rope", DistanceJoint::Kind::rope},
+                                                            {"spring", DistanceJoint::Kind::spring}};
+  const SceneTable& table = pair.table;
+  DistanceJoint::Spec spec{.a = pair.a, .b = pair.b};
+  spec.anchor_a = anchor_or_center(pair.builder, table, "anchor_a", pair.a);
+  spec.anchor_b = anchor_or_center(pair.builder, table, "anchor_b", pair.b);
+  spec.length = number_if_given(table, "length").value_or(-1);
+  spec.kind = kinds.at(table.kind());
+  if (table.kind() != "rod") spec.softness = softness_of(table);
+  if (table.kind() == "spring" && !spec.softness) {
+    table.refuse("softness", "given for a spring: softness = { stiffness = 50, damping = 1 }", "nothing");
+  }
+  if (table.kind() == "rope") spec.slack_margin = table.number("slack_margin");
+  pair.join<DistanceJoint>(spec);
+}
+
+/// Of a hinge or a slider.
+template <typename Spec>
+void read_limits(const SceneTable& table, Spec& spec) {
+  spec.lower = number_if_given(table, "lower");
+  spec.upper = number_if_given(table, "upper");
+  spec.limit_margin = table.number("limit_margin");
+}
+
+void join_revolute(const ScenePair& pair) {
+  const SceneTable& table = pair.table;
+  RevoluteJoint::Spec spec{.a = pair.a, .b = pair.b, .anchor = pair.anchor()};
+  read_limits(table, spec);
+  for (const SceneTable& motor : table.tables("motor")) {
+    spec.motor =
+        RevoluteJoint::Motor{.speed = motor.number("speed"), .max_torque = motor.number("max_torque")};
+  }
+  pair.join<RevoluteJoint>(spec);
+}
+
+void join_prismatic(const ScenePair& pair) {
+  const SceneTable& table = pair.table;
+  PrismaticJoint::Spec spec{.a = pair.a, .b = pair.b, .anchor = pair.anchor(), .axis = table.point("axis")};
+  read_limits(table, spec);
+  for (const SceneTable& motor : table.tables("motor")) {
+    spec.motor =
+        PrismaticJoint::Motor{.speed = motor.number("speed"), .max_force = motor.number("max_force")};
+  }
+  pair.join<PrismaticJoint>(spec);
+}
+
+void join_weld(const ScenePair& pair) {
+  pair.join<WeldJoint>({.a = pair.a, .b = pair.b, .anchor = pair.anchor()});
+}
+
+void join_gear(const ScenePair& pair) {
+  const GearJoint::Mesh meshes[] = {GearJoint::Mesh::external, GearJoint::Mesh::internal};
+  const SceneTable& table = pair.table;
+  pair.join<GearJoint>({.a = pair.a,
+                        .b = pair.b,
+                        .c = pair.builder.body(table, "carrier"),
+                        .radius_a = table.number("radius_a"),
+                        .radius_b = table.number("radius_b"),
+                        .mesh = meshes[table.word("mesh")]});
+}
+
+void join_differential(const ScenePair& pair) {
+  pair.join<DifferentialJoint>({.a = pair.a, .b = pair.b, .c = pair.builder.body(pair.table, "case")});
+}
+
+void join_drag(const ScenePair& pair) {
+  const SceneTable& table = pair.table;
+  DragJoint::Spec spec{.body = pair.b, .anchor = pair.anchor(), .target = table.point("target")};
+  spec.softness = softness_of(table).value_or(spec.softness);
+  spec.max_force = table.number("max_force");
+  pair.join<DragJoint>(spec);
+}
+
+void join_friction(const ScenePair& pair) {
+  const FrictionShape shapes[] = {FrictionShape::circle, FrictionShape::square,
+                                  FrictionShape::aligned_square};
+  const SceneTable& table = pair.table;
+  FrictionJoint::Spec spec{.a = pair.a, .b = pair.b};
+  if (table.has("anchor")) spec.anchor = table.point("anchor");
+  spec.max_force = table.number("max_force");
+  spec.max_torque = table.number("max_torque");
+  spec.shape = shapes[table.word("shape")];
+  pair.join<FrictionJoint>(spec);
+}
+
+void join_pulley(SceneBuilder& builder, const SceneTable& table) {
+  PulleyJoint::Spec spec;
+  for (const SceneTable& end : table.tables("ends")) {
+    spec.ends.push_back(
+        {.body = builder.body(end, "body"),
+         .anchor = end.point("anchor"),
+         .roller = end.point("roller"),
+         .parts = end.number("parts"),
+         .carrier = builder.body(end, "carrier"),
+         .kind = end.word("kind") == 0 ? PulleyJoint::Roller::smooth : PulleyJoint::Roller::drum});
+  }
+  spec.length = number_if_given(table, "length").value_or(-1);
+  spec.kind = table.word("kind") == 0 ? PulleyJoint::Kind::rope : PulleyJoint::Kind::taut;
+  spec.slack_margin = table.number("slack_margin");
+  builder.join<PulleyJoint>(table, spec, collision_of(table));
+}
+
+using ScenePairJoiner = void (*)(const ScenePair&);
+
+void join_from(SceneBuilder& builder, const SceneTable& table) {
+  static const std::map<std::string, ScenePairJoiner> joiners = {
+      {"rod", join_distance},      {"rope", join_distance}, {"spring", join_distance},
+      {"revolute", join_revolute}, {"weld", join_weld},     {"prismatic", join_prismatic},
+      {"gear", join_gear},         {"drag", join_drag},     {"differential", join_differential},
+      {"friction", join_friction}};
+  if (table.kind() == "pulley") return join_pulley(builder, table);
+  const BodyId a = table.kind() == "drag" ? ground : builder.body(table, "a");
+  for (const BodyId b : builder.bodies(table, "b")) {
+    joiners.at(table.kind())({.builder = builder, .table = table, .a = a, .b = b});
+  }
+}
+
+/// The kind of a joint's table is its type, which has to be looked at first.
+std::string joint_kind(const SceneContext& context, const SceneValue& value, const std::string& path) {
+  SceneValue alone;
+  alone.mark = value.mark;
+  if (const SceneValue* type = value.find("type")) alone.items = {*type};
+  return SceneTable(context, alone, "joint", path).text("type");
+}
+
+}  // namespace
+
+std::optional<Softness> softness_of(const SceneTable& table) {
+  for (const SceneTable& soft : table.tables("softness")) {
+    const bool swings = soft.has("frequency"), springs = soft.has("stiffness") || soft.has("damping");
+    if (swings == springs || (soft.has("damping_ratio") && springs)) {
+      soft.refuse("", "frequency and damping_ratio, or else stiffness and damping",
+                  "neither, or some of both");
+    }
+    if (swings) {
+      return SwingSoftness{.frequency = soft.number("frequency"),
+                           .damping_ratio = soft.number("damping_ratio")};
+    }
+    return SpringSoftness{.stiffness = soft.has("stiffness") ? soft.number("stiffness") : 0,
+                          .damping = soft.number("damping")};
+  }
+  return std::nullopt;
+}
+
+void build_joint(SceneBuilder& builder, const SceneContext& context, const SceneValue& value, int number) {
+  const std::string path = "joint[" + std::to_string(number) + "]";
+  const SceneTable table(context, value, joint_kind(context, value, path), path);
+  builder.later([&builder, table] { join_from(builder, table); });
+}
+
+}  // namespace cairn

@@ -1,0 +1,57 @@
+// Floor 7. Scenes by name, and what may be expected of each.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/setting.hpp"
+#include "world/scene.hpp"
+
+namespace cairn {
+
+/// What a good run keeps to; what is left out is not expected.
+struct Expectations {
+  std::optional<double> penetration = {};  // [m] TrialResult::worst_penetration at most
+  std::optional<double> drift = {};        // [m or rad] TrialResult::worst_drift at most
+  std::optional<double> energy_gain = {};  // [%] of energy_scale() at most
+  /// [m] It stands: once the scene has settled, for at most a second, every dynamic body's centre of mass
+  /// stays this near to its place (Standing says how far it may come before).
+  std::optional<double> stands = {};
+};
+
+/// What a picture of the scene shows.
+struct SceneCamera {
+  Vec2<double> center = {0, 0};  // [m]
+  double height = 10;            // [m]
+};
+
+struct SceneEntry {
+  std::string name = {};
+  std::string title = {};
+  std::string look = {};  // what to see, in a sentence
+  double seconds = 2;     // [s] worth watching; expectations are for all of them
+  Expectations expectations = {};
+  Setting setting = {};  // that meets them
+  std::function<Scene()> make = {};
+  std::optional<SceneCamera> camera = {};    // none: all that is there
+  std::vector<std::string> body_names = {};  // by BodyId
+  double order = 1000;                       // place in lists
+  std::uint64_t fingerprint = 0;             // of the text of its file
+};
+
+/// All that come with Cairn, from lessons/scenes, or from the folder that the environment variable
+/// CAIRN_SCENES names; by their order, and then by name. They are read once.
+/// @throws std::invalid_argument for the first file that is refused.
+const std::vector<SceneEntry>& scene_entries();
+
+/// The scene of that name, or of the file: what has a "/" in it or ends in ".toml" is the path of one.
+/// @throws std::invalid_argument for an unknown name, with the nearest known one, and for what
+/// read_scene_file refuses.
+SceneEntry scene_entry(const std::string& name);
+/// Whether it says where a scene file is: it has a '/' in it or ends in .toml.
+bool names_scene_file(const std::string& name);
+
+}  // namespace cairn

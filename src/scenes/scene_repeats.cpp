@@ -1,0 +1,123 @@
+// Floor 7. Stacks, pyramids, rows, piles: one table, many bodies.
+#include <algorithm>
+#include <cmath>
+
+#include "scenes/scene_builder.hpp"
+
+namespace cairn {
+
+namespace {
+
+std::string numbered(const std::string& name, int i) { return name + "." + std::to_string(i + 1); }
+
+/// What a stack, a pyramid or a pile is made of.
+struct SceneBlock {
+  double width = 0;   // [m]
+  double height = 0;  // [m]
+};
+
+/// @throws std::invalid_argument unless the table has a box or a circle.
+SceneBlock block_of(const SceneTable& table) {
+  for (const char* key : {"capsule", "polygon", "segment"}) {
+    if (table.has(key)) table.refuse(key, "a box or a circle in a " + table.kind(), key);
+  }
+  if (shape_of(table).empty())
+    table.refuse("", "made of something: give box = [width, height] or circle", "neither");
+  if (table.has("circle")) return {2 * table.number("circle"), 2 * table.number("circle")};
+  const double rim = 2 * table.number("radius");
+  return {table.point("box").x() + rim, table.point("box").y() + rim};
+}
+
+/// Shapes that differ from body to body: larger by `more` [m].
+Shape<double> larger_block(const SceneTable& table, double more) {
+  if (table.has("circle")) return circle(table.number("circle") + more);
+  const Vec2<double> size = table.point("box");
+  return box(size.x() + more, size.y() + more, table.number("radius"));
+}
+
+}  // namespace
+
+void build_link(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
+  const Vec2<double> from = table.point("from"), to = table.point("to");
+  const Vec2<double> half = (to - from) / 2;
+  BodySpec spec = matter_of(table);
+  spec.position = (from + to) / 2;
+  table.guard([&] { spec.shapes = {capsule(-half, half, table.number("radius"))}; });
+  builder.add(table, spec, name);
+}
+
+void build_stack(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
+  const SceneBlock block = block_of(table);
+  const Vec2<double> foot = table.point("position");
+  const double offset = table.number("offset");
+  BodySpec spec = matter_of(table);
+  spec.shapes = shape_of(table);
+  for (int i = 0; i < table.integer("n"); ++i) {
+    spec.position = {foot.x() + (i % 2 == 0 ? -offset : offset),
+                     foot.y() + block.height / 2 + i * block.height};
+    builder.add(table, spec, numbered(name, i));
+  }
+}
+
+void build_pyramid(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
+  const SceneBlock block = block_of(table);
+  const Vec2<double> foot = table.point("position");
+  const double spacing = table.has("spacing") ? table.number("spacing") : block.width + 0.1;
+  const int rows = table.integer("n");
+  BodySpec spec = matter_of(table);
+  spec.shapes = shape_of(table);
+  int count = 0;
+  for (int level = 0; level < rows; ++level) {
+    for (int i = 0; i < rows - level; ++i) {
+      spec.position = {foot.x() + spacing * (i + 0.5 * (level - rows + 1)),
+                       foot.y() + block.height / 2 + level * block.height};
+      builder.add(table, spec, numbered(name, count++));
+    }
+  }
+}
+
+void build_row(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
+  if (table.has("first") == table.has("position")) {
+    table.refuse("first", "given, or else position, and not both", table.has("first") ? "both" : "neither");
+  }
+  const int n = table.integer("n"), every = table.integer("every");
+  const Vec2<double> step = table.point("step"), row_step = table.point("row_step");
+  const Vec2<double> stagger = table.point("stagger");
+  const Vec2<double> start = table.point(table.has("first") ? "first" : "position");
+  const double middle = table.has("first") ? 0 : 0.5 * (n - 1);
+  const std::vector<SceneTable> other = table.tables("other");
+  if ((every > 0) == other.empty())
+    table.refuse("other", "given together with every, as every says how often");
+  BodySpec spec = moving_matter_of(table);
+  const std::vector<Shape<double>> usual = shape_of(table);
+  const std::vector<Shape<double>> rare = other.empty() ? usual : shape_of(other[0]);
+  int count = 0;
+  for (int row = 0; row < table.integer("rows"); ++row) {
+    for (int i = 0; i < n; ++i) {
+      spec.position = start + (i - middle) * step + row * row_step;
+      if (row % 2 == 1) spec.position += stagger;
+      spec.shapes = every > 0 && (row + i) % every == 0 ? rare : usual;
+      builder.add(table, spec, numbered(name, count++));
+    }
+  }
+}
+
+void build_pile(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
+  block_of(table);
+  // Multiples of the golden ratio, less whole numbers: evenly spread, and never twice the same.
+  const double golden = (std::sqrt(5.0) - 1) / 2;
+  const Vec2<double> first = table.point("first"), step = table.point("step");
+  const double jitter = table.number("jitter"), spread = table.number("spread");
+  const int columns = table.integer("columns"), seed = table.integer("seed");
+  BodySpec spec = matter_of(table);
+  for (int i = 0; i < table.integer("n"); ++i) {
+    const double turns = (seed + i) * golden;
+    const double share = turns - std::floor(turns);
+    spec.position = {first.x() + step.x() * (i % columns) + jitter * (2 * share - 1),
+                     first.y() + step.y() * (i / columns)};
+    table.guard([&] { spec.shapes = {larger_block(table, spread * share)}; });
+    builder.add(table, spec, numbered(name, i));
+  }
+}
+
+}  // namespace cairn

@@ -1,0 +1,92 @@
+// Floor 7. Keys of tables that stand for many bodies.
+#include "scenes/scene_schema.hpp"
+
+namespace cairn {
+
+namespace {
+
+std::vector<SceneKey> scene_block_keys() {
+  using enum SceneType;
+  return {
+      {"repeat", "name", text, "", "The kind of the table", "", "its bodies are name.1, name.2, ..."},
+      {"link", "from", point, "m", "required", "", "where it begins"},
+      {"link", "to", point, "m", "required", "", "where it ends"},
+      {"link", "radius", number, "m", "0.1", "> 0", "half of its thickness"},
+      {"stack", "n", integer, "", "required", "from 1 to 20000", "how many"},
+      {"stack", "position", point, "m", "[0, 0]", "", "of the middle of its foot"},
+      {"stack", "offset", number, "m", "0", "", "to the left and to the right in turns"},
+      {"pyramid", "n", integer, "", "required", "from 1 to 200", "rows"},
+      {"pyramid", "position", point, "m", "[0, 0]", "", "of the middle of its foot"},
+      {"pyramid", "spacing", number, "m", "Width of a box + 0.1", "> 0", "from middle to middle"},
+      {"row", "n", integer, "", "required", "from 1 to 20000", "bodies in a row"},
+      {"row", "position", point, "m", "", "", "of the middle of the first row; or give first"},
+      {"row", "first", point, "m", "", "", "of the first body; or give position"},
+      {"row", "step", point, "m", "required", "", "from a body to the next"},
+      {"row", "rows", integer, "", "1", "from 1 to 20000", "how many"},
+      {"row", "row_step", point, "m", "[0, 1]", "", "from a row to the next"},
+      {"row", "stagger", point, "m", "[0, 0]", "", "by which every other row is moved"},
+      {"row", "every", integer, "", "0", "from 0 to 20000", "so often comes the other shape; 0: never"},
+      {"row", "other", table, "", "", "shape", "the other shape"},
+      {"pile", "n", integer, "", "required", "from 1 to 20000", "how many"},
+      {"pile", "columns", integer, "", "required", "from 1 to 20000", "bodies in a row"},
+      {"pile", "first", point, "m", "required", "", "the lowest one on the left"},
+      {"pile", "step", point, "m", "required", "", "to the right, and to the next row"},
+      {"pile", "jitter", number, "m", "0", ">= 0", "to the left or right at most"},
+      {"pile", "spread", number, "m", "0", ">= 0", "radius or sides are larger by up to so much"},
+      {"pile", "seed", integer, "", "0", "from 0 to 1000000", "another one: another pile"},
+      {"arch", "n", integer, "", "required", "from 2 to 1000", "stones"},
+      {"arch", "position", point, "m", "[0, 0]", "", "of the middle of its foot"},
+      {"arch", "radius", number, "m", "required", "> 0", "of its middle line"},
+      {"arch", "thickness", number, "m", "required", "> 0", "less than twice the radius"},
+      {"dominoes", "n", integer, "", "required", "from 1 to 20000", "how many"},
+      {"dominoes", "position", point, "m", "[0, 0]", "", "of the middle of its foot"},
+      {"dominoes", "box", point, "m", "[0.2, 1.4]", "> 0", "width and height of one"},
+      {"dominoes", "step", number, "m", "0.7", "> 0", "from one to the next"},
+      {"dominoes", "lean", number, "rad", "0", "from 0 to 1.5", "of the first one, towards the others"},
+  };
+}
+
+std::vector<SceneKey> scene_hanging_keys() {
+  using enum SceneType;
+  return {
+      {"cards", "n", integer, "", "required", "from 1 to 100", "storeys"},
+      {"cards", "position", point, "m", "[0, 0]", "", "of the middle of its foot"},
+      {"cards", "card", point, "m", "[0.04, 1]", "> 0", "thickness and length of a card"},
+      {"cards", "lean", number, "rad", "0.3", "from 0.01 to 1.5", "from the vertical"},
+      {"cards", "board", number, "m", "0.05", "> 0", "thickness of the boards between the storeys"},
+      {"cradle", "n", integer, "", "required", "from 1 to 1000", "balls"},
+      {"cradle", "position", point, "m", "[0, 0]", "", "of the middle of the points they hang from"},
+      {"cradle", "radius", number, "m", "0.5", "> 0", "of a ball"},
+      {"cradle", "gap", number, "m", "0.004", ">= 0", "between two balls"},
+      {"cradle", "rod", number, "m", "3", "> 0", "length"},
+      {"cradle", "aside", number, "rad", "0", "from -1.5 to 1.5", "of the first; negative: to the left"},
+      {"chain", "n", integer, "", "required", "from 1 to 20000", "bodies"},
+      {"chain", "from", point, "m", "[0, 0]", "", "where it begins"},
+      {"chain", "to", point, "m", "", "", "where it ends; or give link and angle"},
+      {"chain", "angle", number, "rad", "0", "", "from hanging straight down; positive: to the right"},
+      {"chain", "link", number, "m", "", "> 0", "length of a link, or of the way to the next body"},
+      {"chain", "thickness", number, "m", "0.12", "> 0", "of a link without a shape of its own"},
+      {"chain", "a", text, "", "ground", "", "what its beginning is joined to"},
+      {"chain", "b", text, "", "", "", "what its end is joined to; without it the end is free"},
+      {"chain", "joint", word, "", "pin", "pin, weld, rod, rope, spring",
+       "pin, weld: links that meet. The others: bodies apart, with a shape of their own"},
+      {"chain", "length", number, "m", "As far as it is", "> 0", "of a rod, rope or spring"},
+      {"chain", "softness", table, "", "", "softness", "of a spring or rope"},
+      {"chain", "aside", number, "m", "0", "", "its middle is drawn aside; with rods, ropes and springs"},
+      {"chain", "bob", table, "", "", "bob", "a disc at its end"},
+      {"bob", "radius", number, "m", "required", "> 0", "of the disc"},
+      {"bob", "ratio", number, "", "", "> 0", "its mass is so many times that of a link"},
+  };
+}
+
+}  // namespace
+
+std::vector<SceneKey> scene_repeat_keys() {
+  std::vector<SceneKey> all;
+  for (const auto& part : {scene_block_keys, scene_hanging_keys}) {
+    for (SceneKey& key : part()) all.push_back(std::move(key));
+  }
+  return all;
+}
+
+}  // namespace cairn

@@ -1,0 +1,131 @@
+// Floor 7. Settings, expectations and camera from a scene file.
+#include "scenes/scene_settings.hpp"
+
+#include "math/nearest.hpp"
+#include "scenes/solver_list.hpp"
+
+namespace cairn {
+
+namespace {
+
+Stabilization stabilization_of(const SceneTable& table) {
+  const StabilizationPolicy policies[] = {StabilizationPolicy::none, StabilizationPolicy::baumgarte,
+                                          StabilizationPolicy::soft, StabilizationPolicy::split_impulse};
+  Stabilization stabilization;
+  stabilization.policy = policies[table.word("policy")];
+  stabilization.baumgarte = table.number("baumgarte");
+  stabilization.slop = table.number("slop");
+  stabilization.max_speed = table.number("max_speed");
+  stabilization.soft = {.frequency = table.number("frequency"),
+                        .damping_ratio = table.number("damping_ratio")};
+  return stabilization;
+}
+
+/// The keys that [step] and [recommended] share, where the table has them.
+void set_pace(const SceneTable& table, SceneSettings& settings) {
+  if (table.has("dt")) settings.dt = table.number("dt");
+  if (table.has("substeps")) settings.substeps = table.integer("substeps");
+  if (table.has("warm_start")) settings.warm_start = table.flag("warm_start");
+  for (const SceneTable& part : table.tables("stabilization")) {
+    settings.stabilization = stabilization_of(part);
+  }
+}
+
+std::string solver_of(const SceneTable& table) {
+  std::vector<std::string> known = {"box2d"};
+  for (const SolverEntry& entry : solver_entries()) known.push_back(entry.name);
+  const std::string name = table.text("solver");
+  for (const std::string& each : known) {
+    if (each == name) return name;
+  }
+  const std::string near = nearest(name, known);
+  std::string rule = "the name of a solver";
+  if (!near.empty()) rule += " (" + near + "?)";
+  for (std::size_t i = 0; near.empty() && i < known.size(); ++i) rule += (i > 0 ? ", " : ": ") + known[i];
+  table.refuse("solver", rule);
+}
+
+SolverSettings sweeps_of(const SceneTable& table) {
+  const RowOrder orders[] = {RowOrder::as_written, RowOrder::reverse, RowOrder::alternating,
+                             RowOrder::shuffled, RowOrder::coloured};
+  SolverSettings sweeps;
+  sweeps.iterations = table.integer("iterations");
+  sweeps.tolerance = table.number("tolerance");
+  sweeps.time_budget = table.number("time_budget");
+  sweeps.order = orders[table.word("row_order")];
+  sweeps.seed = static_cast<std::uint64_t>(table.number("seed"));
+  sweeps.relaxation = table.number("relaxation");
+  sweeps.patience = table.integer("patience");
+  return sweeps;
+}
+
+std::optional<double> expected(const SceneTable& table, const std::string& key) {
+  if (!table.has(key)) return std::nullopt;
+  return table.number(key);
+}
+
+}  // namespace
+
+SceneSettings scene_settings_of(const SceneTable& file) {
+  const bool from_above = file.text("view") == "top";
+  if (from_above && file.has("gravity")) file.refuse("gravity", "left out where view = \"top\"");
+  SceneSettings settings;
+  settings.gravity = from_above ? Vec2<double>(0, 0) : file.point("gravity");
+  for (const SceneTable& step : file.tables("step")) {
+    set_pace(step, settings);
+    settings.speculative_margin = step.number("speculative_margin");
+    settings.restitution_threshold = step.number("restitution_threshold");
+    settings.guarded = step.flag("guarded");
+    settings.friction_rows =
+        step.word("friction_rows") == 0 ? FrictionRows::per_point : FrictionRows::per_manifold;
+    for (const SceneTable& sleeping : step.tables("sleeping")) {
+      settings.sleeping = Sleeping{.speed = sleeping.number("speed"),
+                                   .angular_speed = sleeping.number("angular_speed"),
+                                   .time = sleeping.number("time")};
+    }
+    step.guard([&] { Scene scene(settings); });
+  }
+  return settings;
+}
+
+Setting recommended_of(const SceneTable& file, const SceneSettings& settings) {
+  Setting setting{.dt = settings.dt,
+                  .substeps = settings.substeps,
+                  .stabilization = settings.stabilization,
+                  .warm_start = settings.warm_start};
+  for (const SceneTable& table : file.tables("recommended")) {
+    const Precision scalars[] = {Precision::single_precision, Precision::double_precision,
+                                 Precision::long_double};
+    SceneSettings pace = settings;
+    set_pace(table, pace);
+    setting.solver = solver_of(table);
+    setting.sweeps = sweeps_of(table);
+    setting.scalar = scalars[table.word("scalar")];
+    setting.dt = pace.dt;
+    setting.substeps = pace.substeps;
+    setting.stabilization = pace.stabilization;
+    setting.warm_start = pace.warm_start;
+    setting.position_iterations = table.integer("position_iterations");
+    table.guard([&] { check(setting); });
+  }
+  return setting;
+}
+
+Expectations expectations_of(const SceneTable& file) {
+  for (const SceneTable& table : file.tables("expect")) {
+    return {.penetration = expected(table, "penetration"),
+            .drift = expected(table, "drift"),
+            .energy_gain = expected(table, "energy_gain"),
+            .stands = expected(table, "stands")};
+  }
+  return {};
+}
+
+std::optional<SceneCamera> camera_of(const SceneTable& file) {
+  for (const SceneTable& table : file.tables("camera")) {
+    return SceneCamera{.center = table.point("center"), .height = table.number("height")};
+  }
+  return std::nullopt;
+}
+
+}  // namespace cairn

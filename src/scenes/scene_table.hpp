@@ -1,0 +1,74 @@
+// Floor 7. One table of a scene file, held against the keys that it may have.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "math/math.hpp"
+#include "scenes/scene_schema.hpp"
+#include "scenes/scene_value.hpp"
+
+namespace cairn {
+
+/// What every table of a file shares.
+struct SceneContext {
+  std::string file = {};                       // as messages name it
+  std::map<std::string, double> numbers = {};  // of [numbers]
+};
+
+/// Every function takes a key of the table's kind. What the file leaves out is the default of the key.
+class SceneTable {
+ public:
+  /// Checks all keys, their types and ranges. `context` and `value` must outlive the table. `path` is what
+  /// messages call it: "body[2]", or "" for the file itself.
+  /// @throws std::invalid_argument, with place and rule, for the first key that is not as it should be.
+  SceneTable(const SceneContext& context, const SceneValue& value, const std::string& kind,
+             const std::string& path);
+
+  bool has(const std::string& key) const { return value_->find(key) != nullptr; }
+  bool flag(const std::string& key) const;
+  double number(const std::string& key) const;  // of an integer, too
+  int integer(const std::string& key) const;
+  std::string text(const std::string& key) const;
+  /// The place of the word among those that the key may have.
+  int word(const std::string& key) const;
+  Vec2<double> point(const std::string& key) const;
+  std::vector<Vec2<double>> points(const std::string& key) const;
+  /// The tables of a key of type table or tables; empty: there is none.
+  std::vector<SceneTable> tables(const std::string& key) const;
+
+  const SceneContext& context() const { return *context_; }
+  SceneMark mark() const { return value_->mark; }
+  const std::string& path() const { return path_; }
+  const std::string& kind() const { return kind_->name; }
+  /// Throws "file:line:column: path.key must be rule, got value"; the place is that of the key, or else of
+  /// the table.
+  [[noreturn]] void refuse(const std::string& key, const std::string& rule, const std::string& got) const;
+  [[noreturn]] void refuse(const std::string& key, const std::string& rule) const;
+  /// Does `work`, and says of what it throws where in the file that was.
+  void guard(const std::function<void()>& work) const;
+
+ private:
+  const SceneKey& known(const std::string& key) const;
+  std::string path_of(const std::string& key) const;
+  void check_member(const SceneValue& member) const;
+  void check_value(const SceneKey& key, const SceneValue& value, const std::string& path) const;
+  void check_number(const SceneKey& key, const SceneValue& value, const std::string& path) const;
+  void check_point(const SceneKey& key, const SceneValue& value, const std::string& path) const;
+  void check_required() const;
+  [[noreturn]] void refuse_unknown(const SceneValue& member) const;
+  [[noreturn]] void refuse_value(const SceneKey& key, const SceneValue& value, const std::string& path) const;
+
+  const SceneContext* context_;
+  const SceneValue* value_;
+  const SceneTableKind* kind_;
+  std::string path_;
+};
+
+/// The number of a value that is one, or a sum in quotes. @throws std::invalid_argument.
+double scene_number(const SceneContext& context, const SceneValue& value, const std::string& path,
+                    const std::string& rule);
+
+}  // namespace cairn

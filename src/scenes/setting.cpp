@@ -1,0 +1,113 @@
+// Floor 7. Settings in words.
+#include "scenes/setting.hpp"
+
+#include <fmt/format.h>
+
+#include "math/check.hpp"
+#include "math/nearest.hpp"
+#include "scenes/solver_list.hpp"
+
+namespace cairn {
+
+namespace {
+
+std::string sweeps_text(const SolverSettings& sweeps) {
+  const SolverSettings usual;
+  std::string text = fmt::format(" x{}", sweeps.iterations);
+  if (sweeps.tolerance > 0) text += fmt::format(" to {:g}", sweeps.tolerance);
+  if (sweeps.relaxation != usual.relaxation) text += fmt::format(" omega {:g}", sweeps.relaxation);
+  if (sweeps.patience != usual.patience) text += fmt::format(" patience {}", sweeps.patience);
+  if (sweeps.time_budget > 0) text += fmt::format(" within {:g} s", sweeps.time_budget);
+  switch (sweeps.order) {
+    case RowOrder::as_written:
+      break;
+    case RowOrder::reverse:
+      return text + " reverse";
+    case RowOrder::alternating:
+      return text + " alternating";
+    case RowOrder::shuffled:
+      return text + fmt::format(" shuffled {}", sweeps.seed);
+    case RowOrder::coloured:
+      return text + " coloured";
+  }
+  return text;
+}
+
+std::string precision_text(Precision scalar) {
+  if (scalar == Precision::single_precision) return "float";
+  return scalar == Precision::double_precision ? "double" : "long double";
+}
+
+}  // namespace
+
+std::string stabilization_text(const Stabilization& stabilization) {
+  const Stabilization usual;
+  std::string text;
+  switch (stabilization.policy) {
+    case StabilizationPolicy::none:
+      return "none";
+    case StabilizationPolicy::baumgarte:
+      text = "baumgarte";
+      break;
+    case StabilizationPolicy::soft:
+      text = "soft";
+      break;
+    case StabilizationPolicy::split_impulse:
+      text = "split impulse";
+      break;
+  }
+  const SwingSoftness& soft = stabilization.soft;
+  if (stabilization.policy == StabilizationPolicy::soft) {
+    if (soft.frequency != usual.soft.frequency) text += fmt::format(" {:g} Hz", soft.frequency);
+    if (soft.damping_ratio != usual.soft.damping_ratio) text += fmt::format(" zeta {:g}", soft.damping_ratio);
+  } else if (stabilization.baumgarte != usual.baumgarte) {
+    text += fmt::format(" {:g}", stabilization.baumgarte);
+  }
+  if (stabilization.slop != usual.slop) text += fmt::format(" slop {:g} m", stabilization.slop);
+  if (stabilization.max_speed != usual.max_speed)
+    text += fmt::format(" at most {:g} m/s", stabilization.max_speed);
+  return text;
+}
+
+std::string setting_text(const Setting& setting) {
+  std::string rate = fmt::format("{:.6g} Hz", 1 / setting.dt);
+  if (setting.substeps != 1) rate += fmt::format(" x{}", setting.substeps);
+  const std::string cold = setting.warm_start ? "" : ", cold";
+  if (setting.solver == "box2d") {
+    return fmt::format("box2d x{}+{}, {}, float{}", setting.sweeps.iterations, setting.position_iterations,
+                       rate, cold);
+  }
+  return fmt::format("{}{}, {}, {}, {}{}", setting.solver, sweeps_text(setting.sweeps), rate,
+                     stabilization_text(setting.stabilization), precision_text(setting.scalar), cold);
+}
+
+void check(const Setting& setting) {
+  std::vector<std::string> known;
+  for (const SolverEntry& entry : solver_entries()) known.push_back(entry.name);
+  if (has_box2d()) known.push_back("box2d");
+  require(setting.solver != "box2d" || has_box2d(), "Setting", "solver",
+          "one of Cairn's own where it was built without Box2D", setting.solver);
+  require_known(setting.solver, known, "Setting", "solver");
+  check(setting.sweeps, "Setting");
+  require(setting.position_iterations >= 0, "Setting", "position_iterations", ">= 0",
+          setting.position_iterations);
+  Scene().set_settings(with_setting({}, setting));
+}
+
+SceneSettings with_setting(SceneSettings settings, const Setting& setting) {
+  settings.dt = setting.dt;
+  settings.substeps = setting.substeps;
+  settings.stabilization = setting.stabilization;
+  settings.warm_start = setting.warm_start;
+  return settings;
+}
+
+bool has_box2d() {
+#ifdef CAIRN_HAVE_BOX2D
+  return true;
+#else
+  return false;
+#endif
+}
+
+}  // namespace cairn

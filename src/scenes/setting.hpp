@@ -1,0 +1,44 @@
+// Floor 7. A contestant: a solver and all that decides how it does.
+#pragma once
+
+#include <string>
+
+#include "solvers/solver.hpp"
+#include "world/scene.hpp"
+
+namespace cairn {
+
+/// What a world computes in.
+enum class Precision { single_precision, double_precision, long_double };
+
+/// A solver, how often it may sweep, and how the world steps. Box2D 2.4.1 is one more contestant, "box2d":
+/// sweeps.iterations are its velocity iterations, a step is `substeps` steps of dt / substeps, it always
+/// computes in single precision, and the other settings mean nothing to it.
+struct Setting {
+  std::string solver = "si";  // a name of solver_entries(), or "box2d"
+  SolverSettings sweeps = {};
+  Precision scalar = Precision::double_precision;
+  double dt = 1.0 / 60;  // [s]
+  int substeps = 1;
+  Stabilization stabilization = {};
+  bool warm_start = true;
+  int position_iterations = 3;  // of Box2D alone
+};
+
+/// "si x10, 60 Hz x4, soft, double": what differs from the defaults is said, and nothing else.
+std::string setting_text(const Setting& setting);
+
+/// "baumgarte", "soft 40 Hz": the policy, and what differs from its defaults.
+std::string stabilization_text(const Stabilization& stabilization);
+
+/// @throws std::invalid_argument for an unknown solver, with the nearest known one, for numbers that it
+/// cannot work with, and for "box2d" where Cairn was built without it.
+void check(const Setting& setting);
+
+/// The scene's own settings, with all that the setting decides taken from it.
+SceneSettings with_setting(SceneSettings settings, const Setting& setting);
+
+/// Whether "box2d" can be asked for.
+bool has_box2d();
+
+}  // namespace cairn

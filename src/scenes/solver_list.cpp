@@ -1,0 +1,144 @@
+// Floor 7. The solvers by name.
+#include "scenes/solver_list.hpp"
+
+#include <functional>
+#include <map>
+
+#include "math/nearest.hpp"
+#include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
+#include "solvers/iterative/block_sequential_impulse.hpp"
+#include "solvers/iterative/factored_projected_gauss_seidel.hpp"
+#include "solvers/iterative/jacobi.hpp"
+#include "solvers/exact/newton_solver.hpp"
+#include "solvers/iterative/projected_gauss_seidel.hpp"
+#include "solvers/exact/reference_solver.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
+#include "solvers/iterative/sparse_projected_gauss_seidel.hpp"
+
+namespace cairn {
+
+namespace {
+
+const double jacobi_damping = 0.5;  // omega of "jacobi-damped"
+
+template <Scalar Real>
+using SolverMaker = std::function<std::unique_ptr<Solver<Real>>(const SolverSettings&)>;
+
+template <typename SolverType, typename... Variant>
+auto solver_maker(Variant... variant) {
+  return [variant...](const SolverSettings& settings) {
+    return std::make_unique<SolverType>(settings, variant...);
+  };
+}
+
+template <Scalar Real>
+std::unique_ptr<Solver<Real>> damped_jacobi(const SolverSettings& settings) {
+  check(settings, "Jacobi");  // before a relaxation out of range is made one within
+  SolverSettings damped = settings;
+  damped.relaxation *= jacobi_damping;
+  return std::make_unique<Jacobi<Real>>(damped);
+}
+
+/// It has no use for settings, but they must be right.
+template <Scalar Real>
+std::unique_ptr<Solver<Real>> reference(const SolverSettings& settings) {
+  check(settings, "ReferenceSolver");
+  return std::make_unique<ReferenceSolver<Real>>();
+}
+
+template <Scalar Real>
+const std::map<std::string, SolverMaker<Real>>& solver_makers() {
+  static const std::map<std::string, SolverMaker<Real>> makers = {
+      {"si", solver_maker<SequentialImpulse<Real>>()},
+      {"pgs", solver_maker<ProjectedGaussSeidel<Real>>()},
+      {"pgs-sparse", solver_maker<SparseProjectedGaussSeidel<Real>>()},
+      {"pgs-factored", solver_maker<FactoredProjectedGaussSeidel<Real>>()},
+      {"jacobi", solver_maker<Jacobi<Real>>()},
+      {"jacobi-damped", damped_jacobi<Real>},
+      {"jacobi-split", solver_maker<Jacobi<Real>>(Splitting::mass)},
+      {"block", solver_maker<BlockSequentialImpulse<Real>>(ContactBlock::none)},
+      {"block-contact", solver_maker<BlockSequentialImpulse<Real>>(ContactBlock::normal_and_friction)},
+      {"accelerated", solver_maker<AcceleratedProjectedGaussSeidel<Real>>()},
+      {"newton", solver_maker<NewtonSolver<Real>>()},
+      {"reference", reference<Real>},
+  };
+  return makers;
+}
+
+void require_solver(const std::string& name, const char* place) {
+  std::vector<std::string> known;
+  for (const SolverEntry& entry : solver_entries()) known.push_back(entry.name);
+  require_known(name, known, place, "solver");
+}
+
+}  // namespace
+
+const std::vector<SolverEntry>& solver_entries() {
+  static const std::vector<SolverEntry> entries = {
+      {.name = "si", .title = "sequential impulses", .cost = "12 m a sweep, memory m"},
+      {.name = "pgs",
+       .title = "PGS on a dense A",
+       .cost = "m^2 a sweep, memory m^2",
+       .max_rows = ProjectedGaussSeidel<double>::max_rows},
+      {.name = "pgs-sparse",
+       .title = "PGS on A without its zeros",
+       .cost = "the non-zeros of A a sweep, and as much memory"},
+      {.name = "pgs-factored", .title = "PGS on A in two factors", .cost = "12 m a sweep, memory 12 m"},
+      {.name = "jacobi",
+       .title = "Jacobi, all rows at once",
+       .cost = "12 m a sweep, memory 2 m",
+       .uses_order = false},
+      {.name = "jacobi-damped",
+       .title = "Jacobi with half of every correction",
+       .cost = "12 m a sweep, memory 2 m",
+       .uses_order = false},
+      {.name = "jacobi-split",
+       .title = "Jacobi with split masses",
+       .cost = "12 m a sweep, memory 2 m",
+       .uses_order = false},
+      {.name = "block",
+       .title = "sequential impulses, joints as blocks",
+       .cost = "12 m a sweep and n^2 for a joint of n rows, memory linear in m"},
+      {.name = "block-contact",
+       .title = "sequential impulses, joints and contact points as blocks",
+       .cost = "12 m a sweep and n^2 for a block of n rows, memory linear in m"},
+      {.name = "accelerated",
+       .title = "PGS with Nesterov's momentum",
+       .cost = "24 m a sweep, memory 2 m and three numbers a body"},
+      {.name = "newton",
+       .title = "Newton's method on sparse factors, from the warm start",
+       .cost = "a sparse system a sweep: of a stack that of 15 others; memory 18 numbers a pair of bodies",
+       .updates_a_row = 15,
+       .uses_order = false,
+       .uses_relaxation = false},
+      {.name = "reference",
+       .title = "exact: modes, Lemke's method or Newton's",
+       .cost = "m^3 and more, memory 4 m^2",
+       .uses_order = false,
+       .uses_relaxation = false},
+  };
+  return entries;
+}
+
+std::int64_t counted_updates(const SolverEntry& solver, const SolveReport& report, int rows) {
+  return (std::int64_t{report.iterations} * solver.updates_a_row + report.extra_sweeps) * rows;
+}
+
+const SolverEntry& solver_entry(const std::string& name) {
+  require_solver(name, "solver_entry");
+  std::size_t place = 0;
+  while (solver_entries()[place].name != name) ++place;
+  return solver_entries()[place];
+}
+
+template <Scalar Real>
+std::unique_ptr<Solver<Real>> make_solver(const std::string& name, const SolverSettings& settings) {
+  require_solver(name, "make_solver");
+  return solver_makers<Real>().at(name)(settings);
+}
+
+template std::unique_ptr<Solver<float>> make_solver(const std::string&, const SolverSettings&);
+template std::unique_ptr<Solver<double>> make_solver(const std::string&, const SolverSettings&);
+template std::unique_ptr<Solver<long double>> make_solver(const std::string&, const SolverSettings&);
+
+}  // namespace cairn

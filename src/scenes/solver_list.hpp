@@ -1,0 +1,44 @@
+// Floor 7. The solvers by name.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "solvers/solver.hpp"
+
+namespace cairn {
+
+/// What a table or a list of choices says of a solver, and which of its settings mean anything to it.
+struct SolverEntry {
+  static constexpr int no_limit = std::numeric_limits<int>::max();
+
+  std::string name = {};    // as in make_solver
+  std::string title = {};   // a few words
+  std::string cost = {};    // of one sweep over m rows, and of its memory
+  int max_rows = no_limit;  // more are refused with std::length_error
+  /// How many updates of each row one of its iterations counts for, where work is counted: a linear system
+  /// for as many as the sweeps of SequentialImpulse that take as long.
+  int updates_a_row = 1;
+  bool uses_order = true;       // SolverSettings::order
+  bool uses_relaxation = true;  // SolverSettings::relaxation
+};
+
+/// Row updates of a solve of so many rows, by SolverEntry::updates_a_row.
+std::int64_t counted_updates(const SolverEntry& solver, const SolveReport& report, int rows);
+
+/// All of them, the plainest first.
+const std::vector<SolverEntry>& solver_entries();
+
+/// "jacobi-damped" is Jacobi with half of every correction: settings.relaxation multiplies that half.
+/// @throws std::invalid_argument for an unknown name, with the nearest known one, and for settings out of
+/// range.
+template <Scalar Real>
+std::unique_ptr<Solver<Real>> make_solver(const std::string& name, const SolverSettings& settings = {});
+
+/// @throws std::invalid_argument for an unknown name.
+const SolverEntry& solver_entry(const std::string& name);
+
+}  // namespace cairn

@@ -1,0 +1,121 @@
+// Floor 4. E. Catto's form of section 2: A is never multiplied out.
+#include "solvers/iterative/factored_projected_gauss_seidel.hpp"
+
+#include <cmath>
+
+namespace cairn {
+
+template <Scalar Real>
+FactoredProjectedGaussSeidel<Real>::FactoredProjectedGaussSeidel(const SolverSettings& settings)
+    : settings_(settings) {
+  check(settings, "FactoredProjectedGaussSeidel");
+}
+
+template <Scalar Real>
+SolveReport FactoredProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem,
+                                                      SolveObserver<Real>* observer) {
+  if (observer != nullptr) observer->before_solve(problem);
+  stopping_.begin(settings_, problem);
+  build(problem);
+
+  const SolveReport report =
+      stopping_.repeat_rows(problem, observer, sequence_, [&](int number, auto watched) {
+        const Real change = sweep<decltype(watched)::value>(number, problem, observer);
+        // For those who look; the sweep itself does not need it.
+        if (observer != nullptr || stopping_.needs_velocity(number)) update_velocity(problem);
+        return change;
+      });
+  update_velocity(problem);
+  return report;
+}
+
+/// The rows of J and M^-1 J^T, b (15), and a = M^-1 J^T lambda for the lambda to start from (2.3).
+template <Scalar Real>
+void FactoredProjectedGaussSeidel<Real>::build(const VelocityProblem<Real>& problem) {
+  velocity_ = problem.velocity;
+  acceleration_.assign(problem.velocity.size(), Vec3<Real>::Zero());
+  rows_.resize(problem.rows.size());
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const ConstraintRow<Real>& source = problem.rows[i];
+    FactoredRow& row = rows_[i];
+    row.body_a = static_cast<std::size_t>(source.a.index);
+    row.body_b = static_cast<std::size_t>(source.b.index);
+    row.jacobian_a = source.jacobian_a;
+    row.jacobian_b = source.jacobian_b;
+    row.response_a = problem.inverse_mass[row.body_a].cwiseProduct(row.jacobian_a);
+    row.response_b = problem.inverse_mass[row.body_b].cwiseProduct(row.jacobian_b);
+    row.softness = source.softness;
+    row.effective_mass = effective_mass(problem, source);
+    row.b = (source.bias - row_velocity(problem, source)) / problem.dt;
+    row.lambda = problem.impulse[i] / problem.dt;
+    accelerate(problem, i, row.lambda);
+  }
+}
+
+/// a += M^-1 j^T lambda, on the row's two bodies, and on further ones where there are any.
+template <Scalar Real>
+void FactoredProjectedGaussSeidel<Real>::accelerate(const VelocityProblem<Real>& problem, std::size_t i,
+                                                    Real lambda) {
+  const FactoredRow& row = rows_[i];
+  acceleration_[row.body_a] += row.response_a * lambda;
+  acceleration_[row.body_b] += row.response_b * lambda;
+  for_each_extra_term(problem, problem.rows[i], [&](BodyId id, const Vec3<Real>& jacobian) {
+    const auto body = static_cast<std::size_t>(id.index);
+    acceleration_[body] += problem.inverse_mass[body].cwiseProduct(jacobian) * lambda;
+  });
+}
+
+template <Scalar Real>
+template <bool watched>
+Real FactoredProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& problem,
+                                               [[maybe_unused]] SolveObserver<Real>* observer) {
+  const Real omega = Real(settings_.relaxation);
+  Real largest_change = 0;
+  for (const int turn : sequence_.rows) {
+    const auto i = static_cast<std::size_t>(turn);
+    FactoredRow& row = rows_[i];
+
+    // (28) rearranged as in (29), with j a for the sums over J M^-1 J^T.
+    Real ja = row.jacobian_a.dot(acceleration_[row.body_a]) + row.jacobian_b.dot(acceleration_[row.body_b]);
+    for_each_extra_term(problem, problem.rows[i], [&](BodyId body, const Vec3<Real>& jacobian) {
+      ja += jacobian.dot(acceleration_[static_cast<std::size_t>(body.index)]);
+    });
+    const Real row_error = row.b - ja - row.softness * row.lambda;
+    const Real corrective = omega * (row_error * row.effective_mass);
+    const Real old = problem.impulse[i];
+    const Real wish = (row.lambda + corrective) * problem.dt;
+    problem.impulse[i] = problem.rows[i].bounds.clamp(wish, problem.impulse);
+    const Real lambda = problem.impulse[i] / problem.dt;
+    accelerate(problem, i, lambda - row.lambda);
+    row.lambda = lambda;
+
+    largest_change = std::max(largest_change, std::abs(problem.impulse[i] - old));
+    if constexpr (watched) {
+      const Real jv = problem.rows[i].bias - row.softness * old - row_error * problem.dt;
+      const Real inverse = row.effective_mass > 0 ? 1 / row.effective_mass : Real(0);
+      update_velocity(problem);
+      observer->after_row({number, turn, jv, inverse, corrective * problem.dt, old, problem.impulse[i]},
+                          problem);
+    }
+  }
+  return largest_change;
+}
+
+/// (12): v_2 = v_1 + a dt.
+template <Scalar Real>
+void FactoredProjectedGaussSeidel<Real>::update_velocity(VelocityProblem<Real>& problem) const {
+  for (std::size_t body = 0; body < velocity_.size(); ++body) {
+    problem.velocity[body] = velocity_[body] + acceleration_[body] * problem.dt;
+  }
+}
+
+template <Scalar Real>
+std::size_t FactoredProjectedGaussSeidel<Real>::memory() const {
+  return bytes_of(rows_) + bytes_of(acceleration_) + bytes_of(velocity_);
+}
+
+template class FactoredProjectedGaussSeidel<float>;
+template class FactoredProjectedGaussSeidel<double>;
+template class FactoredProjectedGaussSeidel<long double>;
+
+}  // namespace cairn

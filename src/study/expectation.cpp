@@ -1,0 +1,36 @@
+// Floor 10. Holding a run against what its scene expects.
+#include "study/expectation.hpp"
+
+#include <fmt/format.h>
+
+namespace cairn {
+
+TrialOptions trial_options(const SceneEntry& scene) {
+  TrialOptions options{.seconds = scene.seconds};
+  if (scene.expectations.stands) options.stand_distance = *scene.expectations.stands;
+  return options;
+}
+
+std::vector<std::string> unmet(const Expectations& expectations, const TrialResult& result) {
+  if (result.status == TrialStatus::refused) return {"refused: " + result.reason};
+  if (result.status != TrialStatus::ok) {
+    const std::string ending = fmt::format("{} after {:.3g} s", status_text(result.status), result.seconds);
+    if (!result.not_finite) return {ending};
+    return {fmt::format("{}: body {} would not be finite", ending, result.not_finite->index)};
+  }
+  std::vector<std::string> missed;
+  const auto at_most = [&missed](const char* name, double value, const std::optional<double>& most,
+                                 const char* unit) {
+    if (!most || value <= *most) return;
+    missed.push_back(fmt::format("{} {:.3g} {}, expected at most {:g} {}", name, value, unit, *most, unit));
+  };
+  at_most("worst penetration", result.worst_penetration, expectations.penetration, "m");
+  at_most("worst drift", result.worst_drift, expectations.drift, "m or rad");
+  at_most("energy gain", 100 * result.energy_gain, expectations.energy_gain, "%");
+  if (expectations.stands && result.fell_at) {
+    missed.push_back(fmt::format("stands for {:.3g} s of {:.3g} s", result.stands_until, result.seconds));
+  }
+  return missed;
+}
+
+}  // namespace cairn

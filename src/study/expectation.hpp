@@ -1,0 +1,19 @@
+// Floor 10. Whether a run keeps to what its scene expects.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenes/scene_list.hpp"
+#include "study/trial.hpp"
+
+namespace cairn {
+
+/// The options under which a trial of the scene can be held against its expectations.
+TrialOptions trial_options(const SceneEntry& scene);
+
+/// What the run does not keep to, each as "worst penetration 0.012 m, expected at most 0.01 m"; empty: it
+/// meets all. A run that did not end ok meets nothing.
+std::vector<std::string> unmet(const Expectations& expectations, const TrialResult& result);
+
+}  // namespace cairn

@@ -1,0 +1,96 @@
+// Floor 11. Which setting is recommended for which kind of scene, and the runs that speak for it.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tuning/tuner.hpp"
+
+namespace cairn {
+
+/// One run that a setting must stand: a scene, for how long, and what is wished of it.
+struct RecommendRun {
+  std::string name = {};                                            // "100 boxes, 60 s"
+  double seconds = 2;                                               // [s]
+  Wish wish = {};                                                   // energy_gain is at most 1 % in every run
+  double stand_distance = std::numeric_limits<double>::infinity();  // [m] as in TrialOptions
+  std::optional<Precision> scalar = {};                             // in place of the setting's
+  /// What must not come to be, such as a body behind a wall.
+  std::function<bool(const Snapshot&)> escaped = {};
+  std::function<Scene()> make = {};
+  bool quick = false;  // the run that a test repeats; one of each kind
+};
+
+/// A kind of scene, by its runs, the quickest first.
+struct RecommendKind {
+  std::string name = {};
+  std::string title = {};  // a few words
+  std::vector<RecommendRun> runs = {};
+};
+
+/// stack, chain, mechanism, granular, fast, far.
+const std::vector<RecommendKind>& recommend_kinds();
+/// @throws std::invalid_argument for an unknown name, with the nearest known one.
+const RecommendKind& recommend_kind(const std::string& name);
+
+/// What is tried for every kind: sequential impulses as they are used to, with more sweeps, with substeps and
+/// under each policy; contact blocks; momentum; and Newton's method.
+const std::vector<Setting>& recommend_settings();
+/// The first of them: what most engines do.
+const Setting& plain_setting();
+
+/// What a run came to.
+struct RecommendFinding {
+  std::string run = {};     // its name
+  std::string missed = {};  // of its wish; empty: nothing
+  double penetration = 0;   // [m] worst
+  double drift = 0;         // [m or rad] worst
+  double energy_gain = 0;   // of the scale, worst
+  double stands_until = 0;  // [s]
+  double row_updates = 0;   // for each second simulated
+  double cost = 0;          // [s] of processor time for each second simulated; the only one that may differ
+};
+
+/// A setting, and what its runs came to: all of a kind, or those up to the first that it misses.
+struct RecommendCandidate {
+  std::string setting = {};  // setting_text()
+  std::vector<RecommendFinding> findings = {};
+
+  bool misses() const { return !findings.empty() && !findings.back().missed.empty(); }
+  /// [s] of processor time for a second of each run.
+  double cost() const;
+};
+
+/// All that was tried for a kind.
+struct Recommendation {
+  std::string kind = {};
+  std::vector<RecommendCandidate> candidates = {};
+
+  /// Those that meet every wish, the cheapest first: the first one is recommended.
+  std::vector<RecommendCandidate> ranked() const;
+};
+
+/// Runs a setting, and gives up once the wish cannot be met any more.
+RecommendFinding find_recommendation(const RecommendRun& run, const Setting& setting);
+/// All runs of the kind, up to the first that is missed.
+RecommendCandidate try_for_kind(const RecommendKind& kind, const Setting& setting);
+
+/// Tries what `known` does not have yet, settings in their order; told after each, and false stops it.
+/// `keep` is given all that is known so far. Candidates of other settings or runs than today's are dropped.
+/// @return whether all is known now.
+bool renew_recommendations(std::vector<Recommendation>& known,
+                           const std::function<void(const std::vector<Recommendation>&)>& keep,
+                           const std::function<bool(std::size_t done, std::size_t total)>& progress);
+
+/// Where the recommendations that come with Cairn are.
+std::filesystem::path recommended_file();
+/// @throws std::invalid_argument for a file that is not of this kind, std::runtime_error for one that cannot
+/// be read; both name it.
+std::vector<Recommendation> read_recommendations(const std::filesystem::path& path);
+/// The text of such a file, which says first what build its times come from.
+std::string recommendations_json(const std::vector<Recommendation>& all);
+
+}  // namespace cairn

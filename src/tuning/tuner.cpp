@@ -1,0 +1,224 @@
+// Floor 11. The search for the cheapest setting.
+#include "tuning/tuner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "math/check.hpp"
+
+namespace cairn {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double search_margin = 4;  // measured cost and expected work agree within about so much
+
+double median_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+}
+
+std::string length_text(double metres) { return fmt::format("{:.3g} mm", 1e3 * metres); }
+
+/// Runs are often given up where they miss the wish: what was found is of so much of them.
+Verdict missed_verdict(const std::string& what, const TrialResult& result) {
+  return {false, fmt::format("{} after {:.3g} s", what, result.seconds)};
+}
+
+void check_wish(const Wish& wish) {
+  const std::pair<const char*, std::optional<double>> fields[] = {{"penetration", wish.penetration},
+                                                                  {"drift", wish.drift},
+                                                                  {"residual", wish.residual},
+                                                                  {"energy_gain", wish.energy_gain},
+                                                                  {"stands", wish.stands}};
+  bool is_empty = true;
+  for (const auto& [name, value] : fields) {
+    if (!value) continue;
+    is_empty = false;
+    require(*value > 0 && std::isfinite(*value), "tune", name, "a finite number > 0", *value);
+  }
+  require(!is_empty, "tune", "wish", "at least one error that is to be met", "none");
+}
+
+void check_tuner_options(const TunerOptions& options) {
+  require(options.starts >= 1, "tune", "starts", ">= 1", options.starts);
+  require(options.time_limit > 0, "tune", "time_limit", "> 0 s", options.time_limit);
+}
+
+/// Runs a setting from starts 0, 1, ... and stops at the first that misses the wish.
+Candidate tried_candidate(const TunerRun& run, const Setting& setting, const Wish& wish, int starts) {
+  Candidate candidate{.setting = setting};
+  std::vector<double> costs, updates;
+  for (int start = 0; start < starts && candidate.verdict.meets; ++start) {
+    const TrialResult result = run(setting, static_cast<std::uint64_t>(start));
+    candidate.verdict = verdict(result, wish);
+    candidate.starts += 1;
+    costs.push_back(result.cost());
+    updates.push_back(result.seconds > 0 ? static_cast<double>(result.row_updates) / result.seconds : 0);
+    candidate.worst_penetration = std::max(candidate.worst_penetration, result.worst_penetration);
+    candidate.worst_drift = std::max(candidate.worst_drift, result.worst_drift);
+    candidate.worst_residual = std::max(candidate.worst_residual, result.worst_residual.value_or(0));
+    candidate.energy_gain = std::max(candidate.energy_gain, result.energy_gain);
+    candidate.stands_until =
+        start == 0 ? result.stands_until : std::min(candidate.stands_until, result.stands_until);
+  }
+  candidate.cost = median_of(costs);
+  candidate.row_updates = median_of(updates);
+  return candidate;
+}
+
+/// Runs settings, each of them once, until time is over or it is told to stop.
+class TunerSearch {
+ public:
+  TunerSearch(const TunerRun& run, const Wish& wish, const TunerOptions& options)
+      : run_(run), wish_(wish), options_(options) {}
+
+  bool told_to_stop() const { return told_to_stop_; }
+  bool late() const {
+    return std::chrono::duration<double>(Clock::now() - begin_).count() > options_.time_limit;
+  }
+  void begin_anew() { begin_ = Clock::now(); }
+
+  /// `tried` of `total` settings are what progress is told.
+  Candidate candidate(const Setting& setting, int tried, int total) {
+    const std::string name = setting_text(setting);
+    auto found = known_.find(name);
+    if (found == known_.end()) {
+      found = known_.emplace(name, tried_candidate(run_, setting, wish_, options_.starts)).first;
+    }
+    if (options_.progress && !options_.progress(tried, total)) told_to_stop_ = true;
+    return found->second;
+  }
+
+  /// Seldom cheaper, and never by much.
+  Candidate in_single_precision(const Candidate& candidate_in_double, int tried, int total) {
+    Setting setting = candidate_in_double.setting;
+    setting.scalar = Precision::single_precision;
+    return candidate(setting, tried, total);
+  }
+
+  /// Of a few settings in the order of their work, the first that meets the wish, else the last one tried.
+  std::optional<Candidate> first_that_meets(const std::vector<Setting>& settings, int tried, int total) {
+    std::optional<Candidate> last;
+    begin_anew();
+    for (const Setting& setting : settings) {
+      if (told_to_stop_ || (last && late())) break;
+      last = candidate(setting, tried, total);
+      if (last->verdict.meets) break;
+      last->list_exhausted = &setting == &settings.back();
+    }
+    return last;
+  }
+
+ private:
+  const TunerRun& run_;
+  const Wish& wish_;
+  const TunerOptions& options_;
+  Clock::time_point begin_ = Clock::now();
+  std::map<std::string, Candidate> known_;  // by setting_text()
+  bool told_to_stop_ = false;
+};
+
+bool is_alike(const Setting& a, const Setting& b) {
+  return a.solver == b.solver && a.stabilization.policy == b.stabilization.policy;
+}
+
+/// The best of each kind of setting, cheapest first.
+std::vector<Candidate> ranked(std::vector<Candidate> met) {
+  std::stable_sort(met.begin(), met.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+  std::vector<Candidate> kinds;
+  for (const Candidate& candidate : met) {
+    const bool is_new = std::none_of(kinds.begin(), kinds.end(), [&](const Candidate& other) {
+      return is_alike(other.setting, candidate.setting);
+    });
+    if (is_new) kinds.push_back(candidate);
+  }
+  return kinds;
+}
+
+}  // namespace
+
+Verdict verdict(const TrialResult& result, const Wish& wish) {
+  if (wish.stands && result.status == TrialStatus::ok && !(result.stands_until >= *wish.stands)) {
+    return {false, fmt::format("stands {:.3g} s", result.stands_until)};
+  }
+  return verdict_so_far(result, wish);
+}
+
+Verdict verdict_so_far(const TrialResult& result, const Wish& wish) {
+  if (result.status == TrialStatus::refused) return {false, "refused: " + result.reason};
+  if (result.status != TrialStatus::ok) {
+    return missed_verdict(status_text(result.status), result);
+  }
+  const auto misses = [](double value, const std::optional<double>& limit) {
+    return limit && !(value <= *limit);
+  };
+  if (wish.stands && result.fell_at && !(*result.fell_at >= *wish.stands)) {
+    return {false, fmt::format("stands {:.3g} s", *result.fell_at)};
+  }
+  if (misses(result.worst_penetration, wish.penetration)) {
+    return missed_verdict("penetration " + length_text(result.worst_penetration), result);
+  }
+  if (misses(result.worst_drift, wish.drift)) {
+    return missed_verdict("drift " + length_text(result.worst_drift), result);
+  }
+  if (misses(result.energy_gain, wish.energy_gain)) {
+    return missed_verdict(fmt::format("energy gain {:.3g} %", 100 * result.energy_gain), result);
+  }
+  // Who cannot tell its residual does not meet a wish for one.
+  if (wish.residual && !result.worst_residual) return {false, "R_E cannot be measured"};
+  if (misses(result.worst_residual.value_or(0), wish.residual)) {
+    return missed_verdict(fmt::format("R_E {:.2g}", *result.worst_residual), result);
+  }
+  return {};
+}
+
+TunerAnswer tune(const TunerRun& run, const Wish& wish, const TunerOptions& options) {
+  check_wish(wish);
+  check_tuner_options(options);
+  const std::vector<Setting> settings = tuner_settings(options.solvers);
+  const int total = static_cast<int>(settings.size());
+  TunerSearch search(run, wish, options);
+  TunerAnswer answer;
+  std::vector<Candidate> met;
+  double least_work = 0;
+  for (const Setting& setting : settings) {
+    const double work = expected_work(setting);
+    if (!met.empty() && work > search_margin * least_work) break;
+    answer.complete = !search.told_to_stop() && !search.late();
+    if (!answer.complete) break;
+    const Candidate candidate = search.candidate(setting, ++answer.tried, total);
+    if (candidate.verdict.meets) {
+      if (met.empty()) least_work = work;
+      met.push_back(candidate);
+    } else if (met.empty()) {
+      answer.nearest = candidate;
+    }
+  }
+  answer.complete = answer.complete && !search.told_to_stop();
+  std::vector<Candidate> kinds = ranked(met);
+  const std::size_t most = static_cast<std::size_t>(std::max(options.runners_up, 0)) + 1;
+  for (std::size_t i = 0; i < std::min(kinds.size(), most); ++i) {
+    const Candidate candidate = search.in_single_precision(kinds[i], ++answer.tried, total);
+    if (candidate.verdict.meets) met.push_back(candidate);
+  }
+  kinds = ranked(met);
+  if (!kinds.empty()) {
+    answer.best = kinds.front();
+    answer.nearest.reset();
+    const auto count = static_cast<std::ptrdiff_t>(std::min(kinds.size(), most));
+    answer.runners_up.assign(kinds.begin() + 1, kinds.begin() + count);
+  }
+  answer.plain_si = search.first_that_meets(plain_si_settings(), answer.tried, total);
+  if (has_box2d()) answer.box2d = search.first_that_meets(box2d_settings(), answer.tried, total);
+  return answer;
+}
+
+}  // namespace cairn

@@ -1,0 +1,186 @@
+// Joints from TOML: they do what the same joints do that are made by hand.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "constraints/differential_joint.hpp"
+#include "constraints/distance_joint.hpp"
+#include "constraints/drag_joint.hpp"
+#include "constraints/friction_joint.hpp"
+#include "constraints/gear_joint.hpp"
+#include "constraints/prismatic_joint.hpp"
+#include "constraints/pulley_joint.hpp"
+#include "constraints/revolute_joint.hpp"
+#include "constraints/weld_joint.hpp"
+#include "scenes/scene_file.hpp"
+
+using namespace cairn;
+
+namespace {
+
+/// Three boxes a, b and c in a row.
+const std::string three_boxes = R"(
+[[body]]
+name = "a"
+box = [1, 1]
+velocity = [0.5, 1]
+[[body]]
+name = "b"
+box = [1, 0.5]
+position = [2, 0]
+angular_velocity = 3
+[[body]]
+name = "c"
+box = [0.5, 1]
+position = [4, 0]
+)";
+
+const BodyId a_box = {1}, b_box = {2}, c_box = {3};
+
+Scene with_three_boxes() {
+  Scene scene;
+  scene.add({.shapes = {box(1, 1)}, .velocity = {0.5, 1}});
+  scene.add({.shapes = {box(1, 0.5)}, .position = {2, 0}, .angular_velocity = 3});
+  scene.add({.shapes = {box(0.5, 1)}, .position = {4, 0}});
+  return scene;
+}
+
+/// Whether the joint of the text does what a joint of `spec` does, to the last bit, for half a second.
+template <typename Joint>
+void check_same_joint(const std::string& text, const typename Joint::Spec& spec,
+                      JointCollision collision = JointCollision::as_usual) {
+  CAPTURE(text);
+  Scene by_hand = with_three_boxes();
+  const TrialOptions options{.seconds = 0.5};
+  const std::uint64_t without = run_trial(by_hand, {}, options).state_hash;
+  by_hand.join<Joint>(spec, collision);
+  const Scene from_text = read_scene_text(three_boxes + "[[joint]]\n" + text, "joint.toml").make();
+  const TrialResult expected = run_trial(by_hand, {}, options), found = run_trial(from_text, {}, options);
+  CHECK(found.steps == 30);
+  CHECK(found.state_hash == expected.state_hash);
+  CHECK(found.state_hash != without);  // the joint does something
+  CHECK(from_text.apart() == by_hand.apart());
+}
+
+}  // namespace
+
+TEST_CASE("rods, ropes and springs from a file are those made by hand") {
+  using Kind = DistanceJoint::Kind;
+  check_same_joint<DistanceJoint>(
+      "type = \"rod\"\na = \"a\"\nb = \"b\"\nanchor_a = [0.5, 0]\nanchor_b = [1.5, 0.25]\nlength = 1.2\n",
+      {.a = a_box, .b = b_box, .anchor_a = {0.5, 0}, .anchor_b = {1.5, 0.25}, .length = 1.2});
+  check_same_joint<DistanceJoint>("type = \"rod\"\na = \"a\"\nb = \"b\"\n",
+                                  {.a = a_box, .b = b_box, .anchor_a = {0, 0}, .anchor_b = {2, 0}});
+  check_same_joint<DistanceJoint>(
+      "type = \"rope\"\nb = \"b\"\nanchor_a = [2, 3]\nslack_margin = 0.1\n"
+      "softness = { frequency = 3, damping_ratio = 0.2 }\n",
+      {.a = ground,
+       .b = b_box,
+       .anchor_a = {2, 3},
+       .anchor_b = {2, 0},
+       .kind = Kind::rope,
+       .softness = SwingSoftness{.frequency = 3, .damping_ratio = 0.2},
+       .slack_margin = 0.1});
+  check_same_joint<DistanceJoint>(
+      "type = \"spring\"\na = \"a\"\nb = \"c\"\nlength = 3\ncollide = \"on\"\n"
+      "softness = { stiffness = 40, damping = 2 }\n",
+      {.a = a_box,
+       .b = c_box,
+       .anchor_a = {0, 0},
+       .anchor_b = {4, 0},
+       .length = 3,
+       .kind = Kind::spring,
+       .softness = SpringSoftness{.stiffness = 40, .damping = 2}},
+      JointCollision::on);
+}
+
+TEST_CASE("pins, slides and welds from a file are those made by hand, with limits and motors") {
+  check_same_joint<RevoluteJoint>("type = \"revolute\"\nb = \"b\"\n",
+                                  {.a = ground, .b = b_box, .anchor = {2, 0}});
+  check_same_joint<RevoluteJoint>(
+      "type = \"revolute\"\na = \"a\"\nb = \"b\"\nanchor = [1, 0]\nlower = -0.2\nupper = 0.3\n"
+      "limit_margin = 0.1\nmotor = { speed = 4, max_torque = 5 }\n",
+      {.a = a_box,
+       .b = b_box,
+       .anchor = {1, 0},
+       .lower = -0.2,
+       .upper = 0.3,
+       .limit_margin = 0.1,
+       .motor = RevoluteJoint::Motor{.speed = 4, .max_torque = 5}});
+  check_same_joint<PrismaticJoint>(
+      "type = \"prismatic\"\nb = \"b\"\nanchor = [2, 0.1]\naxis = [1, 2]\nlower = -0.1\nupper = 0.2\n"
+      "limit_margin = 0.3\nmotor = { speed = 4, max_force = 50 }\n",
+      {.a = ground,
+       .b = b_box,
+       .anchor = {2, 0.1},
+       .axis = {1, 2},
+       .lower = -0.1,
+       .upper = 0.2,
+       .limit_margin = 0.3,
+       .motor = PrismaticJoint::Motor{.speed = 4, .max_force = 50}});
+  check_same_joint<WeldJoint>("type = \"weld\"\na = \"a\"\nb = \"b\"\nanchor = [1, 0]\ncollide = \"off\"\n",
+                              {.a = a_box, .b = b_box, .anchor = {1, 0}}, JointCollision::off);
+}
+
+TEST_CASE("ropes over rollers, gears and differentials from a file are those made by hand") {
+  check_same_joint<PulleyJoint>(
+      "type = \"pulley\"\nkind = \"taut\"\nslack_margin = 0.2\nlength = 6.1\n"
+      "ends = [{ body = \"a\", anchor = [0, 0.5], roller = [0, 2.5] },\n"
+      "        { body = \"b\", anchor = [2, 0.25], roller = [2, 2.25], parts = 2 }]\n",
+      {.ends = {{.body = a_box, .anchor = {0, 0.5}, .roller = {0, 2.5}},
+                {.body = b_box, .anchor = {2, 0.25}, .roller = {2, 2.25}, .parts = 2}},
+       .length = 6.1,
+       .kind = PulleyJoint::Kind::taut,
+       .slack_margin = 0.2});
+  check_same_joint<PulleyJoint>(
+      "type = \"pulley\"\nends = [{ body = \"c\", anchor = [4, -0.5], roller = [2.5, 0.2], carrier = \"b\", "
+      "kind = \"drum\" }]\n",
+      {.ends = {{.body = c_box,
+                 .anchor = {4, -0.5},
+                 .roller = {2.5, 0.2},
+                 .carrier = b_box,
+                 .kind = PulleyJoint::Roller::drum}}});
+  check_same_joint<GearJoint>(
+      "type = \"gear\"\na = \"a\"\nb = \"b\"\ncarrier = \"c\"\nradius_a = 2\nradius_b = 0.5\nmesh = "
+      "\"internal\"\n",
+      {.a = a_box,
+       .b = b_box,
+       .c = c_box,
+       .radius_a = 2,
+       .radius_b = 0.5,
+       .mesh = GearJoint::Mesh::internal});
+  check_same_joint<DifferentialJoint>("type = \"differential\"\na = \"a\"\nb = \"b\"\ncase = \"c\"\n",
+                                      {.a = a_box, .b = b_box, .c = c_box});
+}
+
+TEST_CASE("drags and frictions from a file are those made by hand") {
+  check_same_joint<DragJoint>("type = \"drag\"\nb = \"b\"\ntarget = [3, 1]\n",
+                              {.body = b_box, .anchor = {2, 0}, .target = {3, 1}});
+  check_same_joint<DragJoint>(
+      "type = \"drag\"\nb = \"b\"\nanchor = [2.4, 0]\ntarget = [3, 1]\nmax_force = 3\n"
+      "softness = { frequency = 2, damping_ratio = 1 }\n",
+      {.body = b_box,
+       .anchor = {2.4, 0},
+       .target = {3, 1},
+       .softness = SwingSoftness{.frequency = 2, .damping_ratio = 1},
+       .max_force = 3});
+  check_same_joint<FrictionJoint>(
+      "type = \"friction\"\nb = \"b\"\nanchor = [2.2, 0]\nmax_force = 2\nmax_torque = 0.1\n"
+      "shape = \"aligned square\"\n",
+      {.b = b_box,
+       .anchor = Vec2<double>(2.2, 0),
+       .max_force = 2,
+       .max_torque = 0.1,
+       .shape = FrictionShape::aligned_square});
+}
+
+TEST_CASE("a joint for each of a row is as many joints") {
+  const std::string row = "[[row]]\nn = 3\nfirst = [0, 0]\nstep = [2, 0]\ncircle = 0.5\n";
+  const Scene scene =
+      read_scene_text(row + "[[joint]]\ntype = \"friction\"\nb = \"row.*\"\nmax_force = 1\n", "row.toml")
+          .make();
+  REQUIRE(scene.joints().size() == 3);
+  for (int i = 0; i < 3; ++i) {
+    CHECK(scene.joints()[static_cast<std::size_t>(i)]->attachments()[1].body == BodyId{i + 1});
+  }
+}

@@ -1,0 +1,87 @@
+// Solvers by name.
+#include "scenes/solver_list.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include "solvers/iterative/jacobi.hpp"
+#include "solvers/solver_list.hpp"
+
+using namespace cairn;
+
+TEST_CASE_TEMPLATE("every solver of the list can be made in every scalar and solves a resting box", Real,
+                   float, double, long double) {
+  std::set<std::string> names;
+  for (const SolverEntry& entry : solver_entries()) {
+    CAPTURE(entry.name);
+    CHECK(names.insert(entry.name).second);
+    CHECK_FALSE(entry.title.empty());
+    CHECK_FALSE(entry.cost.empty());
+    const auto solver = make_solver<Real>(entry.name, {.iterations = 60});
+    VelocityProblem<Real> problem = testing::hand_made_stack<Real>(1, 10, Real(0.5));
+    solver->solve(problem);
+    // It takes m g dt = 5 N s; damped by a half, 2^-60 of it is missing.
+    CHECK(std::abs(problem.impulse[0] - Real(5)) <= 64 * std::numeric_limits<Real>::epsilon() * 5);
+  }
+  CHECK(names.size() >= 10);
+}
+
+TEST_CASE("an unknown solver is refused with the nearest name, or with all of them") {
+  CHECK_THROWS_WITH_AS(make_solver<double>("pgs-sparce"),
+                       "make_solver: solver must be a known name (pgs-sparse?), got pgs-sparce",
+                       std::invalid_argument);
+  CHECK_THROWS_WITH_AS(
+      make_solver<double>("simplex"),
+      "make_solver: solver must be one of si, pgs, pgs-sparse, pgs-factored, jacobi, jacobi-damped, "
+      "jacobi-split, block, block-contact, accelerated, newton, reference, got simplex",
+      std::invalid_argument);
+  CHECK_THROWS_AS(make_solver<float>(""), std::invalid_argument);
+  CHECK_THROWS_AS(solver_entry("box2d"), std::invalid_argument);
+  CHECK(solver_entry("pgs").name == "pgs");
+}
+
+TEST_CASE("damped Jacobi gives half of every correction, and takes no relaxation that is out of range") {
+  VelocityProblem<double> problem = testing::hand_made_stack<double>(1, 10, 0.5);
+  make_solver<double>("jacobi-damped", {.iterations = 1})->solve(problem);
+  CHECK(problem.impulse[0] == 2.5);  // of m g dt = 5 N s
+  CHECK_THROWS_AS(make_solver<double>("jacobi-damped", {.relaxation = 2}), std::invalid_argument);
+  CHECK_THROWS_AS(make_solver<double>("si", {.iterations = -1}), std::invalid_argument);
+}
+
+TEST_CASE("a solver refuses as many rows as its entry says, and no fewer") {
+  const int most = solver_entry("pgs").max_rows;
+  const auto solver = make_solver<double>("pgs", {.iterations = 0});
+  VelocityProblem<double> problem = testing::hand_made_stack<double>(most + 1, 10, 0.5);
+  CHECK_THROWS_AS(solver->solve(problem), std::length_error);
+  CHECK(solver_entry("si").max_rows == SolverEntry::no_limit);
+}
+
+TEST_CASE("entries say which solvers the order of the rows means something to") {
+  for (const SolverEntry& entry : solver_entries()) {
+    CAPTURE(entry.name);
+    // Two boxes: the order decides what the first sweep finds.
+    VelocityProblem<double> forward = testing::hand_made_stack<double>(2, 10, 0.5);
+    VelocityProblem<double> backward = forward;
+    make_solver<double>(entry.name, {.iterations = 1})->solve(forward);
+    make_solver<double>(entry.name, {.iterations = 1, .order = RowOrder::reverse})->solve(backward);
+    CHECK((forward.impulse != backward.impulse) == entry.uses_order);
+    VelocityProblem<double> slow = testing::hand_made_stack<double>(2, 10, 0.5);
+    make_solver<double>(entry.name, {.iterations = 1, .relaxation = 0.5})->solve(slow);
+    CHECK((forward.impulse != slow.impulse) == entry.uses_relaxation);
+  }
+}
+
+TEST_CASE(
+    "a sweep counts for an update of each row, a linear system for as many as it takes as long, and both add "
+    "up") {
+  const SolveReport report{.iterations = 3, .extra_sweeps = 5};
+  CHECK(counted_updates(solver_entry("newton"), report, 4) == (3 * 15 + 5) * 4);
+  for (const SolverEntry& entry : solver_entries()) {
+    CAPTURE(entry.name);
+    if (entry.name != "newton") CHECK(counted_updates(entry, {.iterations = 7}, 4) == 7 * 4);
+  }
+}

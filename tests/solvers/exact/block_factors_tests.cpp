@@ -1,0 +1,80 @@
+// LU factors in blocks, beside dense ones.
+#include "solvers/exact/block_factors.hpp"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <random>
+#include <set>
+
+using namespace cairn;
+
+namespace {
+
+/// A random graph of bodies, and the identity with blocks added where bodies are joined.
+struct BlocksToFactor {
+  BlocksToFactor(int bodies, int joints, unsigned seed)
+      : full(Matrix<double>::Identity(3 * bodies, 3 * bodies)) {
+    std::mt19937 random(seed);
+    const auto number = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
+    std::set<std::pair<int, int>> joined;
+    for (int k = 0; k < joints; ++k) {
+      const int a = static_cast<int>(random() % static_cast<unsigned>(bodies));
+      const int b = static_cast<int>(random() % static_cast<unsigned>(bodies));
+      if (a != b) joined.emplace(std::min(a, b), std::max(a, b));
+    }
+    pairs.assign(joined.begin(), joined.end());
+    factors.begin(bodies, pairs);
+    factors.set_identity();
+    for (const auto& [a, b] : pairs) {
+      Eigen::Matrix<double, 6, 1> row;
+      for (int i = 0; i < 6; ++i) row(i) = number();
+      const Eigen::Matrix<double, 6, 6> product = row * row.transpose();
+      add(a, a, product.topLeftCorner<3, 3>());
+      add(a, b, product.topRightCorner<3, 3>());
+      add(b, a, product.bottomLeftCorner<3, 3>());
+      add(b, b, product.bottomRightCorner<3, 3>());
+    }
+    sides = Vector<double>::Zero(3 * bodies);
+    for (Eigen::Index i = 0; i < sides.size(); ++i) sides(i) = number();
+  }
+
+  void add(int a, int b, const Eigen::Matrix3d& block) {
+    factors.at(a, b) += block;
+    full.block<3, 3>(3 * a, 3 * b) += block;
+  }
+
+  Matrix<double> full;
+  Vector<double> sides;
+  std::vector<std::pair<int, int>> pairs;
+  BlockFactors<double> factors;
+};
+
+}  // namespace
+
+TEST_CASE("factors in blocks solve what dense factors solve, whoever is joined with whom") {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    BlocksToFactor matrix(1 + static_cast<int>(seed), 2 * static_cast<int>(seed), seed);
+    Vector<double> x = matrix.sides;
+    matrix.factors.factorize();
+    matrix.factors.solve(x);
+    const Vector<double> dense = matrix.full.partialPivLu().solve(matrix.sides);
+    // Eigenvalues are from 1 to 1 + 40 joints of at most 6 / 4, of a matrix with at most 63 rows.
+    const double roundings = 61 * 63 * 2.3e-16;
+    CHECK((x - dense).norm() <= 4 * roundings * dense.norm());
+  }
+}
+
+TEST_CASE("a chain keeps one pair of blocks a joint, whatever the numbers of its bodies") {
+  const int bodies = 50;
+  std::vector<std::pair<int, int>> pairs;
+  for (int k = 0; k + 1 < bodies; ++k) {
+    const int a = 7 * k % bodies, b = 7 * (k + 1) % bodies;  // 7 and 50 share no divisor: each body once
+    pairs.emplace_back(std::min(a, b), std::max(a, b));
+  }
+  std::sort(pairs.begin(), pairs.end());
+  BlockFactors<double> factors;
+  factors.begin(bodies, pairs);
+  CHECK(factors.memory() == (2 * (bodies - 1) + bodies) * 9 * sizeof(double));
+}

@@ -1,0 +1,145 @@
+// Newton's method as a solver for steps.
+#include "solvers/exact/newton_solver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "../solver_list.hpp"
+#include "solvers/exact/exact_rows.hpp"
+#include "solvers/residual.hpp"
+
+using namespace cairn;
+using namespace cairn::testing;
+
+namespace {
+
+const double speed_of_a_step = 10 * 0.02;  // [m/s] what a body gains in a step
+
+/// Boxes of 1 kg with one of `top` kg on them.
+VelocityProblem<double> loaded_stack(int boxes, double top) {
+  VelocityProblem<double> problem = hand_made_stack<double>(boxes, 10, 0.02);
+  problem.inverse_mass.back() = Vec3<double>(1 / top, 1 / top, 6 / top);
+  return problem;
+}
+
+/// A box that is pushed along the ground on two feet, faster or slower than friction allows.
+VelocityProblem<double> pushed_box(double speed) {
+  VelocityProblem<double> problem;
+  problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 6)};
+  problem.velocity = {Vec3<double>::Zero(), Vec3<double>(speed, -speed_of_a_step, 0)};
+  for (const double foot : {-0.5, 0.5}) {
+    const int normal = problem.row_count();
+    problem.rows.push_back({.b = {1}, .jacobian_b = {0, 1, foot}, .bounds = Bounds<double>::unilateral()});
+    problem.rows.push_back(
+        {.b = {1}, .jacobian_b = {1, 0, 0.5}, .bounds = Bounds<double>::coulomb(0.5, normal)});
+  }
+  problem.blocks = {{0, 4}};
+  problem.impulse.assign(4, 0);
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("Newton's method carries every stack exactly, 100 boxes or a load of 1000 t, in a few systems") {
+  struct Stack {
+    int boxes;
+    double top;  // [kg]
+  };
+  for (const Stack& stack : {Stack{1, 1}, Stack{10, 1}, Stack{100, 1}, Stack{10, 1e3}, Stack{10, 1e6}}) {
+    CAPTURE(stack.boxes);
+    CAPTURE(stack.top);
+    VelocityProblem<double> problem = loaded_stack(stack.boxes, stack.top);
+    // R_E is measured by what the lowest row lacks alone, and impulses are rounded as the load's are.
+    const double tolerance = std::max(1e-12, 16 * std::numeric_limits<double>::epsilon() * stack.top);
+    const SolveReport report =
+        NewtonSolver<double>({.iterations = 30, .tolerance = tolerance}).solve(problem);
+    CHECK(report.converged);
+    // Row j carries the boxes above it: m g dt each.
+    for (int j = 0; j < stack.boxes; ++j) {
+      const double carried = (stack.boxes - 1 - j + stack.top) * speed_of_a_step;
+      CHECK(problem.impulse[static_cast<std::size_t>(j)] == doctest::Approx(carried).epsilon(1e-6));
+    }
+    // A sum over up to 100 rows of what R_E leaves of each, in velocities of the lowest row's size.
+    for (const Vec3<double>& v : problem.velocity)
+      CHECK(std::abs(v.y()) <= 100 * tolerance * speed_of_a_step);
+  }
+}
+
+TEST_CASE("where the warm start is the answer, Newton's method solves no system and changes no impulse") {
+  VelocityProblem<double> problem = loaded_stack(20, 100);
+  const VelocityProblem<double> start = problem;
+  NewtonSolver<double> solver({.iterations = 30, .tolerance = 1e-9});
+  solver.solve(problem);
+  VelocityProblem<double> again = start;
+  again.impulse = problem.impulse;
+  const SolveReport report = solver.solve(again);
+  CHECK(report.iterations == 0);
+  CHECK(report.converged);
+  for (std::size_t i = 0; i < again.impulse.size(); ++i) {
+    // Units are divided by and multiplied with: two roundings.
+    CHECK(again.impulse[i] == doctest::Approx(problem.impulse[i]).epsilon(4e-16));
+  }
+}
+
+TEST_CASE("Newton's method owns up to the sweeps that lead it on") {
+  // To look at the warm start takes as long as one sweep. At the limit of friction one linear system is not
+  // enough, and the first failure is followed by 30.
+  VelocityProblem<double> pushed = pushed_box(0.5 * speed_of_a_step);
+  const SolveReport led = NewtonSolver<double>({.iterations = 1}).solve(pushed);
+  CHECK(led.iterations == 1);
+  CHECK(led.extra_sweeps == 1 + 30);
+  VelocityProblem<double> solved = loaded_stack(10, 1e3), again = solved;
+  NewtonSolver<double>({.iterations = 50}).solve(solved);
+  again.impulse = solved.impulse;
+  const SolveReport warm = NewtonSolver<double>({.iterations = 50, .tolerance = 1e-9}).solve(again);
+  CHECK(warm.iterations == 0);
+  CHECK(warm.extra_sweeps == 1);
+}
+
+TEST_CASE("Newton's method slides and sticks as Coulomb says") {
+  const double weight = speed_of_a_step;  // [N s] of 1 kg
+  for (const double speed : {0.01, 0.09, 0.2, 3.0}) {
+    CAPTURE(speed);
+    VelocityProblem<double> problem = pushed_box(speed);
+    const VelocityProblem<double> start = problem;
+    CHECK(NewtonSolver<double>({.iterations = 60, .tolerance = 1e-12}).solve(problem).converged);
+    CHECK(problem.impulse[0] + problem.impulse[2] == doctest::Approx(weight).epsilon(1e-9));
+    // It may take mu m g dt, and needs m v; the box turns with neither foot off the ground.
+    const double friction = std::min(0.5 * weight, speed);
+    CHECK(-(problem.impulse[1] + problem.impulse[3]) == doctest::Approx(friction).epsilon(1e-9));
+    CHECK(residual(problem, exact_scale(start)).energy <= 1e-11);
+  }
+}
+
+TEST_CASE("no number in, no number out: Newton's method comes back from a problem with a NaN") {
+  VelocityProblem<double> problem = loaded_stack(3, 1);
+  problem.velocity[2].y() = std::numeric_limits<double>::quiet_NaN();
+  const SolveReport report = NewtonSolver<double>({.iterations = 30}).solve(problem);
+  CHECK_FALSE(report.converged);
+  CHECK(report.iterations == 0);
+}
+
+TEST_CASE_TEMPLATE("Newton's method gives the same bits twice, in every scalar", Real, float, double,
+                   long double) {
+  VelocityProblem<Real> first = hand_made_stack<Real>(30, 10, Real(0.02)), second = first;
+  NewtonSolver<Real> solver({.iterations = 20});
+  CHECK(solver.memory() == 0);
+  solver.solve(first);
+  solver.solve(second);
+  CHECK(first.impulse == second.impulse);
+  CHECK(solver.memory() > 0);
+  // Of n (n + 1) / 2 boxes' weights in all, to the roundings of a float's answer.
+  CHECK(static_cast<double>(first.impulse[0]) == doctest::Approx(30 * speed_of_a_step).epsilon(4e-7));
+}
+
+TEST_CASE("without systems Newton's method applies the warm start, inside its bounds") {
+  VelocityProblem<double> problem = hand_made_stack<double>(1, 10, 0.5);
+  problem.impulse[0] = 2;
+  const SolveReport report = NewtonSolver<double>({.iterations = 0}).solve(problem);
+  CHECK(report.iterations == 0);
+  CHECK(problem.velocity[1].y() == doctest::Approx(-5 + 2));
+  CHECK_THROWS_AS(NewtonSolver<double>({.iterations = -1}), std::invalid_argument);
+}

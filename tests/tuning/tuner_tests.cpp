@@ -1,0 +1,165 @@
+// The tuner against runs whose outcome is a formula, and against all settings tried one by one.
+#include "tuning/tuner.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+#include "scenes/scene_list.hpp"
+
+using namespace cairn;
+
+namespace {
+
+/// An engine by formula: overlap goes down with sweeps and with the square of steps, SI needs 3 times as many
+/// sweeps as others, and Box2D never gets below 5 mm.
+TrialResult formula_run(const Setting& setting, std::uint64_t) {
+  TrialResult result;
+  result.seconds = 2;
+  result.stands_until = 2;
+  const double steps = setting.substeps / (60 * setting.dt);
+  const double sweeps = setting.solver == "si" ? setting.sweeps.iterations / 3.0 : setting.sweeps.iterations;
+  result.worst_penetration = 0.1 / (sweeps * steps * steps);
+  if (setting.solver == "box2d") result.worst_penetration += 0.005;
+  result.step_seconds = 1e-6 * expected_work(setting) * (1 + 0.3 * std::sin(expected_work(setting)));
+  result.row_updates = static_cast<std::int64_t>(expected_work(setting));
+  return result;
+}
+
+/// The least cost of all settings that meet the wish by the formula.
+double least_formula_cost(const Wish& wish, const std::vector<std::string>& solvers) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Setting& setting : tuner_settings(solvers)) {
+    const TrialResult result = formula_run(setting, 0);
+    if (verdict(result, wish).meets) least = std::min(least, result.cost());
+  }
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("the tuner finds what trying every setting finds") {
+  const TunerOptions options = {.solvers = {"si", "block"}, .starts = 2, .runners_up = 4, .time_limit = 1e9};
+  for (const double limit : {1e-2, 1e-3, 1e-4}) {
+    const Wish wish = {.penetration = limit};
+    const TunerAnswer answer = tune(formula_run, wish, options);
+    REQUIRE(answer.best);
+    CHECK(answer.complete);
+    CHECK(answer.best->cost == least_formula_cost(wish, options.solvers));
+    CHECK(answer.best->worst_penetration <= limit);
+    CHECK(answer.best->starts == 2);
+    double before = answer.best->cost;
+    for (const Candidate& next : answer.runners_up) {
+      CHECK(next.verdict.meets);
+      CHECK(next.cost >= before);
+      before = next.cost;
+    }
+    REQUIRE(answer.plain_si);
+    REQUIRE(answer.plain_si->verdict.meets == (0.3 / 1024 <= limit));
+    if (answer.plain_si->verdict.meets) CHECK(answer.plain_si->cost >= answer.best->cost);
+    REQUIRE(answer.box2d.has_value() == has_box2d());
+    if (answer.box2d) CHECK(answer.box2d->verdict.meets == (limit > 0.005));
+  }
+}
+
+TEST_CASE("where nothing meets a wish the tuner says so, and what came of the most work") {
+  const TunerAnswer answer =
+      tune(formula_run, {.penetration = 1e-12}, {.solvers = {"si"}, .starts = 1, .time_limit = 1e9});
+  CHECK_FALSE(answer.best);
+  CHECK(answer.runners_up.empty());
+  REQUIRE(answer.plain_si);
+  CHECK_FALSE(answer.plain_si->verdict.meets);
+  CHECK(answer.plain_si->list_exhausted);
+  CHECK(answer.plain_si->setting.sweeps.iterations == 1024);
+  CHECK(answer.complete);
+  CHECK(answer.tried == static_cast<int>(tuner_settings({"si"}).size()));
+  REQUIRE(answer.nearest);
+  CHECK(answer.nearest->setting.sweeps.iterations == 256);
+  CHECK(answer.nearest->verdict.missed.rfind("penetration", 0) == 0);
+}
+
+TEST_CASE("a setting that meets the wish from one start only is not taken") {
+  // Few sweeps are lucky from the first start.
+  const TunerRun lucky = [](const Setting& setting, std::uint64_t start) {
+    TrialResult result = formula_run(setting, start);
+    result.worst_penetration = start == 0 || setting.sweeps.iterations >= 64 ? 0.0 : 1.0;
+    return result;
+  };
+  const TunerAnswer answer =
+      tune(lucky, {.penetration = 1e-3}, {.solvers = {"si"}, .starts = 16, .time_limit = 1e9});
+  REQUIRE(answer.best);
+  CHECK(answer.best->setting.sweeps.iterations >= 64);
+  CHECK(answer.best->starts == 16);
+}
+
+TEST_CASE("the search ends when its time is over, or when it is told to") {
+  const TunerOptions hasty = {.solvers = {"si"}, .starts = 1, .time_limit = 1e-9};
+  const TunerAnswer late = tune(formula_run, {.penetration = 1e-12}, hasty);
+  CHECK_FALSE(late.complete);
+  TunerOptions stopped = {.solvers = {"si"}, .starts = 1, .time_limit = 1e9};
+  stopped.progress = [](int tried, int) { return tried < 5; };
+  const TunerAnswer told = tune(formula_run, {.penetration = 1e-12}, stopped);
+  CHECK(told.tried == 5);
+  CHECK_FALSE(told.complete);
+}
+
+TEST_CASE("a verdict names what was missed, and NaN meets no wish") {
+  TrialResult result;
+  result.seconds = result.stands_until = 3;
+  result.worst_penetration = 0.0031;
+  CHECK(verdict(result, {.penetration = 0.004}).meets);
+  CHECK(verdict(result, {.penetration = 0.003}).missed == "penetration 3.1 mm after 3 s");
+  CHECK(verdict(result, {.stands = 5}).missed == "stands 3 s");
+  CHECK_FALSE(verdict(result, {.residual = 1}).meets);  // it was not measured
+  result.worst_drift = std::numeric_limits<double>::quiet_NaN();
+  CHECK_FALSE(verdict(result, {.drift = 1}).meets);
+  result.status = TrialStatus::diverged;
+  CHECK(verdict(result, {.penetration = 1}).missed == "diverged after 3 s");
+}
+
+TEST_CASE("wishes that mean nothing are refused") {
+  CHECK_THROWS_WITH_AS(tune(formula_run, {}), doctest::Contains("at least one"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(tune(formula_run, {.drift = 0}), doctest::Contains("drift"), std::invalid_argument);
+  CHECK_THROWS_AS(tune(formula_run, {.stands = std::numeric_limits<double>::infinity()}),
+                  std::invalid_argument);
+  CHECK_THROWS_AS(tune(formula_run, {.stands = 1}, {.starts = 0}), std::invalid_argument);
+}
+
+TEST_CASE("no setting runs twice, and once it is told to stop none runs at all") {
+  std::map<std::string, int> runs;
+  const TunerRun counted = [&](const Setting& setting, std::uint64_t start) {
+    runs[setting_text(setting)] += 1;
+    return formula_run(setting, start);
+  };
+  TunerOptions options = {.solvers = {"si"}, .starts = 1, .time_limit = 1e9};
+  const TunerAnswer answer = tune(counted, {.penetration = 1e-3}, options);
+  for (const auto& run : runs) CHECK_MESSAGE(run.second == 1, run.first);
+  // What plain SI costs is what it cost in the search: the same setting is never dearer than itself.
+  REQUIRE(answer.best);
+  REQUIRE(answer.plain_si);
+  if (setting_text(answer.best->setting) == setting_text(answer.plain_si->setting)) {
+    CHECK(answer.best->cost == answer.plain_si->cost);
+  }
+  runs.clear();
+  options.progress = [](int, int) { return false; };
+  const TunerAnswer stopped = tune(counted, {.penetration = 1e-12}, options);
+  CHECK(runs.size() == 1);
+  CHECK(stopped.tried == 1);
+  CHECK_FALSE(stopped.complete);
+  CHECK_FALSE(stopped.plain_si);
+}
+
+TEST_CASE(
+    "the tuner tries Newton's method, with a few systems, among the solvers that are not said otherwise") {
+  int with_newton = 0, most = 0;
+  for (const Setting& setting : tuner_settings(TunerOptions().solvers)) {
+    if (setting.solver != "newton") continue;
+    with_newton += 1;
+    most = std::max(most, setting.sweeps.iterations);
+  }
+  CHECK(with_newton == 3 * 5 * 5 * 3);  // steps a second, substeps, 1 to 16 systems, policies
+  CHECK(most == 16);
+}
