@@ -12,7 +12,7 @@ namespace cairn {
 namespace {
 
 /// The flags of all lessons: to tell "not here" from "nowhere".
-const std::vector<std::string> shared_vocabulary = {
+const List<std::string> shared_vocabulary = {
     "dt",    "gravity",   "bodies", "mass-ratio", "mu",      "beta", "slop",  "steps",     "sweeps",
     "angle", "tolerance", "solver", "clamp",      "no-warm", "warm", "order", "precision", "seed"};
 
@@ -54,8 +54,8 @@ void add_flags(CLI::App& app, Texts& texts, Options& options) {
   app.add_flag("--plain", options.console.plain);
 }
 
-std::vector<std::string> scene_flags(const LessonInfo& info) {
-  std::vector<std::string> flags;
+List<std::string> scene_flags(const LessonInfo& info) {
+  List<std::string> flags;
   for (const Parameter& parameter : info.parameters) flags.push_back(parameter.flag);
   for (const Choice& choice : info.choices) flags.push_back(choice.flag);
   return flags;
@@ -71,14 +71,14 @@ std::vector<std::string> scene_flags(const LessonInfo& info) {
   const std::string flag = word.substr(0, word.find('='));
   const std::string name = flag.substr(
       flag.find_first_not_of('-') == std::string::npos ? flag.size() : flag.find_first_not_of('-'));
-  const std::vector<std::string> own = scene_flags(info);
+  const List<std::string> own = scene_flags(info);
   const bool is_known =
       std::find(shared_vocabulary.begin(), shared_vocabulary.end(), name) != shared_vocabulary.end();
   if (is_known) {
     const std::string uses = own.empty() ? "it has no scene flags" : "it uses: --" + joined(own, ", --");
     throw UsageError(short_name(info) + " does not use --" + name + "; " + uses);
   }
-  std::vector<std::string> all = own;
+  List<std::string> all = own;
   all.insert(all.end(), common_flags().begin(), common_flags().end());
   const std::string meant = nearest(name, all);
   refuse(info, "unknown flag " + flag + (meant.empty() ? help : "; did you mean --" + meant + "?"));
@@ -113,10 +113,10 @@ double read_parameter(const LessonInfo& info, const Parameter& parameter, const 
 }
 
 /// The place of `text` among the words, or a refusal that lists them.
-std::size_t read_word(const LessonInfo& info, const std::string& flag, const std::vector<std::string>& words,
-                      const std::string& text) {
+int read_word(const LessonInfo& info, const std::string& flag, const List<std::string>& words,
+              const std::string& text) {
   const auto found = std::find(words.begin(), words.end(), text);
-  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  if (found != words.end()) return static_cast<int>(found - words.begin());
   refuse(info, "--" + flag + " must be " + joined(words, " or ") + ", got " + text);
 }
 
@@ -134,7 +134,7 @@ void read_scene(const LessonInfo& info, const CLI::App& app, const Texts& texts,
 }
 
 void read_size(const LessonInfo& info, const std::string& text, Options& options) {
-  const std::vector<std::pair<std::string, std::pair<int, int>>> names = {
+  const List<std::pair<std::string, std::pair<int, int>>> names = {
       {"small", {640, 360}}, {"medium", {960, 540}}, {"large", {1280, 720}}};
   for (const auto& [name, size] : names) {
     if (text != name) continue;
@@ -179,11 +179,11 @@ void read_pictures(const LessonInfo& info, const CLI::App& app, const Texts& tex
   if (app.count("--palette") > 0 && read_word(info, "palette", {"color", "gray"}, texts.palette) == 1) {
     options.palette = Options::Palette::gray;
   }
-  const std::vector<std::pair<std::string, std::string>> given = {{"--out", texts.out},
-                                                                  {"--frames", texts.frames},
-                                                                  {"--size", texts.size},
-                                                                  {"--theme", texts.theme},
-                                                                  {"--palette", texts.palette}};
+  const List<std::pair<std::string, std::string>> given = {{"--out", texts.out},
+                                                           {"--frames", texts.frames},
+                                                           {"--size", texts.size},
+                                                           {"--theme", texts.theme},
+                                                           {"--palette", texts.palette}};
   for (const auto& [flag, text] : given) {
     if (app.count(flag) == 0) continue;
     options.picture_flags.push_back(flag);
@@ -218,10 +218,10 @@ void read_teaching(const LessonInfo& info, const CLI::App& app, const Texts& tex
     if (!options.answer) refuse(info, "--answer must be numbers between commas, got " + texts.answer);
   }
   if (app.count("--hint") == 0) return;
-  const std::size_t most = info.hints.size();
+  const int most = info.hints.size();
   const std::optional<double> hint = texts.hint.empty() ? 1.0 : parse_number(texts.hint);
   if (most == 0) refuse(info, "--hint: this lesson has none");
-  if (!hint || *hint < 1 || *hint > static_cast<double>(most) || std::trunc(*hint) != *hint) {
+  if (!hint || *hint < 1 || *hint > most || std::trunc(*hint) != *hint) {
     refuse(info, "--hint must be a whole number from 1 to " + std::to_string(most) + ", got " + texts.hint);
   }
   options.hint = static_cast<int>(*hint);
@@ -229,7 +229,7 @@ void read_teaching(const LessonInfo& info, const CLI::App& app, const Texts& tex
 }
 
 void read_console(const LessonInfo& info, const CLI::App& app, const Texts& texts, Options& options) {
-  const std::vector<std::string> words = {"auto", "always", "never"};
+  const List<std::string> words = {"auto", "always", "never"};
   const When whens[] = {When::automatic, When::always, When::never};
   if (app.count("--color") > 0) options.console.color = whens[read_word(info, "color", words, texts.color)];
   if (app.count("--progress") > 0) {
@@ -275,11 +275,11 @@ std::string two_digits(int number) { return (number < 10 ? "0" : "") + std::to_s
 std::string short_name(const LessonInfo& info) { return "lesson" + two_digits(info.number); }
 std::string program_name(const LessonInfo& info) { return short_name(info) + "_" + info.name; }
 
-const std::vector<std::string>& common_flags() {
-  static const std::vector<std::string> flags = {
-      "help", "version", "about",  "list-params", "predict", "answer", "hint",    "check",
-      "step", "out",     "frames", "dry-run",     "size",    "theme",  "palette", "csv",
-      "json", "expect",  "quiet",  "verbose",     "plain",   "color",  "progress"};
+const List<std::string>& common_flags() {
+  static const List<std::string> flags = {"help",  "version", "about",   "list-params", "predict", "answer",
+                                          "hint",  "check",   "step",    "out",         "frames",  "dry-run",
+                                          "size",  "theme",   "palette", "csv",         "json",    "expect",
+                                          "quiet", "verbose", "plain",   "color",       "progress"};
   return flags;
 }
 

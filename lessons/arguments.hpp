@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "lessons/console.hpp"
 #include "lessons/frames.hpp"
 #include "lessons/lesson.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -29,7 +29,7 @@ struct Options {
   bool predict = false;
   bool check = false;  // claims only: no frames, no files
   bool step = false;
-  std::optional<std::vector<double>> answer = {};
+  std::optional<List<double>> answer = {};
 
   std::filesystem::path out = {};
   FrameChoice frames = {};
@@ -44,7 +44,7 @@ struct Options {
   std::string expect = {};  // 16 hexadecimal digits
 
   ConsoleSettings console = {};
-  std::vector<std::string> picture_flags = {};  // those that were given, to be repeated in "Again:"
+  List<std::string> picture_flags = {};  // those that were given, to be repeated in "Again:"
 };
 
 /// The command line cannot be understood: one line for people.
@@ -63,6 +63,6 @@ std::string program_name(const LessonInfo& info);
 std::string two_digits(int number);
 
 /// The flags that every lesson has, without the dashes.
-const std::vector<std::string>& common_flags();
+const List<std::string>& common_flags();
 
 }  // namespace cairn

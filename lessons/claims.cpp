@@ -52,11 +52,10 @@ Claim plain_claim(std::string_view text, bool holds, std::string_view shown) {
 std::string claim_line(const Claim& claim) {
   const std::string text = "CHECK  " + claim.text + " ";
   const int dots = std::max(2, value_column - 1 - display_width(text));
-  return text + std::string(static_cast<std::size_t>(dots), '.') + " " + padded(claim.shown, value_width) +
-         " ";
+  return text + repeated('.', dots) + " " + padded(claim.shown, value_width) + " ";
 }
 
-int holding(const std::vector<Claim>& claims) {
+int holding(const List<Claim>& claims) {
   return static_cast<int>(
       std::count_if(claims.begin(), claims.end(), [](const Claim& claim) { return claim.holds; }));
 }

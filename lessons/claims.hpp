@@ -3,7 +3,8 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -26,6 +27,6 @@ std::string claim_line(const Claim& claim);
 std::string short_number(double value);
 
 /// How many hold.
-int holding(const std::vector<Claim>& claims);
+int holding(const List<Claim>& claims);
 
 }  // namespace cairn

@@ -76,7 +76,7 @@ bool Console::wait() {
   return static_cast<bool>(std::getline(std::cin, line));
 }
 
-Progress::Progress(const ConsoleSettings& settings, std::string what, std::size_t total)
+Progress::Progress(const ConsoleSettings& settings, std::string what, int total)
     : what_(std::move(what)), total_(total), start_(std::chrono::steady_clock::now()) {
   always_ = settings.progress == When::always;
   wanted_ = always_ || (settings.progress == When::automatic && is_terminal(stderr));
@@ -84,24 +84,25 @@ Progress::Progress(const ConsoleSettings& settings, std::string what, std::size_
 
 Progress::~Progress() { clear(); }
 
-void Progress::advance(std::size_t done, std::string_view rest) {
+void Progress::advance(int done, std::string_view rest) {
   if (!wanted_) return;
   if (!always_ && std::chrono::steady_clock::now() - start_ < std::chrono::seconds(1)) return;
-  constexpr std::size_t width = 30;
-  const std::size_t filled = total_ == 0 ? width : std::min(width, width * done / total_);
-  const std::string bar = std::string(filled, '#') + std::string(width - filled, '.');
+  constexpr int width = 30;
+  const auto share = total_ == 0 ? 1LL * width : std::min(1LL * width, 1LL * width * done / total_);
+  const auto filled = static_cast<int>(share);
+  const std::string bar = repeated('#', filled) + repeated('.', width - filled);
   const std::string text =
       fmt::format("[{}] {}/{} {}{}{}", bar, done, total_, what_, rest.empty() ? "" : ", ", rest);
   std::fflush(stdout);
   fmt::print(stderr, "\r{:<{}}", text, shown_width_);
   std::fflush(stderr);
-  shown_width_ = std::max(shown_width_, text.size());
+  shown_width_ = std::max(shown_width_, static_cast<int>(text.size()));
 }
 
 void Progress::clear() {
   if (shown_width_ == 0) return;
   // Blanks, not an escape code: they work on every terminal.
-  fmt::print(stderr, "\r{}\r", std::string(shown_width_, ' '));
+  fmt::print(stderr, "\r{}\r", repeated(' ', shown_width_));
   std::fflush(stderr);
   shown_width_ = 0;
 }

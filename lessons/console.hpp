@@ -2,7 +2,6 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -58,22 +57,22 @@ class Console {
 /// A bar on stderr, from one second after it was made: quick runs show none.
 class Progress {
  public:
-  Progress(const ConsoleSettings& settings, std::string what, std::size_t total);
+  Progress(const ConsoleSettings& settings, std::string what, int total);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   /// `rest`: what is written behind the bar beside the count, such as the time that is left.
-  void advance(std::size_t done, std::string_view rest = "");
+  void advance(int done, std::string_view rest = "");
   /// Wipes the bar from the line.
   void clear();
 
  private:
   std::string what_;
-  std::size_t total_;
+  int total_;
   bool wanted_ = false;
   bool always_ = false;
-  std::size_t shown_width_ = 0;
+  int shown_width_ = 0;
   std::chrono::steady_clock::time_point start_;
 };
 

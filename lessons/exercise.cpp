@@ -21,9 +21,9 @@ void print_marks(const Grade& grade) {
 }
 
 int show_hint(const Exercise& exercise, std::string_view word) {
-  const std::size_t count = exercise.hints.size();
+  const int count = exercise.hints.size();
   const bool is_number = word.size() == 1 && word[0] >= '1' && word[0] <= '9';
-  const std::size_t number = is_number ? static_cast<std::size_t>(word[0] - '0') : 0;
+  const int number = is_number ? word[0] - '0' : 0;
   if (number < 1 || number > count) {
     fmt::print(stderr, "exercise {:02}: --hint must be a whole number from 1 to {}, got {}\n",
                exercise.lesson, count, word);
@@ -72,7 +72,7 @@ int exercise_program(const Exercise& exercise, int argument_count, const char* c
   return 1;
 }
 
-int exercise_list_program(const std::vector<Exercise>& exercises) {
+int exercise_list_program(const List<Exercise>& exercises) {
   for (const Exercise& exercise : exercises) {
     Grade grade;
     exercise.grade(grade);

@@ -3,7 +3,8 @@
 
 #include <functional>
 #include <string>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -18,7 +19,7 @@ struct ExpectedNumber {
   std::string what = {};  // "impulse under the corner (N s)"
   double value = 0;
   double tolerance = 0;  // of the number and of every misconception, in its unit
-  std::vector<Misconception> misconceptions = {};
+  List<Misconception> misconceptions = {};
 };
 
 /// What came of a number.
@@ -35,19 +36,19 @@ class Grade {
  public:
   void number(const ExpectedNumber& expected, double got);
 
-  const std::vector<Mark>& marks() const { return marks_; }
+  const List<Mark>& marks() const { return marks_; }
   /// Whether there are marks, and all of them hold.
   bool passed() const;
 
  private:
-  std::vector<Mark> marks_;
+  List<Mark> marks_;
 };
 
 struct Exercise {
   int lesson = 0;
   std::string task = {};                   // what to write, and where the equation stands
   std::string file = {};                   // that has the gap, from the project's folder
-  std::vector<std::string> hints = {};     // from vague to plain
+  List<std::string> hints = {};            // from vague to plain
   std::function<void(Grade&)> grade = {};  // asks the answer for its numbers
 };
 
@@ -56,6 +57,6 @@ struct Exercise {
 int exercise_program(const Exercise& exercise, int argument_count, const char* const* arguments);
 
 /// A program that grades many, a line each: "05 passed" or "05 failed". Exit code 0.
-int exercise_list_program(const std::vector<Exercise>& exercises);
+int exercise_list_program(const List<Exercise>& exercises);
 
 }  // namespace cairn

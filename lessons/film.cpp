@@ -25,10 +25,9 @@ render::Theme theme_of(const Options& options) {
   return options.palette == Options::Palette::gray ? render::without_hues(theme) : theme;
 }
 
-std::vector<std::size_t> wanted_frames(const LessonInfo& info, const Options& options,
-                                       const std::vector<Shot>& shots) {
+List<int> wanted_frames(const LessonInfo& info, const Options& options, const List<Shot>& shots) {
   FrameSupply supply = {.cover = info.cover};
-  for (std::size_t i = 0; i < shots.size(); ++i) {
+  for (int i = 0; i < shots.size(); ++i) {
     const std::string place = short_name(info) + ", frame " + std::to_string(i + 1) + ": ";
     if (shots[i].alt.empty()) throw std::logic_error(place + "there is no alt text");
     if (!shots[i].draw) throw std::logic_error(place + "there is nothing that draws");
@@ -38,11 +37,11 @@ std::vector<std::size_t> wanted_frames(const LessonInfo& info, const Options& op
 }
 
 /// The files that the folder's frames.json names: only such as this lesson could have written.
-std::vector<std::string> earlier_frames(const fs::path& folder, const std::string& stem) {
+List<std::string> earlier_frames(const fs::path& folder, const std::string& stem) {
   std::ifstream stream(folder / "frames.json");
   if (!stream) return {};
   const Json old = Json::parse(stream, nullptr, false);
-  std::vector<std::string> files;
+  List<std::string> files;
   if (!old.is_object() || !old.contains("frames") || !old["frames"].is_array()) return files;
   for (const Json& frame : old["frames"]) {
     if (!frame.is_object() || !frame.contains("file") || !frame["file"].is_string()) continue;
@@ -54,7 +53,7 @@ std::vector<std::string> earlier_frames(const fs::path& folder, const std::strin
   return files;
 }
 
-void remove_all_but(const fs::path& folder, const std::vector<std::string>& files,
+void remove_all_but(const fs::path& folder, const List<std::string>& files,
                     const std::set<std::string>& kept) {
   std::error_code ignored;
   for (const std::string& file : files) {
@@ -71,9 +70,9 @@ class FilmMaker {
         console_(console),
         page_(options.width, options.height, theme_of(options)) {}
 
-  FilmReport make(const std::vector<Shot>& shots, const std::vector<std::size_t>& wanted) {
+  FilmReport make(const List<Shot>& shots, const List<int>& wanted) {
     // Known before anything is written, so that an old picture is never left among the new.
-    const std::vector<std::string> earlier = earlier_frames(options_.out, stem());
+    const List<std::string> earlier = earlier_frames(options_.out, stem());
     try {
       write_frames(shots, wanted);
       render::write_file(options_.out / "frames.json", std::string_view(index_.dump(2) + "\n"));
@@ -82,7 +81,7 @@ class FilmMaker {
       throw;
     }
     remove_all_but(options_.out, earlier, written_);
-    report_.pictures = static_cast<int>(wanted.size());
+    report_.pictures = wanted.size();
     report_.backend = page_.canvas().backend();
     return std::move(report_);
   }
@@ -90,12 +89,12 @@ class FilmMaker {
  private:
   std::string stem() const { return "l" + two_digits(info_.number); }
 
-  void write_frames(const std::vector<Shot>& shots, const std::vector<std::size_t>& wanted) {
+  void write_frames(const List<Shot>& shots, const List<int>& wanted) {
     index_ = {{"lesson", info_.number}, {"title", info_.title}, {"frames_of_the_sequence", shots.size()}};
     index_["frames"] = Json::array();
     Progress progress(options_.console, "pictures", wanted.size());
     render::FrameWriter writer(options_.out, stem());
-    for (std::size_t done = 0; done < wanted.size(); ++done) {
+    for (int done = 0; done < wanted.size(); ++done) {
       const Shot& shot = shots[wanted[done]];
       draw(shot, wanted[done], shots.size());
       const std::string file = writer.add(page_.canvas().read()).filename().string();
@@ -108,12 +107,12 @@ class FilmMaker {
     writer.finish();
   }
 
-  void draw(const Shot& shot, std::size_t index, std::size_t count) {
+  void draw(const Shot& shot, int index, int count) {
     page_.begin({.number = two_digits(info_.number),
                  .title = info_.title,
                  .state = shot.state,
-                 .frame = static_cast<int>(index),
-                 .frames = static_cast<int>(count)});
+                 .frame = index,
+                 .frames = count});
     shot.draw(page_);
     for (const std::string& finding : render::lint(page_)) {
       report_.findings.push_back("frame " + std::to_string(index + 1) + ": " + finding);
@@ -137,9 +136,9 @@ class FilmMaker {
 
 }  // namespace
 
-FilmReport draw_film(const LessonInfo& info, const Options& options, const std::vector<Shot>& shots,
+FilmReport draw_film(const LessonInfo& info, const Options& options, const List<Shot>& shots,
                      Console& console) {
-  const std::vector<std::size_t> wanted = wanted_frames(info, options, shots);
+  const List<int> wanted = wanted_frames(info, options, shots);
   if (wanted.empty()) return {};
   return FilmMaker(info, options, console).make(shots, wanted);
 }

@@ -3,18 +3,18 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "lessons/arguments.hpp"
 #include "lessons/console.hpp"
 #include "lessons/lesson.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 struct FilmReport {
   int pictures = 0;
-  std::string backend = {};                // that drew them
-  std::vector<std::string> findings = {};  // about the layout: "frame 3: ..."
+  std::string backend = {};         // that drew them
+  List<std::string> findings = {};  // about the layout: "frame 3: ..."
 };
 
 /// Writes lNN_0001.png ... and frames.json into options.out, and removes the frames that an earlier
@@ -22,7 +22,7 @@ struct FilmReport {
 /// this run are removed too.
 /// @throws render::RenderError, render::WriteError, NoSuchFrame; std::logic_error for a shot without alt
 /// text.
-FilmReport draw_film(const LessonInfo& info, const Options& options, const std::vector<Shot>& shots,
+FilmReport draw_film(const LessonInfo& info, const Options& options, const List<Shot>& shots,
                      Console& console);
 
 }  // namespace cairn

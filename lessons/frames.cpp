@@ -7,7 +7,7 @@
 namespace cairn {
 namespace {
 
-constexpr std::size_t most_key_frames = 12;
+constexpr int most_key_frames = 12;
 
 std::optional<int> parse_frame_number(std::string_view text) {
   int value = 0;
@@ -35,15 +35,15 @@ std::optional<FrameChoice> parse_range(std::string_view text) {
 }
 
 /// From 0; below 0 or beyond the end when there is no such frame.
-long long index_of(int number, std::size_t count) {
+long long index_of(int number, int count) {
   return number > 0 ? number - 1LL : static_cast<long long>(count) + number;
 }
 
-std::vector<std::size_t> frames_in_range(const FrameChoice& choice, std::size_t count) {
+List<int> frames_in_range(const FrameChoice& choice, int count) {
   const long long first = std::max(0LL, index_of(choice.first, count));
   const long long last = std::min(static_cast<long long>(count) - 1, index_of(choice.last, count));
-  std::vector<std::size_t> chosen;
-  for (long long i = first; i <= last; i += choice.step) chosen.push_back(static_cast<std::size_t>(i));
+  List<int> chosen;
+  for (long long i = first; i <= last; i += choice.step) chosen.push_back(static_cast<int>(i));
   if (chosen.empty()) {
     const std::string asked = choice.first == choice.last ? "frame " + std::to_string(choice.first)
                                                           : "frames " + std::to_string(choice.first) + ":" +
@@ -54,9 +54,9 @@ std::vector<std::size_t> frames_in_range(const FrameChoice& choice, std::size_t 
   return chosen;
 }
 
-std::vector<std::size_t> key_frames(const FrameSupply& supply) {
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < supply.key.size(); ++i) {
+List<int> key_frames(const FrameSupply& supply) {
+  List<int> chosen;
+  for (int i = 0; i < supply.key.size(); ++i) {
     if (supply.key[i]) chosen.push_back(i);
   }
   if (chosen.size() > most_key_frames) {
@@ -66,13 +66,13 @@ std::vector<std::size_t> key_frames(const FrameSupply& supply) {
   return chosen;
 }
 
-std::vector<std::size_t> cover_frame(const FrameSupply& supply) {
+List<int> cover_frame(const FrameSupply& supply) {
   const long long index = index_of(supply.cover, supply.key.size());
-  if (supply.cover == 0 || index < 0 || index >= static_cast<long long>(supply.key.size())) {
+  if (supply.cover == 0 || index < 0 || index >= supply.key.size()) {
     throw std::logic_error("the cover is frame " + std::to_string(supply.cover) + " of " +
                            std::to_string(supply.key.size()));
   }
-  return {static_cast<std::size_t>(index)};
+  return {static_cast<int>(index)};
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ std::optional<FrameChoice> parse_frames(std::string_view text) {
   return parse_range(text);
 }
 
-std::vector<std::size_t> chosen_frames(const FrameChoice& choice, const FrameSupply& supply) {
+List<int> chosen_frames(const FrameChoice& choice, const FrameSupply& supply) {
   switch (choice.kind) {
     case FrameChoice::Kind::none:
       return {};
@@ -94,8 +94,7 @@ std::vector<std::size_t> chosen_frames(const FrameChoice& choice, const FrameSup
     case FrameChoice::Kind::cover:
       return cover_frame(supply);
     case FrameChoice::Kind::all:
-      return supply.key.empty() ? std::vector<std::size_t>{}
-                                : frames_in_range(FrameChoice{}, supply.key.size());
+      return supply.key.empty() ? List<int>{} : frames_in_range(FrameChoice{}, supply.key.size());
     case FrameChoice::Kind::range:
       return frames_in_range(choice, supply.key.size());
   }

@@ -1,12 +1,12 @@
 // Which frames of a sequence are wanted: --frames key|all|none|cover|A:B[:S]|N.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -22,8 +22,8 @@ std::optional<FrameChoice> parse_frames(std::string_view text);
 
 /// What is chosen from.
 struct FrameSupply {
-  std::vector<bool> key = {};  // one for each frame of the sequence
-  int cover = -1;              // as FrameChoice::first
+  List<bool> key = {};  // one for each frame of the sequence
+  int cover = -1;       // as FrameChoice::first
 };
 
 /// The sequence has no such frame.
@@ -34,6 +34,6 @@ struct NoSuchFrame : std::runtime_error {
 /// The chosen frames, from 0, in order.
 /// @throws NoSuchFrame when a range holds none, std::logic_error for more than 12 key frames or a cover that
 /// is none of the frames.
-std::vector<std::size_t> chosen_frames(const FrameChoice& choice, const FrameSupply& supply);
+List<int> chosen_frames(const FrameChoice& choice, const FrameSupply& supply);
 
 }  // namespace cairn

@@ -8,6 +8,7 @@
 
 #include "lessons/words.hpp"
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 namespace {
@@ -56,11 +57,11 @@ std::string example_value(const Parameter& parameter) {
 
 std::string examples(const LessonInfo& info) {
   const std::string name = program_name(info);
-  std::vector<std::pair<std::string, std::string>> lines = {
+  List<std::pair<std::string, std::string>> lines = {
       {name, "run it: text, and pictures in out/" + short_name(info) + "/"},
       {name + " --predict", "think first"}};
   std::string scene = name;
-  for (std::size_t i = 0; i < std::min<std::size_t>(2, info.parameters.size()); ++i) {
+  for (int i = 0; i < std::min(2, info.parameters.size()); ++i) {
     scene += " --" + info.parameters[i].flag + " " + example_value(info.parameters[i]);
   }
   if (scene != name) lines.push_back({scene, "another scene"});
@@ -90,7 +91,7 @@ std::string scene_help(const LessonInfo& info) {
   return text;
 }
 
-void add_list(std::string& text, const char* title, const std::vector<std::string>& lines) {
+void add_list(std::string& text, const char* title, const List<std::string>& lines) {
   if (lines.empty()) return;
   text += fmt::format("\n{}\n", title);
   for (const std::string& line : lines) text += "  " + line + "\n";
@@ -151,7 +152,7 @@ std::string text_asked_for(const LessonInfo& info, const Options& options) {
     case Options::Request::version:
       return program_name(info) + " " CAIRN_VERSION "\n";
     case Options::Request::hint:
-      return info.hints.at(static_cast<std::size_t>(options.hint) - 1) + "\n";
+      return info.hints.at(options.hint - 1) + "\n";
     case Options::Request::run:
       break;
   }

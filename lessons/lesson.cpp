@@ -14,11 +14,11 @@
 #include "lessons/claims.hpp"
 #include "lessons/console.hpp"
 #include "lessons/film.hpp"
-#include "measure/fingerprint.hpp"
 #include "lessons/help.hpp"
 #include "lessons/records.hpp"
 #include "lessons/words.hpp"
 #include "math/check.hpp"
+#include "measure/fingerprint.hpp"
 #include "render/image.hpp"
 
 namespace cairn {
@@ -27,7 +27,7 @@ struct Lesson::State {
   const LessonInfo& info;
   Options options;
   Console console;
-  std::optional<std::vector<double>> guess = {};
+  std::optional<List<double>> guess = {};
   bool is_wrong = false;  // the answer that was given with --answer
   bool was_filmed = false;
   RunRecord record = {};
@@ -44,8 +44,8 @@ namespace {
 
 constexpr int page_width = 104;
 
-std::string numbers_text(const std::vector<double>& numbers) {
-  std::vector<std::string> words;
+std::string numbers_text(const List<double>& numbers) {
+  List<std::string> words;
   for (const double number : numbers) words.push_back(short_number(number));
   return joined(words, ", ");
 }
@@ -53,7 +53,7 @@ std::string numbers_text(const std::vector<double>& numbers) {
 /// The line in two parts, the second at the right edge.
 std::string spread(const std::string& left, const std::string& right) {
   const int blanks = std::max(3, page_width - display_width(left) - display_width(right));
-  return right.empty() ? left : left + std::string(static_cast<std::size_t>(blanks), ' ') + right;
+  return right.empty() ? left : left + repeated(' ', blanks) + right;
 }
 
 }  // namespace
@@ -116,7 +116,7 @@ void Lesson::State::write_files() {
 }
 
 int Lesson::State::exit_code() const {
-  const bool all_hold = holding(record.claims) == static_cast<int>(record.claims.size());
+  const bool all_hold = holding(record.claims) == record.claims.size();
   return all_hold && !is_wrong ? 0 : 1;
 }
 
@@ -165,15 +165,14 @@ void Lesson::predict() {
   }
 }
 
-void Lesson::answer(const std::vector<double>& right, double tolerance, std::string_view explanation) {
+void Lesson::answer(const List<double>& right, double tolerance, std::string_view explanation) {
   const Options& options = state_->options;
   if (options.answer) state_->guess = options.answer;
   const std::string told = numbers_text(right) + "   " + std::string(explanation);
   if (!state_->guess) return print(wrapped("ANSWER   " + told, page_width, 9));
-  const std::vector<double>& guess = *state_->guess;
+  const List<double>& guess = *state_->guess;
   bool is_right = guess.size() == right.size();
-  for (std::size_t i = 0; is_right && i < right.size(); ++i)
-    is_right = std::abs(guess[i] - right[i]) <= tolerance;
+  for (int i = 0; is_right && i < right.size(); ++i) is_right = std::abs(guess[i] - right[i]) <= tolerance;
   Console& console = state_->console;
   const std::string verdict =
       is_right ? "RIGHT    " : "NOT YET  you said " + numbers_text(guess) + "; it is ";
@@ -196,7 +195,7 @@ void Lesson::check_that(std::string_view claim, bool holds, std::string_view sho
 
 bool Lesson::draws() const { return state_->options.frames.kind != FrameChoice::Kind::none; }
 
-void Lesson::film(const std::vector<Shot>& shots) {
+void Lesson::film(const List<Shot>& shots) {
   if (std::exchange(state_->was_filmed, true)) throw std::logic_error("a lesson has one film");
   if (!draws()) return;
   FilmReport& report = state_->record.film;
@@ -218,7 +217,7 @@ void Lesson::fingerprint(const Snapshot& final_state) {
   state_->record.fingerprint = hexadecimal(fingerprint_of(final_state));
 }
 
-void Lesson::fingerprint(const std::vector<double>& numbers) {
+void Lesson::fingerprint(const List<double>& numbers) {
   state_->record.fingerprint = hexadecimal(fingerprint_of(numbers));
 }
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "math/list.hpp"
 #include "measure/csv.hpp"
 #include "render/page.hpp"
 #include "world/snapshot.hpp"
@@ -28,24 +28,24 @@ struct Parameter {
 /// A choice: `--precision float`. The first value is the standard.
 struct Choice {
   std::string flag = {};
-  std::vector<std::string> values = {};
+  List<std::string> values = {};
   std::string what = {};
 };
 
 /// What a lesson is, before it runs: shown by --help, --about, `lessons list`.
 struct LessonInfo {
   int number = 0;
-  std::string name = {};                    // "sequential_impulses": program lesson06_sequential_impulses
-  std::string title = {};                   // "Sequential impulses"
-  std::string idea = {};                    // one sentence
-  std::string paper = {};                   // "paper 3.2, Algorithm 1, eq (19)-(23)"
-  std::vector<std::string> equations = {};  // "(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)"
-  std::vector<std::string> needs = {};      // what to know first: "lesson 06" ...
-  std::vector<std::string> reads = {};      // files of the project to read next
-  std::string question = {};                // to predict before the lesson shows it
-  std::vector<std::string> hints = {};      // up to three, from vague to plain
-  std::vector<Parameter> parameters = {};
-  std::vector<Choice> choices = {};
+  std::string name = {};             // "sequential_impulses": program lesson06_sequential_impulses
+  std::string title = {};            // "Sequential impulses"
+  std::string idea = {};             // one sentence
+  std::string paper = {};            // "paper 3.2, Algorithm 1, eq (19)-(23)"
+  List<std::string> equations = {};  // "(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)"
+  List<std::string> needs = {};      // what to know first: "lesson 06" ...
+  List<std::string> reads = {};      // files of the project to read next
+  std::string question = {};         // to predict before the lesson shows it
+  List<std::string> hints = {};      // up to three, from vague to plain
+  List<Parameter> parameters = {};
+  List<Choice> choices = {};
   int cover = -1;  // the frame that stands for the lesson, from 1; negative: from the end
   std::string next =
       {};  // "lesson08_same_thing_twice   (the same pushes, out of a large matrix)"; "" after the last
@@ -78,7 +78,7 @@ class Lesson {
   /// Asks the question of LessonInfo; waits for a guess with --predict on a terminal.
   void predict();
   /// Compares the reader's guess or --answer with what the lesson has computed, and explains.
-  void answer(const std::vector<double>& right, double tolerance, std::string_view explanation);
+  void answer(const List<double>& right, double tolerance, std::string_view explanation);
 
   /// A claim: |value| must be at most `limit`. Prints "CHECK  claim .... value  ok"; a failure makes the
   /// program return 1. A value that is not a number fails.
@@ -91,13 +91,13 @@ class Lesson {
   /// Whether film() will draw anything: without, skip what only pictures need.
   bool draws() const;
   /// Draws the frames that --frames asks for, writes them with frames.json, in --size and --theme.
-  void film(const std::vector<Shot>& shots);
+  void film(const List<Shot>& shots);
   /// The lesson's numbers, tidy: rows.csv, --csv and --json.
   void data(const CsvTable& table);
   /// A fingerprint (FNV-1a, 64 bit) of the bits of the final state, printed at the end; --expect compares it.
   void fingerprint(const Snapshot& final_state);
   /// As above, for lessons without a world.
-  void fingerprint(const std::vector<double>& numbers);
+  void fingerprint(const List<double>& numbers);
 
  private:
   friend int run_lesson(const LessonInfo&, const std::function<void(Lesson&)>&, int, char**);
@@ -115,6 +115,9 @@ struct Diverged : std::runtime_error {
 struct Skipped : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// The card of the lesson that is built: each defines its own, in card.cpp.
+LessonInfo card();
 
 /// The whole of a lesson's main: reads the arguments, prints title and equations, runs, reports.
 /// Returns 0 all claims held, 1 one did not, 2 usage, 3 cannot draw or write, 4 diverged, 77 skipped.

@@ -27,11 +27,11 @@ Json flags_json(const LessonInfo& info, const Options& options) {
 
 std::string json_of(const CsvTable& table) {
   Json rows = Json::array();
-  for (const std::vector<CsvCell>& row : table.rows) {
+  for (const List<CsvCell>& row : table.rows) {
     require(row.size() == table.header.size(), "json_of", "row", "as long as the header",
             static_cast<double>(row.size()));
     Json object = Json::object();
-    for (std::size_t i = 0; i < row.size(); ++i) {
+    for (int i = 0; i < row.size(); ++i) {
       std::visit([&](const auto& value) { object[table.header[i]] = value; }, row[i]);
     }
     rows.push_back(std::move(object));
@@ -65,7 +65,7 @@ std::string run_json(const LessonInfo& info, const Options& options, const RunRe
 }
 
 std::string command_line(const LessonInfo& info, const Options& options) {
-  std::vector<std::string> words = {program_name(info)};
+  List<std::string> words = {program_name(info)};
   for (const Parameter& parameter : info.parameters) {
     words.push_back("--" + parameter.flag + " " + shortest(options.numbers.at(parameter.flag)));
   }

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "lessons/arguments.hpp"
 #include "lessons/claims.hpp"
 #include "lessons/film.hpp"
+#include "math/list.hpp"
 #include "measure/csv.hpp"
 
 namespace cairn {
@@ -17,7 +17,7 @@ std::string csv_of(const CsvTable& table);
 
 /// The flags, claims, state and pictures of a run: the same run gives the same text.
 struct RunRecord {
-  std::vector<Claim> claims = {};
+  List<Claim> claims = {};
   std::string fingerprint = {};  // "" without one
   FilmReport film = {};
 };

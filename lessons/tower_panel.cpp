@@ -15,13 +15,13 @@ using render::Point;
 using render::Rect;
 
 void draw_load_bars(Page& page, const render::Camera& camera, double right, const Snapshot& tower,
-                    const std::vector<double>& loads, const LoadBars& bars) {
+                    const List<double>& loads, const LoadBars& bars) {
   const double left = camera.project({0.5, 0}).x() + 14;
   const double per_newton = (right - left) / bars.largest;
   const double thickness = std::clamp(0.42 * camera.scale, 2.0, 12.0);
-  const std::size_t boxes = loads.size();
-  for (std::size_t i = 0; i < boxes; ++i) {
-    const double y = camera.project({0, tower.bodies[i + 1].pose.position.y()}).y();
+  const int boxes = loads.size();
+  for (int i = 0; i < boxes; ++i) {
+    const double y = camera.project({0, tower.bodies[{i + 1}].pose.position.y()}).y();
     const double length = std::max(0.0, loads[i] * per_newton);
     page.canvas().rect({left, y - thickness / 2, length, thickness},
                        {.fill = bars.color, .outline = page.theme().outline, .outline_width = 1});
@@ -34,7 +34,7 @@ void draw_load_bars(Page& page, const render::Camera& camera, double right, cons
 }  // namespace
 
 render::Camera draw_tower_loads(Page& page, const Rect& view, const Snapshot& tower,
-                                const std::vector<double>& loads, const LoadBars& bars) {
+                                const List<double>& loads, const LoadBars& bars) {
   const auto boxes = static_cast<double>(loads.size());
   render::Camera camera = render::fit(view, {{-1.2, -0.6}, {1.2, boxes + 0.4}});
   camera.center.x() = 0.5 * view.width / camera.scale - 1.2;  // the tower at the left

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/camera.hpp"
 #include "render/page.hpp"
 #include "world/snapshot.hpp"
@@ -21,7 +21,7 @@ struct LoadBars {
 /// is what is under box i, counted from the ground: body i + 1.
 /// @returns how metres of the tower become pixels.
 render::Camera draw_tower_loads(render::Page& page, const render::Rect& view, const Snapshot& tower,
-                                const std::vector<double>& loads, const LoadBars& bars);
+                                const List<double>& loads, const LoadBars& bars);
 
 /// A panel with a solver's colour on top, its marker and name, and a number at the right.
 /// @returns the room below.

@@ -97,8 +97,8 @@ std::optional<double> parse_number(std::string_view text) {
   return *numerator / *denominator;
 }
 
-std::optional<std::vector<double>> parse_numbers(std::string_view text) {
-  std::vector<double> numbers;
+std::optional<List<double>> parse_numbers(std::string_view text) {
+  List<double> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     std::string_view word = text.substr(begin, end - begin);
@@ -143,9 +143,12 @@ int display_width(std::string_view text) {
   return width;
 }
 
+std::string repeated(char character, int count) {
+  return std::string(static_cast<std::size_t>(count), character);
+}
+
 std::string padded(std::string_view text, int width) {
-  const int blanks = std::max(0, width - display_width(text));
-  return std::string(text) + std::string(static_cast<std::size_t>(blanks), ' ');
+  return std::string(text) + repeated(' ', std::max(0, width - display_width(text)));
 }
 
 std::string wrapped(std::string_view text, int width, int indent) {
@@ -156,7 +159,7 @@ std::string wrapped(std::string_view text, int width, int indent) {
     const std::string word(text.substr(begin, end - begin));
     if (!line.empty() && display_width(line) + 1 + display_width(word) > width) {
       result += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-      line = std::string(static_cast<std::size_t>(indent), ' ') + word;
+      line = repeated(' ', indent) + word;
     } else {
       line += (begin == 0 ? "" : " ") + word;
     }
@@ -173,7 +176,7 @@ std::string shell_quoted(const std::string& text) {
   return result + "'";
 }
 
-std::string joined(const std::vector<std::string>& words, std::string_view between) {
+std::string joined(const List<std::string>& words, std::string_view between) {
   std::string result;
   for (const std::string& word : words) result += (result.empty() ? "" : std::string(between)) + word;
   return result;

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "math/list.hpp"
 #include "math/nearest.hpp"
 
 namespace cairn {
@@ -14,13 +14,16 @@ namespace cairn {
 std::optional<double> parse_number(std::string_view text);
 
 /// Numbers between commas; nothing unless each is one.
-std::optional<std::vector<double>> parse_numbers(std::string_view text);
+std::optional<List<double>> parse_numbers(std::string_view text);
 
 /// The text in ASCII: "λ₂ = j M⁻¹ jᵀ" becomes "lambda_2 = j M^-1 j^T".
 std::string transliterated(std::string_view text);
 
 /// The columns that UTF-8 text takes on a terminal (every letter counts one, combining marks none).
 int display_width(std::string_view text);
+
+/// The character, so many times.
+std::string repeated(char character, int count);
 
 /// The text and blanks behind it, `width` columns in all; the text alone if it is longer.
 std::string padded(std::string_view text, int width);
@@ -33,6 +36,6 @@ std::string wrapped(std::string_view text, int width, int indent);
 std::string shell_quoted(const std::string& text);
 
 /// "a, b, c".
-std::string joined(const std::vector<std::string>& words, std::string_view between);
+std::string joined(const List<std::string>& words, std::string_view between);
 
 }  // namespace cairn

@@ -6,16 +6,17 @@
 #include <string>
 
 #include "math/check.hpp"
+#include "math/list.hpp"
 #include "render/sequence.hpp"
 
 namespace cairn::render {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using Bytes = List<std::uint8_t>;
 
 // Of every file that encode_png() makes: signature, header chunk, then one chunk with all pixels.
-constexpr std::size_t signature_size = 8;
-constexpr std::size_t header_end = signature_size + 12 + 13;
+constexpr int signature_size = 8;
+constexpr int header_end = signature_size + 12 + 13;
 
 struct Block {
   int x = 0, y = 0, width = 1, height = 1;  // [px]
@@ -31,26 +32,23 @@ void append_short(Bytes& bytes, std::uint32_t value) {
 }
 
 /// Length, name, data, and the checksum of name and data.
-void append_chunk(Bytes& file, std::string_view name, std::span<const std::uint8_t> data) {
+void append_chunk(Bytes& file, std::string_view name, Span<const std::uint8_t> data) {
   append_number(file, static_cast<std::uint32_t>(data.size()));
-  const std::size_t start = file.size();
+  const int start = file.size();
   file.insert(file.end(), name.begin(), name.end());
   file.insert(file.end(), data.begin(), data.end());
-  const uLong checksum = crc32_z(0, file.data() + start, file.size() - start);
+  const uLong checksum = crc32_z(0, file.data() + start, static_cast<z_size_t>(file.size() - start));
   append_number(file, static_cast<std::uint32_t>(checksum));
 }
 
 /// The compressed pixels inside a file of encode_png().
-std::span<const std::uint8_t> compressed_pixels(std::span<const std::uint8_t> png) {
-  std::size_t length = 0;
-  for (std::size_t i = 0; i < 4; ++i) length = length << 8 | png[header_end + i];
+Span<const std::uint8_t> compressed_pixels(Span<const std::uint8_t> png) {
+  int length = 0;
+  for (int i = 0; i < 4; ++i) length = length << 8 | png[header_end + i];
   return png.subspan(header_end + 8, length);
 }
 
-std::size_t offset_of(const Image& image, int x, int y) {
-  return 3 *
-         (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
-}
+int offset_of(const Image& image, int x, int y) { return 3 * (y * image.width + x); }
 
 /// The smallest rectangle that holds every pixel that changed. The format knows no empty frame: one pixel
 /// then.
@@ -58,7 +56,7 @@ Block changed_rect(const Image& before, const Image& after) {
   int left = after.width, right = -1, top = after.height, bottom = -1;
   for (int y = 0; y < after.height; ++y) {
     for (int x = 0; x < after.width; ++x) {
-      const auto pixel = static_cast<std::ptrdiff_t>(offset_of(after, x, y));
+      const int pixel = offset_of(after, x, y);
       if (std::equal(before.pixels.begin() + pixel, before.pixels.begin() + pixel + 3,
                      after.pixels.begin() + pixel)) {
         continue;
@@ -76,7 +74,7 @@ Block changed_rect(const Image& before, const Image& after) {
 Image cropped(const Image& image, const Block& rect) {
   Image part{.width = rect.width, .height = rect.height};
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
-    const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(offset_of(image, rect.x, y));
+    const auto row = image.pixels.begin() + offset_of(image, rect.x, y);
     part.pixels.insert(part.pixels.end(), row, row + 3 * rect.width);
   }
   return part;
@@ -96,7 +94,7 @@ Bytes frame_control(std::uint32_t sequence_number, const Block& rect, std::uint3
   return data;
 }
 
-void require_sequence(std::span<const Image> images, double frames_per_second) {
+void require_sequence(Span<const Image> images, double frames_per_second) {
   require(!images.empty(), "write_apng", "images", "at least one", 0);
   require(frames_per_second >= 0.01 && frames_per_second <= 655, "write_apng", "frames_per_second",
           "0.01 to 655 1/s", frames_per_second);
@@ -110,7 +108,7 @@ void require_sequence(std::span<const Image> images, double frames_per_second) {
 
 }  // namespace
 
-void write_apng(const std::filesystem::path& path, std::span<const Image> images, double frames_per_second) {
+void write_apng(const std::filesystem::path& path, Span<const Image> images, double frames_per_second) {
   require_sequence(images, frames_per_second);
   const auto hundredths = static_cast<std::uint32_t>(std::lround(100 * frames_per_second));
   const Bytes first = encode_png(images[0]);
@@ -125,11 +123,11 @@ void write_apng(const std::filesystem::path& path, std::span<const Image> images
   const Block whole = {.x = 0, .y = 0, .width = images[0].width, .height = images[0].height};
   append_chunk(file, "fcTL", frame_control(sequence_number++, whole, hundredths));
   append_chunk(file, "IDAT", compressed_pixels(first));
-  for (std::size_t i = 1; i < images.size(); ++i) {
+  for (int i = 1; i < images.size(); ++i) {
     const Block rect = changed_rect(images[i - 1], images[i]);
     append_chunk(file, "fcTL", frame_control(sequence_number++, rect, hundredths));
     const Bytes png = encode_png(cropped(images[i], rect));
-    const std::span<const std::uint8_t> pixels = compressed_pixels(png);
+    const Span<const std::uint8_t> pixels = compressed_pixels(png);
     Bytes data;
     append_number(data, sequence_number++);
     data.insert(data.end(), pixels.begin(), pixels.end());

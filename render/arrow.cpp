@@ -2,9 +2,9 @@
 #include "render/arrow.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "render/text_layout.hpp"
 
 namespace cairn::render {
@@ -72,7 +72,7 @@ ArrowShape shape_of(const Page& page, const Camera& camera, const ArrowScale& sc
 
 void draw_solid(Canvas& canvas, const ArrowShape& shape, const Point& from, const Point& to) {
   const Point side = 0.5 * shape.shaft * shape.across;
-  const std::array<Point, 4> corners = {from - side, to - side, to + side, from + side};
+  const FixedList<Point, 4> corners = {from - side, to - side, to + side, from + side};
   canvas.polygon(corners, {.fill = shape.color});
 }
 
@@ -81,7 +81,7 @@ void draw_hatched(Canvas& canvas, const ArrowShape& shape, const Point& from, co
   const double half = 0.5 * shape.shaft + 1;
   const Point side = half * shape.across;
   const Stroke line = {.width = 1.25, .color = shape.color, .dash = {}};
-  const std::array<Point, 5> outline = {from - side, to - side, to + side, from + side, from - side};
+  const FixedList<Point, 5> outline = {from - side, to - side, to + side, from + side, from - side};
   canvas.polyline(outline, line);
   const double length = (to - from).norm();
   for (double s = 0; s + 2 * half <= length; s += 4) {
@@ -118,14 +118,14 @@ void draw_head(Canvas& canvas, const ArrowShape& shape, ArrowKind kind) {
   const Point base = shape.tip - shape.head_length * shape.along;
   const Point side = 0.5 * shape.head_width * shape.across;
   if (kind != ArrowKind::velocity) {
-    const std::array<Point, 3> corners = {base - side, shape.tip, base + side};
+    const FixedList<Point, 3> corners = {base - side, shape.tip, base + side};
     canvas.polygon(corners, {.fill = shape.color});
     return;
   }
   // The stroke's round cap would reach beyond the tip by half its width.
   const double width = std::max(1.5, 0.65 * shape.shaft);
   const Point inset = 0.5 * width * shape.along;
-  const std::array<Point, 3> chevron = {base - side, shape.tip - inset, base + side};
+  const FixedList<Point, 3> chevron = {base - side, shape.tip - inset, base + side};
   canvas.polyline(chevron, {.width = width, .color = shape.color, .dash = {}});
 }
 
@@ -169,9 +169,11 @@ void draw_shape(Canvas& canvas, const ArrowShape& shape, ArrowKind kind) {
 
 /// Whether the label already tells a number, other than an index such as the 2 of λ_2.
 bool has_number(const std::string& label) {
-  for (std::size_t i = 0; i < label.size(); ++i) {
-    if (label[i] < '0' || label[i] > '9') continue;
-    if (i == 0 || (label[i - 1] != '_' && label[i - 1] != '{' && label[i - 1] != '^')) return true;
+  char before = ' ';
+  for (const char letter : label) {
+    const bool is_digit = letter >= '0' && letter <= '9';
+    if (is_digit && before != '_' && before != '{' && before != '^') return true;
+    before = letter;
   }
   return false;
 }
@@ -197,7 +199,7 @@ TextStyle label_style(const Page& page, const ArrowShape& shape, bool lit) {
 
 /// Base lines, centred, of a text beside the arrow: right (or above) of its middle, on the other side, beyond
 /// the tip, before the tail, and beside both ends.
-std::vector<Point> label_places(const ArrowShape& shape, double width, const TextStyle& style) {
+List<Point> label_places(const ArrowShape& shape, double width, const TextStyle& style) {
   Point side = shape.across;
   if (side.x() < -1e-9 || (std::abs(side.x()) <= 1e-9 && side.y() > 0)) side = -side;
   const double height = style.size;
@@ -210,8 +212,8 @@ std::vector<Point> label_places(const ArrowShape& shape, double width, const Tex
   const Point first = shape.tail + 0.2 * shape.length * shape.along;
   const Point middle = shape.tail + 0.5 * shape.length * shape.along;
   const Point last = shape.tail + 0.8 * shape.length * shape.along;
-  std::vector<Point> places = {middle + out, middle - out, shape.tip + ahead, shape.tail - ahead,
-                               last + out,   last - out,   first + out,       first - out};
+  List<Point> places = {middle + out, middle - out, shape.tip + ahead, shape.tail - ahead,
+                        last + out,   last - out,   first + out,       first - out};
   for (Point& place : places)
     place = Point(std::round(place.x()), std::round(baseline_around(place.y(), height)));
   return places;
@@ -251,7 +253,7 @@ void draw_friction_limit(Page& page, const Camera& camera, const ArrowScale& sca
   for (const double sign : {-1.0, 1.0}) {
     const Point end = start + sign * reach * along;
     const Point inward = -sign * leg * along;
-    const std::array<Point, 4> bracket = {end - side + inward, end - side, end + side, end + side + inward};
+    const FixedList<Point, 4> bracket = {end - side + inward, end - side, end + side, end + side + inward};
     page.canvas().polyline(bracket, {.width = width, .color = page.theme().friction, .dash = {}});
   }
 }

@@ -108,7 +108,7 @@ double widest_number(const BarSheet& sheet) {
 
 void divide(BarSheet& sheet) {
   const Rect& room = sheet.room;
-  const auto count = static_cast<double>(sheet.chart.bars.size());
+  const double count = sheet.chart.bars.size();
   sheet.pitch = std::min(largest_pitch, room.height / count);
   const double part = sheet.pitch >= 24 ? 0.55 : 0.7;
   sheet.thickness = std::clamp(std::floor(part * sheet.pitch), 2.0, largest_thickness);
@@ -137,11 +137,11 @@ double x_of(const BarSheet& sheet, double value) {
   return sheet.plot.x + sheet.plot.width * std::clamp(part, 0.0, 1.0);
 }
 
-double middle_of(const BarSheet& sheet, std::size_t row) {
-  return std::round(sheet.plot.y + sheet.pitch * (static_cast<double>(row) + 0.5));
+double middle_of(const BarSheet& sheet, int row) {
+  return std::round(sheet.plot.y + sheet.pitch * (row + 0.5));
 }
 
-Rect part_of(const BarSheet& sheet, std::size_t row, double from, double to) {
+Rect part_of(const BarSheet& sheet, int row, double from, double to) {
   const double a = x_of(sheet, from);
   const double b = x_of(sheet, to);
   return {std::min(a, b), middle_of(sheet, row) - sheet.thickness / 2, std::abs(b - a), sheet.thickness};

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/bars.hpp"
 
 namespace cairn::render {
@@ -26,7 +26,7 @@ struct BarSheet {
   double thickness = 0;  // [px] of a bar
   double text_size = 0;  // [px]
   int decimals = 0;      // of exact values
-  std::vector<Rect> taken = {};
+  List<Rect> taken = {};
 };
 
 /// Draws the panel with its title and key and divides what is left.
@@ -44,9 +44,9 @@ bool has_value(const Bar& bar);
 bool beyond(const BarSheet& sheet, double value);
 /// Inside the plot, whatever the value.
 double x_of(const BarSheet& sheet, double value);
-double middle_of(const BarSheet& sheet, std::size_t row);
+double middle_of(const BarSheet& sheet, int row);
 /// The bar between two values, either of which may be the larger.
-Rect part_of(const BarSheet& sheet, std::size_t row, double from, double to);
+Rect part_of(const BarSheet& sheet, int row, double from, double to);
 
 /// Whether text of this size fits between the bars of two rows.
 bool has_room_between(const BarSheet& sheet, double size);

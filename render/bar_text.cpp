@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "render/bar_sheet.hpp"
 #include "render/lint.hpp"
 #include "render/text_layout.hpp"
@@ -23,8 +24,7 @@ bool within(const Rect& inner, const Rect& outer) {
 
 // Writes at the first place that is free.
 // @returns whether there was one.
-bool write(BarSheet& sheet, const std::vector<Point>& places, const std::string& text,
-           const TextStyle& style) {
+bool write(BarSheet& sheet, const List<Point>& places, const std::string& text, const TextStyle& style) {
   for (const Point& at : places) {
     const Rect rect = text_rect(sheet.page.canvas(), at, text, style);
     const auto in_the_way = [&rect](const Rect& other) { return overlap(rect, other); };
@@ -40,9 +40,8 @@ bool write(BarSheet& sheet, const std::vector<Point>& places, const std::string&
 
 // Base lines above, then below the bar, ever further from x until `farthest` px, for centred text. None where
 // the text would stand on the next row and seem to belong to it.
-std::vector<Point> over_and_under(const BarSheet& sheet, std::size_t row, double x, double size,
-                                  double farthest) {
-  std::vector<Point> places;
+List<Point> over_and_under(const BarSheet& sheet, int row, double x, double size, double farthest) {
+  List<Point> places;
   if (!has_room_between(sheet, size)) return places;
   const double y = middle_of(sheet, row);
   const double reach = sheet.thickness / 2 + 4;
@@ -56,8 +55,8 @@ std::vector<Point> over_and_under(const BarSheet& sheet, std::size_t row, double
 }
 
 // In the middle of the row, from x to the right, not further than `reach` px.
-std::vector<Point> behind(const BarSheet& sheet, std::size_t row, double x, double size, double reach = 1e4) {
-  std::vector<Point> places;
+List<Point> behind(const BarSheet& sheet, int row, double x, double size, double reach = 1e4) {
+  List<Point> places;
   const double base = baseline_around(middle_of(sheet, row), size);
   const double right = std::min(x + reach, sheet.room.x + sheet.room.width);
   for (double at = x + number_gap; at < right; at += 2) places.emplace_back(at, base);
@@ -70,7 +69,7 @@ TextStyle centered(TextStyle style) {
 }
 
 // @returns whether there was room for it.
-bool write_name(BarSheet& sheet, std::size_t row) {
+bool write_name(BarSheet& sheet, int row) {
   const Bar& bar = sheet.chart.bars[row];
   TextStyle style = bar_text(sheet);
   style.align = Align::right;
@@ -81,7 +80,7 @@ bool write_name(BarSheet& sheet, std::size_t row) {
 }
 
 // Beside the tick upon the grey part, in ink that reads there.
-bool write_upon_bar(BarSheet& sheet, std::size_t row, double x, const std::string& number) {
+bool write_upon_bar(BarSheet& sheet, int row, double x, const std::string& number) {
   const Bar& bar = sheet.chart.bars[row];
   TextStyle style = bar_text(sheet);
   style.halo = sheet.page.theme().inactive;
@@ -97,7 +96,7 @@ bool write_upon_bar(BarSheet& sheet, std::size_t row, double x, const std::strin
 }
 
 // Above or below the bar, where the tick ends.
-bool write_beside_tick_end(BarSheet& sheet, std::size_t row, double x, const std::string& number) {
+bool write_beside_tick_end(BarSheet& sheet, int row, double x, const std::string& number) {
   TextStyle style = bar_text(sheet);
   for (const Point& at : over_and_under(sheet, row, x, style.size, 0)) {
     style.align = Align::left;
@@ -109,7 +108,7 @@ bool write_beside_tick_end(BarSheet& sheet, std::size_t row, double x, const std
 }
 
 // Beside the tick; where a bar covers that place above it; or behind the bar with a tick of its own.
-void write_exact(BarSheet& sheet, std::size_t row) {
+void write_exact(BarSheet& sheet, int row) {
   const Bar& bar = sheet.chart.bars[row];
   if (!has_exact(bar)) return;
   TextStyle style = bar_text(sheet);
@@ -131,7 +130,7 @@ void write_exact(BarSheet& sheet, std::size_t row) {
 }
 
 // What is added now; behind everything else in rows with no room above the bar.
-void write_added(BarSheet& sheet, std::size_t row) {
+void write_added(BarSheet& sheet, int row) {
   const Bar& bar = sheet.chart.bars[row];
   if (!bar.active) return;
   const TextStyle style = added_text(sheet);
@@ -147,7 +146,7 @@ void write_added(BarSheet& sheet, std::size_t row) {
 bool rows_are_apart(const BarSheet& sheet) { return sheet.pitch >= 1.1 * sheet.text_size; }
 
 // A cut bar, or one that could not be drawn, says why.
-void write_value(BarSheet& sheet, std::size_t row) {
+void write_value(BarSheet& sheet, int row) {
   const Bar& bar = sheet.chart.bars[row];
   const TextStyle style = bar_text(sheet);
   if (!has_value(bar)) {
@@ -165,16 +164,16 @@ void write_value(BarSheet& sheet, std::size_t row) {
 }  // namespace
 
 void write_bar_texts(BarSheet& sheet) {
-  const std::vector<Bar>& bars = sheet.chart.bars;
-  std::vector<std::size_t> order;  // the active row first: it is the one that must be read
-  for (std::size_t row = 0; row < bars.size(); ++row) order.push_back(row);
-  std::stable_partition(order.begin(), order.end(), [&bars](std::size_t row) { return bars[row].active; });
-  std::vector<std::size_t> readable;
-  for (const std::size_t row : order) {
+  const List<Bar>& bars = sheet.chart.bars;
+  List<int> order;  // the active row first: it is the one that must be read
+  for (int row = 0; row < bars.size(); ++row) order.push_back(row);
+  std::stable_partition(order.begin(), order.end(), [&bars](int row) { return bars[row].active; });
+  List<int> readable;
+  for (const int row : order) {
     if (write_name(sheet, row) || rows_are_apart(sheet)) readable.push_back(row);
   }
   const bool apart = has_room_between(sheet, added_text(sheet).size);
-  for (const std::size_t row : readable) {
+  for (const int row : readable) {
     write_value(sheet, row);
     if (apart) write_added(sheet, row);  // over its piece, and the exact value may not take that place
     write_exact(sheet, row);

@@ -2,7 +2,6 @@
 #include "render/bars.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "render/bar_sheet.hpp"
@@ -13,8 +12,8 @@ namespace {
 
 constexpr double cut_width = 14;  // [px] from the end of a cut bar to its mark "//"
 
-std::vector<Point> corners_of(const Rect& r) {
-  std::vector<Point> corners;
+List<Point> corners_of(const Rect& r) {
+  List<Point> corners;
   corners.emplace_back(r.x, r.y);
   corners.emplace_back(r.x + r.width, r.y);
   corners.emplace_back(r.x + r.width, r.y + r.height);
@@ -40,7 +39,7 @@ void draw_piece(BarSheet& sheet, const Rect& piece, const PieceLook& look) {
 }
 
 // What is taken back stays as an empty, hatched piece with a head that points back.
-void draw_taken_back(BarSheet& sheet, std::size_t row, double from, double to) {
+void draw_taken_back(BarSheet& sheet, int row, double from, double to) {
   const Rect piece = part_of(sheet, row, from, to);
   const Color panel = sheet.page.theme().panel;
   draw_piece(sheet, piece, {.fill = panel, .outline = sheet.color, .hatch = faded(sheet.color, 0.8)});
@@ -49,13 +48,13 @@ void draw_taken_back(BarSheet& sheet, std::size_t row, double from, double to) {
   const double length = std::clamp(piece.width, 5.0, sheet.page.sizes().head_length);
   const double half = std::min(sheet.thickness * 0.35, length * 0.55);
   const double y = piece.y + piece.height / 2;
-  const std::array<Point, 3> head = {Point(tip, y), Point(tip - direction * length, y - half),
-                                     Point(tip - direction * length, y + half)};
+  const FixedList<Point, 3> head = {Point(tip, y), Point(tip - direction * length, y - half),
+                                    Point(tip - direction * length, y + half)};
   sheet.page.canvas().polygon(head, {.fill = sheet.color});
 }
 
 // Coloured, outlined and hatched: two of the three are seen without colour.
-void draw_given(BarSheet& sheet, std::size_t row, double from, double to) {
+void draw_given(BarSheet& sheet, int row, double from, double to) {
   draw_piece(sheet, part_of(sheet, row, from, to),
              {.fill = sheet.color,
               .outline = sheet.page.theme().outline,
@@ -78,7 +77,7 @@ void draw_cut(BarSheet& sheet, double x, double y) {
 Rect widened(const Rect& bar) { return {bar.x - 4, bar.y, bar.width + 8, bar.height}; }
 
 // What is filled, grey or coloured, is the value now.
-void draw_bar(BarSheet& sheet, std::size_t row) {
+void draw_bar(BarSheet& sheet, int row) {
   const Bar& bar = sheet.chart.bars[row];
   if (!has_value(bar)) return;
   const double end = end_of(bar);
@@ -99,7 +98,7 @@ void draw_bar(BarSheet& sheet, std::size_t row) {
 
 double tick_reach(const BarSheet& sheet) { return std::min(sheet.thickness / 2 + 6, sheet.pitch / 2 - 1); }
 
-void draw_exact(BarSheet& sheet, std::size_t row) {
+void draw_exact(BarSheet& sheet, int row) {
   const Bar& bar = sheet.chart.bars[row];
   if (!has_exact(bar) || beyond(sheet, *bar.exact)) return;
   const double width = sheet.page.compact() ? 2 : 3;
@@ -126,9 +125,9 @@ void draw_axis(BarSheet& sheet) {
 void draw_bars(Page& page, const Rect& rect, const BarChart& chart) {
   BarSheet sheet = lay_out_bars(page, rect, chart);
   if (chart.bars.empty()) return;
-  for (std::size_t row = 0; row < chart.bars.size(); ++row) draw_bar(sheet, row);
+  for (int row = 0; row < chart.bars.size(); ++row) draw_bar(sheet, row);
   draw_axis(sheet);
-  for (std::size_t row = 0; row < chart.bars.size(); ++row) draw_exact(sheet, row);
+  for (int row = 0; row < chart.bars.size(); ++row) draw_exact(sheet, row);
   write_bar_texts(sheet);
 }
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/page.hpp"
 
 namespace cairn::render {
@@ -20,7 +20,7 @@ struct Bar {
 
 struct BarChart {
   std::string title = {};  // with the unit: "accumulated λ (N)"
-  std::vector<Bar> bars = {};
+  List<Bar> bars = {};
   double largest = 0;         // the value at the right end; 0: from the data
   double smallest = 0;        // the value at the left end, not above 0; 0: from the data
   Color color = transparent;  // of what is added; transparent: the theme's normal force

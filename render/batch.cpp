@@ -15,7 +15,7 @@ std::uint8_t to_byte(float value) {
   return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
 }
 
-std::array<std::uint8_t, 4> bytes_of(const Color& color) {
+FixedList<std::uint8_t, 4> bytes_of(const Color& color) {
   return {to_byte(color.r), to_byte(color.g), to_byte(color.b), to_byte(color.a)};
 }
 
@@ -58,7 +58,7 @@ void Batch::clear() {
 
 void Batch::cut(int axis, double limit, double sign) {
   scratch_.clear();
-  for (std::size_t i = 0; i < hull_.size(); ++i) {
+  for (int i = 0; i < hull_.size(); ++i) {
     const Point& here = hull_[i];
     const Point& next = hull_[(i + 1) % hull_.size()];
     const bool here_inside = sign * (here[axis] - limit) <= 0;
@@ -73,7 +73,7 @@ void Batch::cut(int axis, double limit, double sign) {
   hull_.swap(scratch_);
 }
 
-bool Batch::cut_to_bounds(std::span<const Point> hull) {
+bool Batch::cut_to_bounds(Span<const Point> hull) {
   hull_.assign(hull.begin(), hull.end());
   const double right = bounds_.x + bounds_.width;
   const double bottom = bounds_.y + bounds_.height;
@@ -98,7 +98,7 @@ bool Batch::cut_to_bounds(std::span<const Point> hull) {
   return hull_.size() >= 3;
 }
 
-void Batch::add(std::span<const Point> hull, const Measure& measure) {
+void Batch::add(Span<const Point> hull, const Measure& measure) {
   if (clip_.empty() || hull.size() < 3 || !cut_to_bounds(hull)) {
     return;
   }
@@ -106,7 +106,7 @@ void Batch::add(std::span<const Point> hull, const Measure& measure) {
   Vertex vertex = constant_part(measure);
   for (const Point& point : hull_) {
     vertex.position = {static_cast<float>(point.x()), static_cast<float>(point.y())};
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (int k = 0; k < 4; ++k) {
       const Affine& local = measure.local[k];
       vertex.local[k] = static_cast<float>(local.a * point.x() + local.b * point.y() + local.c);
     }
@@ -115,7 +115,8 @@ void Batch::add(std::span<const Point> hull, const Measure& measure) {
   if (draws_.empty() || draws_.back().clip != clip_) {
     draws_.push_back({.clip = clip_, .first = indices_.size(), .count = 0});
   }
-  for (std::uint32_t i = 2; i < hull_.size(); ++i) {
+  const std::uint32_t corners = static_cast<std::uint32_t>(hull_.size());
+  for (std::uint32_t i = 2; i < corners; ++i) {
     indices_.insert(indices_.end(), {base, base + i - 1, base + i});
   }
   draws_.back().count = indices_.size() - draws_.back().first;

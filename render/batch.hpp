@@ -1,12 +1,9 @@
 // Collects shapes as triangles: the vertex format of the one shader, cut to the frame, in draw order.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
-#include <span>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/canvas.hpp"
 
 namespace cairn::render {
@@ -28,23 +25,23 @@ struct Affine {
 ///   hatch    as polygon; second: pitch, half width, phase of the lines
 struct Measure {
   Kind kind = Kind::box;
-  std::array<Affine, 4> local = {};
-  std::array<float, 4> shape = {};
-  std::array<float, 3> first = {0, 0, 1};
-  std::array<float, 3> second = {0, 0, -1};
+  FixedList<Affine, 4> local = {};
+  FixedList<float, 4> shape = {};
+  FixedList<float, 3> first = {0, 0, 1};
+  FixedList<float, 3> second = {0, 0, -1};
   Color fill = transparent;
   Color outline = transparent;
   double half_outline = 0;  // [px]
 };
 
 struct Vertex {
-  std::array<float, 2> position = {};
-  std::array<float, 4> local = {};
-  std::array<float, 4> first_and_kind = {};
-  std::array<float, 4> second_and_half_outline = {};
-  std::array<float, 4> shape = {};
-  std::array<std::uint8_t, 4> fill = {};
-  std::array<std::uint8_t, 4> outline = {};
+  FixedList<float, 2> position = {};
+  FixedList<float, 4> local = {};
+  FixedList<float, 4> first_and_kind = {};
+  FixedList<float, 4> second_and_half_outline = {};
+  FixedList<float, 4> shape = {};
+  FixedList<std::uint8_t, 4> fill = {};
+  FixedList<std::uint8_t, 4> outline = {};
 };
 
 /// Whole pixels; the right and bottom ends are outside.
@@ -58,8 +55,8 @@ struct PixelRect {
 /// Triangles under one clip: a range of the batch's indices.
 struct Draw {
   PixelRect clip = {};
-  std::size_t first = 0;
-  std::size_t count = 0;
+  int first = 0;
+  int count = 0;
 };
 
 /// Finite, and near enough to the frame to be measured in double.
@@ -75,25 +72,25 @@ class Batch {
   void set_clip(const PixelRect& clip) { clip_ = clip; }
 
   /// A shape inside a convex hull that is given in turning order.
-  void add(std::span<const Point> hull, const Measure& measure);
+  void add(Span<const Point> hull, const Measure& measure);
 
-  const std::vector<Vertex>& vertices() const { return vertices_; }
-  const std::vector<std::uint32_t>& indices() const { return indices_; }
-  const std::vector<Draw>& draws() const { return draws_; }
+  const List<Vertex>& vertices() const { return vertices_; }
+  const List<std::uint32_t>& indices() const { return indices_; }
+  const List<Draw>& draws() const { return draws_; }
   /// Where shapes are kept: the frame and a little around it.
   const Rect& bounds() const { return bounds_; }
 
  private:
-  bool cut_to_bounds(std::span<const Point> hull);
+  bool cut_to_bounds(Span<const Point> hull);
   void cut(int axis, double limit, double sign);
 
   Rect bounds_ = {};
   PixelRect clip_ = {};
-  std::vector<Vertex> vertices_ = {};
-  std::vector<std::uint32_t> indices_ = {};
-  std::vector<Draw> draws_ = {};
-  std::vector<Point> hull_ = {};     // the hull being added, cut
-  std::vector<Point> scratch_ = {};  // of cut()
+  List<Vertex> vertices_ = {};
+  List<std::uint32_t> indices_ = {};
+  List<Draw> draws_ = {};
+  List<Point> hull_ = {};     // the hull being added, cut
+  List<Point> scratch_ = {};  // of cut()
 };
 
 }  // namespace cairn::render

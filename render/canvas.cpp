@@ -2,7 +2,6 @@
 #include "render/canvas.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "math/check.hpp"
@@ -15,9 +14,9 @@
 namespace cairn::render {
 namespace {
 
-constexpr double least_text = 1;        // [px]
-constexpr double greatest_text = 400;   // [px], so that every glyph fits the atlas
-constexpr std::size_t enough = 200000;  // vertices; then they are drawn before more are gathered
+constexpr double least_text = 1;       // [px]
+constexpr double greatest_text = 400;  // [px], so that every glyph fits the atlas
+constexpr int enough = 200000;         // vertices; then they are drawn before more are gathered
 
 Face face_of(const TextStyle& style) {
   if (style.mono) {
@@ -91,8 +90,8 @@ struct Canvas::Impl {
   Surface surface;
   Batch batch;
   GlyphAtlas atlas = {};
-  std::vector<PixelRect> clips = {};
-  std::vector<TextBox> boxes = {};
+  List<PixelRect> clips = {};
+  List<TextBox> boxes = {};
   Color background = {1, 1, 1, 1};
   bool begun = false;  // whether the frame's background has been drawn
 
@@ -168,10 +167,10 @@ void Canvas::clear(Color background) {
 }
 
 void Canvas::line(const Point& from, const Point& to, const Stroke& stroke) {
-  polyline(std::array<Point, 2>{from, to}, stroke);
+  polyline(FixedList<Point, 2>{from, to}, stroke);
 }
 
-void Canvas::polyline(std::span<const Point> points, const Stroke& stroke) {
+void Canvas::polyline(Span<const Point> points, const Stroke& stroke) {
   add_polyline(impl_->batch, points, stroke);
   impl_->flush_if_full();
 }
@@ -181,7 +180,7 @@ void Canvas::circle(const Point& center, double radius, const Paint& paint) {
   impl_->flush_if_full();
 }
 
-void Canvas::polygon(std::span<const Point> points, const Paint& paint, double rounding) {
+void Canvas::polygon(Span<const Point> points, const Paint& paint, double rounding) {
   add_polygon(impl_->batch, points, paint, rounding);
   impl_->flush_if_full();
 }
@@ -198,8 +197,8 @@ void Canvas::rect(const Rect& rect, const Paint& paint, double corner_radius) {
              .radius = radius},
             paint);
   } else if (rect.width > 0 && rect.height > 0) {
-    const std::array<Point, 4> corners = {center - half, center + Point(half.x(), -half.y()), center + half,
-                                          center + Point(-half.x(), half.y())};
+    const FixedList<Point, 4> corners = {center - half, center + Point(half.x(), -half.y()), center + half,
+                                         center + Point(-half.x(), half.y())};
     add_polygon(impl_->batch, corners, paint, 0);
   }
   impl_->flush_if_full();
@@ -210,7 +209,7 @@ void Canvas::capsule(const Point& from, const Point& to, double radius, const Pa
   impl_->flush_if_full();
 }
 
-void Canvas::hatch(std::span<const Point> points, const Stroke& stroke, double pitch) {
+void Canvas::hatch(Span<const Point> points, const Stroke& stroke, double pitch) {
   add_hatch(impl_->batch, points, stroke, pitch);
   impl_->flush_if_full();
 }
@@ -251,7 +250,7 @@ void Canvas::pop_clip() {
   impl_->use_clip();
 }
 
-std::span<const TextBox> Canvas::text_boxes() const { return impl_->boxes; }
+Span<const TextBox> Canvas::text_boxes() const { return impl_->boxes; }
 
 Image Canvas::read() {
   impl_->flush();

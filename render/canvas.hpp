@@ -3,12 +3,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "math/list.hpp"
 #include "math/math.hpp"
 
 namespace cairn::render {
@@ -43,7 +42,7 @@ struct Paint {
 struct Stroke {
   double width = 1;  // [px]
   Color color = {};
-  std::vector<double> dash = {};
+  List<double> dash = {};
 };
 
 enum class Align { left, center, right };
@@ -68,7 +67,7 @@ struct TextBox {
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> pixels = {};  // width * height * 3
+  List<std::uint8_t> pixels = {};  // width * height * 3
 };
 
 /// No context, no font, no file: the message says which, and what to do.
@@ -93,15 +92,15 @@ class Canvas {
   void clear(Color background);
 
   void line(const Point& from, const Point& to, const Stroke& stroke);
-  void polyline(std::span<const Point> points, const Stroke& stroke);
+  void polyline(Span<const Point> points, const Stroke& stroke);
   void circle(const Point& center, double radius, const Paint& paint);
   /// Convex, either turning sense; `rounding` grows it by a radius on all sides.
-  void polygon(std::span<const Point> points, const Paint& paint, double rounding = 0);
+  void polygon(Span<const Point> points, const Paint& paint, double rounding = 0);
   void rect(const Rect& rect, const Paint& paint, double corner_radius = 0);
   /// All points within `radius` of the segment.
   void capsule(const Point& from, const Point& to, double radius, const Paint& paint);
   /// Parallel lines at 45 degrees inside a convex polygon, `pitch` px apart horizontally.
-  void hatch(std::span<const Point> points, const Stroke& stroke, double pitch);
+  void hatch(Span<const Point> points, const Stroke& stroke, double pitch);
 
   /// Markup: `v_{rel}` and `x^{2}` (or one character without braces) set sub- and superscripts; `\_` and `\^`
   /// are literal. `at` is the baseline at the left end, centre or right end, by style.align.
@@ -113,7 +112,7 @@ class Canvas {
   void pop_clip();
 
   /// Everything written since clear().
-  std::span<const TextBox> text_boxes() const;
+  Span<const TextBox> text_boxes() const;
 
   /// Draws what is pending and reads the frame back.
   Image read();

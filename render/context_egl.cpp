@@ -7,9 +7,9 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
-#include <array>
 #include <string_view>
 
+#include "math/list.hpp"
 #include "render/canvas.hpp"
 #include "render/context.hpp"
 
@@ -37,10 +37,10 @@ EGLDisplay software_display() {
   const auto devices = egl_proc<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
   const auto describe = egl_proc<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
   if (lists(client, "EGL_EXT_platform_device") && devices != nullptr && describe != nullptr) {
-    std::array<EGLDeviceEXT, 16> found = {};
+    FixedList<EGLDeviceEXT, 16> found = {};
     EGLint count = 0;
-    devices(static_cast<EGLint>(found.size()), found.data(), &count);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    devices(found.size(), found.data(), &count);
+    for (int i = 0; i < count; ++i) {
       if (lists(describe(found[i], EGL_EXTENSIONS), "EGL_MESA_device_software")) {
         return display_of(EGL_PLATFORM_DEVICE_EXT, found[i]);
       }
@@ -86,15 +86,15 @@ class EglContext final : public Context {
   std::string backend() const override { return "egl"; }
 
  private:
-  static constexpr std::array<EGLint, 5> config_attributes = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                                                              EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
-  static constexpr std::array<EGLint, 7> context_attributes = {EGL_CONTEXT_MAJOR_VERSION,
-                                                               3,
-                                                               EGL_CONTEXT_MINOR_VERSION,
-                                                               3,
-                                                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                                               EGL_NONE};
+  static constexpr FixedList<EGLint, 5> config_attributes = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                                             EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
+  static constexpr FixedList<EGLint, 7> context_attributes = {EGL_CONTEXT_MAJOR_VERSION,
+                                                              3,
+                                                              EGL_CONTEXT_MINOR_VERSION,
+                                                              3,
+                                                              EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                                              EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                                              EGL_NONE};
 
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLContext context_ = EGL_NO_CONTEXT;

@@ -3,8 +3,7 @@
 
 #include <GL/osmesa.h>
 
-#include <array>
-
+#include "math/list.hpp"
 #include "render/canvas.hpp"
 #include "render/context.hpp"
 
@@ -31,21 +30,21 @@ class OsmesaContext final : public Context {
 
  private:
   static constexpr int side = 8;
-  static constexpr std::array<int, 11> attributes = {OSMESA_FORMAT,
-                                                     OSMESA_RGBA,
-                                                     OSMESA_PROFILE,
-                                                     OSMESA_CORE_PROFILE,
-                                                     OSMESA_CONTEXT_MAJOR_VERSION,
-                                                     3,
-                                                     OSMESA_CONTEXT_MINOR_VERSION,
-                                                     3,
-                                                     OSMESA_DEPTH_BITS,
-                                                     0,
-                                                     0};
+  static constexpr FixedList<int, 11> attributes = {OSMESA_FORMAT,
+                                                    OSMESA_RGBA,
+                                                    OSMESA_PROFILE,
+                                                    OSMESA_CORE_PROFILE,
+                                                    OSMESA_CONTEXT_MAJOR_VERSION,
+                                                    3,
+                                                    OSMESA_CONTEXT_MINOR_VERSION,
+                                                    3,
+                                                    OSMESA_DEPTH_BITS,
+                                                    0,
+                                                    0};
 
   OSMesaContext context_ = nullptr;
   // OSMesa insists on a buffer of its own; pictures are drawn into a framebuffer object.
-  std::array<unsigned char, 4 * side* side> buffer_ = {};
+  FixedList<unsigned char, 4 * side* side> buffer_ = {};
 };
 
 }  // namespace

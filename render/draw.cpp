@@ -10,26 +10,25 @@
 namespace cairn::render {
 namespace {
 
-constexpr std::size_t most_ghosts = 7;
+constexpr int most_ghosts = 7;
 constexpr double oldest_ghost = 0.25;  // opacity
 constexpr double newest_ghost = 0.60;
 constexpr double farthest_body = 1e6;  // [m] bodies beyond are no part of the picture
-constexpr std::size_t trail_markers = 6;
-constexpr std::size_t most_avoided = 40;  // bodies; where there are more, labels find no room anyway
+constexpr int trail_markers = 6;
+constexpr int most_avoided = 40;  // bodies; where there are more, labels find no room anyway
 
 template <typename Draw>
 void for_each_body(const Snapshot& snapshot, Draw draw) {
-  for (std::size_t i = 0; i < snapshot.bodies.size(); ++i)
-    draw(snapshot.bodies[i], BodyId{static_cast<int>(i)});
+  for (const BodyId body : snapshot.bodies.indices()) draw(snapshot.bodies[body], body);
 }
 
 bool can_move(const SnapshotBody& body) { return body.type == BodyType::dynamic; }
 
 // Evenly chosen, the newest always among them.
-std::vector<std::size_t> chosen(std::size_t count) {
-  std::vector<std::size_t> all;
-  const std::size_t shown = std::min(count, most_ghosts);
-  for (std::size_t i = 0; i < shown; ++i) {
+List<int> chosen(int count) {
+  List<int> all;
+  const int shown = std::min(count, most_ghosts);
+  for (int i = 0; i < shown; ++i) {
     all.push_back(shown > 1 ? (i * (count - 1) + (shown - 1) / 2) / (shown - 1) : count - 1);
   }
   return all;
@@ -46,8 +45,8 @@ bool is_usable(const Aabb<double>& box) {
 }
 
 // The path in pixels, cut where a point cannot be drawn.
-std::vector<std::vector<Point>> pieces_of(const Camera& camera, std::span<const Vec2<double>> points) {
-  std::vector<std::vector<Point>> pieces(1);
+List<List<Point>> pieces_of(const Camera& camera, Span<const Vec2<double>> points) {
+  List<List<Point>> pieces(1);
   for (const Vec2<double>& point : points) {
     if (is_drawable(camera, {.position = point, .angle = 0})) {
       pieces.back().push_back(camera.project(point));
@@ -93,10 +92,10 @@ void draw_world(Page& page, const Camera& camera, const Snapshot& snapshot, cons
   page.canvas().pop_clip();
 }
 
-void draw_ghosts(Page& page, const Camera& camera, std::span<const Snapshot> earlier) {
+void draw_ghosts(Page& page, const Camera& camera, Span<const Snapshot> earlier) {
   page.canvas().push_clip(camera.viewport);
-  const std::vector<std::size_t> shown = chosen(earlier.size());
-  for (std::size_t i = 0; i < shown.size(); ++i) {
+  const List<int> shown = chosen(earlier.size());
+  for (int i = 0; i < shown.size(); ++i) {
     const double age = shown.size() > 1 ? static_cast<double>(i) / static_cast<double>(shown.size() - 1) : 1;
     const double opacity = oldest_ghost + (newest_ghost - oldest_ghost) * age;
     const Paint paint{.outline = faded(page.theme().outline, opacity), .outline_width = page.sizes().ghost};
@@ -109,15 +108,14 @@ void draw_ghosts(Page& page, const Camera& camera, std::span<const Snapshot> ear
   page.canvas().pop_clip();
 }
 
-void draw_trail(Page& page, const Camera& camera, std::span<const Vec2<double>> points,
-                const SeriesStyle& style) {
+void draw_trail(Page& page, const Camera& camera, Span<const Vec2<double>> points, const SeriesStyle& style) {
   Canvas& canvas = page.canvas();
   canvas.push_clip(camera.viewport);
-  for (const std::vector<Point>& piece : pieces_of(camera, points)) {
+  for (const List<Point>& piece : pieces_of(camera, points)) {
     canvas.polyline(piece, {.width = page.sizes().curve, .color = style.color, .dash = style.dash});
-    const std::size_t count = std::min(piece.size(), trail_markers);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Point& at = piece[i * (piece.size() - 1) / std::max<std::size_t>(count - 1, 1)];
+    const int count = std::min(piece.size(), trail_markers);
+    for (int i = 0; i < count; ++i) {
+      const Point& at = piece[i * (piece.size() - 1) / std::max(count - 1, 1)];
       draw_marker(canvas, at, style.marker, page.sizes().marker, style.color);
     }
     page.note_curve(piece);
@@ -125,7 +123,7 @@ void draw_trail(Page& page, const Camera& camera, std::span<const Vec2<double>> 
   canvas.pop_clip();
 }
 
-Aabb<double> bounds_of(std::span<const Snapshot> snapshots) {
+Aabb<double> bounds_of(Span<const Snapshot> snapshots) {
   std::optional<Aabb<double>> bounds;
   for (const Snapshot& snapshot : snapshots) {
     for (const SnapshotBody& body : snapshot.bodies) {

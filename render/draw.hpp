@@ -1,10 +1,9 @@
 // Draws a world from its snapshot.
 #pragma once
 
-#include <span>
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/arrow.hpp"
 #include "render/camera.hpp"
 #include "render/page.hpp"
@@ -13,9 +12,9 @@
 namespace cairn::render {
 
 struct WorldLook {
-  bool numbers = true;                  // each dynamic body's number in its middle
-  std::vector<std::string> names = {};  // instead of numbers, by body index; "" for none
-  BodyId active_a = {-1};               // lit as a and b
+  bool numbers = true;              // each dynamic body's number in its middle
+  PerBody<std::string> names = {};  // instead of numbers; "" for none
+  BodyId active_a = {-1};           // lit as a and b
   BodyId active_b = {-1};
   bool contacts = true;     // a dot for each contact point, larger when new
   int active_contact = -1;  // the index of a contact to light
@@ -34,11 +33,10 @@ void draw_unseen(Page& page, const Camera& camera, const Snapshot& snapshot, con
 
 /// Outlines of earlier poses, at most 7 of them evenly chosen, fading with age; the newest is the last.
 /// Dynamic bodies only.
-void draw_ghosts(Page& page, const Camera& camera, std::span<const Snapshot> earlier);
+void draw_ghosts(Page& page, const Camera& camera, Span<const Snapshot> earlier);
 
 /// The path of a point [m].
-void draw_trail(Page& page, const Camera& camera, std::span<const Vec2<double>> points,
-                const SeriesStyle& style);
+void draw_trail(Page& page, const Camera& camera, Span<const Vec2<double>> points, const SeriesStyle& style);
 
 /// Normal and friction force (impulse / dt) [N] of every contact, drawn on body b, labelled with their
 /// values.
@@ -51,6 +49,6 @@ void draw_joint_forces(Page& page, const Camera& camera, const ArrowScale& scale
 void draw_velocities(Page& page, const Camera& camera, const ArrowScale& scale, const Snapshot& snapshot);
 
 /// The box around all dynamic bodies of all snapshots [m]; with the origin, if there are none.
-Aabb<double> bounds_of(std::span<const Snapshot> snapshots);
+Aabb<double> bounds_of(Span<const Snapshot> snapshots);
 
 }  // namespace cairn::render

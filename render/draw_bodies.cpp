@@ -1,8 +1,8 @@
 // Bodies: fill, outline, hatch, orientation mark, and the number in the middle.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "render/draw_parts.hpp"
 #include "render/rects.hpp"
 #include "render/text_layout.hpp"
@@ -26,7 +26,7 @@ Color fill_of(const Theme& theme, const SnapshotBody& body, BodyId id, const Wor
 void draw_surface(Canvas& canvas, const Outline& outline, const Stroke& stroke) {
   Point middle(0, 0);
   for (const Point& point : outline) middle += point / static_cast<double>(outline.size());
-  for (std::size_t i = 0; i < outline.size(); ++i) {
+  for (int i = 0; i < outline.size(); ++i) {
     const Point& from = outline[i];
     const Point& to = outline[(i + 1) % outline.size()];
     const Point edge = to - from;
@@ -84,11 +84,11 @@ void draw_orientation(Page& page, const Camera& camera, const SnapshotBody& body
 
 }  // namespace
 
-std::string name_of(const WorldLook& look, int body) {
+std::string name_of(const WorldLook& look, BodyId body) {
   if (!look.numbers) return "";
-  if (look.names.empty()) return std::to_string(body);
-  const bool is_named = body >= 0 && static_cast<std::size_t>(body) < look.names.size();
-  return is_named ? look.names[static_cast<std::size_t>(body)] : "";
+  if (look.names.empty()) return std::to_string(body.index);
+  const bool is_named = body.index >= 0 && body.index < look.names.size();
+  return is_named ? look.names[body] : "";
 }
 
 double name_size(const Page& page, const Camera& camera, const SnapshotBody& body, const std::string& name) {
@@ -134,7 +134,7 @@ void draw_dynamic_body(Page& page, const Camera& camera, const SnapshotBody& bod
         paint_shape(canvas, camera, body.pose, shape, second);
     }
   }
-  const std::string name = name_of(look, id.index);
+  const std::string name = name_of(look, id);
   const double size = name_size(page, camera, body, name);
   draw_orientation(page, camera, body, size * (name.empty() ? 0 : text_reach(page, name)));
 }
@@ -142,7 +142,7 @@ void draw_dynamic_body(Page& page, const Camera& camera, const SnapshotBody& bod
 void write_name(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id,
                 const WorldLook& look) {
   if (!is_seen(camera, body)) return;
-  const std::string name = name_of(look, id.index);
+  const std::string name = name_of(look, id);
   const double size = name_size(page, camera, body, name);
   if (size == 0) return;
   const TextStyle style{.size = size,
@@ -151,7 +151,7 @@ void write_name(Page& page, const Camera& camera, const SnapshotBody& body, Body
                         .align = Align::center,
                         .halo = fill_of(page.theme(), body, id, look)};
   const Point middle = camera.project(body.pose.position);
-  const std::vector<Point> place = {Point(middle.x(), baseline_around(middle.y(), size))};
+  const List<Point> place = {Point(middle.x(), baseline_around(middle.y(), size))};
   if (!write_if_free(page, place, camera.viewport, name, style) || !is_active(id, look)) return;
   // Which of the two it is, not by its colour alone.
   TextStyle letter = style;
@@ -159,13 +159,13 @@ void write_name(Page& page, const Camera& camera, const SnapshotBody& body, Body
   letter.size = std::max(smallest_text, std::floor(0.55 * size));
   const Point below = middle + Point(0, 0.5 * cap_height * size + 0.75 * letter.size);
   if (!fits(camera, body, below, 0.6 * letter.size, 0.8 * letter.size)) return;
-  const std::vector<Point> under = {Point(below.x(), baseline_around(below.y(), letter.size))};
+  const List<Point> under = {Point(below.x(), baseline_around(below.y(), letter.size))};
   write_if_free(page, under, camera.viewport, id == look.active_a ? "a" : "b", letter);
 }
 
-bool write_if_free(Page& page, const std::vector<Point>& places, const Rect& within, const std::string& text,
+bool write_if_free(Page& page, const List<Point>& places, const Rect& within, const std::string& text,
                    const TextStyle& style) {
-  std::vector<Point> free;
+  List<Point> free;
   for (const Point& at : places) {
     const Rect rect = text_rect(page.canvas(), at, text, style);
     const auto boxes = page.canvas().text_boxes();

@@ -1,9 +1,11 @@
 // Contacts, overlaps and joints of a drawn world.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 
+#include "math/list.hpp"
 #include "render/draw_parts.hpp"
 #include "render/lint.hpp"
 #include "render/text_layout.hpp"
@@ -11,18 +13,18 @@
 namespace cairn::render {
 namespace {
 
-constexpr double least_depth = 2;          // [px] overlaps of less are not marked
-constexpr std::size_t most_depths = 4;     // that are written
-constexpr std::size_t some_contacts = 60;  // fewer are always drawn whole
-constexpr std::size_t many_contacts = 400;
+constexpr double least_depth = 2;  // [px] overlaps of less are not marked
+constexpr int most_depths = 4;     // that are written
+constexpr int some_contacts = 60;  // fewer are always drawn whole
+constexpr int many_contacts = 400;
 
 bool is_finite(const Camera& camera, const Vec2<double>& point) {
   return is_drawable(camera, {.position = point, .angle = 0});
 }
 
 /// The deepest contact of each pair of bodies.
-std::vector<SnapshotContact> deepest_of_pairs(const Camera& camera, const Snapshot& snapshot) {
-  std::vector<SnapshotContact> deepest;
+List<SnapshotContact> deepest_of_pairs(const Camera& camera, const Snapshot& snapshot) {
+  List<SnapshotContact> deepest;
   for (const SnapshotContact& contact : snapshot.contacts) {
     if (!(-contact.separation * camera.scale > least_depth) || !is_finite(camera, contact.position)) continue;
     const auto same = std::find_if(deepest.begin(), deepest.end(), [&](const SnapshotContact& other) {
@@ -50,8 +52,8 @@ void counter_hatch(Canvas& canvas, const Outline& outline, const Stroke& stroke,
   }
   for (double offset = std::ceil(low / pitch) * pitch; offset < high; offset += pitch) {
     // x - y = offset: where it crosses the edges.
-    std::vector<Point> ends;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
+    List<Point> ends;
+    for (int i = 0; i < outline.size(); ++i) {
       const Point& from = outline[i];
       const Point& to = outline[(i + 1) % outline.size()];
       const double here = from.x() - from.y() - offset;
@@ -102,7 +104,7 @@ void write_depth(Page& page, const Camera& camera, const SnapshotContact& contac
   const double right = overlap.x + overlap.width + 10;
   const double left = overlap.x - 10 - page.canvas().text_width(text, style);
   const double middle = overlap.y + overlap.height / 2;
-  std::vector<Point> places;
+  List<Point> places;
   for (const double shift : {0.0, -1.1, 1.1, -2.2, 2.2}) {
     const double y = baseline_around(middle + shift * style.size, style.size);
     places.emplace_back(right, y);
@@ -142,8 +144,8 @@ bool is_line(const SnapshotJoint& joint) {
 }
 
 /// The way of a rope over what is between its ends.
-std::vector<Point> way_of(const Camera& camera, const SnapshotJoint& joint) {
-  std::vector<Point> way = {camera.project(joint.anchor_a)};
+List<Point> way_of(const Camera& camera, const SnapshotJoint& joint) {
+  List<Point> way = {camera.project(joint.anchor_a)};
   for (const Vec2<double>& point : joint.between) way.push_back(camera.project(point));
   way.push_back(camera.project(joint.anchor_b));
   return way;
@@ -168,18 +170,18 @@ bool is_crowded(const Page& page, const Camera& camera, const Snapshot& snapshot
     const Point at = camera.project(contact.position);
     taken.emplace(std::lround(at.x() / cell), std::lround(at.y() / cell));
   }
-  return 4 * taken.size() < 3 * snapshot.contacts.size();
+  return 4 * std::ssize(taken) < 3 * snapshot.contacts.size();
 }
 
 /// Plain dots, at most one in a square twice as wide: they cover no more than a fifth of what is behind them.
 void draw_many_contacts(Page& page, const Camera& camera, const Snapshot& snapshot, const WorldLook& look) {
   const double radius = 0.5 * page.sizes().contact;
   std::set<std::pair<long, long>> taken;
-  for (std::size_t i = 0; i < snapshot.contacts.size(); ++i) {
+  for (int i = 0; i < snapshot.contacts.size(); ++i) {
     const Vec2<double>& position = snapshot.contacts[i].position;
     if (!is_finite(camera, position)) continue;
     const Point at = camera.project(position);
-    const bool is_active = static_cast<int>(i) == look.active_contact;
+    const bool is_active = i == look.active_contact;
     const bool is_first =
         taken.emplace(std::lround(at.x() / (4 * radius)), std::lround(at.y() / (4 * radius))).second;
     if (is_first || is_active) {
@@ -196,7 +198,7 @@ void draw_penetrations(Page& page, const Camera& camera, const Snapshot& snapsho
     SnapshotContact contact = {};
     Rect overlap = {};
   };
-  std::vector<Marked> marked;
+  List<Marked> marked;
   for (const SnapshotContact& contact : deepest_of_pairs(camera, snapshot)) {
     const SnapshotBody* a = body_of(snapshot, contact.a);
     const SnapshotBody* b = body_of(snapshot, contact.b);
@@ -204,7 +206,7 @@ void draw_penetrations(Page& page, const Camera& camera, const Snapshot& snapsho
       continue;
     marked.push_back({contact, draw_overlaps(page, camera, *a, *b, camera.project(contact.position))});
   }
-  for (std::size_t i = 0; i < std::min(marked.size(), most_depths); ++i) {
+  for (int i = 0; i < std::min(marked.size(), most_depths); ++i) {
     write_depth(page, camera, marked[i].contact, marked[i].overlap);
   }
 }
@@ -212,10 +214,10 @@ void draw_penetrations(Page& page, const Camera& camera, const Snapshot& snapsho
 void draw_contacts(Page& page, const Camera& camera, const Snapshot& snapshot, const WorldLook& look) {
   const Theme& theme = page.theme();
   if (is_crowded(page, camera, snapshot)) return draw_many_contacts(page, camera, snapshot, look);
-  for (std::size_t i = 0; i < snapshot.contacts.size(); ++i) {
+  for (int i = 0; i < snapshot.contacts.size(); ++i) {
     const SnapshotContact& contact = snapshot.contacts[i];
     if (!is_finite(camera, contact.position)) continue;
-    const bool is_active = static_cast<int>(i) == look.active_contact;
+    const bool is_active = i == look.active_contact;
     const bool is_apart = contact.separation * camera.scale > least_depth;  // about to touch: hollow
     Color fill = is_active ? theme.normal : theme.inactive;
     if (is_apart && !is_active) fill = theme.background;
@@ -231,8 +233,8 @@ void draw_joint_lines(Page& page, const Camera& camera, const Snapshot& snapshot
     const Point from = camera.project(joint.anchor_a);
     const Point to = camera.project(joint.anchor_b);
     if (is_line(joint)) {
-      const std::vector<Point> way = way_of(camera, joint);
-      for (std::size_t i = 1; i < way.size(); ++i) draw_rod(page, way[i - 1], way[i]);
+      const List<Point> way = way_of(camera, joint);
+      for (int i = 1; i < way.size(); ++i) draw_rod(page, way[i - 1], way[i]);
       continue;
     }
     draw_arm(page, camera, body_of(snapshot, joint.a), joint.anchor_a);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "render/draw_parts.hpp"
 #include "render/rects.hpp"
 #include "render/text_layout.hpp"
@@ -9,10 +10,10 @@
 namespace cairn::render {
 namespace {
 
-constexpr std::size_t most_labels = 12;  // more arrows than this go without numbers
-constexpr double least_drawn = 1e-9;     // [N or m/s] less is round-off
-constexpr double shortest = 8;           // [px] what is drawn as a dot is about zero, and has no number
-constexpr double aside = 12;             // [px] from the middle of a shaft to a text
+constexpr int most_labels = 12;       // more arrows than this go without numbers
+constexpr double least_drawn = 1e-9;  // [N or m/s] less is round-off
+constexpr double shortest = 8;        // [px] what is drawn as a dot is about zero, and has no number
+constexpr double aside = 12;          // [px] from the middle of a shaft to a text
 
 /// An arrow on the page, and from where its label points away.
 struct PlacedArrow {
@@ -40,8 +41,8 @@ bool can_be_drawn(const Camera& camera, const Arrow& arrow) {
 }
 
 // What is left of the regions around a rectangle.
-std::vector<Rect> without(const std::vector<Rect>& regions, const Rect& hole) {
-  std::vector<Rect> left;
+List<Rect> without(const List<Rect>& regions, const Rect& hole) {
+  List<Rect> left;
   const auto keep = [&left](double x, double y, double right, double bottom) {
     if (right > x && bottom > y) left.push_back({x, y, right - x, bottom - y});
   };
@@ -60,7 +61,7 @@ std::vector<Rect> without(const std::vector<Rect>& regions, const Rect& hole) {
 
 // An arrow passes behind numbers that were there before it.
 void draw_behind_text(Page& page, const Camera& camera, const ArrowScale& scale, const Arrow& arrow) {
-  std::vector<Rect> regions = {camera.viewport};
+  List<Rect> regions = {camera.viewport};
   for (const TextBox& box : page.canvas().text_boxes()) {
     LineSegment line = line_of(camera, scale, arrow);
     const Rect hole{std::floor(box.rect.x), std::floor(box.rect.y), std::ceil(box.rect.width) + 1,
@@ -87,7 +88,7 @@ TextStyle label_style(const Page& page, Color color) {
 
 /// Base lines of a text beside a line: its middle right or left of a point of the line, above or below it, or
 /// beyond the tip, whichever is nearer; first on the side that `outward` shows.
-std::vector<Point> places_beside(const LineSegment& line, const Point& outward, double width, double height) {
+List<Point> places_beside(const LineSegment& line, const Point& outward, double width, double height) {
   const Point run = line.to - line.from;
   const Point along = run.normalized();
   constexpr double steep = 1e-6;  // no division by zero
@@ -98,7 +99,7 @@ std::vector<Point> places_beside(const LineSegment& line, const Point& outward, 
   Point shift(0, std::copysign(upwards, outward.y()));
   if (sideways < upwards) shift = {std::copysign(sideways, outward.x()), 0};
   const double beyond = aside + width / 2 * std::abs(along.x()) + height / 2 * std::abs(along.y());
-  std::vector<Point> places;
+  List<Point> places;
   const auto add = [&](const Point& middle) {
     places.emplace_back(std::round(middle.x()), std::round(baseline_around(middle.y(), height)));
   };
@@ -109,15 +110,14 @@ std::vector<Point> places_beside(const LineSegment& line, const Point& outward, 
 }
 
 void write_label(Page& page, const Camera& camera, const ArrowScale& scale, const PlacedArrow& placed,
-                 const std::vector<PlacedArrow>& all) {
+                 const List<PlacedArrow>& all) {
   const LineSegment line = line_of(camera, scale, placed.arrow);
   const TextStyle style = label_style(page, placed.color);
   const std::string& label = placed.arrow.label;
   Point outward = perpendicular<double>(line.to - line.from);
   const double side = outward.dot(line.from - camera.project(placed.body));
   if (side < -outward.norm()) outward = -outward;
-  std::vector<Point> places =
-      places_beside(line, outward, page.canvas().text_width(label, style), style.size);
+  List<Point> places = places_beside(line, outward, page.canvas().text_width(label, style), style.size);
   // A number beside two arrows could belong to either.
   const auto meets_arrow = [&](const Point& at) {
     const Rect rect = text_rect(page.canvas(), at, label, style);
@@ -130,7 +130,7 @@ void write_label(Page& page, const Camera& camera, const ArrowScale& scale, cons
   write_if_free(page, places, camera.viewport, label, style);
 }
 
-void draw_arrows(Page& page, const Camera& camera, const ArrowScale& scale, std::vector<PlacedArrow> arrows) {
+void draw_arrows(Page& page, const Camera& camera, const ArrowScale& scale, List<PlacedArrow> arrows) {
   page.canvas().push_clip(camera.viewport);
   const bool are_few = arrows.size() <= most_labels;
   for (const PlacedArrow& placed : arrows) {
@@ -156,8 +156,8 @@ Vec2<double> center_of(const Snapshot& snapshot, BodyId id, const Vec2<double>& 
 }
 
 // The part of a velocity's line that the number in the middle of the body needs [m].
-double free_of_number(const Page& page, const Camera& camera, const SnapshotBody& body, int index) {
-  return 0.7 * name_size(page, camera, body, std::to_string(index)) / camera.scale;
+double free_of_number(const Page& page, const Camera& camera, const SnapshotBody& body, BodyId id) {
+  return 0.7 * name_size(page, camera, body, std::to_string(id.index)) / camera.scale;
 }
 
 }  // namespace
@@ -165,7 +165,7 @@ double free_of_number(const Page& page, const Camera& camera, const SnapshotBody
 void draw_contact_forces(Page& page, const Camera& camera, const ArrowScale& scale,
                          const Snapshot& snapshot) {
   if (!(snapshot.dt > 0)) return;
-  std::vector<PlacedArrow> arrows;
+  List<PlacedArrow> arrows;
   for (const SnapshotContact& contact : snapshot.contacts) {
     const Vec2<double> right(contact.normal.y(), -contact.normal.x());  // the normal turned by -90 degrees
     const double push = contact.normal_impulse / snapshot.dt;
@@ -191,7 +191,7 @@ void draw_contact_forces(Page& page, const Camera& camera, const ArrowScale& sca
 
 void draw_joint_forces(Page& page, const Camera& camera, const ArrowScale& scale, const Snapshot& snapshot) {
   if (!(snapshot.dt > 0)) return;
-  std::vector<PlacedArrow> arrows;
+  List<PlacedArrow> arrows;
   for (const SnapshotJoint& joint : snapshot.joints) {
     const Vec2<double> force = joint.impulse / snapshot.dt;
     const Arrow arrow{.kind = ArrowKind::joint,
@@ -205,9 +205,9 @@ void draw_joint_forces(Page& page, const Camera& camera, const ArrowScale& scale
 }
 
 void draw_velocities(Page& page, const Camera& camera, const ArrowScale& scale, const Snapshot& snapshot) {
-  std::vector<PlacedArrow> arrows;
-  for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
-    const SnapshotBody& body = snapshot.bodies[i];
+  List<PlacedArrow> arrows;
+  for (const BodyId id : snapshot.bodies.indices()) {
+    const SnapshotBody& body = snapshot.bodies[id];
     const Vec2<double> velocity = body.velocity.head<2>();
     if (body.type != BodyType::dynamic || !is_drawable(camera, body.pose)) continue;
     Arrow arrow{.kind = ArrowKind::velocity,
@@ -215,7 +215,7 @@ void draw_velocities(Page& page, const Camera& camera, const ArrowScale& scale, 
                 .value = velocity,
                 .label = value_text(page, "", velocity.norm(), scale)};
     if (!can_be_drawn(camera, arrow)) continue;
-    arrow.tail += free_of_number(page, camera, body, static_cast<int>(i)) * velocity.normalized();
+    arrow.tail += free_of_number(page, camera, body, id) * velocity.normalized();
     arrows.push_back({arrow, body.pose.position, page.theme().velocity});
   }
   draw_arrows(page, camera, scale, arrows);

@@ -3,13 +3,13 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/draw.hpp"
 
 namespace cairn::render {
 
-using Outline = std::vector<Point>;  // [px] a convex polygon
+using Outline = List<Point>;  // [px] a convex polygon
 
 /// A pose that can be drawn: finite, and not so far away that pixels lose their precision.
 bool is_drawable(const Camera& camera, const Pose<double>& pose);
@@ -36,7 +36,7 @@ double depth_in(const SnapshotBody& body, const Vec2<double>& local);
 /// centre of mass is outside.
 double reach(const SnapshotBody& body, const Vec2<double>& direction);
 
-std::string name_of(const WorldLook& look, int body);
+std::string name_of(const WorldLook& look, BodyId body);
 /// The size [px] at which a body's name is written in its middle; 0 if there is no room for it.
 double name_size(const Page& page, const Camera& camera, const SnapshotBody& body, const std::string& name);
 
@@ -55,7 +55,7 @@ void draw_contacts(Page& page, const Camera& camera, const Snapshot& snapshot, c
 
 /// Writes inside `within` where no other text is, rather on no line than on one; nothing, if there is no
 /// room.
-bool write_if_free(Page& page, const std::vector<Point>& places, const Rect& within, const std::string& text,
+bool write_if_free(Page& page, const List<Point>& places, const Rect& within, const std::string& text,
                    const TextStyle& style);
 
 /// A body of the snapshot, or none if the number names none.

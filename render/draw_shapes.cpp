@@ -67,8 +67,8 @@ void append(Outline& outline, const Capsule<double>& capsule, double scale) {
 }
 
 void append(Outline& outline, const Polygon<double>& polygon, double scale) {
-  const auto count = static_cast<std::size_t>(polygon.count);
-  for (std::size_t i = 0; i < count; ++i) {
+  const int count = polygon.count;
+  for (int i = 0; i < count; ++i) {
     if (polygon.radius == 0) {
       outline.push_back(polygon.vertices[i]);
       continue;
@@ -90,7 +90,7 @@ Outline half(const Outline& outline, const Point& from, const Point& to) {
   const Point run = to - from;
   const auto side = [&](const Point& point) { return cross<double>(run, point - from); };
   Outline kept;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
+  for (int i = 0; i < outline.size(); ++i) {
     const Point& point = outline[i];
     const Point& next = outline[(i + 1) % outline.size()];
     const double here = side(point);
@@ -117,7 +117,7 @@ double depth(const Capsule<double>& capsule, const Vec2<double>& point) {
 
 double depth(const Polygon<double>& polygon, const Vec2<double>& point) {
   double least = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
+  for (int i = 0; i < polygon.count; ++i) {
     least = std::min(least, polygon.normals[i].dot(polygon.vertices[i] - point));
   }
   return least + polygon.radius;
@@ -167,7 +167,7 @@ Outline common_part(const Outline& a, const Outline& b) {
   Point middle(0, 0);
   for (const Point& point : b) middle += point / static_cast<double>(b.size());
   Outline part = a;
-  for (std::size_t i = 0; i < b.size() && part.size() > 2; ++i) {
+  for (int i = 0; i < b.size() && part.size() > 2; ++i) {
     const Point& from = b[i];
     const Point& to = b[(i + 1) % b.size()];
     const bool turns_left = cross<double>(to - from, middle - from) >= 0;
@@ -187,7 +187,7 @@ Outline clipped(const Outline& outline, const Rect& rect) {
 
 double area(const Outline& outline) {
   double twice = 0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
+  for (int i = 0; i < outline.size(); ++i) {
     twice += cross<double>(outline[i] - outline[0], outline[(i + 1) % outline.size()] - outline[0]);
   }
   return std::abs(twice) / 2;
@@ -205,7 +205,7 @@ void paint_shape(Canvas& canvas, const Camera& camera, const Pose<double>& pose,
                    capsule->radius * camera.scale, paint);
   } else if (const auto* polygon = std::get_if<Polygon<double>>(&shape)) {
     Outline corners;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(polygon->count); ++i) {
+    for (int i = 0; i < polygon->count; ++i) {
       corners.push_back(camera.project(pose.world(polygon->vertices[i])));
     }
     canvas.polygon(corners, paint, polygon->radius * camera.scale);
@@ -243,8 +243,8 @@ double reach(const SnapshotBody& body, const Vec2<double>& direction) {
 }
 
 const SnapshotBody* body_of(const Snapshot& snapshot, BodyId id) {
-  const bool is_there = id.index >= 0 && static_cast<std::size_t>(id.index) < snapshot.bodies.size();
-  return is_there ? &snapshot.bodies[static_cast<std::size_t>(id.index)] : nullptr;
+  const bool is_there = id.index >= 0 && id.index < snapshot.bodies.size();
+  return is_there ? &snapshot.bodies[id] : nullptr;
 }
 
 }  // namespace cairn::render

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "render/draw_parts.hpp"
 #include "render/rects.hpp"
 #include "render/text_layout.hpp"
@@ -9,18 +10,18 @@
 namespace cairn::render {
 namespace {
 
-constexpr std::size_t most_announced = 4;  // bodies beyond the border that are named
-constexpr std::size_t most_ringed = 6;     // where more bodies are too small, they are counted
-constexpr double least_seen = 1;           // [px] radius
-constexpr double ring_radius = 9;          // [px]
-constexpr double border_rim = 4;           // [px] kept free along the border
-constexpr double border_arrow = 13;        // [px] length of an arrow at the border
+constexpr int most_announced = 4;    // bodies beyond the border that are named
+constexpr int most_ringed = 6;       // where more bodies are too small, they are counted
+constexpr double least_seen = 1;     // [px] radius
+constexpr double ring_radius = 9;    // [px]
+constexpr double border_rim = 4;     // [px] kept free along the border
+constexpr double border_arrow = 13;  // [px] length of an arrow at the border
 
 /// Bodies by what hides them.
 struct Unseen {
-  std::vector<int> outside = {};
-  std::vector<int> tiny = {};
-  std::vector<int> nowhere = {};  // without a position, or turned by no number
+  List<BodyId> outside = {};
+  List<BodyId> tiny = {};
+  List<BodyId> nowhere = {};  // without a position, or turned by no number
 };
 
 double largest_radius(const SnapshotBody& body) {
@@ -31,27 +32,25 @@ double largest_radius(const SnapshotBody& body) {
 
 Unseen unseen_of(const Camera& camera, const Snapshot& snapshot) {
   Unseen unseen;
-  for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
-    const SnapshotBody& body = snapshot.bodies[i];
+  for (const BodyId id : snapshot.bodies.indices()) {
+    const SnapshotBody& body = snapshot.bodies[id];
     if (body.type != BodyType::dynamic || body.shapes.empty()) continue;
-    const int index = static_cast<int>(i);
     if (!body.pose.position.allFinite() || !std::isfinite(body.pose.angle)) {
-      unseen.nowhere.push_back(index);
+      unseen.nowhere.push_back(id);
     } else if (!is_seen(camera, body)) {
-      unseen.outside.push_back(index);
+      unseen.outside.push_back(id);
     } else if (largest_radius(body) * camera.scale < least_seen) {
-      unseen.tiny.push_back(index);
+      unseen.tiny.push_back(id);
     }
   }
   return unseen;
 }
 
 /// The body's own name, or "body 7". What markup would read as a subscript is taken literally.
-std::string spoken_name(const WorldLook& look, int body) {
-  const auto index = static_cast<std::size_t>(body);
-  if (index >= look.names.size() || look.names[index].empty()) return "body " + std::to_string(body);
+std::string spoken_name(const WorldLook& look, BodyId id) {
+  if (id.index >= look.names.size() || look.names[id].empty()) return "body " + std::to_string(id.index);
   std::string name;
-  for (const char letter : look.names[index]) {
+  for (const char letter : look.names[id]) {
     if (letter == '_' || letter == '^') name += '\\';
     name += letter;
   }
@@ -88,7 +87,7 @@ bool announce(Page& page, const Camera& camera, const SnapshotBody& body, const 
   const double beside = std::min(0.5 * width / std::max(std::abs(along.x()), 1e-12),
                                  0.5 * height / std::max(std::abs(along.y()), 1e-12));
   const double depth = border_arrow + 4 + beside;
-  std::vector<Point> places;
+  List<Point> places;
   for (const double row : {0, 1, -1, 2, -2, 3, -3, 4, -4}) {
     Point middle = tip - depth * along + Point(0, row * height);
     middle.x() = std::clamp(middle.x(), frame.x + width / 2,
@@ -98,7 +97,7 @@ bool announce(Page& page, const Camera& camera, const SnapshotBody& body, const 
   if (!write_if_free(page, places, camera.viewport, text, style)) return false;
   const Point base = tip - border_arrow * along;
   const Point side = 0.4 * border_arrow * perpendicular<double>(along);
-  const std::vector<Point> corners = {tip, base + side, base - side};
+  const List<Point> corners = {tip, base + side, base - side};
   page.canvas().polygon(corners, {.fill = page.theme().text});
   return true;
 }
@@ -111,7 +110,7 @@ void draw_ring_around(Page& page, const Camera& camera, const SnapshotBody& body
   const TextStyle style = unseen_style(page);
   const double width = page.canvas().text_width(name, style);
   const double beside = ring_radius + 5;
-  std::vector<Point> places;
+  List<Point> places;
   for (const double row : {0.0, -1.3, 1.3}) {
     const double y = std::round(baseline_around(at.y() + row * style.size, style.size));
     places.emplace_back(at.x() + beside, y);
@@ -121,12 +120,12 @@ void draw_ring_around(Page& page, const Camera& camera, const SnapshotBody& body
 }
 
 /// Lines in the upper left corner, below what is there already.
-void write_notes(Page& page, const Camera& camera, const std::vector<std::string>& notes) {
+void write_notes(Page& page, const Camera& camera, const List<std::string>& notes) {
   const TextStyle style = unseen_style(page);
   const Rect within = inset(camera.viewport, border_rim);
   const double pitch = std::round(leading * style.size);
   for (const std::string& note : notes) {
-    std::vector<Point> places;
+    List<Point> places;
     for (double y = within.y + pitch; y < within.y + within.height; y += pitch) {
       places.emplace_back(within.x + border_rim, y);
     }
@@ -135,21 +134,18 @@ void write_notes(Page& page, const Camera& camera, const std::vector<std::string
   }
 }
 
-std::string bodies_text(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " body" : " bodies");
-}
+std::string bodies_text(int count) { return std::to_string(count) + (count == 1 ? " body" : " bodies"); }
 
 }  // namespace
 
 void draw_unseen(Page& page, const Camera& camera, const Snapshot& snapshot, const WorldLook& look) {
   const Unseen unseen = unseen_of(camera, snapshot);
   page.canvas().push_clip(camera.viewport);
-  std::vector<std::string> notes;
-  std::size_t announced = 0, left_out = 0;
-  for (const int body : unseen.outside) {
+  List<std::string> notes;
+  int announced = 0, left_out = 0;
+  for (const BodyId id : unseen.outside) {
     const bool is_announced =
-        announced < most_announced &&
-        announce(page, camera, snapshot.bodies[static_cast<std::size_t>(body)], spoken_name(look, body));
+        announced < most_announced && announce(page, camera, snapshot.bodies[id], spoken_name(look, id));
     ++(is_announced ? announced : left_out);
   }
   if (left_out > 0) {
@@ -157,15 +153,14 @@ void draw_unseen(Page& page, const Camera& camera, const Snapshot& snapshot, con
                                   : bodies_text(left_out) + " outside of the picture");
   }
   if (unseen.tiny.size() <= most_ringed) {
-    for (const int body : unseen.tiny) {
-      draw_ring_around(page, camera, snapshot.bodies[static_cast<std::size_t>(body)],
-                       spoken_name(look, body));
+    for (const BodyId id : unseen.tiny) {
+      draw_ring_around(page, camera, snapshot.bodies[id], spoken_name(look, id));
     }
   } else {
     notes.push_back(bodies_text(unseen.tiny.size()) + " smaller than 2 pixels");
   }
   if (!unseen.nowhere.empty()) {
-    const std::size_t others = unseen.nowhere.size() - 1;
+    const int others = unseen.nowhere.size() - 1;
     notes.push_back(spoken_name(look, unseen.nowhere.front()) +
                     (others > 0 ? " and " + std::to_string(others) + " more are nowhere: not finite"
                                 : " is nowhere: not finite"));

@@ -2,9 +2,7 @@
 #include "render/font.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 
 #define STBTT_STATIC
 #define STB_TRUETYPE_IMPLEMENTATION
@@ -31,13 +29,13 @@ namespace {
 
 constexpr int phases = 4;
 
-using Fonts = std::array<stbtt_fontinfo, 4>;
+using Fonts = FixedList<stbtt_fontinfo, 4>;
 
 Fonts open_fonts() {
-  const std::array<const unsigned char*, 4> files = {cairn_font_regular, cairn_font_bold, cairn_font_mono,
-                                                     cairn_font_mono_bold};
+  const FixedList<const unsigned char*, 4> files = {cairn_font_regular, cairn_font_bold, cairn_font_mono,
+                                                    cairn_font_mono_bold};
   Fonts fonts = {};
-  for (std::size_t i = 0; i < files.size(); ++i) {
+  for (int i = 0; i < files.size(); ++i) {
     if (stbtt_InitFont(&fonts[i], files[i], 0) == 0) {
       throw RenderError("a font inside the program is damaged: build Cairn again");
     }
@@ -47,7 +45,7 @@ Fonts open_fonts() {
 
 const stbtt_fontinfo& font_of(Face face) {
   static const Fonts fonts = open_fonts();
-  return fonts[static_cast<std::size_t>(face)];
+  return fonts[static_cast<int>(face)];
 }
 
 float scale_of(const stbtt_fontinfo& font, double size) {
@@ -65,7 +63,7 @@ std::uint64_t packed(const GlyphKey& key) {
 /// A bitmap on its way into the atlas.
 struct Bitmap {
   Glyph place = {};
-  std::vector<std::uint8_t> texels = {};
+  List<std::uint8_t> texels = {};
 };
 
 Bitmap draw_glyph(const GlyphKey& key) {
@@ -84,8 +82,7 @@ Bitmap draw_glyph(const GlyphKey& key) {
     bitmap.place = {};
     return bitmap;
   }
-  bitmap.texels.resize(static_cast<std::size_t>(bitmap.place.width) *
-                       static_cast<std::size_t>(bitmap.place.height));
+  bitmap.texels.resize(bitmap.place.width * bitmap.place.height);
   stbtt_MakeGlyphBitmapSubpixel(&font, bitmap.texels.data(), bitmap.place.width, bitmap.place.height,
                                 bitmap.place.width, scale, scale, shift, 0, key.name.index);
   return bitmap;
@@ -106,16 +103,15 @@ Bitmap draw_halo(const Bitmap& glyph, int reach) {
                 .height = glyph.place.height + 2 * reach,
                 .left = glyph.place.left - reach,
                 .top = glyph.place.top - reach};
-  halo.texels.resize(static_cast<std::size_t>(halo.place.width) *
-                     static_cast<std::size_t>(halo.place.height));
+  halo.texels.resize(halo.place.width * halo.place.height);
   for (int dy = -reach; dy <= reach; ++dy) {
     for (int dx = -reach; dx <= reach; ++dx) {
       const double strength = rim_strength(std::hypot(dx, dy), reach);
       for (int y = 0; strength > 0 && y < glyph.place.height; ++y) {
         for (int x = 0; x < glyph.place.width; ++x) {
-          const double spread = strength * glyph.texels[static_cast<std::size_t>(y * glyph.place.width + x)];
+          const double spread = strength * glyph.texels[y * glyph.place.width + x];
           const int at = (y + dy + reach) * halo.place.width + x + dx + reach;
-          std::uint8_t& texel = halo.texels[static_cast<std::size_t>(at)];
+          std::uint8_t& texel = halo.texels[at];
           texel = std::max(texel, static_cast<std::uint8_t>(std::lround(spread)));
         }
       }
@@ -144,7 +140,7 @@ double advance(const GlyphName& glyph, double size) {
   return units * static_cast<double>(scale_of(font, 1)) * size;
 }
 
-GlyphAtlas::GlyphAtlas() : texels_(static_cast<std::size_t>(side) * side) {}
+GlyphAtlas::GlyphAtlas() : texels_(side * side) {}
 
 void GlyphAtlas::clear() {
   glyphs_.clear();
@@ -185,9 +181,8 @@ const Glyph* GlyphAtlas::find(const GlyphKey& key) {
       return nullptr;
     }
     for (int y = 0; y < glyph.height; ++y) {
-      const std::ptrdiff_t target = static_cast<std::ptrdiff_t>(glyph.texel_y + y) * side + glyph.texel_x;
-      std::copy_n(bitmap.texels.begin() + static_cast<std::ptrdiff_t>(y) * glyph.width, glyph.width,
-                  texels_.begin() + target);
+      const int target = (glyph.texel_y + y) * side + glyph.texel_x;
+      std::copy_n(bitmap.texels.begin() + y * glyph.width, glyph.width, texels_.begin() + target);
     }
     ++version_;
   }

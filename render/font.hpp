@@ -3,7 +3,8 @@
 
 #include <cstdint>
 #include <unordered_map>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace cairn::render {
 
@@ -47,14 +48,14 @@ class GlyphAtlas {
   const Glyph* find(const GlyphKey& key);
   void clear();
 
-  const std::vector<std::uint8_t>& texels() const { return texels_; }
+  const List<std::uint8_t>& texels() const { return texels_; }
   /// Counts the changes of the texels.
   int version() const { return version_; }
 
  private:
   bool place(Glyph& glyph);
 
-  std::vector<std::uint8_t> texels_;
+  List<std::uint8_t> texels_;
   std::unordered_map<std::uint64_t, Glyph> glyphs_ = {};
   int shelf_x_ = 0;  // the next free texel of the lowest shelf
   int shelf_y_ = 0;

@@ -2,7 +2,6 @@
 #include "render/image.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -36,12 +35,13 @@ struct CloseFile {
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
 /// Writes to `destination`; errors speak of `path`, the name the caller knows.
-void write_bytes(const fs::path& destination, const fs::path& path, std::span<const std::uint8_t> bytes) {
+void write_bytes(const fs::path& destination, const fs::path& path, Span<const std::uint8_t> bytes) {
   File file(std::fopen(destination.c_str(), "wb"));
   if (!file) fail_write(path, reason(errno));
   // An empty span may have no address, and fwrite must have one.
-  const std::size_t written = bytes.empty() ? 0 : std::fwrite(bytes.data(), 1, bytes.size(), file.get());
-  if (written != bytes.size()) fail_write(path, reason(errno));
+  const auto size = static_cast<std::size_t>(bytes.size());
+  const std::size_t written = bytes.empty() ? 0 : std::fwrite(bytes.data(), 1, size, file.get());
+  if (written != size) fail_write(path, reason(errno));
   // A full disk often shows only when the buffer is flushed.
   if (std::fclose(file.release()) != 0) fail_write(path, reason(errno));
 }
@@ -49,8 +49,7 @@ void write_bytes(const fs::path& destination, const fs::path& path, std::span<co
 /// The three channels of a pixel; nothing outside the image.
 const std::uint8_t* pixel_at(const Image& image, int x, int y) {
   if (x >= image.width || y >= image.height) return nullptr;
-  return &image.pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                            static_cast<std::size_t>(x))];
+  return &image.pixels[3 * (y * image.width + x)];
 }
 
 int largest_difference(const std::uint8_t* a, const std::uint8_t* b) {
@@ -70,7 +69,7 @@ std::uint8_t faded_grey(const std::uint8_t* pixel) {
 
 }  // namespace
 
-void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
+void write_file(const fs::path& path, Span<const std::uint8_t> bytes) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
@@ -86,8 +85,8 @@ void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
 }
 
 void write_file(const fs::path& path, std::string_view text) {
-  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
-  write_file(path, std::span<const std::uint8_t>(bytes));
+  const List<std::uint8_t> bytes(text.begin(), text.end());
+  write_file(path, Span<const std::uint8_t>(bytes));
 }
 
 void write_png(const fs::path& path, const Image& image) { write_file(path, encode_png(image)); }
@@ -96,10 +95,10 @@ Image read_png(const fs::path& path) {
   const std::string failed = "cannot read " + path.string() + ": ";
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file) throw std::runtime_error(failed + reason(errno));
-  std::vector<std::uint8_t> bytes;
-  std::array<std::uint8_t, 65536> block = {};
+  List<std::uint8_t> bytes;
+  FixedList<std::uint8_t, 65536> block = {};
   while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
-    bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count));
+    bytes.insert(bytes.end(), block.begin(), block.begin() + count);
   }
   if (std::ferror(file.get()) != 0) throw std::runtime_error(failed + reason(errno));
   try {
@@ -128,7 +127,7 @@ ImageDifference compare(const Image& expected, const Image& actual) {
 Image difference_image(const Image& expected, const Image& actual, int tolerance) {
   Image image{.width = std::max(expected.width, actual.width),
               .height = std::max(expected.height, actual.height)};
-  image.pixels.reserve(3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  image.pixels.reserve(std::ptrdiff_t{3} * image.width * image.height);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const std::uint8_t* const pixel = pixel_at(actual, x, y);

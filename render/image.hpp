@@ -3,11 +3,10 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <stdexcept>
 #include <string_view>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/canvas.hpp"
 
 namespace cairn::render {
@@ -20,7 +19,7 @@ struct WriteError : std::runtime_error {
 /// Writes `<path>.part` beside the file and renames it, so that no reader ever sees half a file. Devices and
 /// pipes are written directly.
 /// @throws WriteError; the part is then removed, and an earlier file of that name is as it was.
-void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+void write_file(const std::filesystem::path& path, Span<const std::uint8_t> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 
 /// @throws std::invalid_argument unless both sides are positive and there are 3 bytes for every pixel.
@@ -28,9 +27,9 @@ void require_image(const Image& image, std::string_view place);
 
 /// The bytes of a PNG file. The same image gives the same bytes on every thread.
 /// @throws std::invalid_argument as require_image().
-std::vector<std::uint8_t> encode_png(const Image& image);
+List<std::uint8_t> encode_png(const Image& image);
 /// Any PNG; an alpha channel is dropped. @throws std::runtime_error with the reason.
-Image decode_png(std::span<const std::uint8_t> bytes);
+Image decode_png(Span<const std::uint8_t> bytes);
 
 /// @throws WriteError, or std::invalid_argument as require_image().
 void write_png(const std::filesystem::path& path, const Image& image);

@@ -39,21 +39,21 @@ double contrast_upon(const TextBox& box, Color back) {
   return contrast(over(box.style.color, behind), behind);
 }
 
-void check_size(const TextBox& box, std::vector<std::string>& faults) {
+void check_size(const TextBox& box, List<std::string>& faults) {
   if (!(box.style.size >= smallest_text)) {
     faults.push_back(
         fmt::format("{} is {:.3g} px high, less than {} px", named(box), box.style.size, smallest_text));
   }
 }
 
-void check_place(const TextBox& box, const Canvas& canvas, std::vector<std::string>& faults) {
+void check_place(const TextBox& box, const Canvas& canvas, List<std::string>& faults) {
   const Rect& r = box.rect;
   const bool inside =
       r.x >= 0 && r.y >= 0 && r.x + r.width <= canvas.width() && r.y + r.height <= canvas.height();
   if (!inside) faults.push_back(fmt::format("{} reaches outside the page", named(box)));
 }
 
-void check_contrast(const TextBox& box, const Theme& theme, std::vector<std::string>& faults) {
+void check_contrast(const TextBox& box, const Theme& theme, List<std::string>& faults) {
   const double least = box.style.bold && box.style.size >= large_text ? 3 : 4.5;
   const double found = std::min(contrast_upon(box, theme.background), contrast_upon(box, theme.panel));
   if (!(found >= least)) {
@@ -86,15 +86,15 @@ bool meets(const Point& from, const Point& to, const Rect& box) {
          narrow(from.y(), to.y(), box.y, box.y + box.height, enter, leave);
 }
 
-bool on_curve(const TextBox& box, const std::vector<Point>& curve) {
+bool on_curve(const TextBox& box, const List<Point>& curve) {
   const Rect ink = inset(box.rect, allowed_overlap);
-  for (std::size_t i = 1; i < curve.size(); ++i) {
+  for (int i = 1; i < curve.size(); ++i) {
     if (meets(curve[i - 1], curve[i], ink)) return true;
   }
   return false;
 }
 
-void check_curves(const TextBox& box, const Page& page, std::vector<std::string>& faults) {
+void check_curves(const TextBox& box, const Page& page, List<std::string>& faults) {
   if (has_halo(box)) return;
   const auto& curves = page.curves();
   if (std::any_of(curves.begin(), curves.end(), [&](const auto& curve) { return on_curve(box, curve); })) {
@@ -116,18 +116,18 @@ Color ink_on(Color fill) {
   return contrast(black, fill) >= contrast(white, fill) ? black : white;
 }
 
-std::vector<std::string> lint(const Page& page) {
-  std::vector<TextBox> boxes;
+List<std::string> lint(const Page& page) {
+  List<TextBox> boxes;
   for (const TextBox& box : page.canvas().text_boxes()) {
     if (box.text.find_first_not_of(' ') != std::string::npos) boxes.push_back(box);
   }
-  std::vector<std::string> faults;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
+  List<std::string> faults;
+  for (int i = 0; i < boxes.size(); ++i) {
     check_size(boxes[i], faults);
     check_place(boxes[i], page.canvas(), faults);
     check_contrast(boxes[i], page.theme(), faults);
     check_curves(boxes[i], page, faults);
-    for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+    for (int j = i + 1; j < boxes.size(); ++j) {
       if (!boxes_overlap(boxes[i].rect, boxes[j].rect)) continue;
       faults.push_back(fmt::format("{} overlaps {}", named(boxes[i]), named(boxes[j])));
     }

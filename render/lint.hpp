@@ -2,8 +2,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/page.hpp"
 
 namespace cairn::render {
@@ -13,7 +13,7 @@ namespace cairn::render {
 /// what is behind it than 4.5 : 1 (3 : 1 for bold of at least 18 px). Behind it is its halo, if it has one;
 /// else the background or the panel, whichever is worse. So text upon anything else (a body, a cell) has a
 /// halo in the colour it stands on.
-std::vector<std::string> lint(const Page& page);
+List<std::string> lint(const Page& page);
 
 /// WCAG 2 contrast ratio of two opaque colours, 1 to 21.
 double contrast(Color first, Color second);

@@ -23,7 +23,7 @@ struct Pen {
 
 class Setter {
  public:
-  Setter(Face face, std::vector<PlacedGlyph>& glyphs) : face_(face), glyphs_(glyphs) {}
+  Setter(Face face, List<PlacedGlyph>& glyphs) : face_(face), glyphs_(glyphs) {}
 
   void set(std::string_view markup, Pen& pen) {
     while (!markup.empty()) {
@@ -60,14 +60,14 @@ class Setter {
     }
     below.drop += subscript_drop * pen.size;
     above.drop += superscript_drop * pen.size;
-    const std::size_t first = glyphs_.size();
+    const int first = glyphs_.size();
     while (markup.size() > 1 && (markup.front() == '_' || markup.front() == '^')) {
       Pen& script = markup.front() == '_' ? below : above;
       markup.remove_prefix(1);
       set(take_group(markup), script);
     }
     if (below.x > pen.x && above.x > pen.x) {
-      for (std::size_t i = first; i < glyphs_.size(); ++i) {
+      for (int i = first; i < glyphs_.size(); ++i) {
         glyphs_[i].drop += (glyphs_[i].drop > pen.drop ? parting : -parting) * pen.size;
       }
     }
@@ -98,7 +98,7 @@ class Setter {
   }
 
   Face face_;
-  std::vector<PlacedGlyph>& glyphs_;
+  List<PlacedGlyph>& glyphs_;
 };
 
 }  // namespace

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <string_view>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/font.hpp"
 
 namespace cairn::render {
@@ -16,7 +16,7 @@ struct PlacedGlyph {
 };
 
 struct GlyphLine {
-  std::vector<PlacedGlyph> glyphs = {};
+  List<PlacedGlyph> glyphs = {};
   double width = 0;  // [px]
 };
 

@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/page.hpp"
 
 namespace cairn::render {
@@ -14,8 +14,8 @@ enum class MatrixColors { signed_values, magnitude };
 struct MatrixView {
   std::string title = {};  // "A = J M⁻¹ Jᵀ (1/kg)"
   Eigen::MatrixXd values = {};
-  std::vector<std::string> row_names = {};  // empty: none
-  std::vector<std::string> column_names = {};
+  List<std::string> row_names = {};  // empty: none
+  List<std::string> column_names = {};
   int column_group = 0;  // a thick line after every so many columns; 0: none
   int active_row = -1;   // framed
   MatrixColors colors = MatrixColors::signed_values;

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/matrix.hpp"
 
 namespace cairn::render {
@@ -31,7 +31,7 @@ Color color_of(const MatrixGrid& grid, double value);
 
 TextStyle matrix_title(const Page& page);
 TextStyle matrix_names(const Page& page);
-double widest_name(const Page& page, const std::vector<std::string>& names);
+double widest_name(const Page& page, const List<std::string>& names);
 
 /// Title, names and numbers.
 void write_matrix_texts(MatrixGrid& grid, const Rect& rect);

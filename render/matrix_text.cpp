@@ -1,8 +1,8 @@
 // All text of a matrix: title, names, and numbers in the cells.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "render/lint.hpp"
 #include "render/matrix_grid.hpp"
 #include "render/text_layout.hpp"
@@ -45,10 +45,10 @@ TextStyle number_style(const MatrixGrid& grid, double size) {
 // so "+" goes before digits go. The last format may leave some numbers out.
 NumberFormat format_of(const MatrixGrid& grid) {
   const Sign sign = grid.view.colors == MatrixColors::magnitude ? Sign::negative_only : Sign::always;
-  const std::array<NumberFormat, 4> formats = {{{.digits = 3, .sign = sign},
-                                                {.digits = 3, .sign = Sign::negative_only},
-                                                {.digits = 2, .sign = sign},
-                                                {.digits = 2, .sign = Sign::negative_only}}};
+  const FixedList<NumberFormat, 4> formats = {{{.digits = 3, .sign = sign},
+                                               {.digits = 3, .sign = Sign::negative_only},
+                                               {.digits = 2, .sign = sign},
+                                               {.digits = 2, .sign = Sign::negative_only}}};
   const double room = grid.cell - 5;
   for (NumberFormat format : formats) {
     const double width = widest_number(grid, format, number_style(grid, smallest_text));
@@ -81,8 +81,8 @@ void write_numbers(MatrixGrid& grid) {
 }
 
 // Every k-th name, so that none touches the next.
-std::size_t name_step(double needed, double cell) {
-  return static_cast<std::size_t>(std::max(1.0, std::ceil(needed / cell)));
+int name_step(double needed, double cell) {
+  return static_cast<int>(std::max(1.0, std::ceil(needed / cell)));
 }
 
 void write_row_names(MatrixGrid& grid, const Rect& rect) {
@@ -90,12 +90,12 @@ void write_row_names(MatrixGrid& grid, const Rect& rect) {
   TextStyle style = matrix_names(grid.page);
   style.align = Align::right;
   const double right = grid.cells.x - matrix_name_gap;
-  const std::size_t step = name_step(1.25 * style.size, grid.cell);
-  const auto rows = std::min(grid.view.row_names.size(), static_cast<std::size_t>(grid.view.values.rows()));
-  for (std::size_t row = 0; row < rows; row += step) {
-    style.bold = static_cast<int>(row) == grid.view.active_row;
+  const int step = name_step(1.25 * style.size, grid.cell);
+  const Eigen::Index rows = std::min<Eigen::Index>(grid.view.row_names.size(), grid.view.values.rows());
+  for (int row = 0; row < rows; row += step) {
+    style.bold = row == grid.view.active_row;
     style.color = style.bold ? grid.page.theme().text : grid.page.theme().secondary_text;
-    const double y = grid.cells.y + grid.cell * (static_cast<double>(row) + 0.5);
+    const double y = grid.cells.y + grid.cell * (row + 0.5);
     const std::string name = ellipsized(canvas, grid.view.row_names[row], right - rect.x, style);
     canvas.text({right, baseline_around(y, style.size)}, name, style);
   }
@@ -105,12 +105,11 @@ void write_column_names(MatrixGrid& grid) {
   Canvas& canvas = grid.page.canvas();
   TextStyle style = matrix_names(grid.page);
   style.align = Align::center;
-  const std::size_t step = name_step(widest_name(grid.page, grid.view.column_names) + 4, grid.cell);
-  const auto columns =
-      std::min(grid.view.column_names.size(), static_cast<std::size_t>(grid.view.values.cols()));
+  const int step = name_step(widest_name(grid.page, grid.view.column_names) + 4, grid.cell);
+  const Eigen::Index columns = std::min<Eigen::Index>(grid.view.column_names.size(), grid.view.values.cols());
   const double base = grid.cells.y + grid.cells.height + std::round(1.25 * style.size);
-  for (std::size_t column = 0; column < columns; column += step) {
-    const double x = grid.cells.x + grid.cell * (static_cast<double>(column) + 0.5);
+  for (int column = 0; column < columns; column += step) {
+    const double x = grid.cells.x + grid.cell * (column + 0.5);
     canvas.text({x, base}, grid.view.column_names[column], style);
   }
 }
@@ -141,7 +140,7 @@ TextStyle matrix_title(const Page& page) {
   return style;
 }
 
-double widest_name(const Page& page, const std::vector<std::string>& names) {
+double widest_name(const Page& page, const List<std::string>& names) {
   TextStyle style = matrix_names(page);
   style.bold = true;  // the active row's
   double width = 0;

@@ -131,12 +131,12 @@ Rect Page::panel(const Rect& rect, std::string_view title) {
   return inner;
 }
 
-std::vector<Rect> columns(const Rect& rect, const std::vector<double>& weights, double gap) {
+List<Rect> columns(const Rect& rect, const List<double>& weights, double gap) {
   double sum = 0;
   for (const double weight : weights) sum += weight;
   require(weights.empty() || sum > 0, "columns", "weights", "of positive sum", sum);
-  const double gaps = weights.empty() ? 0 : gap * static_cast<double>(weights.size() - 1);
-  std::vector<Rect> parts;
+  const double gaps = weights.empty() ? 0 : gap * (weights.size() - 1);
+  List<Rect> parts;
   double x = rect.x;
   for (const double weight : weights) {
     const double width = (rect.width - gaps) * weight / sum;
@@ -146,8 +146,8 @@ std::vector<Rect> columns(const Rect& rect, const std::vector<double>& weights, 
   return parts;
 }
 
-std::vector<Rect> rows(const Rect& rect, const std::vector<double>& weights, double gap) {
-  std::vector<Rect> parts;
+List<Rect> rows(const Rect& rect, const List<double>& weights, double gap) {
+  List<Rect> parts;
   for (const Rect& part : columns({rect.y, rect.x, rect.height, rect.width}, weights, gap)) {
     parts.push_back({part.y, part.x, part.height, part.width});
   }

@@ -3,8 +3,8 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/canvas.hpp"
 #include "render/theme.hpp"
 
@@ -30,8 +30,8 @@ struct Equation {
 
 /// Rows of text in columns, numbers right-aligned in mono.
 struct TableView {
-  std::vector<std::string> header = {};
-  std::vector<std::vector<std::string>> rows = {};
+  List<std::string> header = {};
+  List<List<std::string>> rows = {};
   int active_row = -1;
 };
 
@@ -71,27 +71,27 @@ class Page {
   /// Writes at the first place whose text box meets no other text and stays inside `within`, and if there is
   /// a choice off the lines told to avoid() and note_curve(); the first place if there is none. Each place is
   /// a base line, aligned as the style says.
-  void place_text(const std::vector<Point>& places, const Rect& within, std::string_view text,
+  void place_text(const List<Point>& places, const Rect& within, std::string_view text,
                   const TextStyle& style);
 
   /// Remembers a curve for lint(): text must not stand on it without a halo.
-  void note_curve(std::vector<Point> points) { curves_.push_back(std::move(points)); }
-  const std::vector<std::vector<Point>>& curves() const { return curves_; }
+  void note_curve(List<Point> points) { curves_.push_back(std::move(points)); }
+  const List<List<Point>>& curves() const { return curves_; }
   /// A line, such as a body's outline or an arrow, that place_text() keeps off where it can. lint() does not
   /// mind it.
-  void avoid(std::vector<Point> line) { avoided_.push_back(std::move(line)); }
+  void avoid(List<Point> line) { avoided_.push_back(std::move(line)); }
 
  private:
   Canvas canvas_;
   Theme theme_;
   Sizes sizes_;
-  std::vector<std::vector<Point>> curves_;
-  std::vector<std::vector<Point>> avoided_;
+  List<List<Point>> curves_;
+  List<List<Point>> avoided_;
 };
 
 /// Cuts a rectangle into columns (or rows) with the given weights and a gap [px] between them.
-std::vector<Rect> columns(const Rect& rect, const std::vector<double>& weights, double gap);
-std::vector<Rect> rows(const Rect& rect, const std::vector<double>& weights, double gap);
+List<Rect> columns(const Rect& rect, const List<double>& weights, double gap);
+List<Rect> rows(const Rect& rect, const List<double>& weights, double gap);
 /// The rectangle without `by` px on every side.
 Rect inset(const Rect& rect, double by);
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "render/page.hpp"
 #include "render/text_layout.hpp"
 
@@ -18,7 +19,7 @@ struct PlacedLine {
 };
 
 struct EquationLayout {
-  std::vector<PlacedLine> lines = {};
+  List<PlacedLine> lines = {};
   bool fits = true;
 };
 
@@ -92,9 +93,9 @@ class EquationSetter {
     TextStyle small = page_.secondary();
     small.mono = true;
     small = shrunk(page_.canvas(), equation_.algorithm, inner_.width, small);
-    const std::vector<std::string> lines = wrapped(page_.canvas(), equation_.algorithm, inner_.width, small);
+    const List<std::string> lines = wrapped(page_.canvas(), equation_.algorithm, inner_.width, small);
     const double pitch = std::round(1.35 * small.size);
-    double baseline = std::round(bottom_ - 0.2 * small.size) - pitch * static_cast<double>(lines.size() - 1);
+    double baseline = std::round(bottom_ - 0.2 * small.size) - pitch * (lines.size() - 1);
     bottom_ = baseline - 1.1 * small.size;
     for (const std::string& line : lines) {
       layout_.lines.push_back({{inner_.x, baseline}, line, small});
@@ -109,7 +110,7 @@ class EquationSetter {
     const bool too_wide = page_.canvas().text_width(text, style) > width;
     if (too_wide && (type_.size > smallest_text || type_.parts == EquationParts::number_beside))
       layout_.fits = false;
-    std::vector<std::string> lines = {text};
+    List<std::string> lines = {text};
     if (too_wide) lines = wrapped(page_.canvas(), text, width, style);
     for (const std::string& line : lines) {
       layout_.lines.push_back({{inner_.x + indent, std::round(baseline)}, line, style});
@@ -127,8 +128,8 @@ class EquationSetter {
 
 /// From the size wanted down to 12 px, first with generous, then with tight lines; then with the number
 /// beside the first line; at last without what is least needed.
-std::vector<EquationType> equation_types(double largest) {
-  std::vector<EquationType> types;
+List<EquationType> equation_types(double largest) {
+  List<EquationType> types;
   for (double size = largest; size >= smallest_text; --size) {
     for (const double pitch : {1.6, 1.35}) types.push_back({.size = size, .pitch = pitch});
   }
@@ -159,7 +160,7 @@ void Page::note(const Rect& rect, std::string_view title, std::string_view text)
   const Rect inner = panel(rect, title);
   TextStyle style = {.size = sizes_.question, .color = theme_.text};
   const auto height_of = [&] {
-    const double lines = static_cast<double>(wrapped(canvas_, text, inner.width, style).size());
+    const double lines = wrapped(canvas_, text, inner.width, style).size();
     return std::round(leading * style.size) * (lines - 1) + style.size;
   };
   while (style.size > smallest_text && height_of() > inner.height)

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "render/page.hpp"
 #include "render/text_layout.hpp"
 
@@ -14,20 +15,20 @@ struct TableLayout {
   TextStyle cell = {};
   TextStyle head = {};
   double row_height = 0;
-  std::vector<double> widths = {};  // of the columns, without the gaps
-  double gap = 0;                   // between columns
-  std::size_t first = 0;            // row shown
-  std::size_t shown = 0;            // rows
+  List<double> widths = {};  // of the columns, without the gaps
+  double gap = 0;            // between columns
+  int first = 0;             // row shown
+  int shown = 0;             // rows
   bool fits = false;
 };
 
-std::size_t column_count(const TableView& table) {
-  std::size_t count = table.header.size();
-  for (const std::vector<std::string>& row : table.rows) count = std::max(count, row.size());
+int column_count(const TableView& table) {
+  int count = table.header.size();
+  for (const List<std::string>& row : table.rows) count = std::max(count, row.size());
   return count;
 }
 
-double sum_of(const std::vector<double>& widths) {
+double sum_of(const List<double>& widths) {
   double sum = 0;
   for (const double width : widths) sum += width;
   return sum;
@@ -36,15 +37,15 @@ double sum_of(const std::vector<double>& widths) {
 /// The widths that the cells ask for; when they are too much for the room, all are cut by the same part.
 void set_widths(const Canvas& canvas, const Rect& room, const TableView& table, TableLayout& layout) {
   layout.widths.assign(column_count(table), 0);
-  const auto widen = [&](const std::vector<std::string>& cells, const TextStyle& style) {
-    for (std::size_t i = 0; i < cells.size(); ++i) {
+  const auto widen = [&](const List<std::string>& cells, const TextStyle& style) {
+    for (int i = 0; i < cells.size(); ++i) {
       layout.widths[i] = std::max(layout.widths[i], canvas.text_width(cells[i], style));
     }
   };
   widen(table.header, layout.head);
-  for (const std::vector<std::string>& row : table.rows) widen(row, layout.cell);
+  for (const List<std::string>& row : table.rows) widen(row, layout.cell);
   const double size = layout.cell.size;
-  const double gaps = layout.widths.size() > 1 ? static_cast<double>(layout.widths.size() - 1) : 0;
+  const double gaps = std::max(layout.widths.size() - 1, 0);
   const double left_over = room.width - sum_of(layout.widths);
   // Far apart, the eye loses the row; too close, two numbers look like one.
   layout.gap = gaps > 0 ? std::clamp(left_over / gaps, 0.8 * size, 3.5 * size) : 0;
@@ -65,10 +66,9 @@ TableLayout table_layout(const Page& page, const Rect& room, const TableView& ta
   layout.row_height = std::round(pitch * size);
   const double head_rows = table.header.empty() ? 0 : 1;
   const double fitting = std::floor(room.height / layout.row_height) - head_rows;
-  layout.shown = std::min(table.rows.size(), static_cast<std::size_t>(std::max(0.0, fitting)));
+  layout.shown = static_cast<int>(std::min<double>(table.rows.size(), std::max(0.0, fitting)));
   layout.first = table.rows.size() - layout.shown;
-  if (table.active_row >= 0)
-    layout.first = std::min(layout.first, static_cast<std::size_t>(table.active_row));
+  if (table.active_row >= 0) layout.first = std::min(layout.first, table.active_row);
   layout.fits = layout.fits && layout.shown == table.rows.size();
   return layout;
 }
@@ -85,10 +85,10 @@ TableLayout best_layout(const Page& page, const Rect& room, const TableView& tab
   return airy.fits ? airy : table_layout(page, room, table, smallest_text, 1.3);
 }
 
-void draw_row(Canvas& canvas, const Point& start, const std::vector<std::string>& cells,
-              const TableLayout& layout, TextStyle style) {
+void draw_row(Canvas& canvas, const Point& start, const List<std::string>& cells, const TableLayout& layout,
+              TextStyle style) {
   double x = start.x();
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  for (int i = 0; i < cells.size(); ++i) {
     const double width = layout.widths[i];
     if (cells[i].empty()) {
       x += width + layout.gap;
@@ -114,7 +114,7 @@ void Page::table(const Rect& rect, std::string_view title, const TableView& tabl
   const Rect room = panel(rect, title);
   if (column_count(table) == 0) return;
   const TableLayout layout = best_layout(*this, room, table);
-  const double used = sum_of(layout.widths) + layout.gap * static_cast<double>(layout.widths.size() - 1);
+  const double used = sum_of(layout.widths) + layout.gap * (layout.widths.size() - 1);
   const double middle = std::round(baseline_around(layout.row_height / 2, layout.cell.size));
   double y = std::round(room.y);
   if (!table.header.empty()) {
@@ -123,14 +123,13 @@ void Page::table(const Rect& rect, std::string_view title, const TableView& tabl
     canvas_.line({room.x, y - 0.5}, {room.x + used, y - 0.5},
                  {.width = 1, .color = theme_.frame_line, .dash = {}});
   }
-  for (std::size_t i = layout.first; i < layout.first + layout.shown; ++i) {
+  for (int i = layout.first; i < layout.first + layout.shown; ++i) {
     const double beside = 0.5 * sizes_.padding;
-    if (static_cast<int>(i) == table.active_row) {
+    if (i == table.active_row) {
       light_row(*this, {room.x - beside, y, used + 2 * beside, layout.row_height});
     }
-    const bool hidden_above =
-        i == layout.first && i > 0 && layout.shown > 2 && static_cast<int>(i) != table.active_row;
-    const std::vector<std::string> more = {"⋮"};
+    const bool hidden_above = i == layout.first && i > 0 && layout.shown > 2 && i != table.active_row;
+    const List<std::string> more = {"⋮"};
     draw_row(canvas_, {room.x, y + middle}, hidden_above ? more : table.rows[i], layout, layout.cell);
     y += layout.row_height;
   }

@@ -1,10 +1,10 @@
 // Running text on a page, text that looks for a free place, and numbers for people.
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 
+#include "math/list.hpp"
 #include "render/page.hpp"
 #include "render/text_layout.hpp"
 
@@ -24,7 +24,7 @@ bool lies_within(const Rect& inner, const Rect& outer) {
          inner.y + inner.height <= outer.y + outer.height;
 }
 
-bool meets_text(std::span<const TextBox> boxes, const Rect& rect) {
+bool meets_text(Span<const TextBox> boxes, const Rect& rect) {
   return std::any_of(boxes.begin(), boxes.end(), [&](const TextBox& box) { return meet(box.rect, rect); });
 }
 
@@ -42,9 +42,9 @@ bool passes(const Point& from, const Point& to, const Rect& box) {
   return from.allFinite() && to.allFinite() && !apart;
 }
 
-bool meets_line(const std::vector<std::vector<Point>>& lines, const Rect& rect) {
-  for (const std::vector<Point>& line : lines) {
-    for (std::size_t i = 1; i < line.size(); ++i) {
+bool meets_line(const List<List<Point>>& lines, const Rect& rect) {
+  for (const List<Point>& line : lines) {
+    for (int i = 1; i < line.size(); ++i) {
       if (passes(line[i - 1], line[i], rect)) return true;
     }
   }
@@ -65,7 +65,7 @@ struct Digits {
 };
 
 Digits digits_of(double value, int count) {
-  std::array<char, 64> buffer = {};
+  FixedList<char, 64> buffer = {};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
                                  std::chars_format::scientific, count - 1)
                        .ptr;
@@ -100,7 +100,7 @@ double Page::paragraph(const Point& at, double width, std::string_view text, con
   return line.y() - at.y();
 }
 
-void Page::place_text(const std::vector<Point>& places, const Rect& within, std::string_view text,
+void Page::place_text(const List<Point>& places, const Rect& within, std::string_view text,
                       const TextStyle& style) {
   if (places.empty()) return;
   const Point* chosen = nullptr;
@@ -119,7 +119,7 @@ void Page::place_text(const std::vector<Point>& places, const Rect& within, std:
 std::string fixed(double value, int decimals, Sign sign) {
   std::string text = not_finite(value);
   if (text.empty()) {
-    std::array<char, 512> buffer = {};  // 309 digits, a point, and decimals
+    FixedList<char, 512> buffer = {};  // 309 digits, a point, and decimals
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
                                    std::chars_format::fixed, std::clamp(decimals, 0, 150))
                          .ptr;

@@ -11,7 +11,7 @@
 namespace cairn::render {
 namespace {
 
-constexpr std::size_t most_series = 4;  // more cannot be told apart
+constexpr int most_series = 4;  // more cannot be told apart
 
 void check_places(const Places& places, const char* field) {
   require(places.x.size() == places.y.size(), "draw_plot", field, "of as many x as y",
@@ -19,8 +19,7 @@ void check_places(const Places& places, const char* field) {
 }
 
 void check_plot(const Plot& plot) {
-  require(plot.series.size() <= most_series, "draw_plot", "series", "at most 4",
-          static_cast<double>(plot.series.size()));
+  require(plot.series.size() <= most_series, "draw_plot", "series", "at most 4", plot.series.size());
   for (const Series& series : plot.series) {
     require(series.x.size() == series.y.size(), "draw_plot", "x", "as long as y",
             std::to_string(series.x.size()) + " and " + std::to_string(series.y.size()));
@@ -39,13 +38,13 @@ void draw_cursor(Page& page, const PlotFrame& frame, const Plot& plot) {
   page.canvas().pop_clip();
 }
 
-std::vector<Curve> curves_of(const PlotFrame& frame, const Plot& plot) {
-  std::vector<Curve> curves;
+List<Curve> curves_of(const PlotFrame& frame, const Plot& plot) {
+  List<Curve> curves;
   for (const Series& series : plot.series) curves.push_back(curve_of(frame, series));
   return curves;
 }
 
-bool is_all_empty(const std::vector<Curve>& curves) {
+bool is_all_empty(const List<Curve>& curves) {
   for (const Curve& curve : curves) {
     if (!curve.points.empty() || !curve.pieces.empty()) return false;
   }
@@ -64,7 +63,7 @@ void draw_plot(Page& page, const Rect& rect, const Plot& plot) {
   // How wide the names need it to be is known once the curves are there.
   PlotFrame frame = lay_out(page, panel, shown, 0);
   frame = lay_out(page, panel, shown, gutter_width(page, frame, shown, curves_of(frame, shown)));
-  const std::vector<Curve> curves = curves_of(frame, shown);
+  const List<Curve> curves = curves_of(frame, shown);
   draw_axes(page, frame, shown);
   draw_background(page, frame, shown);
   draw_goals(page, frame, shown);

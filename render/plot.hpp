@@ -3,8 +3,8 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/page.hpp"
 
 namespace cairn::render {
@@ -21,8 +21,8 @@ struct Axis {
 struct Series {
   std::string name = {};  // written at its right end, moved apart from the others
   SeriesStyle style = {};
-  std::vector<double> x = {};
-  std::vector<double> y = {};  // NaN leaves a gap; on a log axis what is not > 0 is left out
+  List<double> x = {};
+  List<double> y = {};  // NaN leaves a gap; on a log axis what is not > 0 is left out
   bool line = true;
   bool markers = true;  // a few, evenly spread
 };
@@ -35,8 +35,8 @@ struct GoalLine {
 
 /// Points that belong together: where x and y are.
 struct Places {
-  std::vector<double> x = {};
-  std::vector<double> y = {};
+  List<double> x = {};
+  List<double> y = {};
 };
 
 /// What is written beside a point, where there is room for it.
@@ -50,12 +50,12 @@ struct Plot {
   std::string title = {};
   Axis x = {};
   Axis y = {};
-  std::vector<Series> series = {};  // at most 4
-  std::vector<GoalLine> goals = {};
+  List<Series> series = {};  // at most 4
+  List<GoalLine> goals = {};
   std::optional<double> cursor = {};  // a vertical line at this x
   Places cloud = {};                  // small and faint, behind everything: all that was tried
   Places front = {};                  // a wide and faint line behind the curves: what nothing tried beats
-  std::vector<PointLabel> labels = {};
+  List<PointLabel> labels = {};
 };
 
 /// A panel with the plot. Nothing is drawn outside its axes.
@@ -63,9 +63,9 @@ struct Plot {
 void draw_plot(Page& page, const Rect& rect, const Plot& plot);
 
 /// Round numbers (1, 2 or 5 times a power of ten) inside [min, max], at most `count` of them.
-std::vector<double> round_ticks(double min, double max, int count);
+List<double> round_ticks(double min, double max, int count);
 /// Powers of ten inside [min, max], thinned to at most `count`.
-std::vector<double> decade_ticks(double min, double max, int count);
+List<double> decade_ticks(double min, double max, int count);
 
 void draw_marker(Canvas& canvas, const Point& at, Marker marker, double radius, Color color);
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "render/plot_parts.hpp"
 #include "render/text_layout.hpp"
 
@@ -13,17 +14,17 @@ constexpr double tick_gap = 8;  // [px] between the box and what is written at i
 // Room inside the box around the range, so that curves along its ends are seen whole.
 double rim(const Page& page) { return 2 * page.sizes().marker; }
 
-double widest(const Page& page, const std::vector<std::string>& texts) {
+double widest(const Page& page, const List<std::string>& texts) {
   double width = 0;
   for (const std::string& text : texts) width = std::max(width, page.canvas().text_width(text, page.tick()));
   return width;
 }
 
-std::vector<double> values_of(const Plot& plot, const std::vector<double> Series::*member) {
-  std::vector<double> values;
+List<double> values_of(const Plot& plot, const List<double> Series::*member) {
+  List<double> values;
   const auto add = [&](const Series& series) {
     // Only points that can be shown: both of their coordinates count.
-    for (std::size_t i = 0; i < series.x.size(); ++i) {
+    for (int i = 0; i < series.x.size(); ++i) {
       if (!plottable(series.x[i], plot.x.scale) || !plottable(series.y[i], plot.y.scale)) continue;
       values.push_back((series.*member)[i]);
     }
@@ -48,22 +49,22 @@ void set_horizontal_ticks(const Page& page, AxisView& axis) {
   const double length = axis.to - axis.from;
   int count = count_for(length, 4 * page.sizes().tick, 11);
   set_ticks(axis, count);
-  while (count > 2 && static_cast<double>(axis.ticks.size()) * (widest(page, axis.labels) + 20) > length) {
+  while (count > 2 && axis.ticks.size() * (widest(page, axis.labels) + 20) > length) {
     set_ticks(axis, --count);
   }
 }
 
-double pixel_of(const AxisView& axis, std::size_t tick) { return std::round(axis.pixel(axis.ticks[tick])); }
+double pixel_of(const AxisView& axis, int tick) { return std::round(axis.pixel(axis.ticks[tick])); }
 
 void draw_grid(Page& page, const PlotFrame& frame) {
   Canvas& canvas = page.canvas();
   const Rect& box = frame.box;
   const Stroke grid{.width = page.sizes().grid, .color = page.theme().grid};
-  for (std::size_t i = 0; i < frame.x.ticks.size(); ++i) {
+  for (int i = 0; i < frame.x.ticks.size(); ++i) {
     const double x = pixel_of(frame.x, i) + 0.5;
     canvas.line({x, box.y}, {x, box.y + box.height}, grid);
   }
-  for (std::size_t i = 0; i < frame.y.ticks.size(); ++i) {
+  for (int i = 0; i < frame.y.ticks.size(); ++i) {
     const double y = pixel_of(frame.y, i) + 0.5;
     canvas.line({box.x, y}, {box.x + box.width, y}, grid);
   }
@@ -77,13 +78,13 @@ void write_ticks(Page& page, const PlotFrame& frame) {
   const double base = box.y + box.height + tick_gap + 0.8 * style.size;
   const Stroke mark{.width = page.sizes().axis, .color = page.theme().secondary_text};
   style.align = Align::center;
-  for (std::size_t i = 0; i < frame.x.ticks.size(); ++i) {
+  for (int i = 0; i < frame.x.ticks.size(); ++i) {
     const double x = pixel_of(frame.x, i) + 0.5;
     canvas.line({x, box.y + box.height}, {x, box.y + box.height + 4}, mark);
     canvas.text({x, base}, frame.x.labels[i], style);
   }
   style.align = Align::right;
-  for (std::size_t i = 0; i < frame.y.ticks.size(); ++i) {
+  for (int i = 0; i < frame.y.ticks.size(); ++i) {
     const double y = pixel_of(frame.y, i) + 0.5;
     canvas.line({box.x - 4, y}, {box.x, y}, mark);
     canvas.text({box.x - tick_gap, baseline_around(y, style.size)}, frame.y.labels[i], style);
@@ -115,7 +116,7 @@ PlotFrame lay_out(const Page& page, const Rect& panel, const Plot& plot, double 
   frame.box.height = std::max(std::round(panel.height - top - bottom), 24.0);
 
   frame.y.scale = plot.y.scale;
-  std::vector<double> heights = values_of(plot, &Series::y);
+  List<double> heights = values_of(plot, &Series::y);
   for (const GoalLine& goal : plot.goals) heights.push_back(goal.y);
   const int count = count_for(frame.box.height, 2.6 * tick, 8);
   frame.y.range = widened(range_of(plot.y, heights), plot.y, count);

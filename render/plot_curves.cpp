@@ -3,17 +3,18 @@
 #include <cmath>
 #include <limits>
 
+#include "math/list.hpp"
 #include "render/plot_parts.hpp"
 #include "render/rects.hpp"
 
 namespace cairn::render {
 namespace {
 
-constexpr std::size_t markers_of_curve = 6;
-constexpr std::size_t all_marked = 9;  // a curve with so few points shows every one of them
+constexpr int markers_of_curve = 6;
+constexpr int all_marked = 9;  // a curve with so few points shows every one of them
 
 // Goes on with the last piece where it ended, or begins another.
-void append(std::vector<std::vector<Point>>& pieces, const LineSegment& segment) {
+void append(List<List<Point>>& pieces, const LineSegment& segment) {
   if (pieces.empty() || pieces.back().back() != segment.from) {
     pieces.emplace_back();
     pieces.back().push_back(segment.from);
@@ -22,17 +23,16 @@ void append(std::vector<std::vector<Point>>& pieces, const LineSegment& segment)
 }
 
 // Evenly along the curve; each series begins at another place, so that curves that coincide are told apart.
-std::vector<Point> marked_points(const Curve& curve, std::size_t series) {
-  const std::vector<Point>& points = curve.points;
+List<Point> marked_points(const Curve& curve, int series) {
+  const List<Point>& points = curve.points;
   if (points.size() <= all_marked) return points;
-  std::vector<double> along = {0};
-  for (std::size_t i = 1; i < points.size(); ++i)
-    along.push_back(along.back() + (points[i] - points[i - 1]).norm());
-  std::vector<Point> marked;
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < markers_of_curve; ++i) {
-    const double part = static_cast<double>(i) + 0.15 + 0.2 * static_cast<double>(series);
-    const double wanted = along.back() * part / static_cast<double>(markers_of_curve);
+  List<double> along = {0};
+  for (int i = 1; i < points.size(); ++i) along.push_back(along.back() + (points[i] - points[i - 1]).norm());
+  List<Point> marked;
+  int next = 0;
+  for (int i = 0; i < markers_of_curve; ++i) {
+    const double part = i + 0.15 + 0.2 * series;
+    const double wanted = along.back() * part / markers_of_curve;
     while (next + 1 < points.size() && std::abs(along[next + 1] - wanted) <= std::abs(along[next] - wanted))
       ++next;
     if (marked.empty() || marked.back() != points[next]) marked.push_back(points[next]);
@@ -40,17 +40,16 @@ std::vector<Point> marked_points(const Curve& curve, std::size_t series) {
   return marked;
 }
 
-bool is_near(const std::vector<Point>& drawn, const Point& at, double distance) {
+bool is_near(const List<Point>& drawn, const Point& at, double distance) {
   return std::any_of(drawn.begin(), drawn.end(),
                      [&](const Point& other) { return (other - at).norm() < distance; });
 }
 
-void draw_markers(Page& page, const Series& series, const std::vector<Point>& points,
-                  std::vector<Point>& drawn) {
+void draw_markers(Page& page, const Series& series, const List<Point>& points, List<Point>& drawn) {
   const double radius = page.sizes().marker;
   const Paint solid{.fill = series.style.color, .outline = page.theme().panel, .outline_width = 1};
   const Paint hollow{.outline = series.style.color, .outline_width = 0.6 * page.sizes().curve};
-  const std::vector<Point> earlier = drawn;
+  const List<Point> earlier = drawn;
   for (const Point& at : points) {
     // A marker upon another curve's marker goes around it.
     const bool taken = is_near(earlier, at, 1.5 * radius);
@@ -63,8 +62,8 @@ void draw_markers(Page& page, const Series& series, const std::vector<Point>& po
 }  // namespace
 
 bool meets(const Curve& curve, const Rect& rect) {
-  for (const std::vector<Point>& piece : curve.pieces) {
-    for (std::size_t i = 1; i < piece.size(); ++i) {
+  for (const List<Point>& piece : curve.pieces) {
+    for (int i = 1; i < piece.size(); ++i) {
       LineSegment segment{piece[i - 1], piece[i]};
       if (clip(segment, rect)) return true;
     }
@@ -77,7 +76,7 @@ Curve curve_of(const PlotFrame& frame, const Series& series) {
   Curve curve;
   const double none = std::numeric_limits<double>::quiet_NaN();
   Point before(none, none);
-  for (std::size_t i = 0; i < series.x.size(); ++i) {
+  for (int i = 0; i < series.x.size(); ++i) {
     if (!plottable(series.x[i], frame.x.scale) || !plottable(series.y[i], frame.y.scale)) {
       before = {none, none};
       continue;
@@ -97,7 +96,7 @@ void draw_background(Page& page, const PlotFrame& frame, const Plot& plot) {
   Canvas& canvas = page.canvas();
   canvas.push_clip(frame.box);
   const Series front{.x = plot.front.x, .y = plot.front.y};
-  for (const std::vector<Point>& piece : curve_of(frame, front).pieces) {
+  for (const List<Point>& piece : curve_of(frame, front).pieces) {
     canvas.polyline(piece, {.width = 4 * page.sizes().curve, .color = faded(page.theme().exact.color, 0.25)});
   }
   const Series cloud{.x = plot.cloud.x, .y = plot.cloud.y, .line = false};
@@ -107,18 +106,18 @@ void draw_background(Page& page, const PlotFrame& frame, const Plot& plot) {
   canvas.pop_clip();
 }
 
-void draw_curves(Page& page, const PlotFrame& frame, const Plot& plot, const std::vector<Curve>& curves) {
+void draw_curves(Page& page, const PlotFrame& frame, const Plot& plot, const List<Curve>& curves) {
   Canvas& canvas = page.canvas();
   canvas.push_clip(frame.box);
-  for (std::size_t i = 0; i < curves.size(); ++i) {
+  for (int i = 0; i < curves.size(); ++i) {
     const SeriesStyle& style = plot.series[i].style;
-    for (const std::vector<Point>& piece : curves[i].pieces) {
+    for (const List<Point>& piece : curves[i].pieces) {
       canvas.polyline(piece, {.width = page.sizes().curve, .color = style.color, .dash = style.dash});
       page.note_curve(piece);
     }
   }
-  std::vector<Point> drawn;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
+  List<Point> drawn;
+  for (int i = 0; i < curves.size(); ++i) {
     const Series& series = plot.series[i];
     const bool lone = series.line && curves[i].points.size() == 1;  // a line of one point would not be seen
     if (!series.markers && series.line && !lone) continue;
@@ -132,7 +131,7 @@ void draw_curves(Page& page, const PlotFrame& frame, const Plot& plot, const std
 void paint_marker(Canvas& canvas, const Point& at, Marker marker, double radius, const Paint& paint) {
   const Point right(radius, 0);
   const Point down(0, radius);
-  std::vector<Point> corners;
+  List<Point> corners;
   switch (marker) {
     case Marker::none:
       return;

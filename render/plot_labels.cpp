@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "math/list.hpp"
 #include "render/lint.hpp"
 #include "render/plot_parts.hpp"
 #include "render/rects.hpp"
@@ -15,14 +16,14 @@ constexpr double leader = 14;  // [px] from the box to the marker of a name
 constexpr double air = 8;      // [px] from that marker to the name, and behind it
 
 struct EndLabel {
-  std::size_t series = 0;
+  int series = 0;
   Point end = {0, 0};  // of the curve
 };
 
 // The end further right: most curves begin at the left, but not all.
 Point end_of(const Curve& curve) {
-  std::vector<Point> ends;
-  for (const std::vector<Point>& piece : curve.pieces) ends.insert(ends.end(), {piece.front(), piece.back()});
+  List<Point> ends;
+  for (const List<Point>& piece : curve.pieces) ends.insert(ends.end(), {piece.front(), piece.back()});
   if (!curve.points.empty()) ends.insert(ends.end(), {curve.points.front(), curve.points.back()});
   return *std::max_element(ends.begin(), ends.end(),
                            [](const Point& a, const Point& b) { return a.x() < b.x() + 1e-6; });
@@ -40,8 +41,8 @@ bool ends_early(const PlotFrame& frame, const Plot& plot, const Curve& curve) {
 struct Inside {
   const PlotFrame& frame;
   const Plot& plot;
-  const std::vector<Curve>& curves;
-  std::vector<Rect> taken = {};
+  const List<Curve>& curves;
+  List<Rect> taken = {};
 };
 
 bool is_free(const Inside& inside, const Rect& rect) {
@@ -57,7 +58,7 @@ bool is_free(const Inside& inside, const Rect& rect) {
                       [&](const Rect& r) { return overlap(r, rect); });
 }
 
-bool write_inside(Page& page, Inside& inside, const std::vector<Point>& places, const std::string& text,
+bool write_inside(Page& page, Inside& inside, const List<Point>& places, const std::string& text,
                   const TextStyle& style) {
   for (const Point& at : places) {
     const Rect rect = text_rect(page.canvas(), at, text, style);
@@ -75,7 +76,7 @@ void write_goal(Page& page, Inside& inside, const GoalLine& goal) {
   style.color = page.theme().text;
   const double width = page.canvas().text_width(goal.text, style);
   const double line = inside.frame.y.pixel(goal.y);
-  std::vector<Point> places;
+  List<Point> places;
   for (int step = 0; step <= 8; ++step) {
     const double x = box.x + box.width - 10 - width - step * (box.width - 20 - width) / 8;
     places.emplace_back(x, line - 0.45 * style.size);
@@ -92,7 +93,7 @@ bool write_at_end(Page& page, Inside& inside, const EndLabel& label) {
   const Series& series = inside.plot.series[label.series];
   const TextStyle style = series_label(page, series);
   const double x = label.end.x() + page.sizes().marker + air;
-  std::vector<Point> places;
+  List<Point> places;
   for (const double rise : {0.35, -0.4, 1.1, -1.1, 1.8})
     places.emplace_back(x, label.end.y() + rise * style.size);
   const double width = page.canvas().text_width(series.name, style);
@@ -110,7 +111,7 @@ void write_beside(Page& page, Inside& inside, const PointLabel& label) {
   const TextStyle style = page.tick();
   const double width = page.canvas().text_width(label.text, style);
   const double gap = page.sizes().marker + air;
-  std::vector<Point> places;
+  List<Point> places;
   for (const double rise : {0.35, -0.6, 1.3, -1.6, 2.3}) {
     for (const double left : {at.x() + gap, at.x() - gap - width, at.x() - width / 2}) {
       places.emplace_back(left, at.y() + rise * style.size);
@@ -136,9 +137,9 @@ void write_in_gutter(Page& page, const PlotFrame& frame, const Series& series, c
   canvas.text({mark.x() + page.sizes().marker + air, baseline_around(y, style.size)}, series.name, style);
 }
 
-std::vector<EndLabel> end_labels(const Plot& plot, const std::vector<Curve>& curves) {
-  std::vector<EndLabel> labels;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
+List<EndLabel> end_labels(const Plot& plot, const List<Curve>& curves) {
+  List<EndLabel> labels;
+  for (int i = 0; i < curves.size(); ++i) {
     if (!plot.series[i].name.empty() && !is_empty(curves[i])) labels.push_back({i, end_of(curves[i])});
   }
   std::stable_sort(labels.begin(), labels.end(),
@@ -161,8 +162,7 @@ TextStyle series_label(const Page& page, const Series& series) {
   return style;
 }
 
-double gutter_width(const Page& page, const PlotFrame& frame, const Plot& plot,
-                    const std::vector<Curve>& curves) {
+double gutter_width(const Page& page, const PlotFrame& frame, const Plot& plot, const List<Curve>& curves) {
   double width = page.sizes().tick;  // half of the last tick's label
   for (const EndLabel& label : end_labels(plot, curves)) {
     const Series& series = plot.series[label.series];
@@ -172,15 +172,15 @@ double gutter_width(const Page& page, const PlotFrame& frame, const Plot& plot,
   return std::min(width, 0.5 * frame.panel.width);
 }
 
-std::vector<double> moved_apart(const std::vector<double>& wanted, double distance, double low, double high) {
+List<double> moved_apart(const List<double>& wanted, double distance, double low, double high) {
   // Without the distances the places need only be in order: the nearest such places are means of groups.
   struct Group {
     double mean = 0;
     double size = 0;
   };
-  std::vector<Group> groups;
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    Group group{wanted[i] - static_cast<double>(i) * distance, 1};
+  List<Group> groups;
+  for (int i = 0; i < wanted.size(); ++i) {
+    Group group{wanted[i] - i * distance, 1};
     while (!groups.empty() && groups.back().mean > group.mean) {
       const Group& last = groups.back();
       const double size = last.size + group.size;
@@ -189,12 +189,12 @@ std::vector<double> moved_apart(const std::vector<double>& wanted, double distan
     }
     groups.push_back(group);
   }
-  const double spread = wanted.empty() ? 0 : static_cast<double>(wanted.size() - 1) * distance;
+  const double spread = wanted.empty() ? 0 : (wanted.size() - 1) * distance;
   const double top = std::max(low, high - spread);
-  std::vector<double> places;
+  List<double> places;
   for (const Group& group : groups) {
     for (double i = 0; i < group.size; ++i) {
-      places.push_back(std::clamp(group.mean, low, top) + static_cast<double>(places.size()) * distance);
+      places.push_back(std::clamp(group.mean, low, top) + places.size() * distance);
     }
   }
   return places;
@@ -212,16 +212,15 @@ void draw_goals(Page& page, const PlotFrame& frame, const Plot& plot) {
   canvas.pop_clip();
 }
 
-void draw_plot_labels(Page& page, const PlotFrame& frame, const Plot& plot,
-                      const std::vector<Curve>& curves) {
+void draw_plot_labels(Page& page, const PlotFrame& frame, const Plot& plot, const List<Curve>& curves) {
   Inside inside{.frame = frame, .plot = plot, .curves = curves};
   for (const GoalLine& goal : plot.goals) {
     const double y = plottable(goal.y, frame.y.scale) ? frame.y.pixel(goal.y) : -1;
     const bool shown = y >= frame.box.y && y <= frame.box.y + frame.box.height;
     if (shown && !goal.text.empty()) write_goal(page, inside, goal);
   }
-  std::vector<EndLabel> in_gutter;
-  std::vector<double> wanted;
+  List<EndLabel> in_gutter;
+  List<double> wanted;
   for (const EndLabel& label : end_labels(plot, curves)) {
     if (ends_early(frame, plot, curves[label.series]) && write_at_end(page, inside, label)) continue;
     in_gutter.push_back(label);
@@ -229,9 +228,9 @@ void draw_plot_labels(Page& page, const PlotFrame& frame, const Plot& plot,
   }
   for (const PointLabel& label : plot.labels) write_beside(page, inside, label);
   const double height = 1.3 * series_label(page, {}).size;
-  const std::vector<double> places =
+  const List<double> places =
       moved_apart(wanted, height, frame.box.y + height / 2, frame.box.y + frame.box.height - height / 2);
-  for (std::size_t i = 0; i < in_gutter.size(); ++i) {
+  for (int i = 0; i < in_gutter.size(); ++i) {
     write_in_gutter(page, frame, plot.series[in_gutter[i].series], in_gutter[i].end, places[i]);
   }
 }

@@ -1,8 +1,8 @@
 // Ranges of axes, round ticks, decades, and what is written at them.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "render/plot_parts.hpp"
 
 namespace cairn::render {
@@ -63,7 +63,7 @@ std::string power_of_ten(int exponent) {
   return "10^{" + fixed(exponent, 0) + "}";
 }
 
-std::vector<std::string> linear_labels(const std::vector<double>& ticks) {
+List<std::string> linear_labels(const List<double>& ticks) {
   if (ticks.empty()) return {};
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : std::abs(ticks[0]);
   const double largest = std::max(std::abs(ticks.front()), std::abs(ticks.back()));
@@ -72,7 +72,7 @@ std::vector<std::string> linear_labels(const std::vector<double>& ticks) {
   const double unit = std::pow(10.0, exponent);
   const int decimals =
       step > 0 ? std::clamp(-static_cast<int>(std::floor(std::log10(step) - exponent + slack)), 0, 12) : 0;
-  std::vector<std::string> labels;
+  List<std::string> labels;
   for (const double tick : ticks) {
     const std::string number = fixed(tick / unit, decimals);
     const bool bare = plain || tick == 0;
@@ -81,8 +81,8 @@ std::vector<std::string> linear_labels(const std::vector<double>& ticks) {
   return labels;
 }
 
-std::vector<std::string> decade_labels(const std::vector<double>& ticks) {
-  std::vector<std::string> labels;
+List<std::string> decade_labels(const List<double>& ticks) {
+  List<std::string> labels;
   for (const double tick : ticks)
     labels.push_back(power_of_ten(static_cast<int>(std::lround(std::log10(tick)))));
   return labels;
@@ -105,28 +105,28 @@ std::optional<double> given(const std::optional<double>& end, AxisScale scale) {
 
 }  // namespace
 
-std::vector<double> round_ticks(double min, double max, int count) {
+List<double> round_ticks(double min, double max, int count) {
   if (count < 1 || !spans(min, max)) return {};
   const Range range{min, max};
   const Step step = smallest_step(range, count, inside);
   const Steps steps = inside(range, step);
-  std::vector<double> ticks;
-  for (double i = steps.first; i <= steps.last && static_cast<int>(ticks.size()) < count; ++i) {
+  List<double> ticks;
+  for (double i = steps.first; i <= steps.last && ticks.size() < count; ++i) {
     ticks.push_back(i == 0 ? 0 : times(i, step));  // never -0
   }
   return ticks;
 }
 
-std::vector<double> decade_ticks(double min, double max, int count) {
+List<double> decade_ticks(double min, double max, int count) {
   if (count < 1 || !(min > 0) || !(max >= min) || !std::isfinite(max)) return {};
   const int first = static_cast<int>(std::ceil(std::log10(min) - slack));
   const int last = static_cast<int>(std::floor(std::log10(max) + slack));
   for (const int stride : {1, 2, 3, 5, 10, 20, 50, 100, 1000}) {
-    std::vector<double> ticks;
+    List<double> ticks;
     for (int exponent = first; exponent <= last; ++exponent) {
       if (exponent % stride == 0) ticks.push_back(std::pow(10.0, exponent));
     }
-    if (static_cast<int>(ticks.size()) > count) continue;
+    if (ticks.size() > count) continue;
     if (ticks.size() > 1 || first >= last || count < 2) return ticks;
     return {std::pow(10.0, first), std::pow(10.0, last)};  // one tick alone would not tell the scale
   }
@@ -138,7 +138,7 @@ bool plottable(double value, AxisScale scale) {
   return std::abs(value) < 1e300 && (scale == AxisScale::linear || value > 1e-300);
 }
 
-Range range_of(const Axis& axis, const std::vector<double>& values) {
+Range range_of(const Axis& axis, const List<double>& values) {
   std::optional<double> low;
   std::optional<double> high;
   for (const double value : values) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "math/check.hpp"
+#include "math/list.hpp"
 #include "render/image.hpp"
 
 namespace {
@@ -70,12 +71,11 @@ void require_image(const Image& image, std::string_view place) {
   // pixels.
   const double bytes = (3.0 * image.width + 1) * image.height;
   require(bytes < std::numeric_limits<int>::max() / 2, place, "size", "less than 1 GiB", bytes);
-  const auto wanted = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3;
-  require(image.pixels.size() == wanted, place, "pixels", "width * height * 3 bytes",
-          static_cast<double>(image.pixels.size()));
+  const int wanted = image.width * image.height * 3;
+  require(image.pixels.size() == wanted, place, "pixels", "width * height * 3 bytes", image.pixels.size());
 }
 
-std::vector<std::uint8_t> encode_png(const Image& image) {
+List<std::uint8_t> encode_png(const Image& image) {
   require_image(image, "encode_png");
   use_no_row_filter();
   int size = 0;
@@ -85,16 +85,16 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
   return {bytes.get(), bytes.get() + size};
 }
 
-Image decode_png(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+Image decode_png(Span<const std::uint8_t> bytes) {
+  if (bytes.end() - bytes.begin() > std::numeric_limits<int>::max()) {
     throw std::runtime_error("larger than 2 GiB");
   }
   Image image;
   int channels = 0;
-  const StbBytes pixels(stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &image.width,
-                                              &image.height, &channels, 3));
+  const StbBytes pixels(
+      stbi_load_from_memory(bytes.data(), bytes.size(), &image.width, &image.height, &channels, 3));
   if (!pixels) throw std::runtime_error(std::string("not a whole PNG (") + stbi_failure_reason() + ")");
-  const auto size = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3;
+  const int size = image.width * image.height * 3;
   image.pixels.assign(pixels.get(), pixels.get() + size);
   return image;
 }

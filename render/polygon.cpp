@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "render/shapes.hpp"
 
 namespace cairn::render {
@@ -15,18 +16,18 @@ constexpr double longest_miter =
 
 /// A convex polygon without doubled points, so turned that the outside is where `distance` is positive.
 struct Outline {
-  std::vector<Point> points = {};
-  std::vector<Point> normals = {};  // outward unit normal of the edge from point i to point i + 1
+  List<Point> points = {};
+  List<Point> normals = {};  // outward unit normal of the edge from point i to point i + 1
   Point center = Point::Zero();
 
-  std::size_t size() const { return points.size(); }
-  std::size_t next(std::size_t i) const { return (i + 1) % size(); }
-  std::size_t previous(std::size_t i) const { return (i + size() - 1) % size(); }
+  int size() const { return points.size(); }
+  int next(int i) const { return (i + 1) % size(); }
+  int previous(int i) const { return (i + size() - 1) % size(); }
 };
 
-double signed_area(std::span<const Point> points) {
+double signed_area(Span<const Point> points) {
   double twice = 0;
-  for (std::size_t i = 2; i < points.size(); ++i) {
+  for (int i = 2; i < points.size(); ++i) {
     const Point first = points[i - 1] - points[0];
     const Point second = points[i] - points[0];
     twice += cross(first, second);
@@ -34,7 +35,7 @@ double signed_area(std::span<const Point> points) {
   return 0.5 * twice;
 }
 
-Outline outline_of(std::span<const Point> points) {
+Outline outline_of(Span<const Point> points) {
   Outline outline;
   for (const Point& point : points) {
     if (outline.points.empty() || (point - outline.points.back()).norm() > same_point) {
@@ -47,7 +48,7 @@ Outline outline_of(std::span<const Point> points) {
   if (signed_area(outline.points) < 0) {
     std::reverse(outline.points.begin(), outline.points.end());
   }
-  for (std::size_t i = 0; i < outline.size(); ++i) {
+  for (int i = 0; i < outline.size(); ++i) {
     const Point edge = outline.points[outline.next(i)] - outline.points[i];
     outline.normals.push_back(-perpendicular(edge) / edge.norm());
     outline.center += outline.points[i] / static_cast<double>(outline.size());
@@ -56,26 +57,26 @@ Outline outline_of(std::span<const Point> points) {
 }
 
 /// Distance to edge i, less the rounding.
-Affine distance(const Outline& outline, std::size_t i, double rounding) {
+Affine distance(const Outline& outline, int i, double rounding) {
   const Point& normal = outline.normals[i];
   return {normal.x(), normal.y(), -normal.dot(outline.points[i]) - rounding};
 }
 
 /// The interior angle at which edges i and k meet, or would meet [pi].
-float interior_angle(const Outline& outline, std::size_t i, std::size_t k) {
+float interior_angle(const Outline& outline, int i, int k) {
   const double cosine = std::clamp(outline.normals[i].dot(outline.normals[k]), -1.0, 1.0);
   return static_cast<float>(1 - std::acos(cosine) / pi);
 }
 
 /// Where the edges at point i meet when they lie `margin` further out; near point i if that is very far away.
-Point moved_out(const Outline& outline, std::size_t i, double margin) {
+Point moved_out(const Outline& outline, int i, double margin) {
   const Point sum = outline.normals[outline.previous(i)] + outline.normals[i];
   const double stretch = std::max(0.5 * sum.squaredNorm(), 2 / (longest_miter * longest_miter));
   return outline.points[i] + margin / stretch * sum;
 }
 
 /// The corners at point i of a hull `margin` further out: one, or two that cut off a very sharp tip.
-void add_hull_corner(std::vector<Point>& hull, const Outline& outline, std::size_t i, double margin) {
+void add_hull_corner(List<Point>& hull, const Outline& outline, int i, double margin) {
   const Point& before = outline.normals[outline.previous(i)];
   const Point& after = outline.normals[i];
   if ((before + after).norm() > 2 / longest_miter) {
@@ -89,10 +90,10 @@ void add_hull_corner(std::vector<Point>& hull, const Outline& outline, std::size
 }
 
 /// Up to four edges fit one measure. `edges` holds the own edge second, its neighbours first and third.
-Measure measure_of(const Outline& outline, std::span<const std::size_t> edges, double rounding) {
+Measure measure_of(const Outline& outline, Span<const int> edges, double rounding) {
   Measure measure = {};
   measure.kind = Kind::polygon;
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (int k = 0; k < 4; ++k) {
     measure.local[k] = {0, 0, no_edge};
     if (k < edges.size()) {
       measure.local[k] = distance(outline, edges[k], rounding);
@@ -107,9 +108,9 @@ Measure measure_of(const Outline& outline, std::span<const std::size_t> edges, d
 }
 
 /// The edge that faces edge i across the polygon.
-std::size_t facing(const Outline& outline, std::size_t i) {
-  std::size_t best = i;
-  for (std::size_t k = 0; k < outline.size(); ++k) {
+int facing(const Outline& outline, int i) {
+  int best = i;
+  for (int k = 0; k < outline.size(); ++k) {
     if (outline.normals[k].dot(outline.normals[i]) < outline.normals[best].dot(outline.normals[i])) {
       best = k;
     }
@@ -123,7 +124,7 @@ struct Style {
   double margin = 0;    // of the hull around the points [px]
 };
 
-void add_piece(Batch& batch, std::span<const Point> hull, Measure measure, const Style& style) {
+void add_piece(Batch& batch, Span<const Point> hull, Measure measure, const Style& style) {
   measure.kind = style.look.kind;
   measure.second = style.look.second;
   measure.fill = style.look.fill;
@@ -134,28 +135,29 @@ void add_piece(Batch& batch, std::span<const Point> hull, Measure measure, const
 
 /// A polygon of up to four edges in one piece.
 void add_whole(Batch& batch, const Outline& outline, const Style& style) {
-  std::vector<Point> hull;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
+  List<Point> hull;
+  for (int i = 0; i < outline.size(); ++i) {
     if (style.rounding > 0) {
       hull.push_back(outline.points[i]);  // the outer pieces begin here
     } else {
       add_hull_corner(hull, outline, i, style.margin);
     }
   }
-  constexpr std::array<std::size_t, 4> all = {0, 1, 2, 3};
-  add_piece(batch, hull, measure_of(outline, std::span(all).first(outline.size()), style.rounding), style);
+  constexpr FixedList<int, 4> all = {0, 1, 2, 3};
+  add_piece(batch, hull, measure_of(outline, Span<const int>(all.data(), outline.size()), style.rounding),
+            style);
 }
 
 /// A polygon of more edges, as a fan around its centre.
 void add_fan(Batch& batch, const Outline& outline, const Style& style) {
-  const auto corner = [&](std::size_t i) -> Point {
+  const auto corner = [&](int i) -> Point {
     return style.rounding > 0 ? outline.points[i] : moved_out(outline, i, style.margin);
   };
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const std::array<Point, 3> triangle = {outline.center, corner(i), corner(outline.next(i))};
-    const std::array<std::size_t, 4> edges = {outline.previous(i), i, outline.next(i), facing(outline, i)};
+  for (int i = 0; i < outline.size(); ++i) {
+    const FixedList<Point, 3> triangle = {outline.center, corner(i), corner(outline.next(i))};
+    const FixedList<int, 4> edges = {outline.previous(i), i, outline.next(i), facing(outline, i)};
     const bool apart = edges[3] != edges[0] && edges[3] != edges[2];
-    Measure measure = measure_of(outline, std::span(edges).first(apart ? 4 : 3), style.rounding);
+    Measure measure = measure_of(outline, Span<const int>(edges.data(), apart ? 4 : 3), style.rounding);
     measure.first[0] = interior_angle(outline, edges[0], edges[2]);
     add_piece(batch, triangle, measure, style);
   }
@@ -170,17 +172,17 @@ void add_inside(Batch& batch, const Outline& outline, const Style& style) {
 }
 
 /// The strip outside edge i.
-void add_strip(Batch& batch, const Outline& outline, std::size_t i, const Style& style) {
+void add_strip(Batch& batch, const Outline& outline, int i, const Style& style) {
   const Point& from = outline.points[i];
   const Point& to = outline.points[outline.next(i)];
   const Point out = style.margin * outline.normals[i];
-  const std::array<Point, 4> hull = {from, from + out, to + out, to};
-  const std::array<std::size_t, 1> edge = {i};
+  const FixedList<Point, 4> hull = {from, from + out, to + out, to};
+  const FixedList<int, 1> edge = {i};
   add_piece(batch, hull, measure_of(outline, edge, style.rounding), style);
 }
 
 /// The wedge outside point i, between the strips, where the point itself is nearest.
-void add_wedge(Batch& batch, const Outline& outline, std::size_t i, const Style& style) {
+void add_wedge(Batch& batch, const Outline& outline, int i, const Style& style) {
   const Point& tip = outline.points[i];
   const Point first = style.margin * outline.normals[outline.previous(i)];
   const Point last = style.margin * outline.normals[i];
@@ -192,8 +194,8 @@ void add_wedge(Batch& batch, const Outline& outline, std::size_t i, const Style&
     const Point sum = a + b;
     return tip + 2 * style.margin * style.margin / sum.squaredNorm() * sum;
   };
-  const std::array<Point, 6> hull = {tip,          tip + first,          corner(first, middle),
-                                     tip + middle, corner(middle, last), tip + last};
+  const FixedList<Point, 6> hull = {tip,          tip + first,          corner(first, middle),
+                                    tip + middle, corner(middle, last), tip + last};
   Measure measure = style.look;
   measure.kind = Kind::box;
   measure.local = {};
@@ -203,12 +205,12 @@ void add_wedge(Batch& batch, const Outline& outline, std::size_t i, const Style&
   batch.add(hull, measure);
 }
 
-bool all_usable(std::span<const Point> points) {
+bool all_usable(Span<const Point> points) {
   return std::all_of(points.begin(), points.end(), [](const Point& point) { return usable(point); });
 }
 
 /// A polygon that has collapsed to a line or a point.
-void add_collapsed(Batch& batch, std::span<const Point> points, const Paint& paint, double rounding) {
+void add_collapsed(Batch& batch, Span<const Point> points, const Paint& paint, double rounding) {
   Point from = points.front();
   Point to = points.front();
   for (const Point& point : points) {
@@ -232,7 +234,7 @@ void add_collapsed(Batch& batch, std::span<const Point> points, const Paint& pai
 
 }  // namespace
 
-void add_polygon(Batch& batch, std::span<const Point> points, const Paint& paint, double rounding) {
+void add_polygon(Batch& batch, Span<const Point> points, const Paint& paint, double rounding) {
   const double rim = half_outline(paint);
   if (points.empty() || !all_usable(points) || !usable(rounding) || rounding < 0 ||
       (paint.fill.a <= 0 && rim <= 0)) {
@@ -249,13 +251,13 @@ void add_polygon(Batch& batch, std::span<const Point> points, const Paint& paint
   style.look.outline = paint.outline;
   style.look.half_outline = rim;
   add_inside(batch, outline, style);
-  for (std::size_t i = 0; rounding > 0 && i < outline.size(); ++i) {
+  for (int i = 0; rounding > 0 && i < outline.size(); ++i) {
     add_strip(batch, outline, i, style);
     add_wedge(batch, outline, i, style);
   }
 }
 
-void add_hatch(Batch& batch, std::span<const Point> points, const Stroke& stroke, double pitch) {
+void add_hatch(Batch& batch, Span<const Point> points, const Stroke& stroke, double pitch) {
   if (points.size() < 3 || !all_usable(points) || !usable(pitch) || !(pitch > 0) || !(stroke.width > 0)) {
     return;
   }

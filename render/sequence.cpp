@@ -1,14 +1,16 @@
 // The queue between one renderer and the threads that encode.
 #include "render/sequence.hpp"
 
+#include <fmt/core.h>
+
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <iterator>
 #include <limits>
 #include <mutex>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "math/check.hpp"
 
@@ -28,22 +30,22 @@ struct Frame {
 struct FrameWriter::Impl {
   fs::path folder = {};
   std::string stem = {};
-  std::size_t digits = 4;
-  std::size_t capacity = 4;  // frames that may wait
+  int digits = 4;
+  int capacity = 4;  // frames that may wait
   long long added = 0;
 
   std::mutex mutex = {};  // guards all below
   std::condition_variable work = {};
   std::condition_variable progress = {};
   std::deque<Frame> waiting = {};
-  std::size_t busy = 0;  // frames that a thread encodes now
+  int busy = 0;  // frames that a thread encodes now
   bool closed = false;
   // Frames start in order and none after a failure, so the smallest number that failed does not depend on
   // timing.
   long long failed_number = std::numeric_limits<long long>::max();
   std::exception_ptr failure = {};
 
-  std::vector<std::thread> threads = {};
+  List<std::thread> threads = {};
 
   ~Impl() {
     {
@@ -88,9 +90,7 @@ struct FrameWriter::Impl {
   }
 
   fs::path path_of(long long number) const {
-    std::string text = std::to_string(number);
-    if (text.size() < digits) text.insert(0, digits - text.size(), '0');
-    return folder / (stem + "_" + text + ".png");
+    return folder / fmt::format("{}_{:0{}}.png", stem, number, digits);
   }
 };
 
@@ -104,8 +104,8 @@ FrameWriter::FrameWriter(fs::path folder, std::string stem, const FrameWriterSet
   if (error) throw WriteError("cannot make the folder " + folder.string() + ": " + error.message());
   impl_->folder = std::move(folder);
   impl_->stem = std::move(stem);
-  impl_->digits = static_cast<std::size_t>(settings.digits);
-  impl_->capacity = 2 * static_cast<std::size_t>(settings.threads);
+  impl_->digits = settings.digits;
+  impl_->capacity = 2 * settings.threads;
   for (int i = 0; i < settings.threads; ++i) {
     impl_->threads.emplace_back([impl = impl_.get()] { impl->encode_frames(); });
   }
@@ -116,7 +116,7 @@ FrameWriter::~FrameWriter() = default;
 fs::path FrameWriter::add(Image image) {
   require_image(image, "FrameWriter::add");
   std::unique_lock lock(impl_->mutex);
-  impl_->progress.wait(lock, [this] { return impl_->waiting.size() < impl_->capacity; });
+  impl_->progress.wait(lock, [this] { return std::ssize(impl_->waiting) < impl_->capacity; });
   if (impl_->failure != nullptr) {
     lock.unlock();
     finish();  // throws; drawing on is of no use when the disk is full

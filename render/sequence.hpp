@@ -3,9 +3,9 @@
 
 #include <filesystem>
 #include <memory>
-#include <span>
 #include <string>
 
+#include "math/list.hpp"
 #include "render/image.hpp"
 
 namespace cairn::render {
@@ -45,6 +45,6 @@ class FrameWriter {
 /// is stored of every frame. A viewer that knows no animation shows the first.
 /// @throws WriteError, or std::invalid_argument unless there are images, all are of one size, and the rate is
 /// 0.01 to 655 frames per second (the format's limits).
-void write_apng(const std::filesystem::path& path, std::span<const Image> images, double frames_per_second);
+void write_apng(const std::filesystem::path& path, Span<const Image> images, double frames_per_second);
 
 }  // namespace cairn::render

@@ -52,8 +52,8 @@ void add_box(Batch& batch, const Box& box, const Paint& paint) {
   const double margin = grown.radius + rim + 1;
   const Point along = (grown.half_length + margin) * x;
   const Point across = (grown.half_width + margin) * y;
-  const std::array<Point, 4> hull = {grown.center - along - across, grown.center + along - across,
-                                     grown.center + along + across, grown.center - along + across};
+  const FixedList<Point, 4> hull = {grown.center - along - across, grown.center + along - across,
+                                    grown.center + along + across, grown.center - along + across};
   batch.add(hull, measure);
 }
 
@@ -67,8 +67,8 @@ void add_glyph(Batch& batch, const PixelRect& target, int texel_x, int texel_y, 
   const double top = target.top;
   const double right = target.right;
   const double bottom = target.bottom;
-  const std::array<Point, 4> hull = {Point(left, top), Point(right, top), Point(right, bottom),
-                                     Point(left, bottom)};
+  const FixedList<Point, 4> hull = {Point(left, top), Point(right, top), Point(right, bottom),
+                                    Point(left, bottom)};
   batch.add(hull, measure);
 }
 

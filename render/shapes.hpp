@@ -1,10 +1,7 @@
 // Turns shapes into hulls and measures for a batch. Whatever is not usable() is left out.
 #pragma once
 
-#include <array>
-#include <span>
-#include <vector>
-
+#include "math/list.hpp"
 #include "render/batch.hpp"
 
 namespace cairn::render {
@@ -20,11 +17,11 @@ struct Box {
 };
 
 void add_box(Batch& batch, const Box& box, const Paint& paint);
-void add_polygon(Batch& batch, std::span<const Point> points, const Paint& paint, double rounding);
-void add_hatch(Batch& batch, std::span<const Point> points, const Stroke& stroke, double pitch);
+void add_polygon(Batch& batch, Span<const Point> points, const Paint& paint, double rounding);
+void add_hatch(Batch& batch, Span<const Point> points, const Stroke& stroke, double pitch);
 /// Ends are cut straight at the end points; inner points are joined round. Points that are not usable break
 /// it.
-void add_polyline(Batch& batch, std::span<const Point> points, const Stroke& stroke);
+void add_polyline(Batch& batch, Span<const Point> points, const Stroke& stroke);
 /// A rectangle of texels at whole pixels.
 void add_glyph(Batch& batch, const PixelRect& target, int texel_x, int texel_y, const Color& color);
 
@@ -32,7 +29,6 @@ void add_glyph(Batch& batch, const PixelRect& target, int texel_x, int texel_y, 
 double half_outline(const Paint& paint);
 
 /// The parts of a polyline that a dash pattern draws; parts far outside the frame are left out.
-std::vector<std::vector<Point>> dashes(std::span<const Point> points, std::span<const double> pattern,
-                                       const Rect& bounds);
+List<List<Point>> dashes(Span<const Point> points, Span<const double> pattern, const Rect& bounds);
 
 }  // namespace cairn::render

@@ -4,16 +4,17 @@
 #include <cmath>
 #include <optional>
 
+#include "math/list.hpp"
 #include "render/shapes.hpp"
 
 namespace cairn::render {
 namespace {
 
 constexpr double shortest_segment = 1e-6;  // [px]
-constexpr std::size_t most_dashes = 20000;
+constexpr int most_dashes = 20000;
 
 /// The line a x + b y + c = 0 through the end of a segment. What is positive lies after it.
-using Cut = std::array<float, 3>;
+using Cut = FixedList<float, 3>;
 
 /// With a normal of unit length the cut is smooth. With a steep one every pixel belongs to one side: two
 /// neighbours that share the bits of a cut leave no gap and draw nothing twice.
@@ -40,11 +41,11 @@ std::optional<Cut> bisector(const Point& joint, const Point& before, const Point
 
 /// A run of distinct points; `directions` has one fewer.
 struct Run {
-  std::vector<Point> points = {};
-  std::vector<Point> directions = {};
+  List<Point> points = {};
+  List<Point> directions = {};
 };
 
-Run run_of(std::span<const Point> points) {
+Run run_of(Span<const Point> points) {
   Run run;
   for (const Point& point : points) {
     if (run.points.empty()) {
@@ -77,8 +78,8 @@ void add_segment(Batch& batch, const Point& from, const Point& to, const std::op
   measure.second = second.value_or(measure.second);
   const Point along = (0.5 * length + half + 1) * x;
   const Point across = (half + 1) * y;
-  const std::array<Point, 4> hull = {center - along - across, center + along - across,
-                                     center + along + across, center - along + across};
+  const FixedList<Point, 4> hull = {center - along - across, center + along - across, center + along + across,
+                                    center - along + across};
   batch.add(hull, measure);
 }
 
@@ -87,20 +88,20 @@ bool closed(const Run& run) {
   return run.points.size() > 3 && (run.points.front() - run.points.back()).norm() <= shortest_segment;
 }
 
-void add_run(Batch& batch, std::span<const Point> points, const Stroke& stroke) {
+void add_run(Batch& batch, Span<const Point> points, const Stroke& stroke) {
   const Run run = run_of(points);
-  const std::size_t segments = run.directions.size();
+  const int segments = run.directions.size();
   if (segments == 0) {
     return;
   }
-  const auto joint = [&](std::size_t i, std::size_t before, std::size_t after) {
+  const auto joint = [&](int i, int before, int after) {
     return bisector(run.points[i], run.directions[before], run.directions[after]);
   };
   const bool loop = closed(run);
-  const auto end = [&](std::size_t i, std::size_t segment) {
+  const auto end = [&](int i, int segment) {
     return loop ? joint(0, segments - 1, 0) : cut_through(run.points[i], run.directions[segment], smooth);
   };
-  for (std::size_t i = 0; i < segments; ++i) {
+  for (int i = 0; i < segments; ++i) {
     const std::optional<Cut> first = i == 0 ? end(0, 0) : joint(i, i - 1, i);
     const std::optional<Cut> second = i + 1 == segments ? end(i + 1, i) : joint(i + 1, i, i + 1);
     add_segment(batch, run.points[i], run.points[i + 1], first, second, stroke);
@@ -110,7 +111,7 @@ void add_run(Batch& batch, std::span<const Point> points, const Stroke& stroke) 
 /// Position in a dash pattern that repeats: which entry, and how far into it.
 class DashWalker {
  public:
-  explicit DashWalker(std::span<const double> pattern) : pattern_(pattern.begin(), pattern.end()) {
+  explicit DashWalker(Span<const double> pattern) : pattern_(pattern.begin(), pattern.end()) {
     if (pattern_.size() % 2 == 1) {
       pattern_.insert(pattern_.end(), pattern.begin(), pattern.end());
     }
@@ -134,27 +135,26 @@ class DashWalker {
   }
 
  private:
-  std::vector<double> pattern_;
+  List<double> pattern_;
   double period_ = 0;
-  std::size_t entry_ = 0;
+  int entry_ = 0;
   double used_ = 0;
 };
 
 /// The part of a segment inside the bounds, as lengths from its start; equal if there is none.
-std::array<double, 2> visible_part(const Point& from, const Point& direction, double length,
-                                   const Rect& bounds) {
+FixedList<double, 2> visible_part(const Point& from, const Point& direction, double length,
+                                  const Rect& bounds) {
   double enter = 0;
   double leave = length;
-  const std::array<double, 2> low = {bounds.x, bounds.y};
-  const std::array<double, 2> high = {bounds.x + bounds.width, bounds.y + bounds.height};
+  const FixedList<double, 2> low = {bounds.x, bounds.y};
+  const FixedList<double, 2> high = {bounds.x + bounds.width, bounds.y + bounds.height};
   for (int axis = 0; axis < 2; ++axis) {
-    const std::size_t k = static_cast<std::size_t>(axis);
     if (std::abs(direction[axis]) < 1e-12) {
-      leave = from[axis] < low[k] || from[axis] > high[k] ? enter : leave;
+      leave = from[axis] < low[axis] || from[axis] > high[axis] ? enter : leave;
       continue;
     }
-    const double first = (low[k] - from[axis]) / direction[axis];
-    const double second = (high[k] - from[axis]) / direction[axis];
+    const double first = (low[axis] - from[axis]) / direction[axis];
+    const double second = (high[axis] - from[axis]) / direction[axis];
     enter = std::max(enter, std::min(first, second));
     leave = std::min(leave, std::max(first, second));
   }
@@ -164,8 +164,8 @@ std::array<double, 2> visible_part(const Point& from, const Point& direction, do
 /// Collects the drawn parts while it walks along a run.
 struct DashCollector {
   DashWalker walker;
-  std::vector<std::vector<Point>> parts = {};
-  std::vector<Point> current = {};
+  List<List<Point>> parts = {};
+  List<Point> current = {};
 
   void finish() {
     if (current.size() > 1) {
@@ -205,7 +205,7 @@ struct DashCollector {
   }
 };
 
-bool sound(std::span<const double> pattern) {
+bool sound(Span<const double> pattern) {
   double sum = 0;
   for (const double entry : pattern) {
     if (!usable(entry) || entry < 0) {
@@ -216,7 +216,7 @@ bool sound(std::span<const double> pattern) {
   return sum > 0.1;
 }
 
-void add_usable_run(Batch& batch, std::span<const Point> points, const Stroke& stroke) {
+void add_usable_run(Batch& batch, Span<const Point> points, const Stroke& stroke) {
   if (!sound(stroke.dash)) {
     add_run(batch, points, stroke);
     return;
@@ -224,20 +224,19 @@ void add_usable_run(Batch& batch, std::span<const Point> points, const Stroke& s
   const Rect& frame = batch.bounds();
   const double half = 0.5 * stroke.width;
   const Rect seen = {frame.x - half, frame.y - half, frame.width + stroke.width, frame.height + stroke.width};
-  for (const std::vector<Point>& part : dashes(points, stroke.dash, seen)) {
+  for (const List<Point>& part : dashes(points, stroke.dash, seen)) {
     add_run(batch, part, stroke);
   }
 }
 
 }  // namespace
 
-std::vector<std::vector<Point>> dashes(std::span<const Point> points, std::span<const double> pattern,
-                                       const Rect& bounds) {
+List<List<Point>> dashes(Span<const Point> points, Span<const double> pattern, const Rect& bounds) {
   const Run run = run_of(points);
   DashCollector collector = {.walker = DashWalker(pattern)};
-  for (std::size_t i = 0; i < run.directions.size(); ++i) {
+  for (int i = 0; i < run.directions.size(); ++i) {
     const double length = (run.points[i + 1] - run.points[i]).norm();
-    const std::array<double, 2> seen = visible_part(run.points[i], run.directions[i], length, bounds);
+    const FixedList<double, 2> seen = visible_part(run.points[i], run.directions[i], length, bounds);
     if (seen[0] >= seen[1]) {
       collector.skip(length);
       continue;
@@ -250,12 +249,12 @@ std::vector<std::vector<Point>> dashes(std::span<const Point> points, std::span<
   return collector.parts;
 }
 
-void add_polyline(Batch& batch, std::span<const Point> points, const Stroke& stroke) {
+void add_polyline(Batch& batch, Span<const Point> points, const Stroke& stroke) {
   if (!usable(stroke.width) || !(stroke.width > 0) || stroke.color.a <= 0) {
     return;
   }
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i <= points.size(); ++i) {
+  int begin = 0;
+  for (int i = 0; i <= points.size(); ++i) {
     if (i == points.size() || !usable(points[i])) {
       if (i > begin + 1) {
         add_usable_run(batch, points.subspan(begin, i - begin), stroke);

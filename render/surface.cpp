@@ -1,10 +1,10 @@
 // Sets up OpenGL, draws batches, reads frames back.
 #include "render/surface.hpp"
 
-#include <array>
 #include <cstddef>
 #include <string>
 
+#include "math/list.hpp"
 #include "render/shader.hpp"
 
 namespace cairn::render {
@@ -22,11 +22,9 @@ class Current {
   Context& context_;
 };
 
-const void* at_offset(std::size_t offset) {
+const void* at_offset(std::ptrdiff_t offset) {
   return reinterpret_cast<const void*>(offset);  // how OpenGL wants it since buffers were added to it
 }
-
-GLsizeiptr bytes_of(std::size_t count, std::size_t size) { return static_cast<GLsizeiptr>(count * size); }
 
 }  // namespace
 
@@ -89,8 +87,8 @@ GLuint Surface::compile(GLenum stage, const char* source) const {
   GLint compiled = GL_FALSE;
   gl_.get_shaderiv(shader, GL_COMPILE_STATUS, &compiled);
   if (compiled == GL_FALSE) {
-    std::array<char, 1024> log = {};
-    gl_.get_shader_info_log(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    FixedList<char, 1024> log = {};
+    gl_.get_shader_info_log(shader, log.size(), nullptr, log.data());
     gl_.delete_shader(shader);
     throw RenderError(std::string("OpenGL refuses the shader: ") + log.data());
   }
@@ -109,8 +107,8 @@ void Surface::make_program() {
   GLint linked = GL_FALSE;
   gl_.get_programiv(program_, GL_LINK_STATUS, &linked);
   if (linked == GL_FALSE) {
-    std::array<char, 1024> log = {};
-    gl_.get_program_info_log(program_, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    FixedList<char, 1024> log = {};
+    gl_.get_program_info_log(program_, log.size(), nullptr, log.data());
     throw RenderError(std::string("OpenGL cannot link the shaders: ") + log.data());
   }
   gl_.use_program(program_);
@@ -127,11 +125,11 @@ void Surface::make_buffers() {
   gl_.gen_buffers(1, &index_buffer_);
   gl_.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_);
   constexpr GLsizei stride = sizeof(Vertex);
-  const auto floats = [&](GLuint location, GLint count, std::size_t offset) {
+  const auto floats = [&](GLuint location, GLint count, std::ptrdiff_t offset) {
     gl_.enable_vertex_attrib_array(location);
     gl_.vertex_attrib_pointer(location, count, GL_FLOAT, GL_FALSE, stride, at_offset(offset));
   };
-  const auto color = [&](GLuint location, std::size_t offset) {
+  const auto color = [&](GLuint location, std::ptrdiff_t offset) {
     gl_.enable_vertex_attrib_array(location);
     gl_.vertex_attrib_pointer(location, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, at_offset(offset));
   };
@@ -181,30 +179,30 @@ void Surface::draw(const Batch& batch, const GlyphAtlas& atlas) {
   }
   const Current current(*context_);
   upload(atlas);
-  gl_.buffer_data(GL_ARRAY_BUFFER, bytes_of(batch.vertices().size(), sizeof(Vertex)), batch.vertices().data(),
+  gl_.buffer_data(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(batch.vertices().bytes()), batch.vertices().data(),
                   GL_STREAM_DRAW);
-  gl_.buffer_data(GL_ELEMENT_ARRAY_BUFFER, bytes_of(batch.indices().size(), sizeof(std::uint32_t)),
+  gl_.buffer_data(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(batch.indices().bytes()),
                   batch.indices().data(), GL_STREAM_DRAW);
+  constexpr std::ptrdiff_t index_size = sizeof(std::uint32_t);  // [bytes]
   gl_.enable(GL_SCISSOR_TEST);
   for (const Draw& part : batch.draws()) {
     const PixelRect& clip = part.clip;
     gl_.scissor(clip.left, clip.top, clip.right - clip.left, clip.bottom - clip.top);
-    gl_.draw_elements(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
-                      at_offset(part.first * sizeof(std::uint32_t)));
+    gl_.draw_elements(GL_TRIANGLES, part.count, GL_UNSIGNED_INT, at_offset(part.first * index_size));
   }
 }
 
 Image Surface::read() {
   const Current current(*context_);
-  const std::size_t count = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-  std::vector<std::uint8_t> pixels(4 * count);
+  const std::ptrdiff_t count = std::ptrdiff_t{width_} * height_;
+  List<std::uint8_t> pixels(4 * count);
   gl_.read_pixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
   if (const GLenum error = gl_.get_error(); error != GL_NO_ERROR) {
     throw RenderError("OpenGL reports error " + std::to_string(error) + " after a frame");
   }
   Image image = {.width = width_, .height = height_};
   image.pixels.resize(3 * count);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
     image.pixels[3 * i] = pixels[4 * i];
     image.pixels[3 * i + 1] = pixels[4 * i + 1];
     image.pixels[3 * i + 2] = pixels[4 * i + 2];

@@ -38,8 +38,8 @@ std::size_t fitting_end(const Canvas& canvas, std::string_view text, double widt
 }
 
 /// Words with the spaces before them; a line feed is a word of its own.
-std::vector<std::string_view> words_of(std::string_view text) {
-  std::vector<std::string_view> words;
+List<std::string_view> words_of(std::string_view text) {
+  List<std::string_view> words;
   std::size_t begin = 0;
   while (begin < text.size()) {
     std::size_t end = begin;
@@ -72,9 +72,9 @@ Rect text_rect(const Canvas& canvas, const Point& at, std::string_view markup, c
   return {left, at.y() - 0.80 * style.size, width, 1.04 * style.size};
 }
 
-std::vector<std::string> wrapped(const Canvas& canvas, std::string_view markup, double width,
-                                 const TextStyle& style) {
-  std::vector<std::string> lines(1);
+List<std::string> wrapped(const Canvas& canvas, std::string_view markup, double width,
+                          const TextStyle& style) {
+  List<std::string> lines(1);
   for (const std::string_view word : words_of(markup)) {
     if (word.back() == '\n') {
       lines.emplace_back();

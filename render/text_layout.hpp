@@ -3,8 +3,8 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/canvas.hpp"
 
 namespace cairn::render {
@@ -23,8 +23,8 @@ Rect text_rect(const Canvas& canvas, const Point& at, std::string_view markup, c
 
 /// Wrapped at spaces and line feeds so that every line is at most `width` px wide. A word wider than that is
 /// broken between characters, never inside markup.
-std::vector<std::string> wrapped(const Canvas& canvas, std::string_view markup, double width,
-                                 const TextStyle& style);
+List<std::string> wrapped(const Canvas& canvas, std::string_view markup, double width,
+                          const TextStyle& style);
 
 /// The text, or as much of its beginning as fits in `width` px with an ellipsis behind it.
 std::string ellipsized(const Canvas& canvas, std::string_view markup, double width, const TextStyle& style);

@@ -8,9 +8,9 @@ namespace cairn::render {
 
 namespace {
 
-std::vector<double> si_dash() { return {10, 6}; }
-std::vector<double> box2d_dash() { return {12, 5, 2, 5}; }
-std::vector<double> jacobi_dash() { return {2, 5}; }
+List<double> si_dash() { return {10, 6}; }
+List<double> box2d_dash() { return {12, 5, 2, 5}; }
+List<double> jacobi_dash() { return {2, 5}; }
 
 double linear_of(double channel) {
   return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);

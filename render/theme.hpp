@@ -1,8 +1,7 @@
 // Colours, sizes and line styles: one look for every picture.
 #pragma once
 
-#include <vector>
-
+#include "math/list.hpp"
 #include "render/canvas.hpp"
 
 namespace cairn::render {
@@ -12,7 +11,7 @@ enum class Marker { none, circle, square, triangle, diamond, tick };
 /// How one solver looks in every picture. Never colour alone: dash and marker tell it too.
 struct SeriesStyle {
   Color color = {};
-  std::vector<double> dash = {};
+  List<double> dash = {};
   Marker marker = Marker::none;
 };
 

@@ -5,9 +5,12 @@
 #include <fstream>
 #include <map>
 #include <string>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace {
+
+using cairn::List;
 
 // The rooms of src and their floors. A room may include itself and every room on a lower floor; collision may
 // also name the bodies of dynamics, which stands beside it. The core, which is installed, ends with measure.
@@ -98,18 +101,18 @@ std::string objection_to_library(const std::string& file, const std::string& tar
   return is_of_the_core || !begins_with(file, "src/") ? "" : "the core needs Eigen and fmt, not " + library;
 }
 
-std::vector<SourceLine> lines_of(const std::filesystem::path& path) {
-  std::vector<SourceLine> lines;
+List<SourceLine> lines_of(const std::filesystem::path& path) {
+  List<SourceLine> lines;
   std::ifstream stream(path);
   for (std::string text; std::getline(stream, text);) {
-    lines.push_back({.number = static_cast<int>(lines.size()) + 1, .text = text});
+    lines.push_back({.number = lines.size() + 1, .text = text});
   }
   return lines;
 }
 
 // Objections to the includes in the lines of `file`, each with its place.
-std::vector<std::string> objections_to(const std::string& file, const std::vector<SourceLine>& lines) {
-  std::vector<std::string> found;
+List<std::string> objections_to(const std::string& file, const List<SourceLine>& lines) {
+  List<std::string> found;
   for (const SourceLine& line : lines) {
     const std::string directive = "#include ";
     if (!begins_with(line.text, directive) || line.text.size() < directive.size() + 2) continue;
@@ -135,9 +138,9 @@ std::string objection_to_head(const std::string& file, const std::string& first_
   return is_head ? "" : "should begin with \"" + head + "\" and what the file is for";
 }
 
-std::vector<std::string> source_files(const std::vector<std::string>& folders) {
+List<std::string> source_files(const List<std::string>& folders) {
   const std::filesystem::path root = CAIRN_SOURCE_DIR;
-  std::vector<std::string> files;
+  List<std::string> files;
   for (const std::string& folder : folders) {
     if (!std::filesystem::exists(root / folder)) continue;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
@@ -150,23 +153,23 @@ std::vector<std::string> source_files(const std::vector<std::string>& folders) {
   return files;
 }
 
-std::vector<SourceLine> lines_of_source(const std::string& file) {
+List<SourceLine> lines_of_source(const std::string& file) {
   return lines_of(std::filesystem::path(CAIRN_SOURCE_DIR) / file);
 }
 
-const std::size_t longest_file = 300;
+const int longest_file = 300;
 
-std::string objection_to_length(const std::string& file, std::size_t lines) {
+std::string objection_to_length(const std::string& file, int lines) {
   return lines <= longest_file ? "" : file + " has " + std::to_string(lines) + " lines: one idea per file";
 }
 
 }  // namespace
 
 TEST_CASE("every file of the project includes only what its floor may see") {
-  const std::vector<std::string> files = source_files({"src", "render", "lessons", "tests"});
-  std::size_t includes = 0;
+  const List<std::string> files = source_files({"src", "render", "lessons", "tests"});
+  int includes = 0;
   for (const std::string& file : files) {
-    const std::vector<SourceLine> lines = lines_of_source(file);
+    const List<SourceLine> lines = lines_of_source(file);
     for (const SourceLine& line : lines) includes += begins_with(line.text, "#include \"") ? 1 : 0;
     for (const std::string& found : objections_to(file, lines)) FAIL_CHECK(found);
   }
@@ -230,7 +233,7 @@ TEST_CASE("each rule of the floors allows what it should and refuses what it sho
 }
 
 TEST_CASE("no file has more than 300 lines") {
-  const std::vector<std::string> files = source_files({"src", "render", "lessons", "tests"});
+  const List<std::string> files = source_files({"src", "render", "lessons", "tests"});
   CHECK(std::count(files.begin(), files.end(), "tests/architecture_tests.cpp") == 1);
   for (const std::string& file : files) CHECK(objection_to_length(file, lines_of_source(file).size()) == "");
   CHECK(objection_to_length("made_up.cpp", longest_file).empty());
@@ -238,10 +241,10 @@ TEST_CASE("no file has more than 300 lines") {
 }
 
 TEST_CASE("every file of the core says on its first line on which floor it is, and what it is for") {
-  const std::vector<std::string> files = source_files({"src"});
+  const List<std::string> files = source_files({"src"});
   CHECK(std::count(files.begin(), files.end(), "src/cairn.hpp") == 1);
   for (const std::string& file : files) {
-    const std::vector<SourceLine> lines = lines_of_source(file);
+    const List<SourceLine> lines = lines_of_source(file);
     const std::string found = lines.empty() ? "is empty" : objection_to_head(file, lines.front().text);
     CHECK_MESSAGE(found.empty(), file, " ", found);
   }

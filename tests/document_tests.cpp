@@ -7,18 +7,20 @@
 #include <set>
 #include <sstream>
 #include <string>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
+using cairn::List;
 
 const fs::path document_root = CAIRN_SOURCE_DIR;
 
-std::vector<std::string> document_lines(const fs::path& file) {
+List<std::string> document_lines(const fs::path& file) {
   std::ifstream in(file);
   REQUIRE_MESSAGE(in.good(), file.string());
-  std::vector<std::string> lines;
+  List<std::string> lines;
   for (std::string line; std::getline(in, line);) lines.push_back(line);
   return lines;
 }
@@ -29,8 +31,8 @@ std::string without_margins(const std::string& line) {
 }
 
 /// The documents of the project: what ends in .md, without what is built or downloaded.
-std::vector<fs::path> documents() {
-  std::vector<fs::path> files = {document_root / "README.md"};
+List<fs::path> documents() {
+  List<fs::path> files = {document_root / "README.md"};
   for (const char* folder : {"src", "lessons", "tests", "render"}) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(document_root / folder)) {
       if (entry.path().extension() == ".md") files.push_back(entry.path());
@@ -66,7 +68,7 @@ TEST_CASE("the page on extending fits on a screen or two, and every line of code
   for (const char* file : {"lessons/14_pulley/rope.hpp", "src/solvers/iterative/sequential_impulse.cpp"}) {
     for (const std::string& line : document_lines(document_root / file)) code.insert(without_margins(line));
   }
-  const std::vector<std::string> page = document_lines(document_root / "src/EXTENDING.md");
+  const List<std::string> page = document_lines(document_root / "src/EXTENDING.md");
   CHECK(page.size() <= 60);
   bool is_code = false;
   int quoted = 0;

@@ -1,7 +1,7 @@
 // Lesson 00. What --help and --about say, and what may be changed.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::one_body {
+namespace cairn {
 
 LessonInfo card() {
   LessonInfo info;
@@ -39,4 +39,4 @@ LessonInfo card() {
   return info;
 }
 
-}  // namespace cairn::one_body
+}  // namespace cairn

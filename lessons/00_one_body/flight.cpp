@@ -13,8 +13,8 @@ Vec2<double> parabola(const Throw& thrown, double t) {
 
 void record(Flight& flight, const World<double>& world, const Particle& semi_implicit,
             const Particle& explicit_euler) {
-  const double t = static_cast<double>(flight.time.size()) * flight.thrown.dt;
-  const Vec2<double> position = world.bodies().pose[1].position;
+  const double t = flight.time.size() * flight.thrown.dt;
+  const Vec2<double> position = world.bodies().pose[{1}].position;
   flight.time.push_back(t);
   flight.cairn.push_back(snapshot(world));
   flight.semi_implicit.push_back(position);
@@ -23,7 +23,7 @@ void record(Flight& flight, const World<double>& world, const Particle& semi_imp
   flight.gap = std::max(flight.gap, (position - semi_implicit.position).norm());
 }
 
-double final_error(const Flight& flight, const std::vector<Vec2<double>>& path) {
+double final_error(const Flight& flight, const List<Vec2<double>>& path) {
   return path.back().y() - flight.exact.back().y();
 }
 

@@ -1,8 +1,7 @@
 // Lesson 00. One box in free flight: as Cairn steps it, by explicit Euler, and exactly.
 #pragma once
 
-#include <vector>
-
+#include "math/list.hpp"
 #include "world/snapshot.hpp"
 #include "world/world.hpp"
 
@@ -17,23 +16,23 @@ struct Throw {
   int steps = 60;
 };
 
-/// The whole flight; each vector has an element for every instant, the start included.
+/// The whole flight; each list has an element for every instant, the start included.
 struct Flight {
   Throw thrown = {};
-  Vec3<double> inverse_mass = {0, 0, 0};          // Cairn's diagonal of M^-1, eq. (2)
-  std::vector<double> time = {};                  // [s]
-  std::vector<Snapshot> cairn = {};               // semi-implicit Euler
-  std::vector<Vec2<double>> semi_implicit = {};   // [m] centres of the above
-  std::vector<Vec2<double>> explicit_euler = {};  // [m]
-  std::vector<Vec2<double>> exact = {};           // [m]
+  Vec3<double> inverse_mass = {0, 0, 0};   // Cairn's diagonal of M^-1, eq. (2)
+  List<double> time = {};                  // [s]
+  List<Snapshot> cairn = {};               // semi-implicit Euler
+  List<Vec2<double>> semi_implicit = {};   // [m] centres of the above
+  List<Vec2<double>> explicit_euler = {};  // [m]
+  List<Vec2<double>> exact = {};           // [m]
   double gap = 0;  // [m] the largest between Cairn's box and semi-implicit Euler by hand
 };
 
 /// What halving the time step does to the error, at one and the same instant.
 struct Convergence {
-  std::vector<double> dt = {};              // [s]
-  std::vector<double> semi_implicit = {};   // [m] below the parabola
-  std::vector<double> explicit_euler = {};  // [m] above it
+  List<double> dt = {};              // [s]
+  List<double> semi_implicit = {};   // [m] below the parabola
+  List<double> explicit_euler = {};  // [m] above it
 };
 
 /// The centre of the box, moved by hand.
@@ -50,7 +49,7 @@ void record(Flight& flight, const World<double>& world, const Particle& semi_imp
 Vec2<double> parabola(const Throw& thrown, double t);
 
 /// How far above the parabola (negative: below) a method ends [m].
-double final_error(const Flight& flight, const std::vector<Vec2<double>>& path);
+double final_error(const Flight& flight, const List<Vec2<double>>& path);
 
 /// What rounding alone may add to a height of the flight [m].
 double rounding_of_height(const Flight& flight);

@@ -4,9 +4,8 @@
 // three times, with the library, with the same two lines by hand, and with the two lines swapped (explicit
 // Euler), and look how far from the parabola each ends.
 #include "cairn.hpp"
-#include "pictures.hpp"
+#include "parts.hpp"
 #include "render/canvas.hpp"
-#include "report.hpp"
 
 namespace {
 
@@ -31,7 +30,7 @@ Flight fly(const Throw& thrown) {
   const double dt = thrown.dt;
   Particle semi_implicit = {thrown.start, thrown.velocity.head<2>()};
   Particle explicit_euler = semi_implicit;
-  Flight flight = {.thrown = thrown, .inverse_mass = world.bodies().inverse_mass[1]};
+  Flight flight = {.thrown = thrown, .inverse_mass = world.bodies().inverse_mass[{1}]};
   record(flight, world, semi_implicit, explicit_euler);
   for (int step = 1; step <= thrown.steps; ++step) {
     // [step]

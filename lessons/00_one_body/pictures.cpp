@@ -1,11 +1,12 @@
 // Lesson 00. The pictures of the flight.
-#include "pictures.hpp"
+#include "parts.hpp"
 
 #include <fmt/core.h>
 
 #include <cmath>
 #include <memory>
 
+#include "math/list.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
 #include "scene.hpp"
@@ -16,15 +17,13 @@ namespace {
 
 using namespace render;
 
-double height(const std::vector<Vec2<double>>& path, int step) {
-  return path[static_cast<std::size_t>(step)].y();
-}
+double height(const List<Vec2<double>>& path, int step) { return path[step].y(); }
 
 /// One step in numbers: the velocity first, then the position with the new velocity.
 Equation step_equation(const Story& story, int step) {
   const Throw& thrown = story.flight.thrown;
   const double before = thrown.velocity.y() - thrown.gravity * thrown.dt * (step - 1);
-  const double after = story.flight.cairn[static_cast<std::size_t>(step)].bodies[1].velocity.y();
+  const double after = story.flight.cairn[step].bodies[{1}].velocity.y();
   const std::string dt = significant(thrown.dt, 3);
   Equation equation;
   equation.number = fmt::format("left half of (12), step {}", step);
@@ -52,7 +51,7 @@ TableView known_table(const Story& story) {
   table.rows.push_back({"time step Δt", significant(thrown.dt) + " s"});
   table.rows.push_back({"steps", std::to_string(thrown.steps)});
   table.rows.push_back({"height above the parabola", "? m"});
-  table.active_row = static_cast<int>(table.rows.size()) - 1;
+  table.active_row = table.rows.size() - 1;
   return table;
 }
 
@@ -140,7 +139,7 @@ Shot state_shot(const SharedStory& story) {
       page.table(layout.right, "where it is, how fast, how light", state_table(*story));
       return;
     }
-    const std::vector<Rect> parts = columns(layout.upper, {50, 50}, page.sizes().gap);
+    const List<Rect> parts = columns(layout.upper, {50, 50}, page.sizes().gap);
     draw_matrix(page, parts[0], inverse_mass_view(*story));
     page.equation(parts[1], inertia_equation());
     page.table(layout.lower, "where it is, how fast, how light   eq (1), (2)", state_table(*story));
@@ -153,8 +152,7 @@ Shot step_shot(const SharedStory& story, int step) {
   const int steps = flight.thrown.steps;
   Shot shot;
   shot.key = step <= 3 || step == steps / 3 || step == 2 * steps / 3 || step == steps;
-  shot.state = fmt::format("step {}/{} · t = {} s", step, steps,
-                           fixed(flight.time[static_cast<std::size_t>(step)], 2));
+  shot.state = fmt::format("step {}/{} · t = {} s", step, steps, fixed(flight.time[step], 2));
   shot.alt =
       fmt::format("Step {}: the box at a height of {} m, the exact parabola at {} m, explicit Euler at {} m.",
                   step, fixed(height(flight.semi_implicit, step), 3), fixed(height(flight.exact, step), 3),
@@ -177,11 +175,11 @@ Shot step_shot(const SharedStory& story, int step) {
 }
 
 /// Measured points of one method; both methods miss by the same, so they lie on each other.
-Series measured(const std::string& name, SeriesStyle style, const std::vector<double>& dt,
-                const std::vector<double>& errors) {
+Series measured(const std::string& name, SeriesStyle style, const List<double>& dt,
+                const List<double>& errors) {
   Series series = {.name = name, .style = style, .line = false};
-  for (std::size_t i = dt.size();
-       i-- > 0;) {  // from short steps to long ones: the name stands at the right end
+  for (int i = dt.size() - 1; i >= 0;
+       --i) {  // from short steps to long ones: the name stands at the right end
     series.x.push_back(dt[i]);
     series.y.push_back(std::abs(errors[i]));
   }
@@ -210,7 +208,7 @@ void draw_convergence(Page& page, const Rect& rect, const Story& story) {
 
 TableView convergence_table(const Convergence& c) {
   TableView table = {.header = {"Δt (s)", "below (m)", "ratio"}};
-  for (std::size_t i = 0; i < c.dt.size(); ++i) {
+  for (int i = 0; i < c.dt.size(); ++i) {
     const std::string ratio = i == 0 ? "" : fixed(c.semi_implicit[i - 1] / c.semi_implicit[i], 2);
     table.rows.push_back({significant(c.dt[i], 3), fixed(-c.semi_implicit[i], 5), ratio});
   }
@@ -234,14 +232,14 @@ Shot convergence_shot(const SharedStory& story) {
       "The error at the end of the flight over the time step, on logarithmic axes: measured points on a line "
       "of slope 1, from the standard step to a sixteenth of it.";
   shot.draw = [story](Page& page) {
-    const std::vector<Rect> parts = columns(page.area(), {56, 44}, page.sizes().gap);
+    const List<Rect> parts = columns(page.area(), {56, 44}, page.sizes().gap);
     draw_convergence(page, parts[0], *story);
     const TableView table = convergence_table(story->convergence);
     if (page.compact()) {
       page.table(parts[1], "order one", table);
       return;
     }
-    const std::vector<Rect> halves = rows(parts[1], {54, 46}, page.sizes().gap);
+    const List<Rect> halves = rows(parts[1], {54, 46}, page.sizes().gap);
     page.table(halves[0], "order one: half the step, half the error", table);
     page.equation(halves[1], error_equation(story->flight));
   };
@@ -250,14 +248,13 @@ Shot convergence_shot(const SharedStory& story) {
 
 }  // namespace
 
-std::vector<Shot> pictures(const Flight& flight, const Convergence& convergence,
-                           const std::string& question) {
+List<Shot> pictures(const Flight& flight, const Convergence& convergence, const std::string& question) {
   auto made = std::make_shared<Story>(Story{flight, convergence, question, 0});
   for (const Snapshot& snapshot : flight.cairn) {
-    made->fastest = std::max(made->fastest, snapshot.bodies[1].velocity.head<2>().norm());
+    made->fastest = std::max(made->fastest, snapshot.bodies[{1}].velocity.head<2>().norm());
   }
   const SharedStory story = made;
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back(question_shot(story));
   shots.push_back(state_shot(story));
   for (int step = 1; step <= flight.thrown.steps; ++step) shots.push_back(step_shot(story, step));

@@ -1,11 +1,12 @@
 // Lesson 00. The flight in lines and rows, and what has to be true of it.
-#include "report.hpp"
+#include "parts.hpp"
 
 #include <fmt/core.h>
 
 #include <cmath>
 
 #include "geometry/mass.hpp"
+#include "math/list.hpp"
 
 namespace cairn::one_body {
 
@@ -30,11 +31,10 @@ void tell_steps(Lesson& lesson, const Flight& flight) {
   lesson.print("step      t (s)   v_y (m/s)     y (m)  explicit y   exact y");
   const int steps = flight.thrown.steps;
   for (int step = 0; step <= steps; ++step) {
-    const auto i = static_cast<std::size_t>(step);
-    const std::string line =
-        fmt::format("{:4}  {:>9} {:>11} {:>9} {:>11} {:>9}", step, fixed(flight.time[i], 3),
-                    fixed(flight.cairn[i].bodies[1].velocity.y(), 3), fixed(flight.semi_implicit[i].y(), 3),
-                    fixed(flight.explicit_euler[i].y(), 3), fixed(flight.exact[i].y(), 3));
+    const std::string line = fmt::format(
+        "{:4}  {:>9} {:>11} {:>9} {:>11} {:>9}", step, fixed(flight.time[step], 3),
+        fixed(flight.cairn[step].bodies[{1}].velocity.y(), 3), fixed(flight.semi_implicit[step].y(), 3),
+        fixed(flight.explicit_euler[step].y(), 3), fixed(flight.exact[step].y(), 3));
     const bool shown = step <= 3 || step == steps / 2 || step == steps;
     if (shown) {
       lesson.print(line);
@@ -46,7 +46,7 @@ void tell_steps(Lesson& lesson, const Flight& flight) {
 
 void tell_convergence(Lesson& lesson, const Convergence& c) {
   lesson.print("after the same time:  Δt (s)   semi-implicit (m)   explicit (m)");
-  for (std::size_t i = 0; i < c.dt.size(); ++i) {
+  for (int i = 0; i < c.dt.size(); ++i) {
     lesson.print(fmt::format("                   {:>9} {:>19} {:>14}", significant(c.dt[i], 4),
                              fixed(c.semi_implicit[i], 6, render::Sign::always),
                              fixed(c.explicit_euler[i], 6, render::Sign::always)));
@@ -76,15 +76,15 @@ void check_claims(Lesson& lesson, const Flight& flight, const Convergence& conve
                      6 * rounding / formula);
   const Snapshot& last = flight.cairn.back();
   const double turned = thrown.velocity.z() * flight.time.back();
-  lesson.check_equal("nothing turns the box: θ = ω t (rad)", last.bodies[1].pose.angle, turned, rounding);
+  lesson.check_equal("nothing turns the box: θ = ω t (rad)", last.bodies[{1}].pose.angle, turned, rounding);
 }
 
 CsvTable table_of(const Flight& flight) {
   CsvTable table = {
       .header = {"step", "t", "x", "y", "angle", "v_x", "v_y", "omega", "y_explicit", "y_exact"}};
-  for (std::size_t i = 0; i < flight.time.size(); ++i) {
-    const SnapshotBody& box = flight.cairn[i].bodies[1];
-    std::vector<CsvCell> row;
+  for (int i = 0; i < flight.time.size(); ++i) {
+    const SnapshotBody& box = flight.cairn[i].bodies[{1}];
+    List<CsvCell> row;
     row.emplace_back(static_cast<long long>(i));
     for (const double number :
          {flight.time[i], box.pose.position.x(), box.pose.position.y(), box.pose.angle, box.velocity.x(),

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
+#include "math/list.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
 
@@ -25,9 +25,7 @@ Camera camera_of(const Page& page, const Story& story) {
   return fit(layout_of(page).scene, seen);
 }
 
-std::span<const Vec2<double>> first(const std::vector<Vec2<double>>& path, int step) {
-  return std::span(path).first(static_cast<std::size_t>(step) + 1);
-}
+Span<const Vec2<double>> first(const List<Vec2<double>>& path, int step) { return {path.data(), step + 1}; }
 
 /// The fastest arrow is a little longer than the box is wide.
 ArrowScale velocity_scale(const Camera& camera, const Story& story) {
@@ -36,7 +34,7 @@ ArrowScale velocity_scale(const Camera& camera, const Story& story) {
 }
 
 void draw_velocity(Page& page, const Camera& camera, const ArrowScale& scale, const Snapshot& now) {
-  const SnapshotBody& box = now.bodies[1];
+  const SnapshotBody& box = now.bodies[{1}];
   const Vec2<double> velocity = box.velocity.head<2>();
   draw_arrow(page, camera, scale,
              {.kind = ArrowKind::velocity, .tail = box.pose.position, .value = velocity});
@@ -47,13 +45,13 @@ void draw_velocity(Page& page, const Camera& camera, const ArrowScale& scale, co
   const double size = style.size;
   const std::string text = fixed(velocity.norm(), 2) + (page.compact() ? "" : " m/s");
   const double width = page.canvas().text_width(text, style);
-  const std::vector<Point> places = {tip + Point(10, size / 3), tip + Point(-width - 18, size / 3),
-                                     tip + Point(-width / 2, -14), tip + Point(-width / 2, size + 14)};
+  const List<Point> places = {tip + Point(10, size / 3), tip + Point(-width - 18, size / 3),
+                              tip + Point(-width / 2, -14), tip + Point(-width / 2, size + 14)};
   page.place_text(places, layout_of(page).scene, text, style);
 }
 
 void draw_parabola(Page& page, const Camera& camera, const Flight& flight) {
-  std::vector<Point> points;
+  List<Point> points;
   for (const Vec2<double>& point : flight.exact) points.push_back(camera.project(point));
   page.canvas().polyline(points, {.width = page.sizes().axis, .color = page.theme().exact.color, .dash = {}});
   page.note_curve(points);
@@ -65,10 +63,10 @@ SeriesStyle path_style(SeriesStyle style, int step) {
   return style;
 }
 
-Series error_series(const Flight& flight, const std::vector<Vec2<double>>& path, int step,
-                    const std::string& name, const SeriesStyle& style) {
+Series error_series(const Flight& flight, const List<Vec2<double>>& path, int step, const std::string& name,
+                    const SeriesStyle& style) {
   Series series = {.name = name, .style = style, .markers = step >= 10};
-  for (std::size_t i = 0; i <= static_cast<std::size_t>(step); ++i) {
+  for (int i = 0; i <= step; ++i) {
     series.x.push_back(flight.time[i]);
     series.y.push_back(path[i].y() - flight.exact[i].y());
   }
@@ -78,8 +76,8 @@ Series error_series(const Flight& flight, const std::vector<Vec2<double>>& path,
 }  // namespace
 
 Layout layout_of(const Page& page) {
-  const std::vector<Rect> halves = columns(page.area(), {48, 50}, page.sizes().gap);
-  const std::vector<Rect> panels = rows(halves[1], {54, 46}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {48, 50}, page.sizes().gap);
+  const List<Rect> panels = rows(halves[1], {54, 46}, page.sizes().gap);
   return {halves[0], halves[1], panels[0], panels[1]};
 }
 
@@ -87,13 +85,13 @@ void draw_scene(Page& page, const Story& story, int step) {
   const Camera camera = camera_of(page, story);
   const Theme& theme = page.theme();
   const Flight& flight = story.flight;
-  std::vector<Snapshot> earlier;
+  List<Snapshot> earlier;
   for (int ghost = 0; ghost < 7; ++ghost) {
     const int at = ghost * flight.thrown.steps / 7;
-    if (at < step) earlier.push_back(flight.cairn[static_cast<std::size_t>(at)]);
+    if (at < step) earlier.push_back(flight.cairn[at]);
   }
   draw_ghosts(page, camera, earlier);
-  const Snapshot& now = flight.cairn[static_cast<std::size_t>(step)];
+  const Snapshot& now = flight.cairn[step];
   draw_world(page, camera, now, {.names = {"", ""}});
   draw_parabola(page, camera, flight);
   draw_trail(page, camera, first(flight.explicit_euler, step), path_style(theme.jacobi, step));
@@ -112,7 +110,7 @@ void draw_errors(Page& page, const Rect& rect, const Story& story, int step) {
   plot.series.push_back(error_series(flight, flight.explicit_euler, step, "explicit", page.theme().jacobi));
   plot.series.push_back(error_series(flight, flight.semi_implicit, step, "semi-implicit", page.theme().si));
   plot.goals.push_back({.y = 0, .text = "exact"});
-  plot.cursor = flight.time[static_cast<std::size_t>(step)];
+  plot.cursor = flight.time[step];
   draw_plot(page, rect, plot);
 }
 

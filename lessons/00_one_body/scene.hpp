@@ -2,10 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "flight.hpp"
-#include "pictures.hpp"
+#include "parts.hpp"
 
 namespace cairn::one_body {
 

@@ -1,7 +1,7 @@
 // Lesson 01. What --help and --about say, and what may be changed.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::one_row {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -40,4 +40,4 @@ LessonInfo card() {
       .next = "lesson02_effective_mass   (how large λ has to be)"};
 }
 
-}  // namespace cairn::one_row
+}  // namespace cairn

@@ -5,6 +5,7 @@
 
 #include "collision/collide.hpp"
 #include "lessons/random.hpp"
+#include "math/list.hpp"
 #include "rod.hpp"
 
 namespace cairn::one_row {
@@ -14,7 +15,7 @@ namespace {
 constexpr double far_margin = 100;  // [m or rad] limits and slack ropes have their rows too
 constexpr int random_rounds = 20;
 
-using Poses = std::vector<Pose<double>>;
+using Poses = PerBody<Pose<double>>;
 using Rows = std::function<RowSpecs<double>(const Poses&)>;
 
 struct Kind {
@@ -36,9 +37,9 @@ Kind contact_kind() {
   return {"contact", [](const Poses& poses) {
             const Shape<double> disc = circle(0.3, {0.1, 0.2});
             const Manifold<double> manifold =
-                collide<double>(disc, poses[1], box(40, 1), poses[2], far_margin);
+                collide<double>(disc, poses[{1}], box(40, 1), poses[{2}], far_margin);
             RowSpecs<double> rows;
-            const std::vector<Vec3<double>> at_rest(poses.size(), Vec3<double>::Zero());
+            const PerBody<Vec3<double>> at_rest(poses.size(), Vec3<double>::Zero());
             append_contact_rows<double>(manifold, {1}, {2}, {}, poses, at_rest, rows);
             return rows;
           }};
@@ -54,9 +55,9 @@ Poses random_poses(Random& random) {
   const Vec2<double> place = random_point(random, 2);
   const Vec2<double> below(random.between(-1, 1), random.between(-6, -4));
   Poses poses(4);
-  poses[1] = {place, random.between(-pi, pi)};
-  poses[2] = {place + below, random.between(-0.3, 0.3)};
-  poses[3] = {place + Vec2<double>(4, 0), random.between(-pi, pi)};
+  poses[{1}] = {place, random.between(-pi, pi)};
+  poses[{2}] = {place + below, random.between(-0.3, 0.3)};
+  poses[{3}] = {place + Vec2<double>(4, 0), random.between(-pi, pi)};
   return poses;
 }
 
@@ -67,10 +68,10 @@ Kind pulley_kind(const Vec2<double>& near_a, const Vec2<double>& near_b, const P
   return joint_kind<PulleyJoint>("pulley", {.ends = {left, right}, .slack_margin = far_margin}, start);
 }
 
-std::vector<Kind> all_kinds(const Poses& start, Random& random) {
+List<Kind> all_kinds(const Poses& start, Random& random) {
   const BodyId a{1}, b{2}, c{3};
-  const Vec2<double> near_a = start[1].position + random_point(random, 1);
-  const Vec2<double> near_b = start[2].position + random_point(random, 1);
+  const Vec2<double> near_a = start[a].position + random_point(random, 1);
+  const Vec2<double> near_b = start[b].position + random_point(random, 1);
   const Vec2<double> axis = Rotation<double>(random.between(-pi, pi)) * Vec2<double>(1, 0);
   const Softness soft = SwingSoftness{.frequency = 2, .damping_ratio = 0.5};
   return {
@@ -112,7 +113,7 @@ Vec3<double> part_of(const RowSpec<double>& row, BodyId body) {
   if (row.a == body) sum += row.jacobian_a;
   if (row.b == body) sum += row.jacobian_b;
   for (int k = 0; k < row.extra_count; ++k) {
-    const RowTerm<double>& term = row.extra[static_cast<std::size_t>(k)];
+    const RowTerm<double>& term = row.extra[k];
     if (term.body == body) sum += term.jacobian;
   }
   return sum;
@@ -121,15 +122,16 @@ Vec3<double> part_of(const RowSpec<double>& row, BodyId body) {
 double largest_difference(const Rows& rows_at, const Poses& poses, double h) {
   const RowSpecs<double> rows = rows_at(poses);
   double largest = 0;
-  for (std::size_t body = 1; body < poses.size(); ++body) {
+  for (const BodyId body : poses.indices()) {
+    if (body == ground) continue;
     for (int k = 0; k < 3; ++k) {
       Poses ahead = poses, behind = poses;
       ahead[body] = carried(poses[body], Vec3<double>::Unit(k), h);
       behind[body] = carried(poses[body], Vec3<double>::Unit(k), -h);
       const RowSpecs<double> after = rows_at(ahead), before = rows_at(behind);
-      for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (int i = 0; i < rows.size(); ++i) {
         const double slope = (after.at(i).error - before.at(i).error) / (2 * h);
-        const double entry = part_of(rows[i], {static_cast<int>(body)})(k);
+        const double entry = part_of(rows[i], body)(k);
         largest = std::max(largest, std::abs(slope - entry));
       }
     }
@@ -139,20 +141,21 @@ double largest_difference(const Rows& rows_at, const Poses& poses, double h) {
 
 }  // namespace
 
-std::vector<KindOfRows> compare_every_kind(std::uint64_t seed, double h) {
-  std::vector<KindOfRows> result;
+List<KindOfRows> compare_every_kind(std::uint64_t seed, double h) {
+  List<KindOfRows> result;
   Random random(seed);
   for (int round = 0; round < random_rounds; ++round) {
     Poses poses = random_poses(random);
-    const std::vector<Kind> kinds = all_kinds(poses, random);
-    for (std::size_t body = 1; body < poses.size(); ++body) {  // away from where the joints were made
+    const List<Kind> kinds = all_kinds(poses, random);
+    for (const BodyId body : poses.indices()) {  // away from where the joints were made
+      if (body == ground) continue;
       poses[body].position += random_point(random, 0.2);
       poses[body].angle += random.between(-0.2, 0.2);
     }
     result.resize(kinds.size());
-    for (std::size_t k = 0; k < kinds.size(); ++k) {
+    for (int k = 0; k < kinds.size(); ++k) {
       result[k].name = kinds[k].name;
-      result[k].rows = static_cast<int>(kinds[k].rows(poses).size());
+      result[k].rows = kinds[k].rows(poses).size();
       result[k].error = std::max(result[k].error, largest_difference(kinds[k].rows, poses, h));
     }
   }

@@ -5,7 +5,7 @@
 
 namespace cairn::exercise01 {
 
-std::array<double, 3> jacobian(const Rail& rail) {
+FixedList<double, 3> jacobian(const Rail& rail) {
   (void)rail;
   return {0, 0, 0};  // <- your code
 }

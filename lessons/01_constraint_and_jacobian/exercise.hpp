@@ -1,9 +1,8 @@
 // Exercise 01: the row of a bead on a rail.
 #pragma once
 
-#include <array>
-
 #include "lessons/exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise01 {
 
@@ -16,9 +15,9 @@ struct Rail {
 
 /// j = (j_x, j_y, j_theta) of c, the distance of the point from the rail, positive on the upper side:
 /// dc/dt = j v with v = (v_x, v_y, omega).
-std::array<double, 3> jacobian(const Rail& rail);
+FixedList<double, 3> jacobian(const Rail& rail);
 
-using Answer = std::array<double, 3> (*)(const Rail&);
+using Answer = FixedList<double, 3> (*)(const Rail&);
 void grade(Grade& grade, Answer answer);
 /// With the answer of exercise.cpp.
 Exercise exercise();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise01 {
 namespace {
@@ -11,15 +12,15 @@ constexpr double step = 1e-5;        // [m or rad] of the differences
 constexpr double difference = 1e-9;  // step^2 / 6 and the rounding 1e-16 / step of numbers near 1
 
 /// The distance of the point from the rail, once the body has moved by (x, y) and turned by angle.
-double distance(const Rail& rail, const std::array<double, 3>& moved) {
+double distance(const Rail& rail, const FixedList<double, 3>& moved) {
   const double c = std::cos(moved[2]), s = std::sin(moved[2]);
   const double x = moved[0] + c * rail.arm_x - s * rail.arm_y;
   const double y = moved[1] + s * rail.arm_x + c * rail.arm_y;
   return -std::sin(rail.slope) * x + std::cos(rail.slope) * y;
 }
 
-double slope_of_distance(const Rail& rail, std::size_t axis) {
-  std::array<double, 3> forth = {}, back = {};
+double slope_of_distance(const Rail& rail, int axis) {
+  FixedList<double, 3> forth = {}, back = {};
   forth[axis] = step;
   back[axis] = -step;
   return (distance(rail, forth) - distance(rail, back)) / (2 * step);
@@ -31,7 +32,7 @@ Rail rail_at(int i) {
 }
 
 /// The largest difference between an entry and its slope.
-double worst_entry(Answer answer, std::size_t axis) {
+double worst_entry(Answer answer, int axis) {
   double worst = 0;
   for (int i = 0; i < 20; ++i) {
     const double off = std::abs(answer(rail_at(i))[axis] - slope_of_distance(rail_at(i), axis));
@@ -46,7 +47,7 @@ void grade(Grade& grade, Answer answer) {
   const double half = std::sqrt(3.0) / 2;
   const Rail thirty{.slope = std::acos(half), .arm_x = 0.4, .arm_y = 0.2};
   const double turn = 0.4 * half + 0.2 * 0.5;
-  const std::array<double, 3> j = answer(thirty);
+  const FixedList<double, 3> j = answer(thirty);
   grade.number(
       {.what = "a rail of 30 degrees: j_x",
        .value = -0.5,

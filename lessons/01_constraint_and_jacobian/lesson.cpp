@@ -4,8 +4,8 @@
 // resists (10). The library says the same of its own rod.
 #include <cmath>
 
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace cairn::one_row {
 
@@ -28,11 +28,10 @@ Vec3<double> jacobian_at(const Rod& rod, const Pose<double>& box) {
 Quotient quotient(const Rod& rod, double h) {
   Quotient result{.h = h};
   for (int k = 0; k < 3; ++k) {  // x, y, angle
-    const auto at = static_cast<std::size_t>(k);
-    result.forward[at] = error_at(rod, carried(rod.pose, Vec3<double>::Unit(k), h));
-    result.backward[at] = error_at(rod, carried(rod.pose, Vec3<double>::Unit(k), -h));
-    result.slope[at] = (result.forward[at] - result.backward[at]) / (2 * h);
-    result.error = std::max(result.error, std::abs(result.slope[at] - rod.jacobian(k)));
+    result.forward[k] = error_at(rod, carried(rod.pose, Vec3<double>::Unit(k), h));
+    result.backward[k] = error_at(rod, carried(rod.pose, Vec3<double>::Unit(k), -h));
+    result.slope[k] = (result.forward[k] - result.backward[k]) / (2 * h);
+    result.error = std::max(result.error, std::abs(result.slope[k] - rod.jacobian(k)));
   }
   return result;
 }
@@ -60,7 +59,7 @@ Rod hung_box(const RodSettings& settings) {
   scene.join<DistanceJoint>({.a = ground, .b = body, .anchor_a = {0, 0}, .anchor_b = settings.anchor});
   const World<double> world(scene);
   rod.snapshot = snapshot(world);
-  rod.pose = world.bodies().pose[1];
+  rod.pose = world.bodies().pose[{1}];
   RowSpecs<double> rows;
   scene.joints()[0]->append_rows(world.bodies().pose, rows);
   rod.row = rows.at(0);
@@ -82,7 +81,7 @@ void run(Lesson& lesson) {
                       .velocity = {lesson.real("vx"), lesson.real("vy"), lesson.real("omega")},
                       .lambda = lesson.real("lambda")});
   look_at(rod);
-  const std::vector<KindOfRows> kinds =
+  const List<KindOfRows> kinds =
       compare_every_kind(static_cast<std::uint64_t>(lesson.whole("seed")), small_step);
   print_scene(lesson, rod);
   lesson.predict();
@@ -90,7 +89,7 @@ void run(Lesson& lesson) {
   print_derivative(lesson, rod);
   print_motions(lesson, rod);
   print_kinds(lesson, kinds);
-  std::vector<double> rates;
+  List<double> rates;
   for (const Motion& motion : rod.asked) rates.push_back(motion.rate);
   lesson.answer(rates, 0.01,
                 "It is j v. Where that is 0 the rod allows the motion: of three freedoms one row takes one, "

@@ -1,11 +1,12 @@
 // The frames: c and its level curves, j by small moves, j v for several motions, f, and the answer.
-#include "pictures.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
 
@@ -18,13 +19,17 @@ using render::Page;
 using render::Rect;
 using render::significant;
 
+struct Story {
+  Rod rod = {};
+  List<KindOfRows> kinds = {};
+};
 using Shared = std::shared_ptr<const Story>;
 
 const char* const coordinate_names[] = {"x", "y", "θ"};
 
 /// Left the scene; returns the two parts on the right.
-std::vector<Rect> draw_scene(Page& page, const Rod& rod, const RodLook& look, double upper) {
-  const std::vector<Rect> halves = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
+List<Rect> draw_scene(Page& page, const Rod& rod, const RodLook& look, double upper) {
+  const List<Rect> halves = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
   draw_rod(page, halves[0], rod, look);
   return rows(halves[1], {upper, 1 - upper}, page.sizes().gap);
 }
@@ -32,7 +37,7 @@ std::vector<Rect> draw_scene(Page& page, const Rod& rod, const RodLook& look, do
 /// The question or the answer, over the three velocities.
 void draw_note(Page& page, const Rod& rod, const RodLook& look, std::string_view title,
                std::string_view text) {
-  const std::vector<Rect> parts = draw_scene(page, rod, look, page.compact() ? 0.56 : 0.6);
+  const List<Rect> parts = draw_scene(page, rod, look, page.compact() ? 0.56 : 0.6);
   page.note(parts[0], title, text);
   const bool answered = look.direction;
   render::TableView table{.header = {"v (m/s, m/s, rad/s)", "j v (m/s)", ""}};
@@ -51,7 +56,7 @@ void draw_note(Page& page, const Rod& rod, const RodLook& look, std::string_view
 std::string metres(double value) { return fixed(value, 4) + " m"; }
 
 void draw_error(Page& page, const Rod& rod) {
-  const std::vector<Rect> parts = draw_scene(page, rod, {.pose = rod.pose, .circles = true}, 0.46);
+  const List<Rect> parts = draw_scene(page, rod, {.pose = rod.pose, .circles = true}, 0.46);
   const Vec2<double>& p = rod.settings.anchor;
   page.equation(parts[0], {.number = "eq (3)",
                            .symbols = "c = |p| − length",
@@ -59,12 +64,11 @@ void draw_error(Page& page, const Rod& rod) {
                                                   significant(-p.y()), significant(rod.length)),
                            .result = "= 0 m"});
   render::TableView table{.header = {"the box, moved", "c"}};
-  const std::vector<std::pair<std::string, Vec3<double>>> moves = {
-      {"not at all", {0, 0, 0}},
-      {"1 m to the right", {1, 0, 0}},
-      {"1 m up", {0, 1, 0}},
-      {"1 m along the rod", rod.asked[1].velocity},
-      {"turned by 1 rad", {0, 0, 1}}};
+  const List<std::pair<std::string, Vec3<double>>> moves = {{"not at all", {0, 0, 0}},
+                                                            {"1 m to the right", {1, 0, 0}},
+                                                            {"1 m up", {0, 1, 0}},
+                                                            {"1 m along the rod", rod.asked[1].velocity},
+                                                            {"turned by 1 rad", {0, 0, 1}}};
   for (const auto& [name, move] : moves) {
     Vec3<double> step = move;
     if (name == "1 m along the rod") step = {rod.jacobian.x(), rod.jacobian.y(), 0};
@@ -74,8 +78,7 @@ void draw_error(Page& page, const Rod& rod) {
 }
 
 void draw_jacobian(Page& page, const Rod& rod) {
-  const std::vector<Rect> parts =
-      draw_scene(page, rod, {.pose = rod.pose, .circles = true, .direction = true}, 0.3);
+  const List<Rect> parts = draw_scene(page, rod, {.pose = rod.pose, .circles = true, .direction = true}, 0.3);
   render::MatrixView view{.title = "j: one row, three numbers for the box"};
   view.values = rod.jacobian.transpose();
   for (const char* name : coordinate_names) view.column_names.emplace_back(name);
@@ -91,23 +94,22 @@ void draw_jacobian(Page& page, const Rod& rod) {
        .algorithm = page.compact() ? "" : "u: along the rod; r: from the centre to the anchor"});
 }
 
-/// One coordinate moved both ways; the rows of the table up to it.
-void draw_nudge(Page& page, const Rod& rod, int coordinate) {
+/// Coordinate k moved both ways; the rows of the table up to it.
+void draw_nudge(Page& page, const Rod& rod, int k) {
   const Quotient large = quotient(rod, 0.5);  // large enough to be seen
-  const Pose<double> pose = carried(rod.pose, Vec3<double>::Unit(coordinate), large.h);
-  const std::vector<Rect> parts = draw_scene(page, rod, {.pose = pose, .ghost = true, .circles = true}, 0.46);
+  const Pose<double> pose = carried(rod.pose, Vec3<double>::Unit(k), large.h);
+  const List<Rect> parts = draw_scene(page, rod, {.pose = pose, .ghost = true, .circles = true}, 0.46);
   const Quotient& q = rod.quotients.front();
-  const auto k = static_cast<std::size_t>(coordinate);
   page.equation(parts[0], {.number = fmt::format("dc/d{} by a central difference, h = {} {}",
-                                                 coordinate_names[k], q.h, coordinate == 2 ? "rad" : "m"),
+                                                 coordinate_names[k], q.h, k == 2 ? "rad" : "m"),
                            .symbols = "(c(+h) − c(−h)) / 2h",
                            .numbers = fmt::format("= ({} − ({})) / {}", fixed(q.forward[k], 4),
                                                   fixed(q.backward[k], 4), significant(2 * q.h)),
                            .result = fmt::format("= {}", fixed(q.slope[k], 3))});
-  render::TableView table{.header = {"", "c(−h)", "c(+h)", "slope", "j"}, .active_row = coordinate};
-  for (std::size_t i = 0; i <= k; ++i) {
+  render::TableView table{.header = {"", "c(−h)", "c(+h)", "slope", "j"}, .active_row = k};
+  for (int i = 0; i <= k; ++i) {
     table.rows.push_back({coordinate_names[i], fixed(q.backward[i], 4), fixed(q.forward[i], 4),
-                          fixed(q.slope[i], 4), fixed(rod.jacobian(static_cast<int>(i)), 4)});
+                          fixed(q.slope[i], 4), fixed(rod.jacobian(i), 4)});
   }
   page.table(parts[1], "the slope of c, and j", table);
 }
@@ -142,7 +144,7 @@ std::string in_brackets(double value) {
 std::string product(double factor, double value) { return in_brackets(factor) + " × " + in_brackets(value); }
 
 void draw_motion(Page& page, const Rod& rod, const Motion& motion) {
-  const std::vector<Rect> parts =
+  const List<Rect> parts =
       draw_scene(page, rod, {.pose = rod.pose, .circles = true, .velocity = motion.velocity}, 0.42);
   const Vec3<double>& j = rod.jacobian;
   const Vec3<double>& v = motion.velocity;
@@ -160,7 +162,7 @@ void draw_motion(Page& page, const Rod& rod, const Motion& motion) {
 }
 
 void draw_force(Page& page, const Rod& rod) {
-  const std::vector<Rect> parts = draw_scene(page, rod, {.pose = rod.pose, .force = true}, 0.46);
+  const List<Rect> parts = draw_scene(page, rod, {.pose = rod.pose, .force = true}, 0.46);
   const Vec3<double>& j = rod.jacobian;
   page.equation(parts[0],
                 {.number = "eq (9), (10)",
@@ -178,7 +180,7 @@ void draw_force(Page& page, const Rod& rod) {
 }
 
 void draw_differences(Page& page, const Story& story) {
-  const std::vector<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
   render::Plot plot{.title =
                         page.compact() ? "|j − difference|" : "largest |j − central difference| of the rod"};
   plot.x = {.title = "h (m or rad)", .scale = render::AxisScale::logarithmic, .min = 3e-12, .max = 1};
@@ -220,9 +222,9 @@ Shot motion_shot(const Shared& story, const Motion& motion, const std::string& s
       [story, motion](Page& page) { draw_motion(page, story->rod, motion); });
 }
 
-std::vector<Shot> derivative_shots(const Shared& story) {
+List<Shot> derivative_shots(const Shared& story) {
   const Rod& rod = story->rod;
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back(shot("c: where", "The rod, the box, and circles around the pivot where c is -1, 0 and 1 m.",
                        [story](Page& page) { draw_error(page, story->rod); }));
   shots.push_back(shot("j: which way",
@@ -231,10 +233,9 @@ std::vector<Shot> derivative_shots(const Shared& story) {
                                    rod.jacobian.x(), rod.jacobian.y(), rod.jacobian.z()),
                        [story](Page& page) { draw_jacobian(page, story->rod); }));
   for (int k = 0; k < 3; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    Shot nudge = shot(fmt::format("the same by trying: {}", coordinate_names[at]),
-                      fmt::format("The box moved in {}: c grows by {:.3f} for 1 of it.", coordinate_names[at],
-                                  rod.quotients[0].slope[at]),
+    Shot nudge = shot(fmt::format("the same by trying: {}", coordinate_names[k]),
+                      fmt::format("The box moved in {}: c grows by {:.3f} for 1 of it.", coordinate_names[k],
+                                  rod.quotients[0].slope[k]),
                       [story, k](Page& page) { draw_nudge(page, story->rod, k); });
     nudge.key = k != 1;
     shots.push_back(nudge);
@@ -244,9 +245,9 @@ std::vector<Shot> derivative_shots(const Shared& story) {
 
 }  // namespace
 
-std::vector<Shot> rod_shots(const Rod& rod, const std::vector<KindOfRows>& kinds) {
+List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
   const auto story = std::make_shared<const Story>(Story{rod, kinds});
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back(
       shot("before we ask", "A box on a rod that hangs from a pivot, and the question.", [story](Page& page) {
         draw_note(page, story->rod, {.pose = story->rod.pose}, "Predict",
@@ -257,7 +258,7 @@ std::vector<Shot> rod_shots(const Rod& rod, const std::vector<KindOfRows>& kinds
   const Motion own{
       .name = "", .velocity = rod.settings.velocity, .rate = rod.jacobian.dot(rod.settings.velocity)};
   shots.push_back(motion_shot(story, own, "j v: how fast"));
-  for (std::size_t i = 0; i < rod.asked.size(); ++i)
+  for (int i = 0; i < rod.asked.size(); ++i)
     shots.push_back(motion_shot(story, rod.asked[i], fmt::format("j v: velocity {} of 3", i + 1)));
   shots.push_back(shot("j^Tλ: how strong",
                        "The pull of the rod as an arrow at the anchor and its torque as an arc.",

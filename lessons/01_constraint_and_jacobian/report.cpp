@@ -1,11 +1,13 @@
 // Lesson 01. The rod in lines and rows, and what has to be true of it.
-#include "report.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "math/list.hpp"
 
 namespace cairn::one_row {
 
@@ -50,15 +52,14 @@ void print_derivative(Lesson& lesson, const Rod& rod) {
       fmt::format("The box moves by h = {:g} m, or turns by {:g} rad, both ways:", coarse.h, coarse.h));
   lesson.print("        c at −h (m)   c at +h (m)   c grows by, for 1 of it   j");
   const char* const names[] = {"x", "y", "θ"};
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (int k = 0; k < 3; ++k) {
     lesson.print(fmt::format("  {}   {:>12}  {:>12}   {:>14}            {:>10}", names[k],
                              fixed(coarse.backward[k], 6), fixed(coarse.forward[k], 6),
-                             fixed(coarse.slope[k], 6), fixed(rod.jacobian(static_cast<int>(k)), 6)));
+                             fixed(coarse.slope[k], 6), fixed(rod.jacobian(k), 6)));
   }
   std::string steps = "  h              ";
   std::string errors = "  difference to j";
-  for (const std::size_t i :
-       {std::size_t{0}, std::size_t{2}, std::size_t{4}, std::size_t{8}, std::size_t{14}, std::size_t{20}}) {
+  for (const int i : {0, 2, 4, 8, 14, 20}) {
     steps += fmt::format(" {:>8.0e}", rod.quotients[i].h);
     errors += fmt::format(" {:>8.0e}", rod.quotients[i].error);
   }
@@ -88,10 +89,10 @@ void print_motions(Lesson& lesson, const Rod& rod) {
   lesson.print();
 }
 
-void print_kinds(Lesson& lesson, const std::vector<KindOfRows>& kinds) {
+void print_kinds(Lesson& lesson, const List<KindOfRows>& kinds) {
   lesson.print("Every kind of row in the library, at 20 random poses: largest |j − difference|");
   std::string line;
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
+  for (int i = 0; i < kinds.size(); ++i) {
     line += fmt::format("  {:<18} {} {:<5} {:>7.1e} ", kinds[i].name, kinds[i].rows,
                         kinds[i].rows == 1 ? "row" : "rows", kinds[i].error);
     if (i % 2 == 0 && i + 1 < kinds.size()) continue;
@@ -101,7 +102,7 @@ void print_kinds(Lesson& lesson, const std::vector<KindOfRows>& kinds) {
   lesson.print();
 }
 
-void check_derivative(Lesson& lesson, const Rod& rod, const std::vector<KindOfRows>& kinds) {
+void check_derivative(Lesson& lesson, const Rod& rod, const List<KindOfRows>& kinds) {
   // |p| and the length are the same sum, taken from the box and from the scene: a few roundings of 10 m.
   lesson.check_small("c where the rod was made, eq (3) (m)", rod.error, 8 * epsilon * 10);
   lesson.check_small(

@@ -17,12 +17,12 @@ Motion motion(const Vec3<double>& jacobian, const std::string& name, const Vec3<
 
 }  // namespace
 
-std::vector<Motion> asked_motions(const Vec3<double>& jacobian) {
+List<Motion> asked_motions(const Vec3<double>& jacobian) {
   return {motion(jacobian, "first", {0.8, 0.6, 0}), motion(jacobian, "second", {0.6, -0.8, 0}),
           motion(jacobian, "third", {1, 0.5, -0.5})};
 }
 
-std::vector<Motion> allowed_motions(const Vec3<double>& jacobian, const Vec2<double>& arm) {
+List<Motion> allowed_motions(const Vec3<double>& jacobian, const Vec2<double>& arm) {
   const Vec2<double> along = jacobian.head<2>();  // the rod, a unit vector
   const Vec2<double> across = perpendicular(along);
   const Vec3<double> swing(across.x(), across.y(), 0);
@@ -37,7 +37,7 @@ Pose<double> carried(const Pose<double>& pose, const Vec3<double>& velocity, dou
 
 Snapshot moved_to(const Rod& rod, const Pose<double>& pose) {
   Snapshot moved = rod.snapshot;
-  moved.bodies[1].pose = pose;
+  moved.bodies[{1}].pose = pose;
   moved.joints[0].anchor_b = pose.world(rod.pose.local(rod.settings.anchor));
   return moved;
 }

@@ -1,12 +1,11 @@
 // A box on a rod: the error c of the rod where the box is, its derivative j, and what both say about motions.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::one_row {
 
@@ -29,9 +28,9 @@ struct Motion {
 
 /// dc by central differences of step h, and the largest distance from j.
 struct Quotient {
-  double h = 0;                                       // [m or rad]
-  std::array<double, 3> forward = {}, backward = {};  // [m] c at +h and at -h
-  std::array<double, 3> slope = {};                   // 1, 1, m
+  double h = 0;                                      // [m or rad]
+  FixedList<double, 3> forward = {}, backward = {};  // [m] c at +h and at -h
+  FixedList<double, 3> slope = {};                   // 1, 1, m
   double error = 0;
 };
 
@@ -45,18 +44,18 @@ struct KindOfRows {
 /// Everything that the lesson says about one pose.
 struct Rod {
   RodSettings settings = {};
-  Snapshot snapshot = {};                // the scene as it stands
-  RowSpec<double> row = {};              // of the library's rod
-  Pose<double> pose = {};                // of the box
-  Vec2<double> local_anchor = {0, 0};    // [m] the anchor in the frame of the box
-  Vec2<double> arm = {0, 0};             // [m] from its centre of mass to the anchor
-  double length = 0;                     // [m] of the rod
-  double error = 0;                      // c [m]
-  Vec3<double> jacobian = {0, 0, 0};     // j: 1, 1, m
-  std::vector<Motion> asked = {};        // the three of the question
-  std::vector<Motion> allowed = {};      // swing, turn about the anchor, and a mixture
-  std::vector<Quotient> quotients = {};  // h = 10^-1, 10^-1.5 ... 10^-11
-  Vec3<double> force = {0, 0, 0};        // f = j^T lambda [N, N, N m]
+  Snapshot snapshot = {};              // the scene as it stands
+  RowSpec<double> row = {};            // of the library's rod
+  Pose<double> pose = {};              // of the box
+  Vec2<double> local_anchor = {0, 0};  // [m] the anchor in the frame of the box
+  Vec2<double> arm = {0, 0};           // [m] from its centre of mass to the anchor
+  double length = 0;                   // [m] of the rod
+  double error = 0;                    // c [m]
+  Vec3<double> jacobian = {0, 0, 0};   // j: 1, 1, m
+  List<Motion> asked = {};             // the three of the question
+  List<Motion> allowed = {};           // swing, turn about the anchor, and a mixture
+  List<Quotient> quotients = {};       // h = 10^-1, 10^-1.5 ... 10^-11
+  Vec3<double> force = {0, 0, 0};      // f = j^T lambda [N, N, N m]
 };
 
 /// c [m] with the box at this pose.
@@ -67,8 +66,8 @@ Pose<double> carried(const Pose<double>& pose, const Vec3<double>& velocity, dou
 Snapshot moved_to(const Rod& rod, const Pose<double>& pose);
 /// The motions of the question, and those that a row with this j leaves of three: swing, turn about the
 /// anchor, and a mixture of both.
-std::vector<Motion> asked_motions(const Vec3<double>& jacobian);
-std::vector<Motion> allowed_motions(const Vec3<double>& jacobian, const Vec2<double>& arm);
+List<Motion> asked_motions(const Vec3<double>& jacobian);
+List<Motion> allowed_motions(const Vec3<double>& jacobian, const Vec2<double>& arm);
 Quotient quotient(const Rod& rod, double h);
 
 /// What a step of `h` costs in a central difference of these constraints: coordinates and arms are below 10
@@ -77,6 +76,6 @@ Quotient quotient(const Rod& rod, double h);
 double quotient_tolerance(double h);
 
 /// Every kind of constraint that the library has, each at 20 random poses.
-std::vector<KindOfRows> compare_every_kind(std::uint64_t seed, double h);
+List<KindOfRows> compare_every_kind(std::uint64_t seed, double h);
 
 }  // namespace cairn::one_row

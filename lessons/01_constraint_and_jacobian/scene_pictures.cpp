@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 
 namespace cairn::one_row {
@@ -28,7 +28,7 @@ render::Camera rod_camera(const Rect& inside, const Rod& rod) {
 void draw_circles(Page& page, const render::Camera& camera, const Rod& rod) {
   for (const double c : {-1.0, 0.0, 1.0}) {
     const double radius = rod.length + c;
-    std::vector<Point> points;
+    List<Point> points;
     for (int k = 0; k <= 90; ++k)
       points.push_back(camera.project(Rotation<double>(-pi * k / 90) * Vec2<double>(radius, 0)));
     render::Stroke stroke{.width = page.sizes().axis, .color = page.theme().inactive, .dash = {6, 5}};
@@ -47,7 +47,7 @@ void draw_circles(Page& page, const render::Camera& camera, const Rod& rod) {
 
 /// Labels stand beside the box, not across its edges.
 void keep_off_box(Page& page, const render::Camera& camera, const Pose<double>& pose) {
-  std::vector<Point> edges;
+  List<Point> edges;
   for (const auto& [x, y] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}})
     edges.push_back(camera.project(pose.world({x, y})));
   page.avoid(edges);
@@ -65,7 +65,7 @@ struct Arc {
 /// A turning sense: an arc with a head.
 void draw_arc(Page& page, const render::Camera& camera, const Arc& arc) {
   constexpr double half = 0.75;  // [rad] of the arc, to both sides
-  std::vector<Point> points;
+  List<Point> points;
   for (int k = 0; k <= 32; ++k) {
     const double angle = arc.middle + arc.sign * half * (k / 16.0 - 1);
     points.push_back(camera.project(arc.center + Rotation<double>(angle) * Vec2<double>(arc.radius, 0)));
@@ -76,8 +76,8 @@ void draw_arc(Page& page, const render::Camera& camera, const Arc& arc) {
   points.resize(points.size() - 3);
   page.canvas().polyline(points, {.width = 0.8 * page.sizes().arrow, .color = arc.color, .dash = {}});
   const Point side = 0.5 * width * perpendicular(along);
-  const std::array<Point, 3> head = {tip - length * along - side, tip + 2 * along,
-                                     tip - length * along + side};
+  const FixedList<Point, 3> head = {tip - length * along - side, tip + 2 * along,
+                                    tip - length * along + side};
   page.canvas().polygon(head, {.fill = arc.color});
   page.avoid(points);
   render::TextStyle style = page.value();
@@ -129,7 +129,7 @@ void write_at_tip(Page& page, const render::Camera& camera, const Vec2<double>& 
   const double gap = along.y() > 0 ? -8 : 8 + style.size;
   const double half = page.canvas().text_width(text, style) / 2;
   const Point at = camera.project(tip) + Point(0, gap);
-  std::vector<Point> places = {at};
+  List<Point> places = {at};
   for (const double away : {0.0, 1.5 * gap, 3 * gap}) {
     for (const double aside : {-0.7, 0.7, -1.2, 1.2}) places.push_back(at + Point(aside * half, away));
   }
@@ -162,7 +162,7 @@ void draw_rod(Page& page, const Rect& rect, const Rod& rod, const RodLook& look)
   const render::Camera camera = rod_camera(inside, rod);
   page.canvas().push_clip(inside);
   if (look.circles) draw_circles(page, camera, rod);
-  const std::array<Snapshot, 1> before = {rod.snapshot};
+  const FixedList<Snapshot, 1> before = {rod.snapshot};
   if (look.ghost) draw_ghosts(page, camera, before);
   draw_world(page, camera, moved_to(rod, look.pose), {.names = {"", ""}, .contacts = false});
   page.canvas().circle(camera.project({0, 0}), page.sizes().joint,

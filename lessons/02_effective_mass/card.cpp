@@ -1,7 +1,7 @@
 // Lesson 02. What --help and --about say, and what may be changed.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::felt_mass {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -34,4 +34,4 @@ LessonInfo card() {
       .next = "lesson03_drift_and_baumgarte   (what ζ is for)"};
 }
 
-}  // namespace cairn::felt_mass
+}  // namespace cairn

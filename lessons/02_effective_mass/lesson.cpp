@@ -2,8 +2,7 @@
 // How hard it has to push depends on how heavy the bodies are for it: 1 / (j M⁻¹ jᵀ), which is not simply a
 // mass, because a body that is pushed beside its centre also turns. With that number one push puts the row
 // right: (19)-(23). A box falls on a peg at three places; we push by hand, and let the library's solver push.
-#include "pictures.hpp"
-#include "report.hpp"
+#include "parts.hpp"
 
 namespace {
 
@@ -36,9 +35,9 @@ Scene peg_scene(const PegSettings& settings, double x, double peg_mass, double f
 HandPush push_by_hand(const VelocityProblem<double>& problem, const ConstraintRow<double>& row) {
   const Vec3<double>& j_a = row.jacobian_a;  // three numbers of the peg, three of the box
   const Vec3<double>& j_b = row.jacobian_b;
-  const Vec3<double>& w_a = problem.inverse_mass.at(1);  // their parts of the diagonal of M⁻¹ (17)
-  const Vec3<double>& w_b = problem.inverse_mass.at(2);
-  HandPush push{.v_a = problem.velocity.at(1), .v_b = problem.velocity.at(2)};  // v₁ (16)
+  const Vec3<double>& w_a = problem.inverse_mass[row.a];  // their parts of the diagonal of M⁻¹ (17)
+  const Vec3<double>& w_b = problem.inverse_mass[row.b];
+  HandPush push{.v_a = problem.velocity[row.a], .v_b = problem.velocity[row.b]};  // v₁ (16)
   // [push]
   const double inverse_mass = j_a.dot(w_a.cwiseProduct(j_a)) + j_b.dot(w_b.cwiseProduct(j_b));  // j M⁻¹ jᵀ
   const double jv = j_a.dot(push.v_a) + j_b.dot(push.v_b);
@@ -68,8 +67,8 @@ Push push_at(const PegSettings& settings, double x, double peg_mass) {
   push.rate_after = row_velocity(solved, push.row);
   // [/library]
   push.after = push.before;
-  for (std::size_t i = 0; i < push.after.bodies.size(); ++i)
-    push.after.bodies[i].velocity = solved.velocity[i];
+  for (const BodyId body : push.after.bodies.indices())
+    push.after.bodies[body].velocity = solved.velocity[body];
   return push;
 }
 

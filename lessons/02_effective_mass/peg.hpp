@@ -2,9 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::felt_mass {
 
@@ -24,14 +24,14 @@ struct HandPush {
 
 /// Everything about one push.
 struct Push {
-  double x = 0;                                 // [m] of the peg
-  ConstraintRow<double> row = {};               // of the contact: a is the peg, b the box
-  Snapshot before = {};                         // with v_1
-  Snapshot after = {};                          // the same poses with v_2
-  std::vector<Vec3<double>> inverse_mass = {};  // the diagonal of M^-1 (17), of ground, peg and box
-  double inverse = 0;                           // j M^-1 j^T [1/kg], from the row
-  double by_matrices = 0;                       // the same entry of A = J M^-1 J^T (15)
-  double impulse = 0;                           // lambda dt [N s], as the solver found it
+  double x = 0;                             // [m] of the peg
+  ConstraintRow<double> row = {};           // of the contact: a is the peg, b the box
+  Snapshot before = {};                     // with v_1
+  Snapshot after = {};                      // the same poses with v_2
+  PerBody<Vec3<double>> inverse_mass = {};  // the diagonal of M^-1 (17), of ground, peg and box
+  double inverse = 0;                       // j M^-1 j^T [1/kg], from the row
+  double by_matrices = 0;                   // the same entry of A = J M^-1 J^T (15)
+  double impulse = 0;                       // lambda dt [N s], as the solver found it
   HandPush by_hand = {};
   double rate_before = 0, rate_after = 0;  // j v_1, j v_2 [m/s]
 };
@@ -44,9 +44,9 @@ struct OtherMass {
 
 struct Pushes {
   PegSettings settings = {};
-  std::vector<Push> at = {};  // x = 0, half of settings.x, settings.x
-  Push mirrored = {};         // x = -settings.x
-  std::vector<OtherMass> others = {};
+  List<Push> at = {};  // x = 0, half of settings.x, settings.x
+  Push mirrored = {};  // x = -settings.x
+  List<OtherMass> others = {};
   double sideways = 0;  // [kg] of the friction row in the middle of the underside
 };
 

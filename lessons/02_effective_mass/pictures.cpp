@@ -1,12 +1,13 @@
 // The frames: the row, three pushes and what they leave, the felt mass here, this way, and against another
 // body.
-#include "pictures.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
 
@@ -22,20 +23,19 @@ using render::significant;
 using Shared = std::shared_ptr<const Pushes>;
 
 /// Left the box; returns the two parts on the right.
-std::vector<Rect> draw_left(Page& page, const Pushes& all, const Push& push, const PegLook& look,
-                            double upper) {
-  const std::vector<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
+List<Rect> draw_left(Page& page, const Pushes& all, const Push& push, const PegLook& look, double upper) {
+  const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
   draw_push(page, halves[0], all, push, look);
   return rows(halves[1], {upper, 1 - upper}, page.sizes().gap);
 }
 
 /// The places and their pushes, as far as they are known.
-render::TableView push_table(const Pushes& all, std::size_t known) {
+render::TableView push_table(const Pushes& all, int known) {
   render::TableView table{.header = {"x (m)", "felt mass (kg)", "λΔt (N s)", "λ (N)"},
-                          .active_row = static_cast<int>(known) - 1};
-  for (std::size_t i = 0; i < all.at.size(); ++i) {
+                          .active_row = known - 1};
+  for (int i = 0; i < all.at.size(); ++i) {
     const Push& push = all.at[i];
-    std::vector<std::string> row = {significant(push.x), "?", "?", "?"};
+    List<std::string> row = {significant(push.x), "?", "?", "?"};
     if (i < known)
       row = {significant(push.x), fixed(1 / push.inverse, 3), fixed(push.impulse, 3),
              significant(push.impulse / all.settings.dt, 4)};
@@ -45,8 +45,8 @@ render::TableView push_table(const Pushes& all, std::size_t known) {
 }
 
 void draw_note(Page& page, const Pushes& all, const PegLook& look, std::string_view title,
-               std::string_view text, std::size_t known) {
-  const std::vector<Rect> parts = draw_left(page, all, all.at.back(), look, page.compact() ? 0.56 : 0.58);
+               std::string_view text, int known) {
+  const List<Rect> parts = draw_left(page, all, all.at.back(), look, page.compact() ? 0.56 : 0.58);
   page.note(parts[0], title, text);
   render::TableView table = push_table(all, known);
   table.active_row = -1;
@@ -56,14 +56,14 @@ void draw_note(Page& page, const Pushes& all, const PegLook& look, std::string_v
 /// j and the diagonal of M^-1 over each other, and what comes of them.
 void draw_row(Page& page, const Pushes& all) {
   const Push& push = all.at.back();
-  const std::vector<Rect> parts = draw_left(page, all, push, {}, page.compact() ? 0.62 : 0.46);
-  const std::vector<Rect> halves = rows(parts[0], {0.5, 0.5}, page.compact() ? 6 : page.sizes().gap);
+  const List<Rect> parts = draw_left(page, all, push, {}, page.compact() ? 0.62 : 0.46);
+  const List<Rect> halves = rows(parts[0], {0.5, 0.5}, page.compact() ? 6 : page.sizes().gap);
   render::MatrixView j{.title = "j: the peg (a) and the box (b)", .column_group = 3};
   j.values.resize(1, 6);
   j.values << push.row.jacobian_a.transpose(), push.row.jacobian_b.transpose();
   render::MatrixView masses{.title = "the diagonal of M⁻¹, eq (17)", .column_group = 3};
   masses.values.resize(1, 6);
-  masses.values << push.inverse_mass[1].transpose(), push.inverse_mass[2].transpose();
+  masses.values << push.inverse_mass[{1}].transpose(), push.inverse_mass[{2}].transpose();
   masses.colors = render::MatrixColors::magnitude;
   for (const char* name : {"x_{a}", "y_{a}", "θ_{a}", "x_{b}", "y_{b}", "θ_{b}"}) {
     j.column_names.emplace_back(name);
@@ -71,7 +71,7 @@ void draw_row(Page& page, const Pushes& all) {
   }
   draw_matrix(page, halves[0], j);
   draw_matrix(page, halves[1], masses);
-  const Vec3<double>& w = push.inverse_mass[2];
+  const Vec3<double>& w = push.inverse_mass[{2}];
   page.equation(
       parts[1],
       {.number = "entry by entry: j² of the one times the other",
@@ -81,9 +81,9 @@ void draw_row(Page& page, const Pushes& all) {
        .result = fmt::format("= {} 1/kg = 1 / ({} kg)", fixed(push.inverse, 4), fixed(1 / push.inverse, 3))});
 }
 
-void draw_step(Page& page, const Pushes& all, std::size_t i) {
+void draw_step(Page& page, const Pushes& all, int i) {
   const Push& push = all.at[i];
-  const std::vector<Rect> parts = draw_left(page, all, push, {.push = true}, page.compact() ? 0.5 : 0.46);
+  const List<Rect> parts = draw_left(page, all, push, {.push = true}, page.compact() ? 0.5 : 0.46);
   page.equation(parts[0], {.number = "eq (22)",
                            .symbols = "λ = (ζ − j v_{1}) / (j M⁻¹ j^{T} Δt)",
                            .numbers = fmt::format("= (0 − ({})) / ({} × {})", significant(push.rate_before),
@@ -95,13 +95,13 @@ void draw_step(Page& page, const Pushes& all, std::size_t i) {
   page.table(parts[1], page.compact() ? "" : "the peg, at three places", push_table(all, i + 1));
 }
 
-render::TableView motion_table(const Pushes& all, std::size_t known) {
+render::TableView motion_table(const Pushes& all, int known) {
   render::TableView table{.header = {"x (m)", "v_{y} (m/s)", "ω (rad/s)", "energy (J)"},
-                          .active_row = static_cast<int>(known) - 1};
-  for (std::size_t i = 0; i < all.at.size(); ++i) {
+                          .active_row = known - 1};
+  for (int i = 0; i < all.at.size(); ++i) {
     const Push& push = all.at[i];
-    const Vec3<double>& v = push.after.bodies[2].velocity;
-    std::vector<std::string> row = {significant(push.x), "?", "?", "?"};
+    const Vec3<double>& v = push.after.bodies[{2}].velocity;
+    List<std::string> row = {significant(push.x), "?", "?", "?"};
     if (i < known)
       row = {significant(push.x), fixed(v.y(), 3), fixed(v.z(), 3), fixed(kinetic_energy(push.after), 3)};
     table.rows.push_back(row);
@@ -109,10 +109,10 @@ render::TableView motion_table(const Pushes& all, std::size_t known) {
   return table;
 }
 
-void draw_after(Page& page, const Pushes& all, std::size_t i) {
+void draw_after(Page& page, const Pushes& all, int i) {
   const Push& push = all.at[i];
-  const Vec3<double>& v = push.after.bodies[2].velocity;
-  const std::vector<Rect> parts = draw_left(page, all, push, {.after = true}, page.compact() ? 0.5 : 0.46);
+  const Vec3<double>& v = push.after.bodies[{2}].velocity;
+  const List<Rect> parts = draw_left(page, all, push, {.after = true}, page.compact() ? 0.5 : 0.46);
   page.equation(
       parts[0],
       {.number = "eq (19) for v_y and ω, then eq (20)",
@@ -139,7 +139,7 @@ render::Series curve_of_places(const Page& page, const Pushes& all) {
 }
 
 void draw_here(Page& page, const Pushes& all) {
-  const std::vector<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
   draw_push(page, halves[0], all, all.at[0], {.masses = true});
   render::Plot plot{.title = page.compact() ? "felt mass (kg)" : "felt mass 1 / (j M⁻¹ jᵀ), upwards (kg)"};
   render::Series found{
@@ -156,13 +156,13 @@ void draw_here(Page& page, const Pushes& all) {
 }
 
 void draw_this_way(Page& page, const Pushes& all) {
-  const std::vector<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
   draw_push(page, halves[0], all, all.at[0], {.directions = true});
   draw_push(page, halves[1], all, all.at[2], {.directions = true});
 }
 
 void draw_others(Page& page, const Pushes& all) {
-  const std::vector<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
   const double m = all.settings.mass;
   render::Plot plot{.title =
                         page.compact() ? "felt mass (kg)" : "felt mass in the middle, of box and peg (kg)"};
@@ -189,7 +189,7 @@ void draw_others(Page& page, const Pushes& all) {
   plot.x = {.title = "mass of the peg (kg)", .scale = render::AxisScale::logarithmic};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .max = 3 * m};
   draw_plot(page, halves[0], plot);
-  const std::vector<Rect> parts = rows(halves[1], {0.48, 0.52}, page.sizes().gap);
+  const List<Rect> parts = rows(halves[1], {0.48, 0.52}, page.sizes().gap);
   page.equation(parts[0],
                 {.number = "two bodies that can move",
                  .symbols = "j M⁻¹ j^{T} = 1/m_{a} + 1/m_{b}",
@@ -202,8 +202,8 @@ Shot shot(const std::string& state, const std::string& alt, std::function<void(P
   return {.state = state, .alt = alt, .draw = std::move(draw), .key = true};
 }
 
-void append_pushes(const Shared& all, std::vector<Shot>& shots) {
-  for (std::size_t i = 0; i < all->at.size(); ++i) {
+void append_pushes(const Shared& all, List<Shot>& shots) {
+  for (int i = 0; i < all->at.size(); ++i) {
     const Push& push = all->at[i];
     shots.push_back(
         shot(fmt::format("push {} of 3 · x = {:.3g} m", i + 1, push.x),
@@ -215,16 +215,16 @@ void append_pushes(const Shared& all, std::vector<Shot>& shots) {
         shot(fmt::format("after push {} of 3", i + 1),
              fmt::format("After the push the box moves at {:.3f} m/s and turns at {:.3f} rad/s, so "
                          "that the contact stands still; outlines show where it goes.",
-                         push.after.bodies[2].velocity.y(), push.after.bodies[2].velocity.z()),
+                         push.after.bodies[{2}].velocity.y(), push.after.bodies[{2}].velocity.z()),
              [all, i](Page& page) { draw_after(page, *all, i); }));
   }
 }
 
 }  // namespace
 
-std::vector<Shot> peg_shots(const Pushes& recorded) {
+List<Shot> peg_shots(const Pushes& recorded) {
   const auto all = std::make_shared<const Pushes>(recorded);
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back(
       shot("before the push", "A box falls on a peg beside its middle, and the question.", [all](Page& page) {
         draw_note(page, *all, {}, "Predict",

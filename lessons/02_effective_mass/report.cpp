@@ -1,5 +1,5 @@
 // Lesson 02. The pushes in lines and rows, and what has to be true of them.
-#include "report.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ using render::fixed;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-const Vec3<double>& velocity_after(const Push& push) { return push.after.bodies[2].velocity; }
+const Vec3<double>& velocity_after(const Push& push) { return push.after.bodies[{2}].velocity; }
 
 }  // namespace
 
@@ -31,8 +31,8 @@ void print_pair(Lesson& lesson, const Pushes& all) {
   const Push& push = all.at.back();
   const Vec3<double>& a = push.row.jacobian_a;
   const Vec3<double>& b = push.row.jacobian_b;
-  const Vec3<double>& v = push.before.bodies[2].velocity;
-  const Vec3<double>& w = push.inverse_mass[2];
+  const Vec3<double>& v = push.before.bodies[{2}].velocity;
+  const Vec3<double>& w = push.inverse_mass[{2}];
   lesson.print(fmt::format("The peg at x = {:g} m:", push.x));
   lesson.print("              peg (a): x, y, θ            box (b): x, y, θ");
   const auto line = [&](const char* name, const Vec3<double>& of_a, const Vec3<double>& of_b) {
@@ -40,11 +40,11 @@ void print_pair(Lesson& lesson, const Pushes& all) {
                              fixed(of_a.y(), 3), fixed(of_a.z(), 3), fixed(of_b.x(), 3), fixed(of_b.y(), 3),
                              fixed(of_b.z(), 3)));
   };
-  line("v₁ (16)", push.before.bodies[1].velocity, v);
-  line("M⁻¹ (17)", push.inverse_mass[1], w);
+  line("v₁ (16)", push.before.bodies[{1}].velocity, v);
+  line("M⁻¹ (17)", push.inverse_mass[{1}], w);
   line("j", a, b);
   line("p_c (18)", a * push.impulse, b * push.impulse);
-  line("v₂ (19)", push.after.bodies[1].velocity, velocity_after(push));
+  line("v₂ (19)", push.after.bodies[{1}].velocity, velocity_after(push));
   lesson.print(fmt::format("  j M⁻¹ jᵀ = 1²·{:.4g} + {:g}²·{:.4g} = {:.6f} 1/kg: {:.6f} kg", w.y(), push.x,
                            w.z(), push.inverse, 1 / push.inverse));
   lesson.print(fmt::format("  (22)  λ = (0 − (−{:g})) / ({:.6f} × {:g}) = {:.3f} N", all.settings.speed,
@@ -109,7 +109,7 @@ void check_motion(Lesson& lesson, const Pushes& all) {
   const double rounding = 32 * epsilon * settings.speed + 2 * gap;
   double momentum = 0, loss = 0;
   for (const Push& push : all.at) {
-    const Vec3<double> change = velocity_after(push) - push.before.bodies[2].velocity;
+    const Vec3<double> change = velocity_after(push) - push.before.bodies[{2}].velocity;
     momentum = std::max({momentum, std::abs(change.y() - push.impulse / settings.mass), std::abs(change.x()),
                          std::abs(change.z() - push.x * push.impulse / inertia_of(settings.mass))});
     // What the push takes is the kinetic energy of the felt mass.

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 
 namespace cairn::felt_mass {
@@ -24,11 +24,11 @@ constexpr double longest_ray = 0.75;  // [m]
 
 void draw_fall(Page& page, const render::Camera& camera, const Pushes& all, const Push& push,
                const PegLook& look) {
-  const Vec3<double>& v = (look.after ? push.after : push.before).bodies[2].velocity;
+  const Vec3<double>& v = (look.after ? push.after : push.before).bodies[{2}].velocity;
   const render::ArrowScale scale{
       .pixels_per_unit = 0.42 * camera.scale / all.settings.speed, .longest = 1e4, .unit = "m/s"};
   // Before the push all of the box has one velocity: the arrow may stand where it hides nothing.
-  Vec2<double> tail = push.before.bodies[2].pose.position;
+  Vec2<double> tail = push.before.bodies[{2}].pose.position;
   if (!look.after) tail.x() -= 0.35;
   if (std::abs(v.y()) > 1e-9 * all.settings.speed)
     draw_arrow(page, camera, scale,
@@ -40,10 +40,10 @@ void draw_fall(Page& page, const render::Camera& camera, const Pushes& all, cons
 
 /// A turning sense around the middle of the box, above it.
 void draw_turning(Page& page, const render::Camera& camera, const Push& push) {
-  const double w = push.after.bodies[2].velocity.z();
-  const Vec2<double> middle = push.before.bodies[2].pose.position;
+  const double w = push.after.bodies[{2}].velocity.z();
+  const Vec2<double> middle = push.before.bodies[{2}].pose.position;
   if (std::abs(w) < 1e-9) return;
-  std::vector<Point> points;
+  List<Point> points;
   for (int k = 0; k <= 32; ++k) {
     const double angle = 0.5 * pi + (w > 0 ? 1 : -1) * 0.6 * (k / 16.0 - 1);
     points.push_back(camera.project(middle + Rotation<double>(angle) * Vec2<double>(0.85, 0)));
@@ -54,7 +54,7 @@ void draw_turning(Page& page, const render::Camera& camera, const Push& push) {
   const Point base = tip - 0.9 * page.sizes().head_length * along;
   page.canvas().polyline(points,
                          {.width = 0.8 * page.sizes().arrow, .color = page.theme().velocity, .dash = {}});
-  const std::array<Point, 3> head = {base - side, tip, base + side};
+  const FixedList<Point, 3> head = {base - side, tip, base + side};
   page.canvas().polyline(head,
                          {.width = 0.65 * page.sizes().arrow, .color = page.theme().velocity, .dash = {}});
   render::TextStyle style = page.value();
@@ -96,9 +96,9 @@ void draw_bars(Page& page, const render::Camera& camera, const Pushes& all) {
 /// What is felt in every direction at one point: as far from it as the mass is large.
 void draw_directions(Page& page, const render::Camera& camera, const Pushes& all, const Push& push) {
   const Vec2<double> contact(push.x, 0);
-  const Vec2<double> arm = contact - push.before.bodies[2].pose.position;
+  const Vec2<double> arm = contact - push.before.bodies[{2}].pose.position;
   const double scale = longest_ray / all.settings.mass;
-  std::vector<Point> points;
+  List<Point> points;
   for (int k = 0; k <= 180; ++k) {
     const Vec2<double> direction = Rotation<double>(pi * k / 90) * Vec2<double>(1, 0);
     points.push_back(camera.project(contact + direction * (scale * felt(all.settings.mass, arm, direction))));
@@ -124,11 +124,11 @@ void draw_directions(Page& page, const render::Camera& camera, const Pushes& all
 
 /// Where the velocities after the push lead, for a while.
 void draw_way(Page& page, const render::Camera& camera, const Pushes& all, const Push& push) {
-  std::vector<Snapshot> later;
+  List<Snapshot> later;
   for (const double way : {0.45, 0.3, 0.15}) {  // [m] that the box would have fallen; the last one is darkest
     Snapshot moved = push.after;
-    Pose<double>& pose = moved.bodies[2].pose;
-    const Vec3<double>& v = moved.bodies[2].velocity;
+    Pose<double>& pose = moved.bodies[{2}].pose;
+    const Vec3<double>& v = moved.bodies[{2}].velocity;
     const double t = way / all.settings.speed;
     pose.position += t * v.head<2>();
     pose.angle += t * v.z();
@@ -151,7 +151,7 @@ void draw_push(Page& page, const Rect& rect, const Pushes& all, const Push& push
   page.canvas().push_clip(inside);
   Snapshot seen = push.before;
   seen.contacts.clear();
-  if (no_peg) seen.bodies[1].shapes.clear();
+  if (no_peg) seen.bodies[{1}].shapes.clear();
   draw_world(page, camera, seen, {.names = {"", "", ""}, .contacts = false});
   if (look.after) draw_way(page, camera, all, push);
   if (!no_peg)

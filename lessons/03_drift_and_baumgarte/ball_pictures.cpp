@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <set>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
 
@@ -18,18 +18,16 @@ using render::fixed;
 using render::Page;
 using render::Rect;
 
-using Runs = std::shared_ptr<const DriftRuns>;
-
 const double ball_pitch = 1.3;  // [m] from ball to ball
 
 /// All balls on one ground, side by side.
-Snapshot balls_together(const DriftRuns& all, std::size_t step) {
+Snapshot balls_together(const DriftRuns& all, int step) {
   Snapshot scene = all.balls[0].steps[step];
   scene.bodies.resize(1);
   scene.contacts.clear();
-  for (std::size_t i = 0; i < all.balls.size(); ++i) {
-    scene.bodies.push_back(all.balls[i].steps[step].bodies[1]);
-    scene.bodies.back().pose.position.x() += static_cast<double>(i) * ball_pitch;
+  for (int i = 0; i < all.balls.size(); ++i) {
+    scene.bodies.push_back(all.balls[i].steps[step].bodies[{1}]);
+    scene.bodies.back().pose.position.x() += i * ball_pitch;
   }
   return scene;
 }
@@ -40,27 +38,26 @@ double highest_peak(const DriftRuns& all) {
   return peak;
 }
 
-int last_step(const DriftRuns& all) { return static_cast<int>(all.balls[0].steps.size()) - 1; }
+int last_step(const DriftRuns& all) { return all.balls[0].steps.size() - 1; }
 
 render::Equation equation_of(const Page& page, const DriftRuns& all, int step) {
   const BallRun& run = ball_of(all, all.settings.beta);
-  const auto k = static_cast<std::size_t>(step);
-  const double free = run.speed[k - 1] - gravity * all.settings.dt;
-  const double wanted = (run.zeta[k] - free) / all.settings.dt;
+  const double free = run.speed[step - 1] - gravity * all.settings.dt;
+  const double wanted = (run.zeta[step] - free) / all.settings.dt;
   const bool is_clamped = wanted < -1e-9;
   return {.number = fmt::format("eq (22), β = {:g}", run.beta),
           .symbols = "λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)",
-          .numbers = fmt::format("= ({} − {}) / (1 × {:.4g})", fixed(run.zeta[k], 3),
+          .numbers = fmt::format("= ({} − {}) / (1 × {:.4g})", fixed(run.zeta[step], 3),
                                  free < 0 ? "(" + fixed(free, 3) + ")" : fixed(free, 3), all.settings.dt),
           .result = fmt::format("= {} N{}", fixed(wanted + 0.0, 2), is_clamped ? ", clamped to 0" : ""),
           .color = page.theme().normal};
 }
 
 void draw_ball_step(Page& page, const DriftRuns& all, int step) {
-  const std::vector<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
   const double top = page.compact() ? 0.56 : 0.64;
-  const std::vector<Rect> left = rows(halves[0], {top, 1 - top}, page.sizes().gap);
-  const std::vector<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
+  const List<Rect> left = rows(halves[0], {top, 1 - top}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
   draw_balls(page, left[0], all, step, step);
   draw_ball_table(page, left[1], all, step);
   draw_heights(page, right[0], all, step);
@@ -70,8 +67,8 @@ void draw_ball_step(Page& page, const DriftRuns& all, int step) {
 Shot ball_shot(const Runs& all, int step, bool key) {
   std::string alt = fmt::format("Balls after step {}. Height above the ground and push of the ground:", step);
   for (const BallRun& run : all->balls) {
-    const auto k = static_cast<std::size_t>(step);
-    alt += fmt::format(" {:.3f} m, {:.1f} N with β = {:g};", run.height[k], run.lambda[k] + 0.0, run.beta);
+    alt +=
+        fmt::format(" {:.3f} m, {:.1f} N with β = {:g};", run.height[step], run.lambda[step] + 0.0, run.beta);
   }
   alt.back() = '.';
   return {.state = fmt::format("ball · step {}", step),
@@ -82,7 +79,7 @@ Shot ball_shot(const Runs& all, int step, bool key) {
 
 /// The largest depth that is held, by formula and by bisection.
 void draw_limits(Page& page, const DriftRuns& all) {
-  const std::vector<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
   render::Plot plot{.title = "how deep a ball may begin without being let go (m)"};
   plot.x = {.title = "β", .scale = render::AxisScale::logarithmic, .min = 0.05, .max = 1.1};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 3e-4, .max = 3};
@@ -103,7 +100,7 @@ void draw_limits(Page& page, const DriftRuns& all) {
   plot.goals.push_back({all.settings.depth, fmt::format("d = {:g} m", all.settings.depth)});
   draw_plot(page, parts[0], plot);
   const double text = page.compact() ? 0.48 : 0.58;
-  const std::vector<Rect> right = rows(parts[1], {text, 1 - text}, page.sizes().gap);
+  const List<Rect> right = rows(parts[1], {text, 1 - text}, page.sizes().gap);
   page.note(right[0], "Held, or let go",
             page.compact()
                 ? "Squares: the engine. Below the line the ground holds the ball; above it the ball "
@@ -114,7 +111,7 @@ void draw_limits(Page& page, const DriftRuns& all) {
   render::TableView table;
   table.header = {"β", "formula (mm)", "engine (mm)"};
   for (const DepthLimit& limit : all.limits) {
-    if (limit.beta == all.settings.beta) table.active_row = static_cast<int>(table.rows.size());
+    if (limit.beta == all.settings.beta) table.active_row = table.rows.size();
     table.rows.push_back(
         {fmt::format("{:g}", limit.beta), fixed(1000 * limit.formula, 2), fixed(1000 * limit.measured, 2)});
   }
@@ -125,33 +122,32 @@ void draw_limits(Page& page, const DriftRuns& all) {
 
 void draw_balls(Page& page, const Rect& rect, const DriftRuns& all, int step, int ghosts) {
   const Rect inside = page.panel(rect, "β of each ball");
-  const double right = ball_pitch * static_cast<double>(all.balls.size() - 1);
+  const double right = ball_pitch * (all.balls.size() - 1);
   const double top = 2 * ball_radius + std::max(highest_peak(all), 0.0) + 0.1;
   const double bottom = -0.35;  // [m] at the lower edge of the panel
   render::Camera camera = render::fit(inside, {{-0.65, bottom}, {right + 0.65, top}});
   camera.center.y() = bottom + 0.5 * camera.viewport.height / camera.scale;
-  std::vector<Snapshot> earlier;
+  List<Snapshot> earlier;
   for (int k = std::max(0, step - ghosts); k < step; ++k) {
-    earlier.push_back(balls_together(all, static_cast<std::size_t>(k)));
+    earlier.push_back(balls_together(all, k));
   }
   draw_ghosts(page, camera, earlier);
   render::WorldLook look;
   look.names = {""};
   for (const BallRun& run : all.balls) look.names.push_back(fmt::format("{:g}", run.beta));
   look.numbers = camera.scale >= 45;
-  draw_world(page, camera, balls_together(all, static_cast<std::size_t>(step)), look);
+  draw_world(page, camera, balls_together(all, step), look);
 }
 
 void draw_ball_table(Page& page, const Rect& rect, const DriftRuns& all, int step) {
-  const auto k = static_cast<std::size_t>(step);
   render::TableView table;
   table.header = {"β", "ζ (m/s)", "λ (N)", "v (m/s)", "C (mm)"};
   for (const BallRun& run : all.balls) {
-    if (run.beta == all.settings.beta) table.active_row = static_cast<int>(table.rows.size());
+    if (run.beta == all.settings.beta) table.active_row = table.rows.size();
     // A speed that asks for nothing (C > 0) is of no interest.
-    table.rows.push_back({fmt::format("{:g}", run.beta), fixed(std::max(run.zeta[k], 0.0), 2),
-                          fixed(run.lambda[k] + 0.0, 1), fixed(run.speed[k] + 0.0, 2),
-                          fixed(1000 * run.height[k] + 0.0, 0)});
+    table.rows.push_back({fmt::format("{:g}", run.beta), fixed(std::max(run.zeta[step], 0.0), 2),
+                          fixed(run.lambda[step] + 0.0, 1), fixed(run.speed[step] + 0.0, 2),
+                          fixed(1000 * run.height[step] + 0.0, 0)});
   }
   page.table(rect, page.compact() ? "" : fmt::format("step {}", step), table);
 }
@@ -161,16 +157,16 @@ void draw_heights(Page& page, const Rect& rect, const DriftRuns& all, int step) 
   const int shown = step <= 10 ? std::min(10, last_step(all)) : last_step(all);
   double highest = 0;
   for (const BallRun& run : all.balls) {
-    for (int k = 0; k <= shown; ++k) highest = std::max(highest, run.height[static_cast<std::size_t>(k)]);
+    for (int k = 0; k <= shown; ++k) highest = std::max(highest, run.height[k]);
   }
   render::Plot plot{.title = "C: height of the lowest point (m)"};
   plot.x = {.title = "step", .min = 0, .max = static_cast<double>(shown)};
   plot.y = {.title = "", .min = -1.3 * all.settings.depth, .max = 1.15 * highest + 0.02};
-  for (std::size_t i = 0; i < all.balls.size(); ++i) {
+  for (int i = 0; i < all.balls.size(); ++i) {
     render::Series series{.name = beta_name(all.balls[i].beta), .style = curve_style(page.theme(), i)};
     for (int k = 0; k <= step; ++k) {
       series.x.push_back(k);
-      series.y.push_back(all.balls[i].height[static_cast<std::size_t>(k)]);
+      series.y.push_back(all.balls[i].height[k]);
     }
     plot.series.push_back(series);
   }
@@ -178,14 +174,16 @@ void draw_heights(Page& page, const Rect& rect, const DriftRuns& all, int step) 
   draw_plot(page, rect, plot);
 }
 
-std::vector<Shot> ball_shots(const DriftRuns& recorded) {
-  const Runs all = std::make_shared<const DriftRuns>(recorded);
+int highest_step(const DriftRuns& all) {
+  const List<double>& height = ball_of(all, 1).height;
+  return static_cast<int>(std::max_element(height.begin(), height.end()) - height.begin());
+}
+
+List<Shot> ball_shots(const Runs& all) {
   const int last = last_step(*all);
-  const std::vector<double>& height = ball_of(*all, 1).height;
-  const int highest = static_cast<int>(std::max_element(height.begin(), height.end()) - height.begin());
-  const std::set<int> keys = {1, 2, 5, std::max(highest, 6), last};
+  const std::set<int> keys = {1, 2, 5, std::max(highest_step(*all), 6), last};
   const int stride = std::max(1, last / 80);
-  std::vector<Shot> shots;
+  List<Shot> shots;
   for (int step = 1; step <= last; ++step) {
     if (step % stride != 0 && !keys.contains(step)) continue;
     shots.push_back(ball_shot(all, step, keys.contains(step)));

@@ -1,7 +1,7 @@
 // Lesson 03. What --help and --about say, and what may be changed.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::drift {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -32,4 +32,4 @@ LessonInfo card() {
       .next = "lesson04_big_matrices   (all rows at once, in one equation)"};
 }
 
-}  // namespace cairn::drift
+}  // namespace cairn

@@ -18,7 +18,7 @@ SceneSettings scene_settings(double dt, double beta, double slop = 0) {
               .baumgarte = beta, .slop = slop, .max_speed = std::numeric_limits<double>::infinity()}};
 }
 
-double height_of(const World<double>& world) { return world.bodies().pose[1].position.y() - ball_radius; }
+double height_of(const World<double>& world) { return world.bodies().pose[{1}].position.y() - ball_radius; }
 
 /// Whether the ground pushes in the second step too.
 bool is_held(const DriftSettings& settings) {
@@ -40,7 +40,7 @@ DepthLimit find_limit(double dt, double beta) {
 }
 
 template <typename Run>
-const Run& run_of(const std::vector<Run>& runs, double beta) {
+const Run& run_of(const List<Run>& runs, double beta) {
   for (const Run& run : runs) {
     if (run.beta == beta) return run;
   }
@@ -76,20 +76,20 @@ void record(BallRun& run, const World<double>& world) {
   const bool has_row = !problem.rows.empty();
   run.steps.push_back(snapshot(world));
   run.height.push_back(height_of(world));
-  run.speed.push_back(world.bodies().velocity[1].y());
+  run.speed.push_back(world.bodies().velocity[{1}].y());
   run.zeta.push_back(has_row ? problem.rows[0].bias : 0);
   run.lambda.push_back(has_row ? problem.impulse[0] / problem.dt : 0);
   run.peak = std::max(run.peak, run.height.back());
 }
 
-std::vector<double> ascending(std::vector<double> values) {
+List<double> ascending(List<double> values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 
-std::vector<DepthLimit> find_limits(const DriftSettings& settings) {
-  std::vector<DepthLimit> limits;
+List<DepthLimit> find_limits(const DriftSettings& settings) {
+  List<DepthLimit> limits;
   for (const double beta : ascending({0.1, 0.15, 0.2, 0.3, 0.5, 0.7, 1, settings.beta})) {
     if (limit_by_formula(settings.dt, beta) > 0.9 * deepest_tried) continue;
     limits.push_back(find_limit(settings.dt, beta));

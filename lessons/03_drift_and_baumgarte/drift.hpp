@@ -1,10 +1,8 @@
 // A pendulum, a hanging weight and a ball in the ground: three rows, each with an error to get rid of.
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::drift {
 
@@ -27,24 +25,24 @@ struct DriftSettings {
 /// A weight on a rod from the origin, let go at rest. Index: the step; 0 is the start.
 struct RodRun {
   double beta = 0;
-  std::vector<Snapshot> steps = {};
-  std::vector<double> error = {};  // C [m]: how much too long the rod is
-  double energy = 0;               // [J] at the end, above a weight at rest in the height of the pivot
-  double fastest = 0;              // [m/s] across the rod, of all steps
-  double gap = 0;                  // [m] between C and what geometry makes of the step before; the largest
+  List<Snapshot> steps = {};
+  List<double> error = {};  // C [m]: how much too long the rod is
+  double energy = 0;        // [J] at the end, above a weight at rest in the height of the pivot
+  double fastest = 0;       // [m/s] across the rod, of all steps
+  double gap = 0;           // [m] between C and what geometry makes of the step before; the largest
 };
 
 /// A ball of 1 kg that begins inside the ground.
 struct BallRun {
   double beta = 0;
   double slop = 0;  // [m]
-  std::vector<Snapshot> steps = {};
-  std::vector<double> height = {};  // C [m] of its lowest point above the ground
-  std::vector<double> speed = {};   // [m/s] upwards
-  std::vector<double> zeta = {};    // [m/s] of the step
-  std::vector<double> lambda = {};  // [N] of the step
-  double peak = 0;                  // [m] the largest height
-  double gap = 0;                   // [m] between heights and those by hand; the largest
+  List<Snapshot> steps = {};
+  List<double> height = {};  // C [m] of its lowest point above the ground
+  List<double> speed = {};   // [m/s] upwards
+  List<double> zeta = {};    // [m/s] of the step
+  List<double> lambda = {};  // [N] of the step
+  double peak = 0;           // [m] the largest height
+  double gap = 0;            // [m] between heights and those by hand; the largest
 };
 
 /// How deep a ball may begin without being let go in the second step.
@@ -56,11 +54,11 @@ struct DepthLimit {
 
 struct DriftRuns {
   DriftSettings settings = {};
-  std::vector<RodRun> swings = {};      // let go level with the pivot; beta 0, the reader's, 1
-  std::vector<RodRun> hangs = {};       // below the pivot, but too low; the reader's, 1, 1.8, 2.1
-  std::vector<BallRun> balls = {};      // 0.1, the reader's, 0.5, 1
-  BallRun with_slop = {};               // the reader's
-  std::vector<DepthLimit> limits = {};  // of those not deeper than deepest_tried
+  List<RodRun> swings = {};      // let go level with the pivot; beta 0, the reader's, 1
+  List<RodRun> hangs = {};       // below the pivot, but too low; the reader's, 1, 1.8, 2.1
+  List<BallRun> balls = {};      // 0.1, the reader's, 0.5, 1
+  BallRun with_slop = {};        // the reader's
+  List<DepthLimit> limits = {};  // of those not deeper than deepest_tried
 };
 
 /// A weight of 1 kg at `start` on a rod that should be rod_length long.
@@ -72,10 +70,10 @@ World<double> ball_world(const DriftSettings& settings, double slop);
 void record(BallRun& run, const World<double>& world);
 
 /// In ascending order, each once.
-std::vector<double> ascending(std::vector<double> values);
+List<double> ascending(List<double> values);
 
 /// For the reader's beta and some more.
-std::vector<DepthLimit> find_limits(const DriftSettings& settings);
+List<DepthLimit> find_limits(const DriftSettings& settings);
 
 /// The run with this beta, which must be there.
 const RodRun& swing_of(const DriftRuns& all, double beta);

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pictures.hpp"
-#include "report.hpp"
+#include "parts.hpp"
 
 namespace {
 
@@ -58,13 +57,13 @@ RodRun run_rod(double dt, double beta, const Vec2<double>& start, int steps) {
   SequentialImpulse<double> solver({.iterations = 1});
   RodRun run{.beta = beta, .steps = {snapshot(world)}, .error = {start.norm() - rod_length}};
   for (int k = 1; k <= steps; ++k) {
-    const Vec2<double> along = world.bodies().pose[1].position.normalized();
+    const Vec2<double> along = world.bodies().pose[{1}].position.normalized();
     world.step(solver);
-    const double across = cross(along, Vec2<double>(world.bodies().velocity[1].head<2>()));
+    const double across = cross(along, Vec2<double>(world.bodies().velocity[{1}].head<2>()));
     // The weight goes straight on: by ζ Δt = −β C along the rod, and by v Δt across it.
     const double expected = std::hypot(rod_length + (1 - beta) * run.error.back(), across * dt) - rod_length;
     run.steps.push_back(snapshot(world));
-    run.error.push_back(world.bodies().pose[1].position.norm() - rod_length);
+    run.error.push_back(world.bodies().pose[{1}].position.norm() - rod_length);
     run.gap = std::max(run.gap, std::abs(run.error.back() - expected));
     run.fastest = std::max(run.fastest, std::abs(across));
   }

@@ -1,12 +1,11 @@
 // The question, the frames of the three scenes, and the answer.
-#include "pictures.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <memory>
+
+#include "math/list.hpp"
 
 namespace cairn::drift {
 
@@ -16,12 +15,10 @@ using render::fixed;
 using render::Page;
 using render::Rect;
 
-using Runs = std::shared_ptr<const DriftRuns>;
-
 void draw_question(Page& page, const DriftRuns& all) {
   const DriftSettings& settings = all.settings;
-  const std::vector<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const std::vector<Rect> right = rows(halves[1], {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.6, 0.4}, page.sizes().gap);
   draw_balls(page, halves[0], all, 0, 0);
   page.note(
       right[0], "Predict",
@@ -32,12 +29,6 @@ void draw_question(Page& page, const DriftRuns& all) {
                            .symbols = "ζ = −β C / Δt",
                            .numbers = fmt::format("= −1 × (−{:g}) / {:.4g}", settings.depth, settings.dt),
                            .result = "= ? m/s"});
-}
-
-/// The step in which the ball with beta = 1 is highest.
-int highest_step(const DriftRuns& all) {
-  const std::vector<double>& height = ball_of(all, 1).height;
-  return static_cast<int>(std::max_element(height.begin(), height.end()) - height.begin());
 }
 
 std::string answer_text(const Page& page, const DriftRuns& all) {
@@ -62,37 +53,37 @@ std::string answer_text(const Page& page, const DriftRuns& all) {
 }
 
 void draw_answer(Page& page, const DriftRuns& all, int step) {
-  const std::vector<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const std::vector<Rect> left = rows(halves[0], {0.62, 0.38}, page.sizes().gap);
-  const std::vector<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> left = rows(halves[0], {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
   draw_balls(page, left[0], all, step, step);
   draw_ball_table(page, left[1], all, step);
   page.note(right[0], "Answer", answer_text(page, all));
-  draw_heights(page, right[1], all, static_cast<int>(all.balls[0].steps.size()) - 1);
+  draw_heights(page, right[1], all, all.balls[0].steps.size() - 1);
 }
 
 }  // namespace
 
 std::string beta_name(double beta) { return fmt::format("β = {:g}", beta); }
 
-render::SeriesStyle curve_style(const render::Theme& theme, std::size_t k) {
-  static const std::array<render::SeriesStyle, 4> styles = {{{{}, {}, render::Marker::circle},
-                                                             {{}, {10, 6}, render::Marker::square},
-                                                             {{}, {2, 5}, render::Marker::diamond},
-                                                             {{}, {10, 5, 2, 5}, render::Marker::triangle}}};
-  render::SeriesStyle style = styles.at(k);
+render::SeriesStyle curve_style(const render::Theme& theme, int k) {
+  static const FixedList<render::SeriesStyle, 4> styles = {{{{}, {}, render::Marker::circle},
+                                                            {{}, {10, 6}, render::Marker::square},
+                                                            {{}, {2, 5}, render::Marker::diamond},
+                                                            {{}, {10, 5, 2, 5}, render::Marker::triangle}}};
+  render::SeriesStyle style = styles[k];
   style.color = theme.outline;
   return style;
 }
 
-std::vector<Shot> drift_shots(const DriftRuns& recorded) {
+List<Shot> drift_shots(const DriftRuns& recorded) {
   const Runs all = std::make_shared<const DriftRuns>(recorded);
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back({.state = "before the first step",
                    .alt = "Balls side by side, each as deep inside the ground, and the question.",
                    .draw = [all](Page& page) { draw_question(page, *all); },
                    .key = true});
-  for (const std::vector<Shot>& part : {swing_shots(*all), hang_shots(*all), ball_shots(*all)}) {
+  for (const List<Shot>& part : {swing_shots(all), hang_shots(all), ball_shots(all)}) {
     shots.insert(shots.end(), part.begin(), part.end());
   }
   const int highest = highest_step(*all);

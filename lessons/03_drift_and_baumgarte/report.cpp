@@ -1,5 +1,5 @@
 // Lesson 03. The three scenes in lines and rows, and what has to be true of them.
-#include "report.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
@@ -42,7 +42,7 @@ void print_hangs(Lesson& lesson, const DriftRuns& all) {
   lesson.print("   β     start   step 1   step 2   step 3   step 4   step 5");
   for (const RodRun& run : all.hangs) {
     std::string line = fmt::format("   {:<4g}", run.beta);
-    for (std::size_t k = 0; k <= 5; ++k) line += fmt::format(" {:>8.3f}", cleaned(1000 * run.error[k]));
+    for (int k = 0; k <= 5; ++k) line += fmt::format(" {:>8.3f}", cleaned(1000 * run.error[k]));
     const char* verdict = run.beta > 2 ? "   grows" : run.beta > 1 ? "   overshoots" : "";
     lesson.print(line + verdict);
   }
@@ -54,7 +54,7 @@ void print_balls(Lesson& lesson, const DriftRuns& all) {
   const BallRun& ball = ball_of(all, settings.beta);
   lesson.print(fmt::format(
       "3. A ball of 1 kg begins {:g} mm inside the ground, β = {:g}:", 1000 * settings.depth, settings.beta));
-  for (std::size_t k = 1; k <= 4; ++k) {
+  for (int k = 1; k <= 4; ++k) {
     const double free = ball.speed[k - 1] - gravity * settings.dt;
     lesson.print(fmt::format(
         "   step {}  (7) ζ = {:.4f} m/s   (22) λ = ({:.4f} − ({:.4f})) / (1 × {:.4g}) = {:.4f} N{}", k,
@@ -109,7 +109,7 @@ void check_rods(Lesson& lesson, const DriftRuns& all) {
   double series = 0;
   double largest = 1;
   for (const RodRun& run : all.hangs) {
-    for (std::size_t k = 0; k < run.error.size(); ++k) {
+    for (int k = 0; k < run.error.size(); ++k) {
       const double power = std::pow(1 - run.beta, static_cast<double>(k));
       series = std::max(series, std::abs(run.error[k] - hang_error * power));
       largest = std::max(largest, std::abs(power));
@@ -129,7 +129,7 @@ void check_balls(Lesson& lesson, const DriftRuns& all) {
     highest = std::max(highest, run.peak);
   }
   // Some ten roundings a step, at the size of the height; velocities keep theirs for all the steps after.
-  const auto steps = static_cast<double>(all.balls[0].steps.size());
+  const double steps = all.balls[0].steps.size();
   const double rounding = 16 * epsilon * steps * (highest + 1) * (1 + steps * settings.dt);
   lesson.check_small("ball: v = max(v − g Δt, ζ) by hand, every step (m)", gap, rounding);
   const BallRun& ball = ball_of(all, settings.beta);
@@ -154,7 +154,7 @@ void check_limits(Lesson& lesson, const DriftRuns& all) {
   }
   lesson.check_small("deepest that is held = g Δt² / β² (in roundings of m)", gap, 1);
   const BallRun& ball = all.with_slop;
-  const double k = static_cast<double>(ball.height.size()) - 1;
+  const double k = ball.height.size() - 1;
   lesson.check_equal(
       "slop: depth = slop + (d − slop) (1 − β)ᵏ at the end (m)", -ball.height.back(),
       slop_tried + (-ball.height[0] - slop_tried) * std::pow(1 - settings.beta, k),
@@ -165,14 +165,14 @@ CsvTable balls_table(const DriftRuns& all) {
   CsvTable table{
       .header = {"scene", "beta", "step", "error_metre", "speed_metre_per_second", "zeta", "lambda_newton"}};
   for (const BallRun& run : all.balls) {
-    for (std::size_t k = 0; k < run.height.size(); ++k) {
+    for (int k = 0; k < run.height.size(); ++k) {
       table.rows.push_back({"ball", run.beta, static_cast<long long>(k), run.height[k], run.speed[k],
                             run.zeta[k], run.lambda[k]});
     }
   }
   const auto rods = [&](const char* scene, const auto& runs) {
     for (const auto& run : runs) {
-      for (std::size_t k = 0; k < run.error.size(); ++k) {
+      for (int k = 0; k < run.error.size(); ++k) {
         table.rows.push_back({scene, run.beta, static_cast<long long>(k), run.error[k], 0.0, 0.0, 0.0});
       }
     }

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <set>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
 
@@ -19,13 +19,11 @@ using render::fixed;
 using render::Page;
 using render::Rect;
 
-using Runs = std::shared_ptr<const DriftRuns>;
-
 const double weight_pitch = 0.42;  // [m] from weight to weight
 
 /// The true circle of the pendulum, its lower half and a little more.
-std::vector<Vec2<double>> true_circle() {
-  std::vector<Vec2<double>> points;
+List<Vec2<double>> true_circle() {
+  List<Vec2<double>> points;
   for (int i = 0; i <= 96; ++i) {
     const double angle = std::numbers::pi * (1 - 0.05 + 1.1 * i / 96);
     points.emplace_back(rod_length * std::cos(angle), rod_length * std::sin(angle));
@@ -34,10 +32,10 @@ std::vector<Vec2<double>> true_circle() {
 }
 
 /// What the body has gone through in the last `steps` steps.
-std::vector<Vec2<double>> path_of(const RodRun& run, int step, int steps) {
-  std::vector<Vec2<double>> points;
+List<Vec2<double>> path_of(const RodRun& run, int step, int steps) {
+  List<Vec2<double>> points;
   for (int k = std::max(0, step - steps); k <= step; ++k) {
-    points.push_back(run.steps[static_cast<std::size_t>(k)].bodies[1].pose.position);
+    points.push_back(run.steps[k].bodies[{1}].pose.position);
   }
   return points;
 }
@@ -60,28 +58,27 @@ std::string millimetres(double metres) {
 }
 
 void draw_pendulum(Page& page, const Rect& rect, const DriftRuns& all, const RodRun& run, int step) {
-  const auto k = static_cast<std::size_t>(step);
-  const Rect field = titled_panel(page, rect, beta_name(run.beta), "C = " + millimetres(run.error[k]));
+  const Rect field = titled_panel(page, rect, beta_name(run.beta), "C = " + millimetres(run.error[step]));
   const render::Camera camera = render::fit(field, {{-1.7, -1.7}, {1.7, 0.15}});
   draw_trail(page, camera, true_circle(), {.color = page.theme().inactive, .dash = {3, 4}});
   const int second = static_cast<int>(std::lround(1 / all.settings.dt));
   draw_trail(page, camera, path_of(run, step, 2 * second), {.color = page.theme().velocity});
   render::WorldLook look;
   look.numbers = false;
-  draw_world(page, camera, run.steps[k], look);
+  draw_world(page, camera, run.steps[step], look);
 }
 
 void draw_swing_errors(Page& page, const Rect& rect, const DriftRuns& all, int step) {
   render::Plot plot{.title = "|C|: how far the rod is from its length (m)"};
   plot.x = {.title = "t (s)", .min = 0, .max = swing_time};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-5, .max = 1e1};
-  const int stride = std::max(1, static_cast<int>(all.swings[0].steps.size()) / 250);
-  for (std::size_t i = 0; i < all.swings.size(); ++i) {
+  const int stride = std::max(1, all.swings[0].steps.size() / 250);
+  for (int i = 0; i < all.swings.size(); ++i) {
     const RodRun& run = all.swings[i];
     render::Series series{.name = beta_name(run.beta), .style = curve_style(page.theme(), i)};
     for (int k = 1; k <= step; k += stride) {
       series.x.push_back(k * all.settings.dt);
-      series.y.push_back(std::max(std::abs(run.error[static_cast<std::size_t>(k)]), 1e-5));
+      series.y.push_back(std::max(std::abs(run.error[k]), 1e-5));
     }
     plot.series.push_back(series);
   }
@@ -90,11 +87,10 @@ void draw_swing_errors(Page& page, const Rect& rect, const DriftRuns& all, int s
 
 void draw_swing(Page& page, const DriftRuns& all, int step) {
   const double scene = page.compact() ? 0.5 : 0.48;
-  const std::vector<Rect> parts = rows(page.area(), {scene, 1 - scene}, page.sizes().gap);
-  const std::vector<double> weights(all.swings.size(), 1.0);
-  const std::vector<Rect> panels = columns(parts[0], weights, page.sizes().gap);
-  for (std::size_t i = 0; i < all.swings.size(); ++i)
-    draw_pendulum(page, panels[i], all, all.swings[i], step);
+  const List<Rect> parts = rows(page.area(), {scene, 1 - scene}, page.sizes().gap);
+  const List<double> weights(all.swings.size(), 1.0);
+  const List<Rect> panels = columns(parts[0], weights, page.sizes().gap);
+  for (int i = 0; i < all.swings.size(); ++i) draw_pendulum(page, panels[i], all, all.swings[i], step);
   draw_swing_errors(page, parts[1], all, step);
 }
 
@@ -103,7 +99,7 @@ Shot swing_shot(const Runs& all, int step, bool key) {
       fmt::format("Pendulums after {:.1f} s, drawn over the true circle: the rod is too long by",
                   step * all->settings.dt);
   for (const RodRun& run : all->swings) {
-    alt += fmt::format(" {:.4f} m with β = {:g};", run.error[static_cast<std::size_t>(step)], run.beta);
+    alt += fmt::format(" {:.4f} m with β = {:g};", run.error[step], run.beta);
   }
   alt.back() = '.';
   return {.state = fmt::format("pendulum · t = {} s", fixed(step * all->settings.dt, 1)),
@@ -113,17 +109,17 @@ Shot swing_shot(const Runs& all, int step, bool key) {
 }
 
 /// All weights in one scene, side by side, each on its own rod.
-Snapshot side_by_side(const DriftRuns& all, std::size_t step) {
+Snapshot side_by_side(const DriftRuns& all, int step) {
   Snapshot scene = all.hangs[0].steps[step];
   scene.bodies.resize(1);
   scene.joints.clear();
-  for (std::size_t i = 0; i < all.hangs.size(); ++i) {
+  for (int i = 0; i < all.hangs.size(); ++i) {
     const Snapshot& one = all.hangs[i].steps[step];
-    const Vec2<double> offset(static_cast<double>(i) * weight_pitch, 0);
-    scene.bodies.push_back(one.bodies[1]);
+    const Vec2<double> offset(i * weight_pitch, 0);
+    scene.bodies.push_back(one.bodies[{1}]);
     scene.bodies.back().pose.position += offset;
     SnapshotJoint joint = one.joints[0];
-    joint.b = {static_cast<int>(i) + 1};
+    joint.b = {i + 1};
     joint.anchor_a += offset;
     joint.anchor_b += offset;
     scene.joints.push_back(joint);
@@ -131,9 +127,9 @@ Snapshot side_by_side(const DriftRuns& all, std::size_t step) {
   return scene;
 }
 
-void draw_weights(Page& page, const Rect& rect, const DriftRuns& all, std::size_t step) {
+void draw_weights(Page& page, const Rect& rect, const DriftRuns& all, int step) {
   const Rect inside = page.panel(rect, "β, and the goal (dashed)");
-  const double right = weight_pitch * static_cast<double>(all.hangs.size() - 1);
+  const double right = weight_pitch * (all.hangs.size() - 1);
   const render::Camera camera = render::fit(inside, {{-0.3, -1.5}, {right + 0.3, 0.2}});
   page.canvas().line(camera.project({-0.25, -rod_length}), camera.project({right + 0.25, -rod_length}),
                      {.width = 1.5, .color = page.theme().inactive, .dash = {8, 5}});
@@ -142,43 +138,41 @@ void draw_weights(Page& page, const Rect& rect, const DriftRuns& all, std::size_
   draw_world(page, camera, side_by_side(all, step), look);
   render::TextStyle name = page.label();
   name.align = render::Align::center;
-  for (std::size_t i = 0; i < all.hangs.size(); ++i) {
-    const render::Point at = camera.project({weight_pitch * static_cast<double>(i), 0.08});
+  for (int i = 0; i < all.hangs.size(); ++i) {
+    const render::Point at = camera.project({weight_pitch * i, 0.08});
     page.canvas().text(at, fmt::format("{:g}", all.hangs[i].beta), name);
   }
 }
 
 void draw_hang(Page& page, const DriftRuns& all, int step) {
-  const auto k = static_cast<std::size_t>(step);
-  const std::vector<Rect> halves = columns(page.area(), {0.42, 0.58}, page.sizes().gap);
-  draw_weights(page, halves[0], all, k);
+  const List<Rect> halves = columns(page.area(), {0.42, 0.58}, page.sizes().gap);
+  draw_weights(page, halves[0], all, step);
   const double top = page.compact() ? 0.55 : 0.64;
-  const std::vector<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
   render::Plot plot{.title = "C after each step (mm)"};
   plot.x = {.title = "step", .min = 0, .max = hang_steps};
   plot.y = {.title = "", .min = -350, .max = 350};
-  for (std::size_t i = 0; i < all.hangs.size(); ++i) {
+  for (int i = 0; i < all.hangs.size(); ++i) {
     render::Series series{.name = beta_name(all.hangs[i].beta), .style = curve_style(page.theme(), i)};
-    for (std::size_t j = 0; j <= k; ++j) {
-      series.x.push_back(static_cast<double>(j));
+    for (int j = 0; j <= step; ++j) {
+      series.x.push_back(j);
       series.y.push_back(1000 * all.hangs[i].error[j]);
     }
     plot.series.push_back(series);
   }
   draw_plot(page, right[0], plot);
   const RodRun& run = hang_of(all, all.settings.beta);
-  page.equation(right[1],
-                {.number = "eq (7)",
-                 .symbols = "C ← C + ζ Δt = (1 − β) C",
-                 .numbers = fmt::format("= (1 − {:g}) × {} mm", run.beta, fixed(1000 * run.error[k - 1], 2)),
-                 .result = fmt::format("= {} mm", fixed(1000 * run.error[k], 2))});
+  page.equation(right[1], {.number = "eq (7)",
+                           .symbols = "C ← C + ζ Δt = (1 − β) C",
+                           .numbers = fmt::format("= (1 − {:g}) × {} mm", run.beta,
+                                                  fixed(1000 * run.error[step - 1], 2)),
+                           .result = fmt::format("= {} mm", fixed(1000 * run.error[step], 2))});
 }
 
 Shot hang_shot(const Runs& all, int step, bool key) {
   std::string alt = fmt::format("Hanging weights after step {}, off by", step);
   for (const RodRun& run : all->hangs) {
-    alt +=
-        fmt::format(" {:.1f} mm with β = {:g};", 1000 * run.error[static_cast<std::size_t>(step)], run.beta);
+    alt += fmt::format(" {:.1f} mm with β = {:g};", 1000 * run.error[step], run.beta);
   }
   alt.back() = '.';
   return {.state = fmt::format("weight · step {} of {}", step, hang_steps),
@@ -189,10 +183,9 @@ Shot hang_shot(const Runs& all, int step, bool key) {
 
 }  // namespace
 
-std::vector<Shot> swing_shots(const DriftRuns& recorded) {
-  const Runs all = std::make_shared<const DriftRuns>(recorded);
-  const int last = static_cast<int>(all->swings[0].steps.size()) - 1;
-  std::vector<Shot> shots;
+List<Shot> swing_shots(const Runs& all) {
+  const int last = all->swings[0].steps.size() - 1;
+  List<Shot> shots;
   const std::set<int> keys = {5, 50};  // of 50 frames
   for (int frame = 1; frame <= 50; ++frame) {
     shots.push_back(swing_shot(all, frame * last / 50, keys.contains(frame)));
@@ -200,9 +193,8 @@ std::vector<Shot> swing_shots(const DriftRuns& recorded) {
   return shots;
 }
 
-std::vector<Shot> hang_shots(const DriftRuns& recorded) {
-  const Runs all = std::make_shared<const DriftRuns>(recorded);
-  std::vector<Shot> shots;
+List<Shot> hang_shots(const Runs& all) {
+  List<Shot> shots;
   for (int step = 1; step <= hang_steps; ++step) {
     shots.push_back(hang_shot(all, step, step == 1 || step == hang_steps));
   }

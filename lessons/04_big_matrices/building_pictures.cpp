@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <memory>
 #include <utility>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/matrix.hpp"
 
 namespace cairn::big {
@@ -17,7 +17,6 @@ using render::fixed;
 using render::Page;
 using render::Rect;
 
-using Run = std::shared_ptr<const StackRun>;
 using Entry = std::pair<int, int>;
 
 /// The first `rows_known` rows of J.
@@ -34,16 +33,16 @@ render::MatrixView view_of_J(const StackRun& run, int rows_known, int active) {
 
 void draw_masses(Page& page, const StackRun& run) {
   const int n = run.boxes();
-  const std::vector<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
   draw_stack(page, halves[0], run, {.velocity = run.system.velocity});
-  const std::vector<Rect> right = rows(halves[1], {0.74, 0.26}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.74, 0.26}, page.sizes().gap);
   render::MatrixView masses{.title = "M^{−1}: 1/m, 1/m, 1/I of each box",
                             .values = run.system.inverse_mass.asDiagonal(),
                             .column_names = column_names(n),
                             .column_group = 3};
   render::MatrixView velocity{.title = "v_{1}", .values = run.system.velocity, .row_names = column_names(n)};
   // Both with the same cells, so that each number of v stands beside its row of the matrix.
-  const std::vector<Rect> matrices = columns(right[0], {0.2, 0.8}, page.sizes().gap);
+  const List<Rect> matrices = columns(right[0], {0.2, 0.8}, page.sizes().gap);
   velocity.column_names = {""};
   draw_matrix(page, matrices[0], velocity);
   draw_matrix(page, matrices[1], masses);
@@ -55,9 +54,9 @@ void draw_masses(Page& page, const StackRun& run) {
 }
 
 void draw_row(Page& page, const StackRun& run, int row) {
-  const std::vector<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
   draw_stack(page, halves[0], run, {.contact = row, .velocity = run.system.velocity});
-  const std::vector<Rect> right = rows(halves[1], {0.46, 0.54}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.46, 0.54}, page.sizes().gap);
   draw_matrix(page, right[0], view_of_J(run, row + 1, row));
   const double v = run.system.velocity(1);
   const std::string below = row > 0 ? fmt::format("−1 × {} + ", in_brackets(fixed(v, 3))) : "";
@@ -72,9 +71,9 @@ void draw_row(Page& page, const StackRun& run, int row) {
 }
 
 /// A as far as it has been computed: up to the given entry of `order`.
-Eigen::MatrixXd known_part(const StackRun& run, const std::vector<Entry>& order, std::size_t count) {
+Eigen::MatrixXd known_part(const StackRun& run, const List<Entry>& order, int count) {
   Eigen::MatrixXd known = Eigen::MatrixXd::Zero(run.boxes(), run.boxes());
-  for (std::size_t k = 0; k < count; ++k) {
+  for (int k = 0; k < count; ++k) {
     const auto [i, j] = order[k];
     known(i, j) = run.system.A(i, j);
     known(j, i) = run.system.A(j, i);
@@ -84,11 +83,11 @@ Eigen::MatrixXd known_part(const StackRun& run, const std::vector<Entry>& order,
 
 /// J on top, what is being built below at the left; returns what is free at the right of that.
 Rect draw_building(Page& page, const StackRun& run, const StackView& stack, const render::MatrixView& built) {
-  const std::vector<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
   draw_stack(page, halves[0], run, stack);
-  const std::vector<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
   draw_matrix(page, right[0], view_of_J(run, run.boxes(), built.active_row));
-  const std::vector<Rect> below = columns(right[1], {0.45, 0.55}, page.sizes().gap);
+  const List<Rect> below = columns(right[1], {0.45, 0.55}, page.sizes().gap);
   draw_matrix(page, below[0], built);
   return below[1];
 }
@@ -103,7 +102,7 @@ std::string entry_in_numbers(const StackRun& run, int i, int j) {
   return j == i + 1 ? fmt::format("1 × {} × (−1)", inverse(i + 1)) : "0";
 }
 
-void draw_entry(Page& page, const StackRun& run, const std::vector<Entry>& order, std::size_t k) {
+void draw_entry(Page& page, const StackRun& run, const List<Entry>& order, int k) {
   const auto [i, j] = order[k];
   render::MatrixView view{.title = "A = J M^{−1} J^{T} (kg^{−1})",
                           .values = known_part(run, order, k + 1),
@@ -150,8 +149,8 @@ void draw_right_side(Page& page, const StackRun& run, int row) {
                  .algorithm = std::abs(jv) > 0 ? "this contact closes in" : "both fall alike"});
 }
 
-std::vector<Entry> order_of_entries(int boxes) {
-  std::vector<Entry> order;
+List<Entry> order_of_entries(int boxes) {
+  List<Entry> order;
   for (int i = 0; i < boxes; ++i) {
     order.push_back({i, i});
     if (i + 1 < boxes) order.push_back({i, i + 1});
@@ -160,9 +159,9 @@ std::vector<Entry> order_of_entries(int boxes) {
   return order;
 }
 
-void append_entry_shots(const Run& run, std::vector<Shot>& shots) {
-  const std::vector<Entry> order = order_of_entries(run->boxes());
-  for (std::size_t k = 0; k < order.size(); ++k) {
+void append_entry_shots(const Run& run, List<Shot>& shots) {
+  const List<Entry> order = order_of_entries(run->boxes());
+  for (int k = 0; k < order.size(); ++k) {
     const auto [i, j] = order[k];
     const int row = i;
     const int column = j;
@@ -176,10 +175,9 @@ void append_entry_shots(const Run& run, std::vector<Shot>& shots) {
 
 }  // namespace
 
-std::vector<Shot> building_shots(const StackRun& recorded) {
-  const Run run = std::make_shared<const StackRun>(recorded);
+List<Shot> building_shots(const Run& run) {
   const int n = run->boxes();
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back({.state = "v and M⁻¹",
                    .alt = "The velocities of all boxes in one column, and the inverse masses on a diagonal.",
                    .draw = [run](Page& page) { draw_masses(page, *run); },

@@ -1,7 +1,7 @@
 // Lesson 04. What --help and --about say, and what may be changed.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::big {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -32,4 +32,4 @@ LessonInfo card() {
       .next = "lesson05_sweep_and_bounds   (guess, fix one row, repeat; and what may not pull)"};
 }
 
-}  // namespace cairn::big
+}  // namespace cairn

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise04 {
 namespace {
@@ -10,20 +11,19 @@ namespace {
 constexpr double one_rounding = 1e-15;  // of entries up to 3 / kg
 
 /// A_ij by its definition: the rows of J one by one.
-double by_definition(int i, int j, const std::vector<double>& masses) {
+double by_definition(int i, int j, const List<double>& masses) {
   const auto row = [](int contact, int box) {
     return box == contact ? 1.0 : (box == contact - 1 ? -1.0 : 0.0);
   };
   double sum = 0;
-  for (int box = 0; box < static_cast<int>(masses.size()); ++box)
-    sum += row(i, box) * row(j, box) / masses[static_cast<std::size_t>(box)];
+  for (int box = 0; box < masses.size(); ++box) sum += row(i, box) * row(j, box) / masses[box];
   return sum;
 }
 
 }  // namespace
 
 void grade(Grade& grade, Answer answer) {
-  const std::vector<double> equal = {1, 1, 1, 1}, different = {1, 2, 4, 0.5};
+  const List<double> equal = {1, 1, 1, 1}, different = {1, 2, 4, 0.5};
   grade.number({.what = "four boxes of 1 kg: A_00 (1/kg)",
                 .value = 1,
                 .tolerance = one_rounding,

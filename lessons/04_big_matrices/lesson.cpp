@@ -2,8 +2,8 @@
 // are the velocities, v. The forces that make J v = ζ true (11) solve A λ = b, (14) and (15): one equation
 // for each contact. We build A and b for a stack of boxes, solve them as at school, from the first row down
 // and then up again, and put λ into (12) to see that the stack stands still.
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace cairn::big {
 
@@ -16,13 +16,14 @@ StackSystem assemble(const VelocityProblem<double>& problem) {
                      .dt = problem.dt};
   // [assemble]
   for (int i = 0; i < rows; ++i) {
-    const ConstraintRow<double>& row = problem.rows[static_cast<std::size_t>(i)];
+    const ConstraintRow<double>& row = problem.rows[i];
     if (row.a != ground) system.J.block<1, 3>(i, 3 * row.a.index - 3) = row.jacobian_a.transpose();  // (6)
     system.J.block<1, 3>(i, 3 * row.b.index - 3) = row.jacobian_b.transpose();
     system.zeta(i) = row.bias;
   }
-  for (std::size_t body = 1; body < problem.velocity.size(); ++body) {  // 0 is the ground
-    const Eigen::Index column = 3 * static_cast<Eigen::Index>(body) - 3;
+  for (const BodyId body : problem.velocity.indices()) {
+    if (body == ground) continue;
+    const int column = 3 * body.index - 3;
     system.velocity.segment<3>(column) = problem.velocity[body];          // (1)
     system.inverse_mass.segment<3>(column) = problem.inverse_mass[body];  // (2)
   }
@@ -32,11 +33,11 @@ StackSystem assemble(const VelocityProblem<double>& problem) {
   return system;
 }
 
-std::vector<Eigen::MatrixXd> eliminate(const StackSystem& system) {
+List<Eigen::MatrixXd> eliminate(const StackSystem& system) {
   const Eigen::Index m = system.b.size();
   Eigen::MatrixXd stage(m, m + 1);
   stage << system.A, system.b;
-  std::vector<Eigen::MatrixXd> stages = {stage};
+  List<Eigen::MatrixXd> stages = {stage};
   // [eliminate]
   for (Eigen::Index pivot = 0; pivot + 1 < m; ++pivot) {
     for (Eigen::Index row = pivot + 1; row < m; ++row) {
@@ -104,7 +105,7 @@ void run(Lesson& lesson) {
   check_solution(lesson, stack);
   lesson.film(stack_shots(stack));
   lesson.data(entries_table(stack));
-  std::vector<double> answer(stack.lambda.begin(), stack.lambda.end());
+  List<double> answer(stack.lambda.begin(), stack.lambda.end());
   answer.insert(answer.end(), stack.velocity.begin(), stack.velocity.end());
   lesson.fingerprint(answer);
 }

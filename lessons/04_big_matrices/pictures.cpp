@@ -1,11 +1,12 @@
 // The stack beside the matrices, the question, and the answer.
-#include "pictures.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 
+#include "math/list.hpp"
 #include "render/draw.hpp"
 #include "render/matrix.hpp"
 
@@ -17,8 +18,6 @@ using render::fixed;
 using render::Page;
 using render::Point;
 using render::Rect;
-
-using Run = std::shared_ptr<const StackRun>;
 
 /// Left of the stack what each contact pushes upwards, as far as it is known.
 void draw_pushes(Page& page, const render::Camera& camera, const StackRun& run, int known) {
@@ -62,9 +61,9 @@ void draw_speeds(Page& page, const render::Camera& camera, const StackRun& run,
 }
 
 void draw_question(Page& page, const StackRun& run) {
-  const std::vector<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
   draw_stack(page, halves[0], run, {.contact = run.boxes() - 1, .velocity = run.system.velocity});
-  const std::vector<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
   page.note(
       right[0], "Predict",
       fmt::format("All boxes fall at {} m/s: gravity has acted for one step. b has one number for each "
@@ -78,9 +77,9 @@ void draw_question(Page& page, const StackRun& run) {
 }
 
 void draw_answer(Page& page, const StackRun& run) {
-  const std::vector<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
   draw_stack(page, halves[0], run, {.known = run.boxes(), .velocity = run.velocity});
-  const std::vector<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
   const std::string text =
       page.compact()
           ? "0. Boxes that fall together do not close in. Only the ground's contact has something in b; A⁻¹ "
@@ -97,7 +96,7 @@ void draw_answer(Page& page, const StackRun& run) {
   inverse.column_names.push_back("b");
   inverse.column_group = n;
   render::MatrixView lambda{.title = "λ (N)", .values = run.lambda, .row_names = row_names(n)};
-  const std::vector<Rect> below = columns(right[1], {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> below = columns(right[1], {0.62, 0.38}, page.sizes().gap);
   draw_matrix(page, below[0], inverse);
   draw_matrix(page, below[1], lambda);
 }
@@ -121,16 +120,16 @@ void draw_stack(Page& page, const Rect& rect, const StackRun& run, const StackVi
   if (view.velocity.size() > 0) draw_speeds(page, camera, run, view.velocity);
 }
 
-std::vector<std::string> column_names(int boxes) {
-  std::vector<std::string> names;
+List<std::string> column_names(int boxes) {
+  List<std::string> names;
   for (int box = 1; box <= boxes; ++box) {
     for (const char* name : {"x", "y", "θ"}) names.push_back(fmt::format("{}_{{{}}}", name, box));
   }
   return names;
 }
 
-std::vector<std::string> row_names(int rows) {
-  std::vector<std::string> names;
+List<std::string> row_names(int rows) {
+  List<std::string> names;
   for (int row = 1; row <= rows; ++row) names.push_back(fmt::format("{}", row));
   return names;
 }
@@ -146,14 +145,14 @@ std::string in_brackets(const std::string& number) {
   return number.starts_with("−") ? "(" + number + ")" : number;
 }
 
-std::vector<Shot> stack_shots(const StackRun& recorded) {
+List<Shot> stack_shots(const StackRun& recorded) {
   const Run run = std::make_shared<const StackRun>(recorded);
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back({.state = "before the first row",
                    .alt = "A stack of boxes that all fall at the same speed, and the question.",
                    .draw = [run](Page& page) { draw_question(page, *run); },
                    .key = true});
-  for (const std::vector<Shot>& part : {building_shots(*run), solving_shots(*run)}) {
+  for (const List<Shot>& part : {building_shots(run), solving_shots(run)}) {
     shots.insert(shots.end(), part.begin(), part.end());
   }
   shots.push_back({.state = "answer",

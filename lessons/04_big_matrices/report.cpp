@@ -1,5 +1,5 @@
 // Lesson 04. The matrices in lines and rows, and what has to be true of them.
-#include "report.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
@@ -39,7 +39,7 @@ void print_matrices(Lesson& lesson, const StackRun& run) {
   lesson.print(diagonal + ")   1/m, 1/m, 1/I of each box");
   std::string head = "row  J: x  y  θ";
   for (int box = 2; box <= n; ++box) head += " |  x  y  θ";
-  lesson.print(head + fmt::format("    A{}b (m/s²)", std::string(static_cast<std::size_t>(7 * n + 1), ' ')));
+  lesson.print(head + fmt::format("    A{:{}}b (m/s²)", "", 7 * n + 1));
   for (int i = 0; i < n; ++i) {
     std::string line = fmt::format("{:>3}    ", i + 1);
     for (int k = 0; k < 3 * n; ++k)
@@ -64,8 +64,8 @@ void print_solution(Lesson& lesson, const StackRun& run) {
   const int n = run.boxes();
   lesson.print("Elimination: the row above, times a factor, is taken from each row");
   for (int row = 1; row < n; ++row) {
-    const Eigen::MatrixXd& before = run.stages[static_cast<std::size_t>(row - 1)];
-    const Eigen::MatrixXd& after = run.stages[static_cast<std::size_t>(row)];
+    const Eigen::MatrixXd& before = run.stages[row - 1];
+    const Eigen::MatrixXd& after = run.stages[row];
     std::string line = fmt::format("  row {} − ({:.4g}) × row {}:", row + 1,
                                    before(row, row - 1) / before(row - 1, row - 1), row);
     for (int j = 0; j < n; ++j) line += fmt::format(" {:>7.4g}", cleaned(after(row, j)));

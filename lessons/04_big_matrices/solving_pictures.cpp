@@ -2,10 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <memory>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/bars.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
@@ -18,14 +17,12 @@ using render::fixed;
 using render::Page;
 using render::Rect;
 
-using Run = std::shared_ptr<const StackRun>;
-
 /// [A | b] left, bars of the known lambda right, in `rect`.
 void draw_system(Page& page, const Rect& rect, const StackRun& run, int stage, int active, int known) {
   const int n = run.boxes();
-  const std::vector<Rect> halves = columns(rect, {0.46, 0.54}, page.sizes().gap);
+  const List<Rect> halves = columns(rect, {0.46, 0.54}, page.sizes().gap);
   render::MatrixView view{.title = "A, and b (m/s²)",
-                          .values = run.stages[static_cast<std::size_t>(stage)],
+                          .values = run.stages[stage],
                           .row_names = row_names(n),
                           .column_group = n,
                           .active_row = active};
@@ -51,11 +48,11 @@ void draw_system(Page& page, const Rect& rect, const StackRun& run, int stage, i
 }
 
 void draw_elimination(Page& page, const StackRun& run, int row) {
-  const std::vector<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
   draw_stack(page, halves[0], run, {.contact = row});
-  const std::vector<Rect> right = rows(halves[1], {0.52, 0.48}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.52, 0.48}, page.sizes().gap);
   draw_system(page, right[0], run, row, row, 0);
-  const Eigen::MatrixXd& before = run.stages[static_cast<std::size_t>(row - 1)];
+  const Eigen::MatrixXd& before = run.stages[row - 1];
   const double upper = before(row - 1, row - 1);
   const double lower = before(row, row - 1);
   page.equation(right[1], {.number = fmt::format("row {} loses its λ_{{{}}}", row + 1, row),
@@ -66,9 +63,9 @@ void draw_elimination(Page& page, const StackRun& run, int row) {
 
 void draw_back(Page& page, const StackRun& run, int row) {
   const int n = run.boxes();
-  const std::vector<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
   draw_stack(page, halves[0], run, {.contact = row, .known = n - row});
-  const std::vector<Rect> right = rows(halves[1], {0.52, 0.48}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.52, 0.48}, page.sizes().gap);
   draw_system(page, right[0], run, n - 1, row, n - row);
   const Eigen::MatrixXd& last = run.stages.back();
   const std::string pivot = brief(last(row, row));
@@ -90,9 +87,9 @@ void draw_back(Page& page, const StackRun& run, int row) {
 
 void draw_velocities(Page& page, const StackRun& run) {
   const int n = run.boxes();
-  const std::vector<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
   draw_stack(page, halves[0], run, {.known = n, .velocity = run.velocity});
-  const std::vector<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
   render::TableView table;
   table.header = {"box", "v_{1} (m/s)", "from below (N)", "from above (N)", "v_{2} (m/s)"};
   if (page.compact()) table.header = {"box", "v_{1}", "below", "above", "v_{2}"};
@@ -115,11 +112,10 @@ void draw_velocities(Page& page, const StackRun& run) {
 }
 
 void draw_without_gravity(Page& page, const StackRun& run) {
-  const std::vector<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
   draw_stack(page, halves[0], run, {.velocity = run.velocity_without});
-  const std::vector<double> weights =
-      page.compact() ? std::vector<double>{0.48, 0.52} : std::vector<double>{0.4, 0.25, 0.35};
-  const std::vector<Rect> right = rows(halves[1], weights, page.sizes().gap);
+  const List<double> weights = page.compact() ? List<double>{0.48, 0.52} : List<double>{0.4, 0.25, 0.35};
+  const List<Rect> right = rows(halves[1], weights, page.sizes().gap);
   page.note(right[0], "A trap",
             page.compact()
                 ? "(12) has no gravity in it. It has to be in v₁ before b is formed, or b does not "
@@ -145,15 +141,15 @@ void draw_without_gravity(Page& page, const StackRun& run) {
 }
 
 void draw_growth(Page& page, const StackRun& run) {
-  const std::vector<Rect> parts = columns(page.area(), {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> parts = columns(page.area(), {0.6, 0.4}, page.sizes().gap);
   const render::Color color = page.theme().outline;
-  const std::array<render::SeriesStyle, 4> styles = {{{color, {}, render::Marker::circle},
-                                                      {color, {10, 6}, render::Marker::square},
-                                                      {color, {2, 5}, render::Marker::diamond},
-                                                      {color, {10, 5, 2, 5}, render::Marker::triangle}}};
-  std::array<render::Series, 4> series;
-  const std::array<const char*, 4> names = {"elimination", "J", "A", "A, not 0"};
-  for (std::size_t k = 0; k < 4; ++k) {
+  const FixedList<render::SeriesStyle, 4> styles = {{{color, {}, render::Marker::circle},
+                                                     {color, {10, 6}, render::Marker::square},
+                                                     {color, {2, 5}, render::Marker::diamond},
+                                                     {color, {10, 5, 2, 5}, render::Marker::triangle}}};
+  FixedList<render::Series, 4> series;
+  const FixedList<const char*, 4> names = {"elimination", "J", "A", "A, not 0"};
+  for (int k = 0; k < 4; ++k) {
     series[k].name = names[k];
     series[k].style = styles[k];
   }
@@ -194,10 +190,9 @@ Shot back_shot(const Run& run, int row) {
 
 }  // namespace
 
-std::vector<Shot> solving_shots(const StackRun& recorded) {
-  const Run run = std::make_shared<const StackRun>(recorded);
+List<Shot> solving_shots(const Run& run) {
   const int n = run->boxes();
-  std::vector<Shot> shots;
+  List<Shot> shots;
   for (int row = 1; row < n; ++row) {
     shots.push_back(
         {.state = fmt::format("elimination · row {}", row + 1),

@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+
 #include <algorithm>
 
 #include "solvers/exact/reference_solver.hpp"
@@ -50,14 +51,14 @@ void solve_without_gravity(StackRun& run) {
 }  // namespace
 
 VelocityProblem<double> stack_rows(const StackSettings& settings, double fall) {
-  const auto n = static_cast<std::size_t>(settings.boxes);
+  const int n = settings.boxes;
   VelocityProblem<double> problem;
   problem.dt = settings.dt;
   problem.inverse_mass.assign(n + 1, {1, 1, 6});  // I = m (1 + 1) / 12
-  problem.inverse_mass[0] = {0, 0, 0};            // the ground
-  problem.inverse_mass[n] /= settings.top;
+  problem.inverse_mass[ground] = {0, 0, 0};       // the ground
+  problem.inverse_mass[{n}] /= settings.top;
   problem.velocity.assign(n + 1, {0, -fall, 0});
-  problem.velocity[0] = {0, 0, 0};
+  problem.velocity[ground] = {0, 0, 0};
   problem.impulse.assign(n, 0.0);
   for (int contact = 0; contact < settings.boxes; ++contact) {
     ConstraintRow<double> row;
@@ -78,18 +79,17 @@ void solve_otherwise(const VelocityProblem<double>& problem, StackRun& run) {
   VelocityProblem<double> copy = problem;
   ReferenceSolver<double> exact;
   exact.solve(copy);
-  const auto m = static_cast<Eigen::Index>(copy.impulse.size());
+  const int m = copy.row_count();
   run.reference.resize(m);
   run.row_velocity.resize(m);
-  for (Eigen::Index i = 0; i < m; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    run.reference(i) = copy.impulse[k] / copy.dt;
-    run.row_velocity(i) = row_velocity(problem, problem.rows[k]);
+  for (int i = 0; i < m; ++i) {
+    run.reference(i) = copy.impulse[i] / copy.dt;
+    run.row_velocity(i) = row_velocity(problem, problem.rows[i]);
   }
   const SystemMatrices<double> library = system_matrices(problem);
   run.library_gap = std::max((run.system.A - library.A).cwiseAbs().maxCoeff(),
                              (run.system.b - library.b).cwiseAbs().maxCoeff());
-  run.mass.assign(copy.impulse.size(), 1.0);
+  run.mass.assign(m, 1.0);
   run.mass.back() = run.settings.top;
   run.inverse = run.system.A.ldlt().solve(Eigen::MatrixXd::Identity(m, m));
   run.eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(run.system.A).eigenvalues();
@@ -100,7 +100,7 @@ void solve_otherwise(const VelocityProblem<double>& problem, StackRun& run) {
 
 double mass_above(const StackRun& run, int contact) {
   double sum = 0;
-  for (int i = run.boxes() - 1; i >= contact; --i) sum += run.mass[static_cast<std::size_t>(i)];
+  for (int i = run.boxes() - 1; i >= contact; --i) sum += run.mass[i];
   return sum;
 }
 
@@ -110,7 +110,7 @@ double lambda_by_formula(const StackRun& run, int contact) {
 }
 
 double entry_by_formula(const StackRun& run, int i, int j) {
-  const auto above = [&run](int contact) { return 1 / run.mass[static_cast<std::size_t>(contact)]; };
+  const auto above = [&run](int contact) { return 1 / run.mass[contact]; };
   if (i == j) return above(i) + (i > 0 ? above(i - 1) : 0.0);
   return std::abs(i - j) == 1 ? -above(std::min(i, j)) : 0.0;  // the box between the two
 }

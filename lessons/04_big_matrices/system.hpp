@@ -2,9 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::big {
 
@@ -41,19 +41,19 @@ struct Growth {
 
 struct StackRun {
   StackSettings settings = {};
-  std::vector<double> mass = {};  // [kg] of each box, from the ground up
+  List<double> mass = {};  // [kg] of each box, from the ground up
   StackSystem system = {};
-  std::vector<Eigen::MatrixXd> stages = {};  // [A | b] before and after each row was used for elimination
-  Eigen::VectorXd lambda = {};               // [N]
-  Eigen::VectorXd velocity = {};             // v_2 (12)
-  Eigen::MatrixXd inverse = {};              // of A [kg]
-  Eigen::VectorXd eigenvalues = {};          // of A, ascending [1/kg]
-  Eigen::VectorXd reference = {};            // [N] of the library's exact solver, on rows of six numbers
-  Eigen::VectorXd row_velocity = {};         // j v_1 of each row by its own six numbers
-  Eigen::VectorXd lambda_without = {};       // [N] had gravity not been in v_1
-  Eigen::VectorXd velocity_without = {};     // v_2 with that, and gravity added after
-  double library_gap = 0;                    // between system and the library's A and b; the largest
-  std::vector<Growth> growth = {};
+  List<Eigen::MatrixXd> stages = {};      // [A | b] before and after each row was used for elimination
+  Eigen::VectorXd lambda = {};            // [N]
+  Eigen::VectorXd velocity = {};          // v_2 (12)
+  Eigen::MatrixXd inverse = {};           // of A [kg]
+  Eigen::VectorXd eigenvalues = {};       // of A, ascending [1/kg]
+  Eigen::VectorXd reference = {};         // [N] of the library's exact solver, on rows of six numbers
+  Eigen::VectorXd row_velocity = {};      // j v_1 of each row by its own six numbers
+  Eigen::VectorXd lambda_without = {};    // [N] had gravity not been in v_1
+  Eigen::VectorXd velocity_without = {};  // v_2 with that, and gravity added after
+  double library_gap = 0;                 // between system and the library's A and b; the largest
+  List<Growth> growth = {};
   Snapshot snapshot = {};  // for drawing
 
   int boxes() const { return settings.boxes; }
@@ -64,7 +64,7 @@ VelocityProblem<double> stack_rows(const StackSettings& settings, double fall);
 /// All rows in one system.
 StackSystem assemble(const VelocityProblem<double>& problem);
 /// Gauss's elimination of [A | b], from the first row down. A is positive definite, so no rows are swapped.
-std::vector<Eigen::MatrixXd> eliminate(const StackSystem& system);
+List<Eigen::MatrixXd> eliminate(const StackSystem& system);
 /// Lambda [N] of the last stage, from the last row up: each has one unknown left.
 Eigen::VectorXd substitute_back(const Eigen::MatrixXd& stage);
 /// v_2 (12).

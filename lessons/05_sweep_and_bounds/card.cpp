@@ -1,7 +1,7 @@
 // Lesson 05. What --help and --about say, and what may be changed.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::sweeps {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -34,4 +34,4 @@ LessonInfo card() {
       .next = "lesson06_sequential_impulses   (the same answer without the matrices)"};
 }
 
-}  // namespace cairn::sweeps
+}  // namespace cairn

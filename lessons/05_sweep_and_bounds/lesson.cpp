@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace cairn::sweeps {
 
@@ -27,13 +27,13 @@ void add_contact(VelocityProblem<double>& problem, int a, int b, double arm) {
 }
 
 VelocityProblem<double> stack_problem(const SweepSettings& settings) {
-  const auto n = static_cast<std::size_t>(settings.boxes);
+  const int n = settings.boxes;
   VelocityProblem<double> problem;
   problem.dt = settings.dt;
   problem.inverse_mass.assign(n + 1, {1, 1, 6});  // of a unit box of 1 kg
-  problem.inverse_mass[0] = {0, 0, 0};            // the ground
+  problem.inverse_mass[ground] = {0, 0, 0};       // the ground
   problem.velocity.assign(n + 1, {0, -gravity * settings.dt, 0});
-  problem.velocity[0] = {0, 0, 0};
+  problem.velocity[ground] = {0, 0, 0};
   for (int i = 0; i < settings.boxes; ++i) add_contact(problem, i, i + 1, 0);
   return problem;
 }
@@ -48,7 +48,7 @@ VelocityProblem<double> rod_problem(const SweepSettings& settings) {
   return problem;
 }
 
-void sweep_by_hand(const SystemMatrices<double>& system, const std::vector<int>& order, double lowest,
+void sweep_by_hand(const SystemMatrices<double>& system, const List<int>& order, double lowest,
                    Vector<double>& lambda) {
   const Matrix<double>& A = system.A;
   // [sweep]
@@ -65,7 +65,7 @@ void sweep_by_hand(const SystemMatrices<double>& system, const std::vector<int>&
 
 Swept swept(VelocityProblem<double> problem, int sweeps, RowOrder order) {
   const SystemMatrices<double> system = system_matrices(problem);
-  std::vector<int> rows(problem.rows.size());
+  List<int> rows(problem.rows.size());
   std::iota(rows.begin(), rows.end(), 0);
   if (order == RowOrder::reverse) std::reverse(rows.begin(), rows.end());
   ProjectedGaussSeidel<double> solver({.iterations = sweeps, .order = order});
@@ -74,11 +74,9 @@ Swept swept(VelocityProblem<double> problem, int sweeps, RowOrder order) {
   Swept result = recorded(recorder, problem.dt);
   result.velocity = problem.velocity;
   Vector<double> by_hand = Vector<double>::Zero(problem.row_count());  // and the same sweeps by hand
-  for (std::size_t k = 1; k < result.by_sweep.size(); ++k) {
+  for (int k = 1; k < result.by_sweep.size(); ++k) {
     sweep_by_hand(system, rows, problem.rows[0].bounds.lower, by_hand);
-    for (const int i : rows)
-      result.gap =
-          std::max(result.gap, std::abs(by_hand(i) - result.by_sweep[k][static_cast<std::size_t>(i)]));
+    for (const int i : rows) result.gap = std::max(result.gap, std::abs(by_hand(i) - result.by_sweep[k][i]));
   }
   return result;
 }
@@ -110,7 +108,8 @@ void run(Lesson& lesson) {
   check_rod(lesson, all);
   lesson.film(sweep_shots(all));
   lesson.data(updates_table(all));
-  std::vector<double> numbers = all.stack.up.by_sweep.back();
+  const PerRow<double>& last = all.stack.up.by_sweep.back();
+  List<double> numbers(last.begin(), last.end());
   for (const double lambda : all.rod.bounded.by_sweep.back()) numbers.push_back(lambda);
   lesson.fingerprint(numbers);
 }

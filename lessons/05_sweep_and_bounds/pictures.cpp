@@ -1,13 +1,13 @@
 // The stack as a matrix that is swept, how the error shrinks, and the intervals of all kinds of rows.
-#include "pictures.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
+#include "math/list.hpp"
 #include "render/bars.hpp"
 #include "render/draw.hpp"
 #include "render/matrix.hpp"
@@ -27,8 +27,7 @@ std::string with_brackets(const std::string& number) {
 }
 
 /// The stack with what each contact pushes by now; the pair of the active row is lit.
-void draw_stack(Page& page, const Rect& rect, const SweepRun& run, const std::vector<double>& lambda,
-                int active) {
+void draw_stack(Page& page, const Rect& rect, const SweepRun& run, const PerRow<double>& lambda, int active) {
   const Rect inside = page.panel(rect, "");
   const double n = run.settings.boxes;
   const render::Camera camera = render::fit(inside, {{-2.3, -0.35}, {1.2, n + 0.2}});
@@ -43,7 +42,7 @@ void draw_stack(Page& page, const Rect& rect, const SweepRun& run, const std::ve
   const render::ArrowScale scale{
       .pixels_per_unit = 0.9 * camera.scale / run.stack.exact[0], .longest = camera.scale, .unit = "N"};
   for (int i = 0; i < run.settings.boxes; ++i) {
-    const double value = lambda[static_cast<std::size_t>(i)];
+    const double value = lambda[i];
     draw_arrow(page, camera, scale, {.tail = {-0.8, i}, .value = {0, value}, .active = i == active});
     render::TextStyle style = page.value();
     style.align = render::Align::right;
@@ -56,22 +55,21 @@ void draw_stack(Page& page, const Rect& rect, const SweepRun& run, const std::ve
 }
 
 void draw_system(Page& page, const Rect& rect, const SystemMatrices<double>& system, int active) {
-  const Eigen::Index n = system.b.size();
-  render::MatrixView view{
-      .title = "A, and b (m/s²)", .column_group = static_cast<int>(n), .active_row = active};
+  const auto n = static_cast<int>(system.b.size());
+  render::MatrixView view{.title = "A, and b (m/s²)", .column_group = n, .active_row = active};
   view.values.resize(n, n + 1);
   view.values << system.A, system.b;
-  for (Eigen::Index i = 1; i <= n; ++i) view.row_names.push_back(fmt::format("{}", i));
+  for (int i = 1; i <= n; ++i) view.row_names.push_back(fmt::format("{}", i));
   view.column_names = view.row_names;
   view.column_names.push_back("b");
   draw_matrix(page, rect, view);
 }
 
-void draw_lambda(Page& page, const Rect& rect, const SweepRun& run, std::size_t k) {
+void draw_lambda(Page& page, const Rect& rect, const SweepRun& run, int k) {
   const Swept& up = run.stack.up;
-  const auto active = static_cast<std::size_t>(up.updates[k].row);
+  const int active = up.updates[k].row;
   render::BarChart chart{.title = "λ (N)", .largest = 1.25 * run.stack.exact[0]};
-  for (std::size_t i = 0; i < run.stack.exact.size(); ++i) {
+  for (int i = 0; i < run.stack.exact.size(); ++i) {
     const double before = k > 0 ? up.after[k - 1][i] : 0;
     chart.bars.push_back({.name = fmt::format("row {}", i + 1),
                           .before = before,
@@ -83,27 +81,27 @@ void draw_lambda(Page& page, const Rect& rect, const SweepRun& run, std::size_t 
 }
 
 /// Stack left, matrix and bars at the top right; returns what is free below them.
-Rect draw_moment(Page& page, const SweepRun& run, std::size_t k) {
-  const std::vector<Rect> halves = columns(page.area(), {0.34, 0.66}, page.sizes().gap);
+Rect draw_moment(Page& page, const SweepRun& run, int k) {
+  const List<Rect> halves = columns(page.area(), {0.34, 0.66}, page.sizes().gap);
   const int active = run.stack.up.updates[k].row;
   draw_stack(page, halves[0], run, run.stack.up.after[k], active);
-  const std::vector<Rect> right = rows(halves[1], {0.58, 0.42}, page.sizes().gap);
-  const std::vector<Rect> top = columns(right[0], {0.4, 0.6}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.58, 0.42}, page.sizes().gap);
+  const List<Rect> top = columns(right[0], {0.4, 0.6}, page.sizes().gap);
   draw_system(page, top[0], run.stack.system, active);
   draw_lambda(page, top[1], run, k);
   return right[1];
 }
 
-void draw_update(Page& page, const SweepRun& run, std::size_t k) {
+void draw_update(Page& page, const SweepRun& run, int k) {
   const Rect rest = draw_moment(page, run, k);
   page.equation(rest, equation_28(page, run.stack.system, run.stack.up, k));
 }
 
 /// What is missing of one lambda after each sweep, over its exact value.
-render::Series missing(const std::string& name, const Swept& swept, const StackRun& stack, std::size_t row) {
+render::Series missing(const std::string& name, const Swept& swept, const StackRun& stack, int row) {
   render::Series series{.name = name};
-  for (std::size_t k = 0; k < swept.by_sweep.size(); ++k) {
-    series.x.push_back(static_cast<double>(k));
+  for (int k = 0; k < swept.by_sweep.size(); ++k) {
+    series.x.push_back(k);
     series.y.push_back(std::abs(stack.exact[row] - swept.by_sweep[k][row]) / stack.exact[row]);
   }
   return series;
@@ -117,15 +115,15 @@ render::TableView patience(int boxes) {
     const double factor = error_factor(n);
     table.rows.push_back(
         {fmt::format("{}", n), fixed(factor, 4), fixed(std::ceil(-1 / std::log10(factor)), 0)});
-    if (n == boxes) table.active_row = static_cast<int>(table.rows.size()) - 1;
+    if (n == boxes) table.active_row = table.rows.size() - 1;
   }
   return table;
 }
 
 void draw_errors(Page& page, const SweepRun& run) {
-  const std::vector<Rect> parts = columns(page.area(), {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> parts = columns(page.area(), {0.6, 0.4}, page.sizes().gap);
   const StackRun& stack = run.stack;
-  const std::size_t top = stack.exact.size() - 1;
+  const int top = stack.exact.size() - 1;
   const std::string name = fmt::format("λ_{{{}}}", top + 1);
   render::Plot plot{.title = "what is missing of λ, over its exact value"};
   plot.x = {.title = "sweep"};
@@ -138,7 +136,7 @@ void draw_errors(Page& page, const SweepRun& run) {
   plot.series[1].style.dash = {10, 6};
   plot.series[2].style = page.theme().pgs;
   draw_plot(page, parts[0], plot);
-  const std::vector<Rect> right = rows(parts[1], {0.52, 0.48}, page.sizes().gap);
+  const List<Rect> right = rows(parts[1], {0.52, 0.48}, page.sizes().gap);
   page.note(right[0], page.compact() ? "" : "News travels with the sweep",
             page.compact() ? "Bottom up, one sweep brings news of the ground to the top. Top down, it climbs "
                              "one contact a sweep."
@@ -157,7 +155,7 @@ render::Color color_of(const render::Theme& theme, const Bounds<double>& bounds)
 
 /// One interval on a number line: a thick piece, with a bracket where it ends or a head where it does not.
 void draw_interval(Page& page, const Rect& rect, const Interval& kind) {
-  const std::vector<double> impulse = {10.0};
+  const PerRow<double> impulse = {10.0};
   const double low = kind.bounds.clamp(-1e9, impulse);
   const double high = kind.bounds.clamp(1e9, impulse);
   const double scale = rect.width / 24;
@@ -183,8 +181,8 @@ void draw_interval(Page& page, const Rect& rect, const Interval& kind) {
       canvas.line({x, y - tall}, {x, y + tall}, {.width = thick / 2, .color = color});
       continue;
     }
-    const std::array<Point, 3> head = {Point(x + sign * tall, y), Point(x - sign * 0.3 * tall, y - tall),
-                                       Point(x - sign * 0.3 * tall, y + tall)};
+    const FixedList<Point, 3> head = {Point(x + sign * tall, y), Point(x - sign * 0.3 * tall, y - tall),
+                                      Point(x - sign * 0.3 * tall, y + tall)};
     canvas.polygon(head, {.fill = color});
   }
   canvas.circle(
@@ -195,11 +193,11 @@ void draw_interval(Page& page, const Rect& rect, const Interval& kind) {
 void draw_intervals(Page& page) {
   const Rect inside = page.panel(
       page.area(), page.compact() ? "where an impulse may be" : "where the impulse of a row may be (○ is 0)");
-  const std::vector<Interval> kinds = kinds_of_rows();
-  const std::vector<double> weights(kinds.size(), 1.0);
-  const std::vector<Rect> lines = rows(inside, weights, page.sizes().gap / 2);
-  for (std::size_t k = 0; k < kinds.size(); ++k) {
-    const std::vector<Rect> parts = columns(lines[k], {0.44, 0.56}, page.sizes().gap);
+  const List<Interval> kinds = kinds_of_rows();
+  const List<double> weights(kinds.size(), 1.0);
+  const List<Rect> lines = rows(inside, weights, page.sizes().gap / 2);
+  for (int k = 0; k < kinds.size(); ++k) {
+    const List<Rect> parts = columns(lines[k], {0.44, 0.56}, page.sizes().gap);
     const Rect& words = parts[0];
     render::TextStyle style = page.label();
     style.bold = true;
@@ -210,9 +208,9 @@ void draw_intervals(Page& page) {
   }
 }
 
-Shot update_shot(const Run& run, std::size_t k) {
+Shot update_shot(const Run& run, int k) {
   const RowUpdate<double>& update = run->stack.up.updates[k];
-  const auto row = static_cast<std::size_t>(update.row);
+  const int row = update.row;
   const int n = run->settings.boxes;
   const bool last = k + 1 == run->stack.up.updates.size();
   return {.state = fmt::format("A · sweep {}/{} · row {} of {}", update.sweep, run->settings.sweeps,
@@ -221,13 +219,24 @@ Shot update_shot(const Run& run, std::size_t k) {
                              "{:g} N.",
                              update.sweep, row + 1, run->stack.up.after[k][row], run->stack.exact[row]),
           .draw = [run, k](Page& page) { draw_update(page, *run, k); },
-          .key = k == 1 || k == static_cast<std::size_t>(n) || last};
+          .key = k == 1 || k == n || last};
+}
+
+List<Shot> stack_shots(const Run& run) {
+  List<Shot> shots;
+  for (int k = 0; k < run->stack.up.updates.size(); ++k) shots.push_back(update_shot(run, k));
+  shots.push_back({.state = fmt::format("A · {} sweeps", run->settings.sweeps),
+                   .alt = "The error against sweeps on a logarithmic axis, bottom up and top down: two "
+                          "lines of the same slope.",
+                   .draw = [run](Page& page) { draw_errors(page, *run); },
+                   .key = true});
+  return shots;
 }
 
 /// Which of the other lambda are new already: rows before this one have had their turn.
 std::string sources(const Page& page, const SystemMatrices<double>& system, int i) {
   std::string text;
-  for (int j = 0; j < static_cast<int>(system.b.size()); ++j) {
+  for (int j = 0; j < system.b.size(); ++j) {
     if (j == i || system.A(i, j) == 0) continue;
     text += fmt::format("{}λ_{{{}}} {}", text.empty() ? "" : ", ", j + 1,
                         j < i ? "of this sweep" : "of the last");
@@ -246,20 +255,20 @@ std::string brief(double value, int most) {
 }
 
 render::Equation equation_28(const Page& page, const SystemMatrices<double>& system, const Swept& swept,
-                             std::size_t update) {
+                             int update) {
   const int i = swept.updates[update].row;
   std::string symbols = fmt::format("b_{{{}}}", i + 1);
   std::string numbers = brief(system.b(i));
   double rest = system.b(i);
-  for (int j = 0; j < static_cast<int>(system.b.size()); ++j) {
+  for (int j = 0; j < system.b.size(); ++j) {
     if (j == i || system.A(i, j) == 0) continue;
-    const double other = update > 0 ? swept.after[update - 1][static_cast<std::size_t>(j)] : 0;
+    const double other = update > 0 ? swept.after[update - 1][j] : 0;
     rest -= system.A(i, j) * other;
     symbols += fmt::format(" − A_{{{}{}}} λ_{{{}}}", i + 1, j + 1, j + 1);
     numbers += fmt::format(" − {} × {}", with_brackets(brief(system.A(i, j))), brief(other));
   }
   const double value = rest / system.A(i, i);
-  const double after = swept.after[update][static_cast<std::size_t>(i)];
+  const double after = swept.after[update][i];
   const bool cut = value < after - 1e-9;
   const bool alone = symbols.find("−") == std::string::npos;
   if (!alone) symbols = "(" + symbols + ")", numbers = "(" + numbers + ")";
@@ -271,21 +280,10 @@ render::Equation equation_28(const Page& page, const SystemMatrices<double>& sys
           .color = page.theme().normal};
 }
 
-std::vector<Shot> stack_shots(const Run& run) {
-  std::vector<Shot> shots;
-  for (std::size_t k = 0; k < run->stack.up.updates.size(); ++k) shots.push_back(update_shot(run, k));
-  shots.push_back({.state = fmt::format("A · {} sweeps", run->settings.sweeps),
-                   .alt = "The error against sweeps on a logarithmic axis, bottom up and top down: two "
-                          "lines of the same slope.",
-                   .draw = [run](Page& page) { draw_errors(page, *run); },
-                   .key = true});
-  return shots;
-}
-
-std::vector<Shot> sweep_shots(const SweepRun& recorded) {
+List<Shot> sweep_shots(const SweepRun& recorded) {
   const Run run = std::make_shared<const SweepRun>(recorded);
-  std::vector<Shot> shots = {question_shot(run)};
-  for (const std::vector<Shot>& part : {stack_shots(run), rod_shots(run)})
+  List<Shot> shots = {question_shot(run)};
+  for (const List<Shot>& part : {stack_shots(run), rod_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
   shots.push_back({.state = "intervals",
                    .alt = "Number lines: the interval of a contact or rope, of a joint, of a motor and of "

@@ -1,13 +1,13 @@
 // The plane of two lambda: where they may be, where each row is satisfied, and the way of Gauss-Seidel.
 #include "plane.hpp"
 
+#include <Eigen/Cholesky>
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
-#include "pictures.hpp"
+#include "parts.hpp"
 #include "render/camera.hpp"
 #include "render/plot.hpp"
 
@@ -19,7 +19,7 @@ using render::Page;
 using render::Point;
 using render::Rect;
 
-using Pair = std::array<double, 2>;
+using Pair = FixedList<double, 2>;
 
 /// Where a lambda would be negative: hatched as what nothing can enter.
 void draw_forbidden(Page& page, const render::Camera& camera) {
@@ -27,8 +27,8 @@ void draw_forbidden(Page& page, const render::Camera& camera) {
   const Point origin = camera.project({0, 0});
   const auto block = [&page](const Rect& r) {
     if (!(r.width > 0) || !(r.height > 0)) return;
-    const std::array<Point, 4> corners = {Point(r.x, r.y), Point(r.x + r.width, r.y),
-                                          Point(r.x + r.width, r.y + r.height), Point(r.x, r.y + r.height)};
+    const FixedList<Point, 4> corners = {Point(r.x, r.y), Point(r.x + r.width, r.y),
+                                         Point(r.x + r.width, r.y + r.height), Point(r.x, r.y + r.height)};
     page.canvas().polygon(corners, {.fill = render::faded(page.theme().static_body, 0.6)});
     page.canvas().hatch(corners, {.width = 1, .color = render::faded(page.theme().static_hatch, 0.6)},
                         2 * page.sizes().hatch_pitch);
@@ -51,7 +51,7 @@ void draw_level(Page& page, const render::Camera& camera, const RodRun& rod, con
   const double size = std::sqrt(arm.dot(A * arm));
   // With A = L L^T, the points of the level are L^-T times those of a circle.
   const Matrix<double> upper = A.llt().matrixU();
-  std::vector<Point> points;
+  List<Point> points;
   for (int i = 0; i <= 144; ++i) {
     const Vec2<double> round(std::cos(2 * pi * i / 144), std::sin(2 * pi * i / 144));
     const Vec2<double> out = upper.triangularView<Eigen::Upper>().solve(round);
@@ -92,7 +92,7 @@ void name_row_line(Page& page, const render::Camera& camera, const RodRun& rod, 
   const std::string text = fmt::format("row {}", i + 1);
   const double width = page.canvas().text_width(text, style);
   const Rect room = inset(camera.viewport, 4);
-  std::vector<Point> places;
+  List<Point> places;
   for (int step = -80; step <= 80; ++step) {
     const Point at = camera.project(line.point + (6.0 * step + 3) / camera.scale * line.along);
     for (const double side : {1.0, -1.0}) {
@@ -105,9 +105,9 @@ void name_row_line(Page& page, const render::Camera& camera, const RodRun& rod, 
   if (!places.empty()) page.place_text(places, room, text, style);
 }
 
-void draw_way(Page& page, const render::Camera& camera, const std::vector<Pair>& way,
+void draw_way(Page& page, const render::Camera& camera, const List<Pair>& way,
               const render::SeriesStyle& style, double width) {
-  std::vector<Point> points;
+  List<Point> points;
   for (const Pair& stop : way) points.push_back(camera.project({stop[0], stop[1]}));
   page.canvas().polyline(points, {.width = width, .color = style.color});
   for (const Point& point : points) {
@@ -176,7 +176,7 @@ void draw_plane(Page& page, const Rect& rect, const SweepRun& run, const PlaneVi
   const render::Camera camera = plane_camera(inside, rod);
   page.canvas().push_clip(inside);
   draw_forbidden(page, camera);
-  const std::vector<double>& first = rod.bounded.after[rod.tips() ? 1 : 0];
+  const PerRow<double>& first = rod.bounded.after[rod.tips() ? 1 : 0];
   if (rod.tips()) draw_level(page, camera, rod, rod.formula);
   draw_level(page, camera, rod, {first[0], first[1]});
   draw_row_line(page, camera, rod, 0);

@@ -1,9 +1,7 @@
 // The plane of the two lambda of the rod.
 #pragma once
 
-#include <array>
-#include <vector>
-
+#include "math/list.hpp"
 #include "render/page.hpp"
 #include "sweep.hpp"
 
@@ -11,9 +9,9 @@ namespace cairn::sweeps {
 
 /// What the plane shows beside the answers, in N.
 struct PlaneView {
-  std::vector<std::array<double, 2>> way = {};    // with the clamp, from (0, 0)
-  std::vector<std::array<double, 2>> other = {};  // without
-  std::array<double, 2> asked = {};               // what the last row would have had without it
+  List<FixedList<double, 2>> way = {};    // with the clamp, from (0, 0)
+  List<FixedList<double, 2>> other = {};  // without
+  FixedList<double, 2> asked = {};        // what the last row would have had without it
 };
 
 void draw_plane(render::Page& page, const render::Rect& rect, const SweepRun& run, const PlaneView& view);

@@ -1,11 +1,13 @@
 // Lesson 05. The sweeps in lines and rows, and what has to be true of them.
-#include "report.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "math/list.hpp"
 
 namespace cairn::sweeps {
 
@@ -21,23 +23,23 @@ std::string in_brackets(double value) {
 }
 
 /// "(0 − (−1) × 10 − (−1) × 0) / 2 = 5": (28) with the numbers of one update, before it is clamped.
-std::string row_in_numbers(const SystemMatrices<double>& system, const Swept& swept, std::size_t k) {
+std::string row_in_numbers(const SystemMatrices<double>& system, const Swept& swept, int k) {
   const int i = swept.updates[k].row;
   std::string sum = fmt::format("{:.4g}", cleaned(system.b(i)));
   double rest = system.b(i);
-  for (int j = 0; j < static_cast<int>(system.b.size()); ++j) {
+  for (int j = 0; j < system.b.size(); ++j) {
     if (j == i || system.A(i, j) == 0) continue;
-    const double other = k > 0 ? swept.after[k - 1][static_cast<std::size_t>(j)] : 0;
+    const double other = k > 0 ? swept.after[k - 1][j] : 0;
     rest -= system.A(i, j) * other;
     sum += fmt::format(" − {} × {:.4g}", in_brackets(system.A(i, j)), cleaned(other));
   }
   return fmt::format("({}) / {:.4g} = {:.4f}", sum, system.A(i, i), cleaned(rest / system.A(i, i)));
 }
 
-void print_update(Lesson& lesson, const SystemMatrices<double>& system, const Swept& swept, std::size_t k,
-                  std::size_t shown) {
+void print_update(Lesson& lesson, const SystemMatrices<double>& system, const Swept& swept, int k,
+                  int shown) {
   const RowUpdate<double>& update = swept.updates[k];
-  const double after = swept.after[k][static_cast<std::size_t>(update.row)];
+  const double after = swept.after[k][update.row];
   const bool cut = update.impulse_before + update.corrective < -1e-12;
   const std::string line =
       fmt::format("  sweep {} row {}: λ_{} = {}{}", update.sweep, update.row + 1, update.row + 1,
@@ -45,17 +47,17 @@ void print_update(Lesson& lesson, const SystemMatrices<double>& system, const Sw
   k < shown ? lesson.print(line) : lesson.detail(line);
 }
 
-double largest_gap(const std::vector<double>& a, const std::vector<double>& b) {
+double largest_gap(const PerRow<double>& a, const PerRow<double>& b) {
   double gap = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) gap = std::max(gap, std::abs(a[i] - b[i]));
+  for (int i = 0; i < a.size(); ++i) gap = std::max(gap, std::abs(a[i] - b[i]));
   return gap;
 }
 
 /// Going down, row i has after sweep k what it had going up i - 1 sweeps earlier.
 double order_gap(const StackRun& stack) {
   double gap = 0;
-  for (std::size_t k = 0; k < stack.up.by_sweep.size(); ++k) {
-    for (std::size_t i = 0; i < stack.exact.size(); ++i) {
+  for (int k = 0; k < stack.up.by_sweep.size(); ++k) {
+    for (int i = 0; i < stack.exact.size(); ++i) {
       const double earlier = k >= i ? stack.up.by_sweep[k - i][i] : 0;
       gap = std::max(gap, std::abs(stack.down.by_sweep[k][i] - earlier));
     }
@@ -70,7 +72,7 @@ double rounding_of(const RodRun& rod) {
 }
 
 void append_rows(CsvTable& table, const char* name, const Swept& swept, double dt) {
-  for (std::size_t k = 0; k < swept.updates.size(); ++k) {
+  for (int k = 0; k < swept.updates.size(); ++k) {
     const RowUpdate<double>& update = swept.updates[k];
     table.rows.push_back({name, static_cast<long long>(update.sweep), static_cast<long long>(update.row + 1),
                           update.inverse_mass, update.row_velocity, update.corrective / dt,
@@ -96,28 +98,27 @@ void print_stack(Lesson& lesson, const SweepRun& run) {
   const StackRun& stack = run.stack;
   lesson.print(fmt::format("Scene A: {} unit boxes of 1 kg on each other; A and b are those of lesson 04",
                            run.settings.boxes));
-  const auto shown = static_cast<std::size_t>(std::min(2 * run.settings.boxes, 9 - run.settings.boxes));
-  for (std::size_t k = 0; k < stack.up.updates.size(); ++k)
-    print_update(lesson, stack.system, stack.up, k, shown);
+  const int shown = std::min(2 * run.settings.boxes, 9 - run.settings.boxes);
+  for (int k = 0; k < stack.up.updates.size(); ++k) print_update(lesson, stack.system, stack.up, k, shown);
   lesson.print(fmt::format("  ...  (-v shows all {} updates)", stack.up.updates.size()));
   std::string header = "after sweep";
-  std::vector<std::size_t> sweeps;
+  List<int> sweeps;
   for (const int sweep : {1, 2, 3, 5, 10, 20, 50, 100}) {
     if (sweep > run.settings.sweeps) break;
-    sweeps.push_back(static_cast<std::size_t>(sweep));
+    sweeps.push_back(sweep);
     header += fmt::format("{:>9}", sweep);
   }
   lesson.print(header + "    exact");
-  for (std::size_t i = 0; i < stack.exact.size(); ++i) {
+  for (int i = 0; i < stack.exact.size(); ++i) {
     std::string line = fmt::format("λ_{:<9}", i + 1);
-    for (const std::size_t sweep : sweeps) line += fmt::format("{:>9.4f}", stack.up.by_sweep[sweep][i]);
+    for (const int sweep : sweeps) line += fmt::format("{:>9.4f}", stack.up.by_sweep[sweep][i]);
     lesson.print(line + fmt::format("{:>9.4f}   N", stack.exact[i]));
   }
   std::string line = "error      ";
-  for (const std::size_t sweep : sweeps) line += fmt::format("{:>9.4f}", stack.error[sweep]);
+  for (const int sweep : sweeps) line += fmt::format("{:>9.4f}", stack.error[sweep]);
   lesson.print(line + fmt::format("           of λ_1"));
   line = "λ_1, down  ";
-  for (const std::size_t sweep : sweeps) line += fmt::format("{:>9.4f}", stack.down.by_sweep[sweep][0]);
+  for (const int sweep : sweeps) line += fmt::format("{:>9.4f}", stack.down.by_sweep[sweep][0]);
   lesson.print(line + "           the same from the top down");
   lesson.print();
 }
@@ -131,10 +132,9 @@ void print_rod(Lesson& lesson, const SweepRun& run) {
       "  A = [{0:.4g} {1:.4g}; {1:.4g} {2:.4g}], b = ({3:.4g}, {4:.4g}); A λ = b: λ = "
       "({5:.4g}, {6:.4g}) N",
       A(0, 0), cleaned(A(0, 1)), A(1, 1), rod.system.b(0), rod.system.b(1), rod.statics[0], rod.statics[1]));
-  for (std::size_t k = 0; k < rod.bounded.updates.size(); ++k)
-    print_update(lesson, rod.system, rod.bounded, k, 6);
+  for (int k = 0; k < rod.bounded.updates.size(); ++k) print_update(lesson, rod.system, rod.bounded, k, 6);
   lesson.print("support   A λ = b: λ (N)   0 ≤ λ: λ (N)   w = A λ − b (m/s²)");
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (int i = 0; i < 2; ++i) {
     const bool leaves = rod.leaving[i] > 1e-9;
     lesson.print(fmt::format("{:<7} {:>16.4f} {:>14.4f} {:>20.4f}   {}", i == 0 ? "left" : "right",
                              rod.statics[i], cleaned(rod.settled.after.back()[i]), cleaned(rod.leaving[i]),
@@ -146,7 +146,7 @@ void print_rod(Lesson& lesson, const SweepRun& run) {
 void print_intervals(Lesson& lesson) {
   lesson.print("The interval is data of the row (N s). What comes of −8, +4 and +8, μ λ Δt being 6:");
   for (const Interval& kind : kinds_of_rows()) {
-    const std::vector<double> impulse = {10.0};
+    const PerRow<double> impulse = {10.0};
     std::string line = fmt::format("  {:<15}", kind.name);
     for (const double value : {-8.0, 4.0, 8.0})
       line += fmt::format("{:>5g}", kind.bounds.clamp(value, impulse));
@@ -158,14 +158,14 @@ void print_intervals(Lesson& lesson) {
 void check_stack(Lesson& lesson, const SweepRun& run) {
   const StackRun& stack = run.stack;
   // b_1 is one difference and one quotient; each of the updates adds a few roundings of the largest lambda.
-  const double rounding = 4 * epsilon * static_cast<double>(stack.up.updates.size()) * stack.exact[0];
+  const double rounding = 4 * epsilon * stack.up.updates.size() * stack.exact[0];
   const double loops = std::max({stack.up.gap, stack.down.gap, stack.unbounded.gap}) / rounding;
   lesson.check_small(
       "the loop of lesson.cpp = the library's solver (in roundings of N)",
       std::max(loops, std::max(run.rod.bounded.gap, run.rod.unbounded.gap) / rounding_of(run.rod)), 1);
   double gap = 0;
   for (int sweep = 0; sweep <= 3; ++sweep) {
-    const std::vector<double>& lambda = stack.up.by_sweep[static_cast<std::size_t>(sweep)];
+    const PerRow<double>& lambda = stack.up.by_sweep[sweep];
     gap = std::max(gap, largest_gap(lambda, counted_lambda(run, sweep)));
   }
   lesson.check_small("three sweeps, counted in whole numbers: halves of sums (N)", gap, rounding);
@@ -181,10 +181,10 @@ void check_stack(Lesson& lesson, const SweepRun& run) {
 
 void check_rod(Lesson& lesson, const SweepRun& run) {
   const RodRun& rod = run.rod;
-  const std::vector<double>& lambda = rod.settled.after.back();
+  const PerRow<double>& lambda = rod.settled.after.back();
   const double largest = std::max(std::abs(rod.statics[0]), rod.statics[1]);
   const double rounding = rounding_of(rod);
-  const std::vector<double>& pulled = rod.unbounded.after.back();
+  const PerRow<double>& pulled = rod.unbounded.after.back();
   // (enough sweeps leave 1e-17 of a first error that is no larger than twice the largest lambda)
   lesson.check_small("without clamp: forces and moments of statics (N)",
                      std::max(std::abs(pulled[0] - rod.statics[0]), std::abs(pulled[1] - rod.statics[1])),
@@ -202,9 +202,9 @@ void check_rod(Lesson& lesson, const SweepRun& run) {
   lesson.check_small("λ w = 0: what pushes holds, what leaves does not push (N m/s²)", complement,
                      4 * largest_entry * rounding * largest);
   // The ends move as (12) says: velocities of the body, against w of the rows.
-  const Vec3<double>& v = rod.settled.velocity[1];
+  const Vec3<double>& v = rod.settled.velocity[{1}];
   double gap = 0;
-  for (std::size_t i = 0; i < 2; ++i)
+  for (int i = 0; i < 2; ++i)
     gap = std::max(gap, std::abs(v.y() + v.z() * rod.arm[i] - rod.leaving[i] * run.settings.dt));
   lesson.check_small("(12) above the supports the rod moves at w Δt (m/s)", gap,
                      32 * epsilon * largest * run.settings.dt * largest_entry);

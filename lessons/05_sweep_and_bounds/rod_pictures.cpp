@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "plane.hpp"
 #include "render/draw.hpp"
 
@@ -19,9 +18,9 @@ using render::Page;
 using render::Point;
 using render::Rect;
 
-using Pair = std::array<double, 2>;
+using Pair = FixedList<double, 2>;
 
-Pair pair_of(const std::vector<double>& lambda) { return {lambda[0], lambda[1]}; }
+Pair pair_of(const PerRow<double>& lambda) { return {lambda[0], lambda[1]}; }
 
 /// Beside the upper end of a force, where there is room: left of it if possible.
 void label_force(Page& page, const render::Camera& camera, const Vec2<double>& top, const std::string& text) {
@@ -57,7 +56,7 @@ void label_weight(Page& page, const render::Camera& camera, const Vec2<double>& 
 
 /// The rod, what its supports give, its weight; behind it where it goes, if wanted.
 void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const Pair& lambda,
-              std::span<const Snapshot> motion = {}) {
+              Span<const Snapshot> motion = {}) {
   const Rect inside = page.panel(rect, page.compact() ? "" : "forces (N)");
   const render::Camera camera = render::fit(inside, {{-0.75, -0.8}, {rod_length + 0.5, 1.6}});
   page.canvas().push_clip(inside);
@@ -74,8 +73,8 @@ void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const Pair& lam
   const double shift = std::abs(run.rod.arm[1]) < 0.2 ? -0.2 : 0;  // not upon the push below it
   const Vec2<double> tail(rod_length / 2 + shift, 0.12 + weight / largest * 1.25);
   draw_arrow(page, camera, scale, {.kind = render::ArrowKind::external, .tail = tail, .value = {0, -weight}});
-  const std::array<double, 2> place = {0.02, run.settings.support};
-  for (const std::size_t i : {std::size_t{1}, std::size_t{0}}) {
+  const Pair place = {0.02, run.settings.support};
+  for (const int i : {1, 0}) {
     if (std::abs(lambda[i]) < 0.005) continue;
     const bool pulls = lambda[i] < 0;
     draw_arrow(page, camera, scale,
@@ -83,7 +82,7 @@ void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const Pair& lam
                 .tail = {place[i], pulls ? 0.1 - lambda[i] / largest * 1.25 : 0.1},
                 .value = {0, lambda[i]}});
   }
-  for (const std::size_t i : {std::size_t{1}, std::size_t{0}}) {  // when both arrows are there to keep off
+  for (const int i : {1, 0}) {  // when both arrows are there to keep off
     if (std::abs(lambda[i]) < 0.005) continue;
     const double top = 0.1 + std::abs(lambda[i]) / largest * 1.25;
     label_force(page, camera, {place[i], lambda[i] < 0 ? top + 0.2 : top},
@@ -93,26 +92,24 @@ void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const Pair& lam
   page.canvas().pop_clip();
 }
 
-std::vector<Pair> way_of(const Swept& swept, std::size_t count) {
-  std::vector<Pair> way = {{0, 0}};
-  for (std::size_t k = 0; k < count; ++k) way.push_back(pair_of(swept.after[k]));
+List<Pair> way_of(const Swept& swept, int count) {
+  List<Pair> way = {{0, 0}};
+  for (int k = 0; k < count; ++k) way.push_back(pair_of(swept.after[k]));
   return way;
 }
 
 /// Rod at the top left, plane right; returns what is free below the rod.
 Rect draw_rod_moment(Page& page, const SweepRun& run, const Pair& lambda, const PlaneView& view,
-                     std::span<const Snapshot> motion = {}) {
-  const std::vector<Rect> halves = columns(page.area(), {0.57, 0.43}, page.sizes().gap);
+                     Span<const Snapshot> motion = {}) {
+  const List<Rect> halves = columns(page.area(), {0.57, 0.43}, page.sizes().gap);
   draw_plane(page, halves[1], run, view);
-  const std::vector<Rect> left = rows(halves[0], {0.54, 0.46}, page.sizes().gap);
+  const List<Rect> left = rows(halves[0], {0.54, 0.46}, page.sizes().gap);
   draw_rod(page, left[0], run, lambda, motion);
   return left[1];
 }
 
 /// So many updates of the solve without the clamp as can be told apart.
-std::size_t visible_updates(const RodRun& rod) {
-  return std::min(rod.unbounded.after.size(), std::size_t{300});
-}
+int visible_updates(const RodRun& rod) { return std::min(rod.unbounded.after.size(), 300); }
 
 void draw_unbounded(Page& page, const SweepRun& run) {
   const RodRun& rod = run.rod;
@@ -129,13 +126,12 @@ void draw_unbounded(Page& page, const SweepRun& run) {
        .algorithm = rod.tips() ? "a support that pulls" : "both supports push"});
 }
 
-void draw_rod_update(Page& page, const SweepRun& run, std::size_t k) {
+void draw_rod_update(Page& page, const SweepRun& run, int k) {
   const RodRun& rod = run.rod;
   PlaneView view{.way = way_of(rod.bounded, k + 1)};
   const RowUpdate<double>& update = rod.bounded.updates[k];
   view.asked = view.way[k];
-  view.asked[static_cast<std::size_t>(update.row)] =
-      (update.impulse_before + update.corrective) / run.settings.dt;
+  view.asked[update.row] = (update.impulse_before + update.corrective) / run.settings.dt;
   const Rect rest = draw_rod_moment(page, run, pair_of(rod.bounded.after[k]), view);
   page.equation(rest, equation_28(page, rod.system, rod.bounded, k));
 }
@@ -148,14 +144,14 @@ void draw_complement(Page& page, const SweepRun& run) {
   const Rect rest = draw_rod_moment(page, run, pair_of(rod.settled.after.back()), view);
   render::TableView table;
   table.header = {"row", "λ (N)", page.compact() ? "w" : "w = A λ − b (m/s²)", page.compact() ? "" : "λ w"};
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (int i = 0; i < 2; ++i) {
     const double lambda = rod.settled.after.back()[i];
     const bool leaves = rod.leaving[i] > 1e-9;
     table.rows.push_back({fmt::format("{}", i + 1), brief(lambda), brief(rod.leaving[i]),
                           page.compact() ? (leaves ? "leaves" : "holds") : "0"});
   }
   table.active_row = rod.tips() ? 0 : -1;
-  const std::vector<Rect> parts = rows(rest, {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = rows(rest, {0.56, 0.44}, page.sizes().gap);
   page.table(page.compact() ? rest : parts[0],
              page.compact() ? "λ ≥ 0, w ≥ 0, λ w = 0" : "A contact pushes, or it opens; never both", table);
   if (page.compact()) return;
@@ -165,7 +161,7 @@ void draw_complement(Page& page, const SweepRun& run) {
 }
 
 void draw_question(Page& page, const SweepRun& run) {
-  const std::vector<Rect> halves = rows(page.area(), {0.73, 0.27}, page.sizes().gap);
+  const List<Rect> halves = rows(page.area(), {0.73, 0.27}, page.sizes().gap);
   draw_rod(page, halves[0], run, run.rod.statics);
   page.note(
       halves[1], "Predict",
@@ -180,7 +176,7 @@ void draw_question(Page& page, const SweepRun& run) {
 
 void draw_answer(Page& page, const SweepRun& run) {
   const RodRun& rod = run.rod;
-  const std::span<const Snapshot> motion = rod.tips() ? std::span(rod.motion) : std::span<const Snapshot>();
+  const Span<const Snapshot> motion = rod.tips() ? Span<const Snapshot>(rod.motion) : Span<const Snapshot>();
   const Rect rest =
       draw_rod_moment(page, run, rod.formula, {.way = way_of(rod.bounded, rod.bounded.after.size())}, motion);
   const std::string much = fmt::format("{} N, not {}. ", brief(rod.formula[1], 2), brief(rod.statics[1], 2));
@@ -195,7 +191,7 @@ void draw_answer(Page& page, const SweepRun& run) {
   page.note(rest, "Answer", text);
 }
 
-Shot rod_update_shot(const Run& run, std::size_t k, std::size_t first_cut) {
+Shot rod_update_shot(const Run& run, int k, int first_cut) {
   const Swept& swept = run->rod.bounded;
   const RowUpdate<double>& update = swept.updates[k];
   const bool cut = update.impulse_before + update.corrective < -1e-12;
@@ -211,20 +207,20 @@ Shot rod_update_shot(const Run& run, std::size_t k, std::size_t first_cut) {
 
 }  // namespace
 
-std::vector<Shot> rod_shots(const Run& run) {
+List<Shot> rod_shots(const Run& run) {
   const Swept& swept = run->rod.bounded;
-  std::size_t first_cut = 4;  // of a rod that does not tip: any two frames
-  for (std::size_t k = swept.updates.size(); k-- > 0;) {
+  int first_cut = 4;  // of a rod that does not tip: any two frames
+  for (int k = swept.updates.size() - 1; k >= 0; --k) {
     if (swept.updates[k].impulse_before + swept.updates[k].corrective < -1e-12) first_cut = k;
   }
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back({.state = "B · without clamp",
                    .alt =
                        "The rod with the pull that A λ = b asks for, and a zig-zag to that answer, through "
                        "the hatched part of the plane where λ is negative.",
                    .draw = [run](Page& page) { draw_unbounded(page, *run); },
                    .key = true});
-  for (std::size_t k = 0; k < swept.updates.size(); ++k) shots.push_back(rod_update_shot(run, k, first_cut));
+  for (int k = 0; k < swept.updates.size(); ++k) shots.push_back(rod_update_shot(run, k, first_cut));
   shots.push_back({.state = "B · solved",
                    .alt = "λ and w of both supports: one is zero where the other is not.",
                    .draw = [run](Page& page) { draw_complement(page, *run); },

@@ -13,9 +13,9 @@ VelocityProblem<double> without_bounds(VelocityProblem<double> problem) {
   return problem;
 }
 
-double largest_error(const std::vector<double>& lambda, const std::vector<double>& exact) {
+double largest_error(const PerRow<double>& lambda, const PerRow<double>& exact) {
   double largest = 0;
-  for (std::size_t i = 0; i < exact.size(); ++i) largest = std::max(largest, std::abs(lambda[i] - exact[i]));
+  for (int i = 0; i < exact.size(); ++i) largest = std::max(largest, std::abs(lambda[i] - exact[i]));
   return largest / exact[0];
 }
 
@@ -38,8 +38,7 @@ StackRun run_stack(const SweepSettings& settings) {
                .unbounded = swept(without_bounds(problem), settings.sweeps),
                .snapshot = stack_at_rest(settings)};
   for (int i = 0; i < settings.boxes; ++i) run.exact.push_back((settings.boxes - i) * gravity);
-  for (const std::vector<double>& lambda : run.up.by_sweep)
-    run.error.push_back(largest_error(lambda, run.exact));
+  for (const PerRow<double>& lambda : run.up.by_sweep) run.error.push_back(largest_error(lambda, run.exact));
   return run;
 }
 
@@ -79,10 +78,9 @@ RodRun run_rod(const SweepSettings& settings) {
   run.unbounded = swept(without_bounds(problem), std::max(enough, settings.sweeps));
   run.settled = swept(problem, enough);
   for (int i = 0; i < 2; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    run.arm[k] = problem.rows[k].jacobian_b.z();
-    const std::vector<double>& lambda = run.settled.after.back();
-    run.leaving[k] = A(i, 0) * lambda[0] + A(i, 1) * lambda[1] - run.system.b(i);
+    run.arm[i] = problem.rows[i].jacobian_b.z();
+    const PerRow<double>& lambda = run.settled.after.back();
+    run.leaving[i] = A(i, 0) * lambda[0] + A(i, 1) * lambda[1] - run.system.b(i);
   }
   // Forces and moments about the left end balance.
   const double weight = rod_mass * gravity;
@@ -100,9 +98,9 @@ RodRun run_rod(const SweepSettings& settings) {
 
 Swept recorded(const SweepRecorder<double>& recorder, double dt) {
   Swept result;
-  std::vector<double> lambda(recorder.sweeps().at(0).impulse.size(), 0.0);
+  PerRow<double> lambda(recorder.sweeps().at(0).impulse.size(), 0.0);
   for (const RowRecord& record : recorder.rows()) {
-    lambda[static_cast<std::size_t>(record.update.row)] = record.update.impulse_after / dt;
+    lambda[record.update.row] = record.update.impulse_after / dt;
     result.updates.push_back(record.update);
     result.after.push_back(lambda);
   }
@@ -117,16 +115,15 @@ SweepRun run_sweeps(const SweepSettings& settings) {
   return {.settings = settings, .stack = run_stack(settings), .rod = run_rod(settings)};
 }
 
-std::vector<double> counted_lambda(const SweepRun& run, int sweep) {
+PerRow<double> counted_lambda(const SweepRun& run, int sweep) {
   const long long unit = 1LL << 30;
-  const auto n = static_cast<std::size_t>(run.settings.boxes);
-  std::vector<long long> count(n + 2, 0);  // with a zero below the first and above the last
+  const int n = run.settings.boxes;
+  List<long long> count(n + 2, 0);  // with a zero below the first and above the last
   for (int k = 0; k < sweep; ++k) {
-    for (std::size_t i = 1; i <= n; ++i)
-      count[i] = i == 1 ? unit + count[2] : (count[i - 1] + count[i + 1]) / 2;
+    for (int i = 1; i <= n; ++i) count[i] = i == 1 ? unit + count[2] : (count[i - 1] + count[i + 1]) / 2;
   }
-  std::vector<double> lambda;
-  for (std::size_t i = 1; i <= n; ++i)
+  PerRow<double> lambda;
+  for (int i = 1; i <= n; ++i)
     lambda.push_back(gravity * static_cast<double>(count[i]) / static_cast<double>(unit));
   return lambda;
 }
@@ -142,11 +139,10 @@ double measured_error_factor(const SweepSettings& settings) {
   SweepSettings longer = settings;
   longer.sweeps = sweeps;
   const StackRun run = run_stack(longer);
-  const auto last = static_cast<std::size_t>(sweeps);
-  return run.error[last] / run.error[last - 1];
+  return run.error[sweeps] / run.error[sweeps - 1];
 }
 
-std::vector<Interval> kinds_of_rows() {
+List<Interval> kinds_of_rows() {
   // The normal row of the friction has given 10 N s, and mu is 0.6.
   return {
       {"contact, rope", "a contact only pushes, a rope only pulls", "0", "∞", Bounds<double>::unilateral()},

@@ -1,11 +1,10 @@
 // Two systems A lambda = b, swept row by row with and without bounds: a stack, and a rod on two supports.
 #pragma once
 
-#include <array>
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::sweeps {
 
@@ -23,37 +22,37 @@ struct SweepSettings {
 
 /// One solve, recorded. All lambda in N.
 struct Swept {
-  std::vector<RowUpdate<double>> updates = {};     // of every row
-  std::vector<std::vector<double>> after = {};     // all lambda after each of these
-  std::vector<std::vector<double>> by_sweep = {};  // and after each sweep; 0: nothing yet
-  std::vector<Vec3<double>> velocity = {};         // of all bodies, at the end
-  double gap = 0;                                  // [N] to the same sweeps by hand; the largest
+  List<RowUpdate<double>> updates = {};  // of every row
+  List<PerRow<double>> after = {};       // all lambda after each of these
+  List<PerRow<double>> by_sweep = {};    // and after each sweep; 0: nothing yet
+  PerBody<Vec3<double>> velocity = {};   // of all bodies, at the end
+  double gap = 0;                        // [N] to the same sweeps by hand; the largest
 };
 
 /// Scene A: one row for each contact of a stack of unit boxes of 1 kg, from the ground up.
 struct StackRun {
   SystemMatrices<double> system = {};
-  Swept up = {};                   // from the ground up
-  Swept down = {};                 // from the top down
-  Swept unbounded = {};            // up, with rows that could pull as well
-  std::vector<double> exact = {};  // [N] the weight above each contact
-  std::vector<double> error = {};  // largest error of any lambda after each sweep, over the largest lambda
+  Swept up = {};              // from the ground up
+  Swept down = {};            // from the top down
+  Swept unbounded = {};       // up, with rows that could pull as well
+  PerRow<double> exact = {};  // [N] the weight above each contact
+  List<double> error = {};    // largest error of any lambda after each sweep, over the largest lambda
   Snapshot snapshot = {};
 };
 
 /// Scene B: a row for each support of a rod.
 struct RodRun {
   SystemMatrices<double> system = {};
-  Swept bounded = {};                  // sweeps of projected Gauss-Seidel
-  Swept unbounded = {};                // the same with rows that could pull as well
-  Swept settled = {};                  // bounded, swept until rounding
-  std::array<double, 2> statics = {};  // [N] what A lambda = b says
-  std::array<double, 2> formula = {};  // [N] with supports that can only push
-  std::array<double, 2> leaving = {};  // [m/s^2] w = A lambda - b of what it settles at
-  std::array<double, 2> arm = {};      // [m] from the middle of the rod to each support, to the right
-  double rate = 0;                     // of Gauss-Seidel: A_12^2 / (A_11 A_22)
+  Swept bounded = {};                 // sweeps of projected Gauss-Seidel
+  Swept unbounded = {};               // the same with rows that could pull as well
+  Swept settled = {};                 // bounded, swept until rounding
+  FixedList<double, 2> statics = {};  // [N] what A lambda = b says
+  FixedList<double, 2> formula = {};  // [N] with supports that can only push
+  FixedList<double, 2> leaving = {};  // [m/s^2] w = A lambda - b of what it settles at
+  FixedList<double, 2> arm = {};      // [m] from the middle of the rod to each support, to the right
+  double rate = 0;                    // of Gauss-Seidel: A_12^2 / (A_11 A_22)
   Snapshot snapshot = {};
-  std::vector<Snapshot> motion = {};  // 0.5 s of it, every 0.1 s
+  List<Snapshot> motion = {};  // 0.5 s of it, every 0.1 s
   bool tips() const { return statics[0] < 0; }
 };
 
@@ -76,7 +75,7 @@ SweepRun run_sweeps(const SweepSettings& settings);
 
 /// Lambda [N] of the stack after the given sweep from the ground up, counted in whole numbers: every update
 /// takes the half of a sum, so that after few sweeps each is a whole number of 2^-30 b_1.
-std::vector<double> counted_lambda(const SweepRun& run, int sweep);
+PerRow<double> counted_lambda(const SweepRun& run, int sweep);
 
 /// What a sweep leaves of the error of a stack of n boxes: cos^2(pi / 2n). (The scaled matrix has the
 /// eigenvalues 1 - cos((2k - 1) pi / 2n), and Gauss-Seidel squares what Jacobi leaves: D. M. Young, 1954.)
@@ -92,6 +91,6 @@ struct Interval {
   std::string upper = {};
   Bounds<double> bounds = {};
 };
-std::vector<Interval> kinds_of_rows();
+List<Interval> kinds_of_rows();
 
 }  // namespace cairn::sweeps

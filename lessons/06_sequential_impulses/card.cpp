@@ -1,7 +1,7 @@
 // What lesson 06 is: its title, its equations, its question, its parameters.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::stack {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -32,4 +32,4 @@ LessonInfo card() {
       .next = "lesson07_clamp_the_sum   (why a contact may take back what it gave)"};
 }
 
-}  // namespace cairn::stack
+}  // namespace cairn

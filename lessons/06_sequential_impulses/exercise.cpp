@@ -8,9 +8,9 @@
 
 namespace cairn::exercise06 {
 
-void update(Contact& contact, std::vector<Box>& boxes) {
-  Box& below = boxes[static_cast<std::size_t>(contact.below)];
-  Box& above = boxes[static_cast<std::size_t>(contact.above)];
+void update(Contact& contact, List<Box>& boxes) {
+  Box& below = boxes[contact.below];
+  Box& above = boxes[contact.above];
   (void)below, (void)above;  // <- your code: about five lines
 }
 

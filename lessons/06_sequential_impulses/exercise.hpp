@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lessons/exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise06 {
 
@@ -19,9 +20,9 @@ struct Contact {
 };
 
 /// One row update: corrects j v of this contact to 0, as far as a contact that cannot pull is able to.
-void update(Contact& contact, std::vector<Box>& boxes);
+void update(Contact& contact, List<Box>& boxes);
 
-using Answer = void (*)(Contact&, std::vector<Box>&);
+using Answer = void (*)(Contact&, List<Box>&);
 void grade(Grade& grade, Answer answer);
 /// With the answer of exercise.cpp.
 Exercise exercise();

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise06 {
 namespace {
@@ -10,13 +11,13 @@ constexpr double push_rounding = 64 * 2.2204e-16;  // a dozen operations on numb
 
 /// After k sweeps over the contacts, from the ground up.
 struct Swept {
-  std::vector<Box> boxes = {};
-  std::vector<Contact> contacts = {};
+  List<Box> boxes = {};
+  List<Contact> contacts = {};
 };
 
-Swept swept(Answer answer, std::vector<Box> boxes, int sweeps) {
+Swept swept(Answer answer, List<Box> boxes, int sweeps) {
   Swept result{.boxes = std::move(boxes)};
-  const int count = static_cast<int>(result.boxes.size());
+  const int count = result.boxes.size();
   for (int i = 1; i < count; ++i) result.contacts.push_back({.below = i - 1, .above = i});
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (Contact& contact : result.contacts) answer(contact, result.boxes);
@@ -25,7 +26,7 @@ Swept swept(Answer answer, std::vector<Box> boxes, int sweeps) {
 }
 
 /// Ground, and three boxes of 1 kg with the speed of one step of falling: g dt = 0.2 m/s.
-std::vector<Box> tower() { return {{0, 0}, {1, -0.2}, {1, -0.2}, {1, -0.2}}; }
+List<Box> tower() { return {{0, 0}, {1, -0.2}, {1, -0.2}, {1, -0.2}}; }
 
 void grade_tower(Grade& grade, Answer answer) {
   const Swept one = swept(answer, tower(), 1), two = swept(answer, tower(), 2);
@@ -60,7 +61,7 @@ void grade_tower(Grade& grade, Answer answer) {
 /// A box comes down on another at 1 m/s, and is pulled up afterwards: the contact first gives 0.5 N s, and
 /// then has to take back some of it, and at last the rest.
 void grade_taking_back(Grade& grade, Answer answer) {
-  std::vector<Box> boxes = {{1, 0}, {1, -1}};
+  List<Box> boxes = {{1, 0}, {1, -1}};
   Contact contact{.below = 0, .above = 1};
   answer(contact, boxes);
   boxes[1].velocity += 0.6;

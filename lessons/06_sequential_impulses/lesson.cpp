@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "stack.hpp"
 
 namespace {
@@ -18,8 +18,8 @@ using namespace cairn::stack;
 
 // [sweep]
 /// One sweep: a visit to every contact. problem.impulse holds what each has given so far, λΔt.
-void sweep(int number, VelocityProblem<double>& problem, std::vector<RowRecord>& updates) {
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+void sweep(int number, VelocityProblem<double>& problem, List<RowRecord>& updates) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<double>& row = problem.rows[i];
     double& given = problem.impulse[i];
 
@@ -30,8 +30,7 @@ void sweep(int number, VelocityProblem<double>& problem, std::vector<RowRecord>&
     given = std::max(before + corrective, 0.0);   // in total a contact pushes, never pulls
     apply_impulse(problem, row, given - before);  // (23), (21): to both boxes, at once
 
-    updates.push_back(
-        {{number, static_cast<int>(i), jv, 1 / mass, corrective, before, given}, problem.velocity});
+    updates.push_back({{number, i, jv, 1 / mass, corrective, before, given}, problem.velocity});
   }
 }
 // [/sweep]
@@ -48,10 +47,12 @@ StackRun solve_stack(const StackSettings& settings) {
 }
 
 /// How fast each box falls when every contact has had one visit [m/s].
-std::vector<double> falls_after_one_sweep(const StackRun& run) {
-  const std::vector<Vec3<double>>& velocity = run.updates[run.exact.size() - 1].velocity;
-  std::vector<double> falls;
-  for (std::size_t box = 1; box < velocity.size(); ++box) falls.push_back(0 - velocity[box].y());
+List<double> falls_after_one_sweep(const StackRun& run) {
+  const PerBody<Vec3<double>>& velocity = run.updates[run.exact.size() - 1].velocity;
+  List<double> falls;
+  for (const BodyId box : velocity.indices()) {
+    if (box != ground) falls.push_back(0 - velocity[box].y());
+  }
   return falls;
 }
 
@@ -73,7 +74,7 @@ void run(Lesson& lesson) {
   check_claims(lesson, stack);
   lesson.film(stack_shots(stack));
   lesson.data(table_of(stack));
-  std::vector<double> numbers = lambda_after(stack, settings.sweeps);
+  List<double> numbers = lambda_after(stack, settings.sweeps);
   for (const Vec3<double>& v : stack.updates.back().velocity) numbers.push_back(v.y());
   lesson.fingerprint(numbers);
 }

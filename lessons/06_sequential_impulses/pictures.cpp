@@ -1,11 +1,12 @@
 // The stack with its pushes and velocities, the bars of lambda, and equation (22) filled in.
-#include "pictures.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 
+#include "math/list.hpp"
 #include "render/bars.hpp"
 #include "render/draw.hpp"
 
@@ -22,19 +23,18 @@ using Run = std::shared_ptr<const StackRun>;
 
 /// What one frame shows: lambda [N] of each interface, velocities, and the update that led here, if any.
 struct Moment {
-  std::vector<double> lambda = {};
-  std::vector<Vec3<double>> velocity = {};
+  List<double> lambda = {};
+  PerBody<Vec3<double>> velocity = {};
   int update = -1;
 };
 
 Moment moment_after(const StackRun& run, int update) {
-  Moment moment{.lambda = std::vector<double>(run.exact.size(), 0.0),
-                .velocity = run.problem.velocity,
-                .update = update};
+  Moment moment{
+      .lambda = List<double>(run.exact.size(), 0.0), .velocity = run.problem.velocity, .update = update};
   for (int i = 0; i <= update; ++i) {
-    const RowRecord& record = run.updates[static_cast<std::size_t>(i)];
-    const int interface = run.interface_of_row[static_cast<std::size_t>(record.update.row)];
-    moment.lambda[static_cast<std::size_t>(interface)] = record.update.impulse_after / run.settings.dt;
+    const RowRecord& record = run.updates[i];
+    const int interface = run.interface_of_row[record.update.row];
+    moment.lambda[interface] = record.update.impulse_after / run.settings.dt;
     moment.velocity = record.velocity;
   }
   return moment;
@@ -42,8 +42,7 @@ Moment moment_after(const StackRun& run, int update) {
 
 int active_interface(const StackRun& run, const Moment& moment) {
   if (moment.update < 0) return -1;
-  return run.interface_of_row[static_cast<std::size_t>(
-      run.updates[static_cast<std::size_t>(moment.update)].update.row)];
+  return run.interface_of_row[run.updates[moment.update].update.row];
 }
 
 /// The contacts of the stack: one point in the middle of each interface.
@@ -51,7 +50,7 @@ Snapshot with_contacts(const StackRun& run, const Moment& moment) {
   Snapshot snapshot = run.snapshot;
   for (int i = 0; i < run.settings.boxes; ++i) {
     SnapshotContact contact{.a = {i}, .b = {i + 1}, .position = {0, double(i)}, .normal = {0, 1}};
-    contact.normal_impulse = moment.lambda[static_cast<std::size_t>(i)] * run.settings.dt;
+    contact.normal_impulse = moment.lambda[i] * run.settings.dt;
     snapshot.contacts.push_back(contact);
   }
   return snapshot;
@@ -64,7 +63,7 @@ void draw_pushes(Page& page, const render::Camera& camera, const StackRun& run, 
       .pixels_per_unit = 0.9 * camera.scale / largest, .longest = camera.scale, .unit = "N"};
   const int active = active_interface(run, moment);
   for (int i = 0; i < run.settings.boxes; ++i) {
-    const double lambda = moment.lambda[static_cast<std::size_t>(i)];
+    const double lambda = moment.lambda[i];
     const Vec2<double> tail(-0.8, i);
     draw_arrow(
         page, camera, scale,
@@ -85,7 +84,7 @@ void draw_falls(Page& page, const render::Camera& camera, const StackRun& run, c
   const render::ArrowScale scale{
       .pixels_per_unit = 0.5 * camera.scale / largest, .longest = camera.scale, .unit = "m/s"};
   for (int i = 1; i <= run.settings.boxes; ++i) {
-    const double v = moment.velocity[static_cast<std::size_t>(i)].y();
+    const double v = moment.velocity[{i}].y();
     draw_arrow(page, camera, scale,
                {.kind = render::ArrowKind::velocity, .tail = {0.75, i - 0.5}, .value = {0, v}});
     render::TextStyle style = page.value();
@@ -116,13 +115,12 @@ render::BarChart lambda_bars(const StackRun& run, const Moment& moment) {
   render::BarChart chart{.title = "accumulated λ (N)", .largest = 1.12 * run.exact[0]};
   const int active = active_interface(run, moment);
   for (int i = 0; i < run.settings.boxes; ++i) {
-    const auto interface = static_cast<std::size_t>(i);
     render::Bar bar{.name = fmt::format("row {}", i + 1),
-                    .before = moment.lambda[interface],
-                    .exact = run.exact[interface],
+                    .before = moment.lambda[i],
+                    .exact = run.exact[i],
                     .active = i == active};
     if (i == active) {
-      const RowUpdate<double>& update = run.updates[static_cast<std::size_t>(moment.update)].update;
+      const RowUpdate<double>& update = run.updates[moment.update].update;
       bar.before = update.impulse_before / run.settings.dt;
       bar.added = (update.impulse_after - update.impulse_before) / run.settings.dt;
     }
@@ -138,8 +136,8 @@ std::string operand(double value, int decimals) {
 }
 
 render::Equation equation_22(const Page& page, const StackRun& run, const Moment& moment) {
-  const RowUpdate<double>& update = run.updates[static_cast<std::size_t>(moment.update)].update;
-  const int row = run.interface_of_row[static_cast<std::size_t>(update.row)] + 1;
+  const RowUpdate<double>& update = run.updates[moment.update].update;
+  const int row = run.interface_of_row[update.row] + 1;
   const double dt = run.settings.dt;
   render::Equation equation;
   equation.number = "eq (22)";
@@ -156,28 +154,28 @@ render::Equation equation_22(const Page& page, const StackRun& run, const Moment
 
 /// The scene at the left; returns what is right of it.
 Rect draw_left(Page& page, const StackRun& run, const Moment& moment) {
-  const std::vector<Rect> parts = columns(page.area(), {0.48, 0.5}, page.sizes().gap);
+  const List<Rect> parts = columns(page.area(), {0.48, 0.5}, page.sizes().gap);
   draw_stack(page, parts[0], run, moment);
   return parts[1];
 }
 
 void draw_update(Page& page, const StackRun& run, int update) {
   const Moment moment = moment_after(run, update);
-  const std::vector<Rect> panels = rows(draw_left(page, run, moment), {0.55, 0.45}, page.sizes().gap);
+  const List<Rect> panels = rows(draw_left(page, run, moment), {0.55, 0.45}, page.sizes().gap);
   draw_bars(page, panels[0], lambda_bars(run, moment));
   page.equation(panels[1], equation_22(page, run, moment));
 }
 
 void draw_note(Page& page, const StackRun& run, int update, std::string_view title, std::string_view text) {
   const Moment moment = moment_after(run, update);
-  const std::vector<Rect> panels = rows(draw_left(page, run, moment), {0.55, 0.45}, page.sizes().gap);
+  const List<Rect> panels = rows(draw_left(page, run, moment), {0.55, 0.45}, page.sizes().gap);
   draw_bars(page, panels[0], lambda_bars(run, moment));
   page.note(panels[1], title, text);
 }
 
 Shot update_shot(const Run& run, int index) {
-  const RowUpdate<double>& update = run->updates[static_cast<std::size_t>(index)].update;
-  const int row = run->interface_of_row[static_cast<std::size_t>(update.row)] + 1;
+  const RowUpdate<double>& update = run->updates[index].update;
+  const int row = run->interface_of_row[update.row] + 1;
   const double dt = run->settings.dt;
   return {.state = fmt::format("sweep {}/{} · row {} of {}", update.sweep, run->settings.sweeps, row,
                                run->settings.boxes),
@@ -185,18 +183,18 @@ Shot update_shot(const Run& run, int index) {
               "Sweep {}, row {}: the boxes part at {:.4f} m/s, so the contact gives {:.4f} N more, "
               "{:.4f} N in total; exact is {:g} N.",
               update.sweep, row, update.row_velocity, update.corrective / dt, update.impulse_after / dt,
-              run->exact[static_cast<std::size_t>(row - 1)]),
+              run->exact[row - 1]),
           .draw = [run, index](Page& page) { draw_update(page, *run, index); },
-          .key = index < 9 || index + 1 == static_cast<int>(run->updates.size())};
+          .key = index < 9 || index + 1 == run->updates.size()};
 }
 
 }  // namespace
 
-std::vector<Shot> stack_shots(const StackRun& recorded) {
+List<Shot> stack_shots(const StackRun& recorded) {
   const Run run = std::make_shared<const StackRun>(recorded);
   const int n = run->settings.boxes;
-  const int updates = static_cast<int>(run->updates.size());
-  std::vector<Shot> shots;
+  const int updates = run->updates.size();
+  List<Shot> shots;
   shots.push_back({.state = "before the first sweep",
                    .alt = "A stack of boxes that has begun to fall, all at the same speed, and the question.",
                    .draw =
@@ -209,10 +207,10 @@ std::vector<Shot> stack_shots(const StackRun& recorded) {
                        },
                    .key = true});
   for (int i = 0; i < updates; ++i) shots.push_back(update_shot(run, i));
-  const std::vector<Vec3<double>>& after_one = run->updates[static_cast<std::size_t>(n - 1)].velocity;
+  const PerBody<Vec3<double>>& after_one = run->updates[n - 1].velocity;
   std::string speeds;
   for (int i = 1; i <= n; ++i) {
-    speeds += (i > 1 ? ", " : "") + fixed(0 - after_one[static_cast<std::size_t>(i)].y(), 4);
+    speeds += (i > 1 ? ", " : "") + fixed(0 - after_one[{i}].y(), 4);
   }
   shots.push_back(
       {.state = fmt::format("after {} sweeps", run->settings.sweeps),

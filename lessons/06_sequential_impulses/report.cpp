@@ -1,10 +1,12 @@
 // Prints the row updates and the sweeps, and checks them against two other accounts of the same stack.
-#include "report.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "math/list.hpp"
 
 namespace cairn::stack {
 
@@ -19,21 +21,20 @@ struct UpdateErrors {
 
 UpdateErrors update_errors(const StackRun& run) {
   UpdateErrors errors;
-  std::vector<double> impulse(run.exact.size(), 0.0);
-  std::vector<Vec3<double>> before = run.problem.velocity;
+  PerRow<double> impulse(run.exact.size(), 0.0);
+  PerBody<Vec3<double>> before = run.problem.velocity;
   for (const RowRecord& record : run.updates) {
-    impulse[static_cast<std::size_t>(record.update.row)] = record.update.impulse_after;
+    impulse[record.update.row] = record.update.impulse_after;
     VelocityProblem<double> twin = run.problem;
-    for (std::size_t row = 0; row < impulse.size(); ++row) {
+    for (int row = 0; row < impulse.size(); ++row) {
       apply_impulse(twin, twin.rows[row], impulse[row]);
     }
-    const std::vector<Vec3<double>>& expected = twin.velocity;
-    const ConstraintRow<double>& active = run.problem.rows[static_cast<std::size_t>(record.update.row)];
-    for (std::size_t body = 0; body < expected.size(); ++body) {
+    const PerBody<Vec3<double>>& expected = twin.velocity;
+    const ConstraintRow<double>& active = run.problem.rows[record.update.row];
+    for (const BodyId body : expected.indices()) {
       errors.identity =
           std::max(errors.identity, (record.velocity[body] - expected[body]).cwiseAbs().maxCoeff());
-      const BodyId id{static_cast<int>(body)};
-      if (id == active.a || id == active.b) continue;
+      if (body == active.a || body == active.b) continue;
       errors.bystander =
           std::max(errors.bystander, (record.velocity[body] - before[body]).cwiseAbs().maxCoeff());
     }
@@ -43,10 +44,10 @@ UpdateErrors update_errors(const StackRun& run) {
 }
 
 double largest_gap_to_gauss_seidel(const StackRun& run) {
-  const std::vector<std::vector<double>> expected = gauss_seidel(run.problem, run.settings.sweeps);
+  const List<PerRow<double>> expected = gauss_seidel(run.problem, run.settings.sweeps);
   double largest = 0;
-  for (std::size_t sweep = 0; sweep < expected.size(); ++sweep) {
-    for (std::size_t row = 0; row < expected[sweep].size(); ++row) {
+  for (int sweep = 0; sweep < expected.size(); ++sweep) {
+    for (int row = 0; row < expected[sweep].size(); ++row) {
       largest = std::max(largest, std::abs(run.sweeps[sweep][row] / run.settings.dt - expected[sweep][row]));
     }
   }
@@ -71,16 +72,16 @@ void tell_updates(Lesson& lesson, const StackRun& run) {
   for (int i = 1; i <= std::min(run.settings.boxes, 5); ++i)
     header += fmt::format("{:>11}", fmt::format("v{}", i));
   lesson.print(header + "   (m/s)");
-  const std::size_t shown = static_cast<std::size_t>(2 * run.settings.boxes);
-  for (std::size_t i = 0; i < run.updates.size(); ++i) {
+  const int shown = 2 * run.settings.boxes;
+  for (int i = 0; i < run.updates.size(); ++i) {
     const RowUpdate<double>& update = run.updates[i].update;
-    const int interface = run.interface_of_row[static_cast<std::size_t>(update.row)];
+    const int interface = run.interface_of_row[update.row];
     const std::string pair = interface == 0 ? "g-1" : fmt::format("{}-{}", interface, interface + 1);
     std::string line = fmt::format(
         "{:>5} {:>3}  {:>5} {:>9.4f} {:>+13.4f} {:>9.4f} -> {:<9.4f}", update.sweep, interface + 1, pair,
         update.row_velocity, update.corrective / dt, update.impulse_before / dt, update.impulse_after / dt);
     for (int k = 1; k <= std::min(run.settings.boxes, 5); ++k) {
-      line += fmt::format("{:>11.4f}", run.updates[i].velocity[static_cast<std::size_t>(k)].y());
+      line += fmt::format("{:>11.4f}", run.updates[i].velocity[{k}].y());
     }
     if (i < shown && i < 10) {
       lesson.print(line);
@@ -95,7 +96,7 @@ void tell_updates(Lesson& lesson, const StackRun& run) {
 
 void tell_sweeps(Lesson& lesson, const StackRun& run) {
   std::string header = "after sweep";
-  std::vector<int> sweeps;
+  List<int> sweeps;
   for (const int sweep : {1, 2, 3, 5, 10, 20, 50, 100}) {
     if (sweep > run.settings.sweeps) break;
     sweeps.push_back(sweep);
@@ -103,7 +104,7 @@ void tell_sweeps(Lesson& lesson, const StackRun& run) {
   }
   lesson.print();
   lesson.print(header + "    exact");
-  for (std::size_t i = 0; i < run.exact.size(); ++i) {
+  for (int i = 0; i < run.exact.size(); ++i) {
     std::string line = fmt::format("λ{:<10}", i + 1);
     for (const int sweep : sweeps) line += fmt::format("{:>9.2f}", lambda_after(run, sweep)[i]);
     lesson.print(line + fmt::format("{:>9.2f}   N", run.exact[i]));
@@ -113,7 +114,7 @@ void tell_sweeps(Lesson& lesson, const StackRun& run) {
 
 void check_claims(Lesson& lesson, const StackRun& run) {
   const StackSettings& settings = run.settings;
-  const double updates = static_cast<double>(run.updates.size());
+  const double updates = run.updates.size();
   const double rounding = 2.3e-16 * updates;  // each update rounds a few times, by half of this
   const double fall = settings.gravity * settings.dt;
   const UpdateErrors errors = update_errors(run);
@@ -131,8 +132,7 @@ void check_claims(Lesson& lesson, const StackRun& run) {
       fmt::format("a sweep leaves cos²(π/{}) = {:.4f} of the error", 2 * settings.boxes, factor),
       measured_error_factor(settings), factor, 1e-6);
   double momentum = 0;  // of the boxes: only the ground's push and gravity can change it
-  for (std::size_t i = 1; i < run.updates.back().velocity.size(); ++i)
-    momentum += run.updates.back().velocity[i].y();
+  for (int i = 1; i <= settings.boxes; ++i) momentum += run.updates.back().velocity[{i}].y();
   const double given = lambda_after(run, settings.sweeps)[0] * settings.dt - settings.boxes * fall;
   lesson.check_equal("momentum changes by gravity and the ground's push alone (N s)", momentum, given,
                      4 * rounding * fall * settings.boxes);
@@ -145,18 +145,18 @@ CsvTable table_of(const StackRun& run) {
   const double dt = run.settings.dt;
   for (const RowRecord& record : run.updates) {
     const RowUpdate<double>& update = record.update;
-    const long long interface = run.interface_of_row[static_cast<std::size_t>(update.row)];
-    std::vector<CsvCell> cells = {static_cast<long long>(update.sweep),
-                                  interface + 1,
-                                  interface,
-                                  interface + 1,
-                                  update.row_velocity,
-                                  0.0,
-                                  update.inverse_mass,
-                                  update.corrective / dt,
-                                  update.impulse_before / dt,
-                                  update.impulse_after / dt};
-    for (std::size_t k = 1; k < record.velocity.size(); ++k) cells.push_back(record.velocity[k].y());
+    const long long interface = run.interface_of_row[update.row];
+    List<CsvCell> cells = {static_cast<long long>(update.sweep),
+                           interface + 1,
+                           interface,
+                           interface + 1,
+                           update.row_velocity,
+                           0.0,
+                           update.inverse_mass,
+                           update.corrective / dt,
+                           update.impulse_before / dt,
+                           update.impulse_after / dt};
+    for (int k = 1; k <= run.settings.boxes; ++k) cells.push_back(record.velocity[{k}].y());
     table.rows.push_back(cells);
   }
   return table;

@@ -2,12 +2,13 @@
 #include <algorithm>
 
 #include "exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise06 {
 
-void update(Contact& contact, std::vector<Box>& boxes) {
-  Box& below = boxes[static_cast<std::size_t>(contact.below)];
-  Box& above = boxes[static_cast<std::size_t>(contact.above)];
+void update(Contact& contact, List<Box>& boxes) {
+  Box& below = boxes[contact.below];
+  Box& above = boxes[contact.above];
   const double correction =
       -(above.velocity - below.velocity) / (below.inverse_mass + above.inverse_mass);  // (22)
   const double before = contact.impulse;

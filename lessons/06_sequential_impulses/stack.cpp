@@ -11,14 +11,14 @@ namespace cairn::stack {
 
 namespace {
 
-std::vector<int> visiting_order(const StackSettings& settings) {
-  std::vector<int> order(static_cast<std::size_t>(settings.boxes));
+PerRow<int> visiting_order(const StackSettings& settings) {
+  PerRow<int> order(settings.boxes);
   std::iota(order.begin(), order.end(), 0);
   if (settings.order == "down") std::reverse(order.begin(), order.end());
   if (settings.order == "shuffle") {
     Random random(settings.seed);
     for (int i = settings.boxes - 1; i > 0; --i) {
-      std::swap(order[static_cast<std::size_t>(i)], order[static_cast<std::size_t>(random.below(i + 1))]);
+      std::swap(order[i], order[random.below(i + 1)]);
     }
   }
   return order;
@@ -34,15 +34,14 @@ Snapshot stack_at_rest(const StackSettings& settings) {
 
 /// Boxes of 1 kg that gravity has just made fall, one normal row per interface with j = (0, -1, 0 | 0, 1, 0),
 /// and nothing else. Row k is the k-th in visiting order.
-VelocityProblem<double> stack_problem(const StackSettings& settings,
-                                      const std::vector<int>& interface_of_row) {
-  const auto n = static_cast<std::size_t>(settings.boxes);
+VelocityProblem<double> stack_problem(const StackSettings& settings, const PerRow<int>& interface_of_row) {
+  const int n = settings.boxes;
   VelocityProblem<double> problem;
   problem.dt = settings.dt;
   problem.inverse_mass.assign(n + 1, {1, 1, 6});  // of a unit box of 1 kg
-  problem.inverse_mass[0] = {0, 0, 0};            // the ground
+  problem.inverse_mass[ground] = {0, 0, 0};       // the ground
   problem.velocity.assign(n + 1, {0, -settings.gravity * settings.dt, 0});
-  problem.velocity[0] = {0, 0, 0};
+  problem.velocity[ground] = {0, 0, 0};
   problem.impulse.assign(n, 0.0);
   for (const int interface : interface_of_row) {
     ConstraintRow<double> row;
@@ -68,27 +67,26 @@ StackRun falling_stack(const StackSettings& settings) {
   return run;
 }
 
-std::vector<double> lambda_after(const StackRun& run, int sweep) {
-  std::vector<double> lambda(run.exact.size(), 0.0);
-  for (std::size_t row = 0; row < lambda.size(); ++row) {
-    const auto interface = static_cast<std::size_t>(run.interface_of_row[row]);
-    lambda[interface] = run.sweeps[static_cast<std::size_t>(sweep)][row] / run.settings.dt;
+List<double> lambda_after(const StackRun& run, int sweep) {
+  List<double> lambda(run.exact.size(), 0.0);
+  for (int row = 0; row < lambda.size(); ++row) {
+    lambda[run.interface_of_row[row]] = run.sweeps[sweep][row] / run.settings.dt;
   }
   return lambda;
 }
 
-std::vector<std::vector<double>> gauss_seidel(const VelocityProblem<double>& problem, int sweeps) {
+List<PerRow<double>> gauss_seidel(const VelocityProblem<double>& problem, int sweeps) {
   const SystemMatrices<double> system = system_matrices(problem);
   const Eigen::Index m = system.b.size();
-  std::vector<double> lambda(static_cast<std::size_t>(m), 0.0);
-  std::vector<std::vector<double>> history(1, lambda);
+  PerRow<double> lambda(m, 0.0);
+  List<PerRow<double>> history(1, lambda);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (Eigen::Index i = 0; i < m; ++i) {
       double rest = system.b(i);
       for (Eigen::Index j = 0; j < m; ++j) {
-        if (j != i) rest -= system.A(i, j) * lambda[static_cast<std::size_t>(j)];
+        if (j != i) rest -= system.A(i, j) * lambda[j];
       }
-      lambda[static_cast<std::size_t>(i)] = std::max(rest / system.A(i, i), 0.0);
+      lambda[i] = std::max(rest / system.A(i, i), 0.0);
     }
     history.push_back(lambda);
   }
@@ -110,8 +108,8 @@ double measured_error_factor(const StackSettings& settings) {
     VelocityProblem<double> problem = run.problem;
     SequentialImpulse({.iterations = count}).solve(problem);
     double sum = 0;
-    for (std::size_t row = 0; row < problem.impulse.size(); ++row) {
-      const double exact = run.exact[static_cast<std::size_t>(run.interface_of_row[row])];
+    for (int row = 0; row < problem.impulse.size(); ++row) {
+      const double exact = run.exact[run.interface_of_row[row]];
       const double error = problem.impulse[row] / problem.dt - exact;
       sum += error * error;
     }

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::stack {
 
@@ -21,22 +21,22 @@ struct StackSettings {
 /// What happened: every row update, and the answers to compare with.
 struct StackRun {
   StackSettings settings = {};
-  std::vector<int> interface_of_row = {};  // interface i is below box i + 1; interface 0 is the ground's
-  VelocityProblem<double> problem = {};    // as it was before the solve
-  std::vector<RowRecord> updates = {};     // sweeps * boxes
-  std::vector<std::vector<double>> sweeps = {};  // [N s] for each row, after 0, 1, ... sweeps
-  std::vector<double> exact = {};                // [N] for each interface: the weight above it
-  Snapshot snapshot = {};                        // the stack at rest, for drawing
+  PerRow<int> interface_of_row = {};     // interface i is below box i + 1; interface 0 is the ground's
+  VelocityProblem<double> problem = {};  // as it was before the solve
+  List<RowRecord> updates = {};          // sweeps * boxes
+  List<PerRow<double>> sweeps = {};      // [N s] for each row, after 0, 1, ... sweeps
+  List<double> exact = {};               // [N] for each interface: the weight above it
+  Snapshot snapshot = {};                // the stack at rest, for drawing
 };
 
 /// The stack after one step of falling, its rows written by hand, and nothing solved yet.
 StackRun falling_stack(const StackSettings& settings);
 
 /// lambda [N] of each interface after the given sweep.
-std::vector<double> lambda_after(const StackRun& run, int sweep);
+List<double> lambda_after(const StackRun& run, int sweep);
 
 /// Gauss-Seidel on A lambda = b in plain loops: lambda [N] of each row after every sweep, [sweep][row].
-std::vector<std::vector<double>> gauss_seidel(const VelocityProblem<double>& problem, int sweeps);
+List<PerRow<double>> gauss_seidel(const VelocityProblem<double>& problem, int sweeps);
 
 /// How much of the error one sweep leaves. The scaled matrix of a stack of n boxes has the eigenvalues of a
 /// Chebyshev matrix, 1 - cos((2k - 1) pi / 2n), and Gauss-Seidel squares what Jacobi leaves: cos^2(pi / 2n).

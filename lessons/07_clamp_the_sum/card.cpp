@@ -1,7 +1,7 @@
 // What lesson 07 is: its title, its equations, its question, its parameters.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::feet {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -17,7 +17,8 @@ LessonInfo card() {
            "3.2   p ← max(0, p + p_corr)                  right: what has been given in total",
            "      p ← p + max(0, p_corr)                  wrong: what is given now"},
       .needs = {"lesson 06"},
-      .reads = {"src/solvers/iterative/sequential_impulse.cpp", "src/solvers/iterative/sequential_impulse.hpp"},
+      .reads = {"src/solvers/iterative/sequential_impulse.cpp",
+                "src/solvers/iterative/sequential_impulse.hpp"},
       .question =
           "A box of 6 kg lands at 10 m/s on two feet, 0.25 m left and right of its middle. The left foot "
           "stops itself with 43.64 N s, then the right one itself with 23.80 N s. That turns the box, and "
@@ -32,4 +33,4 @@ LessonInfo card() {
       .next = "lesson08_same_thing_twice   (the same pushes, out of a large matrix)"};
 }
 
-}  // namespace cairn::feet
+}  // namespace cairn

@@ -32,11 +32,11 @@ Scene box_on_feet(const Pair& foot, double speed) {
   return scene;
 }
 
-std::vector<Snapshot> followed(const FeetSettings& settings, Clamp clamp) {
+List<Snapshot> followed(const FeetSettings& settings, Clamp clamp) {
   // Gravity acts before the solve: it lands with `speed`.
   World world(box_on_feet({-settings.foot, settings.foot}, settings.speed - gravity * time_step));
   SequentialImpulse solver({.iterations = settings.sweeps}, {.clamp = clamp});
-  std::vector<Snapshot> motion = {snapshot(world)};
+  List<Snapshot> motion = {snapshot(world)};
   for (int step = 0; step < motion_steps; ++step) {
     world.step(solver);
     motion.push_back(snapshot(world));
@@ -44,10 +44,11 @@ std::vector<Snapshot> followed(const FeetSettings& settings, Clamp clamp) {
   return motion;
 }
 
-double height_of(const std::vector<Snapshot>& motion) {
+double height_of(const List<Snapshot>& motion) {
   double highest = 0;
   for (const Snapshot& moment : motion)
-    highest = std::max(highest, moment.bodies[1].pose.position.y() - motion[0].bodies[1].pose.position.y());
+    highest =
+        std::max(highest, moment.bodies[{1}].pose.position.y() - motion[0].bodies[{1}].pose.position.y());
   return highest;
 }
 
@@ -102,7 +103,7 @@ Spread spread_of(const BoxRun& box, double speed) {
   const double q = std::max(spread.ratio, 0.0);
   spread.formula_speed = speed * q * (1 - q) / 2;
   spread.formula_spin = -spread.foot * speed * q / (box.A11 * box_inertia);
-  for (std::size_t i = 0; i < 2; ++i)
+  for (int i = 0; i < 2; ++i)
     spread.gap = std::max(spread.gap, std::abs(naive.impulse[i] - box.by(Clamped::sum).impulse[i]));
   return spread;
 }

@@ -1,12 +1,11 @@
 // A box that lands on two feet, and three places to put the clamp.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::feet {
 
@@ -17,7 +16,7 @@ inline constexpr double time_step = 0.02;  // [s]
 inline constexpr int motion_steps = 40;    // that are followed after the impact
 
 /// Two numbers, one for each foot: the left one first.
-using Pair = std::array<double, 2>;
+using Pair = FixedList<double, 2>;
 
 /// What is cut off below zero.
 enum class Clamped {
@@ -40,15 +39,13 @@ struct Visit {
   double asked = 0;  // [N s] what would stop it
   Pair before = {};  // [N s] sums
   Pair after = {};   // [N s] sums
-  double given() const {
-    return after[static_cast<std::size_t>(foot)] - before[static_cast<std::size_t>(foot)];
-  }
+  double given() const { return after[foot] - before[foot]; }
 };
 
 /// One way to solve one landing.
 struct Landing {
   Clamped clamped = Clamped::sum;
-  std::vector<Visit> visits = {};
+  List<Visit> visits = {};
   Pair impulse = {};                  // [N s] in the end
   Vec3<double> velocity = {0, 0, 0};  // of the box afterwards
   Pair foot_velocity = {};            // [m/s] of the feet afterwards, upwards
@@ -58,13 +55,14 @@ struct Landing {
 
 /// One box, landing with both feet at once.
 struct BoxRun {
-  Pair foot = {};                        // [m] right of the middle
-  double A11 = 0, A12 = 0, A22 = 0;      // [1/kg]
-  Pair exact = {};                       // [N s] by formula
-  Pair of_matrix = {};                   // [N s] of projected Gauss-Seidel on A, after as many sweeps
-  std::array<Landing, 3> landings = {};  // in the order of Clamped
-  Snapshot snapshot = {};                // as it lands
-  const Landing& by(Clamped clamped) const { return landings[static_cast<std::size_t>(clamped)]; }
+  Pair foot = {};                       // [m] right of the middle
+  double A11 = 0, A12 = 0, A22 = 0;     // [1/kg]
+  Pair exact = {};                      // [N s] by formula
+  Pair of_matrix = {};                  // [N s] of projected Gauss-Seidel on A, after as many sweeps
+  FixedList<Landing, 3> landings = {};  // in the order of Clamped
+  Snapshot snapshot = {};               // as it lands
+  const Landing& by(Clamped clamped) const { return landings[static_cast<int>(clamped)]; }
+  Landing& by(Clamped clamped) { return landings[static_cast<int>(clamped)]; }
 };
 
 /// What naive clamping does for feet at some distance.
@@ -82,10 +80,10 @@ struct FeetRun {
   FeetSettings settings = {};
   BoxRun middle = {};  // scene A: feet on both sides of the middle
   BoxRun side = {};    // scene B: both feet right of it
-  std::vector<Spread> spreads = {};
-  std::vector<Snapshot> hop = {};    // after 0, 1, ... steps with the clamp on the increment
-  std::vector<Snapshot> still = {};  // and with the clamp on the sum
-  double hop_height = 0;             // [m] the most that the middle of the box rises
+  List<Spread> spreads = {};
+  List<Snapshot> hop = {};    // after 0, 1, ... steps with the clamp on the increment
+  List<Snapshot> still = {};  // and with the clamp on the sum
+  double hop_height = 0;      // [m] the most that the middle of the box rises
   double still_height = 0;
 };
 

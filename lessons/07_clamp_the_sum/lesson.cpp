@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "feet.hpp"
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace {
 
@@ -19,12 +19,12 @@ using namespace cairn::feet;
 
 // [visit]
 /// One visit to one foot. problem.impulse holds p, what each foot has given in total.
-Visit visit(int sweep, std::size_t foot, Clamped clamped, VelocityProblem<double>& problem) {
+Visit visit(int sweep, int foot, Clamped clamped, VelocityProblem<double>& problem) {
   const ConstraintRow<double>& row = problem.rows[foot];
   double& p = problem.impulse[foot];
   const double jv = row_velocity(problem, row);
   const double asked = (row.bias - jv) * effective_mass(problem, row);  // (22) times Δt; below 0: take back
-  Visit visit{.sweep = sweep, .foot = static_cast<int>(foot), .jv = jv, .asked = asked};
+  Visit visit{.sweep = sweep, .foot = foot, .jv = jv, .asked = asked};
   visit.before = {problem.impulse[0], problem.impulse[1]};
 
   const double before = p;
@@ -42,18 +42,17 @@ Landing land(const Pair& feet, const FeetSettings& settings, Clamped clamped) {
   VelocityProblem<double> problem = landing_problem(feet, settings.speed);
   Landing landing{.clamped = clamped};
   for (int sweep = 1; sweep <= settings.sweeps; ++sweep) {
-    for (std::size_t foot = 0; foot < 2; ++foot)
-      landing.visits.push_back(visit(sweep, foot, clamped, problem));
+    for (int foot = 0; foot < 2; ++foot) landing.visits.push_back(visit(sweep, foot, clamped, problem));
   }
-  for (std::size_t foot = 0; foot < 2; ++foot) {
+  for (int foot = 0; foot < 2; ++foot) {
     double& p = problem.impulse[foot];
     const double kept = std::max(p, 0.0);  // changes something only where nothing was clamped before
     apply_impulse(problem, problem.rows[foot], kept - p);
     p = kept;
   }
   landing.impulse = {problem.impulse[0], problem.impulse[1]};
-  landing.velocity = problem.velocity[1];
-  for (std::size_t foot = 0; foot < 2; ++foot)
+  landing.velocity = problem.velocity[{1}];
+  for (int foot = 0; foot < 2; ++foot)
     landing.foot_velocity[foot] = row_velocity(problem, problem.rows[foot]);
   return landing;
 }
@@ -61,7 +60,7 @@ Landing land(const Pair& feet, const FeetSettings& settings, Clamped clamped) {
 BoxRun land_in_three_ways(const Pair& feet, const FeetSettings& settings) {
   BoxRun box = box_at(feet, settings);
   for (const Clamped clamped : {Clamped::increment, Clamped::sum, Clamped::afterwards})
-    box.landings[static_cast<std::size_t>(clamped)] = land(feet, settings, clamped);
+    box.by(clamped) = land(feet, settings, clamped);
   return box;
 }
 
@@ -94,7 +93,7 @@ void run(Lesson& lesson) {
   check_claims(lesson, all);
   lesson.film(feet_shots(all));
   lesson.data(table_of(all));
-  std::vector<double> numbers;
+  List<double> numbers;
   for (const BoxRun* box : {&all.middle, &all.side}) {
     for (const Landing& landing : box->landings)
       numbers.insert(numbers.end(), landing.impulse.begin(), landing.impulse.end());

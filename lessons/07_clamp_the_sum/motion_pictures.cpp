@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
 
@@ -18,17 +18,16 @@ using render::Page;
 using render::Rect;
 using render::Sign;
 
-double height_at(const std::vector<Snapshot>& motion, std::size_t step) {
-  return 1000 * (motion[step].bodies[1].pose.position.y() - motion[0].bodies[1].pose.position.y());
+double height_at(const List<Snapshot>& motion, int step) {
+  return 1000 * (motion[step].bodies[{1}].pose.position.y() - motion[0].bodies[{1}].pose.position.y());
 }
 
-void draw_motion(Page& page, const Rect& rect, const std::vector<Snapshot>& motion, std::size_t step,
-                 Clamped clamped) {
+void draw_motion(Page& page, const Rect& rect, const List<Snapshot>& motion, int step, Clamped clamped) {
   const Rect inside = clamp_panel(page, rect, clamped);
   const render::Camera camera = render::fit(inside, {{-1.3, -0.1}, {1.3, 1.5}});
   page.canvas().push_clip(inside);
-  std::vector<Snapshot> earlier;
-  for (std::size_t k = 0; k < step; k += 4) earlier.push_back(motion[k]);
+  List<Snapshot> earlier;
+  for (int k = 0; k < step; k += 4) earlier.push_back(motion[k]);
   draw_ghosts(page, camera, earlier);
   render::WorldLook look;
   look.contacts = false;
@@ -38,19 +37,19 @@ void draw_motion(Page& page, const Rect& rect, const std::vector<Snapshot>& moti
   page.canvas().pop_clip();
 }
 
-render::Series heights(const Page& page, const std::vector<Snapshot>& motion, Clamped clamped) {
+render::Series heights(const Page& page, const List<Snapshot>& motion, Clamped clamped) {
   render::Series series{.name = clamped == Clamped::sum ? "the sum" : "each push",
                         .style = style_of(page.theme(), clamped)};
-  for (std::size_t k = 0; k < motion.size(); ++k) {
-    series.x.push_back(static_cast<double>(k) * time_step);
+  for (int k = 0; k < motion.size(); ++k) {
+    series.x.push_back(k * time_step);
     series.y.push_back(height_at(motion, k));
   }
   return series;
 }
 
-void draw_step(Page& page, const FeetRun& run, std::size_t step) {
-  const std::vector<Rect> parts = rows(page.area(), {0.56, 0.44}, page.sizes().gap);
-  const std::vector<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+void draw_step(Page& page, const FeetRun& run, int step) {
+  const List<Rect> parts = rows(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
   draw_motion(page, top[0], run.hop, step, Clamped::increment);
   draw_motion(page, top[1], run.still, step, Clamped::sum);
   render::Plot plot{.title = fmt::format("how far the middle of the box has risen (mm): {} at most",
@@ -58,12 +57,12 @@ void draw_step(Page& page, const FeetRun& run, std::size_t step) {
   plot.x = {.title = "t (s)", .min = 0, .max = motion_steps * time_step};
   plot.y = {.title = ""};
   plot.series = {heights(page, run.hop, Clamped::increment), heights(page, run.still, Clamped::sum)};
-  plot.cursor = static_cast<double>(step) * time_step;
+  plot.cursor = step * time_step;
   draw_plot(page, parts[1], plot);
 }
 
 void draw_spread(Page& page, const FeetRun& run) {
-  const std::vector<Rect> parts = columns(page.area(), {0.64, 0.36}, page.sizes().gap);
+  const List<Rect> parts = columns(page.area(), {0.64, 0.36}, page.sizes().gap);
   render::Series foot{.name = "foot 1 rises", .style = style_of(page.theme(), Clamped::increment)};
   render::Series box{.name = "box rises", .style = style_of(page.theme(), Clamped::afterwards)};
   box.style.marker = render::Marker::circle;
@@ -80,7 +79,7 @@ void draw_spread(Page& page, const FeetRun& run) {
   plot.series = {foot, box, sum};
   plot.cursor = harmless_distance();
   draw_plot(page, parts[0], plot);
-  const std::vector<Rect> right = rows(parts[1], {0.55, 0.45}, page.sizes().gap);
+  const List<Rect> right = rows(parts[1], {0.55, 0.45}, page.sizes().gap);
   page.note(right[0], "When it goes well",
             page.compact()
                 ? "With A_{12} ≤ 0 nobody ever takes back."
@@ -93,11 +92,11 @@ void draw_spread(Page& page, const FeetRun& run) {
 }
 
 void draw_side(Page& page, const FeetRun& run) {
-  const std::vector<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
-  const std::vector<Rect> top = columns(parts[0], {1, 1, 1}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> top = columns(parts[0], {1, 1, 1}, page.sizes().gap);
   double largest = 0;
   for (const Landing& landing : run.side.landings) largest = std::max(largest, landing.impulse[0]);
-  std::size_t at = 0;
+  int at = 0;
   render::TableView table;
   table.header = {"clamped", "p_{1} (N s)", "p_{2} (N s)", "foot 1 (m/s)", "energy (J)"};
   if (page.compact()) table.header = {"clamped", "p_{1}", "p_{2}", "foot 1", "J"};
@@ -115,7 +114,7 @@ void draw_side(Page& page, const FeetRun& run) {
                           fixed(rise, 2, Sign::always), fixed(landing.energy(), 1)});
   }
   table.active_row = 2;
-  const std::vector<Rect> below = columns(parts[1], {0.55, 0.45}, page.sizes().gap);
+  const List<Rect> below = columns(parts[1], {0.55, 0.45}, page.sizes().gap);
   page.table(below[0], "", table);
   page.note(below[1], page.compact() ? "" : "Too late",
             page.compact() ? "At the end, foot 1 still pushes against a pull that is gone."
@@ -124,22 +123,22 @@ void draw_side(Page& page, const FeetRun& run) {
                              "still pushes against it: the box is thrown up.");
 }
 
-Shot motion_shot(const Run& run, std::size_t step) {
-  return {.state = fmt::format("t = {} s", fixed(static_cast<double>(step) * time_step, 2)),
+Shot motion_shot(const Run& run, int step) {
+  return {.state = fmt::format("t = {} s", fixed(step * time_step, 2)),
           .alt = fmt::format(
               "{:.2f} s after the landing: with each push clamped the middle of the box is {:.1f} mm "
               "higher and it has turned by {:.0f} degrees, with the sum clamped {:.1f} mm.",
-              static_cast<double>(step) * time_step, height_at(run->hop, step),
-              std::abs(run->hop[step].bodies[1].pose.angle) * 180 / pi, height_at(run->still, step)),
+              step * time_step, height_at(run->hop, step),
+              std::abs(run->hop[step].bodies[{1}].pose.angle) * 180 / pi, height_at(run->still, step)),
           .draw = [run, step](Page& page) { draw_step(page, *run, step); },
-          .key = step == 8 || step == static_cast<std::size_t>(motion_steps)};
+          .key = step == 8 || step == motion_steps};
 }
 
 }  // namespace
 
-std::vector<Shot> motion_shots(const Run& run) {
-  std::vector<Shot> shots;
-  for (std::size_t step = 1; step < run->hop.size(); ++step) shots.push_back(motion_shot(run, step));
+List<Shot> motion_shots(const Run& run) {
+  List<Shot> shots;
+  for (int step = 1; step < run->hop.size(); ++step) shots.push_back(motion_shot(run, step));
   return shots;
 }
 

@@ -1,5 +1,5 @@
 // The box on its feet, visit by visit, with the clamp on each push and on the sum side by side.
-#include "pictures.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "math/list.hpp"
 #include "render/bars.hpp"
 #include "render/draw.hpp"
 
@@ -59,14 +60,14 @@ void label_sum(Page& page, const render::Camera& camera, const Vec2<double>& tip
                   camera.viewport, text, style);
 }
 
-render::BarChart sums_of(const Page& page, const FeetRun& run, const Landing& landing, std::size_t k) {
+render::BarChart sums_of(const Page& page, const FeetRun& run, const Landing& landing, int k) {
   const Visit& visit = landing.visits[k];
   const double largest = std::max(run.middle.exact[0], visit.after[0]);
   render::BarChart chart{.title = "p, in total (N s)",
                          .largest = 1.3 * std::max(largest, run.middle.exact[0] * 1.45)};
   chart.color = style_of(page.theme(), landing.clamped).color;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const bool active = static_cast<int>(i) == visit.foot && std::abs(visit.given()) > 0.005;
+  for (int i = 0; i < 2; ++i) {
+    const bool active = i == visit.foot && std::abs(visit.given()) > 0.005;
     chart.bars.push_back({.name = fmt::format("foot {}", i + 1),
                           .before = visit.before[i],
                           .added = visit.after[i] - visit.before[i],
@@ -76,9 +77,9 @@ render::BarChart sums_of(const Page& page, const FeetRun& run, const Landing& la
   return chart;
 }
 
-render::Equation equation_of(const Page& page, const Landing& landing, std::size_t k) {
+render::Equation equation_of(const Page& page, const Landing& landing, int k) {
   const Visit& visit = landing.visits[k];
-  const auto foot = static_cast<std::size_t>(visit.foot);
+  const int foot = visit.foot;
   const std::string before = fixed(visit.before[foot], 2);
   const std::string asked = fixed(std::abs(cleaned(visit.asked)), 2);
   const char* sign = cleaned(visit.asked) < 0 ? "−" : "+";
@@ -101,14 +102,22 @@ double largest_of(const FeetRun& run) {
   return std::max({run.middle.by(Clamped::increment).impulse[0], run.middle.exact[0], run.middle.exact[1]});
 }
 
-void draw_visit(Page& page, const FeetRun& run, std::size_t k) {
-  const std::vector<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  std::size_t at = 0;
+BoxView view_after(const BoxRun& box, double speed, const Landing& landing, int visit) {
+  const Visit& last = landing.visits[visit];
+  BoxView view{.impulse = last.after, .foot = last.foot, .before = last.before[last.foot]};
+  view.foot_velocity = {-speed + box.A11 * last.after[0] + box.A12 * last.after[1],
+                        -speed + box.A12 * last.after[0] + box.A22 * last.after[1]};
+  view.fastest = speed;
+  return view;
+}
+
+void draw_visit(Page& page, const FeetRun& run, int k) {
+  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  int at = 0;
   for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
     const Landing& landing = run.middle.by(clamped);
-    const std::vector<double> weights =
-        page.compact() ? std::vector<double>{0.56, 0.44} : std::vector<double>{0.44, 0.24, 0.32};
-    const std::vector<Rect> parts = rows(halves[at++], weights, page.sizes().gap);
+    const List<double> weights = page.compact() ? List<double>{0.56, 0.44} : List<double>{0.44, 0.24, 0.32};
+    const List<Rect> parts = rows(halves[at++], weights, page.sizes().gap);
     draw_box(page, clamp_panel(page, parts[0], clamped), run.middle, largest_of(run),
              view_after(run.middle, run.settings.speed, landing, k));
     if (!page.compact()) draw_bars(page, parts[1], sums_of(page, run, landing, k));
@@ -117,8 +126,8 @@ void draw_visit(Page& page, const FeetRun& run, std::size_t k) {
 }
 
 void draw_question(Page& page, const FeetRun& run) {
-  const std::vector<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
-  const std::vector<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
   const Landing& landing = run.middle.by(Clamped::sum);
   const BoxView view = view_after(run.middle, run.settings.speed, landing, 1);
   draw_box(page, page.panel(top[0], page.compact() ? "after one sweep" : "after one sweep: p (N s)"),
@@ -129,7 +138,7 @@ void draw_question(Page& page, const FeetRun& run) {
                         "with {} N s. Now foot 1 {} at {} m/s. How much does it give on its second visit?",
                         fixed(run.settings.speed, 1), fixed(view.impulse[0], 2), fixed(view.impulse[1], 2),
                         left > 0 ? "rises" : "sinks", fixed(std::abs(left), 2)));
-  const std::vector<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
   draw_bars(page, below[0], sums_of(page, run, landing, 1));
   const std::string speed = fixed(left, 2);
   page.equation(below[1], {.number = "eq (22), foot 1",
@@ -140,13 +149,13 @@ void draw_question(Page& page, const FeetRun& run) {
 }
 
 void draw_answer(Page& page, const FeetRun& run) {
-  const std::vector<Rect> parts = rows(page.area(), {0.58, 0.42}, page.sizes().gap);
-  const std::vector<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
-  const std::vector<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.58, 0.42}, page.sizes().gap);
+  const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
   render::TableView table;
   table.header = {"clamped", page.compact() ? "p_{1}" : "p_{1} (N s)",
                   page.compact() ? "p_{2}" : "p_{2} (N s)", page.compact() ? "v" : "v (m/s)"};
-  std::size_t at = 0;
+  int at = 0;
   for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
     const Landing& each = run.middle.by(clamped);
     draw_box(page, clamp_panel(page, top[at++], clamped), run.middle, largest_of(run),
@@ -166,7 +175,7 @@ void draw_answer(Page& page, const FeetRun& run) {
                                    "push may be negative; the sum may not.");
 }
 
-Shot visit_shot(const Run& run, std::size_t k) {
+Shot visit_shot(const Run& run, int k) {
   const Visit& naive = run->middle.by(Clamped::increment).visits[k];
   const Visit& sum = run->middle.by(Clamped::sum).visits[k];
   return {.state = fmt::format("sweep {}/{} · foot {}", sum.sweep, run->settings.sweeps, sum.foot + 1),
@@ -175,6 +184,12 @@ Shot visit_shot(const Run& run, std::size_t k) {
                              sum.sweep, sum.foot + 1, naive.given(), sum.given()),
           .draw = [run, k](Page& page) { draw_visit(page, *run, k); },
           .key = k < 4 || k + 1 == run->middle.by(Clamped::sum).visits.size()};
+}
+
+List<Shot> visit_shots(const Run& run) {
+  List<Shot> shots;
+  for (int k = 0; k < run->middle.by(Clamped::sum).visits.size(); ++k) shots.push_back(visit_shot(run, k));
+  return shots;
 }
 
 }  // namespace
@@ -198,16 +213,6 @@ Rect clamp_panel(Page& page, const Rect& rect, Clamped clamped) {
   return inside;
 }
 
-BoxView view_after(const BoxRun& box, double speed, const Landing& landing, std::size_t visit) {
-  const Visit& last = landing.visits[visit];
-  BoxView view{
-      .impulse = last.after, .foot = last.foot, .before = last.before[static_cast<std::size_t>(last.foot)]};
-  view.foot_velocity = {-speed + box.A11 * last.after[0] + box.A12 * last.after[1],
-                        -speed + box.A12 * last.after[0] + box.A22 * last.after[1]};
-  view.fastest = speed;
-  return view;
-}
-
 void draw_box(Page& page, const Rect& rect, const BoxRun& box, double largest, const BoxView& view) {
   const render::Camera camera = render::fit(rect, {{-1.15, -0.1}, {1.15, 1.17}});
   const double tallest = 0.9;  // [m]
@@ -222,13 +227,12 @@ void draw_box(Page& page, const Rect& rect, const BoxRun& box, double largest, c
   draw_foot_velocity(page, camera, view.fastest, -0.85, view.foot_velocity[0]);
   draw_foot_velocity(page, camera, view.fastest, 0.85, view.foot_velocity[1]);
   for (int i = 0; i < 2; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const double x = box.foot[k];
+    const double x = box.foot[i];
     const bool lit = i == view.foot;
-    const double given = lit ? view.impulse[k] - view.before : 0;
-    const double tip = tallest * (given < 0 ? view.before : view.impulse[k]) / largest;
-    if (view.impulse[k] > 0.005)
-      draw_arrow(page, camera, scale, {.tail = {x, 0}, .value = {0, view.impulse[k]}, .active = lit});
+    const double given = lit ? view.impulse[i] - view.before : 0;
+    const double tip = tallest * (given < 0 ? view.before : view.impulse[i]) / largest;
+    if (view.impulse[i] > 0.005)
+      draw_arrow(page, camera, scale, {.tail = {x, 0}, .value = {0, view.impulse[i]}, .active = lit});
     if (given < -0.005) {
       draw_arrow(page, camera, scale,
                  {.kind = render::ArrowKind::negative_correction,
@@ -237,29 +241,22 @@ void draw_box(Page& page, const Rect& rect, const BoxRun& box, double largest, c
     }
     // Beside the tip, where what was taken back stands above it.
     const double aside = given < -0.005 ? (i == 0 ? 0.2 : -0.2) : 0;
-    const double height = tallest * view.impulse[k] / largest - 0.1 * std::abs(aside);
-    label_sum(page, camera, {x + aside, height}, view.impulse[k], lit);
+    const double height = tallest * view.impulse[i] / largest - 0.1 * std::abs(aside);
+    label_sum(page, camera, {x + aside, height}, view.impulse[i], lit);
   }
   page.canvas().pop_clip();
 }
 
-std::vector<Shot> visit_shots(const Run& run) {
-  std::vector<Shot> shots;
-  for (std::size_t k = 0; k < run->middle.by(Clamped::sum).visits.size(); ++k)
-    shots.push_back(visit_shot(run, k));
-  return shots;
-}
-
-std::vector<Shot> feet_shots(const FeetRun& recorded) {
+List<Shot> feet_shots(const FeetRun& recorded) {
   const Run run = std::make_shared<const FeetRun>(recorded);
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back({.state = "after one sweep",
                    .alt =
                        "A box on two feet after one sweep, with the impulses of its feet and how fast they "
                        "move, and the question.",
                    .draw = [run](Page& page) { draw_question(page, *run); },
                    .key = true});
-  for (const std::vector<Shot>& part : {visit_shots(run), motion_shots(run)})
+  for (const List<Shot>& part : {visit_shots(run), motion_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
   shots.push_back(spread_shot(run));
   shots.push_back(side_shot(run));

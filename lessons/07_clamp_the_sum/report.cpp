@@ -1,11 +1,13 @@
 // Prints the visits and what becomes of the box, and checks them against formulas, PGS and the library.
-#include "report.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "math/list.hpp"
 
 namespace cairn::feet {
 
@@ -56,12 +58,12 @@ double gap_to_library(const BoxRun& box, const FeetSettings& settings) {
 void check_sums(Lesson& lesson, const FeetRun& run) {
   const BoxRun& box = run.middle;
   const double speed = run.settings.speed;
-  const auto visits = static_cast<double>(box.by(Clamped::sum).visits.size());
+  const double visits = box.by(Clamped::sum).visits.size();
   // A visit rounds j v, the quotient and the sum: a few times half an ulp of the largest impulse.
   const double rounding = 4 * epsilon * visits * box_mass * speed;
   double gap = 0;
   for (int sweep = 1; sweep <= run.settings.sweeps; ++sweep) {
-    const Visit& last = box.by(Clamped::sum).visits[static_cast<std::size_t>(2 * sweep - 1)];
+    const Visit& last = box.by(Clamped::sum).visits[2 * sweep - 1];
     gap = std::max(gap, largest_gap(last.after, sums_by_formula(box, speed, sweep)));
   }
   lesson.check_small("the sum: m v/2 (1 + q²ᵏ⁻¹), m v/2 (1 − q²ᵏ) after k sweeps (N s)", gap, rounding);
@@ -103,7 +105,7 @@ Pair unbounded_by_formula(const BoxRun& box, double speed, int sweeps) {
 void check_rest(Lesson& lesson, const FeetRun& run) {
   const BoxRun& side = run.side;
   const double speed = run.settings.speed;
-  const auto visits = static_cast<double>(2 * run.settings.sweeps);
+  const double visits = 2 * run.settings.sweeps;
   // As above; the two rows are nearly the same, and what is 80 may be off by the condition of A, below 40.
   const double rounding = 40 * 4 * epsilon * visits * box_mass * speed;
   const Pair all = unbounded_by_formula(side, speed, run.settings.sweeps);
@@ -115,7 +117,7 @@ void check_rest(Lesson& lesson, const FeetRun& run) {
   const Landing& naive = run.middle.by(Clamped::increment);
   // The ground is met to within rounding of the heights, which a row takes for a speed: over dt.
   lesson.check_small("in the world: the same velocity after the first step (m/s, rad/s)",
-                     (run.hop[1].bodies[1].velocity - naive.velocity).cwiseAbs().maxCoeff(),
+                     (run.hop[1].bodies[{1}].velocity - naive.velocity).cwiseAbs().maxCoeff(),
                      rounding + 16 * epsilon / time_step * speed);
   const double q = std::abs(run.middle.A12 / run.middle.A11);
   const double left = std::pow(q, 2 * run.settings.sweeps - 1);
@@ -139,13 +141,13 @@ void tell_scene(Lesson& lesson, const FeetRun& run) {
 }
 
 void tell_visits(Lesson& lesson, const FeetRun& run) {
-  const std::vector<Visit>& naive = run.middle.by(Clamped::increment).visits;
-  const std::vector<Visit>& sum = run.middle.by(Clamped::sum).visits;
+  const List<Visit>& naive = run.middle.by(Clamped::increment).visits;
+  const List<Visit>& sum = run.middle.by(Clamped::sum).visits;
   lesson.print();
   lesson.print("            each push is clamped (m/s, N s)         the sum is clamped (m/s, N s)");
   lesson.print("sweep foot      j·v    p_corr       p after         j·v    p_corr       p after");
-  for (std::size_t k = 0; k < sum.size(); ++k) {
-    const auto foot = static_cast<std::size_t>(sum[k].foot);
+  for (int k = 0; k < sum.size(); ++k) {
+    const int foot = sum[k].foot;
     const auto half = [foot](const Visit& visit) {
       return fmt::format("{:>+9.4f} {:>+9.4f} {:>13.4f}", cleaned(visit.jv) + 0.0, cleaned(visit.asked) + 0.0,
                          visit.after[foot]);
@@ -169,15 +171,15 @@ void tell_motion(Lesson& lesson, const FeetRun& run) {
       fmt::format("Let go in a world, {:.4g} s later: each push clamped, the box rises by up to {:.1f} mm "
                   "and turned by {:.0f}°;",
                   motion_steps * time_step, 1000 * run.hop_height,
-                  std::abs(run.hop.back().bodies[1].pose.angle) * 180 / pi));
+                  std::abs(run.hop.back().bodies[{1}].pose.angle) * 180 / pi));
   lesson.print(fmt::format("the sum clamped, it has risen by {:.4f} mm and turned by {:.4f}°.",
                            1000 * run.still_height,
-                           std::abs(run.still.back().bodies[1].pose.angle) * 180 / pi));
+                           std::abs(run.still.back().bodies[{1}].pose.angle) * 180 / pi));
   lesson.print();
   std::string feet = "feet at (m)         ";
   std::string ratio = "A_12 / A_11         ";
   std::string speed = "leaves at (m/s)     ";
-  for (std::size_t k = 4; k < run.spreads.size(); k += 5) {
+  for (int k = 4; k < run.spreads.size(); k += 5) {
     feet += fmt::format("{:>7.2f}", run.spreads[k].foot);
     ratio += fmt::format("{:>7.3f}", run.spreads[k].ratio);
     speed += fmt::format("{:>7.3f}", cleaned(run.spreads[k].speed));
@@ -198,7 +200,7 @@ CsvTable table_of(const FeetRun& run) {
   const auto add = [&table](const char* scene, const BoxRun& box) {
     for (const Landing& landing : box.landings) {
       for (const Visit& visit : landing.visits) {
-        const auto foot = static_cast<std::size_t>(visit.foot);
+        const int foot = visit.foot;
         table.rows.push_back({scene, name_of(landing.clamped), static_cast<long long>(visit.sweep),
                               static_cast<long long>(visit.foot + 1), visit.jv, visit.asked,
                               visit.before[foot], visit.after[foot]});

@@ -1,7 +1,7 @@
 // What lesson 08 is: its title, its equations, its question, its parameters.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::twice {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -17,7 +17,8 @@ LessonInfo card() {
                     "(28)  η_i ← (b_i − Σ_{j≠i} A_ij η_j) / A_ii        one update of PGS",
                     "(29)  put A = J M⁻¹ Jᵀ, b = (ζ − J v̄)/Δt and (26) into (28), and (27) is left"},
       .needs = {"lesson 05", "lesson 06"},
-      .reads = {"src/solvers/iterative/projected_gauss_seidel.cpp", "src/solvers/iterative/sequential_impulse.cpp"},
+      .reads = {"src/solvers/iterative/projected_gauss_seidel.cpp",
+                "src/solvers/iterative/sequential_impulse.cpp"},
       .question =
           "After 50 sweeps in single precision: will the impulses of PGS and SI be equal to the last bit? "
           "(1: yes, 0: no)",
@@ -31,4 +32,4 @@ LessonInfo card() {
       .next = "lesson09_warm_start   (yesterday's answer is today's first guess)"};
 }
 
-}  // namespace cairn::twice
+}  // namespace cairn

@@ -8,8 +8,8 @@
 
 namespace cairn::exercise08 {
 
-double row_update(int i, const std::vector<std::vector<double>>& a, const std::vector<double>& change,
-                  const std::vector<double>& impulse) {
+double row_update(int i, const List<List<double>>& a, const List<double>& change,
+                  const List<double>& impulse) {
   (void)i, (void)a, (void)change, (void)impulse;
   return std::nan("");  // <- your code
 }

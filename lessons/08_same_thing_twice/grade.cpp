@@ -2,55 +2,56 @@
 #include <cmath>
 
 #include "exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise08 {
 namespace {
 
-using Matrix = std::vector<std::vector<double>>;
+using Matrix = List<List<double>>;
 
 constexpr double sweep_rounding = 1e-14;  // of impulses near 1 after 30 row updates of ten operations each
 
 // Three bodies with two numbers each, and three rows that all touch the second one.
 const Matrix rows = {{1, 0.5, -1, 0, 0, 0}, {0, 0, 1, -0.5, -1, 0.25}, {0, 1, 0.5, 1, 0, -1}};
-const std::vector<double> inverse_mass = {1, 2, 0.5, 3, 1, 4};  // [1/kg]
-const std::vector<double> start = {0.5, -1, 0.25, 0, 1, -0.5};  // [m/s]
+const List<double> inverse_mass = {1, 2, 0.5, 3, 1, 4};  // [1/kg]
+const List<double> start = {0.5, -1, 0.25, 0, 1, -0.5};  // [m/s]
 
-double speed_of(std::size_t row, const std::vector<double>& velocity) {
+double speed_of(int row, const List<double>& velocity) {
   double sum = 0;
-  for (std::size_t k = 0; k < velocity.size(); ++k) sum += rows[row][k] * velocity[k];
+  for (int k = 0; k < velocity.size(); ++k) sum += rows[row][k] * velocity[k];
   return sum;
 }
 
 Matrix system_matrix() {
-  Matrix a(3, std::vector<double>(3, 0));
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      for (std::size_t k = 0; k < start.size(); ++k) a[i][j] += rows[i][k] * inverse_mass[k] * rows[j][k];
+  Matrix a(3, List<double>(3, 0));
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k < start.size(); ++k) a[i][j] += rows[i][k] * inverse_mass[k] * rows[j][k];
     }
   }
   return a;
 }
 
 /// Sequential impulses: impulses after so many sweeps.
-std::vector<double> by_velocities(int sweeps) {
+List<double> by_velocities(int sweeps) {
   const Matrix a = system_matrix();
-  std::vector<double> velocity = start, impulse(3, 0);
+  List<double> velocity = start, impulse(3, 0);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i) {
       const double correction = -speed_of(i, velocity) / a[i][i];
       impulse[i] += correction;
-      for (std::size_t k = 0; k < start.size(); ++k) velocity[k] += inverse_mass[k] * rows[i][k] * correction;
+      for (int k = 0; k < start.size(); ++k) velocity[k] += inverse_mass[k] * rows[i][k] * correction;
     }
   }
   return impulse;
 }
 
-std::vector<double> by_answer(Answer answer, int sweeps) {
+List<double> by_answer(Answer answer, int sweeps) {
   const Matrix a = system_matrix();
-  std::vector<double> impulse(3, 0);
-  const std::vector<double> change = {-speed_of(0, start), -speed_of(1, start), -speed_of(2, start)};
+  List<double> impulse(3, 0);
+  const List<double> change = {-speed_of(0, start), -speed_of(1, start), -speed_of(2, start)};
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (int i = 0; i < 3; ++i) impulse[static_cast<std::size_t>(i)] = answer(i, a, change, impulse);
+    for (int i = 0; i < 3; ++i) impulse[i] = answer(i, a, change, impulse);
   }
   return impulse;
 }
@@ -73,9 +74,9 @@ void grade(Grade& grade, Answer answer) {
                                    {1.25, "The other rows push as well: take A_ij eta_j off."}}},
                answer(1, two, {3, 5}, {1, 0.5}));
   for (const int sweeps : {1, 10}) {
-    const std::vector<double> wanted = by_velocities(sweeps), got = by_answer(answer, sweeps);
+    const List<double> wanted = by_velocities(sweeps), got = by_answer(answer, sweeps);
     double worst = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i) {
       const double off = std::abs(got[i] - wanted[i]);
       worst = std::isnan(off) || off > worst ? off : worst;
     }

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "twice.hpp"
 
 namespace {
@@ -20,38 +20,36 @@ using namespace cairn::twice;
 
 // [both]
 /// (27), SI: how do the row's own bodies move, and how much more λ stops that?
-double by_27(const VelocityProblem<double>& problem, double eta, std::size_t i) {
+double by_27(const VelocityProblem<double>& problem, double eta, int i) {
   const ConstraintRow<double>& row = problem.rows[i];
   return eta + (row.bias - row_velocity(problem, row)) / (inverse_effective_mass(problem, row) * problem.dt);
 }
 
 /// (28), PGS: what do all other rows do to this one, and which λ is left for it?
-double by_28(const SystemMatrices<double>& system, const std::vector<double>& eta, std::size_t i) {
-  const auto row = static_cast<Eigen::Index>(i);
+double by_28(const SystemMatrices<double>& system, const PerRow<double>& eta, int i) {
   double others = 0;
-  for (std::size_t j = 0; j < eta.size(); ++j)
-    if (j != i) others += system.A(row, static_cast<Eigen::Index>(j)) * eta[j];
-  return (system.b(row) - others) / system.A(row, row);
+  for (int j = 0; j < eta.size(); ++j)
+    if (j != i) others += system.A(i, j) * eta[j];
+  return (system.b(i) - others) / system.A(i, i);
 }
 // [/both]
 
 /// (29): as (28), but the row's own share is added and taken away, so that all of A_i η stands together.
-double by_29(const SystemMatrices<double>& system, const std::vector<double>& eta, std::size_t i) {
-  const auto row = static_cast<Eigen::Index>(i);
+double by_29(const SystemMatrices<double>& system, const PerRow<double>& eta, int i) {
   double all = 0;
-  for (std::size_t j = 0; j < eta.size(); ++j) all += system.A(row, static_cast<Eigen::Index>(j)) * eta[j];
-  const double a_ii = system.A(row, row);
-  return (-all + a_ii * eta[i]) / a_ii + system.b(row) / a_ii;
+  for (int j = 0; j < eta.size(); ++j) all += system.A(i, j) * eta[j];
+  const double a_ii = system.A(i, i);
+  return (-all + a_ii * eta[i]) / a_ii + system.b(i) / a_ii;
 }
 
 // [sweep]
 /// One sweep of both. PGS has its η and A; SI has its η and the velocities, and never sees A.
-std::vector<RowStep> sweep_both(VelocityProblem<double> si, const SystemMatrices<double>& system) {
-  std::vector<double> eta_pgs(si.rows.size(), 0.0), eta_si = eta_pgs;
-  std::vector<RowStep> steps;
-  for (std::size_t i = 0; i < si.rows.size(); ++i) {
+List<RowStep> sweep_both(VelocityProblem<double> si, const SystemMatrices<double>& system) {
+  PerRow<double> eta_pgs(si.row_count(), 0.0), eta_si = eta_pgs;
+  List<RowStep> steps;
+  for (int i = 0; i < si.row_count(); ++i) {
     const bool one_sided = si.rows[i].bounds.is_unilateral();
-    RowStep step{.row = static_cast<int>(i), .eta = eta_si[i], .row_velocity = row_velocity(si, si.rows[i])};
+    RowStep step{.row = i, .eta = eta_si[i], .row_velocity = row_velocity(si, si.rows[i])};
     step.by_27 = by_27(si, eta_si[i], i);
     step.by_28 = by_28(system, eta_pgs, i);
     step.by_29 = by_29(system, eta_pgs, i);
@@ -83,7 +81,8 @@ void run(Lesson& lesson) {
   check_claims(lesson, twice);
   lesson.film(twice_shots(twice));
   lesson.data(table_of(twice));
-  lesson.fingerprint(twice.si.back());
+  const PerRow<double>& last = twice.si.back();
+  lesson.fingerprint(List<double>(last.begin(), last.end()));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The matrix that PGS sees, the impulses of both solvers in pairs, and the digits in which they differ.
-#include "pictures.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
@@ -8,6 +8,7 @@
 #include <memory>
 #include <set>
 
+#include "math/list.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
 
@@ -23,8 +24,8 @@ using Run = std::shared_ptr<const TwiceRun>;
 
 /// Lambda of both solvers at one moment [N].
 struct Moment {
-  std::vector<double> pgs = {};
-  std::vector<double> si = {};
+  PerRow<double> pgs = {};
+  PerRow<double> si = {};
   double largest =
       1;  // what fills the chart: one value for all frames of the first sweep, one for all later ones
   int active = -1;
@@ -38,7 +39,7 @@ double largest_of_first_sweep(const TwiceRun& run) {
 
 double largest_of_all_sweeps(const TwiceRun& run) {
   double largest = 0;
-  for (const std::vector<double>& sweep : run.si) {
+  for (const PerRow<double>& sweep : run.si) {
     for (const double value : sweep) largest = std::max(largest, std::abs(value));
   }
   return largest;
@@ -47,16 +48,15 @@ double largest_of_all_sweeps(const TwiceRun& run) {
 Moment after_row(const TwiceRun& run, int row) {
   Moment moment{.pgs = run.pgs[0], .si = run.si[0], .largest = largest_of_first_sweep(run), .active = row};
   for (int i = 0; i <= row; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    moment.pgs[k] = run.steps[k].pgs;
-    moment.si[k] = run.steps[k].si;
+    moment.pgs[i] = run.steps[i].pgs;
+    moment.si[i] = run.steps[i].si;
   }
   return moment;
 }
 
 Moment after_sweep(const TwiceRun& run, int sweep) {
-  return {.pgs = run.pgs[static_cast<std::size_t>(sweep)],
-          .si = run.si[static_cast<std::size_t>(sweep)],
+  return {.pgs = run.pgs[sweep],
+          .si = run.si[sweep],
           .largest = sweep > 0 ? largest_of_all_sweeps(run) : largest_of_first_sweep(run)};
 }
 
@@ -93,10 +93,10 @@ void draw_pairs(Page& page, const Rect& rect, const Moment& moment) {
     canvas.line({field.x, at}, {field.x + field.width, at}, {.width = 1, .color = page.theme().grid});
     canvas.text({field.x - 6, at + 0.35 * tick.size}, fixed(y, 0), tick);
   }
-  const double pitch = field.width / static_cast<double>(moment.si.size());
-  for (std::size_t i = 0; i < moment.si.size(); ++i) {
-    const bool active = static_cast<int>(i) == moment.active;
-    const double left = field.x + static_cast<double>(i) * pitch;
+  const double pitch = field.width / moment.si.size();
+  for (int i = 0; i < moment.si.size(); ++i) {
+    const bool active = i == moment.active;
+    const double left = field.x + i * pitch;
     const auto bar = [&](double x, double lambda, render::Color color) {
       canvas.rect({x, zero - std::max(lambda, 0.0) * per_newton, 0.4 * pitch, std::abs(lambda) * per_newton},
                   {.fill = color, .outline = page.theme().outline, .outline_width = active ? 2.0 : 0.0});
@@ -107,7 +107,7 @@ void draw_pairs(Page& page, const Rect& rect, const Moment& moment) {
     render::TextStyle name = page.tick();
     name.align = render::Align::center;
     name.bold = active;
-    const bool beside = moment.active >= 0 && !active && std::abs(static_cast<int>(i) - moment.active) == 1;
+    const bool beside = moment.active >= 0 && !active && std::abs(i - moment.active) == 1;
     if (!beside)
       canvas.text({left + 0.5 * pitch, inside.y + inside.height - 4}, fmt::format("{}", i + 1), name);
   }
@@ -126,9 +126,9 @@ void draw_system(Page& page, const Rect& rect, const TwiceRun& run, int active) 
 
 /// Matrix left, pairs right on top; returns what is free below the pairs.
 Rect draw_moment(Page& page, const TwiceRun& run, const Moment& moment) {
-  const std::vector<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   draw_system(page, halves[0], run, moment.active);
-  const std::vector<Rect> panels =
+  const List<Rect> panels =
       rows(halves[1], {page.compact() ? 0.45 : 0.56, page.compact() ? 0.55 : 0.44}, page.sizes().gap);
   draw_pairs(page, panels[0], moment);
   return panels[1];
@@ -146,7 +146,7 @@ std::string power(double value) { return value == 0 ? "0" : render::significant(
 void draw_row(Page& page, const TwiceRun& run, int row) {
   const Moment moment = after_row(run, row);
   const Rect panel = draw_moment(page, run, moment);
-  const RowStep& step = run.steps[static_cast<std::size_t>(row)];
+  const RowStep& step = run.steps[row];
   render::TableView table;
   table.header = {"the same row, three ways", "λ (N)"};
   table.rows = {{"(27) SI: from v", all_digits(step.by_27)},
@@ -162,7 +162,7 @@ void draw_sweep(Page& page, const TwiceRun& run, int sweep) {
   render::TableView table;
   table.header = {"precision", "max |λ_{PGS} − λ_{SI}|", "of the largest λ"};
   for (const PrecisionRun& precision : run.precisions) {
-    const double difference = precision.difference[static_cast<std::size_t>(sweep)];
+    const double difference = precision.difference[sweep];
     table.rows.push_back({precision.name, power(difference) + " N", power(difference / precision.scale)});
   }
   page.table(panel, fmt::format("after sweep {}", sweep), table);
@@ -170,18 +170,18 @@ void draw_sweep(Page& page, const TwiceRun& run, int sweep) {
 
 void draw_differences(Page& page, const TwiceRun& run) {
   const render::Color color = page.theme().outline;
-  const std::vector<render::SeriesStyle> styles = {{color, {}, render::Marker::circle},
-                                                   {color, {10, 6}, render::Marker::square},
-                                                   {color, {2, 5}, render::Marker::diamond}};
+  const List<render::SeriesStyle> styles = {{color, {}, render::Marker::circle},
+                                            {color, {10, 6}, render::Marker::square},
+                                            {color, {2, 5}, render::Marker::diamond}};
   render::Plot plot{
       .title = "largest |λ_{PGS} − λ_{SI}| over the largest λ, with the spacing ε of each precision"};
   plot.x = {.title = "sweep", .min = 0, .max = run.settings.sweeps};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-21, .max = 1e-4};
-  for (std::size_t p = 0; p < run.precisions.size(); ++p) {
+  for (int p = 0; p < run.precisions.size(); ++p) {
     const PrecisionRun& precision = run.precisions[p];
     render::Series series{.name = precision.name, .style = styles[p]};
-    for (std::size_t k = 1; k < precision.difference.size(); ++k) {
-      series.x.push_back(static_cast<double>(k));
+    for (int k = 1; k < precision.difference.size(); ++k) {
+      series.x.push_back(k);
       series.y.push_back(precision.difference[k] / precision.scale);
     }
     plot.series.push_back(series);
@@ -197,7 +197,7 @@ void draw_note(Page& page, const TwiceRun& run, const Moment& moment, std::strin
 }
 
 Shot row_shot(const Run& run, int row) {
-  const RowStep& step = run->steps[static_cast<std::size_t>(row)];
+  const RowStep& step = run->steps[row];
   const std::set<int> keys = {0, 1, 14, 15, 19};  // the last but one is clamped, for most seeds
   return {.state = fmt::format("sweep 1 · row {} of {}", row + 1, run->problem.row_count()),
           .alt = fmt::format(
@@ -208,7 +208,7 @@ Shot row_shot(const Run& run, int row) {
 }
 
 Shot sweep_shot(const Run& run, int sweep) {
-  const double difference = run->precisions[1].difference[static_cast<std::size_t>(sweep)];
+  const double difference = run->precisions[1].difference[sweep];
   return {.state = fmt::format("after sweep {} of {}", sweep, run->settings.sweeps),
           .alt = fmt::format("After sweep {} the impulses of PGS and SI differ by {:.1e} N at most.", sweep,
                              difference),
@@ -218,10 +218,10 @@ Shot sweep_shot(const Run& run, int sweep) {
 
 }  // namespace
 
-std::vector<Shot> twice_shots(const TwiceRun& recorded) {
+List<Shot> twice_shots(const TwiceRun& recorded) {
   const Run run = std::make_shared<const TwiceRun>(recorded);
   const int last = run->settings.sweeps;
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back(
       {.state = "before the first sweep",
        .alt = "The matrix A of a random problem of twenty rows, no impulses yet, and the question.",

@@ -1,5 +1,5 @@
 // Prints one sweep row by row and the differences in three precisions, and checks them.
-#include "report.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
@@ -13,9 +13,8 @@ namespace {
 void check_precision(Lesson& lesson, const PrecisionRun& precision) {
   // The worst of all sweeps, each measured by its own bound: at most 1.
   double worst = 0;
-  for (std::size_t k = 1; k < precision.difference.size(); ++k) {
-    worst = std::max(
-        worst, precision.difference[k] / precision.scale / rounding_bound(precision, static_cast<int>(k)));
+  for (int k = 1; k < precision.difference.size(); ++k) {
+    worst = std::max(worst, precision.difference[k] / precision.scale / rounding_bound(precision, k));
   }
   lesson.check_small(fmt::format("{}: PGS = SI after every sweep, in units of 64 ε (1 + k)", precision.name),
                      worst, 1);
@@ -65,7 +64,7 @@ void check_claims(Lesson& lesson, const TwiceRun& run) {
   lesson.check_small("(27) = (29) = (28) for every row of sweep 1 (N)", by_row, 128 * 2.3e-16 * scale);
   double to_library = 0;
   for (const RowStep& step : run.steps) {
-    const auto i = static_cast<std::size_t>(step.row);
+    const int i = step.row;
     to_library = std::max({to_library, std::abs(step.pgs - run.pgs[1][i]), std::abs(step.si - run.si[1][i])});
   }
   lesson.check_small("and the library's two solvers, after one sweep (N)", to_library, 128 * 2.3e-16 * scale);
@@ -84,7 +83,7 @@ void check_claims(Lesson& lesson, const TwiceRun& run) {
 CsvTable table_of(const TwiceRun& run) {
   CsvTable table{.header = {"precision", "sweep", "largest_difference_newton", "largest_lambda_newton"}};
   for (const PrecisionRun& precision : run.precisions) {
-    for (std::size_t k = 0; k < precision.difference.size(); ++k) {
+    for (int k = 0; k < precision.difference.size(); ++k) {
       table.rows.push_back(
           {precision.name, static_cast<long long>(k), precision.difference[k], precision.scale});
     }

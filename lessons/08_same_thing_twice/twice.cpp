@@ -46,10 +46,10 @@ class ImpulseHistory final : public SolveObserver<Real> {
   void after_sweep(int, const VelocityProblem<Real>& problem) override {
     history_.push_back(problem.impulse);
   }
-  const std::vector<std::vector<Real>>& history() const { return history_; }
+  const List<PerRow<Real>>& history() const { return history_; }
 
  private:
-  std::vector<std::vector<Real>> history_;
+  List<PerRow<Real>> history_;
 };
 
 template <Scalar Real>
@@ -61,9 +61,9 @@ PrecisionRun compare(const std::string& name, const VelocityProblem<double>& pro
   ProjectedGaussSeidel<Real>({.iterations = sweeps}).solve(for_pgs, &pgs);
   SequentialImpulse<Real>({.iterations = sweeps}).solve(for_si, &si);
   PrecisionRun run{.name = name, .epsilon = static_cast<double>(std::numeric_limits<Real>::epsilon())};
-  for (std::size_t k = 0; k < pgs.history().size(); ++k) {
+  for (int k = 0; k < pgs.history().size(); ++k) {
     Real largest = 0;
-    for (std::size_t i = 0; i < pgs.history()[k].size(); ++i) {
+    for (int i = 0; i < pgs.history()[k].size(); ++i) {
       largest = std::max(largest, std::abs(pgs.history()[k][i] - si.history()[k][i]));
       run.scale = std::max(run.scale, static_cast<double>(std::abs(si.history()[k][i])) / problem.dt);
     }
@@ -72,8 +72,8 @@ PrecisionRun compare(const std::string& name, const VelocityProblem<double>& pro
   return run;
 }
 
-std::vector<std::vector<double>> lambdas(const SweepRecorder<double>& recorder, double dt) {
-  std::vector<std::vector<double>> result;
+List<PerRow<double>> lambdas(const SweepRecorder<double>& recorder, double dt) {
+  List<PerRow<double>> result;
   for (const SweepRecord& sweep : recorder.sweeps()) {
     result.push_back(sweep.impulse);
     for (double& value : result.back()) value /= dt;
@@ -82,15 +82,15 @@ std::vector<std::vector<double>> lambdas(const SweepRecorder<double>& recorder, 
 }
 
 /// How far the velocities of SI are from (26), over all of its row updates.
-double identity_error(const VelocityProblem<double>& problem, const std::vector<RowRecord>& updates) {
-  std::vector<double> eta(problem.rows.size(), 0.0);
+double identity_error(const VelocityProblem<double>& problem, const List<RowRecord>& updates) {
+  PerRow<double> eta(problem.row_count(), 0.0);
   double largest = 0;
   for (const RowRecord& record : updates) {
-    eta[static_cast<std::size_t>(record.update.row)] = record.update.impulse_after;
+    eta[record.update.row] = record.update.impulse_after;
     VelocityProblem<double> twin = problem;
-    for (std::size_t i = 0; i < eta.size(); ++i) apply_impulse(twin, twin.rows[i], eta[i]);
-    const std::vector<Vec3<double>>& expected = twin.velocity;
-    for (std::size_t body = 0; body < expected.size(); ++body) {
+    for (int i = 0; i < eta.size(); ++i) apply_impulse(twin, twin.rows[i], eta[i]);
+    const PerBody<Vec3<double>>& expected = twin.velocity;
+    for (const BodyId body : expected.indices()) {
       largest = std::max(largest, (record.velocity[body] - expected[body]).cwiseAbs().maxCoeff());
     }
   }
@@ -136,7 +136,7 @@ TwiceRun solve_with_the_library(const TwiceSettings& settings) {
   run.pgs = lambdas(pgs, settings.dt);
   run.si = lambdas(si, settings.dt);
   run.identity_error = identity_error(run.problem, si.rows());
-  for (std::size_t i = 0; i < for_si.rows.size(); ++i) {
+  for (int i = 0; i < for_si.row_count(); ++i) {
     run.at_bound += for_si.rows[i].bounds.is_unilateral() && for_si.impulse[i] == 0;
   }
   run.precisions = {compare<float>("float", run.problem, settings.sweeps),

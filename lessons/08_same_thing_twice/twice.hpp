@@ -3,9 +3,9 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::twice {
 
@@ -32,20 +32,20 @@ struct RowStep {
 /// Both solvers in one precision: their lambda [N] after every sweep, sweep 0 being the start.
 struct PrecisionRun {
   std::string name = {};
-  double epsilon = 0;                   // the spacing of numbers near 1
-  std::vector<double> difference = {};  // max |lambda_PGS - lambda_SI| after each sweep [N]
-  double scale = 0;                     // max |lambda| of all sweeps [N]
+  double epsilon = 0;            // the spacing of numbers near 1
+  List<double> difference = {};  // max |lambda_PGS - lambda_SI| after each sweep [N]
+  double scale = 0;              // max |lambda| of all sweeps [N]
 };
 
 struct TwiceRun {
   TwiceSettings settings = {};
   VelocityProblem<double> problem = {};
   SystemMatrices<double> system = {};
-  std::vector<RowStep> steps = {};            // of the first sweep
-  std::vector<std::vector<double>> pgs = {};  // lambda [N] after each sweep, double
-  std::vector<std::vector<double>> si = {};
-  std::vector<PrecisionRun> precisions = {};  // float, double, long double
-  PrecisionRun warm = {};                     // double again, starting from the answer
+  List<RowStep> steps = {};       // of the first sweep
+  List<PerRow<double>> pgs = {};  // lambda [N] after each sweep, double
+  List<PerRow<double>> si = {};
+  List<PrecisionRun> precisions = {};  // float, double, long double
+  PrecisionRun warm = {};              // double again, starting from the answer
   double identity_error = 0;  // max |v - (v0 + M^-1 J^T eta dt)| over all row updates of SI [m/s], (26)
   int at_bound = 0;           // rows that end at lambda = 0
 };

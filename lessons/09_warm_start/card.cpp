@@ -1,7 +1,7 @@
 // What lesson 09 is: its title, its equations, its question, its parameters.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::warm {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -31,4 +31,4 @@ LessonInfo card() {
       .next = "lesson10_what_is_stored   (what the two solvers keep, and what they need)"};
 }
 
-}  // namespace cairn::warm
+}  // namespace cairn

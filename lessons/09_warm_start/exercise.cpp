@@ -8,8 +8,7 @@
 
 namespace cairn::exercise09 {
 
-std::vector<double> first_guess(const std::vector<int>& keys, const std::vector<Kept>& kept, double dt_now,
-                                double dt_before) {
+List<double> first_guess(const List<int>& keys, const List<Kept>& kept, double dt_now, double dt_before) {
   (void)keys, (void)kept, (void)dt_now, (void)dt_before;
   return {};  // <- your code
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lessons/exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise09 {
 
@@ -14,10 +15,9 @@ struct Kept {
 /// The impulses [N s] to begin a step with, one for each of `keys`, in their order: what a row of that key
 /// had in the last step, and 0 for a row that is new. A step of another length needs another impulse for the
 /// same force: `dt_now` and `dt_before` [s] say how long the steps are.
-std::vector<double> first_guess(const std::vector<int>& keys, const std::vector<Kept>& kept, double dt_now,
-                                double dt_before);
+List<double> first_guess(const List<int>& keys, const List<Kept>& kept, double dt_now, double dt_before);
 
-using Answer = std::vector<double> (*)(const std::vector<int>&, const std::vector<Kept>&, double, double);
+using Answer = List<double> (*)(const List<int>&, const List<Kept>&, double, double);
 void grade(Grade& grade, Answer answer);
 /// With the answer of exercise.cpp.
 Exercise exercise();

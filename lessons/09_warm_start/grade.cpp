@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise09 {
 namespace {
@@ -10,18 +11,17 @@ namespace {
 constexpr double guess_rounding = 1e-15;  // two operations on numbers near 1
 
 /// A row of the guess; not a number where there is none.
-double at(const std::vector<double>& guess, std::size_t row) {
+double at(const List<double>& guess, int row) {
   return row < guess.size() ? guess[row] : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
 
 void grade(Grade& grade, Answer answer) {
-  const std::vector<Kept> kept = {
-      {.key = 7, .impulse = 3}, {.key = 4, .impulse = 2}, {.key = 9, .impulse = 1}};
+  const List<Kept> kept = {{.key = 7, .impulse = 3}, {.key = 4, .impulse = 2}, {.key = 9, .impulse = 1}};
   const double dt = 0.02;
-  const std::vector<double> same = answer({7, 4, 9}, kept, dt, dt), other = answer({9, 7, 4}, kept, dt, dt);
-  const std::vector<double> changed = answer({5, 4}, kept, dt, dt), shorter = answer({7}, kept, dt / 2, dt);
+  const List<double> same = answer({7, 4, 9}, kept, dt, dt), other = answer({9, 7, 4}, kept, dt, dt);
+  const List<double> changed = answer({5, 4}, kept, dt, dt), shorter = answer({7}, kept, dt / 2, dt);
   grade.number({.what = "rows 7, 4, 9 as before: guess of row 7 (N s)",
                 .value = 3,
                 .tolerance = guess_rounding,
@@ -45,7 +45,7 @@ void grade(Grade& grade, Answer answer) {
                 .tolerance = 0,
                 .misconceptions = {{3, "One for each row of today: what has vanished is forgotten."},
                                    {1, "A new row needs a guess as well: 0."}}},
-               static_cast<double>(changed.size()));
+               changed.size());
   grade.number({.what = "half the step: guess of row 7 (N s)",
                 .value = 1.5,
                 .tolerance = guess_rounding,

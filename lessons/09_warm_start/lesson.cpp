@@ -6,8 +6,7 @@
 // name.
 #include "lessons/lesson.hpp"
 
-#include "pictures.hpp"
-#include "report.hpp"
+#include "parts.hpp"
 #include "start.hpp"
 
 namespace {
@@ -24,10 +23,10 @@ double remembered(const Memory& last, const RowKey& key) {
 }
 
 /// Lines 2-6 of Algorithm 1: what the rows of a step begin with.
-std::vector<double> first_guess(const VelocityProblem<double>& problem, Start start, const Memory& last) {
-  std::vector<double> guess(problem.rows.size(), 0.0);  // cold: from nothing
-  for (std::size_t i = 0; i < guess.size(); ++i) {
-    const std::size_t below = i < 2 ? i : i - 2;  // a contact between two boxes has two rows
+PerRow<double> first_guess(const VelocityProblem<double>& problem, Start start, const Memory& last) {
+  PerRow<double> guess(problem.row_count(), 0.0);  // cold: from nothing
+  for (int i = 0; i < guess.size(); ++i) {
+    const int below = i < 2 ? i : i - 2;  // a contact between two boxes has two rows
     if (start == Start::warm) guess[i] = remembered(last, problem.rows[i].key);
     if (start == Start::shifted) guess[i] = remembered(last, problem.rows[below].key);  // a mistake
     if (start == Start::by_number && i < last.size()) guess[i] = last[i].second;        // another
@@ -48,8 +47,7 @@ class Remembering final : public Solver<double> {
     const SolveReport report = sweeps_.solve(problem, observer);  // (21): the guess acts; then the sweeps
 
     last_.clear();
-    for (std::size_t i = 0; i < problem.rows.size(); ++i)
-      last_.emplace_back(problem.rows[i].key, problem.impulse[i]);
+    for (int i = 0; i < problem.row_count(); ++i) last_.emplace_back(problem.rows[i].key, problem.impulse[i]);
     return report;
   }
   // [/solve]

@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <memory>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/bars.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
@@ -19,24 +18,21 @@ using render::fixed;
 using render::Page;
 using render::Rect;
 
-using All = std::shared_ptr<const WarmStart>;
-
 constexpr double smallest_error = 1e-6;  // of the chart
 
 /// |lambda_1 / W - 1| of every step, as long as `bound` stays above what the chart shows.
-render::Series error_series(const std::vector<std::vector<double>>& loads, double weight, double bound) {
+render::Series error_series(const List<List<double>>& loads, double weight, double bound) {
   render::Series series;
-  for (std::size_t k = 1; k < loads.size(); ++k) {
-    const double step = static_cast<double>(k);
-    if (std::pow(bound, step) < smallest_error) break;
-    series.x.push_back(step);
+  for (int k = 1; k < loads.size(); ++k) {
+    if (std::pow(bound, k) < smallest_error) break;
+    series.x.push_back(k);
     series.y.push_back(std::max(std::abs(loads[k][0] / weight - 1), smallest_error));
   }
   return series;
 }
 
 void draw_errors(Page& page, const WarmStart& all) {
-  const std::vector<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
   const StartSettings& settings = all.settings;
   const double g = share_left(settings.boxes, settings.sweeps);
   render::Series cold = error_series(all.cold.loads, settings.weight(), g);
@@ -70,27 +66,27 @@ void draw_errors(Page& page, const WarmStart& all) {
 }
 
 void draw_cold_sweeps(Page& page, const WarmStart& all) {
-  const std::vector<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
   const render::Color color = page.theme().outline;
-  const std::array<render::SeriesStyle, 4> styles = {{{color, {2, 5}, render::Marker::diamond},
-                                                      {color, {10, 5, 2, 5}, render::Marker::triangle},
-                                                      {color, {10, 6}, render::Marker::square},
-                                                      {color, {}, render::Marker::circle}}};
+  const FixedList<render::SeriesStyle, 4> styles = {{{color, {2, 5}, render::Marker::diamond},
+                                                     {color, {10, 5, 2, 5}, render::Marker::triangle},
+                                                     {color, {10, 6}, render::Marker::square},
+                                                     {color, {}, render::Marker::circle}}};
   render::Plot plot{.title = "what the lowest contact lacks, in one step from nothing"};
   plot.x = {.title = "sweeps", .scale = render::AxisScale::logarithmic, .min = 1, .max = 2000};
   plot.y = {.scale = render::AxisScale::logarithmic, .min = 0.005, .max = 1};
-  for (std::size_t s = 0; s < all.sweeps.size(); ++s) {
+  for (int s = 0; s < all.sweeps.size(); ++s) {
     const ColdSweeps& cold = all.sweeps[s];
     render::Series series{.name = fmt::format("{} boxes", cold.boxes), .style = styles[s]};
-    for (std::size_t k = 1; k < cold.error.size() && cold.error[k] > 0.005; ++k) {
-      series.x.push_back(static_cast<double>(k));
+    for (int k = 1; k < cold.error.size() && cold.error[k] > 0.005; ++k) {
+      series.x.push_back(k);
       series.y.push_back(cold.error[k]);
     }
     plot.series.push_back(series);
   }
   plot.goals.push_back({wanted_error, "1 %"});
   draw_plot(page, parts[0], plot);
-  const std::vector<Rect> right = rows(parts[1], {0.38, 0.62}, page.sizes().gap);
+  const List<Rect> right = rows(parts[1], {0.38, 0.62}, page.sizes().gap);
   render::TableView table{.header = {"boxes", "sweeps to 1 %", "formula"}};
   for (const ColdSweeps& cold : all.sweeps) {
     table.rows.push_back({fmt::format("{}", cold.boxes), fmt::format("{}", cold.needed),
@@ -113,35 +109,32 @@ void draw_thrown(Page& page, const Rect& rect, const WarmStart& all) {
   look.penetration = false;
   look.numbers = camera.scale >= 20;
   draw_world(page, camera, all.warm.frames.front(), look);
-  const std::vector<double>& velocity = all.reversed.velocity_by_number;
+  const List<double>& velocity = all.reversed.velocity_by_number;
   const render::ArrowScale scale{
       .pixels_per_unit = 1.2 * camera.scale / velocity.back(), .longest = 2 * camera.scale, .unit = "m/s"};
-  for (std::size_t i = 0; i < velocity.size(); ++i) {
+  for (int i = 0; i < velocity.size(); ++i) {
     draw_arrow(page, camera, scale,
-               {.kind = render::ArrowKind::velocity,
-                .tail = {0.75, static_cast<double>(i) + 0.5},
-                .value = {0, velocity[i]}});
+               {.kind = render::ArrowKind::velocity, .tail = {0.75, i + 0.5}, .value = {0, velocity[i]}});
   }
-  for (const std::size_t i : {std::size_t{0}, velocity.size() - 1}) {
-    const render::Point at = camera.project({0.95, static_cast<double>(i) + 0.4});
+  for (const int i : {0, velocity.size() - 1}) {
+    const render::Point at = camera.project({0.95, i + 0.4});
     page.canvas().text({at.x() + 6, at.y()}, fixed(velocity[i], 2), page.value());
   }
 }
 
-render::BarChart guess_bars(const std::vector<double>& guess, const std::string& title, double weight) {
+render::BarChart guess_bars(const List<double>& guess, const std::string& title, double weight) {
   render::BarChart chart{.title = title, .largest = 1.2 * weight, .decimals = 0};
-  const auto n = static_cast<int>(guess.size());
+  const int n = guess.size();
   for (int i = n - 1; i >= 0; --i) {
-    chart.bars.push_back({.name = fmt::format("λ_{{{}}}", i + 1),
-                          .added = guess[static_cast<std::size_t>(i)],
-                          .exact = (n - i) * gravity});
+    chart.bars.push_back(
+        {.name = fmt::format("λ_{{{}}}", i + 1), .added = guess[i], .exact = (n - i) * gravity});
   }
   return chart;
 }
 
 void draw_reversed(Page& page, const WarmStart& all) {
-  const std::vector<Rect> parts = rows(page.area(), {0.72, 0.28}, page.sizes().gap);
-  const std::vector<Rect> panels = columns(parts[0], {0.3, 0.35, 0.35}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.72, 0.28}, page.sizes().gap);
+  const List<Rect> panels = columns(parts[0], {0.3, 0.35, 0.35}, page.sizes().gap);
   const double weight = all.settings.weight();
   draw_thrown(page, panels[0], all);
   draw_bars(page, panels[1], guess_bars(all.reversed.by_number, "first guess by number (N)", weight));
@@ -161,17 +154,17 @@ void draw_reversed(Page& page, const WarmStart& all) {
 
 /// The step in which loads by number are most wrong, once the tower has come to rest.
 int worst_guest_step(const WarmStart& all) {
-  const std::vector<std::vector<double>>& loads = all.guest.by_number;
-  std::size_t worst = loads.size() / 2;
-  for (std::size_t k = worst; k < loads.size(); ++k) {
+  const List<List<double>>& loads = all.guest.by_number;
+  int worst = loads.size() / 2;
+  for (int k = worst; k < loads.size(); ++k) {
     const double weight = all.settings.weight();
     if (std::abs(loads[k][0] - weight) > std::abs(loads[worst][0] - weight)) worst = k;
   }
-  return static_cast<int>(worst);
+  return worst;
 }
 
 void draw_guest(Page& page, const WarmStart& all) {
-  const std::vector<Rect> parts = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
+  const List<Rect> parts = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
   const int step = worst_guest_step(all);
   const Rect inside = page.panel(parts[0], "");
   const render::Camera camera = render::fit(inside, {{-2.4, -0.6}, {1.2, all.settings.boxes + 0.4}});
@@ -179,15 +172,15 @@ void draw_guest(Page& page, const WarmStart& all) {
   look.contacts = false;
   look.penetration = false;
   look.numbers = false;
-  draw_world(page, camera, all.guest.frames[static_cast<std::size_t>(step)], look);
-  const std::vector<Rect> right = rows(parts[1], {0.68, 0.32}, page.sizes().gap);
+  draw_world(page, camera, all.guest.frames[step], look);
+  const List<Rect> right = rows(parts[1], {0.68, 0.32}, page.sizes().gap);
   render::Plot plot{.title = "load λ_{1} on the lowest box (N)"};
-  const std::size_t first = all.guest.by_key.size() / 4;  // once the first swings are over
-  plot.x = {.title = "step", .min = static_cast<double>(first), .max = all.settings.steps};
+  const int first = all.guest.by_key.size() / 4;  // once the first swings are over
+  plot.x = {.title = "step", .min = first, .max = all.settings.steps};
   plot.series = {{.name = "by key", .style = start_styles(page.theme())[1]},
                  {.name = "by number", .style = start_styles(page.theme())[2]}};
-  for (std::size_t k = first; k < all.guest.by_key.size(); ++k) {
-    for (render::Series& series : plot.series) series.x.push_back(static_cast<double>(k));
+  for (int k = first; k < all.guest.by_key.size(); ++k) {
+    for (render::Series& series : plot.series) series.x.push_back(k);
     plot.series[0].y.push_back(all.guest.by_key[k][0]);
     plot.series[1].y.push_back(all.guest.by_number[k][0]);
   }
@@ -203,8 +196,7 @@ void draw_guest(Page& page, const WarmStart& all) {
 
 }  // namespace
 
-std::vector<Shot> order_shots(const WarmStart& recorded) {
-  const All all = std::make_shared<const WarmStart>(recorded);
+List<Shot> order_shots(const All& all) {
   return {
       {.state = "error against steps",
        .alt = "The error of the lowest load against steps, logarithmic: cold falls fast and smoothly, warm "

@@ -1,14 +1,13 @@
 // Three towers side by side, cold, warm and one row off, above one chart that all three share.
-#include "pictures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <set>
 
 #include "lessons/tower_panel.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/plot.hpp"
 
 namespace cairn::warm {
@@ -20,14 +19,12 @@ using render::Page;
 using render::Rect;
 using render::SeriesStyle;
 
-using All = std::shared_ptr<const WarmStart>;
-
-std::array<const StartRun*, 3> runs_of(const WarmStart& all) { return {&all.cold, &all.warm, &all.shifted}; }
+FixedList<const StartRun*, 3> runs_of(const WarmStart& all) { return {&all.cold, &all.warm, &all.shifted}; }
 
 double largest_load(const WarmStart& all) {
   double largest = all.settings.weight();
   for (const StartRun* run : runs_of(all)) {
-    for (const std::vector<double>& frame : run->loads) {
+    for (const List<double>& frame : run->loads) {
       largest = std::max(largest, *std::max_element(frame.begin(), frame.end()));
     }
   }
@@ -35,7 +32,7 @@ double largest_load(const WarmStart& all) {
 }
 
 double top_of(const StartRun& run, int frame) {
-  return run.frames[static_cast<std::size_t>(frame)].bodies.back().pose.position.y() + 0.5;
+  return run.frames[frame].bodies.back().pose.position.y() + 0.5;
 }
 
 /// Where the top of the tower was at the start.
@@ -50,18 +47,17 @@ void draw_start(Page& page, const Rect& rect, const WarmStart& all, const StartR
   const double moved = 1000 * (top_of(run, frame) - all.settings.boxes);
   const std::string top = (page.compact() ? "" : "top ") + fixed(moved, 0, render::Sign::always) + " mm";
   const Rect view = draw_solver_panel(page, rect, style, run.name, top);
-  const auto k = static_cast<std::size_t>(frame);
   const render::Camera camera =
-      draw_tower_loads(page, view, run.frames[k], run.loads[k],
+      draw_tower_loads(page, view, run.frames[frame], run.loads[frame],
                        {.box_weight = gravity, .largest = largest_load(all), .color = style.color});
   draw_start_line(page, camera, all.settings.boxes);
 }
 
 void draw_towers(Page& page, const Rect& rect, const WarmStart& all, int frame) {
-  const std::vector<Rect> panels = columns(rect, {1, 1, 1}, page.sizes().gap);
-  const std::array<SeriesStyle, 3> styles = start_styles(page.theme());
-  const std::array<const StartRun*, 3> runs = runs_of(all);
-  for (std::size_t s = 0; s < runs.size(); ++s) draw_start(page, panels[s], all, *runs[s], frame, styles[s]);
+  const List<Rect> panels = columns(rect, {1, 1, 1}, page.sizes().gap);
+  const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
+  const FixedList<const StartRun*, 3> runs = runs_of(all);
+  for (int s = 0; s < runs.size(); ++s) draw_start(page, panels[s], all, *runs[s], frame, styles[s]);
 }
 
 void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int frame) {
@@ -70,13 +66,13 @@ void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int fram
   constexpr int near = 30;  // steps that the first frames show
   plot.x = {.min = 0, .max = frame <= near ? near : all.settings.steps};
   plot.y = {.min = 0, .max = 1.15 * largest_load(all)};
-  const std::array<SeriesStyle, 3> styles = start_styles(page.theme());
-  const std::array<const StartRun*, 3> runs = runs_of(all);
-  for (std::size_t s = 0; s < runs.size(); ++s) {
+  const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
+  const FixedList<const StartRun*, 3> runs = runs_of(all);
+  for (int s = 0; s < runs.size(); ++s) {
     render::Series series{.name = runs[s]->name, .style = styles[s]};
     for (int k = 0; k <= frame; ++k) {
       series.x.push_back(k);
-      series.y.push_back(runs[s]->loads[static_cast<std::size_t>(k)][0]);
+      series.y.push_back(runs[s]->loads[k][0]);
     }
     plot.series.push_back(series);
   }
@@ -86,26 +82,25 @@ void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int fram
 }
 
 void draw_step(Page& page, const WarmStart& all, int frame) {
-  const std::vector<Rect> parts = rows(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.56, 0.44}, page.sizes().gap);
   draw_towers(page, parts[0], all, frame);
   draw_load_plot(page, parts[1], all, frame);
 }
 
 void draw_note(Page& page, const WarmStart& all, int frame, std::string_view title, std::string_view text) {
-  const std::vector<Rect> parts = rows(page.area(), {0.64, 0.36}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.64, 0.36}, page.sizes().gap);
   draw_towers(page, parts[0], all, frame);
   page.note(parts[1], title, text);
 }
 
 Shot step_shot(const All& all, int frame) {
-  const auto k = static_cast<std::size_t>(frame);
-  return {
-      .state = fmt::format("step {} · t = {} s", frame, fixed(frame * all->settings.dt, 2)),
-      .alt = fmt::format("Step {}: the lowest box carries {:.2f} N cold, {:.2f} N warm and {:.2f} N one row "
-                         "off; the towers are {:.3f} m, {:.3f} m and {:.3f} m high.",
-                         frame, all->cold.loads[k][0], all->warm.loads[k][0], all->shifted.loads[k][0],
-                         top_of(all->cold, frame), top_of(all->warm, frame), top_of(all->shifted, frame)),
-      .draw = [all, frame](Page& page) { draw_step(page, *all, frame); }};
+  return {.state = fmt::format("step {} · t = {} s", frame, fixed(frame * all->settings.dt, 2)),
+          .alt = fmt::format(
+              "Step {}: the lowest box carries {:.2f} N cold, {:.2f} N warm and {:.2f} N one row "
+              "off; the towers are {:.3f} m, {:.3f} m and {:.3f} m high.",
+              frame, all->cold.loads[frame][0], all->warm.loads[frame][0], all->shifted.loads[frame][0],
+              top_of(all->cold, frame), top_of(all->warm, frame), top_of(all->shifted, frame)),
+          .draw = [all, frame](Page& page) { draw_step(page, *all, frame); }};
 }
 
 Shot question_shot(const All& all) {
@@ -148,22 +143,22 @@ Shot answer_shot(const All& all) {
 
 }  // namespace
 
-std::array<SeriesStyle, 3> start_styles(const render::Theme& theme) {
+FixedList<SeriesStyle, 3> start_styles(const render::Theme& theme) {
   return {{{theme.si.color, {10, 6}, render::Marker::square},
            {theme.si.color, {}, render::Marker::circle},
            theme.jacobi}};
 }
 
-std::vector<Shot> start_shots(const WarmStart& recorded) {
+List<Shot> start_shots(const WarmStart& recorded) {
   const All all = std::make_shared<const WarmStart>(recorded);
   const int last = all->settings.steps;
   const std::set<int> keys = {1, 2, 5, 10, 20, last};
-  std::vector<Shot> shots = {question_shot(all)};
+  List<Shot> shots = {question_shot(all)};
   for (int k = 1; k <= last; ++k) {
     shots.push_back(step_shot(all, k));
     shots.back().key = keys.contains(k);
   }
-  for (Shot& shot : order_shots(*all)) shots.push_back(std::move(shot));
+  for (Shot& shot : order_shots(all)) shots.push_back(std::move(shot));
   shots.push_back(answer_shot(all));
   return shots;
 }

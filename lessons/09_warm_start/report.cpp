@@ -1,11 +1,12 @@
 // Prints the loads, the sweeps of a cold step and what wrong places do, and checks them against theory.
-#include "report.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace cairn::warm {
 
@@ -18,7 +19,7 @@ double moved(const StartRun& run, int boxes) {
   return 1000 * (run.frames.back().bodies.back().pose.position.y() - (boxes - 0.5));
 }
 
-std::string listed(const std::vector<double>& numbers) {
+std::string listed(const List<double>& numbers) {
   std::string text;
   for (const double number : numbers) text += fmt::format(" {:>7.4g}", number);
   return text;
@@ -32,13 +33,11 @@ double load_rounding(const StartSettings& settings) {
   return epsilon * (2 * settings.weight() * visits + 4 * heights);
 }
 
-double largest_gap(const std::vector<std::vector<double>>& first,
-                   const std::vector<std::vector<double>>& second, int frames) {
+double largest_gap(const List<List<double>>& first, const List<List<double>>& second, int frames) {
   double largest = 0;
   for (int k = 0; k <= frames; ++k) {
-    const auto frame = static_cast<std::size_t>(k);
-    for (std::size_t i = 0; i < first[frame].size(); ++i) {
-      largest = std::max(largest, std::abs(first[frame][i] - second[frame][i]));
+    for (int i = 0; i < first[k].size(); ++i) {
+      largest = std::max(largest, std::abs(first[k][i] - second[k][i]));
     }
   }
   return largest;
@@ -58,10 +57,9 @@ void check_runs(Lesson& lesson, const WarmStart& all) {
   const int last = all.cold.comparable;
   lesson.check_small("cold: λ by powers of the matrix of Gauss-Seidel (N)",
                      largest_gap(all.cold.loads, theory.loads, last), rounding);
-  const auto frame = static_cast<std::size_t>(last);
   // A velocity is a sum of as many impulses; rounding of a load times dt.
   lesson.check_equal(fmt::format("cold: the top sinks in step {} at the speed that follows (m/s)", last),
-                     all.cold.frames[frame].bodies.back().velocity.y(), theory.top_velocity[frame],
+                     all.cold.frames[last].bodies.back().velocity.y(), theory.top_velocity[last],
                      rounding * settings.dt * settings.boxes);
 }
 
@@ -69,7 +67,7 @@ void check_rates(Lesson& lesson, const WarmStart& all) {
   const StartSettings& settings = all.settings;
   double worst = 0;
   for (int k = 1; k <= settings.steps; ++k) {
-    const double error = all.warm.loads[static_cast<std::size_t>(k)][0] / settings.weight() - 1;
+    const double error = all.warm.loads[k][0] / settings.weight() - 1;
     // All modes together begin with the whole weight, and none shrinks more slowly than the first. A visit
     // from row to row is up to one sweep behind or ahead of the mode.
     const double bound = share_left(settings.boxes, 0.5 * settings.sweeps * k - 1) +
@@ -120,9 +118,8 @@ void tell_loads(Lesson& lesson, const WarmStart& all) {
   lesson.print("step          cold        warm   one row off      W (1 − 8/π² g^(k/2) cos θk)");
   for (const int step : {1, 2, 3, 5, 10, 20, 40, 80, 120, 200, 300}) {
     if (step > all.settings.steps) break;
-    const auto k = static_cast<std::size_t>(step);
-    lesson.print(fmt::format("{:>4} {:>13.2f} {:>11.2f} {:>13.2f} {:>30.2f}", step, all.cold.loads[k][0],
-                             all.warm.loads[k][0], all.shifted.loads[k][0],
+    lesson.print(fmt::format("{:>4} {:>13.2f} {:>11.2f} {:>13.2f} {:>30.2f}", step, all.cold.loads[step][0],
+                             all.warm.loads[step][0], all.shifted.loads[step][0],
                              all.settings.weight() * warm_mode(all.settings, step)));
   }
   const int n = all.settings.boxes;
@@ -174,10 +171,10 @@ void check_claims(Lesson& lesson, const WarmStart& all) {
 CsvTable table_of(const WarmStart& all) {
   CsvTable table{.header = {"step", "interface", "cold_newton", "warm_newton", "one_row_off_newton",
                             "ball_by_number_newton"}};
-  for (std::size_t k = 1; k < all.warm.loads.size(); ++k) {
-    for (std::size_t i = 0; i < all.warm.loads[k].size(); ++i) {
-      table.rows.push_back({static_cast<long long>(k), static_cast<long long>(i + 1), all.cold.loads[k][i],
-                            all.warm.loads[k][i], all.shifted.loads[k][i], all.guest.by_number[k][i]});
+  for (int k = 1; k < all.warm.loads.size(); ++k) {
+    for (int i = 0; i < all.warm.loads[k].size(); ++i) {
+      table.rows.push_back({k, i + 1, all.cold.loads[k][i], all.warm.loads[k][i], all.shifted.loads[k][i],
+                            all.guest.by_number[k][i]});
     }
   }
   return table;

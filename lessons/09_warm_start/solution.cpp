@@ -2,12 +2,12 @@
 #include <algorithm>
 
 #include "exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise09 {
 
-std::vector<double> first_guess(const std::vector<int>& keys, const std::vector<Kept>& kept, double dt_now,
-                                double dt_before) {
-  std::vector<double> guess;
+List<double> first_guess(const List<int>& keys, const List<Kept>& kept, double dt_now, double dt_before) {
+  List<double> guess;
   for (const int key : keys) {
     const auto own =
         std::find_if(kept.begin(), kept.end(), [key](const Kept& each) { return each.key == key; });

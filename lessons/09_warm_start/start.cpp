@@ -5,6 +5,8 @@
 
 #include "lessons/lesson.hpp"
 
+#include "validation/column.hpp"
+
 namespace cairn::warm {
 
 namespace {
@@ -30,8 +32,8 @@ Scene tower(const StartSettings& settings, Guest guest, bool warm_start = false)
 }
 
 /// `lowest`: the number of the lowest box.
-std::vector<double> loads_of(const Snapshot& snapshot, const StartSettings& settings, int lowest) {
-  std::vector<double> loads;
+List<double> loads_of(const Snapshot& snapshot, const StartSettings& settings, int lowest) {
+  List<double> loads;
   for (int i = 0; i < settings.boxes; ++i) {
     const BodyId below{i == 0 ? 0 : lowest + i - 1};
     loads.push_back(normal_impulse_between(snapshot, below, BodyId{lowest + i}) / settings.dt);
@@ -50,10 +52,10 @@ void advance(World<double>& world, Solver<double>& solver) {
   if (world.step(solver).not_finite) throw Diverged("lesson09: the tower blew up");
 }
 
-std::vector<double> heights_per_second(const VelocityProblem<double>& problem) {
-  std::vector<double> result;
-  for (std::size_t box = 1; box < problem.velocity.size(); ++box) {
-    result.push_back(problem.velocity[box].y());
+List<double> heights_per_second(const VelocityProblem<double>& problem) {
+  List<double> result;
+  for (const BodyId body : problem.velocity.indices()) {
+    if (body != ground) result.push_back(problem.velocity[body].y());
   }
   return result;
 }
@@ -61,7 +63,7 @@ std::vector<double> heights_per_second(const VelocityProblem<double>& problem) {
 /// The relative error of the first row's impulse, sweep by sweep.
 class LowestError final : public SolveObserver<double> {
  public:
-  LowestError(double exact, std::vector<double>& error) : exact_(exact), error_(error) {}
+  LowestError(double exact, List<double>& error) : exact_(exact), error_(error) {}
   void before_solve(const VelocityProblem<double>&) override { error_.push_back(1); }
   void after_sweep(int, const VelocityProblem<double>& problem) override {
     error_.push_back(1 - problem.impulse.front() / exact_);
@@ -69,30 +71,13 @@ class LowestError final : public SolveObserver<double> {
 
  private:
   double exact_;  // [N s]
-  std::vector<double>& error_;
+  List<double>& error_;
 };
 
-/// One normal row for each interface of a tower that gravity has just made fall.
+/// One normal row for each interface of a tower that gravity has just made fall, named by its number.
 VelocityProblem<double> tower_rows(int boxes, double dt) {
-  const auto n = static_cast<std::size_t>(boxes);
-  VelocityProblem<double> problem;
-  problem.dt = dt;
-  problem.inverse_mass.assign(n + 1, {1, 1, 0});
-  problem.inverse_mass[0] = {0, 0, 0};  // the ground
-  problem.velocity.assign(n + 1, {0, -gravity * dt, 0});
-  problem.velocity[0] = {0, 0, 0};
-  problem.impulse.assign(n, 0.0);
-  for (int i = 0; i < boxes; ++i) {
-    ConstraintRow<double> row;
-    row.a = {i};
-    row.b = {i + 1};
-    row.jacobian_a = {0, -1, 0};
-    row.jacobian_b = {0, 1, 0};
-    row.bounds = Bounds<double>::unilateral();
-    row.key = {.source = static_cast<std::uint64_t>(i)};
-    problem.blocks.push_back({i, 1});
-    problem.rows.push_back(row);
-  }
+  VelocityProblem<double> problem = cases::column<double>(List<double>(boxes, 1.0), gravity, dt);
+  for (int i = 0; i < boxes; ++i) problem.rows[i].key.source = static_cast<std::uint64_t>(i);
   return problem;
 }
 
@@ -120,7 +105,7 @@ GuestRun follow_guest(const StartSettings& settings, Solver<double>& by_key, Sol
     run.frames.push_back(snapshot(numbered));
     run.by_key.push_back(loads_of(snapshot(keyed), settings, 2));
     run.by_number.push_back(loads_of(run.frames.back(), settings, 2));
-    const std::vector<SnapshotContact>& contacts = run.frames.back().contacts;
+    const List<SnapshotContact>& contacts = run.frames.back().contacts;
     run.ball_touches.push_back(!contacts.empty() && contacts.front().b == BodyId{1});
   }
   return run;
@@ -137,7 +122,7 @@ LibraryRun run_library(const StartSettings& settings) {
   world.set_dt(settings.dt / 2);
   const VelocityProblem<double> next = world.velocity_problem();
   double sum = 0;  // over the ground's two rows
-  for (std::size_t i = 0; i < next.rows.size(); ++i) {
+  for (int i = 0; i < next.row_count(); ++i) {
     if (next.rows[i].a == ground) sum += next.impulse[i];
   }
   run.load_at_half_dt = sum / next.dt;
@@ -147,21 +132,20 @@ LibraryRun run_library(const StartSettings& settings) {
 TowerAtRest tower_found_from_the_top(const StartSettings& settings) {
   TowerAtRest rest{.problem = tower_rows(settings.boxes, settings.dt)};
   for (int i = 0; i < settings.boxes; ++i) {
-    rest.last.emplace_back(rest.problem.rows[static_cast<std::size_t>(i)].key,
-                           (settings.boxes - i) * gravity * settings.dt);
+    rest.last.emplace_back(rest.problem.rows[i].key, (settings.boxes - i) * gravity * settings.dt);
   }
   std::reverse(rest.problem.rows.begin(), rest.problem.rows.end());
   return rest;
 }
 
-ReversedStep begun_with(VelocityProblem<double> problem, const std::vector<double>& by_key,
-                        const std::vector<double>& by_number, int sweeps) {
+ReversedStep begun_with(VelocityProblem<double> problem, const PerRow<double>& by_key,
+                        const PerRow<double>& by_number, int sweeps) {
   ReversedStep step;
-  for (std::size_t i = by_key.size(); i-- > 0;) {
+  for (int i = by_key.size(); i-- > 0;) {
     step.by_key.push_back(by_key[i] / problem.dt);
     step.by_number.push_back(by_number[i] / problem.dt);
   }
-  const auto begun = [&problem](const std::vector<double>& guess) {
+  const auto begun = [&problem](const PerRow<double>& guess) {
     VelocityProblem<double> twin = problem;
     twin.impulse = guess;
     return twin;

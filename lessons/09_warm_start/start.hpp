@@ -3,9 +3,9 @@
 
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::warm {
 
@@ -31,44 +31,44 @@ enum class Start {
 };
 
 /// Last step's impulses [N s] under the names of their rows, in the order of the rows.
-using Memory = std::vector<std::pair<RowKey, double>>;
+using Memory = List<std::pair<RowKey, double>>;
 
 /// Frame k is the state after k steps; frame 0 is the start.
 struct StartRun {
   std::string name = {};
-  std::vector<Snapshot> frames = {};            // steps + 1
-  std::vector<std::vector<double>> loads = {};  // [frame][interface] [N]; interface 0 is the ground's
-  int comparable = 0;                           // the last frame before any overlap is too_deep
+  List<Snapshot> frames = {};     // steps + 1
+  List<List<double>> loads = {};  // [frame][interface] [N]; interface 0 is the ground's
+  int comparable = 0;             // the last frame before any overlap is too_deep
 };
 
 /// The tower, with an elastic ball that bounces beside it. Its contact, when there is one, is the first row.
 struct GuestRun {
-  std::vector<std::vector<double>> by_key = {};     // [frame][interface] [N]
-  std::vector<std::vector<double>> by_number = {};  // impulses kept in a list, found by their place
-  std::vector<char> ball_touches = {};              // in each frame
-  std::vector<Snapshot> frames = {};                // of the run by number
+  List<List<double>> by_key = {};     // [frame][interface] [N]
+  List<List<double>> by_number = {};  // impulses kept in a list, found by their place
+  List<char> ball_touches = {};       // in each frame
+  List<Snapshot> frames = {};         // of the run by number
 };
 
 /// The tower at rest whose contacts are found from the top down in this step, and not from the ground up.
 struct ReversedStep {
-  std::vector<double> by_key = {};              // [N] first guess of each interface
-  std::vector<double> by_number = {};           // [N]
-  std::vector<double> velocity_by_key = {};     // [m/s] of each box with that guess, before any sweep
-  std::vector<double> velocity_by_number = {};  // [m/s]
-  std::vector<double> velocity_after = {};      // [m/s] by number, when all sweeps are done
+  List<double> by_key = {};              // [N] first guess of each interface
+  List<double> by_number = {};           // [N]
+  List<double> velocity_by_key = {};     // [m/s] of each box with that guess, before any sweep
+  List<double> velocity_by_number = {};  // [m/s]
+  List<double> velocity_after = {};      // [m/s] by number, when all sweeps are done
 };
 
 /// A cold start: the relative error of the lowest load after every sweep, 1 at sweep 0.
 struct ColdSweeps {
   int boxes = 0;
-  std::vector<double> error = {};
+  List<double> error = {};
   int needed = 0;  // sweeps until the error is wanted_error
 };
 
 /// The warm tower again, with the world's own memory.
 struct LibraryRun {
-  std::vector<std::vector<double>> loads = {};  // [frame][interface] [N]
-  double load_at_half_dt = 0;                   // [N] lowest first guess once dt is halved at the end
+  List<List<double>> loads = {};  // [frame][interface] [N]
+  double load_at_half_dt = 0;     // [N] lowest first guess once dt is halved at the end
 };
 
 /// Rows of a tower that has begun to fall, from the top down, and the weights as the last step left them.
@@ -84,8 +84,8 @@ struct WarmStart {
   StartRun shifted = {};
   GuestRun guest = {};
   ReversedStep reversed = {};
-  std::vector<ColdSweeps> sweeps = {};  // of 3, 5, 10 and 20 boxes
-  ColdSweeps own = {};                  // of this tower
+  List<ColdSweeps> sweeps = {};  // of 3, 5, 10 and 20 boxes
+  ColdSweeps own = {};           // of this tower
   LibraryRun library = {};
 };
 
@@ -94,19 +94,19 @@ GuestRun follow_guest(const StartSettings& settings, Solver<double>& by_key, Sol
 LibraryRun run_library(const StartSettings& settings);
 TowerAtRest tower_found_from_the_top(const StartSettings& settings);
 /// What the first guesses [N s], one for each row of the problem, do to the boxes.
-ReversedStep begun_with(VelocityProblem<double> problem, const std::vector<double>& by_key,
-                        const std::vector<double>& by_number, int sweeps);
+ReversedStep begun_with(VelocityProblem<double> problem, const PerRow<double>& by_key,
+                        const PerRow<double>& by_number, int sweeps);
 /// One step from nothing, until the lowest contact lacks wanted_error, and some sweeps more.
 ColdSweeps sweep_cold(int boxes, double dt);
 
 /// Masses on a line in plain loops: gravity, Gauss-Seidel from the ground up, semi-implicit Euler. No engine.
 /// [frame][interface] [N]
-std::vector<std::vector<double>> loads_by_hand(const StartSettings& settings);
+List<List<double>> loads_by_hand(const StartSettings& settings);
 
 /// The cold tower by powers of the matrix of Gauss-Seidel, G = -(D + L)^-1 U.
 struct ColdTheory {
-  std::vector<std::vector<double>> loads = {};  // [frame][interface] [N]
-  std::vector<double> top_velocity = {};        // [m/s] of the uppermost box, for each frame
+  List<List<double>> loads = {};   // [frame][interface] [N]
+  List<double> top_velocity = {};  // [m/s] of the uppermost box, for each frame
 };
 ColdTheory cold_by_matrix(const StartSettings& settings);
 
@@ -119,6 +119,6 @@ double needed_by_formula(int boxes);
 double warm_mode(const StartSettings& settings, int step);
 
 /// The largest |load - weight| of the lowest contact in the last quarter of the steps [N].
-double unrest(const std::vector<std::vector<double>>& loads, double weight);
+double unrest(const List<List<double>>& loads, double weight);
 
 }  // namespace cairn::warm

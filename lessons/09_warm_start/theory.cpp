@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "start.hpp"
 
 namespace cairn::warm {
@@ -11,20 +12,20 @@ namespace {
 
 /// Masses of 1 kg on a line, from the ground up.
 struct Line {
-  std::vector<double> height = {};    // [m] of each underside above where it began
-  std::vector<double> velocity = {};  // [m/s]
-  std::vector<double> impulse = {};   // [N s] between a mass and what is below
+  List<double> height = {};    // [m] of each underside above where it began
+  List<double> velocity = {};  // [m/s]
+  List<double> impulse = {};   // [N s] between a mass and what is below
 
-  double gap(std::size_t i) const { return height[i] - (i > 0 ? height[i - 1] : 0.0); }
-  double closing(std::size_t i) const { return velocity[i] - (i > 0 ? velocity[i - 1] : 0.0); }
-  void push(std::size_t i, double p) {
+  double gap(int i) const { return height[i] - (i > 0 ? height[i - 1] : 0.0); }
+  double closing(int i) const { return velocity[i] - (i > 0 ? velocity[i - 1] : 0.0); }
+  void push(int i, double p) {
     velocity[i] += p;
     if (i > 0) velocity[i - 1] -= p;
   }
 };
 
 void sweep_line(Line& line, double dt) {
-  for (std::size_t i = 0; i < line.impulse.size(); ++i) {
+  for (int i = 0; i < line.impulse.size(); ++i) {
     const double gap = line.gap(i);
     const double bias = gap > 0 ? -gap / dt : 0;                           // room may be used up
     const double corrective = (bias - line.closing(i)) / (i > 0 ? 2 : 1);  // eq (22) times dt
@@ -46,18 +47,17 @@ Eigen::MatrixXd tower_matrix(int boxes) {
 
 }  // namespace
 
-std::vector<std::vector<double>> loads_by_hand(const StartSettings& settings) {
-  const auto n = static_cast<std::size_t>(settings.boxes);
-  Line line{.height = std::vector<double>(n, 0.0),
-            .velocity = std::vector<double>(n, 0.0),
-            .impulse = std::vector<double>(n, 0.0)};
-  std::vector<std::vector<double>> loads(1, std::vector<double>(n, 0.0));
+List<List<double>> loads_by_hand(const StartSettings& settings) {
+  const int n = settings.boxes;
+  Line line{
+      .height = List<double>(n, 0.0), .velocity = List<double>(n, 0.0), .impulse = List<double>(n, 0.0)};
+  List<List<double>> loads(1, List<double>(n, 0.0));
   for (int k = 0; k < settings.steps; ++k) {
     for (double& v : line.velocity) v -= gravity * settings.dt;
-    for (std::size_t i = 0; i < n; ++i) line.push(i, line.impulse[i]);  // the warm start
+    for (int i = 0; i < n; ++i) line.push(i, line.impulse[i]);  // the warm start
     for (int sweep = 0; sweep < settings.sweeps; ++sweep) sweep_line(line, settings.dt);
-    for (std::size_t i = 0; i < n; ++i) line.height[i] += line.velocity[i] * settings.dt;
-    std::vector<double>& load = loads.emplace_back();
+    for (int i = 0; i < n; ++i) line.height[i] += line.velocity[i] * settings.dt;
+    List<double>& load = loads.emplace_back();
     for (const double impulse : line.impulse) load.push_back(impulse / settings.dt);
   }
   return loads;
@@ -76,7 +76,7 @@ ColdTheory cold_by_matrix(const StartSettings& settings) {
   Eigen::VectorXd weight(n);
   for (Eigen::Index i = 0; i < n; ++i) weight(i) = double(n - i) * gravity;
 
-  ColdTheory theory{.loads = {std::vector<double>(static_cast<std::size_t>(n), 0.0)}, .top_velocity = {0}};
+  ColdTheory theory{.loads = {List<double>(n, 0.0)}, .top_velocity = {0}};
   Eigen::VectorXd d = Eigen::VectorXd::Zero(n);
   for (int k = 0; k < settings.steps; ++k) {
     const Eigen::VectorXd next = power * (d - weight);
@@ -99,9 +99,9 @@ double warm_mode(const StartSettings& settings, int step) {
   return 1 - 8 / (pi * pi) * std::pow(g, 0.5 * step) * std::cos(std::acos(std::sqrt(g)) * step);
 }
 
-double unrest(const std::vector<std::vector<double>>& loads, double weight) {
+double unrest(const List<List<double>>& loads, double weight) {
   double largest = 0;
-  for (std::size_t k = loads.size() * 3 / 4; k < loads.size(); ++k) {
+  for (int k = loads.size() * 3 / 4; k < loads.size(); ++k) {
     largest = std::max(largest, std::abs(loads[k][0] - weight));
   }
   return largest;

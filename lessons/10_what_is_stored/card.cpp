@@ -1,7 +1,7 @@
 // What lesson 10 is: its title, its equations, its question, its parameters.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::stored {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -32,4 +32,4 @@ LessonInfo card() {
       .next = "lesson11_friction   (a row whose bounds lean on another row)"};
 }
 
-}  // namespace cairn::stored
+}  // namespace cairn

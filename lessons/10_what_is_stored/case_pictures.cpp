@@ -1,10 +1,8 @@
 // Three pairs of rows for which equation (30) and A do not say the same.
 #include <fmt/format.h>
 
-#include <array>
-#include <memory>
-
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 
 namespace cairn::stored {
@@ -15,8 +13,6 @@ using render::Page;
 using render::Point;
 using render::Rect;
 
-using Run = std::shared_ptr<const StoredRun>;
-
 /// What is written beside one pair.
 struct CaseText {
   render::Equation printed = {};
@@ -25,7 +21,7 @@ struct CaseText {
   std::string brief = {};  // in a small picture
 };
 
-std::array<CaseText, 3> case_texts() {
+FixedList<CaseText, 3> case_texts() {
   return {
       {{{.number = "eq (30)",
          .symbols = "J_{1} · J_{2} = (1 + r_{1} r_{2}) + (1 + x_{1} x_{2})",
@@ -82,28 +78,28 @@ void draw_case_scene(Page& page, const Rect& rect, const PairCase& one) {
     const Point tip = camera.project(contact.position + Vec2<double>(0, 1));
     page.canvas().text({tip.x(), tip.y() - 8}, fmt::format("{}", ++number), style);
   }
-  for (std::size_t i = 1; i < one.snapshot.bodies.size(); ++i) {
-    const Point center = camera.project(one.snapshot.bodies[i].pose.position);
+  for (const BodyId body : one.snapshot.bodies.indices()) {
+    if (body == ground) continue;
+    const Point center = camera.project(one.snapshot.bodies[body].pose.position);
     page.canvas().circle(center, page.sizes().contact, {.fill = page.theme().outline});
   }
 }
 
 void draw_case(Page& page, const PairCase& one, const CaseText& text) {
-  const std::vector<Rect> halves = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
-  const std::vector<Rect> left = rows(halves[0], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
+  const List<Rect> left = rows(halves[0], {0.5, 0.5}, page.sizes().gap);
   draw_case_scene(page, left[0], one);
   page.note(left[1], "", page.compact() ? text.brief : text.note);
-  const std::vector<Rect> right = rows(halves[1], {1, 1}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {1, 1}, page.sizes().gap);
   page.equation(right[0], text.printed);
   page.equation(right[1], text.coupling);
 }
 
 }  // namespace
 
-std::vector<Shot> case_shots(const StoredRun& recorded) {
-  const Run run = std::make_shared<const StoredRun>(recorded);
-  std::vector<Shot> shots;
-  for (std::size_t i = 0; i < run->cases.size(); ++i) {
+List<Shot> case_shots(const Run& run) {
+  List<Shot> shots;
+  for (int i = 0; i < run->cases.size(); ++i) {
     shots.push_back(
         {.state = fmt::format("pair {} of {}", i + 1, run->cases.size()),
          .alt = fmt::format("Two contacts with the product of their rows, {:.4g}, beside their entry "

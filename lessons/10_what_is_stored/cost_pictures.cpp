@@ -1,9 +1,8 @@
 // Memory and work against the number of rows, and a scene where A has no zeros.
 #include <fmt/format.h>
 
-#include <memory>
-
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
 
@@ -13,8 +12,6 @@ namespace {
 
 using render::Page;
 using render::Rect;
-
-using Run = std::shared_ptr<const StoredRun>;
 
 render::SeriesStyle sparse_style(const Page& page) {
   return {page.theme().outline, {2, 5}, render::Marker::diamond};
@@ -45,7 +42,7 @@ render::Plot rows_plot(const std::string& title) {
 }
 
 void draw_memory(Page& page, const StoredRun& run) {
-  const std::vector<Rect> parts = columns(page.area(), {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> parts = columns(page.area(), {0.6, 0.4}, page.sizes().gap);
   render::Plot plot = rows_plot("A in memory (bytes)");
   plot.series = {
       series_of(run, "full A", page.theme().pgs, [](const Count& count) { return 8 * count.dense; }),
@@ -53,7 +50,7 @@ void draw_memory(Page& page, const StoredRun& run) {
       series_of(run, "SI", page.theme().si, [](const Count& count) { return 8 * count.rows; })};
   plot.y.min = 100;
   draw_plot(page, parts[0], plot);
-  const std::vector<Rect> right = rows(parts[1], {0.42, 0.58}, page.sizes().gap);
+  const List<Rect> right = rows(parts[1], {0.42, 0.58}, page.sizes().gap);
   render::TableView table{.header = {fmt::format("base {}", run.settings.base), "in all"}};
   for (const Kept& kept : run.kept) table.rows.push_back({kept.name, bytes_text(kept.bytes)});
   page.table(right[0], "", table);
@@ -66,7 +63,7 @@ void draw_memory(Page& page, const StoredRun& run) {
 }
 
 void draw_work(Page& page, const StoredRun& run) {
-  const std::vector<Rect> parts = columns(page.area(), {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> parts = columns(page.area(), {0.6, 0.4}, page.sizes().gap);
   render::Plot plot = rows_plot("multiply-adds of one sweep");
   plot.series = {
       series_of(run, "naive", naive_style(page), [](const Count& count) { return work_of(count).naive; }),
@@ -87,13 +84,13 @@ void draw_work(Page& page, const StoredRun& run) {
 }
 
 void draw_tray(Page& page, const StoredRun& run) {
-  const std::vector<Rect> parts = rows(page.area(), {0.36, 0.64}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.36, 0.64}, page.sizes().gap);
   const Rect inside = page.panel(parts[0], "");
   const render::Camera camera = render::fit(inside, {{-5.9, -0.4}, {5.9, 1.8}});
   render::WorldLook look;
   look.penetration = false;
   draw_world(page, camera, run.tray_snapshot, look);
-  const std::vector<Rect> below = columns(parts[1], {0.45, 0.55}, page.sizes().gap);
+  const List<Rect> below = columns(parts[1], {0.45, 0.55}, page.sizes().gap);
   render::TableView table{.header = {"", "base 10", "tray"}};
   const Count& pyramid = run.pyramids[2];
   const auto line = [&](const char* name, double first, double second) {
@@ -117,8 +114,7 @@ void draw_tray(Page& page, const StoredRun& run) {
 
 }  // namespace
 
-std::vector<Shot> cost_shots(const StoredRun& recorded) {
-  const Run run = std::make_shared<const StoredRun>(recorded);
+List<Shot> cost_shots(const Run& run) {
   return {
       {.state = "memory",
        .alt = "Bytes against rows, both logarithmic: a full A rises twice as steeply as a sparse one and "

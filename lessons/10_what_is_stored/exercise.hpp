@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lessons/exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise10 {
 
@@ -14,9 +15,9 @@ struct RowBodies {
 /// How many entries of A = J M^-1 J^T there are between rows that share a body which can move, with the
 /// diagonal and with both halves. `inverse_mass` [1/kg] is 0 for a body that cannot move; every row has one
 /// that can.
-int entries(const std::vector<RowBodies>& rows, const std::vector<double>& inverse_mass);
+int entries(const List<RowBodies>& rows, const List<double>& inverse_mass);
 
-using Answer = int (*)(const std::vector<RowBodies>&, const std::vector<double>&);
+using Answer = int (*)(const List<RowBodies>&, const List<double>&);
 void grade(Grade& grade, Answer answer);
 /// With the answer of exercise.cpp.
 Exercise exercise();

@@ -1,26 +1,28 @@
 // Exercise 10, graded: stacks, boxes on the ground and a tray.
 #include "exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise10 {
 namespace {
 
 /// n boxes on each other, `points` rows for each contact; body 0 is the ground.
-std::vector<RowBodies> stack_rows(int boxes, int points) {
-  std::vector<RowBodies> rows;
-  for (int box = 0; box < boxes; ++box)
-    rows.insert(rows.end(), static_cast<std::size_t>(points), {box, box + 1});
+List<RowBodies> stack_rows(int boxes, int points) {
+  List<RowBodies> rows;
+  for (int box = 0; box < boxes; ++box) {
+    for (int point = 0; point < points; ++point) rows.push_back({box, box + 1});
+  }
   return rows;
 }
 
 /// n boxes side by side on body 0.
-std::vector<RowBodies> side_by_side(int boxes) {
-  std::vector<RowBodies> rows;
+List<RowBodies> side_by_side(int boxes) {
+  List<RowBodies> rows;
   for (int box = 0; box < boxes; ++box) rows.push_back({0, box + 1});
   return rows;
 }
 
-std::vector<double> masses(int boxes, double of_ground) {
-  std::vector<double> inverse(static_cast<std::size_t>(boxes) + 1, 1);
+List<double> masses(int boxes, double of_ground) {
+  List<double> inverse(boxes + 1, 1);
   inverse[0] = of_ground;
   return inverse;
 }

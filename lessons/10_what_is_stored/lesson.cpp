@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "solvers/body_rows.hpp"
 #include "stored.hpp"
 
@@ -22,7 +22,7 @@ using namespace cairn::stored;
 bool share_a_body(const VelocityProblem<double>& problem, const ConstraintRow<double>& first,
                   const ConstraintRow<double>& second) {
   for (const BodyId body : {first.a, first.b}) {
-    const bool moves = problem.inverse_mass[static_cast<std::size_t>(body.index)] != Vec3<double>::Zero();
+    const bool moves = problem.inverse_mass[body] != Vec3<double>::Zero();
     if (moves && (body == second.a || body == second.b)) return true;
   }
   return false;
@@ -32,8 +32,8 @@ bool share_a_body(const VelocityProblem<double>& problem, const ConstraintRow<do
 // [count]
 /// All pairs of rows.
 Count count_pairs(const VelocityProblem<double>& problem) {
-  const std::vector<Vec3<double>>& M_inverse = problem.inverse_mass;
-  const std::vector<Vec3<double>> ones(M_inverse.size(), Vec3<double>::Ones());
+  const PerBody<Vec3<double>>& M_inverse = problem.inverse_mass;
+  const PerBody<Vec3<double>> ones(M_inverse.size(), Vec3<double>::Ones());
   const double m = problem.row_count();
   Count count{.bodies = problem.body_count() - 1, .rows = m, .dense = m * m};
   for (const ConstraintRow<double>& first : problem.rows) {
@@ -91,7 +91,8 @@ void run(Lesson& lesson) {
   check_claims(lesson, stored);
   lesson.film(stored_shots(stored));
   lesson.data(table_of(stored));
-  lesson.fingerprint(stored.kept[0].impulse);
+  const PerRow<double>& impulse = stored.kept[0].impulse;
+  lesson.fingerprint(List<double>(impulse.begin(), impulse.end()));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The question, the smallest pyramid row by row beside its A, the pattern of a larger one, and the answer.
-#include "pictures.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "math/list.hpp"
 #include "render/draw.hpp"
 #include "render/matrix.hpp"
 
@@ -18,13 +19,11 @@ using render::Page;
 using render::Point;
 using render::Rect;
 
-using Run = std::shared_ptr<const StoredRun>;
+constexpr int smallest = 0;  // of the pyramids
+constexpr int middle = 2;
+constexpr int largest = 3;
 
-constexpr std::size_t smallest = 0;  // of the pyramids
-constexpr std::size_t middle = 2;
-constexpr std::size_t largest = 3;
-
-void draw_pyramid(Page& page, const Rect& rect, const StoredRun& run, std::size_t which) {
+void draw_pyramid(Page& page, const Rect& rect, const StoredRun& run, int which) {
   const Rect inside = page.panel(rect, "");
   const double base = run.pyramids[which].base;
   const double half = 0.5 * run.settings.spacing * base + 0.3;
@@ -45,17 +44,17 @@ void draw_met(Page& page, const Rect& rect, const StoredRun& run, const Eigen::M
   const double half = 0.5 * run.settings.spacing * 3 + 0.4;
   const render::Camera camera = render::fit(inside, {{-half, -0.5}, {half, 3.3}});
   const VelocityProblem<double>& problem = run.problems[smallest];
-  const ConstraintRow<double>& row = problem.rows[static_cast<std::size_t>(active)];
+  const ConstraintRow<double>& row = problem.rows[active];
   render::WorldLook look;
   look.contacts = false;
   look.penetration = false;
   look.active_a = row.a;
   look.active_b = row.b;
   draw_world(page, camera, run.snapshots[smallest], look);
-  const std::vector<SnapshotContact>& contacts = run.snapshots[smallest].contacts;
+  const List<SnapshotContact>& contacts = run.snapshots[smallest].contacts;
   render::TextStyle style = page.tick();
-  for (int j = 0; j < static_cast<int>(contacts.size()); ++j) {
-    const Point at = camera.project(contacts[static_cast<std::size_t>(j)].position);
+  for (int j = 0; j < contacts.size(); ++j) {
+    const Point at = camera.project(contacts[j].position);
     const bool is_met = meet(A, active, j);
     const double radius = j == active ? page.sizes().new_contact : page.sizes().contact;
     page.canvas().circle(at, radius,
@@ -65,7 +64,7 @@ void draw_met(Page& page, const Rect& rect, const StoredRun& run, const Eigen::M
     style.bold = is_met;
     // The two points of an overlap have their numbers between them, in the upper and in the lower box.
     const bool is_left = j % 2 == 0;
-    const bool is_above = is_left || problem.rows[static_cast<std::size_t>(j)].a == ground;
+    const bool is_above = is_left || problem.rows[j].a == ground;
     style.align = is_left ? render::Align::left : render::Align::right;
     const Point beside(at.x() + (is_left ? 8 : -8), at.y() + (is_above ? -7 : 7 + 0.8 * style.size));
     if (!page.compact()) page.canvas().text(beside, fmt::format("{}", j + 1), style);
@@ -77,12 +76,12 @@ std::string body_name(BodyId body) {
 }
 
 void draw_row(Page& page, const StoredRun& run, int active) {
-  const std::vector<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
-  const std::vector<Rect> left = rows(halves[0], {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
+  const List<Rect> left = rows(halves[0], {0.62, 0.38}, page.sizes().gap);
   const VelocityProblem<double>& problem = run.problems[smallest];
   const Eigen::MatrixXd A = system_matrices(problem).A;
   draw_met(page, left[0], run, A, active);
-  const ConstraintRow<double>& row = problem.rows[static_cast<std::size_t>(active)];
+  const ConstraintRow<double>& row = problem.rows[active];
   int met = 0;
   for (int j = 0; j < problem.row_count(); ++j) met += meet(A, active, j);
   page.note(left[1], "",
@@ -104,17 +103,15 @@ render::Color colour_of(const render::Theme& theme, Entry entry) {
 
 /// The pattern of a pyramid's A as large as `rect` allows; what lies together in a row is drawn in one piece,
 /// on whole pixels, or seams would show.
-void draw_entries(Page& page, const Rect& rect, const StoredRun& run, std::size_t which) {
-  const std::vector<std::vector<Entry>> entries = pattern(run.problems[which]);
-  const std::size_t m = entries.size();
+void draw_entries(Page& page, const Rect& rect, const StoredRun& run, int which) {
+  const List<List<Entry>> entries = pattern(run.problems[which]);
+  const int m = entries.size();
   const double side = std::min(rect.width, rect.height);
   const double left = std::round(rect.x), top = std::round(rect.y);
-  const auto edge = [&](std::size_t k) {
-    return std::round(side * static_cast<double>(k) / static_cast<double>(m));
-  };
-  for (std::size_t i = 0; i < m; ++i) {
+  const auto edge = [&](int k) { return std::round(side * k / m); };
+  for (int i = 0; i < m; ++i) {
     const double height = std::max(1.0, edge(i + 1) - edge(i));
-    for (std::size_t first = 0, end = 0; first < m; first = end) {
+    for (int first = 0, end = 0; first < m; first = end) {
       while (end < m && entries[i][end] == entries[i][first]) ++end;
       if (entries[i][first] == Entry::zero) continue;
       page.canvas().rect({left + edge(first), top + edge(i), edge(end) - edge(first), height},
@@ -130,7 +127,7 @@ void draw_colours(Page& page, const Rect& rect) {
   const Rect inside = page.panel(rect, "");
   const double side = page.label().size;
   double y = inside.y + 4;
-  const std::vector<std::pair<render::Color, const char*>> meanings = {
+  const List<std::pair<render::Color, const char*>> meanings = {
       {colour_of(page.theme(), Entry::true_entry), "in A"},
       {colour_of(page.theme(), Entry::printed_only),
        page.compact() ? "(30) only" : "counted by (30), 0 in A"}};
@@ -142,11 +139,11 @@ void draw_colours(Page& page, const Rect& rect) {
 }
 
 void draw_pattern(Page& page, const StoredRun& run) {
-  const std::vector<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
   draw_entries(page, parts[0], run, middle);
-  const std::vector<double> weights =
-      page.compact() ? std::vector<double>{0.24, 0.42, 0.34} : std::vector<double>{0.16, 0.36, 0.48};
-  const std::vector<Rect> right = rows(parts[1], weights, page.sizes().gap);
+  const List<double> weights =
+      page.compact() ? List<double>{0.24, 0.42, 0.34} : List<double>{0.16, 0.36, 0.48};
+  const List<Rect> right = rows(parts[1], weights, page.sizes().gap);
   draw_colours(page, right[0]);
   const Count& count = run.pyramids[middle];
   render::TableView table{.header = {"base 10", "numbers"}};
@@ -162,9 +159,9 @@ void draw_pattern(Page& page, const StoredRun& run) {
 }
 
 void draw_two_patterns(Page& page, const StoredRun& run) {
-  const std::vector<Rect> panels = columns(page.area(), {0.37, 0.37, 0.26}, page.sizes().gap);
-  for (const std::size_t which : {smallest, smallest + 1}) {
-    const std::vector<Rect> parts = rows(panels[which], {0.76, 0.24}, page.sizes().gap);
+  const List<Rect> panels = columns(page.area(), {0.37, 0.37, 0.26}, page.sizes().gap);
+  for (const int which : {smallest, smallest + 1}) {
+    const List<Rect> parts = rows(panels[which], {0.76, 0.24}, page.sizes().gap);
     const Rect inside = page.panel(parts[0], fmt::format("base {}: {:g} × {:g}", run.pyramids[which].base,
                                                          run.pyramids[which].rows, run.pyramids[which].rows));
     draw_entries(page, inside, run, which);
@@ -178,10 +175,10 @@ void draw_two_patterns(Page& page, const StoredRun& run) {
 }
 
 void draw_question(Page& page, const StoredRun& run) {
-  const std::vector<Rect> halves = columns(page.area(), {0.52, 0.48}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.52, 0.48}, page.sizes().gap);
   draw_pyramid(page, halves[0], run, largest);
   const Count& count = run.pyramids[largest];
-  const std::vector<Rect> right = rows(halves[1], {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.6, 0.4}, page.sizes().gap);
   page.note(
       right[0], "Predict",
       fmt::format("{} boxes, two rows for each overlap: two for every box on the ground, four for every "
@@ -195,7 +192,7 @@ void draw_question(Page& page, const StoredRun& run) {
 }
 
 void draw_answer(Page& page, const StoredRun& run) {
-  const std::vector<Rect> parts = rows(page.area(), {0.48, 0.52}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.48, 0.52}, page.sizes().gap);
   render::TableView table;
   table.header = {"", "rows", "full A", "(30)", "not zero", "SI"};
   for (const Count& count : run.pyramids) {
@@ -203,7 +200,7 @@ void draw_answer(Page& page, const StoredRun& run) {
                           fmt::format("{:.0f}", count.printed), fmt::format("{:.0f}", count.non_zeros),
                           fmt::format("{:.0f}", count.rows)});
   }
-  table.active_row = static_cast<int>(largest);
+  table.active_row = largest;
   page.table(parts[0], "numbers to keep", table);
   const Count& count = run.pyramids[largest];
   page.note(
@@ -230,9 +227,9 @@ Shot row_shot(const Run& run, int row) {
 
 }  // namespace
 
-std::vector<Shot> stored_shots(const StoredRun& recorded) {
+List<Shot> stored_shots(const StoredRun& recorded) {
   const Run run = std::make_shared<const StoredRun>(recorded);
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back({.state = "count first",
                    .alt = "A large pyramid of boxes, and the question.",
                    .draw = [run](Page& page) { draw_question(page, *run); },
@@ -250,7 +247,7 @@ std::vector<Shot> stored_shots(const StoredRun& recorded) {
                        "with four numbers to compare.",
                    .draw = [run](Page& page) { draw_pattern(page, *run); },
                    .key = true});
-  for (const std::vector<Shot>& part : {case_shots(*run), cost_shots(*run)}) {
+  for (const List<Shot>& part : {case_shots(run), cost_shots(run)}) {
     shots.insert(shots.end(), part.begin(), part.end());
   }
   shots.push_back({.state = "answer",

@@ -1,5 +1,5 @@
 // Prints the counts, what solvers keep and the three pairs, and checks them by formulas.
-#include "report.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/list.hpp"
 #include "solvers/body_rows.hpp"
 
 namespace cairn::stored {
@@ -22,8 +23,7 @@ void check_entries(Lesson& lesson, const StoredRun& run) {
   double gap = 0;
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
     for (Eigen::Index j = 0; j < A.cols(); ++j) {
-      const double entry = coupling(problem, problem.rows[static_cast<std::size_t>(i)],
-                                    problem.rows[static_cast<std::size_t>(j)], problem.inverse_mass);
+      const double entry = coupling(problem, problem.rows[i], problem.rows[j], problem.inverse_mass);
       gap = std::max(gap, std::abs(A(i, j) - entry));
     }
   }
@@ -56,7 +56,7 @@ void check_counts(Lesson& lesson, const StoredRun& run) {
   lesson.check_that("(30) as printed: beyond these only rows that share the ground", beyond <= 0,
                     fmt::format("{:.0f} − {:.0f}", run.pyramids[2].printed, run.pyramids[2].non_zeros));
   double library = 0;
-  for (std::size_t i = 0; i < run.problems.size(); ++i) {
+  for (int i = 0; i < run.problems.size(); ++i) {
     const VelocityProblem<double>& problem = run.problems[i];
     const Count& count = run.pyramids[i];
     library = std::max({library, std::abs(static_cast<double>(non_zeros(problem)) - count.non_zeros),
@@ -71,10 +71,10 @@ void check_counts(Lesson& lesson, const StoredRun& run) {
 void check_cases(Lesson& lesson, const StoredRun& run) {
   // Products of numbers of the size of 1; 1/3 and 1/6 are rounded.
   const double rounding = 4 * epsilon;
-  const std::vector<double> printed = {0, 5.0 / 3, -0.5};
-  const std::vector<double> coupling = {-5.0 / 6, 0, 0};
+  const List<double> printed = {0, 5.0 / 3, -0.5};
+  const List<double> coupling = {-5.0 / 6, 0, 0};
   double off = 0;
-  for (std::size_t i = 0; i < run.cases.size(); ++i) {
+  for (int i = 0; i < run.cases.size(); ++i) {
     off = std::max(off, std::abs(run.cases[i].printed - printed[i]));
     off = std::max(off, std::abs(run.cases[i].coupling - coupling[i]));
   }
@@ -90,7 +90,7 @@ void check_solvers(Lesson& lesson, const StoredRun& run) {
   double gap = 0;
   double scale = 0;
   for (const Kept& kept : run.kept) {
-    for (std::size_t i = 0; i < kept.impulse.size(); ++i) {
+    for (int i = 0; i < kept.impulse.size(); ++i) {
       scale = std::max(scale, std::abs(kept.impulse[i]));
       gap = std::max(gap, std::abs(kept.impulse[i] - run.kept[0].impulse[i]));
     }
@@ -113,7 +113,7 @@ void tell_counts(Lesson& lesson, const StoredRun& run) {
   lesson.print();
   lesson.print(
       "numbers       bodies    rows m     full m²   (30) printed   not zero   share a body       SI m");
-  std::vector<Count> counts = run.pyramids;
+  List<Count> counts = run.pyramids;
   counts.push_back(run.tray);
   for (const Count& count : counts) {
     lesson.print(fmt::format("{:<12} {:>7} {:>9.0f} {:>11.0f} {:>14.0f} {:>10.0f} {:>14.0f} {:>10.0f}",
@@ -158,7 +158,7 @@ void check_claims(Lesson& lesson, const StoredRun& run) {
 
 CsvTable table_of(const StoredRun& run) {
   CsvTable table{.header = {"scene", "bodies", "rows", "full", "printed", "non_zeros", "pairs"}};
-  std::vector<Count> counts = run.pyramids;
+  List<Count> counts = run.pyramids;
   counts.push_back(run.tray);
   for (const Count& count : counts) {
     table.rows.push_back({count.name, static_cast<long long>(count.bodies), count.rows, count.dense,

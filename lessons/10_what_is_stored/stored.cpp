@@ -26,8 +26,8 @@ struct CaseContact {
   double x = 0;
 };
 
-PairCase pair_case(const std::string& title, const std::vector<CaseBody>& bodies,
-                   const std::vector<CaseContact>& contacts) {
+PairCase pair_case(const std::string& title, const List<CaseBody>& bodies,
+                   const List<CaseContact>& contacts) {
   constexpr double thickness = 0.5;
   Scene scene;
   scene.add_ground();
@@ -46,7 +46,7 @@ PairCase pair_case(const std::string& title, const std::vector<CaseBody>& bodies
   problem.velocity.assign(problem.inverse_mass.size(), Vec3<double>::Zero());
   problem.impulse.assign(contacts.size(), 0.0);
   for (const CaseContact& contact : contacts) {
-    const double arm = contact.x - bodies[static_cast<std::size_t>(contact.body - 1)].x;
+    const double arm = contact.x - bodies[contact.body - 1].x;
     ConstraintRow<double> row;
     row.a = ground;
     row.b = {contact.body};
@@ -58,7 +58,7 @@ PairCase pair_case(const std::string& title, const std::vector<CaseBody>& bodies
     result.snapshot.contacts.push_back(
         {.a = ground, .b = {contact.body}, .position = {contact.x, 0}, .normal = {0, 1}});
   }
-  const std::vector<Vec3<double>> ones(problem.inverse_mass.size(), Vec3<double>::Ones());
+  const PerBody<Vec3<double>> ones(problem.inverse_mass.size(), Vec3<double>::Ones());
   result.printed = coupling(problem, problem.rows[0], problem.rows[1], ones);
   result.coupling = coupling(problem, problem.rows[0], problem.rows[1], problem.inverse_mass);
   return result;
@@ -103,7 +103,7 @@ Snapshot with_contacts(const Scene& scene) {
 
 /// J_1 . J_2 has a share 1 + r_1 r_2 of the body, with arms from its centre, and a share 1 + x_1 x_2 of the
 /// ground, with places from its origin: below the centre in the first two cases, so that both say the same.
-std::vector<PairCase> pair_cases() {
+List<PairCase> pair_cases() {
   const CaseBody heavy{.x = 0, .width = 4.4, .mass = 6, .inertia = 1};   // r_1 r_2 = -1
   const CaseBody struck{.x = 0, .width = 1.2, .mass = 6, .inertia = 1};  // r_1 r_2 = -I / m
   const CaseBody left{.x = -1, .width = 1, .mass = 1, .inertia = 1.0 / 6};
@@ -141,11 +141,11 @@ double count_entries(const Eigen::MatrixXd& matrix) {
   return static_cast<double>((matrix.array().abs() > 1e-12 * largest).count());
 }
 
-std::vector<std::vector<Entry>> pattern(const VelocityProblem<double>& problem) {
-  const std::vector<Vec3<double>> ones(problem.inverse_mass.size(), Vec3<double>::Ones());
-  std::vector<std::vector<Entry>> result;
+List<List<Entry>> pattern(const VelocityProblem<double>& problem) {
+  const PerBody<Vec3<double>> ones(problem.inverse_mass.size(), Vec3<double>::Ones());
+  List<List<Entry>> result;
   for (const ConstraintRow<double>& first : problem.rows) {
-    std::vector<Entry>& line = result.emplace_back();
+    List<Entry>& line = result.emplace_back();
     for (const ConstraintRow<double>& second : problem.rows) {
       const bool is_true = coupling(problem, first, second, problem.inverse_mass) != 0;
       const bool is_printed = coupling(problem, first, second, ones) != 0;

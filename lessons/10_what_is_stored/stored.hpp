@@ -2,9 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::stored {
 
@@ -39,7 +39,7 @@ Work work_of(const Count& count);
 struct Kept {
   std::string name = {};
   double bytes = 0;
-  std::vector<double> impulse = {};  // [N s]
+  PerRow<double> impulse = {};  // [N s]
 };
 
 /// Two rows for which (30) and A disagree, or not.
@@ -53,13 +53,13 @@ struct PairCase {
 
 struct StoredRun {
   StoredSettings settings = {};
-  std::vector<Count> pyramids = {};                    // of base 3, 5, 10 and the one asked for
-  std::vector<VelocityProblem<double>> problems = {};  // of these
-  std::vector<Snapshot> snapshots = {};
-  std::vector<Kept> kept = {};  // for the largest: SI, factored, sparse and dense PGS
-  Count tray = {};              // boxes that all stand on one body
+  List<Count> pyramids = {};                    // of base 3, 5, 10 and the one asked for
+  List<VelocityProblem<double>> problems = {};  // of these
+  List<Snapshot> snapshots = {};
+  List<Kept> kept = {};  // for the largest: SI, factored, sparse and dense PGS
+  Count tray = {};       // boxes that all stand on one body
   Snapshot tray_snapshot = {};
-  std::vector<PairCase> cases = {};
+  List<PairCase> cases = {};
 };
 
 /// A pyramid without friction, gravity just applied.
@@ -72,7 +72,7 @@ inline constexpr int boxes_on_tray = 99;
 /// How a scene begins, with the contacts that it has after a step.
 Snapshot with_contacts(const Scene& scene);
 /// Three pairs: (30) misses an entry; counts one that is zero; counts the ground.
-std::vector<PairCase> pair_cases();
+List<PairCase> pair_cases();
 
 /// By counting boxes: two rows for each overlap, 4 of them on the sides of most boxes.
 double rows_by_formula(int base);
@@ -83,7 +83,7 @@ double count_entries(const Eigen::MatrixXd& matrix);
 
 enum class Entry { zero = 0, printed_only = -1, true_entry = 1, missed = 2 };
 /// For every pair of rows: whether it is in A, and whether (30) as printed counts it.
-std::vector<std::vector<Entry>> pattern(const VelocityProblem<double>& problem);
+List<List<Entry>> pattern(const VelocityProblem<double>& problem);
 
 /// "312.5 KiB"
 std::string bytes_text(double bytes);

@@ -1,9 +1,10 @@
 // Lesson 11. What the lesson says of itself, and the settings that its parameters make.
 #include <algorithm>
 
-#include "report.hpp"
+#include "lessons/lesson.hpp"
+#include "parts.hpp"
 
-namespace cairn::friction {
+namespace cairn {
 
 LessonInfo card() {
   LessonInfo info;
@@ -36,6 +37,10 @@ LessonInfo card() {
   info.next = "lesson12_blocks   (rows that belong together, solved together)";
   return info;
 }
+
+}  // namespace cairn
+
+namespace cairn::friction {
 
 StudySettings settings_of(const Lesson& lesson) {
   StudySettings settings;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/draw.hpp"
 
 namespace cairn::friction {
@@ -13,8 +13,6 @@ namespace cairn::friction {
 using namespace render;
 
 namespace {
-
-constexpr std::size_t block_index = 2;
 
 /// Both blocks' weights at most: one scale for all frames with forces.
 ArrowScale force_scale(const Camera& camera, const Study& study) {
@@ -29,7 +27,7 @@ Vec2<double> centre_of_pressure(const Snapshot& snapshot) {
     sum += contact.normal_impulse * contact.position;
     total += contact.normal_impulse;
   }
-  if (!(total > 0)) return snapshot.bodies[block_index].pose.position;
+  if (!(total > 0)) return snapshot.bodies[first_block].pose.position;
   return sum / total;
 }
 
@@ -37,7 +35,7 @@ Vec2<double> centre_of_pressure(const Snapshot& snapshot) {
 Vec2<double> contact_force(const Snapshot& snapshot) {
   Vec2<double> sum(0, 0);
   for (const SnapshotContact& contact : snapshot.contacts) {
-    const double side = contact.b.index == static_cast<int>(block_index) ? 1 : -1;
+    const double side = contact.b == first_block ? 1 : -1;
     sum += Vec2<double>(contact.normal_impulse, side * contact.friction_impulse);
   }
   return sum / snapshot.dt;
@@ -54,7 +52,7 @@ void draw_force(Page& page, const Camera& camera, const ArrowScale& scale, const
   const double width = page.canvas().text_width(text, style);
   const double size = style.size;
   const double side = arrow.value.x() < 0 ? -width : 0;
-  std::vector<Point> places = {tip + Point(arrow.value.x() < 0 ? -width - 8 : 16, size / 3)};
+  List<Point> places = {tip + Point(arrow.value.x() < 0 ? -width - 8 : 16, size / 3)};
   if (arrow.value.y() < 0) places.insert(places.begin(), tip + Point(side, 1.4 * size));
   // Clear of the bracket that may stand at the tip.
   if (arrow.kind == ArrowKind::external) places.insert(places.begin(), tip + Point(size, -size));
@@ -75,8 +73,8 @@ std::string newtons(const std::string& name, double value, const Page& page) {
 }  // namespace
 
 Layout layout_of(const Page& page) {
-  const std::vector<Rect> halves = columns(page.area(), {48, 50}, page.sizes().gap);
-  const std::vector<Rect> panels = rows(halves[1], {50, 50}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {48, 50}, page.sizes().gap);
+  const List<Rect> panels = rows(halves[1], {50, 50}, page.sizes().gap);
   return {halves[0], panels[0], panels[1], halves[1]};
 }
 

@@ -9,12 +9,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace cairn::friction {
 
-Scene slope_scene(const Slope& slope, const std::vector<Block>& blocks) {
+Scene slope_scene(const Slope& slope, const List<Block>& blocks) {
   Scene scene({.gravity = {0, -slope.gravity}, .dt = slope.dt});
   const Vec2<double> foot(slope.length * std::cos(slope.angle), 0);
   const Vec2<double> top(0, slope.length * std::sin(slope.angle));
@@ -42,17 +42,17 @@ Coulomb coulomb(const Slope& slope, const Block& block) {
   return result;
 }
 
-std::vector<std::vector<double>> sweeps_by_hand(const Slope& slope, const Block& block) {
+List<PerRow<double>> sweeps_by_hand(const Slope& slope, const Block& block) {
   VelocityProblem<double> problem = World<double>(slope_scene(slope, {block})).velocity_problem();
-  std::vector<std::vector<double>> impulses = {problem.impulse};  // zeros: a cold start
+  List<PerRow<double>> impulses = {problem.impulse};  // zeros: a cold start
   for (int sweep = 1; sweep <= slope.sweeps; ++sweep) {
     // [sweep]
-    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    for (int i = 0; i < problem.row_count(); ++i) {
       const ConstraintRow<double>& row = problem.rows[i];
       double lower = 0;  // a normal row pushes, and never pulls
       double upper = std::numeric_limits<double>::infinity();
       if (row.bounds.is_friction()) {  // a tangent row: +- mu times what its neighbour gives by now
-        upper = block.friction * problem.impulse[static_cast<std::size_t>(row.bounds.normal_row)];
+        upper = block.friction * problem.impulse[row.bounds.normal_row];
         lower = -upper;
       }
       const double jv = row_velocity(problem, row);  // the rows before have just changed v
@@ -105,6 +105,4 @@ void run(Lesson& lesson) {
 }  // namespace
 }  // namespace cairn::friction
 
-int main(int argc, char** argv) {
-  return cairn::run_lesson(cairn::friction::card(), cairn::friction::run, argc, argv);
-}
+int main(int argc, char** argv) { return cairn::run_lesson(cairn::card(), cairn::friction::run, argc, argv); }

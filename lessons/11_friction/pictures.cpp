@@ -1,12 +1,12 @@
 // Lesson 11. Forces: what is needed, what is allowed, and how the bounds move within a step.
-#include "pictures.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "forces.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/bars.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
@@ -76,9 +76,9 @@ TableView sweep_table(const Study& study, bool compact) {
   const Slide& slide = study.slippery;
   const double dt = slide.slope.dt;
   TableView table = {.header = {"sweep"}};
-  const std::vector<std::string> points = {"upper", "lower"};
-  const std::size_t shown_points = compact ? 1 : 2;
-  for (std::size_t point = 0; point < shown_points; ++point) {
+  const List<std::string> points = {"upper", "lower"};
+  const int shown_points = compact ? 1 : 2;
+  for (int point = 0; point < shown_points; ++point) {
     table.header.push_back(compact ? "λ_{n}" : points[point] + " λ_{n}");
     table.header.push_back("± μ λ_{n}");
     table.header.push_back("λ_{t}");
@@ -87,8 +87,8 @@ TableView sweep_table(const Study& study, bool compact) {
     const int sweep = record.sweep;
     const bool shown = sweep <= 3 || sweep == 5 || sweep == 10 || sweep == slide.slope.sweeps;
     if (!shown) continue;
-    std::vector<std::string> row = {std::to_string(sweep)};
-    for (std::size_t point = 0; point < std::min(shown_points, record.impulse.size() / 2); ++point) {
+    List<std::string> row = {std::to_string(sweep)};
+    for (int point = 0; point < std::min(shown_points, record.impulse.size() / 2); ++point) {
       const double load = record.impulse[2 * point] / dt;
       row.push_back(fixed(load, 2));
       row.push_back(fixed(slide.block.friction * load, 2));
@@ -96,7 +96,7 @@ TableView sweep_table(const Study& study, bool compact) {
     }
     table.rows.push_back(row);
   }
-  table.active_row = static_cast<int>(table.rows.size()) - 1;
+  table.active_row = table.rows.size() - 1;
   return table;
 }
 

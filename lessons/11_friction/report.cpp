@@ -1,12 +1,12 @@
 // Lesson 11. What is printed, and what is checked.
-#include "report.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 
 namespace cairn::friction {
@@ -24,7 +24,7 @@ std::string verdict(const Slide& slide) {
 
 /// The acceleration in the second half of a run, when the cold start is forgotten.
 double late_acceleration(const Slide& slide) {
-  const std::size_t last = slide.speed.size() - 1;
+  const int last = slide.speed.size() - 1;
   return (slide.speed[last] - slide.speed[last / 2]) / (slide.time[last] - slide.time[last / 2]);
 }
 
@@ -32,13 +32,13 @@ double late_acceleration(const Slide& slide) {
 void check_by_hand(Lesson& lesson, const Study& study) {
   const double dt = study.settings.slope.dt;
   double gap = 0;
-  for (std::size_t sweep = 0; sweep < study.by_hand.size(); ++sweep) {
-    const std::vector<double>& impulse = study.slippery.first_step[sweep].impulse;
-    for (std::size_t i = 0; i < impulse.size(); ++i)
+  for (int sweep = 0; sweep < study.by_hand.size(); ++sweep) {
+    const PerRow<double>& impulse = study.slippery.first_step[sweep].impulse;
+    for (int i = 0; i < impulse.size(); ++i)
       gap = std::max(gap, std::abs(impulse[i] - study.by_hand[sweep][i]) / dt);
   }
   // Four rows a sweep, each rounded a few times, of forces below the weight of 1 kg.
-  const double updates = 4 * static_cast<double>(study.by_hand.size());
+  const double updates = 4.0 * study.by_hand.size();
   lesson.check_small("the first step, row by row by hand: the λ of the library's solver (N)", gap,
                      4 * std::numeric_limits<double>::epsilon() * updates * study.settings.slope.gravity);
 }
@@ -77,7 +77,7 @@ void check_bounds(Lesson& lesson, const Study& study) {
 
 void check_mass(Lesson& lesson, const Study& study) {
   double difference = 0;
-  for (std::size_t k = 0; k < study.rough.speed.size(); ++k) {
+  for (int k = 0; k < study.rough.speed.size(); ++k) {
     difference = std::max(difference, std::abs(study.rough.speed[k] - study.heavy.speed[k]));
   }
   lesson.check_small(fmt::format("{} kg move like 1 kg: largest difference of speed (m/s)",
@@ -123,10 +123,10 @@ void tell_sweeps(Lesson& lesson, const Study& study) {
   const double mu = study.settings.slippery;
   lesson.print(fmt::format("First step, μ = {}, cold start; forces in N", fixed(mu, 2)));
   lesson.print("sweep    upper: λ_n    ± μ λ_n      λ_t    lower: λ_n    ± μ λ_n      λ_t");
-  for (int sweep = 0; sweep < static_cast<int>(study.by_hand.size()); ++sweep) {
-    const std::vector<double>& impulse = study.by_hand[static_cast<std::size_t>(sweep)];
+  for (int sweep = 0; sweep < study.by_hand.size(); ++sweep) {
+    const PerRow<double>& impulse = study.by_hand[sweep];
     std::string line = fmt::format("{:5}", sweep);
-    for (std::size_t point = 0; 2 * point + 1 < impulse.size(); ++point) {
+    for (int point = 0; 2 * point + 1 < impulse.size(); ++point) {
       const double load = impulse[2 * point] / slope.dt;
       line += fmt::format("    {:>10} {:>10} {:>8}", fixed(load, 3), fixed(mu * load, 3),
                           fixed(impulse[2 * point + 1] / slope.dt, 3));
@@ -146,7 +146,7 @@ void tell_run(Lesson& lesson, const Study& study) {
                            slide.box2d_speed.empty() ? "" : "     Box2D"));
   const double acceleration = coulomb(slide.slope, slide.block).acceleration;
   for (int quarter = 1; quarter <= 4; ++quarter) {
-    const auto k = static_cast<std::size_t>(slide.slope.steps * quarter / 4);
+    const int k = slide.slope.steps * quarter / 4;
     std::string line = fmt::format("                         {:>9} {:>9} {:>9}", fixed(slide.time[k], 2),
                                    fixed(acceleration * slide.time[k], 4), fixed(slide.speed[k], 4));
     if (!slide.box2d_speed.empty()) line += fmt::format(" {:>9}", fixed(slide.box2d_speed[k], 4));
@@ -175,11 +175,11 @@ CsvTable table_of(const Study& study) {
   CsvTable table = {.header = {"mu", "mass", "step", "t", "speed", "way", "speed_exact", "speed_box2d"}};
   for (const Slide* slide : {&study.slippery, &study.rough, &study.heavy}) {
     const double acceleration = coulomb(slide->slope, slide->block).acceleration;
-    for (std::size_t k = 0; k < slide->time.size(); ++k) {
-      std::vector<CsvCell> row;
+    for (int k = 0; k < slide->time.size(); ++k) {
+      List<CsvCell> row;
       row.emplace_back(slide->block.friction);
       row.emplace_back(slide->block.mass);
-      row.emplace_back(static_cast<long long>(k));
+      row.emplace_back(k);
       for (const double number :
            {slide->time[k], slide->speed[k], slide->way[k], acceleration * slide->time[k]}) {
         row.emplace_back(number);

@@ -1,6 +1,7 @@
 // Lesson 11. The same slope in Box2D, where this build has it.
 #include <stdexcept>
 
+#include "math/list.hpp"
 #include "slope.hpp"
 
 #ifdef CAIRN_HAVE_BOX2D
@@ -13,9 +14,9 @@ namespace cairn::friction {
 
 bool has_box2d() { return true; }
 
-std::vector<Snapshot> box2d_run(const Scene& scene, int steps, int sweeps) {
+List<Snapshot> box2d_run(const Scene& scene, int steps, int sweeps) {
   Box2DWorld world(scene, {.velocity_iterations = sweeps});
-  std::vector<Snapshot> frames = {world.snapshot()};
+  List<Snapshot> frames = {world.snapshot()};
   for (int step = 1; step <= steps; ++step) {
     world.step();
     frames.push_back(world.snapshot());
@@ -27,7 +28,7 @@ std::vector<Snapshot> box2d_run(const Scene& scene, int steps, int sweeps) {
 
 bool has_box2d() { return false; }
 
-std::vector<Snapshot> box2d_run(const Scene&, int, int) {
+List<Snapshot> box2d_run(const Scene&, int, int) {
   throw std::logic_error("box2d_run: this build has no Box2D");
 }
 

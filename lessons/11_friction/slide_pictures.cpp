@@ -5,7 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
 
@@ -17,7 +18,7 @@ using namespace render;
 
 /// One engine's block with its earlier outlines and its velocity, under a bar in the engine's colour.
 void draw_engine(Page& page, const Rect& rect, const std::string& name, const SeriesStyle& style,
-                 const std::vector<Snapshot>& frames, const Slide& slide, int step) {
+                 const List<Snapshot>& frames, const Slide& slide, int step) {
   const Rect inside = page.panel(rect, name);
   page.canvas().rect({rect.x, rect.y, rect.width, 6}, {.fill = style.color});
   const Slope& slope = slide.slope;
@@ -25,16 +26,16 @@ void draw_engine(Page& page, const Rect& rect, const std::string& name, const Se
   const Camera camera = fit(
       inside, {{-side, -side},
                {slope.length * std::cos(slope.angle) + side, slope.length * std::sin(slope.angle) + 0.8}});
-  std::vector<Snapshot> earlier;
+  List<Snapshot> earlier;
   for (int ghost = 0; ghost < 4; ++ghost) {
     const int at = ghost * slope.steps / 4;
-    if (at < step) earlier.push_back(frames[static_cast<std::size_t>(at)]);
+    if (at < step) earlier.push_back(frames[at]);
   }
   draw_ghosts(page, camera, earlier);
-  const Snapshot& now = frames[static_cast<std::size_t>(step)];
+  const Snapshot& now = frames[step];
   draw_world(page, camera, now, {.names = {"", "", ""}, .contacts = false});
   const double fastest = std::max(slide.speed.back(), slope.gravity * slope.dt);
-  const SnapshotBody& block = now.bodies[2];
+  const SnapshotBody& block = now.bodies[first_block];
   const Vec2<double> velocity = block.velocity.head<2>();
   draw_arrow(page, camera,
              {.pixels_per_unit = 1.2 * camera.scale / fastest, .longest = 2 * camera.scale, .unit = "m/s"},
@@ -46,9 +47,9 @@ void draw_engine(Page& page, const Rect& rect, const std::string& name, const Se
 }
 
 Series speed_series(const std::string& name, const SeriesStyle& style, const Slide& slide,
-                    const std::vector<double>& speed, int step) {
+                    const List<double>& speed, int step) {
   Series series = {.name = name, .style = style};
-  for (std::size_t k = 0; k <= static_cast<std::size_t>(step); ++k) {
+  for (int k = 0; k <= step; ++k) {
     series.x.push_back(slide.time[k]);
     series.y.push_back(speed[k]);
   }
@@ -68,7 +69,7 @@ void draw_speed(Page& page, const Rect& rect, const Slide& slide, int step) {
   if (!slide.box2d_speed.empty()) {
     plot.series.push_back(speed_series("Box2D", page.theme().box2d, slide, slide.box2d_speed, step));
   }
-  plot.cursor = slide.time[static_cast<std::size_t>(step)];
+  plot.cursor = slide.time[step];
   draw_plot(page, rect, plot);
 }
 
@@ -76,14 +77,14 @@ void draw_slide(Page& page, const Slide& slide, int step) {
   const bool both = !slide.box2d_frames.empty();
   const double gap = page.sizes().gap;
   if (page.compact()) {
-    const std::vector<Rect> halves = columns(page.area(), {50, 50}, gap);
+    const List<Rect> halves = columns(page.area(), {50, 50}, gap);
     draw_engine(page, halves[0], both ? "Cairn (Box2D looks alike)" : "Cairn", page.theme().si, slide.frames,
                 slide, step);
     draw_speed(page, halves[1], slide, step);
     return;
   }
-  const std::vector<Rect> halves = rows(page.area(), {56, 44}, gap);
-  const std::vector<Rect> engines = columns(halves[0], {50, 50}, gap);
+  const List<Rect> halves = rows(page.area(), {56, 44}, gap);
+  const List<Rect> engines = columns(halves[0], {50, 50}, gap);
   draw_engine(page, both ? engines[0] : halves[0], "Cairn, sequential impulses", page.theme().si,
               slide.frames, slide, step);
   if (both) {
@@ -104,8 +105,8 @@ Aabb<double> seen_by(const Study& study) {
   double rise = 0;
   for (const Trial& trial : study.trials) {
     const Snapshot& last = trial.contest.frames.back();
-    length = std::max(length, last.bodies[3].pose.position.x() + 1.2);
-    rise = std::max(rise, last.bodies[2].pose.position.y() + 0.8);
+    length = std::max(length, last.bodies[{first_block.index + 1}].pose.position.x() + 1.2);
+    rise = std::max(rise, last.bodies[first_block].pose.position.y() + 0.8);
   }
   return {{-0.1, -0.1}, {length, rise}};
 }
@@ -117,9 +118,9 @@ void draw_trial(Page& page, const Rect& rect, const Study& study, const Trial& t
       page.panel(rect, fmt::format("{}°:  {} {},  {} {}", fixed(trial.degrees, 0), rough,
                                    outcome(trial.contest.ways[0]), slippery, outcome(trial.contest.ways[1])));
   const Camera camera = fit(inside, seen_by(study));
-  draw_ghosts(page, camera, std::span(trial.contest.frames).first(1));
-  const std::vector<std::string> names = {"", "", significant(study.settings.rough, 2),
-                                          significant(study.settings.slippery, 2)};
+  draw_ghosts(page, camera, {&trial.contest.frames.front(), 1});
+  const PerBody<std::string> names = {"", "", significant(study.settings.rough, 2),
+                                      significant(study.settings.slippery, 2)};
   draw_world(page, camera, trial.contest.frames.back(), {.names = names, .contacts = false});
 }
 
@@ -148,7 +149,7 @@ Plot curve_plot(const Page& page, const Study& study) {
   Series cairn = {.name = "", .style = page.theme().si, .line = false};
   Series box2d = {.name = "", .style = page.theme().box2d, .line = false};
   for (const Curve& curve : study.curves) {
-    for (std::size_t i = 0; i < curve.degrees.size(); ++i) {
+    for (int i = 0; i < curve.degrees.size(); ++i) {
       Series& series = i % 2 == 1 && !curve.box2d.empty() ? box2d : cairn;
       series.x.push_back(curve.degrees[i]);
       series.y.push_back(i % 2 == 1 && !curve.box2d.empty() ? curve.box2d[i] : curve.cairn[i]);
@@ -163,31 +164,30 @@ TableView threshold_table(const Study& study) {
   TableView table = {.header = {"μ", "atan μ", "Cairn"}};
   if (has_box2d()) table.header.push_back("Box2D");
   for (const Threshold& threshold : study.thresholds) {
-    std::vector<std::string> row = {fixed(threshold.friction, 2), fixed(threshold.formula, 3),
-                                    fixed(threshold.cairn, 3)};
+    List<std::string> row = {fixed(threshold.friction, 2), fixed(threshold.formula, 3),
+                             fixed(threshold.cairn, 3)};
     if (has_box2d()) row.push_back(fixed(threshold.box2d, 3));
     table.rows.push_back(row);
   }
   return table;
 }
 
-}  // namespace
-
+/// The slippery block after `step` steps, in Cairn and in Box2D, and its speed over time.
 Shot slide_shot(const SharedStudy& study, int step) {
   const Slide& slide = study->slippery;
-  const auto k = static_cast<std::size_t>(step);
   const int steps = slide.slope.steps;
   Shot shot;
   shot.key = step == steps / 2 || step == steps;
-  shot.state = fmt::format("μ = {} · t = {} s", fixed(slide.block.friction, 2), fixed(slide.time[k], 2));
-  shot.alt =
-      fmt::format("After {} s the block slides at {} m/s in Cairn{}; the points lie on the exact line.",
-                  fixed(slide.time[k], 2), fixed(slide.speed[k], 3),
-                  slide.box2d_speed.empty() ? "" : " and at " + fixed(slide.box2d_speed[k], 3) + " in Box2D");
+  shot.state = fmt::format("μ = {} · t = {} s", fixed(slide.block.friction, 2), fixed(slide.time[step], 2));
+  shot.alt = fmt::format(
+      "After {} s the block slides at {} m/s in Cairn{}; the points lie on the exact line.",
+      fixed(slide.time[step], 2), fixed(slide.speed[step], 3),
+      slide.box2d_speed.empty() ? "" : " and at " + fixed(slide.box2d_speed[step], 3) + " in Box2D");
   shot.draw = [study, step](Page& page) { draw_slide(page, study->slippery, step); };
   return shot;
 }
 
+/// Both blocks on four slopes.
 Shot trial_shot(const SharedStudy& study) {
   Shot shot;
   shot.key = true;
@@ -199,15 +199,16 @@ Shot trial_shot(const SharedStudy& study) {
                             outcome(trial.contest.ways[0]), outcome(trial.contest.ways[1]));
   }
   shot.draw = [study](Page& page) {
-    const std::vector<Rect> halves = rows(page.area(), {50, 50}, page.sizes().gap);
-    for (std::size_t i = 0; i < study->trials.size(); ++i) {
-      const std::vector<Rect> cells = columns(halves[i / 2], {50, 50}, page.sizes().gap);
+    const List<Rect> halves = rows(page.area(), {50, 50}, page.sizes().gap);
+    for (int i = 0; i < study->trials.size(); ++i) {
+      const List<Rect> cells = columns(halves[i / 2], {50, 50}, page.sizes().gap);
       draw_trial(page, cells[i % 2], *study, study->trials[i]);
     }
   };
   return shot;
 }
 
+/// Acceleration over the angle.
 Shot curve_shot(const SharedStudy& study) {
   Shot shot;
   shot.key = true;
@@ -216,9 +217,9 @@ Shot curve_shot(const SharedStudy& study) {
       "Acceleration over the angle for both blocks: zero up to the critical angle, then along the formula; "
       "squares of Cairn and triangles of Box2D on the line.";
   shot.draw = [study](Page& page) {
-    const std::vector<Rect> parts = columns(page.area(), {62, 38}, page.sizes().gap);
+    const List<Rect> parts = columns(page.area(), {62, 38}, page.sizes().gap);
     draw_plot(page, parts[0], curve_plot(page, *study));
-    const std::vector<Rect> halves = rows(parts[1], {45, 55}, page.sizes().gap);
+    const List<Rect> halves = rows(parts[1], {45, 55}, page.sizes().gap);
     page.table(halves[0], "slides above (°)", threshold_table(*study));
     const std::string points = has_box2d() ? "Squares: Cairn. Triangles: Box2D." : "Squares: Cairn.";
     page.note(halves[1], "what is drawn",
@@ -227,9 +228,11 @@ Shot curve_shot(const SharedStudy& study) {
   return shot;
 }
 
-std::vector<Shot> pictures(const Study& study, const std::string& question) {
+}  // namespace
+
+List<Shot> pictures(const Study& study, const std::string& question) {
   const SharedStudy shared = std::make_shared<const Study>(study);
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back(question_shot(shared, question));
   shots.push_back(force_shot(shared, shared->rough));
   shots.push_back(force_shot(shared, shared->slippery));

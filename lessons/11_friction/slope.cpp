@@ -7,21 +7,19 @@ namespace cairn::friction {
 
 namespace {
 
-constexpr std::size_t first_block = 2;  // body 0 is the ground, body 1 the slope
-
 double downhill_speed(const Slope& slope, const Snapshot& snapshot) {
   return slope.downhill().dot(snapshot.bodies[first_block].velocity.head<2>());
 }
 
 double downhill_way(const Slope& slope, const Snapshot& start, const Snapshot& now,
-                    std::size_t body = first_block) {
+                    BodyId body = first_block) {
   return slope.downhill().dot(now.bodies[body].pose.position - start.bodies[body].pose.position);
 }
 
-std::vector<Snapshot> cairn_run(const Scene& scene, const Slope& slope) {
+List<Snapshot> cairn_run(const Scene& scene, const Slope& slope) {
   World<double> world(scene);
   SequentialImpulse<double> solver({.iterations = slope.sweeps});
-  std::vector<Snapshot> frames = {snapshot(world)};
+  List<Snapshot> frames = {snapshot(world)};
   for (int step = 1; step <= slope.steps; ++step) {
     world.step(solver);
     frames.push_back(snapshot(world));
@@ -29,7 +27,7 @@ std::vector<Snapshot> cairn_run(const Scene& scene, const Slope& slope) {
   return frames;
 }
 
-std::vector<Snapshot> run_in(Engine engine, const Slope& slope, const Block& block) {
+List<Snapshot> run_in(Engine engine, const Slope& slope, const Block& block) {
   const Scene scene = slope_scene(slope, {block});
   return engine == Engine::cairn ? cairn_run(scene, slope) : box2d_run(scene, slope.steps, slope.sweeps);
 }
@@ -37,7 +35,7 @@ std::vector<Snapshot> run_in(Engine engine, const Slope& slope, const Block& blo
 }  // namespace
 
 void look(const World<double>& world, Slide& slide) {
-  slide.time.push_back(static_cast<double>(slide.frames.size()) * slide.slope.dt);
+  slide.time.push_back(slide.frames.size() * slide.slope.dt);
   slide.frames.push_back(snapshot(world));
   slide.speed.push_back(downhill_speed(slide.slope, slide.frames.back()));
   slide.way.push_back(downhill_way(slide.slope, slide.frames.front(), slide.frames.back()));
@@ -45,11 +43,11 @@ void look(const World<double>& world, Slide& slide) {
 
 void judge_rows(const World<double>& world, Slide& slide) {
   const VelocityProblem<double>& problem = world.last_step().problem;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<double>& row = problem.rows[i];
     if (!row.bounds.is_friction()) continue;
     const double lambda = problem.impulse[i] / problem.dt;
-    const double load = problem.impulse[static_cast<std::size_t>(row.bounds.normal_row)] / problem.dt;
+    const double load = problem.impulse[row.bounds.normal_row] / problem.dt;
     slide.worst_cone = std::max(slide.worst_cone, std::abs(lambda) - row.bounds.friction * load);
     slide.largest_power = std::max(slide.largest_power, lambda * row_velocity(problem, row));
   }
@@ -62,26 +60,26 @@ void ask_box2d(Slide& slide) {
   for (const Snapshot& frame : slide.box2d_frames) slide.box2d_speed.push_back(downhill_speed(slope, frame));
 }
 
-Contest contest(const Slope& slope, const std::vector<Block>& blocks) {
-  const std::vector<Snapshot> frames = cairn_run(slope_scene(slope, blocks), slope);
+Contest contest(const Slope& slope, const List<Block>& blocks) {
+  const List<Snapshot> frames = cairn_run(slope_scene(slope, blocks), slope);
   Contest result;
   result.frames = {frames.front(), frames.back()};
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    result.ways.push_back(downhill_way(slope, frames.front(), frames.back(), first_block + i));
+  for (int i = 0; i < blocks.size(); ++i) {
+    result.ways.push_back(downhill_way(slope, frames.front(), frames.back(), {first_block.index + i}));
   }
   return result;
 }
 
 double way_in(Engine engine, const Slope& slope, const Block& block) {
-  const std::vector<Snapshot> frames = run_in(engine, slope, block);
+  const List<Snapshot> frames = run_in(engine, slope, block);
   return downhill_way(slope, frames.front(), frames.back());
 }
 
 double acceleration_in(Engine engine, const Slope& slope, const Block& block) {
-  const std::vector<Snapshot> frames = run_in(engine, slope, block);
-  const std::size_t half = frames.size() / 2;
+  const List<Snapshot> frames = run_in(engine, slope, block);
+  const int half = frames.size() / 2;
   const double gained = downhill_speed(slope, frames.back()) - downhill_speed(slope, frames[half]);
-  return gained / (static_cast<double>(frames.size() - 1 - half) * slope.dt);
+  return gained / ((frames.size() - 1 - half) * slope.dt);
 }
 
 double critical_angle(Engine engine, Slope slope, const Block& block, double low, double high) {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <limits>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::friction {
+
+inline constexpr BodyId first_block = {2};  // body 0 is the ground, body 1 the slope
 
 /// A slope that goes down to the right, and how it is stepped.
 struct Slope {
@@ -38,26 +40,26 @@ struct Coulomb {
 
 Coulomb coulomb(const Slope& slope, const Block& block);
 
-/// The whole run of one block. Element k of each vector is the state after k steps.
+/// The whole run of one block. Element k of each list is the state after k steps.
 struct Slide {
   Slope slope = {};
   Block block = {};
-  std::vector<double> time = {};            // [s]
-  std::vector<Snapshot> frames = {};        // Cairn
-  std::vector<double> speed = {};           // [m/s] downhill
-  std::vector<double> way = {};             // [m] downhill
-  std::vector<Snapshot> box2d_frames = {};  // empty in a build without Box2D
-  std::vector<double> box2d_speed = {};
-  std::vector<SweepRecord> first_step = {};  // the impulses after each sweep of the first step
+  List<double> time = {};            // [s]
+  List<Snapshot> frames = {};        // Cairn
+  List<double> speed = {};           // [m/s] downhill
+  List<double> way = {};             // [m] downhill
+  List<Snapshot> box2d_frames = {};  // empty in a build without Box2D
+  List<double> box2d_speed = {};
+  List<SweepRecord> first_step = {};  // the impulses after each sweep of the first step
   // Of any row in any step:
   double worst_cone = -std::numeric_limits<double>::infinity();  // [N] the largest |lambda_t| - mu lambda_n
   double largest_power = -std::numeric_limits<double>::infinity();  // [W] of friction; below 0: it brakes
 };
 
-Scene slope_scene(const Slope& slope, const std::vector<Block>& blocks);
+Scene slope_scene(const Slope& slope, const List<Block>& blocks);
 /// The impulses [N s] of all rows after each sweep of the first step, by the plain loop of lesson.cpp; 0:
 /// none.
-std::vector<std::vector<double>> sweeps_by_hand(const Slope& slope, const Block& block);
+List<PerRow<double>> sweeps_by_hand(const Slope& slope, const Block& block);
 /// The same step and all that follow, by the library's solver.
 Slide slide(const Slope& slope, const Block& block);
 
@@ -70,10 +72,10 @@ void ask_box2d(Slide& slide);
 
 /// How far each of several blocks on one slope has slid in the end [m], and what it looks like.
 struct Contest {
-  std::vector<Snapshot> frames = {};  // the start and the end
-  std::vector<double> ways = {};      // [m]
+  List<Snapshot> frames = {};  // the start and the end
+  List<double> ways = {};      // [m]
 };
-Contest contest(const Slope& slope, const std::vector<Block>& blocks);
+Contest contest(const Slope& slope, const List<Block>& blocks);
 
 enum class Engine { cairn, box2d };
 /// How far the block slides [m].
@@ -87,6 +89,6 @@ double critical_angle(Engine engine, Slope slope, const Block& block, double low
 /// Whether this build can ask Box2D.
 bool has_box2d();
 /// Snapshots of `steps` steps of Box2D, the start included. @throws std::logic_error without Box2D.
-std::vector<Snapshot> box2d_run(const Scene& scene, int steps, int sweeps);
+List<Snapshot> box2d_run(const Scene& scene, int steps, int sweeps);
 
 }  // namespace cairn::friction

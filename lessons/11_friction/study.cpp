@@ -28,10 +28,10 @@ Trial trial(const StudySettings& settings, double degrees) {
   return {.degrees = degrees, .contest = contest(slope, {rough, slippery})};
 }
 
-std::vector<Trial> make_trials(const StudySettings& settings) {
+List<Trial> make_trials(const StudySettings& settings) {
   const double first = std::atan(settings.slippery) / degree;
   const double second = std::atan(settings.rough) / degree;
-  std::vector<Trial> trials;
+  List<Trial> trials;
   for (const double degrees :
        {std::floor(first) - 1, std::ceil(first), std::floor(second), std::ceil(second)}) {
     trials.push_back(trial(settings, std::max(1.0, degrees)));

@@ -1,8 +1,7 @@
 // Lesson 11. All that the lesson computes, before it tells or draws anything.
 #pragma once
 
-#include <vector>
-
+#include "math/list.hpp"
 #include "slope.hpp"
 
 namespace cairn::friction {
@@ -23,9 +22,9 @@ struct Trial {
 /// Accelerations over the angle, measured in both engines.
 struct Curve {
   double friction = 0;  // mu
-  std::vector<double> degrees = {};
-  std::vector<double> cairn = {};  // [m/s^2]
-  std::vector<double> box2d = {};  // empty without Box2D
+  List<double> degrees = {};
+  List<double> cairn = {};  // [m/s^2]
+  List<double> box2d = {};  // empty without Box2D
 };
 
 /// The angle above which a block slides [degrees].
@@ -39,12 +38,12 @@ struct Threshold {
 struct Study {
   StudySettings settings = {};
   Slide slippery = {};
-  std::vector<std::vector<double>> by_hand = {};  // its first step, sweep by sweep, without the solver
+  List<PerRow<double>> by_hand = {};  // its first step, sweep by sweep, without the solver
   Slide rough = {};
   Slide heavy = {};  // the rough block with more mass
-  std::vector<Trial> trials = {};
-  std::vector<Curve> curves = {};          // slippery, rough
-  std::vector<Threshold> thresholds = {};  // slippery, rough
+  List<Trial> trials = {};
+  List<Curve> curves = {};          // slippery, rough
+  List<Threshold> thresholds = {};  // slippery, rough
 };
 
 Study make_study(const StudySettings& settings);

@@ -33,10 +33,9 @@ Scene line_of(int links, double length, double height, double angle, double dt) 
   return scene;
 }
 
-double error_of(const std::vector<double>& impulse, const Vector<double>& exact, double dt) {
+double error_of(const PerRow<double>& impulse, const Vector<double>& exact, double dt) {
   double error = 0;
-  for (std::size_t i = 0; i < impulse.size(); ++i)
-    error = std::max(error, std::abs(impulse[i] / dt - exact(static_cast<Eigen::Index>(i))));
+  for (int i = 0; i < impulse.size(); ++i) error = std::max(error, std::abs(impulse[i] / dt - exact(i)));
   return error / exact.lpNorm<Eigen::Infinity>();
 }
 
@@ -62,7 +61,7 @@ ChainSolve solve_chain(VelocityProblem<double> problem, const Vector<double>& ex
   ChainSolve solve;
   GoalObserver observer(exact, solve);
   solver.solve(problem, &observer);
-  solve.sweeps = static_cast<int>(solve.error.size()) - 1;
+  solve.sweeps = solve.error.size() - 1;
   return solve;
 }
 
@@ -99,11 +98,11 @@ ChainRun run_tower(double dt) {
   const World<double> world(scene);
   const VelocityProblem<double> problem = world.velocity_problem();
   Vector<double> exact = Vector<double>::Zero(problem.row_count());
-  for (std::size_t block = 0; block < problem.blocks.size(); ++block) {
+  for (int block = 0; block < problem.blocks.size(); ++block) {
     const RowBlock& rows = problem.blocks[block];
     for (int i = rows.first; i < rows.first + rows.count; ++i) {
-      if (!problem.rows[static_cast<std::size_t>(i)].bounds.is_unilateral()) continue;
-      exact(i) = gravity * static_cast<double>(problem.blocks.size() - block) / 2;
+      if (!problem.rows[i].bounds.is_unilateral()) continue;
+      exact(i) = gravity * (problem.blocks.size() - block) / 2;
     }
   }
   ChainRun run{.name = "10 boxes in a tower", .start = snapshot(world)};
@@ -115,8 +114,8 @@ ChainRun run_tower(double dt) {
   return run;
 }
 
-std::vector<ChainRun> run_chains(double dt) {
-  std::vector<ChainRun> chains;
+List<ChainRun> run_chains(double dt) {
+  List<ChainRun> chains;
   for (const int beams : {1, 2, 3, 5}) {
     chains.push_back(run_chain(fmt::format("{} beam{}, welded", beams, beams == 1 ? "" : "s"),
                                line_of<WeldJoint>(beams, beam_length, beam_height, 0, dt), 3));
@@ -131,8 +130,8 @@ std::vector<ChainRun> run_chains(double dt) {
 
 }  // namespace
 
-std::vector<Pair> pairs_of(const SweepRecorder<double>& recorder, double dt) {
-  std::vector<Pair> lambda;
+List<Pair> pairs_of(const SweepRecorder<double>& recorder, double dt) {
+  List<Pair> lambda;
   for (const SweepRecord& sweep : recorder.sweeps())
     lambda.push_back({sweep.impulse[0] / dt, sweep.impulse[1] / dt});
   return lambda;
@@ -146,7 +145,7 @@ void record_rows(const SweepRecorder<double>& recorder, const VelocityProblem<do
     update.jv = record.update.row_velocity;
     update.corrective = record.update.corrective / problem.dt;
     update.before = lambda;
-    lambda[static_cast<std::size_t>(update.row)] = record.update.impulse_after / problem.dt;
+    lambda[update.row] = record.update.impulse_after / problem.dt;
     update.after = lambda;
     update.slip = {row_velocity(problem, problem.rows[0], record.velocity),
                    row_velocity(problem, problem.rows[1], record.velocity)};

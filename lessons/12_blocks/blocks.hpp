@@ -2,11 +2,10 @@
 // resists turning.
 #pragma once
 
-#include <array>
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::blocks {
 
@@ -24,7 +23,7 @@ inline constexpr double rod_length = 2;   // [m], of 1 kg
 inline constexpr double beam_length = 1;  // [m], of 1 kg
 inline constexpr double beam_height = 0.2;
 
-using Pair = std::array<double, 2>;
+using Pair = FixedList<double, 2>;
 
 /// One of the two rows of the pin at work.
 struct RodUpdate {
@@ -41,19 +40,19 @@ struct RodUpdate {
 struct RodRun {
   Snapshot start = {};
   SystemMatrices<double> system = {};
-  Pair formula = {0, 0};                // lambda from Newton's law of the turning rod [N]
-  double rate = 0;                      // A_12^2 / (A_11 A_22)
-  std::vector<RodUpdate> updates = {};  // six sweeps row by row
-  std::vector<Pair> by_rows = {};       // lambda after each sweep [N]; 0: nothing yet
-  std::vector<Pair> by_block = {};
+  Pair formula = {0, 0};         // lambda from Newton's law of the turning rod [N]
+  double rate = 0;               // A_12^2 / (A_11 A_22)
+  List<RodUpdate> updates = {};  // six sweeps row by row
+  List<Pair> by_rows = {};       // lambda after each sweep [N]; 0: nothing yet
+  List<Pair> by_block = {};
 };
 
 /// One solver on one chain.
 struct ChainSolve {
-  std::vector<double> error = {};  // max |lambda - exact| / max |exact| after each sweep, until the goal
-  std::vector<std::vector<Vec3<double>>> velocity = {};  // of all bodies after each sweep
-  int sweeps = 0;                                        // to the goal
-  long long work = 0;                                    // multiply-adds to the goal
+  List<double> error = {};  // max |lambda - exact| / max |exact| after each sweep, until the goal
+  List<PerBody<Vec3<double>>> velocity = {};  // of all bodies after each sweep
+  int sweeps = 0;                             // to the goal
+  long long work = 0;                         // multiply-adds to the goal
 };
 
 /// Scene B, and others to compare it with.
@@ -69,27 +68,27 @@ struct ChainRun {
 
 /// Scene C: one solver.
 struct BobRun {
-  std::vector<Vec2<double>> path = {};  // [m] of the bob, after each step; 0: the start
-  std::vector<double> energy = {};      // [J], 0 at rest at the height of the pin
-  double largest_energy = 0;            // [J]
-  double largest_stretch = 0;           // [m] by which it left the circle around the pin
+  List<Vec2<double>> path = {};  // [m] of the bob, after each step; 0: the start
+  List<double> energy = {};      // [J], 0 at rest at the height of the pin
+  double largest_energy = 0;     // [J]
+  double largest_stretch = 0;    // [m] by which it left the circle around the pin
 };
 
 struct BlocksRuns {
   BlocksSettings settings = {};
   RodRun rod = {};
-  std::vector<ChainRun> chains = {};
+  List<ChainRun> chains = {};
   double bob_rate = 0;  // A_12^2 / (A_11 A_22) of its pin, where it is let go
   BobRun bob_rows = {};
   BobRun bob_block = {};
   Snapshot last = {};  // of the bob with the block
 };
 
-inline constexpr int most_sweeps = 4000;      // before a solver gives up
-inline constexpr double goal = 0.01;          // error at which a chain counts as solved
-inline constexpr std::size_t welded_one = 0;  // in BlocksRuns::chains
-inline constexpr std::size_t welded_three = 2;
-inline constexpr std::size_t level_pins = 4;
+inline constexpr int most_sweeps = 4000;  // before a solver gives up
+inline constexpr double goal = 0.01;      // error at which a chain counts as solved
+inline constexpr int welded_one = 0;      // in BlocksRuns::chains
+inline constexpr int welded_three = 2;
+inline constexpr int level_pins = 4;
 
 BlocksRuns run_blocks(const BlocksSettings& settings);
 
@@ -103,7 +102,7 @@ World<double> bob_world(const BlocksSettings& settings);
 BobRun run_bob(const BlocksSettings& settings, Solver<double>& solver, Snapshot& last);
 
 /// lambda after each sweep [N] of two rows.
-std::vector<Pair> pairs_of(const SweepRecorder<double>& recorder, double dt);
+List<Pair> pairs_of(const SweepRecorder<double>& recorder, double dt);
 /// Every update of the two rows.
 void record_rows(const SweepRecorder<double>& recorder, const VelocityProblem<double>& problem, RodRun& run);
 /// What Newton's law and the theory of Gauss-Seidel say of the rod.

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
 
@@ -23,7 +24,7 @@ bool is_inside(const Rect& rect, const Point& point) {
          point.y() <= rect.y + rect.height;
 }
 
-void draw_bob(Page& page, const Rect& rect, const BobRun& run, std::size_t step, const std::string& name,
+void draw_bob(Page& page, const Rect& rect, const BobRun& run, int step, const std::string& name,
               const render::SeriesStyle& style) {
   const Rect inside = page.panel(rect, name);
   page.canvas().rect({rect.x, rect.y, rect.width, 4}, {.fill = style.color});
@@ -31,8 +32,8 @@ void draw_bob(Page& page, const Rect& rect, const BobRun& run, std::size_t step,
   page.canvas().push_clip(inside);
   const Point pin = camera.project({0, 0});
   page.canvas().circle(pin, camera.scale, {.outline = page.theme().grid, .outline_width = 1.5});
-  std::vector<Vec2<double>> path;
-  for (std::size_t k = 0; k <= step && is_inside(inside, camera.project(run.path[k])); ++k)
+  List<Vec2<double>> path;
+  for (int k = 0; k <= step && is_inside(inside, camera.project(run.path[k])); ++k)
     path.push_back(run.path[k]);
   draw_trail(page, camera, path, {style.color, {}, render::Marker::none});
   const Point bob = camera.project(run.path[step]);
@@ -54,8 +55,8 @@ void draw_bob(Page& page, const Rect& rect, const BobRun& run, std::size_t step,
 }
 
 /// While it begins, the energy as it is; in the end its excess over that of hanging still, in decades.
-void draw_energy(Page& page, const Rect& rect, const BlocksRuns& all, std::size_t step) {
-  const bool soon = static_cast<double>(step) * all.settings.dt <= shown_seconds * (1 + 1e-9);
+void draw_energy(Page& page, const Rect& rect, const BlocksRuns& all, int step) {
+  const bool soon = step * all.settings.dt <= shown_seconds * (1 + 1e-9);
   render::Plot plot{.title =
                         soon ? "energy (J), 0 at rest at the pin" : "energy above that of hanging still (J)"};
   plot.x = {.title = "t (s)", .min = 0, .max = soon ? shown_seconds : all.settings.pin_seconds};
@@ -67,8 +68,8 @@ void draw_energy(Page& page, const Rect& rect, const BlocksRuns& all, std::size_
   }
   const auto add = [&](const std::string& name, const BobRun& run, const render::SeriesStyle& style) {
     render::Series series{.name = name, .style = style};
-    for (std::size_t k = 0; k <= step; ++k) {
-      series.x.push_back(static_cast<double>(k) * all.settings.dt);
+    for (int k = 0; k <= step; ++k) {
+      series.x.push_back(k * all.settings.dt);
       series.y.push_back(run.energy[k] + (soon ? 0 : gravity));
     }
     plot.series.push_back(series);
@@ -79,9 +80,9 @@ void draw_energy(Page& page, const Rect& rect, const BlocksRuns& all, std::size_
 }
 
 /// Both bobs; returns what is free below them.
-Rect draw_bobs(Page& page, const BlocksRuns& all, std::size_t step) {
-  const std::vector<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
-  const std::vector<Rect> halves = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+Rect draw_bobs(Page& page, const BlocksRuns& all, int step) {
+  const List<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> halves = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
   const std::string sweeps =
       fmt::format("{} sweep{} a step", all.settings.sweeps, all.settings.sweeps == 1 ? "" : "s");
   draw_bob(page, halves[0], all.bob_rows, step, "rows, " + sweeps, style_of_rows(page));
@@ -108,16 +109,14 @@ std::string answer_text(const BlocksRuns& all, bool compact) {
 
 }  // namespace
 
-std::vector<Shot> bob_shots(const Runs& all) {
-  const auto step_at = [&](double time) {
-    return static_cast<std::size_t>(std::lround(time / all->settings.dt));
-  };
-  std::vector<std::size_t> steps;
-  for (std::size_t k = 1; k <= step_at(shown_seconds); ++k) steps.push_back(k);
+List<Shot> bob_shots(const Runs& all) {
+  const auto step_at = [&](double time) { return static_cast<int>(std::lround(time / all->settings.dt)); };
+  List<int> steps;
+  for (int k = 1; k <= step_at(shown_seconds); ++k) steps.push_back(k);
   steps.push_back(step_at(all->settings.pin_seconds));
-  std::vector<Shot> shots;
-  for (const std::size_t k : steps) {
-    const double time = static_cast<double>(k) * all->settings.dt;
+  List<Shot> shots;
+  for (const int k : steps) {
+    const double time = k * all->settings.dt;
     shots.push_back({.state = fmt::format("C · {} s · step {}", render::fixed(time, 2), k),
                      .alt = fmt::format(
                          "A bob on a pin after {:.2f} s: row by row its energy is {:.3g} J, with the block "
@@ -126,7 +125,7 @@ std::vector<Shot> bob_shots(const Runs& all) {
                      .draw = [all, k](Page& page) { draw_energy(page, draw_bobs(page, *all, k), *all, k); },
                      .key = k == step_at(0.3) || k == step_at(0.8) || k == steps.back()});
   }
-  const std::size_t last = step_at(0.8);
+  const int last = step_at(0.8);
   shots.push_back(
       {.state = "answer",
        .alt = "Both bobs after 0.8 s, and the answer: how many sweeps three beams take with blocks.",

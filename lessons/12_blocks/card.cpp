@@ -1,7 +1,8 @@
 // Lesson 12. What the lesson says of itself, and the settings that its parameters make.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
+#include "parts.hpp"
 
-namespace cairn::blocks {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -16,7 +17,8 @@ LessonInfo card() {
                     "4.3   A_BB Δλ_B = (ζ_B − J_B v) / Δt          one joint: 2 rows of a pin, 3 of a weld",
                     "      A_BB = J_B M⁻¹ J_Bᵀ                     factorized once a step, not once a sweep"},
       .needs = {"lesson 06"},
-      .reads = {"src/solvers/iterative/block_sequential_impulse.hpp", "tests/solvers/iterative/block_tests.cpp"},
+      .reads = {"src/solvers/iterative/block_sequential_impulse.hpp",
+                "tests/solvers/iterative/block_tests.cpp"},
       .question =
           "One welded beam: its 3 rows need 16 sweeps to 1 %, its block 1. Three beams, each welded to the "
           "one "
@@ -32,6 +34,10 @@ LessonInfo card() {
       .cover = 13,
       .next = "lesson13_soft   (a row that gives way)"};
 }
+
+}  // namespace cairn
+
+namespace cairn::blocks {
 
 BlocksSettings settings_of(const Lesson& lesson) {
   return {.dt = lesson.real("dt"),

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
@@ -16,15 +17,15 @@ namespace {
 using render::Page;
 using render::Rect;
 
-const std::vector<Vec3<double>>& velocity_after(const ChainSolve& solve, int sweep) {
-  return solve.velocity[static_cast<std::size_t>(std::min(sweep, solve.sweeps))];
+const PerBody<Vec3<double>>& velocity_after(const ChainSolve& solve, int sweep) {
+  return solve.velocity[std::min(sweep, solve.sweeps)];
 }
 
 /// The beams where their velocities after these sweeps would lead within a second; solved, they stay level.
 void draw_beams(Page& page, const Rect& rect, const ChainRun& chain, const ChainSolve& solve, int sweep,
                 const std::string& name, const render::SeriesStyle& style) {
   const int done = std::min(sweep, solve.sweeps);
-  const double error = solve.error[static_cast<std::size_t>(done)];
+  const double error = solve.error[done];
   const Rect inside = page.panel(
       rect, fmt::format("{}: {} sweep{}, error {} %{}", name, done, done == 1 ? "" : "s",
                         render::fixed(100 * error, error < 0.02 ? 1 : 0), error <= goal ? ", done" : ""));
@@ -36,13 +37,14 @@ void draw_beams(Page& page, const Rect& rect, const ChainRun& chain, const Chain
   page.canvas().rect(
       {wall.x(), wall.y(), corner.x() - wall.x(), corner.y() - wall.y()},
       {.fill = page.theme().static_body, .outline = page.theme().outline, .outline_width = 1.5});
-  draw_ghosts(page, camera, std::vector<Snapshot>{chain.start});
+  draw_ghosts(page, camera, List<Snapshot>{chain.start});
   Snapshot moved = chain.start;
   moved.joints.clear();
-  for (std::size_t i = 1; i < moved.bodies.size(); ++i) {
-    const Vec3<double>& v = velocity_after(solve, done)[i];
-    moved.bodies[i].pose.position += v.head<2>();
-    moved.bodies[i].pose.angle += v.z();
+  for (const BodyId body : moved.bodies.indices()) {
+    if (body == ground) continue;
+    const Vec3<double>& v = velocity_after(solve, done)[body];
+    moved.bodies[body].pose.position += v.head<2>();
+    moved.bodies[body].pose.angle += v.z();
   }
   render::WorldLook look;
   look.contacts = false;
@@ -60,7 +62,7 @@ void draw_errors(Page& page, const Rect& rect, const ChainRun& chain, int sweep)
     render::Series series{.name = name, .style = style};
     for (int k = 1; k <= std::min(sweep, solve.sweeps); ++k) {
       series.x.push_back(k);
-      series.y.push_back(solve.error[static_cast<std::size_t>(k)]);
+      series.y.push_back(solve.error[k]);
     }
     plot.series.push_back(series);
   };
@@ -72,8 +74,8 @@ void draw_errors(Page& page, const Rect& rect, const ChainRun& chain, int sweep)
 }
 
 void draw_chain(Page& page, const ChainRun& chain, int sweep) {
-  const std::vector<Rect> parts = rows(page.area(), {0.46, 0.54}, page.sizes().gap);
-  const std::vector<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.46, 0.54}, page.sizes().gap);
+  const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
   draw_beams(page, top[0], chain, chain.rows, sweep, "rows", style_of_rows(page));
   draw_beams(page, top[1], chain, chain.blocks, sweep, "blocks", style_of_blocks(page));
   draw_errors(page, parts[1], chain, sweep);
@@ -94,9 +96,9 @@ void draw_system(Page& page, const Rect& rect, const ChainRun& chain) {
 }
 
 void draw_table(Page& page, const BlocksRuns& all) {
-  const std::vector<Rect> halves =
+  const List<Rect> halves =
       columns(page.area(), {page.compact() ? 0.62 : 0.54, page.compact() ? 0.38 : 0.46}, page.sizes().gap);
-  const std::vector<Rect> left =
+  const List<Rect> left =
       rows(halves[0], {page.compact() ? 0.66 : 0.54, page.compact() ? 0.34 : 0.46}, page.sizes().gap);
   render::TableView table;
   table.header = {"scene", "rows", "blocks", page.compact() ? "work" : "work, blocks / rows"};
@@ -117,14 +119,14 @@ void draw_table(Page& page, const BlocksRuns& all) {
 
 }  // namespace
 
-std::vector<Shot> chain_shots(const Runs& all) {
+List<Shot> chain_shots(const Runs& all) {
   const ChainRun& chain = all->chains[welded_three];
   std::set<int> sweeps = {1, 2, 5, 10, 20, 50, 100, 200};
   sweeps.insert({chain.blocks.sweeps, chain.rows.sweeps});
-  std::vector<Shot> shots;
+  List<Shot> shots;
   for (const int sweep : sweeps) {
     const auto error = [&](const ChainSolve& solve) {
-      return 100 * solve.error[static_cast<std::size_t>(std::min(sweep, solve.sweeps))];
+      return 100 * solve.error[std::min(sweep, solve.sweeps)];
     };
     shots.push_back(
         {.state = fmt::format("B · three beams · sweep {}", sweep),

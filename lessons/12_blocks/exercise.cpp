@@ -8,7 +8,7 @@ namespace cairn::exercise12 {
 
 // K x = change, with K = (k11 k12; k12 k22) [1/kg] and the change of velocity [m/s] that each row asks for:
 // returns the two impulses x [N s].
-std::array<double, 2> solve_block(double k11, double k12, double k22, const std::array<double, 2>& change) {
+FixedList<double, 2> solve_block(double k11, double k12, double k22, const FixedList<double, 2>& change) {
   (void)k11, (void)k12, (void)k22, (void)change;
   return {std::nan(""), std::nan("")};  // <- your code
 }

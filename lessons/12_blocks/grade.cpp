@@ -1,7 +1,6 @@
 // Exercise 12, graded: the rod of the lesson at 45 degrees, and a block whose rows nearly say the same.
-#include <array>
-
 #include "exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise12 {
 namespace {
@@ -12,7 +11,7 @@ constexpr double block_rounding = 1e-15;  // a few operations on numbers near 1
 
 void grade(Grade& grade, Answer answer) {
   // The rod: K = (2.5 -1.5; -1.5 2.5), gravity has given its pin (0, -0.2) m/s, so (0, 0.2) is asked for.
-  const std::array<double, 2> rod = answer(2.5, -1.5, 2.5, {0, 0.2});
+  const FixedList<double, 2> rod = answer(2.5, -1.5, 2.5, {0, 0.2});
   grade.number({.what = "rod at 45 degrees: impulse along x (N s)",
                 .value = 0.075,
                 .tolerance = block_rounding,
@@ -28,7 +27,7 @@ void grade(Grade& grade, Answer answer) {
                                    {-0.125, "The sign: K x is the change that is asked for."}}},
                rod[1]);
   // With k11 and k22 that differ: x = (1, -2) by construction.
-  const std::array<double, 2> other = answer(4, 1, 2, {4 - 2, 1 - 4});
+  const FixedList<double, 2> other = answer(4, 1, 2, {4 - 2, 1 - 4});
   grade.number({.what = "K = (4 1; 1 2), change (2, -3): first impulse (N s)",
                 .value = 1,
                 .tolerance = 4 * block_rounding,

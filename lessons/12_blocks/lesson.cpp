@@ -11,8 +11,8 @@
 #include <cmath>
 #include <limits>
 
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace cairn::blocks {
 
@@ -20,14 +20,14 @@ int sweeps_by_hand(const SystemMatrices<double>& system, const Vector<double>& e
   const Matrix<double>& A = system.A;
   const Vector<double>& b = system.b;
   // [block]
-  std::vector<Eigen::PartialPivLU<Matrix<double>>> joints;  // A_BB of each joint, factorized once a step
+  List<Eigen::PartialPivLU<Matrix<double>>> joints;  // A_BB of each joint, factorized once a step
   for (Eigen::Index first = 0; first < b.size(); first += size)
     joints.emplace_back(A.block(first, first, size, size));
 
   Vector<double> lambda = Vector<double>::Zero(b.size());
   for (int sweep = 1; sweep <= most_sweeps; ++sweep) {
-    for (std::size_t joint = 0; joint < joints.size(); ++joint) {
-      const Eigen::Index first = static_cast<Eigen::Index>(joint) * size;
+    for (int joint = 0; joint < joints.size(); ++joint) {
+      const int first = joint * size;
       const Vector<double> missing = (b - A * lambda).segment(first, size);  // (zeta_B - J_B v) / dt
       const Vector<double> correction = joints[joint].solve(missing);        // size 1: divided by A_ii, (22)
       lambda.segment(first, size) += correction;
@@ -78,7 +78,7 @@ BobRun run_bob(const BlocksSettings& settings, Solver<double>& solver, Snapshot&
   for (int step = 0; step <= steps; ++step) {
     if (step > 0) world.step(solver);
     last = snapshot(world);
-    const Vec2<double> position = last.bodies[1].pose.position;
+    const Vec2<double> position = last.bodies[{1}].pose.position;
     run.path.push_back(position);
     run.energy.push_back(total_energy(last));
     run.largest_energy = std::max(run.largest_energy, run.energy.back());
@@ -108,6 +108,4 @@ void run(Lesson& lesson) {
 }  // namespace
 }  // namespace cairn::blocks
 
-int main(int argc, char** argv) {
-  return cairn::run_lesson(cairn::blocks::card(), cairn::blocks::run, argc, argv);
-}
+int main(int argc, char** argv) { return cairn::run_lesson(cairn::card(), cairn::blocks::run, argc, argv); }

@@ -1,12 +1,12 @@
 // The rod, its pin's impulses in the plane of lambda_1 and lambda_2, and the way of both solvers through it.
-#include "pictures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
 
@@ -23,7 +23,7 @@ using render::Rect;
 struct RodMoment {
   Pair lambda = {0, 0};        // [N]
   Vec2<double> slip = {0, 0};  // [m/s] of the pinned end
-  std::vector<Pair> way = {};  // through the plane
+  List<Pair> way = {};         // through the plane
   bool block = false;
 };
 
@@ -31,9 +31,9 @@ RodMoment at_rest(const RodRun& rod, double dt) {
   return {.slip = {-rod.system.b(0) * dt, -rod.system.b(1) * dt}, .way = {{0, 0}}};
 }
 
-RodMoment after_update(const RodRun& rod, std::size_t last) {
+RodMoment after_update(const RodRun& rod, int last) {
   RodMoment moment{.lambda = rod.updates[last].after, .slip = rod.updates[last].slip, .way = {{0, 0}}};
-  for (std::size_t i = 0; i <= last; ++i) moment.way.push_back(rod.updates[i].after);
+  for (int i = 0; i <= last; ++i) moment.way.push_back(rod.updates[i].after);
   return moment;
 }
 
@@ -45,11 +45,11 @@ RodMoment after_block(const RodRun& rod) {
 void draw_pin_force(Page& page, const render::Camera& camera, const Pair& lambda, double beside) {
   const render::ArrowScale scale{
       .pixels_per_unit = 0.13 * camera.scale, .longest = 1.5 * camera.scale, .unit = "N"};
-  for (const std::size_t row : {std::size_t{0}, std::size_t{1}}) {
+  for (const int row : {0, 1}) {
     if (!(lambda[row] > 0.05)) continue;
     render::Arrow arrow{.kind = render::ArrowKind::joint,
                         .label = fmt::format("λ_{{{}}} = {}", row + 1, fixed(lambda[row], 2))};
-    arrow.value[static_cast<Eigen::Index>(row)] = lambda[row];
+    arrow.value[row] = lambda[row];
     draw_arrow(page, camera, scale, arrow);
   }
   draw_arrow(page, camera, scale,
@@ -64,7 +64,7 @@ void draw_rod(Page& page, const Rect& rect, const RodRun& rod, const RodMoment& 
   const Rect inside = page.panel(
       rect, page.compact() ? fmt::format("pinned end: {} m/s", speed)
                            : fmt::format("pull of the pin (N), its end of the rod moves at {} m/s", speed));
-  const double angle = rod.start.bodies[1].pose.angle;
+  const double angle = rod.start.bodies[{1}].pose.angle;
   const Vec2<double> end = Vec2<double>(std::cos(angle), std::sin(angle)) * rod_length;
   const double beside = std::max(end.x(), 1.0) + 0.5;
   const render::Camera camera =
@@ -88,7 +88,7 @@ void draw_level(Page& page, const render::Camera& camera, const RodRun& rod, con
   const double x = through[0] - rod.formula[0];
   const double y = through[1] - rod.formula[1];
   const double level = A(0, 0) * x * x + 2 * A(0, 1) * x * y + A(1, 1) * y * y;
-  std::vector<Point> points;
+  List<Point> points;
   for (int i = 0; i <= 96; ++i) {
     const double turn = 2 * pi * i / 96;
     const double c = std::cos(turn);
@@ -146,7 +146,7 @@ void draw_axes(Page& page, const render::Camera& camera, const RodRun& rod) {
 
 void draw_way(Page& page, const render::Camera& camera, const RodMoment& moment) {
   const render::SeriesStyle style = moment.block ? style_of_blocks(page) : style_of_rows(page);
-  std::vector<Point> points;
+  List<Point> points;
   for (const Pair& stop : moment.way) points.push_back(camera.project({stop[0], stop[1]}));
   page.canvas().polyline(points, {.width = page.sizes().curve, .color = style.color});
   for (const Point& point : points)
@@ -158,8 +158,7 @@ void draw_plane(Page& page, const Rect& rect, const RodRun& rod, const RodMoment
   const render::Camera camera =
       render::fit(inside, {{-1.5, -1.3}, {rod.formula[0] + 1.2, rod.formula[1] + 1.3}});
   page.canvas().push_clip(inside);
-  for (const std::size_t sweep : {std::size_t{0}, std::size_t{1}, std::size_t{2}})
-    draw_level(page, camera, rod, rod.by_rows[sweep]);
+  for (const int sweep : {0, 1, 2}) draw_level(page, camera, rod, rod.by_rows[sweep]);
   draw_row_line(page, camera, rod, 0);
   draw_row_line(page, camera, rod, 1);
   draw_axes(page, camera, rod);
@@ -173,18 +172,18 @@ void draw_plane(Page& page, const Rect& rect, const RodRun& rod, const RodMoment
 
 /// Rod and plane; returns what is free below the rod.
 Rect draw_moment(Page& page, const RodRun& rod, const RodMoment& moment) {
-  const std::vector<Rect> halves = columns(page.area(), {0.55, 0.45}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.55, 0.45}, page.sizes().gap);
   draw_plane(page, halves[1], rod, moment);
-  const std::vector<Rect> left = rows(halves[0], {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> left = rows(halves[0], {0.6, 0.4}, page.sizes().gap);
   draw_rod(page, left[0], rod, moment);
   return left[1];
 }
 
-void draw_update(Page& page, const BlocksRuns& all, std::size_t i) {
+void draw_update(Page& page, const BlocksRuns& all, int i) {
   const RodUpdate& update = all.rod.updates[i];
   const Rect panel = draw_moment(page, all.rod, after_update(all.rod, i));
-  const auto row = static_cast<std::size_t>(update.row);
-  const double diagonal = all.rod.system.A(update.row, update.row);
+  const int row = update.row;
+  const double diagonal = all.rod.system.A(row, row);
   page.equation(panel, {.number = fmt::format("eq (22), row {}", row + 1),
                         .symbols = fmt::format("Δλ_{{{0}}} = (ζ − j_{{{0}}}·v) / (A_{{{0}{0}}} Δt)", row + 1),
                         .numbers = fmt::format("= (0 − ({})) / ({} × {:g})", fixed(update.jv, 4),
@@ -210,8 +209,8 @@ void draw_block(Page& page, const BlocksRuns& all) {
                  .color = style_of_blocks(page).color});
 }
 
-std::vector<Shot> rod_shots(const Runs& all) {
-  std::vector<Shot> shots;
+List<Shot> rod_shots(const Runs& all) {
+  List<Shot> shots;
   shots.push_back(
       {.state = "before the first sweep",
        .alt = "A rod on a pin, about to fall, the plane of the pin's two impulses, and the question.",
@@ -222,7 +221,7 @@ std::vector<Shot> rod_shots(const Runs& all) {
                        "dashed line. How many sweeps to the ring? And if both are solved at once?");
            },
        .key = true});
-  for (std::size_t i = 1; i < all->rod.updates.size(); ++i) {
+  for (int i = 1; i < all->rod.updates.size(); ++i) {
     const RodUpdate& update = all->rod.updates[i];
     shots.push_back({.state = fmt::format("A · rows · sweep {} · row {} of 2", update.sweep, update.row + 1),
                      .alt = fmt::format(
@@ -245,10 +244,10 @@ std::vector<Shot> rod_shots(const Runs& all) {
 render::SeriesStyle style_of_rows(const Page& page) { return page.theme().si; }
 render::SeriesStyle style_of_blocks(const Page& page) { return page.theme().jacobi; }
 
-std::vector<Shot> blocks_shots(const BlocksRuns& recorded) {
+List<Shot> blocks_shots(const BlocksRuns& recorded) {
   const Runs all = std::make_shared<const BlocksRuns>(recorded);
-  std::vector<Shot> shots = rod_shots(all);
-  for (const std::vector<Shot>& more : {chain_shots(all), bob_shots(all)})
+  List<Shot> shots = rod_shots(all);
+  for (const List<Shot>& more : {chain_shots(all), bob_shots(all)})
     shots.insert(shots.end(), more.begin(), more.end());
   return shots;
 }

@@ -1,10 +1,10 @@
 // Lesson 12. What is printed, and what is checked.
-#include "report.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "parts.hpp"
 
 namespace cairn::blocks {
 
@@ -21,7 +21,7 @@ void print_rod(Lesson& lesson, const BlocksRuns& all) {
   lesson.print(fmt::format("A: the pin.  A = [{:.4g} {:.4g}; {:.4g} {:.4g}] 1/kg,  b = ({:.4g}, {:.4g}) m/s²",
                            A(0, 0), A(0, 1), A(1, 0), A(1, 1), rod.system.b(0) + 0.0, rod.system.b(1)));
   lesson.print("  sweep row      j·v    Δλ (N), (22)       λ₁        λ₂ (N)   pinned end moves at (m/s)");
-  for (std::size_t i = 0; i < rod.updates.size(); ++i) {
+  for (int i = 0; i < rod.updates.size(); ++i) {
     const RodUpdate& update = rod.updates[i];
     const std::string line =
         fmt::format("  {:>5} {:>3} {:>8.4f} {:>+15.4f} {:>8.4f} {:>9.4f}   ({:>7.4f}, {:>7.4f})",
@@ -61,7 +61,7 @@ void print_bob(Lesson& lesson, const BlocksRuns& all) {
   for (const auto& [name, run] : {std::pair{"rows", &all.bob_rows}, std::pair{"block", &all.bob_block}}) {
     std::string line = fmt::format("  {:<10}", name);
     for (const double time : {0.0, 0.5, 1.0, 2.0, 10.0}) {
-      const auto step = static_cast<std::size_t>(std::lround(time / settings.dt));
+      const int step = static_cast<int>(std::lround(time / settings.dt));
       line += energy_text(run->energy[std::min(step, run->energy.size() - 1)]);
     }
     lesson.print(line + fmt::format("{:>14.3g}", run->largest_stretch));
@@ -99,7 +99,7 @@ void check_chains(Lesson& lesson, const BlocksRuns& all) {
   lesson.check_small("sweeps differ from those of Gauss-Seidel with a dense A by", difference, 1);
   const ChainRun& level = all.chains[level_pins];
   double gap = 0;
-  for (std::size_t k = 0; k < std::min(level.rows.error.size(), level.blocks.error.size()); ++k)
+  for (int k = 0; k < std::min(level.rows.error.size(), level.blocks.error.size()); ++k)
     gap = std::max(gap, std::abs(level.rows.error[k] - level.blocks.error[k]));
   // The same numbers but for rounding: 20 rows, a few sweeps, errors of at most 1.
   lesson.check_small("level pins: errors of rows and blocks differ, sweep for sweep, by", gap,
@@ -148,10 +148,10 @@ void check_runs(Lesson& lesson, const BlocksRuns& all) {
 CsvTable sweeps_table(const BlocksRuns& all) {
   CsvTable table{.header = {"scene", "solver", "sweep", "error"}};
   for (const ChainRun& chain : all.chains) {
-    for (std::size_t k = 0; k < chain.rows.error.size(); ++k)
-      table.rows.push_back({chain.name, "SI", static_cast<long long>(k), chain.rows.error[k]});
-    for (std::size_t k = 0; k < chain.blocks.error.size(); ++k)
-      table.rows.push_back({chain.name, "block SI", static_cast<long long>(k), chain.blocks.error[k]});
+    for (int k = 0; k < chain.rows.error.size(); ++k)
+      table.rows.push_back({chain.name, "SI", k, chain.rows.error[k]});
+    for (int k = 0; k < chain.blocks.error.size(); ++k)
+      table.rows.push_back({chain.name, "block SI", k, chain.blocks.error[k]});
   }
   return table;
 }

@@ -1,7 +1,8 @@
 // Lesson 13. What the lesson says of itself, and the settings that its parameters make.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
+#include "parts.hpp"
 
-namespace cairn::soft {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -33,6 +34,10 @@ LessonInfo card() {
       .cover = 21,
       .next = "lesson14_pulley   (one row on as many bodies as it likes)"};
 }
+
+}  // namespace cairn
+
+namespace cairn::soft {
 
 SoftSettings settings_of(const Lesson& lesson) {
   return {.frequency = lesson.real("frequency"),

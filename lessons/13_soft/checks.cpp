@@ -5,7 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace cairn::soft {
 
@@ -13,9 +14,9 @@ namespace {
 
 const double epsilon = std::numeric_limits<double>::epsilon();
 
-double largest_gap(const std::vector<double>& a, const std::vector<double>& b) {
+double largest_gap(const List<double>& a, const List<double>& b) {
   double gap = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) gap = std::max(gap, std::abs(a[k] - b[k]));
+  for (int k = 0; k < a.size(); ++k) gap = std::max(gap, std::abs(a[k] - b[k]));
   return gap;
 }
 
@@ -28,17 +29,16 @@ void check_row(Lesson& lesson, const SoftRuns& all) {
                      16 * epsilon);
   lesson.check_small("β = Δt k / (c + Δt k), of itself",
                      all.spring.beta * resisting / (h * stiffness(settings)) - 1, 16 * epsilon);
-  const auto steps = static_cast<double>(all.spring.error.size());
+  const int steps = all.spring.error.size();
   // Some ten roundings a step of positions of 1 m; a step never enlarges what it is given.
   lesson.check_small("soft row: v and C of implicit Euler by hand, every step (m)",
-                     largest_gap(all.spring.error, by_implicit_euler(settings, static_cast<int>(steps) - 1)),
+                     largest_gap(all.spring.error, by_implicit_euler(settings, steps - 1)),
                      32 * epsilon * steps);
   lesson.check_small("soft row: the loop of lesson.cpp, with γ and β by hand, every step (m)",
-                     largest_gap(all.spring.error, by_row(settings, static_cast<int>(steps) - 1)),
-                     32 * epsilon * steps);
-  std::vector<double> powers;
-  for (std::size_t k = 0; k < all.rigid.error.size(); ++k)
-    powers.push_back(-settings.pressed * std::pow(1 - all.rigid.beta, static_cast<double>(k)));
+                     largest_gap(all.spring.error, by_row(settings, steps - 1)), 32 * epsilon * steps);
+  List<double> powers;
+  for (int k = 0; k < all.rigid.error.size(); ++k)
+    powers.push_back(-settings.pressed * std::pow(1 - all.rigid.beta, k));
   // The same roundings, of which beta forgets the older ones.
   lesson.check_small("γ = 0: C = C₀ (1 − β)ᵏ, every step (m)", largest_gap(all.rigid.error, powers),
                      32 * epsilon / all.rigid.beta);
@@ -57,7 +57,7 @@ void check_rest(Lesson& lesson, const SoftRuns& all) {
   const double unseen = k * tolerance + 16 * epsilon * settings.mass * gravity;
   lesson.check_equal("at rest: λ = m g (N)", all.rest_lambda, settings.mass * gravity, unseen);
   double grown = -1;
-  for (std::size_t step = 1; step < all.spring.error.size(); ++step) {
+  for (int step = 1; step < all.spring.error.size(); ++step) {
     const double before = swing_energy(settings, all.spring.error[step - 1], all.spring.speed[step - 1]);
     const double after = swing_energy(settings, all.spring.error[step], all.spring.speed[step]);
     grown = std::max(grown, (after - before) / k);
@@ -67,7 +67,7 @@ void check_rest(Lesson& lesson, const SoftRuns& all) {
   const StiffRun& stiffest = all.stiff.back();
   const double y = angular_frequency(stiffest.frequency) * settings.dt;
   double left = 0;
-  for (std::size_t step = 1; step < stiffest.error.size(); ++step)
+  for (int step = 1; step < stiffest.error.size(); ++step)
     left = std::max(left, std::abs(stiffest.error[step]));
   // C' = (C (1 + 2 zeta y) + dt v - dt^2 g) / (1 + 2 zeta y + y^2), where |dt v| is at most about |C_0|.
   const double held =
@@ -86,7 +86,7 @@ void check_columns(Lesson& lesson, const SoftRuns& all) {
                      (added - gamma).cwiseAbs().maxCoeff() / soft.A.maxCoeff(), 8 * epsilon);
   double apart = 0;
   for (const ColumnRun* run : {&rigid, &soft}) {
-    for (std::size_t sweep = 0; sweep < run->by_si.size(); ++sweep)
+    for (int sweep = 0; sweep < run->by_si.size(); ++sweep)
       apart = std::max(apart, largest_gap(run->by_si[sweep], run->by_pgs[sweep]) /
                                   *std::max_element(run->exact.begin(), run->exact.end()));
   }

@@ -9,16 +9,16 @@
 #include <cmath>
 #include <optional>
 
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace cairn::soft {
 
-std::vector<double> by_row(const SoftSettings& settings, int steps) {
+List<double> by_row(const SoftSettings& settings, int steps) {
   const double m = settings.mass, dt = settings.dt;
   const double k = stiffness(settings);
   const double c = damping_constant(settings);
-  std::vector<double> C = {-settings.pressed};
+  List<double> C = {-settings.pressed};
   double v = 0;
   // [row]
   const double gamma = 1 / (dt * (c + dt * k));
@@ -34,11 +34,11 @@ std::vector<double> by_row(const SoftSettings& settings, int steps) {
   return C;
 }
 
-std::vector<double> by_force(const SoftSettings& settings, int steps) {
+List<double> by_force(const SoftSettings& settings, int steps) {
   const double m = settings.mass, dt = settings.dt;
   const double k = stiffness(settings);
   const double c = damping_constant(settings);
-  std::vector<double> C = {-settings.pressed};
+  List<double> C = {-settings.pressed};
   double v = 0;
   // [force]
   for (int step = 0; step < steps; ++step) {
@@ -111,6 +111,4 @@ void run(Lesson& lesson) {
 }  // namespace
 }  // namespace cairn::soft
 
-int main(int argc, char** argv) {
-  return cairn::run_lesson(cairn::soft::card(), cairn::soft::run, argc, argv);
-}
+int main(int argc, char** argv) { return cairn::run_lesson(cairn::card(), cairn::soft::run, argc, argv); }

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/bars.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
@@ -24,19 +24,19 @@ void draw_stiff_curves(Page& page, const Rect& rect, const SoftRuns& all) {
   render::Plot plot{.title = "C (mm)"};
   plot.x = {.title = "t (s)", .min = 0, .max = seconds};
   const render::Color color = style_of_soft(page).color;
-  const std::array<render::SeriesStyle, 4> styles = {{{color, {2, 5}, render::Marker::diamond},
-                                                      {color, {10, 6}, render::Marker::square},
-                                                      {color, {10, 5, 2, 5}, render::Marker::triangle},
-                                                      {color, {}, render::Marker::circle}}};
+  const FixedList<render::SeriesStyle, 4> styles = {{{color, {2, 5}, render::Marker::diamond},
+                                                     {color, {10, 6}, render::Marker::square},
+                                                     {color, {10, 5, 2, 5}, render::Marker::triangle},
+                                                     {color, {}, render::Marker::circle}}};
   double lowest = 0;
   double highest = 0;
-  const std::array<std::size_t, 4> shown = {0, 2, 4, all.stiff.size() - 1};
-  for (std::size_t i = 0; i < shown.size(); ++i) {
+  const FixedList<int, 4> shown = {0, 2, 4, all.stiff.size() - 1};
+  for (int i = 0; i < shown.size(); ++i) {
     const StiffRun& run = all.stiff[shown[i]];
     render::Series series{.name = run.frequency < 1e5 ? fmt::format("{:g} Hz", run.frequency) : "10^{6} Hz",
                           .style = styles[i]};
-    for (std::size_t step = 0; step < run.error.size(); ++step) {
-      series.x.push_back(static_cast<double>(step) * all.settings.dt);
+    for (int step = 0; step < run.error.size(); ++step) {
+      series.x.push_back(step * all.settings.dt);
       series.y.push_back(1000 * run.error[step]);
     }
     plot.series.push_back(series);
@@ -48,7 +48,7 @@ void draw_stiff_curves(Page& page, const Rect& rect, const SoftRuns& all) {
 }
 
 void draw_stiff(Page& page, const SoftRuns& all) {
-  const std::vector<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
   draw_stiff_curves(page, halves[0], all);
   render::TableView table{.header = {"f (Hz)", "γ (1/kg)", "β", "m g / k (mm)"}};
   if (page.compact()) table.header = {"f (Hz)", "γ", "β", "sag (mm)"};
@@ -57,10 +57,10 @@ void draw_stiff(Page& page, const SoftRuns& all) {
     table.rows.push_back({run.frequency < 1e5 ? fmt::format("{:g}", run.frequency) : "10^{6}",
                           render::significant(run.gamma, 3), fixed(run.beta, 4),
                           render::significant(sag, 3)});
-    if (run.frequency == all.settings.frequency) table.active_row = static_cast<int>(table.rows.size()) - 1;
+    if (run.frequency == all.settings.frequency) table.active_row = table.rows.size() - 1;
   }
   const double top = page.compact() ? 0.72 : 0.6;
-  const std::vector<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
   page.table(right[0], page.compact() ? "" : "the same Δt and damping ratio", table);
   page.note(right[1], "Stiffer",
             page.compact()
@@ -71,9 +71,9 @@ void draw_stiff(Page& page, const SoftRuns& all) {
 
 void draw_matrices(Page& page, const SoftRuns& all) {
   const double top = page.compact() ? 0.52 : 0.48;
-  const std::vector<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
-  const std::vector<Rect> halves = columns(parts[0], {0.8, 0.8, 1.4}, page.sizes().gap);
-  const std::vector<std::string> names = {"1", "2", "3"};
+  const List<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
+  const List<Rect> halves = columns(parts[0], {0.8, 0.8, 1.4}, page.sizes().gap);
+  const List<std::string> names = {"1", "2", "3"};
   draw_matrix(page, halves[0],
               {.title = "A, three rods (1/kg)",
                .values = all.rigid_column.A,
@@ -88,7 +88,7 @@ void draw_matrices(Page& page, const SoftRuns& all) {
                 : "One upon the other, each on a rod, or each on a spring. All that a spring does to A "
                   "is to add its γ to its own diagonal entry. The rows lean less on each other: sweeps "
                   "gain more.");
-  const std::vector<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
   const ColumnRun& soft = all.soft_column;
   page.equation(below[0], {.number = "eq (15), PGS",
                            .symbols = "A_{11} with γ = A_{11} + γ",
@@ -110,11 +110,11 @@ void draw_matrices(Page& page, const SoftRuns& all) {
                            .color = page.theme().si.color});
 }
 
-void draw_lambdas(Page& page, const Rect& rect, const ColumnRun& run, std::size_t sweep,
-                  const std::string& title, render::Color color) {
+void draw_lambdas(Page& page, const Rect& rect, const ColumnRun& run, int sweep, const std::string& title,
+                  render::Color color) {
   const double largest = *std::max_element(run.exact.begin(), run.exact.end());
   render::BarChart chart{.title = title, .largest = 1.3 * largest, .color = color};
-  for (std::size_t i = 0; i < run.exact.size(); ++i) {
+  for (int i = 0; i < run.exact.size(); ++i) {
     const double before = run.by_si[sweep - 1][i];
     chart.bars.push_back({.name = fmt::format("row {}", i + 1),
                           .before = before,
@@ -124,9 +124,9 @@ void draw_lambdas(Page& page, const Rect& rect, const ColumnRun& run, std::size_
   draw_bars(page, rect, chart);
 }
 
-void draw_sweep(Page& page, const SoftRuns& all, std::size_t sweep) {
-  const std::vector<Rect> parts = rows(page.area(), {0.48, 0.52}, page.sizes().gap);
-  const std::vector<Rect> top = columns(parts[0], {1, 1}, page.sizes().gap);
+void draw_sweep(Page& page, const SoftRuns& all, int sweep) {
+  const List<Rect> parts = rows(page.area(), {0.48, 0.52}, page.sizes().gap);
+  const List<Rect> top = columns(parts[0], {1, 1}, page.sizes().gap);
   draw_lambdas(page, top[0], all.rigid_column, sweep, "rods: λ (N)", style_of_rigid(page).color);
   draw_lambdas(page, top[1], all.soft_column, sweep, "springs: λ (N)", style_of_soft(page).color);
   render::Plot plot{.title = "largest error of λ, over the largest λ"};
@@ -134,8 +134,8 @@ void draw_sweep(Page& page, const SoftRuns& all, std::size_t sweep) {
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-8, .max = 10};
   const auto add = [&](const std::string& name, const ColumnRun& run, const render::SeriesStyle& style) {
     render::Series series{.name = name, .style = style};
-    for (std::size_t k = 0; k <= sweep; ++k) {
-      series.x.push_back(static_cast<double>(k));
+    for (int k = 0; k <= sweep; ++k) {
+      series.x.push_back(k);
       series.y.push_back(std::max(run.error[k], 1e-12));
     }
     plot.series.push_back(series);
@@ -158,11 +158,10 @@ void draw_run_away(Page& page, const Rect& rect, const SoftRuns& all) {
   SoftSettings harsh = all.settings;
   harsh.frequency = harsh_hertz;
   const double sag = harsh.mass * gravity / stiffness(harsh);
-  const auto add = [&](const std::string& name, const std::vector<double>& error,
-                       const render::SeriesStyle& style) {
+  const auto add = [&](const std::string& name, const List<double>& error, const render::SeriesStyle& style) {
     render::Series series{.name = name, .style = style};
-    for (std::size_t k = 0; k <= 6; ++k) {
-      series.x.push_back(static_cast<double>(k));
+    for (int k = 0; k <= 6; ++k) {
+      series.x.push_back(k);
       series.y.push_back(std::abs(error[k] + sag));
     }
     plot.series.push_back(series);
@@ -200,8 +199,8 @@ double largest_hertz(const SoftRuns& all) {
 
 void draw_harsh(Page& page, const SoftRuns& all) {
   const double top = page.compact() ? 0.66 : 0.7;
-  const std::vector<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
-  const std::vector<Rect> halves = columns(parts[0], {1, 1}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
+  const List<Rect> halves = columns(parts[0], {1, 1}, page.sizes().gap);
   draw_run_away(page, halves[0], all);
   draw_growth(page, halves[1], all);
   const double hertz = largest_hertz(all);
@@ -218,7 +217,7 @@ void draw_harsh(Page& page, const SoftRuns& all) {
 
 }  // namespace
 
-std::vector<Shot> stiff_shots(const Runs& all) {
+List<Shot> stiff_shots(const Runs& all) {
   return {
       {.state = "stiffer and stiffer",
        .alt =
@@ -228,8 +227,8 @@ std::vector<Shot> stiff_shots(const Runs& all) {
        .key = true}};
 }
 
-std::vector<Shot> column_shots(const Runs& all) {
-  std::vector<Shot> shots;
+List<Shot> column_shots(const Runs& all) {
+  List<Shot> shots;
   shots.push_back(
       {.state = "three weights · A",
        .alt = fmt::format("A of three rods, and A of three springs: the same, but with γ = {:.3g} added "
@@ -237,7 +236,7 @@ std::vector<Shot> column_shots(const Runs& all) {
                           all->soft_column.gamma),
        .draw = [all](Page& page) { draw_matrices(page, *all); },
        .key = true});
-  for (std::size_t sweep = 1; sweep <= shown_sweeps; ++sweep) {
+  for (int sweep = 1; sweep <= shown_sweeps; ++sweep) {
     shots.push_back(
         {.state = fmt::format("three weights · sweep {}", sweep),
          .alt = fmt::format("After sweep {} the largest error is {:.2g} with rods and {:.2g} with "
@@ -249,7 +248,7 @@ std::vector<Shot> column_shots(const Runs& all) {
   return shots;
 }
 
-std::vector<Shot> harsh_shots(const Runs& all) {
+List<Shot> harsh_shots(const Runs& all) {
   return {
       {.state = "100 Hz, Δt = 0.05 s",
        .alt =

@@ -1,12 +1,12 @@
 // A weight on a soft row beside one on a row without gamma: every step, the question, and the answer.
-#include "pictures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
 
@@ -25,7 +25,7 @@ const double left_x = -0.4;
 const double right_x = 1.55;
 const int most_frames = 75;  // of the motion
 
-int last_step(const SoftRuns& all) { return static_cast<int>(all.spring.steps.size()) - 1; }
+int last_step(const SoftRuns& all) { return all.spring.steps.size() - 1; }
 
 /// Ground, the length without load (dashed) and the soft row's place of rest (dotted).
 void draw_levels(Page& page, const render::Camera& camera, const SoftRuns& all) {
@@ -57,11 +57,27 @@ void draw_push(Page& page, const render::Camera& camera, const SoftRuns& all, co
   page.canvas().text({at.x(), at.y() + below}, fixed(lambda + 0.0, weight < 1 ? 3 : 1) + " N", text);
 }
 
+/// A zig-zag from the foot of a spring at x up to its end [m].
+void draw_spring(Page& page, const render::Camera& camera, double x, double bottom, double top,
+                 const render::SeriesStyle& style) {
+  const int turns = 7;
+  const double straight = 0.08 * (top - bottom);
+  const double pitch = (top - bottom - 2 * straight) / turns;
+  List<Point> points = {camera.project({x, bottom}), camera.project({x, bottom + straight})};
+  for (int i = 0; i < turns; ++i) {
+    const double side = i % 2 == 0 ? 0.1 : -0.1;
+    points.push_back(camera.project({x + side, bottom + straight + pitch * (i + 0.5)}));
+  }
+  points.push_back(camera.project({x, top - straight}));
+  points.push_back(camera.project({x, top}));
+  page.canvas().polyline(points, {.width = page.sizes().curve, .color = style.color});
+}
+
 void draw_weight(Page& page, const render::Camera& camera, const SoftRuns& all, const WeightRun& run,
-                 std::size_t step, double x) {
+                 int step, double x) {
   Snapshot scene = run.steps[step];
   scene.joints.clear();
-  scene.bodies[1].pose.position.x() += x;
+  scene.bodies[{1}].pose.position.x() += x;
   const double foot = rest_length + run.error[step];
   const bool is_soft = run.gamma > 0;
   const render::SeriesStyle style = is_soft ? style_of_soft(page) : style_of_rigid(page);
@@ -82,7 +98,7 @@ void draw_weight(Page& page, const render::Camera& camera, const SoftRuns& all, 
 }
 
 /// Both weights.
-void draw_weights(Page& page, const Rect& rect, const SoftRuns& all, std::size_t step) {
+void draw_weights(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   const Rect inside = page.panel(rect, page.compact() ? "" : "dashed: no load, dotted: at rest");
   const render::Camera camera = render::fit(inside, {{left_x, -0.2}, {right_x, 1.6}});
   draw_levels(page, camera, all);
@@ -91,7 +107,7 @@ void draw_weights(Page& page, const Rect& rect, const SoftRuns& all, std::size_t
 }
 
 /// C against time, up to `step`; the exact swing all the way.
-void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, std::size_t step) {
+void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   render::Plot plot{.title = page.compact() ? "C (mm) against t (s)" : "C (mm), 0 without load"};
   plot.x = {.title = page.compact() ? "" : "t (s)", .min = 0, .max = seconds};
   render::Series exact{.name = "exact", .style = page.theme().exact, .markers = false};
@@ -109,8 +125,8 @@ void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, std::size_t 
   plot.series.push_back(exact);
   const auto add = [&](const std::string& name, const WeightRun& run, const render::SeriesStyle& style) {
     render::Series series{.name = name, .style = style};
-    for (std::size_t k = 0; k <= step; ++k) {
-      series.x.push_back(static_cast<double>(k) * all.settings.dt);
+    for (int k = 0; k <= step; ++k) {
+      series.x.push_back(k * all.settings.dt);
       series.y.push_back(1000 * run.error[k]);
     }
     plot.series.push_back(series);
@@ -121,16 +137,16 @@ void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, std::size_t 
 }
 
 /// Weights left, curves right; returns what is free below the curves.
-Rect draw_moment(Page& page, const SoftRuns& all, std::size_t step) {
-  const std::vector<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
+Rect draw_moment(Page& page, const SoftRuns& all, int step) {
+  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   const double top = page.compact() ? 0.54 : 0.58;
-  const std::vector<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
   draw_weights(page, halves[0], all, step);
   draw_errors(page, right[0], all, step);
   return right[1];
 }
 
-void draw_step(Page& page, const SoftRuns& all, std::size_t step) {
+void draw_step(Page& page, const SoftRuns& all, int step) {
   const Rect panel = draw_moment(page, all, step);
   const StepRow& row = all.spring.rows[step];
   const std::string free = fixed(row.free, 3);
@@ -145,17 +161,17 @@ void draw_step(Page& page, const SoftRuns& all, std::size_t step) {
 }
 
 Shot step_shot(const Runs& all, int step, bool key) {
-  const auto k = static_cast<std::size_t>(step);
   const double time = step * all->settings.dt;
-  return {.state = fmt::format("step {} · t = {} s", step, fixed(time, 2)),
-          .alt = fmt::format(
-              "After {:.2f} s the weight on the soft row is {:.1f} mm from where its spring has "
-              "no load, exactly it would be {:.1f} mm; the one without γ {:.1f} mm. The rows push "
-              "with {:.1f} and {:.1f} N.",
-              time, 1000 * all->spring.error[k], 1000 * exact_error(all->settings, time),
-              1000 * all->rigid.error[k] + 0.0, all->spring.rows[k].lambda, all->rigid.rows[k].lambda),
-          .draw = [all, k](Page& page) { draw_step(page, *all, k); },
-          .key = key};
+  return {
+      .state = fmt::format("step {} · t = {} s", step, fixed(time, 2)),
+      .alt = fmt::format("After {:.2f} s the weight on the soft row is {:.1f} mm from where its spring has "
+                         "no load, exactly it would be {:.1f} mm; the one without γ {:.1f} mm. The rows push "
+                         "with {:.1f} and {:.1f} N.",
+                         time, 1000 * all->spring.error[step], 1000 * exact_error(all->settings, time),
+                         1000 * all->rigid.error[step] + 0.0, all->spring.rows[step].lambda,
+                         all->rigid.rows[step].lambda),
+      .draw = [all, step](Page& page) { draw_step(page, *all, step); },
+      .key = key};
 }
 
 void draw_question(Page& page, const SoftRuns& all) {
@@ -168,8 +184,7 @@ void draw_question(Page& page, const SoftRuns& all) {
 }
 
 void draw_answer(Page& page, const SoftRuns& all) {
-  const auto step = static_cast<std::size_t>(last_step(all));
-  page.note(draw_moment(page, all, step), "Answer",
+  page.note(draw_moment(page, all, last_step(all)), "Answer",
             page.compact()
                 ? "β goes to 1 and the sag to 0: a rod. β = 0.2 alone is no spring, γ makes it one."
                 : fmt::format("β goes to 1 and the sag to 0: the row becomes a rod. β = {:.3f} alone "
@@ -180,27 +195,12 @@ void draw_answer(Page& page, const SoftRuns& all) {
 
 }  // namespace
 
-void draw_spring(Page& page, const render::Camera& camera, double x, double bottom, double top,
-                 const render::SeriesStyle& style) {
-  const int turns = 7;
-  const double straight = 0.08 * (top - bottom);
-  const double pitch = (top - bottom - 2 * straight) / turns;
-  std::vector<Point> points = {camera.project({x, bottom}), camera.project({x, bottom + straight})};
-  for (int i = 0; i < turns; ++i) {
-    const double side = i % 2 == 0 ? 0.1 : -0.1;
-    points.push_back(camera.project({x + side, bottom + straight + pitch * (i + 0.5)}));
-  }
-  points.push_back(camera.project({x, top - straight}));
-  points.push_back(camera.project({x, top}));
-  page.canvas().polyline(points, {.width = page.sizes().curve, .color = style.color});
-}
-
 render::SeriesStyle style_of_soft(const Page& page) { return page.theme().si; }
 render::SeriesStyle style_of_rigid(const Page& page) { return page.theme().jacobi; }
 
-std::vector<Shot> soft_shots(const SoftRuns& recorded) {
+List<Shot> soft_shots(const SoftRuns& recorded) {
   const Runs all = std::make_shared<const SoftRuns>(recorded);
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back({.state = "before the first step",
                    .alt = "Two weights on a spring and on a rod, both pressed down, and the question.",
                    .draw = [all](Page& page) { draw_question(page, *all); },
@@ -209,7 +209,7 @@ std::vector<Shot> soft_shots(const SoftRuns& recorded) {
   const std::set<int> keys = {1, 5, 20, frames};
   for (int frame = 1; frame <= frames; ++frame)
     shots.push_back(step_shot(all, frame * last_step(*all) / frames, keys.contains(frame)));
-  for (const std::vector<Shot>& more : {stiff_shots(all), column_shots(all), harsh_shots(all)})
+  for (const List<Shot>& more : {stiff_shots(all), column_shots(all), harsh_shots(all)})
     shots.insert(shots.end(), more.begin(), more.end());
   shots.push_back({.state = "answer",
                    .alt = "Both weights at rest, the one on the spring lower, and the answer.",

@@ -1,10 +1,9 @@
 // Lesson 13. What is printed.
-#include "report.hpp"
-
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
+
+#include "parts.hpp"
 
 namespace cairn::soft {
 
@@ -23,7 +22,7 @@ void print_spring(Lesson& lesson, const SoftRuns& all) {
   lesson.print(fmt::format(
       "   γ = 1 / ({:g} × ({:.3f} + {:.3f})) = {:.4g} 1/kg,   β = {:.3f} / {:.3f} = {:.4f}", settings.dt, c,
       settings.dt * k, spring.gamma, settings.dt * k, c + settings.dt * k, spring.beta));
-  for (std::size_t step = 1; step <= 3; ++step) {
+  for (int step = 1; step <= 3; ++step) {
     const StepRow& row = spring.rows[step];
     lesson.print(fmt::format(
         "   step {}  ζ = {:7.4f}   λ = ({:.4f} − ({:.4f})) / (({:g} + {:.4g}) × {:g}) = {:.4f} N", step,
@@ -31,7 +30,7 @@ void print_spring(Lesson& lesson, const SoftRuns& all) {
   }
   lesson.print("   t (s)    C (mm): exact     soft row   γ = 0, same β      λ (N): soft row        γ = 0");
   for (const double time : {0.1, 0.2, 0.5, 1.0}) {
-    const auto step = static_cast<std::size_t>(std::lround(time / settings.dt));
+    const int step = static_cast<int>(std::lround(time / settings.dt));
     lesson.print(fmt::format("   {:<6g} {:>16.2f} {:>12.2f} {:>15.3f} {:>20.3f} {:>13.3f}", time,
                              1000 * exact_error(settings, time), 1000 * spring.error[step],
                              cleaned(1000 * all.rigid.error[step]), spring.rows[step].lambda,
@@ -68,7 +67,7 @@ void print_columns(Lesson& lesson, const SoftRuns& all) {
   for (const auto& [name, run] :
        {std::pair{"rigid, A", &all.rigid_column}, {"soft, A + γ", &all.soft_column}}) {
     std::string line = fmt::format("   {:<16}", name);
-    for (std::size_t sweep = 1; sweep <= 6; ++sweep) line += fmt::format(" {:>9.2e}", run->error[sweep]);
+    for (int sweep = 1; sweep <= 6; ++sweep) line += fmt::format(" {:>9.2e}", run->error[sweep]);
     lesson.print(line + fmt::format(" {:>13.4f}", run->rate));
   }
   lesson.print();
@@ -79,7 +78,7 @@ void print_harsh(Lesson& lesson, const SoftRuns& all) {
   std::string names = "   step           ";
   std::string row = "   as a row       ";
   std::string force = "   as a force     ";
-  for (const std::size_t step : std::array<std::size_t, 6>{0, 1, 2, 3, 5, 20}) {
+  for (const int step : {0, 1, 2, 3, 5, 20}) {
     names += fmt::format(" {:>11}", step);
     row += fmt::format(" {:>11.4f}", cleaned(1000 * all.harsh_row[step]));
     force += fmt::format(" {:>11.3g}", 1000 * all.harsh_force[step]);
@@ -111,10 +110,10 @@ CsvTable steps_table(const SoftRuns& all) {
   CsvTable table{.header = {"run", "gamma", "beta", "step", "error_metre", "speed_metre_per_second", "zeta",
                             "lambda_newton", "exact_metre"}};
   for (const auto& [name, run] : {std::pair{"soft", &all.spring}, {"rigid", &all.rigid}}) {
-    for (std::size_t step = 0; step < run->error.size(); ++step) {
-      table.rows.push_back({name, run->gamma, run->beta, static_cast<long long>(step), run->error[step],
-                            run->speed[step], run->rows[step].zeta, run->rows[step].lambda,
-                            exact_error(all.settings, static_cast<double>(step) * all.settings.dt)});
+    for (int step = 0; step < run->error.size(); ++step) {
+      table.rows.push_back({name, run->gamma, run->beta, step, run->error[step], run->speed[step],
+                            run->rows[step].zeta, run->rows[step].lambda,
+                            exact_error(all.settings, step * all.settings.dt)});
     }
   }
   return table;

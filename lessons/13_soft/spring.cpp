@@ -33,12 +33,12 @@ void run_to_rest(SoftRuns& all) {
   SequentialImpulse<double> solver({.iterations = 1});
   const int steps = steps_to_rest(all.settings);
   for (int step = 0; step < steps; ++step) world.step(solver);
-  all.rest_error = world.bodies().pose[1].position.y() - half_height - rest_length;
+  all.rest_error = world.bodies().pose[{1}].position.y() - half_height - rest_length;
   all.rest_lambda = world.last_step().problem.impulse[0] / all.settings.dt;
 }
 
-std::vector<StiffRun> run_stiff(const SoftSettings& settings) {
-  std::vector<StiffRun> runs;
+List<StiffRun> run_stiff(const SoftSettings& settings) {
+  List<StiffRun> runs;
   for (const double frequency : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 200.0, 1e6}) {
     SoftSettings stiff = settings;
     stiff.frequency = frequency;
@@ -72,13 +72,13 @@ Scene column_scene(const SoftSettings& settings, Kind kind) {
   return scene;
 }
 
-std::vector<std::vector<double>> sweeps_of(Solver<double>& solver, VelocityProblem<double> problem) {
+List<List<double>> sweeps_of(Solver<double>& solver, VelocityProblem<double> problem) {
   SweepRecorder<double> recorder;
   solver.solve(problem, &recorder);
-  std::vector<std::vector<double>> lambdas;
+  List<List<double>> lambdas;
   for (const SweepRecord& sweep : recorder.sweeps()) {
-    lambdas.push_back(sweep.impulse);
-    for (double& lambda : lambdas.back()) lambda /= problem.dt;
+    List<double>& lambda = lambdas.emplace_back();
+    for (const double impulse : sweep.impulse) lambda.push_back(impulse / problem.dt);
   }
   return lambdas;
 }
@@ -100,10 +100,9 @@ ColumnRun run_column(const SoftSettings& settings, Kind kind) {
   SequentialImpulse<double> si({.iterations = column_sweeps});
   run.by_pgs = sweeps_of(pgs, problem);
   run.by_si = sweeps_of(si, problem);
-  for (const std::vector<double>& lambda : run.by_si) {
+  for (const List<double>& lambda : run.by_si) {
     double error = 0;
-    for (std::size_t i = 0; i < lambda.size(); ++i)
-      error = std::max(error, std::abs(lambda[i] - run.exact[i]));
+    for (int i = 0; i < lambda.size(); ++i) error = std::max(error, std::abs(lambda[i] - run.exact[i]));
     run.error.push_back(error / exact.lpNorm<Eigen::Infinity>());
   }
   run.rate = rate_by_formula(run.A);
@@ -130,7 +129,7 @@ SwingSoftness swing_of(const SoftSettings& settings) { return {settings.frequenc
 
 void record(WeightRun& run, const World<double>& world) {
   run.steps.push_back(snapshot(world));
-  const SnapshotBody& weight = run.steps.back().bodies[1];
+  const SnapshotBody& weight = run.steps.back().bodies[{1}];
   run.error.push_back(weight.pose.position.y() - half_height - rest_length);
   run.speed.push_back(weight.velocity.y());
 }
@@ -158,11 +157,11 @@ double exact_error(const SoftSettings& settings, double t) {
   return rest + begin * swing.real();
 }
 
-std::vector<double> by_implicit_euler(const SoftSettings& settings, int steps) {
+List<double> by_implicit_euler(const SoftSettings& settings, int steps) {
   const double w = angular_frequency(settings.frequency);
   const double h = settings.dt;
   double v = 0;
-  std::vector<double> error = {-settings.pressed};
+  List<double> error = {-settings.pressed};
   for (int step = 0; step < steps; ++step) {
     const double pull = gravity + w * w * error.back();
     v = (v - h * pull) / (1 + 2 * settings.damping * w * h + w * w * h * h);

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::soft {
 
@@ -38,10 +38,10 @@ struct StepRow {
 struct WeightRun {
   double gamma = 0;  // [1/kg]
   double beta = 0;   // rate times dt
-  std::vector<Snapshot> steps = {};
-  std::vector<double> error = {};  // C [m]: length less rest_length, negative where pressed
-  std::vector<double> speed = {};  // [m/s] upwards
-  std::vector<StepRow> rows = {};
+  List<Snapshot> steps = {};
+  List<double> error = {};  // C [m]: length less rest_length, negative where pressed
+  List<double> speed = {};  // [m/s] upwards
+  List<StepRow> rows = {};
 };
 
 /// One stiffness after the other, at the same dt, damping ratio and mass.
@@ -49,19 +49,19 @@ struct StiffRun {
   double frequency = 0;  // [Hz]
   double gamma = 0;      // [1/kg]
   double beta = 0;
-  double sag = 0;                  // [m] at rest, by m g / k
-  std::vector<double> error = {};  // C [m] after each step
+  double sag = 0;           // [m] at rest, by m g / k
+  List<double> error = {};  // C [m] after each step
 };
 
 /// Three weights, one step, one lambda per spring [N]. Index 0 of lambdas: before the first sweep.
 struct ColumnRun {
   double gamma = 0;  // [1/kg] 0: three rigid rows
   Matrix<double> A = {};
-  std::vector<double> exact = {};
-  std::vector<std::vector<double>> by_pgs = {};  // after each sweep
-  std::vector<std::vector<double>> by_si = {};
-  std::vector<double> error = {};  // of SI after each sweep, over the largest exact lambda
-  double rate = 0;                 // by formula: what a sweep leaves of the error
+  List<double> exact = {};
+  List<List<double>> by_pgs = {};  // after each sweep
+  List<List<double>> by_si = {};
+  List<double> error = {};  // of SI after each sweep, over the largest exact lambda
+  double rate = 0;          // by formula: what a sweep leaves of the error
 };
 
 /// How much a step enlarges a swing, at most, and what twenty steps made of it.
@@ -77,12 +77,12 @@ struct SoftRuns {
   WeightRun rigid = {};    // a rod with beta of the soft row
   double rest_error = 0;   // C [m] of the soft row once it has come to rest
   double rest_lambda = 0;  // [N] there
-  std::vector<StiffRun> stiff = {};
+  List<StiffRun> stiff = {};
   ColumnRun rigid_column = {};
   ColumnRun soft_column = {};
-  std::vector<Growth> growth = {};
-  std::vector<double> harsh_row = {};    // C [m], harsh_hertz at harsh_dt, step by step, by the engine
-  std::vector<double> harsh_force = {};  // the same as a force
+  List<Growth> growth = {};
+  List<double> harsh_row = {};    // C [m], harsh_hertz at harsh_dt, step by step, by the engine
+  List<double> harsh_force = {};  // the same as a force
 };
 
 SoftRuns run_soft(const SoftSettings& settings);
@@ -99,10 +99,10 @@ double exact_error(const SoftSettings& settings, double t);
 
 /// C [m] after each of `steps` steps of a row with gamma and beta, and of a force taken at the beginning of
 /// the step.
-std::vector<double> by_row(const SoftSettings& settings, int steps);
-std::vector<double> by_force(const SoftSettings& settings, int steps);
+List<double> by_row(const SoftSettings& settings, int steps);
+List<double> by_force(const SoftSettings& settings, int steps);
 /// The same with no row and no force but the formula of src/constraints/softness.hpp: implicit Euler.
-std::vector<double> by_implicit_euler(const SoftSettings& settings, int steps);
+List<double> by_implicit_euler(const SoftSettings& settings, int steps);
 
 /// A weight on the ground's spring, or on a rod with this beta; and what the library makes of it.
 Scene weight_scene(const SoftSettings& settings, DistanceJoint::Kind kind, double beta);

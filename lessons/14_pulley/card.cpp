@@ -1,7 +1,8 @@
 // Lesson 14. What the lesson says of itself, and the settings that its parameters make.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
+#include "parts.hpp"
 
-namespace cairn::pulley {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -32,6 +33,10 @@ LessonInfo card() {
       .cover = 2,
       .next = "lesson15_cone_or_pyramid   (two rows of friction that share one limit)"};
 }
+
+}  // namespace cairn
+
+namespace cairn::pulley {
 
 PulleySettings settings_of(const Lesson& lesson) {
   return {.dt = lesson.real("dt"),

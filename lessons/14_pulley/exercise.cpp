@@ -8,7 +8,7 @@ namespace cairn::exercise14 {
 
 // j v = j_a omega_a + j_b omega_b is 0 where the teeth of both wheels move along together, and the wheels
 // mesh from outside. Returns (j_a, j_b); any length will do.
-std::array<double, 2> gear_row(double teeth_a, double teeth_b) {
+FixedList<double, 2> gear_row(double teeth_a, double teeth_b) {
   (void)teeth_a, (void)teeth_b;
   return {std::nan(""), std::nan("")};  // <- your code
 }

@@ -1,22 +1,21 @@
 // Three masses on one rope, and what seven solvers make of their fall.
 #pragma once
 
-#include <array>
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::pulley {
 
-inline constexpr double gravity = 10;                      // [m/s^2]
-inline constexpr std::array<double, 3> parts = {1, 2, 1};  // r_i
-inline constexpr double wheel_radius = 0.7;                // [m]
-inline constexpr double wheel_height = 6;                  // [m] of the fixed wheels' middles
+inline constexpr double gravity = 10;                     // [m/s^2]
+inline constexpr FixedList<double, 3> parts = {1, 2, 1};  // r_i
+inline constexpr double wheel_radius = 0.7;               // [m]
+inline constexpr double wheel_height = 6;                 // [m] of the fixed wheels' middles
 
 struct PulleySettings {
-  double dt = 0.02;                          // [s]
-  std::array<double, 3> masses = {1, 2, 3};  // [kg]
+  double dt = 0.02;                         // [s]
+  FixedList<double, 3> masses = {1, 2, 3};  // [kg]
   int steps = 50;
   int lift_step = 20;  // after it the third mass is thrown upwards
   double lift = 3;     // [m/s]
@@ -25,22 +24,22 @@ struct PulleySettings {
 /// What one step left behind.
 struct PulleyStep {
   Snapshot snapshot = {};
-  std::array<double, 3> speed = {};  // [m/s] upwards
-  double tension = 0;                // lambda [N]
-  double room = 0;                   // C [m]: 0 where the rope is taut
+  FixedList<double, 3> speed = {};  // [m/s] upwards
+  double tension = 0;               // lambda [N]
+  double room = 0;                  // C [m]: 0 where the rope is taut
 };
 
 /// One solver's account of the whole fall.
 struct PulleyRun {
   std::string solver = {};
-  std::vector<PulleyStep> steps = {};  // steps[0] is the start
-  std::size_t memory = 0;              // bytes beside the problem
+  List<PulleyStep> steps = {};  // steps[0] is the start
+  std::size_t memory = 0;       // bytes beside the problem
 };
 
 struct PulleyRuns {
   PulleySettings settings = {};
   VelocityProblem<double> first = {};  // the problem of the first step
-  std::vector<PulleyRun> runs = {};    // SI first, then six others
+  List<PulleyRun> runs = {};           // SI first, then six others
 };
 
 PulleyRuns run_pulleys(const PulleySettings& settings);

@@ -1,7 +1,6 @@
 // Exercise 14, graded: one row update on two wheels, with the effective mass of the answer's own row.
-#include <array>
-
 #include "exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise14 {
 namespace {
@@ -9,16 +8,16 @@ namespace {
 constexpr double gear_rounding = 1e-13;  // a dozen operations on numbers below 100
 
 struct Wheels {
-  std::array<double, 2> inverse_inertia = {2, 0.5};  // [1/(kg m^2)]
-  std::array<double, 2> omega = {3, 1};              // [rad/s]
+  FixedList<double, 2> inverse_inertia = {2, 0.5};  // [1/(kg m^2)]
+  FixedList<double, 2> omega = {3, 1};              // [rad/s]
 };
 
 /// Equation (22) and (23) with the row, once.
-Wheels solved(const std::array<double, 2>& j) {
+Wheels solved(const FixedList<double, 2>& j) {
   Wheels wheels;
   const double speed = j[0] * wheels.omega[0] + j[1] * wheels.omega[1];
   const double gives = j[0] * j[0] * wheels.inverse_inertia[0] + j[1] * j[1] * wheels.inverse_inertia[1];
-  for (std::size_t k = 0; k < 2; ++k) wheels.omega[k] -= wheels.inverse_inertia[k] * j[k] * speed / gives;
+  for (int k = 0; k < 2; ++k) wheels.omega[k] -= wheels.inverse_inertia[k] * j[k] * speed / gives;
   return wheels;
 }
 
@@ -29,7 +28,7 @@ void grade(Grade& grade, Answer answer) {
   const Wheels right = solved({a, b}), inside = solved({a, -b}), swapped = solved({b, a}),
                belt = solved({b, -a});
   const Wheels got = solved(answer(a, b));
-  for (std::size_t k = 0; k < 2; ++k) {
+  for (int k = 0; k < 2; ++k) {
     grade.number({.what = k == 0 ? "10 and 20 teeth: the small wheel turns at (rad/s)"
                                  : "10 and 20 teeth: the large wheel turns at (rad/s)",
                   .value = right.omega[k],

@@ -8,19 +8,19 @@
 
 #include <memory>
 
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "rope.hpp"
 
 namespace cairn::pulley {
 
 Scene pulley_scene(const PulleySettings& settings) {
   Scene scene({.gravity = {0, -gravity}, .dt = settings.dt});
-  const std::array<double, 3> x = {-3 * wheel_radius, 0, 3 * wheel_radius};
-  const std::array<double, 3> y = {2, 2, 4};
-  std::array<RopeOverWheels::End, 3> ends;
+  const FixedList<double, 3> x = {-3 * wheel_radius, 0, 3 * wheel_radius};
+  const FixedList<double, 3> y = {2, 2, 4};
+  FixedList<RopeOverWheels::End, 3> ends;
   double length = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const BodyId body =
         scene.add({.shapes = {box(0.6, 0.6)}, .position = {x[i], y[i]}, .mass = settings.masses[i]});
     ends[i] = {.body = body, .parts = parts[i], .top = wheel_height};
@@ -34,7 +34,7 @@ double tension_by_hand(const PulleySettings& settings) {
   // [lambda]
   double jv = 0;       // [m/s] after one step of falling
   double inverse = 0;  // [1/kg] j M^-1 j^T
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const double r = parts[i];  // of the rope at body i: its block of j is (0, r, 0)
     jv += r * (-gravity * settings.dt);
     inverse += r * r / settings.masses[i];
@@ -95,6 +95,4 @@ void run(Lesson& lesson) {
 }  // namespace
 }  // namespace cairn::pulley
 
-int main(int argc, char** argv) {
-  return cairn::run_lesson(cairn::pulley::card(), cairn::pulley::run, argc, argv);
-}
+int main(int argc, char** argv) { return cairn::run_lesson(cairn::card(), cairn::pulley::run, argc, argv); }

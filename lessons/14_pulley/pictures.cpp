@@ -1,13 +1,12 @@
 // Masses on a rope, the row of J that holds them, and the pull in the rope step by step.
-#include "pictures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <set>
 
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
@@ -32,18 +31,18 @@ void draw_wheel(Page& page, const render::Camera& camera, const Vec2<double>& mi
 
 /// The rope from the first mass over, under and over the wheels; dashed where it is slack.
 void draw_rope(Page& page, const render::Camera& camera, const PulleyStep& step) {
-  const auto& bodies = step.snapshot.bodies;
+  const PerBody<SnapshotBody>& bodies = step.snapshot.bodies;
   const double r = wheel_radius;
-  const double loop = bodies[2].pose.position.y() + 0.3 + r;  // the movable wheel sits on the second mass
+  const double loop = bodies[{2}].pose.position.y() + 0.3 + r;  // the movable wheel sits on the second mass
   render::Stroke style{.width = 3 * page.sizes().outline, .color = page.theme().joint};
   if (step.tension <= 0 && step.room > 1e-9) style.dash = {6, 5};
   const auto line = [&](const Vec2<double>& from, const Vec2<double>& to) {
     page.canvas().line(camera.project(from), camera.project(to), style);
   };
-  line({-3 * r, bodies[1].pose.position.y() + 0.3}, {-3 * r, wheel_height});
+  line({-3 * r, bodies[{1}].pose.position.y() + 0.3}, {-3 * r, wheel_height});
   line({-r, wheel_height}, {-r, loop});
   line({r, loop}, {r, wheel_height});
-  line({3 * r, wheel_height}, {3 * r, bodies[3].pose.position.y() + 0.3});
+  line({3 * r, wheel_height}, {3 * r, bodies[{3}].pose.position.y() + 0.3});
   draw_wheel(page, camera, {-2 * r, wheel_height});
   draw_wheel(page, camera, {2 * r, wheel_height});
   draw_wheel(page, camera, {0, loop});
@@ -51,16 +50,16 @@ void draw_rope(Page& page, const render::Camera& camera, const PulleyStep& step)
 
 /// The step in which the rope pulls hardest: that of the jerk, if there is one.
 int hardest_pull(const PulleyRuns& all) {
-  const std::vector<PulleyStep>& steps = all.runs[0].steps;
+  const List<PulleyStep>& steps = all.runs[0].steps;
   const auto weaker = [](const PulleyStep& a, const PulleyStep& b) { return a.tension < b.tension; };
   return static_cast<int>(std::max_element(steps.begin(), steps.end(), weaker) - steps.begin());
 }
 
 /// How hard the rope pulls at mass i, beside it.
-void draw_pull(Page& page, const render::Camera& camera, const render::ArrowScale& scale, std::size_t i,
+void draw_pull(Page& page, const render::Camera& camera, const render::ArrowScale& scale, int i,
                const Vec2<double>& middle, double pull) {
   if (!(pull > 0)) return;
-  const std::array<double, 3> beside = {-0.5, 1.05, 0.5};  // [m] clear of the rope
+  const FixedList<double, 3> beside = {-0.5, 1.05, 0.5};  // [m] clear of the rope
   const Vec2<double> tail = middle + Vec2<double>(beside[i], -0.3);
   draw_arrow(page, camera, scale, {.kind = render::ArrowKind::joint, .tail = tail, .value = {0, pull}});
   const double length = pull * scale.pixels_per_unit;
@@ -92,14 +91,14 @@ void draw_masses(Page& page, const Rect& rect, const PulleyRuns& all, const Pull
   masses.joints.clear();  // the rope is drawn already, as it runs
   draw_world(page, camera, masses, look);
   const double heaviest = gravity * *std::max_element(all.settings.masses.begin(), all.settings.masses.end());
-  const std::vector<PulleyStep>& steps = all.runs[0].steps;
-  const double hardest = 2 * steps[static_cast<std::size_t>(hardest_pull(all))].tension;  // on two parts
+  const List<PulleyStep>& steps = all.runs[0].steps;
+  const double hardest = 2 * steps[hardest_pull(all)].tension;  // on two parts
   // [N/m] A weight is at most 1.6 m long, a pull 3 m, unless it is far beyond all weights.
   const double newtons = std::max(std::min(hardest, 6 * heaviest) / 3, heaviest / 1.6);
   const render::ArrowScale scale{
       .pixels_per_unit = camera.scale / newtons, .longest = 3.03 * camera.scale, .unit = "N"};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec2<double> middle = step.snapshot.bodies[i + 1].pose.position;
+  for (int i = 0; i < 3; ++i) {
+    const Vec2<double> middle = step.snapshot.bodies[{i + 1}].pose.position;
     const double weight = gravity * all.settings.masses[i];
     draw_arrow(page, camera, scale,
                {.kind = render::ArrowKind::external,
@@ -127,9 +126,9 @@ void draw_row(Page& page, const Rect& rect, const PulleyRuns& all) {
 
 /// Left the masses, right the row; returns what is free below it.
 Rect draw_moment(Page& page, const PulleyRuns& all, const PulleyStep& step) {
-  const std::vector<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
   draw_masses(page, halves[0], all, step);
-  const std::vector<Rect> right =
+  const List<Rect> right =
       rows(halves[1], {page.compact() ? 0.36 : 0.21, page.compact() ? 0.64 : 0.79}, page.sizes().gap);
   draw_row(page, right[0], all);
   return right[1];
@@ -140,7 +139,7 @@ void draw_equation(Page& page, const PulleyRuns& all) {
   const double jv = row_velocity(all.first, row);
   const double inverse = inverse_effective_mass(all.first, row);
   const Rect rest = draw_moment(page, all, all.runs[0].steps[1]);
-  const std::vector<Rect> parts_of_rest = rows(rest, {0.42, 0.58}, page.sizes().gap);
+  const List<Rect> parts_of_rest = rows(rest, {0.42, 0.58}, page.sizes().gap);
   page.equation(parts_of_rest[0], {.number = "eq (22)",
                                    .symbols = "λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)",
                                    .numbers = fmt::format("= (0 − ({})) / ({} × {:g})", fixed(jv, 3),
@@ -157,8 +156,8 @@ void draw_equation(Page& page, const PulleyRuns& all) {
 }
 
 void draw_step(Page& page, const PulleyRuns& all, int k) {
-  const std::vector<PulleyStep>& steps = all.runs[0].steps;
-  const Rect rest = draw_moment(page, all, steps[static_cast<std::size_t>(k)]);
+  const List<PulleyStep>& steps = all.runs[0].steps;
+  const Rect rest = draw_moment(page, all, steps[k]);
   double largest = 0;
   for (const PulleyStep& step : steps) largest = std::max(largest, step.tension);
   render::Plot plot{.title = "pull in the rope, λ (N)"};
@@ -167,7 +166,7 @@ void draw_step(Page& page, const PulleyRuns& all, int k) {
   render::Series series{.name = "", .style = page.theme().si};
   for (int i = 1; i <= k; ++i) {
     series.x.push_back(i);
-    series.y.push_back(steps[static_cast<std::size_t>(i)].tension);
+    series.y.push_back(steps[i].tension);
   }
   plot.series.push_back(series);
   const double tension = tension_by_hand(all.settings);
@@ -177,7 +176,7 @@ void draw_step(Page& page, const PulleyRuns& all, int k) {
 }
 
 Shot step_shot(const Runs& all, int k, const std::set<int>& keys) {
-  const PulleyStep& step = all->runs[0].steps[static_cast<std::size_t>(k)];
+  const PulleyStep& step = all->runs[0].steps[k];
   const bool slack = step.tension <= 0;
   return {.state = fmt::format("step {} · {}", k, slack ? "the rope is slack" : "the rope is taut"),
           .alt = fmt::format(
@@ -189,17 +188,17 @@ Shot step_shot(const Runs& all, int k, const std::set<int>& keys) {
 }
 
 void draw_note(Page& page, const PulleyRuns& all, int k, std::string_view title, std::string_view text) {
-  page.note(draw_moment(page, all, all.runs[0].steps[static_cast<std::size_t>(k)]), title, text);
+  page.note(draw_moment(page, all, all.runs[0].steps[k]), title, text);
 }
 
 }  // namespace
 
-std::vector<Shot> pulley_shots(const PulleyRuns& recorded) {
+List<Shot> pulley_shots(const PulleyRuns& recorded) {
   const Runs all = std::make_shared<const PulleyRuns>(recorded);
   const int last = all->settings.steps;
   const int lift = all->settings.lift_step;
   const std::set<int> keys = {lift, lift + 1, lift + 10, hardest_pull(*all), last};
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back(
       {.state = "before the first step",
        .alt = "Three masses on one rope over two fixed wheels and one movable one, and the question.",

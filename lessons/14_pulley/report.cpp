@@ -1,11 +1,11 @@
 // Lesson 14. What is printed, and what is checked.
-#include "report.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 
 namespace cairn::pulley {
@@ -19,8 +19,8 @@ void print_row(Lesson& lesson, const PulleyRuns& all) {
   lesson.print("The row of the rope, before the first sweep:");
   lesson.print("        body 1    body 2    body 3");
   lesson.print(fmt::format("  j   (0, {:g}, 0)  (0, {:g}, 0)  (0, {:g}, 0)", parts[0], parts[1], parts[2]));
-  lesson.print(fmt::format("  v_y  {:8.3f}  {:8.3f}  {:8.3f}  m/s", all.first.velocity[1].y(),
-                           all.first.velocity[2].y(), all.first.velocity[3].y()));
+  lesson.print(fmt::format("  v_y  {:8.3f}  {:8.3f}  {:8.3f}  m/s", all.first.velocity[{1}].y(),
+                           all.first.velocity[{2}].y(), all.first.velocity[{3}].y()));
   lesson.print(fmt::format("  (22)  λ = ({:g} − ({:.3f})) / ({:.4f} × {:g}) = {:.4f} N, in one sweep",
                            row.bias + 0.0, jv, inverse, all.settings.dt,
                            (row.bias - jv) / inverse / all.settings.dt));
@@ -47,8 +47,8 @@ void print_solvers(Lesson& lesson, const PulleyRuns& all) {
 int slack_by_formula(const PulleySettings& settings, double least_room) {
   double speed = parts[2] * settings.lift;  // of the length that the masses leave over [m/s], after the throw
   double pull = 0;
-  for (std::size_t i = 0; i < 3; ++i) pull += gravity * parts[i];
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (int i = 0; i < 3; ++i) pull += gravity * parts[i];
+  for (int i = 0; i < 2; ++i) {
     const double acceleration = parts[i] * tension_by_hand(settings) / settings.masses[i] - gravity;
     speed += parts[i] * acceleration * settings.dt * settings.lift_step;
   }
@@ -63,7 +63,7 @@ int slack_by_formula(const PulleySettings& settings, double least_room) {
 
 void check_motion(Lesson& lesson, const PulleyRuns& all) {
   const PulleySettings& settings = all.settings;
-  const std::vector<PulleyStep>& steps = all.runs[0].steps;
+  const List<PulleyStep>& steps = all.runs[0].steps;
   const double tension = tension_by_hand(settings);
   // An update of one row rounds some ten times, at the size of T.
   lesson.check_equal("λ of the first step = Σ r g / Σ r²/m (N)", steps[1].tension, tension,
@@ -71,12 +71,12 @@ void check_motion(Lesson& lesson, const PulleyRuns& all) {
   double length = 0;
   double falling = 0;
   int slack = 0;
-  for (std::size_t k = 1; k < steps.size(); ++k) {
+  for (int k = 1; k < steps.size(); ++k) {
     length = std::max(length, -steps[k].room);
     if (steps[k].tension > 0) continue;
     ++slack;
-    if (static_cast<int>(k) == settings.lift_step + 1) continue;  // the throw is in between
-    for (std::size_t i = 0; i < 3; ++i) {
+    if (k == settings.lift_step + 1) continue;  // the throw is in between
+    for (int i = 0; i < 3; ++i) {
       const double acceleration = (steps[k].speed[i] - steps[k - 1].speed[i]) / settings.dt;
       falling = std::max(falling, std::abs(acceleration + 10));
     }
@@ -91,13 +91,12 @@ void check_motion(Lesson& lesson, const PulleyRuns& all) {
 }
 
 void check_agreement(Lesson& lesson, const PulleyRuns& all) {
-  const std::vector<PulleyStep>& si = all.runs[0].steps;
+  const List<PulleyStep>& si = all.runs[0].steps;
   double largest = 0;
   double gap = 0;
   for (const PulleyStep& step : si) largest = std::max(largest, step.tension);
   for (const PulleyRun& run : all.runs) {
-    for (std::size_t k = 0; k < si.size(); ++k)
-      gap = std::max(gap, std::abs(run.steps[k].tension - si[k].tension));
+    for (int k = 0; k < si.size(); ++k) gap = std::max(gap, std::abs(run.steps[k].tension - si[k].tension));
   }
   // One sweep a step is 64 ε (1 + 1), and positions carry the roundings of all steps on: each enters λ as a
   // length over Δt².
@@ -118,7 +117,7 @@ void print_scene(Lesson& lesson, const PulleySettings& settings) {
 std::string what_goes_down(const PulleySettings& settings) {
   const double tension = tension_by_hand(settings);
   std::string masses;
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const double weight = gravity * settings.masses[i];
     if (!(weight - parts[i] * tension > 1e-9 * weight)) continue;
     masses += fmt::format("{}mass {} ({} N of {:g} N)", masses.empty() ? "" : ", ", i + 1,
@@ -142,10 +141,10 @@ CsvTable steps_table(const PulleyRuns& all) {
   CsvTable table{.header = {"solver", "step", "tension_newton", "room_metre", "v1_metre_per_second",
                             "v2_metre_per_second", "v3_metre_per_second"}};
   for (const PulleyRun& run : all.runs) {
-    for (std::size_t k = 0; k < run.steps.size(); ++k) {
+    for (int k = 0; k < run.steps.size(); ++k) {
       const PulleyStep& step = run.steps[k];
-      table.rows.push_back({run.solver, static_cast<long long>(k), step.tension, step.room, step.speed[0],
-                            step.speed[1], step.speed[2]});
+      table.rows.push_back(
+          {run.solver, k, step.tension, step.room, step.speed[0], step.speed[1], step.speed[2]});
     }
   }
   return table;

@@ -1,11 +1,10 @@
 // A joint of this lesson's own, on three bodies at once.
 #pragma once
 
-#include <array>
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::pulley {
 
@@ -21,21 +20,21 @@ class RopeOverWheels final : public ConstraintOf<RopeOverWheels> {
     double top = 0;    // [m] height from which the rope hangs
   };
 
-  RopeOverWheels(const std::array<End, 3>& ends, double length) : ends_(ends), length_(length) {}
+  RopeOverWheels(const FixedList<End, 3>& ends, double length) : ends_(ends), length_(length) {}
 
   std::string name() const override { return "rope over wheels"; }
-  std::vector<Attachment> attachments() const override {
+  List<Attachment> attachments() const override {
     return {{ends_[0].body, {0, 0}}, {ends_[1].body, {0, 0}}, {ends_[2].body, {0, 0}}};
   }
   bool bodies_collide() const override { return true; }
 
   template <Scalar Real>
-  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
     // [row]
     RowSpec<Real> row;
     row.error = static_cast<Real>(length_);
     for (const End& end : ends_) {
-      const Pose<Real>& pose = poses[static_cast<std::size_t>(end.body.index)];
+      const Pose<Real>& pose = poses[end.body];
       row.error -= static_cast<Real>(end.parts) * (static_cast<Real>(end.top) - pose.position.y());
     }
     row.a = ends_[0].body;
@@ -51,7 +50,7 @@ class RopeOverWheels final : public ConstraintOf<RopeOverWheels> {
   }
 
  private:
-  std::array<End, 3> ends_;
+  FixedList<End, 3> ends_;
   double length_;
 };
 

@@ -1,7 +1,8 @@
 // Lesson 15. What the lesson says of itself, and the settings that its parameters make.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
+#include "parts.hpp"
 
-namespace cairn::top_view {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -31,6 +32,10 @@ LessonInfo card() {
       .cover = 4,
       .next = "lesson16_jacobi   (all rows at once: parallel, and dangerous)"};
 }
+
+}  // namespace cairn
+
+namespace cairn::top_view {
 
 SlideSettings settings_of(const Lesson& lesson) {
   return {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "panels.hpp"
 #include "render/camera.hpp"
 #include "render/plot.hpp"
@@ -23,8 +24,8 @@ void draw_stops(Page& page, const Rect& rect, const Slides& all, int count) {
   const render::Camera camera = render::fit(inside, {{-reach, -reach}, {reach, reach}});
   const render::Stroke thin{.width = 1, .color = page.theme().inactive};
   const Point start = camera.project({0, 0});
-  std::vector<Point> rim;
-  std::vector<Point> diamond;
+  List<Point> rim;
+  List<Point> diamond;
   for (int i = 0; i <= 96; ++i) {
     const Vec2<double> along(std::cos(i * pi / 48), std::sin(i * pi / 48));
     rim.push_back(camera.project(stopping_distance(all.settings, all.settings.speed()) * along));
@@ -34,7 +35,7 @@ void draw_stops(Page& page, const Rect& rect, const Slides& all, int count) {
   page.canvas().polyline(diamond, {.width = 1.5, .color = page.theme().pgs.color});
   const double radius = page.sizes().marker;
   for (int i = 0; i < count; ++i) {
-    const Direction& direction = all.directions[static_cast<std::size_t>(i)];
+    const Direction& direction = all.directions[i];
     const Point circle = camera.project(direction.circle);
     const Point square = camera.project(direction.square);
     page.canvas().line(start, circle, thin);
@@ -73,7 +74,7 @@ render::Series slides_series(const std::string& name, const render::SeriesStyle&
                              int count, Vec2<double> Direction::*stop, Measure measure) {
   render::Series series{.name = name, .style = style, .line = false};
   for (int i = 0; i < std::min(count, 7); ++i) {
-    const Direction& direction = all.directions[static_cast<std::size_t>(i)];
+    const Direction& direction = all.directions[i];
     series.x.push_back(direction.degrees);
     // Half a step is what semi-implicit Euler lags behind.
     const Vec2<double> place = direction.*stop + 0.5 * all.settings.dt * direction.velocity;
@@ -82,7 +83,7 @@ render::Series slides_series(const std::string& name, const render::SeriesStyle&
   return series;
 }
 
-std::vector<render::Series> over_direction(const Page& page, const Slides& all, int count, Measure measure) {
+List<render::Series> over_direction(const Page& page, const Slides& all, int count, Measure measure) {
   return {formula_series(page, measure),
           slides_series("circle", page.theme().si, all, count, &Direction::circle, measure),
           slides_series("square", page.theme().pgs, all, count, &Direction::square, measure)};
@@ -94,9 +95,9 @@ double heading_of(const Vec2<double>& place) { return std::atan2(place.y(), plac
 }  // namespace
 
 void draw_directions(Page& page, const Slides& all, int count) {
-  const std::vector<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   draw_stops(page, halves[0], all, count);
-  const std::vector<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
   render::Plot length{.title = "way to the stop / (v²/2μg)"};
   length.x = {.title = "direction (°)", .min = 0, .max = 90};
   length.y = {.title = "", .min = 0.6, .max = 1.1};

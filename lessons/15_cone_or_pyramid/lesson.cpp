@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace cairn::top_view {
 
@@ -29,11 +29,11 @@ Vec2<double> vector_clamped(const SlideSettings& settings, const Vec2<double>& l
 }
 // [/clamps]
 
-std::vector<Vec2<double>> slide_by_hand(const SlideSettings& settings, Limit clamped) {
+List<Vec2<double>> slide_by_hand(const SlideSettings& settings, Limit clamped) {
   const double dt = settings.dt;
   Vec2<double> place = {0, 0};
   Vec2<double> velocity = settings.velocity;
-  std::vector<Vec2<double>> places = {place};
+  List<Vec2<double>> places = {place};
   // [slide]
   for (int step = 0; step < step_count(settings); ++step) {
     const Vec2<double> wanted = stopping_lambda(settings, velocity);  // stops the puck within the step
@@ -92,6 +92,4 @@ void run(Lesson& lesson) {
 }  // namespace
 }  // namespace cairn::top_view
 
-int main(int argc, char** argv) {
-  return cairn::run_lesson(cairn::top_view::card(), cairn::top_view::run, argc, argv);
-}
+int main(int argc, char** argv) { return cairn::run_lesson(cairn::card(), cairn::top_view::run, argc, argv); }

@@ -16,19 +16,17 @@ using render::Page;
 using render::Point;
 using render::Rect;
 
-const SlideStep& moment_of(const Slide& slide, int k) { return slide.steps[static_cast<std::size_t>(k)]; }
-
 /// Both pucks on one table.
 Snapshot both_pucks(const Slides& all, int k) {
-  Snapshot both = moment_of(all.circle, k).snapshot;
-  both.bodies.push_back(moment_of(all.square, k).snapshot.bodies[1]);
+  Snapshot both = all.circle.steps[k].snapshot;
+  both.bodies.push_back(all.square.steps[k].snapshot.bodies[{1}]);
   return both;
 }
 
 void draw_path(Page& page, const render::Camera& camera, const Slide& slide, int k,
                const render::SeriesStyle& style) {
-  std::vector<Vec2<double>> path;
-  for (int i = 0; i <= k; ++i) path.push_back(moment_of(slide, i).place);
+  List<Vec2<double>> path;
+  for (int i = 0; i <= k; ++i) path.push_back(slide.steps[i].place);
   draw_trail(page, camera, path, {.color = style.color, .dash = style.dash});
 }
 
@@ -51,7 +49,7 @@ render::Camera draw_floor(Page& page, const Rect& rect, const Slides& all) {
   const double way = all.settings.way();
   const Vec2<double> end = all.settings.velocity / all.settings.speed() * way;
   const Aabb<double> seen = {{-0.26 * way, -0.2 * way}, {end.x() + 0.26 * way, end.y() + 0.1 * way}};
-  const std::vector<double> xs = render::round_ticks(-2 * way, 2 * way, 16);
+  const List<double> xs = render::round_ticks(-2 * way, 2 * way, 16);
   const double spacing = xs[1] - xs[0];
   const Rect inside =
       page.panel(rect, fmt::format("the table from above, grid {} m", render::significant(spacing)));
@@ -67,8 +65,8 @@ render::Camera draw_floor(Page& page, const Rect& rect, const Slides& all) {
 }
 
 void name_pucks(Page& page, const Rect& inside, const render::Camera& camera, const Slides& all, int k) {
-  const Point circle = camera.project(moment_of(all.circle, k).place);
-  const Point square = camera.project(moment_of(all.square, k).place);
+  const Point circle = camera.project(all.circle.steps[k].place);
+  const Point square = camera.project(all.square.steps[k].place);
   const double beside = 1.3 * all.settings.puck_radius() * camera.scale + 4;
   const double size = page.label().size;
   render::TextStyle style = page.label();
@@ -85,13 +83,13 @@ void draw_limit_lines(Page& page, const render::Camera& camera, double limit, do
   page.canvas().line(camera.project({-reach, 0}), camera.project({reach, 0}), axis);
   page.canvas().line(camera.project({0, -reach}), camera.project({0, reach}), axis);
   const double width = page.sizes().curve;
-  std::vector<Point> corners;
+  List<Point> corners;
   for (const Vec2<double>& corner : {Vec2<double>(-1, -1), Vec2<double>(1, -1), Vec2<double>(1, 1),
                                      Vec2<double>(-1, 1), Vec2<double>(-1, -1)}) {
     corners.push_back(camera.project(limit * corner));
   }
   page.canvas().polyline(corners, {.width = width, .color = page.theme().pgs.color});
-  std::vector<Point> rim;
+  List<Point> rim;
   for (int i = 0; i <= 96; ++i)
     rim.push_back(camera.project({limit * std::cos(i * pi / 48), limit * std::sin(i * pi / 48)}));
   page.canvas().polyline(rim, {.width = width, .color = page.theme().si.color, .dash = page.theme().si.dash});
@@ -113,9 +111,9 @@ void name_limits(Page& page, const render::Camera& camera, double limit) {
 
 void draw_table(Page& page, const Rect& rect, const Slides& all, int k) {
   const render::Camera camera = draw_floor(page, rect, all);
-  std::vector<Snapshot> earlier;
+  List<Snapshot> earlier;
   const int ghosts = 6;
-  const int last = static_cast<int>(all.circle.steps.size()) - 1;
+  const int last = all.circle.steps.size() - 1;
   for (int i = 0; i < ghosts; ++i) {
     if (i * last / ghosts < k) earlier.push_back(both_pucks(all, i * last / ghosts));
   }
@@ -123,8 +121,7 @@ void draw_table(Page& page, const Rect& rect, const Slides& all, int k) {
   draw_path(page, camera, all.circle, k, page.theme().si);
   draw_path(page, camera, all.square, k, page.theme().pgs);
   draw_world(page, camera, both_pucks(all, k), {.numbers = false});
-  for (const Slide* slide : {&all.circle, &all.square})
-    draw_puck_arrows(page, camera, all, moment_of(*slide, k));
+  for (const Slide* slide : {&all.circle, &all.square}) draw_puck_arrows(page, camera, all, slide->steps[k]);
   if (k > 0) name_pucks(page, camera.viewport, camera, all, k);
 }
 

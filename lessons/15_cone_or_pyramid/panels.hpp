@@ -1,8 +1,7 @@
 // The parts of the frames of lesson 15.
 #pragma once
 
-#include <vector>
-
+#include "math/list.hpp"
 #include "render/page.hpp"
 #include "slide.hpp"
 
@@ -10,9 +9,9 @@ namespace cairn::top_view {
 
 /// What of the plane of the friction forces is shown beside its limits.
 struct Forces {
-  std::vector<Vec2<double>> grey = {};    // [N]
-  std::vector<Vec2<double>> active = {};  // [N]
-  Vec2<double> velocity = {0, 0};         // [m/s] with a dashed line against it; 0: none
+  List<Vec2<double>> grey = {};    // [N]
+  List<Vec2<double>> active = {};  // [N]
+  Vec2<double> velocity = {0, 0};  // [m/s] with a dashed line against it; 0: none
 };
 
 /// The pucks where they are after step k, their paths, what moves them and what holds them.

@@ -1,6 +1,4 @@
 // The table from above, the plane of the friction forces with its two limits, and where all pucks stop.
-#include "pictures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +6,9 @@
 #include <memory>
 #include <set>
 
+#include "math/list.hpp"
 #include "panels.hpp"
+#include "parts.hpp"
 #include "render/plot.hpp"
 
 namespace cairn::top_view {
@@ -22,14 +22,12 @@ using render::Rect;
 
 using Recorded = std::shared_ptr<const Slides>;
 
-const SlideStep& step_of(const Slide& slide, int k) { return slide.steps[static_cast<std::size_t>(k)]; }
-
 std::string pair_text(const Vec2<double>& pair, int decimals) {
   return fmt::format("({}, {})", fixed(pair.x() + 0.0, decimals), fixed(pair.y() + 0.0, decimals));
 }
 
 Rect draw_start(Page& page, const Slides& all, const Forces& forces) {
-  const std::vector<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   draw_limits(page, halves[0], all, forces);
   return halves[1];
 }
@@ -53,7 +51,7 @@ void draw_clamps(Page& page, const Rect& rect, const Slides& all, int known) {
 }
 
 /// Equation, clamps and a note, from top to bottom.
-std::vector<Rect> beside_limits(const Page& page, const Rect& rest) {
+List<Rect> beside_limits(const Page& page, const Rect& rest) {
   if (page.compact()) return rows(rest, {0.33, 0.33, 0.34}, page.sizes().gap);
   return rows(rest, {0.32, 0.34, 0.34}, page.sizes().gap);
 }
@@ -68,8 +66,8 @@ void draw_row(Page& page, const Slides& all, int i) {
   if (i == 1) forces.grey = {first};
   forces.active = {i == 0 ? first : parts};
   const Rect rest = draw_start(page, all, forces);
-  const std::vector<Rect> panels = beside_limits(page, rest);
-  const ConstraintRow<double>& row = all.first.rows[static_cast<std::size_t>(i)];
+  const List<Rect> panels = beside_limits(page, rest);
+  const ConstraintRow<double>& row = all.first.rows[i];
   page.equation(
       panels[0],
       {.number = "eq (22)",
@@ -102,7 +100,7 @@ void draw_vector(Page& page, const Slides& all) {
   const Rect rest = draw_start(
       page, all,
       {.grey = {parts_clamped(settings, wanted)}, .active = {vector}, .velocity = settings.velocity});
-  const std::vector<Rect> panels = beside_limits(page, rest);
+  const List<Rect> panels = beside_limits(page, rest);
   page.equation(panels[0], {.number = "paper 4.5",
                             .symbols = "λ ← λ min(1, μN / |λ|)",
                             .numbers = fmt::format("= {} × {:g} / {:g}", pair_text(wanted, 0),
@@ -120,14 +118,14 @@ render::Series speed_series(const std::string& name, const render::SeriesStyle& 
   render::Series series{.name = name, .style = style};
   for (int i = 0; i <= k; ++i) {
     series.x.push_back(i * all.settings.dt);
-    series.y.push_back(step_of(slide, i).velocity.norm());
+    series.y.push_back(slide.steps[i].velocity.norm());
   }
   return series;
 }
 
 void draw_speeds(Page& page, const Rect& rect, const Slides& all, int k) {
   render::Plot plot{.title = "speed (m/s)"};
-  const int last = static_cast<int>(all.circle.steps.size()) - 1;
+  const int last = all.circle.steps.size() - 1;
   plot.x = {.title = "t (s)", .min = 0, .max = last * all.settings.dt};
   plot.y = {.title = "", .min = 0, .max = 1.1 * all.settings.speed()};
   plot.series = {speed_series("square", page.theme().pgs, all, all.square, k),
@@ -138,16 +136,16 @@ void draw_speeds(Page& page, const Rect& rect, const Slides& all, int k) {
 
 /// Left the table; returns what is free beside it.
 Rect draw_moment(Page& page, const Slides& all, int k) {
-  const std::vector<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   draw_table(page, halves[0], all, k);
   return halves[1];
 }
 
 void draw_step(Page& page, const Slides& all, int k) {
-  const std::vector<Rect> right = rows(draw_moment(page, all, k), {0.5, 0.5}, page.sizes().gap);
-  const std::vector<Rect> top = columns(right[0], {0.46, 0.54}, page.sizes().gap);
-  const SlideStep& circle = step_of(all.circle, k);
-  const SlideStep& square = step_of(all.square, k);
+  const List<Rect> right = rows(draw_moment(page, all, k), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> top = columns(right[0], {0.46, 0.54}, page.sizes().gap);
+  const SlideStep& circle = all.circle.steps[k];
+  const SlideStep& square = all.square.steps[k];
   draw_limits(page, top[0], all, {.active = {circle.lambda, square.lambda}});
   const auto entry = [&](double force) { return fixed(force + 0.0, page.compact() ? 1 : 2); };
   render::TableView table{.header = {"", "circle", "square"}};
@@ -164,7 +162,7 @@ void draw_step(Page& page, const Slides& all, int k) {
 }
 
 void draw_question(Page& page, const Slides& all) {
-  const std::vector<Rect> right = rows(draw_moment(page, all, 0), {0.42, 0.58}, page.sizes().gap);
+  const List<Rect> right = rows(draw_moment(page, all, 0), {0.42, 0.58}, page.sizes().gap);
   page.note(right[0], "Predict",
             page.compact()
                 ? "Clamp λ_{x} and λ_{y} each to μN, or the length of λ? Which puck stops first, and "
@@ -176,8 +174,8 @@ void draw_question(Page& page, const Slides& all) {
 }
 
 Shot step_shot(const Recorded& all, int k, bool key) {
-  const SlideStep& circle = step_of(all->circle, k);
-  const SlideStep& square = step_of(all->square, k);
+  const SlideStep& circle = all->circle.steps[k];
+  const SlideStep& square = all->square.steps[k];
   return {
       .state = fmt::format("step {} · t = {:.2f} s", k, k * all->settings.dt),
       .alt = fmt::format(
@@ -190,7 +188,7 @@ Shot step_shot(const Recorded& all, int k, bool key) {
 }
 
 Shot direction_shot(const Recorded& all, int count) {
-  const int last = static_cast<int>(all->directions.size());
+  const int last = all->directions.size();
   return {.state = fmt::format("{} of {} directions", count, last),
           .alt = fmt::format(
               "Where the pucks stop for {} of {} directions: with the circle on a circle, with the square on "
@@ -210,8 +208,8 @@ std::string answer_text(const Slides& all) {
 }
 
 void draw_answer(Page& page, const Slides& all) {
-  const int last = static_cast<int>(all.circle.steps.size()) - 1;
-  const std::vector<Rect> right = rows(draw_moment(page, all, last), {0.55, 0.45}, page.sizes().gap);
+  const int last = all.circle.steps.size() - 1;
+  const List<Rect> right = rows(draw_moment(page, all, last), {0.55, 0.45}, page.sizes().gap);
   page.note(right[0], "Answer", answer_text(all));
   render::TableView table{.header = {"limit", "x (m)", "y (m)", "way (m)", "heading"}};
   for (const Slide* slide : {&all.circle, &all.aligned, &all.square}) {
@@ -224,17 +222,17 @@ void draw_answer(Page& page, const Slides& all) {
   }
   if (page.compact()) {
     table.header = {"limit", "way (m)", "heading"};
-    for (std::vector<std::string>& row : table.rows) row = {row[0], row[3], row[4]};
+    for (List<std::string>& row : table.rows) row = {row[0], row[3], row[4]};
   }
   page.table(right[1], "where it stops", table);
 }
 
 }  // namespace
 
-std::vector<Shot> slide_shots(const Slides& recorded) {
+List<Shot> slide_shots(const Slides& recorded) {
   const Recorded all = std::make_shared<const Slides>(recorded);
-  const int last = static_cast<int>(all->circle.steps.size()) - 1;
-  std::vector<Shot> shots;
+  const int last = all->circle.steps.size() - 1;
+  List<Shot> shots;
   shots.push_back({.state = "before the first step",
                    .alt = "A puck on a table from above with its velocity, and the question.",
                    .draw = [all](Page& page) { draw_question(page, *all); },
@@ -257,7 +255,7 @@ std::vector<Shot> slide_shots(const Slides& recorded) {
   for (const double part : {0.4, 0.65, 0.85}) keys.insert(static_cast<int>(part * last) / stride * stride);
   for (int k = stride; k < last; k += stride) shots.push_back(step_shot(all, k, keys.contains(k)));
   shots.push_back(step_shot(all, last, true));
-  const int directions = static_cast<int>(all->directions.size());
+  const int directions = all->directions.size();
   for (int count = 1; count <= directions; ++count) shots.push_back(direction_shot(all, count));
   shots.push_back({.state = "all at rest",
                    .alt = "Both pucks at rest, each at the end of its path, and the answer.",

@@ -1,10 +1,10 @@
 // Lesson 15. What is printed, and what is checked.
-#include "report.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "parts.hpp"
 
 namespace cairn::top_view {
 
@@ -24,7 +24,7 @@ void print_first_step(Lesson& lesson, const Slides& all) {
   const Vec2<double> vector = vector_clamped(settings, wanted);
   lesson.print("The first step: two rows, j = (1, 0, 0) and (0, 1, 0), both with j M⁻¹ jᵀ = 1/m");
   for (int i = 0; i < 2; ++i) {
-    const ConstraintRow<double>& row = all.first.rows[static_cast<std::size_t>(i)];
+    const ConstraintRow<double>& row = all.first.rows[i];
     lesson.print(
         fmt::format("  (22)  λ_{} = (0 − {:g}) / ({:g} × {:g}) = {:>8.2f} N   clamped to ±{:g}: {:.2f} N",
                     i == 0 ? "x" : "y", row_velocity(all.first, row), inverse_effective_mass(all.first, row),
@@ -70,7 +70,7 @@ void check_limits(Lesson& lesson, const Slides& all) {
                      8 * epsilon * settings.limit());
   double gap = 0;
   double beyond = 0;
-  for (std::size_t k = 1; k < all.circle.steps.size(); ++k) {
+  for (int k = 1; k < all.circle.steps.size(); ++k) {
     const Vec2<double> by_hand =
         vector_clamped(settings, stopping_lambda(settings, all.circle.steps[k - 1].velocity));
     gap = std::max(gap, (all.circle.steps[k].lambda - by_hand).norm());
@@ -85,13 +85,13 @@ void check_limits(Lesson& lesson, const Slides& all) {
 /// Each step rounds the velocity, and the place keeps all of it: n times epsilon of the way, some few times.
 double rounding_of_places(const Slides& all) {
   const double way = all.settings.speed() * all.settings.speed() / all.settings.slowing();
-  return 16 * epsilon * static_cast<double>(all.circle.steps.size()) * way;
+  return 16 * epsilon * all.circle.steps.size() * way;
 }
 
 /// The loop of lesson.cpp against the library's rows.
 void check_by_hand(Lesson& lesson, const Slides& all) {
   double gap = 0;
-  for (std::size_t k = 0; k < all.circle.steps.size(); ++k) {
+  for (int k = 0; k < all.circle.steps.size(); ++k) {
     gap = std::max({gap, (all.circle.steps[k].place - all.circle_by_hand[k]).norm(),
                     (all.square.steps[k].place - all.square_by_hand[k]).norm()});
   }
@@ -127,7 +127,7 @@ void check_closed_forms(Lesson& lesson, const Slides& all) {
     const double c = std::cos(degrees * pi / 180);
     const double s = std::sin(degrees * pi / 180);
     const double ratio = std::sqrt(c * c * c * c + s * s * s * s);
-    const Direction& direction = all.directions[static_cast<std::size_t>(degrees / 15)];
+    const Direction& direction = all.directions[static_cast<int>(degrees / 15)];
     const Vec2<double> square = direction.square + 0.5 * settings.dt * direction.velocity;
     const Vec2<double> circle = direction.circle + 0.5 * settings.dt * direction.velocity;
     lesson.check_equal(fmt::format("square at {:g}°: √(cos⁴ + sin⁴) as far, lag added", degrees),
@@ -170,10 +170,10 @@ CsvTable steps_table(const Slides& all) {
     std::string name = "circle";
     if (slide->shape == FrictionShape::square) name = "square";
     if (slide->shape == FrictionShape::aligned_square) name = "aligned_square";
-    for (std::size_t k = 0; k < slide->steps.size(); ++k) {
+    for (int k = 0; k < slide->steps.size(); ++k) {
       const SlideStep& step = slide->steps[k];
-      table.rows.push_back({name, static_cast<long long>(k), step.place.x(), step.place.y(),
-                            step.velocity.x(), step.velocity.y(), step.lambda.x(), step.lambda.y()});
+      table.rows.push_back({name, k, step.place.x(), step.place.y(), step.velocity.x(), step.velocity.y(),
+                            step.lambda.x(), step.lambda.y()});
     }
   }
   return table;

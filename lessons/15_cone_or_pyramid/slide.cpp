@@ -10,7 +10,7 @@ namespace {
 
 double largest_gap(const Slide& one, const Slide& other) {
   double gap = 0;
-  for (std::size_t k = 0; k < one.steps.size(); ++k)
+  for (int k = 0; k < one.steps.size(); ++k)
     gap = std::max(gap, (one.steps[k].place - other.steps[k].place).norm());
   return gap;
 }
@@ -31,11 +31,11 @@ Direction in_direction(SlideSettings settings, double degrees) {
 }  // namespace
 
 SlideStep look_from_above(const World<double>& world) {
-  SlideStep step{.place = world.bodies().pose[1].position,
-                 .velocity = world.bodies().velocity[1].head<2>(),
+  SlideStep step{.place = world.bodies().pose[{1}].position,
+                 .velocity = world.bodies().velocity[{1}].head<2>(),
                  .snapshot = snapshot(world)};
   const VelocityProblem<double>& problem = world.last_step().problem;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     step.lambda += problem.rows[i].jacobian_b.head<2>() * (problem.impulse[i] / problem.dt);
   }
   step.snapshot.joints.clear();  // friction is drawn as an arrow

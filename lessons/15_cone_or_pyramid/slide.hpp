@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cmath>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::top_view {
 
@@ -37,7 +37,7 @@ struct SlideStep {
 /// One puck from its start until it rests: steps[0] is the start.
 struct Slide {
   FrictionShape shape = FrictionShape::circle;
-  std::vector<SlideStep> steps = {};
+  List<SlideStep> steps = {};
 };
 
 /// Where the pucks that start in one direction come to rest [m].
@@ -51,14 +51,14 @@ struct Direction {
 
 struct Slides {
   SlideSettings settings = {};
-  VelocityProblem<double> first = {};  // of the square, before its first sweep: row 0 is x, row 1 is y
-  Slide circle = {};                   // by sequential impulses, where the paper clamps the vector
-  Slide square = {};                   // by PGS, whose rows the paper clamps one by one
-  Slide aligned = {};                  // by PGS, its first row along the velocity
-  std::vector<Vec2<double>> circle_by_hand = {};  // [m] where the puck is after each step, by a plain loop
-  std::vector<Vec2<double>> square_by_hand = {};
-  double solver_gap = 0;                   // [m] between the two solvers, each with all three shapes
-  std::vector<Direction> directions = {};  // all around, every 15 degrees
+  VelocityProblem<double> first = {};      // of the square, before its first sweep: row 0 is x, row 1 is y
+  Slide circle = {};                       // by sequential impulses, where the paper clamps the vector
+  Slide square = {};                       // by PGS, whose rows the paper clamps one by one
+  Slide aligned = {};                      // by PGS, its first row along the velocity
+  List<Vec2<double>> circle_by_hand = {};  // [m] where the puck is after each step, by a plain loop
+  List<Vec2<double>> square_by_hand = {};
+  double solver_gap = 0;            // [m] between the two solvers, each with all three shapes
+  List<Direction> directions = {};  // all around, every 15 degrees
 };
 
 Slides run_slides(const SlideSettings& settings);
@@ -74,7 +74,7 @@ Vec2<double> vector_clamped(const SlideSettings& settings, const Vec2<double>& l
 using Limit = Vec2<double> (*)(const SlideSettings& settings, const Vec2<double>& lambda);
 
 /// The puck's place [m] after each step, in a plain loop.
-std::vector<Vec2<double>> slide_by_hand(const SlideSettings& settings, Limit clamped);
+List<Vec2<double>> slide_by_hand(const SlideSettings& settings, Limit clamped);
 /// The same by the library.
 Scene puck_on_table(const SlideSettings& settings, FrictionShape shape);
 Slide slide_once(const SlideSettings& settings, FrictionShape shape, Method method);

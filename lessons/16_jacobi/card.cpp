@@ -1,7 +1,7 @@
 // Lesson 16: its card.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::everybody {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -18,7 +18,8 @@ LessonInfo card() {
                     "      plain: Dᵢᵢ = Aᵢᵢ, ω = 1; damped: ω < 1; split: each body's part of Aᵢᵢ times its "
                     "number of rows"},
       .needs = {"lesson 06", "lesson 11"},
-      .reads = {"src/solvers/iterative/jacobi.hpp", "src/solvers/iterative/jacobi.cpp", "src/solvers/row_order.hpp"},
+      .reads = {"src/solvers/iterative/jacobi.hpp", "src/solvers/iterative/jacobi.cpp",
+                "src/solvers/row_order.hpp"},
       .question =
           "A box that weighs 60 N stands on three feet (--feet). Each pushes as if it were alone, and all do "
           "so at once. How much do they push together in the first sweep, in newtons?",
@@ -32,4 +33,4 @@ LessonInfo card() {
       .next = "lesson17_tower   (the solvers beside a third one, by somebody else)"};
 }
 
-}  // namespace cairn::everybody
+}  // namespace cairn

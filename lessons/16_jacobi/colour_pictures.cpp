@@ -1,7 +1,8 @@
 // The contacts of the pyramid as a graph: which colour each has, and what goes at the same time.
 #include <fmt/format.h>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 
 namespace cairn::everybody {
@@ -12,11 +13,6 @@ using render::Page;
 using render::Point;
 using render::Rect;
 
-render::Camera pyramid_camera(const Rect& inside, int base) {
-  const double half = 0.625 * base + 0.2;
-  return render::fit(inside, {{-half, -0.3}, {half, base + 0.1}});
-}
-
 /// From the middle of one box to the middle of the other; from the ground straight up.
 struct Edge {
   Point from = {0, 0};
@@ -24,8 +20,8 @@ struct Edge {
 };
 
 Edge edge_of(const render::Camera& camera, const Snapshot& snapshot, const ColouredContact& contact) {
-  const Vec2<double> upper = snapshot.bodies[static_cast<std::size_t>(contact.b.index)].pose.position;
-  Vec2<double> lower = snapshot.bodies[static_cast<std::size_t>(contact.a.index)].pose.position;
+  const Vec2<double> upper = snapshot.bodies[contact.b].pose.position;
+  Vec2<double> lower = snapshot.bodies[contact.a].pose.position;
   if (contact.a == ground) lower = {upper.x(), 0};
   return {camera.project(lower), camera.project(upper)};
 }
@@ -59,7 +55,7 @@ void draw_graph(Page& page, const Rect& rect, const PileRun& run) {
 
 /// One turn: the contacts of a colour, and the boxes that they hold; every box has one at most.
 void draw_turn(Page& page, const Rect& rect, const PileRun& run, int colour) {
-  const int count = run.contacts.count[static_cast<std::size_t>(colour)];
+  const int count = run.contacts.count[colour];
   const Rect inside =
       page.panel(rect, fmt::format("turn {}: {} contact{}", colour + 1, count, count == 1 ? "" : "s"));
   const render::Camera camera = pyramid_camera(inside, run.settings.base);
@@ -85,19 +81,23 @@ void draw_turn(Page& page, const Rect& rect, const PileRun& run, int colour) {
 
 }  // namespace
 
+render::Camera pyramid_camera(const Rect& inside, int base) {
+  const double half = 0.625 * base + 0.2;
+  return render::fit(inside, {{-half, -0.3}, {half, base + 0.1}});
+}
+
 void draw_colours(Page& page, const PileRun& run) {
-  const std::vector<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   draw_graph(page, halves[0], run);
-  const std::vector<Rect> right = rows(halves[1], {0.68, 0.32}, page.sizes().gap);
-  const std::size_t turns = run.contacts.count.size();
-  const std::size_t across = (turns + 1) / 2;
-  const std::vector<Rect> lines = rows(right[0], {1, 1}, page.sizes().gap);
-  for (std::size_t k = 0; k < turns; ++k) {
-    const std::vector<Rect> panels =
-        columns(lines[k / across], std::vector<double>(across, 1), page.sizes().gap);
-    draw_turn(page, panels[k % across], run, static_cast<int>(k));
+  const List<Rect> right = rows(halves[1], {0.68, 0.32}, page.sizes().gap);
+  const int turns = run.contacts.count.size();
+  const int across = (turns + 1) / 2;
+  const List<Rect> lines = rows(right[0], {1, 1}, page.sizes().gap);
+  for (int k = 0; k < turns; ++k) {
+    const List<Rect> panels = columns(lines[k / across], List<double>(across, 1), page.sizes().gap);
+    draw_turn(page, panels[k % across], run, k);
   }
-  const std::size_t contacts = run.contacts.contacts.size();
+  const int contacts = run.contacts.contacts.size();
   page.note(
       right[1], page.compact() ? "" : "Gauss-Seidel in parallel",
       page.compact()

@@ -1,9 +1,8 @@
 // The contacts of a pyramid in colours: those of one colour share no box, and may be solved at the same time.
 #pragma once
 
-#include <vector>
-
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::everybody {
 
@@ -15,9 +14,9 @@ struct ColouredContact {
 };
 
 struct Colouring {
-  std::vector<ColouredContact> contacts = {};  // in the order of the rows
-  std::vector<int> count = {};                 // contacts of each colour
-  int most_on_a_box = 0;                       // no fewer colours will ever do
+  List<ColouredContact> contacts = {};  // in the order of the rows
+  List<int> count = {};                 // contacts of each colour
+  int most_on_a_box = 0;                // no fewer colours will ever do
 };
 
 /// Greedy: each contact takes the first colour that is free at both of its boxes.

@@ -17,7 +17,7 @@ VelocityProblem<double> feet_problem(int feet) {
   problem.velocity = {{0, 0, 0}, {0, -gravity * time_step, 0}};
   for (int i = 0; i < feet; ++i) {
     ConstraintRow<double> row;
-    row.a = {0};
+    row.a = ground;
     row.b = {1};
     row.jacobian_a = {0, -1, 0};
     row.jacobian_b = {0, 1, foot_at(i, feet)};
@@ -67,12 +67,10 @@ FeetRun box_on_feet(const FeetSettings& settings) {
 }
 
 const FeetHistory& history_of(const FeetRun& run, Method method) {
-  return run.histories[static_cast<std::size_t>(method)];
+  return run.histories[static_cast<int>(method)];
 }
 
-double together(const std::vector<double>& lambda) {
-  return std::accumulate(lambda.begin(), lambda.end(), 0.0);
-}
+double together(const List<double>& lambda) { return std::accumulate(lambda.begin(), lambda.end(), 0.0); }
 
 double taken_at_once(const FeetRun& run, Method method) {
   if (method == Method::damped) return run.settings.omega * run.answer;

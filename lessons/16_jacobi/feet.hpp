@@ -2,9 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::everybody {
 
@@ -29,24 +29,24 @@ struct FeetSettings {
 /// One solve: after each sweep, sweep 0 being the start.
 struct FeetHistory {
   Method method = Method::plain;
-  std::vector<std::vector<double>> lambda = {};  // [N] of each foot
-  std::vector<double> speed = {};                // [m/s] of the box, upwards
+  List<List<double>> lambda = {};  // [N] of each foot
+  List<double> speed = {};         // [m/s] of the box, upwards
 };
 
 struct FeetRun {
   FeetSettings settings = {};
-  VelocityProblem<double> problem = {};     // after one step of falling: rows from left to right
-  std::vector<double> share = {};           // c_i = 1 / (m A_ii): what foot i gives alone, over the weight
-  double answer = 0;                        // sum of c_i: what all of them give at once, over the weight
-  std::vector<FeetHistory> histories = {};  // in the order of all_methods
-  Snapshot snapshot = {};                   // the box on its feet
+  VelocityProblem<double> problem = {};  // after one step of falling: rows from left to right
+  List<double> share = {};               // c_i = 1 / (m A_ii): what foot i gives alone, over the weight
+  double answer = 0;                     // sum of c_i: what all of them give at once, over the weight
+  List<FeetHistory> histories = {};      // in the order of all_methods
+  Snapshot snapshot = {};                // the box on its feet
 };
 
 /// All but the histories.
 FeetRun box_on_feet(const FeetSettings& settings);
 
 const FeetHistory& history_of(const FeetRun& run, Method method);
-double together(const std::vector<double>& lambda);
+double together(const List<double>& lambda);
 
 /// omega * answer for the methods that act at once: the share of the error that one sweep takes away, which
 /// is too much above 1, and never comes right from 2 on.

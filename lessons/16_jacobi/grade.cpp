@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise16 {
 namespace {
@@ -16,18 +17,18 @@ constexpr double settled =
 double place_of(int foot, int feet) { return feet == 1 ? 0 : -0.5 + 1.0 * foot / (feet - 1); }
 
 /// The sum of all impulses after each of the sweeps of Jacobi with clamping.
-std::vector<double> pushes(int feet, double omega) {
-  std::vector<double> impulse(static_cast<std::size_t>(feet), 0), sums;
+List<double> pushes(int feet, double omega) {
+  List<double> impulse(feet, 0), sums;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double up = -fall, turn = 0;
     for (int i = 0; i < feet; ++i) {
-      up += inverse_mass * impulse[static_cast<std::size_t>(i)];
-      turn += inverse_inertia * place_of(i, feet) * impulse[static_cast<std::size_t>(i)];
+      up += inverse_mass * impulse[i];
+      turn += inverse_inertia * place_of(i, feet) * impulse[i];
     }
     double sum = 0;
     for (int i = 0; i < feet; ++i) {
       const double x = place_of(i, feet);
-      double& own = impulse[static_cast<std::size_t>(i)];
+      double& own = impulse[i];
       own = std::max(own - omega * (up + x * turn) / (inverse_mass + x * x * inverse_inertia), 0.0);
       sum += own;
     }
@@ -37,9 +38,9 @@ std::vector<double> pushes(int feet, double omega) {
 }
 
 /// The first sweep from which on the sum stays right; most_sweeps: never.
-int sweeps_to_settle(const std::vector<double>& sums) {
-  int first = static_cast<int>(sums.size());
-  while (first > 0 && std::abs(sums[static_cast<std::size_t>(first - 1)] - whole_push) <= settled) --first;
+int sweeps_to_settle(const List<double>& sums) {
+  int first = sums.size();
+  while (first > 0 && std::abs(sums[first - 1] - whole_push) <= settled) --first;
   return first;
 }
 

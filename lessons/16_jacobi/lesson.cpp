@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "colours.hpp"
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace {
 
@@ -19,8 +19,8 @@ using namespace cairn::everybody;
 
 /// ω / D_ii: what row i gives of its error ζ − j·v. The ground cannot be moved, so that D_ii is the box's
 /// part alone.
-std::vector<double> shares_of_error(const VelocityProblem<double>& problem, Method method, double omega) {
-  std::vector<double> give;
+PerRow<double> shares_of_error(const VelocityProblem<double>& problem, Method method, double omega) {
+  PerRow<double> give;
   // [shares]
   for (const ConstraintRow<double>& row : problem.rows) {
     double divisor = inverse_effective_mass(problem, row);        // A_ii, as in Gauss-Seidel
@@ -32,15 +32,15 @@ std::vector<double> shares_of_error(const VelocityProblem<double>& problem, Meth
 }
 
 /// One sweep of Jacobi.
-void sweep_at_once(VelocityProblem<double>& problem, const std::vector<double>& give) {
+void sweep_at_once(VelocityProblem<double>& problem, const PerRow<double>& give) {
   // [at_once]
-  std::vector<double> next;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {  // all look at the same v ...
+  PerRow<double> next;
+  for (int i = 0; i < problem.row_count(); ++i) {  // all look at the same v ...
     const ConstraintRow<double>& row = problem.rows[i];
     const double corrective = (row.bias - row_velocity(problem, row)) * give[i];  // (22), times Δt
     next.push_back(row.bounds.clamp(problem.impulse[i] + corrective, problem.impulse));
   }
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {                   // ... and all of it acts, once
+  for (int i = 0; i < problem.row_count(); ++i) {                           // ... and all of it acts, once
     apply_impulse(problem, problem.rows[i], next[i] - problem.impulse[i]);  // (21)
     problem.impulse[i] = next[i];
   }
@@ -48,9 +48,9 @@ void sweep_at_once(VelocityProblem<double>& problem, const std::vector<double>& 
 }
 
 /// One sweep of Gauss-Seidel, SI: the same two lines, in one loop.
-void sweep_in_turn(VelocityProblem<double>& problem, const std::vector<double>& give) {
+void sweep_in_turn(VelocityProblem<double>& problem, const PerRow<double>& give) {
   // [in_turn]
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<double>& row = problem.rows[i];
     const double corrective = (row.bias - row_velocity(problem, row)) * give[i];  // (22), times Δt
     const double next = row.bounds.clamp(problem.impulse[i] + corrective, problem.impulse);
@@ -63,13 +63,13 @@ void sweep_in_turn(VelocityProblem<double>& problem, const std::vector<double>& 
 /// The box on its feet, sweep by sweep.
 FeetHistory stand(const FeetRun& run, Method method) {
   VelocityProblem<double> problem = run.problem;
-  const std::vector<double> give = shares_of_error(problem, method, run.settings.omega);
+  const PerRow<double> give = shares_of_error(problem, method, run.settings.omega);
   FeetHistory history{.method = method};
   for (int k = 0; k <= run.settings.sweeps; ++k) {
     if (k > 0 && method == Method::sequential) sweep_in_turn(problem, give);
     if (k > 0 && method != Method::sequential) sweep_at_once(problem, give);
-    history.speed.push_back(problem.velocity[1].y());
-    std::vector<double>& lambda = history.lambda.emplace_back();
+    history.speed.push_back(problem.velocity[{1}].y());
+    List<double>& lambda = history.lambda.emplace_back();
     for (const double impulse : problem.impulse) lambda.push_back(impulse / problem.dt);
   }
   return history;
@@ -91,4 +91,4 @@ void run(Lesson& lesson) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return cairn::run_lesson(cairn::everybody::card(), run, argc, argv); }
+int main(int argc, char** argv) { return cairn::run_lesson(cairn::card(), run, argc, argv); }

@@ -1,12 +1,12 @@
 // The box on its feet: who pushes how hard, the sum of it, and the speed that it leaves.
-#include "pictures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/bars.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
@@ -36,9 +36,9 @@ void draw_feet(Page& page, const Rect& rect, const FeetRun& run, int sweep) {
   const double weight = box_mass * gravity;
   const render::ArrowScale forces{
       .pixels_per_unit = 0.75 * camera.scale / weight, .longest = 0.9 * camera.scale, .unit = "N"};
-  const std::vector<double>& lambda = plain.lambda[static_cast<std::size_t>(sweep)];
+  const List<double>& lambda = plain.lambda[sweep];
   const bool labels = lambda.size() <= (page.compact() ? 3 : 4);
-  for (std::size_t i = 0; i < lambda.size(); ++i) {
+  for (int i = 0; i < lambda.size(); ++i) {
     if (!(lambda[i] > 0)) continue;
     draw_arrow(page, camera, forces,
                {.tail = {run.problem.rows[i].jacobian_b.z(), box_middle - 0.5},
@@ -48,7 +48,7 @@ void draw_feet(Page& page, const Rect& rect, const FeetRun& run, int sweep) {
   const double fastest = gravity * time_step * std::max(1.0, run.answer - 1);
   const render::ArrowScale speeds{
       .pixels_per_unit = 0.5 * camera.scale / fastest, .longest = camera.scale, .unit = "m/s"};
-  const double speed = plain.speed[static_cast<std::size_t>(sweep)];
+  const double speed = plain.speed[sweep];
   draw_arrow(
       page, camera, speeds,
       {.kind = render::ArrowKind::velocity, .tail = {0.66, box_middle}, .value = {0, speed}, .label = ""});
@@ -60,13 +60,13 @@ void draw_feet(Page& page, const Rect& rect, const FeetRun& run, int sweep) {
 
 void draw_lambda(Page& page, const Rect& rect, const FeetRun& run, int sweep) {
   const FeetHistory& plain = history_of(run, Method::plain);
-  const std::vector<double>& now = plain.lambda[static_cast<std::size_t>(sweep)];
-  const std::vector<double> none(now.size(), 0.0);
-  const std::vector<double>& before = sweep > 0 ? plain.lambda[static_cast<std::size_t>(sweep - 1)] : none;
+  const List<double>& now = plain.lambda[sweep];
+  const List<double> none(now.size(), 0.0);
+  const List<double>& before = sweep > 0 ? plain.lambda[sweep - 1] : none;
   const double weight = box_mass * gravity;
   render::BarChart chart{.title = "λ of each foot (N)", .largest = weight * std::max(run.answer, 1.2)};
   chart.decimals = 1;
-  for (std::size_t i = 0; i < now.size(); ++i) {
+  for (int i = 0; i < now.size(); ++i) {
     chart.bars.push_back(
         {.name = fmt::format("foot {}", i + 1), .before = before[i], .added = now[i] - before[i]});
   }
@@ -81,9 +81,9 @@ void draw_lambda(Page& page, const Rect& rect, const FeetRun& run, int sweep) {
 
 /// The box left, the bars right; returns what is free below the bars.
 Rect draw_moment(Page& page, const FeetRun& run, int sweep) {
-  const std::vector<Rect> halves = columns(page.area(), {0.42, 0.58}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.42, 0.58}, page.sizes().gap);
   draw_feet(page, halves[0], run, sweep);
-  const std::vector<Rect> right = rows(halves[1], {0.57, 0.43}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.57, 0.43}, page.sizes().gap);
   draw_lambda(page, right[0], run, sweep);
   return right[1];
 }
@@ -91,43 +91,42 @@ Rect draw_moment(Page& page, const FeetRun& run, int sweep) {
 void draw_sweep(Page& page, const FeetRun& run, int sweep) {
   const Rect rest = draw_moment(page, run, sweep);
   const FeetHistory& plain = history_of(run, Method::plain);
-  const double before = plain.lambda[static_cast<std::size_t>(sweep - 1)][0];
-  const double after = plain.lambda[static_cast<std::size_t>(sweep)][0];
-  const double speed = plain.speed[static_cast<std::size_t>(sweep - 1)];
-  page.equation(rest, {.number = "eq (22), foot 1; the others do the same at the same time",
-                       .symbols = "λ ← max(0, λ − j·v / (A_{11} Δt))",
-                       .numbers = fmt::format(
-                           "= max(0, {} − {} / ({} × {:g}))", fixed(before, 2),
-                           speed < 0 ? "(" + fixed(speed, 3) + ")" : fixed(speed, 3),
-                           fixed(inverse_effective_mass(run.problem, run.problem.rows[0]), 4), time_step),
-                       .result = fmt::format("= {} N", fixed(after, 2)),
-                       .algorithm = fmt::format("then v: {} → {} m/s", fixed(speed, 3),
-                                                fixed(plain.speed[static_cast<std::size_t>(sweep)], 3)),
-                       .color = page.theme().normal});
+  const double before = plain.lambda[sweep - 1][0];
+  const double after = plain.lambda[sweep][0];
+  const double speed = plain.speed[sweep - 1];
+  page.equation(
+      rest,
+      {.number = "eq (22), foot 1; the others do the same at the same time",
+       .symbols = "λ ← max(0, λ − j·v / (A_{11} Δt))",
+       .numbers = fmt::format("= max(0, {} − {} / ({} × {:g}))", fixed(before, 2),
+                              speed < 0 ? "(" + fixed(speed, 3) + ")" : fixed(speed, 3),
+                              fixed(inverse_effective_mass(run.problem, run.problem.rows[0]), 4), time_step),
+       .result = fmt::format("= {} N", fixed(after, 2)),
+       .algorithm = fmt::format("then v: {} → {} m/s", fixed(speed, 3), fixed(plain.speed[sweep], 3)),
+       .color = page.theme().normal});
 }
 
 Shot sweep_shot(const Feet& run, int sweep) {
-  const auto k = static_cast<std::size_t>(sweep);
   const FeetHistory& plain = history_of(*run, Method::plain);
   return {.state = fmt::format("plain Jacobi · sweep {}", sweep),
           .alt = fmt::format("Plain Jacobi after sweep {}: the feet push with {:.1f} N together, the weight "
                              "being 60 N, and the box moves at {:.3f} m/s upwards.",
-                             sweep, together(plain.lambda[k]), plain.speed[k]),
+                             sweep, together(plain.lambda[sweep]), plain.speed[sweep]),
           .draw = [run, sweep](Page& page) { draw_sweep(page, *run, sweep); },
           .key = sweep <= 3};
 }
 
 /// The four methods' speeds, and the number that decides.
 void draw_speeds(Page& page, const FeetRun& run) {
-  const std::vector<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
   render::Plot plot{.title = "speed of the box after each sweep (m/s)"};
   plot.x = {.title = "sweep"};
   plot.y = {.title = ""};
   for (const FeetHistory& history : run.histories) {
     render::Series series{.name = method_name(history.method, run.settings.omega),
                           .style = style_of(page.theme(), history.method)};
-    for (std::size_t k = 0; k < history.speed.size(); ++k) {
-      series.x.push_back(static_cast<double>(k));
+    for (int k = 0; k < history.speed.size(); ++k) {
+      series.x.push_back(k);
       series.y.push_back(history.speed[k]);
     }
     plot.series.push_back(series);
@@ -147,15 +146,37 @@ void draw_speeds(Page& page, const FeetRun& run) {
   }
   if (page.compact()) {
     table.header.erase(table.header.begin() + 2);
-    for (std::vector<std::string>& row : table.rows) row.erase(row.begin() + 2);
+    for (List<std::string>& row : table.rows) row.erase(row.begin() + 2);
   }
-  const std::vector<Rect> below = columns(parts[1], {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> below = columns(parts[1], {0.6, 0.4}, page.sizes().gap);
   page.table(below[0], "", table);
   page.note(below[1], "What decides",
             page.compact()
                 ? "Foot i takes c = 1 / (m A_{ii}) of the error; all, their sum."
                 : "Foot i takes c = 1 / (m A_{ii}) of the error, all of them the sum, times ω. One is "
                   "right; above two is worse than before.");
+}
+
+List<Shot> feet_shots(const FeetRun& feet) {
+  const Feet run = std::make_shared<const FeetRun>(feet);
+  List<Shot> shots;
+  shots.push_back({.state = "before the first sweep",
+                   .alt = "A box on feet, all of them idle, and the question.",
+                   .draw =
+                       [run](Page& page) {
+                         page.note(draw_moment(page, *run, 0), "Predict",
+                                   "The box weighs 60 N. Each foot pushes as if it were alone, all at once. "
+                                   "How much is that together? Are more feet better or worse?");
+                       },
+                   .key = true});
+  for (int sweep = 1; sweep <= run->settings.sweeps; ++sweep) shots.push_back(sweep_shot(run, sweep));
+  shots.push_back(
+      {.state = fmt::format("four methods, {} sweeps", run->settings.sweeps),
+       .alt = "Speed of the box against sweeps: plain Jacobi, damped, with split masses, and SI; below it "
+              "what one sweep of each takes of the error.",
+       .draw = [run](Page& page) { draw_speeds(page, *run); },
+       .key = true});
+  return shots;
 }
 
 }  // namespace
@@ -193,30 +214,8 @@ render::SeriesStyle style_of(const render::Theme& theme, Method method) {
   return theme.si;
 }
 
-std::vector<Shot> feet_shots(const FeetRun& feet) {
-  const Feet run = std::make_shared<const FeetRun>(feet);
-  std::vector<Shot> shots;
-  shots.push_back({.state = "before the first sweep",
-                   .alt = "A box on feet, all of them idle, and the question.",
-                   .draw =
-                       [run](Page& page) {
-                         page.note(draw_moment(page, *run, 0), "Predict",
-                                   "The box weighs 60 N. Each foot pushes as if it were alone, all at once. "
-                                   "How much is that together? Are more feet better or worse?");
-                       },
-                   .key = true});
-  for (int sweep = 1; sweep <= run->settings.sweeps; ++sweep) shots.push_back(sweep_shot(run, sweep));
-  shots.push_back(
-      {.state = fmt::format("four methods, {} sweeps", run->settings.sweeps),
-       .alt = "Speed of the box against sweeps: plain Jacobi, damped, with split masses, and SI; below it "
-              "what one sweep of each takes of the error.",
-       .draw = [run](Page& page) { draw_speeds(page, *run); },
-       .key = true});
-  return shots;
-}
-
-std::vector<Shot> everybody_shots(const FeetRun& feet, const PileRun& pile) {
-  std::vector<Shot> shots = feet_shots(feet);
+List<Shot> everybody_shots(const FeetRun& feet, const PileRun& pile) {
+  List<Shot> shots = feet_shots(feet);
   for (Shot& shot : pile_shots(pile)) shots.push_back(std::move(shot));
   return shots;
 }

@@ -16,25 +16,23 @@ const double goal = 0.01;   // of R_E
 const double pitch = 1.25;  // [m] from box to box in a row
 
 /// n of Splitting::mass for each body: how many rows would move it.
-std::vector<int> rows_on_each(const VelocityProblem<double>& problem) {
-  std::vector<int> count(problem.velocity.size(), 0);
+PerBody<int> rows_on_each(const VelocityProblem<double>& problem) {
+  PerBody<int> count(problem.body_count(), 0);
   for (const ConstraintRow<double>& row : problem.rows) {
-    for_each_term(problem, row,
-                  [&](BodyId body, const Vec3<double>&) { ++count[static_cast<std::size_t>(body.index)]; });
+    for_each_term(problem, row, [&](BodyId body, const Vec3<double>&) { ++count[body]; });
   }
   return count;
 }
 
 /// The largest eigenvalue of D^-1 A, which are those of D^-1/2 A D^-1/2; D as the method has it.
 double largest_eigenvalue(const VelocityProblem<double>& problem, Method method) {
-  const std::vector<int> count = rows_on_each(problem);
+  const PerBody<int> count = rows_on_each(problem);
   Eigen::MatrixXd scaled = system_matrices(problem).A;
   Eigen::VectorXd root(scaled.rows());
   for (Eigen::Index i = 0; i < root.size(); ++i) {
-    const ConstraintRow<double>& row = problem.rows[static_cast<std::size_t>(i)];
+    const ConstraintRow<double>& row = problem.rows[i];
     double divisor = 0;
-    for_each_term(problem, row, [&](BodyId id, const Vec3<double>& jacobian) {
-      const auto body = static_cast<std::size_t>(id.index);
+    for_each_term(problem, row, [&](BodyId body, const Vec3<double>& jacobian) {
       const double parts = method == Method::split ? count[body] : 1;
       divisor += parts * jacobian.dot(problem.inverse_mass[body].cwiseProduct(jacobian));
     });
@@ -47,10 +45,10 @@ double largest_eigenvalue(const VelocityProblem<double>& problem, Method method)
 }
 
 /// After which sweep the residual stays below the goal; -1: it does not.
-int settled_after(const std::vector<double>& residual) {
-  int needed = static_cast<int>(residual.size());
-  while (needed > 0 && residual[static_cast<std::size_t>(needed - 1)] <= goal) --needed;
-  return needed < static_cast<int>(residual.size()) ? needed : -1;
+int settled_after(const List<double>& residual) {
+  int needed = residual.size();
+  while (needed > 0 && residual[needed - 1] <= goal) --needed;
+  return needed < residual.size() ? needed : -1;
 }
 
 PileHistory history_from(Method method, const SweepRecorder<double>& recorder) {
@@ -84,7 +82,7 @@ PileHistory coloured_history(const PileRun& run) {
 int colours_of(const VelocityProblem<double>& problem) {
   RowSequence sequence;
   order_rows(problem, RowOrder::coloured, 1, 1, sequence);
-  return static_cast<int>(sequence.colours.size()) - 1;
+  return sequence.colours.size() - 1;
 }
 
 /// The same problem with its rows backwards.
@@ -93,8 +91,8 @@ VelocityProblem<double> backwards(const VelocityProblem<double>& problem) {
   const int last = problem.row_count() - 1;
   result.blocks.clear();
   for (int i = 0; i <= last; ++i) {
-    ConstraintRow<double>& row = result.rows[static_cast<std::size_t>(i)];
-    row = problem.rows[static_cast<std::size_t>(last - i)];
+    ConstraintRow<double>& row = result.rows[i];
+    row = problem.rows[last - i];
     if (row.bounds.normal_row != Bounds<double>::none) row.bounds.normal_row = last - row.bounds.normal_row;
     result.blocks.push_back({i, 1});
   }
@@ -109,21 +107,21 @@ double effect_of_order(const VelocityProblem<double>& start, Method method) {
   solved(method, 1, 20, other);
   double largest = 0;
   double gap = 0;
-  for (std::size_t i = 0; i < start.rows.size(); ++i) {
+  for (int i = 0; i < start.row_count(); ++i) {
     largest = std::max(largest, std::abs(straight.impulse[i]));
-    gap = std::max(gap, std::abs(straight.impulse[i] - other.impulse[start.rows.size() - 1 - i]));
+    gap = std::max(gap, std::abs(straight.impulse[i] - other.impulse[start.row_count() - 1 - i]));
   }
   return gap / largest;
 }
 
 double asymmetry(const Snapshot& snapshot, int base) {
   double largest = 0;
-  std::size_t first = 1;
+  int first = 1;
   for (int boxes = base; boxes >= 0; --boxes) {
-    const auto count = static_cast<std::size_t>(std::max(boxes, 1));  // the ball is a row of one
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec2<double> here = snapshot.bodies[first + i].pose.position;
-      const Vec2<double> twin = snapshot.bodies[first + count - 1 - i].pose.position;
+    const int count = std::max(boxes, 1);  // the ball is a row of one
+    for (int i = 0; i < count; ++i) {
+      const Vec2<double> here = snapshot.bodies[{first + i}].pose.position;
+      const Vec2<double> twin = snapshot.bodies[{first + count - 1 - i}].pose.position;
       largest = std::max({largest, std::abs(here.x() + twin.x()), std::abs(here.y() - twin.y())});
     }
     first += count;

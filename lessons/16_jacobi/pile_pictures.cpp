@@ -7,7 +7,8 @@
 #include <memory>
 #include <set>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
 
@@ -25,12 +26,10 @@ using Pile = std::shared_ptr<const PileRun>;
 /// The pyramid with the number of rows on each box.
 void draw_rows_on_boxes(Page& page, const Rect& rect, const PileRun& run) {
   const Rect inside = page.panel(rect, "rows on each box");
-  const double half = 0.625 * run.settings.base + 0.2;
-  const render::Camera camera = render::fit(inside, {{-half, -0.3}, {half, run.settings.base + 0.1}});
+  const render::Camera camera = pyramid_camera(inside, run.settings.base);
   render::WorldLook look;
-  look.names = {""};
-  for (std::size_t i = 1; i < run.rows_on_box.size(); ++i)
-    look.names.push_back(fmt::format("{}", run.rows_on_box[i]));
+  for (const BodyId body : run.rows_on_box.indices())
+    look.names.push_back(body == ground ? "" : fmt::format("{}", run.rows_on_box[body]));
   draw_world(page, camera, run.snapshot, look);
 }
 
@@ -40,9 +39,9 @@ std::string verdict_of(const PileHistory& history) {
 }
 
 void draw_eigenvalues(Page& page, const PileRun& run) {
-  const std::vector<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   draw_rows_on_boxes(page, halves[0], run);
-  const std::vector<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
   render::TableView table;
   table.header = {"method", "ω × eigenvalue", "it converges"};
   for (const PileHistory& history : run.histories) {
@@ -67,16 +66,16 @@ void draw_eigenvalues(Page& page, const PileRun& run) {
 }
 
 void draw_convergence(Page& page, const PileRun& run) {
-  const std::vector<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
   render::Plot plot{.title = "residual R_{E} after each sweep"};
   plot.x = {.title = "sweep", .min = 0, .max = 300};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 5e-4, .max = 1e2};
   for (const PileHistory& history : run.histories) {
     render::Series series{.name = method_name(history.method, run.settings.omega),
                           .style = style_of(page.theme(), history.method)};
-    for (std::size_t k = 0; k <= 300; ++k) {
+    for (int k = 0; k <= 300; ++k) {
       if (!(history.residual[k] < 1e2 && history.residual[k] > 5e-4)) break;
-      series.x.push_back(static_cast<double>(k));
+      series.x.push_back(k);
       series.y.push_back(history.residual[k]);
     }
     plot.series.push_back(series);
@@ -94,7 +93,7 @@ void draw_convergence(Page& page, const PileRun& run) {
   for (const PileHistory& history : run.histories)
     line(method_name(history.method, run.settings.omega), history);
   line("SI, by colours", run.coloured);
-  const std::vector<Rect> below = columns(parts[1], {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> below = columns(parts[1], {0.6, 0.4}, page.sizes().gap);
   page.table(below[0], "", table);
   page.note(below[1], page.compact() ? "" : "With a processor for each row",
             page.compact()
@@ -116,9 +115,8 @@ std::string mirror_name(const MirrorRun& mirror) {
   return fmt::format("{}, {} sweeps", mirror.method == Method::split ? "split" : "SI", mirror.sweeps);
 }
 
-void draw_mirror(Page& page, const Rect& rect, const PileRun& run, std::size_t which, int step) {
+void draw_mirror(Page& page, const Rect& rect, const PileRun& run, int which, int step) {
   const MirrorRun& mirror = run.mirrors[which];
-  const auto k = static_cast<std::size_t>(step);
   const Rect inside = page.panel(rect, "");
   render::Rect field = inside;
   const double line = 1.3 * page.label().size;
@@ -131,23 +129,23 @@ void draw_mirror(Page& page, const Rect& rect, const PileRun& run, std::size_t w
   look.numbers = false;
   look.contacts = false;
   look.penetration = false;
-  draw_world(page, camera, mirror.frames[k], look);
-  const Snapshot image = mirrored(mirror.frames[k]);
-  draw_ghosts(page, camera, std::span<const Snapshot>(&image, 1));
+  draw_world(page, camera, mirror.frames[step], look);
+  const Snapshot image = mirrored(mirror.frames[step]);
+  draw_ghosts(page, camera, {&image, 1});
   const render::SeriesStyle style = style_of(page.theme(), mirror.method);
   page.canvas().rect({inside.x, inside.y + 0.15 * line, 0.5 * line, 0.5 * line}, {.fill = style.color});
   page.canvas().text({inside.x + 0.8 * line, inside.y + 0.62 * line}, mirror_name(mirror), page.label());
   render::TextStyle value = page.value();
   value.align = render::Align::right;
   page.canvas().text({inside.x + inside.width, inside.y + 0.62 * line},
-                     render::significant(mirror.asymmetry[k], 2) + " m", value);
+                     render::significant(mirror.asymmetry[step], 2) + " m", value);
 }
 
 /// Both worlds side by side; returns what is free below them.
 Rect draw_mirrors(Page& page, const PileRun& run, int step) {
   const double scene = page.compact() ? 0.52 : 0.6;
-  const std::vector<Rect> parts = rows(page.area(), {scene, 1 - scene}, page.sizes().gap);
-  const std::vector<Rect> halves = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {scene, 1 - scene}, page.sizes().gap);
+  const List<Rect> halves = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
   draw_mirror(page, halves[0], run, 0, step);
   draw_mirror(page, halves[1], run, 1, step);
   return parts[1];
@@ -164,7 +162,7 @@ void draw_asymmetry(Page& page, const PileRun& run, int step) {
       series.style.marker = render::Marker::circle;
     }
     for (int k = 0; k <= step; ++k) {
-      const double value = mirror.asymmetry[static_cast<std::size_t>(k)];
+      const double value = mirror.asymmetry[k];
       if (!(value >= 1e-18)) continue;  // zero has no place on this axis
       series.x.push_back(k);
       series.y.push_back(value);
@@ -176,11 +174,10 @@ void draw_asymmetry(Page& page, const PileRun& run, int step) {
 }
 
 Shot mirror_shot(const Pile& run, int step, const std::set<int>& keys) {
-  const auto k = static_cast<std::size_t>(step);
   return {.state = fmt::format("step {} of {}", step, run->settings.steps),
           .alt = fmt::format("Step {}: a ball falls on two pyramids, each drawn over its mirror image. Split "
                              "Jacobi is off by {:.1e} m, SI by {:.1e} m.",
-                             step, run->mirrors[0].asymmetry[k], run->mirrors[1].asymmetry[k]),
+                             step, run->mirrors[0].asymmetry[step], run->mirrors[1].asymmetry[step]),
           .draw = [run, step](Page& page) { draw_asymmetry(page, *run, step); },
           .key = keys.contains(step)};
 }
@@ -203,10 +200,10 @@ Shot answer_shot(const Pile& run) {
 
 }  // namespace
 
-std::vector<Shot> pile_shots(const PileRun& pile) {
+List<Shot> pile_shots(const PileRun& pile) {
   const Pile run = std::make_shared<const PileRun>(pile);
   const int last = run->settings.steps;
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back({.state = fmt::format("a pyramid, {} rows", run->problem.row_count()),
                    .alt = "A pyramid with the number of rows on each box, and the largest eigenvalue of each "
                           "method.",

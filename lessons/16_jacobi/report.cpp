@@ -1,13 +1,12 @@
 // What lesson 16 prints, and the claims that it makes.
-#include "report.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace cairn::everybody {
 
@@ -15,7 +14,7 @@ namespace {
 
 const double epsilon = std::numeric_limits<double>::epsilon();
 
-std::string numbers(const std::vector<double>& values, const char* form) {
+std::string numbers(const List<double>& values, const char* form) {
   std::string line;
   for (const double value : values) line += fmt::format(fmt::runtime(form), value);
   return line;
@@ -24,14 +23,14 @@ std::string numbers(const std::vector<double>& values, const char* form) {
 void print_feet(Lesson& lesson, const FeetRun& run) {
   lesson.print("Plain Jacobi, λ of each foot from the left (N), and the box's speed:");
   const FeetHistory& plain = history_of(run, Method::plain);
-  for (std::size_t k = 1; k <= 4; ++k) {
+  for (int k = 1; k <= 4; ++k) {
     lesson.print(fmt::format("  sweep {}  (22) {}   together {:7.2f} N    (21) v = {:+.4f} m/s", k,
                              numbers(plain.lambda[k], "{:8.2f}"), together(plain.lambda[k]), plain.speed[k]));
   }
   lesson.print();
   lesson.print("v after sweep (m/s)      1         2         3         5        10    taken at once");
   for (const FeetHistory& history : run.histories) {
-    const std::vector<double>& v = history.speed;
+    const List<double>& v = history.speed;
     const bool in_turn = history.method == Method::sequential;
     lesson.print(
         fmt::format("  {:<17} {:+9.4f} {:+9.4f} {:+9.4f} {:+9.4f} {:+9.4f}    {}",
@@ -44,7 +43,7 @@ void print_feet(Lesson& lesson, const FeetRun& run) {
 void print_colours(Lesson& lesson, const PileRun& run) {
   lesson.print("Contacts in colours, those of a colour at the same time, as they share no box:");
   for (const Colouring* each : {&run.contacts, &run.larger}) {
-    const std::size_t contacts = each->contacts.size();
+    const int contacts = each->contacts.size();
     lesson.print(fmt::format("  {:>3} contacts, up to {} on a box: {} colours of {} contacts", contacts,
                              each->most_on_a_box, each->count.size(), counts_text(*each)));
   }
@@ -74,7 +73,7 @@ void print_pile(Lesson& lesson, const PileRun& run) {
   lesson.print();
   lesson.print("a ball on the pyramid: sweeps   off its mirror image after 10      30      60 steps (m)");
   for (const MirrorRun& mirror : run.mirrors) {
-    const std::vector<double>& off = mirror.asymmetry;
+    const List<double>& off = mirror.asymmetry;
     lesson.print(fmt::format("  {:<18} {:>9} {:>30.0e} {:>7.0e} {:>7.0e}",
                              method_name(mirror.method, run.settings.omega), mirror.sweeps, off[10], off[30],
                              off[60]));
@@ -90,9 +89,9 @@ void check_feet(Lesson& lesson, const FeetRun& run) {
                      16 * run.settings.feet * epsilon * weight);
   double gap = 0;
   for (const Method method : {Method::plain, Method::damped, Method::split}) {
-    const std::vector<double>& speed = history_of(run, method).speed;
-    for (std::size_t k = 0; k < speed.size(); ++k) {
-      gap = std::max(gap, std::abs(speed[k] - speed_by_formula(run, method, static_cast<int>(k))));
+    const List<double>& speed = history_of(run, method).speed;
+    for (int k = 0; k < speed.size(); ++k) {
+      gap = std::max(gap, std::abs(speed[k] - speed_by_formula(run, method, k)));
     }
   }
   // Of a problem with one body and a few rows, 64 ε a sweep, at the speed that plain Jacobi throws the box
@@ -132,7 +131,7 @@ void check_order(Lesson& lesson, const PileRun& run) {
                     fmt::format("{:.2g}", run.order_in_turn));
   // As above in every step; impulses are speeds of up to 10 m/s here, and act for Δt.
   const double drift = run.settings.steps * 64 * epsilon * (1 + many_sweeps) * 10 * time_step;
-  const auto worst = [&](std::size_t i) {
+  const auto worst = [&](int i) {
     return *std::max_element(run.mirrors[i].asymmetry.begin(), run.mirrors[i].asymmetry.end());
   };
   lesson.check_small("split Jacobi keeps the mirror symmetry (m)", worst(0), drift);
@@ -147,7 +146,7 @@ void check_library(Lesson& lesson, const FeetRun& run) {
   for (const FeetHistory& history : run.histories) {
     VelocityProblem<double> problem = run.problem;
     solved(history.method, run.settings.omega, run.settings.sweeps, problem);
-    for (std::size_t i = 0; i < problem.impulse.size(); ++i) {
+    for (int i = 0; i < problem.impulse.size(); ++i) {
       gap = std::max(gap, std::abs(problem.impulse[i] / time_step - history.lambda.back()[i]));
       largest = std::max(largest, history.lambda.back()[i]);
     }
@@ -158,10 +157,10 @@ void check_library(Lesson& lesson, const FeetRun& run) {
 }
 
 void check_colours(Lesson& lesson, const PileRun& run) {
-  const int rows = run.problem.row_count() / static_cast<int>(run.contacts.contacts.size());  // of a contact
+  const int rows = run.problem.row_count() / run.contacts.contacts.size();  // of a contact
   lesson.check_small("contacts of one colour that share a box", clashes(run.problem, run.contacts), 0);
   lesson.check_equal("waits of a sweep by colours: rows of a contact × colours", run.colours,
-                     rows * static_cast<double>(run.contacts.count.size()), 0);
+                     rows * run.contacts.count.size(), 0);
 }
 
 }  // namespace
@@ -169,15 +168,15 @@ void check_colours(Lesson& lesson, const PileRun& run) {
 CsvTable sweeps_table(const FeetRun& feet, const PileRun& pile) {
   CsvTable table{.header = {"scene", "method", "sweep", "speed", "residual"}};
   for (const FeetHistory& history : feet.histories) {
-    for (std::size_t k = 0; k < history.speed.size(); ++k) {
-      table.rows.push_back({"feet", method_name(history.method, feet.settings.omega),
-                            static_cast<long long>(k), history.speed[k], 0.0});
+    for (int k = 0; k < history.speed.size(); ++k) {
+      table.rows.push_back(
+          {"feet", method_name(history.method, feet.settings.omega), k, history.speed[k], 0.0});
     }
   }
   for (const PileHistory& history : pile.histories) {
-    for (std::size_t k = 0; k <= 300; ++k) {
-      table.rows.push_back({"pyramid", method_name(history.method, feet.settings.omega),
-                            static_cast<long long>(k), 0.0, history.residual[k]});
+    for (int k = 0; k <= 300; ++k) {
+      table.rows.push_back(
+          {"pyramid", method_name(history.method, feet.settings.omega), k, 0.0, history.residual[k]});
     }
   }
   return table;

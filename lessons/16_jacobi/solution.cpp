@@ -1,5 +1,4 @@
 // Exercise 16, answered.
-
 #include "exercise.hpp"
 
 namespace cairn::exercise16 {

@@ -1,7 +1,7 @@
 // Lesson 17: its card.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::tower {
+namespace cairn {
 
 LessonInfo card() {
   return {.number = 17,
@@ -30,4 +30,4 @@ LessonInfo card() {
           .next = "lesson18_speed_accuracy   (what one more digit costs)"};
 }
 
-}  // namespace cairn::tower
+}  // namespace cairn

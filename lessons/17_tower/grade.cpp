@@ -1,27 +1,25 @@
 // Exercise 17, graded: sweeps counted on the slowest error of stacks.
 #include <cmath>
-#include <vector>
 
 #include "exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise17 {
 namespace {
 
-/// Gauss-Seidel on A lambda = 0 of n boxes, from the slowest error: how many sweeps until it has shrunk so
-/// far.
+/// Gauss-Seidel on A lambda = 0 of so many boxes, from the slowest error: how many sweeps until it has shrunk
+/// so far.
 int counted(int boxes, double share) {
-  const std::size_t n = static_cast<std::size_t>(boxes);
   const double pi = std::acos(-1.0), root = std::cos(pi / (2.0 * boxes));
-  std::vector<double> error(n);
+  List<double> error(boxes);
   // A = tridiag(-1, 2, -1) with A_00 = 1. Jacobi's slowest error is cos(i pi / (2 n)) with the rate `root`,
   // and that of Gauss-Seidel is the same times root^i, with the rate root^2 (D. M. Young, 1954).
-  for (std::size_t i = 0; i < n; ++i)
-    error[i] = std::pow(root, static_cast<double>(i)) * std::cos(static_cast<double>(i) * pi / (2.0 * boxes));
+  for (int i = 0; i < boxes; ++i) error[i] = std::pow(root, i) * std::cos(i * pi / (2.0 * boxes));
   const double start = error[0];
   int sweeps = 0;
   while (std::abs(error[0]) > share * start * (1 + 1e-9) && sweeps < 100000) {
-    for (std::size_t i = 0; i < n; ++i) {
-      const double below = i > 0 ? error[i - 1] : 0, above = i + 1 < n ? error[i + 1] : 0;
+    for (int i = 0; i < boxes; ++i) {
+      const double below = i > 0 ? error[i - 1] : 0, above = i + 1 < boxes ? error[i + 1] : 0;
       error[i] = i == 0 ? above : (below + above) / 2;
     }
     ++sweeps;

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "tower.hpp"
 
 namespace {
@@ -33,7 +33,7 @@ EngineRun watch(const TowerSettings& settings, Solver<double>& solver) {
   return run;
 }
 
-std::vector<EngineRun> watch_all(const TowerSettings& settings) {
+List<EngineRun> watch_all(const TowerSettings& settings) {
   ProjectedGaussSeidel pgs({.iterations = settings.sweeps});  // A λ = b, swept with (28)
   SequentialImpulse si({.iterations = settings.sweeps});      // contact after contact, with (22)
   return {watch(settings, pgs), watch(settings, si), run_box2d(settings)};
@@ -41,23 +41,23 @@ std::vector<EngineRun> watch_all(const TowerSettings& settings) {
 
 /// The same tower without any engine: masses of 1 kg on a line, Gauss-Seidel from the ground up.
 Loads loads_by_hand(const TowerSettings& settings) {
-  const auto n = static_cast<std::size_t>(settings.boxes);
-  Loads loads(1, std::vector<double>(n, 0.0));
-  std::vector<double> v(n + 1, 0.0);        // [m/s] of each box; v[0]: the ground
-  std::vector<double> impulse(n + 1, 0.0);  // [N s] between box i and the one below
-  const auto push = [&](std::size_t i, double p) {
+  const int n = settings.boxes;
+  Loads loads(1, List<double>(n, 0.0));
+  List<double> v(n + 1, 0.0);        // [m/s] of each box; v[0]: the ground
+  List<double> impulse(n + 1, 0.0);  // [N s] between box i and the one below
+  const auto push = [&](int i, double p) {
     v[i] += p;
     if (i > 1) v[i - 1] -= p;
   };
   for (int k = 0; k < settings.steps; ++k) {
     // [by_hand]
-    for (std::size_t i = 1; i <= n; ++i) v[i] -= settings.gravity * settings.dt;
-    for (std::size_t i = 1; i <= n; ++i) {
+    for (int i = 1; i <= n; ++i) v[i] -= settings.gravity * settings.dt;
+    for (int i = 1; i <= n; ++i) {
       if (!settings.warm_start) impulse[i] = 0;
       push(i, impulse[i]);
     }
     for (int sweep = 0; sweep < settings.sweeps; ++sweep) {
-      for (std::size_t i = 1; i <= n; ++i) {
+      for (int i = 1; i <= n; ++i) {
         const double corrective = (v[i - 1] - v[i]) / (i > 1 ? 2 : 1);  // (22), times Δt
         const double sum = std::max(impulse[i] + corrective, 0.0);
         push(i, sum - impulse[i]);
@@ -65,8 +65,8 @@ Loads loads_by_hand(const TowerSettings& settings) {
       }
     }
     // [/by_hand]
-    std::vector<double>& load = loads.emplace_back();
-    for (std::size_t i = 1; i <= n; ++i) load.push_back(impulse[i] / settings.dt);
+    List<double>& load = loads.emplace_back();
+    for (int i = 1; i <= n; ++i) load.push_back(impulse[i] / settings.dt);
   }
   return loads;
 }
@@ -97,4 +97,4 @@ void run(Lesson& lesson) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return cairn::run_lesson(cairn::tower::card(), run, argc, argv); }
+int main(int argc, char** argv) { return cairn::run_lesson(cairn::card(), run, argc, argv); }

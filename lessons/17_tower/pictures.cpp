@@ -1,15 +1,14 @@
 // Three towers side by side above one chart that all three share.
-#include "pictures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <set>
 
 #include "lessons/tower_panel.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/plot.hpp"
 
 namespace cairn::tower {
@@ -22,14 +21,14 @@ using render::SeriesStyle;
 
 using Runs = std::shared_ptr<const TowerRuns>;
 
-std::array<SeriesStyle, 3> engine_styles(const Page& page) {
+FixedList<SeriesStyle, 3> engine_styles(const Page& page) {
   return {page.theme().pgs, page.theme().si, page.theme().box2d};
 }
 
 double largest_load(const TowerRuns& runs) {
   double largest = runs.settings.boxes * runs.settings.gravity;
   for (const EngineRun& run : runs.warm) {
-    for (const std::vector<double>& frame : run.loads) {
+    for (const List<double>& frame : run.loads) {
       for (const double load : frame) largest = std::max(largest, load);
     }
   }
@@ -39,33 +38,31 @@ double largest_load(const TowerRuns& runs) {
 /// One engine: its tower and its loads.
 void draw_engine(Page& page, const Rect& rect, const TowerRuns& runs, const EngineRun& run, int frame,
                  const SeriesStyle& style) {
-  const auto k = static_cast<std::size_t>(frame);
-  const std::string lowest = render::fixed(run.loads[k][0], 2) + " N";
+  const std::string lowest = render::fixed(run.loads[frame][0], 2) + " N";
   const Rect view = draw_solver_panel(page, rect, style, run.name, lowest);
-  const double height = run.frames[k].bodies.back().pose.position.y() + 0.5;
+  const double height = run.frames[frame].bodies.back().pose.position.y() + 0.5;
   render::TextStyle small = page.tick();
   small.align = render::Align::right;
   page.canvas().text({view.x + view.width, view.y + 0.6 * small.size},
                      fmt::format("top: {} m", render::fixed(height, 2)), small);
   draw_tower_loads(
-      page, view, run.frames[k], run.loads[k],
+      page, view, run.frames[frame], run.loads[frame],
       {.box_weight = runs.settings.gravity, .largest = largest_load(runs), .color = style.color});
 }
 
 /// The lowest load over the frames so far, for all three engines.
-render::Plot load_plot(const Page& page, const TowerRuns& runs, const std::vector<EngineRun>& engines,
-                       int frame) {
+render::Plot load_plot(const Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
   const TowerSettings& settings = runs.settings;
   render::Plot plot;
   plot.title = "load λ_{1} on the lowest box (N), step by step";
   plot.x = {.min = 0, .max = settings.steps};
   plot.y = {.min = 0, .max = 1.15 * largest_load(runs)};
-  const std::array<SeriesStyle, 3> styles = engine_styles(page);
-  for (std::size_t e = 0; e < engines.size(); ++e) {
+  const FixedList<SeriesStyle, 3> styles = engine_styles(page);
+  for (int e = 0; e < engines.size(); ++e) {
     render::Series series{.name = e == 2 ? "Box2D" : engines[e].name, .style = styles[e]};
     for (int k = 0; k <= frame; ++k) {
       series.x.push_back(k);
-      series.y.push_back(engines[e].loads[static_cast<std::size_t>(k)][0]);
+      series.y.push_back(engines[e].loads[k][0]);
     }
     plot.series.push_back(series);
   }
@@ -75,43 +72,42 @@ render::Plot load_plot(const Page& page, const TowerRuns& runs, const std::vecto
   return plot;
 }
 
-void draw_three(Page& page, const TowerRuns& runs, const std::vector<EngineRun>& engines, int frame) {
-  const std::vector<Rect> parts = rows(page.area(), {0.54, 0.46}, page.sizes().gap);
-  const std::vector<Rect> panels = columns(parts[0], {1, 1, 1}, page.sizes().gap);
-  const std::array<SeriesStyle, 3> styles = engine_styles(page);
-  for (std::size_t e = 0; e < engines.size(); ++e)
-    draw_engine(page, panels[e], runs, engines[e], frame, styles[e]);
+void draw_three(Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
+  const List<Rect> parts = rows(page.area(), {0.54, 0.46}, page.sizes().gap);
+  const List<Rect> panels = columns(parts[0], {1, 1, 1}, page.sizes().gap);
+  const FixedList<SeriesStyle, 3> styles = engine_styles(page);
+  for (int e = 0; e < engines.size(); ++e) draw_engine(page, panels[e], runs, engines[e], frame, styles[e]);
   draw_plot(page, parts[1], load_plot(page, runs, engines, frame));
 }
 
 void draw_words(Page& page, const TowerRuns& runs, std::string_view title, std::string_view text, int frame) {
-  const std::vector<Rect> parts = rows(page.area(), {0.54, 0.46}, page.sizes().gap);
-  const std::vector<Rect> panels = columns(parts[0], {1, 1, 1}, page.sizes().gap);
-  const std::array<SeriesStyle, 3> styles = engine_styles(page);
-  for (std::size_t e = 0; e < runs.warm.size(); ++e) {
+  const List<Rect> parts = rows(page.area(), {0.54, 0.46}, page.sizes().gap);
+  const List<Rect> panels = columns(parts[0], {1, 1, 1}, page.sizes().gap);
+  const FixedList<SeriesStyle, 3> styles = engine_styles(page);
+  for (int e = 0; e < runs.warm.size(); ++e) {
     draw_engine(page, panels[e], runs, runs.warm[e], frame, styles[e]);
   }
   page.note(parts[1], title, text);
 }
 
 std::string heights(const EngineRun& run, int frame) {
-  const SnapshotBody& top = run.frames[static_cast<std::size_t>(frame)].bodies.back();
+  const SnapshotBody& top = run.frames[frame].bodies.back();
   return fmt::format("{:.2f} m", top.pose.position.y() + 0.5);
 }
 
 Shot step_shot(const Runs& runs, bool warm, int frame) {
-  const std::vector<EngineRun>& engines = warm ? runs->warm : runs->cold;
-  const auto k = static_cast<std::size_t>(frame);
-  return {.state = fmt::format("{} · step {} · t = {} s", warm ? "warm start" : "cold start", frame,
-                               render::fixed(frame * runs->settings.dt, 2)),
-          .alt = fmt::format("{} start, step {}: the lowest box carries {:.2f} N under PGS, {:.2f} N under "
-                             "SI and {:.2f} N under Box2D; the towers are {}, {} and {} high.",
-                             warm ? "Warm" : "Cold", frame, engines[0].loads[k][0], engines[1].loads[k][0],
-                             engines[2].loads[k][0], heights(engines[0], frame), heights(engines[1], frame),
-                             heights(engines[2], frame)),
-          .draw = [runs, warm, frame](Page& page) {
-            draw_three(page, *runs, warm ? runs->warm : runs->cold, frame);
-          }};
+  const List<EngineRun>& engines = warm ? runs->warm : runs->cold;
+  return {
+      .state = fmt::format("{} · step {} · t = {} s", warm ? "warm start" : "cold start", frame,
+                           render::fixed(frame * runs->settings.dt, 2)),
+      .alt = fmt::format("{} start, step {}: the lowest box carries {:.2f} N under PGS, {:.2f} N under "
+                         "SI and {:.2f} N under Box2D; the towers are {}, {} and {} high.",
+                         warm ? "Warm" : "Cold", frame, engines[0].loads[frame][0],
+                         engines[1].loads[frame][0], engines[2].loads[frame][0], heights(engines[0], frame),
+                         heights(engines[1], frame), heights(engines[2], frame)),
+      .draw = [runs, warm, frame](Page& page) {
+        draw_three(page, *runs, warm ? runs->warm : runs->cold, frame);
+      }};
 }
 
 Shot question_shot(const Runs& runs) {
@@ -146,12 +142,12 @@ Shot answer_shot(const Runs& runs) {
 
 }  // namespace
 
-std::vector<Shot> tower_shots(const TowerRuns& all) {
+List<Shot> tower_shots(const TowerRuns& all) {
   const Runs runs = std::make_shared<const TowerRuns>(all);
   const int last = runs->settings.steps;
   const std::set<int> warm_keys = {1, 2, 5, 10, 20, last};
   const std::set<int> cold_keys = {5, last / 2, last};
-  std::vector<Shot> shots = {question_shot(runs)};
+  List<Shot> shots = {question_shot(runs)};
   for (int k = 1; k <= last; ++k) {
     shots.push_back(step_shot(runs, true, k));
     shots.back().key = warm_keys.contains(k);

@@ -1,24 +1,24 @@
 // What lesson 17 prints, and the claims that it makes.
-#include "report.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace cairn::tower {
 
 namespace {
 
-void print_loads(Lesson& lesson, std::string_view title, const std::vector<EngineRun>& runs) {
+void print_loads(Lesson& lesson, std::string_view title, const List<EngineRun>& runs) {
   lesson.print();
   lesson.print(fmt::format("{:<22}{:>12}{:>12}{:>14}   N on the lowest box", title, runs[0].name,
                            runs[1].name, runs[2].name));
-  const int steps = static_cast<int>(runs[0].loads.size()) - 1;
+  const int steps = runs[0].loads.size() - 1;
   for (const int k : {1, 2, 3, 5, 10, 20, 50, 100}) {
     if (k > steps) break;
-    const auto frame = static_cast<std::size_t>(k);
-    lesson.print(fmt::format("  step {:>3}             {:>12.4f}{:>12.4f}{:>14.4f}", k,
-                             runs[0].loads[frame][0], runs[1].loads[frame][0], runs[2].loads[frame][0]));
+    lesson.print(fmt::format("  step {:>3}             {:>12.4f}{:>12.4f}{:>14.4f}", k, runs[0].loads[k][0],
+                             runs[1].loads[k][0], runs[2].loads[k][0]));
   }
 }
 
@@ -30,8 +30,8 @@ double rounding_bound(const TowerSettings& settings) {
   return 2.3e-16 * 2 * settings.boxes * settings.gravity * visits;
 }
 
-void check_runs(Lesson& lesson, std::string_view start, const std::vector<EngineRun>& runs,
-                const Loads& by_hand, const TowerSettings& settings) {
+void check_runs(Lesson& lesson, std::string_view start, const List<EngineRun>& runs, const Loads& by_hand,
+                const TowerSettings& settings) {
   const double bound = rounding_bound(settings);
   const int steps = steps_as_tower(runs);
   const std::string loads = steps == settings.steps ? "loads (N)" : fmt::format("loads, {} steps (N)", steps);
@@ -84,10 +84,9 @@ void report(Lesson& lesson, const TowerRuns& runs) {
 CsvTable loads_table(const TowerRuns& runs) {
   CsvTable table{.header = {"start", "step", "interface", "pgs_newton", "si_newton", "box2d_newton"}};
   for (const auto* engines : {&runs.warm, &runs.cold}) {
-    for (std::size_t k = 1; k < (*engines)[0].loads.size(); ++k) {
-      for (std::size_t i = 0; i < (*engines)[0].loads[k].size(); ++i) {
-        table.rows.push_back({engines == &runs.warm ? "warm" : "cold", static_cast<long long>(k),
-                              static_cast<long long>(i + 1), (*engines)[0].loads[k][i],
+    for (int k = 1; k < (*engines)[0].loads.size(); ++k) {
+      for (int i = 0; i < (*engines)[0].loads[k].size(); ++i) {
+        table.rows.push_back({engines == &runs.warm ? "warm" : "cold", k, i + 1, (*engines)[0].loads[k][i],
                               (*engines)[1].loads[k][i], (*engines)[2].loads[k][i]});
       }
     }

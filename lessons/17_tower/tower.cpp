@@ -13,8 +13,8 @@ namespace cairn::tower {
 
 namespace {
 
-std::vector<double> loads_of(const Snapshot& snapshot, const TowerSettings& settings) {
-  std::vector<double> loads;
+List<double> loads_of(const Snapshot& snapshot, const TowerSettings& settings) {
+  List<double> loads;
   for (int i = 1; i <= settings.boxes; ++i) {
     loads.push_back(normal_impulse_between(snapshot, BodyId{i - 1}, BodyId{i}) / settings.dt);
   }
@@ -78,27 +78,29 @@ int box2d_falls_asleep(const TowerSettings&, int) { return -1; }
 
 double largest_gap(const Loads& first, const Loads& second, int frames) {
   double largest = 0;
-  for (std::size_t k = 1; k <= static_cast<std::size_t>(frames) && k < first.size(); ++k) {
-    for (std::size_t i = 0; i < first[k].size(); ++i) {
+  for (int k = 1; k <= frames && k < first.size(); ++k) {
+    for (int i = 0; i < first[k].size(); ++i) {
       largest = std::max(largest, std::abs(first[k][i] - second[k][i]));
     }
   }
   return largest;
 }
 
-int steps_as_tower(const std::vector<EngineRun>& runs) {
-  const std::size_t steps = runs[0].frames.size() - 1;
-  for (std::size_t k = 1; k <= steps; ++k) {
+int steps_as_tower(const List<EngineRun>& runs) {
+  const int steps = runs[0].frames.size() - 1;
+  for (int k = 1; k <= steps; ++k) {
     for (const EngineRun& run : runs) {
       double below = -0.5;  // [m] where the ground would be if it were a box
-      for (std::size_t i = 1; i < run.frames[k].bodies.size(); ++i) {
-        const double here = run.frames[k].bodies[i].pose.position.y();
-        if (here - below < 0.5) return static_cast<int>(k);
+      const PerBody<SnapshotBody>& bodies = run.frames[k].bodies;
+      for (const BodyId body : bodies.indices()) {
+        if (body == ground) continue;
+        const double here = bodies[body].pose.position.y();
+        if (here - below < 0.5) return k;
         below = here;
       }
     }
   }
-  return static_cast<int>(steps);
+  return steps;
 }
 
 double gap_to_box2d(const TowerRuns& runs) {

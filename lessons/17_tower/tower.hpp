@@ -2,9 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::tower {
 
@@ -17,20 +17,20 @@ struct TowerSettings {
   bool warm_start = true;
 };
 
-using Loads = std::vector<std::vector<double>>;  // [step][interface] [N]; interface 0 is the ground's
+using Loads = List<List<double>>;  // [step][interface] [N]; interface 0 is the ground's
 
 /// What one engine did. Frame k is the state after k steps; frame 0 is the start.
 struct EngineRun {
   std::string name = {};
-  std::vector<Snapshot> frames = {};  // steps + 1
-  Loads loads = {};                   // all 0 in frame 0
+  List<Snapshot> frames = {};  // steps + 1
+  Loads loads = {};            // all 0 in frame 0
 };
 
 struct TowerRuns {
   TowerSettings settings = {};
-  std::vector<EngineRun> warm = {};  // PGS, SI, Box2D
-  std::vector<EngineRun> cold = {};  // the same without warm starting
-  Loads warm_by_hand = {};           // and without any engine
+  List<EngineRun> warm = {};  // PGS, SI, Box2D
+  List<EngineRun> cold = {};  // the same without warm starting
+  Loads warm_by_hand = {};    // and without any engine
   Loads cold_by_hand = {};
 };
 
@@ -51,7 +51,7 @@ int box2d_falls_asleep(const TowerSettings& settings, int limit);
 double largest_gap(const Loads& first, const Loads& second, int frames);
 /// The first steps, until any two neighbours overlap by half a box in any of the runs. After that boxes meet
 /// that are no neighbours, and it is a tower no longer.
-int steps_as_tower(const std::vector<EngineRun>& runs);
+int steps_as_tower(const List<EngineRun>& runs);
 /// Of SI's loads and Box2D's, warm or cold, as long as it is a tower [N].
 double gap_to_box2d(const TowerRuns& runs);
 

@@ -1,7 +1,7 @@
 // Lesson 18: its card.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::cost {
+namespace cairn {
 
 LessonInfo card() {
   return {.number = 18,
@@ -31,4 +31,4 @@ LessonInfo card() {
           .next = "lesson19_extremes   (where it breaks, and how you notice)"};
 }
 
-}  // namespace cairn::cost
+}  // namespace cairn

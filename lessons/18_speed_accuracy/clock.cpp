@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "cost.hpp"
+#include "math/list.hpp"
 
 namespace cairn::cost {
 
@@ -32,12 +33,12 @@ double least_nanoseconds(const std::function<void()>& work) {
 
 /// What is left of SI where all is known beforehand: which bodies, which direction, which masses. One line
 /// for this kind of row, and nothing to look up.
-double tower_only(std::size_t boxes, int sweeps) {
-  std::vector<double> v(boxes + 1, -gravity * time_step);
-  std::vector<double> impulse(boxes + 1, 0.0);
+double tower_only(int boxes, int sweeps) {
+  List<double> v(boxes + 1, -gravity * time_step);
+  List<double> impulse(boxes + 1, 0.0);
   v[0] = 0;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (std::size_t i = 1; i <= boxes; ++i) {
+    for (int i = 1; i <= boxes; ++i) {
       const double sum = std::max(0.0, impulse[i] + (v[i - 1] - v[i]) * (i == 1 ? 1.0 : 0.5));
       const double change = sum - impulse[i];
       impulse[i] = sum;
@@ -68,8 +69,7 @@ SolverTime time_of_tower_only() {
   SolverTime time{.name = "this tower only"};
   double kept = 0;  // or the compiler would leave everything out
   for (const int rows : timed_rows) {
-    const double nanoseconds =
-        least_nanoseconds([&] { kept += tower_only(static_cast<std::size_t>(rows), timed_sweeps); });
+    const double nanoseconds = least_nanoseconds([&] { kept += tower_only(rows, timed_sweeps); });
     time.nanoseconds.push_back(nanoseconds / (rows * timed_sweeps));
   }
   if (!(kept > 0)) time.nanoseconds.clear();
@@ -78,7 +78,7 @@ SolverTime time_of_tower_only() {
 
 }  // namespace
 
-std::vector<SolverTime> measure_times() {
+List<SolverTime> measure_times() {
   const SolverSettings settings{.iterations = timed_sweeps};
   SequentialImpulse<double> si(settings);
   SequentialImpulse<double> in_the_loop(settings, {.effective_mass = EffectiveMass::in_the_loop});

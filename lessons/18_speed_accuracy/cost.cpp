@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "validation/column.hpp"
+
 namespace cairn::cost {
 
 namespace {
@@ -25,29 +27,30 @@ class CurveObserver final : public SolveObserver<Real> {
 
  private:
   void look(const VelocityProblem<Real>& problem) {
-    std::vector<double> lambda;
+    List<double> lambda;
     for (const Real impulse : problem.impulse) lambda.push_back(static_cast<double>(impulse) / time_step);
     curve_.error.push_back(error_of(lambda, exact_));
     if (curve_.lambda.size() <= kept_sweeps) curve_.lambda.push_back(lambda);
   }
   Curve& curve_;
   double least_;
-  std::vector<double> exact_ = {};
+  List<double> exact_ = {};
 };
 
 /// A step after the other; boxes stay where they are, as their overlaps ask for nothing (β = 0).
-std::vector<double> follow_frames(const CostSettings& settings, bool is_warm) {
+List<double> follow_frames(const CostSettings& settings, bool is_warm) {
   VelocityProblem<double> problem = tower_problem(settings.boxes);
-  const std::vector<double> exact = exact_lambda(settings.boxes);
+  const List<double> exact = exact_lambda(settings.boxes);
   SequentialImpulse<double> solver({.iterations = settings.sweeps});
-  std::vector<double> errors = {1};
+  List<double> errors = {1};
   for (int frame = 1; frame <= frames; ++frame) {
     if (!is_warm) std::fill(problem.impulse.begin(), problem.impulse.end(), 0.0);
     solver.solve(problem);
-    std::vector<double> lambda;
+    List<double> lambda;
     for (const double impulse : problem.impulse) lambda.push_back(impulse / time_step);
     errors.push_back(error_of(lambda, exact));
-    for (std::size_t i = 1; i < problem.velocity.size(); ++i) problem.velocity[i].y() -= gravity * time_step;
+    for (const BodyId body : problem.velocity.indices())
+      if (body != ground) problem.velocity[body].y() -= gravity * time_step;
   }
   return errors;
 }
@@ -63,44 +66,25 @@ Matrix<double> tower_matrix(int boxes) {
 
 }  // namespace
 
-double error_of(const std::vector<double>& lambda, const std::vector<double>& exact) {
+double error_of(const List<double>& lambda, const List<double>& exact) {
   double error = 0;
-  for (std::size_t i = 0; i < exact.size(); ++i) error = std::max(error, std::abs(lambda[i] - exact[i]));
+  for (int i = 0; i < exact.size(); ++i) error = std::max(error, std::abs(lambda[i] - exact[i]));
   return error / exact[0];
 }
 
 VelocityProblem<double> tower_problem(int boxes) {
-  const auto n = static_cast<std::size_t>(boxes);
-  VelocityProblem<double> problem;
-  problem.dt = time_step;
-  problem.inverse_mass.assign(n + 1, {1, 1, 6});  // of a unit box of 1 kg
-  problem.inverse_mass[0] = {0, 0, 0};            // the ground
-  problem.velocity.assign(n + 1, {0, -gravity * time_step, 0});
-  problem.velocity[0] = {0, 0, 0};
-  problem.impulse.assign(n, 0.0);
-  for (int i = 0; i < boxes; ++i) {
-    ConstraintRow<double> row;
-    row.a = {i};
-    row.b = {i + 1};
-    row.jacobian_a = {0, -1, 0};
-    row.jacobian_b = {0, 1, 0};
-    row.bounds = Bounds<double>::unilateral();
-    row.key = {.source = static_cast<std::uint64_t>(i)};
-    problem.blocks.push_back({i, 1});
-    problem.rows.push_back(row);
-  }
-  return problem;
+  return cases::column<double>(List<double>(boxes, 1.0), gravity, time_step);
 }
 
-std::vector<double> exact_lambda(int boxes) {
-  std::vector<double> exact;
+List<double> exact_lambda(int boxes) {
+  List<double> exact;
   for (int i = 0; i < boxes; ++i) exact.push_back((boxes - i) * gravity);
   return exact;
 }
 
-int sweeps_to(const std::vector<double>& errors, double error) {
-  for (std::size_t k = 0; k < errors.size(); ++k) {
-    if (errors[k] <= error) return static_cast<int>(k);
+int sweeps_to(const List<double>& errors, double error) {
+  for (int k = 0; k < errors.size(); ++k) {
+    if (errors[k] <= error) return k;
   }
   return -1;
 }
@@ -128,11 +112,11 @@ double sor_rate_by_matrix(int boxes, double omega) {
   return Eigen::EigenSolver<Matrix<double>>(sweep, false).eigenvalues().cwiseAbs().maxCoeff();
 }
 
-double error_energy(const std::vector<double>& lambda) {
-  const std::vector<double> exact = exact_lambda(static_cast<int>(lambda.size()));
+double error_energy(const List<double>& lambda) {
+  const List<double> exact = exact_lambda(lambda.size());
   double energy = 0;
   double above = 0;
-  for (std::size_t i = lambda.size(); i-- > 0;) {
+  for (int i = lambda.size(); i-- > 0;) {
     const double error = (lambda[i] - exact[i]) * time_step;  // [N s]
     energy += (error - above) * (error - above) / 2;          // of box i, which is pushed from both sides
     above = error;
@@ -163,7 +147,7 @@ SizeCost sweeps_to_one_percent(int boxes) {
 
 void look_closer(CostRun& run) {
   const int boxes = run.settings.boxes;
-  const int sweeps = static_cast<int>(1.4 * static_cast<double>(run.curves[si_curve].error.size()));
+  const int sweeps = static_cast<int>(1.4 * run.curves[si_curve].error.size());
   ProjectedGaussSeidel<double> pgs({.iterations = sweeps});
   SequentialImpulse<float> single({.iterations = sweeps});
   watch<double>(pgs, boxes, 0, run.pgs);

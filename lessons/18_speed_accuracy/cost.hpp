@@ -1,11 +1,10 @@
 // A tower of boxes, one cold step: how wrong several solvers are after each sweep, and what a sweep costs.
 #pragma once
 
-#include <array>
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::cost {
 
@@ -14,8 +13,8 @@ inline constexpr double time_step = 0.02;     // [s]
 inline constexpr double least_error = 1e-12;  // below it a curve ends
 inline constexpr int kept_sweeps = 200;       // of which all lambda are kept
 inline constexpr int frames = 50;             // of the warm run
-inline constexpr std::array<int, 4> tower_sizes = {3, 5, 10, 20};
-inline constexpr std::array<int, 3> timed_rows = {10, 50, 200};
+inline constexpr FixedList<int, 4> tower_sizes = {3, 5, 10, 20};
+inline constexpr FixedList<int, 3> timed_rows = {10, 50, 200};
 inline constexpr int timed_sweeps = 50;  // of each solve that is timed
 
 struct CostSettings {
@@ -28,15 +27,15 @@ struct CostSettings {
 /// largest exact lambda.
 struct Curve {
   std::string name = {};
-  double work = 0;                               // multiply-adds of one sweep
-  double rate = 0;                               // what a sweep leaves of the error in the end; 0: no formula
-  std::vector<double> error = {};                // until least_error
-  std::vector<std::vector<double>> lambda = {};  // [N] of the first kept_sweeps
-  std::vector<double> by_hand = {};              // the same errors by plain loops, of the first kept_sweeps
+  double work = 0;                 // multiply-adds of one sweep
+  double rate = 0;                 // what a sweep leaves of the error in the end; 0: no formula
+  List<double> error = {};         // until least_error
+  List<List<double>> lambda = {};  // [N] of the first kept_sweeps
+  List<double> by_hand = {};       // the same errors by plain loops, of the first kept_sweeps
 };
 
 /// In the order of CostRun::curves.
-enum : std::size_t { si_curve, jacobi_curve, sor_curve, accelerated_curve };
+enum : int { si_curve, jacobi_curve, sor_curve, accelerated_curve };
 
 /// Sweeps of one tower size until no load is wrong by more than 1 %.
 struct SizeCost {
@@ -47,32 +46,32 @@ struct SizeCost {
 };
 
 struct WarmRun {
-  std::vector<double> warm = {};  // error after each step; 0: before the first
-  std::vector<double> cold = {};
+  List<double> warm = {};  // error after each step; 0: before the first
+  List<double> cold = {};
 };
 
 /// One solver on towers of timed_rows rows.
 struct SolverTime {
   std::string name = {};
-  std::vector<double> nanoseconds = {};  // of one row update, with its share of all preparation
+  List<double> nanoseconds = {};  // of one row update, with its share of all preparation
 };
 
 struct CostRun {
   CostSettings settings = {};
   double omega = 1;       // of SOR
   double best_omega = 1;  // by formula
-  std::vector<Curve> curves = {};
+  List<Curve> curves = {};
   Curve pgs = {};     // without end at least_error
   Curve single = {};  // SI in float, as many sweeps
-  std::vector<SizeCost> sizes = {};
+  List<SizeCost> sizes = {};
   WarmRun frames = {};
-  std::vector<SolverTime> times = {};  // of this machine
-  std::size_t non_zeros = 0;           // of A
+  List<SolverTime> times = {};   // of this machine
+  std::ptrdiff_t non_zeros = 0;  // of A
   Snapshot tower = {};
 };
 
 /// The largest error of any load, over the largest load.
-double error_of(const std::vector<double>& lambda, const std::vector<double>& exact);
+double error_of(const List<double>& lambda, const List<double>& exact);
 
 /// One cold step of the tower under a solver, which is watched after each sweep until the error is `least`.
 template <typename Real>
@@ -86,10 +85,10 @@ int most_sweeps(int boxes);
 void look_closer(CostRun& run);
 
 /// (n - i) g [N]: what each box has to be given, from the ground up.
-std::vector<double> exact_lambda(int boxes);
+List<double> exact_lambda(int boxes);
 
 /// The first sweep after which the error is at most this; -1: none.
-int sweeps_to(const std::vector<double>& errors, double error);
+int sweeps_to(const List<double>& errors, double error);
 /// Sweeps for one more digit in the end: ln 10 / -ln(rate).
 double sweeps_per_digit(const Curve& curve);
 
@@ -102,11 +101,11 @@ double sor_rate_by_matrix(int boxes, double omega);
 
 /// 1/2 e^T A e dt^2 of e = lambda - exact [J]: the kinetic energy of what velocities are wrong by. Every row
 /// update makes it smaller.
-double error_energy(const std::vector<double>& lambda);
+double error_energy(const List<double>& lambda);
 
 /// In the order of measure_times(), as far as pictures need it.
-enum : std::size_t { si_time, jacobi_time, accelerated_time, sparse_time, dense_time, naive_time };
-std::vector<SolverTime> measure_times();
+enum : int { si_time, jacobi_time, accelerated_time, sparse_time, dense_time, naive_time };
+List<SolverTime> measure_times();
 
 VelocityProblem<double> tower_problem(int boxes);
 

@@ -1,9 +1,9 @@
 // Exercise 18, graded: Young's formula, and sweeps counted with plain loops.
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise18 {
 namespace {
@@ -12,17 +12,16 @@ constexpr double root_rounding = 1e-12;  // of a root of 1 - cos^2, which loses 
 
 /// The largest error of a tower's loads, as a share of the largest load, after so many sweeps of SOR.
 double error_after(int boxes, double omega, int sweeps) {
-  const std::size_t n = static_cast<std::size_t>(boxes);
-  std::vector<double> load(n, 0);
+  List<double> load(boxes, 0);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (std::size_t i = 0; i < n; ++i) {
-      const double below = i > 0 ? load[i - 1] : 0, above = i + 1 < n ? load[i + 1] : 0;
+    for (int i = 0; i < boxes; ++i) {
+      const double below = i > 0 ? load[i - 1] : 0, above = i + 1 < boxes ? load[i + 1] : 0;
       const double wanted = i == 0 ? 1 + above : (below + above) / 2;
       load[i] = std::max(0.0, load[i] + omega * (wanted - load[i]));
     }
   }
   double worst = 0;
-  for (std::size_t i = 0; i < n; ++i) worst = std::max(worst, std::abs(load[i] - static_cast<double>(n - i)));
+  for (int i = 0; i < boxes; ++i) worst = std::max(worst, std::abs(load[i] - (boxes - i)));
   return worst / boxes;
 }
 

@@ -12,8 +12,8 @@
 #include <cmath>
 
 #include "cost.hpp"
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace {
 
@@ -21,14 +21,13 @@ using namespace cairn;
 using namespace cairn::cost;
 
 /// Gauss-Seidel over A λ = b of the tower in plain loops; with ω above 1 it is over-relaxed (SOR).
-std::vector<double> errors_by_hand(int boxes, double omega, int sweeps) {
-  const auto n = static_cast<std::size_t>(boxes);
-  const std::vector<double> exact = exact_lambda(boxes);
-  std::vector<double> lambda(n, 0.0);
-  std::vector<double> errors = {error_of(lambda, exact)};
+List<double> errors_by_hand(int n, double omega, int sweeps) {
+  const List<double> exact = exact_lambda(n);
+  List<double> lambda(n, 0.0);
+  List<double> errors = {error_of(lambda, exact)};
   // [sweeps]
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (std::size_t i = 0; i < n; ++i) {
+    for (int i = 0; i < n; ++i) {
       double left = (i == 0 ? gravity : 0) - (i == 0 ? 1 : 2) * lambda[i];  // b_i − (A λ)_i, (15)
       if (i > 0) left += lambda[i - 1];
       if (i + 1 < n) left += lambda[i + 1];
@@ -46,9 +45,9 @@ int enough_sweeps(double rate) {
 }
 
 /// In the order of CostRun::curves.
-std::vector<Curve> watch_four(int boxes, double omega) {
+List<Curve> watch_four(int boxes, double omega) {
   const double cosine = jacobi_rate(boxes);
-  std::vector<Curve> curves = {
+  List<Curve> curves = {
       {.name = "SI", .work = 12.0 * boxes, .rate = cosine * cosine},
       {.name = "Jacobi, half steps", .work = 12.0 * boxes, .rate = (1 + cosine) / 2},
       {.name = fmt::format("SOR, ω = {:.4g}", omega), .work = 13.0 * boxes, .rate = sor_rate(boxes, omega)},
@@ -96,4 +95,4 @@ void run(Lesson& lesson) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return cairn::run_lesson(cairn::cost::card(), run, argc, argv); }
+int main(int argc, char** argv) { return cairn::run_lesson(cairn::card(), run, argc, argv); }

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/plot.hpp"
 
 namespace cairn::cost {
@@ -18,21 +18,21 @@ using render::Page;
 using render::Rect;
 
 /// Every error of a curve against `unit` times its sweep; sparsely, as the axis is logarithmic.
-render::Series against(const Page& page, const CostRun& run, std::size_t which, double unit) {
+render::Series against(const Page& page, const CostRun& run, int which, double unit) {
   render::Series series{.name = short_name(run, which), .style = style_of(page, which)};
   const Curve& curve = run.curves[which];
   double next = 1;
-  for (std::size_t k = 1; k < curve.error.size(); ++k) {
-    if (static_cast<double>(k) < next && k + 1 < curve.error.size()) continue;
-    next = std::max(static_cast<double>(k) + 1, static_cast<double>(k) * 1.03);
-    series.x.push_back(unit * static_cast<double>(k));
+  for (int k = 1; k < curve.error.size(); ++k) {
+    if (k < next && k + 1 < curve.error.size()) continue;
+    next = std::max(k + 1.0, k * 1.03);
+    series.x.push_back(unit * k);
     series.y.push_back(std::max(curve.error[k], least_error));
   }
   return series;
 }
 
 /// A chart with a note beside it, or below it where there is little room.
-std::vector<Rect> chart_and_note(const Page& page) {
+List<Rect> chart_and_note(const Page& page) {
   if (page.compact()) return rows(page.area(), {0.76, 0.24}, page.sizes().gap);
   return columns(page.area(), {0.64, 0.36}, page.sizes().gap);
 }
@@ -42,7 +42,7 @@ render::Axis error_axis() {
 }
 
 void draw_digits(Page& page, const CostRun& run) {
-  const std::vector<Rect> halves = columns(page.area(), {1, 1}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {1, 1}, page.sizes().gap);
   render::Plot sweeps{.title = page.compact() ? "error against sweeps" : "error of λ against sweeps"};
   sweeps.x = {.title = "sweeps", .scale = AxisScale::logarithmic, .min = 1};
   sweeps.y = error_axis();
@@ -50,7 +50,7 @@ void draw_digits(Page& page, const CostRun& run) {
                         page.compact() ? "error against multiply-adds" : "error of λ against multiply-adds"};
   work.x = {.title = "multiply-adds", .scale = AxisScale::logarithmic, .min = 100};
   work.y = error_axis();
-  for (std::size_t which = 0; which < run.curves.size(); ++which) {
+  for (int which = 0; which < run.curves.size(); ++which) {
     sweeps.series.push_back(against(page, run, which, 1));
     work.series.push_back(against(page, run, which, run.curves[which].work));
   }
@@ -62,7 +62,7 @@ void draw_digits(Page& page, const CostRun& run) {
 }
 
 void draw_sizes(Page& page, const CostRun& run) {
-  const std::vector<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
   render::Plot plot{.title = "sweeps until 1 % is left"};
   plot.x = {.title = "boxes", .scale = AxisScale::logarithmic, .min = 2, .max = 30};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1, .max = 3000};
@@ -85,7 +85,7 @@ void draw_sizes(Page& page, const CostRun& run) {
   }
   plot.series = {square, si, sor};
   draw_plot(page, halves[0], plot);
-  const std::vector<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
   page.table(right[0], "sweeps until 1 % is left", table);
   page.note(right[1], "The scene decides",
             page.compact()
@@ -96,15 +96,15 @@ void draw_sizes(Page& page, const CostRun& run) {
 }
 
 void draw_precision(Page& page, const CostRun& run) {
-  const std::vector<Rect> halves = chart_and_note(page);
+  const List<Rect> halves = chart_and_note(page);
   render::Plot plot{.title = "error of λ, sweep by sweep"};
-  plot.x = {.title = "sweep", .min = 0, .max = static_cast<double>(run.pgs.error.size())};
+  plot.x = {.title = "sweep", .min = 0, .max = run.pgs.error.size()};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-15, .max = 2};
   const auto add = [&](const std::string& name, const Curve& curve, const render::SeriesStyle& style) {
     render::Series series{.name = name, .style = style};
-    const std::size_t stride = std::max<std::size_t>(1, curve.error.size() / 400);
-    for (std::size_t k = 0; k < curve.error.size(); k += stride) {
-      series.x.push_back(static_cast<double>(k));
+    const int stride = std::max(1, curve.error.size() / 400);
+    for (int k = 0; k < curve.error.size(); k += stride) {
+      series.x.push_back(k);
       series.y.push_back(std::max(curve.error[k], 1e-16));
     }
     plot.series.push_back(series);
@@ -124,16 +124,15 @@ void draw_precision(Page& page, const CostRun& run) {
 }
 
 void draw_frames(Page& page, const CostRun& run) {
-  const std::vector<Rect> halves = chart_and_note(page);
+  const List<Rect> halves = chart_and_note(page);
   render::Plot plot{.title = fmt::format("error of λ after each step, {} sweep{} a step", run.settings.sweeps,
                                          run.settings.sweeps == 1 ? "" : "s")};
   plot.x = {.title = "step", .min = 0, .max = frames};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-4, .max = 2};
-  const auto add = [&](const std::string& name, const std::vector<double>& error,
-                       const render::SeriesStyle& style) {
+  const auto add = [&](const std::string& name, const List<double>& error, const render::SeriesStyle& style) {
     render::Series series{.name = name, .style = style};
-    for (std::size_t k = 0; k < error.size(); ++k) {
-      series.x.push_back(static_cast<double>(k));
+    for (int k = 0; k < error.size(); ++k) {
+      series.x.push_back(k);
       series.y.push_back(error[k]);
     }
     plot.series.push_back(series);
@@ -160,7 +159,7 @@ render::Plot update_plot(const Page& page, const CostRun& run) {
   plot.x = {.title = "rows", .scale = AxisScale::logarithmic, .min = 8, .max = 250};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 5};
   const render::Color color = page.theme().pgs.color;
-  const std::array<std::pair<std::size_t, render::SeriesStyle>, 4> chosen = {
+  const FixedList<std::pair<int, render::SeriesStyle>, 4> chosen = {
       {{si_time, page.theme().si},
        {sparse_time, {color, {2, 5}, render::Marker::diamond}},
        {dense_time, page.theme().pgs},
@@ -168,7 +167,7 @@ render::Plot update_plot(const Page& page, const CostRun& run) {
   for (const auto& one : chosen) {
     const SolverTime& time = run.times[one.first];
     render::Series series{.name = time.name, .style = one.second};
-    for (std::size_t k = 0; k < timed_rows.size(); ++k) {
+    for (int k = 0; k < timed_rows.size(); ++k) {
       series.x.push_back(timed_rows[k]);
       series.y.push_back(time.nanoseconds[k]);
     }
@@ -182,7 +181,7 @@ render::TableView update_table(const Page& page, const CostRun& run) {
   if (page.compact()) table.header = {"ns", "10 rows", "200"};
   for (const SolverTime& time : run.times) {
     table.rows.push_back({time.name});
-    for (std::size_t k = 0; k < timed_rows.size(); ++k) {
+    for (int k = 0; k < timed_rows.size(); ++k) {
       if (page.compact() && k == 1) continue;
       const double nanoseconds = time.nanoseconds[k];
       table.rows.back().push_back(fixed(nanoseconds, nanoseconds < 100 ? 1 : 0));
@@ -192,13 +191,13 @@ render::TableView update_table(const Page& page, const CostRun& run) {
 }
 
 void draw_updates(Page& page, const CostRun& run) {
-  const std::vector<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
   draw_plot(page, halves[0], update_plot(page, run));
   if (page.compact()) {
     page.table(halves[1], "", update_table(page, run));
     return;
   }
-  const std::vector<Rect> right = rows(halves[1], {0.64, 0.36}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.64, 0.36}, page.sizes().gap);
   page.table(right[0], "one row update of a tower, preparation included", update_table(page, run));
   page.note(
       right[1], "The machine",
@@ -208,13 +207,13 @@ void draw_updates(Page& page, const CostRun& run) {
 
 void draw_clock(Page& page, const CostRun& run) {
   const double top = page.compact() ? 0.7 : 0.74;
-  const std::vector<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
   render::Plot plot{.title = "error of λ against time (µs), this machine"};
   plot.x = {.title = "µs", .scale = AxisScale::logarithmic};
   plot.y = error_axis();
-  const std::array<std::size_t, 4> clock = {si_time, jacobi_time, si_time, accelerated_time};
-  const std::size_t size = run.settings.boxes > 20 ? 1 : 0;
-  for (std::size_t which = 0; which < run.curves.size(); ++which) {
+  const FixedList<int, 4> clock = {si_time, jacobi_time, si_time, accelerated_time};
+  const int size = run.settings.boxes > 20 ? 1 : 0;
+  for (int which = 0; which < run.curves.size(); ++which) {
     const double sweep = 1e-3 * run.times[clock[which]].nanoseconds[size] * run.settings.boxes;
     plot.series.push_back(against(page, run, which, sweep));
   }
@@ -231,7 +230,7 @@ void draw_clock(Page& page, const CostRun& run) {
 
 }  // namespace
 
-std::vector<Shot> digit_shots(const Runs& run) {
+List<Shot> digit_shots(const Runs& run) {
   return {
       {.state = "sweeps, and work",
        .alt = "Errors of four solvers against sweeps and against multiply-adds: SI and Jacobi creep, SOR and "
@@ -255,7 +254,7 @@ std::vector<Shot> digit_shots(const Runs& run) {
        .key = true}};
 }
 
-std::vector<Shot> clock_shots(const Runs& run) {
+List<Shot> clock_shots(const Runs& run) {
   return {
       {.state = "time of a row update",
        .alt =

@@ -1,13 +1,12 @@
 // The tower and its loads, sweep by sweep under four solvers; the question, and the answer.
-#include "pictures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "lessons/tower_panel.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/plot.hpp"
 
 namespace cairn::cost {
@@ -18,14 +17,14 @@ using render::fixed;
 using render::Page;
 using render::Rect;
 
-const std::array<int, 8> shown = {1, 2, 5, 10, 20, 50, 100, 200};
+const FixedList<int, 8> shown = {1, 2, 5, 10, 20, 50, 100, 200};
 
-const std::vector<double>& lambda_after(const Curve& curve, int sweep) {
-  return curve.lambda[std::min(static_cast<std::size_t>(sweep), curve.lambda.size() - 1)];
+const List<double>& lambda_after(const Curve& curve, int sweep) {
+  return curve.lambda[std::min(sweep, curve.lambda.size() - 1)];
 }
 
 double error_after(const Curve& curve, int sweep) {
-  return curve.error[std::min(static_cast<std::size_t>(sweep), curve.error.size() - 1)];
+  return curve.error[std::min(sweep, curve.error.size() - 1)];
 }
 
 std::string error_text(double error) {
@@ -36,7 +35,7 @@ std::string error_text(double error) {
 /// The tower; beside each box what it is given after so many sweeps of SI, and a tick at what it should be.
 void draw_tower(Page& page, const Rect& rect, const CostRun& run, int sweep) {
   const Curve& curve = run.curves[si_curve];
-  const std::vector<double>& lambda = lambda_after(curve, sweep);
+  const List<double>& lambda = lambda_after(curve, sweep);
   const Rect inside = page.panel(rect, fmt::format("λ after {} sweeps of SI, tick: exact", sweep));
   draw_tower_loads(page, inside, run.tower, lambda,
                    {.box_weight = gravity,
@@ -44,17 +43,17 @@ void draw_tower(Page& page, const Rect& rect, const CostRun& run, int sweep) {
                     .color = style_of(page, si_curve).color});
 }
 
-void draw_loads(Page& page, const Rect& rect, const CostRun& run, std::size_t which, int sweep) {
+void draw_loads(Page& page, const Rect& rect, const CostRun& run, int which, int sweep) {
   const Curve& curve = run.curves[which];
-  const std::vector<double>& lambda = lambda_after(curve, sweep);
-  const std::vector<double> exact = exact_lambda(run.settings.boxes);
+  const List<double>& lambda = lambda_after(curve, sweep);
+  const List<double> exact = exact_lambda(run.settings.boxes);
   const Rect inside = page.panel(rect, short_name(run, which));
   page.canvas().rect({rect.x, rect.y, rect.width, 4}, {.fill = style_of(page, which).color});
   const double line = page.value().size * 1.5;
-  const double pitch = (inside.height - line) / static_cast<double>(exact.size());
+  const double pitch = (inside.height - line) / exact.size();
   const double per_newton = (inside.width - 8) / (1.15 * exact[0]);
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    const double top = inside.y + line + pitch * static_cast<double>(exact.size() - 1 - i);
+  for (int i = 0; i < exact.size(); ++i) {
+    const double top = inside.y + line + pitch * (exact.size() - 1 - i);
     const double width = std::min(lambda[i] * per_newton, inside.width);
     page.canvas().rect(
         {inside.x, top + 0.2 * pitch, width, 0.6 * pitch},
@@ -69,24 +68,24 @@ void draw_loads(Page& page, const Rect& rect, const CostRun& run, std::size_t wh
                      "off: " + error_text(error_after(curve, sweep)), text);
 }
 
-render::Series series_of(const Page& page, const CostRun& run, std::size_t which, int sweeps) {
+render::Series series_of(const Page& page, const CostRun& run, int which, int sweeps) {
   render::Series series{.name = short_name(run, which), .style = style_of(page, which)};
   const Curve& curve = run.curves[which];
-  const auto end = std::min(static_cast<std::size_t>(sweeps) + 1, curve.error.size());
-  for (std::size_t k = 0; k < end; ++k) {
-    series.x.push_back(static_cast<double>(k));
+  const int end = std::min(sweeps + 1, curve.error.size());
+  for (int k = 0; k < end; ++k) {
+    series.x.push_back(k);
     series.y.push_back(std::max(curve.error[k], least_error));
   }
   return series;
 }
 
 void draw_sweep(Page& page, const CostRun& run, int sweep) {
-  const std::vector<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const std::vector<Rect> panels = columns(parts[0], {1, 1, 1, 1}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> panels = columns(parts[0], {1, 1, 1, 1}, page.sizes().gap);
   render::Plot plot{.title = "largest error of λ, over the largest λ"};
   plot.x = {.title = "sweep", .min = 0, .max = sweep <= 20 ? 20.0 : kept_sweeps};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-6, .max = 2};
-  for (std::size_t which = 0; which < run.curves.size(); ++which) {
+  for (int which = 0; which < run.curves.size(); ++which) {
     draw_loads(page, panels[which], run, which, sweep);
     plot.series.push_back(series_of(page, run, which, sweep));
   }
@@ -97,7 +96,7 @@ void draw_sweep(Page& page, const CostRun& run, int sweep) {
 
 Shot sweep_shot(const Runs& run, int sweep, bool key) {
   std::string alt = fmt::format("After {} sweeps the largest error is", sweep);
-  for (std::size_t which = 0; which < run->curves.size(); ++which)
+  for (int which = 0; which < run->curves.size(); ++which)
     alt += fmt::format(" {:.2g} with {},", error_after(run->curves[which], sweep), run->curves[which].name);
   alt.back() = '.';
   return {.state = fmt::format("sweep {}", sweep),
@@ -109,9 +108,9 @@ Shot sweep_shot(const Runs& run, int sweep, bool key) {
 /// Tower left, SI's error right, a text below it.
 void draw_words(Page& page, const CostRun& run, int sweep, int until, std::string_view title,
                 std::string_view text) {
-  const std::vector<Rect> halves = columns(page.area(), {0.42, 0.58}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.42, 0.58}, page.sizes().gap);
   const double top = page.compact() ? 0.5 : 0.54;
-  const std::vector<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
   draw_tower(page, halves[0], run, sweep);
   render::Plot plot{.title = "largest error of λ, over the largest λ"};
   plot.x = {.title = "sweep", .min = 0, .max = std::max(until, 20)};
@@ -154,22 +153,22 @@ void draw_answer(Page& page, const CostRun& run) {
 
 // SOR is SI with another factor, and momentum is given to PGS: each keeps its colour, and has a dash of its
 // own.
-render::SeriesStyle style_of(const Page& page, std::size_t curve) {
+render::SeriesStyle style_of(const Page& page, int curve) {
   if (curve == si_curve) return page.theme().si;
   if (curve == jacobi_curve) return page.theme().jacobi;
   if (curve == sor_curve) return {page.theme().si.color, {}, render::Marker::circle};
   return {page.theme().pgs.color, {2, 5}, render::Marker::triangle};
 }
 
-std::string short_name(const CostRun& run, std::size_t curve) {
+std::string short_name(const CostRun& run, int curve) {
   if (curve == jacobi_curve) return "Jacobi ½";
   if (curve == sor_curve) return fmt::format("ω = {}", fixed(run.omega, 2));
   return curve == si_curve ? "SI" : "momentum";
 }
 
-std::vector<Shot> cost_shots(const CostRun& recorded) {
+List<Shot> cost_shots(const CostRun& recorded) {
   const Runs run = std::make_shared<const CostRun>(recorded);
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back(
       {.state = "after 10 sweeps",
        .alt = "A tower of boxes, what SI has found of its loads after 10 sweeps, and the question.",
@@ -177,7 +176,7 @@ std::vector<Shot> cost_shots(const CostRun& recorded) {
        .key = true});
   for (const int sweep : shown)
     shots.push_back(sweep_shot(run, sweep, sweep == 1 || sweep == 10 || sweep == 50 || sweep == 200));
-  for (const std::vector<Shot>& more : {digit_shots(run), clock_shots(run)})
+  for (const List<Shot>& more : {digit_shots(run), clock_shots(run)})
     shots.insert(shots.end(), more.begin(), more.end());
   shots.push_back(
       {.state = "answer",

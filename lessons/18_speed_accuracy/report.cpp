@@ -1,20 +1,20 @@
 // What lesson 18 prints, and the claims that it makes.
-#include "report.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace cairn::cost {
 
 namespace {
 
 const double epsilon = std::numeric_limits<double>::epsilon();
-const std::array<int, 5> shown_sweeps = {10, 20, 50, 100, 200};
-const std::array<int, 5> shown_digits = {1, 2, 3, 6, 9};
+const FixedList<int, 5> shown_sweeps = {10, 20, 50, 100, 200};
+const FixedList<int, 5> shown_digits = {1, 2, 3, 6, 9};
 
 std::string shown_error(double error) {
   if (error <= least_error) return fmt::format("{:>9}", "< 1e-12");
@@ -28,7 +28,7 @@ void print_errors(Lesson& lesson, const CostRun& run) {
   for (const Curve& curve : run.curves) {
     line = fmt::format("   {:<18}", curve.name);
     for (const int sweep : shown_sweeps) {
-      const auto k = std::min(static_cast<std::size_t>(sweep), curve.error.size() - 1);
+      const int k = std::min(sweep, curve.error.size() - 1);
       line += " " + shown_error(curve.error[k]);
     }
     lesson.print(line +
@@ -70,7 +70,7 @@ void print_others(Lesson& lesson, const CostRun& run) {
                            run.single.error.size() - 1, run.single.error.back(), run.pgs.error.back()));
   std::string line = fmt::format("4. Warm, {} sweeps a step; error after step", run.settings.sweeps);
   std::string errors = fmt::format("   {:>42}", "");
-  for (const std::size_t frame : std::array<std::size_t, 6>{1, 2, 5, 10, 20, 50}) {
+  for (const int frame : {1, 2, 5, 10, 20, 50}) {
     line += fmt::format(" {:>7}", frame);
     errors += fmt::format(" {:>7.4f}", run.frames.warm[frame]);
   }
@@ -90,7 +90,7 @@ void print_others(Lesson& lesson, const CostRun& run) {
 /// What a sweep has left of the error where it first is below 1e-4: by then one error is left. Those that
 /// decay faster have become smaller than it by a factor of 1e-14 or so at least, for any number of boxes.
 double measured_rate(const Curve& curve) {
-  const auto k = static_cast<std::size_t>(sweeps_to(curve.error, 1e-4));
+  const int k = sweeps_to(curve.error, 1e-4);
   return curve.error[k + 1] / curve.error[k];
 }
 
@@ -112,16 +112,16 @@ void check_curves(Lesson& lesson, const CostRun& run) {
   const int n = run.settings.boxes;
   const Curve& si = run.curves[si_curve];
   double apart = 0;
-  for (std::size_t k = 0; k < std::min(si.error.size(), run.pgs.error.size()); ++k)
+  for (int k = 0; k < std::min(si.error.size(), run.pgs.error.size()); ++k)
     apart = std::max(apart, std::abs(si.error[k] - run.pgs.error[k]));
   // As above: 8 n^2 roundings are remembered, in each of the two.
   lesson.check_small("PGS and SI: errors differ, after any sweep, by", apart, 16 * epsilon * n * n);
-  for (const std::size_t which : {std::size_t{si_curve}, std::size_t{sor_curve}}) {
+  for (const int which : {si_curve, sor_curve}) {
     const Curve& curve = run.curves[which];
-    const std::vector<double>& by_hand = curve.by_hand;
+    const List<double>& by_hand = curve.by_hand;
     double gap = 0;
     double gained = 0;
-    for (std::size_t k = 0; k < std::min(by_hand.size(), curve.lambda.size()); ++k) {
+    for (int k = 0; k < std::min(by_hand.size(), curve.lambda.size()); ++k) {
       gap = std::max(gap, std::abs(by_hand[k] - curve.error[k]));
       if (k > 0) gained = std::max(gained, error_energy(curve.lambda[k]) - error_energy(curve.lambda[k - 1]));
     }
@@ -170,9 +170,8 @@ void report(Lesson& lesson, const CostRun& run) {
 CsvTable errors_table(const CostRun& run) {
   CsvTable table{.header = {"solver", "sweep", "error", "multiply_adds"}};
   for (const Curve& curve : run.curves) {
-    for (std::size_t k = 0; k < curve.error.size(); k += k < 400 ? 1 : 10)
-      table.rows.push_back(
-          {curve.name, static_cast<long long>(k), curve.error[k], curve.work * static_cast<double>(k)});
+    for (int k = 0; k < curve.error.size(); k += k < 400 ? 1 : 10)
+      table.rows.push_back({curve.name, k, curve.error[k], curve.work * k});
   }
   return table;
 }

@@ -1,7 +1,7 @@
 // Lesson 19: its card.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::edges {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -35,4 +35,4 @@ LessonInfo card() {
       .next = "lesson20_only_what_the_scene_needs   (the fastest row is the one you do not have)"};
 }
 
-}  // namespace cairn::edges
+}  // namespace cairn

@@ -11,8 +11,8 @@
 #include <cmath>
 #include <set>
 
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace {
 
@@ -27,9 +27,9 @@ RatioRun push_two(double ratio, int at_least) {
   const double weight = (1 + ratio) * gravity;
   const int sweeps = std::max(at_least, sweeps_by_formula(ratio) + 1);
   for (int k = 1; k <= sweeps; ++k) {
-    std::vector<double> jv;
+    List<double> jv;
     // [sweep]
-    for (std::size_t i = 0; i < 2; ++i) {  // the ground first, then the contact between the boxes
+    for (int i = 0; i < 2; ++i) {  // the ground first, then the contact between the boxes
       const ConstraintRow<double>& row = problem.rows[i];
       jv.push_back(row_velocity(problem, row));
       const double corrective = -jv[i] * effective_mass(problem, row);  // (22) with ζ = 0, times Δt
@@ -93,4 +93,4 @@ void run(Lesson& lesson) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return cairn::run_lesson(cairn::edges::card(), run, argc, argv); }
+int main(int argc, char** argv) { return cairn::run_lesson(cairn::card(), run, argc, argv); }

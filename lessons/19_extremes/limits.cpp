@@ -24,10 +24,10 @@ class BrokenJoint final : public ConstraintOf<BrokenJoint> {
   BrokenJoint(BodyId a, BodyId b) : a_(a), b_(b) {}
 
   std::string name() const override { return "broken"; }
-  std::vector<Attachment> attachments() const override { return {{a_, {0, 0}}, {b_, {0, 0}}}; }
+  List<Attachment> attachments() const override { return {{a_, {0, 0}}, {b_, {0, 0}}}; }
 
   template <Scalar Real>
-  void rows(const std::vector<Pose<Real>>&, RowSpecs<Real>& rows) const {
+  void rows(const PerBody<Pose<Real>>&, RowSpecs<Real>& rows) const {
     RowSpec<Real> row;
     row.a = a_;
     row.b = b_;
@@ -65,8 +65,8 @@ double heights_apart(double mass, int sweeps) {
   for (int k = 0; k < 60; ++k) {
     one.step(solver);
     other.step(solver);
-    for (std::size_t i = 1; i <= 5; ++i) {
-      const double gap = one.bodies().pose[i].position.y() - other.bodies().pose[i].position.y();
+    for (int i = 1; i <= 5; ++i) {
+      const double gap = one.bodies().pose[{i}].position.y() - other.bodies().pose[{i}].position.y();
       apart = std::max(apart, std::abs(gap));
     }
   }
@@ -83,9 +83,9 @@ Scene pendulum(int rods) {
 
 }  // namespace
 
-std::vector<Refusal> try_bad_input() {
+List<Refusal> try_bad_input() {
   const Shape<double> shape = circle(0.5);
-  const std::vector<std::pair<std::string, std::function<void()>>> attempts = {
+  const List<std::pair<std::string, std::function<void()>>> attempts = {
       {"a mass of 0", [&] { Scene().add({.shapes = {shape}, .mass = 0}); }},
       {"a step of 0 s", [] { Scene({.dt = 0}); }},
       {"a place nowhere",
@@ -99,7 +99,7 @@ std::vector<Refusal> try_bad_input() {
          scene.join<DistanceJoint>({.a = ground, .b = body});
        }},
       {"friction below 0", [&] { Scene().add({.shapes = {shape}, .friction = -0.1}); }}};
-  std::vector<Refusal> refusals;
+  List<Refusal> refusals;
   for (const auto& attempt : attempts) refusals.push_back({attempt.first, message_of(attempt.second)});
   return refusals;
 }
@@ -115,11 +115,10 @@ Guarded try_not_a_number() {
   const StepReport report = world.step(solver);
   Guarded guarded{.joined = first.index, .finite = true};
   if (report.not_finite) guarded.body = report.not_finite->index;
-  for (const BodyId id : {bystander, first, second}) {
-    const auto i = static_cast<std::size_t>(id.index);
-    const Pose<double>& pose = world.bodies().pose[i];
-    guarded.moved = std::max(guarded.moved, (pose.position - scene.bodies()[i].pose.position).norm());
-    guarded.finite = guarded.finite && pose.position.allFinite() && world.bodies().velocity[i].allFinite();
+  for (const BodyId body : {bystander, first, second}) {
+    const Pose<double>& pose = world.bodies().pose[body];
+    guarded.moved = std::max(guarded.moved, (pose.position - scene.bodies()[body].pose.position).norm());
+    guarded.finite = guarded.finite && pose.position.allFinite() && world.bodies().velocity[body].allFinite();
   }
   return guarded;
 }
@@ -136,7 +135,7 @@ double try_twice(int sweeps, int steps) {
   for (int k = 0; k < steps; ++k) {
     once.step(solver);
     twice.step(solver);
-    apart = std::max(apart, (once.bodies().pose[1].position - twice.bodies().pose[1].position).norm());
+    apart = std::max(apart, (once.bodies().pose[{1}].position - twice.bodies().pose[{1}].position).norm());
   }
   return apart;
 }

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::edges {
 
@@ -15,7 +15,7 @@ struct Refusal {
 };
 
 /// A mass of zero, a step of zero, a place that is no number, a rod without length, friction below zero.
-std::vector<Refusal> try_bad_input();
+List<Refusal> try_bad_input();
 
 /// What a joint that divides zero by zero leaves behind.
 struct Guarded {

@@ -1,13 +1,12 @@
 // Two stacks of two boxes: the load that each sweep finds, and how many sweeps any ratio of masses takes.
-#include "pictures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/bars.hpp"
 #include "render/draw.hpp"
 #include "render/matrix.hpp"
@@ -22,9 +21,9 @@ using render::Page;
 using render::Rect;
 
 const double question_share = 0.68;  // of the height, above a question
-const std::array<int, 8> map_sweeps = {1, 3, 10, 30, 100, 300, 1000, 3000};
+const FixedList<int, 8> map_sweeps = {1, 3, 10, 30, 100, 300, 1000, 3000};
 
-double load_share(const RatioRun& run, int sweep) { return 1 - run.error[static_cast<std::size_t>(sweep)]; }
+double load_share(const RatioRun& run, int sweep) { return 1 - run.error[sweep]; }
 
 /// One stack, its masses written on its boxes, and the load on the ground as an arrow beside it.
 void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep) {
@@ -53,19 +52,19 @@ void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep) {
 /// The two stacks with the load on the ground after a sweep; returns what is free below them. They take this
 /// share of the height.
 Rect draw_stacks(Page& page, const Rect& rect, const ExtremesRun& run, int sweep, double share) {
-  const std::vector<Rect> parts = rows(rect, {share, 1 - share}, page.sizes().gap);
-  const std::vector<Rect> panels = columns(parts[0], {1, 1}, page.sizes().gap);
+  const List<Rect> parts = rows(rect, {share, 1 - share}, page.sizes().gap);
+  const List<Rect> panels = columns(parts[0], {1, 1}, page.sizes().gap);
   const RatioRun& light = run_of(run.ratios, 1 / run.settings.ratio);
   draw_stack(page, panels[0], run_of(run.ratios, run.settings.ratio), sweep);
-  draw_stack(page, panels[1], light, std::min(sweep, static_cast<int>(light.error.size()) - 1));
+  draw_stack(page, panels[1], light, std::min(sweep, light.error.size() - 1));
   return parts[1];
 }
 
 /// A style for each of a few stacks; all of them are solved by SI, so they share its colour.
-render::SeriesStyle style_of(const Page& page, std::size_t which) {
-  const std::array<render::Marker, 4> markers = {render::Marker::square, render::Marker::circle,
-                                                 render::Marker::triangle, render::Marker::diamond};
-  const std::array<std::vector<double>, 4> dashes = {std::vector<double>{}, {10, 6}, {3, 4}, {14, 4, 3, 4}};
+render::SeriesStyle style_of(const Page& page, int which) {
+  const FixedList<render::Marker, 4> markers = {render::Marker::square, render::Marker::circle,
+                                                render::Marker::triangle, render::Marker::diamond};
+  const FixedList<List<double>, 4> dashes = {List<double>{}, {10, 6}, {3, 4}, {14, 4, 3, 4}};
   return {.color = page.theme().si.color, .dash = dashes[which], .marker = markers[which]};
 }
 
@@ -77,14 +76,14 @@ void draw_errors(Page& page, const Rect& rect, const ExtremesRun& run, int sweep
   const int last = run_of(run.ratios, run.settings.ratio).counted;
   plot.x = {.title = "sweep", .scale = render::AxisScale::logarithmic, .min = 1, .max = 1.3 * last + 10};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 0.1, .max = 100};
-  std::size_t which = 0;
+  int which = 0;
   for (const double ratio : plotted_ratios(run.settings.ratio)) {
     const RatioRun& each = run_of(run.ratios, ratio);
     render::Series series{.name = name_of(ratio), .style = style_of(page, which++)};
-    const auto end = std::min(each.error.size() - 1, static_cast<std::size_t>(sweep));
-    for (std::size_t k = 1; k <= end; ++k) {
+    const int end = std::min(each.error.size() - 1, sweep);
+    for (int k = 1; k <= end; ++k) {
       if (100 * each.error[k] < 0.1) break;
-      series.x.push_back(static_cast<double>(k));
+      series.x.push_back(k);
       series.y.push_back(100 * each.error[k]);
     }
     if (!series.x.empty()) plot.series.push_back(series);
@@ -95,20 +94,19 @@ void draw_errors(Page& page, const Rect& rect, const ExtremesRun& run, int sweep
 
 render::Equation equation_of(const Page& page, const ExtremesRun& run, int sweep) {
   const RatioRun& heavy = run_of(run.ratios, run.settings.ratio);
-  const auto k = static_cast<std::size_t>(sweep);
-  const double jv = heavy.speed_jv[k][0];
+  const double jv = heavy.speed_jv[sweep][0];
   return {.number = "eq (22), row 1 of " + name_of(heavy.ratio),
           .symbols = "Δλ_{1} = (ζ − j·v) / (A_{11} Δt)",
           .numbers = fmt::format("= (0 − ({})) / (1 × {:g})", render::significant(jv, 4), time_step),
           .result = fmt::format("= {} N of {:g} N", fixed(-jv / time_step, 3),
                                 std::round((1 + heavy.ratio) * gravity * 1000) / 1000),
-          .algorithm =
-              fmt::format("λ_{{1}}: {} → {} N", fixed(heavy.load[k - 1][0], 2), fixed(heavy.load[k][0], 2)),
+          .algorithm = fmt::format("λ_{{1}}: {} → {} N", fixed(heavy.load[sweep - 1][0], 2),
+                                   fixed(heavy.load[sweep][0], 2)),
           .color = page.theme().normal};
 }
 
 void draw_sweep(Page& page, const ExtremesRun& run, int sweep) {
-  const std::vector<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
   const Rect rest = draw_stacks(page, halves[0], run, sweep, page.compact() ? 0.5 : 0.56);
   draw_errors(page, halves[1], run, sweep);
   page.equation(rest, equation_of(page, run, sweep));
@@ -117,12 +115,11 @@ void draw_sweep(Page& page, const ExtremesRun& run, int sweep) {
 Shot sweep_shot(const Run& run, int sweep, bool key) {
   const RatioRun& heavy = run_of(run->ratios, run->settings.ratio);
   const RatioRun& light = run_of(run->ratios, 1 / run->settings.ratio);
-  const auto k = static_cast<std::size_t>(sweep);
-  const double found = k < light.error.size() ? 1 - light.error[k] : 1;
+  const double found = sweep < light.error.size() ? 1 - light.error[sweep] : 1;
   return {.state = fmt::format("sweep {}", sweep),
           .alt = fmt::format("After sweep {}: {} has found {:.1f} % of the load on the ground, {} {:.1f} %.",
-                             sweep, name_of(heavy.ratio), 100 * (1 - heavy.error[k]), name_of(light.ratio),
-                             100 * found),
+                             sweep, name_of(heavy.ratio), 100 * (1 - heavy.error[sweep]),
+                             name_of(light.ratio), 100 * found),
           .draw = [run, sweep](Page& page) { draw_sweep(page, *run, sweep); },
           .key = key};
 }
@@ -130,17 +127,16 @@ Shot sweep_shot(const Run& run, int sweep, bool key) {
 render::MatrixView map_of(const ExtremesRun& run) {
   render::MatrixView view{.title = "error left (%), by masses and sweeps"};
   view.colors = render::MatrixColors::magnitude;
-  view.values =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(run.ratios.size()), static_cast<Eigen::Index>(8));
+  view.values = Eigen::MatrixXd::Zero(run.ratios.size(), map_sweeps.size());
   for (const int sweep : map_sweeps) view.column_names.push_back(fmt::format("{}", sweep));
-  for (std::size_t i = 0; i < run.ratios.size(); ++i) {
+  for (int i = 0; i < run.ratios.size(); ++i) {
     const double ratio = run.ratios[run.ratios.size() - 1 - i].ratio;
-    if (ratio == run.settings.ratio) view.active_row = static_cast<int>(i);
+    if (ratio == run.settings.ratio) view.active_row = i;
     view.row_names.push_back(name_of(ratio));
-    for (std::size_t j = 0; j < map_sweeps.size(); ++j) {
-      const double error = 100 * run_of(run.ratios, ratio).error[static_cast<std::size_t>(map_sweeps[j])];
+    for (int j = 0; j < map_sweeps.size(); ++j) {
+      const double error = 100 * run_of(run.ratios, ratio).error[map_sweeps[j]];
       const double shown = std::round(error * 10) / 10;  // what is below 0.05 % is a dot
-      view.values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = shown;
+      view.values(i, j) = shown;
     }
   }
   return view;
@@ -167,9 +163,9 @@ void draw_needed(Page& page, const Rect& rect, const ExtremesRun& run) {
 }
 
 void draw_map(Page& page, const ExtremesRun& run) {
-  const std::vector<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
   draw_matrix(page, page.panel(halves[0], ""), map_of(run));
-  const std::vector<Rect> right = rows(halves[1], {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.62, 0.38}, page.sizes().gap);
   draw_needed(page, right[0], run);
   page.note(right[1], "What decides",
             page.compact() ? "A sweep leaves R / (1 + R) of the error: about 4.6R sweeps to 1 %."
@@ -177,15 +173,10 @@ void draw_map(Page& page, const ExtremesRun& run) {
                              "below. Line: ln 100 / ln(1 + 1/R), about 4.6R. Squares: counted.");
 }
 
-}  // namespace
-
-std::string name_of(double ratio) {
-  return ratio >= 1 ? fmt::format("{:g} on 1", ratio) : fmt::format("1 on {:g}", 1 / ratio);
-}
-
-std::vector<Shot> ratio_shots(const Run& run) {
+/// The two stacks, sweep by sweep, and the map of all ratios.
+List<Shot> ratio_shots(const Run& run) {
   const int last = run_of(run->ratios, run->settings.ratio).counted;
-  std::vector<Shot> shots;
+  List<Shot> shots;
   for (const int sweep : {1, 2, 3, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000}) {
     if (sweep < last) shots.push_back(sweep_shot(run, sweep, sweep == 1 || sweep == 10));
   }
@@ -198,10 +189,16 @@ std::vector<Shot> ratio_shots(const Run& run) {
   return shots;
 }
 
-std::vector<Shot> extremes_shots(const ExtremesRun& recorded) {
+}  // namespace
+
+std::string name_of(double ratio) {
+  return ratio >= 1 ? fmt::format("{:g} on 1", ratio) : fmt::format("1 on {:g}", 1 / ratio);
+}
+
+List<Shot> extremes_shots(const ExtremesRun& recorded) {
   const Run run = std::make_shared<const ExtremesRun>(recorded);
   const std::string names = name_of(run->settings.ratio) + " and " + name_of(1 / run->settings.ratio);
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back({.state = "before the first sweep",
                    .alt = "Two stacks of two boxes, " + names + " kilograms, and the question.",
                    .draw =
@@ -212,7 +209,7 @@ std::vector<Shot> extremes_shots(const ExtremesRun& recorded) {
                                    "box above, and with the light one above?");
                        },
                    .key = true});
-  for (const std::vector<Shot>& part : {ratio_shots(run), wall_shots(run)})
+  for (const List<Shot>& part : {ratio_shots(run), wall_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
   const int heavy = run_of(run->ratios, run->settings.ratio).counted;
   const int light = run_of(run->ratios, 1 / run->settings.ratio).counted;

@@ -1,9 +1,8 @@
 // Two boxes, one upon the other: how many sweeps their masses cost.
 #pragma once
 
-#include <vector>
-
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::edges {
 
@@ -18,12 +17,12 @@ Scene two_boxes_scene(double ratio);
 
 /// What a solve from nothing did, sweep by sweep.
 struct RatioRun {
-  double ratio = 1;                                // mass above / mass below
-  std::vector<std::vector<double>> load = {};      // [sweep][row] [N]; all zero before the first sweep
-  std::vector<double> error = {};                  // of the load on the ground: 1 at first, 0 when right
-  std::vector<std::vector<double>> speed_jv = {};  // [sweep][row] [m/s]: j v when the row was visited
-  int counted = 0;                                 // sweeps until the error is below the goal
-  double largest_gap = 0;                          // of any sweep, from the formula
+  double ratio = 1;                  // mass above / mass below
+  List<List<double>> load = {};      // [sweep][row] [N]; all zero before the first sweep
+  List<double> error = {};           // of the load on the ground: 1 at first, 0 when right
+  List<List<double>> speed_jv = {};  // [sweep][row] [m/s]: j v when the row was visited
+  int counted = 0;                   // sweeps until the error is below the goal
+  double largest_gap = 0;            // of any sweep, from the formula
 };
 
 /// The largest distance of its loads from the formula, in any sweep, as a share of what is right.
@@ -35,6 +34,6 @@ double rate_by_formula(double ratio);
 int sweeps_by_formula(double ratio, double share = goal);
 
 /// @throws std::out_of_range for one that was not run.
-const RatioRun& run_of(const std::vector<RatioRun>& runs, double ratio);
+const RatioRun& run_of(const List<RatioRun>& runs, double ratio);
 
 }  // namespace cairn::edges

@@ -1,11 +1,12 @@
 // What lesson 19 prints, and the claims that it makes.
-#include "report.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace cairn::edges {
 
@@ -17,7 +18,7 @@ void print_ratios(Lesson& lesson, const ExtremesRun& run) {
   lesson.print("error left (%)    sweep 1       2      10     100    1000   to 1 %   ln 100 / ln(1 + 1/R)");
   for (auto each = run.ratios.rbegin(); each != run.ratios.rend(); ++each) {
     std::string line = fmt::format("  {:<12}", name_of(each->ratio));
-    for (const std::size_t k : {1u, 2u, 10u, 100u, 1000u})
+    for (const int k : {1, 2, 10, 100, 1000})
       line += fmt::format("{:>8.2f}", 100 * std::max(0.0, each->error[k]));
     lesson.print(line + fmt::format("{:>9}{:>15.3f}", each->counted,
                                     std::log(goal) / std::log(rate_by_formula(each->ratio))));
@@ -64,8 +65,8 @@ void check_ratios(Lesson& lesson, const ExtremesRun& run) {
 void check_wall(Lesson& lesson, const ExtremesRun& run) {
   const EdgeCase& pulled = run.wall[pin];
   double gap = 0, largest = 1;
-  for (std::size_t k = 0; k < pulled.off_by_step.size(); ++k) {
-    const double formula = std::pow(std::abs(1 - run.settings.beta), static_cast<double>(k));
+  for (int k = 0; k < pulled.off_by_step.size(); ++k) {
+    const double formula = std::pow(std::abs(1 - run.settings.beta), k);
     largest = std::max(largest, formula);
     gap = std::max(gap, std::abs(pulled.off_by_step[k] - formula));
   }
@@ -78,9 +79,9 @@ void check_wall(Lesson& lesson, const ExtremesRun& run) {
   // It may keep the slop of 5 mm.
   lesson.check_small("fast ball: depth in the wall (m)", run.wall[fast_ball].off * 2 * ball_radius, 0.0051);
   double pins = 0;
-  const std::vector<double> given = quarrel(run.wall[two_pins]);
-  for (std::size_t k = 0; k < given.size(); ++k)
-    pins = std::max(pins, std::abs(given[k] - quarrel_by_formula(run.settings, static_cast<int>(k))));
+  const List<double> given = quarrel(run.wall[two_pins]);
+  for (int k = 0; k < given.size(); ++k)
+    pins = std::max(pins, std::abs(given[k] - quarrel_by_formula(run.settings, k)));
   // Two roundings of the sum in each of all sweeps.
   const double visits = 2.0 * run.settings.sweeps * run.settings.steps;
   lesson.check_small("two pins: λ grows by m β d / Δt² a sweep (share of the last)",
@@ -103,7 +104,7 @@ void check_limits(Lesson& lesson, const ExtremesRun& run) {
            refusal.message.find("got") != std::string::npos;
   });
   lesson.check_equal("bad input refused, with rule and value", static_cast<double>(refused),
-                     static_cast<double>(run.refusals.size()), 0);
+                     run.refusals.size(), 0);
   const Guarded guarded = try_not_a_number();
   lesson.check_that("0 / 0 in a joint: the body is named, and nothing has moved",
                     guarded.body == guarded.joined && guarded.finite && guarded.moved == 0,
@@ -131,13 +132,12 @@ void report(Lesson& lesson, const ExtremesRun& run) {
 CsvTable numbers_table(const ExtremesRun& run) {
   CsvTable table{.header = {"world", "step", "off"}};
   for (const EdgeCase& edge : run.wall) {
-    for (std::size_t k = 0; k < edge.off_by_step.size(); ++k)
-      table.rows.push_back({edge.name, static_cast<long long>(k), edge.off_by_step[k]});
+    for (int k = 0; k < edge.off_by_step.size(); ++k)
+      table.rows.push_back({edge.name, k, edge.off_by_step[k]});
   }
   for (const RatioRun& each : run.ratios) {
-    const auto end = std::min<std::size_t>(each.error.size(), 101);
-    for (std::size_t k = 0; k < end; ++k)
-      table.rows.push_back({name_of(each.ratio), static_cast<long long>(k), each.error[k]});
+    const int end = std::min(each.error.size(), 101);
+    for (int k = 0; k < end; ++k) table.rows.push_back({name_of(each.ratio), k, each.error[k]});
   }
   return table;
 }

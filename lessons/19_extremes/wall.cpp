@@ -57,7 +57,7 @@ SmallWorld shot(const WallSettings& settings, const std::string& name, Speed kin
   SmallWorld world{.edge = {.name = name, .quantity = "the ball"}, .scene = std::move(scene)};
   world.budget = 0.5 * settings.speed * settings.speed;
   world.off = [](const Snapshot& now) {
-    const double face = now.bodies[1].pose.position.x() - wall_thickness / 2;
+    const double face = now.bodies[{1}].pose.position.x() - wall_thickness / 2;
     return std::max(0.0, place_of(now).x() + ball_radius - face) / (2 * ball_radius);
   };
   world.edge.view = {{-5.9, -2.2}, {2.5, 2.2}};
@@ -115,7 +115,7 @@ Stamp stamp_of(const EdgeCase& edge) {
   return edge.off <= 0.01 ? Stamp::ok : Stamp::soft;
 }
 
-std::vector<SmallWorld> small_worlds(const WallSettings& settings) {
+List<SmallWorld> small_worlds(const WallSettings& settings) {
   const std::string heavy = fmt::format("{:g} kg", settings.ratio);
   const double mass = 1 + settings.ratio;
   const std::string plain = fmt::format("ball, {:g} m/s", settings.speed);
@@ -138,8 +138,8 @@ Scene two_pins_scene() {
   return scene;
 }
 
-std::vector<double> quarrel(const EdgeCase& pins) {
-  std::vector<double> given;
+List<double> quarrel(const EdgeCase& pins) {
+  List<double> given;
   for (const Snapshot& now : pins.frames)
     given.push_back(now.joints[0].impulse.x() / (now.dt > 0 ? now.dt : time_step));
   return given;

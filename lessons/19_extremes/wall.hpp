@@ -3,9 +3,9 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::edges {
 
@@ -33,8 +33,8 @@ struct EdgeCase {
   double off = 0;             // the worst of all steps: 0 is right, 1 as far as the thing is large
   double energy_gain = 0;     // of the energy that the scene has to spend
   Stamp stamp = Stamp::ok;
-  std::vector<Snapshot> frames = {};  // one for each step, the start first
-  std::vector<double> off_by_step = {};
+  List<Snapshot> frames = {};  // one for each step, the start first
+  List<double> off_by_step = {};
   Aabb<double> view = {};  // [m] what is shown of it
 };
 
@@ -51,9 +51,9 @@ struct SmallWorld {
 
 /// In this order: heavy on light, light on heavy, the tower, a ball shot at a wall, one marked as fast, the
 /// pin, the sling, two pins that contradict each other.
-std::vector<SmallWorld> small_worlds(const WallSettings& settings);
+List<SmallWorld> small_worlds(const WallSettings& settings);
 
-inline constexpr std::size_t ball = 3, fast_ball = 4, pin = 5, sling = 6, two_pins = 7;
+inline constexpr int ball = 3, fast_ball = 4, pin = 5, sling = 6, two_pins = 7;
 inline constexpr double ball_radius = 0.5;  // [m]
 inline constexpr double pin_error = 0.05;   // [m] at the start
 inline constexpr double pins_apart = 0.4;   // [m]
@@ -62,7 +62,7 @@ inline constexpr double pins_beta = 0.2;
 /// One body, pinned in the middle to two places. It stands where the second pin wants it.
 Scene two_pins_scene();
 /// What the first row of the two pins has given after each step [N].
-std::vector<double> quarrel(const EdgeCase& pins);
+List<double> quarrel(const EdgeCase& pins);
 /// By formula: in every sweep it gives m beta d / dt more, which the other takes back.
 double quarrel_by_formula(const WallSettings& settings, int step);
 

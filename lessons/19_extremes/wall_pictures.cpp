@@ -5,7 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 #include "render/lint.hpp"
 #include "render/plot.hpp"
@@ -38,24 +39,24 @@ void draw_stamp(Page& page, const Point& right_base, Stamp stamp) {
 }
 
 /// The worst of all steps so far.
-double off_so_far(const EdgeCase& edge, std::size_t step) {
+double off_so_far(const EdgeCase& edge, int step) {
   const auto begin = edge.off_by_step.begin();
-  return *std::max_element(begin, begin + static_cast<std::ptrdiff_t>(step) + 1);
+  return *std::max_element(begin, begin + step + 1);
 }
 
 /// The stamp that the world would have, had it ended here; its energy is judged at the end.
-Stamp stamp_so_far(const EdgeCase& edge, std::size_t step) {
+Stamp stamp_so_far(const EdgeCase& edge, int step) {
   if (step + 1 >= edge.frames.size()) return edge.stamp;
   EdgeCase so_far{.off = off_so_far(edge, step)};
   return stamp_of(so_far);
 }
 
 /// Where the last body has been, each place as a ring: what is fast is seen nowhere else.
-void draw_places(Page& page, const render::Camera& camera, const EdgeCase& edge, std::size_t step) {
+void draw_places(Page& page, const render::Camera& camera, const EdgeCase& edge, int step) {
   const SnapshotBody& body = edge.frames[0].bodies.back();
   const double radius = std::max(2.0, bounding_radius(body.shapes[0]) * camera.scale);
-  const std::size_t first = step > 40 ? step - 40 : 0;
-  for (std::size_t k = first; k < step; ++k) {
+  const int first = step > 40 ? step - 40 : 0;
+  for (int k = first; k < step; ++k) {
     const Vec2<double>& at = edge.frames[k].bodies.back().pose.position;
     page.canvas().circle(camera.project(at), radius,
                          {.outline = page.theme().inactive, .outline_width = page.sizes().ghost});
@@ -69,7 +70,7 @@ std::string share_text(double share) {
   return share < 9999 ? fixed(share, 0) + " ×" : "> 9999 ×";
 }
 
-void draw_edge(Page& page, const Rect& rect, const EdgeCase& edge, std::size_t which, std::size_t step) {
+void draw_edge(Page& page, const Rect& rect, const EdgeCase& edge, int which, int step) {
   const Rect inside = page.panel(rect, edge.name);
   const double line = 1.6 * page.sizes().tick;
   const Rect view = {inside.x, inside.y, inside.width, inside.height - line - 2};
@@ -96,22 +97,21 @@ void draw_edge(Page& page, const Rect& rect, const EdgeCase& edge, std::size_t w
   draw_stamp(page, {inside.x + inside.width, base}, stamp_so_far(edge, step));
 }
 
-void draw_wall(Page& page, const ExtremesRun& run, std::size_t step) {
-  const std::vector<Rect> lines = rows(page.area(), {1, 1}, page.sizes().gap);
-  for (std::size_t i = 0; i < run.wall.size(); ++i) {
-    const std::vector<Rect> panels = columns(lines[i / 4], {1, 1, 1, 1}, page.sizes().gap);
+void draw_wall(Page& page, const ExtremesRun& run, int step) {
+  const List<Rect> lines = rows(page.area(), {1, 1}, page.sizes().gap);
+  for (int i = 0; i < run.wall.size(); ++i) {
+    const List<Rect> panels = columns(lines[i / 4], {1, 1, 1, 1}, page.sizes().gap);
     draw_edge(page, panels[i % 4], run.wall[i], i, step);
   }
 }
 
 Shot wall_shot(const Run& run, int step) {
-  const auto k = static_cast<std::size_t>(step);
   std::string alt = fmt::format("Eight small worlds after step {}:", step);
   for (const EdgeCase& edge : run->wall)
-    alt += fmt::format(" {}: {};", edge.name, stamp_text(stamp_so_far(edge, k)));
+    alt += fmt::format(" {}: {};", edge.name, stamp_text(stamp_so_far(edge, step)));
   alt.back() = '.';
-  return {.state = fmt::format("eight worlds · step {}", step), .alt = alt, .draw = [run, k](Page& page) {
-            draw_wall(page, *run, k);
+  return {.state = fmt::format("eight worlds · step {}", step), .alt = alt, .draw = [run, step](Page& page) {
+            draw_wall(page, *run, step);
           }};
 }
 
@@ -120,22 +120,22 @@ void draw_quarrel(Page& page, const Rect& rect, const ExtremesRun& run) {
   render::Plot plot{.title = "two pins: what each pulls with (kN)"};
   plot.x = {.title = "step", .min = 0, .max = run.settings.steps};
   plot.y = {.title = ""};
-  const std::vector<double> given = quarrel(run.wall[two_pins]);
+  const List<double> given = quarrel(run.wall[two_pins]);
   render::Series measured{.name = "SI", .style = page.theme().si};
   render::Series formula{.name = "", .style = page.theme().exact, .markers = false};
-  for (std::size_t k = 0; k < given.size(); ++k) {
-    measured.x.push_back(static_cast<double>(k));
+  for (int k = 0; k < given.size(); ++k) {
+    measured.x.push_back(k);
     measured.y.push_back(std::abs(given[k]) / 1000);
-    formula.x.push_back(static_cast<double>(k));
-    formula.y.push_back(std::abs(quarrel_by_formula(run.settings, static_cast<int>(k))) / 1000);
+    formula.x.push_back(k);
+    formula.y.push_back(std::abs(quarrel_by_formula(run.settings, k)) / 1000);
   }
   plot.series = {formula, measured};
   draw_plot(page, rect, plot);
 }
 
 void draw_numbers(Page& page, const ExtremesRun& run) {
-  const std::vector<Rect> lines = rows(page.area(), {0.52, 0.48}, page.sizes().gap);
-  const std::vector<Rect> top = columns(lines[0], {0.58, 0.42}, page.sizes().gap);
+  const List<Rect> lines = rows(page.area(), {0.52, 0.48}, page.sizes().gap);
+  const List<Rect> top = columns(lines[0], {0.58, 0.42}, page.sizes().gap);
   draw_quarrel(page, top[0], run);
   page.note(top[1], "How you notice",
             page.compact()
@@ -154,10 +154,10 @@ void draw_numbers(Page& page, const ExtremesRun& run) {
 
 }  // namespace
 
-std::vector<Shot> wall_shots(const Run& run) {
+List<Shot> wall_shots(const Run& run) {
   const int last = run->settings.steps;
   const std::set<int> keys = {3, 10, last};
-  std::vector<Shot> shots;
+  List<Shot> shots;
   for (int step = 0; step <= last; ++step) {
     shots.push_back(wall_shot(run, step));
     shots.back().key = keys.contains(step);

@@ -53,7 +53,7 @@ bool touches(const Snapshot& now, BodyId ball) {
 
 }  // namespace
 
-std::vector<Switches> all_switches() {
+List<Switches> all_switches() {
   return {
       {.name = "everything", .what = "every row, every sweep"},
       {.name = "shared friction",
@@ -71,8 +71,8 @@ std::vector<Switches> all_switches() {
        .sleeps = true}};
 }
 
-Group group_of(const NeedsSettings& settings, std::size_t body) {
-  const int index = static_cast<int>(body);
+Group group_of(const NeedsSettings& settings, BodyId body) {
+  const int index = body.index;
   if (index < 1 || index == pyramid_boxes + 1) return Group::loose;
   if (index <= pyramid_boxes) return Group::pyramid;
   return index <= pyramid_boxes + 1 + settings.tower ? Group::tower : Group::chain;
@@ -80,7 +80,7 @@ Group group_of(const NeedsSettings& settings, std::size_t body) {
 
 BodyId ball_of(const NeedsSettings&) { return {pyramid_boxes + 1}; }
 
-Scene scene_of(const NeedsSettings& settings, const Switches& switches, const std::vector<Thing>& things) {
+Scene scene_of(const NeedsSettings& settings, const Switches& switches, const List<Thing>& things) {
   // [switches]
   SceneSettings rules{.gravity = {0, -10}, .dt = time_step, .friction_rows = switches.friction_rows};
   if (switches.sleeps) rules.sleeping = Sleeping{};
@@ -95,12 +95,12 @@ Scene scene_of(const NeedsSettings& settings, const Switches& switches, const st
   return scene;
 }
 
-double largest_distance(const std::vector<Snapshot>& first, const std::vector<Snapshot>& second,
-                        std::size_t from, std::size_t last) {
+double largest_distance(const List<Snapshot>& first, const List<Snapshot>& second, int from, int last) {
   double largest = 0;
-  for (std::size_t k = from; k <= last; ++k) {
-    for (std::size_t i = 1; i < first[k].bodies.size(); ++i) {
-      const Vec2<double> gap = first[k].bodies[i].pose.position - second[k].bodies[i].pose.position;
+  for (int k = from; k <= last; ++k) {
+    for (const BodyId body : first[k].bodies.indices()) {
+      if (body == ground) continue;
+      const Vec2<double> gap = first[k].bodies[body].pose.position - second[k].bodies[body].pose.position;
       largest = std::max(largest, gap.norm());
     }
   }
@@ -123,21 +123,21 @@ int least_rows(const BillRun& run) {
   return least;
 }
 
-std::vector<Stage> stages_of(const NeedsSettings& settings, const Switches& switches, double tolerance) {
+List<Stage> stages_of(const NeedsSettings& settings, const Switches& switches, double tolerance) {
   using enum Thing;
-  const std::vector<std::vector<Thing>> split = {{pyramid_and_ball}, {tower}, {chain}};
-  const std::vector<std::vector<Thing>> whole = {{pyramid_and_ball, tower, chain}};
-  std::vector<Stage> stages;
-  for (const std::vector<Thing>& things : switches.by_island ? split : whole) {
+  const List<List<Thing>> split = {{pyramid_and_ball}, {tower}, {chain}};
+  const List<List<Thing>> whole = {{pyramid_and_ball, tower, chain}};
+  List<Stage> stages;
+  for (const List<Thing>& things : switches.by_island ? split : whole) {
     stages.push_back({World<double>(scene_of(settings, switches, things)),
                       SequentialImpulse<double>({.iterations = settings.sweeps, .tolerance = tolerance})});
   }
   return stages;
 }
 
-Snapshot together(const std::vector<Stage>& stages) {
+Snapshot together(const List<Stage>& stages) {
   Snapshot all = snapshot(stages[0].world);
-  for (std::size_t i = 1; i < stages.size(); ++i) {
+  for (int i = 1; i < stages.size(); ++i) {
     const Snapshot part = snapshot(stages[i].world);
     all.bodies.insert(all.bodies.end(), part.bodies.begin() + 1, part.bodies.end());
   }
@@ -148,9 +148,9 @@ double residual_left(const Stage& stage) {
   return residual(stage.world.last_step().problem, stage.scale.scale()).energy;
 }
 
-int first_touch(const std::vector<Snapshot>& frames, BodyId ball) {
-  for (std::size_t k = 1; k < frames.size(); ++k) {
-    if (touches(frames[k], ball)) return static_cast<int>(k);
+int first_touch(const List<Snapshot>& frames, BodyId ball) {
+  for (int k = 1; k < frames.size(); ++k) {
+    if (touches(frames[k], ball)) return k;
   }
   return 0;
 }

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 
 namespace cairn::needs {
 
@@ -34,9 +34,9 @@ struct Switches {
 
 /// In this order: everything, one row of friction a manifold, no friction, early exit, early exit by islands,
 /// sleep, all of them but no friction.
-std::vector<Switches> all_switches();
-inline constexpr std::size_t everything = 0, shared_friction = 1, no_friction = 2, early = 3, by_islands = 4,
-                             sleeping = 5, all_free = 6;
+List<Switches> all_switches();
+inline constexpr int everything = 0, shared_friction = 1, no_friction = 2, early = 3, by_islands = 4,
+                     sleeping = 5, all_free = 6;
 
 /// What one step has cost.
 struct StepBill {
@@ -49,20 +49,20 @@ struct StepBill {
 
 struct BillRun {
   Switches switches = {};
-  std::vector<Snapshot> frames = {};  // one for each step, the start first
-  std::vector<StepBill> steps = {};   // from step 1
-  long long updates = 0;              // of all steps
-  double seconds = 0;                 // that the steps took, on this machine
-  double off_before = 0;              // [m] from the reference, before the ball touches anything
-  double off_after = 0;               // [m] and until the end
+  List<Snapshot> frames = {};  // one for each step, the start first
+  List<StepBill> steps = {};   // from step 1
+  long long updates = 0;       // of all steps
+  double seconds = 0;          // that the steps took, on this machine
+  double off_before = 0;       // [m] from the reference, before the ball touches anything
+  double off_after = 0;        // [m] and until the end
 };
 
 struct NeedsRun {
   NeedsSettings settings = {};
-  BillRun reference = {};          // everything, until R_E is 1e-6, islands by themselves
-  std::vector<BillRun> runs = {};  // as all_switches()
-  double alone = 0;                // [m] how far bodies go another way if their island is a scene of its own
-  int touch = 0;                   // the step in which the ball reaches the pyramid; 0: never
+  BillRun reference = {};   // everything, until R_E is 1e-6, islands by themselves
+  List<BillRun> runs = {};  // as all_switches()
+  double alone = 0;         // [m] how far bodies go another way if their island is a scene of its own
+  int touch = 0;            // the step in which the ball reaches the pyramid; 0: never
 };
 
 /// The least rows of any step.
@@ -85,28 +85,27 @@ struct Stage {
   ScaleObserver scale = {};
 };
 
-std::vector<Stage> stages_of(const NeedsSettings& settings, const Switches& switches, double tolerance);
+List<Stage> stages_of(const NeedsSettings& settings, const Switches& switches, double tolerance);
 /// All stages as one world.
-Snapshot together(const std::vector<Stage>& stages);
+Snapshot together(const List<Stage>& stages);
 /// R_E after the last step.
 double residual_left(const Stage& stage);
 
 /// The first frame in which the ball touches anything but the ground; 0: never.
-int first_touch(const std::vector<Snapshot>& frames, BodyId ball);
+int first_touch(const List<Snapshot>& frames, BodyId ball);
 
 /// The island that a body is in at the start, by number; 0: it is alone.
 enum class Group { loose, pyramid, tower, chain };
-Group group_of(const NeedsSettings& settings, std::size_t body);
+Group group_of(const NeedsSettings& settings, BodyId body);
 
 /// The things by themselves, in the order of the whole scene.
 enum class Thing { pyramid_and_ball, tower, chain };
 /// The whole scene holds all things.
-Scene scene_of(const NeedsSettings& settings, const Switches& switches, const std::vector<Thing>& things);
+Scene scene_of(const NeedsSettings& settings, const Switches& switches, const List<Thing>& things);
 BodyId ball_of(const NeedsSettings& settings);
 
 /// The largest distance of any body in any frame [m], up to `last`.
-double largest_distance(const std::vector<Snapshot>& first, const std::vector<Snapshot>& second,
-                        std::size_t from, std::size_t last);
+double largest_distance(const List<Snapshot>& first, const List<Snapshot>& second, int from, int last);
 
 /// Rows of the scene in step 1, with so many behind each contact point and so many behind each manifold.
 int rows_by_formula(const NeedsSettings& settings, const Switches& switches);

@@ -1,7 +1,7 @@
 // Lesson 20: its card.
-#include "report.hpp"
+#include "lessons/lesson.hpp"
 
-namespace cairn::needs {
+namespace cairn {
 
 LessonInfo card() {
   return {
@@ -32,4 +32,4 @@ LessonInfo card() {
       .next = ""};
 }
 
-}  // namespace cairn::needs
+}  // namespace cairn

@@ -1,9 +1,8 @@
 // Exercise 20: the bill of a step.
 #pragma once
 
-#include <vector>
-
 #include "lessons/exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise20 {
 
@@ -18,9 +17,9 @@ struct Island {
 /// How many row updates a step takes that does only what it has to: each contact point has a normal row, each
 /// manifold one row of friction; what sleeps has none; and every island is swept until it is content,
 /// whatever the others need.
-int row_updates(const std::vector<Island>& islands);
+int row_updates(const List<Island>& islands);
 
-using Answer = int (*)(const std::vector<Island>&);
+using Answer = int (*)(const List<Island>&);
 void grade(Grade& grade, Answer answer);
 /// With the answer of exercise.cpp.
 Exercise exercise();

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise20 {
 namespace {
@@ -15,7 +16,7 @@ struct Tariff {
   bool once = false;      // one sweep only
 };
 
-int bill(const std::vector<Island>& islands, const Tariff& tariff) {
+int bill(const List<Island>& islands, const Tariff& tariff) {
   int most = 0, updates = 0;
   for (const Island& island : islands) {
     if (!island.asleep || tariff.sleepers_pay) most = std::max(most, island.sweeps);
@@ -31,7 +32,7 @@ int bill(const std::vector<Island>& islands, const Tariff& tariff) {
   return updates;
 }
 
-ExpectedNumber expected(const std::string& what, const std::vector<Island>& islands) {
+ExpectedNumber expected(const std::string& what, const List<Island>& islands) {
   return {.what = what + ": row updates",
           .value = static_cast<double>(bill(islands, {})),
           .tolerance = 0,
@@ -49,13 +50,13 @@ ExpectedNumber expected(const std::string& what, const std::vector<Island>& isla
 }  // namespace
 
 void grade(Grade& grade, Answer answer) {
-  const std::vector<Island> scene = {{.boxes = 15, .sweeps = 12, .asleep = false},
-                                     {.boxes = 10, .sweeps = 60, .asleep = true},
-                                     {.pins = 5, .sweeps = 40}};
+  const List<Island> scene = {{.boxes = 15, .sweeps = 12, .asleep = false},
+                              {.boxes = 10, .sweeps = 60, .asleep = true},
+                              {.pins = 5, .sweeps = 40}};
   grade.number(expected("pyramid awake, tower asleep, chain", scene), answer(scene));
-  const std::vector<Island> towers = {{.boxes = 10, .sweeps = 30}, {.boxes = 3, .pins = 1, .sweeps = 7}};
+  const List<Island> towers = {{.boxes = 10, .sweeps = 30}, {.boxes = 3, .pins = 1, .sweeps = 7}};
   grade.number(expected("two towers", towers), answer(towers));
-  const std::vector<Island> night = {{.boxes = 100, .sweeps = 50, .asleep = true}};
+  const List<Island> night = {{.boxes = 100, .sweeps = 50, .asleep = true}};
   grade.number(expected("all asleep", night), answer(night));
 }
 

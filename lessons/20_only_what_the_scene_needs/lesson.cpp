@@ -11,8 +11,8 @@
 #include <chrono>
 
 #include "bill.hpp"
-#include "pictures.hpp"
-#include "report.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 
 namespace {
 
@@ -20,7 +20,7 @@ using namespace cairn;
 using namespace cairn::needs;
 
 /// One step of the whole scene, or of its islands one by one, and what it has cost.
-StepBill step(std::vector<Stage>& stages) {
+StepBill step(List<Stage>& stages) {
   StepBill bill;
   // [bill]
   for (Stage& stage : stages) {
@@ -38,7 +38,7 @@ StepBill step(std::vector<Stage>& stages) {
 }
 
 BillRun run_under(const NeedsSettings& settings, const Switches& switches, double tolerance) {
-  std::vector<Stage> stages = stages_of(settings, switches, tolerance);
+  List<Stage> stages = stages_of(settings, switches, tolerance);
   BillRun run{.switches = switches, .frames = {together(stages)}};
   for (int k = 1; k <= settings.steps; ++k) {
     const auto start = std::chrono::steady_clock::now();
@@ -52,13 +52,13 @@ BillRun run_under(const NeedsSettings& settings, const Switches& switches, doubl
 
 NeedsRun run_all(const NeedsSettings& settings) {
   NeedsRun all{.settings = settings};
-  const auto last = static_cast<std::size_t>(settings.steps);
+  const int last = settings.steps;
   NeedsSettings thorough = settings;
   thorough.sweeps = 2000;
   // [runs]
   all.reference = run_under(thorough, all_switches()[by_islands], reference_tolerance);
   all.touch = first_touch(all.reference.frames, ball_of(settings));
-  const std::size_t before = all.touch > 0 ? static_cast<std::size_t>(all.touch) - 1 : last;
+  const int before = all.touch > 0 ? all.touch - 1 : last;
   for (const Switches& each : all_switches()) {
     BillRun run = run_under(settings, each, each.ends_early ? settings.tolerance : 0);
     run.off_before = largest_distance(run.frames, all.reference.frames, 1, before);
@@ -91,4 +91,4 @@ void run(Lesson& lesson) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return cairn::run_lesson(cairn::needs::card(), run, argc, argv); }
+int main(int argc, char** argv) { return cairn::run_lesson(cairn::card(), run, argc, argv); }

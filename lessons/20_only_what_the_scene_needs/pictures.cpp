@@ -1,13 +1,12 @@
 // The scene with its islands, awake or asleep, and below it what each switch pays for this step.
-#include "pictures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <set>
 
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
 
@@ -22,7 +21,7 @@ using Run = std::shared_ptr<const NeedsRun>;
 
 /// Horizontal bars, a number for each switch.
 void draw_amounts(Page& page, const Rect& rect, std::string_view title, const NeedsRun& all,
-                  const std::vector<double>& amounts) {
+                  const List<double>& amounts) {
   const Rect inside = page.panel(rect, title);
   const render::TextStyle name = page.tick();
   render::TextStyle value = page.tick();
@@ -30,15 +29,15 @@ void draw_amounts(Page& page, const Rect& rect, std::string_view title, const Ne
   value.color = page.theme().text;
   double names = 0;
   double most = 1;
-  for (std::size_t i = 0; i < amounts.size(); ++i) {
+  for (int i = 0; i < amounts.size(); ++i) {
     names = std::max(names, page.canvas().text_width(all.runs[i].switches.name, name));
     most = std::max(most, amounts[i]);
   }
   const double left = inside.x + names + 10;
   const double longest = inside.x + inside.width - left - page.canvas().text_width("9999999", value);
-  const double line = inside.height / static_cast<double>(amounts.size());
-  for (std::size_t i = 0; i < amounts.size(); ++i) {
-    const double middle = inside.y + line * (static_cast<double>(i) + 0.5);
+  const double line = inside.height / amounts.size();
+  for (int i = 0; i < amounts.size(); ++i) {
+    const double middle = inside.y + line * (i + 0.5);
     const double base = middle + 0.36 * name.size;
     const double width = longest * amounts[i] / most;
     page.canvas().text({inside.x, base}, all.runs[i].switches.name, name);
@@ -48,66 +47,65 @@ void draw_amounts(Page& page, const Rect& rect, std::string_view title, const Ne
   }
 }
 
-void draw_bill(Page& page, const Rect& rect, const NeedsRun& all, std::size_t step) {
-  std::vector<double> updates;
+void draw_bill(Page& page, const Rect& rect, const NeedsRun& all, int step) {
+  List<double> updates;
   for (const BillRun& run : all.runs) updates.push_back(static_cast<double>(run.steps[step - 1].updates));
   draw_amounts(page, rect, "row updates of this step", all, updates);
 }
 
 /// All of them are SI, so that they share its colour.
-render::SeriesStyle style_of(const Page& page, std::size_t which) {
-  const std::array<render::Marker, 3> markers = {render::Marker::square, render::Marker::circle,
-                                                 render::Marker::triangle};
-  const std::array<std::vector<double>, 3> dashes = {std::vector<double>{10, 6}, {3, 4}, {}};
+render::SeriesStyle style_of(const Page& page, int which) {
+  const FixedList<render::Marker, 3> markers = {render::Marker::square, render::Marker::circle,
+                                                render::Marker::triangle};
+  const FixedList<List<double>, 3> dashes = {List<double>{10, 6}, {3, 4}, {}};
   return {.color = page.theme().si.color, .dash = dashes[which], .marker = markers[which]};
 }
 
-void draw_course(Page& page, const Rect& rect, const NeedsRun& all, std::size_t step) {
+void draw_course(Page& page, const Rect& rect, const NeedsRun& all, int step) {
   render::Plot plot{.title = "row updates, step by step"};
   plot.x = {.min = 0, .max = all.settings.steps};
   double most = 1;
-  std::size_t which = 0;
-  for (const std::size_t i : {everything, sleeping, all_free}) {
+  int which = 0;
+  for (const int i : {everything, sleeping, all_free}) {
     render::Series series{.name = all.runs[i].switches.name, .style = style_of(page, which++)};
-    for (std::size_t k = 1; k <= all.runs[i].steps.size(); ++k) {
+    for (int k = 1; k <= all.runs[i].steps.size(); ++k) {
       const auto updates = static_cast<double>(all.runs[i].steps[k - 1].updates);
       most = std::max(most, updates);
       if (k > step) continue;
-      series.x.push_back(static_cast<double>(k));
+      series.x.push_back(k);
       series.y.push_back(updates);
     }
     plot.series.push_back(series);
   }
   plot.y = {.min = 0, .max = 1.15 * most};
-  plot.cursor = static_cast<double>(step);
+  plot.cursor = step;
   draw_plot(page, rect, plot);
 }
 
-void draw_step(Page& page, const NeedsRun& all, std::size_t step) {
-  const std::vector<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
+void draw_step(Page& page, const NeedsRun& all, int step) {
+  const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
   draw_scene(page, parts[0], all, step);
-  const std::vector<Rect> below = columns(parts[1], {0.46, 0.54}, page.sizes().gap);
+  const List<Rect> below = columns(parts[1], {0.46, 0.54}, page.sizes().gap);
   draw_bill(page, below[0], all, step);
   draw_course(page, below[1], all, step);
 }
 
 Shot step_shot(const Run& all, int step, bool key) {
-  const auto k = static_cast<std::size_t>(step);
-  const StepBill& whole = all->runs[everything].steps[k - 1];
-  const StepBill& asleep = all->runs[sleeping].steps[k - 1];
-  const StepBill& together = all->runs[all_free].steps[k - 1];
+  const StepBill& whole = all->runs[everything].steps[step - 1];
+  const StepBill& asleep = all->runs[sleeping].steps[step - 1];
+  const StepBill& together = all->runs[all_free].steps[step - 1];
   return {.state = fmt::format("step {} · {} of {} bodies awake", step, asleep.awake, whole.awake),
           .alt = fmt::format("Step {}: a pyramid, a tower, a chain and a ball; {} bodies are awake. Row "
                              "updates: {} with everything, {} with sleep, {} with all switches together.",
                              step, asleep.awake, whole.updates, asleep.updates, together.updates),
-          .draw = [all, k](Page& page) { draw_step(page, *all, k); },
+          .draw = [all, step](Page& page) { draw_step(page, *all, step); },
           .key = key};
 }
 
 std::string millimetres(double metres) { return fixed(1000 * metres, metres < 0.1 ? 1 : 0); }
 
 void draw_total(Page& page, const Rect& rect, const NeedsRun& all) {
-  std::vector<double> thousands;
+  List<double> thousands;
   for (const BillRun& run : all.runs) thousands.push_back(static_cast<double>(run.updates) / 1000);
   draw_amounts(page, rect, "row updates of all steps, thousands", all, thousands);
 }
@@ -125,12 +123,12 @@ void draw_table(Page& page, const NeedsRun& all) {
   }
   if (page.compact()) {
     table.header = {"switch", "updates", "of all", "before", "after (mm)"};
-    for (std::vector<std::string>& row : table.rows) row.erase(row.begin() + 1, row.begin() + 3);
+    for (List<std::string>& row : table.rows) row.erase(row.begin() + 1, row.begin() + 3);
   }
   const double top = page.compact() ? 0.52 : 0.5;
-  const std::vector<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
   page.table(parts[0], "", table);
-  const std::vector<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
   draw_total(page, below[0], all);
   page.note(
       below[1], "Off",
@@ -152,9 +150,9 @@ void draw_choice(Page& page, const NeedsRun&) {
                 {"things at rest", "sleep", "no rows at all", "20"}};
   if (page.compact()) {
     table.header.erase(table.header.begin() + 2);
-    for (std::vector<std::string>& row : table.rows) row.erase(row.begin() + 2);
+    for (List<std::string>& row : table.rows) row.erase(row.begin() + 2);
   }
-  const std::vector<Rect> parts = rows(page.area(), {0.58, 0.42}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.58, 0.42}, page.sizes().gap);
   page.table(parts[0], "", table);
   page.note(parts[1], "Section 5",
             page.compact()
@@ -165,15 +163,14 @@ void draw_choice(Page& page, const NeedsRun&) {
                   "is a lesson; none of them is worth a row that the scene does not need.");
 }
 
-void draw_note(Page& page, const NeedsRun& all, std::size_t step, std::string_view title,
-               std::string_view text) {
-  const std::vector<Rect> parts = rows(page.area(), {0.66, 0.34}, page.sizes().gap);
+void draw_note(Page& page, const NeedsRun& all, int step, std::string_view title, std::string_view text) {
+  const List<Rect> parts = rows(page.area(), {0.66, 0.34}, page.sizes().gap);
   draw_scene(page, parts[0], all, step);
   page.note(parts[1], title, text);
 }
 
 std::string answer_text(const NeedsRun& all) {
-  const auto share = [&](std::size_t i) {
+  const auto share = [&](int i) {
     return fixed(
         100 * static_cast<double>(all.runs[i].updates) / static_cast<double>(all.runs[everything].updates),
         0);
@@ -195,9 +192,9 @@ std::set<int> key_steps(const NeedsRun& all) {
 
 }  // namespace
 
-std::vector<Shot> needs_shots(const NeedsRun& recorded) {
+List<Shot> needs_shots(const NeedsRun& recorded) {
   const Run all = std::make_shared<const NeedsRun>(recorded);
-  const auto note_shot = [&](std::string state, std::string alt, std::size_t step, std::string title,
+  const auto note_shot = [&](std::string state, std::string alt, int step, std::string title,
                              std::string text) {
     return Shot{.state = std::move(state),
                 .alt = std::move(alt),
@@ -205,7 +202,7 @@ std::vector<Shot> needs_shots(const NeedsRun& recorded) {
                 .key = true};
   };
   const StepBill& first = all->runs[everything].steps[0];
-  std::vector<Shot> shots;
+  List<Shot> shots;
   shots.push_back(note_shot(
       "before the first step", "A pyramid, a tower, a chain and a ball in flight, and the question.", 0,
       "Predict",
@@ -225,7 +222,7 @@ std::vector<Shot> needs_shots(const NeedsRun& recorded) {
                    .draw = [all](Page& page) { draw_choice(page, *all); },
                    .key = true});
   shots.push_back(note_shot("the answer", "The scene at the end, and the answer: " + answer_text(*all),
-                            static_cast<std::size_t>(all->settings.steps), "Answer", answer_text(*all)));
+                            all->settings.steps, "Answer", answer_text(*all)));
   return shots;
 }
 

@@ -1,9 +1,9 @@
 // What lesson 20 prints, and the claims that it makes.
-#include "report.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "parts.hpp"
 
 namespace cairn::needs {
 
@@ -31,9 +31,9 @@ void print_bills(Lesson& lesson, const NeedsRun& all) {
 
 void print_steps(Lesson& lesson, const NeedsRun& all) {
   lesson.print("rows × sweeps in step       1      20      40      60      80     100     120     140");
-  for (const std::size_t i : {everything, by_islands, sleeping, all_free}) {
+  for (const int i : {everything, by_islands, sleeping, all_free}) {
     std::string line = fmt::format("  {:<20}", all.runs[i].switches.name);
-    for (const std::size_t k : {1u, 20u, 40u, 60u, 80u, 100u, 120u, 140u}) {
+    for (const int k : {1, 20, 40, 60, 80, 100, 120, 140}) {
       if (k <= all.runs[i].steps.size()) line += fmt::format("{:>8}", all.runs[i].steps[k - 1].updates);
     }
     lesson.print(line);
@@ -54,20 +54,20 @@ SleepFacts look_at_sleep(const NeedsRun& all) {
   SleepFacts facts;
   const BillRun& run = all.runs[sleeping];
   const BodyId ball = ball_of(all.settings);
-  for (std::size_t k = 1; k < run.frames.size(); ++k) {
+  for (int k = 1; k < run.frames.size(); ++k) {
     const Snapshot& before = run.frames[k - 1];
     const Snapshot& now = run.frames[k];
-    for (std::size_t i = 1; i < now.bodies.size(); ++i) {
-      if (before.bodies[i].awake || now.bodies[i].awake) continue;
-      const Vec2<double> gap = now.bodies[i].pose.position - before.bodies[i].pose.position;
+    for (const BodyId body : now.bodies.indices()) {
+      if (body == ground || before.bodies[body].awake || now.bodies[body].awake) continue;
+      const Vec2<double> gap = now.bodies[body].pose.position - before.bodies[body].pose.position;
       facts.moved = std::max(facts.moved, gap.norm());
     }
     bool at_ball = false;
     for (const SnapshotContact& contact : now.contacts)
       at_ball = at_ball || contact.a == ball || contact.b == ball;
-    if (facts.touched == 0 && at_ball) facts.touched = static_cast<int>(k);
-    if (facts.woken == 0 && !before.bodies[1].awake && now.bodies[1].awake) facts.woken = static_cast<int>(k);
-    if (!at_ball && run.steps[k - 1].awake == all.settings.links + 1 && !before.bodies[1].awake) {
+    if (facts.touched == 0 && at_ball) facts.touched = k;
+    if (facts.woken == 0 && !before.bodies[{1}].awake && now.bodies[{1}].awake) facts.woken = k;
+    if (!at_ball && run.steps[k - 1].awake == all.settings.links + 1 && !before.bodies[{1}].awake) {
       facts.such_steps += 1;
       // Those that fall asleep in this step had rows in it.
       if (k >= 2 && run.steps[k - 2].awake == all.settings.links + 1)
@@ -93,7 +93,7 @@ void check_all(Lesson& lesson, const NeedsRun& all) {
                        facts.touched, 0);
   }
   double residual = 0;
-  for (const std::size_t i : {early, by_islands, all_free}) {
+  for (const int i : {early, by_islands, all_free}) {
     for (const StepBill& bill : all.runs[i].steps) residual = std::max(residual, bill.residual);
   }
   lesson.check_small("a step that ends early has R_E at most as asked for", residual, all.settings.tolerance);
@@ -120,11 +120,9 @@ void report(Lesson& lesson, const NeedsRun& all) {
 CsvTable bills_table(const NeedsRun& all) {
   CsvTable table{.header = {"switch", "step", "rows", "sweeps", "updates", "awake"}};
   for (const BillRun& run : all.runs) {
-    for (std::size_t k = 0; k < run.steps.size(); ++k) {
+    for (int k = 0; k < run.steps.size(); ++k) {
       const StepBill& bill = run.steps[k];
-      table.rows.push_back({run.switches.name, static_cast<long long>(k + 1),
-                            static_cast<long long>(bill.rows), static_cast<long long>(bill.sweeps),
-                            bill.updates, static_cast<long long>(bill.awake)});
+      table.rows.push_back({run.switches.name, k + 1, bill.rows, bill.sweeps, bill.updates, bill.awake});
     }
   }
   return table;

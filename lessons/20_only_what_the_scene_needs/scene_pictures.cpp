@@ -1,7 +1,8 @@
 // The scene: islands in frames, and those that sleep pale.
 #include <algorithm>
 
-#include "pictures.hpp"
+#include "math/list.hpp"
+#include "parts.hpp"
 #include "render/draw.hpp"
 
 namespace cairn::needs {
@@ -12,7 +13,7 @@ using render::Page;
 using render::Point;
 using render::Rect;
 
-const std::size_t shown = sleeping;  // the run whose bodies are drawn
+const int shown = sleeping;  // the run whose bodies are drawn
 
 /// What an island of the frame is like.
 struct Island {
@@ -25,13 +26,13 @@ Island island_of(const NeedsRun& all, const Snapshot& now, Group group) {
   Snapshot part = now;
   part.bodies.resize(1);
   Island island;
-  for (std::size_t i = 1; i < now.bodies.size(); ++i) {
-    if (group_of(all.settings, i) != group) continue;
-    part.bodies.push_back(now.bodies[i]);
+  for (const BodyId body : now.bodies.indices()) {
+    if (group_of(all.settings, body) != group) continue;
+    part.bodies.push_back(now.bodies[body]);
     ++island.bodies;
-    island.awake += now.bodies[i].awake ? 1 : 0;
+    island.awake += now.bodies[body].awake ? 1 : 0;
   }
-  island.box = render::bounds_of(std::vector<Snapshot>{part});
+  island.box = render::bounds_of(List<Snapshot>{part});
   return island;
 }
 
@@ -43,20 +44,20 @@ void draw_island(Page& page, const render::Camera& camera, const Island& island,
       camera.project({island.box.lower.x() - margin, std::max(0.0, island.box.lower.y() - margin)});
   const Point high = camera.project({island.box.upper.x() + margin, island.box.upper.y() + margin});
   const bool asleep = island.awake == 0;
-  const std::vector<Point> frame = {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low};
+  const List<Point> frame = {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low};
   page.canvas().polyline(frame, {.width = page.sizes().axis,
                                  .color = asleep ? theme.inactive : theme.si.color,
-                                 .dash = asleep ? std::vector<double>{2, 5} : std::vector<double>{8, 5}});
+                                 .dash = asleep ? List<double>{2, 5} : List<double>{8, 5}});
   render::TextStyle text = page.tick();
   text.align = render::Align::center;
   text.halo = theme.panel;
   const std::string state = asleep ? "asleep" : "awake";
   const double x = (low.x() + high.x()) / 2, above = high.y() - 0.4 * text.size;
-  const std::vector<Point> places = {{x, above},
-                                     {x, above - 1.3 * text.size},
-                                     {x, low.y() + 1.3 * text.size},
-                                     {x, above - 2.6 * text.size},
-                                     {x, low.y() + 2.6 * text.size}};
+  const List<Point> places = {{x, above},
+                              {x, above - 1.3 * text.size},
+                              {x, low.y() + 1.3 * text.size},
+                              {x, above - 2.6 * text.size},
+                              {x, low.y() + 2.6 * text.size}};
   page.place_text(places, camera.viewport, name + ": " + state, text);
 }
 
@@ -68,7 +69,7 @@ Aabb<double> view_of(const NeedsSettings& settings) {
 
 }  // namespace
 
-void draw_scene(Page& page, const Rect& rect, const NeedsRun& all, std::size_t step) {
+void draw_scene(Page& page, const Rect& rect, const NeedsRun& all, int step) {
   const Rect inside = page.panel(rect, "");
   const render::Camera camera = render::fit(inside, view_of(all.settings));
   const Snapshot& now = all.runs[shown].frames[step];

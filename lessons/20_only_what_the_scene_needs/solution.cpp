@@ -1,9 +1,10 @@
 // Exercise 20, answered.
 #include "exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise20 {
 
-int row_updates(const std::vector<Island>& islands) {
+int row_updates(const List<Island>& islands) {
   int updates = 0;
   for (const Island& island : islands) {
     if (island.asleep) continue;

@@ -19,7 +19,7 @@ namespace cairn::driver {
 namespace {
 
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
+using Words = List<std::string>;
 
 constexpr int lesson_skipped = 77;
 constexpr int cannot_make = 3;
@@ -149,7 +149,7 @@ void remove_old_pictures(const fs::path& folder, const Book& book) {
   for (const BookLesson& lesson : book) {
     for (const BookFrame& frame : lesson.frames) shown.insert({frame.light, frame.dark});
   }
-  std::vector<fs::path> old;
+  List<fs::path> old;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     const bool is_ours = name.rfind("lesson", 0) == 0 && entry.path().extension() == ".png";
@@ -160,7 +160,7 @@ void remove_old_pictures(const fs::path& folder, const Book& book) {
 
 void write_pages(const fs::path& folder, const Book& book) {
   const fs::path source = fs::path(CAIRN_LESSONS_FOLDER) / "driver";
-  for (std::size_t i = 0; i < book.size(); ++i) {
+  for (int i = 0; i < book.size(); ++i) {
     write_whole(folder / page_name(book[i].program), lesson_page(book, i));
   }
   for (const char* name : {"book.css", "book.js"}) write_whole(folder / name, text_of(source / name));
@@ -190,7 +190,7 @@ int make_book(const Context& context, const Workshop& shop) {
     }
   }
   write_pages(shop.book, book);
-  std::size_t pictures = 0;
+  int pictures = 0;
   for (const BookLesson& lesson : book) pictures += 2 * lesson.frames.size();
   console.result(fmt::format("{} lessons, {} pictures, {:.1f} MB: open {}", book.size(), pictures,
                              static_cast<double>(size_of(shop.book)) / 1e6,

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "lessons/driver/catalogue.hpp"
+#include "math/list.hpp"
 
 namespace cairn::driver {
 
@@ -32,11 +32,11 @@ struct BookLesson {
   int frames_in_all = 0;
   int width = 0;  // [px] of its pictures
   int height = 0;
-  std::vector<BookFrame> frames = {};
-  std::vector<BookSource> exercise = {};
+  List<BookFrame> frames = {};
+  List<BookSource> exercise = {};
 };
 
-using Book = std::vector<BookLesson>;
+using Book = List<BookLesson>;
 
 /// "lesson06.html".
 std::string page_name(const Program& program);
@@ -45,7 +45,7 @@ std::string page_name(const Program& program);
 const BookFrame* cover_of(const BookLesson& lesson);
 
 /// HTML of the page of one lesson. @throws std::runtime_error when this build cannot read Markdown.
-std::string lesson_page(const Book& book, std::size_t index);
+std::string lesson_page(const Book& book, int index);
 
 /// HTML of the table of contents, around the text of book.md.
 std::string index_page(const Book& book, const std::string& text);

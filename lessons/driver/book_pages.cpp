@@ -6,6 +6,7 @@
 #include "lessons/driver/book.hpp"
 #include "lessons/driver/book_text.hpp"
 #include "lessons/driver/exercises.hpp"
+#include "math/list.hpp"
 
 namespace cairn::driver {
 namespace {
@@ -97,7 +98,7 @@ std::string player(const BookLesson& lesson) {
   std::string text = "<section class=\"player\" aria-label=\"Frames\">\n<ol class=\"frames\">\n";
   for (const BookFrame& frame : lesson.frames) text += frame_item(lesson, frame);
   text += "</ol>\n" + fmt::format(player_controls, lesson.frames.size() - 1);
-  if (lesson.frames.size() < static_cast<std::size_t>(lesson.frames_in_all)) {
+  if (lesson.frames.size() < lesson.frames_in_all) {
     text += fmt::format(
         "<p class=\"note\">{} of {} frames; <code>bash lessons/run {} --frames all</code> draws the others "
         "too.</p>\n",
@@ -139,7 +140,7 @@ struct Addition {
   bool is_first = false;  // behind the heading instead of at the end
 };
 
-void add(std::vector<Section>& sections, const Addition& addition) {
+void add(List<Section>& sections, const Addition& addition) {
   if (addition.html.empty()) return;
   for (Section& section : sections) {
     if (section.title != addition.section) continue;
@@ -151,7 +152,7 @@ void add(std::vector<Section>& sections, const Addition& addition) {
 }
 
 /// The lessons before and behind this one.
-std::string turning(const Book& book, std::size_t index) {
+std::string turning(const Book& book, int index) {
   std::string text = "<nav class=\"turn\" aria-label=\"Lessons\">\n";
   if (index > 0) text += page_link(book[index - 1], "← " + escaped(numbered(book[index - 1])), "prev") + "\n";
   text += "<a href=\"index.html\">All lessons</a>\n";
@@ -221,9 +222,9 @@ const BookFrame* cover_of(const BookLesson& lesson) {
   return lesson.frames.empty() ? nullptr : &lesson.frames.front();
 }
 
-std::string lesson_page(const Book& book, std::size_t index) {
+std::string lesson_page(const Book& book, int index) {
   const BookLesson& lesson = book[index];
-  std::vector<Section> sections = sections_of(lesson.text, places_for(book, lesson));
+  List<Section> sections = sections_of(lesson.text, places_for(book, lesson));
   if (sections.empty()) sections.push_back({.html = "<h1>" + escaped(numbered(lesson)) + "</h1>"});
   sections.front().html = with_idea(sections.front().html, lesson);
   add(sections, {"What to look at", "The frames", player(lesson), true});

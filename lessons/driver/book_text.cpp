@@ -197,11 +197,11 @@ std::string code_figure(const std::string& anchor, const std::string& caption, s
       anchor, caption, escaped(code));
 }
 
-std::vector<Section> sections_of(const std::string& markdown, const TextPlaces& places) {
+List<Section> sections_of(const std::string& markdown, const TextPlaces& places) {
   const std::string plain = html_of(markdown);
   const std::string linked = with_links(plain, with_quotes(places, plain));
   const std::string html = with_pictures_and_tables(with_code(linked), places);
-  std::vector<Section> sections;
+  List<Section> sections;
   for (std::size_t begin = 0; begin < html.size();) {
     const std::size_t end = std::min(html.find("<h2>", begin + 1), html.size());
     Section section = {.html = html.substr(begin, end - begin)};

@@ -4,7 +4,8 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace cairn::driver {
 
@@ -28,7 +29,7 @@ struct Section {
 };
 
 /// The text of a lesson in sections: links led on, blocks of code named, headings with anchors.
-std::vector<Section> sections_of(const std::string& markdown, const TextPlaces& places);
+List<Section> sections_of(const std::string& markdown, const TextPlaces& places);
 
 /// A file or an excerpt as a figure with a caption; `caption` is HTML.
 std::string code_figure(const std::string& anchor, const std::string& caption, std::string_view code);

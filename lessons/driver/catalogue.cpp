@@ -35,8 +35,8 @@ std::string today() {
 
 std::string two_digits(int number) { return (number < 10 ? "0" : "") + std::to_string(number); }
 
-std::vector<Program> programs_in(const fs::path& folder) {
-  std::vector<Program> programs;
+List<Program> programs_in(const fs::path& folder) {
+  List<Program> programs;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
@@ -48,7 +48,7 @@ std::vector<Program> programs_in(const fs::path& folder) {
   return programs;
 }
 
-const Program* find(const std::vector<Program>& programs, std::string_view word) {
+const Program* find(const List<Program>& programs, std::string_view word) {
   const bool is_number = !word.empty() && word.size() <= 2 &&
                          std::all_of(word.begin(), word.end(),
                                      [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });

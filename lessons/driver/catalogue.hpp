@@ -5,7 +5,8 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace cairn::driver {
 
@@ -16,11 +17,11 @@ struct Program {
 };
 
 /// The lesson programs in a folder, by number.
-std::vector<Program> programs_in(const std::filesystem::path& folder);
+List<Program> programs_in(const std::filesystem::path& folder);
 
 /// The lesson that a person means by "6", "06", "lesson06", "sequential_impulses" or the whole name; nullptr
 /// if none.
-const Program* find(const std::vector<Program>& programs, std::string_view word);
+const Program* find(const List<Program>& programs, std::string_view word);
 
 /// "06".
 std::string two_digits(int number);

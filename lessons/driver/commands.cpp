@@ -22,16 +22,16 @@ constexpr int bad_usage = 2;
 constexpr int skipped = 77;
 constexpr int list_width = 100;
 
-std::vector<std::string> command(const Program& program, const std::vector<std::string>& words,
-                                 const std::vector<std::string>& flags) {
-  std::vector<std::string> command = {program.path.string()};
+List<std::string> command(const Program& program, const List<std::string>& words,
+                          const List<std::string>& flags) {
+  List<std::string> command = {program.path.string()};
   command.insert(command.end(), words.begin(), words.end());
   command.insert(command.end(), flags.begin(), flags.end());
   return command;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
+List<std::string> lines_of(const std::string& text) {
+  List<std::string> lines;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     lines.push_back(text.substr(begin, end - begin));
@@ -47,7 +47,7 @@ struct Outcome {
   int held = 0;
   int pictures = 0;
   double seconds = 0;
-  std::vector<std::string> complaints = {};
+  List<std::string> complaints = {};
 };
 
 void read_checks(const std::string& output, Outcome& outcome) {
@@ -60,7 +60,7 @@ void read_checks(const std::string& output, Outcome& outcome) {
   }
 }
 
-Outcome run_one_of_many(const Program& program, const std::vector<std::string>& flags) {
+Outcome run_one_of_many(const Program& program, const List<std::string>& flags) {
   const fs::path out = fs::path("out") / program.name.substr(0, 8);
   const auto start = std::chrono::steady_clock::now();
   const ProcessResult result = run_quietly(
@@ -94,12 +94,12 @@ std::string short_list(const Context& context) {
   return text;
 }
 
-int run_all(const Context& context, const std::vector<std::string>& flags) {
+int run_all(const Context& context, const List<std::string>& flags) {
   Console console(context.settings);
   Progress progress(context.settings, "lessons", context.programs.size());
   int failed = 0;
   int pictures = 0;
-  for (std::size_t i = 0; i < context.programs.size(); ++i) {
+  for (int i = 0; i < context.programs.size(); ++i) {
     const Program& program = context.programs[i];
     progress.advance(i);
     const Outcome outcome = run_one_of_many(program, flags);
@@ -141,7 +141,7 @@ int list(const Context& context) {
   return 0;
 }
 
-int next(const Context& context, const std::vector<std::string>& flags) {
+int next(const Context& context, const List<std::string>& flags) {
   Console console(context.settings);
   const ProgressNotes notes = read_progress(context.progress_file);
   for (const Program& program : context.programs) {
@@ -155,7 +155,7 @@ int next(const Context& context, const std::vector<std::string>& flags) {
   return 0;
 }
 
-int check_one(const Context& context, const Program& program, const std::vector<std::string>& flags) {
+int check_one(const Context& context, const Program& program, const List<std::string>& flags) {
   Console console(context.settings);
   int code = run_aloud(command(program, {"--check"}, flags));
   const std::optional<ExerciseFiles> exercise = exercise_of(program);
@@ -166,9 +166,9 @@ int check_one(const Context& context, const Program& program, const std::vector<
   return code;
 }
 
-int hint(const Context& context, const Program& program, const std::vector<std::string>& number) {
+int hint(const Context& context, const Program& program, const List<std::string>& number) {
   const std::optional<ExerciseFiles> exercise = exercise_of(program);
-  std::vector<std::string> words = {exercise ? exercise->program.string() : program.path.string(), "--hint"};
+  List<std::string> words = {exercise ? exercise->program.string() : program.path.string(), "--hint"};
   words.insert(words.end(), number.begin(), number.end());
   if (!exercise && context.settings.plain) words.push_back("--plain");
   return become(words);
@@ -189,7 +189,7 @@ int solution(const Context& context, const Program& program) {
   return show_solution(program, *exercise);
 }
 
-int check_all(const Context& context, const std::vector<std::string>& flags) {
+int check_all(const Context& context, const List<std::string>& flags) {
   int failed = 0;
   for (const Program& program : context.programs) {
     const int code = run_aloud(command(program, {"--check"}, flags));

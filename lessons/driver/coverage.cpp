@@ -47,8 +47,8 @@ Covered covered_in(const std::string& line, const std::string& place) {
 
 }  // namespace
 
-const std::vector<PaperItem>& paper_items() {
-  static const std::vector<PaperItem> items = {
+const List<PaperItem>& paper_items() {
+  static const List<PaperItem> items = {
       {"(1)", "the system velocity v"},
       {"(2)", "the system mass M⁻¹"},
       {"(3)", "a constraint c = 0"},
@@ -105,10 +105,10 @@ const std::vector<PaperItem>& paper_items() {
   return items;
 }
 
-std::vector<Covered> covered_by(const Program& lesson) {
+List<Covered> covered_by(const Program& lesson) {
   const std::filesystem::path file = lesson_folder(lesson) / "covers.txt";
   std::ifstream stream(file);
-  std::vector<Covered> all;
+  List<Covered> all;
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
@@ -139,8 +139,7 @@ int coverage(const Context& context) {
       ++missing;
     }
   }
-  console.result(fmt::format("{} of {} items are met",
-                             paper_items().size() - static_cast<std::size_t>(missing), paper_items().size()));
+  console.result(fmt::format("{} of {} items are met", paper_items().size() - missing, paper_items().size()));
   return missing > 0 ? 1 : 0;
 }
 

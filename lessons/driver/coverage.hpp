@@ -2,9 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "lessons/driver/catalogue.hpp"
+#include "math/list.hpp"
 
 namespace cairn::driver {
 
@@ -15,7 +15,7 @@ struct PaperItem {
 };
 
 /// Everything that the paper states and a lesson has to meet.
-const std::vector<PaperItem>& paper_items();
+const List<PaperItem>& paper_items();
 
 /// Where a lesson meets an item, as its covers.txt says.
 struct Covered {
@@ -25,6 +25,6 @@ struct Covered {
 };
 
 /// @throws std::runtime_error for a line that is not "item | frame | check" or names no item.
-std::vector<Covered> covered_by(const Program& lesson);
+List<Covered> covered_by(const Program& lesson);
 
 }  // namespace cairn::driver

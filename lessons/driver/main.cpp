@@ -10,12 +10,13 @@
 #include "lessons/driver/commands.hpp"
 #include "lessons/driver/process.hpp"
 #include "lessons/words.hpp"
+#include "math/list.hpp"
 
 namespace {
 
 using namespace cairn;
 using namespace cairn::driver;
-using Words = std::vector<std::string>;
+using Words = List<std::string>;
 
 constexpr const char* help_text = R"(lessons - how constraint solvers work, one program per idea
 

@@ -4,7 +4,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -12,8 +11,8 @@
 namespace cairn::driver {
 namespace {
 
-std::vector<char*> arguments_of(std::vector<std::string>& words) {
-  std::vector<char*> arguments;
+List<char*> arguments_of(List<std::string>& words) {
+  List<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   return arguments;
@@ -28,16 +27,16 @@ int wait_for(pid_t child) {
 }
 
 /// In the child, where no destructor of the parent may run.
-[[noreturn]] void start(const std::vector<char*>& arguments) {
+[[noreturn]] void start(const List<char*>& arguments) {
   execv(arguments[0], arguments.data());
   _exit(127);
 }
 
 }  // namespace
 
-ProcessResult run_quietly(const std::vector<std::string>& words) {
-  std::vector<std::string> copy = words;
-  const std::vector<char*> arguments = arguments_of(copy);
+ProcessResult run_quietly(const List<std::string>& words) {
+  List<std::string> copy = words;
+  const List<char*> arguments = arguments_of(copy);
   int ends[2] = {-1, -1};
   if (pipe(ends) != 0) return {.code = 127, .output = std::strerror(errno)};
   std::fflush(nullptr);
@@ -51,9 +50,9 @@ ProcessResult run_quietly(const std::vector<std::string>& words) {
   }
   close(ends[1]);
   ProcessResult result;
-  std::array<char, 4096> buffer = {};
+  FixedList<char, 4096> buffer = {};
   for (ssize_t count = 0; (count = read(ends[0], buffer.data(), buffer.size())) != 0;) {
-    if (count > 0) result.output.append(buffer.data(), static_cast<std::size_t>(count));
+    if (count > 0) result.output.append(buffer.data(), buffer.data() + count);
     if (count < 0 && errno != EINTR) break;
   }
   close(ends[0]);
@@ -61,18 +60,18 @@ ProcessResult run_quietly(const std::vector<std::string>& words) {
   return result;
 }
 
-int run_aloud(const std::vector<std::string>& words) {
-  std::vector<std::string> copy = words;
-  const std::vector<char*> arguments = arguments_of(copy);
+int run_aloud(const List<std::string>& words) {
+  List<std::string> copy = words;
+  const List<char*> arguments = arguments_of(copy);
   std::fflush(nullptr);
   const pid_t child = fork();
   if (child == 0) start(arguments);
   return child < 0 ? 127 : wait_for(child);
 }
 
-int become(const std::vector<std::string>& words) {
-  std::vector<std::string> copy = words;
-  const std::vector<char*> arguments = arguments_of(copy);
+int become(const List<std::string>& words) {
+  List<std::string> copy = words;
+  const List<char*> arguments = arguments_of(copy);
   std::fflush(nullptr);
   execv(arguments[0], arguments.data());
   std::fprintf(stderr, "lessons: cannot start %s: %s\n", words[0].c_str(), std::strerror(errno));

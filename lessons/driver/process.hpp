@@ -2,7 +2,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace cairn::driver {
 
@@ -12,12 +13,12 @@ struct ProcessResult {
 };
 
 /// Runs a program to its end and keeps what it says. `words` begin with the path of the program.
-ProcessResult run_quietly(const std::vector<std::string>& words);
+ProcessResult run_quietly(const List<std::string>& words);
 
 /// Runs a program that speaks for itself. Returns its exit code.
-int run_aloud(const std::vector<std::string>& words);
+int run_aloud(const List<std::string>& words);
 
 /// Becomes the program, so that the keyboard and Ctrl-C are its own. Returns only when it cannot be started.
-int become(const std::vector<std::string>& words);
+int become(const List<std::string>& words);
 
 }  // namespace cairn::driver

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/list.hpp"
 #include "render/lint.hpp"
 #include "render/text_layout.hpp"
 
@@ -32,13 +33,13 @@ void draw_star(render::Canvas& canvas, const Point& middle, double radius, const
 
 /// Cells side by side that hold, in one row.
 struct Run {
-  std::size_t first = 0;
-  std::size_t count = 0;
+  int first = 0;
+  int count = 0;
 };
 
-Run longest_run(const AtlasGrid& grid, std::size_t y) {
+Run longest_run(const AtlasGrid& grid, int y) {
   Run best, run;
-  for (std::size_t x = 0; x < grid.columns(); ++x) {
+  for (int x = 0; x < grid.columns(); ++x) {
     if (grid.ending(x, y) != AtlasClass::holds) {
       run = {x + 1, 0};
       continue;
@@ -51,16 +52,16 @@ Run longest_run(const AtlasGrid& grid, std::size_t y) {
 
 /// In the longest run of all rows, the middle one of several.
 void write_boundary_name(render::Page& page, const AtlasGrid& grid) {
-  std::vector<std::size_t> best;
-  std::size_t longest = 0;
-  for (std::size_t y = 0; y < grid.rows(); ++y) {
-    const std::size_t count = longest_run(grid, y).count;
+  List<int> best;
+  int longest = 0;
+  for (int y = 0; y < grid.rows(); ++y) {
+    const int count = longest_run(grid, y).count;
     if (count > longest) best.clear();
     if (count > 0 && count >= longest) best.push_back(y);
     longest = std::max(longest, count);
   }
   if (best.empty()) return;
-  const std::size_t y = best[best.size() / 2];
+  const int y = best[best.size() / 2];
   const Run run = longest_run(grid, y);
   const double left = grid.left(run.first), right = grid.left(run.first + run.count);
   const render::TextStyle style = boundary_style(page);
@@ -77,10 +78,10 @@ bool differ(AtlasClass a, AtlasClass b) {
   return (a == AtlasClass::holds) != (b == AtlasClass::holds);
 }
 
-std::vector<std::pair<Point, Point>> boundary_lines(const AtlasGrid& grid) {
-  std::vector<std::pair<Point, Point>> lines;
-  for (std::size_t x = 0; x < grid.columns(); ++x) {
-    for (std::size_t y = 0; y < grid.rows(); ++y) {
+List<std::pair<Point, Point>> boundary_lines(const AtlasGrid& grid) {
+  List<std::pair<Point, Point>> lines;
+  for (int x = 0; x < grid.columns(); ++x) {
+    for (int y = 0; y < grid.rows(); ++y) {
       const double left = grid.left(x), right = grid.left(x + 1), low = grid.top(y), high = grid.top(y + 1);
       if (x + 1 < grid.columns() && differ(grid.ending(x, y), grid.ending(x + 1, y)))
         lines.push_back({{right, low}, {right, high}});
@@ -93,11 +94,9 @@ std::vector<std::pair<Point, Point>> boundary_lines(const AtlasGrid& grid) {
 
 }  // namespace
 
-double AtlasGrid::left(std::size_t x) const {
-  return std::round(box.x + box.width * static_cast<double>(x) / static_cast<double>(columns()));
-}
+double AtlasGrid::left(int x) const { return std::round(box.x + box.width * x / columns()); }
 
-double AtlasGrid::top(std::size_t y) const {
+double AtlasGrid::top(int y) const {
   return std::round(box.y + box.height * (1 - static_cast<double>(y) / static_cast<double>(rows())));
 }
 
@@ -132,17 +131,17 @@ void draw_class(render::Page& page, const Rect& rect, AtlasClass ending) {
     canvas.line(middle + Point(-radius, -radius), middle + Point(radius, radius), stroke);
   if (ending == AtlasClass::exploded) draw_star(canvas, middle, 1.2 * radius, stroke);
   if (ending == AtlasClass::refused) {
-    const std::vector<Point> corners = {{rect.x, rect.y},
-                                        {rect.x + rect.width, rect.y},
-                                        {rect.x + rect.width, rect.y + rect.height},
-                                        {rect.x, rect.y + rect.height}};
+    const List<Point> corners = {{rect.x, rect.y},
+                                 {rect.x + rect.width, rect.y},
+                                 {rect.x + rect.width, rect.y + rect.height},
+                                 {rect.x, rect.y + rect.height}};
     canvas.hatch(corners, {.width = 1.5, .color = page.theme().static_hatch}, 7);
   }
 }
 
 void draw_atlas_cells(render::Page& page, const AtlasGrid& grid) {
-  for (std::size_t x = 0; x < grid.columns(); ++x) {
-    for (std::size_t y = 0; y < grid.rows(); ++y) {
+  for (int x = 0; x < grid.columns(); ++x) {
+    for (int y = 0; y < grid.rows(); ++y) {
       if (grid.one_row() && y > 0) break;
       const double top = grid.one_row() ? grid.box.y : grid.top(y + 1);
       const double bottom = grid.one_row() ? grid.box.y + grid.box.height : grid.top(y);
@@ -153,7 +152,7 @@ void draw_atlas_cells(render::Page& page, const AtlasGrid& grid) {
 }
 
 void draw_atlas_boundary(render::Page& page, const AtlasGrid& grid) {
-  const std::vector<std::pair<Point, Point>> lines = boundary_lines(grid);
+  const List<std::pair<Point, Point>> lines = boundary_lines(grid);
   // A rim first, so that the line is seen beside the darkest cells too.
   const render::Stroke rim{.width = 6, .color = page.theme().panel};
   const render::Stroke line{.width = 3, .color = page.theme().text};

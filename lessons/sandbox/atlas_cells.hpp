@@ -9,15 +9,15 @@ namespace cairn::sandbox {
 /// One panel of a sheet on its page; y grows upwards.
 struct AtlasGrid {
   const AtlasSheet& sheet;
-  std::size_t panel = 0;
+  int panel = 0;
   render::Rect box = {};  // [px] of all cells
 
-  std::size_t columns() const { return sheet.map.x.values.size(); }
-  std::size_t rows() const { return sheet.map.y.values.size(); }
+  int columns() const { return sheet.map.x.values.size(); }
+  int rows() const { return sheet.map.y.values.size(); }
   bool one_row() const { return sheet.map.panels[panel].ignores_y; }
-  AtlasClass ending(std::size_t x, std::size_t y) const { return sheet.cell(panel, x, y).ending; }
-  double left(std::size_t x) const;
-  double top(std::size_t y) const;
+  AtlasClass ending(int x, int y) const { return sheet.cell(panel, x, y).ending; }
+  double left(int x) const;
+  double top(int y) const;
 };
 
 render::Color class_color(const render::Theme& theme, AtlasClass ending);

@@ -16,7 +16,7 @@ using render::Align;
 using render::Rect;
 using render::TextStyle;
 
-constexpr std::size_t panels_in_a_row = 4;
+constexpr int panels_in_a_row = 4;
 constexpr double small_type = 13;  // [px] of findings, rules and axes
 constexpr double edge = 12;        // [px] free inside a panel
 constexpr double gap = 10;         // [px] between panels
@@ -32,15 +32,15 @@ TextStyle name_style(const render::Page& page) {
 }
 
 /// With the legend behind the panels.
-std::size_t rows_of(std::size_t panels) { return panels / panels_in_a_row + 1; }
+int rows_of(int panels) { return panels / panels_in_a_row + 1; }
 
 /// Slots from left to right and down; the legend has what the panels leave of the last row.
-std::vector<Rect> slots(const render::Page& page, std::size_t panels) {
+List<Rect> slots(const render::Page& page, int panels) {
   const double width = page.canvas().width() - 2 * page.sizes().margin;
-  std::vector<Rect> all;
+  List<Rect> all;
   // In whole pixels, so that the same text in two panels has the same pixels, and the file stays small.
   const double each = std::floor((width - gap * (panels_in_a_row - 1)) / panels_in_a_row);
-  for (std::size_t i = 0; i <= panels; ++i) {
+  for (int i = 0; i <= panels; ++i) {
     const auto column = static_cast<double>(i % panels_in_a_row);
     const auto row = static_cast<double>(i / panels_in_a_row);
     all.push_back({page.sizes().margin + column * (each + gap), page.area().y + row * (panel_height + gap),
@@ -61,7 +61,7 @@ void write_x_axis(render::Page& page, const AtlasGrid& grid) {
   const AtlasMap& map = grid.sheet.map;
   TextStyle style = small_style(page, Align::center);
   const double base = grid.box.y + grid.box.height + 15;
-  for (std::size_t x = 0; x < grid.columns(); ++x) {
+  for (int x = 0; x < grid.columns(); ++x) {
     const bool headline = map.reading != AtlasReading::up_to_x && x == map.headline;
     style.bold = headline;
     style.color = headline ? page.theme().text : page.theme().secondary_text;
@@ -77,7 +77,7 @@ void write_y_axis(render::Page& page, const AtlasGrid& grid, double left) {
   page.canvas().text({left, grid.box.y - 7}, grid.one_row() ? "exact: it has no sweeps" : "↑ " + map.y.title,
                      small_style(page));
   if (grid.one_row()) return;
-  for (std::size_t y = 0; y < grid.rows(); ++y) {
+  for (int y = 0; y < grid.rows(); ++y) {
     const double middle = (grid.top(y) + grid.top(y + 1)) / 2;
     page.canvas().text({grid.box.x - 6, render::baseline_around(middle, small_type)}, map.y.labels[y],
                        small_style(page, Align::right));
@@ -91,13 +91,13 @@ double widest_y_label(const render::Page& page, const AtlasMap& map) {
   return width;
 }
 
-std::string finding_line(const AtlasSheet& sheet, std::size_t panel) {
+std::string finding_line(const AtlasSheet& sheet, int panel) {
   const std::string finding = panel_finding(sheet, panel);
   if (sheet.map.reading == AtlasReading::up_to_x) return finding;
   return shortest(sheet.map.x.values[sheet.map.headline]) + ": " + finding;
 }
 
-void draw_panel(render::Page& page, const AtlasSheet& sheet, std::size_t panel, const Rect& rect) {
+void draw_panel(render::Page& page, const AtlasSheet& sheet, int panel, const Rect& rect) {
   frame_panel(page, rect);
   render::Canvas& canvas = page.canvas();
   const double left = rect.x + edge, width = rect.width - 2 * edge;
@@ -123,7 +123,7 @@ void draw_legend(render::Page& page, const AtlasSheet& sheet, const Rect& rect) 
   render::Canvas& canvas = page.canvas();
   const double left = rect.x + edge, width = rect.width - 2 * edge;
   double base = rect.y + 24;
-  for (std::size_t i = 0; i < atlas_classes; ++i) {
+  for (int i = 0; i < atlas_classes; ++i) {
     const AtlasRule& rule = sheet.map.classes[i];
     if (rule.name.empty()) continue;
     const Rect swatch = {left, base - 14, 24, 18};
@@ -150,9 +150,8 @@ AtlasPicture draw_atlas(const AtlasSheet& sheet, const render::Theme& theme) {
   const int height = head_height + static_cast<int>(rows * (panel_height + gap));
   render::Page page(1280, height, theme);
   page.begin({.number = "", .title = sheet_finding(sheet), .state = ""});
-  const std::vector<Rect> places = slots(page, sheet.map.panels.size());
-  for (std::size_t panel = 0; panel < sheet.map.panels.size(); ++panel)
-    draw_panel(page, sheet, panel, places[panel]);
+  const List<Rect> places = slots(page, sheet.map.panels.size());
+  for (int panel = 0; panel < sheet.map.panels.size(); ++panel) draw_panel(page, sheet, panel, places[panel]);
   draw_legend(page, sheet, places.back());
   return {page.canvas().read(), render::lint(page)};
 }

@@ -2,16 +2,16 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "extremes/atlas.hpp"
+#include "math/list.hpp"
 #include "render/page.hpp"
 
 namespace cairn::sandbox {
 
 struct AtlasPicture {
   render::Image image = {};
-  std::vector<std::string> findings = {};  // what is wrong with its layout: see render/lint.hpp
+  List<std::string> findings = {};  // what is wrong with its layout: see render/lint.hpp
 };
 
 /// 1280 x 720 px. Classes differ in brightness and in a sign in the cell, not in hue alone.

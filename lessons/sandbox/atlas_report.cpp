@@ -10,6 +10,7 @@
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/progress_line.hpp"
 #include "lessons/sandbox/trade_report.hpp"
+#include "math/list.hpp"
 #include "render/image.hpp"
 
 namespace cairn::sandbox {
@@ -19,17 +20,17 @@ namespace fs = std::filesystem;
 
 bool run_maps(const Study& study, const Shard& shard, Journal& journal, const Words& words) {
   const Interrupt interrupt;
-  std::size_t count = 0;
-  for (std::size_t task = 0; task < study.tasks.size(); ++task) count += shard.holds(task) ? 1 : 0;
+  int count = 0;
+  for (int task = 0; task < study.tasks.size(); ++task) count += shard.holds(task) ? 1 : 0;
   ProgressLine bar(words.console, "cells", count);
-  return run_study(study, shard, journal, [&](std::size_t done, std::size_t, double) {
+  return run_study(study, shard, journal, [&](int done, int, double) {
     bar.advance(done);
     return !interrupt.came();
   });
 }
 
 /// Cells that were not run stay empty.
-void report_sheets(const std::vector<AtlasSheet>& sheets, const fs::path& folder, const Words& words,
+void report_sheets(const List<AtlasSheet>& sheets, const fs::path& folder, const Words& words,
                    Console& console) {
   const render::Theme theme = theme_of(words);
   for (const AtlasSheet& sheet : sheets) {

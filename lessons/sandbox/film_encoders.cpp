@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "math/list.hpp"
 #include "render/image.hpp"
 
 namespace cairn::sandbox {
@@ -18,9 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Runs it with its output thrown away, and its standard input empty.
-void run_encoder(const fs::path& program, std::vector<std::string> words) {
+void run_encoder(const fs::path& program, List<std::string> words) {
   words.insert(words.begin(), program.string());
-  std::vector<char*> pointers;
+  List<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   posix_spawn_file_actions_t actions;
@@ -43,7 +44,7 @@ fs::path unfinished(const fs::path& target) {
   return target.parent_path() / (".unfinished-" + target.filename().string());
 }
 
-void encode(const fs::path& program, std::vector<std::string> words, const fs::path& target) {
+void encode(const fs::path& program, List<std::string> words, const fs::path& target) {
   std::error_code error;
   if (target.has_parent_path()) fs::create_directories(target.parent_path(), error);
   const fs::path part = unfinished(target);
@@ -57,7 +58,7 @@ void encode(const fs::path& program, std::vector<std::string> words, const fs::p
   }
 }
 
-std::vector<std::string> ffmpeg_input(const fs::path& folder, double frames_per_second) {
+List<std::string> ffmpeg_input(const fs::path& folder, double frames_per_second) {
   return {"-y", "-framerate", fmt::format("{:g}", frames_per_second), "-i", (folder / "%04d.png").string()};
 }
 
@@ -88,7 +89,7 @@ void require_encoders(const FilmFiles& files) {
 }
 
 void encode_gif(const fs::path& folder, double frames_per_second, const fs::path& target) {
-  std::vector<std::string> words = ffmpeg_input(folder, frames_per_second);
+  List<std::string> words = ffmpeg_input(folder, frames_per_second);
   // A palette of the film's own: the usual one dithers what is drawn in few colours.
   words.insert(words.end(),
                {"-vf", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=none", "-loop",
@@ -96,17 +97,16 @@ void encode_gif(const fs::path& folder, double frames_per_second, const fs::path
   encode(*program_in_path("ffmpeg"), words, target);
 }
 
-void encode_webp(const fs::path& folder, std::size_t count, double frames_per_second,
-                 const fs::path& target) {
+void encode_webp(const fs::path& folder, int count, double frames_per_second, const fs::path& target) {
   const std::optional<fs::path> img2webp = program_in_path("img2webp");
   if (!img2webp) {
-    std::vector<std::string> words = ffmpeg_input(folder, frames_per_second);
+    List<std::string> words = ffmpeg_input(folder, frames_per_second);
     words.insert(words.end(), {"-c:v", "libwebp", "-lossless", "1", "-loop", "0", "-f", "webp"});
     return encode(*program_in_path("ffmpeg"), words, target);
   }
   const long milliseconds = std::max(1L, std::lround(1000 / frames_per_second));
-  std::vector<std::string> words = {"-loop", "0", "-lossless", "-d", std::to_string(milliseconds)};
-  for (std::size_t i = 0; i < count; ++i) words.push_back((folder / fmt::format("{:04}.png", i)).string());
+  List<std::string> words = {"-loop", "0", "-lossless", "-d", std::to_string(milliseconds)};
+  for (int i = 0; i < count; ++i) words.push_back((folder / fmt::format("{:04}.png", i)).string());
   words.push_back("-o");
   encode(*img2webp, words, target);
 }

@@ -13,7 +13,7 @@ void require_encoders(const FilmFiles& files);
 /// From frames 0000.png ... in `folder`. @throws render::WriteError.
 void encode_gif(const std::filesystem::path& folder, double frames_per_second,
                 const std::filesystem::path& target);
-void encode_webp(const std::filesystem::path& folder, std::size_t count, double frames_per_second,
+void encode_webp(const std::filesystem::path& folder, int count, double frames_per_second,
                  const std::filesystem::path& target);
 
 }  // namespace cairn::sandbox

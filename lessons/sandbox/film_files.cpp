@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::string frame_name(std::size_t index) { return fmt::format("{:04}.png", index); }
+std::string frame_name(int index) { return fmt::format("{:04}.png", index); }
 
 bool is_frame_name(const std::string& name) {
   return name.size() >= 8 && name.substr(name.size() - 4) == ".png" &&
@@ -43,8 +43,8 @@ std::optional<std::string> identity_in(const fs::path& folder) {
 }
 
 /// Frames in the folder, and what is left of those that were not finished.
-std::vector<fs::path> numbered_pictures(const fs::path& folder) {
-  std::vector<fs::path> numbered;
+List<fs::path> numbered_pictures(const fs::path& folder) {
+  List<fs::path> numbered;
   std::error_code none_there;
   for (const auto& entry : fs::directory_iterator(folder, none_there)) {
     std::string name = entry.path().filename().string();
@@ -113,7 +113,7 @@ FilmOutcome fill_folder(SceneFilm& film, const fs::path& folder, const std::func
   FilmOutcome outcome;
   FrameSaver saver;
   ProgressLine progress(console, "frames", film.frame_count());
-  for (std::size_t i = 0; i < film.frame_count() && !outcome.stopped; ++i) {
+  for (int i = 0; i < film.frame_count() && !outcome.stopped; ++i) {
     const fs::path path = folder / frame_name(i);
     if (fs::exists(path)) {
       outcome.kept += 1;
@@ -128,11 +128,10 @@ FilmOutcome fill_folder(SceneFilm& film, const fs::path& folder, const std::func
   return outcome;
 }
 
-void write_one_file_films(const FilmFiles& files, const fs::path& folder, std::size_t count,
-                          FilmOutcome& outcome) {
+void write_one_file_films(const FilmFiles& files, const fs::path& folder, int count, FilmOutcome& outcome) {
   if (files.apng) {
-    std::vector<render::Image> images;
-    for (std::size_t i = 0; i < count; ++i) images.push_back(render::read_png(folder / frame_name(i)));
+    List<render::Image> images;
+    for (int i = 0; i < count; ++i) images.push_back(render::read_png(folder / frame_name(i)));
     if (files.apng->has_parent_path()) make_folder(files.apng->parent_path());
     render::write_apng(*files.apng, images, files.frames_per_second);
     outcome.written.push_back(files.apng->string());
@@ -149,7 +148,7 @@ void write_one_file_films(const FilmFiles& files, const fs::path& folder, std::s
 
 }  // namespace
 
-std::vector<Flag> film_flags() {
+List<Flag> film_flags() {
   return {{"frames", "DIR",
            "a film: 0000.png, 0001.png ... in a folder of its own; taken up again if interrupted"},
           {"fps", "N", "frames for each second of the scene (30)"},
@@ -170,7 +169,7 @@ FilmFiles film_files(const Words& words) {
   return files;
 }
 
-std::string film_identity(const SceneEntry& scene, const std::vector<SceneRun>& runs, const FilmLook& look,
+std::string film_identity(const SceneEntry& scene, const List<SceneRun>& runs, const FilmLook& look,
                           double frames_per_second) {
   std::string text = scene.name + ", " + scene.title;
   for (const SceneRun& run : runs) {

@@ -5,9 +5,9 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "lessons/sandbox/scene_film.hpp"
+#include "math/list.hpp"
 
 namespace cairn::sandbox {
 
@@ -23,17 +23,17 @@ struct FilmFiles {
 };
 
 /// --frames, --fps, --apng, --gif, --webp.
-std::vector<Flag> film_flags();
+List<Flag> film_flags();
 
 /// @throws UsageError; render::WriteError where a program that is needed is not to be found, before any work
 /// is done.
 FilmFiles film_files(const Words& words);
 
 struct FilmOutcome {
-  std::size_t drawn = 0;
-  std::size_t kept = 0;  // frames that were there, of the same film
+  int drawn = 0;
+  int kept = 0;  // frames that were there, of the same film
   bool stopped = false;
-  std::vector<std::string> written = {};
+  List<std::string> written = {};
 };
 
 /// Draws the film into its files. Frames 0000.png, 0001.png ... appear whole or not at all. `identity` says
@@ -43,7 +43,7 @@ FilmOutcome write_film(SceneFilm& film, const std::string& identity, const FilmF
                        const std::function<bool()>& stops, const ConsoleSettings& console);
 
 /// Tells this film from every other one: scene, settings, the states that the runs ended in, and its look.
-std::string film_identity(const SceneEntry& scene, const std::vector<SceneRun>& runs, const FilmLook& look,
+std::string film_identity(const SceneEntry& scene, const List<SceneRun>& runs, const FilmLook& look,
                           double frames_per_second);
 
 /// "written: 91 frames in out/stack (12 were there)".

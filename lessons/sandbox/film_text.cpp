@@ -21,9 +21,8 @@ std::string literal(const std::string& text) {
 
 /// "body 3 (bomb)".
 std::string body_text(const SceneEntry& scene, BodyId body) {
-  const auto index = static_cast<std::size_t>(body.index);
-  const bool is_named = index < scene.body_names.size() && !scene.body_names[index].empty();
-  return fmt::format("body {}", body.index) + (is_named ? " (" + literal(scene.body_names[index]) + ")" : "");
+  const bool is_named = body.index < scene.body_names.size() && !scene.body_names[body].empty();
+  return fmt::format("body {}", body.index) + (is_named ? " (" + literal(scene.body_names[body]) + ")" : "");
 }
 
 /// The fastest body, as run_trial() judges it.
@@ -31,13 +30,13 @@ std::string fastest_text(const SceneEntry& scene, const Snapshot& snapshot) {
   BodyId fastest = ground;
   double speed = 0;
   bool spins = false;
-  for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
-    const Vec3<double>& v = snapshot.bodies[i].velocity;
+  for (const BodyId body : snapshot.bodies.indices()) {
+    const Vec3<double>& v = snapshot.bodies[body].velocity;
     const double along = std::hypot(v.x(), v.y()), around = std::abs(v.z());
     if (std::max(along, around) > speed) {
       speed = std::max(along, around);
       spins = around > along;
-      fastest = {static_cast<int>(i)};
+      fastest = body;
     }
   }
   return body_text(scene, fastest) +

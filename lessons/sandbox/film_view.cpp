@@ -5,6 +5,7 @@
 
 #include "geometry/aabb.hpp"
 #include "lessons/sandbox/scene_film.hpp"
+#include "math/list.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -22,8 +23,8 @@ constexpr double strip = 0.06;       // of a floor, so much depth
 
 /// The ends of the boxes of everything that moves, one axis apart from the other.
 struct Extents {
-  std::vector<double> lower[2] = {};
-  std::vector<double> upper[2] = {};
+  List<double> lower[2] = {};
+  List<double> upper[2] = {};
 };
 
 void include_box(Aabb<double>& bounds, const Aabb<double>& box) {
@@ -34,7 +35,7 @@ void include_box(Aabb<double>& bounds, const Aabb<double>& box) {
 /// How far a film of a run that begins so may go.
 Aabb<double> followed(const Snapshot& start) {
   std::optional<Aabb<double>> bounds;
-  std::vector<double> sizes;
+  List<double> sizes;
   for (const SnapshotBody& body : start.bodies) {
     if (body.type != BodyType::dynamic) continue;
     for (const Shape<double>& shape : body.shapes) {
@@ -69,14 +70,14 @@ void add_moving(const Snapshot& snapshot, const Aabb<double>& limits, Extents& e
   }
 }
 
-double quantile(const std::vector<double>& sorted, double share) {
-  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+double quantile(const List<double>& sorted, double share) {
+  return sorted[static_cast<int>(share * (sorted.size() - 1))];
 }
 
 /// Along one axis: everything, unless a few places make it much longer than nearly all of them are.
 void set_axis(Extents& extents, int axis, Aabb<double>& bounds) {
-  std::vector<double>& lower = extents.lower[axis];
-  std::vector<double>& upper = extents.upper[axis];
+  List<double>& lower = extents.lower[axis];
+  List<double>& upper = extents.upper[axis];
   std::sort(lower.begin(), lower.end());
   std::sort(upper.begin(), upper.end());
   const double from = quantile(lower, nearly_none), to = quantile(upper, 1 - nearly_none);
@@ -118,7 +119,7 @@ void include_fixed(const Snapshot& snapshot, const Aabb<double>& moving, FilmVie
 
 }  // namespace
 
-FilmView view_of(const std::vector<SceneRun>& runs) {
+FilmView view_of(const List<SceneRun>& runs) {
   Extents extents;
   for (const SceneRun& run : runs) {
     if (run.frames.empty()) continue;
@@ -145,7 +146,7 @@ FilmView view_of(const std::vector<SceneRun>& runs) {
   return view;
 }
 
-FilmView view_of(const SceneEntry& scene, const std::vector<SceneRun>& runs) {
+FilmView view_of(const SceneEntry& scene, const List<SceneRun>& runs) {
   const FilmView view = view_of(runs);
   if (!scene.camera) return view;
   const Vec2<double> center = scene.camera->center;

@@ -5,6 +5,7 @@
 
 #include "lessons/sandbox/verb.hpp"
 #include "lessons/words.hpp"
+#include "math/list.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -16,7 +17,7 @@ std::string spelt_flag(const Flag& flag) {
   return brief + "--" + flag.name + (flag.takes.empty() ? "" : " " + flag.takes);
 }
 
-std::string flag_lines(const std::vector<Flag>& flags, int width) {
+std::string flag_lines(const List<Flag>& flags, int width) {
   std::string text;
   for (const Flag& flag : flags) {
     text += "  " + padded(spelt_flag(flag), width) + "  " +
@@ -27,7 +28,7 @@ std::string flag_lines(const std::vector<Flag>& flags, int width) {
 
 int flag_width(const Verb& verb) {
   int width = 0;
-  for (const std::vector<Flag>* flags : {&verb.flags, &shared_flags()}) {
+  for (const List<Flag>* flags : {&verb.flags, &shared_flags()}) {
     for (const Flag& flag : *flags) width = std::max(width, display_width(spelt_flag(flag)));
   }
   return width;
@@ -35,8 +36,8 @@ int flag_width(const Verb& verb) {
 
 }  // namespace
 
-const std::vector<Flag>& shared_flags() {
-  static const std::vector<Flag> flags = {
+const List<Flag>& shared_flags() {
+  static const List<Flag> flags = {
       {"json", "", "the answer as JSON on stdout; what is said to people goes to stderr"},
       {"quiet", "", "no words beside the answer, and no progress bar"},
       {"plain", "", "ASCII, without colours"},

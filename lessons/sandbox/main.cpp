@@ -7,6 +7,7 @@
 
 #include "lessons/sandbox/verb.hpp"
 #include "lessons/words.hpp"
+#include "math/list.hpp"
 #include "render/context.hpp"
 #include "render/image.hpp"
 
@@ -22,7 +23,7 @@ int complain(int code, const std::string& message) {
 }
 
 int refuse_verb(const std::string& word) {
-  std::vector<std::string> known;
+  List<std::string> known;
   for (const Verb& verb : verbs()) known.push_back(verb.name);
   const std::string meant = nearest(word, known);
   return complain(bad_usage, "cairn: there is no verb " + word +
@@ -30,7 +31,7 @@ int refuse_verb(const std::string& word) {
                                                 : "; did you mean " + meant + "?"));
 }
 
-int act(const std::vector<std::string>& all) {
+int act(const List<std::string>& all) {
   const std::string word = all.empty() ? "--help" : all.front();
   if (word == "-h" || word == "--help" || word == "help") {
     fmt::print("{}", help_text());

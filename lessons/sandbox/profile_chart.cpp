@@ -34,7 +34,7 @@ render::Series profile_steps(const PerformanceProfile& profile, const render::Se
 
 render::Image draw_profile_chart(const ProfileChart& chart, const render::Theme& theme) {
   render::Page page(chart.width, chart.height, theme);
-  const std::size_t problems = chart.profiles.empty() ? 0 : chart.profiles.front().ratios.size();
+  const int problems = chart.profiles.empty() ? 0 : chart.profiles.front().ratios.size();
   page.begin({.number = "", .title = chart.title, .state = fmt::format("{} problems", problems)});
   const render::Rect area = place_note(page, chart.note);
   render::Plot plot{
@@ -43,11 +43,10 @@ render::Image draw_profile_chart(const ProfileChart& chart, const render::Theme&
             .min = 1,
             .max = most_times},
       .y = {.title = "share of problems solved    higher is better ↑", .min = 0, .max = 1}};
-  std::vector<std::string> solvers;
+  List<std::string> solvers;
   for (const PerformanceProfile& profile : chart.profiles) solvers.push_back(profile.solver);
-  const std::vector<render::SeriesStyle> styles = solver_styles(solvers, theme);
-  for (std::size_t i = 0; i < solvers.size(); ++i)
-    plot.series.push_back(profile_steps(chart.profiles[i], styles[i]));
+  const List<render::SeriesStyle> styles = solver_styles(solvers, theme);
+  for (int i = 0; i < solvers.size(); ++i) plot.series.push_back(profile_steps(chart.profiles[i], styles[i]));
   draw_plot(page, area, plot);
   return page.canvas().read();
 }

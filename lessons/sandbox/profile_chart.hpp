@@ -2,8 +2,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/image.hpp"
 #include "render/theme.hpp"
 #include "study/profile.hpp"
@@ -12,9 +12,9 @@ namespace cairn::sandbox {
 
 struct ProfileChart {
   std::string title = {};
-  std::string note = {};                          // below it
-  std::vector<PerformanceProfile> profiles = {};  // at most 4
-  int width = 1280;                               // [px]
+  std::string note = {};                   // below it
+  List<PerformanceProfile> profiles = {};  // at most 4
+  int width = 1280;                        // [px]
   int height = 720;
 };
 

@@ -19,7 +19,7 @@ std::string time_left_text(double seconds) {
   return seconds < 90 ? fmt::format("{:.0f} s left", seconds) : fmt::format("{:.0f} min left", seconds / 60);
 }
 
-ProgressLine::ProgressLine(const ConsoleSettings& settings, std::string what, std::size_t total)
+ProgressLine::ProgressLine(const ConsoleSettings& settings, std::string what, int total)
     : what_(what),
       total_(total),
       is_plain_(settings.progress == When::automatic && !settings.quiet && !is_terminal(stderr)),
@@ -27,7 +27,7 @@ ProgressLine::ProgressLine(const ConsoleSettings& settings, std::string what, st
       start_(std::chrono::steady_clock::now()),
       last_line_(start_) {}
 
-void ProgressLine::advance(std::size_t done) {
+void ProgressLine::advance(int done) {
   const auto now = std::chrono::steady_clock::now();
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double left = done > 0 ? elapsed * static_cast<double>(total_ - done) / static_cast<double>(done) : 0;

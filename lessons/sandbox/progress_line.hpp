@@ -2,7 +2,6 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
 #include <string>
 
 #include "lessons/console.hpp"
@@ -15,14 +14,14 @@ std::string time_left_text(double seconds);
 /// On stderr, from one second on; nothing when quiet.
 class ProgressLine {
  public:
-  ProgressLine(const ConsoleSettings& settings, std::string what, std::size_t total);
+  ProgressLine(const ConsoleSettings& settings, std::string what, int total);
 
-  void advance(std::size_t done);
+  void advance(int done);
   void clear() { bar_.clear(); }
 
  private:
   std::string what_;
-  std::size_t total_;
+  int total_;
   bool is_plain_;
   Progress bar_;
   std::chrono::steady_clock::time_point start_;

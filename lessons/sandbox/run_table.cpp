@@ -141,10 +141,10 @@ void print_run(const SceneEntry& scene, const SceneRun& run, Console& console) {
   console.result("  " + console.colored(console.spelt(verdict), is_good ? Color::good : Color::bad));
 }
 
-void print_runs(const SceneEntry& scene, const std::vector<SceneRun>& runs, Console& console) {
+void print_runs(const SceneEntry& scene, const List<SceneRun>& runs, Console& console) {
   int width = 6;
   for (const SceneRun& run : runs) width = std::max(width, display_width(contestant_label(run.setting)));
-  const auto heading = [&](const std::string& first, const std::vector<std::string>& cells) {
+  const auto heading = [&](const std::string& first, const List<std::string>& cells) {
     console.result(fmt::format("{} {:>10} {:>12} {:>12} {:>10} {:>9} {:>8}", padded(first, width), cells[0],
                                cells[1], cells[2], cells[3], cells[4], cells[5]));
   };

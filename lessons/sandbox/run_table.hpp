@@ -3,9 +3,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <vector>
 
 #include "lessons/sandbox/scene_run.hpp"
+#include "math/list.hpp"
 
 namespace cairn::sandbox {
 
@@ -13,7 +13,7 @@ namespace cairn::sandbox {
 void print_run(const SceneEntry& scene, const SceneRun& run, Console& console);
 
 /// One row a run.
-void print_runs(const SceneEntry& scene, const std::vector<SceneRun>& runs, Console& console);
+void print_runs(const SceneEntry& scene, const List<SceneRun>& runs, Console& console);
 
 nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run);
 

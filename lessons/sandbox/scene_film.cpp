@@ -19,7 +19,7 @@ namespace {
 using render::Rect;
 
 constexpr double bar = 6;  // [px] above a panel, in the solver's colour
-constexpr std::size_t few_contacts = 40;
+constexpr int few_contacts = 40;
 constexpr double least_speed = 0.05;  // [m/s] of the longest arrow: what rests must not look fast
 constexpr double arrow_share = 0.4;   // of the length that a lesson gives its arrows: here they are many
 constexpr double arrow_room = 0.12;   // of the view's extent, on every side
@@ -37,10 +37,10 @@ render::SeriesStyle panel_style(const std::string& solver, const render::Theme& 
 }
 
 /// The 95th of a hundred: one jolt must not make all other arrows dots.
-double usual_largest(std::vector<double> values) {
+double usual_largest(List<double> values) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(0.95 * static_cast<double>(values.size() - 1))];
+  return values[static_cast<int>(0.95 * (values.size() - 1))];
 }
 
 double load_of(const Snapshot& snapshot) {
@@ -62,9 +62,9 @@ double speed_of(const Snapshot& snapshot) {
 }
 
 /// Columns, or two rows of two.
-std::vector<Rect> panels_in(const Rect& area, std::size_t count, double gap) {
-  if (count < SceneFilm::most_panels) return render::columns(area, std::vector<double>(count, 1), gap);
-  std::vector<Rect> panels;
+List<Rect> panels_in(const Rect& area, int count, double gap) {
+  if (count < SceneFilm::most_panels) return render::columns(area, List<double>(count, 1), gap);
+  List<Rect> panels;
   for (const Rect& row : render::rows(area, {1, 1}, gap)) {
     for (const Rect& panel : render::columns(row, {1, 1}, gap)) panels.push_back(panel);
   }
@@ -86,7 +86,7 @@ void write_fitted(render::Page& page, const render::Point& at, double width, con
 
 }  // namespace
 
-std::vector<Flag> look_flags() {
+List<Flag> look_flags() {
   return {{"size", "WxH", "of a picture [px], or small, medium, large (medium: 1280x720)"},
           {"theme", "WHICH", "light or dark (light)"},
           {"show", "WHAT,WHAT",
@@ -112,8 +112,8 @@ FilmLook look_of(const Words& words, const std::string& standard) {
   look.width = static_cast<int>(width);
   look.height = static_cast<int>(height);
   look.dark = words.word("theme", "light", {"light", "dark"}) == "dark";
-  const std::vector<std::string> known = {"loads",    "contacts", "velocities", "trails",
-                                          "overlaps", "numbers",  "none"};
+  const List<std::string> known = {"loads",    "contacts", "velocities", "trails",
+                                   "overlaps", "numbers",  "none"};
   look.contacts_if_few = !words.has("show");
   for (const std::string& what : words.texts("show")) {
     if (std::find(known.begin(), known.end(), what) == known.end()) {
@@ -126,10 +126,10 @@ FilmLook look_of(const Words& words, const std::string& standard) {
   return look;
 }
 
-SceneFilm::SceneFilm(const SceneEntry& scene, const std::vector<SceneRun>& runs, const FilmLook& look)
+SceneFilm::SceneFilm(const SceneEntry& scene, const List<SceneRun>& runs, const FilmLook& look)
     : scene_(scene), look_(look), page_(look.width, look.height, film_theme(look)) {
-  std::vector<double> loads, speeds;
-  std::size_t most_contacts = 0;
+  List<double> loads, speeds;
+  int most_contacts = 0;
   for (const SceneRun& run : runs) {
     runs_.push_back(&run);
     for (const Snapshot& snapshot : run.frames) {
@@ -151,8 +151,8 @@ SceneFilm::SceneFilm(const SceneEntry& scene, const std::vector<SceneRun>& runs,
   largest_speed_ = std::max(usual_largest(speeds), least_speed);
 }
 
-std::size_t SceneFilm::frame_count() const {
-  std::size_t count = 0;
+int SceneFilm::frame_count() const {
+  int count = 0;
   for (const SceneRun* run : runs_) count = std::max(count, run->frames.size());
   return count;
 }
@@ -166,23 +166,23 @@ render::Camera SceneFilm::camera_in(const Rect& rect) const {
   return camera;
 }
 
-render::Image SceneFilm::draw(std::size_t frame) {
+render::Image SceneFilm::draw(int frame) {
   const SceneRun* longest = runs_.front();
   for (const SceneRun* run : runs_) longest = run->frames.size() > longest->frames.size() ? run : longest;
   const Snapshot& now = longest->frames[frame];
   page_.begin({.title = scene_.title,
                .state = time_text(now, longest->frames.back()),
-               .frame = static_cast<int>(frame),
-               .frames = static_cast<int>(frame_count())});
+               .frame = frame,
+               .frames = frame_count()});
   const Rect area = page_.area();
-  const std::vector<Rect> panels = panels_in(area, runs_.size(), page_.sizes().gap);
-  for (std::size_t i = 0; i < runs_.size(); ++i) draw_panel(*runs_[i], frame, panels[i]);
+  const List<Rect> panels = panels_in(area, runs_.size(), page_.sizes().gap);
+  for (int i = 0; i < runs_.size(); ++i) draw_panel(*runs_[i], frame, panels[i]);
   return page_.canvas().read();
 }
 
-std::vector<std::string> SceneFilm::findings() const { return render::lint(page_); }
+List<std::string> SceneFilm::findings() const { return render::lint(page_); }
 
-void SceneFilm::draw_panel(const SceneRun& run, std::size_t frame, const Rect& rect) {
+void SceneFilm::draw_panel(const SceneRun& run, int frame, const Rect& rect) {
   const render::Theme& theme = page_.theme();
   const double line = std::round(1.5 * page_.sizes().label);
   const bool is_alone = runs_.size() == 1;
@@ -210,14 +210,14 @@ void SceneFilm::draw_panel(const SceneRun& run, std::size_t frame, const Rect& r
   draw_caption(run, is_at_end ? ending_text(scene_, run) : "", errors, below);
 }
 
-void SceneFilm::draw_scene(const SceneRun& run, std::size_t frame, const Rect& rect) {
+void SceneFilm::draw_scene(const SceneRun& run, int frame, const Rect& rect) {
   const Snapshot& snapshot = run.frames[frame];
   const render::Camera camera = camera_in(rect);
   if (look_.shows.count("trails") != 0) {
-    for (std::size_t body = 0; body < snapshot.bodies.size(); ++body) {
+    for (const BodyId body : snapshot.bodies.indices()) {
       if (snapshot.bodies[body].type != BodyType::dynamic) continue;
-      std::vector<Vec2<double>> path;
-      for (std::size_t k = 0; k <= frame; ++k) path.push_back(run.frames[k].bodies[body].pose.position);
+      List<Vec2<double>> path;
+      for (int k = 0; k <= frame; ++k) path.push_back(run.frames[k].bodies[body].pose.position);
       render::draw_trail(page_, camera, path, {.color = page_.theme().velocity});
     }
   }

@@ -5,10 +5,10 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "lessons/sandbox/scene_run.hpp"
 #include "lessons/sandbox/verb.hpp"
+#include "math/list.hpp"
 #include "render/arrow.hpp"
 #include "render/page.hpp"
 
@@ -23,7 +23,7 @@ struct FilmLook {
 };
 
 /// --size, --theme, --show.
-std::vector<Flag> look_flags();
+List<Flag> look_flags();
 /// @throws UsageError. `standard`: the size where none is asked for, such as "1280x720".
 FilmLook look_of(const Words& words, const std::string& standard);
 
@@ -36,35 +36,35 @@ struct FilmView {
 
 /// What a film of these runs has to show: every moving body wherever it goes, short of the few that fly off,
 /// and what does not move as far as it is near.
-FilmView view_of(const std::vector<SceneRun>& runs);
+FilmView view_of(const List<SceneRun>& runs);
 
 /// The scene's own camera, where it has one: its height whole, and of its width what there is to see.
-FilmView view_of(const SceneEntry& scene, const std::vector<SceneRun>& runs);
+FilmView view_of(const SceneEntry& scene, const List<SceneRun>& runs);
 
 /// Draws one to four runs of a scene side by side.
 class SceneFilm {
  public:
-  static constexpr std::size_t most_panels = 4;
+  static constexpr int most_panels = 4;
 
   /// @throws render::RenderError when nothing can be drawn. The runs must stay where they are.
-  SceneFilm(const SceneEntry& scene, const std::vector<SceneRun>& runs, const FilmLook& look);
+  SceneFilm(const SceneEntry& scene, const List<SceneRun>& runs, const FilmLook& look);
 
-  std::size_t frame_count() const;
+  int frame_count() const;
   /// From 0.
-  render::Image draw(std::size_t frame);
+  render::Image draw(int frame);
   /// What is wrong with the layout of the frame drawn last: see render/lint.hpp.
-  std::vector<std::string> findings() const;
+  List<std::string> findings() const;
 
  private:
-  void draw_panel(const SceneRun& run, std::size_t frame, const render::Rect& rect);
-  void draw_scene(const SceneRun& run, std::size_t frame, const render::Rect& rect);
+  void draw_panel(const SceneRun& run, int frame, const render::Rect& rect);
+  void draw_scene(const SceneRun& run, int frame, const render::Rect& rect);
   void draw_caption(const SceneRun& run, const std::string& ending, const std::string& errors,
                     const render::Rect& rect);
   std::string errors_text(const Snapshot& snapshot) const;
   render::Camera camera_in(const render::Rect& rect) const;
 
   SceneEntry scene_;
-  std::vector<const SceneRun*> runs_ = {};
+  List<const SceneRun*> runs_ = {};
   FilmLook look_;
   FilmView view_ = {};
   double largest_load_ = 0;     // [N] that arrows show

@@ -97,11 +97,11 @@ SceneRun run_scene(const SceneEntry& scene, const Setting& setting, const RunWis
   require(steps <= 1e9, "run_scene", "seconds", "from 0 to 1e9 steps", wish.seconds);
   const int judged_at = static_cast<int>(std::lround(std::min(scene.seconds, wish.seconds) / setting.dt));
   std::optional<TrialResult> judged;
-  ProgressLine progress(console, "steps", static_cast<std::size_t>(steps));
+  ProgressLine progress(console, "steps", static_cast<int>(steps));
   options.observer = [&keeper](const Snapshot& snapshot) { keeper.see(snapshot); };
   options.gives_up = [&](const TrialResult& so_far) {
     keeper.count(so_far);
-    progress.advance(static_cast<std::size_t>(so_far.steps));
+    progress.advance(so_far.steps);
     if (so_far.steps == judged_at) judged = so_far;
     run.stopped = wish.stops && wish.stops();
     return run.stopped;

@@ -3,11 +3,12 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "lessons/console.hpp"
+#include "math/list.hpp"
 #include "measure/csv.hpp"
 #include "scenes/scene_list.hpp"
+#include "study/trial.hpp"
 
 namespace cairn::sandbox {
 
@@ -22,10 +23,10 @@ struct RunWish {
 struct SceneRun {
   Setting setting = {};
   TrialResult result = {};
-  std::vector<std::string> missed = {};  // expectations, in the seconds that they are for
-  std::vector<Snapshot> frames = {};     // none that is not finite; of a run that ends badly, its end too
-  CsvTable series = {};                  // time_s, kinetic_J, ...
-  bool stopped = false;                  // by RunWish::stops
+  List<std::string> missed = {};  // expectations, in the seconds that they are for
+  List<Snapshot> frames = {};     // none that is not finite; of a run that ends badly, its end too
+  CsvTable series = {};           // time_s, kinetic_J, ...
+  bool stopped = false;           // by RunWish::stops
 };
 
 /// @throws std::invalid_argument for a setting or a time out of range.

@@ -50,7 +50,7 @@ StabilizationPolicy policy_of(const Words& words, StabilizationPolicy standard) 
 
 }  // namespace
 
-SceneEntry scene_of(const Words& words, const std::string& name, std::vector<std::string> others) {
+SceneEntry scene_of(const Words& words, const std::string& name, List<std::string> others) {
   if (!names_scene_file(name)) {
     const std::string list = others.empty() ? "cairn list scenes" : "cairn " + words.verb + " --list";
     for (const SceneEntry& entry : scene_entries()) others.push_back(entry.name);
@@ -59,24 +59,24 @@ SceneEntry scene_of(const Words& words, const std::string& name, std::vector<std
   return scene_entry(name);
 }
 
-std::vector<std::string> solver_names() {
-  std::vector<std::string> names;
+List<std::string> solver_names() {
+  List<std::string> names;
   for (const SolverEntry& entry : solver_entries()) names.push_back(entry.name);
   if (has_box2d()) names.push_back("box2d");
   return names;
 }
 
-const std::vector<std::string>& stabilization_names() {
-  static const std::vector<std::string> names = {"none", "baumgarte", "soft", "split-impulse"};
+const List<std::string>& stabilization_names() {
+  static const List<std::string> names = {"none", "baumgarte", "soft", "split-impulse"};
   return names;
 }
 
-const std::vector<std::string>& scalar_names() {
-  static const std::vector<std::string> names = {"float", "double", "long-double"};
+const List<std::string>& scalar_names() {
+  static const List<std::string> names = {"float", "double", "long-double"};
   return names;
 }
 
-std::vector<Flag> setting_flags() {
+List<Flag> setting_flags() {
   return {{"solver", "NAME",
            "or NAME:SWEEPS, such as si:10; cairn list solvers (the scene's own, as all of these)"},
           {"sweeps", "N", "over all rows, at most"},
@@ -91,7 +91,7 @@ std::vector<Flag> setting_flags() {
 Setting with_solver(const Words& words, std::string_view flag, Setting setting, const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string name = text.substr(0, colon);
-  const std::vector<std::string> known = solver_names();
+  const List<std::string> known = solver_names();
   if (std::find(known.begin(), known.end(), name) == known.end()) {
     if (name == "box2d") words.refuse(flag, "a solver of this program, which was built without Box2D", name);
     const std::string meant = nearest(name, known);
@@ -122,7 +122,7 @@ double seconds_of(const Words& words, const SceneEntry& scene) {
   return words.quantity("seconds", "s", scene.seconds);
 }
 
-std::vector<Flag> joined_flags(std::vector<Flag> first, const std::vector<Flag>& second) {
+List<Flag> joined_flags(List<Flag> first, const List<Flag>& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
 }

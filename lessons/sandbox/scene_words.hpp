@@ -2,9 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "lessons/sandbox/verb.hpp"
+#include "math/list.hpp"
 #include "scenes/scene_list.hpp"
 
 namespace cairn::sandbox {
@@ -12,10 +12,10 @@ namespace cairn::sandbox {
 /// The scene that comes with Cairn under this name, or the one in this file.
 /// @throws UsageError for a name that is neither one of them nor in `others`, std::invalid_argument for a
 /// file that cannot be read.
-SceneEntry scene_of(const Words& words, const std::string& name, std::vector<std::string> others = {});
+SceneEntry scene_of(const Words& words, const std::string& name, List<std::string> others = {});
 
 /// --solver, --sweeps, --substeps, --frequency, --dt, --scalar, --stabilization, --cold.
-std::vector<Flag> setting_flags();
+List<Flag> setting_flags();
 
 /// The scene's recommended setting, with what the words ask for in its place.
 /// @throws UsageError, std::invalid_argument for a setting that nobody can step by.
@@ -29,12 +29,12 @@ Setting with_solver(const Words& words, std::string_view flag, Setting setting, 
 double seconds_of(const Words& words, const SceneEntry& scene);
 
 /// The names of all solvers that --solver takes.
-std::vector<std::string> solver_names();
+List<std::string> solver_names();
 /// The words that --stabilization takes.
-const std::vector<std::string>& stabilization_names();
-const std::vector<std::string>& scalar_names();
+const List<std::string>& stabilization_names();
+const List<std::string>& scalar_names();
 
 /// Both lists in one.
-std::vector<Flag> joined_flags(std::vector<Flag> first, const std::vector<Flag>& second);
+List<Flag> joined_flags(List<Flag> first, const List<Flag>& second);
 
 }  // namespace cairn::sandbox

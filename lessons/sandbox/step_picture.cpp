@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "lessons/sandbox/step_view.hpp"
+#include "math/list.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
 #include "solvers/system_matrix.hpp"
@@ -9,13 +10,13 @@
 namespace cairn::sandbox {
 namespace {
 
-constexpr std::size_t most_names = 40;  // more are too small to be read
+constexpr int most_names = 40;  // more are too small to be read
 
 render::MatrixView matrix_view(const StepView& view) {
   render::MatrixView matrix{.title = fmt::format("A = J M⁻¹ Jᵀ (1/kg), {} rows", view.rows.size())};
   matrix.values = system_matrices(view.given).A;
   if (view.rows.size() > most_names) return matrix;
-  for (std::size_t i = 0; i < view.rows.size(); ++i) {
+  for (int i = 0; i < view.rows.size(); ++i) {
     const std::string number = std::to_string(i + 1);
     matrix.row_names.push_back(number);
     matrix.column_names.push_back(number);
@@ -45,7 +46,7 @@ render::Image draw_step(const StepView& view, const std::string& title, const re
   const render::Rect area = page.area();
   const render::TextStyle words = page.label();
   const double line = 1.6 * words.size;
-  const std::vector<render::Rect> parts =
+  const List<render::Rect> parts =
       render::columns({area.x, area.y, area.width, area.height - line}, {1, 1}, page.sizes().gap);
   const render::Rect inside = page.panel(parts[0], "");
   if (view.rows.empty()) {

@@ -37,11 +37,11 @@ std::string body_name(BodyId body) {
 }
 
 /// What wrote each row: joints come first, in the scene's order.
-std::vector<std::string> row_kinds(const VelocityProblem<double>& problem, const Scene& scene) {
-  std::vector<std::string> kinds(problem.rows.size());
-  for (std::size_t block = 0; block < problem.blocks.size(); ++block) {
+PerRow<std::string> row_kinds(const VelocityProblem<double>& problem, const Scene& scene) {
+  PerRow<std::string> kinds(problem.row_count());
+  for (int block = 0; block < problem.blocks.size(); ++block) {
     for (int k = 0; k < problem.blocks[block].count; ++k) {
-      const auto i = static_cast<std::size_t>(problem.blocks[block].first + k);
+      const int i = problem.blocks[block].first + k;
       const bool is_joint = block < scene.joints().size();
       if (is_joint) {
         // There is a joint of that name too.
@@ -56,8 +56,8 @@ std::vector<std::string> row_kinds(const VelocityProblem<double>& problem, const
 }
 
 void set_rows(StepView& view, const Scene& scene) {
-  const std::vector<std::string> kinds = row_kinds(view.given, scene);
-  for (std::size_t i = 0; i < view.given.rows.size(); ++i) {
+  const PerRow<std::string> kinds = row_kinds(view.given, scene);
+  for (int i = 0; i < view.given.row_count(); ++i) {
     const ConstraintRow<double>& row = view.given.rows[i];
     constexpr double endless = std::numeric_limits<double>::infinity();
     view.rows.push_back({.kind = kinds[i],
@@ -73,10 +73,10 @@ void set_rows(StepView& view, const Scene& scene) {
 }
 
 /// sqrt(dv^T M dv) between two velocities.
-double kinetic_distance(const VelocityProblem<double>& problem, const std::vector<Vec3<double>>& first,
-                        const std::vector<Vec3<double>>& second) {
+double kinetic_distance(const VelocityProblem<double>& problem, const PerBody<Vec3<double>>& first,
+                        const PerBody<Vec3<double>>& second) {
   double sum = 0;
-  for (std::size_t body = 0; body < first.size(); ++body) {
+  for (const BodyId body : first.indices()) {
     const Vec3<double> gap = first[body] - second[body];
     for (int axis = 0; axis < 3; ++axis) {
       const double inverse = problem.inverse_mass[body][axis];
@@ -100,12 +100,12 @@ void add_reference(StepView& view) {
     return;
   }
   StepReference reference{.report = solver.report()};
-  for (std::size_t i = 0; i < view.rows.size(); ++i) {
+  for (int i = 0; i < view.rows.size(); ++i) {
     view.rows[i].exact = exact.impulse[i];
     reference.impulse_gap =
         std::max(reference.impulse_gap, std::abs(exact.impulse[i] - view.solved.impulse[i]));
   }
-  for (std::size_t body = 0; body < exact.velocity.size(); ++body) {
+  for (const BodyId body : exact.velocity.indices()) {
     const double gap = (exact.velocity[body] - view.solved.velocity[body]).cwiseAbs().maxCoeff();
     reference.velocity_gap = std::max(reference.velocity_gap, gap);
   }
@@ -150,9 +150,9 @@ StepView view_step(const SceneEntry& entry, const Setting& setting, int step) {
   return view;
 }
 
-std::vector<std::size_t> shown_sweeps(std::size_t count) {
-  std::vector<std::size_t> shown;
-  for (std::size_t next = 0; next < count; next = next < 3 ? next + 1 : next + (next + 1) / 2) {
+List<int> shown_sweeps(int count) {
+  List<int> shown;
+  for (int next = 0; next < count; next = next < 3 ? next + 1 : next + (next + 1) / 2) {
     shown.push_back(next);
   }
   if (count > 0 && shown.back() != count - 1) shown.push_back(count - 1);

@@ -3,13 +3,13 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "measure/recorder.hpp"
 #include "render/image.hpp"
 #include "render/theme.hpp"
-#include "solvers/exact/reference_solver.hpp"
 #include "scenes/scene_list.hpp"
+#include "solvers/exact/reference_solver.hpp"
 
 namespace cairn::sandbox {
 
@@ -38,8 +38,8 @@ struct StepView {
   Setting setting = {};
   VelocityProblem<double> given = {};  // with the warm start
   VelocityProblem<double> solved = {};
-  std::vector<SweepRecord> sweeps = {};
-  std::vector<StepRow> rows = {};
+  List<SweepRecord> sweeps = {};
+  PerRow<StepRow> rows = {};
   std::optional<StepReference> reference = {};
   std::string no_reference = {};  // why there is none
 };
@@ -49,7 +49,7 @@ struct StepView {
 StepView view_step(const SceneEntry& scene, const Setting& setting, int step);
 
 /// Sweeps that are worth a line, at most about 12: the first, then ever fewer, and the last.
-std::vector<std::size_t> shown_sweeps(std::size_t count);
+List<int> shown_sweeps(int count);
 
 /// A as a heat map, and the residual over the sweeps.
 render::Image draw_step(const StepView& view, const std::string& title, const render::Theme& theme, int width,

@@ -12,18 +12,18 @@ namespace cairn::sandbox {
 namespace {
 
 /// What no other point of the list beats, from the least work to the most.
-std::vector<TradePoint> front_of(std::vector<TradePoint> points) {
+List<TradePoint> front_of(List<TradePoint> points) {
   std::stable_sort(points.begin(), points.end(), [](const TradePoint& a, const TradePoint& b) {
     return a.work < b.work || (a.work == b.work && a.error < b.error);
   });
-  std::vector<TradePoint> front;
+  List<TradePoint> front;
   for (const TradePoint& point : points) {
     if (front.empty() || point.error < front.back().error) front.push_back(point);
   }
   return front;
 }
 
-render::Places places_of(const std::vector<TradePoint>& points) {
+render::Places places_of(const List<TradePoint>& points) {
   render::Places places;
   for (const TradePoint& point : points) {
     places.x.push_back(point.work);
@@ -46,10 +46,10 @@ render::Plot plot_of(const TradeChart& chart, const render::Theme& theme) {
                     .y = {.title = chart.error, .scale = render::AxisScale::logarithmic}};
   plot.cloud = places_of(chart.points);
   plot.front = places_of(front_of(chart.points));
-  const std::vector<render::SeriesStyle> styles = solver_styles(chart.curves, theme);
-  for (std::size_t i = 0; i < chart.curves.size(); ++i) {
+  const List<render::SeriesStyle> styles = solver_styles(chart.curves, theme);
+  for (int i = 0; i < chart.curves.size(); ++i) {
     const std::string& solver = chart.curves[i];
-    std::vector<TradePoint> own;
+    List<TradePoint> own;
     std::copy_if(chart.points.begin(), chart.points.end(), std::back_inserter(own),
                  [&](const TradePoint& point) { return point.solver == solver; });
     const render::Places places = places_of(front_of(own));
@@ -73,19 +73,20 @@ render::SeriesStyle family_style(const std::string& solver, const render::Theme&
 
 }  // namespace
 
-std::vector<render::SeriesStyle> solver_styles(const std::vector<std::string>& solvers,
-                                               const render::Theme& theme) {
-  std::vector<render::SeriesStyle> free = {theme.exact, theme.jacobi, theme.pgs, theme.si, theme.box2d};
+List<render::SeriesStyle> solver_styles(const List<std::string>& solvers, const render::Theme& theme) {
+  List<render::SeriesStyle> free = {theme.exact, theme.jacobi, theme.pgs, theme.si, theme.box2d};
   const auto take = [&free](const render::SeriesStyle& style) {
-    return std::erase_if(free, [&](const auto& other) { return other.marker == style.marker; }) > 0;
+    const int before = free.size();
+    erase_if(free, [&](const auto& other) { return other.marker == style.marker; });
+    return free.size() < before;
   };
-  std::vector<render::SeriesStyle> styles;
-  std::vector<std::size_t> without;  // one of their own
-  for (std::size_t i = 0; i < solvers.size(); ++i) {
+  List<render::SeriesStyle> styles;
+  List<int> without;  // one of their own
+  for (int i = 0; i < solvers.size(); ++i) {
     styles.push_back(family_style(solvers[i], theme));
     if (!take(styles.back())) without.push_back(i);
   }
-  for (const std::size_t i : without) {
+  for (const int i : without) {
     styles[i] = free.front();
     take(styles[i]);
   }
@@ -108,7 +109,7 @@ render::Rect place_note(render::Page& page, const std::string& note) {
   const render::Rect area = page.area();
   if (note.empty()) return area;
   const double size = page.secondary().size;
-  const std::size_t lines = render::wrapped(page.canvas(), note, area.width, page.secondary()).size();
+  const int lines = render::wrapped(page.canvas(), note, area.width, page.secondary()).size();
   const double height = (render::leading * (static_cast<double>(lines) - 1) + 1.8) * size;
   page.paragraph({area.x, area.y + area.height - height + 1.5 * size}, area.width, note, page.secondary());
   return {area.x, area.y, area.width, area.height - height};

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/image.hpp"
 #include "render/page.hpp"
 #include "render/theme.hpp"
@@ -16,16 +16,15 @@ struct TradeChart {
   std::string work = {};   // of the axes, with units
   std::string error = {};
   std::string note = {};  // one sentence below the chart
-  std::vector<TradePoint> points = {};
-  std::vector<std::string> curves = {};  // at most 4 solvers, by name, that get a curve; the others are dots
-  bool labels_all = false;               // every point of the front with its setting, where there is room
-  int width = 1280;                      // [px]
+  List<TradePoint> points = {};
+  List<std::string> curves = {};  // at most 4 solvers, by name, that get a curve; the others are dots
+  bool labels_all = false;        // every point of the front with its setting, where there is room
+  int width = 1280;               // [px]
   int height = 720;
 };
 
 /// The looks of at most 5 solvers' curves: their own, or what is left where two have the same.
-std::vector<render::SeriesStyle> solver_styles(const std::vector<std::string>& solvers,
-                                               const render::Theme& theme);
+List<render::SeriesStyle> solver_styles(const List<std::string>& solvers, const render::Theme& theme);
 /// The name beside a curve.
 std::string solver_label(const std::string& solver);
 /// The text for pictures, where _ alone would begin a subscript.

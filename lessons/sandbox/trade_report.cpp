@@ -11,6 +11,7 @@
 #include "lessons/sandbox/profile_chart.hpp"
 #include "lessons/sandbox/trade_chart.hpp"
 #include "lessons/words.hpp"
+#include "math/list.hpp"
 #include "render/image.hpp"
 #include "study/trade_row.hpp"
 
@@ -19,14 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double least_residual = 1e-16;               // R_E below this is rounding
-constexpr double most_spread = 0.1;                    // of times: quartile range over median
-const std::vector<double> goals = {1e-2, 1e-4, 1e-6};  // of R_E
-constexpr std::size_t profile_goal = 1;                // 1e-4
+constexpr double least_residual = 1e-16;        // R_E below this is rounding
+constexpr double most_spread = 0.1;             // of times: quartile range over median
+const List<double> goals = {1e-2, 1e-4, 1e-6};  // of R_E
+constexpr int profile_goal = 1;                 // 1e-4
 
 /// Its units stand below the header.
 std::string csv_with_units(const std::string& csv) {
-  std::vector<CsvCell> units = {std::string()};
+  List<CsvCell> units = {std::string()};
   for (const TradeColumn& column : trade_columns()) units.push_back(column.unit);
   const std::size_t end = csv.find('\n') + 1;
   return csv.substr(0, end) + csv_line(units) + "\n" + csv.substr(end);
@@ -44,7 +45,7 @@ std::string power_text(double goal) { return fmt::format("1e{:.0f}", std::log10(
 /// Why a solver never came to an error: "cycle", "plateau", "nan", "refused", or "-" for too few sweeps.
 std::string ending_text(const WorkToError& work) { return work.ending == "ok" ? "-" : work.ending; }
 
-void print_work_to_errors(const std::vector<WorkToError>& all, Console& console) {
+void print_work_to_errors(const List<WorkToError>& all, Console& console) {
   std::string head = fmt::format("{:<33}", "row updates down to R_E <=");
   for (const double goal : goals) head += fmt::format(" {:>10}", power_text(goal));
   console.result(head);
@@ -63,22 +64,22 @@ void print_work_to_errors(const std::vector<WorkToError>& all, Console& console)
   }
 }
 
-std::string noisy_text(std::size_t noisy) {
+std::string noisy_text(int noisy) {
   return fmt::format("{} left out as noisy, their times spread by more than {:g} %", noisy,
                      100 * most_spread);
 }
 
 /// `noisy` of the `settings` are not among those whose points these may be.
-void print_front(const TradeStudy& trade, std::size_t settings, std::size_t noisy,
-                 const std::vector<TradePoint>& points, Console& console) {
-  std::vector<TradePoint> front;
+void print_front(const TradeStudy& trade, int settings, int noisy, const List<TradePoint>& points,
+                 Console& console) {
+  List<TradePoint> front;
   std::copy_if(points.begin(), points.end(), std::back_inserter(front),
                [](const TradePoint& p) { return p.on_front; });
   std::stable_sort(front.begin(), front.end(),
                    [](const TradePoint& a, const TradePoint& b) { return a.work < b.work; });
   std::size_t width = 20;
   for (const TradePoint& point : front) width = std::max(width, point.setting.size());
-  const std::size_t without = settings - noisy - points.size();
+  const int without = settings - noisy - points.size();
   console.result(fmt::format("what nothing beats, of {} settings{}{}", settings,
                              without > 0 ? fmt::format("; {} came to no number", without) : "",
                              noisy > 0 ? "; " + noisy_text(noisy) : ""));
@@ -90,8 +91,8 @@ void print_front(const TradeStudy& trade, std::size_t settings, std::size_t nois
   }
 }
 
-void print_profiles(const std::vector<PerformanceProfile>& profiles, Console& console) {
-  const std::vector<double> factors = {1, 2, 5, 10, 100, 1000};
+void print_profiles(const List<PerformanceProfile>& profiles, Console& console) {
+  const List<double> factors = {1, 2, 5, 10, 100, 1000};
   console.result(fmt::format("share of {} problems brought to R_E <= {} within so many times the least work",
                              profiles.empty() ? 0 : profiles.front().ratios.size(),
                              power_text(goals[profile_goal])));
@@ -106,11 +107,11 @@ void print_profiles(const std::vector<PerformanceProfile>& profiles, Console& co
 }
 
 /// "In a cycle for ever: si, block.": solvers that stand still before the last goal.
-std::string standstill_note(const std::vector<WorkToError>& all) {
+std::string standstill_note(const List<WorkToError>& all) {
   std::string note;
   for (const auto& [ending, words] :
        {std::pair("cycle", " In a cycle for ever: "), std::pair("plateau", " On a plateau for ever: ")}) {
-    std::vector<std::string> names;
+    List<std::string> names;
     for (const WorkToError& work : all) {
       if (work.ending == ending && !std::isfinite(work.row_updates.back())) names.push_back(work.solver);
     }
@@ -121,7 +122,7 @@ std::string standstill_note(const std::vector<WorkToError>& all) {
 
 /// Errors of 0 have no place on a logarithmic axis: they get the decade below the least of the others.
 /// Whether there were any.
-bool place_zeros(std::vector<TradePoint>& points) {
+bool place_zeros(List<TradePoint>& points) {
   double least = 1;
   for (const TradePoint& point : points) {
     if (point.error > 0) least = std::min(least, point.error);
@@ -135,7 +136,7 @@ bool place_zeros(std::vector<TradePoint>& points) {
   return any;
 }
 
-void write_chart(const Words& words, const TradeStudy& trade, std::vector<TradePoint> points,
+void write_chart(const Words& words, const TradeStudy& trade, List<TradePoint> points,
                  const std::string& note, const fs::path& path) {
   const bool has_zeros = place_zeros(points);
   TradeChart chart{.title = trade.title,
@@ -151,9 +152,9 @@ void write_chart(const Words& words, const TradeStudy& trade, std::vector<TradeP
 }
 
 /// The profile of all problems. The names of the files that were written.
-std::string report_profile(const Words& words, const TradeStudy& trade, const std::vector<WorkToError>& work,
+std::string report_profile(const Words& words, const TradeStudy& trade, const List<WorkToError>& work,
                            const fs::path& folder, Console& console) {
-  const std::vector<PerformanceProfile> profiles = performance_profiles(work, profile_goal);
+  const List<PerformanceProfile> profiles = performance_profiles(work, profile_goal);
   ProfileChart chart{
       .title = fmt::format("{}, to R_{{E}} of at most {}", trade.title, power_text(goals[profile_goal])),
       .note =
@@ -174,9 +175,9 @@ std::string report_scene(const Words& words, const TradeStudy& trade, const CsvT
                          const std::string& standstill, const fs::path& folder, Console& console) {
   const bool by_solve_time = trade.work == "solve_ns_med";
   const CsvTable steady = by_solve_time ? rows_with_steady_times(shown, most_spread) : shown;
-  const std::vector<TradePoint> points =
+  const List<TradePoint> points =
       trade_points(steady, trade.work, trade.error, trade.level == 1 ? least_residual : 0);
-  const std::size_t noisy = shown.rows.size() - steady.rows.size();
+  const int noisy = shown.rows.size() - steady.rows.size();
   if (!words.has("json")) print_front(trade, shown.rows.size(), noisy, points, console);
   if (points.empty()) return "";
   const std::string left_out = noisy > 0 ? " " + noisy_text(noisy) + "." : "";
@@ -203,7 +204,7 @@ int report_trade(const Words& words, const TradeStudy& trade, const std::string&
   render::write_file(folder / (trade.name + ".json"), json_of(table));
   if (words.has("json")) fmt::print("{}", json_of(table));
   const CsvTable shown = rows_with(table, trade.shown);
-  std::vector<WorkToError> work;
+  List<WorkToError> work;
   if (trade.level == 1) work = work_to_errors(shown, goals);
   if (trade.level == 1 && !words.has("json")) print_work_to_errors(work, console);
   std::string written = (folder / (trade.name + ".csv")).string() + ", .json";

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "lessons/sandbox/trade_chart.hpp"
 #include "frozen/frozen_set.hpp"
+#include "lessons/sandbox/trade_chart.hpp"
 #include "scenes/scene_list.hpp"
 #include "scenes/solver_list.hpp"
 #include "study/trajectory_study.hpp"
@@ -22,25 +22,24 @@ struct ErrorColumn {
   std::string axis = {};
 };
 
-const std::vector<ErrorColumn>& solve_errors() {
-  static const std::vector<ErrorColumn> errors = {
+const List<ErrorColumn>& solve_errors() {
+  static const List<ErrorColumn> errors = {
       {"R_E", "R_E_v", "R_{E}: energy left over energy at the start"},
       {"E_M", "E_M", "E_{M}: distance from the true velocity over that at the start"}};
   return errors;
 }
 
-const std::vector<ErrorColumn>& trajectory_errors() {
-  static const std::vector<ErrorColumn> errors = {
-      {"formula", "err_value", "error of "},
-      {"penetration", "pen_max", "worst overlap (m)"},
-      {"drift", "drift_max", "worst drift of a joint (m)"},
-      {"energy", "dE_max_gain", "energy gained, of the scene's scale"}};
+const List<ErrorColumn>& trajectory_errors() {
+  static const List<ErrorColumn> errors = {{"formula", "err_value", "error of "},
+                                           {"penetration", "pen_max", "worst overlap (m)"},
+                                           {"drift", "drift_max", "worst drift of a joint (m)"},
+                                           {"energy", "dE_max_gain", "energy gained, of the scene's scale"}};
   return errors;
 }
 
-const ErrorColumn& error_of(const Words& words, const std::vector<ErrorColumn>& errors,
+const ErrorColumn& error_of(const Words& words, const List<ErrorColumn>& errors,
                             const std::string& standard) {
-  std::vector<std::string> known;
+  List<std::string> known;
   for (const ErrorColumn& error : errors) known.push_back(error.word);
   const std::string word = words.word("error", standard, known);
   return *std::find_if(errors.begin(), errors.end(), [&](const ErrorColumn& e) { return e.word == word; });
@@ -50,21 +49,21 @@ std::string lower_is_better(const std::string& axis) { return axis + "    lower 
 std::string left_is_better(const std::string& axis) { return "← cheaper    " + axis; }
 
 /// `others`: contestants that are no solvers.
-std::vector<std::string> solvers_of(const Words& words, const std::vector<std::string>& standard,
-                                    const std::vector<std::string>& others) {
-  std::vector<std::string> known = others;
+List<std::string> solvers_of(const Words& words, const List<std::string>& standard,
+                             const List<std::string>& others) {
+  List<std::string> known = others;
   for (const SolverEntry& entry : solver_entries()) known.push_back(entry.name);
-  const std::vector<std::string> given = words.known_texts("solvers", known);
+  const List<std::string> given = words.known_texts("solvers", known);
   return given.empty() ? standard : given;
 }
 
-std::vector<std::string> first_four(std::vector<std::string> solvers) {
-  solvers.resize(std::min<std::size_t>(4, solvers.size()));
+List<std::string> first_four(List<std::string> solvers) {
+  solvers.resize(std::min(4, solvers.size()));
   return solvers;
 }
 
 /// Level 1: frozen problems.
-TradeStudy solve_trade(const Words& words, const std::vector<std::string>& names) {
+TradeStudy solve_trade(const Words& words, const List<std::string>& names) {
   SolveGrid grid;
   const bool by_time = words.word("work", "updates", {"updates", "time"}) == "time";
   grid.solvers = solvers_of(words, grid.solvers, {});
@@ -74,7 +73,7 @@ TradeStudy solve_trade(const Words& words, const std::vector<std::string>& names
     grid.scalars = {scalar == "double" ? Precision::double_precision : Precision::single_precision};
     grid.timing = {.repetitions = by_time ? 10 : 0, .seconds = by_time ? 0.01 : 0};
   }
-  std::vector<FrozenProblem> problems;
+  List<FrozenProblem> problems;
   for (const std::string& name : names) problems.push_back(make_frozen(name));
   const ErrorColumn& error = error_of(words, solve_errors(), "R_E");
   return {
@@ -99,8 +98,8 @@ TrajectoryGrid trajectory_grid(const Words& words) {
   if (!has_box2d()) {
     grid.solvers.erase(std::remove(grid.solvers.begin(), grid.solvers.end(), "box2d"), grid.solvers.end());
   }
-  grid.solvers = solvers_of(words, grid.solvers,
-                            has_box2d() ? std::vector<std::string>{"box2d"} : std::vector<std::string>{});
+  grid.solvers =
+      solvers_of(words, grid.solvers, has_box2d() ? List<std::string>{"box2d"} : List<std::string>{});
   if (!words.has("quick")) return grid;
   grid.frequencies = {60, 120, 240};
   grid.substeps = {1, 4};
@@ -118,10 +117,10 @@ std::string trajectory_note(const TrajectoryScene& scene) {
 }
 
 /// Level 2: whole runs.
-TradeStudy trajectory_trade(const Words& words, const std::vector<std::string>& names) {
+TradeStudy trajectory_trade(const Words& words, const List<std::string>& names) {
   for (const char* flag : {"start", "scalar"}) words.refuse_beside(flag, "for whole runs (level 2)");
   const TrajectoryGrid grid = trajectory_grid(words);
-  std::vector<TrajectoryScene> scenes;
+  List<TrajectoryScene> scenes;
   for (const std::string& name : names) {
     scenes.push_back(trajectory_scene(name));
     if (words.has("quick")) scenes.back().starts = std::min(scenes.back().starts, 2);
@@ -160,12 +159,12 @@ TradeStudy trade_study(const Words& words) {
   const std::string name = all ? "" : words.places.front();
   const bool is_frozen = std::count(frozen_names().begin(), frozen_names().end(), name) > 0;
   const int level = words.whole("level", all || is_frozen ? 1 : 2, 1, 2);
-  const std::vector<std::string> everything = level == 1 ? frozen_names() : trajectory_names();
+  const List<std::string> everything = level == 1 ? frozen_names() : trajectory_names();
   const bool is_file = level == 2 && names_scene_file(name);
   if (!all && !is_file)
     words.require_known(level == 1 ? "SCENE, of level 1," : "SCENE, of level 2,", name, everything,
                         "cairn tradeoff --list");
-  const std::vector<std::string> names = all ? everything : std::vector<std::string>{name};
+  const List<std::string> names = all ? everything : List<std::string>{name};
   return level == 1 ? solve_trade(words, names) : trajectory_trade(words, names);
 }
 

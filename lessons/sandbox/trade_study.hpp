@@ -3,9 +3,9 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 #include "lessons/sandbox/verb.hpp"
+#include "math/list.hpp"
 #include "study/journal.hpp"
 
 namespace cairn::sandbox {
@@ -19,7 +19,7 @@ struct TradeStudy {
   std::string work = {}, error = {};            // columns
   std::string work_name = {}, error_name = {};  // at the head of a printed table
   std::string work_axis = {}, error_axis = {};
-  std::vector<std::string> curves = {};           // at most 4 solvers
+  List<std::string> curves = {};                  // at most 4 solvers
   std::map<std::string, std::string> shown = {};  // the rows that are drawn: words that columns have
 };
 

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "lessons/console.hpp"
+#include "math/list.hpp"
 
 namespace cairn::sandbox {
 
@@ -39,30 +39,29 @@ struct Flag {
 /// The words of a command line behind its verb, as far as flags and their values are told apart.
 struct Words {
   std::string verb = {};
-  std::vector<std::string> places = {};  // what is no flag
-  std::map<std::string, std::vector<std::string>, std::less<>> flags = {};
+  List<std::string> places = {};  // what is no flag
+  std::map<std::string, List<std::string>, std::less<>> flags = {};
   ConsoleSettings console = {};
 
   bool has(std::string_view flag) const { return flags.count(flag) != 0; }
   /// The value given last.
   std::optional<std::string> text(std::string_view flag) const;
   /// Every value given; those between commas are values of their own.
-  std::vector<std::string> texts(std::string_view flag) const;
+  List<std::string> texts(std::string_view flag) const;
   /// @throws UsageError unless it is a number from `least` to `most`.
   double number(std::string_view flag, double standard, double least, double most) const;
   int whole(std::string_view flag, int standard, int least, int most) const;
   /// @throws UsageError unless it is one of the words.
-  std::string word(std::string_view flag, const std::string& standard,
-                   const std::vector<std::string>& words) const;
+  std::string word(std::string_view flag, const std::string& standard, const List<std::string>& words) const;
   /// A quantity in its SI unit, written with or without one: see read_quantity().
   /// @throws UsageError unless it is above 0 and at most `most`.
   double quantity(std::string_view flag, std::string_view unit, double standard,
                   double most = std::numeric_limits<double>::max()) const;
   /// Every value given, once each. @throws UsageError unless each is one of `known`.
-  std::vector<std::string> known_texts(std::string_view flag, const std::vector<std::string>& known) const;
+  List<std::string> known_texts(std::string_view flag, const List<std::string>& known) const;
   /// `list`: the command that shows them, where there are too many for a message.
   /// @throws UsageError "cairn VERB: what must be ..." unless `value` is one of `known`.
-  void require_known(std::string_view what, const std::string& value, const std::vector<std::string>& known,
+  void require_known(std::string_view what, const std::string& value, const List<std::string>& known,
                      const std::string& list = {}) const;
   /// @throws UsageError where the flag is given, but means nothing there.
   void refuse_beside(std::string_view flag, const std::string& what) const;
@@ -73,26 +72,26 @@ struct Words {
 struct Verb {
   std::string name = {};
   std::string places = {};  // "SCENE [FILE]"
-  std::size_t fewest_places = 0;
-  std::size_t most_places = 0;
+  int fewest_places = 0;
+  int most_places = 0;
   std::string summary = {};  // for the list of verbs
   std::string idea = {};     // for its own help: what it answers, and what the answer means
-  std::vector<Flag> flags = {};
-  std::vector<std::string> examples = {};  // command lines behind "cairn "
+  List<Flag> flags = {};
+  List<std::string> examples = {};  // command lines behind "cairn "
   std::function<int(const Words&, Console&)> run = {};
 };
 
 /// All verbs, in the order in which help lists them.
-const std::vector<Verb>& verbs();
+const List<Verb>& verbs();
 /// Flags that every verb has.
-const std::vector<Flag>& shared_flags();
+const List<Flag>& shared_flags();
 
 /// "2mm", "0.02 m", "5 cm", "3 %", "10s", "250 ms": in m, 1 or s, as `unit` asks ("m", "%", "s"). A number
 /// alone is in `unit`, where "%" stands for hundredths.
 std::optional<double> read_quantity(std::string_view text, std::string_view unit);
 
 /// @throws UsageError.
-Words read_words(const Verb& verb, const std::vector<std::string>& words);
+Words read_words(const Verb& verb, const List<std::string>& words);
 
 /// The text of `cairn --help`, and of `cairn VERB --help`.
 std::string help_text();

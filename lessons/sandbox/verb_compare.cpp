@@ -9,14 +9,15 @@
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
+#include "math/list.hpp"
 
 namespace cairn::sandbox {
 namespace {
 
-std::vector<Flag> compare_flags() {
-  std::vector<Flag> flags = {{"solvers", "NAME,NAME",
-                              "each with sweeps of its own if you like: si,si:100 (si,pgs,accelerated,box2d)",
-                              true}};
+List<Flag> compare_flags() {
+  List<Flag> flags = {{"solvers", "NAME,NAME",
+                       "each with sweeps of its own if you like: si,si:100 (si,pgs,accelerated,box2d)",
+                       true}};
   for (const Flag& flag : setting_flags()) {
     if (flag.name != "solver") flags.push_back(flag);
   }
@@ -34,11 +35,10 @@ SceneRun left_out(Setting setting, const std::string& reason) {
 }
 
 /// The settings, in the order asked for.
-std::vector<Setting> compared_settings(const Words& words, const SceneEntry& scene) {
-  const std::vector<std::string> asked = words.has("solvers")
-                                             ? words.texts("solvers")
-                                             : std::vector<std::string>{"si", "pgs", "accelerated", "box2d"};
-  std::vector<Setting> settings;
+List<Setting> compared_settings(const Words& words, const SceneEntry& scene) {
+  const List<std::string> asked =
+      words.has("solvers") ? words.texts("solvers") : List<std::string>{"si", "pgs", "accelerated", "box2d"};
+  List<Setting> settings;
   for (const std::string& text : asked) {
     Setting setting = setting_of(words, scene);
     if (text.substr(0, text.find(':')) == "box2d" && !has_box2d()) {
@@ -51,9 +51,9 @@ std::vector<Setting> compared_settings(const Words& words, const SceneEntry& sce
   return settings;
 }
 
-void write_compare_film(const Words& words, const SceneEntry& scene, const std::vector<SceneRun>& runs,
+void write_compare_film(const Words& words, const SceneEntry& scene, const List<SceneRun>& runs,
                         const FilmFiles& files, const RunWish& wish, Console& console, bool& is_stopped) {
-  std::vector<SceneRun> shown;
+  List<SceneRun> shown;
   for (const SceneRun& run : runs) {
     if (run.result.status != TrialStatus::refused) shown.push_back(run);
   }
@@ -71,8 +71,8 @@ void write_compare_film(const Words& words, const SceneEntry& scene, const std::
   }
 }
 
-void print_comparison(const Words& words, const SceneEntry& scene, const std::vector<SceneRun>& runs,
-                      double seconds, Console& console) {
+void print_comparison(const Words& words, const SceneEntry& scene, const List<SceneRun>& runs, double seconds,
+                      Console& console) {
   if (words.has("json")) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const SceneRun& run : runs) all.push_back(run_json(scene, run));
@@ -87,7 +87,7 @@ void print_comparison(const Words& words, const SceneEntry& scene, const std::ve
 }
 
 /// The worst of those that ran; a comparison is no test of its contestants.
-int compare_code(const std::vector<SceneRun>& runs) {
+int compare_code(const List<SceneRun>& runs) {
   bool any = false;
   for (const SceneRun& run : runs) {
     const TrialStatus status = run.result.status;
@@ -99,7 +99,7 @@ int compare_code(const std::vector<SceneRun>& runs) {
 
 int run_compare(const Words& words, Console& console) {
   const SceneEntry scene = scene_of(words, words.places.front());
-  const std::vector<Setting> settings = compared_settings(words, scene);
+  const List<Setting> settings = compared_settings(words, scene);
   const FilmFiles files = film_files(words);
   (void)look_of(words, "small");  // refuses before any work is done
   if (files.any() && settings.size() > SceneFilm::most_panels)
@@ -108,7 +108,7 @@ int run_compare(const Words& words, Console& console) {
   const RunWish wish{.seconds = seconds_of(words, scene),
                      .frames_per_second = files.any() ? files.frames_per_second : 0,
                      .stops = [&interrupt] { return interrupt.came(); }};
-  std::vector<SceneRun> runs;
+  List<SceneRun> runs;
   for (const Setting& setting : settings) {
     const bool is_missing = setting.solver == "box2d" && !has_box2d();
     runs.push_back(is_missing ? left_out(setting, "Cairn was built without Box2D")

@@ -7,13 +7,14 @@
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
+#include "math/list.hpp"
 
 namespace cairn::sandbox {
 namespace {
 
 std::string flag_words(const Verb& verb) {
-  std::vector<std::string> words;
-  for (const std::vector<Flag>* flags : {&verb.flags, &shared_flags()}) {
+  List<std::string> words;
+  for (const List<Flag>* flags : {&verb.flags, &shared_flags()}) {
     for (const Flag& flag : *flags) words.push_back("--" + flag.name);
   }
   return joined(words, " ");
@@ -24,7 +25,7 @@ std::string place_words(const Verb& verb) {
   if (verb.name == "list") return "scenes solvers stabilizations";
   if (verb.name == "completion") return "bash zsh";
   if (verb.places.find("SCENE") == std::string::npos) return "";
-  std::vector<std::string> words;
+  List<std::string> words;
   for (const SceneEntry& scene : scene_entries()) words.push_back(scene.name);
   return joined(words, " ");
 }
@@ -44,7 +45,7 @@ std::map<std::string, std::string> value_words() {
 
 /// Flags whose value is a file or a folder.
 std::string file_flags() {
-  std::vector<std::string> words;
+  List<std::string> words;
   for (const Verb& verb : verbs()) {
     for (const Flag& flag : verb.flags) {
       const bool is_file = flag.takes.find("FILE") != std::string::npos || flag.takes == "DIR";
@@ -56,7 +57,7 @@ std::string file_flags() {
 }
 
 std::string bash_script() {
-  std::vector<std::string> names;
+  List<std::string> names;
   std::string cases, places;
   for (const Verb& verb : verbs()) {
     names.push_back(verb.name);

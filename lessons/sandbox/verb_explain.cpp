@@ -8,6 +8,7 @@
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
+#include "math/list.hpp"
 #include "scenes/solver_list.hpp"
 #include "world/world.hpp"
 
@@ -54,14 +55,13 @@ SceneCounts counts_of(const Scene& scene, const World<double>& after, int contac
   }
   counts.contacts = contacts;
   counts.rows = problem.row_count();
-  counts.problem_bytes = bytes_of(problem.rows) + bytes_of(problem.blocks) + bytes_of(problem.extra_terms) +
-                         bytes_of(problem.inverse_mass) + bytes_of(problem.velocity) +
-                         bytes_of(problem.impulse);
+  counts.problem_bytes = problem.rows.bytes() + problem.blocks.bytes() + problem.extra_terms.bytes() +
+                         problem.inverse_mass.bytes() + problem.velocity.bytes() + problem.impulse.bytes();
   return counts;
 }
 
-std::vector<SolverMemory> memories_of(const VelocityProblem<double>& problem) {
-  std::vector<SolverMemory> memories;
+List<SolverMemory> memories_of(const VelocityProblem<double>& problem) {
+  List<SolverMemory> memories;
   for (const SolverEntry& entry : solver_entries()) {
     SolverMemory memory{.solver = entry.name};
     if (entry.name == "reference" && problem.row_count() > most_rows_of_reference) {
@@ -83,7 +83,7 @@ std::vector<SolverMemory> memories_of(const VelocityProblem<double>& problem) {
 }
 
 std::string counts_text(const Counts& counts) {
-  std::vector<std::string> parts;
+  List<std::string> parts;
   for (const auto& [name, count] : counts) parts.push_back(fmt::format("{} {}", count, name));
   return parts.empty() ? "none" : joined(parts, ", ");
 }
@@ -96,8 +96,7 @@ std::string bytes_text(std::size_t bytes) {
 }
 
 void print_explanation(const SceneEntry& entry, const Setting& setting, const Plan& plan,
-                       const SceneCounts& counts, const std::vector<SolverMemory>& memories,
-                       Console& console) {
+                       const SceneCounts& counts, const List<SolverMemory>& memories, Console& console) {
   const auto line = [&console](const std::string& name, const std::string& what) {
     console.result(console.spelt("  " + padded(name, 14) + what));
   };
@@ -123,7 +122,7 @@ void print_explanation(const SceneEntry& entry, const Setting& setting, const Pl
 }
 
 Json explanation_json(const SceneEntry& entry, const Setting& setting, const Plan& plan,
-                      const SceneCounts& counts, const std::vector<SolverMemory>& memories) {
+                      const SceneCounts& counts, const List<SolverMemory>& memories) {
   Json memory = Json::object();
   for (const SolverMemory& one : memories)
     memory[one.solver] = one.unknown.empty() ? Json(one.bytes) : Json(nullptr);
@@ -161,7 +160,7 @@ int run_explain(const Words& words, Console& console) {
   const auto solver = make_solver<double>("si", setting.sweeps);
   const StepReport report = world.step(*solver);
   const SceneCounts counts = counts_of(scene, world, report.contacts);
-  const std::vector<SolverMemory> memories = memories_of(problem);
+  const List<SolverMemory> memories = memories_of(problem);
   if (words.has("json")) {
     fmt::print("{}\n", explanation_json(entry, setting, world.plan(), counts, memories).dump(1));
   } else {

@@ -12,6 +12,7 @@
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
+#include "math/list.hpp"
 #include "math/nearest.hpp"
 
 namespace cairn::sandbox {
@@ -24,7 +25,7 @@ ExtremeChoice choice_of(const Words& words) {
   ExtremeChoice choice;
   if (words.has("only")) choice.axes = words.texts("only");
   if (words.has("quick")) choice.part = ExtremePart::quick;
-  std::vector<std::string> known;
+  List<std::string> known;
   for (const ExtremeAxis& axis : extreme_axes()) known.push_back(axis.name);
   for (const std::string& axis : choice.axes) require_known(axis, known, "extremes", "axis");
   return choice;
@@ -39,25 +40,25 @@ int list_axes(Console& console) {
 }
 
 /// Columns as wide as their longest cell; the last one is a note.
-std::vector<std::string> lined_up(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
+List<std::string> lined_up(const List<List<std::string>>& rows) {
+  List<std::size_t> widths(rows.front().size(), 0);
   for (const auto& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    for (int i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
   }
-  std::vector<std::string> lines;
+  List<std::string> lines;
   for (const auto& row : rows) {
     std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
+    for (int i = 0; i < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
     line.erase(line.find_last_not_of(' ') + 1);
     lines.push_back(line);
   }
   return lines;
 }
 
-void print_table(const std::vector<ExtremeRow>& found, const Words& words, Console& console) {
-  std::vector<std::vector<std::string>> cells = {
+void print_table(const List<ExtremeRow>& found, const Words& words, Console& console) {
+  List<List<std::string>> cells = {
       {"axis", "value", "solver", "policy", "verdict", "must", "quantity", "value", "limit", ""}};
-  std::vector<bool> good = {true};
+  List<bool> good = {true};
   for (const ExtremeRow& row : found) {
     if (words.has("missed") && row.meets) continue;
     const bool refused = row.verdict == "REFUSE";
@@ -66,12 +67,12 @@ void print_table(const std::vector<ExtremeRow>& found, const Words& words, Conso
                      refused ? "" : fmt::format("{:.3g}", row.limit), row.meets ? "" : row.note});
     good.push_back(row.meets);
   }
-  const std::vector<std::string> lines = lined_up(cells);
-  for (std::size_t i = 0; i < lines.size(); ++i)
+  const List<std::string> lines = lined_up(cells);
+  for (int i = 0; i < lines.size(); ++i)
     console.result(good[i] ? console.spelt(lines[i]) : console.colored(console.spelt(lines[i]), Color::bad));
 }
 
-int report_extremes(const std::vector<ExtremeRow>& found, const Words& words, Console& console) {
+int report_extremes(const List<ExtremeRow>& found, const Words& words, Console& console) {
   std::map<std::string, int> verdicts;
   int missed = 0;
   for (const ExtremeRow& row : found) {
@@ -109,8 +110,8 @@ int run_extremes(const Words& words, Console& console) {
     for (const std::string& other : words.texts("merge")) journal.absorb(other);
   } else {
     const Interrupt interrupt;
-    Progress bar(words.console, "cases", study.tasks.size() / static_cast<std::size_t>(shard.of));
-    const bool finished = run_study(study, shard, journal, [&](std::size_t done, std::size_t, double left) {
+    Progress bar(words.console, "cases", study.tasks.size() / shard.of);
+    const bool finished = run_study(study, shard, journal, [&](int done, int, double left) {
       bar.advance(done, fmt::format("{:.0f} s left", left));
       return !interrupt.came();
     });

@@ -5,9 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "frozen/frozen_set.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "frozen/frozen_set.hpp"
+#include "math/list.hpp"
 #include "scenes/solver_list.hpp"
 
 namespace cairn::sandbox {
@@ -31,8 +32,8 @@ FrozenProblem frozen_scene(const SceneEntry& entry, int step, int sweeps) {
                 fmt::format("{}, after {} steps of SI with {} sweeps", entry.title, step, sweeps));
 }
 
-std::vector<std::string> freezable() {
-  std::vector<std::string> names = frozen_names();
+List<std::string> freezable() {
+  List<std::string> names = frozen_names();
   for (const SceneEntry& scene : scene_entries()) names.push_back(scene.name);
   return names;
 }

@@ -10,6 +10,7 @@
 #include "lessons/sandbox/step_view.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
+#include "math/list.hpp"
 #include "solvers/system_matrix.hpp"
 
 namespace cairn::sandbox {
@@ -17,8 +18,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_columns = 8;  // of rows in the table of sweeps
-constexpr int most_matrix_rows = 12;     // of A as text
+constexpr int most_columns = 8;       // of rows in the table of sweeps
+constexpr int most_matrix_rows = 12;  // of A as text
 
 /// Rounding's rest of a zero is 0.
 std::string short_text(double value, int digits = 4) {
@@ -45,21 +46,21 @@ std::string uniqueness_text(Uniqueness verdict) {
   return verdict == Uniqueness::not_unique ? "more than one" : "perhaps one";
 }
 
-std::string row_line(const std::vector<std::string>& cells) {
+std::string row_line(const List<std::string>& cells) {
   constexpr int widths[] = {-3, 14, -6, -6, -9, -9, -9, -9, -10, -10, -10};  // negative: right-aligned
   std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  for (int i = 0; i < cells.size(); ++i) {
     line += (i == 0 ? "" : " ") + (widths[i] < 0 ? fmt::format("{:>{}}", cells[i], -widths[i])
                                                  : fmt::format("{:<{}}", cells[i], widths[i]));
   }
   return line;
 }
 
-void print_rows(const StepView& view, std::size_t most, Console& console) {
+void print_rows(const StepView& view, int most, Console& console) {
   console.result(
       row_line({"row", "kind", "a", "b", "j v", "bias", "lower", "upper", "impulse", "exact", "still asks"}));
   console.result(row_line({"", "", "", "", "m/s", "m/s", "N s", "N s", "N s", "N s", "N s"}));
-  for (std::size_t i = 0; i < std::min(most, view.rows.size()); ++i) {
+  for (int i = 0; i < std::min(most, view.rows.size()); ++i) {
     const StepRow& row = view.rows[i];
     console.result(row_line({std::to_string(i + 1), row.kind, row.a, row.b, short_text(row.velocity, 3),
                              short_text(row.bias, 3), short_text(row.lower, 3), short_text(row.upper, 3),
@@ -90,23 +91,22 @@ void print_matrix(const StepView& view, Console& console) {
 }
 
 void print_sweeps(const StepView& view, Console& console) {
-  const std::size_t columns = std::min(most_columns, view.rows.size());
+  const int columns = std::min(most_columns, view.rows.size());
   std::string heading = fmt::format("{:>6} {:>9} {:>10}", "sweep", "R_E", "r_inf m/s");
-  for (std::size_t i = 0; i < columns; ++i)
+  for (int i = 0; i < columns; ++i)
     heading += fmt::format(" {:>9}", console.spelt(fmt::format("λ_{}", i + 1)));
   console.result(console.spelt("what each sweep leaves, and its impulses λ in N s"));
   console.result(heading);
-  for (const std::size_t k : shown_sweeps(view.sweeps.size())) {
+  for (const int k : shown_sweeps(view.sweeps.size())) {
     const SweepRecord& sweep = view.sweeps[k];
     std::string line =
         fmt::format("{:>6} {:>9.2e} {:>10.2e}", sweep.sweep, sweep.residual_energy, sweep.residual_velocity);
-    for (std::size_t i = 0; i < columns; ++i) line += fmt::format(" {:>9}", short_text(sweep.impulse[i]));
+    for (int i = 0; i < columns; ++i) line += fmt::format(" {:>9}", short_text(sweep.impulse[i]));
     console.result(line);
   }
   if (!view.reference) return;
   std::string line = fmt::format("{:>6} {:>9.2e} {:>10}", "exact", view.reference->report.residual, "");
-  for (std::size_t i = 0; i < columns; ++i)
-    line += fmt::format(" {:>9}", short_text(view.rows[i].exact.value_or(0)));
+  for (int i = 0; i < columns; ++i) line += fmt::format(" {:>9}", short_text(view.rows[i].exact.value_or(0)));
   console.result(line);
 }
 
@@ -166,7 +166,7 @@ Json step_json(const SceneEntry& scene, const StepView& view) {
     const Matrix<double> matrix = system_matrices(view.given).A;
     for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
       const Vector<double> line = matrix.row(row).transpose();
-      A.push_back(std::vector<double>(line.data(), line.data() + line.size()));
+      A.push_back(List<double>(line.data(), line.data() + line.size()));
     }
   }
   return {{"scene", scene.name},     {"step", view.step},
@@ -199,7 +199,7 @@ int run_inspect(const Words& words, Console& console) {
                                   view.time, view.given.body_count(), view.given.row_count())));
     console.result(
         console.spelt("  " + setting_text(setting) + (setting.substeps > 1 ? "; the last substep" : "")));
-    print_rows(view, static_cast<std::size_t>(most), console);
+    print_rows(view, most, console);
     if (!view.rows.empty()) {
       print_matrix(view, console);
       print_sweeps(view, console);
@@ -214,10 +214,10 @@ int run_inspect(const Words& words, Console& console) {
   return all_well;
 }
 
-std::vector<Flag> inspect_flags() {
-  std::vector<Flag> flags = {{"step", "N", "which step, from 1 (30)"},
-                             {"rows", "N", "so many of them in the table (24)"},
-                             {"picture", "FILE", "A as a heat map, beside the residual of every sweep"}};
+List<Flag> inspect_flags() {
+  List<Flag> flags = {{"step", "N", "which step, from 1 (30)"},
+                      {"rows", "N", "so many of them in the table (24)"},
+                      {"picture", "FILE", "A as a heat map, beside the residual of every sweep"}};
   for (const Flag& flag : joined_flags(setting_flags(), look_flags())) {
     if (flag.name != "show") flags.push_back(flag);
   }

@@ -6,6 +6,7 @@
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
+#include "math/list.hpp"
 #include "scenes/solver_list.hpp"
 
 namespace cairn::sandbox {
@@ -20,8 +21,8 @@ struct Policy {
   std::string what = {};
 };
 
-std::vector<Policy> policies() {
-  const std::vector<std::string>& names = stabilization_names();
+List<Policy> policies() {
+  const List<std::string>& names = stabilization_names();
   return {{names[0], "errors in positions stay, and grow by the error of integration"},
           {names[1], "velocities carry a share of the error for every step, and keep that speed"},
           {names[2], "stiff springs in the rows; a second solve takes their speed out again"},
@@ -69,7 +70,7 @@ void print_choices(const Json& all, const std::string& heading, Console& console
 }
 
 int run_list(const Words& words, Console& console) {
-  const std::vector<std::string> kinds = {"scenes", "solvers", "stabilizations"};
+  const List<std::string> kinds = {"scenes", "solvers", "stabilizations"};
   const std::string kind = words.places.empty() ? "" : words.places.front();
   if (!kind.empty() && std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
     const std::string meant = nearest(kind, kinds);
@@ -83,9 +84,9 @@ int run_list(const Words& words, Console& console) {
     fmt::print("{}\n", (kind.empty() ? lists : lists[kind]).dump(1));
     return all_well;
   }
-  const std::vector<std::string> headings = {
-      "scenes (cairn run SCENE)", "solvers (--solver; m rows, n bodies)", "stabilizations (--stabilization)"};
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
+  const List<std::string> headings = {"scenes (cairn run SCENE)", "solvers (--solver; m rows, n bodies)",
+                                      "stabilizations (--stabilization)"};
+  for (int i = 0; i < kinds.size(); ++i) {
     if (kind.empty() || kind == kinds[i]) print_choices(lists[kinds[i]], headings[i], console);
   }
   return all_well;

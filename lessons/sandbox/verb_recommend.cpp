@@ -5,8 +5,9 @@
 
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "tuning/recommend.hpp"
+#include "math/list.hpp"
 #include "measure/whole_file.hpp"
+#include "tuning/recommend.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Color = Console::Color;
 
-constexpr std::size_t most_runners_up = 3;
+constexpr int most_runners_up = 3;
 
 std::string wish_line(const RecommendRun& run) {
   std::string text;
@@ -52,7 +53,7 @@ void print_kind(const Recommendation& of_kind, Console& console) {
   const RecommendKind& kind = recommend_kind(of_kind.kind);
   console.result(console.spelt(fmt::format("{}: {}", kind.name, kind.title)));
   console.result(console.spelt(fmt::format("  wished of each run: {}", wish_line(kind.runs.front()))));
-  const std::vector<RecommendCandidate> best = of_kind.ranked();
+  const List<RecommendCandidate> best = of_kind.ranked();
   if (best.empty()) {
     console.result(console.colored("  Nothing that was tried meets all of its runs.", Color::bad));
   } else {
@@ -60,7 +61,7 @@ void print_kind(const Recommendation& of_kind, Console& console) {
                                "drift mm", "gain %", "stands s", "ms per s", "updates / s"));
     print_candidate("recommended: ", best.front(), Color::good, console);
   }
-  for (std::size_t i = 1; i < std::min(best.size(), most_runners_up + 1); ++i) {
+  for (int i = 1; i < std::min(best.size(), most_runners_up + 1); ++i) {
     console.result(console.spelt(fmt::format("  runner-up: {}, {:.2f} times the cost", best[i].setting,
                                              best[i].cost() / best.front().cost())));
   }
@@ -72,17 +73,17 @@ void print_kind(const Recommendation& of_kind, Console& console) {
 Json kind_json(const Recommendation& of_kind) {
   const Json all = Json::parse(recommendations_json({of_kind}));
   Json json = {{"kind", of_kind.kind}, {"title", recommend_kind(of_kind.kind).title}};
-  const std::vector<RecommendCandidate> best = of_kind.ranked();
+  const List<RecommendCandidate> best = of_kind.ranked();
   json["recommended"] = best.empty() ? Json(nullptr) : Json(best.front().setting);
   json["runners_up"] = Json::array();
-  for (std::size_t i = 1; i < std::min(best.size(), most_runners_up + 1); ++i)
+  for (int i = 1; i < std::min(best.size(), most_runners_up + 1); ++i)
     json["runners_up"].push_back(best[i].setting);
   json["candidates"] = all.at("recommendations").front().at("candidates");
   return json;
 }
 
 /// What an earlier renewal has found out, if it can be read.
-std::vector<Recommendation> taken_up(const fs::path& path) {
+List<Recommendation> taken_up(const fs::path& path) {
   if (!fs::exists(path)) return {};
   return read_recommendations(path);
 }
@@ -91,13 +92,13 @@ int renew(const Words& words, Console& console) {
   const fs::path target = words.text("out").value_or(recommended_file().string());
   fs::path part = target;
   part += ".renewing";
-  std::vector<Recommendation> known = taken_up(part);
+  List<Recommendation> known = taken_up(part);
   const Interrupt interrupt;
   Progress bar(words.console, "settings", recommend_kinds().size() * recommend_settings().size());
-  const auto keep = [&](const std::vector<Recommendation>& all) {
+  const auto keep = [&](const List<Recommendation>& all) {
     write_whole_file(part, recommendations_json(all));
   };
-  const bool complete = renew_recommendations(known, keep, [&](std::size_t done, std::size_t) {
+  const bool complete = renew_recommendations(known, keep, [&](int done, int) {
     bar.advance(done);
     return !interrupt.came();
   });

@@ -8,8 +8,9 @@
 #include "lessons/sandbox/run_table.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "render/image.hpp"
 #include "lessons/words.hpp"
+#include "math/list.hpp"
+#include "render/image.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -44,7 +45,7 @@ int run_run(const Words& words, Console& usual_console) {
                      .frames_per_second = files.any() ? files.frames_per_second : 0,
                      .series = !csv.empty(),
                      .stops = [&interrupt] { return interrupt.came(); }};
-  const std::vector<SceneRun> runs = {run_scene(scene, setting, wish, words.console)};
+  const List<SceneRun> runs = {run_scene(scene, setting, wish, words.console)};
   const SceneRun& run = runs.front();
   if (run.stopped) return stopped_run(console, "stopped before the run was over; nothing is written");
   if (words.has("json")) {

@@ -4,12 +4,13 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "frozen/frozen_set.hpp"
 #include "lessons/records.hpp"
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/trade_report.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
-#include "frozen/frozen_set.hpp"
+#include "math/list.hpp"
 #include "study/trajectory_study.hpp"
 
 namespace cairn::sandbox {
@@ -28,7 +29,7 @@ int list_scenes(const Words& words, Console& console) {
     fmt::print("{}\n", lists.dump());
     return all_well;
   }
-  const auto line = [&](const std::string& head, const std::vector<std::string>& names) {
+  const auto line = [&](const std::string& head, const List<std::string>& names) {
     console.result(head + ":\n  " + wrapped(joined(names, ", "), 98, 2));
   };
   line("level 1, one step of frozen problems", frozen_names());
@@ -65,15 +66,15 @@ Journal open_journal(const fs::path& path, const Study& study) {
 /// True when it went to its end.
 bool run_to_the_end(const Words& words, const Study& study, const Shard& shard, Journal& journal,
                     Console& console) {
-  std::size_t count = 0;
-  for (std::size_t task = 0; task < study.tasks.size(); ++task) count += shard.holds(task) ? 1 : 0;
+  int count = 0;
+  for (int task = 0; task < study.tasks.size(); ++task) count += shard.holds(task) ? 1 : 0;
   console.narrate(fmt::format("{} of {} settings to try", count, study.tasks.size()));
   if (journal.size() > 0) {
     console.narrate(fmt::format("{} of them were tried before, as the journal says", journal.size()));
   }
   const Interrupt interrupt;
   Progress bar(words.console, "settings", count);
-  return run_study(study, shard, journal, [&](std::size_t done, std::size_t, double left) {
+  return run_study(study, shard, journal, [&](int done, int, double left) {
     bar.advance(done, left_text(left));
     return !interrupt.came();
   });
@@ -83,7 +84,7 @@ int run_level(const Words& words, Console& console) {
   const Shard shard = shard_of(words);
   (void)theme_of(words);  // refuses a wrong one before the work
   const TradeStudy trade = trade_study(words);
-  const std::vector<std::string> parts = words.texts("merge");
+  const List<std::string> parts = words.texts("merge");
   const fs::path folder = words.text("out").value_or("out/tradeoff");
   make_folder(folder);
   const std::string part = shard.of > 1 ? fmt::format(".{}-of-{}", shard.number, shard.of) : "";

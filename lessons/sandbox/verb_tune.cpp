@@ -8,10 +8,11 @@
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
-#include "study/build_info.hpp"
-#include "study/jitter.hpp"
-#include "study/expectation.hpp"
+#include "math/list.hpp"
 #include "scenes/solver_list.hpp"
+#include "study/build_info.hpp"
+#include "study/expectation.hpp"
+#include "study/jitter.hpp"
 #include "tuning/tuner.hpp"
 
 namespace cairn::sandbox {
@@ -41,7 +42,7 @@ Wish wish_of(const Words& words) {
 }
 
 std::string wish_text(const Wish& wish) {
-  std::vector<std::string> parts;
+  List<std::string> parts;
   if (wish.penetration) parts.push_back(fmt::format("penetration at most {:g} mm", 1e3 * *wish.penetration));
   if (wish.drift) parts.push_back(fmt::format("drift at most {:g} mm", 1e3 * *wish.drift));
   if (wish.residual) parts.push_back(fmt::format("R_E at most {:g}", *wish.residual));
@@ -130,8 +131,8 @@ Json answer_json(const std::string& scene, const TunerAnswer& answer) {
           {"complete", answer.complete}};
 }
 
-std::vector<std::string> solvers_to_tune() {
-  std::vector<std::string> names;
+List<std::string> solvers_to_tune() {
+  List<std::string> names;
   for (const SolverEntry& entry : solver_entries()) names.push_back(entry.name);
   return names;
 }
@@ -157,7 +158,7 @@ TunerOptions tuner_options(const Words& words, const Interrupt& interrupt, Progr
   if (words.has("solvers")) options.solvers = words.known_texts("solvers", solvers_to_tune());
   options.time_limit = words.quantity("time", "s", 60);
   options.progress = [&interrupt, &bar](int tried, int) {
-    bar.advance(static_cast<std::size_t>(tried));
+    bar.advance(tried);
     return !interrupt.came();
   };
   return options;

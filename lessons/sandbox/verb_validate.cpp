@@ -8,6 +8,7 @@
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
 #include "math/check.hpp"
+#include "math/list.hpp"
 #include "render/image.hpp"
 #include "study/build_info.hpp"
 #include "validation/box2d_engine.hpp"
@@ -61,7 +62,7 @@ std::string closer(const Measured& cairn, const Measured& box2d) {
 }
 
 void print_numbers(const Outcome& outcome, Console& console) {
-  for (std::size_t i = 0; i < outcome.cairn.numbers.size(); ++i) {
+  for (int i = 0; i < outcome.cairn.numbers.size(); ++i) {
     const Measured& m = outcome.cairn.numbers[i];
     const std::string unit = m.unit.empty() ? "" : " " + m.unit;
     const std::string verdict =
@@ -132,16 +133,16 @@ struct Summary {
   int cases = 0, passed = 0, numbers = 0, beside = 0, cairn_closer = 0, box2d_closer = 0, orders = 0;
 };
 
-Summary summary_of(const std::vector<Outcome>& outcomes) {
+Summary summary_of(const List<Outcome>& outcomes) {
   Summary sum;
   for (const Outcome& outcome : outcomes) {
     ++sum.cases;
     sum.passed += outcome.cairn.passes() ? 1 : 0;
     sum.orders += outcome.cairn.convergence ? 1 : 0;
-    sum.numbers += static_cast<int>(outcome.cairn.numbers.size());
+    sum.numbers += outcome.cairn.numbers.size();
     if (!outcome.box2d) continue;
-    const std::size_t both = std::min(outcome.cairn.numbers.size(), outcome.box2d->numbers.size());
-    for (std::size_t i = 0; i < both; ++i) {
+    const int both = std::min(outcome.cairn.numbers.size(), outcome.box2d->numbers.size());
+    for (int i = 0; i < both; ++i) {
       const std::string winner = closer(outcome.cairn.numbers[i], outcome.box2d->numbers[i]);
       ++sum.beside;
       sum.cairn_closer += winner == "Cairn" ? 1 : 0;
@@ -170,7 +171,7 @@ std::string cell(std::string text) {
 }
 
 /// The page of the documents: numbers only, so that it is the same on every machine.
-std::string page(const std::vector<Outcome>& outcomes) {
+std::string page(const List<Outcome>& outcomes) {
   std::string text =
       "# Closed forms\n\nWhat a formula foretells, and what Cairn computes. Made by `build/release/bin/cairn "
       "validate --page src/validation/RESULTS.md`;\n"
@@ -184,7 +185,7 @@ std::string page(const std::vector<Outcome>& outcomes) {
     text +=
         "| number | formula | expected | got | error | tolerance, and where it comes from | Box2D's error "
         "|\n|---|---|---|---|---|---|---|\n";
-    for (std::size_t i = 0; i < outcome.cairn.numbers.size(); ++i) {
+    for (int i = 0; i < outcome.cairn.numbers.size(); ++i) {
       const Measured& m = outcome.cairn.numbers[i];
       const bool beside = outcome.box2d && i < outcome.box2d->numbers.size();
       text += fmt::format("| {} | {} | {} {} | {} | {} | {}: {} | {} |\n", cell(m.what), cell(m.formula),
@@ -200,9 +201,9 @@ std::string page(const std::vector<Outcome>& outcomes) {
   return text;
 }
 
-std::vector<const ValidationCase*> chosen_cases(const Words& words) {
-  std::vector<const ValidationCase*> chosen;
-  const std::vector<std::string> only = words.texts("only");
+List<const ValidationCase*> chosen_cases(const Words& words) {
+  List<const ValidationCase*> chosen;
+  const List<std::string> only = words.texts("only");
   for (const std::string& id : only) {
     const auto found = std::find_if(validation_cases().begin(), validation_cases().end(),
                                     [&](const ValidationCase& test) { return test.id == id; });
@@ -229,8 +230,8 @@ int run_validate(const Words& words, Console& console) {
       console.result(console.spelt(fmt::format("{:<4} {}", test.id, test.title)));
     return all_well;
   }
-  const std::vector<const ValidationCase*> cases = chosen_cases(words);
-  std::vector<Outcome> outcomes;
+  const List<const ValidationCase*> cases = chosen_cases(words);
+  List<Outcome> outcomes;
   Progress bar(words.console, "closed forms", cases.size());
   Json json = {{"build", build_json()}, {"cases", Json::array()}};
   for (const ValidationCase* test : cases) {

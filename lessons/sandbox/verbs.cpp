@@ -1,12 +1,14 @@
 // Which verbs there are.
 #include "lessons/sandbox/verbs.hpp"
 
+#include "math/list.hpp"
+
 namespace cairn::sandbox {
 
-const std::vector<Verb>& verbs() {
-  static const std::vector<Verb> all = {
-      list_verb(),     run_verb(),  explain_verb(),  compare_verb(),  inspect_verb(),   freeze_verb(),
-      tradeoff_verb(), tune_verb(), validate_verb(), extremes_verb(), recommend_verb(), completion_verb()};
+const List<Verb>& verbs() {
+  static const List<Verb> all = {list_verb(),     run_verb(),      explain_verb(),   compare_verb(),
+                                 inspect_verb(),  freeze_verb(),   tradeoff_verb(),  tune_verb(),
+                                 validate_verb(), extremes_verb(), recommend_verb(), completion_verb()};
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include "lessons/sandbox/verb.hpp"
 #include "lessons/words.hpp"
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -39,8 +40,8 @@ std::optional<std::string> Words::text(std::string_view flag) const {
   return found->second.back();
 }
 
-std::vector<std::string> Words::texts(std::string_view flag) const {
-  std::vector<std::string> values;
+List<std::string> Words::texts(std::string_view flag) const {
+  List<std::string> values;
   const auto found = flags.find(flag);
   if (found == flags.end()) return values;
   for (const std::string& given : found->second) {
@@ -76,8 +77,8 @@ int Words::whole(std::string_view flag, int standard, int least, int most) const
   refuse(flag, "a whole number from " + std::to_string(least) + " to " + std::to_string(most), *given);
 }
 
-void Words::require_known(std::string_view what, const std::string& value,
-                          const std::vector<std::string>& known, const std::string& list) const {
+void Words::require_known(std::string_view what, const std::string& value, const List<std::string>& known,
+                          const std::string& list) const {
   if (std::find(known.begin(), known.end(), value) != known.end()) return;
   const std::string meant = nearest(value, known);
   std::string rule = "a known name, got " + value + "; did you mean " + meant + "?";
@@ -86,9 +87,8 @@ void Words::require_known(std::string_view what, const std::string& value,
   throw UsageError("cairn " + verb + ": " + std::string(what) + " must be " + rule);
 }
 
-std::vector<std::string> Words::known_texts(std::string_view flag,
-                                            const std::vector<std::string>& known) const {
-  std::vector<std::string> once;
+List<std::string> Words::known_texts(std::string_view flag, const List<std::string>& known) const {
+  List<std::string> once;
   for (const std::string& value : texts(flag)) {
     require_known("--" + std::string(flag), value, known);
     if (std::find(once.begin(), once.end(), value) == once.end()) once.push_back(value);
@@ -102,7 +102,7 @@ void Words::refuse_beside(std::string_view flag, const std::string& what) const 
 }
 
 std::string Words::word(std::string_view flag, const std::string& standard,
-                        const std::vector<std::string>& words) const {
+                        const List<std::string>& words) const {
   const std::string given = text(flag).value_or(standard);
   for (const std::string& word : words) {
     if (word == given) return given;

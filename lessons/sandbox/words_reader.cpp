@@ -1,8 +1,11 @@
 // Reads the words behind a verb with CLI11; every word of a complaint is our own.
 #include <CLI/CLI.hpp>
+#include <map>
+#include <vector>
 
 #include "lessons/sandbox/verb.hpp"
 #include "lessons/words.hpp"
+#include "math/list.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -12,7 +15,7 @@ namespace {
 }
 
 [[noreturn]] void refuse_unknown(const Verb& verb, const std::string& word) {
-  std::vector<std::string> known;
+  List<std::string> known;
   for (const Flag& flag : verb.flags) known.push_back("--" + flag.name);
   for (const Flag& flag : shared_flags()) known.push_back("--" + flag.name);
   const std::string meant = nearest(word.substr(0, word.find('=')), known);
@@ -22,11 +25,11 @@ namespace {
 }
 
 /// CLI11 would take --json=no for an order.
-void refuse_needless_values(const Verb& verb, const std::vector<std::string>& words) {
+void refuse_needless_values(const Verb& verb, const List<std::string>& words) {
   for (const std::string& word : words) {
     const std::size_t end = word.find('=');
     if (end == std::string::npos) continue;
-    for (const std::vector<Flag>* flags : {&verb.flags, &shared_flags()}) {
+    for (const List<Flag>* flags : {&verb.flags, &shared_flags()}) {
       for (const Flag& flag : *flags) {
         const bool is_it = word.compare(0, end, "--" + flag.name) == 0;
         if (is_it && flag.takes.empty()) {
@@ -43,7 +46,7 @@ struct Values {
   std::map<std::string, bool> given = {};
 };
 
-void declare(CLI::App& app, const std::vector<Flag>& flags, Values& values) {
+void declare(CLI::App& app, const List<Flag>& flags, Values& values) {
   for (const Flag& flag : flags) {
     const std::string name = flag.name == "help"    ? "-h,--help"
                              : flag.name == "quiet" ? "-q,--quiet"
@@ -59,13 +62,13 @@ void declare(CLI::App& app, const std::vector<Flag>& flags, Values& values) {
   }
 }
 
-void take(const Verb& verb, const std::vector<Flag>& flags, const Values& values, Words& words) {
+void take(const Verb& verb, const List<Flag>& flags, const Values& values, Words& words) {
   for (const Flag& flag : flags) {
     if (flag.takes.empty()) {
       if (values.given.at(flag.name)) words.flags[flag.name] = {};
       continue;
     }
-    const std::vector<std::string>& given = values.of.at(flag.name);
+    const List<std::string> given(values.of.at(flag.name));
     if (given.empty()) continue;
     if (given.size() > 1 && !flag.many) refuse_words(verb, "--" + flag.name + " is given twice");
     for (const std::string& value : given) {
@@ -82,7 +85,7 @@ When when_of(const Words& words, const std::string& flag) {
 
 }  // namespace
 
-Words read_words(const Verb& verb, const std::vector<std::string>& all) {
+Words read_words(const Verb& verb, const List<std::string>& all) {
   refuse_needless_values(verb, all);
   CLI::App app;
   app.set_help_flag();
@@ -101,7 +104,7 @@ Words read_words(const Verb& verb, const std::vector<std::string>& all) {
   } catch (const CLI::ParseError& error) {
     refuse_words(verb, error.what());
   }
-  Words words{.verb = verb.name, .places = app.remaining(), .flags = {}, .console = {}};
+  Words words{.verb = verb.name, .places = List<std::string>(app.remaining()), .flags = {}, .console = {}};
   for (const std::string& word : words.places) {
     if (word.size() > 1 && word[0] == '-') refuse_unknown(verb, word);
   }

@@ -1,11 +1,10 @@
 // Floor 2. Broadphase: which bounding boxes overlap.
 #pragma once
 
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "geometry/aabb.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -22,13 +21,12 @@ class Broadphase {
 
   /// All (i, j), i < j, whose boxes overlap, in ascending order: the same list for every kind. Pairs for
   /// which both `movable[i]` and `movable[j]` are false are left out.
-  const std::vector<std::pair<int, int>>& pairs(std::span<const Aabb<Real>> boxes,
-                                                std::span<const char> movable);
+  const List<std::pair<int, int>>& pairs(Span<const Aabb<Real>> boxes, Span<const char> movable);
 
  private:
   BroadphaseKind kind_;
-  std::vector<int> order_;
-  std::vector<std::pair<int, int>> pairs_;
+  List<int> order_;
+  List<std::pair<int, int>> pairs_;
 };
 
 }  // namespace cairn

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "collision/rounded_hull.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 namespace {
@@ -144,7 +145,7 @@ struct IncidentPoint {
 template <Scalar Real>
 struct Clip {
   int count = 0;
-  std::array<IncidentPoint<Real>, 2> points = {};
+  FixedList<IncidentPoint<Real>, 2> points = {};
 };
 
 template <Scalar Real>
@@ -184,10 +185,10 @@ Manifold<Real> face_contact(const RoundedHull<Real>& reference, const FaceQuery<
   manifold.normal = normal;
   Real sum = 0;  // [m], of the separations
   for (int i = 0; i < ends.count; ++i) {
-    const IncidentPoint<Real>& end = ends.points[static_cast<std::size_t>(i)];
+    const IncidentPoint<Real>& end = ends.points[i];
     const Real separation = end.height - pair.radii();
     if (!(separation < pair.margin)) continue;
-    ManifoldPoint<Real>& point = manifold.points[static_cast<std::size_t>(manifold.count++)];
+    ManifoldPoint<Real>& point = manifold.points[manifold.count++];
     point.position = reference.vertex(query.face) + tangent * end.along;
     point.separation = separation;
     point.feature = feature_id(owner, query.face, end.vertex);
@@ -196,7 +197,7 @@ Manifold<Real> face_contact(const RoundedHull<Real>& reference, const FaceQuery<
   // Midway between the two surfaces, at the same height for both points.
   for (int i = 0; i < manifold.count; ++i) {
     const Real half_gap = sum / static_cast<Real>(2 * manifold.count);
-    manifold.points[static_cast<std::size_t>(i)].position += normal * (reference.radius + half_gap);
+    manifold.points[i].position += normal * (reference.radius + half_gap);
   }
   return manifold;
 }
@@ -249,7 +250,7 @@ Manifold<Real> collide(const Shape<Real>& a, const Pose<Real>& pose_a, const Sha
   // A few roundings each of a rotation, a difference and a projection.
   const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * (hull_a.extent + hull_b.extent);
   Manifold<Real> manifold = collide_hulls<Real>({hull_a, hull_b, margin, rounding});
-  for (int i = 0; i < manifold.count; ++i) manifold.points[static_cast<std::size_t>(i)].position += origin;
+  for (int i = 0; i < manifold.count; ++i) manifold.points[i].position += origin;
   return manifold;
 }
 

@@ -1,11 +1,11 @@
 // Floor 2. What the narrowphase finds out about two shapes that touch or nearly touch.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "dynamics/body.hpp"
 #include "math/math.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -25,7 +25,7 @@ struct Manifold {
   int collider_b = 0;                      // the higher one
   Vec2<Real> normal = Vec2<Real>::Zero();  // unit, from a to b
   int count = 0;                           // 0: apart by more than the margin
-  std::array<ManifoldPoint<Real>, 2> points = {};  // the first `count` of them are in use
+  FixedList<ManifoldPoint<Real>, 2> points = {};  // the first `count` of them are in use
 };
 
 }  // namespace cairn

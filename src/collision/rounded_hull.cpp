@@ -45,7 +45,7 @@ struct HullMaker {
     RoundedHull<Real> hull;
     hull.count = shape.count;
     hull.radius = shape.radius;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(shape.count); ++i) {
+    for (int i = 0; i < shape.count; ++i) {
       hull.vertices[i] = placed(shape.vertices[i]);
       hull.normals[i] = rotation * shape.normals[i];
     }

@@ -1,10 +1,10 @@
 // Floor 2. One form for every shape in the narrowphase: the convex hull of a few points, rounded by a radius.
 #pragma once
 
-#include <array>
 #include <cstddef>
 
 #include "geometry/shape.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -12,10 +12,10 @@ namespace cairn {
 /// polygon has as many faces as vertices. All in the directions of the world.
 template <Scalar Real>
 struct RoundedHull {
-  std::array<Vec2<Real>, max_polygon_vertices> vertices;  // [m], counter-clockwise
-  std::array<Vec2<Real>, max_polygon_vertices> normals;   // normals[i]: outward unit, of the face i -> i + 1
-  int count = 0;                                          // of vertices
-  Real radius = 0;                                        // [m]
+  FixedList<Vec2<Real>, max_polygon_vertices> vertices;  // [m], counter-clockwise
+  FixedList<Vec2<Real>, max_polygon_vertices> normals;   // normals[i]: outward unit, of the face i -> i + 1
+  int count = 0;                                         // of vertices
+  Real radius = 0;                                       // [m]
   Real size = 0;    // [m], the largest distance of a vertex from vertex 0
   Real extent = 0;  // [m], the largest coordinate: rounding errors are proportional to it
 
@@ -26,9 +26,9 @@ struct RoundedHull {
   /// The vertex before vertex i.
   int previous(int i) const { return i == 0 ? count - 1 : i - 1; }
   /// Vertex i [m].
-  const Vec2<Real>& vertex(int i) const { return vertices[static_cast<std::size_t>(i)]; }
+  const Vec2<Real>& vertex(int i) const { return vertices[i]; }
   /// The outward unit normal of the face from vertex i to the next.
-  const Vec2<Real>& normal(int i) const { return normals[static_cast<std::size_t>(i)]; }
+  const Vec2<Real>& normal(int i) const { return normals[i]; }
 };
 
 /// The hull of a shape at a pose. Positions are relative to `origin`, a point close to the shape, so that no

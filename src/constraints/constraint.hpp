@@ -2,13 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "constraints/row.hpp"
 #include "constraints/softness.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -32,8 +31,8 @@ struct RowSpec {
   Real slop_limit = std::numeric_limits<Real>::infinity();  // [m] but by no more than this
   /// [m/s^2] of a contact: its overlap goes no faster than a fall through it (Stabilization::max_speed)
   std::optional<Real> gravity = {};
-  std::array<RowTerm<Real>, 2> extra = {};  // a third and a fourth body
-  int extra_count = 0;                      // how many of `extra` there are
+  FixedList<RowTerm<Real>, 2> extra = {};  // a third and a fourth body
+  int extra_count = 0;                     // how many of `extra` there are
 };
 
 /// How far the condition is from holding [m or rad], signed: all of the error of an equality, the missing
@@ -46,7 +45,7 @@ Real violation(const RowSpec<Real>& spec) {
 
 /// The rows of a constraint, or of all of them.
 template <Scalar Real>
-using RowSpecs = std::vector<RowSpec<Real>>;
+using RowSpecs = List<RowSpec<Real>>;
 
 /// A place where a joint is fastened.
 struct Attachment {
@@ -65,61 +64,59 @@ class Constraint {
   virtual std::string name() const = 0;
 
   /// Where it is fastened, in the order of the line that it would be drawn as.
-  virtual std::vector<Attachment> attachments() const = 0;
+  virtual List<Attachment> attachments() const = 0;
 
   /// Whether its bodies may touch each other, where the scene does not say.
   virtual bool bodies_collide() const { return false; }
 
   /// Appends the rows that hold at these poses. A degenerate one writes none.
-  virtual void append_rows(const std::vector<Pose<float>>& poses, RowSpecs<float>& rows) const = 0;
+  virtual void append_rows(const PerBody<Pose<float>>& poses, RowSpecs<float>& rows) const = 0;
   /// The same in double.
-  virtual void append_rows(const std::vector<Pose<double>>& poses, RowSpecs<double>& rows) const = 0;
+  virtual void append_rows(const PerBody<Pose<double>>& poses, RowSpecs<double>& rows) const = 0;
   /// The same in long double.
-  virtual void append_rows(const std::vector<Pose<long double>>& poses,
-                           RowSpecs<long double>& rows) const = 0;
+  virtual void append_rows(const PerBody<Pose<long double>>& poses, RowSpecs<long double>& rows) const = 0;
 
   /// The same for a constraint whose rows depend on the motion too, as friction along the way that a body
   /// goes. The velocities are those that the step would have without constraints.
-  virtual void append_rows(const std::vector<Pose<float>>& poses, const std::vector<Vec3<float>>& velocities,
+  virtual void append_rows(const PerBody<Pose<float>>& poses, const PerBody<Vec3<float>>& velocities,
                            RowSpecs<float>& rows) const = 0;
   /// The same in double.
-  virtual void append_rows(const std::vector<Pose<double>>& poses,
-                           const std::vector<Vec3<double>>& velocities, RowSpecs<double>& rows) const = 0;
+  virtual void append_rows(const PerBody<Pose<double>>& poses, const PerBody<Vec3<double>>& velocities,
+                           RowSpecs<double>& rows) const = 0;
   /// The same in long double.
-  virtual void append_rows(const std::vector<Pose<long double>>& poses,
-                           const std::vector<Vec3<long double>>& velocities,
+  virtual void append_rows(const PerBody<Pose<long double>>& poses,
+                           const PerBody<Vec3<long double>>& velocities,
                            RowSpecs<long double>& rows) const = 0;
 };
 
 /// Turns one member template of Derived,
-///   template <Scalar Real> void rows(const std::vector<Pose<Real>>&, RowSpecs<Real>&) const;
+///   template <Scalar Real> void rows(const PerBody<Pose<Real>>&, RowSpecs<Real>&) const;
 /// into the virtual functions; and, where Derived has it, a second one that sees the velocities:
 ///   template <Scalar Real>
-///   void rows(const std::vector<Pose<Real>>&, const std::vector<Vec3<Real>>&, RowSpecs<Real>&) const;
+///   void rows(const PerBody<Pose<Real>>&, const PerBody<Vec3<Real>>&, RowSpecs<Real>&) const;
 template <typename Derived>
 class ConstraintOf : public Constraint {
  public:
   /// @cond
   // Documented in Constraint.
-  void append_rows(const std::vector<Pose<float>>& poses, RowSpecs<float>& rows) const override {
+  void append_rows(const PerBody<Pose<float>>& poses, RowSpecs<float>& rows) const override {
     derived().rows(poses, rows);
   }
-  void append_rows(const std::vector<Pose<double>>& poses, RowSpecs<double>& rows) const override {
+  void append_rows(const PerBody<Pose<double>>& poses, RowSpecs<double>& rows) const override {
     derived().rows(poses, rows);
   }
-  void append_rows(const std::vector<Pose<long double>>& poses, RowSpecs<long double>& rows) const override {
+  void append_rows(const PerBody<Pose<long double>>& poses, RowSpecs<long double>& rows) const override {
     derived().rows(poses, rows);
   }
-  void append_rows(const std::vector<Pose<float>>& poses, const std::vector<Vec3<float>>& velocities,
+  void append_rows(const PerBody<Pose<float>>& poses, const PerBody<Vec3<float>>& velocities,
                    RowSpecs<float>& rows) const override {
     rows_in_motion(poses, velocities, rows);
   }
-  void append_rows(const std::vector<Pose<double>>& poses, const std::vector<Vec3<double>>& velocities,
+  void append_rows(const PerBody<Pose<double>>& poses, const PerBody<Vec3<double>>& velocities,
                    RowSpecs<double>& rows) const override {
     rows_in_motion(poses, velocities, rows);
   }
-  void append_rows(const std::vector<Pose<long double>>& poses,
-                   const std::vector<Vec3<long double>>& velocities,
+  void append_rows(const PerBody<Pose<long double>>& poses, const PerBody<Vec3<long double>>& velocities,
                    RowSpecs<long double>& rows) const override {
     rows_in_motion(poses, velocities, rows);
   }
@@ -127,7 +124,7 @@ class ConstraintOf : public Constraint {
 
  private:
   template <Scalar Real>
-  void rows_in_motion(const std::vector<Pose<Real>>& poses, const std::vector<Vec3<Real>>& velocities,
+  void rows_in_motion(const PerBody<Pose<Real>>& poses, const PerBody<Vec3<Real>>& velocities,
                       RowSpecs<Real>& rows) const {
     if constexpr (requires { derived().rows(poses, velocities, rows); }) {
       derived().rows(poses, velocities, rows);

@@ -20,24 +20,22 @@ RowSpec<Real> relative_velocity_row(BodyId a, BodyId b, const Vec2<Real>& r_a, c
 }  // namespace
 
 template <Scalar Real>
-void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
-                         const ContactMaterial<Real>& material, const std::vector<Pose<Real>>& poses,
-                         const std::vector<Vec3<Real>>& velocity, RowSpecs<Real>& rows) {
-  const auto index_a = static_cast<std::size_t>(a.index);
-  const auto index_b = static_cast<std::size_t>(b.index);
+void append_contact_rows(const Manifold<Real>& manifold, BodyId index_a, BodyId index_b,
+                         const ContactMaterial<Real>& material, const PerBody<Pose<Real>>& poses,
+                         const PerBody<Vec3<Real>>& velocity, RowSpecs<Real>& rows) {
   const Vec2<Real> tangent = -perpendicular(manifold.normal);
   const auto friction_row = [&](const Vec2<Real>& position) {
-    return relative_velocity_row(a, b, Vec2<Real>(position - poses[index_a].position),
+    return relative_velocity_row(index_a, index_b, Vec2<Real>(position - poses[index_a].position),
                                  Vec2<Real>(position - poses[index_b].position), tangent);
   };
   const bool has_friction = material.friction > 0;
   const bool is_shared = material.friction_rows == FrictionRows::per_manifold && manifold.count == 2;
   for (int i = 0; i < manifold.count; ++i) {
-    const ManifoldPoint<Real>& point = manifold.points[static_cast<std::size_t>(i)];
+    const ManifoldPoint<Real>& point = manifold.points[i];
     const Vec2<Real> r_a = point.position - poses[index_a].position;
     const Vec2<Real> r_b = point.position - poses[index_b].position;
 
-    RowSpec<Real> normal = relative_velocity_row(a, b, r_a, r_b, manifold.normal);
+    RowSpec<Real> normal = relative_velocity_row(index_a, index_b, r_a, r_b, manifold.normal);
     normal.error = point.separation;
     normal.bounds = Bounds<Real>::unilateral();
     normal.part = normal_part(point.feature);
@@ -46,7 +44,7 @@ void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
     const Real approach =
         -normal.jacobian_a.dot(velocity[index_a]) - normal.jacobian_b.dot(velocity[index_b]);
     if (approach > material.restitution_threshold) normal.rebound = material.restitution * approach;
-    const int normal_row = static_cast<int>(rows.size());
+    const int normal_row = rows.size();
     rows.push_back(normal);
 
     if (!has_friction || is_shared) continue;
@@ -58,7 +56,7 @@ void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
   if (has_friction && is_shared) {
     const auto& points = manifold.points;
     RowSpec<Real> friction = friction_row((points[0].position + points[1].position) / 2);
-    const int normals_end = static_cast<int>(rows.size());
+    const int normals_end = rows.size();
     friction.bounds = Bounds<Real>::coulomb(material.friction, normals_end - 2, normals_end - 1);
     friction.part = friction_part(points[0].feature);
     rows.push_back(friction);
@@ -66,13 +64,12 @@ void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
 }
 
 template void append_contact_rows(const Manifold<float>&, BodyId, BodyId, const ContactMaterial<float>&,
-                                  const std::vector<Pose<float>>&, const std::vector<Vec3<float>>&,
-                                  RowSpecs<float>&);
+                                  const PerBody<Pose<float>>&, const PerBody<Vec3<float>>&, RowSpecs<float>&);
 template void append_contact_rows(const Manifold<double>&, BodyId, BodyId, const ContactMaterial<double>&,
-                                  const std::vector<Pose<double>>&, const std::vector<Vec3<double>>&,
+                                  const PerBody<Pose<double>>&, const PerBody<Vec3<double>>&,
                                   RowSpecs<double>&);
 template void append_contact_rows(const Manifold<long double>&, BodyId, BodyId,
-                                  const ContactMaterial<long double>&, const std::vector<Pose<long double>>&,
-                                  const std::vector<Vec3<long double>>&, RowSpecs<long double>&);
+                                  const ContactMaterial<long double>&, const PerBody<Pose<long double>>&,
+                                  const PerBody<Vec3<long double>>&, RowSpecs<long double>&);
 
 }  // namespace cairn

@@ -38,8 +38,8 @@ struct ContactMaterial {
 /// step. Source: E. Catto, Iterative Dynamics with Temporal Coherence (2005).
 template <Scalar Real>
 void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
-                         const ContactMaterial<Real>& material, const std::vector<Pose<Real>>& poses,
-                         const std::vector<Vec3<Real>>& velocity, RowSpecs<Real>& rows);
+                         const ContactMaterial<Real>& material, const PerBody<Pose<Real>>& poses,
+                         const PerBody<Vec3<Real>>& velocity, RowSpecs<Real>& rows);
 
 /// Row parts of a contact point: its feature id with one bit for the kind of row.
 constexpr std::uint64_t normal_part(std::uint32_t feature) { return std::uint64_t{feature} << 1; }

@@ -1,9 +1,8 @@
 // Floor 3. Differential joint: the gear box between two driven wheels.
 #pragma once
 
-#include <span>
-
 #include "constraints/constraint.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -24,15 +23,15 @@ class DifferentialJoint final : public ConstraintOf<DifferentialJoint> {
 
   /// `poses` are those the bodies start from.
   /// @throws std::invalid_argument for one body twice.
-  DifferentialJoint(const Spec& spec, std::span<const Pose<double>> poses);
+  DifferentialJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "differential"; }
   /// The middles of the bodies: a shaft, the case, the other shaft.
-  std::vector<Attachment> attachments() const override { return {{.body = a_}, {.body = c_}, {.body = b_}}; }
+  List<Attachment> attachments() const override { return {{.body = a_}, {.body = c_}, {.body = b_}}; }
 
   /// Appends the rows that hold at these poses.
   template <Scalar Real>
-  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 
  private:
   BodyId a_;
@@ -40,5 +39,7 @@ class DifferentialJoint final : public ConstraintOf<DifferentialJoint> {
   BodyId c_;
   double start_;  // [rad] q_a + q_b - 2 q_c when it was made
 };
+
+extern template class ConstraintOf<DifferentialJoint>;
 
 }  // namespace cairn

@@ -1,18 +1,17 @@
 // Floor 3. The distance joint's one row.
 #include "constraints/distance_joint.hpp"
 
-#include "constraints/joint_rows.hpp"
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
-DistanceJoint::DistanceJoint(const Spec& spec, std::span<const Pose<double>> poses)
-    : a_(spec.a), b_(spec.b), kind_(spec.kind), softness_(spec.softness), slack_margin_(spec.slack_margin) {
-  require(a_ != b_, "DistanceJoint", "b", "another body than a", b_.index);
+DistanceJoint::DistanceJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses)
+    : kind_(spec.kind), softness_(spec.softness), slack_margin_(spec.slack_margin) {
+  require(spec.a != spec.b, "DistanceJoint", "b", "another body than a", spec.b.index);
   require_finite(spec.anchor_a, "DistanceJoint", "anchor_a", "m");
   require_finite(spec.anchor_b, "DistanceJoint", "anchor_b", "m");
-  local_a_ = poses[static_cast<std::size_t>(a_.index)].local(spec.anchor_a);
-  local_b_ = poses[static_cast<std::size_t>(b_.index)].local(spec.anchor_b);
+  ends_ = {spec.a, spec.b, spec.anchor_a, spec.anchor_b, poses};
   require_finite(spec.length, "DistanceJoint", "length", "m");
   length_ = spec.length < 0 ? (spec.anchor_b - spec.anchor_a).norm() : spec.length;
   require(length_ > 0, "DistanceJoint", "length", "> 0 m", length_);
@@ -30,16 +29,15 @@ std::string DistanceJoint::name() const {
 }
 
 template <Scalar Real>
-void DistanceJoint::rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
-  const JointArms<Real> arms = joint_arms(poses[static_cast<std::size_t>(a_.index)],
-                                          poses[static_cast<std::size_t>(b_.index)], local_a_, local_b_);
+void DistanceJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+  const JointArms<Real> arms = ends_.arms(poses);
   const Real distance = arms.d.norm();
   if (!(distance > 0)) return;
 
   const Vec2<Real> u = arms.d / distance;
   RowSpec<Real> row;
-  row.a = a_;
-  row.b = b_;
+  row.a = ends_.a;
+  row.b = ends_.b;
   row.error = distance - static_cast<Real>(length_);
   row.jacobian_a = {-u.x(), -u.y(), -cross(arms.r_a, u)};
   row.jacobian_b = {u.x(), u.y(), cross(arms.r_b, u)};
@@ -55,8 +53,6 @@ void DistanceJoint::rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& r
   rows.push_back(row);
 }
 
-template void DistanceJoint::rows(const std::vector<Pose<float>>&, RowSpecs<float>&) const;
-template void DistanceJoint::rows(const std::vector<Pose<double>>&, RowSpecs<double>&) const;
-template void DistanceJoint::rows(const std::vector<Pose<long double>>&, RowSpecs<long double>&) const;
+template class ConstraintOf<DistanceJoint>;
 
 }  // namespace cairn

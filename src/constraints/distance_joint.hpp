@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
-#include "constraints/constraint.hpp"
+#include "constraints/joint_rows.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -35,27 +35,26 @@ class DistanceJoint final : public ConstraintOf<DistanceJoint> {
   /// `poses` are those the bodies start from.
   /// @throws std::invalid_argument for one body twice, numbers that are not finite, a length of 0, or a
   /// softness that its kind cannot have.
-  DistanceJoint(const Spec& spec, std::span<const Pose<double>> poses);
+  DistanceJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   /// "distance" for a rod, "rope" or "spring".
   std::string name() const override;
-  std::vector<Attachment> attachments() const override { return {{a_, local_a_}, {b_, local_b_}}; }
+  List<Attachment> attachments() const override { return ends_.attachments(); }
   /// Whether it is a rod, a rope or a spring.
   Kind kind() const { return kind_; }
 
   /// Appends the rows that hold at these poses.
   template <Scalar Real>
-  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 
  private:
-  BodyId a_;
-  BodyId b_;
+  JointEnds ends_;
   Kind kind_;
   std::optional<Softness> softness_;
-  Vec2<double> local_a_;  // [m], in the body's frame
-  Vec2<double> local_b_;
   double length_;        // [m]
   double slack_margin_;  // [m]
 };
+
+extern template class ConstraintOf<DistanceJoint>;
 
 }  // namespace cairn

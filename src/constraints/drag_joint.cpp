@@ -2,37 +2,33 @@
 #include "constraints/drag_joint.hpp"
 
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
-DragJoint::DragJoint(const Spec& spec, std::span<const Pose<double>> poses)
+DragJoint::DragJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses)
     : body_(spec.body), target_(spec.target), softness_(spec.softness), max_force_(spec.max_force) {
-  require(body_.index > 0 && body_.index < static_cast<int>(poses.size()), "DragJoint", "body",
+  require(body_.index > 0 && body_.index < poses.size(), "DragJoint", "body",
           "the id of a body of this scene, and not the ground", body_.index);
   require_finite(spec.anchor, "DragJoint", "anchor", "m");
   require_finite(target_, "DragJoint", "target", "m");
   require_softness(softness_, "DragJoint");
   require(max_force_ > 0 && std::isfinite(max_force_), "DragJoint", "max_force", "a finite number > 0 N",
           max_force_);
-  local_ = poses[static_cast<std::size_t>(body_.index)].local(spec.anchor);
+  local_ = poses[body_].local(spec.anchor);
 }
 
 template <Scalar Real>
-void DragJoint::rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
-  const std::size_t first = rows.size();
+void DragJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+  const int first = rows.size();
   // A pin between the target, a point of the ground, and the anchor ...
-  append_pin_rows(ground, body_,
-                  joint_arms(poses[static_cast<std::size_t>(ground.index)],
-                             poses[static_cast<std::size_t>(body_.index)], target_, local_),
-                  rows);
-  for (std::size_t i = first; i < rows.size(); ++i) {  // ... that gives way
+  append_pin_rows(ground, body_, joint_arms(poses[ground], poses[body_], target_, local_), rows);
+  for (int i = first; i < rows.size(); ++i) {  // ... that gives way
     rows[i].softness = softness_;
     rows[i].max_force = static_cast<Real>(max_force_);
   }
 }
 
-template void DragJoint::rows(const std::vector<Pose<float>>&, RowSpecs<float>&) const;
-template void DragJoint::rows(const std::vector<Pose<double>>&, RowSpecs<double>&) const;
-template void DragJoint::rows(const std::vector<Pose<long double>>&, RowSpecs<long double>&) const;
+template class ConstraintOf<DragJoint>;
 
 }  // namespace cairn

@@ -1,9 +1,8 @@
 // Floor 3. Drag joint: a soft pull on one point of a body, as of a hand or a mouse.
 #pragma once
 
-#include <span>
-
 #include "constraints/joint_rows.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -27,15 +26,15 @@ class DragJoint final : public ConstraintOf<DragJoint> {
   /// `poses` are those the bodies start from.
   /// @throws std::invalid_argument for an unknown body or the ground, numbers that are not finite, a softness
   /// out of range, or a max_force that is not > 0.
-  DragJoint(const Spec& spec, std::span<const Pose<double>> poses);
+  DragJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "drag"; }
-  std::vector<Attachment> attachments() const override { return {{ground, target_}, {body_, local_}}; }
+  List<Attachment> attachments() const override { return {{ground, target_}, {body_, local_}}; }
   bool bodies_collide() const override { return true; }
 
   /// Appends the rows that hold at these poses.
   template <Scalar Real>
-  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 
  private:
   BodyId body_;
@@ -44,5 +43,7 @@ class DragJoint final : public ConstraintOf<DragJoint> {
   Softness softness_;
   double max_force_;  // [N]
 };
+
+extern template class ConstraintOf<DragJoint>;
 
 }  // namespace cairn

@@ -2,6 +2,7 @@
 #include "constraints/friction_joint.hpp"
 
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -13,25 +14,22 @@ void require_friction_limit(double value, const char* field, const char* rule) {
 
 }  // namespace
 
-FrictionJoint::FrictionJoint(const Spec& spec, std::span<const Pose<double>> poses)
-    : a_(spec.a), b_(spec.b), max_force_(spec.max_force), max_torque_(spec.max_torque), shape_(spec.shape) {
-  require(a_ != b_, "FrictionJoint", "b", "another body than a", b_.index);
-  const Pose<double>& pose_b = poses[static_cast<std::size_t>(b_.index)];
-  const Vec2<double> anchor = spec.anchor.value_or(pose_b.position);
+FrictionJoint::FrictionJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses)
+    : max_force_(spec.max_force), max_torque_(spec.max_torque), shape_(spec.shape) {
+  require(spec.a != spec.b, "FrictionJoint", "b", "another body than a", spec.b.index);
+  const Vec2<double> anchor = spec.anchor.value_or(poses[spec.b].position);
   require_finite(anchor, "FrictionJoint", "anchor", "m");
   require_friction_limit(max_force_, "max_force", "a finite number >= 0 N");
   require_friction_limit(max_torque_, "max_torque", "a finite number >= 0 N m");
   require(max_force_ > 0 || max_torque_ > 0, "FrictionJoint", "max_force", "> 0 N where max_torque is 0 N m",
           max_force_);
-  local_a_ = poses[static_cast<std::size_t>(a_.index)].local(anchor);
-  local_b_ = pose_b.local(anchor);
+  ends_ = {spec.a, spec.b, anchor, anchor, poses};
 }
 
 /// To the anchor on b from both centres of mass: the point of a that it slides on is a new one in every step.
 template <Scalar Real>
-JointArms<Real> FrictionJoint::arms(const std::vector<Pose<Real>>& poses) const {
-  JointArms<Real> arms = joint_arms(poses[static_cast<std::size_t>(a_.index)],
-                                    poses[static_cast<std::size_t>(b_.index)], local_a_, local_b_);
+JointArms<Real> FrictionJoint::arms(const PerBody<Pose<Real>>& poses) const {
+  JointArms<Real> arms = ends_.arms(poses);
   arms.r_a += arms.d;
   arms.d.setZero();
   return arms;
@@ -41,11 +39,11 @@ template <Scalar Real>
 void FrictionJoint::append_slide_rows(const JointArms<Real>& arms, const Vec2<Real>& s,
                                       RowSpecs<Real>& rows) const {
   if (!(max_force_ > 0)) return;
-  const int first = static_cast<int>(rows.size());
+  const int first = rows.size();
   const auto axis_row = [&](const Vec2<Real>& axis, JointPart part) {
     RowSpec<Real> row;
-    row.a = a_;
-    row.b = b_;
+    row.a = ends_.a;
+    row.b = ends_.b;
     row.jacobian_a = {-axis.x(), -axis.y(), -cross(arms.r_a, axis)};
     row.jacobian_b = {axis.x(), axis.y(), cross(arms.r_b, axis)};
     row.max_force = static_cast<Real>(max_force_);
@@ -62,23 +60,23 @@ void FrictionJoint::append_slide_rows(const JointArms<Real>& arms, const Vec2<Re
 
 template <Scalar Real>
 void FrictionJoint::append_turn_row(RowSpecs<Real>& rows) const {
-  if (max_torque_ > 0) append_motor_row(angle_row<Real>(a_, b_, 0), 0, max_torque_, rows);
+  if (max_torque_ > 0) append_motor_row(angle_row<Real>(ends_.a, ends_.b, 0), 0, max_torque_, rows);
 }
 
 template <Scalar Real>
-void FrictionJoint::rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+void FrictionJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
   append_slide_rows(arms(poses), Vec2<Real>(1, 0), rows);
   append_turn_row(rows);
 }
 
 template <Scalar Real>
-void FrictionJoint::rows(const std::vector<Pose<Real>>& poses, const std::vector<Vec3<Real>>& velocities,
+void FrictionJoint::rows(const PerBody<Pose<Real>>& poses, const PerBody<Vec3<Real>>& velocities,
                          RowSpecs<Real>& rows) const {
   const JointArms<Real> to_anchor = arms(poses);
   Vec2<Real> s(1, 0);
   if (shape_ != FrictionShape::square) {
-    const Vec3<Real>& v_a = velocities[static_cast<std::size_t>(a_.index)];
-    const Vec3<Real>& v_b = velocities[static_cast<std::size_t>(b_.index)];
+    const Vec3<Real>& v_a = velocities[ends_.a];
+    const Vec3<Real>& v_b = velocities[ends_.b];
     const Vec2<Real> sliding = v_b.template head<2>() + cross(v_b.z(), to_anchor.r_b) -
                                v_a.template head<2>() - cross(v_a.z(), to_anchor.r_a);
     const Real speed = sliding.norm();
@@ -88,14 +86,6 @@ void FrictionJoint::rows(const std::vector<Pose<Real>>& poses, const std::vector
   append_turn_row(rows);
 }
 
-template void FrictionJoint::rows(const std::vector<Pose<float>>&, RowSpecs<float>&) const;
-template void FrictionJoint::rows(const std::vector<Pose<double>>&, RowSpecs<double>&) const;
-template void FrictionJoint::rows(const std::vector<Pose<long double>>&, RowSpecs<long double>&) const;
-template void FrictionJoint::rows(const std::vector<Pose<float>>&, const std::vector<Vec3<float>>&,
-                                  RowSpecs<float>&) const;
-template void FrictionJoint::rows(const std::vector<Pose<double>>&, const std::vector<Vec3<double>>&,
-                                  RowSpecs<double>&) const;
-template void FrictionJoint::rows(const std::vector<Pose<long double>>&,
-                                  const std::vector<Vec3<long double>>&, RowSpecs<long double>&) const;
+template class ConstraintOf<FrictionJoint>;
 
 }  // namespace cairn

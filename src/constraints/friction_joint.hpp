@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "constraints/joint_rows.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -46,35 +46,34 @@ class FrictionJoint final : public ConstraintOf<FrictionJoint> {
   /// `poses` are those the bodies start from.
   /// @throws std::invalid_argument for one body twice, numbers that are not finite, limits below 0, or no
   /// limit above 0.
-  FrictionJoint(const Spec& spec, std::span<const Pose<double>> poses);
+  FrictionJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "friction"; }
-  std::vector<Attachment> attachments() const override { return {{a_, local_a_}, {b_, local_b_}}; }
+  List<Attachment> attachments() const override { return ends_.attachments(); }
   bool bodies_collide() const override { return true; }
 
   /// As at rest.
   template <Scalar Real>
-  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
   /// The same for bodies that move, at the velocities that they would have without constraints.
   template <Scalar Real>
-  void rows(const std::vector<Pose<Real>>& poses, const std::vector<Vec3<Real>>& velocities,
+  void rows(const PerBody<Pose<Real>>& poses, const PerBody<Vec3<Real>>& velocities,
             RowSpecs<Real>& rows) const;
 
  private:
   template <Scalar Real>
-  JointArms<Real> arms(const std::vector<Pose<Real>>& poses) const;
+  JointArms<Real> arms(const PerBody<Pose<Real>>& poses) const;
   template <Scalar Real>
   void append_slide_rows(const JointArms<Real>& arms, const Vec2<Real>& s, RowSpecs<Real>& rows) const;
   template <Scalar Real>
   void append_turn_row(RowSpecs<Real>& rows) const;
 
-  BodyId a_;
-  BodyId b_;
-  Vec2<double> local_a_;  // [m], in the body's frame: where b was when the joint was made
-  Vec2<double> local_b_;
+  JointEnds ends_;
   double max_force_;   // [N]
   double max_torque_;  // [N m]
   FrictionShape shape_;
 };
+
+extern template class ConstraintOf<FrictionJoint>;
 
 }  // namespace cairn

@@ -2,6 +2,7 @@
 #include "constraints/gear_joint.hpp"
 
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -19,7 +20,7 @@ void require_radius(double radius, const char* field) {
 
 }  // namespace
 
-GearJoint::GearJoint(const Spec& spec, std::span<const Pose<double>> poses)
+GearJoint::GearJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses)
     : a_(spec.a),
       b_(spec.b),
       c_(spec.c),
@@ -29,21 +30,17 @@ GearJoint::GearJoint(const Spec& spec, std::span<const Pose<double>> poses)
   require(c_ != a_ && c_ != b_, "GearJoint", "c", "another body than a and b", c_.index);
   require_radius(spec.radius_a, "radius_a");
   require_radius(spec.radius_b, "radius_b");
-  start_ = rolled_length(lever_a_, lever_b_, poses[static_cast<std::size_t>(a_.index)].angle,
-                         poses[static_cast<std::size_t>(b_.index)].angle,
-                         poses[static_cast<std::size_t>(c_.index)].angle);
+  start_ = rolled_length(lever_a_, lever_b_, poses[a_].angle, poses[b_].angle, poses[c_].angle);
 }
 
 template <Scalar Real>
-void GearJoint::rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+void GearJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
   const Real lever_a = static_cast<Real>(lever_a_);
   const Real lever_b = static_cast<Real>(lever_b_);
   RowSpec<Real> row;
   row.a = a_;
   row.b = b_;
-  row.error = rolled_length(lever_a, lever_b, poses[static_cast<std::size_t>(a_.index)].angle,
-                            poses[static_cast<std::size_t>(b_.index)].angle,
-                            poses[static_cast<std::size_t>(c_.index)].angle) -
+  row.error = rolled_length(lever_a, lever_b, poses[a_].angle, poses[b_].angle, poses[c_].angle) -
               static_cast<Real>(start_);
   row.jacobian_a = {0, 0, lever_a};
   row.jacobian_b = {0, 0, lever_b};
@@ -54,8 +51,6 @@ void GearJoint::rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows)
   rows.push_back(row);
 }
 
-template void GearJoint::rows(const std::vector<Pose<float>>&, RowSpecs<float>&) const;
-template void GearJoint::rows(const std::vector<Pose<double>>&, RowSpecs<double>&) const;
-template void GearJoint::rows(const std::vector<Pose<long double>>&, RowSpecs<long double>&) const;
+template class ConstraintOf<GearJoint>;
 
 }  // namespace cairn

@@ -1,9 +1,8 @@
 // Floor 3. Gear joint: two wheels that roll on each other.
 #pragma once
 
-#include <span>
-
 #include "constraints/constraint.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -31,15 +30,15 @@ class GearJoint final : public ConstraintOf<GearJoint> {
 
   /// `poses` are those the bodies start from.
   /// @throws std::invalid_argument for one body twice, or radii that are not > 0.
-  GearJoint(const Spec& spec, std::span<const Pose<double>> poses);
+  GearJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "gear"; }
   /// The middles of the wheels.
-  std::vector<Attachment> attachments() const override { return {{.body = a_}, {.body = b_}}; }
+  List<Attachment> attachments() const override { return {{.body = a_}, {.body = b_}}; }
 
   /// Appends the rows that hold at these poses.
   template <Scalar Real>
-  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 
  private:
   BodyId a_;
@@ -49,5 +48,7 @@ class GearJoint final : public ConstraintOf<GearJoint> {
   double lever_b_;  // [m] r_b, negative for an internal mesh
   double start_;    // [m] r_a q_a + ... when it was made
 };
+
+extern template class ConstraintOf<GearJoint>;
 
 }  // namespace cairn

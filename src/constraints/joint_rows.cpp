@@ -15,6 +15,14 @@ JointArms<Real> joint_arms(const Pose<Real>& a, const Pose<Real>& b, const Vec2<
   return arms;
 }
 
+JointEnds::JointEnds(BodyId first, BodyId second, const Vec2<double>& anchor_a, const Vec2<double>& anchor_b,
+                     PerBodySpan<const Pose<double>> poses)
+    : a(first),
+      b(second),
+      local_a(poses[a].local(anchor_a)),
+      local_b(poses[b].local(anchor_b)),
+      reference_angle(poses[b].angle - poses[a].angle) {}
+
 template <Scalar Real>
 void append_pin_rows(BodyId a, BodyId b, const JointArms<Real>& arms, RowSpecs<Real>& rows) {
   RowSpec<Real> x;

@@ -31,6 +31,33 @@ template <Scalar Real>
 JointArms<Real> joint_arms(const Pose<Real>& a, const Pose<Real>& b, const Vec2<double>& local_a,
                            const Vec2<double>& local_b);
 
+/// Two bodies, where a joint is fastened to each, and how they stood when it was made.
+struct JointEnds {
+  BodyId a = {};                  // the first body
+  BodyId b = {};                  // the second body
+  Vec2<double> local_a = {0, 0};  // [m] the anchor in the frame of a
+  Vec2<double> local_b = {0, 0};  // [m]
+  double reference_angle = 0;     // [rad] q_0: of b against a, where the joint was made
+
+  JointEnds() = default;
+  /// Anchors are in world coordinates [m]; `poses` are those that the bodies start from.
+  JointEnds(BodyId first, BodyId second, const Vec2<double>& anchor_a, const Vec2<double>& anchor_b,
+            PerBodySpan<const Pose<double>> poses);
+
+  /// Both ends.
+  List<Attachment> attachments() const { return {{a, local_a}, {b, local_b}}; }
+  /// The arms at these poses.
+  template <Scalar Real>
+  JointArms<Real> arms(const PerBody<Pose<Real>>& poses) const {
+    return joint_arms(poses[a], poses[b], local_a, local_b);
+  }
+  /// [rad] q: by how much b has turned against a since the joint was made.
+  template <Scalar Real>
+  Real angle(const PerBody<Pose<Real>>& poses) const {
+    return poses[b].angle - poses[a].angle - static_cast<Real>(reference_angle);
+  }
+};
+
 /// C = d, two rows: dC/dt = v_b + w_b x r_b - v_a - w_a x r_a.
 ///   j = (-1, 0, r_a.y, 1, 0, -r_b.y) for x,   (0, -1, -r_a.x, 0, 1, r_b.x) for y
 template <Scalar Real>

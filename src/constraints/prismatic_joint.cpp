@@ -2,6 +2,7 @@
 #include "constraints/prismatic_joint.hpp"
 
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -22,12 +23,9 @@ RowSpec<Real> slide_row(BodyId a, BodyId b, const JointArms<Real>& arms, const V
 
 }  // namespace
 
-PrismaticJoint::PrismaticJoint(const Spec& spec, std::span<const Pose<double>> poses)
-    : a_(spec.a),
-      b_(spec.b),
-      limits_{.lower = spec.lower, .upper = spec.upper, .margin = spec.limit_margin},
-      motor_(spec.motor) {
-  require(a_ != b_, "PrismaticJoint", "b", "another body than a", b_.index);
+PrismaticJoint::PrismaticJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses)
+    : limits_{.lower = spec.lower, .upper = spec.upper, .margin = spec.limit_margin}, motor_(spec.motor) {
+  require(spec.a != spec.b, "PrismaticJoint", "b", "another body than a", spec.b.index);
   require_finite(spec.anchor, "PrismaticJoint", "anchor", "m");
   require_finite(spec.axis, "PrismaticJoint", "axis", "m");
   const double length = spec.axis.stableNorm();
@@ -38,35 +36,27 @@ PrismaticJoint::PrismaticJoint(const Spec& spec, std::span<const Pose<double>> p
     require(motor_->max_force > 0 && std::isfinite(motor_->max_force), "PrismaticJoint", "motor max_force",
             "a finite number > 0 N", motor_->max_force);
   }
-  const Pose<double>& pose_a = poses[static_cast<std::size_t>(a_.index)];
-  const Pose<double>& pose_b = poses[static_cast<std::size_t>(b_.index)];
-  local_a_ = pose_a.local(spec.anchor);
-  local_b_ = pose_b.local(spec.anchor);
-  local_axis_ = Rotation<double>(pose_a.angle).transposed_times(spec.axis / length);
-  reference_angle_ = pose_b.angle - pose_a.angle;
+  ends_ = {spec.a, spec.b, spec.anchor, spec.anchor, poses};
+  local_axis_ = Rotation<double>(poses[spec.a].angle).transposed_times(spec.axis / length);
 }
 
 template <Scalar Real>
-void PrismaticJoint::rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
-  const Pose<Real>& pose_a = poses[static_cast<std::size_t>(a_.index)];
-  const Pose<Real>& pose_b = poses[static_cast<std::size_t>(b_.index)];
-  const JointArms<Real> arms = joint_arms(pose_a, pose_b, local_a_, local_b_);
-  const Vec2<Real> u = Rotation<Real>(pose_a.angle) * local_axis_.template cast<Real>();
+void PrismaticJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+  const JointArms<Real> arms = ends_.arms(poses);
+  const Vec2<Real> u = Rotation<Real>(poses[ends_.a].angle) * local_axis_.template cast<Real>();
 
   // The last rows of a sweep are satisfied best: the slide itself comes after its motor and its limits.
   if (motor_ || limits_.lower || limits_.upper) {
-    const RowSpec<Real> along = slide_row(a_, b_, arms, u);
+    const RowSpec<Real> along = slide_row(ends_.a, ends_.b, arms, u);
     if (motor_) append_motor_row(along, motor_->speed, motor_->max_force, rows);
     append_limit_rows(along, limits_, rows);
   }
-  RowSpec<Real> across = slide_row(a_, b_, arms, perpendicular(u));
+  RowSpec<Real> across = slide_row(ends_.a, ends_.b, arms, perpendicular(u));
   across.part = static_cast<std::uint64_t>(JointPart::y);
   rows.push_back(across);
-  rows.push_back(angle_row(a_, b_, pose_b.angle - pose_a.angle - static_cast<Real>(reference_angle_)));
+  rows.push_back(angle_row(ends_.a, ends_.b, ends_.angle(poses)));
 }
 
-template void PrismaticJoint::rows(const std::vector<Pose<float>>&, RowSpecs<float>&) const;
-template void PrismaticJoint::rows(const std::vector<Pose<double>>&, RowSpecs<double>&) const;
-template void PrismaticJoint::rows(const std::vector<Pose<long double>>&, RowSpecs<long double>&) const;
+template class ConstraintOf<PrismaticJoint>;
 
 }  // namespace cairn

@@ -1,9 +1,8 @@
 // Floor 3. Prismatic joint: a slide along a line.
 #pragma once
 
-#include <span>
-
 #include "constraints/joint_rows.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -42,24 +41,22 @@ class PrismaticJoint final : public ConstraintOf<PrismaticJoint> {
   /// `poses` are those the bodies start from.
   /// @throws std::invalid_argument for one body twice, numbers that are not finite, an axis of 0, upper <
   /// lower, or a max_force that is not > 0.
-  PrismaticJoint(const Spec& spec, std::span<const Pose<double>> poses);
+  PrismaticJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "prismatic"; }
-  std::vector<Attachment> attachments() const override { return {{a_, local_a_}, {b_, local_b_}}; }
+  List<Attachment> attachments() const override { return ends_.attachments(); }
 
   /// Appends the rows that hold at these poses.
   template <Scalar Real>
-  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 
  private:
-  BodyId a_;
-  BodyId b_;
-  Vec2<double> local_a_;  // [m], in the body's frame
-  Vec2<double> local_b_;
+  JointEnds ends_;
   Vec2<double> local_axis_;  // u in the frame of a
-  double reference_angle_;   // [rad] q_0
   JointLimits limits_;       // [m]
   std::optional<Motor> motor_;
 };
+
+extern template class ConstraintOf<PrismaticJoint>;
 
 }  // namespace cairn

@@ -1,26 +1,26 @@
 // Floor 3. The pulley joint's one row.
 #include "constraints/pulley_joint.hpp"
 
-#include <array>
 #include <set>
 
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 namespace {
 
-constexpr std::size_t most_rope_bodies = 4;  // that a row has room for
+constexpr int most_rope_bodies = 4;  // that a row has room for
 
 /// The entries of a row of J, one for each body that is not the ground.
 template <Scalar Real>
 struct RopeTerms {
-  std::array<RowTerm<Real>, most_rope_bodies> terms = {};
-  std::size_t count = 0;
+  FixedList<RowTerm<Real>, most_rope_bodies> terms = {};
+  int count = 0;
 
   void add(BodyId body, const Vec3<Real>& jacobian) {
     if (body == ground) return;
-    std::size_t i = 0;
+    int i = 0;
     while (i < count && terms[i].body != body) ++i;
     if (i == count) terms[count++].body = body;
     terms[i].jacobian += jacobian;
@@ -31,15 +31,15 @@ struct RopeTerms {
 template <Scalar Real>
 RowSpec<Real> rope_row(const RopeTerms<Real>& rope) {
   RowSpec<Real> row;
-  const std::size_t second = rope.count > 1 ? 1 : 0;
+  const int second = rope.count > 1 ? 1 : 0;
   if (second == 1) {
     row.a = rope.terms[0].body;
     row.jacobian_a = rope.terms[0].jacobian;
   }
   row.b = rope.terms[second].body;
   row.jacobian_b = rope.terms[second].jacobian;
-  for (std::size_t i = 2; i < rope.count; ++i) {
-    row.extra[static_cast<std::size_t>(row.extra_count++)] = rope.terms[i];
+  for (int i = 2; i < rope.count; ++i) {
+    row.extra[row.extra_count++] = rope.terms[i];
   }
   return row;
 }
@@ -52,7 +52,7 @@ void turn_sign(RowSpec<Real>& row) {
   for (RowTerm<Real>& term : row.extra) term.jacobian = -term.jacobian;
 }
 
-void check_rope_end(const PulleyJoint::End& end, std::size_t bodies) {
+void check_rope_end(const PulleyJoint::End& end, int bodies) {
   const auto require_body = [&](BodyId id, const char* field) {
     require(id.index >= 0 && id.index < static_cast<int>(bodies), "PulleyJoint", field,
             "the id of a body of this scene", id.index);
@@ -69,7 +69,7 @@ void check_rope_end(const PulleyJoint::End& end, std::size_t bodies) {
 
 }  // namespace
 
-PulleyJoint::PulleyJoint(const Spec& spec, std::span<const Pose<double>> poses)
+PulleyJoint::PulleyJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses)
     : kind_(spec.kind), slack_margin_(spec.slack_margin) {
   require(!spec.ends.empty(), "PulleyJoint", "ends", "at least one", "none");
   std::set<BodyId> bodies;
@@ -89,10 +89,10 @@ PulleyJoint::PulleyJoint(const Spec& spec, std::span<const Pose<double>> poses)
           "a finite number >= 0 m", slack_margin_);
 }
 
-PulleyJoint::Part PulleyJoint::part_of(const End& end, std::span<const Pose<double>> poses) {
-  const Pose<double>& carrier = poses[static_cast<std::size_t>(end.carrier.index)];
+PulleyJoint::Part PulleyJoint::part_of(const End& end, PerBodySpan<const Pose<double>> poses) {
+  const Pose<double>& carrier = poses[end.carrier];
   Part part{.body = end.body, .carrier = end.carrier, .kind = end.kind, .count = end.parts};
-  part.anchor = poses[static_cast<std::size_t>(end.body.index)].local(end.anchor);
+  part.anchor = poses[end.body].local(end.anchor);
   part.roller = carrier.local(end.roller);
   if (end.kind == Roller::smooth) return part;
 
@@ -106,9 +106,9 @@ PulleyJoint::Part PulleyJoint::part_of(const End& end, std::span<const Pose<doub
   return part;
 }
 
-std::vector<Attachment> PulleyJoint::attachments() const {
-  std::vector<Attachment> line;
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
+List<Attachment> PulleyJoint::attachments() const {
+  List<Attachment> line;
+  for (int i = 0; i < parts_.size(); ++i) {
     const Attachment roller = roller_of(parts_[i]);
     if (i > 0) line.push_back(roller);
     line.push_back({parts_[i].body, parts_[i].anchor});
@@ -122,12 +122,12 @@ Attachment PulleyJoint::roller_of(const Part& part) const {
 }
 
 template <Scalar Real>
-void PulleyJoint::rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+void PulleyJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
   RopeTerms<Real> rope;
   Real length = 0;
   for (const Part& part : parts_) {
-    const Pose<Real>& body = poses[static_cast<std::size_t>(part.body.index)];
-    const Pose<Real>& carrier = poses[static_cast<std::size_t>(part.carrier.index)];
+    const Pose<Real>& body = poses[part.body];
+    const Pose<Real>& carrier = poses[part.carrier];
     const bool on_drum = part.kind == Roller::drum;
     const Vec2<Real> r_p = Rotation<Real>(body.angle) * Vec2<Real>(part.anchor.template cast<Real>());
     Vec2<Real> r_q = part.roller.template cast<Real>();
@@ -155,8 +155,6 @@ void PulleyJoint::rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& row
   rows.push_back(row);
 }
 
-template void PulleyJoint::rows(const std::vector<Pose<float>>&, RowSpecs<float>&) const;
-template void PulleyJoint::rows(const std::vector<Pose<double>>&, RowSpecs<double>&) const;
-template void PulleyJoint::rows(const std::vector<Pose<long double>>&, RowSpecs<long double>&) const;
+template class ConstraintOf<PulleyJoint>;
 
 }  // namespace cairn

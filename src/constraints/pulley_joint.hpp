@@ -1,10 +1,8 @@
 // Floor 3. Pulley joint: one rope over rollers, on up to four bodies.
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "constraints/constraint.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -45,28 +43,28 @@ class PulleyJoint final : public ConstraintOf<PulleyJoint> {
   };
   /// What the joint is made from.
   struct Spec {
-    std::vector<End> ends = {};  // one or more, on up to four bodies
-    double length = -1;          // [m] sum of all parts; negative: as long as it is now
-    Kind kind = Kind::rope;      // rope or taut
-    double slack_margin = 0.5;   // [m]; a rope that loses more slack in one step is overstretched
+    List<End> ends = {};        // one or more, on up to four bodies
+    double length = -1;         // [m] sum of all parts; negative: as long as it is now
+    Kind kind = Kind::rope;     // rope or taut
+    double slack_margin = 0.5;  // [m]; a rope that loses more slack in one step is overstretched
   };
 
   /// `poses` are those the bodies start from.
   /// @throws std::invalid_argument for no ends, unknown bodies, more than four besides the ground, an end
   /// whose body carries its own roller, numbers that are not finite, parts or a length that are not > 0, and
   /// a drum that is the ground or that the rope does not go around.
-  PulleyJoint(const Spec& spec, std::span<const Pose<double>> poses);
+  PulleyJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "pulley"; }
   /// From the first anchor over its roller to the next roller and down to its anchor, and so on.
-  std::vector<Attachment> attachments() const override;
+  List<Attachment> attachments() const override;
   bool bodies_collide() const override { return true; }
   /// Whether it only pulls.
   Kind kind() const { return kind_; }
 
   /// Appends the rows that hold at these poses.
   template <Scalar Real>
-  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 
  private:
   struct Part {
@@ -79,13 +77,15 @@ class PulleyJoint final : public ConstraintOf<PulleyJoint> {
     double winding = 0;            // [m] s; 0 without a drum
     double start_angle = 0;        // [rad] q_0
   };
-  static Part part_of(const End& end, std::span<const Pose<double>> poses);
+  static Part part_of(const End& end, PerBodySpan<const Pose<double>> poses);
   Attachment roller_of(const Part& part) const;
 
-  std::vector<Part> parts_;
+  List<Part> parts_;
   Kind kind_;
   double length_ = 0;    // [m]
   double slack_margin_;  // [m]
 };
+
+extern template class ConstraintOf<PulleyJoint>;
 
 }  // namespace cairn

@@ -2,15 +2,13 @@
 #include "constraints/revolute_joint.hpp"
 
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
-RevoluteJoint::RevoluteJoint(const Spec& spec, std::span<const Pose<double>> poses)
-    : a_(spec.a),
-      b_(spec.b),
-      limits_{.lower = spec.lower, .upper = spec.upper, .margin = spec.limit_margin},
-      motor_(spec.motor) {
-  require(a_ != b_, "RevoluteJoint", "b", "another body than a", b_.index);
+RevoluteJoint::RevoluteJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses)
+    : limits_{.lower = spec.lower, .upper = spec.upper, .margin = spec.limit_margin}, motor_(spec.motor) {
+  require(spec.a != spec.b, "RevoluteJoint", "b", "another body than a", spec.b.index);
   require_finite(spec.anchor, "RevoluteJoint", "anchor", "m");
   require_limits(limits_, "RevoluteJoint", "rad");
   if (motor_) {
@@ -18,30 +16,20 @@ RevoluteJoint::RevoluteJoint(const Spec& spec, std::span<const Pose<double>> pos
     require(motor_->max_torque > 0 && std::isfinite(motor_->max_torque), "RevoluteJoint", "motor max_torque",
             "a finite number > 0 N m", motor_->max_torque);
   }
-  const Pose<double>& pose_a = poses[static_cast<std::size_t>(a_.index)];
-  const Pose<double>& pose_b = poses[static_cast<std::size_t>(b_.index)];
-  local_a_ = pose_a.local(spec.anchor);
-  local_b_ = pose_b.local(spec.anchor);
-  reference_angle_ = pose_b.angle - pose_a.angle;
+  ends_ = {spec.a, spec.b, spec.anchor, spec.anchor, poses};
 }
 
 template <Scalar Real>
-void RevoluteJoint::rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
-  const Pose<Real>& pose_a = poses[static_cast<std::size_t>(a_.index)];
-  const Pose<Real>& pose_b = poses[static_cast<std::size_t>(b_.index)];
-
+void RevoluteJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
   // The last rows of a sweep are satisfied best: the pin itself comes after its motor and its limits.
   if (motor_ || limits_.lower || limits_.upper) {
-    const Real angle = pose_b.angle - pose_a.angle - static_cast<Real>(reference_angle_);
-    const RowSpec<Real> turn = angle_row(a_, b_, angle);
+    const RowSpec<Real> turn = angle_row(ends_.a, ends_.b, ends_.angle(poses));
     if (motor_) append_motor_row(turn, motor_->speed, motor_->max_torque, rows);
     append_limit_rows(turn, limits_, rows);
   }
-  append_pin_rows(a_, b_, joint_arms(pose_a, pose_b, local_a_, local_b_), rows);
+  append_pin_rows(ends_.a, ends_.b, ends_.arms(poses), rows);
 }
 
-template void RevoluteJoint::rows(const std::vector<Pose<float>>&, RowSpecs<float>&) const;
-template void RevoluteJoint::rows(const std::vector<Pose<double>>&, RowSpecs<double>&) const;
-template void RevoluteJoint::rows(const std::vector<Pose<long double>>&, RowSpecs<long double>&) const;
+template class ConstraintOf<RevoluteJoint>;
 
 }  // namespace cairn

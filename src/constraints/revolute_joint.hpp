@@ -1,9 +1,8 @@
 // Floor 3. Revolute joint: a pin through two bodies.
 #pragma once
 
-#include <span>
-
 #include "constraints/joint_rows.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -39,26 +38,24 @@ class RevoluteJoint final : public ConstraintOf<RevoluteJoint> {
   /// `poses` are those the bodies start from.
   /// @throws std::invalid_argument for one body twice, numbers that are not finite, upper < lower, or a
   /// max_torque that is not > 0.
-  RevoluteJoint(const Spec& spec, std::span<const Pose<double>> poses);
+  RevoluteJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "revolute"; }
-  std::vector<Attachment> attachments() const override { return {{a_, local_a_}, {b_, local_b_}}; }
+  List<Attachment> attachments() const override { return ends_.attachments(); }
 
   /// Whether it is a pin and nothing else.
   bool is_free() const { return !limits_.lower && !limits_.upper && !motor_; }
 
   /// Appends the rows that hold at these poses.
   template <Scalar Real>
-  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 
  private:
-  BodyId a_;
-  BodyId b_;
-  Vec2<double> local_a_;  // [m], in the body's frame
-  Vec2<double> local_b_;
-  double reference_angle_;  // [rad] q_0
-  JointLimits limits_;      // [rad]
+  JointEnds ends_;
+  JointLimits limits_;  // [rad]
   std::optional<Motor> motor_;
 };
+
+extern template class ConstraintOf<RevoluteJoint>;
 
 }  // namespace cairn

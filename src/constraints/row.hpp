@@ -6,11 +6,19 @@
 #include <compare>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "dynamics/body.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
+
+/// The number of a row, from 0. An int does as well: what counts is that arrays over rows are a type of their
+/// own.
+enum RowNumber : int {};
+
+/// One element for each row.
+template <typename T>
+using PerRow = IndexedVector<T, RowNumber>;
 
 /// The interval that an impulse may take (paper, end of 2.2). For friction the interval depends on the
 /// impulse of another row: that coupling is data, so that every solver treats it in the same way. The other
@@ -55,7 +63,7 @@ struct Bounds {
   }
 
   /// The value of the interval nearest to x, at the impulses as they are now. A NaN stays a NaN.
-  Real clamp(Real x, const std::vector<Real>& impulse) const {
+  Real clamp(Real x, const PerRow<Real>& impulse) const {
     if (normal_row == none) return std::max(std::min(x, upper), lower);
     const Real limit = limit_beside(impulse);
     return std::max(std::min(x, limit), -limit);
@@ -63,15 +71,15 @@ struct Bounds {
 
  private:
   /// What the impulse of the other row leaves, or gives.
-  Real limit_beside(const std::vector<Real>& impulse) const {
-    const Real other = impulse[static_cast<std::size_t>(normal_row)];
+  Real limit_beside(const PerRow<Real>& impulse) const {
+    const Real other = impulse[normal_row];
     if (disc > 0) {
       const Real used = std::min(std::abs(other), disc);
       return std::sqrt((disc - used) * (disc + used));
     }
     Real load = std::max(other, Real(0));
     if (second_normal_row != none) {
-      load += std::max(impulse[static_cast<std::size_t>(second_normal_row)], Real(0));
+      load += std::max(impulse[second_normal_row], Real(0));
     }
     return friction * load;
   }
@@ -121,18 +129,18 @@ struct RowBlock {
 /// n bodies, m rows.
 template <Scalar Real>
 struct VelocityProblem {
-  std::vector<ConstraintRow<Real>> rows = {};   // m
-  std::vector<RowBlock> blocks = {};            // cover all rows
-  std::vector<RowTerm<Real>> extra_terms = {};  // of rows on more than two bodies; most problems have none
-  std::vector<Vec3<Real>> inverse_mass = {};    // n, the diagonal of M^-1 (2)
-  std::vector<Vec3<Real>> velocity = {};        // n; in: v_1 with gravity already applied; out: v_2 (11)
-  std::vector<Real> impulse = {};               // m [N s]; in: warm start; out: the answer
-  Real dt = 1;                                  // [s]; the paper's lambda is impulse / dt
+  PerRow<ConstraintRow<Real>> rows = {};  // m
+  List<RowBlock> blocks = {};             // cover all rows
+  List<RowTerm<Real>> extra_terms = {};   // of rows on more than two bodies; most problems have none
+  PerBody<Vec3<Real>> inverse_mass = {};  // n, the diagonal of M^-1 (2)
+  PerBody<Vec3<Real>> velocity = {};      // n; in: v_1 with gravity already applied; out: v_2 (11)
+  PerRow<Real> impulse = {};              // m [N s]; in: warm start; out: the answer
+  Real dt = 1;                            // [s]; the paper's lambda is impulse / dt
 
   /// m.
-  int row_count() const { return static_cast<int>(rows.size()); }
+  int row_count() const { return rows.size(); }
   /// n, with the ground.
-  int body_count() const { return static_cast<int>(velocity.size()); }
+  int body_count() const { return velocity.size(); }
 };
 
 /// The same problem in another precision.
@@ -170,11 +178,10 @@ VelocityProblem<To> converted(const VelocityProblem<From>& problem) {
 }
 
 /// Calls visit(BodyId, jacobian) for every body of a row beyond its two.
-template <Scalar Real, typename Visit>
-void for_each_extra_term(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row,
-                         const Visit& visit) {
+template <Scalar Real, typename Row, typename Visit>
+void for_each_extra_term(const VelocityProblem<Real>& problem, const Row& row, const Visit& visit) {
   for (int k = row.first_extra; k < row.first_extra + row.extra_count; ++k) {
-    const RowTerm<Real>& term = problem.extra_terms[static_cast<std::size_t>(k)];
+    const RowTerm<Real>& term = problem.extra_terms[k];
     visit(term.body, term.jacobian);
   }
 }
@@ -190,12 +197,10 @@ void for_each_term(const VelocityProblem<Real>& problem, const ConstraintRow<Rea
 /// j v: how fast the row's error changes, at these velocities.
 template <Scalar Real>
 Real row_velocity(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row,
-                  const std::vector<Vec3<Real>>& velocity) {
-  Real jv = row.jacobian_a.dot(velocity[static_cast<std::size_t>(row.a.index)]) +
-            row.jacobian_b.dot(velocity[static_cast<std::size_t>(row.b.index)]);
-  for_each_extra_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-    jv += jacobian.dot(velocity[static_cast<std::size_t>(body.index)]);
-  });
+                  const PerBody<Vec3<Real>>& velocity) {
+  Real jv = row.jacobian_a.dot(velocity[row.a]) + row.jacobian_b.dot(velocity[row.b]);
+  for_each_extra_term(problem, row,
+                      [&](BodyId body, const Vec3<Real>& jacobian) { jv += jacobian.dot(velocity[body]); });
   return jv;
 }
 
@@ -208,12 +213,11 @@ Real row_velocity(const VelocityProblem<Real>& problem, const ConstraintRow<Real
 /// v += M^-1 j^T p: gives the bodies of one of the problem's rows the impulse p [N s] (paper (19), (21)).
 template <Scalar Real>
 void apply_impulse(VelocityProblem<Real>& problem, const ConstraintRow<Real>& row, Real p) {
-  const auto a = static_cast<std::size_t>(row.a.index);
-  const auto b = static_cast<std::size_t>(row.b.index);
+  const BodyId a = row.a;
+  const BodyId b = row.b;
   problem.velocity[a] += problem.inverse_mass[a].cwiseProduct(row.jacobian_a) * p;
   problem.velocity[b] += problem.inverse_mass[b].cwiseProduct(row.jacobian_b) * p;
-  for_each_extra_term(problem, row, [&](BodyId id, const Vec3<Real>& jacobian) {
-    const auto body = static_cast<std::size_t>(id.index);
+  for_each_extra_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
     problem.velocity[body] += problem.inverse_mass[body].cwiseProduct(jacobian) * p;
   });
 }
@@ -221,7 +225,7 @@ void apply_impulse(VelocityProblem<Real>& problem, const ConstraintRow<Real>& ro
 /// Gives every row the impulse that it has: a warm start, or (12) from the velocities before the solve.
 template <Scalar Real>
 void apply_impulses(VelocityProblem<Real>& problem) {
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     apply_impulse(problem, problem.rows[i], problem.impulse[i]);
   }
 }
@@ -231,7 +235,7 @@ template <Scalar Real>
 Real inverse_effective_mass(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
   Real sum = 0;
   for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-    sum += jacobian.dot(problem.inverse_mass[static_cast<std::size_t>(body.index)].cwiseProduct(jacobian));
+    sum += jacobian.dot(problem.inverse_mass[body].cwiseProduct(jacobian));
   });
   return sum + row.softness;
 }

@@ -9,12 +9,11 @@ namespace cairn {
 namespace {
 
 template <Scalar Real>
-Real spec_velocity(const RowSpec<Real>& spec, const std::vector<Vec3<Real>>& velocity) {
-  Real jv = spec.jacobian_a.dot(velocity[static_cast<std::size_t>(spec.a.index)]) +
-            spec.jacobian_b.dot(velocity[static_cast<std::size_t>(spec.b.index)]);
+Real spec_velocity(const RowSpec<Real>& spec, const PerBody<Vec3<Real>>& velocity) {
+  Real jv = spec.jacobian_a.dot(velocity[spec.a]) + spec.jacobian_b.dot(velocity[spec.b]);
   for (int k = 0; k < spec.extra_count; ++k) {
-    const RowTerm<Real>& term = spec.extra[static_cast<std::size_t>(k)];
-    jv += term.jacobian.dot(velocity[static_cast<std::size_t>(term.body.index)]);
+    const RowTerm<Real>& term = spec.extra[k];
+    jv += term.jacobian.dot(velocity[term.body]);
   }
   return jv;
 }
@@ -27,14 +26,14 @@ bool holds_no_position(const RowSpec<Real>& spec) {
 
 /// Whether the two sides of an inequality would meet within the step, and part again by the rebound.
 template <Scalar Real>
-bool rebounds(const RowSpec<Real>& spec, Real dt, const std::vector<Vec3<Real>>& velocity) {
+bool rebounds(const RowSpec<Real>& spec, Real dt, const PerBody<Vec3<Real>>& velocity) {
   return spec.rebound > 0 && spec.error + dt * spec_velocity(spec, velocity) < 0;
 }
 
 /// The spring of a row in the velocity pass: its own, or the policy's for an error that is to go.
 template <Scalar Real>
 std::optional<Softness> spring_of(const RowSpec<Real>& spec, const Stabilization& stabilization,
-                                  StabilizationPass pass, Real dt, const std::vector<Vec3<Real>>& velocity) {
+                                  StabilizationPass pass, Real dt, const PerBody<Vec3<Real>>& velocity) {
   if (spec.softness) return spec.softness;
   const bool is_asked_for =
       stabilization.policy == StabilizationPolicy::soft && pass == StabilizationPass::velocity;
@@ -54,7 +53,7 @@ Real carried_inverse_mass(const VelocityProblem<Real>& problem, const Constraint
   if (!row.bounds.is_equality()) return inverse_effective_mass(problem, row);
   Real of_masses = 0;
   for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-    const Real inverse_mass = problem.inverse_mass[static_cast<std::size_t>(body.index)].x();
+    const Real inverse_mass = problem.inverse_mass[body].x();
     of_masses += inverse_mass * jacobian.template head<2>().squaredNorm();
   });
   return of_masses > 0 ? of_masses : inverse_effective_mass(problem, row);
@@ -93,7 +92,7 @@ double spring_sag(const Stabilization& stabilization, double dt, double accelera
 
 template <Scalar Real>
 Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization, StabilizationPass pass,
-                   Real dt, const std::vector<Vec3<Real>>& velocity) {
+                   Real dt, const PerBody<Vec3<Real>>& velocity) {
   const std::optional<Softness> spring = spring_of(spec, stabilization, pass, dt, velocity);
   const Real rate = spring ? return_rate(*spring, dt) : recovery_rate(stabilization, pass, dt);
   if (!spec.bounds.is_unilateral()) return spec.speed - spec.error * rate;
@@ -121,10 +120,10 @@ ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilizatio
                           .softness = 0,
                           .bounds = spec.bounds,
                           .key = {.source = source, .part = spec.part},
-                          .first_extra = static_cast<int>(problem.extra_terms.size()),
+                          .first_extra = problem.extra_terms.size(),
                           .extra_count = spec.extra_count};
   for (int k = 0; k < spec.extra_count; ++k) {
-    problem.extra_terms.push_back(spec.extra[static_cast<std::size_t>(k)]);
+    problem.extra_terms.push_back(spec.extra[k]);
   }
   row.bounds.shift(first_row);
   if (spec.max_force) {
@@ -146,15 +145,15 @@ ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilizatio
 }
 
 template float bias_velocity(const RowSpec<float>&, const Stabilization&, StabilizationPass, float,
-                             const std::vector<Vec3<float>>&);
+                             const PerBody<Vec3<float>>&);
 template ConstraintRow<float> stabilized_row(const RowSpec<float>&, const Stabilization&, StabilizationPass,
                                              VelocityProblem<float>&, std::uint64_t, int);
 template double bias_velocity(const RowSpec<double>&, const Stabilization&, StabilizationPass, double,
-                              const std::vector<Vec3<double>>&);
+                              const PerBody<Vec3<double>>&);
 template ConstraintRow<double> stabilized_row(const RowSpec<double>&, const Stabilization&, StabilizationPass,
                                               VelocityProblem<double>&, std::uint64_t, int);
 template long double bias_velocity(const RowSpec<long double>&, const Stabilization&, StabilizationPass,
-                                   long double, const std::vector<Vec3<long double>>&);
+                                   long double, const PerBody<Vec3<long double>>&);
 template ConstraintRow<long double> stabilized_row(const RowSpec<long double>&, const Stabilization&,
                                                    StabilizationPass, VelocityProblem<long double>&,
                                                    std::uint64_t, int);

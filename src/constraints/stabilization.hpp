@@ -56,7 +56,7 @@ double spring_sag(const Stabilization& stabilization, double dt, double accelera
 /// it has, of which an inequality takes no more than is still missing.
 template <Scalar Real>
 Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization, StabilizationPass pass,
-                   Real dt, const std::vector<Vec3<Real>>& velocity);
+                   Real dt, const PerBody<Vec3<Real>>& velocity);
 
 /// The row of `spec` in a step of `problem`, whose dt, inverse masses and velocities are those of the step
 /// without constraints: with the bias above, the softness of its spring, and a motor's force as an impulse.

@@ -1,9 +1,8 @@
 // Floor 3. Weld joint: two bodies as one.
 #pragma once
 
-#include <span>
-
-#include "constraints/constraint.hpp"
+#include "constraints/joint_rows.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -26,21 +25,19 @@ class WeldJoint final : public ConstraintOf<WeldJoint> {
 
   /// `poses` are those the bodies start from.
   /// @throws std::invalid_argument for one body twice or an anchor that is not finite.
-  WeldJoint(const Spec& spec, std::span<const Pose<double>> poses);
+  WeldJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "weld"; }
-  std::vector<Attachment> attachments() const override { return {{a_, local_a_}, {b_, local_b_}}; }
+  List<Attachment> attachments() const override { return ends_.attachments(); }
 
   /// Appends the rows that hold at these poses.
   template <Scalar Real>
-  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
 
  private:
-  BodyId a_;
-  BodyId b_;
-  Vec2<double> local_a_;  // [m], in the body's frame
-  Vec2<double> local_b_;
-  double reference_angle_;  // [rad] q_0
+  JointEnds ends_;
 };
+
+extern template class ConstraintOf<WeldJoint>;
 
 }  // namespace cairn

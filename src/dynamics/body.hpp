@@ -2,8 +2,8 @@
 #pragma once
 
 #include <compare>
-#include <vector>
 
+#include "math/list.hpp"
 #include "math/math.hpp"
 
 namespace cairn {
@@ -14,6 +14,16 @@ struct BodyId {
   /// By index.
   auto operator<=>(const BodyId&) const = default;
 };
+
+/// Where a body stands in an array.
+constexpr std::ptrdiff_t place_of(BodyId body) { return body.index; }
+
+/// One element for each body, the ground first.
+template <typename T>
+using PerBody = IndexedVector<T, BodyId>;
+/// A view of one.
+template <typename T>
+using PerBodySpan = IndexedSpan<T, BodyId>;
 
 /// Body 0.
 inline constexpr BodyId ground = {0};
@@ -32,10 +42,9 @@ bool may_touch(const Body& a, const Body& b) {
 /// Parallel arrays over all bodies; planar, so three numbers a body where the paper has six.
 template <Scalar Real>
 struct BodyState {
-  std::vector<Pose<Real>> pose;      // of centres of mass [m, rad]
-  std::vector<Vec3<Real>> velocity;  // [m/s, m/s, rad/s]; eq. (1)
-  std::vector<Vec3<Real>>
-      inverse_mass;  // [1/kg, 1/kg, 1/(kg m^2)]; the diagonal of eq. (2); 0: cannot be moved
+  PerBody<Pose<Real>> pose;          // of centres of mass [m, rad]
+  PerBody<Vec3<Real>> velocity;      // [m/s, m/s, rad/s]; eq. (1)
+  PerBody<Vec3<Real>> inverse_mass;  // [1/kg, 1/kg, 1/(kg m^2)]; the diagonal of eq. (2); 0: cannot be moved
 };
 
 }  // namespace cairn

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dynamics/body.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -15,13 +16,13 @@ struct BodyForces {
 
 /// v += dt g for every body that forces can move (inverse mass > 0): the left half of (12). dt [s].
 template <Scalar Real>
-void apply_gravity(std::vector<Vec3<Real>>& velocity, const std::vector<Vec3<Real>>& inverse_mass,
-                   const std::vector<BodyForces<Real>>& forces, const Vec2<Real>& gravity, Real dt);
+void apply_gravity(PerBody<Vec3<Real>>& velocity, const PerBody<Vec3<Real>>& inverse_mass,
+                   const PerBody<BodyForces<Real>>& forces, const Vec2<Real>& gravity, Real dt);
 
 /// v /= 1 + c dt: damping by implicit Euler, so that no step turns a velocity around.
 template <Scalar Real>
-void apply_damping(std::vector<Vec3<Real>>& velocity, const std::vector<Vec3<Real>>& inverse_mass,
-                   const std::vector<BodyForces<Real>>& forces, Real dt);
+void apply_damping(PerBody<Vec3<Real>>& velocity, const PerBody<Vec3<Real>>& inverse_mass,
+                   const PerBody<BodyForces<Real>>& forces, Real dt);
 
 /// x += dt v for every body, kinematic ones too.
 template <Scalar Real>

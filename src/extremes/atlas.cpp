@@ -7,15 +7,16 @@
 
 #include "extremes/atlas_maps.hpp"
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 namespace {
 
 /// Every second value, the headline's among them.
-AtlasAxis thinned(const AtlasAxis& axis, std::size_t kept) {
+AtlasAxis thinned(const AtlasAxis& axis, int kept) {
   AtlasAxis thin{.title = axis.title};
-  for (std::size_t i = kept % 2; i < axis.values.size(); i += 2) {
+  for (int i = kept % 2; i < axis.values.size(); i += 2) {
     thin.values.push_back(axis.values[i]);
     thin.labels.push_back(axis.labels[i]);
   }
@@ -29,9 +30,7 @@ AtlasMap thinned_map(AtlasMap map) {
   return map;
 }
 
-std::size_t cells_of(const AtlasMap& map) {
-  return map.panels.size() * map.x.values.size() * map.y.values.size();
-}
+int cells_of(const AtlasMap& map) { return map.panels.size() * map.x.values.size() * map.y.values.size(); }
 
 AtlasClass class_named(const std::string& text) {
   for (const AtlasClass ending : {AtlasClass::holds, AtlasClass::strained, AtlasClass::failed,
@@ -53,7 +52,7 @@ void add_tasks(const AtlasMap& map, Study& study) {
       for (const double y : map.y.values) {
         const bool once = panel.ignores_y && y != map.y.values.front();
         study.tasks.push_back(
-            {map.name + " " + panel.title, [=]() -> std::vector<CsvCell> {
+            {map.name + " " + panel.title, [=]() -> List<CsvCell> {
                const AtlasCell cell = once ? AtlasCell{} : map.run(panel, x, y);
                return {map.name, panel.setting.solver,          panel.title,   x,
                        y,        atlas_class_text(cell.ending), cell.measured, cell.energy_gain};
@@ -65,8 +64,8 @@ void add_tasks(const AtlasMap& map, Study& study) {
 
 }  // namespace
 
-std::vector<AtlasMap> atlas_maps(AtlasPart part) {
-  std::vector<AtlasMap> maps = {mass_ratio_map(), stack_map(), chain_map(), spring_map(), origin_map()};
+List<AtlasMap> atlas_maps(AtlasPart part) {
+  List<AtlasMap> maps = {mass_ratio_map(), stack_map(), chain_map(), spring_map(), origin_map()};
   if (part == AtlasPart::quick) std::transform(maps.begin(), maps.end(), maps.begin(), thinned_map);
   return maps;
 }
@@ -78,8 +77,8 @@ Setting atlas_setting(const std::string& solver, int sweeps) {
   return setting;
 }
 
-std::vector<AtlasPanel> solver_panels(int sweeps) {
-  std::vector<AtlasPanel> panels = {{"SI, and so PGS", atlas_setting("si", sweeps), true}};
+List<AtlasPanel> solver_panels(int sweeps) {
+  List<AtlasPanel> panels = {{"SI, and so PGS", atlas_setting("si", sweeps), true}};
   for (const char* solver :
        {"block", "block-contact", "accelerated", "newton", "jacobi", "jacobi-damped", "jacobi-split"})
     panels.push_back({solver, atlas_setting(solver, sweeps)});
@@ -108,8 +107,8 @@ AtlasCell atlas_cell(const Scene& scene, const Setting& setting, const AtlasLimi
   return cell;
 }
 
-const AtlasCell& AtlasSheet::cell(std::size_t panel, std::size_t x, std::size_t y) const {
-  const std::size_t row = map.panels[panel].ignores_y ? 0 : y;
+const AtlasCell& AtlasSheet::cell(int panel, int x, int y) const {
+  const int row = map.panels[panel].ignores_y ? 0 : y;
   return cells[(panel * map.x.values.size() + x) * map.y.values.size() + row];
 }
 
@@ -139,21 +138,21 @@ Study atlas_study(AtlasPart part) {
   return study;
 }
 
-std::vector<AtlasSheet> atlas_sheets(AtlasPart part, const std::string& csv) {
+List<AtlasSheet> atlas_sheets(AtlasPart part, const std::string& csv) {
   std::istringstream in(csv);
   const CsvTable table = read_csv(in, "atlas");
   require(table.header.size() == 9, "atlas_sheets", "columns", "9", static_cast<double>(table.header.size()));
-  std::vector<AtlasSheet> sheets;
-  std::vector<std::pair<std::size_t, std::size_t>> places;  // of each task: sheet and cell
+  List<AtlasSheet> sheets;
+  List<std::pair<int, int>> places;  // of each task: sheet and cell
   for (const AtlasMap& map : atlas_maps(part)) {
-    sheets.push_back({map, std::vector<AtlasCell>(cells_of(map))});
-    for (std::size_t cell = 0; cell < cells_of(map); ++cell) places.push_back({sheets.size() - 1, cell});
+    sheets.push_back({map, List<AtlasCell>(cells_of(map))});
+    for (int cell = 0; cell < cells_of(map); ++cell) places.push_back({sheets.size() - 1, cell});
   }
-  for (const std::vector<CsvCell>& row : table.rows) {
+  for (const List<CsvCell>& row : table.rows) {
     const double task = atlas_number(row[0]);
     require(task >= 0 && task < static_cast<double>(places.size()), "atlas_sheets", "task",
             "the number of a cell", task);
-    const auto& [sheet, cell] = places[static_cast<std::size_t>(task)];
+    const auto& [sheet, cell] = places[static_cast<int>(task)];
     const auto* ending = std::get_if<std::string>(&row[6]);
     sheets[sheet].cells[cell] = {.ending = class_named(ending != nullptr ? *ending : ""),
                                  .measured = atlas_number(row[7]),

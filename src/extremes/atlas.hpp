@@ -1,20 +1,19 @@
 // Floor 12. The stability atlas: over two axes at once, what holds, what degrades and what explodes.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "study/journal.hpp"
 #include "scenes/setting.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 /// How a run ended, from the best to the worst. What a map calls them is in AtlasMap::classes.
 enum class AtlasClass { holds, strained, failed, exploded, refused, not_run };
-inline constexpr std::size_t atlas_classes = 5;  // that a map has a name for: all but not_run
+inline constexpr int atlas_classes = 5;  // that a map has a name for: all but not_run
 
 /// What one run of a map came to.
 struct AtlasCell {
@@ -28,8 +27,8 @@ inline constexpr double atlas_explosion = 0.1;
 
 struct AtlasAxis {
   std::string title = {};  // with its unit
-  std::vector<double> values = {};
-  std::vector<std::string> labels = {};  // as many, for pictures; "" for none
+  List<double> values = {};
+  List<std::string> labels = {};  // as many, for pictures; "" for none
 };
 
 /// One solver's part of a map.
@@ -59,10 +58,10 @@ struct AtlasMap {
   std::string quantity = {};  // what is measured, with its unit
   AtlasAxis x = {};
   AtlasAxis y = {};
-  std::vector<AtlasPanel> panels = {};
-  std::array<AtlasRule, atlas_classes> classes = {};  // by AtlasClass; no name: does not occur
+  List<AtlasPanel> panels = {};
+  FixedList<AtlasRule, atlas_classes> classes = {};  // by AtlasClass; no name: does not occur
   AtlasReading reading = AtlasReading::from_y;
-  std::size_t headline = 0;        // place on the x axis
+  int headline = 0;                // place on the x axis
   std::string headline_text = {};  // "A mass ratio of 100 stands"
   std::string y_unit = {};         // behind a number: "sweeps"
   std::function<AtlasCell(const AtlasPanel& panel, double x, double y)> run = {};
@@ -71,14 +70,14 @@ struct AtlasMap {
 enum class AtlasPart { all, quick };
 
 /// All maps; quick: every second value of their axes.
-std::vector<AtlasMap> atlas_maps(AtlasPart part);
+List<AtlasMap> atlas_maps(AtlasPart part);
 
 /// A map that was run.
 struct AtlasSheet {
   AtlasMap map = {};
-  std::vector<AtlasCell> cells = {};  // by panel, then x, then y
+  List<AtlasCell> cells = {};  // by panel, then x, then y
 
-  const AtlasCell& cell(std::size_t panel, std::size_t x, std::size_t y) const;
+  const AtlasCell& cell(int panel, int x, int y) const;
 };
 
 /// "holds", "strained", "failed", "exploded", "refused" or "not run".
@@ -88,10 +87,10 @@ std::string atlas_class_text(AtlasClass ending);
 Study atlas_study(AtlasPart part);
 /// From Journal::csv() of that study. Cells that it does not have were not run.
 /// @throws std::invalid_argument for a table of another kind.
-std::vector<AtlasSheet> atlas_sheets(AtlasPart part, const std::string& csv);
+List<AtlasSheet> atlas_sheets(AtlasPart part, const std::string& csv);
 
 /// "from 64 sweeps", "float to 10^4 m": see AtlasReading.
-std::string panel_finding(const AtlasSheet& sheet, std::size_t panel);
+std::string panel_finding(const AtlasSheet& sheet, int panel);
 /// A sentence for the whole map, of the panels that want to be in it.
 std::string sheet_finding(const AtlasSheet& sheet);
 

@@ -5,6 +5,7 @@
 
 #include "constraints/revolute_joint.hpp"
 #include "extremes/atlas_maps.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -20,7 +21,7 @@ AtlasAxis sweep_axis(const std::string& title, int most) {
   return axis;
 }
 
-AtlasAxis whole_axis(const std::string& title, const std::vector<int>& values) {
+AtlasAxis whole_axis(const std::string& title, const List<int>& values) {
   AtlasAxis axis{.title = title};
   for (const int value : values) {
     axis.values.push_back(value);
@@ -29,15 +30,15 @@ AtlasAxis whole_axis(const std::string& title, const std::vector<int>& values) {
   return axis;
 }
 
-std::vector<AtlasPanel> load_panels() {
-  std::vector<AtlasPanel> panels = solver_panels(10);
+List<AtlasPanel> load_panels() {
+  List<AtlasPanel> panels = solver_panels(10);
   for (AtlasPanel& panel : panels) panel.in_title = panel.in_title || panel.title == "accelerated";
   panels.push_back({"reference", atlas_setting("reference", 1), false, true});
   if (has_box2d()) panels.push_back({"Box2D 2.4.1", atlas_setting("box2d"), true});
   return panels;
 }
 
-std::array<AtlasRule, atlas_classes> standing_classes() {
+FixedList<AtlasRule, atlas_classes> standing_classes() {
   return {{{"stands", "a box moved less than 2.5 cm for each box"},
            {"leans", "less than 25 cm for each box"},
            {"falls", "farther, and stays finite"},
@@ -51,7 +52,7 @@ AtlasLimits standing_limits(double seconds, double boxes) {
 
 double way_of(const TrialResult& result) { return result.farthest; }
 
-Scene boxes_of(const std::vector<double>& masses) {
+Scene boxes_of(const List<double>& masses) {
   const double count = static_cast<double>(masses.size());
   Scene scene;
   scene.add_ground({.half_width = 2 * count + 20});
@@ -94,9 +95,9 @@ Setting chain_setting(const std::string& solver, StabilizationPolicy policy) {
   return setting;
 }
 
-std::vector<AtlasPanel> chain_panels() {
+List<AtlasPanel> chain_panels() {
   using Policy = StabilizationPolicy;
-  std::vector<AtlasPanel> panels = {
+  List<AtlasPanel> panels = {
       {"SI, Baumgarte", chain_setting("si", Policy::baumgarte), true},
       {"SI, soft rows", chain_setting("si", Policy::soft)},
       {"SI, split impulse", chain_setting("si", Policy::split_impulse), true},
@@ -151,7 +152,7 @@ AtlasMap stack_map() {
   map.y_unit = "sweeps";
   map.run = [](const AtlasPanel& panel, double boxes, double sweeps) {
     if (panel.setting.solver == "reference" && boxes > 10) return AtlasCell{};  // rows^3 a step: minutes
-    const std::vector<double> masses(static_cast<std::size_t>(boxes), 1.0);
+    const List<double> masses(static_cast<int>(boxes), 1.0);
     return atlas_cell(boxes_of(masses), swept(panel, sweeps), standing_limits(6, boxes), way_of);
   };
   return map;

@@ -5,6 +5,7 @@
 
 #include "extremes/atlas.hpp"
 #include "study/trial.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -19,7 +20,7 @@ AtlasMap origin_map();
 Setting atlas_setting(const std::string& solver, int sweeps = 10);
 
 /// A panel for each solver that sweeps. PGS is none of its own: its numbers are those of SI.
-std::vector<AtlasPanel> solver_panels(int sweeps);
+List<AtlasPanel> solver_panels(int sweeps);
 
 /// What separates the classes of a run that stays finite.
 struct AtlasLimits {

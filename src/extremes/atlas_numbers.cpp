@@ -38,8 +38,8 @@ Scene row_on_springs(double frequency) {
 /// Kinetic energy and that of the springs [J]; k = m (2 pi f)^2, m the mass that the row feels.
 double energy_on_springs(const Snapshot& now, double frequency) {
   double energy = 0;
-  for (std::size_t i = 1; i < now.bodies.size(); ++i) {
-    const SnapshotBody &before = now.bodies[i - 1], &ball = now.bodies[i];
+  for (int i = 1; i < now.bodies.size(); ++i) {
+    const SnapshotBody &before = now.bodies[{i - 1}], &ball = now.bodies[{i}];
     const double free = i == 1 ? 0 : 1 / before.mass;
     const double stiffness = std::pow(2 * pi * frequency, 2) / (free + 1 / ball.mass);
     const double stretch = (ball.pose.position - before.pose.position).norm() - 1;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "extremes/extreme_axes.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -41,7 +42,7 @@ ExtremeRun few_steps(int steps, const Setting& setting, double thinnest) {
           .time_limit = 120};
 }
 
-std::vector<ExtremeSetting> linear_settings() {
+List<ExtremeSetting> linear_settings() {
   return {{setting_of("si", 10), true},
           {setting_of("si", 10, StabilizationPolicy::soft), false},
           {setting_of("si", 10, StabilizationPolicy::split_impulse), false},
@@ -49,7 +50,7 @@ std::vector<ExtremeSetting> linear_settings() {
           {setting_of("accelerated", 10), true}};
 }
 
-void add_counts(const ExtremeSetting& tried, std::vector<ExtremeCase>& cases) {
+void add_counts(const ExtremeSetting& tried, List<ExtremeCase>& cases) {
   const auto add = [&](const std::string& what, ExtremeVerdict required, bool quick,
                        const std::function<ExtremeFinding(const Setting&)>& run) {
     cases.push_back({"count", what, tried.setting, required, quick && tried.quick, run});
@@ -74,8 +75,8 @@ void add_counts(const ExtremeSetting& tried, std::vector<ExtremeCase>& cases) {
   }
 }
 
-std::vector<ExtremeCase> count_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> count_cases() {
+  List<ExtremeCase> cases;
   for (const ExtremeSetting& tried : linear_settings()) add_counts(tried, cases);
   // 4 rows a box: more than a dense A is made for.
   cases.push_back({"count", "a dense A of 40000 rows", setting_of("pgs", 1), ExtremeVerdict::refuse, true,
@@ -87,7 +88,7 @@ std::vector<ExtremeCase> count_cases() {
 
 }  // namespace
 
-std::vector<ExtremeAxis> count_axes() {
+List<ExtremeAxis> count_axes() {
   return {{"count", "so many bodies or contacts, a few steps",
            "si under every policy, block-contact, accelerated; dense PGS where it must refuse", count_cases}};
 }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "extremes/extreme_axes.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -26,9 +27,9 @@ bool meets(ExtremeVerdict required, ExtremeVerdict found) {
   return found == required || (required == ExtremeVerdict::bound && found == ExtremeVerdict::ok);
 }
 
-const std::vector<ExtremeAxis>& extreme_axes() {
-  static const std::vector<ExtremeAxis> axes = [] {
-    std::vector<ExtremeAxis> all;
+const List<ExtremeAxis>& extreme_axes() {
+  static const List<ExtremeAxis> axes = [] {
+    List<ExtremeAxis> all;
     for (const auto& group : {load_axes(), step_axes(), motion_axes(), size_axes(), row_axes(), spring_axes(),
                               material_axes(), number_axes(), count_axes(), input_axes(), target_axes()}) {
       all.insert(all.end(), group.begin(), group.end());

@@ -3,9 +3,9 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "scenes/setting.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -47,11 +47,11 @@ struct ExtremeAxis {
   std::string name = {};
   std::string title = {};
   std::string settings = {};  // solvers and policies that it is tried with, and why
-  std::function<std::vector<ExtremeCase>()> make = {};
+  std::function<List<ExtremeCase>()> make = {};
 };
 
 /// All of them; cases are made when they are asked for.
-const std::vector<ExtremeAxis>& extreme_axes();
+const List<ExtremeAxis>& extreme_axes();
 
 /// Runs a case. Whatever it throws is a finding: a refusal, or a failure.
 ExtremeFinding find_out(const ExtremeCase& extreme);

@@ -3,20 +3,21 @@
 
 #include "extremes/extreme.hpp"
 #include "study/trial.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
-std::vector<ExtremeAxis> load_axes();      // mass ratio, stack, chain
-std::vector<ExtremeAxis> step_axes();      // dt, variable dt, iterations
-std::vector<ExtremeAxis> motion_axes();    // speed, spin
-std::vector<ExtremeAxis> size_axes();      // distance from the origin, size ratio, overlap
-std::vector<ExtremeAxis> row_axes();       // tiny inertia, redundant and contradictory rows
-std::vector<ExtremeAxis> spring_axes();    // stiffness
-std::vector<ExtremeAxis> material_axes();  // friction, restitution
-std::vector<ExtremeAxis> number_axes();    // scalars, denormals, overflow, determinism
-std::vector<ExtremeAxis> count_axes();     // nothing at all, many bodies, many contacts on one
-std::vector<ExtremeAxis> input_axes();     // shapes, masses, and numbers that are none
-std::vector<ExtremeAxis> target_axes();    // what recommended settings must reach
+List<ExtremeAxis> load_axes();      // mass ratio, stack, chain
+List<ExtremeAxis> step_axes();      // dt, variable dt, iterations
+List<ExtremeAxis> motion_axes();    // speed, spin
+List<ExtremeAxis> size_axes();      // distance from the origin, size ratio, overlap
+List<ExtremeAxis> row_axes();       // tiny inertia, redundant and contradictory rows
+List<ExtremeAxis> spring_axes();    // stiffness
+List<ExtremeAxis> material_axes();  // friction, restitution
+List<ExtremeAxis> number_axes();    // scalars, denormals, overflow, determinism
+List<ExtremeAxis> count_axes();     // nothing at all, many bodies, many contacts on one
+List<ExtremeAxis> input_axes();     // shapes, masses, and numbers that are none
+List<ExtremeAxis> target_axes();    // what recommended settings must reach
 
 /// A setting of an axis, and whether it is in the quick part.
 struct ExtremeSetting {
@@ -25,7 +26,7 @@ struct ExtremeSetting {
 };
 
 /// The settings most axes are tried with: si and block under each policy, and one each of the others.
-std::vector<ExtremeSetting> usual_settings();
+List<ExtremeSetting> usual_settings();
 Setting setting_of(const std::string& solver, int sweeps,
                    StabilizationPolicy policy = StabilizationPolicy::baumgarte, int substeps = 1);
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "extremes/extreme_axes.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -42,7 +43,7 @@ Setting setting_of(const std::string& solver, int sweeps, StabilizationPolicy po
   return setting;
 }
 
-std::vector<ExtremeSetting> usual_settings() {
+List<ExtremeSetting> usual_settings() {
   return {{setting_of("si", 10), true},
           {setting_of("si", 10, StabilizationPolicy::soft), false},
           {setting_of("si", 10, StabilizationPolicy::split_impulse), false},

@@ -10,6 +10,7 @@
 
 #include "math/check.hpp"
 #include "study/build_info.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -35,7 +36,7 @@ std::string policy_text(StabilizationPolicy policy) {
   return "split impulse";
 }
 
-std::vector<CsvCell> extreme_cells(const ExtremeCase& extreme) {
+List<CsvCell> extreme_cells(const ExtremeCase& extreme) {
   const ExtremeFinding found = find_out(extreme);
   std::string note = found.note;
   std::replace(note.begin(), note.end(), '\n', ' ');  // a row of a journal is a line
@@ -86,13 +87,13 @@ Study extreme_study(const ExtremeChoice& choice) {
   return study;
 }
 
-std::vector<ExtremeRow> extreme_rows(const std::string& csv) {
+List<ExtremeRow> extreme_rows(const std::string& csv) {
   std::istringstream in(csv);
   const CsvTable table = read_csv(in, "extremes");
   require(table.header.size() == 12, "extreme_rows", "columns", "12",
           static_cast<double>(table.header.size()));
-  std::vector<ExtremeRow> rows;
-  for (const std::vector<CsvCell>& cells : table.rows) {
+  List<ExtremeRow> rows;
+  for (const List<CsvCell>& cells : table.rows) {
     rows.push_back({.axis = text_of(cells[1]),
                     .value = text_of(cells[2]),
                     .solver = text_of(cells[3]),
@@ -108,7 +109,7 @@ std::vector<ExtremeRow> extreme_rows(const std::string& csv) {
   return rows;
 }
 
-std::string extreme_json(const std::vector<ExtremeRow>& rows) {
+std::string extreme_json(const List<ExtremeRow>& rows) {
   nlohmann::ordered_json cases = nlohmann::ordered_json::array();
   for (const ExtremeRow& row : rows) {
     cases.push_back({{"axis", row.axis},

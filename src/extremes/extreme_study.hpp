@@ -2,10 +2,10 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "extremes/extreme.hpp"
 #include "study/journal.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -13,7 +13,7 @@ enum class ExtremePart { all, quick };
 
 struct ExtremeChoice {
   ExtremePart part = ExtremePart::all;
-  std::vector<std::string> axes = {};  // names; empty: all
+  List<std::string> axes = {};  // names; empty: all
 };
 
 /// A case and its finding, as a table shows them.
@@ -34,8 +34,8 @@ struct ExtremeRow {
 /// One task for each case that is chosen. @throws std::invalid_argument where none is.
 Study extreme_study(const ExtremeChoice& choice);
 /// From Journal::csv(). @throws std::invalid_argument for a table that is not of such a study.
-std::vector<ExtremeRow> extreme_rows(const std::string& csv);
+List<ExtremeRow> extreme_rows(const std::string& csv);
 /// An object: "build", what the numbers come from, and "cases", an object a row.
-std::string extreme_json(const std::vector<ExtremeRow>& rows);
+std::string extreme_json(const List<ExtremeRow>& rows);
 
 }  // namespace cairn

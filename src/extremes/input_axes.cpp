@@ -9,6 +9,7 @@
 #include "math/check.hpp"
 #include "scenes/solver_list.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -33,15 +34,15 @@ ExtremeFinding rests(const Shape<double>& shape, double height, const Setting& s
 }
 
 void add_refusal(const std::string& axis, const std::string& value, const std::function<void()>& act,
-                 std::vector<ExtremeCase>& cases) {
+                 List<ExtremeCase>& cases) {
   cases.push_back({axis, value, {}, ExtremeVerdict::refuse, true, [act](const Setting&) {
                      act();
                      return ExtremeFinding{.quantity = "not refused"};
                    }});
 }
 
-std::vector<ExtremeCase> shape_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> shape_cases() {
+  List<ExtremeCase> cases;
   const auto refused = [&](const std::string& value, const std::function<void()>& act) {
     add_refusal("shape", value, act, cases);
   };
@@ -52,7 +53,7 @@ std::vector<ExtremeCase> shape_cases() {
   }
   refused("polygon of 2 points", [] { polygon({{0, 0}, {1, 0}}); });
   refused("polygon of 17 points", [] {
-    std::vector<Vec2<double>> points;
+    List<Vec2<double>> points;
     for (int i = 0; i < 17; ++i) points.emplace_back(std::cos(2 * pi * i / 17), std::sin(2 * pi * i / 17));
     polygon(points);
   });
@@ -100,8 +101,8 @@ ExtremeFinding of_mass(double mass, const Setting& setting) {
                       .floor = 0});
 }
 
-std::vector<ExtremeCase> mass_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> mass_cases() {
+  List<ExtremeCase> cases;
   for (const double bad : {0.0, -1.0, 1e-16, 1e16, no_number, double(INFINITY)}) {
     add_refusal(
         "mass", "mass " + shortest(bad), [bad] { Scene().add({.shapes = {circle(1)}, .mass = bad}); }, cases);
@@ -162,7 +163,7 @@ std::function<void(double)> for_scene(const std::function<void(SceneSettings&, d
   };
 }
 
-std::vector<NumberField> number_fields() {
+List<NumberField> number_fields() {
   return {
       {"position", for_body([](BodySpec& s, double x) { s.position.y() = x; })},
       {"angle", for_body([](BodySpec& s, double x) { s.angle = x; })},
@@ -183,8 +184,8 @@ std::vector<NumberField> number_fields() {
       {"relaxation", [](double x) { make_solver<double>("si", {.relaxation = x}); }}};
 }
 
-std::vector<ExtremeCase> field_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> field_cases() {
+  List<ExtremeCase> cases;
   for (const NumberField& field : number_fields()) {
     for (const double bad : {no_number, double(INFINITY), -double(INFINITY)})
       add_refusal(
@@ -208,7 +209,7 @@ std::vector<ExtremeCase> field_cases() {
 
 }  // namespace
 
-std::vector<ExtremeAxis> input_axes() {
+List<ExtremeAxis> input_axes() {
   const std::string usual =
       "si and block under every policy, block-contact, PGS, accelerated, where it is stepped";
   return {{"shape", "shapes that are hardly any, or none", usual, shape_cases},

@@ -3,6 +3,7 @@
 
 #include "constraints/revolute_joint.hpp"
 #include "extremes/extreme_axes.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -54,7 +55,7 @@ ExtremeRun standing(double seconds, int boxes) {
           .floor = 0};
 }
 
-std::vector<ExtremeSetting> stack_settings() {
+List<ExtremeSetting> stack_settings() {
   return {{setting_of("si", 10), true},
           {setting_of("si", 30), false},
           {setting_of("si", 100), false},
@@ -78,8 +79,8 @@ ExtremeVerdict required_of_ratio(double ratio, const Setting& setting) {
   return ok ? ExtremeVerdict::ok : ExtremeVerdict::bound;
 }
 
-std::vector<ExtremeCase> mass_ratio_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> mass_ratio_cases() {
+  List<ExtremeCase> cases;
   for (const double ratio : {1e-6, 1e-3, 1.0, 10.0, 100.0, 1e3, 1e4, 1e6}) {
     for (const ExtremeSetting& tried : stack_settings()) {
       const auto run = [ratio](const Setting& setting) {
@@ -99,8 +100,8 @@ ExtremeVerdict required_of_stack(int boxes, const Setting& setting) {
   return ok ? ExtremeVerdict::ok : ExtremeVerdict::bound;
 }
 
-std::vector<ExtremeCase> stack_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> stack_cases() {
+  List<ExtremeCase> cases;
   for (const int boxes : {2, 5, 10, 20, 40, 100}) {
     for (const ExtremeSetting& tried : stack_settings()) {
       if (tried.setting.solver == "reference" && boxes > 20) continue;  // m^3: minutes
@@ -117,16 +118,16 @@ std::vector<ExtremeCase> stack_cases() {
   return cases;
 }
 
-std::vector<ExtremeCase> chain_cases() {
-  const std::vector<ExtremeSetting> settings = {{setting_of("si", 10), true},
-                                                {setting_of("si", 10, Policy::soft), false},
-                                                {setting_of("si", 10, Policy::split_impulse), false},
-                                                {setting_of("si", 4, Policy::soft, 16), true},
-                                                {setting_of("si", 100), false},
-                                                {setting_of("block", 10), false},
-                                                {setting_of("block", 4, Policy::soft, 16), false},
-                                                {setting_of("accelerated", 100), false}};
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> chain_cases() {
+  const List<ExtremeSetting> settings = {{setting_of("si", 10), true},
+                                         {setting_of("si", 10, Policy::soft), false},
+                                         {setting_of("si", 10, Policy::split_impulse), false},
+                                         {setting_of("si", 4, Policy::soft, 16), true},
+                                         {setting_of("si", 100), false},
+                                         {setting_of("block", 10), false},
+                                         {setting_of("block", 4, Policy::soft, 16), false},
+                                         {setting_of("accelerated", 100), false}};
+  List<ExtremeCase> cases;
   for (const int links : {5, 20, 50, 200}) {
     for (const double bob : {1.0, 100.0, 1e4}) {
       for (const ExtremeSetting& tried : settings) {
@@ -148,7 +149,7 @@ std::vector<ExtremeCase> chain_cases() {
 
 }  // namespace
 
-std::vector<ExtremeAxis> load_axes() {
+List<ExtremeAxis> load_axes() {
   const std::string all = "si under every policy, with more sweeps and with substeps, and the other families";
   return {{"mass-ratio", "a box of so many kilograms on one of 1 kg, 3 s", all, mass_ratio_cases},
           {"stack", "so many boxes of 1 m, 3 s", all, stack_cases},

@@ -5,6 +5,7 @@
 
 #include "extremes/extreme_axes.hpp"
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -55,8 +56,8 @@ ExtremeFinding lean(double friction, const Setting& setting) {
                       .floor = 0});
 }
 
-std::vector<ExtremeCase> friction_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> friction_cases() {
+  List<ExtremeCase> cases;
   for (const double friction : {0.0, 1e-9, 0.5, 4.0 / 3, 10.0, 1e6}) {
     for (const ExtremeSetting& tried : usual_settings()) {
       const auto add = [&](const std::string& what, ExtremeVerdict required, const auto& run) {
@@ -87,7 +88,7 @@ ExtremeFinding rebound(double restitution, const Setting& setting) {
   double before = fall, apex = 0;
   bool rises = false;
   const auto look = [&](const Snapshot& now) {
-    const double height = now.bodies[1].pose.position.y() - radius;
+    const double height = now.bodies[{1}].pose.position.y() - radius;
     rises = rises || height > before + 1e-9;
     if (rises) apex = std::max(apex, height);
     before = height;
@@ -109,8 +110,8 @@ ExtremeFinding rebound(double restitution, const Setting& setting) {
                       .escaped = look});
 }
 
-std::vector<ExtremeCase> restitution_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> restitution_cases() {
+  List<ExtremeCase> cases;
   for (const double restitution : {0.0, 0.5, 1.0}) {
     for (const ExtremeSetting& tried : usual_settings()) {
       cases.push_back({"restitution", shortest(restitution), tried.setting, ExtremeVerdict::ok, tried.quick,
@@ -133,7 +134,7 @@ std::vector<ExtremeCase> restitution_cases() {
 
 }  // namespace
 
-std::vector<ExtremeAxis> material_axes() {
+List<ExtremeAxis> material_axes() {
   const std::string usual = "si and block under every policy, block-contact, PGS, accelerated";
   return {{"friction", "coefficients of friction", usual, friction_cases},
           {"restitution", "coefficients of restitution, a ball that falls 1 m", usual, restitution_cases}};

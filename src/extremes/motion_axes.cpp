@@ -6,6 +6,7 @@
 #include "constraints/distance_joint.hpp"
 #include "extremes/extreme_axes.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -29,7 +30,7 @@ Scene shot_at_wall(double speed, Bullet kind, double restitution) {
   return scene;
 }
 
-std::vector<ExtremeSetting> few_settings() {
+List<ExtremeSetting> few_settings() {
   return {{setting_of("si", 10), true},
           {setting_of("si", 10, Policy::soft), false},
           {setting_of("si", 10, Policy::split_impulse), true},
@@ -63,8 +64,8 @@ ExtremeFinding shoot(const Scene& scene, double speed, const Setting& setting) {
                       .escaped = look});
 }
 
-std::vector<ExtremeCase> speed_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> speed_cases() {
+  List<ExtremeCase> cases;
   for (const double speed : {1.0, 10.0, 100.0, 1e3, 1e5}) {
     for (const Bullet kind : {Bullet::disc, Bullet::box}) {
       for (const double restitution : {0.0, 1.0}) {
@@ -97,7 +98,7 @@ ExtremeFinding free_spin(double turn, const Setting& setting) {
                           [&](const Snapshot& now) {
                             const double expected = spin * setting.dt * now.step;
                             if (now.step == 0) return false;
-                            worst = std::max(worst, std::abs(now.bodies[1].pose.angle / expected - 1));
+                            worst = std::max(worst, std::abs(now.bodies[{1}].pose.angle / expected - 1));
                             return false;
                           }});
 }
@@ -131,12 +132,12 @@ ExtremeFinding spin_on_the_ground(double turn, const Setting& setting) {
                       .floor = 0});
 }
 
-std::vector<ExtremeCase> spin_cases() {
+List<ExtremeCase> spin_cases() {
   struct Turn {
     std::string text;
     double angle;
   };
-  std::vector<ExtremeCase> cases;
+  List<ExtremeCase> cases;
   for (const Turn& turn :
        {Turn{"0.01", 0.01}, Turn{"0.1", 0.1}, Turn{"1", 1}, Turn{"pi", pi}, Turn{"100", 100}}) {
     const double angle = turn.angle;
@@ -156,7 +157,7 @@ std::vector<ExtremeCase> spin_cases() {
 
 }  // namespace
 
-std::vector<ExtremeAxis> motion_axes() {
+List<ExtremeAxis> motion_axes() {
   const std::string few = "si under every policy, and one of each family";
   return {{"speed", "a fast body of 0.2 m against a wall of 0.1 m", few, speed_cases},
           {"spin", "so many radians a step", few, spin_cases}};

@@ -7,6 +7,7 @@
 #include "extremes/extreme_axes.hpp"
 #include "scenes/solver_list.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -22,12 +23,12 @@ Scene boxes_in_order(int boxes, int first) {
   return scene;
 }
 
-std::vector<ExtremeCase> scalar_cases() {
+List<ExtremeCase> scalar_cases() {
   struct Kind {
     std::string text;
     Precision scalar;
   };
-  std::vector<ExtremeCase> cases;
+  List<ExtremeCase> cases;
   for (const Kind& kind :
        {Kind{"float", Precision::single_precision}, Kind{"double", Precision::double_precision},
         Kind{"long double", Precision::long_double}}) {
@@ -73,8 +74,8 @@ ExtremeFinding slow_down(double speed, const Setting& setting) {
   return judged("time / time of usual numbers", tiny / usual, 2, 1000);
 }
 
-std::vector<ExtremeCase> denormal_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> denormal_cases() {
+  List<ExtremeCase> cases;
   for (const double speed : {1e-300, 1e-310, 1e-320}) {
     for (const ExtremeSetting& tried : usual_settings()) {
       cases.push_back({"denormals", fmt::format("v {:g} m/s", speed), tried.setting, ExtremeVerdict::ok,
@@ -105,8 +106,8 @@ ExtremeFinding overflow(double speed, const Setting& setting) {
   return finding;
 }
 
-std::vector<ExtremeCase> overflow_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> overflow_cases() {
+  List<ExtremeCase> cases;
   for (const double speed : {1e30, 1e37, 1e150, 1e200, 1e307}) {
     for (ExtremeSetting tried : usual_settings()) {
       if (speed < 1e38) tried.setting.scalar = Precision::single_precision;
@@ -125,8 +126,8 @@ TrialResult stack_result(int first, const Setting& setting) {
   return run_trial(boxes_in_order(5, first), setting, {.seconds = 2});
 }
 
-std::vector<ExtremeCase> determinism_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> determinism_cases() {
+  List<ExtremeCase> cases;
   for (const ExtremeSetting& tried : usual_settings()) {
     cases.push_back({"determinism", "the same scene twice", tried.setting, ExtremeVerdict::ok, tried.quick,
                      [](const Setting& setting) {
@@ -146,7 +147,7 @@ std::vector<ExtremeCase> determinism_cases() {
 
 }  // namespace
 
-std::vector<ExtremeAxis> number_axes() {
+List<ExtremeAxis> number_axes() {
   const std::string usual = "si and block under every policy, block-contact, PGS, accelerated";
   return {{"scalar", "what the engine computes in, on a leaning stack of 5", usual, scalar_cases},
           {"denormals", "numbers too small for all their digits, in double", usual, denormal_cases},

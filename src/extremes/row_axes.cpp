@@ -11,6 +11,7 @@
 #include "measure/trajectory.hpp"
 #include "scenes/solver_list.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -37,8 +38,8 @@ Scene hung_on_a_rod(double inertia) {
   return scene;
 }
 
-std::vector<ExtremeCase> inertia_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> inertia_cases() {
+  List<ExtremeCase> cases;
   for (const double inertia : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
     const auto add = [&](const std::string& what, const Setting& setting, bool quick, Scene (*make)(double)) {
       cases.push_back({"inertia", fmt::format("{:g}, {}", inertia, what), setting, ExtremeVerdict::ok, quick,
@@ -62,7 +63,7 @@ std::vector<ExtremeCase> inertia_cases() {
 }
 
 /// What one step makes of a ball on a rod that is there `copies` times.
-std::vector<Vec3<double>> velocities_with(int copies, const Setting& setting) {
+PerBody<Vec3<double>> velocities_with(int copies, const Setting& setting) {
   Scene scene = scene_for(setting);
   const BodyId ball = scene.add({.shapes = {circle(0.1)}, .position = {0.8, -0.6}, .mass = 2});
   for (int i = 0; i < copies; ++i)
@@ -74,11 +75,10 @@ std::vector<Vec3<double>> velocities_with(int copies, const Setting& setting) {
 }
 
 ExtremeFinding copies_change_nothing(int copies, const Setting& setting) {
-  const std::vector<Vec3<double>> once = velocities_with(1, setting),
-                                  often = velocities_with(copies, setting);
+  const PerBody<Vec3<double>> once = velocities_with(1, setting), often = velocities_with(copies, setting);
   double gap = 0;
-  for (std::size_t i = 0; i < once.size(); ++i)
-    gap = std::max(gap, (once[i] - often[i]).cwiseAbs().maxCoeff());
+  for (const BodyId body : once.indices())
+    gap = std::max(gap, (once[body] - often[body]).cwiseAbs().maxCoeff());
   return judged("velocity beside one copy (m/s)", gap, 1e-9, 1e-9);
 }
 
@@ -114,7 +114,7 @@ Scene straight_linkage() {
 Scene ring_of_welds() {
   const int count = 8;
   Scene scene({.gravity = {0, 0}});
-  std::vector<BodyId> ring;
+  List<BodyId> ring;
   for (int i = 0; i < count; ++i) {
     const double angle = 2 * pi * i / count;
     ring.push_back(scene.add({.shapes = {circle(0.2)},
@@ -123,9 +123,8 @@ Scene ring_of_welds() {
   }
   for (int i = 0; i < count; ++i) {
     const double angle = 2 * pi * (i + 0.5) / count;
-    scene.join<WeldJoint>({.a = ring[static_cast<std::size_t>(i)],
-                           .b = ring[static_cast<std::size_t>((i + 1) % count)],
-                           .anchor = {std::cos(angle), std::sin(angle)}});
+    scene.join<WeldJoint>(
+        {.a = ring[i], .b = ring[(i + 1) % count], .anchor = {std::cos(angle), std::sin(angle)}});
   }
   return scene;
 }
@@ -136,16 +135,16 @@ struct RowScene {
   double stored = 0;  // [J] that the errors which it begins with may give it
 };
 
-std::vector<ExtremeSetting> settings_for_rows() {
-  std::vector<ExtremeSetting> settings = usual_settings();
+List<ExtremeSetting> settings_for_rows() {
+  List<ExtremeSetting> settings = usual_settings();
   settings[3].quick = false;
   settings.push_back({setting_of("block", 10), true});
   settings.push_back({setting_of("reference", 1), false});
   return settings;
 }
 
-std::vector<ExtremeCase> redundancy_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> redundancy_cases() {
+  List<ExtremeCase> cases;
   for (const ExtremeSetting& tried : settings_for_rows()) {
     // Springs, which soft rows are, add up: only rigid rows may be said again.
     const bool rigid = tried.setting.stabilization.policy != Policy::soft;
@@ -223,8 +222,8 @@ double impulse_growth(const Scene& scene, const Setting& setting) {
   return early > 0 ? late / early : 0;
 }
 
-std::vector<ExtremeCase> contradiction_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> contradiction_cases() {
+  List<ExtremeCase> cases;
   for (const ExtremeSetting& tried : settings_for_rows()) {
     for (const RowScene& scene :
          {RowScene{"pinned twice", pinned_twice, 0.18}, RowScene{"narrow slot", narrow_slot, 0.225},
@@ -252,7 +251,7 @@ std::vector<ExtremeCase> contradiction_cases() {
 
 }  // namespace
 
-std::vector<ExtremeAxis> row_axes() {
+List<ExtremeAxis> row_axes() {
   const std::string usual = "si and block under every policy, block-contact, PGS, accelerated, reference";
   return {{"inertia", "so much inertia [kg m^2] of 1 kg, pinned 1 m off", "blocks, and si on a rod",
            inertia_cases},

@@ -7,6 +7,7 @@
 #include "math/check.hpp"
 #include "scenes/solver_list.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -34,12 +35,12 @@ double farthest_in_scalar(double x, const Setting& setting) {
   scene.set_settings(settings);
   World<Real> world(scene);
   const auto solver = make_solver<Real>(setting.solver, setting.sweeps);
-  const std::vector<Pose<Real>> start = world.bodies().pose;
+  const PerBody<Pose<Real>> start = world.bodies().pose;
   double farthest = 0;
   for (int step = 0; step < static_cast<int>(std::lround(far_seconds / setting.dt)); ++step) {
     world.step(*solver);
-    for (std::size_t i = 0; i < start.size(); ++i) {
-      const Vec2<Real> way = world.bodies().pose[i].position - start[i].position;
+    for (const BodyId body : start.indices()) {
+      const Vec2<Real> way = world.bodies().pose[body].position - start[body].position;
       farthest = std::max(farthest, static_cast<double>(way.norm()));
     }
   }
@@ -88,8 +89,8 @@ ExtremeVerdict required_of_distance(const Distance& distance) {
   return spacing < slop / 10 ? ExtremeVerdict::ok : ExtremeVerdict::bound;
 }
 
-std::vector<Distance> distances() {
-  std::vector<Distance> all;
+List<Distance> distances() {
+  List<Distance> all;
   for (const double x : {0.0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8})
     all.push_back({Precision::single_precision, x});
   for (const double x : {0.0, 1e2, 1e4, 1e6, 1e8, 1e10, 1e12, 1e13, 1e14, 1e17})
@@ -98,8 +99,8 @@ std::vector<Distance> distances() {
   return all;
 }
 
-std::vector<ExtremeCase> distance_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> distance_cases() {
+  List<ExtremeCase> cases;
   for (const Distance& distance : distances()) {
     for (ExtremeSetting tried : usual_settings()) {
       tried.setting.scalar = distance.scalar;
@@ -129,8 +130,8 @@ double size_limit(double small, const Setting& setting) {
   return std::max(0.1, (slop + spring_sag(setting, 10.0 / 2, 2.5)) / small);
 }
 
-std::vector<ExtremeCase> size_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> size_cases() {
+  List<ExtremeCase> cases;
   for (const double size : {1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4}) {
     for (const ExtremeSetting& tried : usual_settings()) {
       const double small = std::min(size, 1.0);
@@ -160,14 +161,14 @@ Scene overlapping(const Shape<double>& first, const Shape<double>& second, doubl
   return scene;
 }
 
-std::vector<ExtremeCase> overlap_cases() {
+List<ExtremeCase> overlap_cases() {
   struct Two {
     std::string text;
     Shape<double> first;
     Shape<double> second;
   };
   const Shape<double> disc = circle(0.5), square = box(1, 1), rod = capsule({-0.3, 0}, {0.3, 0}, 0.5);
-  std::vector<ExtremeCase> cases;
+  List<ExtremeCase> cases;
   for (const Two& two : {Two{"discs", disc, disc}, Two{"boxes", square, square}, Two{"capsules", rod, rod},
                          Two{"disc in box", square, disc}, Two{"capsule in disc", disc, rod}}) {
     for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0}) {
@@ -199,7 +200,7 @@ std::vector<ExtremeCase> overlap_cases() {
 
 }  // namespace
 
-std::vector<ExtremeAxis> size_axes() {
+List<ExtremeAxis> size_axes() {
   const std::string usual = "si and block under every policy, block-contact, PGS, accelerated";
   return {{"distance", "three boxes so far from the origin, in x and in y, 2 s", usual, distance_cases},
           {"size-ratio", "a box of so many metres beside one of 1 m, each of one material, 2 s", usual,

@@ -6,6 +6,7 @@
 #include "constraints/distance_joint.hpp"
 #include "extremes/extreme_axes.hpp"
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -36,8 +37,8 @@ ExtremeFinding swing(int balls, double frequency_dt, double damping, const Setti
   const SwingSoftness softness{.frequency = frequency_dt / setting.dt, .damping_ratio = damping};
   double worst = 0;
   const auto look = [&](const Snapshot& now) {
-    for (std::size_t i = 1; i < now.bodies.size(); ++i) {
-      const double length = now.bodies[i].pose.position.x() - now.bodies[i - 1].pose.position.x();
+    for (int i = 1; i < now.bodies.size(); ++i) {
+      const double length = now.bodies[{i}].pose.position.x() - now.bodies[{i - 1}].pose.position.x();
       worst = std::max(worst, std::abs(length - 1));
     }
     // Coupled springs may gather what all of them were pulled, in one of them.
@@ -53,8 +54,8 @@ ExtremeFinding swing(int balls, double frequency_dt, double damping, const Setti
                       .escaped = look});
 }
 
-std::vector<ExtremeCase> stiffness_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> stiffness_cases() {
+  List<ExtremeCase> cases;
   for (const double frequency_dt : {0.01, 0.1, 0.25, 1.0, 10.0, 1e6}) {
     for (const double damping : {0.0, 0.1, 1.0, 10.0}) {
       for (const int balls : {1, 5}) {
@@ -86,7 +87,7 @@ std::vector<ExtremeCase> stiffness_cases() {
 
 }  // namespace
 
-std::vector<ExtremeAxis> spring_axes() {
+List<ExtremeAxis> spring_axes() {
   return {{"stiffness", "springs of frequency f and damping ratio zeta, 240 steps",
            "si and block under every policy, block-contact, PGS, accelerated", stiffness_cases}};
 }

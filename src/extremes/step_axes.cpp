@@ -8,6 +8,7 @@
 #include "math/check.hpp"
 #include "scenes/solver_list.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -49,20 +50,20 @@ ExtremeFinding refuse_step(const Setting& setting) {
   return {.quantity = "not refused"};
 }
 
-std::vector<ExtremeCase> time_step_cases() {
+List<ExtremeCase> time_step_cases() {
   struct Step {
     std::string text;
     double dt;
     double seconds;
     ExtremeVerdict required;
   };
-  const std::vector<Step> steps = {
+  const List<Step> steps = {
       {"1e-6", 1e-6, 2e-3, ExtremeVerdict::ok},     {"1e-4", 1e-4, 0.1, ExtremeVerdict::ok},
       {"1/1000", 1e-3, 1, ExtremeVerdict::ok},      {"1/240", 1.0 / 240, 3, ExtremeVerdict::ok},
       {"1/60", 1.0 / 60, 3, ExtremeVerdict::ok},    {"1/30", 1.0 / 30, 3, ExtremeVerdict::ok},
       {"1/20", 1.0 / 20, 3, ExtremeVerdict::bound}, {"1/10", 1.0 / 10, 3, ExtremeVerdict::bound},
       {"1", 1, 60, ExtremeVerdict::bound}};
-  std::vector<ExtremeCase> cases;
+  List<ExtremeCase> cases;
   for (const Step& step : steps) {
     for (ExtremeSetting tried : usual_settings()) {
       tried.setting.dt = step.dt;
@@ -85,8 +86,8 @@ std::vector<ExtremeCase> time_step_cases() {
 
 /// An error must not become a speed that grows without end as dt goes to 0: bodies that overlap by 2 cm take
 /// what is left of them apart, and nothing flies.
-std::vector<ExtremeCase> short_step_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> short_step_cases() {
+  List<ExtremeCase> cases;
   for (const double dt : {1e-6, 1e-5, 1e-4, 1e-3}) {
     for (ExtremeSetting tried : usual_settings()) {
       tried.setting.dt = dt;
@@ -118,12 +119,12 @@ double fastest_of_changing_steps(const Setting& setting, double short_step, doub
   return fastest;
 }
 
-std::vector<ExtremeCase> changing_step_cases() {
+List<ExtremeCase> changing_step_cases() {
   struct Change {
     std::string text;
     double other;
   };
-  std::vector<ExtremeCase> cases;
+  List<ExtremeCase> cases;
   for (const Change& change : {Change{"60 and 30 Hz", 1.0 / 30}, Change{"60 and 240 Hz", 1.0 / 240},
                                Change{"60 and 1000 Hz", 1e-3}}) {
     for (const ExtremeSetting& tried :
@@ -178,8 +179,8 @@ ExtremeFinding budgeted_step(const Setting& setting) {
   return finding;
 }
 
-std::vector<ExtremeCase> iteration_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> iteration_cases() {
+  List<ExtremeCase> cases;
   for (const char* solver : {"si", "block-contact", "pgs-sparse", "accelerated", "jacobi-split"}) {
     const bool quick = std::string(solver) == "si" || std::string(solver) == "accelerated";
     cases.push_back(
@@ -202,7 +203,7 @@ std::vector<ExtremeCase> iteration_cases() {
 
 }  // namespace
 
-std::vector<ExtremeAxis> step_axes() {
+List<ExtremeAxis> step_axes() {
   const std::string usual = "si and block under every policy, block-contact, PGS, accelerated";
   return {{"dt", "a step of so many seconds, on a stack of 5", usual, time_step_cases},
           {"dt-overlap", "a step of so many seconds, on two boxes that begin 2 cm in each other", usual,

@@ -1,6 +1,7 @@
 // Floor 12. What recommended settings must reach where plain ones fall, stretch or sink.
 #include "extremes/extreme_axes.hpp"
 #include "tuning/recommend_scenes.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -55,8 +56,8 @@ ExtremeCase chain_target(const ChainTarget& target, const Setting& tried) {
   return {"targets", target.text, tried, ExtremeVerdict::ok, target.quick, run};
 }
 
-std::vector<ExtremeCase> target_cases() {
-  std::vector<ExtremeCase> cases;
+List<ExtremeCase> target_cases() {
+  List<ExtremeCase> cases;
   for (const TowerTarget& target :
        {TowerTarget{"100 boxes, 2 s", 100, 1, 2, true}, TowerTarget{"100 boxes, 60 s", 100, 1, 60, false},
         TowerTarget{"1 t on four boxes, 10 s", 5, 1e3, 10, true},
@@ -81,7 +82,7 @@ std::vector<ExtremeCase> target_cases() {
 
 }  // namespace
 
-std::vector<ExtremeAxis> target_axes() {
+List<ExtremeAxis> target_axes() {
   return {{"targets", "what the recommended settings must hold, 2 to 60 s",
            "newton alone for towers, with 8 substeps for chains; accelerated for chains too", target_cases}};
 }

@@ -1,7 +1,6 @@
 // Floor 9. Frozen problems from JSON text that may hold anything.
 #include <fmt/format.h>
 
-#include <array>
 #include <charconv>
 #include <fstream>
 #include <istream>
@@ -14,6 +13,7 @@
 #include "frozen/frozen_check.hpp"
 #include "frozen/frozen_problem.hpp"
 #include "frozen/problem_check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -170,9 +170,9 @@ VelocityProblem<double> read_problem(const FrozenField& root) {
 /// The whole stream, but never more than the largest file.
 std::string read_all(std::istream& in, const std::string& name) {
   std::string text;
-  std::array<char, 65536> piece = {};
+  FixedList<char, 65536> piece = {};
   while (in.read(piece.data(), piece.size()) || in.gcount() > 0) {
-    text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
+    text.append(piece.data(), piece.data() + in.gcount());
     require(text.size() <= largest_frozen, name, "size", "at most 32 MiB", static_cast<double>(text.size()));
   }
   return text;
@@ -180,7 +180,7 @@ std::string read_all(std::istream& in, const std::string& name) {
 
 /// Refuses what is no JSON, and fields that are given twice.
 FrozenJson parse_frozen(const std::string& text, const std::string& name) {
-  std::vector<std::set<std::string>> fields;  // of the objects that are open
+  List<std::set<std::string>> fields;  // of the objects that are open
   const auto watch = [&](int, FrozenJson::parse_event_t event, FrozenJson& parsed) {
     if (event == FrozenJson::parse_event_t::object_start) fields.emplace_back();
     if (event == FrozenJson::parse_event_t::object_end) fields.pop_back();

@@ -4,18 +4,18 @@
 #include <filesystem>
 #include <iosfwd>
 #include <string>
-#include <vector>
 
 #include "constraints/row.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 /// A problem with its name. Its velocities are those before any impulse, its impulses what a solver would
 /// start from.
 struct FrozenProblem {
-  std::string name = {};               // letters, digits, - and _: at most 64; names its file too
-  std::string description = {};        // what it is of, and after which steps
-  std::vector<std::string> tags = {};  // "cold" or "warm", "40 rows", "settled" or "moving" ...
+  std::string name = {};         // letters, digits, - and _: at most 64; names its file too
+  std::string description = {};  // what it is of, and after which steps
+  List<std::string> tags = {};   // "cold" or "warm", "40 rows", "settled" or "moving" ...
   VelocityProblem<double> problem = {};
 };
 

@@ -11,6 +11,7 @@
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "validation/case_problems.hpp"
 #include "validation/case_scenes.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -39,12 +40,12 @@ FrozenProblem freeze_ratio100() {
 }
 
 FrozenProblem freeze_stack10() {
-  return frozen_after(box_column(std::vector<double>(10, 1.0)), {.steps = 60, .sweeps = 40},
+  return frozen_after(box_column(List<double>(10, 1.0)), {.steps = 60, .sweeps = 40},
                       "Ten equal boxes, one on the other");
 }
 
 FrozenProblem freeze_stack10_offset() {
-  return frozen_after(box_column(std::vector<double>(10, 1.0), 0.1), {.steps = 60, .sweeps = 40},
+  return frozen_after(box_column(List<double>(10, 1.0), 0.1), {.steps = 60, .sweeps = 40},
                       "Ten equal boxes, one on the other, each 0.2 m beside the last");
 }
 
@@ -129,18 +130,18 @@ struct FrozenEntry {
   FrozenProblem (*make)() = nullptr;
 };
 
-const std::vector<FrozenEntry>& frozen_entries() {
-  static const std::vector<FrozenEntry> entries = {{"ratio100", freeze_ratio100},
-                                                   {"stack10", freeze_stack10},
-                                                   {"stack10_offset", freeze_stack10_offset},
-                                                   {"stack5_100", freeze_stack5_100},
-                                                   {"weld10", freeze_weld10},
-                                                   {"chain20x100", freeze_chain20x100},
-                                                   {"pyramid10", freeze_pyramid10},
-                                                   {"arch21", freeze_arch21},
-                                                   {"silo60", freeze_silo60},
-                                                   {"painleve_rod", freeze_painleve},
-                                                   {"bridge", freeze_bridge}};
+const List<FrozenEntry>& frozen_entries() {
+  static const List<FrozenEntry> entries = {{"ratio100", freeze_ratio100},
+                                            {"stack10", freeze_stack10},
+                                            {"stack10_offset", freeze_stack10_offset},
+                                            {"stack5_100", freeze_stack5_100},
+                                            {"weld10", freeze_weld10},
+                                            {"chain20x100", freeze_chain20x100},
+                                            {"pyramid10", freeze_pyramid10},
+                                            {"arch21", freeze_arch21},
+                                            {"silo60", freeze_silo60},
+                                            {"painleve_rod", freeze_painleve},
+                                            {"bridge", freeze_bridge}};
   return entries;
 }
 
@@ -159,15 +160,15 @@ std::filesystem::path frozen_path(const std::filesystem::path& folder, const std
 
 FrozenProblem freeze(const World<double>& world, const std::string& name, const std::string& description) {
   FrozenProblem frozen{.name = name, .description = description, .problem = world.velocity_problem()};
-  const std::vector<double>& impulse = frozen.problem.impulse;
+  const PerRow<double>& impulse = frozen.problem.impulse;
   const bool is_cold = std::all_of(impulse.begin(), impulse.end(), [](double p) { return p == 0; });
   frozen.tags = {is_cold ? "cold" : "warm", fmt::format("{} rows", impulse.size()), motion_tag(world)};
   return frozen;
 }
 
-const std::vector<std::string>& frozen_names() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
+const List<std::string>& frozen_names() {
+  static const List<std::string> names = [] {
+    List<std::string> all;
     for (const FrozenEntry& entry : frozen_entries()) all.push_back(entry.name);
     return all;
   }();
@@ -194,8 +195,8 @@ void write_frozen_set(const std::filesystem::path& folder) {
   }
 }
 
-std::vector<FrozenProblem> read_frozen_set(const std::filesystem::path& folder) {
-  std::vector<FrozenProblem> all;
+List<FrozenProblem> read_frozen_set(const std::filesystem::path& folder) {
+  List<FrozenProblem> all;
   for (const std::string& name : frozen_names()) all.push_back(read_frozen_file(frozen_path(folder, name)));
   return all;
 }

@@ -3,6 +3,7 @@
 
 #include "frozen/frozen_problem.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -13,7 +14,7 @@ FrozenProblem freeze(const World<double>& world, const std::string& name, const 
 
 /// Names of the set, in order: a mass ratio, stacks, a welded beam, a chain with a bob, a pyramid, an arch, a
 /// silo, a rod at the Painleve limit, a bridge.
-const std::vector<std::string>& frozen_names();
+const List<std::string>& frozen_names();
 
 /// Makes one of them anew: the same bits every time.
 /// @throws std::invalid_argument for a name that is not in the set.
@@ -25,6 +26,6 @@ void write_frozen_set(const std::filesystem::path& folder);
 
 /// All that frozen_names() says, read from a folder.
 /// @throws std::runtime_error for a missing file, std::invalid_argument for one that is malformed.
-std::vector<FrozenProblem> read_frozen_set(const std::filesystem::path& folder);
+List<FrozenProblem> read_frozen_set(const std::filesystem::path& folder);
 
 }  // namespace cairn

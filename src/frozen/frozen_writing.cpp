@@ -48,11 +48,11 @@ std::string frozen_row(const ConstraintRow<double>& row, double impulse) {
 }
 
 /// A list with one line for each of its elements.
-template <typename Element>
-std::string frozen_list(const char* field, std::size_t count, const Element& element) {
-  std::string text = fmt::format(" \"{}\": [", field);
-  for (std::size_t i = 0; i < count; ++i) text += (i > 0 ? ",\n  " : "\n  ") + element(i);
-  return text + (count > 0 ? "\n ]" : "]");
+template <typename Array, typename Element>
+std::string frozen_list(const char* field, const Array& array, const Element& element) {
+  std::string lines;
+  for (const auto i : array.indices()) lines += (lines.empty() ? "\n  " : ",\n  ") + element(i);
+  return fmt::format(" \"{}\": [", field) + lines + (lines.empty() ? "]" : "\n ]");
 }
 
 std::string frozen_text(const std::string& text) { return nlohmann::json(text).dump(); }
@@ -66,17 +66,18 @@ void write_frozen(std::ostream& out, const FrozenProblem& frozen) {
       << ",\n \"description\": " << frozen_text(frozen.description)
       << ",\n \"tags\": " << nlohmann::json(frozen.tags).dump() << ",\n \"dt\": " << frozen_number(problem.dt)
       << ",\n";
-  out << frozen_list("bodies", problem.velocity.size(), [&](std::size_t i) {
-    return "[" + frozen_numbers(problem.inverse_mass[i]) + "," + frozen_numbers(problem.velocity[i]) + "]";
+  out << frozen_list("bodies", problem.velocity, [&](BodyId body) {
+    return "[" + frozen_numbers(problem.inverse_mass[body]) + "," + frozen_numbers(problem.velocity[body]) +
+           "]";
   }) << ",\n";
-  out << frozen_list("extra_terms", problem.extra_terms.size(), [&](std::size_t i) {
+  out << frozen_list("extra_terms", problem.extra_terms, [&](int i) {
     const RowTerm<double>& term = problem.extra_terms[i];
     return fmt::format("[{},{}]", term.body.index, frozen_numbers(term.jacobian));
   }) << ",\n";
-  out << frozen_list("rows", problem.rows.size(), [&](std::size_t i) {
+  out << frozen_list("rows", problem.rows, [&](int i) {
     return frozen_row(problem.rows[i], problem.impulse[i]);
   }) << ",\n";
-  out << frozen_list("blocks", problem.blocks.size(), [&](std::size_t i) {
+  out << frozen_list("blocks", problem.blocks, [&](int i) {
     return fmt::format("[{},{}]", problem.blocks[i].first, problem.blocks[i].count);
   }) << "\n}\n";
 }

@@ -17,7 +17,7 @@ namespace {
 struct ProblemPlace {
   const std::string& file;
   const char* list = "";
-  std::size_t index = 0;
+  int index = 0;
 
   void require_that(bool holds, std::string_view field, std::string_view rule, double value) const {
     if (!holds) require(false, file, fmt::format("{}[{}].{}", list, index, field), rule, shortest(value));
@@ -34,14 +34,14 @@ void check_bodies(const VelocityProblem<double>& problem, const std::string& fil
   require(problem.body_count() >= 1, file, "bodies", "at least the ground", problem.body_count());
   require(problem.inverse_mass.size() == problem.velocity.size(), file, "inverse_mass", "one for each body",
           static_cast<double>(problem.inverse_mass.size()));
-  for (std::size_t i = 0; i < problem.velocity.size(); ++i) {
-    const ProblemPlace place{file, "bodies", i};
-    place.require_numbers(problem.velocity[i], "velocity");
-    place.require_numbers(problem.inverse_mass[i], "inverse_mass");
-    const double least = problem.inverse_mass[i].minCoeff();
+  for (const BodyId body : problem.velocity.indices()) {
+    const ProblemPlace place{file, "bodies", body.index};
+    place.require_numbers(problem.velocity[body], "velocity");
+    place.require_numbers(problem.inverse_mass[body], "inverse_mass");
+    const double least = problem.inverse_mass[body].minCoeff();
     place.require_that(least >= 0, "inverse_mass", "numbers >= 0 1/kg and 1/(kg m^2)", least);
   }
-  const double of_ground = problem.inverse_mass[0].maxCoeff();
+  const double of_ground = problem.inverse_mass[{0}].maxCoeff();
   require(of_ground == 0, file, "bodies[0].inverse_mass", "0 1/kg, for it is the ground", of_ground);
 }
 
@@ -49,9 +49,7 @@ void check_bounds(const VelocityProblem<double>& problem, const ProblemPlace& pl
   const double infinity = std::numeric_limits<double>::infinity();
   const Bounds<double>& bounds = problem.rows[place.index].bounds;
   const auto names_a_row = [&](int row) { return row >= 0 && row < problem.row_count(); };
-  const auto stands_alone = [&](int row) {
-    return !problem.rows[static_cast<std::size_t>(row)].bounds.is_friction();
-  };
+  const auto stands_alone = [&](int row) { return !problem.rows[row].bounds.is_friction(); };
   // Impulses must come to lie inside: times the inverse mass of any body of a scene, these still are
   // velocities.
   const double most_begun = 1e30;
@@ -99,7 +97,7 @@ void check_row(const VelocityProblem<double>& problem, const ProblemPlace& place
 }
 
 void check_extra_terms(const VelocityProblem<double>& problem, const std::string& file) {
-  for (std::size_t i = 0; i < problem.extra_terms.size(); ++i) {
+  for (int i = 0; i < problem.extra_terms.size(); ++i) {
     const ProblemPlace place{file, "extra_terms", i};
     const int body = problem.extra_terms[i].body.index;
     place.require_that(body >= 0 && body < problem.body_count(), "body", "the place of a body", body);
@@ -109,7 +107,7 @@ void check_extra_terms(const VelocityProblem<double>& problem, const std::string
 
 void check_blocks(const VelocityProblem<double>& problem, const std::string& file) {
   std::int64_t next = 0;
-  for (std::size_t i = 0; i < problem.blocks.size(); ++i) {
+  for (int i = 0; i < problem.blocks.size(); ++i) {
     const ProblemPlace place{file, "blocks", i};
     const RowBlock& block = problem.blocks[i];
     place.require_that(block.first == next, "first", "where the block before ends", block.first);
@@ -129,7 +127,7 @@ void check(const VelocityProblem<double>& problem, const std::string& place) {
           static_cast<double>(problem.impulse.size()));
   require(problem.dt > 0 && std::isfinite(problem.dt), place, "dt", "a finite number > 0 s", problem.dt);
   check_extra_terms(problem, place);
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) check_row(problem, {place, "rows", i});
+  for (int i = 0; i < problem.row_count(); ++i) check_row(problem, {place, "rows", i});
   check_blocks(problem, place);
 }
 

@@ -1,15 +1,15 @@
 // Floor 1. Area, centroid and moment of inertia of shapes, exact.
 #include "geometry/mass.hpp"
+#include "math/list.hpp"
 
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace cairn {
 namespace {
 
 /// Area, centroid and inertia of parts, put together with the parallel axis theorem.
-MassProperties combine(std::span<const MassProperties> parts) {
+MassProperties combine(Span<const MassProperties> parts) {
   MassProperties whole;
   Vec2<double> first_moment = Vec2<double>::Zero();  // [m^3]
   for (const MassProperties& part : parts) {
@@ -68,13 +68,13 @@ MassProperties of(const Capsule<double>& shape) {
 }
 
 MassProperties of(const Polygon<double>& shape) {
-  const std::size_t count = static_cast<std::size_t>(shape.count);
-  std::vector<MassProperties> parts;
-  for (std::size_t i = 1; i + 1 < count; ++i) {
+  const int count = shape.count;
+  List<MassProperties> parts;
+  for (int i = 1; i + 1 < count; ++i) {
     parts.push_back(triangle(shape.vertices[0], shape.vertices[i], shape.vertices[i + 1]));
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t next = (i + 1) % count;
+  for (int i = 0; i < count; ++i) {
+    const int next = (i + 1) % count;
     parts.push_back(strip(shape.vertices[i], shape.vertices[next], shape.normals[i], shape.radius));
     parts.push_back(sector(shape.vertices[next], shape.normals[i], shape.normals[next], shape.radius));
   }
@@ -89,8 +89,8 @@ MassProperties mass_properties(const Shape<double>& shape) {
   return std::visit([](const auto& held) { return of(held); }, shape);
 }
 
-MassProperties mass_properties(std::span<const Shape<double>> shapes) {
-  std::vector<MassProperties> parts;
+MassProperties mass_properties(Span<const Shape<double>> shapes) {
+  List<MassProperties> parts;
   parts.reserve(shapes.size());
   for (const Shape<double>& shape : shapes) parts.push_back(mass_properties(shape));
   return combine(parts);

@@ -1,9 +1,8 @@
 // Floor 1. Area, centroid and moment of inertia of shapes, exact.
 #pragma once
 
-#include <span>
-
 #include "geometry/shape.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -19,6 +18,6 @@ struct MassProperties {
 MassProperties mass_properties(const Shape<double>& shape);
 
 /// Of all shapes together (parallel axis theorem). All zero when there is no area.
-MassProperties mass_properties(std::span<const Shape<double>> shapes);
+MassProperties mass_properties(Span<const Shape<double>> shapes);
 
 }  // namespace cairn

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 namespace {
@@ -35,7 +36,7 @@ void require_apart(const Vec2<double>& point1, const Vec2<double>& point2, const
   require(point1 != point2, maker, "point2", "another point than point1", text(point2));
 }
 
-double bounding_size(const std::vector<Vec2<double>>& points) {
+double bounding_size(const List<Vec2<double>>& points) {
   Vec2<double> lower = points[0];
   Vec2<double> upper = points[0];
   for (const Vec2<double>& point : points) {
@@ -46,17 +47,17 @@ double bounding_size(const std::vector<Vec2<double>>& points) {
 }
 
 /// Positive when the points turn counter-clockwise.
-double signed_area(const std::vector<Vec2<double>>& points) {
+double signed_area(const List<Vec2<double>>& points) {
   double twice = 0;
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+  for (int i = 1; i + 1 < points.size(); ++i) {
     twice += cross<double>(points[i] - points[0], points[i + 1] - points[0]);
   }
   return twice / 2;
 }
 
-void require_distinct(const std::vector<Vec2<double>>& points, double size) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (std::size_t j = i + 1; j < points.size(); ++j) {
+void require_distinct(const List<Vec2<double>>& points, double size) {
+  for (int i = 0; i < points.size(); ++i) {
+    for (int j = i + 1; j < points.size(); ++j) {
       require((points[j] - points[i]).norm() > finest_detail * size, "polygon", fmt::format("points[{}]", j),
               fmt::format("farther than {:.6g} m from points[{}]", finest_detail * size, i), text(points[j]));
     }
@@ -65,10 +66,10 @@ void require_distinct(const std::vector<Vec2<double>>& points, double size) {
 
 /// Every corner must turn left, and all corners together once around. `order` lists the points
 /// counter-clockwise, so that a message can name the index that the caller used.
-void require_convex(const std::vector<Vec2<double>>& points, const std::vector<std::size_t>& order) {
-  const std::size_t count = order.size();
+void require_convex(const List<Vec2<double>>& points, const List<int>& order) {
+  const int count = order.size();
   double turned = 0;  // [rad]
-  for (std::size_t i = 0; i < count; ++i) {
+  for (int i = 0; i < count; ++i) {
     const Vec2<double>& corner = points[order[i]];
     const Vec2<double> before = (corner - points[order[(i + count - 1) % count]]).normalized();
     const Vec2<double> after = (points[order[(i + 1) % count]] - corner).normalized();
@@ -88,14 +89,13 @@ void require_convex(const std::vector<Vec2<double>>& points, const std::vector<s
 template <Scalar Real>
 void set_normals(const Polygon<double>& source, Polygon<Real>& target) {
   for (int i = 0; i < source.count; ++i) {
-    const std::size_t from = static_cast<std::size_t>(i);
-    const std::size_t to = static_cast<std::size_t>((i + 1) % source.count);
-    const Vec2<long double> start = source.vertices[from].cast<long double>();
-    const Vec2<long double> edge = source.vertices[to].cast<long double>() - start;
+    const int next = (i + 1) % source.count;
+    const Vec2<long double> start = source.vertices[i].cast<long double>();
+    const Vec2<long double> edge = source.vertices[next].cast<long double>() - start;
     const long double length = std::hypot(edge.x(), edge.y());
-    require(length > 0, "polygon", fmt::format("vertices[{}]", from),
-            "another point than the next, as rounded", text(source.vertices[from]));
-    target.normals[from] = {static_cast<Real>(edge.y() / length), static_cast<Real>(-edge.x() / length)};
+    require(length > 0, "polygon", fmt::format("vertices[{}]", i), "another point than the next, as rounded",
+            text(source.vertices[i]));
+    target.normals[i] = {static_cast<Real>(edge.y() / length), static_cast<Real>(-edge.x() / length)};
   }
 }
 
@@ -181,11 +181,11 @@ Polygon<double> box(double width, double height, double radius) {
   return result;
 }
 
-Polygon<double> polygon(const std::vector<Vec2<double>>& points, double radius) {
+Polygon<double> polygon(const List<Vec2<double>>& points, double radius) {
   require_not_negative(radius, "polygon", "radius");
-  require(points.size() >= 3 && points.size() <= std::size_t{max_polygon_vertices}, "polygon",
-          "number of points", fmt::format("3 to {}", max_polygon_vertices), fmt::format("{}", points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  require(points.size() >= 3 && points.size() <= int{max_polygon_vertices}, "polygon", "number of points",
+          fmt::format("3 to {}", max_polygon_vertices), fmt::format("{}", points.size()));
+  for (int i = 0; i < points.size(); ++i) {
     require_finite(points[i], "polygon", fmt::format("points[{}]", i), "m");
   }
   const double size = bounding_size(points);
@@ -194,13 +194,13 @@ Polygon<double> polygon(const std::vector<Vec2<double>>& points, double radius) 
   require(std::abs(area) > finest_detail * size * size, "polygon", "area",
           fmt::format("> {:.6g} m^2 for a size of {:.6g} m", finest_detail * size * size, size),
           std::abs(area));
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  List<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
   if (area < 0) std::reverse(order.begin(), order.end());
   require_convex(points, order);
 
-  Polygon<double> result = empty_polygon(static_cast<int>(points.size()), radius);
-  for (std::size_t i = 0; i < order.size(); ++i) result.vertices[i] = points[order[i]];
+  Polygon<double> result = empty_polygon(points.size(), radius);
+  for (int i = 0; i < order.size(); ++i) result.vertices[i] = points[order[i]];
   set_normals(result, result);
   return result;
 }
@@ -222,8 +222,8 @@ Shape<Real> shape_cast(const Shape<double>& shape) {
 }
 
 std::string shape_name(const Shape<double>& shape) {
-  constexpr std::array<const char*, 4> names = {"circle", "capsule", "polygon", "segment"};
-  static_assert(std::variant_size_v<Shape<double>> == names.size());
+  constexpr const char* names[] = {"circle", "capsule", "polygon", "segment"};
+  static_assert(std::variant_size_v<Shape<double>> == std::size(names));
   return names[shape.index()];
 }
 

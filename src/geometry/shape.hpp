@@ -1,12 +1,11 @@
 // Floor 1. Shapes, given in the frame of the body that carries them.
 #pragma once
 
-#include <array>
 #include <string>
 #include <variant>
-#include <vector>
 
 #include "math/math.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -31,10 +30,10 @@ struct Capsule {
 /// A convex polygon, counter-clockwise, rounded by `radius` (all points within `radius` of it).
 template <Scalar Real>
 struct Polygon {
-  std::array<Vec2<Real>, max_polygon_vertices> vertices = {};  // [m]
-  std::array<Vec2<Real>, max_polygon_vertices> normals = {};   // normals[i]: outward, of the edge i -> i + 1
-  int count = 0;                                               // of vertices
-  Real radius = 0;                                             // [m]
+  FixedList<Vec2<Real>, max_polygon_vertices> vertices = {};  // [m]
+  FixedList<Vec2<Real>, max_polygon_vertices> normals = {};   // normals[i]: outward, of the edge i -> i + 1
+  int count = 0;                                              // of vertices
+  Real radius = 0;                                            // [m]
 };
 
 /// A line without thickness and without mass: for static scenery. Both sides collide.
@@ -64,7 +63,7 @@ Polygon<double> box(double width, double height, double radius = 0);
 /// A convex polygon through the given points, in either turning sense (stored counter-clockwise).
 /// @throws std::invalid_argument with fewer than 3 or more than 16 points, two equal points, collinear or
 /// non-convex points, no area, or radius < 0.
-Polygon<double> polygon(const std::vector<Vec2<double>>& points, double radius = 0);
+Polygon<double> polygon(const List<Vec2<double>>& points, double radius = 0);
 
 /// @throws std::invalid_argument when the points coincide.
 Segment<double> segment(const Vec2<double>& point1, const Vec2<double>& point2);

@@ -5,30 +5,32 @@
 #include <numeric>
 
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 int edit_distance(std::string_view a, std::string_view b) {
-  std::vector<int> row(b.size() + 1);
+  List<int> row(std::ssize(b) + 1);
   std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
+  for (const char letter : a) {
     int diagonal = row[0];
-    row[0] = static_cast<int>(i) + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const int replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+    ++row[0];
+    for (int j = 0; const char other : b) {
+      const int replaced = diagonal + (letter == other ? 0 : 1);
       diagonal = row[j + 1];
       row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+      ++j;
     }
   }
-  return row[b.size()];
+  return row.back();
 }
 
-std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+std::string nearest(std::string_view word, const List<std::string>& candidates) {
   std::string best;
   int least = 3;
   for (const std::string& candidate : candidates) {
     const int distance = edit_distance(word, candidate);
-    if (distance < least && distance < static_cast<int>(word.size())) {
+    if (distance < least && distance < std::ssize(word)) {
       least = distance;
       best = candidate;
     }
@@ -36,12 +38,12 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   return best;
 }
 
-void require_known(std::string_view word, const std::vector<std::string>& known, std::string_view place,
+void require_known(std::string_view word, const List<std::string>& known, std::string_view place,
                    std::string_view field) {
   if (std::find(known.begin(), known.end(), word) != known.end()) return;
   const std::string near = nearest(word, known);
   std::string rule = "one of " + (known.empty() ? "none" : known.front());
-  for (std::size_t i = 1; i < known.size(); ++i) rule += ", " + known[i];
+  for (int i = 1; i < known.size(); ++i) rule += ", " + known[i];
   if (!near.empty()) rule = "a known name (" + near + "?)";
   require(false, place, field, rule, word);
 }

@@ -3,7 +3,8 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -11,10 +12,10 @@ namespace cairn {
 int edit_distance(std::string_view a, std::string_view b);
 
 /// The candidate that is nearest to `word`, if it is at most two letters off; "" if none is.
-std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+std::string nearest(std::string_view word, const List<std::string>& candidates);
 
 /// Throws std::invalid_argument unless `word` is one of `known`: names the nearest of them, or else all.
-void require_known(std::string_view word, const std::vector<std::string>& known, std::string_view place,
+void require_known(std::string_view word, const List<std::string>& known, std::string_view place,
                    std::string_view field);
 
 }  // namespace cairn

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -54,10 +55,10 @@ CsvCell cell_of(const RawCell& raw) {
 }
 
 /// The next record, which may go over several lines; nothing at the end of the input.
-std::optional<std::vector<RawCell>> next_record(std::istream& in, const std::string& name, int& line) {
+std::optional<List<RawCell>> next_record(std::istream& in, const std::string& name, int& line) {
   if (in.peek() == std::istream::traits_type::eof()) return std::nullopt;
   ++line;
-  std::vector<RawCell> cells(1);
+  List<RawCell> cells(1);
   bool inside = false;
   for (char c = 0; in.get(c);) {
     RawCell& cell = cells.back();
@@ -82,15 +83,15 @@ std::optional<std::vector<RawCell>> next_record(std::istream& in, const std::str
 
 }  // namespace
 
-std::string csv_line(const std::vector<CsvCell>& row) {
+std::string csv_line(const List<CsvCell>& row) {
   std::string line;
-  for (std::size_t i = 0; i < row.size(); ++i) line += (i > 0 ? "," : "") + text_of(row[i]);
+  for (int i = 0; i < row.size(); ++i) line += (i > 0 ? "," : "") + text_of(row[i]);
   return line;
 }
 
 void write_csv(std::ostream& out, const CsvTable& table) {
   out << csv_line({table.header.begin(), table.header.end()}) << '\n';
-  for (const std::vector<CsvCell>& row : table.rows) {
+  for (const List<CsvCell>& row : table.rows) {
     require(row.size() == table.header.size(), "write_csv", "row", "as long as the header",
             static_cast<double>(row.size()));
     out << csv_line(row) << '\n';
@@ -100,7 +101,7 @@ void write_csv(std::ostream& out, const CsvTable& table) {
 CsvTable read_csv(std::istream& in, const std::string& name) {
   CsvTable table;
   int line = 0;
-  while (const std::optional<std::vector<RawCell>> record = next_record(in, name, line)) {
+  while (const std::optional<List<RawCell>> record = next_record(in, name, line)) {
     if (table.header.empty()) {
       for (const RawCell& cell : *record) table.header.push_back(cell.text);
       continue;
@@ -108,7 +109,7 @@ CsvTable read_csv(std::istream& in, const std::string& name) {
     require(record->size() == table.header.size(), name, "line " + std::to_string(line),
             "of as many cells as the header, " + std::to_string(table.header.size()),
             static_cast<double>(record->size()));
-    std::vector<CsvCell>& row = table.rows.emplace_back();
+    List<CsvCell>& row = table.rows.emplace_back();
     for (const RawCell& cell : *record) row.push_back(cell_of(cell));
   }
   return table;

@@ -4,7 +4,8 @@
 #include <iosfwd>
 #include <string>
 #include <variant>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -13,8 +14,8 @@ using CsvCell = std::variant<std::string, long long, double>;
 
 /// A table with a name for each column.
 struct CsvTable {
-  std::vector<std::string> header = {};         // of the columns
-  std::vector<std::vector<CsvCell>> rows = {};  // each with as many cells as the header
+  List<std::string> header = {};  // of the columns
+  List<List<CsvCell>> rows = {};  // each with as many cells as the header
 };
 
 /// Writes doubles with 17 significant digits, so that they read back bit-equal, and quotes text that holds a
@@ -23,7 +24,7 @@ struct CsvTable {
 void write_csv(std::ostream& out, const CsvTable& table);
 
 /// One line of write_csv, without its line feed.
-std::string csv_line(const std::vector<CsvCell>& row);
+std::string csv_line(const List<CsvCell>& row);
 
 /// What write_csv has written: whole numbers, then other numbers, are read as such, everything else as text.
 /// `name` is for messages. @throws std::invalid_argument that names line and rule.

@@ -1,5 +1,6 @@
 // Floor 6. What of a state is hashed, and how.
 #include "measure/fingerprint.hpp"
+#include "math/list.hpp"
 
 #include <fmt/format.h>
 
@@ -47,7 +48,7 @@ std::uint64_t fingerprint_of(const Snapshot& snapshot) {
   return fingerprint.value();
 }
 
-std::uint64_t fingerprint_of(const std::vector<double>& numbers) {
+std::uint64_t fingerprint_of(const List<double>& numbers) {
   Fingerprint fingerprint;
   for (const double number : numbers) fingerprint.add(number);
   return fingerprint.value();

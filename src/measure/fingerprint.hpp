@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "world/snapshot.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -41,7 +41,7 @@ class Fingerprint {
 /// Of time, poses, velocities and impulses.
 std::uint64_t fingerprint_of(const Snapshot& snapshot);
 /// Of numbers, in their order.
-std::uint64_t fingerprint_of(const std::vector<double>& numbers);
+std::uint64_t fingerprint_of(const List<double>& numbers);
 
 /// 16 hexadecimal digits.
 std::string hexadecimal(std::uint64_t fingerprint);

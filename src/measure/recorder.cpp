@@ -1,5 +1,6 @@
 // Floor 6. The recorder.
 #include "measure/recorder.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -11,7 +12,7 @@ SweepRecord record(int sweep, const VelocityProblem<Real>& problem, Real scale) 
   return {.sweep = sweep,
           .residual_energy = static_cast<double>(left.energy),
           .residual_velocity = static_cast<double>(left.velocity),
-          .impulse = std::vector<double>(problem.impulse.begin(), problem.impulse.end())};
+          .impulse = PerRow<double>(problem.impulse.begin(), problem.impulse.end())};
 }
 
 }  // namespace
@@ -22,7 +23,7 @@ void SweepRecorder<Real>::before_solve(const VelocityProblem<Real>& problem) {
   rows_.clear();
   scale_ = residual_scale(problem);
   VelocityProblem<Real> warm = problem;
-  for (std::size_t i = 0; i < warm.rows.size(); ++i) {
+  for (int i = 0; i < warm.rows.size(); ++i) {
     apply_impulse(warm, warm.rows[i], warm.impulse[i]);
   }
   sweeps_.push_back(record(0, warm, scale_));

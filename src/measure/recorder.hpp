@@ -1,25 +1,24 @@
 // Floor 6. Records a solver at work, row by row and sweep by sweep.
 #pragma once
 
-#include <vector>
-
 #include "solvers/residual.hpp"
 #include "solvers/solver.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 /// The state after one sweep; sweep 0 is the warm start, before any row was visited.
 struct SweepRecord {
-  int sweep = 0;                     // from 0
-  double residual_energy = 0;        // R_E
-  double residual_velocity = 0;      // r_inf [m/s]
-  std::vector<double> impulse = {};  // [N s], for each row
+  int sweep = 0;                 // from 0
+  double residual_energy = 0;    // R_E
+  double residual_velocity = 0;  // r_inf [m/s]
+  PerRow<double> impulse = {};   // [N s], for each row
 };
 
 /// One row update and what it led to.
 struct RowRecord {
-  RowUpdate<double> update = {};            // what the solver did
-  std::vector<Vec3<double>> velocity = {};  // of all bodies, after the update
+  RowUpdate<double> update = {};        // what the solver did
+  PerBody<Vec3<double>> velocity = {};  // of all bodies, after the update
 };
 
 /// Keeps every sweep of a solve, and every row update too if asked. The last solve only.
@@ -37,15 +36,15 @@ class SweepRecorder final : public SolveObserver<Real> {
   void after_sweep(int sweep, const VelocityProblem<Real>& problem) override;
 
   /// From sweep 0 on.
-  const std::vector<SweepRecord>& sweeps() const { return sweeps_; }
+  const List<SweepRecord>& sweeps() const { return sweeps_; }
   /// In the order in which they were visited; empty unless asked for.
-  const std::vector<RowRecord>& rows() const { return rows_; }
+  const List<RowRecord>& rows() const { return rows_; }
 
  private:
   Detail detail_;
   Real scale_ = 0;
-  std::vector<SweepRecord> sweeps_;
-  std::vector<RowRecord> rows_;
+  List<SweepRecord> sweeps_;
+  List<RowRecord> rows_;
 };
 
 }  // namespace cairn

@@ -37,9 +37,7 @@ Vec3<double> gravity_on(const Snapshot& snapshot) {
   return sum;
 }
 
-const SnapshotBody& body_of(const Snapshot& snapshot, BodyId id) {
-  return snapshot.bodies[static_cast<std::size_t>(id.index)];
-}
+const SnapshotBody& body_of(const Snapshot& snapshot, BodyId id) { return snapshot.bodies[id]; }
 
 bool is_dynamic(const Snapshot& snapshot, BodyId id) {
   return body_of(snapshot, id).type == BodyType::dynamic;

@@ -67,7 +67,7 @@ class TrajectoryMeasure {
   Trajectory result_;
   double start_time_ = 0;                       // [s]
   double last_time_ = 0;                        // [s]
-  std::size_t bodies_ = 0;                      // of the start
+  int bodies_ = 0;                              // of the start
   double start_energy_ = 0;                     // [J]
   double work_ = 0;                             // [J]
   double penetration_sum_ = 0;                  // [m]

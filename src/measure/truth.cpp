@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -42,7 +43,7 @@ struct Interval {
 };
 
 template <Scalar Real>
-Interval<Real> interval_of(const VelocityProblem<Real>& problem, std::size_t i) {
+Interval<Real> interval_of(const VelocityProblem<Real>& problem, int i) {
   const Real infinity = std::numeric_limits<Real>::infinity();
   const Bounds<Real>& bounds = problem.rows[i].bounds;
   return {bounds.clamp(-infinity, problem.impulse), bounds.clamp(infinity, problem.impulse)};
@@ -50,7 +51,7 @@ Interval<Real> interval_of(const VelocityProblem<Real>& problem, std::size_t i) 
 
 /// Whether nothing can move along the row.
 template <Scalar Real>
-bool is_idle(const VelocityProblem<Real>& problem, std::size_t i) {
+bool is_idle(const VelocityProblem<Real>& problem, int i) {
   return !(inverse_effective_mass(problem, problem.rows[i]) > 0);
 }
 
@@ -73,11 +74,10 @@ Real largest_impulse(const VelocityProblem<Real>& problem) {
 /// The largest length of the bodies that the row turns; 0 for a row that moves any of them along.
 template <Scalar Real>
 Real length_of_angular_row(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row,
-                           const std::vector<Real>& lengths) {
+                           const PerBody<Real>& lengths) {
   bool is_angular = true;
   Real length = 0;
-  for_each_term(problem, row, [&](BodyId id, const Vec3<Real>& jacobian) {
-    const auto body = static_cast<std::size_t>(id.index);
+  for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
     is_angular = is_angular && jacobian.x() == 0 && jacobian.y() == 0;
     if (jacobian.z() != 0 && problem.inverse_mass[body].z() > 0) length = std::max(length, lengths[body]);
   });
@@ -87,17 +87,17 @@ Real length_of_angular_row(const VelocityProblem<Real>& problem, const Constrain
 }  // namespace
 
 template <Scalar Real>
-Real mass_norm(const std::vector<Vec3<Real>>& velocity, const std::vector<Vec3<Real>>& inverse_mass) {
-  return mass_distance(velocity, std::vector<Vec3<Real>>(velocity.size(), Vec3<Real>::Zero()), inverse_mass);
+Real mass_norm(const PerBody<Vec3<Real>>& velocity, const PerBody<Vec3<Real>>& inverse_mass) {
+  return mass_distance(velocity, PerBody<Vec3<Real>>(velocity.size(), Vec3<Real>::Zero()), inverse_mass);
 }
 
 template <Scalar Real>
-Real mass_distance(const std::vector<Vec3<Real>>& v, const std::vector<Vec3<Real>>& u,
-                   const std::vector<Vec3<Real>>& inverse_mass) {
+Real mass_distance(const PerBody<Vec3<Real>>& v, const PerBody<Vec3<Real>>& u,
+                   const PerBody<Vec3<Real>>& inverse_mass) {
   require(v.size() == u.size() && v.size() == inverse_mass.size(), "mass_distance", "velocities",
           "one for each body", static_cast<double>(u.size()));
   Real sum = 0;
-  for (std::size_t body = 0; body < v.size(); ++body) {
+  for (const BodyId body : v.indices()) {
     for (int axis = 0; axis < 3; ++axis) {
       const Real inverse = inverse_mass[body](axis);
       const Real gap = v[body](axis) - u[body](axis);
@@ -108,20 +108,20 @@ Real mass_distance(const std::vector<Vec3<Real>>& v, const std::vector<Vec3<Real
 }
 
 template <Scalar Real>
-Real velocity_error(const VelocityProblem<Real>& start, const std::vector<Vec3<Real>>& velocity,
-                    const std::vector<Vec3<Real>>& truth) {
+Real velocity_error(const VelocityProblem<Real>& start, const PerBody<Vec3<Real>>& velocity,
+                    const PerBody<Vec3<Real>>& truth) {
   return relative_to(mass_distance(velocity, truth, start.inverse_mass),
                      mass_distance(start.velocity, truth, start.inverse_mass),
                      mass_norm(truth, start.inverse_mass));
 }
 
 template <Scalar Real>
-VelocityProblem<Real> with_impulses(const VelocityProblem<Real>& start, const std::vector<Real>& impulse) {
+VelocityProblem<Real> with_impulses(const VelocityProblem<Real>& start, const PerRow<Real>& impulse) {
   require(impulse.size() == start.rows.size(), "with_impulses", "impulse", "one for each row",
           static_cast<double>(impulse.size()));
   VelocityProblem<Real> result = start;
   result.impulse = impulse;
-  for (std::size_t i = 0; i < result.rows.size(); ++i) apply_impulse(result, result.rows[i], impulse[i]);
+  for (int i = 0; i < result.row_count(); ++i) apply_impulse(result, result.rows[i], impulse[i]);
   return result;
 }
 
@@ -137,7 +137,7 @@ Real impulse_drift(const VelocityProblem<Real>& start, const VelocityProblem<Rea
 template <Scalar Real>
 Real complementarity_gap(const VelocityProblem<Real>& answer) {
   Real sum = 0;
-  for (std::size_t i = 0; i < answer.rows.size(); ++i) {
+  for (int i = 0; i < answer.row_count(); ++i) {
     if (is_idle(answer, i)) continue;
     const Interval<Real> interval = interval_of(answer, i);
     const Real w = row_velocity_error(answer, i), impulse = answer.impulse[i];
@@ -152,7 +152,7 @@ template <Scalar Real>
 AnswerSplit<Real> answer_split(const VelocityProblem<Real>& answer) {
   AnswerSplit<Real> split;
   const Real least = Real(1e-12) * largest_impulse(answer);
-  for (std::size_t i = 0; i < answer.rows.size(); ++i) {
+  for (int i = 0; i < answer.row_count(); ++i) {
     if (is_idle(answer, i)) continue;
     const Interval<Real> interval = interval_of(answer, i);
     const Real impulse = answer.impulse[i];
@@ -171,11 +171,11 @@ AnswerSplit<Real> answer_split(const VelocityProblem<Real>& answer) {
 }
 
 template <Scalar Real>
-Real worst_row_speed(const VelocityProblem<Real>& answer, const std::vector<Real>& lengths) {
+Real worst_row_speed(const VelocityProblem<Real>& answer, const PerBody<Real>& lengths) {
   require(lengths.size() == answer.velocity.size(), "worst_row_speed", "lengths", "one for each body",
           static_cast<double>(lengths.size()));
   Real worst = 0;
-  for (std::size_t i = 0; i < answer.rows.size(); ++i) {
+  for (int i = 0; i < answer.row_count(); ++i) {
     const ConstraintRow<Real>& row = answer.rows[i];
     const Real length = length_of_angular_row(answer, row, lengths);
     const Real speed = std::abs(inverse_effective_mass(answer, row) * natural_correction(answer, i));
@@ -186,7 +186,7 @@ Real worst_row_speed(const VelocityProblem<Real>& answer, const std::vector<Real
 
 template <Scalar Real>
 AnswerError<Real> answer_error(const VelocityProblem<Real>& start, const VelocityProblem<Real>& answer,
-                               const std::optional<std::vector<Vec3<Real>>>& truth) {
+                               const std::optional<PerBody<Vec3<Real>>>& truth) {
   require_same_size(start, answer, "answer_error");
   const Real scale = residual_scale(start);
   AnswerError<Real> error{.returned = residual(answer, scale),
@@ -198,45 +198,43 @@ AnswerError<Real> answer_error(const VelocityProblem<Real>& start, const Velocit
   return error;
 }
 
-template float mass_norm(const std::vector<Vec3<float>>&, const std::vector<Vec3<float>>&);
-template float mass_distance(const std::vector<Vec3<float>>&, const std::vector<Vec3<float>>&,
-                             const std::vector<Vec3<float>>&);
-template float velocity_error(const VelocityProblem<float>&, const std::vector<Vec3<float>>&,
-                              const std::vector<Vec3<float>>&);
-template VelocityProblem<float> with_impulses(const VelocityProblem<float>&, const std::vector<float>&);
+template float mass_norm(const PerBody<Vec3<float>>&, const PerBody<Vec3<float>>&);
+template float mass_distance(const PerBody<Vec3<float>>&, const PerBody<Vec3<float>>&,
+                             const PerBody<Vec3<float>>&);
+template float velocity_error(const VelocityProblem<float>&, const PerBody<Vec3<float>>&,
+                              const PerBody<Vec3<float>>&);
+template VelocityProblem<float> with_impulses(const VelocityProblem<float>&, const PerRow<float>&);
 template float impulse_drift(const VelocityProblem<float>&, const VelocityProblem<float>&);
 template float complementarity_gap(const VelocityProblem<float>&);
 template AnswerSplit<float> answer_split(const VelocityProblem<float>&);
-template float worst_row_speed(const VelocityProblem<float>&, const std::vector<float>&);
+template float worst_row_speed(const VelocityProblem<float>&, const PerBody<float>&);
 template AnswerError<float> answer_error(const VelocityProblem<float>&, const VelocityProblem<float>&,
-                                         const std::optional<std::vector<Vec3<float>>>&);
-template double mass_norm(const std::vector<Vec3<double>>&, const std::vector<Vec3<double>>&);
-template double mass_distance(const std::vector<Vec3<double>>&, const std::vector<Vec3<double>>&,
-                              const std::vector<Vec3<double>>&);
-template double velocity_error(const VelocityProblem<double>&, const std::vector<Vec3<double>>&,
-                               const std::vector<Vec3<double>>&);
-template VelocityProblem<double> with_impulses(const VelocityProblem<double>&, const std::vector<double>&);
+                                         const std::optional<PerBody<Vec3<float>>>&);
+template double mass_norm(const PerBody<Vec3<double>>&, const PerBody<Vec3<double>>&);
+template double mass_distance(const PerBody<Vec3<double>>&, const PerBody<Vec3<double>>&,
+                              const PerBody<Vec3<double>>&);
+template double velocity_error(const VelocityProblem<double>&, const PerBody<Vec3<double>>&,
+                               const PerBody<Vec3<double>>&);
+template VelocityProblem<double> with_impulses(const VelocityProblem<double>&, const PerRow<double>&);
 template double impulse_drift(const VelocityProblem<double>&, const VelocityProblem<double>&);
 template double complementarity_gap(const VelocityProblem<double>&);
 template AnswerSplit<double> answer_split(const VelocityProblem<double>&);
-template double worst_row_speed(const VelocityProblem<double>&, const std::vector<double>&);
+template double worst_row_speed(const VelocityProblem<double>&, const PerBody<double>&);
 template AnswerError<double> answer_error(const VelocityProblem<double>&, const VelocityProblem<double>&,
-                                          const std::optional<std::vector<Vec3<double>>>&);
-template long double mass_norm(const std::vector<Vec3<long double>>&, const std::vector<Vec3<long double>>&);
-template long double mass_distance(const std::vector<Vec3<long double>>&,
-                                   const std::vector<Vec3<long double>>&,
-                                   const std::vector<Vec3<long double>>&);
-template long double velocity_error(const VelocityProblem<long double>&,
-                                    const std::vector<Vec3<long double>>&,
-                                    const std::vector<Vec3<long double>>&);
+                                          const std::optional<PerBody<Vec3<double>>>&);
+template long double mass_norm(const PerBody<Vec3<long double>>&, const PerBody<Vec3<long double>>&);
+template long double mass_distance(const PerBody<Vec3<long double>>&, const PerBody<Vec3<long double>>&,
+                                   const PerBody<Vec3<long double>>&);
+template long double velocity_error(const VelocityProblem<long double>&, const PerBody<Vec3<long double>>&,
+                                    const PerBody<Vec3<long double>>&);
 template VelocityProblem<long double> with_impulses(const VelocityProblem<long double>&,
-                                                    const std::vector<long double>&);
+                                                    const PerRow<long double>&);
 template long double impulse_drift(const VelocityProblem<long double>&, const VelocityProblem<long double>&);
 template long double complementarity_gap(const VelocityProblem<long double>&);
 template AnswerSplit<long double> answer_split(const VelocityProblem<long double>&);
-template long double worst_row_speed(const VelocityProblem<long double>&, const std::vector<long double>&);
+template long double worst_row_speed(const VelocityProblem<long double>&, const PerBody<long double>&);
 template AnswerError<long double> answer_error(const VelocityProblem<long double>&,
                                                const VelocityProblem<long double>&,
-                                               const std::optional<std::vector<Vec3<long double>>>&);
+                                               const std::optional<PerBody<Vec3<long double>>>&);
 
 }  // namespace cairn

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "solvers/residual.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -14,13 +14,13 @@ namespace cairn {
 
 /// ||v||_M = sqrt(v^T M v) [sqrt(J)]: the square root of twice the kinetic energy.
 template <Scalar Real>
-Real mass_norm(const std::vector<Vec3<Real>>& velocity, const std::vector<Vec3<Real>>& inverse_mass);
+Real mass_norm(const PerBody<Vec3<Real>>& velocity, const PerBody<Vec3<Real>>& inverse_mass);
 
 /// ||v - u||_M [sqrt(J)].
 /// @throws std::invalid_argument unless there are equally many bodies in all three.
 template <Scalar Real>
-Real mass_distance(const std::vector<Vec3<Real>>& v, const std::vector<Vec3<Real>>& u,
-                   const std::vector<Vec3<Real>>& inverse_mass);
+Real mass_distance(const PerBody<Vec3<Real>>& v, const PerBody<Vec3<Real>>& u,
+                   const PerBody<Vec3<Real>>& inverse_mass);
 
 /// E_M = ||v - v*||_M / ||v_free - v*||_M [1]: 1 without impulses, 0 at the truth v*. It does not depend on
 /// which of the many impulses that move nothing are in lambda. Never divides by less than 1e-12 ||v*||_M; 0
@@ -28,14 +28,14 @@ Real mass_distance(const std::vector<Vec3<Real>>& v, const std::vector<Vec3<Real
 /// mean anything.
 /// @throws std::invalid_argument unless there are equally many bodies in all three.
 template <Scalar Real>
-Real velocity_error(const VelocityProblem<Real>& start, const std::vector<Vec3<Real>>& velocity,
-                    const std::vector<Vec3<Real>>& truth);
+Real velocity_error(const VelocityProblem<Real>& start, const PerBody<Vec3<Real>>& velocity,
+                    const PerBody<Vec3<Real>>& truth);
 
 /// v(lambda) = v_free + M^-1 J^T lambda (11), (19): what the velocities would be, had they not been gathered
 /// impulse by impulse. Returns the problem with these impulses and velocities.
 /// @throws std::invalid_argument unless there is one impulse for each row.
 template <Scalar Real>
-VelocityProblem<Real> with_impulses(const VelocityProblem<Real>& start, const std::vector<Real>& impulse);
+VelocityProblem<Real> with_impulses(const VelocityProblem<Real>& start, const PerRow<Real>& impulse);
 
 /// delta = ||v - v(lambda)||_M / ||v_free - v||_M [1]: how far velocities and impulses have drifted apart by
 /// rounding. Never divides by less than 1e-12 ||v||_M.
@@ -69,7 +69,7 @@ AnswerSplit<Real> answer_split(const VelocityProblem<Real>& answer);
 /// largest length [m] of its bodies that can turn, such as their bounding radius. One length for each body.
 /// @throws std::invalid_argument unless there is one length for each body.
 template <Scalar Real>
-Real worst_row_speed(const VelocityProblem<Real>& answer, const std::vector<Real>& lengths);
+Real worst_row_speed(const VelocityProblem<Real>& answer, const PerBody<Real>& lengths);
 
 /// All of the above that needs nothing but the problem; E_M where the truth is given.
 template <Scalar Real>
@@ -85,6 +85,6 @@ struct AnswerError {
 /// @throws std::invalid_argument unless both problems have equally many rows and bodies.
 template <Scalar Real>
 AnswerError<Real> answer_error(const VelocityProblem<Real>& start, const VelocityProblem<Real>& answer,
-                               const std::optional<std::vector<Vec3<Real>>>& truth = {});
+                               const std::optional<PerBody<Vec3<Real>>>& truth = {});
 
 }  // namespace cairn

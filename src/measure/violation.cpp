@@ -7,13 +7,14 @@
 #include "collision/broadphase.hpp"
 #include "collision/collide.hpp"
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 namespace {
 
-bool is_apart(const Snapshot& snapshot, int first, int second) {
-  const std::pair<BodyId, BodyId> bodies = std::minmax(BodyId{first}, BodyId{second});
+bool is_apart(const Snapshot& snapshot, BodyId first, BodyId second) {
+  const std::pair<BodyId, BodyId> bodies = std::minmax(first, second);
   return std::binary_search(snapshot.apart.begin(), snapshot.apart.end(), bodies);
 }
 
@@ -21,17 +22,17 @@ bool is_apart(const Snapshot& snapshot, int first, int second) {
 
 double worst_penetration(const Snapshot& snapshot) {
   struct Item {
-    int body;
+    BodyId body;
     const Shape<double>* shape;
   };
-  std::vector<Item> items;
-  std::vector<Aabb<double>> boxes;
-  std::vector<char> movable;
-  for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
-    const SnapshotBody& body = snapshot.bodies[i];
+  List<Item> items;
+  List<Aabb<double>> boxes;
+  List<char> movable;
+  for (const BodyId id : snapshot.bodies.indices()) {
+    const SnapshotBody& body = snapshot.bodies[id];
     if (body.sensor) continue;
     for (const Shape<double>& shape : body.shapes) {
-      items.push_back({static_cast<int>(i), &shape});
+      items.push_back({id, &shape});
       boxes.push_back(bounding_box(shape, body.pose));
       movable.push_back(body.type == BodyType::dynamic ? 1 : 0);
     }
@@ -40,14 +41,14 @@ double worst_penetration(const Snapshot& snapshot) {
   double worst = 0;
   Broadphase<double> broadphase(BroadphaseKind::sweep);
   for (const auto& [i, j] : broadphase.pairs(boxes, movable)) {
-    const Item& a = items[static_cast<std::size_t>(i)];
-    const Item& b = items[static_cast<std::size_t>(j)];
-    const SnapshotBody& body_a = snapshot.bodies[static_cast<std::size_t>(a.body)];
-    const SnapshotBody& body_b = snapshot.bodies[static_cast<std::size_t>(b.body)];
+    const Item& a = items[i];
+    const Item& b = items[j];
+    const SnapshotBody& body_a = snapshot.bodies[a.body];
+    const SnapshotBody& body_b = snapshot.bodies[b.body];
     if (a.body == b.body || !may_touch(body_a, body_b) || is_apart(snapshot, a.body, b.body)) continue;
     const Manifold<double> manifold = collide(*a.shape, body_a.pose, *b.shape, body_b.pose, 0.0);
     for (int k = 0; k < manifold.count; ++k) {
-      worst = std::max(worst, -manifold.points[static_cast<std::size_t>(k)].separation);
+      worst = std::max(worst, -manifold.points[k].separation);
     }
   }
   return worst;
@@ -81,8 +82,8 @@ double largest_velocity_gap(const Snapshot& first, const Snapshot& second) {
   require(first.bodies.size() == second.bodies.size(), "largest_velocity_gap", "second",
           "a snapshot of equally many bodies", static_cast<double>(second.bodies.size()));
   double gap = 0;
-  for (std::size_t i = 0; i < first.bodies.size(); ++i) {
-    gap = std::max(gap, (first.bodies[i].velocity - second.bodies[i].velocity).cwiseAbs().maxCoeff());
+  for (const BodyId body : first.bodies.indices()) {
+    gap = std::max(gap, (first.bodies[body].velocity - second.bodies[body].velocity).cwiseAbs().maxCoeff());
   }
   return gap;
 }

@@ -1,5 +1,6 @@
 // Floor 7. From Box2D's contacts to Cairn's conventions.
 #include "reference/box2d_contacts.hpp"
+#include "math/list.hpp"
 
 #include <box2d/b2_body.h>
 #include <box2d/b2_fixture.h>
@@ -86,13 +87,13 @@ void Box2DContacts::PostSolve(b2Contact* contact, const b2ContactImpulse* impuls
   }
 }
 
-std::vector<SnapshotContact> Box2DContacts::contacts(const std::vector<BodyId>& colliders) const {
-  std::vector<SnapshotContact> result;
+List<SnapshotContact> Box2DContacts::contacts(const List<BodyId>& colliders) const {
+  List<SnapshotContact> result;
   for (const auto& [pair, touching] : touching_) {
     for (const Point& point : touching.points) {
       result.push_back(point.contact);
-      result.back().a = colliders[static_cast<std::size_t>(pair.first)];
-      result.back().b = colliders[static_cast<std::size_t>(pair.second)];
+      result.back().a = colliders[pair.first];
+      result.back().b = colliders[pair.second];
     }
   }
   return result;

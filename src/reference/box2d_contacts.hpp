@@ -6,10 +6,10 @@
 
 #include <map>
 #include <utility>
-#include <vector>
 
 #include "world/scene.hpp"
 #include "world/snapshot.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -29,7 +29,7 @@ class Box2DContacts final : public b2ContactListener {
   void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override;
 
   /// Ordered by colliders. `colliders` names each one's body.
-  std::vector<SnapshotContact> contacts(const std::vector<BodyId>& colliders) const;
+  List<SnapshotContact> contacts(const List<BodyId>& colliders) const;
 
  private:
   struct Point {
@@ -38,7 +38,7 @@ class Box2DContacts final : public b2ContactListener {
   };
   struct Touching {
     int step = 0;
-    std::vector<Point> points = {};
+    List<Point> points = {};
   };
   using Colliders = std::pair<int, int>;
 

@@ -8,6 +8,7 @@
 #include "constraints/distance_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -37,8 +38,8 @@ std::unique_ptr<b2Shape> convert(const Polygon<double>& polygon) {
   result->m_count = polygon.count;
   b2Vec2 sum(0, 0);
   for (int i = 0; i < polygon.count; ++i) {
-    result->m_vertices[i] = to_box2d(polygon.vertices[static_cast<std::size_t>(i)]);
-    result->m_normals[i] = to_box2d(polygon.normals[static_cast<std::size_t>(i)]);
+    result->m_vertices[i] = to_box2d(polygon.vertices[i]);
+    result->m_normals[i] = to_box2d(polygon.normals[i]);
     sum += result->m_vertices[i];
   }
   // Box2D asks for a point inside when a segment meets the polygon; mass and inertia are set apart from it.
@@ -53,17 +54,16 @@ std::unique_ptr<b2Shape> convert(const Segment<double>& segment) {
 }
 
 /// The length of a rod, found by asking for its error C = |d| - length at two poses with |d| = 1 m.
-double rod_length(const DistanceJoint& joint, std::size_t body_count) {
-  std::vector<Pose<double>> poses(body_count);
-  const std::vector<Attachment> ends = joint.attachments();
-  poses[static_cast<std::size_t>(ends[1].body.index)].position =
-      ends[0].anchor - ends[1].anchor + Vec2<double>(1, 0);
+double rod_length(const DistanceJoint& joint, int body_count) {
+  PerBody<Pose<double>> poses(body_count);
+  const List<Attachment> ends = joint.attachments();
+  poses[ends[1].body].position = ends[0].anchor - ends[1].anchor + Vec2<double>(1, 0);
   RowSpecs<double> rows;
-  joint.rows(poses, rows);
+  joint.append_rows(poses, rows);
   return 1 - rows.front().error;
 }
 
-b2DistanceJointDef definition(const DistanceJoint& joint, std::size_t body_count) {
+b2DistanceJointDef definition(const DistanceJoint& joint, int body_count) {
   const double length = rod_length(joint, body_count);
   require(length >= b2_linearSlop, "Box2DWorld", "distance joint length",
           ">= 0.005 m, the shortest in Box2D 2.4.1", length);
@@ -91,13 +91,13 @@ std::unique_ptr<b2Shape> to_box2d(const Shape<double>& shape) {
   return std::visit([](const auto& held) { return convert(held); }, shape);
 }
 
-b2Joint* create_joint(b2World& world, const Constraint& joint, const std::vector<b2Body*>& bodies,
-                      const std::vector<std::pair<BodyId, BodyId>>& apart) {
-  const std::vector<Attachment> places = joint.attachments();
+b2Joint* create_joint(b2World& world, const Constraint& joint, const PerBody<b2Body*>& bodies,
+                      const List<std::pair<BodyId, BodyId>>& apart) {
+  const List<Attachment> places = joint.attachments();
   const std::pair<BodyId, BodyId> ends = std::minmax(places.front().body, places.back().body);
   const auto create = [&](b2JointDef&& definition) {
-    definition.bodyA = bodies[static_cast<std::size_t>(places.front().body.index)];
-    definition.bodyB = bodies[static_cast<std::size_t>(places.back().body.index)];
+    definition.bodyA = bodies[places.front().body];
+    definition.bodyB = bodies[places.back().body];
     definition.collideConnected = !std::binary_search(apart.begin(), apart.end(), ends);
     return world.CreateJoint(&definition);
   };

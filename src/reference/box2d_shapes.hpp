@@ -5,10 +5,10 @@
 
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "constraints/constraint.hpp"
 #include "geometry/shape.hpp"
+#include "math/list.hpp"
 
 class b2Body;
 class b2Joint;
@@ -26,7 +26,7 @@ std::unique_ptr<b2Shape> to_box2d(const Shape<double>& shape);
 /// `apart`.
 /// @throws std::invalid_argument unless it is a revolute joint without limits and motor, or a rod of at least
 /// 0.005 m.
-b2Joint* create_joint(b2World& world, const Constraint& joint, const std::vector<b2Body*>& bodies,
-                      const std::vector<std::pair<BodyId, BodyId>>& apart);
+b2Joint* create_joint(b2World& world, const Constraint& joint, const PerBody<b2Body*>& bodies,
+                      const List<std::pair<BodyId, BodyId>>& apart);
 
 }  // namespace cairn

@@ -8,6 +8,7 @@
 #include "math/check.hpp"
 #include "reference/box2d_contacts.hpp"
 #include "reference/box2d_shapes.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -35,14 +36,14 @@ b2Body* create_body(b2World& world, const SceneBody& body) {
 
 /// Names the fixture by its number among all colliders: Cairn orders contacts by it.
 void create_fixture(b2Body& body, const Shape<double>& shape, const BodySpec& spec, double threshold,
-                    std::size_t collider) {
+                    int collider) {
   const std::unique_ptr<b2Shape> converted = to_box2d(shape);
   b2FixtureDef definition;
   definition.shape = converted.get();
   definition.friction = static_cast<float>(spec.friction);
   definition.restitution = static_cast<float>(spec.restitution);
   definition.restitutionThreshold = static_cast<float>(threshold);
-  definition.userData.pointer = collider;
+  definition.userData.pointer = static_cast<std::uintptr_t>(collider);
   body.CreateFixture(&definition);
 }
 
@@ -62,7 +63,7 @@ void check(const Box2DSettings& settings) {
           settings.position_iterations);
 }
 
-double drift(const Constraint& joint, const std::vector<Pose<double>>& poses) {
+double drift(const Constraint& joint, const PerBody<Pose<double>>& poses) {
   RowSpecs<double> rows;
   joint.append_rows(poses, rows);
   double sum = 0;
@@ -86,16 +87,16 @@ void check_contacts_of(const BodySpec& spec) {
 struct Box2DWorld::Simulation {
   Simulation(const Scene& the_scene, const Box2DSettings& the_settings);
   void add_bodies();
-  SnapshotBody body(std::size_t index) const;
-  SnapshotJoint joint(std::size_t index, const std::vector<Pose<double>>& poses) const;
+  SnapshotBody body(BodyId id) const;
+  SnapshotJoint joint(int index, const PerBody<Pose<double>>& poses) const;
 
   Scene scene;
   Box2DSettings settings;
   Box2DContacts contacts;
   b2World world;
-  std::vector<b2Body*> bodies;    // by BodyId; owned by the world
-  std::vector<b2Joint*> joints;   // in the scene's order; owned by the world
-  std::vector<BodyId> colliders;  // whose shape it is, in the scene's order
+  PerBody<b2Body*> bodies;  // owned by the world
+  List<b2Joint*> joints;    // in the scene's order; owned by the world
+  List<BodyId> colliders;   // whose shape it is, in the scene's order
   int steps = 0;
 };
 
@@ -114,29 +115,29 @@ Box2DWorld::Simulation::Simulation(const Scene& the_scene, const Box2DSettings& 
 }
 
 void Box2DWorld::Simulation::add_bodies() {
-  const std::vector<SceneBody>& scene_bodies = scene.bodies();
-  std::vector<std::size_t> first_collider;
-  for (std::size_t i = 0; i < scene_bodies.size(); ++i) {
+  const PerBody<SceneBody>& scene_bodies = scene.bodies();
+  PerBody<int> first_collider;
+  for (const BodyId id : scene_bodies.indices()) {
     first_collider.push_back(colliders.size());
-    colliders.insert(colliders.end(), scene_bodies[i].spec.shapes.size(), BodyId{static_cast<int>(i)});
+    for (int k = 0; k < scene_bodies[id].spec.shapes.size(); ++k) colliders.push_back(id);
   }
   bodies.resize(scene_bodies.size());
-  for (std::size_t count = 0; count < scene_bodies.size(); ++count) {
+  for (int count = 0; count < scene_bodies.size(); ++count) {
     const bool last_first = settings.creation == Box2DSettings::Creation::last_first;
-    const std::size_t i = last_first ? scene_bodies.size() - 1 - count : count;
-    const BodySpec& spec = scene_bodies[i].spec;
-    bodies[i] = create_body(world, scene_bodies[i]);
-    for (std::size_t k = 0; k < spec.shapes.size(); ++k) {
-      create_fixture(*bodies[i], spec.shapes[k], spec, scene.settings().restitution_threshold,
-                     first_collider[i] + k);
+    const BodyId id = {last_first ? scene_bodies.size() - 1 - count : count};
+    const BodySpec& spec = scene_bodies[id].spec;
+    bodies[id] = create_body(world, scene_bodies[id]);
+    for (int k = 0; k < spec.shapes.size(); ++k) {
+      create_fixture(*bodies[id], spec.shapes[k], spec, scene.settings().restitution_threshold,
+                     first_collider[id] + k);
     }
-    set_mass(*bodies[i], scene_bodies[i]);
+    set_mass(*bodies[id], scene_bodies[id]);
   }
 }
 
-SnapshotBody Box2DWorld::Simulation::body(std::size_t index) const {
-  const SceneBody& scene_body = scene.bodies()[index];
-  const b2Body& box2d_body = *bodies[index];
+SnapshotBody Box2DWorld::Simulation::body(BodyId id) const {
+  const SceneBody& scene_body = scene.bodies()[id];
+  const b2Body& box2d_body = *bodies[id];
   const b2Vec2 center = box2d_body.GetWorldCenter();
   const b2Vec2 velocity = box2d_body.GetLinearVelocity();
   return {.type = scene_body.spec.type,
@@ -149,15 +150,15 @@ SnapshotBody Box2DWorld::Simulation::body(std::size_t index) const {
           .shapes = scene_body.spec.shapes};
 }
 
-SnapshotJoint Box2DWorld::Simulation::joint(std::size_t index, const std::vector<Pose<double>>& poses) const {
+SnapshotJoint Box2DWorld::Simulation::joint(int index, const PerBody<Pose<double>>& poses) const {
   const Constraint& constraint = *scene.joints()[index];
-  const std::vector<Attachment> ends = constraint.attachments();
+  const List<Attachment> ends = constraint.attachments();
   const b2Vec2 impulse = joints[index]->GetReactionForce(1);  // at dt = 1 s a force is its impulse
   return {.name = constraint.name(),
           .a = ends[0].body,
           .b = ends[1].body,
-          .anchor_a = poses[static_cast<std::size_t>(ends[0].body.index)].world(ends[0].anchor),
-          .anchor_b = poses[static_cast<std::size_t>(ends[1].body.index)].world(ends[1].anchor),
+          .anchor_a = poses[ends[0].body].world(ends[0].anchor),
+          .anchor_b = poses[ends[1].body].world(ends[1].anchor),
           .drift = drift(constraint, poses),
           .impulse = {impulse.x, impulse.y}};
 }
@@ -184,21 +185,20 @@ Snapshot Box2DWorld::snapshot() const {
                   .gravity = settings.gravity,
                   .contacts = simulation.contacts.contacts(simulation.colliders),
                   .apart = simulation.scene.apart()};
-  std::vector<Pose<double>> poses;
-  for (std::size_t i = 0; i < simulation.bodies.size(); ++i) {
-    result.bodies.push_back(simulation.body(i));
+  PerBody<Pose<double>> poses;
+  for (const BodyId id : simulation.bodies.indices()) {
+    result.bodies.push_back(simulation.body(id));
     poses.push_back(result.bodies.back().pose);
   }
-  for (std::size_t i = 0; i < simulation.joints.size(); ++i)
-    result.joints.push_back(simulation.joint(i, poses));
+  for (int i = 0; i < simulation.joints.size(); ++i) result.joints.push_back(simulation.joint(i, poses));
   return result;
 }
 
 bool Box2DWorld::is_awake(BodyId body) const {
-  const std::vector<b2Body*>& bodies = simulation_->bodies;
-  require(body.index >= 0 && body.index < static_cast<int>(bodies.size()), "Box2DWorld::is_awake", "body",
+  const PerBody<b2Body*>& bodies = simulation_->bodies;
+  require(body.index >= 0 && body.index < bodies.size(), "Box2DWorld::is_awake", "body",
           "the id of a body of this scene", body.index);
-  return bodies[static_cast<std::size_t>(body.index)]->IsAwake();
+  return bodies[body]->IsAwake();
 }
 
 }  // namespace cairn

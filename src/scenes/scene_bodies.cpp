@@ -2,6 +2,7 @@
 #include <map>
 
 #include "scenes/scene_builder.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -24,7 +25,7 @@ Shape<double> make_scene_shape(const SceneTable& table, const std::string& key) 
   const double radius = table.number("radius");
   if (key == "circle") return circle(table.number("circle"));
   if (key == "box") return box(table.point("box").x(), table.point("box").y(), radius);
-  const std::vector<Vec2<double>> points = table.points(key);
+  const List<Vec2<double>> points = table.points(key);
   if (key == "polygon") return polygon(points, radius);
   if (points.size() != 2) table.refuse(key, "two points [[x, y], [x, y]]");
   if (key == "segment") return segment(points[0], points[1]);
@@ -39,7 +40,7 @@ void build_body(SceneBuilder& builder, const SceneTable& table, int number) {
     table.refuse("shapes", "the only shapes, without a shape beside them");
   }
   for (const SceneTable& part : table.tables("shapes")) {
-    const std::vector<Shape<double>> shape = shape_of(part);
+    const List<Shape<double>> shape = shape_of(part);
     if (shape.empty()) part.refuse("", "a shape: box, circle, capsule, polygon or segment", "none of them");
     const bool is_moved = part.has("offset") || part.has("turn");
     spec.shapes.push_back(is_moved ? moved(shape[0], part.point("offset"), part.number("turn")) : shape[0]);
@@ -88,12 +89,12 @@ BodySpec moving_matter_of(const SceneTable& table) {
   return spec;
 }
 
-std::vector<Shape<double>> shape_of(const SceneTable& table) {
+List<Shape<double>> shape_of(const SceneTable& table) {
   const std::string key = shape_key(table);
   if (table.has("radius") && (key.empty() || key == "circle" || key == "segment")) {
     table.refuse("radius", "beside a box, capsule or polygon; a disc is circle = its radius");
   }
-  std::vector<Shape<double>> shapes;
+  List<Shape<double>> shapes;
   if (!key.empty()) table.guard([&] { shapes.push_back(make_scene_shape(table, key)); });
   return shapes;
 }

@@ -5,24 +5,25 @@
 #include <cctype>
 
 #include "math/nearest.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 namespace {
 
-const std::size_t most_scene_bodies = 20000;
+const int most_scene_bodies = 20000;
 
 bool is_scene_name(const std::string& name) {
   const auto belongs = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
   return !name.empty() && name.size() <= 60 && std::all_of(name.begin(), name.end(), belongs);
 }
 
-std::string body_names_rule(const std::string& word, const std::vector<std::string>& names) {
+std::string body_names_rule(const std::string& word, const List<std::string>& names) {
   const std::string near = nearest(word, names);
   if (!near.empty()) return "the name of a body (" + near + "?)";
-  const std::size_t most = 8;  // names that a message lists
+  const int most = 8;  // names that a message lists
   std::string rule = "the name of a body: ";
-  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) rule += (i > 0 ? ", " : "") + names[i];
+  for (int i = 0; i < std::min(most, names.size()); ++i) rule += (i > 0 ? ", " : "") + names[i];
   return rule + (names.size() > most ? " and so on" : "");
 }
 
@@ -61,24 +62,24 @@ void SceneBuilder::add_ground(const SceneTable& table) {
 BodyId SceneBuilder::body(const SceneTable& table, const std::string& key) const {
   const std::string name = table.text(key);
   const auto found = ids_.find(name);
-  if (found == ids_.end()) table.refuse(key, body_names_rule(name, names_));
+  if (found == ids_.end()) table.refuse(key, body_names_rule(name, {names_.begin(), names_.end()}));
   return found->second;
 }
 
-std::vector<BodyId> SceneBuilder::bodies(const SceneTable& table, const std::string& key) const {
+List<BodyId> SceneBuilder::bodies(const SceneTable& table, const std::string& key) const {
   const std::string name = table.text(key);
   if (name.size() < 3 || name.substr(name.size() - 2) != ".*") return {body(table, key)};
   const std::string beginning = name.substr(0, name.size() - 1);
-  std::vector<BodyId> found;
-  for (std::size_t i = 0; i < names_.size(); ++i) {
-    if (names_[i].compare(0, beginning.size(), beginning) == 0) found.push_back({static_cast<int>(i)});
+  List<BodyId> found;
+  for (const BodyId body : names_.indices()) {
+    if (names_[body].starts_with(beginning)) found.push_back(body);
   }
   if (found.empty()) table.refuse(key, "the name of a row, and .* behind it");
   return found;
 }
 
 void SceneBuilder::require_room_for_joint(const SceneTable& table) const {
-  const std::size_t most = 50000;
+  const int most = 50000;
   if (scene_.joints().size() >= most) table.refuse("", "part of a scene of at most 50000 joints", "one more");
 }
 

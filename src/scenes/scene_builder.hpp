@@ -7,11 +7,11 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "constraints/softness.hpp"
 #include "scenes/scene_table.hpp"
 #include "world/scene.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -27,9 +27,9 @@ class SceneBuilder {
   /// The body that a key names; a refusal names the nearest one.
   BodyId body(const SceneTable& table, const std::string& key) const;
   /// The same, or with "row.*" all bodies of a row.
-  std::vector<BodyId> bodies(const SceneTable& table, const std::string& key) const;
-  Vec2<double> center(BodyId body) const { return scene_.bodies()[place(body)].pose.position; }
-  double mass(BodyId body) const { return scene_.bodies()[place(body)].mass; }
+  List<BodyId> bodies(const SceneTable& table, const std::string& key) const;
+  Vec2<double> center(BodyId body) const { return scene_.bodies()[body].pose.position; }
+  double mass(BodyId body) const { return scene_.bodies()[body].mass; }
   void add_ground(const SceneTable& table);
 
   /// Runs `work` once all bodies are there.
@@ -43,26 +43,24 @@ class SceneBuilder {
   }
 
   const Scene& scene() const { return scene_; }
-  /// By BodyId.
-  const std::vector<std::string>& names() const { return names_; }
+  const PerBody<std::string>& names() const { return names_; }
 
  private:
   void require_room_for_joint(const SceneTable& table) const;
-  static std::size_t place(BodyId body) { return static_cast<std::size_t>(body.index); }
 
   Scene scene_;
-  std::vector<std::string> names_;
+  PerBody<std::string> names_;
   std::map<std::string, BodyId> ids_ = {{"ground", ground}};
   std::set<std::string> claimed_ = {"ground"};
-  std::vector<std::function<void()>> waiting_ = {};
-  std::vector<Pose<double>> poses_ = {};  // once all bodies are there
+  List<std::function<void()>> waiting_ = {};
+  PerBody<Pose<double>> poses_ = {};  // once all bodies are there
 };
 
 /// What the keys of the groups matter and motion say.
 BodySpec matter_of(const SceneTable& table);
 BodySpec moving_matter_of(const SceneTable& table);
 /// The shape of a table with the group shape; empty: it has none.
-std::vector<Shape<double>> shape_of(const SceneTable& table);
+List<Shape<double>> shape_of(const SceneTable& table);
 std::optional<Softness> softness_of(const SceneTable& table);
 
 /// Adds what the table says. Its kind is one of those that make bodies.

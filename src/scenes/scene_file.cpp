@@ -15,6 +15,7 @@
 #include "scenes/scene_builder.hpp"
 #include "scenes/scene_formula.hpp"
 #include "scenes/scene_settings.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -57,8 +58,8 @@ struct SceneItem {
 };
 
 /// All tables that make bodies and joints, in the order of the file.
-std::vector<SceneItem> items_of(const SceneTable& file, const SceneValue& root) {
-  std::vector<SceneItem> items;
+List<SceneItem> items_of(const SceneTable& file, const SceneValue& root) {
+  List<SceneItem> items;
   for (const SceneValue& member : root.items) {
     if (member.key != "joint" && !makes_bodies(file, member.key)) continue;
     int number = 0;
@@ -73,7 +74,7 @@ std::vector<SceneItem> items_of(const SceneTable& file, const SceneValue& root) 
   return items;
 }
 
-void build_items(SceneBuilder& builder, const SceneContext& context, const std::vector<SceneItem>& items) {
+void build_items(SceneBuilder& builder, const SceneContext& context, const List<SceneItem>& items) {
   for (const SceneItem& item : items) {
     if (item.kind == "joint") {
       build_joint(builder, context, *item.value, item.number);
@@ -127,9 +128,9 @@ SceneEntry read_scene_file(const std::string& path) {
   return read_scene_text(text, path);
 }
 
-std::vector<SceneEntry> read_scene_folder(const std::string& folder) {
+List<SceneEntry> read_scene_folder(const std::string& folder) {
   require(std::filesystem::is_directory(folder), "read_scene_folder", "folder", "a folder", folder);
-  std::vector<SceneEntry> entries;
+  List<SceneEntry> entries;
   for (const auto& file : std::filesystem::directory_iterator(folder)) {
     if (file.path().extension() == ".toml") entries.push_back(read_scene_file(file.path().string()));
   }

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "scenes/scene_list.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -18,6 +18,6 @@ SceneEntry read_scene_text(const std::string& text, const std::string& file);
 
 /// All scenes of the *.toml files of a folder, by their order and then by name.
 /// @throws std::invalid_argument for a folder without any, and for the first file that is refused.
-std::vector<SceneEntry> read_scene_folder(const std::string& folder);
+List<SceneEntry> read_scene_folder(const std::string& folder);
 
 }  // namespace cairn

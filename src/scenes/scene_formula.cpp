@@ -4,10 +4,10 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <vector>
 
 #include "math/math.hpp"
 #include "math/nearest.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -123,7 +123,7 @@ class FormulaReader {
   }
 
   std::string hint(const std::string& name) const {
-    std::vector<std::string> known = {"pi", "deg"};
+    List<std::string> known = {"pi", "deg"};
     for (const auto& entry : numbers_) known.push_back(entry.first);
     for (const auto& entry : formula_functions()) known.push_back(entry.first);
     const std::string near = nearest(name, known);

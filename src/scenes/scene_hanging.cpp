@@ -5,6 +5,7 @@
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
 #include "scenes/scene_builder.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -82,11 +83,11 @@ void join_chain(SceneBuilder& builder, const SceneTable& table, const ChainPlan&
 
 /// Joins bodies `links` in a row, and its ends.
 void join_chain_bodies(SceneBuilder& builder, const SceneTable& table, const ChainPlan& plan,
-                       const std::vector<BodyId>& links) {
+                       const List<BodyId>& links) {
   BodyId before = builder.body(table, "a");
   Vec2<double> anchor = plan.from;
   for (int i = 0; i < plan.n; ++i) {
-    const BodyId next = links[static_cast<std::size_t>(i)];
+    const BodyId next = links[i];
     if (plan.meets()) anchor = plan.from + i * plan.link * plan.along;
     const Vec2<double> place = chain_place(table, plan, i);
     join_chain(builder, table, plan, before, next, anchor, place);
@@ -146,7 +147,7 @@ void build_chain(SceneBuilder& builder, const SceneTable& table, const std::stri
     table.guard([&] { spec.shapes = {table.has("to") ? box(plan.link, thick) : box(thick, plan.link)}; });
   }
   spec.angle = plan.angle;
-  std::vector<BodyId> links;
+  List<BodyId> links;
   for (int i = 0; i < plan.n; ++i) {
     spec.position = chain_place(table, plan, i);
     links.push_back(builder.add(table, spec, name + "." + std::to_string(i + 1)));

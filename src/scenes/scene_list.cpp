@@ -6,13 +6,16 @@
 
 #include "math/nearest.hpp"
 #include "scenes/scene_file.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
-const std::vector<SceneEntry>& scene_entries() {
-  static const std::vector<SceneEntry> entries = [] {
+std::filesystem::path scene_folder() { return CAIRN_SCENE_DIR; }
+
+const List<SceneEntry>& scene_entries() {
+  static const List<SceneEntry> entries = [] {
     const char* folder = std::getenv("CAIRN_SCENES");
-    return read_scene_folder(folder && *folder ? folder : CAIRN_SCENE_DIR);
+    return read_scene_folder(folder && *folder ? folder : scene_folder());
   }();
   return entries;
 }
@@ -23,11 +26,11 @@ bool names_scene_file(const std::string& name) {
 
 SceneEntry scene_entry(const std::string& name) {
   if (names_scene_file(name)) return read_scene_file(name);
-  std::vector<std::string> known;
+  List<std::string> known;
   for (const SceneEntry& entry : scene_entries()) known.push_back(entry.name);
   require_known(name, known, "scene_entry", "scene");
   const auto found = std::find(known.begin(), known.end(), name);
-  return scene_entries()[static_cast<std::size_t>(found - known.begin())];
+  return scene_entries()[found - known.begin()];
 }
 
 }  // namespace cairn

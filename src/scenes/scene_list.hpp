@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "scenes/setting.hpp"
 #include "world/scene.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -36,17 +37,19 @@ struct SceneEntry {
   Expectations expectations = {};
   Setting setting = {};  // that meets them
   std::function<Scene()> make = {};
-  std::optional<SceneCamera> camera = {};    // none: all that is there
-  std::vector<std::string> body_names = {};  // by BodyId
-  double order = 1000;                       // place in lists
-  std::uint64_t fingerprint = 0;             // of the text of its file
+  std::optional<SceneCamera> camera = {};  // none: all that is there
+  PerBody<std::string> body_names = {};
+  double order = 1000;            // place in lists
+  std::uint64_t fingerprint = 0;  // of the text of its file
 };
 
 /// All that come with Cairn, from lessons/scenes, or from the folder that the environment variable
 /// CAIRN_SCENES names; by their order, and then by name. They are read once.
 /// @throws std::invalid_argument for the first file that is refused.
-const std::vector<SceneEntry>& scene_entries();
+const List<SceneEntry>& scene_entries();
 
+/// Where they are, unless CAIRN_SCENES says otherwise.
+std::filesystem::path scene_folder();
 /// The scene of that name, or of the file: what has a "/" in it or ends in ".toml" is the path of one.
 /// @throws std::invalid_argument for an unknown name, with the nearest known one, and for what
 /// read_scene_file refuses.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scenes/scene_builder.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -85,12 +86,12 @@ void build_row(SceneBuilder& builder, const SceneTable& table, const std::string
   const Vec2<double> stagger = table.point("stagger");
   const Vec2<double> start = table.point(table.has("first") ? "first" : "position");
   const double middle = table.has("first") ? 0 : 0.5 * (n - 1);
-  const std::vector<SceneTable> other = table.tables("other");
+  const List<SceneTable> other = table.tables("other");
   if ((every > 0) == other.empty())
     table.refuse("other", "given together with every, as every says how often");
   BodySpec spec = moving_matter_of(table);
-  const std::vector<Shape<double>> usual = shape_of(table);
-  const std::vector<Shape<double>> rare = other.empty() ? usual : shape_of(other[0]);
+  const List<Shape<double>> usual = shape_of(table);
+  const List<Shape<double>> rare = other.empty() ? usual : shape_of(other[0]);
   int count = 0;
   for (int row = 0; row < table.integer("rows"); ++row) {
     for (int i = 0; i < n; ++i) {

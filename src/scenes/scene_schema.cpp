@@ -1,5 +1,6 @@
 // Floor 7. Looking keys up, and what they demand.
 #include "scenes/scene_schema.hpp"
+#include "math/list.hpp"
 
 #include <fmt/format.h>
 
@@ -11,9 +12,9 @@
 
 namespace cairn {
 
-const std::vector<SceneKey>& scene_keys() {
-  static const std::vector<SceneKey> keys = [] {
-    std::vector<SceneKey> all;
+const List<SceneKey>& scene_keys() {
+  static const List<SceneKey> keys = [] {
+    List<SceneKey> all;
     for (const auto& part : {scene_setting_keys, scene_body_keys, scene_joint_keys, scene_repeat_keys}) {
       for (SceneKey& key : part()) all.push_back(std::move(key));
     }
@@ -29,8 +30,8 @@ const SceneTableKind& scene_table_kind(const std::string& name) {
   throw std::logic_error("scene_table_kind: there is no kind " + name);
 }
 
-std::vector<const SceneKey*> keys_of(const SceneTableKind& kind) {
-  std::vector<const SceneKey*> found;
+List<const SceneKey*> keys_of(const SceneTableKind& kind) {
+  List<const SceneKey*> found;
   for (const std::string& group : kind.groups) {
     for (const SceneKey& key : scene_keys()) {
       if (key.group == group) found.push_back(&key);
@@ -46,8 +47,8 @@ const SceneKey* find_scene_key(const SceneTableKind& kind, const std::string& ke
   return nullptr;
 }
 
-std::vector<std::string> scene_words(const SceneKey& key) {
-  std::vector<std::string> words;
+List<std::string> scene_words(const SceneKey& key) {
+  List<std::string> words;
   std::string word;
   for (const char letter : key.range + ",") {
     if (letter == ',') {

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -33,21 +34,21 @@ struct SceneKey {
 struct SceneTableKind {
   std::string name = {};     // "body"
   std::string heading = {};  // "[[body]]"
-  std::vector<std::string> groups = {};
+  List<std::string> groups = {};
   std::string meaning = {};
 };
 
-const std::vector<SceneKey>& scene_keys();
-const std::vector<SceneTableKind>& scene_table_kinds();
+const List<SceneKey>& scene_keys();
+const List<SceneTableKind>& scene_table_kinds();
 
 /// @throws std::logic_error for a kind that there is not.
 const SceneTableKind& scene_table_kind(const std::string& name);
 /// The keys of all groups of a kind, in order.
-std::vector<const SceneKey*> keys_of(const SceneTableKind& kind);
+List<const SceneKey*> keys_of(const SceneTableKind& kind);
 /// The key of that name in a kind of table, or none.
 const SceneKey* find_scene_key(const SceneTableKind& kind, const std::string& key);
 /// The words of a key of type word, and the last ones for lists of them.
-std::vector<std::string> scene_words(const SceneKey& key);
+List<std::string> scene_words(const SceneKey& key);
 /// Whether a default is a value that the reader uses; others are missing or told in words.
 bool has_default(const SceneKey& key);
 /// What a value has to be: "a number > 0 kg/m^2".
@@ -59,9 +60,9 @@ bool in_range(const SceneKey& key, double value);
 std::string scene_schema_page();
 
 // The parts of scene_keys().
-std::vector<SceneKey> scene_setting_keys();
-std::vector<SceneKey> scene_body_keys();
-std::vector<SceneKey> scene_joint_keys();
-std::vector<SceneKey> scene_repeat_keys();
+List<SceneKey> scene_setting_keys();
+List<SceneKey> scene_body_keys();
+List<SceneKey> scene_joint_keys();
+List<SceneKey> scene_repeat_keys();
 
 }  // namespace cairn

@@ -1,11 +1,12 @@
 // Floor 7. Keys of bodies and shapes, and the kinds of tables.
 #include "scenes/scene_schema.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 namespace {
 
-std::vector<SceneTableKind> scene_setting_kinds() {
+List<SceneTableKind> scene_setting_kinds() {
   return {
       {"scene", "the file itself", {"scene"}, "Keys before the first table."},
       {"numbers", "[numbers]", {}, "Your own: any name = a number or a sum, for sums further down."},
@@ -24,7 +25,7 @@ std::vector<SceneTableKind> scene_setting_kinds() {
   };
 }
 
-std::vector<SceneTableKind> scene_repeat_kinds() {
+List<SceneTableKind> scene_repeat_kinds() {
   return {
       {"link", "[[link]]", {"repeat", "link", "matter"}, "A capsule between two points."},
       {"stack",
@@ -43,7 +44,7 @@ std::vector<SceneTableKind> scene_repeat_kinds() {
   };
 }
 
-std::vector<SceneTableKind> scene_joint_kinds() {
+List<SceneTableKind> scene_joint_kinds() {
   return {
       {"joint", "[[joint]]", {"joint"}, "Every joint has these."},
       {"rod", "type = \"rod\"", {"joint", "pair", "distance"}, "A massless rod."},
@@ -84,9 +85,9 @@ std::vector<SceneTableKind> scene_joint_kinds() {
 
 }  // namespace
 
-const std::vector<SceneTableKind>& scene_table_kinds() {
-  static const std::vector<SceneTableKind> kinds = [] {
-    std::vector<SceneTableKind> all;
+const List<SceneTableKind>& scene_table_kinds() {
+  static const List<SceneTableKind> kinds = [] {
+    List<SceneTableKind> all;
     for (const auto& part : {scene_setting_kinds, scene_repeat_kinds, scene_joint_kinds}) {
       for (SceneTableKind& kind : part()) all.push_back(std::move(kind));
     }
@@ -95,7 +96,7 @@ const std::vector<SceneTableKind>& scene_table_kinds() {
   return kinds;
 }
 
-std::vector<SceneKey> scene_body_keys() {
+List<SceneKey> scene_body_keys() {
   using enum SceneType;
   return {
       {"body", "name", text, "", "Body.1, body.2, ...", "", "letters, digits, _ and -"},

@@ -1,11 +1,12 @@
 // Floor 7. Keys of joints.
 #include "scenes/scene_schema.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 namespace {
 
-std::vector<SceneKey> scene_pair_keys() {
+List<SceneKey> scene_pair_keys() {
   using enum SceneType;
   return {
       {"joint", "type", word, "", "required",
@@ -28,7 +29,7 @@ std::vector<SceneKey> scene_pair_keys() {
   };
 }
 
-std::vector<SceneKey> scene_motor_keys() {
+List<SceneKey> scene_motor_keys() {
   using enum SceneType;
   return {
       {"revolute", "lower", number, "rad", "", "", "limit of the angle of b against a, 0 at the start"},
@@ -47,7 +48,7 @@ std::vector<SceneKey> scene_motor_keys() {
   };
 }
 
-std::vector<SceneKey> scene_train_keys() {
+List<SceneKey> scene_train_keys() {
   using enum SceneType;
   return {
       {"gear", "carrier", text, "", "ground", "", "the body that carries both axles"},
@@ -79,8 +80,8 @@ std::vector<SceneKey> scene_train_keys() {
 
 }  // namespace
 
-std::vector<SceneKey> scene_joint_keys() {
-  std::vector<SceneKey> all;
+List<SceneKey> scene_joint_keys() {
+  List<SceneKey> all;
   for (const auto& part : {scene_pair_keys, scene_motor_keys, scene_train_keys}) {
     for (SceneKey& key : part()) all.push_back(std::move(key));
   }

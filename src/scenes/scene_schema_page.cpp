@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "scenes/scene_schema.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -149,7 +150,7 @@ std::string scene_type_text(const SceneKey& key) {
 }
 
 /// The keys of some groups as a table.
-std::string scene_key_rows(const std::vector<std::string>& groups) {
+std::string scene_key_rows(const List<std::string>& groups) {
   std::string text = "| key | value | unit | default | meaning |\n|---|---|---|---|---|\n";
   for (const std::string& group : groups) {
     for (const SceneKey& key : scene_keys()) {
@@ -167,8 +168,8 @@ struct SharedGroup {
   std::string title = {};
 };
 
-const std::vector<SharedGroup>& shared_scene_groups() {
-  static const std::vector<SharedGroup> groups = {
+const List<SharedGroup>& shared_scene_groups() {
+  static const List<SharedGroup> groups = {
       {"repeat", "Name"}, {"shape", "Shape"}, {"matter", "Matter"}, {"motion", "Motion"},
       {"joint", "Joint"}, {"pair", "Pair"},   {"anchor", "Anchor"}, {"distance", "Distance"},
       {"slack", "Slack"}, {"soft", "Soft"},   {"pace", "Pace"}};
@@ -186,7 +187,7 @@ std::string scene_kind_text(const SceneTableKind& kind) {
   std::string text = fmt::format(
       "### {}\n\n{}\n", kind.name == "scene" ? "The file itself" : "`" + kind.heading + "`", kind.meaning);
   std::string shared;
-  std::vector<std::string> own;
+  List<std::string> own;
   for (const std::string& group : kind.groups) {
     std::string title;
     for (const SharedGroup& each : shared_scene_groups()) {

@@ -1,11 +1,12 @@
 // Floor 7. Keys of tables that stand for many bodies.
 #include "scenes/scene_schema.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 namespace {
 
-std::vector<SceneKey> scene_block_keys() {
+List<SceneKey> scene_block_keys() {
   using enum SceneType;
   return {
       {"repeat", "name", text, "", "The kind of the table", "", "its bodies are name.1, name.2, ..."},
@@ -46,7 +47,7 @@ std::vector<SceneKey> scene_block_keys() {
   };
 }
 
-std::vector<SceneKey> scene_hanging_keys() {
+List<SceneKey> scene_hanging_keys() {
   using enum SceneType;
   return {
       {"cards", "n", integer, "", "required", "from 1 to 100", "storeys"},
@@ -81,8 +82,8 @@ std::vector<SceneKey> scene_hanging_keys() {
 
 }  // namespace
 
-std::vector<SceneKey> scene_repeat_keys() {
-  std::vector<SceneKey> all;
+List<SceneKey> scene_repeat_keys() {
+  List<SceneKey> all;
   for (const auto& part : {scene_block_keys, scene_hanging_keys}) {
     for (SceneKey& key : part()) all.push_back(std::move(key));
   }

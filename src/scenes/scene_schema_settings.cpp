@@ -1,11 +1,12 @@
 // Floor 7. Keys of the whole scene: how it steps, what is recommended, what is expected.
 #include "scenes/scene_schema.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 namespace {
 
-std::vector<SceneKey> scene_top_keys() {
+List<SceneKey> scene_top_keys() {
   using enum SceneType;
   return {
       {"scene", "title", text, "", "The name of the file", "", "a few words"},
@@ -43,7 +44,7 @@ std::vector<SceneKey> scene_top_keys() {
   };
 }
 
-std::vector<SceneKey> scene_step_keys() {
+List<SceneKey> scene_step_keys() {
   using enum SceneType;
   return {
       {"step", "speculative_margin", number, "m", "0.02", ">= 0", "nearer shapes get contact rows"},
@@ -68,7 +69,7 @@ std::vector<SceneKey> scene_step_keys() {
   };
 }
 
-std::vector<SceneKey> scene_recommended_keys() {
+List<SceneKey> scene_recommended_keys() {
   using enum SceneType;
   return {
       {"recommended", "solver", text, "", "si", "", "a name of `cairn list`, or box2d"},
@@ -92,8 +93,8 @@ std::vector<SceneKey> scene_recommended_keys() {
 
 }  // namespace
 
-std::vector<SceneKey> scene_setting_keys() {
-  std::vector<SceneKey> all;
+List<SceneKey> scene_setting_keys() {
+  List<SceneKey> all;
   for (const auto& part : {scene_top_keys, scene_step_keys, scene_recommended_keys}) {
     for (SceneKey& key : part()) all.push_back(std::move(key));
   }

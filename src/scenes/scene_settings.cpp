@@ -3,6 +3,7 @@
 
 #include "math/nearest.hpp"
 #include "scenes/solver_list.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -32,7 +33,7 @@ void set_pace(const SceneTable& table, SceneSettings& settings) {
 }
 
 std::string solver_of(const SceneTable& table) {
-  std::vector<std::string> known = {"box2d"};
+  List<std::string> known = {"box2d"};
   for (const SolverEntry& entry : solver_entries()) known.push_back(entry.name);
   const std::string name = table.text("solver");
   for (const std::string& each : known) {
@@ -41,7 +42,7 @@ std::string solver_of(const SceneTable& table) {
   const std::string near = nearest(name, known);
   std::string rule = "the name of a solver";
   if (!near.empty()) rule += " (" + near + "?)";
-  for (std::size_t i = 0; near.empty() && i < known.size(); ++i) rule += (i > 0 ? ", " : ": ") + known[i];
+  for (int i = 0; near.empty() && i < known.size(); ++i) rule += (i > 0 ? ", " : ": ") + known[i];
   table.refuse("solver", rule);
 }
 

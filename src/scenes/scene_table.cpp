@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "scenes/scene_formula.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -79,7 +80,7 @@ std::string SceneTable::text(const std::string& key) const {
 }
 
 int SceneTable::word(const std::string& key) const {
-  const std::vector<std::string> words = scene_words(known(key));
+  const List<std::string> words = scene_words(known(key));
   return static_cast<int>(std::find(words.begin(), words.end(), text(key)) - words.begin());
 }
 
@@ -92,9 +93,9 @@ Vec2<double> SceneTable::point(const std::string& key) const {
           scene_number(*context_, value->items[1], path_of(key), rule)};
 }
 
-std::vector<Vec2<double>> SceneTable::points(const std::string& key) const {
+List<Vec2<double>> SceneTable::points(const std::string& key) const {
   const std::string rule = rule_text(known(key));
-  std::vector<Vec2<double>> all;
+  List<Vec2<double>> all;
   for (const SceneValue& item : value_->find(key)->items) {
     all.push_back({scene_number(*context_, item.items[0], path_of(key), rule),
                    scene_number(*context_, item.items[1], path_of(key), rule)});
@@ -102,10 +103,10 @@ std::vector<Vec2<double>> SceneTable::points(const std::string& key) const {
   return all;
 }
 
-std::vector<SceneTable> SceneTable::tables(const std::string& key) const {
+List<SceneTable> SceneTable::tables(const std::string& key) const {
   const SceneValue* value = value_->find(key);
   const SceneKey& rules = known(key);
-  std::vector<SceneTable> all;
+  List<SceneTable> all;
   if (!value) return all;
   if (rules.type == SceneType::table) return {SceneTable(*context_, *value, rules.range, path_of(key))};
   for (const SceneValue& item : value->items) {

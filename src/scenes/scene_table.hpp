@@ -4,11 +4,11 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <vector>
 
 #include "math/math.hpp"
 #include "scenes/scene_schema.hpp"
 #include "scenes/scene_value.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -35,9 +35,9 @@ class SceneTable {
   /// The place of the word among those that the key may have.
   int word(const std::string& key) const;
   Vec2<double> point(const std::string& key) const;
-  std::vector<Vec2<double>> points(const std::string& key) const;
+  List<Vec2<double>> points(const std::string& key) const;
   /// The tables of a key of type table or tables; empty: there is none.
-  std::vector<SceneTable> tables(const std::string& key) const;
+  List<SceneTable> tables(const std::string& key) const;
 
   const SceneContext& context() const { return *context_; }
   SceneMark mark() const { return value_->mark; }

@@ -7,6 +7,7 @@
 #include "math/check.hpp"
 #include "math/nearest.hpp"
 #include "scenes/scene_table.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -17,11 +18,11 @@ void SceneTable::check_member(const SceneValue& member) const {
 }
 
 void SceneTable::refuse_unknown(const SceneValue& member) const {
-  std::vector<std::string> names;
+  List<std::string> names;
   for (const SceneKey* key : keys_of(*kind_)) names.push_back(key->key);
   const std::string near = nearest(member.key, names);
   std::string hint = near.empty() ? "; it may have " : " (" + near + "?)";
-  for (std::size_t i = 0; near.empty() && i < names.size(); ++i) hint += (i > 0 ? ", " : "") + names[i];
+  for (int i = 0; near.empty() && i < names.size(); ++i) hint += (i > 0 ? ", " : "") + names[i];
   refuse_scene(context_->file, member.key_mark,
                fmt::format("{} must be a known key, but {} has none of that name{}", path_of(member.key),
                            kind_->heading, hint));
@@ -45,7 +46,7 @@ void SceneTable::check_point(const SceneKey& key, const SceneValue& value, const
   if (value.kind != SceneValue::Kind::array || value.items.size() != 2) refuse_value(key, value, path);
   SceneKey coordinate = key;
   coordinate.type = SceneType::number;
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (int i = 0; i < 2; ++i) {
     check_number(coordinate, value.items[i], fmt::format("{}[{}]", path, i + 1));
   }
 }
@@ -64,7 +65,7 @@ void SceneTable::check_value(const SceneKey& key, const SceneValue& value, const
     case SceneType::text:
       return demand(Kind::text);
     case SceneType::word: {
-      const std::vector<std::string> words = scene_words(key);
+      const List<std::string> words = scene_words(key);
       if (value.kind == Kind::text && std::find(words.begin(), words.end(), value.text) != words.end())
         return;
       const std::string near = value.kind == Kind::text ? nearest(value.text, words) : "";
@@ -76,7 +77,7 @@ void SceneTable::check_value(const SceneKey& key, const SceneValue& value, const
       return check_point(key, value, path);
     case SceneType::points:
       demand(Kind::array);
-      for (std::size_t i = 0; i < value.items.size(); ++i) {
+      for (int i = 0; i < value.items.size(); ++i) {
         check_point(key, value.items[i], fmt::format("{}[{}]", path, i + 1));
       }
       return;

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -16,13 +17,13 @@ struct SceneMark {
 struct SceneValue {
   enum class Kind { flag, integer, number, text, array, table, other };
   Kind kind = Kind::table;
-  std::string key = {};                // in its table; "" for an item of an array
-  SceneMark key_mark = {};             // where the key is
-  SceneMark mark = {};                 // where the value is
-  double number = 0;                   // of integer and number; 1 of a flag that is true
-  long long integer = 0;               // of integer
-  std::string text = {};               // of text
-  std::vector<SceneValue> items = {};  // of array and table
+  std::string key = {};         // in its table; "" for an item of an array
+  SceneMark key_mark = {};      // where the key is
+  SceneMark mark = {};          // where the value is
+  double number = 0;            // of integer and number; 1 of a flag that is true
+  long long integer = 0;        // of integer
+  std::string text = {};        // of text
+  List<SceneValue> items = {};  // of array and table
 
   /// The member of that name, or none.
   const SceneValue* find(const std::string& name) const;

@@ -6,6 +6,7 @@
 #include "math/check.hpp"
 #include "math/nearest.hpp"
 #include "scenes/solver_list.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -82,7 +83,7 @@ std::string setting_text(const Setting& setting) {
 }
 
 void check(const Setting& setting) {
-  std::vector<std::string> known;
+  List<std::string> known;
   for (const SolverEntry& entry : solver_entries()) known.push_back(entry.name);
   if (has_box2d()) known.push_back("box2d");
   require(setting.solver != "box2d" || has_box2d(), "Setting", "solver",

@@ -14,6 +14,7 @@
 #include "solvers/exact/reference_solver.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "solvers/iterative/sparse_projected_gauss_seidel.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -66,15 +67,15 @@ const std::map<std::string, SolverMaker<Real>>& solver_makers() {
 }
 
 void require_solver(const std::string& name, const char* place) {
-  std::vector<std::string> known;
+  List<std::string> known;
   for (const SolverEntry& entry : solver_entries()) known.push_back(entry.name);
   require_known(name, known, place, "solver");
 }
 
 }  // namespace
 
-const std::vector<SolverEntry>& solver_entries() {
-  static const std::vector<SolverEntry> entries = {
+const List<SolverEntry>& solver_entries() {
+  static const List<SolverEntry> entries = {
       {.name = "si", .title = "sequential impulses", .cost = "12 m a sweep, memory m"},
       {.name = "pgs",
        .title = "PGS on a dense A",
@@ -126,7 +127,7 @@ std::int64_t counted_updates(const SolverEntry& solver, const SolveReport& repor
 
 const SolverEntry& solver_entry(const std::string& name) {
   require_solver(name, "solver_entry");
-  std::size_t place = 0;
+  int place = 0;
   while (solver_entries()[place].name != name) ++place;
   return solver_entries()[place];
 }

@@ -5,9 +5,9 @@
 #include <limits>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "solvers/solver.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -30,7 +30,7 @@ struct SolverEntry {
 std::int64_t counted_updates(const SolverEntry& solver, const SolveReport& report, int rows);
 
 /// All of them, the plainest first.
-const std::vector<SolverEntry>& solver_entries();
+const List<SolverEntry>& solver_entries();
 
 /// "jacobi-damped" is Jacobi with half of every correction: settings.relaxation multiplies that half.
 /// @throws std::invalid_argument for an unknown name, with the nearest known one, and for settings out of

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "constraints/row.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -12,7 +12,7 @@ namespace cairn {
 /// M^-1; the product that eq. (30) prints where W is 1.
 template <Scalar Real>
 Real coupling(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& first,
-              const ConstraintRow<Real>& second, const std::vector<Vec3<Real>>& weight);
+              const ConstraintRow<Real>& second, const PerBody<Vec3<Real>>& weight);
 
 /// For every body the rows that act on it, in ascending order. A row acts on a body when W j^T is not zero
 /// there: not on the ground, whose inverse mass is 0. Two lists in one array each; O(n + m) to build and to
@@ -21,21 +21,21 @@ class BodyRows {
  public:
   /// Finds the rows of every body anew. `weight`: the diagonal of W, for each body.
   template <Scalar Real>
-  void build(const VelocityProblem<Real>& problem, const std::vector<Vec3<Real>>& weight);
+  void build(const VelocityProblem<Real>& problem, const PerBody<Vec3<Real>>& weight);
 
   /// Appends the rows that share a body with row i, itself among them, in ascending order. None when the row
   /// acts on nothing.
-  void append_neighbours(int i, std::vector<int>& neighbours) const;
+  void append_neighbours(int i, List<int>& neighbours) const;
   /// Pairs of rows on a body, counted for each body: at least the neighbours of all rows together, and more
   /// by those that share more than one.
-  std::size_t pairs() const;
+  std::ptrdiff_t pairs() const;
   std::size_t memory() const;  // bytes
 
  private:
-  std::vector<std::size_t> first_body_;  // m + 1: where a row's bodies begin in bodies_
-  std::vector<int> bodies_;              // those that a row acts on, each once
-  std::vector<std::size_t> first_;       // n + 1: where a body's rows begin in rows_
-  std::vector<int> rows_;                // as many as bodies_
+  List<std::ptrdiff_t> first_body_;  // m + 1: where a row's bodies begin in bodies_
+  List<BodyId> bodies_;              // those that a row acts on, each once
+  List<std::ptrdiff_t> first_;       // n + 1: where a body's rows begin in rows_
+  List<int> rows_;                   // as many as bodies_
 };
 
 }  // namespace cairn

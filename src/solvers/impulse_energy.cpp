@@ -11,11 +11,10 @@ namespace {
 
 /// M^-1 J^T p.
 template <Scalar Real>
-void velocities_of_impulses(const VelocityProblem<Real>& problem, std::vector<Vec3<Real>>& velocity) {
+void velocities_of_impulses(const VelocityProblem<Real>& problem, PerBody<Vec3<Real>>& velocity) {
   velocity.assign(problem.velocity.size(), Vec3<Real>::Zero());
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    for_each_term(problem, problem.rows[i], [&](BodyId id, const Vec3<Real>& jacobian) {
-      const auto body = static_cast<std::size_t>(id.index);
+  for (int i = 0; i < problem.row_count(); ++i) {
+    for_each_term(problem, problem.rows[i], [&](BodyId body, const Vec3<Real>& jacobian) {
       velocity[body] += problem.inverse_mass[body].cwiseProduct(jacobian) * problem.impulse[i];
     });
   }
@@ -40,7 +39,7 @@ struct EnergySlope {
 
 /// Whether the energy of any impulse is a number: the squares of smaller ones are 0, or slow to compute with.
 template <Scalar Real>
-bool have_energy(const std::vector<Real>& impulses) {
+bool have_energy(const PerRow<Real>& impulses) {
   const Real least = std::sqrt(std::numeric_limits<Real>::min());
   return std::any_of(impulses.begin(), impulses.end(), [least](Real p) { return !(std::abs(p) < least); });
 }
@@ -53,11 +52,11 @@ void scale_impulses(VelocityProblem<Real>& problem, Real share) {
 }  // namespace
 
 template <Scalar Real>
-Real limit_warm_start(VelocityProblem<Real>& problem, std::vector<Vec3<Real>>& scratch) {
+Real limit_warm_start(VelocityProblem<Real>& problem, PerBody<Vec3<Real>>& scratch) {
   if (!have_energy(problem.impulse)) return 1;
   velocities_of_impulses(problem, scratch);
   EnergySlope<Real> energy;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<Real>& row = problem.rows[i];
     const Real impulse = problem.impulse[i];
     const Real own = row_velocity(problem, row, scratch) + row.softness * impulse;
@@ -71,11 +70,11 @@ Real limit_warm_start(VelocityProblem<Real>& problem, std::vector<Vec3<Real>>& s
 }
 
 template <Scalar Real>
-Real limit_solved(VelocityProblem<Real>& problem, std::vector<Vec3<Real>>& scratch) {
+Real limit_solved(VelocityProblem<Real>& problem, PerBody<Vec3<Real>>& scratch) {
   if (!have_energy(problem.impulse)) return 1;
   velocities_of_impulses(problem, scratch);
   EnergySlope<Real> energy;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<Real>& row = problem.rows[i];
     const Real impulse = problem.impulse[i], give = row.softness * impulse;
     energy.add(impulse, row_velocity(problem, row) + give - row.bias,
@@ -84,7 +83,7 @@ Real limit_solved(VelocityProblem<Real>& problem, std::vector<Vec3<Real>>& scrat
   const Real share = energy.share();
   if (!(share < 1)) return share;
   scale_impulses(problem, share);
-  for (std::size_t i = 0; i < scratch.size(); ++i) problem.velocity[i] -= (1 - share) * scratch[i];
+  for (const BodyId body : scratch.indices()) problem.velocity[body] -= (1 - share) * scratch[body];
   return share;
 }
 
@@ -100,9 +99,9 @@ bool pushes_by_itself(const ConstraintRow<Real>& row) {
 template <Scalar Real>
 Real moving_momentum(const VelocityProblem<Real>& problem) {
   Real momentum = 0;
-  for (std::size_t i = 0; i < problem.velocity.size(); ++i) {
-    const Real inverse_mass = problem.inverse_mass[i].x();
-    if (inverse_mass > 0) momentum += problem.velocity[i].template head<2>().norm() / inverse_mass;
+  for (const BodyId body : problem.velocity.indices()) {
+    const Real inverse_mass = problem.inverse_mass[body].x();
+    if (inverse_mass > 0) momentum += problem.velocity[body].template head<2>().norm() / inverse_mass;
   }
   return momentum;
 }
@@ -112,7 +111,7 @@ Real moving_momentum(const VelocityProblem<Real>& problem) {
 template <Scalar Real>
 Real impulse_there_is(const VelocityProblem<Real>& problem) {
   Real sum = moving_momentum(problem);
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<Real>& row = problem.rows[i];
     sum += std::abs(row.bias) * effective_mass(problem, row);
     if (pushes_by_itself(row)) sum += std::abs(problem.impulse[i]);
@@ -127,7 +126,7 @@ void limit_impulses(VelocityProblem<Real>& problem) {
   const Real leverage = static_cast<Real>(most_leverage);
   if (!(largest > leverage * moving_momentum(problem))) return;
   const Real limit = leverage * impulse_there_is(problem);
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     if (!pushes_by_itself(problem.rows[i]))
       problem.impulse[i] = std::clamp(problem.impulse[i], -limit, limit);
   }
@@ -140,11 +139,11 @@ template void limit_impulses(VelocityProblem<float>&);
 template void limit_impulses(VelocityProblem<double>&);
 template void limit_impulses(VelocityProblem<long double>&);
 
-template float limit_warm_start(VelocityProblem<float>&, std::vector<Vec3<float>>&);
-template double limit_warm_start(VelocityProblem<double>&, std::vector<Vec3<double>>&);
-template long double limit_warm_start(VelocityProblem<long double>&, std::vector<Vec3<long double>>&);
-template float limit_solved(VelocityProblem<float>&, std::vector<Vec3<float>>&);
-template double limit_solved(VelocityProblem<double>&, std::vector<Vec3<double>>&);
-template long double limit_solved(VelocityProblem<long double>&, std::vector<Vec3<long double>>&);
+template float limit_warm_start(VelocityProblem<float>&, PerBody<Vec3<float>>&);
+template double limit_warm_start(VelocityProblem<double>&, PerBody<Vec3<double>>&);
+template long double limit_warm_start(VelocityProblem<long double>&, PerBody<Vec3<long double>>&);
+template float limit_solved(VelocityProblem<float>&, PerBody<Vec3<float>>&);
+template double limit_solved(VelocityProblem<double>&, PerBody<Vec3<double>>&);
+template long double limit_solved(VelocityProblem<long double>&, PerBody<Vec3<long double>>&);
 
 }  // namespace cairn

@@ -19,12 +19,12 @@ namespace cairn {
 /// share above, and returns it. Pushing out of overlap does not count: what was pushed out in the last step
 /// needs no push in this one. `scratch` is memory for M^-1 J^T p. O(m).
 template <Scalar Real>
-Real limit_warm_start(VelocityProblem<Real>& problem, std::vector<Vec3<Real>>& scratch);
+Real limit_warm_start(VelocityProblem<Real>& problem, PerBody<Vec3<Real>>& scratch);
 
 /// The same after a solve, for its impulses and the velocities that they led to, by all that the rows ask
 /// for.
 template <Scalar Real>
-Real limit_solved(VelocityProblem<Real>& problem, std::vector<Vec3<Real>>& scratch);
+Real limit_solved(VelocityProblem<Real>& problem, PerBody<Vec3<Real>>& scratch);
 
 /// All that there is to stop or to move:
 ///   sum of m |v| + sum of |bias| / A_ii + sum of the impulses of springs and motors   [N s]

@@ -2,6 +2,7 @@
 #include "solvers/non_zeros.hpp"
 
 #include "solvers/body_rows.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -9,18 +10,17 @@ namespace {
 
 /// Pairs of rows with J_i W J_j^T != 0.
 template <Scalar Real>
-std::size_t count_non_zero_couplings(const VelocityProblem<Real>& problem,
-                                     const std::vector<Vec3<Real>>& weight) {
+std::ptrdiff_t count_non_zero_couplings(const VelocityProblem<Real>& problem,
+                                        const PerBody<Vec3<Real>>& weight) {
   BodyRows body_rows;
   body_rows.build(problem, weight);
-  std::vector<int> neighbours;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  List<int> neighbours;
+  std::ptrdiff_t count = 0;
+  for (int i = 0; i < problem.row_count(); ++i) {
     neighbours.clear();
-    body_rows.append_neighbours(static_cast<int>(i), neighbours);
+    body_rows.append_neighbours(i, neighbours);
     for (const int j : neighbours) {
-      count +=
-          coupling(problem, problem.rows[i], problem.rows[static_cast<std::size_t>(j)], weight) != Real(0);
+      count += coupling(problem, problem.rows[i], problem.rows[j], weight) != Real(0);
     }
   }
   return count;
@@ -29,22 +29,22 @@ std::size_t count_non_zero_couplings(const VelocityProblem<Real>& problem,
 }  // namespace
 
 template <Scalar Real>
-std::size_t non_zeros_as_printed(const VelocityProblem<Real>& problem) {
-  const std::vector<Vec3<Real>> ones(problem.inverse_mass.size(), Vec3<Real>::Ones());
+std::ptrdiff_t non_zeros_as_printed(const VelocityProblem<Real>& problem) {
+  const PerBody<Vec3<Real>> ones(problem.inverse_mass.size(), Vec3<Real>::Ones());
   return count_non_zero_couplings(problem, ones);
 }
 
 template <Scalar Real>
-std::size_t non_zeros(const VelocityProblem<Real>& problem) {
+std::ptrdiff_t non_zeros(const VelocityProblem<Real>& problem) {
   return count_non_zero_couplings(problem, problem.inverse_mass);
 }
 
 template <Scalar Real>
-std::size_t coupled_pairs(const VelocityProblem<Real>& problem) {
+std::ptrdiff_t coupled_pairs(const VelocityProblem<Real>& problem) {
   BodyRows body_rows;
   body_rows.build(problem, problem.inverse_mass);
-  std::vector<int> neighbours;
-  std::size_t count = 0;
+  List<int> neighbours;
+  std::ptrdiff_t count = 0;
   for (int i = 0; i < problem.row_count(); ++i) {
     neighbours.clear();
     body_rows.append_neighbours(i, neighbours);
@@ -53,14 +53,14 @@ std::size_t coupled_pairs(const VelocityProblem<Real>& problem) {
   return count;
 }
 
-template std::size_t non_zeros_as_printed(const VelocityProblem<float>&);
-template std::size_t non_zeros_as_printed(const VelocityProblem<double>&);
-template std::size_t non_zeros_as_printed(const VelocityProblem<long double>&);
-template std::size_t non_zeros(const VelocityProblem<float>&);
-template std::size_t non_zeros(const VelocityProblem<double>&);
-template std::size_t non_zeros(const VelocityProblem<long double>&);
-template std::size_t coupled_pairs(const VelocityProblem<float>&);
-template std::size_t coupled_pairs(const VelocityProblem<double>&);
-template std::size_t coupled_pairs(const VelocityProblem<long double>&);
+template std::ptrdiff_t non_zeros_as_printed(const VelocityProblem<float>&);
+template std::ptrdiff_t non_zeros_as_printed(const VelocityProblem<double>&);
+template std::ptrdiff_t non_zeros_as_printed(const VelocityProblem<long double>&);
+template std::ptrdiff_t non_zeros(const VelocityProblem<float>&);
+template std::ptrdiff_t non_zeros(const VelocityProblem<double>&);
+template std::ptrdiff_t non_zeros(const VelocityProblem<long double>&);
+template std::ptrdiff_t coupled_pairs(const VelocityProblem<float>&);
+template std::ptrdiff_t coupled_pairs(const VelocityProblem<double>&);
+template std::ptrdiff_t coupled_pairs(const VelocityProblem<long double>&);
 
 }  // namespace cairn

@@ -11,15 +11,15 @@ namespace cairn {
 /// missing: rows that share only the ground are counted, and the terms of the product cancel for other pairs
 /// than those of A do. The count even depends on where the ground has its origin.
 template <Scalar Real>
-std::size_t non_zeros_as_printed(const VelocityProblem<Real>& problem);
+std::ptrdiff_t non_zeros_as_printed(const VelocityProblem<Real>& problem);
 
 /// Pairs (i, j) of rows with J_i M^-1 J_j^T != 0: the entries of A (15) that are not zero.
 template <Scalar Real>
-std::size_t non_zeros(const VelocityProblem<Real>& problem);
+std::ptrdiff_t non_zeros(const VelocityProblem<Real>& problem);
 
 /// Pairs (i, j) of rows that act on the same body of non-zero inverse mass: those that can be non-zero, and
 /// that a sparse A has to store, as nobody knows beforehand where terms cancel.
 template <Scalar Real>
-std::size_t coupled_pairs(const VelocityProblem<Real>& problem);
+std::ptrdiff_t coupled_pairs(const VelocityProblem<Real>& problem);
 
 }  // namespace cairn

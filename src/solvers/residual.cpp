@@ -11,7 +11,7 @@ namespace {
 template <Scalar Real>
 Real kinetic_norm(const VelocityProblem<Real>& problem) {
   Real sum = 0;
-  for (std::size_t body = 0; body < problem.velocity.size(); ++body) {
+  for (const BodyId body : problem.velocity.indices()) {
     for (int axis = 0; axis < 3; ++axis) {
       const Real inverse = problem.inverse_mass[body](axis);
       if (inverse > 0) sum += problem.velocity[body](axis) * problem.velocity[body](axis) / inverse;
@@ -28,7 +28,7 @@ void raise(Real& worst, Real value) {
 
 /// e_i, where A_ii is known and above 0.
 template <Scalar Real>
-Real correction_at(const VelocityProblem<Real>& problem, std::size_t i, Real inverse) {
+Real correction_at(const VelocityProblem<Real>& problem, int i, Real inverse) {
   const ConstraintRow<Real>& row = problem.rows[i];
   const Real impulse = problem.impulse[i];
   return impulse - row.bounds.clamp(impulse - row_velocity_error(problem, i) / inverse, problem.impulse);
@@ -50,13 +50,13 @@ Real residual_scale(const VelocityProblem<Real>& problem) {
 }
 
 template <Scalar Real>
-Real row_velocity_error(const VelocityProblem<Real>& problem, std::size_t i) {
+Real row_velocity_error(const VelocityProblem<Real>& problem, int i) {
   const ConstraintRow<Real>& row = problem.rows[i];
   return row_velocity(problem, row) + row.softness * problem.impulse[i] - row.bias;
 }
 
 template <Scalar Real>
-Real natural_correction(const VelocityProblem<Real>& problem, std::size_t i) {
+Real natural_correction(const VelocityProblem<Real>& problem, int i) {
   const Real inverse = inverse_effective_mass(problem, problem.rows[i]);
   return inverse > 0 ? correction_at(problem, i, inverse) : Real(0);
 }
@@ -65,7 +65,7 @@ template <Scalar Real>
 Residual<Real> residual(const VelocityProblem<Real>& problem, Real scale) {
   Residual<Real> result;
   Real sum = 0;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<Real>& row = problem.rows[i];
     const Real inverse = inverse_effective_mass(problem, row);
     if (!(inverse > 0)) continue;
@@ -85,12 +85,12 @@ Residual<Real> residual(const VelocityProblem<Real>& problem, Real scale) {
 template float residual_scale(const VelocityProblem<float>&);
 template double residual_scale(const VelocityProblem<double>&);
 template long double residual_scale(const VelocityProblem<long double>&);
-template float row_velocity_error(const VelocityProblem<float>&, std::size_t);
-template double row_velocity_error(const VelocityProblem<double>&, std::size_t);
-template long double row_velocity_error(const VelocityProblem<long double>&, std::size_t);
-template float natural_correction(const VelocityProblem<float>&, std::size_t);
-template double natural_correction(const VelocityProblem<double>&, std::size_t);
-template long double natural_correction(const VelocityProblem<long double>&, std::size_t);
+template float row_velocity_error(const VelocityProblem<float>&, int);
+template double row_velocity_error(const VelocityProblem<double>&, int);
+template long double row_velocity_error(const VelocityProblem<long double>&, int);
+template float natural_correction(const VelocityProblem<float>&, int);
+template double natural_correction(const VelocityProblem<double>&, int);
+template long double natural_correction(const VelocityProblem<long double>&, int);
 template Residual<float> residual(const VelocityProblem<float>&, float);
 template Residual<double> residual(const VelocityProblem<double>&, double);
 template Residual<long double> residual(const VelocityProblem<long double>&, long double);

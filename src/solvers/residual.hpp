@@ -27,11 +27,11 @@ Real residual_scale(const VelocityProblem<Real>& problem);
 
 /// w_i of row i, at the problem's velocities and impulses [m/s; rad/s for rows on angles].
 template <Scalar Real>
-Real row_velocity_error(const VelocityProblem<Real>& problem, std::size_t i);
+Real row_velocity_error(const VelocityProblem<Real>& problem, int i);
 
 /// e_i of row i [N s]; 0 for a row whose bodies nothing can move.
 template <Scalar Real>
-Real natural_correction(const VelocityProblem<Real>& problem, std::size_t i);
+Real natural_correction(const VelocityProblem<Real>& problem, int i);
 
 /// The residual of problem.impulse and problem.velocity. O(m).
 template <Scalar Real>

@@ -1,5 +1,6 @@
 // Floor 4. Orders of rows: as written, backwards, shuffled, or coloured.
 #include "solvers/row_order.hpp"
+#include "math/list.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -19,33 +20,32 @@ std::uint64_t next_splitmix64(std::uint64_t& state) {
 }
 
 /// Fisher-Yates. The remainder favours small numbers by less than count / 2^64: nothing that can be seen.
-void shuffle_rows(std::uint64_t seed, int sweep, std::vector<int>& rows) {
+void shuffle_rows(std::uint64_t seed, int sweep, List<int>& rows) {
   // Two rounds, so that neither seeds nor sweeps that follow each other give streams that overlap.
   std::uint64_t state = seed;
   state = next_splitmix64(state) + static_cast<std::uint64_t>(sweep);
   state = next_splitmix64(state);
-  for (std::size_t last = rows.size(); last > 1; --last) {
-    std::swap(rows[last - 1], rows[static_cast<std::size_t>(next_splitmix64(state) % last)]);
+  for (int last = rows.size(); last > 1; --last) {
+    const std::uint64_t other = next_splitmix64(state) % static_cast<std::uint64_t>(last);
+    std::swap(rows[last - 1], rows[static_cast<int>(other)]);
   }
 }
 
 /// Greedy colouring, one colour after the other: each takes every waiting row that finds all its bodies free.
 template <Scalar Real>
 void colour_rows(const VelocityProblem<Real>& problem, RowSequence& sequence) {
-  const auto can_move = [&](BodyId body) {
-    return (problem.inverse_mass[static_cast<std::size_t>(body.index)].array() != Real(0)).any();
-  };
+  const auto can_move = [&](BodyId body) { return (problem.inverse_mass[body].array() != Real(0)).any(); };
   sequence.taken_by.assign(problem.velocity.size(), -1);
   sequence.waiting.assign(sequence.rows.begin(), sequence.rows.end());
   sequence.rows.clear();
   sequence.colours.assign(1, 0);
   for (int colour = 0; !sequence.waiting.empty(); ++colour) {
-    std::size_t still_waiting = 0;
+    int still_waiting = 0;
     for (const int i : sequence.waiting) {
-      const ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(i)];
+      const ConstraintRow<Real>& row = problem.rows[i];
       bool is_free = true;
       for_each_term(problem, row, [&](BodyId body, const Vec3<Real>&) {
-        is_free = is_free && sequence.taken_by[static_cast<std::size_t>(body.index)] != colour;
+        is_free = is_free && sequence.taken_by[body] != colour;
       });
       if (!is_free) {
         sequence.waiting[still_waiting++] = i;
@@ -53,12 +53,12 @@ void colour_rows(const VelocityProblem<Real>& problem, RowSequence& sequence) {
       }
       for_each_term(problem, row, [&](BodyId body, const Vec3<Real>&) {
         // The ground couples none of the rows that share it.
-        if (can_move(body)) sequence.taken_by[static_cast<std::size_t>(body.index)] = colour;
+        if (can_move(body)) sequence.taken_by[body] = colour;
       });
       sequence.rows.push_back(i);
     }
     sequence.waiting.resize(still_waiting);
-    sequence.colours.push_back(static_cast<int>(sequence.rows.size()));
+    sequence.colours.push_back(sequence.rows.size());
   }
 }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "constraints/row.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -20,11 +20,11 @@ enum class RowOrder {
 
 /// The rows of one sweep in the order of their turns. Keeps its memory from sweep to sweep.
 struct RowSequence {
-  std::vector<int> rows = {};  // their places in the problem, in the order of their turns
+  List<int> rows = {};  // their places in the problem, in the order of their turns
   /// For RowOrder::coloured: where in `rows` each colour begins, then the number of rows. Otherwise empty.
-  std::vector<int> colours = {};
-  std::vector<int> waiting = {};   // scratch: rows without a colour yet
-  std::vector<int> taken_by = {};  // scratch, for each body: the newest colour that has a row at it
+  List<int> colours = {};
+  List<int> waiting = {};      // scratch: rows without a colour yet
+  PerBody<int> taken_by = {};  // scratch, for each body: the newest colour that has a row at it
 };
 
 /// Writes the order of `sweep` (from 1) into `sequence`; sweeps of one problem are asked for from 1 upwards.

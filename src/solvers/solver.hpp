@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include "constraints/row.hpp"
 #include "solvers/row_order.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -82,12 +82,6 @@ class Solver {
   /// aside for more. 0 before the first solve, and for a solver that keeps nothing.
   virtual std::size_t memory() const { return 0; }
 };
-
-/// The part of memory() that one array makes.
-template <typename Element>
-std::size_t bytes_of(const std::vector<Element>& array) {
-  return array.size() * sizeof(Element);
-}
 
 /// @throws std::invalid_argument unless iterations and patience are >= 0, tolerance and time_budget are
 /// finite numbers >= 0, and relaxation is above 0 and below 2.

@@ -3,9 +3,9 @@
 
 #include <chrono>
 #include <type_traits>
-#include <vector>
 
 #include "solvers/solver.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -70,6 +70,20 @@ class Stopping {
     });
   }
 
+  /// The same for sweeps that leave problem.velocity as it was: `update` makes it current, after the last
+  /// sweep and for those who look at it before.
+  template <typename Sweep, typename Update>
+  SolveReport repeat_rows(VelocityProblem<Real>& problem, SolveObserver<Real>* observer,
+                          RowSequence& sequence, const Sweep& sweep, const Update& update) {
+    const SolveReport report = repeat_rows(problem, observer, sequence, [&](int number, auto watched) {
+      const Real change = sweep(number, watched);
+      if (observer != nullptr || needs_velocity(number)) update();
+      return change;
+    });
+    update();
+    return report;
+  }
+
  private:
   static constexpr int first_look = 512;  // half of the sweeps that a plateau must have lasted for at least
 
@@ -85,7 +99,7 @@ class Stopping {
   Real residual_before_ = 0;                          // R_E at half of the sweeps
   Real change_before_ = 0;                            // [N s] the largest change there
   int remembered_sweep_ = 0;                          // a power of two
-  std::vector<Real> remembered_;                      // [N s] impulses after that sweep
+  PerRow<Real> remembered_;                           // [N s] impulses after that sweep
 };
 
 }  // namespace cairn

@@ -10,7 +10,7 @@ template <Scalar Real>
 void fill_jacobian(const VelocityProblem<Real>& problem, Matrix<Real>& J) {
   J.setZero(problem.row_count(), 3 * problem.body_count());
   for (int i = 0; i < problem.row_count(); ++i) {
-    const ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(i)];
+    const ConstraintRow<Real>& row = problem.rows[i];
     for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
       J.template block<1, 3>(i, 3 * body.index) += jacobian.transpose();
     });
@@ -22,9 +22,9 @@ template <Scalar Real>
 void fill_product(const VelocityProblem<Real>& problem, const Matrix<Real>& J, Matrix<Real>& A) {
   A.setZero(problem.row_count(), problem.row_count());
   for (int i = 0; i < problem.row_count(); ++i) {
-    const ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(i)];
+    const ConstraintRow<Real>& row = problem.rows[i];
     for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-      const Vec3<Real>& inverse_mass = problem.inverse_mass[static_cast<std::size_t>(body.index)];
+      const Vec3<Real>& inverse_mass = problem.inverse_mass[body];
       for (int k = 0; k < 3; ++k) A.col(i) += J.col(3 * body.index + k) * inverse_mass(k) * jacobian(k);
     });
     A(i, i) += row.softness;
@@ -36,8 +36,8 @@ void fill_product(const VelocityProblem<Real>& problem, const Matrix<Real>& J, M
 template <Scalar Real>
 void system_velocity(const VelocityProblem<Real>& problem, Vector<Real>& velocity) {
   velocity.resize(3 * problem.body_count());
-  for (int body = 0; body < problem.body_count(); ++body) {
-    velocity.template segment<3>(3 * body) = problem.velocity[static_cast<std::size_t>(body)];
+  for (const BodyId body : problem.velocity.indices()) {
+    velocity.template segment<3>(3 * body.index) = problem.velocity[body];
   }
 }
 
@@ -47,13 +47,13 @@ void system_matrices(const VelocityProblem<Real>& problem, SystemMatrices<Real>&
   fill_product(problem, system.J, system.A);
   system.inverse_mass.resize(3 * problem.body_count());
   system.b.setZero(problem.row_count());
-  for (int body = 0; body < problem.body_count(); ++body) {
-    const auto index = static_cast<std::size_t>(body);
-    system.inverse_mass.template segment<3>(3 * body) = problem.inverse_mass[index];
-    for (int k = 0; k < 3; ++k) system.b += system.J.col(3 * body + k) * problem.velocity[index](k);  // J v_1
+  for (const BodyId body : problem.velocity.indices()) {
+    system.inverse_mass.template segment<3>(3 * body.index) = problem.inverse_mass[body];
+    for (int k = 0; k < 3; ++k)
+      system.b += system.J.col(3 * body.index + k) * problem.velocity[body](k);  // J v_1
   }
   for (int i = 0; i < problem.row_count(); ++i) {
-    const Real zeta = problem.rows[static_cast<std::size_t>(i)].bias;
+    const Real zeta = problem.rows[i].bias;
     system.b(i) = (zeta - system.b(i)) / problem.dt;
   }
 }

@@ -7,6 +7,7 @@
 #include "constraints/friction_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "measure/energy.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -50,7 +51,7 @@ class FirstApex final : public MotionError {
  public:
   explicit FirstApex(double expected) : expected_(expected) {}
   void see(const Snapshot& snapshot) override {
-    const SnapshotBody& ball = snapshot.bodies[1];
+    const SnapshotBody& ball = snapshot.bodies[{1}];
     const bool rises = ball.velocity.y() > 0;
     bounces_ += rises && falls_ ? 1 : 0;
     falls_ = !rises;
@@ -167,19 +168,19 @@ std::function<std::unique_ptr<MotionError>()> watch_number(
 
 AnsweredScene pendulum_from(const std::string& name, double degrees) {
   const double amplitude = degrees * pi / 180;
-  return {
-      .name = name,
-      .what = "angle after one period",
-      .formula = "the amplitude again; the period by Legendre and Gauss",
-      .seconds = rod_period(amplitude),
-      .make = [amplitude] { return pendulum(amplitude); },
-      .watch = watch_number(amplitude, amplitude, [](const Snapshot& s) { return s.bodies[1].pose.angle; })};
+  return {.name = name,
+          .what = "angle after one period",
+          .formula = "the amplitude again; the period by Legendre and Gauss",
+          .seconds = rod_period(amplitude),
+          .make = [amplitude] { return pendulum(amplitude); },
+          .watch =
+              watch_number(amplitude, amplitude, [](const Snapshot& s) { return s.bodies[{1}].pose.angle; })};
 }
 
 }  // namespace
 
-const std::vector<AnsweredScene>& answered_scenes() {
-  static const std::vector<AnsweredScene> scenes = {
+const List<AnsweredScene>& answered_scenes() {
+  static const List<AnsweredScene> scenes = {
       pendulum_from("pendulum-45", 45),
       pendulum_from("pendulum-150", 150),
       {.name = "double-pendulum-energy",
@@ -193,7 +194,7 @@ const std::vector<AnsweredScene>& answered_scenes() {
        .formula = "1 m",
        .seconds = 2,
        .make = rotor,
-       .watch = watch_number(1, 1, [](const Snapshot& s) { return s.bodies[1].pose.position.norm(); })},
+       .watch = watch_number(1, 1, [](const Snapshot& s) { return s.bodies[{1}].pose.position.norm(); })},
       {.name = "bounce",
        .what = "height of the first bounce",
        .formula = "e^2 h",
@@ -205,20 +206,21 @@ const std::vector<AnsweredScene>& answered_scenes() {
        .formula = "v^2 / (2 mu g)",
        .seconds = 2.5,
        .make = sliding_box,
-       .watch =
-           watch_number(25.0 / 6, 25.0 / 6, [](const Snapshot& s) { return s.bodies[1].pose.position.x(); })},
+       .watch = watch_number(25.0 / 6, 25.0 / 6,
+                             [](const Snapshot& s) { return s.bodies[{1}].pose.position.x(); })},
       {.name = "slip-to-roll",
        .what = "way after 2 s",
        .formula = "5 v^2 / (18 mu g) + 2/3 v (t - v / (3 mu g))",
        .seconds = 2,
        .make = slipping_disc,
-       .watch = watch_number(9, 9, [](const Snapshot& s) { return s.bodies[1].pose.position.x(); })},
+       .watch = watch_number(9, 9, [](const Snapshot& s) { return s.bodies[{1}].pose.position.x(); })},
       {.name = "puck-from-above",
        .what = "way to a stop at 30 degrees",
        .formula = "v^2 / (2 mu g)",
        .seconds = 1.5,
        .make = puck,
-       .watch = watch_number(1.5, 1.5, [](const Snapshot& s) { return s.bodies[1].pose.position.norm(); })}};
+       .watch =
+           watch_number(1.5, 1.5, [](const Snapshot& s) { return s.bodies[{1}].pose.position.norm(); })}};
   return scenes;
 }
 

@@ -4,10 +4,10 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "world/scene.hpp"
 #include "world/snapshot.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -30,6 +30,6 @@ struct AnsweredScene {
 };
 
 /// All of them. Of rods, pins, boxes and discs, but for the puck seen from above: Box2D can run the others.
-const std::vector<AnsweredScene>& answered_scenes();
+const List<AnsweredScene>& answered_scenes();
 
 }  // namespace cairn

@@ -1,5 +1,6 @@
 // Floor 10. Machine and compiler.
 #include "study/build_info.hpp"
+#include "math/list.hpp"
 
 #include <sched.h>
 
@@ -36,8 +37,8 @@ std::string compiler_name() {
 
 }  // namespace
 
-const std::vector<std::pair<std::string, std::string>>& build_entries() {
-  static const std::vector<std::pair<std::string, std::string>> entries = {
+const List<std::pair<std::string, std::string>>& build_entries() {
+  static const List<std::pair<std::string, std::string>> entries = {
       {"schema", "cairn-2"},         {"version", CAIRN_VERSION},
       {"git", build_commit()},       {"box2d", CAIRN_BOX2D_VERSION},
       {"compiler", compiler_name()}, {"flags", CAIRN_BUILD_FLAGS},

@@ -4,9 +4,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "study/trade_row.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -17,7 +17,7 @@ std::string build_commit();
 /// By the names of their columns: schema (of the tables), version, git, box2d (its version, "none" without
 /// it), compiler, flags, cpu (as the system calls it, "unknown" where it does not tell) and cores (that this
 /// process may use).
-const std::vector<std::pair<std::string, std::string>>& build_entries();
+const List<std::pair<std::string, std::string>>& build_entries();
 
 /// The same as an object, to stand beside numbers in JSON.
 nlohmann::ordered_json build_json();

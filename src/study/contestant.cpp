@@ -66,8 +66,8 @@ class WorldContestant final : public Contestant {
 
   std::uint64_t state_hash() const override {
     Fingerprint hash;
-    for (std::size_t i = 0; i < world_.bodies().pose.size(); ++i) {
-      add_motion(world_.bodies().pose[i], world_.bodies().velocity[i], hash);
+    for (const BodyId body : world_.bodies().pose.indices()) {
+      add_motion(world_.bodies().pose[body], world_.bodies().velocity[body], hash);
     }
     return hash.value();
   }

@@ -1,5 +1,6 @@
 // Floor 10. Holding a run against what its scene expects.
 #include "study/expectation.hpp"
+#include "math/list.hpp"
 
 #include <fmt/format.h>
 
@@ -11,14 +12,14 @@ TrialOptions trial_options(const SceneEntry& scene) {
   return options;
 }
 
-std::vector<std::string> unmet(const Expectations& expectations, const TrialResult& result) {
+List<std::string> unmet(const Expectations& expectations, const TrialResult& result) {
   if (result.status == TrialStatus::refused) return {"refused: " + result.reason};
   if (result.status != TrialStatus::ok) {
     const std::string ending = fmt::format("{} after {:.3g} s", status_text(result.status), result.seconds);
     if (!result.not_finite) return {ending};
     return {fmt::format("{}: body {} would not be finite", ending, result.not_finite->index)};
   }
-  std::vector<std::string> missed;
+  List<std::string> missed;
   const auto at_most = [&missed](const char* name, double value, const std::optional<double>& most,
                                  const char* unit) {
     if (!most || value <= *most) return;

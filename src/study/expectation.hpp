@@ -2,10 +2,10 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "scenes/scene_list.hpp"
 #include "study/trial.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -14,6 +14,6 @@ TrialOptions trial_options(const SceneEntry& scene);
 
 /// What the run does not keep to, each as "worst penetration 0.012 m, expected at most 0.01 m"; empty: it
 /// meets all. A run that did not end ok meets nothing.
-std::vector<std::string> unmet(const Expectations& expectations, const TrialResult& result);
+List<std::string> unmet(const Expectations& expectations, const TrialResult& result);
 
 }  // namespace cairn

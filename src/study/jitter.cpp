@@ -21,11 +21,11 @@ Scene jittered(const Scene& scene, double size, std::uint64_t seed) {
   require(size >= 0 && std::isfinite(size), "jittered", "size", "a finite number >= 0 m", size);
   Scene result = scene;
   std::mt19937_64 generator(seed);
-  for (std::size_t i = 0; i < scene.bodies().size(); ++i) {
-    if (scene.bodies()[i].spec.type != BodyType::dynamic) continue;
+  for (const BodyId body : scene.bodies().indices()) {
+    if (scene.bodies()[body].spec.type != BodyType::dynamic) continue;
     const double x = uniform_jitter(generator);
     const double y = uniform_jitter(generator);
-    result.displace({static_cast<int>(i)}, {size * x, size * y});
+    result.displace({body}, {size * x, size * y});
   }
   return result;
 }

@@ -10,6 +10,7 @@
 
 #include "math/check.hpp"
 #include "measure/whole_file.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -25,8 +26,8 @@ bool read_count(std::string_view text, int& number) {
 std::string title_line(const std::string& study) { return "# " + study; }
 
 /// Lines that end with a line break: one that does not was cut off.
-std::vector<std::string> whole_lines(std::istream& in) {
-  std::vector<std::string> lines;
+List<std::string> whole_lines(std::istream& in) {
+  List<std::string> lines;
   for (std::string line; std::getline(in, line) && !in.eof();) lines.push_back(line);
   return lines;
 }
@@ -45,7 +46,7 @@ Shard parse_shard(std::string_view text) {
 
 Journal::Journal(std::filesystem::path path, const Study& study)
     : path_(std::move(path)), study_(study.name), tasks_(study.tasks.size()) {
-  std::vector<CsvCell> header = {std::string("task")};
+  List<CsvCell> header = {std::string("task")};
   header.insert(header.end(), study.header.begin(), study.header.end());
   header_ = csv_line(header);
   if (std::filesystem::exists(path_)) read(path_);
@@ -67,18 +68,18 @@ void Journal::read(const std::filesystem::path& path) {
   require(is_ours, path.string(), "journal", "of the study \"" + study_ + "\"",
           "\"" + first_line.substr(is_titled ? 2 : 0) + "\"");
   std::istringstream whole(text);
-  const std::vector<std::string> lines = whole_lines(whole);
-  for (std::size_t i = 2; i < lines.size(); ++i) {
+  const List<std::string> lines = whole_lines(whole);
+  for (int i = 2; i < lines.size(); ++i) {
     int task = -1;
     const bool is_task = read_count(std::string_view(lines[i]).substr(0, lines[i].find(',')), task);
-    require(is_task && task >= 0 && static_cast<std::size_t>(task) < tasks_, path.string(),
-            "line " + std::to_string(i + 1), "begun by the number of one of the tasks", lines[i]);
-    lines_.emplace(static_cast<std::size_t>(task), lines[i]);
+    require(is_task && task >= 0 && task < tasks_, path.string(), "line " + std::to_string(i + 1),
+            "begun by the number of one of the tasks", lines[i]);
+    lines_.emplace(task, lines[i]);
   }
 }
 
-void Journal::write(std::size_t task, const std::vector<CsvCell>& row) {
-  std::vector<CsvCell> cells = {static_cast<long long>(task)};
+void Journal::write(int task, const List<CsvCell>& row) {
+  List<CsvCell> cells = {static_cast<long long>(task)};
   cells.insert(cells.end(), row.begin(), row.end());
   const std::string line = csv_line(cells);
   std::ofstream out(path_, std::ios::app);
@@ -102,15 +103,15 @@ std::string Journal::csv() const {
 }
 
 bool run_study(const Study& study, const Shard& shard, Journal& journal, const StudyProgress& progress) {
-  std::vector<std::size_t> waiting;
-  std::size_t total = 0;
-  for (std::size_t task = 0; task < study.tasks.size(); ++task) {
+  List<int> waiting;
+  int total = 0;
+  for (int task = 0; task < study.tasks.size(); ++task) {
     if (!shard.holds(task)) continue;
     ++total;
     if (!journal.has(task)) waiting.push_back(task);
   }
   const auto start = std::chrono::steady_clock::now();
-  for (std::size_t i = 0; i < waiting.size(); ++i) {
+  for (int i = 0; i < waiting.size(); ++i) {
     journal.write(waiting[i], study.tasks[waiting[i]].run());
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     const double left =

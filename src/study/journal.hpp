@@ -7,9 +7,9 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "measure/csv.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -17,9 +17,7 @@ namespace cairn {
 struct Shard {
   int number = 1;
   int of = 1;
-  bool holds(std::size_t task) const {
-    return task % static_cast<std::size_t>(of) == static_cast<std::size_t>(number - 1);
-  }
+  bool holds(int task) const { return task % of == number - 1; }
 };
 
 /// From "2/8". @throws std::invalid_argument unless it is k/n with 1 <= k <= n <= 10000.
@@ -28,13 +26,13 @@ Shard parse_shard(std::string_view text);
 /// One thing to find out, whose answer is one row of the table.
 struct StudyTask {
   std::string name = {};
-  std::function<std::vector<CsvCell>()> run = {};
+  std::function<List<CsvCell>()> run = {};
 };
 
 struct Study {
   std::string name = {};  // one line that tells this study from every other: what a journal belongs to
-  std::vector<std::string> header = {};  // of a row; the number of the task is written before it
-  std::vector<StudyTask> tasks = {};
+  List<std::string> header = {};  // of a row; the number of the task is written before it
+  List<StudyTask> tasks = {};
 };
 
 /// The answers found so far: a file with the study's name, a header, and a line for each task in the order in
@@ -47,10 +45,10 @@ class Journal {
   /// std::runtime_error when it cannot be written; both name the file.
   Journal(std::filesystem::path path, const Study& study);
 
-  bool has(std::size_t task) const { return lines_.count(task) != 0; }
+  bool has(int task) const { return lines_.count(task) != 0; }
   /// Is on disk when it returns. @throws std::runtime_error.
-  void write(std::size_t task, const std::vector<CsvCell>& row);
-  std::size_t size() const { return lines_.size(); }
+  void write(int task, const List<CsvCell>& row);
+  int size() const { return static_cast<int>(lines_.size()); }
   /// Takes over what another journal of the study has. @throws as the constructor.
   void absorb(const std::filesystem::path& other);
   /// All rows in the order of the tasks: the same bytes for the same answers, however they were shared out.
@@ -63,13 +61,13 @@ class Journal {
   std::filesystem::path path_;
   std::string study_;
   std::string header_;
-  std::size_t tasks_ = 0;
-  std::map<std::size_t, std::string> lines_;  // by task, without the line break
+  int tasks_ = 0;
+  std::map<int, std::string> lines_;  // by task, without the line break
 };
 
 /// Told after every task: how many of `total` are done, and how many seconds those that are left will take if
 /// they are like those of this run. False stops the study.
-using StudyProgress = std::function<bool(std::size_t done, std::size_t total, double seconds_left)>;
+using StudyProgress = std::function<bool(int done, int total, double seconds_left)>;
 
 /// Does the tasks of the shard that the journal does not have yet. True if none of them is left.
 bool run_study(const Study& study, const Shard& shard, Journal& journal, const StudyProgress& progress);

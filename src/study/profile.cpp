@@ -1,5 +1,6 @@
 // Floor 10. Ratios to the best.
 #include "study/profile.hpp"
+#include "math/list.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -15,15 +16,14 @@ double PerformanceProfile::share(double tau) const {
   return static_cast<double>(std::min(beyond, failed) - ratios.begin()) / static_cast<double>(ratios.size());
 }
 
-std::vector<PerformanceProfile> performance_profiles(const std::vector<WorkToError>& work,
-                                                     std::size_t which) {
+List<PerformanceProfile> performance_profiles(const List<WorkToError>& work, int which) {
   const double never = std::numeric_limits<double>::infinity();
   std::map<std::string, double> least;  // by problem
   for (const WorkToError& entry : work) {
     const auto found = least.try_emplace(entry.scene, never).first;
     found->second = std::min(found->second, entry.row_updates.at(which));
   }
-  std::vector<PerformanceProfile> profiles;
+  List<PerformanceProfile> profiles;
   for (const WorkToError& entry : work) {
     auto own = std::find_if(profiles.begin(), profiles.end(),
                             [&](const PerformanceProfile& p) { return p.solver == entry.solver; });
@@ -32,7 +32,7 @@ std::vector<PerformanceProfile> performance_profiles(const std::vector<WorkToErr
     if (updates < never) own->ratios.push_back(updates == best ? 1 : updates / best);
   }
   for (PerformanceProfile& profile : profiles) {
-    profile.ratios.resize(least.size(), never);
+    profile.ratios.resize(std::ssize(least), never);
     std::sort(profile.ratios.begin(), profile.ratios.end());
   }
   return profiles;

@@ -3,16 +3,16 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include "study/work_precision.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 /// Of one solver over a set of problems: its work over the least work of any solver, problem by problem.
 struct PerformanceProfile {
   std::string solver = {};
-  std::vector<double> ratios = {};  // >= 1, ascending, one for each problem; infinite where it failed
+  List<double> ratios = {};  // >= 1, ascending, one for each problem; infinite where it failed
 
   /// rho(tau): the share of the problems that it solves with at most `tau` times the work of the best. What
   /// no solver solves counts as a problem too.
@@ -22,6 +22,6 @@ struct PerformanceProfile {
 /// E. D. Dolan, J. J. More, "Benchmarking optimization software with performance profiles" (2002), for the
 /// error at `which` of those that work_to_errors() was asked for. A solver that has no entry for a problem
 /// failed there. In the order in which the solvers first appear.
-std::vector<PerformanceProfile> performance_profiles(const std::vector<WorkToError>& work, std::size_t which);
+List<PerformanceProfile> performance_profiles(const List<WorkToError>& work, int which);
 
 }  // namespace cairn

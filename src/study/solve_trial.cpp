@@ -9,6 +9,7 @@
 #include "measure/fingerprint.hpp"
 #include "scenes/solver_list.hpp"
 #include "study/trial.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -17,12 +18,10 @@ namespace {
 /// One reading of the clock must last as long, or its own time would be seen.
 constexpr double least_reading = 20e-6;  // [s]
 
-SolveTimes times_from(std::vector<double> nanoseconds) {
+SolveTimes times_from(List<double> nanoseconds) {
   std::sort(nanoseconds.begin(), nanoseconds.end());
-  const auto at = [&](double part) {
-    return nanoseconds[static_cast<std::size_t>(part * static_cast<double>(nanoseconds.size() - 1))];
-  };
-  return {.repetitions = static_cast<int>(nanoseconds.size()),
+  const auto at = [&](double part) { return nanoseconds[static_cast<int>(part * (nanoseconds.size() - 1))]; };
+  return {.repetitions = nanoseconds.size(),
           .least = nanoseconds.front(),
           .median = at(0.5),
           .quartile_range = at(0.75) - at(0.25)};
@@ -30,11 +29,11 @@ SolveTimes times_from(std::vector<double> nanoseconds) {
 
 /// Seconds of one solve, from `count` of them on copies that were made before.
 template <Scalar Real>
-double timed_solves(Solver<Real>& solver, const VelocityProblem<Real>& problem, std::size_t count) {
-  std::vector<VelocityProblem<Real>> copies(count, problem);
+double timed_solves(Solver<Real>& solver, const VelocityProblem<Real>& problem, int count) {
+  List<VelocityProblem<Real>> copies(count, problem);
   const double before = thread_cpu_seconds();
   for (VelocityProblem<Real>& copy : copies) solver.solve(copy);
-  return (thread_cpu_seconds() - before) / static_cast<double>(count);
+  return (thread_cpu_seconds() - before) / count;
 }
 
 template <Scalar Real>
@@ -42,13 +41,12 @@ SolveTimes measured_times(Solver<Real>& solver, const VelocityProblem<Real>& pro
                           const SolveTiming& timing) {
   if (timing.repetitions < 1) return {};
   const double once = timed_solves(solver, problem, 1);  // and warms the caches
-  const auto batch =
-      static_cast<std::size_t>(std::clamp(std::ceil(least_reading / std::max(once, 1e-9)), 1.0, 1e3));
-  std::vector<double> nanoseconds;
+  const int batch = static_cast<int>(std::clamp(std::ceil(least_reading / std::max(once, 1e-9)), 1.0, 1e3));
+  List<double> nanoseconds;
   double passed = 0;
-  while (passed < timing.seconds || static_cast<int>(nanoseconds.size()) < timing.repetitions) {
+  while (passed < timing.seconds || nanoseconds.size() < timing.repetitions) {
     const double seconds = timed_solves(solver, problem, batch);
-    passed += seconds * static_cast<double>(batch);
+    passed += seconds * batch;
     nanoseconds.push_back(1e9 * seconds);
   }
   return times_from(std::move(nanoseconds));
@@ -74,7 +72,7 @@ std::string ending_of(const VelocityProblem<Real>& given, const SolveChoice& cho
 
 template <Scalar Real>
 SolveOutcome outcome_in(const VelocityProblem<double>& start, const SolveChoice& choice,
-                        const std::optional<std::vector<Vec3<double>>>& truth, const SolveTiming& timing) {
+                        const std::optional<PerBody<Vec3<double>>>& truth, const SolveTiming& timing) {
   const VelocityProblem<Real> given = converted<Real>(start);
   const auto solver = make_solver<Real>(choice.solver, {.iterations = choice.sweeps});
   VelocityProblem<Real> solved = given;
@@ -94,7 +92,7 @@ SolveOutcome outcome_in(const VelocityProblem<double>& start, const SolveChoice&
 }  // namespace
 
 SolveOutcome try_solver(const VelocityProblem<double>& problem, const SolveChoice& choice,
-                        const std::optional<std::vector<Vec3<double>>>& truth, const SolveTiming& timing) {
+                        const std::optional<PerBody<Vec3<double>>>& truth, const SolveTiming& timing) {
   VelocityProblem<double> start = problem;
   if (choice.start == Start::cold) std::fill(start.impulse.begin(), start.impulse.end(), 0.0);
   try {

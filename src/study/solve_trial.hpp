@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "measure/truth.hpp"
 #include "solvers/solver.hpp"
@@ -50,6 +49,6 @@ struct SolveOutcome {
 
 /// `truth`: v* where it is unique. The error is judged in double, whatever the solver computes in.
 SolveOutcome try_solver(const VelocityProblem<double>& problem, const SolveChoice& choice,
-                        const std::optional<std::vector<Vec3<double>>>& truth, const SolveTiming& timing);
+                        const std::optional<PerBody<Vec3<double>>>& truth, const SolveTiming& timing);
 
 }  // namespace cairn

@@ -25,28 +25,28 @@ Standing::Standing(const Snapshot& start, double distance, double settle_seconds
   }
 }
 
-bool Standing::holds(const SnapshotBody& body, const Vec2<double>& gravity, std::size_t i) const {
-  const Vec2<double> way = body.pose.position - places_[i];
+bool Standing::holds(const SnapshotBody& body, const Vec2<double>& gravity, BodyId id) const {
+  const Vec2<double> way = body.pose.position - places_[id];
   const double length = way.norm();
-  if (!settled_) return length <= wide_distances_[i];
+  if (!settled_) return length <= wide_distances_[id];
   const Vec2<double> force = body.gravity_scale * gravity;
   const bool is_lifted = way.dot(force) < 0;
   if (!is_lifted) return length <= distance_;
   const Vec2<double> up = -force.normalized();
   const Vec2<double> aside = way - way.dot(up) * up;
-  return aside.norm() <= distance_ && length <= wide_distances_[i];
+  return aside.norm() <= distance_ && length <= wide_distances_[id];
 }
 
 bool Standing::holds(const Snapshot& now, double time) {
   bool all_hold = true;
-  for (std::size_t i = 0; i < now.bodies.size(); ++i) {
-    if (now.bodies[i].type != BodyType::dynamic) continue;
-    all_hold = all_hold && holds(now.bodies[i], now.gravity, i);
+  for (const BodyId body : now.bodies.indices()) {
+    if (now.bodies[body].type != BodyType::dynamic) continue;
+    all_hold = all_hold && holds(now.bodies[body], now.gravity, body);
   }
   const double rounding = 1e-9 * settle_seconds_;  // of sums of time steps
   if (!settled_ && time >= settle_seconds_ - rounding) {
     settled_ = true;
-    for (std::size_t i = 0; i < now.bodies.size(); ++i) places_[i] = now.bodies[i].pose.position;
+    for (const BodyId body : now.bodies.indices()) places_[body] = now.bodies[body].pose.position;
   }
   return all_hold;
 }

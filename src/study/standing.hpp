@@ -1,9 +1,8 @@
 // Floor 10. Whether the bodies of a scene keep their places once they have settled in them.
 #pragma once
 
-#include <vector>
-
 #include "world/snapshot.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -22,13 +21,13 @@ class Standing {
   bool holds(const Snapshot& now, double time);
 
  private:
-  bool holds(const SnapshotBody& body, const Vec2<double>& gravity, std::size_t i) const;
+  bool holds(const SnapshotBody& body, const Vec2<double>& gravity, BodyId id) const;
 
-  double distance_;                          // [m]
-  double settle_seconds_;                    // [s]
-  bool settled_ = false;                     // places_ are those after settling
-  std::vector<Vec2<double>> places_ = {};    // [m] by body
-  std::vector<double> wide_distances_ = {};  // [m] by body: while settling, and upwards
+  double distance_;                      // [m]
+  double settle_seconds_;                // [s]
+  bool settled_ = false;                 // places_ are those after settling
+  PerBody<Vec2<double>> places_ = {};    // [m]
+  PerBody<double> wide_distances_ = {};  // [m] while settling, and upwards
 };
 
 }  // namespace cairn

@@ -4,9 +4,9 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "measure/csv.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -18,23 +18,23 @@ struct TradeColumn {
 /// All columns, in order; one schema for frozen problems (level 1) and for trajectories (level 2). There is
 /// none for momentum, which the ground takes up in nearly every scene, and none for the rank of A, which no
 /// solver asks for.
-const std::vector<TradeColumn>& trade_columns();
-std::vector<std::string> trade_header();
+const List<TradeColumn>& trade_columns();
+List<std::string> trade_header();
 
 /// One row, filled by the names of its columns; what is not set stays empty.
 class TradeRow {
  public:
   /// @throws std::logic_error for a name that is no column.
   void set(std::string_view column, CsvCell value);
-  std::vector<CsvCell> cells() const;
+  List<CsvCell> cells() const;
 
  private:
   std::map<std::string, CsvCell, std::less<>> values_;
 };
 
 /// A number of a table that was read back; NaN where the cell is empty or a word.
-double number_in(const CsvTable& table, std::size_t row, std::string_view column);
+double number_in(const CsvTable& table, int row, std::string_view column);
 /// A word of it; "" where there is none.
-std::string text_in(const CsvTable& table, std::size_t row, std::string_view column);
+std::string text_in(const CsvTable& table, int row, std::string_view column);
 
 }  // namespace cairn

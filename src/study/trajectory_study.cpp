@@ -15,6 +15,7 @@
 #include "scenes/scene_list.hpp"
 #include "study/trade_row.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -27,17 +28,16 @@ constexpr double sweeps_of_a_step = 10;  // take as long as all else of a subste
 constexpr double agreement = 0.01;       // of the distance at which the scene no longer stands
 
 /// The value below which a share of the values lies.
-double quantile(std::vector<double> values, double share) {
+double quantile(List<double> values, double share) {
   std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  return values[static_cast<int>(share * (values.size() - 1))];
 }
 
 /// All runs of one point of the grid.
 struct Runs {
-  std::vector<double> errors = {}, costs = {}, work = {}, stands = {}, penetrations = {}, drifts = {},
-                      gains = {};
-  std::vector<double> losses = {}, steps = {}, updates = {};
-  std::vector<double> ways = {};  // [m] TrialResult::farthest
+  List<double> errors = {}, costs = {}, work = {}, stands = {}, penetrations = {}, drifts = {}, gains = {};
+  List<double> losses = {}, steps = {}, updates = {};
+  List<double> ways = {};  // [m] TrialResult::farthest
   int stood = 0;
   std::string status = "ok";  // of the last run, which is the first that was not ok
   std::uint64_t hash = 0;     // of the first start
@@ -79,7 +79,7 @@ TrialOptions run_options(const TrajectoryScene& scene, const Setting& setting, b
 
 /// The starts came to nearly the same places: none is likely to fall where these did not.
 bool starts_agree(const TrajectoryScene& scene, const Runs& runs) {
-  if (static_cast<int>(runs.ways.size()) < agreeing_starts) return false;
+  if (runs.ways.size() < agreeing_starts) return false;
   const auto [least, most] = std::minmax_element(runs.ways.begin(), runs.ways.end());
   return *most - *least <= agreement * scene.stand_distance;
 }
@@ -127,7 +127,7 @@ void set_setting(const Setting& setting, TradeRow& row) {
   row.set("slop", setting.stabilization.slop);
 }
 
-std::vector<CsvCell> trajectory_row(const TrajectoryScene& scene, const Setting& setting) {
+List<CsvCell> trajectory_row(const TrajectoryScene& scene, const Setting& setting) {
   const Runs runs = all_runs(scene, setting);
   TradeRow row;
   set_build(row);
@@ -183,14 +183,14 @@ TrajectoryScene trajectory_scene(const std::string& name) {
           .starts = stands > 0 ? survival_starts : 1};
 }
 
-std::vector<std::string> trajectory_names() {
-  std::vector<std::string> names;
+List<std::string> trajectory_names() {
+  List<std::string> names;
   for (const AnsweredScene& scene : answered_scenes()) names.push_back(scene.name);
   for (const SceneEntry& scene : scene_entries()) names.push_back(scene.name);
   return names;
 }
 
-Study trajectory_study(const std::vector<TrajectoryScene>& scenes, const TrajectoryGrid& grid) {
+Study trajectory_study(const List<TrajectoryScene>& scenes, const TrajectoryGrid& grid) {
   Study study{.name = "cairn work against error 2:", .header = trade_header(), .tasks = {}};
   for (const TrajectoryScene& scene : scenes) {
     study.name += fmt::format(" {} {:x} x{}", scene.name, scene.fingerprint, scene.starts);

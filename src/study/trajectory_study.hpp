@@ -2,11 +2,11 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "study/answered_scenes.hpp"
 #include "study/journal.hpp"
 #include "study/trial.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -29,13 +29,13 @@ struct TrajectoryScene {
 /// @throws std::invalid_argument for a name that neither has, with the nearest that one has.
 TrajectoryScene trajectory_scene(const std::string& name);
 /// The names of all of them.
-std::vector<std::string> trajectory_names();
+List<std::string> trajectory_names();
 
 struct TrajectoryGrid {
-  std::vector<std::string> solvers = {"si", "accelerated", "newton", "box2d", "block"};
-  std::vector<int> frequencies = {30, 60, 120, 240, 480, 960};  // [Hz]
-  std::vector<int> substeps = {1, 4, 16};
-  std::vector<int> sweeps = {1, 2, 4, 8, 16, 32, 64};
+  List<std::string> solvers = {"si", "accelerated", "newton", "box2d", "block"};
+  List<int> frequencies = {30, 60, 120, 240, 480, 960};  // [Hz]
+  List<int> substeps = {1, 4, 16};
+  List<int> sweeps = {1, 2, 4, 8, 16, 32, 64};
   Stabilization stabilization = {};
 };
 
@@ -49,6 +49,6 @@ inline constexpr double most_trajectory_work = 3e7;
 /// that comes to more than most_trajectory_work ("timeout"): its other numbers are of what was run. Where
 /// three starts came to the same places within a hundredth of stand_distance, a millionth of a metre does not
 /// decide whether the scene stands, and no further one is run. The column `starts` says how many there were.
-Study trajectory_study(const std::vector<TrajectoryScene>& scenes, const TrajectoryGrid& grid);
+Study trajectory_study(const List<TrajectoryScene>& scenes, const TrajectoryGrid& grid);
 
 }  // namespace cairn

@@ -43,9 +43,9 @@ TrialStatus motion_status(const Snapshot& now, double fastest) {
 
 double farthest_from_start(const Snapshot& start, const Snapshot& now) {
   double farthest = 0;
-  for (std::size_t i = 0; i < now.bodies.size(); ++i) {
-    if (now.bodies[i].type != BodyType::dynamic) continue;
-    farthest = std::max(farthest, (now.bodies[i].pose.position - start.bodies[i].pose.position).norm());
+  for (const BodyId body : now.bodies.indices()) {
+    if (now.bodies[body].type != BodyType::dynamic) continue;
+    farthest = std::max(farthest, (now.bodies[body].pose.position - start.bodies[body].pose.position).norm());
   }
   return farthest;
 }

@@ -15,6 +15,7 @@
 #include "study/build_info.hpp"
 #include "scenes/solver_list.hpp"
 #include "study/trade_row.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -24,7 +25,7 @@ namespace {
 struct KnownProblem {
   FrozenProblem frozen = {};
   Uniqueness unique = Uniqueness::unknown;
-  std::optional<std::vector<Vec3<double>>> truth = {};
+  std::optional<PerBody<Vec3<double>>> truth = {};
   std::uint64_t fingerprint = 0;  // of its numbers
   bool solved = false;
 };
@@ -80,7 +81,7 @@ void set_error(TradeRow& row, const AnswerError<double>& error) {
   row.set("gap_J", error.gap);
 }
 
-std::vector<CsvCell> solve_row(KnownProblem& known, const SolveChoice& choice, const SolveTiming& timing) {
+List<CsvCell> solve_row(KnownProblem& known, const SolveChoice& choice, const SolveTiming& timing) {
   find_truth(known);
   const VelocityProblem<double>& problem = known.frozen.problem;
   const SolveOutcome outcome = try_solver(problem, choice, known.truth, timing);
@@ -133,7 +134,7 @@ void add_solve_tasks(const std::shared_ptr<KnownProblem>& known, const SolveGrid
 
 }  // namespace
 
-Study solve_study(const std::vector<FrozenProblem>& problems, const SolveGrid& grid) {
+Study solve_study(const List<FrozenProblem>& problems, const SolveGrid& grid) {
   Study study{.name = "cairn work against error 1:", .header = trade_header(), .tasks = {}};
   for (const std::string& solver : grid.solvers) study.name += " " + solver_entry(solver).name;
   study.name += fmt::format("; up to {} sweeps,", grid.most_sweeps);
@@ -150,7 +151,7 @@ Study solve_study(const std::vector<FrozenProblem>& problems, const SolveGrid& g
 
 CsvTable rows_with(const CsvTable& table, const std::map<std::string, std::string>& words) {
   CsvTable result{.header = table.header, .rows = {}};
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+  for (int i = 0; i < table.rows.size(); ++i) {
     const bool has_all = std::all_of(words.begin(), words.end(), [&](const auto& word) {
       return text_in(table, i, word.first) == word.second;
     });
@@ -159,10 +160,10 @@ CsvTable rows_with(const CsvTable& table, const std::map<std::string, std::strin
   return result;
 }
 
-std::vector<TradePoint> trade_points(const CsvTable& table, const std::string& work, const std::string& error,
-                                     double least_error) {
-  std::vector<TradePoint> points;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+List<TradePoint> trade_points(const CsvTable& table, const std::string& work, const std::string& error,
+                              double least_error) {
+  List<TradePoint> points;
+  for (int i = 0; i < table.rows.size(); ++i) {
     const std::string status = text_in(table, i, "status");
     if (status != "ok" && status != "plateau" && status != "cycle") continue;
     TradePoint point{.solver = text_in(table, i, "solver"),
@@ -185,7 +186,7 @@ std::vector<TradePoint> trade_points(const CsvTable& table, const std::string& w
 
 CsvTable rows_with_steady_times(const CsvTable& table, double most_spread) {
   CsvTable result{.header = table.header, .rows = {}};
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+  for (int i = 0; i < table.rows.size(); ++i) {
     const double range = number_in(table, i, "solve_ns_iqr"), median = number_in(table, i, "solve_ns_med");
     const bool is_noisy = range > most_spread * median;  // not so where there is no number
     if (!is_noisy) result.rows.push_back(table.rows[i]);
@@ -193,15 +194,15 @@ CsvTable rows_with_steady_times(const CsvTable& table, double most_spread) {
   return result;
 }
 
-std::vector<WorkToError> work_to_errors(const CsvTable& table, const std::vector<double>& residuals) {
-  std::vector<WorkToError> all;
-  std::map<std::pair<std::string, std::string>, std::pair<std::size_t, double>> known;  // place, most sweeps
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+List<WorkToError> work_to_errors(const CsvTable& table, const List<double>& residuals) {
+  List<WorkToError> all;
+  std::map<std::pair<std::string, std::string>, std::pair<int, double>> known;  // place, most sweeps
+  for (int i = 0; i < table.rows.size(); ++i) {
     const std::string scene = text_in(table, i, "scene"), solver = text_in(table, i, "solver");
     const auto [found, is_new] = known.try_emplace({scene, solver}, all.size(), 0.0);
     if (is_new) {
       const double never = std::numeric_limits<double>::infinity();
-      all.push_back({scene, solver, std::vector<double>(residuals.size(), never), ""});
+      all.push_back({scene, solver, List<double>(residuals.size(), never), ""});
     }
     WorkToError& entry = all[found->second.first];
     const double sweeps = number_in(table, i, "sweeps");
@@ -210,7 +211,7 @@ std::vector<WorkToError> work_to_errors(const CsvTable& table, const std::vector
       entry.ending = text_in(table, i, "status");
     }
     const double reached = number_in(table, i, "R_E_v"), work = number_in(table, i, "row_updates");
-    for (std::size_t k = 0; k < residuals.size(); ++k) {
+    for (int k = 0; k < residuals.size(); ++k) {
       if (reached <= residuals[k]) entry.row_updates[k] = std::min(entry.row_updates[k], work);
     }
   }

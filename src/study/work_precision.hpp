@@ -3,29 +3,29 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 #include "measure/csv.hpp"
 #include "frozen/frozen_problem.hpp"
 #include "study/journal.hpp"
 #include "study/solve_trial.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 /// Level 1: frozen problems, one step each. Every solver after 1, 2, 4 ... sweeps, from nothing and from the
 /// problem's own impulses, in each precision.
 struct SolveGrid {
-  std::vector<std::string> solvers = {"si", "accelerated", "newton", "jacobi-split", "block", "pgs-factored"};
+  List<std::string> solvers = {"si", "accelerated", "newton", "jacobi-split", "block", "pgs-factored"};
   int most_sweeps = 4096;
-  std::vector<Start> starts = {Start::cold, Start::warm};
-  std::vector<Precision> scalars = {Precision::double_precision, Precision::single_precision};
+  List<Start> starts = {Start::cold, Start::warm};
+  List<Precision> scalars = {Precision::double_precision, Precision::single_precision};
   SolveTiming timing = {};
 };
 
 /// One task for each point of the grid on each problem. E_M is given where the reference says that the
 /// velocity is unique; failures stay in the table, with their status. Reads the frozen problems when a task
 /// runs, not before.
-Study solve_study(const std::vector<FrozenProblem>& problems, const SolveGrid& grid);
+Study solve_study(const List<FrozenProblem>& problems, const SolveGrid& grid);
 
 /// A point of a chart: work and error of one row of a table.
 struct TradePoint {
@@ -41,8 +41,8 @@ CsvTable rows_with(const CsvTable& table, const std::map<std::string, std::strin
 
 /// What a table's rows come to: `work` and `error` name two of its columns. Rows that failed, and such whose
 /// numbers are not above 0, are not among them: an error of 0 stands at `least_error`.
-std::vector<TradePoint> trade_points(const CsvTable& table, const std::string& work, const std::string& error,
-                                     double least_error);
+List<TradePoint> trade_points(const CsvTable& table, const std::string& work, const std::string& error,
+                              double least_error);
 
 /// The rows whose time can be believed: the quartile range of their solves is at most `most_spread` of the
 /// median. Rows without a time are kept.
@@ -52,9 +52,9 @@ CsvTable rows_with_steady_times(const CsvTable& table, double most_spread);
 struct WorkToError {
   std::string scene = {};
   std::string solver = {};
-  std::vector<double> row_updates = {};  // for each of the errors asked for
-  std::string ending = {};               // the status after the most sweeps
+  List<double> row_updates = {};  // for each of the errors asked for
+  std::string ending = {};        // the status after the most sweeps
 };
-std::vector<WorkToError> work_to_errors(const CsvTable& table, const std::vector<double>& residuals);
+List<WorkToError> work_to_errors(const CsvTable& table, const List<double>& residuals);
 
 }  // namespace cairn

@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "scenes/scene_list.hpp"
 #include "study/build_info.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -40,15 +42,15 @@ RecommendFinding finding_of(const RecommendJson& json) {
 
 /// Whether its runs are today's: all of the kind, or the first ones up to a miss.
 bool is_of_today(const RecommendCandidate& candidate, const RecommendKind& kind) {
-  const std::size_t runs = candidate.findings.size();
+  const int runs = candidate.findings.size();
   if (runs > kind.runs.size() || (runs < kind.runs.size() && !candidate.misses())) return false;
-  for (std::size_t i = 0; i < runs; ++i) {
+  for (int i = 0; i < runs; ++i) {
     if (candidate.findings[i].run != kind.runs[i].name) return false;
   }
   return true;
 }
 
-const RecommendCandidate* known_candidate(const std::vector<Recommendation>& known, const RecommendKind& kind,
+const RecommendCandidate* known_candidate(const List<Recommendation>& known, const RecommendKind& kind,
                                           const std::string& setting) {
   for (const Recommendation& of_kind : known) {
     if (of_kind.kind != kind.name) continue;
@@ -67,9 +69,9 @@ double RecommendCandidate::cost() const {
   return sum;
 }
 
-std::vector<RecommendCandidate> Recommendation::ranked() const {
-  std::vector<RecommendCandidate> all = candidates;
-  std::erase_if(all, [](const RecommendCandidate& candidate) { return candidate.misses(); });
+List<RecommendCandidate> Recommendation::ranked() const {
+  List<RecommendCandidate> all = candidates;
+  erase_if(all, [](const RecommendCandidate& candidate) { return candidate.misses(); });
   std::stable_sort(all.begin(), all.end(), [](const RecommendCandidate& a, const RecommendCandidate& b) {
     return a.cost() < b.cost();
   });
@@ -108,12 +110,12 @@ RecommendCandidate try_for_kind(const RecommendKind& kind, const Setting& settin
   return candidate;
 }
 
-bool renew_recommendations(std::vector<Recommendation>& known,
-                           const std::function<void(const std::vector<Recommendation>&)>& keep,
-                           const std::function<bool(std::size_t done, std::size_t total)>& progress) {
-  const std::vector<Recommendation> before = known;
-  const std::size_t total = recommend_kinds().size() * recommend_settings().size();
-  std::size_t done = 0;
+bool renew_recommendations(List<Recommendation>& known,
+                           const std::function<void(const List<Recommendation>&)>& keep,
+                           const std::function<bool(int done, int total)>& progress) {
+  const List<Recommendation> before = known;
+  const int total = recommend_kinds().size() * recommend_settings().size();
+  int done = 0;
   bool goes_on = true;
   known.clear();
   for (const RecommendKind& kind : recommend_kinds()) {
@@ -131,13 +133,13 @@ bool renew_recommendations(std::vector<Recommendation>& known,
 }
 
 std::filesystem::path recommended_file() {
-  return std::filesystem::path(CAIRN_SCENE_DIR).parent_path() / "sandbox" / "recommended.json";
+  return scene_folder().parent_path() / "sandbox" / "recommended.json";
 }
 
-std::vector<Recommendation> read_recommendations(const std::filesystem::path& path) {
+List<Recommendation> read_recommendations(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw std::runtime_error(path.string() + ": cannot be read");
-  std::vector<Recommendation> all;
+  List<Recommendation> all;
   try {
     const RecommendJson file = RecommendJson::parse(in);
     for (const RecommendJson& kind : file.at("recommendations")) {
@@ -156,7 +158,7 @@ std::vector<Recommendation> read_recommendations(const std::filesystem::path& pa
   return all;
 }
 
-std::string recommendations_json(const std::vector<Recommendation>& all) {
+std::string recommendations_json(const List<Recommendation>& all) {
   RecommendJson kinds = RecommendJson::array();
   for (const Recommendation& of_kind : all) {
     RecommendJson candidates = RecommendJson::array();

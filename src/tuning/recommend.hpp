@@ -5,9 +5,9 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "tuning/tuner.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -28,17 +28,17 @@ struct RecommendRun {
 struct RecommendKind {
   std::string name = {};
   std::string title = {};  // a few words
-  std::vector<RecommendRun> runs = {};
+  List<RecommendRun> runs = {};
 };
 
 /// stack, chain, mechanism, granular, fast, far.
-const std::vector<RecommendKind>& recommend_kinds();
+const List<RecommendKind>& recommend_kinds();
 /// @throws std::invalid_argument for an unknown name, with the nearest known one.
 const RecommendKind& recommend_kind(const std::string& name);
 
 /// What is tried for every kind: sequential impulses as they are used to, with more sweeps, with substeps and
 /// under each policy; contact blocks; momentum; and Newton's method.
-const std::vector<Setting>& recommend_settings();
+const List<Setting>& recommend_settings();
 /// The first of them: what most engines do.
 const Setting& plain_setting();
 
@@ -57,7 +57,7 @@ struct RecommendFinding {
 /// A setting, and what its runs came to: all of a kind, or those up to the first that it misses.
 struct RecommendCandidate {
   std::string setting = {};  // setting_text()
-  std::vector<RecommendFinding> findings = {};
+  List<RecommendFinding> findings = {};
 
   bool misses() const { return !findings.empty() && !findings.back().missed.empty(); }
   /// [s] of processor time for a second of each run.
@@ -67,10 +67,10 @@ struct RecommendCandidate {
 /// All that was tried for a kind.
 struct Recommendation {
   std::string kind = {};
-  std::vector<RecommendCandidate> candidates = {};
+  List<RecommendCandidate> candidates = {};
 
   /// Those that meet every wish, the cheapest first: the first one is recommended.
-  std::vector<RecommendCandidate> ranked() const;
+  List<RecommendCandidate> ranked() const;
 };
 
 /// Runs a setting, and gives up once the wish cannot be met any more.
@@ -81,16 +81,16 @@ RecommendCandidate try_for_kind(const RecommendKind& kind, const Setting& settin
 /// Tries what `known` does not have yet, settings in their order; told after each, and false stops it.
 /// `keep` is given all that is known so far. Candidates of other settings or runs than today's are dropped.
 /// @return whether all is known now.
-bool renew_recommendations(std::vector<Recommendation>& known,
-                           const std::function<void(const std::vector<Recommendation>&)>& keep,
-                           const std::function<bool(std::size_t done, std::size_t total)>& progress);
+bool renew_recommendations(List<Recommendation>& known,
+                           const std::function<void(const List<Recommendation>&)>& keep,
+                           const std::function<bool(int done, int total)>& progress);
 
 /// Where the recommendations that come with Cairn are.
 std::filesystem::path recommended_file();
 /// @throws std::invalid_argument for a file that is not of this kind, std::runtime_error for one that cannot
 /// be read; both name it.
-std::vector<Recommendation> read_recommendations(const std::filesystem::path& path);
+List<Recommendation> read_recommendations(const std::filesystem::path& path);
 /// The text of such a file, which says first what build its times come from.
-std::string recommendations_json(const std::vector<Recommendation>& all);
+std::string recommendations_json(const List<Recommendation>& all);
 
 }  // namespace cairn

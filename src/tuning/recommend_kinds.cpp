@@ -5,6 +5,7 @@
 #include "tuning/recommend.hpp"
 #include "tuning/recommend_scenes.hpp"
 #include "scenes/scene_list.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -119,35 +120,35 @@ Setting tried_with(const std::string& solver, int sweeps, Policy policy = Policy
 
 }  // namespace
 
-const std::vector<RecommendKind>& recommend_kinds() {
-  static const std::vector<RecommendKind> kinds = {stack_kind(),    chain_kind(), mechanism_kind(),
-                                                   granular_kind(), fast_kind(),  far_kind()};
+const List<RecommendKind>& recommend_kinds() {
+  static const List<RecommendKind> kinds = {stack_kind(),    chain_kind(), mechanism_kind(),
+                                            granular_kind(), fast_kind(),  far_kind()};
   return kinds;
 }
 
 const RecommendKind& recommend_kind(const std::string& name) {
-  std::vector<std::string> known;
+  List<std::string> known;
   for (const RecommendKind& kind : recommend_kinds()) known.push_back(kind.name);
   require_known(name, known, "recommend", "kind");
-  std::size_t at = 0;
+  int at = 0;
   while (known[at] != name) ++at;
   return recommend_kinds()[at];
 }
 
-const std::vector<Setting>& recommend_settings() {
-  static const std::vector<Setting> settings = {tried_with("si", 10),
-                                                tried_with("si", 30),
-                                                tried_with("si", 100),
-                                                tried_with("si", 10, Policy::split_impulse),
-                                                tried_with("si", 4, Policy::soft, 8),
-                                                tried_with("si", 4, Policy::baumgarte, 16),
-                                                tried_with("block-contact", 10),
-                                                tried_with("accelerated", 30),
-                                                tried_with("accelerated", 100, Policy::baumgarte, 8),
-                                                tried_with("accelerated", 300),
-                                                tried_with("newton", 60),
-                                                tried_with("newton", 60, Policy::baumgarte, 4),
-                                                tried_with("newton", 60, Policy::baumgarte, 8)};
+const List<Setting>& recommend_settings() {
+  static const List<Setting> settings = {tried_with("si", 10),
+                                         tried_with("si", 30),
+                                         tried_with("si", 100),
+                                         tried_with("si", 10, Policy::split_impulse),
+                                         tried_with("si", 4, Policy::soft, 8),
+                                         tried_with("si", 4, Policy::baumgarte, 16),
+                                         tried_with("block-contact", 10),
+                                         tried_with("accelerated", 30),
+                                         tried_with("accelerated", 100, Policy::baumgarte, 8),
+                                         tried_with("accelerated", 300),
+                                         tried_with("newton", 60),
+                                         tried_with("newton", 60, Policy::baumgarte, 4),
+                                         tried_with("newton", 60, Policy::baumgarte, 8)};
   return settings;
 }
 

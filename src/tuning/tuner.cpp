@@ -9,6 +9,7 @@
 #include <map>
 
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -18,9 +19,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double search_margin = 4;  // measured cost and expected work agree within about so much
 
-double median_of(std::vector<double> values) {
+double median_of(List<double> values) {
   std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
+  const int n = values.size();
   return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
@@ -54,7 +55,7 @@ void check_tuner_options(const TunerOptions& options) {
 /// Runs a setting from starts 0, 1, ... and stops at the first that misses the wish.
 Candidate tried_candidate(const TunerRun& run, const Setting& setting, const Wish& wish, int starts) {
   Candidate candidate{.setting = setting};
-  std::vector<double> costs, updates;
+  List<double> costs, updates;
   for (int start = 0; start < starts && candidate.verdict.meets; ++start) {
     const TrialResult result = run(setting, static_cast<std::uint64_t>(start));
     candidate.verdict = verdict(result, wish);
@@ -104,7 +105,7 @@ class TunerSearch {
   }
 
   /// Of a few settings in the order of their work, the first that meets the wish, else the last one tried.
-  std::optional<Candidate> first_that_meets(const std::vector<Setting>& settings, int tried, int total) {
+  std::optional<Candidate> first_that_meets(const List<Setting>& settings, int tried, int total) {
     std::optional<Candidate> last;
     begin_anew();
     for (const Setting& setting : settings) {
@@ -130,10 +131,10 @@ bool is_alike(const Setting& a, const Setting& b) {
 }
 
 /// The best of each kind of setting, cheapest first.
-std::vector<Candidate> ranked(std::vector<Candidate> met) {
+List<Candidate> ranked(List<Candidate> met) {
   std::stable_sort(met.begin(), met.end(),
                    [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
-  std::vector<Candidate> kinds;
+  List<Candidate> kinds;
   for (const Candidate& candidate : met) {
     const bool is_new = std::none_of(kinds.begin(), kinds.end(), [&](const Candidate& other) {
       return is_alike(other.setting, candidate.setting);
@@ -183,11 +184,11 @@ Verdict verdict_so_far(const TrialResult& result, const Wish& wish) {
 TunerAnswer tune(const TunerRun& run, const Wish& wish, const TunerOptions& options) {
   check_wish(wish);
   check_tuner_options(options);
-  const std::vector<Setting> settings = tuner_settings(options.solvers);
-  const int total = static_cast<int>(settings.size());
+  const List<Setting> settings = tuner_settings(options.solvers);
+  const int total = settings.size();
   TunerSearch search(run, wish, options);
   TunerAnswer answer;
-  std::vector<Candidate> met;
+  List<Candidate> met;
   double least_work = 0;
   for (const Setting& setting : settings) {
     const double work = expected_work(setting);
@@ -203,9 +204,9 @@ TunerAnswer tune(const TunerRun& run, const Wish& wish, const TunerOptions& opti
     }
   }
   answer.complete = answer.complete && !search.told_to_stop();
-  std::vector<Candidate> kinds = ranked(met);
-  const std::size_t most = static_cast<std::size_t>(std::max(options.runners_up, 0)) + 1;
-  for (std::size_t i = 0; i < std::min(kinds.size(), most); ++i) {
+  List<Candidate> kinds = ranked(met);
+  const int most = std::max(options.runners_up, 0) + 1;
+  for (int i = 0; i < std::min(kinds.size(), most); ++i) {
     const Candidate candidate = search.in_single_precision(kinds[i], ++answer.tried, total);
     if (candidate.verdict.meets) met.push_back(candidate);
   }

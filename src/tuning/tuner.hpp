@@ -5,9 +5,9 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "study/trial.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -50,7 +50,7 @@ struct Candidate {
 };
 
 struct TunerOptions {
-  std::vector<std::string> solvers = {"si", "block", "block-contact", "accelerated", "newton"};
+  List<std::string> solvers = {"si", "block", "block-contact", "accelerated", "newton"};
   int starts = 16;         // of each setting that is to be trusted
   int runners_up = 4;      // that are to be found beside the best
   double time_limit = 60;  // [s] after which no further setting is begun
@@ -59,9 +59,9 @@ struct TunerOptions {
 };
 
 struct TunerAnswer {
-  std::optional<Candidate> best = {};      // the cheapest that meets the wish from every start
-  std::vector<Candidate> runners_up = {};  // further ones that do, cheapest first, no two alike in solver
-                                           // and policy
+  std::optional<Candidate> best = {};  // the cheapest that meets the wish from every start
+  List<Candidate> runners_up = {};     // further ones that do, cheapest first, no two alike in solver
+                                       // and policy
   /// The cheapest SI at 60 Hz with Baumgarte and no substeps, and the cheapest Box2D; the one with the most
   /// work where none meets the wish, as its verdict says.
   std::optional<Candidate> plain_si = {};
@@ -73,11 +73,11 @@ struct TunerAnswer {
 
 /// The settings that are tried, from the least work to the most: solvers, 1 to 256 sweeps (of newton 1 to 16
 /// linear systems), 60 to 240 steps a second, 1 to 16 substeps, policies Baumgarte, soft and split impulse.
-std::vector<Setting> tuner_settings(const std::vector<std::string>& solvers);
+List<Setting> tuner_settings(const List<std::string>& solvers);
 /// SI at 60 steps a second with Baumgarte and no substeps, 1 to 1024 sweeps.
-std::vector<Setting> plain_si_settings();
+List<Setting> plain_si_settings();
 /// Box2D 2.4.1: 4 to 64 velocity iterations, 3 or 10 for positions, 60 to 240 steps, 1 or 4 substeps.
-std::vector<Setting> box2d_settings();
+List<Setting> box2d_settings();
 
 /// About how much work a second of the setting is: sweeps, weighed by what they cost, with what a step costs
 /// without any. Only orders the search; what is reported is measured.

@@ -5,6 +5,7 @@
 
 #include "scenes/solver_list.hpp"
 #include "tuning/tuner.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -28,7 +29,7 @@ int most_sweeps_of(const std::string& solver) {
   return solver == "newton" ? 16 : 256;
 }
 
-void sort_by_work(std::vector<Setting>& settings) {
+void sort_by_work(List<Setting>& settings) {
   std::stable_sort(settings.begin(), settings.end(),
                    [](const Setting& a, const Setting& b) { return expected_work(a) < expected_work(b); });
 }
@@ -51,8 +52,8 @@ double expected_work(const Setting& setting) {
   return steps * (work_of_a_step + sweeps);
 }
 
-std::vector<Setting> tuner_settings(const std::vector<std::string>& solvers) {
-  std::vector<Setting> settings;
+List<Setting> tuner_settings(const List<std::string>& solvers) {
+  List<Setting> settings;
   for (const std::string& solver : solvers) {
     const int most_sweeps = most_sweeps_of(solver);
     for (const int frequency : {60, 120, 240}) {
@@ -73,8 +74,8 @@ std::vector<Setting> tuner_settings(const std::vector<std::string>& solvers) {
   return settings;
 }
 
-std::vector<Setting> plain_si_settings() {
-  std::vector<Setting> settings;
+List<Setting> plain_si_settings() {
+  List<Setting> settings;
   for (int sweeps = 1; sweeps <= 1024; sweeps *= 2) {
     settings.emplace_back();
     settings.back().sweeps.iterations = sweeps;
@@ -82,8 +83,8 @@ std::vector<Setting> plain_si_settings() {
   return settings;
 }
 
-std::vector<Setting> box2d_settings() {
-  std::vector<Setting> settings;
+List<Setting> box2d_settings() {
+  List<Setting> settings;
   for (const int frequency : {60, 120, 240}) {
     for (const int substeps : {1, 4}) {
       for (int sweeps = 4; sweeps <= 64; sweeps *= 2) {

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "validation/case_list.hpp"
 #include "validation/case_runs.hpp"
 #include "validation/case_scenes.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -24,10 +24,10 @@ struct ThrustCondition {
 
 /// The weight of a stone as its area, and that times the x of its middle; of the crown its right half.
 Vec2<double> weight_and_moment(const ArchSpec& spec, int i) {
-  std::vector<Vec2<double>> corners = arch_stone(spec, i);
+  List<Vec2<double>> corners = arch_stone(spec, i);
   if (i == (spec.stones - 1) / 2) corners[2].x() = corners[3].x() = 0;
   Vec2<double> sum(0, 0);
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (int k = 0; k < 4; ++k) {
     const Vec2<double>&p = corners[k], &q = corners[(k + 1) % 4];
     sum += cross<double>(p, q) / 2 * Vec2<double>(1, (p.x() + q.x()) / 3);
   }
@@ -37,8 +37,8 @@ Vec2<double> weight_and_moment(const ArchSpec& spec, int i) {
 /// For a radius of 1. By symmetry H is level where the crown is cut in two. At every joint, above which the
 /// weight is W at x: the moment about the inner corner and that about the outer one have opposite signs, so
 /// that the thrust runs in between; and what is along the joint is at most mu times what is across.
-std::vector<ThrustCondition> thrust_conditions(const ArchSpec& spec) {
-  std::vector<ThrustCondition> conditions;
+List<ThrustCondition> thrust_conditions(const ArchSpec& spec) {
+  List<ThrustCondition> conditions;
   Vec2<double> above(0, 0);  // W, W x
   for (int joint = (spec.stones - 1) / 2; joint >= 0; --joint) {
     above += weight_and_moment(spec, joint);
@@ -55,7 +55,7 @@ std::vector<ThrustCondition> thrust_conditions(const ArchSpec& spec) {
 
 /// How much room the conditions leave at this H, for M or for H itself; below 0 where they contradict each
 /// other. The least of many linear functions of H: concave.
-double room_of_thrust(const std::vector<ThrustCondition>& conditions, double H) {
+double room_of_thrust(const List<ThrustCondition>& conditions, double H) {
   double lower = -std::numeric_limits<double>::infinity(), upper = -lower, room = upper;
   for (const ThrustCondition& condition : conditions) {
     const double rest = condition.c - condition.a * H;
@@ -68,7 +68,7 @@ double room_of_thrust(const std::vector<ThrustCondition>& conditions, double H) 
 
 /// Whether any thrust holds the arch.
 bool thrust_exists(const ArchSpec& spec) {
-  const std::vector<ThrustCondition> conditions = thrust_conditions(spec);
+  const List<ThrustCondition> conditions = thrust_conditions(spec);
   double low = 0, high = 3;
   for (int i = 0; i < 200; ++i) {
     const double left = low + (high - low) / 3, right = high - (high - low) / 3;

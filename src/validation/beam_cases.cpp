@@ -18,6 +18,7 @@
 #include "validation/case_scenes.hpp"
 #include "validation/worst.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -53,8 +54,8 @@ VelocityProblem<double> glued_boxes(int n, double height) {
   }
   VelocityProblem<double> problem = World(scene).velocity_problem();
   if (problem.row_count() != 4 * n) throw std::logic_error("glued_boxes: an interface must have 4 rows");
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    const int boxes_above = n - static_cast<int>(i) / 4;
+  for (int i = 0; i < problem.row_count(); ++i) {
+    const int boxes_above = n - i / 4;
     if (i % 2 == 0) problem.impulse[i] = boxes_above * standard_gravity * standard_dt / 2;
   }
   problem.velocity.back().x() += 1e-3;
@@ -64,7 +65,7 @@ VelocityProblem<double> glued_boxes(int n, double height) {
 /// The same with the rows of an interface in the order normal, normal, friction, friction.
 VelocityProblem<double> normals_first(const VelocityProblem<double>& problem) {
   VelocityProblem<double> result = problem;
-  for (std::size_t first = 0; first < result.rows.size(); first += 4) {
+  for (int first = 0; first < result.rows.size(); first += 4) {
     std::swap(result.rows[first + 1], result.rows[first + 2]);
     std::swap(result.impulse[first + 1], result.impulse[first + 2]);
     result.rows[first + 3].bounds.normal_row = static_cast<int>(first) + 1;
@@ -115,7 +116,7 @@ class BeamNumbers {
     order_.add(2, std::log2(correction / (ten / limit_ - 1)), 0.2);
     cost_.add(limit_, (4 * ten - five) / 3, correction * correction / 4 * limit_);
   }
-  std::vector<Measured> numbers() const { return {cost_.number(), order_.number()}; }
+  List<Measured> numbers() const { return {cost_.number(), order_.number()}; }
 
  private:
   double limit_;
@@ -144,7 +145,7 @@ ValidationResult welded_beam_statics(const EngineMaker&) {
       // At most 2 n^4 sweeps a digit, and 12 digits.
       make({.iterations = 24 * n * n * n * n})->solve(problem);
       for (int k = 0; k < n; ++k) {
-        const auto row = static_cast<std::size_t>(3 * k);
+        const auto row = 3 * k;
         const double load = (n - k) * weight, bending = (n - k) * load / 2;
         along.add(0, problem.impulse[row], 1e-10);
         across.add(load, problem.impulse[row + 1], 1e-10 * load);
@@ -239,7 +240,7 @@ ValidationResult glued_stack_rank(const EngineMaker&) {
     for (const SolverMaker<double>& make : paper_solvers<double>()) {
       VelocityProblem<double> problem = start;
       make({.iterations = 2000})->solve(problem);
-      for (std::size_t i = 0; i < problem.rows.size(); i += 2) {
+      for (int i = 0; i < problem.row_count(); i += 2) {
         const bool holds =
             problem.impulse[i] > 0 && std::abs(problem.impulse[i + 1]) < 0.6 * problem.impulse[i];
         slipping += holds ? 0 : 1;

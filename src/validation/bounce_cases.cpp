@@ -5,6 +5,7 @@
 #include "validation/case_list.hpp"
 #include "validation/case_runs.hpp"
 #include "validation/worst.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -31,10 +32,10 @@ double ball_speed(const Snapshot& now) { return now.bodies.back().velocity.y(); 
 
 /// Of a ball that bounces until it lies still.
 struct BounceRecord {
-  std::vector<double> apexes = {};  // [m] the highest points after each bounce
-  double last_bounce = 0;           // [s] when it last rose faster than g dt
-  double end = 0;                   // [s]
-  Snapshot rest = {};               // at the end
+  List<double> apexes = {};  // [m] the highest points after each bounce
+  double last_bounce = 0;    // [s] when it last rose faster than g dt
+  double end = 0;            // [s]
+  Snapshot rest = {};        // at the end
 };
 
 BounceRecord watch_ball(const EngineMaker& make, double frequency, double seconds) {
@@ -54,9 +55,9 @@ BounceRecord watch_ball(const EngineMaker& make, double frequency, double second
   return record;
 }
 
-void add_bounce_apexes(std::vector<Measured>& numbers, const BounceRecord& record, double frequency) {
+void add_bounce_apexes(List<Measured>& numbers, const BounceRecord& record, double frequency) {
   const double fall_speed = std::sqrt(2 * standard_gravity * bounce_height);
-  for (std::size_t bounce = 1; bounce <= 5; ++bounce) {
+  for (int bounce = 1; bounce <= 5; ++bounce) {
     numbers.push_back({.what = fmt::format("apex after bounce {} at {} Hz", bounce, frequency),
                        .formula = fmt::format("e^{} h", 2 * bounce),
                        .unit = "m",
@@ -67,7 +68,7 @@ void add_bounce_apexes(std::vector<Measured>& numbers, const BounceRecord& recor
   }
 }
 
-void add_rest(std::vector<Measured>& numbers, const BounceRecord& record, double frequency) {
+void add_rest(List<Measured>& numbers, const BounceRecord& record, double frequency) {
   // A ball slower than g dt comes down within four steps, and still keeps e of its speed each time.
   const double steps = (record.end - record.last_bounce) * frequency;
   const double tremble = standard_gravity / frequency * std::pow(bounce_restitution, steps / 4);
@@ -96,7 +97,7 @@ Measured elastic_minute(const EngineMaker& make) {
   const int steps = 3600;
   const std::unique_ptr<Engine> ball = make(dropped_ball(1, 1 / standard_dt), 10);
   const double start = discrete_ball_energy(ball->snapshot());
-  std::vector<double> energies;
+  List<double> energies;
   for (int step = 0; step < steps; ++step) {
     ball->step();
     energies.push_back(discrete_ball_energy(ball->snapshot()));

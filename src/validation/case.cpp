@@ -28,7 +28,7 @@ class CairnEngine final : public Engine {
 double Convergence::order() const {
   const auto n = static_cast<double>(dt.size());
   double x = 0, y = 0, xx = 0, xy = 0;
-  for (std::size_t i = 0; i < dt.size(); ++i) {
+  for (int i = 0; i < dt.size(); ++i) {
     const double log_dt = std::log(dt[i]), log_error = std::log(error[i]);
     x += log_dt;
     y += log_error;

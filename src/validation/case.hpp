@@ -6,11 +6,11 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "solvers/solver.hpp"
 #include "world/scene.hpp"
 #include "world/snapshot.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -30,9 +30,9 @@ struct Measured {
 /// Errors of one number at finer and finer steps.
 struct Convergence {
   std::string what = {};
-  std::vector<double> dt = {};     // [s]
-  std::vector<double> error = {};  // of each, > 0
-  double lowest = 0.8;             // orders that pass
+  List<double> dt = {};     // [s]
+  List<double> error = {};  // of each, > 0
+  double lowest = 0.8;      // orders that pass
   double highest = 1.2;
   /// The slope of log error over log dt, by least squares.
   double order() const;
@@ -40,7 +40,7 @@ struct Convergence {
 };
 
 struct ValidationResult {
-  std::vector<Measured> numbers = {};
+  List<Measured> numbers = {};
   std::optional<Convergence> convergence = {};
   bool passes() const;
 };
@@ -79,6 +79,6 @@ struct ValidationCase {
 };
 
 /// All cases, in the order of their ids.
-const std::vector<ValidationCase>& validation_cases();
+const List<ValidationCase>& validation_cases();
 
 }  // namespace cairn

@@ -1,5 +1,6 @@
 // Floor 8. All closed forms, from the files that hold them.
 #include "validation/case_list.hpp"
+#include "math/list.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -23,9 +24,9 @@ std::tuple<char, int, std::string> place_of(const ValidationCase& one) {
 
 }  // namespace
 
-const std::vector<ValidationCase>& validation_cases() {
-  static const std::vector<ValidationCase> cases = [] {
-    std::vector<ValidationCase> all;
+const List<ValidationCase>& validation_cases() {
+  static const List<ValidationCase> cases = [] {
+    List<ValidationCase> all;
     for (const auto add : {
              add_stack_cases,    add_chain_cases,     add_beam_cases,    add_slot_cases,   add_impact_cases,
              add_hinge_cases,    add_joint_row_cases, add_paradox_cases, add_flight_cases, add_momentum_cases,

@@ -1,13 +1,12 @@
 // Floor 8. Which file holds which closed forms: a new file is one line here and one in case_list.cpp.
 #pragma once
 
-#include <vector>
-
 #include "validation/case.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
-using ValidationCases = std::vector<ValidationCase>;
+using ValidationCases = List<ValidationCase>;
 
 void add_stack_cases(ValidationCases& cases);      // A1-A3
 void add_chain_cases(ValidationCases& cases);      // A4-A6, A9

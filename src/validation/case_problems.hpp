@@ -2,53 +2,14 @@
 #pragma once
 
 #include <cmath>
-#include <vector>
 
 #include "measure/recorder.hpp"
 #include "solvers/residual.hpp"
-#include "validation/case_constants.hpp"
 #include "validation/case_solvers.hpp"
+#include "validation/column.hpp"
+#include "math/list.hpp"
 
 namespace cairn::cases {
-
-/// A problem with the ground and nothing else.
-template <Scalar Real>
-VelocityProblem<Real> empty_problem(Real dt = static_cast<Real>(standard_dt)) {
-  VelocityProblem<Real> problem;
-  problem.dt = dt;
-  problem.velocity = {Vec3<Real>::Zero()};
-  problem.inverse_mass = {Vec3<Real>::Zero()};
-  return problem;
-}
-
-/// Adds a body of the given mass [kg] and inertia [kg m^2].
-template <Scalar Real>
-BodyId add_body(VelocityProblem<Real>& problem, Real mass, Real inertia, const Vec3<Real>& velocity) {
-  problem.velocity.push_back(velocity);
-  problem.inverse_mass.push_back({1 / mass, 1 / mass, 1 / inertia});
-  return {problem.body_count() - 1};
-}
-
-/// Adds a row as a block of its own, without an impulse to start from, and returns its place.
-template <Scalar Real>
-int add_row(VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
-  problem.blocks.push_back({problem.row_count(), 1});
-  problem.rows.push_back(row);
-  problem.impulse.push_back(0);
-  return problem.row_count() - 1;
-}
-
-/// The row of two bodies that meet, or are tied, along y: j v = v_b - v_a.
-template <Scalar Real>
-ConstraintRow<Real> vertical_row(BodyId a, BodyId b, const Bounds<Real>& bounds) {
-  ConstraintRow<Real> row;
-  row.a = a;
-  row.b = b;
-  row.jacobian_a = {0, -1, 0};
-  row.jacobian_b = {0, 1, 0};
-  row.bounds = bounds;
-  return row;
-}
 
 /// A contact of the ground with body `b` at arm (x, y) from its centre: the normal is up.
 template <Scalar Real>
@@ -70,25 +31,10 @@ ConstraintRow<Real> floor_friction_row(BodyId b, Real y, Real friction, int norm
   return row;
 }
 
-/// Boxes on the ground, one on the other, from the lowest mass up, that have fallen for one step: row j is
-/// the contact under box j + 1. One normal row an interface, as nothing can tilt.
-template <Scalar Real>
-VelocityProblem<Real> column(const std::vector<Real>& masses) {
-  VelocityProblem<Real> problem = empty_problem<Real>();
-  const Real fall = -static_cast<Real>(standard_gravity) * problem.dt;
-  BodyId below = ground;
-  for (const Real mass : masses) {
-    const BodyId box = add_body<Real>(problem, mass, mass / 6, {0, fall, 0});
-    add_row(problem, vertical_row<Real>(below, box, Bounds<Real>::unilateral()));
-    below = box;
-  }
-  return problem;
-}
-
 /// n equal boxes.
 template <Scalar Real>
 VelocityProblem<Real> stack(int n) {
-  return column<Real>(std::vector<Real>(static_cast<std::size_t>(n), Real(1)));
+  return column<Real>(List<Real>(n, Real(1)));
 }
 
 /// Beads of 1 kg on a line, each tied to the next by a rod, at rest but for the first, which was struck.
@@ -139,15 +85,15 @@ VelocityProblem<Real> painleve_rod(Real speed, Real friction) {
   const BodyId rod = add_body<Real>(problem, 1, Real(1) / 12, {speed, -static_cast<Real>(painleve_fall), 0});
   const int normal = add_row(problem, floor_row<Real>(rod, x));
   const int tangent = add_row(problem, floor_friction_row<Real>(rod, y, friction, normal));
-  problem.rows[static_cast<std::size_t>(tangent)].key.part = 1;
+  problem.rows[tangent].key.part = 1;
   return problem;
 }
 
 /// The largest violation of any row by these impulses instead of those of the problem, whose velocities are
 /// those without any [m/s]: 0 for a solution.
-inline double violation_by(VelocityProblem<double> problem, const std::vector<double>& impulse) {
+inline double violation_by(VelocityProblem<double> problem, const PerRow<double>& impulse) {
   problem.impulse = impulse;
-  for (std::size_t i = 0; i < impulse.size(); ++i) apply_impulse(problem, problem.rows[i], impulse[i]);
+  for (int i = 0; i < impulse.size(); ++i) apply_impulse(problem, problem.rows[i], impulse[i]);
   return residual(problem, 1.0).velocity;
 }
 
@@ -157,7 +103,7 @@ class ImpulseTrace final : public SolveObserver<Real> {
  public:
   void before_solve(const VelocityProblem<Real>& problem) override { sweeps = {problem.impulse}; }
   void after_sweep(int, const VelocityProblem<Real>& problem) override { sweeps.push_back(problem.impulse); }
-  std::vector<std::vector<Real>> sweeps = {};
+  List<PerRow<Real>> sweeps = {};
 };
 
 /// The ratio of tensions up to which friction holds a rope that bends by pi in n equal corners (L. Euler,
@@ -176,8 +122,8 @@ inline double measured_rate(const SolverMaker<double>& make, VelocityProblem<dou
                             int last) {
   SweepRecorder<double> recorder;
   make({.iterations = last})->solve(problem, &recorder);
-  const double before = recorder.sweeps()[static_cast<std::size_t>(first)].residual_energy;
-  const double after = recorder.sweeps()[static_cast<std::size_t>(last)].residual_energy;
+  const double before = recorder.sweeps()[first].residual_energy;
+  const double after = recorder.sweeps()[last].residual_energy;
   return std::pow(after / before, 1.0 / (last - first));
 }
 

@@ -1,5 +1,6 @@
 // Floor 8. What many cases do: running, bisecting, refining, and asking every solver.
 #include "validation/case_runs.hpp"
+#include "math/list.hpp"
 
 #include <cmath>
 
@@ -31,8 +32,8 @@ EngineMaker engine_of(const SolverMaker<double>& make) {
   return cairn_engine([make](int iterations) { return make({.iterations = iterations}); });
 }
 
-std::vector<EngineMaker> gauss_seidel_engines() {
-  std::vector<EngineMaker> engines;
+List<EngineMaker> gauss_seidel_engines() {
+  List<EngineMaker> engines;
   for (const SolverMaker<double>& make : all_solvers<double>()) engines.push_back(engine_of(make));
   return engines;
 }
@@ -48,7 +49,7 @@ Bracket bisected(const Bracket& start, double width, const std::function<bool(do
   return now;
 }
 
-void add_bracket(std::vector<Measured>& numbers, const Measured& number, const Bracket& bracket,
+void add_bracket(List<Measured>& numbers, const Measured& number, const Bracket& bracket,
                  const std::string& before, const std::string& after) {
   Measured end = number;
   end.what = number.what + before;

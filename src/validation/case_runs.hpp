@@ -5,11 +5,11 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "validation/case.hpp"
 #include "validation/case_constants.hpp"
 #include "validation/case_solvers.hpp"
+#include "math/list.hpp"
 
 namespace cairn::cases {
 
@@ -23,7 +23,7 @@ class Motion {
   void run(double seconds);
 
   const Snapshot& now() const { return now_; }
-  const SnapshotBody& body(BodyId id) const { return now_.bodies[static_cast<std::size_t>(id.index)]; }
+  const SnapshotBody& body(BodyId id) const { return now_.bodies[id]; }
   const Vec2<double>& position(BodyId id) const { return body(id).pose.position; }  // [m]
   double angle(BodyId id) const { return body(id).pose.angle; }                     // [rad]
   const Vec3<double>& velocity(BodyId id) const { return body(id).velocity; }       // [m/s, m/s, rad/s]
@@ -44,7 +44,7 @@ Snapshot run_scene(const EngineMaker& make, const Scene& scene, int iterations, 
 EngineMaker engine_of(const SolverMaker<double>& make);
 
 /// Cairn with each solver that has the impulses of Gauss-Seidel after every sweep.
-std::vector<EngineMaker> gauss_seidel_engines();
+List<EngineMaker> gauss_seidel_engines();
 
 /// Where something begins to happen: not yet at `before`, already at `after`, which may be the lower one.
 struct Bracket {
@@ -59,7 +59,7 @@ Bracket bisected(const Bracket& start, double width, const std::function<bool(do
 
 /// The two ends of a bracket, which must both lie within the tolerance of `number.expected`: `number.what`
 /// and `before`, and the same with `after`.
-void add_bracket(std::vector<Measured>& numbers, const Measured& number, const Bracket& bracket,
+void add_bracket(List<Measured>& numbers, const Measured& number, const Bracket& bracket,
                  const std::string& before, const std::string& after);
 
 /// The errors of a number at 60, 120, 240 and 480 steps a second, whose order must be `lowest` to `highest`:

@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <functional>
 #include <random>
-#include <vector>
 
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
 #include "geometry/shape.hpp"
 #include "world/scene.hpp"
+#include "math/list.hpp"
 
 namespace cairn::cases {
 
@@ -26,10 +26,10 @@ inline std::function<double(double, double)> uniform_numbers(std::uint64_t seed)
 
 /// Boxes of 1 m on the ground, one on the other, with these masses [kg] from the lowest up; `shift` [m] to
 /// the left and to the right in turn.
-inline Scene box_column(const std::vector<double>& masses, double shift = 0) {
+inline Scene box_column(const List<double>& masses, double shift = 0) {
   Scene scene;
   scene.add_ground();
-  for (std::size_t i = 0; i < masses.size(); ++i) {
+  for (int i = 0; i < masses.size(); ++i) {
     const double x = i % 2 == 0 ? -shift : shift;
     scene.add({.shapes = {box(1, 1)}, .position = {x, 0.5 + static_cast<double>(i)}, .mass = masses[i]});
   }
@@ -45,7 +45,7 @@ struct ArchSpec {
 };
 
 /// The corners of stone i [m], counted from the right: straight edges between radial joints.
-inline std::vector<Vec2<double>> arch_stone(const ArchSpec& spec, int i) {
+inline List<Vec2<double>> arch_stone(const ArchSpec& spec, int i) {
   const double from = i * pi / spec.stones, to = (i + 1) * pi / spec.stones;
   const double inner = spec.radius * (1 - spec.thickness / 2), outer = spec.radius * (1 + spec.thickness / 2);
   const Vec2<double> start(std::cos(from), std::sin(from)), end(std::cos(to), std::sin(to));

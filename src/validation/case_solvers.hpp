@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <memory>
-#include <vector>
 
 #include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
 #include "solvers/iterative/block_sequential_impulse.hpp"
@@ -13,6 +12,7 @@
 #include "solvers/iterative/projected_gauss_seidel.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "solvers/iterative/sparse_projected_gauss_seidel.hpp"
+#include "math/list.hpp"
 
 namespace cairn::cases {
 
@@ -37,8 +37,8 @@ enum class Iterates {
 };
 
 template <Scalar Real>
-std::vector<SolverMaker<Real>> all_solvers(Iterates iterates = Iterates::of_gauss_seidel) {
-  std::vector<SolverMaker<Real>> solvers = {
+List<SolverMaker<Real>> all_solvers(Iterates iterates = Iterates::of_gauss_seidel) {
+  List<SolverMaker<Real>> solvers = {
       maker<SequentialImpulse<Real>, Real>(),             // Algorithm 1
       maker<ProjectedGaussSeidel<Real>, Real>(),          // A dense
       maker<SparseProjectedGaussSeidel<Real>, Real>(),    // A without its zeros
@@ -54,7 +54,7 @@ std::vector<SolverMaker<Real>> all_solvers(Iterates iterates = Iterates::of_gaus
 
 /// The solvers of the paper, for cases that take long.
 template <Scalar Real>
-std::vector<SolverMaker<Real>> paper_solvers() {
+List<SolverMaker<Real>> paper_solvers() {
   return {maker<SequentialImpulse<Real>, Real>(), maker<ProjectedGaussSeidel<Real>, Real>()};
 }
 

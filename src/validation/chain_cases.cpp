@@ -5,6 +5,7 @@
 #include "validation/case_list.hpp"
 #include "validation/case_problems.hpp"
 #include "validation/worst.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -37,7 +38,7 @@ VelocityProblem<double> pinned_chain(int n) {
   VelocityProblem<double> problem = empty_problem<double>();
   const VelocityProblem<double> chain = free_chain(n);
   problem.velocity = chain.velocity;
-  std::swap(problem.velocity[1], problem.velocity.back());
+  std::swap(problem.velocity[{1}], problem.velocity.back());
   problem.inverse_mass = chain.inverse_mass;
   add_row(problem, vertical_row<double>(ground, {1}, Bounds<double>::equality()));
   for (const ConstraintRow<double>& row : chain.rows) add_row(problem, row);
@@ -87,7 +88,7 @@ ValidationResult heavy_on_stack_sweeps(const EngineMaker&) {
   const double ratio = 100;
   ValidationResult result;
   for (const int n : {3, 5}) {
-    std::vector<double> masses(static_cast<std::size_t>(n), 1.0);
+    List<double> masses(n, 1.0);
     masses.back() = ratio;
     Worst worst({.what = "sweeps a digit, R = 100, n = " + std::to_string(n) + ": worst of 5 solvers",
                  .formula = "ln 10 ((n-1) R + 4 n^2 / pi^2)",
@@ -118,7 +119,7 @@ ValidationResult light_on_heavy_sweeps(const EngineMaker&) {
 
 /// The box of 1 m and 1 kg that has fallen for one step on to contacts at the given places from its middle
 /// [m].
-VelocityProblem<double> box_on_points(const std::vector<double>& places) {
+VelocityProblem<double> box_on_points(const List<double>& places) {
   VelocityProblem<double> problem = empty_problem<double>();
   const BodyId box = add_body<double>(problem, 1, 1.0 / 6, {0, -standard_gravity * standard_dt, 0});
   for (const double x : places) add_row(problem, floor_row(box, x));
@@ -135,28 +136,27 @@ ValidationResult box_on_three_points(const EngineMaker&) {
   const std::string one = "64 epsilon of 1 N s, more than what the few sweeps before rest round";
   Worst speed({.what = "largest velocity" + any, .formula = "0", .unit = "m/s", .reason = one});
   Worst sum({.what = "sum of impulses" + any, .formula = "m g dt", .unit = "N s", .reason = one});
-  std::vector<Worst> middle = {Worst({.what = "impulse in the middle, its row first" + some,
-                                      .formula = "m g dt",
-                                      .unit = "N s",
-                                      .reason = one}),
-                               Worst({.what = "impulse in the middle, its row second" + some,
-                                      .formula = "5/9 m g dt",
-                                      .unit = "N s",
-                                      .reason = one}),
-                               Worst({.what = "impulse in the middle, its row last" + some,
-                                      .formula = "1/9 m g dt",
-                                      .unit = "N s",
-                                      .reason = one})};
+  List<Worst> middle = {Worst({.what = "impulse in the middle, its row first" + some,
+                               .formula = "m g dt",
+                               .unit = "N s",
+                               .reason = one}),
+                        Worst({.what = "impulse in the middle, its row second" + some,
+                               .formula = "5/9 m g dt",
+                               .unit = "N s",
+                               .reason = one}),
+                        Worst({.what = "impulse in the middle, its row last" + some,
+                               .formula = "1/9 m g dt",
+                               .unit = "N s",
+                               .reason = one})};
   for (const SolverMaker<double>& make : all_solvers<double>()) {
-    std::vector<double> places = {-0.5, 0, 0.5};
+    List<double> places = {-0.5, 0, 0.5};
     do {
       VelocityProblem<double> problem = box_on_points(places);
       make({.iterations = 1000})->solve(problem);
-      speed.add(0, problem.velocity[1].cwiseAbs().maxCoeff(), 64 * double_epsilon);
+      speed.add(0, problem.velocity[{1}].cwiseAbs().maxCoeff(), 64 * double_epsilon);
       sum.add(weight, std::accumulate(problem.impulse.begin(), problem.impulse.end(), 0.0),
               64 * double_epsilon);
-      const auto row =
-          static_cast<std::size_t>(std::find(places.begin(), places.end(), 0.0) - places.begin());
+      const auto row = std::find(places.begin(), places.end(), 0.0) - places.begin();
       middle[row].add(weight * (1 - 4 * static_cast<double>(row) / 9), problem.impulse[row],
                       64 * double_epsilon);
     } while (std::next_permutation(places.begin(), places.end()));

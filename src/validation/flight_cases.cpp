@@ -5,6 +5,7 @@
 #include "validation/case_list.hpp"
 #include "validation/case_runs.hpp"
 #include "validation/worst.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -72,12 +73,12 @@ Scene oblique_discs(double offset, double frequency) {
 // The disc at rest takes (v.n) n, the other keeps v - (v.n) n: perpendicular whatever n is.
 ValidationResult oblique_hit(const EngineMaker& make) {
   ValidationResult result;
-  std::vector<double> products, energies;
+  List<double> products, energies;
   for (const double offset : {0.2, 0.5, 0.8}) {
     for (const double frequency : {60.0, 240.0}) {
       const Snapshot end = run_scene(make, oblique_discs(offset, frequency), 10, 1.5);
-      const Vec2<double> first = end.bodies[1].velocity.head<2>();
-      const Vec2<double> second = end.bodies[2].velocity.head<2>();
+      const Vec2<double> first = end.bodies[{1}].velocity.head<2>();
+      const Vec2<double> second = end.bodies[{2}].velocity.head<2>();
       products.push_back(first.dot(second));
       energies.push_back((first.squaredNorm() + second.squaredNorm()) / 2);
       result.numbers.push_back(

@@ -7,6 +7,7 @@
 #include "validation/case_list.hpp"
 #include "validation/case_problems.hpp"
 #include "validation/worst.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -40,11 +41,11 @@ Kick strike(const EngineMaker& make, double share) {
   // A_xy^2 / (A_xx A_yy) = (3 s c)^2 / ((1 + 3 s^2)(1 + 3 c^2)) = 0.25 of the error is left by each sweep.
   const Snapshot now = run_scene(make, scene, 60, standard_dt);
   const Vec2<double> kick = now.joints.at(0).impulse;
-  return {.along = kick.dot(along), .across = kick.dot(across), .spin = now.bodies[1].velocity.z()};
+  return {.along = kick.dot(along), .across = kick.dot(across), .spin = now.bodies[{1}].velocity.z()};
 }
 
 /// The numbers of blows at five places, in all of these engines.
-ValidationResult blows_on_a_hinged_rod(const std::vector<EngineMaker>& engines, const std::string& about) {
+ValidationResult blows_on_a_hinged_rod(const List<EngineMaker>& engines, const std::string& about) {
   const std::string reason = "64 epsilon of the blow";
   ValidationResult result;
   Worst along({.what = "impulse of the hinge along the rod, d = 0..L" + about,

@@ -6,6 +6,7 @@
 #include "validation/case_list.hpp"
 #include "validation/case_problems.hpp"
 #include "validation/worst.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -53,7 +54,7 @@ ValidationResult sliding_feet_of_a_box(const EngineMaker& make) {
   const Snapshot now = run_scene(make, scene, 100, 0.5);
   double rear = 0, front = 0;
   for (const SnapshotContact& contact : now.contacts) {
-    const bool is_front = contact.position.x() > now.bodies[1].pose.position.x();
+    const bool is_front = contact.position.x() > now.bodies[{1}].pose.position.x();
     (is_front ? front : rear) += contact.normal_impulse;
   }
   const double weight = standard_gravity * standard_dt;
@@ -109,7 +110,7 @@ ValidationResult row_of_discs(const EngineMaker&) {
       const Snapshot after = struck_row_of_discs(make, n);
       double squares = 0;
       for (int i = 0; i < n; ++i) {
-        const double v = after.bodies[static_cast<std::size_t>(i) + 1].velocity.x();
+        const double v = after.bodies[{i + 1}].velocity.x();
         speed.add(struck_disc_speed(n, i), v, 64 * double_epsilon / (1 - 0.655));
         squares += v * v;
       }
@@ -128,7 +129,7 @@ ValidationResult row_of_five_discs(const EngineMaker& make) {
                               .formula = i == 0 ? "2v/n - v" : "2v/n",
                               .unit = "m/s",
                               .expected = struck_disc_speed(5, i),
-                              .got = after.bodies[static_cast<std::size_t>(i) + 1].velocity.x(),
+                              .got = after.bodies[{i + 1}].velocity.x(),
                               .tolerance = 64 * double_epsilon / (1 - 0.655),
                               .reason = "64 epsilon, each of which lives 1 / (1 - 0.655) sweeps"});
   }
@@ -136,10 +137,10 @@ ValidationResult row_of_five_discs(const EngineMaker& make) {
 }
 
 // Of the disc that hits the ground aslant.
-const double glance_fall = 4;                                // [m/s] v_n
-const double glance_mu = 0.5, glance_e = 0.5;                // friction, restitution
-const double glance_radius = 0.4;                            // [m]
-const std::vector<double> glance_speeds = {3.0, 6.0, 12.0};  // [m/s] u: it grips, just grips, slips
+const double glance_fall = 4;                         // [m/s] v_n
+const double glance_mu = 0.5, glance_e = 0.5;         // friction, restitution
+const double glance_radius = 0.4;                     // [m]
+const List<double> glance_speeds = {3.0, 6.0, 12.0};  // [m/s] u: it grips, just grips, slips
 
 /// How much of u friction takes: a third if it can, when the disc rolls off.
 double glance_change(double u) { return std::min(u / 3, glance_mu * (1 + glance_e) * glance_fall); }
@@ -190,10 +191,10 @@ ValidationResult glance_of_a_disc(const EngineMaker&) {
       make({.iterations = 1})->solve(problem);
       const Vec3<double> expected(u - glance_change(u), glance_e * glance_fall,
                                   -2 * glance_change(u) / glance_radius);
-      const double error = (problem.velocity[1] - expected).norm();
+      const double error = (problem.velocity[{1}] - expected).norm();
       if (error <= largest) continue;
       largest = error;
-      worst = problem.velocity[1];
+      worst = problem.velocity[{1}];
     }
     add_glance(u, worst, ": worst of 5 solvers", 16 * double_epsilon * 12, result);
   }
@@ -213,7 +214,7 @@ ValidationResult glance_in_a_world(const EngineMaker& make) {
                .friction = glance_mu,
                .restitution = glance_e});
     const Snapshot end = run_scene(make, scene, 10, 0.25);  // it leaves in the first step, and flies on
-    add_glance(u, end.bodies[1].velocity, "", 1e-12 * 12, result);
+    add_glance(u, end.bodies[{1}].velocity, "", 1e-12 * 12, result);
   }
   return result;
 }

@@ -10,6 +10,7 @@
 #include "validation/case_problems.hpp"
 #include "validation/worst.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -24,14 +25,14 @@ BodySpec small_body(const Vec2<double>& position, double mass, double inertia = 
 
 struct RopeCase {
   std::string about = {};
-  std::vector<double> parts = {};   // r_i, of rope at each body
-  std::vector<double> masses = {};  // [kg]
+  List<double> parts = {};   // r_i, of rope at each body
+  List<double> masses = {};  // [kg]
 };
 
 /// All accelerations are T r_i / m_i - g, and sum r_i a_i is 0.
 double rope_tension(const RopeCase& rope) {
   double sum = 0, inverse = 0;
-  for (std::size_t i = 0; i < rope.parts.size(); ++i) {
+  for (int i = 0; i < rope.parts.size(); ++i) {
     sum += rope.parts[i];
     inverse += rope.parts[i] * rope.parts[i] / rope.masses[i];
   }
@@ -43,7 +44,7 @@ template <Scalar Real>
 double measured_tension(const RopeCase& rope, const SolverMaker<Real>& make) {
   Scene scene;
   PulleyJoint::Spec spec;
-  for (std::size_t i = 0; i < rope.parts.size(); ++i) {
+  for (int i = 0; i < rope.parts.size(); ++i) {
     const double x = 2 * static_cast<double>(i);
     const BodyId body = scene.add(small_body({x, 0}, rope.masses[i]));
     spec.ends.push_back({.body = body, .anchor = {x, 0}, .roller = {x, 5}, .parts = rope.parts[i]});
@@ -66,9 +67,9 @@ void add_tensions(const RopeCase& rope, Worst& worst) {
 
 // A17
 ValidationResult rope_on_many_bodies(const EngineMaker&) {
-  const std::vector<RopeCase> ropes = {{"r = 1, 1, m = 2, 1 kg (Atwood)", {1, 1}, {2, 1}},
-                                       {"r = 1, 2, 1, m = 1, 2, 3 kg", {1, 2, 1}, {1, 2, 3}},
-                                       {"r = 1, 2, 2, 1, m = 3, 1, 2, 5 kg", {1, 2, 2, 1}, {3, 1, 2, 5}}};
+  const List<RopeCase> ropes = {{"r = 1, 1, m = 2, 1 kg (Atwood)", {1, 1}, {2, 1}},
+                                {"r = 1, 2, 1, m = 1, 2, 3 kg", {1, 2, 1}, {1, 2, 3}},
+                                {"r = 1, 2, 2, 1, m = 3, 1, 2, 5 kg", {1, 2, 2, 1}, {3, 1, 2, 5}}};
   ValidationResult result;
   for (const RopeCase& rope : ropes) {
     Worst worst({.what = "tension after one sweep, " + rope.about + ": worst of 8 solvers and 3 scalars",
@@ -109,8 +110,8 @@ GearMotion run_gear(GearJoint::Mesh mesh, Solver<double>& solver) {
       {.a = {1}, .b = {2}, .radius_a = gear_radius[0], .radius_b = gear_radius[1], .mesh = mesh});
   World world(scene);
   for (int step = 0; step < gear_steps; ++step) world.step(solver);
-  return {.driven = world.bodies().velocity[1].z(),
-          .other = world.bodies().velocity[2].z(),
+  return {.driven = world.bodies().velocity[{1}].z(),
+          .other = world.bodies().velocity[{2}].z(),
           .tooth = std::abs(world.last_step().problem.impulse.back())};
 }
 
@@ -168,8 +169,8 @@ double spring_error(double zeta) {
     world.step(solver);
     v = (v + h * static_cast<Real>(standard_gravity) - h * w * w * x) / (1 + damping + h * h * w * w);
     x += h * v;
-    const Real stretch = world.bodies().pose[1].position.norm() - static_cast<Real>(spring_length);
-    const Real speed = -world.bodies().velocity[1].y();
+    const Real stretch = world.bodies().pose[{1}].position.norm() - static_cast<Real>(spring_length);
+    const Real speed = -world.bodies().velocity[{1}].y();
     const Real error = std::max(std::abs(stretch - x), std::abs(speed - v) / w);
     const Real epsilons = error / (std::numeric_limits<Real>::epsilon() * static_cast<Real>(step));
     if (!(epsilons <= largest)) largest = epsilons;

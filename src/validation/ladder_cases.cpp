@@ -6,6 +6,7 @@
 #include "validation/case_runs.hpp"
 #include "validation/worst.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -85,9 +86,9 @@ double ideal_ladder_way(double start, double wall_mu, double seconds) {
   return ladder_length / 2 * (std::cos(angle) - std::cos(start));
 }
 
-void add_ladder_numbers(std::vector<Measured>& numbers, double wall_mu) {
+void add_ladder_numbers(List<Measured>& numbers, double wall_mu) {
   const double least = in_degrees(least_ladder_angle(wall_mu));
-  std::vector<double> stands, slips;
+  List<double> stands, slips;
   for (const SolverMaker<double>& make : paper_solvers<double>()) {
     const Bracket found = bisected({least + 3, least - 3}, 0.001,
                                    [&](double degrees) { return ladder_slips(make, degrees, wall_mu); });

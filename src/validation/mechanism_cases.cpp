@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "constraints/distance_joint.hpp"
 #include "constraints/prismatic_joint.hpp"
@@ -70,7 +69,7 @@ ValidationResult slider_on_its_axis(const EngineMaker&) {
   const double r = crank_radius, l = crank_rod;
   const double acceleration = (r + r * r / l) * crank_speed * crank_speed;
   const double slope_cosine = std::sqrt(1 - r * r / (l * l));
-  for (std::size_t i = 0; i < result.convergence->dt.size(); ++i) {
+  for (int i = 0; i < result.convergence->dt.size(); ++i) {
     const double dt = result.convergence->dt[i];
     result.numbers.push_back(
         {.what = "slider's drift at " + std::to_string(std::lround(1 / dt)) + " Hz, most in two turns",

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "constraints/distance_joint.hpp"
 #include "validation/case_list.hpp"
 #include "validation/case_runs.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -19,8 +19,8 @@ const double chain_angle = 1e-3;  // [rad] about how far links are tilted at the
 
 /// The Laguerre polynomials L_0(x) to L_n(x). A hanging chain of n equal beads on equal links l swings with
 /// w^2 = x g / l where L_n(x) = 0, and bead k, counted from its lower end, goes out by L_k(x).
-std::vector<double> laguerre(int n, double x) {
-  std::vector<double> value = {1, 1 - x};
+List<double> laguerre(int n, double x) {
+  List<double> value = {1, 1 - x};
   for (int k = 1; k < n; ++k) {
     const double next = ((2 * k + 1 - x) * value.back() - k * value[value.size() - 2]) / (k + 1);
     value.push_back(next);
@@ -30,19 +30,19 @@ std::vector<double> laguerre(int n, double x) {
 
 /// The slowest mode is the smallest zero of L_n: near j^2 / (4 n + 2), with j = 2.4048 the first zero of J_0.
 double slowest_zero(int n) {
-  const auto is_past = [n](double x) { return laguerre(n, x)[static_cast<std::size_t>(n)] < 0; };
+  const auto is_past = [n](double x) { return laguerre(n, x)[n] < 0; };
   return bisected({0, 1.2 * 2.4048 * 2.4048 / (4 * n + 2)}, 1e-15, is_past).middle();
 }
 
 /// n beads of 1 kg on massless rods under the origin, at rest in the shape of the mode of this zero.
 Scene chain_in_mode(int n, double zero, double frequency) {
   Scene scene({.dt = 1 / frequency});
-  const std::vector<double> shape = laguerre(n, zero);
+  const List<double> shape = laguerre(n, zero);
   const double amplitude = chain_angle * chain_link / zero;  // L_0 - L_1 = x: the lowest link
   BodyId above = ground;
   Vec2<double> anchor = {0, 0};
   for (int i = n - 1; i >= 0; --i) {
-    const double x = amplitude * shape[static_cast<std::size_t>(i)];
+    const double x = amplitude * shape[i];
     const double step = x - anchor.x();
     const Vec2<double> place(x, anchor.y() - std::sqrt(chain_link * chain_link - step * step));
     const BodyId bead = scene.add({.position = place, .mass = 1, .fixed_rotation = true});
@@ -57,15 +57,15 @@ Scene chain_in_mode(int n, double zero, double frequency) {
 /// period apart: the frequency w [rad/s]. NaN where it does not swing.
 double measured_frequency(const EngineMaker& make, const Scene& scene, int iterations, int passages) {
   Motion chain(make, scene, iterations);
-  const BodyId lowest = {static_cast<int>(scene.bodies().size()) - 1};
-  std::vector<double> times;
-  while (static_cast<int>(times.size()) < passages && chain.time() < 60) {
+  const BodyId lowest = {scene.bodies().size() - 1};
+  List<double> times;
+  while (times.size() < passages && chain.time() < 60) {
     const double before = chain.position(lowest).x();
     chain.step();
     const double after = chain.position(lowest).x();
     if (before * after <= 0) times.push_back(chain.time() - chain.dt() * after / (after - before));
   }
-  if (static_cast<int>(times.size()) < passages) return std::numeric_limits<double>::quiet_NaN();
+  if (times.size() < passages) return std::numeric_limits<double>::quiet_NaN();
   return (passages - 1) * pi / (times.back() - times.front());
 }
 

@@ -11,6 +11,7 @@
 #include "validation/case_runs.hpp"
 #include "validation/worst.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -22,10 +23,10 @@ const double drum_radius = 3;  // [m] of its inner side
 const int drum_discs = 20;
 
 /// The wall of a drum: 12 planks around the origin.
-std::vector<Shape<double>> drum_wall() {
+List<Shape<double>> drum_wall() {
   const int planks = 12;
   const double length = 2 * (drum_radius + 0.5) * std::tan(pi / planks);
-  std::vector<Shape<double>> shapes;
+  List<Shape<double>> shapes;
   for (int i = 0; i < planks; ++i) {
     const double angle = 2 * pi * i / planks;
     const Vec2<double> middle = (drum_radius + 0.25) * Vec2<double>(std::cos(angle), std::sin(angle));
@@ -97,7 +98,7 @@ DrumRun run_drum(int steps) {
 }
 
 template <Scalar Real>
-void add_drum_numbers(std::vector<Measured>& numbers, const std::string& scalar, int steps) {
+void add_drum_numbers(List<Measured>& numbers, const std::string& scalar, int steps) {
   const DrumRun run = run_drum<Real>(steps);
   const double epsilon = static_cast<double>(std::numeric_limits<Real>::epsilon());
   const auto add = [&](const std::string& what, double change) {
@@ -125,7 +126,7 @@ const double cradle_speed = 2;  // [m/s] of the first disc
 
 /// Discs of radius 0.2 m on a line with 0.3 m between them: more than any of them goes in a step. The first
 /// comes, the others are at rest.
-Scene cradle_with_gaps(const std::vector<double>& masses) {
+Scene cradle_with_gaps(const List<double>& masses) {
   Scene scene({.gravity = {0, 0}});
   double x = 0;
   for (const double mass : masses) {
@@ -140,16 +141,16 @@ Scene cradle_with_gaps(const std::vector<double>& masses) {
 }
 
 /// After any step, one disc has all of the speed: the largest deviation from that. And how many have had it.
-Measured equal_cradle(const EngineMaker& make, std::size_t n) {
-  const std::unique_ptr<Engine> cradle = make(cradle_with_gaps(std::vector<double>(n, 1.0)), 5);
-  std::size_t moving = 0;
-  std::vector<double> errors;
+Measured equal_cradle(const EngineMaker& make, int n) {
+  const std::unique_ptr<Engine> cradle = make(cradle_with_gaps(List<double>(n, 1.0)), 5);
+  int moving = 0;
+  List<double> errors;
   for (int step = 0; step < 100; ++step) {  // each is hit 8 or 9 steps after the one before
     cradle->step();
-    const std::vector<SnapshotBody> bodies = cradle->snapshot().bodies;
-    if (moving + 1 < n && bodies[moving + 1].velocity.x() < cradle_speed / 2) ++moving;
-    for (std::size_t i = 0; i < n; ++i) {
-      errors.push_back(bodies[i + 1].velocity.x() - (i == moving ? cradle_speed : 0));
+    const PerBody<SnapshotBody> bodies = cradle->snapshot().bodies;
+    if (moving + 1 < n && bodies[{moving + 1}].velocity.x() < cradle_speed / 2) ++moving;
+    for (int i = 0; i < n; ++i) {
+      errors.push_back(bodies[{i + 1}].velocity.x() - (i == moving ? cradle_speed : 0));
     }
   }
   errors.push_back(static_cast<double>(n - 1 - moving));  // it must come to the last one
@@ -164,10 +165,10 @@ Measured equal_cradle(const EngineMaker& make, std::size_t n) {
 // m on r m at rest, elastic: m keeps (1 - r)/(1 + r) of its speed, and r m takes 2/(1 + r) of it.
 ValidationResult cradles(const EngineMaker& make) {
   ValidationResult result;
-  for (const std::size_t n : {2u, 3u, 5u, 8u}) result.numbers.push_back(equal_cradle(make, n));
+  for (const int n : {2, 3, 5, 8}) result.numbers.push_back(equal_cradle(make, n));
   const int n = 6;
   for (const double r : {0.5, 0.8}) {  // each disc has r times the mass of the one before
-    std::vector<double> masses;
+    List<double> masses;
     for (int i = 0; i < n; ++i) masses.push_back(std::pow(r, i));
     const Snapshot end = run_scene(make, cradle_with_gaps(masses), 5, 2);
     double speed = cradle_speed;
@@ -178,7 +179,7 @@ ValidationResult cradles(const EngineMaker& make) {
            .formula = i < n ? "v (2/(1 + r))^(i-1) (1 - r)/(1 + r)" : "v (2/(1 + r))^(n-1)",
            .unit = "m/s",
            .expected = expected,
-           .got = end.bodies[static_cast<std::size_t>(i)].velocity.x(),
+           .got = end.bodies[{i}].velocity.x(),
            .tolerance = 1e-12 * expected,
            .reason = "no error but rounding, in 5 sweeps a step"});
       speed *= 2 / (1 + r);

@@ -32,7 +32,7 @@ double dragged_rod_error(double friction) {
     make({.iterations = 100})->solve(problem, &trace);
     Real power = 1;  // (-q)^k
     for (int k = 0; k <= 100; ++k, power *= -q) {
-      const Real normal = trace.sweeps[static_cast<std::size_t>(k)][0];
+      const Real normal = trace.sweeps[k][0];
       const Real rounding = std::numeric_limits<Real>::epsilon() * static_cast<Real>(1 + k);
       const Real error = std::abs(normal - answer * (1 - power)) / rounding;
       if (!(error <= largest)) largest = error;
@@ -88,7 +88,7 @@ struct Circles {
     silent += report.stop == Stop::cycle && !report.converged ? 0 : 1;
     const double last = painleve_fall / painleve_nn * std::max(mu, 1.0);
     change.add(last, report.largest_change, 1e-12 * last);
-    for (std::size_t k = 1; k < trace.sweeps.size(); ++k) {
+    for (int k = 1; k < trace.sweeps.size(); ++k) {
       const double expected = k % 2 == 1 ? painleve_fall / painleve_nn : 0;
       for (const double impulse : {trace.sweeps[k][0], trace.sweeps[k][1] / mu}) {
         (k % 2 == 1 ? odd : even).add(expected, impulse, 64 * double_epsilon);

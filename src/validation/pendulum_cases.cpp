@@ -8,6 +8,7 @@
 #include "measure/energy.hpp"
 #include "validation/case_list.hpp"
 #include "validation/case_runs.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -57,7 +58,7 @@ Scene swinging_rod(double amplitude, double frequency, double baumgarte) {
 /// step by which velocities lag behind positions cancels. 0 if it takes longer than 10 s.
 double measured_period(const EngineMaker& make, double amplitude, double frequency, double baumgarte) {
   const std::unique_ptr<Engine> engine = make(swinging_rod(amplitude, frequency, baumgarte), 50);
-  std::vector<double> passages;
+  List<double> passages;
   double before = amplitude;
   for (int step = 1; passages.size() < 3 && step < 10 * frequency; ++step) {
     engine->step();
@@ -69,7 +70,7 @@ double measured_period(const EngineMaker& make, double amplitude, double frequen
 }
 
 /// Of a rod that swings little: 2 pi sqrt(2L/3g), but for the amplitude.
-void add_small_swings(std::vector<Measured>& numbers, const EngineMaker& make) {
+void add_small_swings(List<Measured>& numbers, const EngineMaker& make) {
   const double amplitude = in_radians(5);
   for (const double baumgarte : {0.0, 0.2}) {
     for (const double frequency : {60.0, 240.0}) {
@@ -97,7 +98,7 @@ Measured wide_swing(const EngineMaker& make, double degrees, double frequency) {
 /// At the bottom the rod turns by w dt in a step, and (w dt)^2 of its energy is at stake. From 150
 /// degrees an error of the energy counts several times, and at 60 Hz an eighth of the period is lost: no law
 /// of small errors holds.
-void add_wide_swings(std::vector<Measured>& numbers, const EngineMaker& make) {
+void add_wide_swings(List<Measured>& numbers, const EngineMaker& make) {
   for (const double degrees : {45.0, 90.0, 150.0}) {
     const double amplitude = in_radians(degrees);
     const double top_speed_squared = 3 * standard_gravity / swinging_length * (1 - std::cos(amplitude));
@@ -117,7 +118,7 @@ void add_wide_swings(std::vector<Measured>& numbers, const EngineMaker& make) {
 }
 
 /// Two errors c dt + d dt^2 + ... combine to -d dt^2 / 2 or so, a quarter of it at half the step.
-void add_extrapolated_swings(std::vector<Measured>& numbers, const EngineMaker& make) {
+void add_extrapolated_swings(List<Measured>& numbers, const EngineMaker& make) {
   for (const double degrees : {45.0, 90.0}) {
     const double amplitude = in_radians(degrees), period = elliptic_period(amplitude);
     const double coarse = measured_period(make, amplitude, 120, 0);

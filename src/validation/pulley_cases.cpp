@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "constraints/differential_joint.hpp"
 #include "constraints/pulley_joint.hpp"

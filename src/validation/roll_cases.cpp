@@ -4,6 +4,7 @@
 #include "geometry/shape.hpp"
 #include "validation/case_list.hpp"
 #include "validation/case_runs.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -83,7 +84,7 @@ double ideal_backspin_way(double rim) {
   return backspin_speed * t - roll_pull * t * t / 2;
 }
 
-void add_rolling(std::vector<Measured>& numbers, const EngineMaker& make, double share) {
+void add_rolling(List<Measured>& numbers, const EngineMaker& make, double share) {
   const double rim = share * backspin_speed;
   const Snapshot end = run_scene(make, thrown_disc(backspin_speed, rim, 60), 10, rolling_begins(rim) + 0.1);
   const Vec3<double> v = end.bodies.back().velocity;

@@ -6,6 +6,7 @@
 #include "validation/case_runs.hpp"
 #include "validation/worst.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -70,11 +71,11 @@ FrictionAudit run_with_audit(World<double>& world, Solver<double>& solver, doubl
   FrictionAudit audit;
   const auto steps = std::lround(seconds / world.dt());
   for (long step = 0; step < steps; ++step) {
-    const std::vector<Vec3<double>> before = world.bodies().velocity;
+    const PerBody<Vec3<double>> before = world.bodies().velocity;
     world.step(solver);
     const VelocityProblem<double>& problem = world.last_step().problem;
     double work = 0;
-    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    for (int i = 0; i < problem.row_count(); ++i) {
       const ConstraintRow<double>& row = problem.rows[i];
       if (!row.bounds.is_friction()) continue;
       const double after = row_velocity(problem, row);
@@ -89,9 +90,9 @@ FrictionAudit run_with_audit(World<double>& world, Solver<double>& solver, doubl
 
 const std::string heat_of_all_solvers = ", worst of all Gauss-Seidel solvers";
 
-void add_block_heat(std::vector<Measured>& numbers) {
+void add_block_heat(List<Measured>& numbers) {
   const double energy = slide_mass * slide_speed * slide_speed / 2;
-  std::vector<double> heats, differences, gains;
+  List<double> heats, differences, gains;
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     World<double> world(sliding_block(60));
     const FrictionAudit audit = run_with_audit(world, *make({.iterations = 50}), 2);
@@ -126,11 +127,11 @@ const double audit_disc_speed = 6;  // [m/s] v0
 const double audit_disc_mu = 0.2;
 
 // A disc rolls at 2/3 v0 in the end: (1 + 1/2) 4/9 of its energy is left. It slips for v0/(3 mu g) = 1 s.
-void add_disc_heat(std::vector<Measured>& numbers) {
+void add_disc_heat(List<Measured>& numbers) {
   const double radius = 0.5, heat = audit_disc_speed * audit_disc_speed / 6;
   const BodySpec disc{
       .shapes = {circle(radius)}, .velocity = {audit_disc_speed, 0}, .mass = 1, .friction = audit_disc_mu};
-  std::vector<double> slipping, rolling;
+  List<double> slipping, rolling;
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     World<double> world(thrown_on_ground(disc, radius, 60));
     const std::unique_ptr<Solver<double>> solver = make({.iterations = 10});

@@ -1,6 +1,5 @@
 // Floor 8. One step of a rope round a post, which is held or slips: B32b.
 #include <string>
-#include <vector>
 
 #include "validation/case_list.hpp"
 #include "validation/case_problems.hpp"
@@ -66,7 +65,7 @@ double measured_slip(const SolverMaker<double>& make, int n, double ratio) {
   // n + 2 points on a straight line cost 0.93 (n + 2)^2 sweeps a digit. Sharp corners and friction cost up to
   // three times as many; enough for 14 digits.
   make({.iterations = 40 * (n + 2) * (n + 2)})->solve(problem);
-  return -problem.velocity[1].y() / slip_fall;
+  return -problem.velocity[{1}].y() / slip_fall;
 }
 
 /// The same by the laws of motion, where the rope slips. All beads have one speed u along the post, and the

@@ -47,12 +47,12 @@ ValidationResult two_answers(const EngineMaker&) {
   for (const SolverMaker<double>& make : all_solvers<double>(Iterates::any)) {
     VelocityProblem<double> problem = box_in_slot(slot_friction);
     make({.iterations = 50})->solve(problem);
-    falls.add(-slot_weight, problem.velocity[1].y(), 0);
+    falls.add(-slot_weight, problem.velocity[{1}].y(), 0);
     cold.add(0, violation_by(box_in_slot(slot_friction), problem.impulse), 0);
     for (const double press : {1.0, 1.5}) {
       problem = pressed_box(press, slot_weight / 2);
       make({.iterations = 50})->solve(problem);
-      stays.add(0, problem.velocity[1].cwiseAbs().maxCoeff(), 64 * double_epsilon);
+      stays.add(0, problem.velocity[{1}].cwiseAbs().maxCoeff(), 64 * double_epsilon);
       holds.add(slot_weight, problem.impulse[1] + problem.impulse[3], 64 * double_epsilon * slot_weight);
       warm.add(0, violation_by(box_in_slot(slot_friction), problem.impulse), 64 * double_epsilon);
     }
@@ -69,7 +69,7 @@ ValidationResult too_little_pressure(const EngineMaker&) {
   for (const SolverMaker<double>& make : all_solvers<double>(Iterates::any)) {
     VelocityProblem<double> problem = pressed_box(0.6, 0);
     make({.iterations = 50})->solve(problem);
-    worst.add(-0.4 * slot_weight, problem.velocity[1].y(), 64 * double_epsilon);
+    worst.add(-0.4 * slot_weight, problem.velocity[{1}].y(), 64 * double_epsilon);
   }
   return {.numbers = {worst.number()}};
 }

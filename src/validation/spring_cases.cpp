@@ -3,12 +3,12 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "constraints/distance_joint.hpp"
 #include "validation/case_list.hpp"
 #include "validation/case_runs.hpp"
 #include "validation/worst.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -82,8 +82,8 @@ ModeRun run_mode(const EngineMaker& make, int mode, double dt) {
   const double omega = 2 * std::sin(mode * pi / 12), amplitude = 0.1;
   Motion chain(make, spring_chain(mode, amplitude, dt), 50);
   ModeRun result;
-  double x = amplitude, v = 0;   // of the mode, by implicit Euler
-  std::vector<double> passages;  // [s]
+  double x = amplitude, v = 0;  // of the mode, by implicit Euler
+  List<double> passages;        // [s]
   for (int step = 0; step < mode_steps; ++step) {
     const double before = mode_part(chain, mode);
     chain.step();

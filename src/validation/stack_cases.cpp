@@ -7,6 +7,7 @@
 #include "validation/case_runs.hpp"
 #include "validation/case_scenes.hpp"
 #include "validation/worst.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -33,7 +34,7 @@ ValidationResult stack_weights(const EngineMaker&) {
       make({.iterations = sweeps})->solve(problem);
       const double box_weight = standard_gravity * problem.dt;
       for (int j = 0; j < n; ++j) {
-        worst.add((n - j) * box_weight, problem.impulse[static_cast<std::size_t>(j)],
+        worst.add((n - j) * box_weight, problem.impulse[j],
                   64 * double_epsilon * n * box_weight / (1 - rate));
       }
     }
@@ -44,7 +45,7 @@ ValidationResult stack_weights(const EngineMaker&) {
 // A1, in a world that has come to rest.
 ValidationResult settled_stack(const EngineMaker& make) {
   const int n = 5, sweeps = 2000;
-  const Snapshot now = run_scene(make, box_column(std::vector<double>(n, 1.0)), sweeps, 2);
+  const Snapshot now = run_scene(make, box_column(List<double>(n, 1.0)), sweeps, 2);
   ValidationResult result;
   const double box_weight = standard_gravity * standard_dt;
   for (int j = 0; j < n; ++j) {
@@ -73,7 +74,7 @@ double worst_of_two_boxes(double heavy) {
     const Real g_dt = static_cast<Real>(standard_gravity) * problem.dt;
     Real power = 1;  // q^(k - 1)
     for (int k = 1; k <= sweeps; ++k, power *= q) {
-      const std::vector<Real>& impulse = trace.sweeps[static_cast<std::size_t>(k)];
+      const PerRow<Real>& impulse = trace.sweeps[k];
       const Real rounding = std::numeric_limits<Real>::epsilon() * static_cast<Real>(1 + k) * (m + M) * g_dt;
       const Real first = std::abs(impulse[0] - g_dt * (m + M * (1 - power))) / rounding;
       const Real second = std::abs(impulse[1] - g_dt * M * (1 - power * q)) / rounding;

@@ -45,10 +45,10 @@ ValidationResult block_on_wedge(const EngineMaker& make) {
                               .reason = "constant forces: velocities are exact; 300 sweeps leave rounding"});
   };
   add("speed of the wedge after 0.5 s", "-m g sin cos/(M + m sin^2) t = -a t", -a * t,
-      end.bodies[1].velocity.x());
-  add("speed of the block along x", "M/m a t", wedge_mass * a * t, end.bodies[2].velocity.x());
+      end.bodies[{1}].velocity.x());
+  add("speed of the block along x", "M/m a t", wedge_mass * a * t, end.bodies[{2}].velocity.x());
   add("speed of the block along y", "-(1 + M/m) tan a t", -(1 + wedge_mass) * a * t * s / c,
-      end.bodies[2].velocity.y());
+      end.bodies[{2}].velocity.y());
   return result;
 }
 

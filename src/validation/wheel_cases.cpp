@@ -4,6 +4,7 @@
 #include "geometry/shape.hpp"
 #include "validation/case_list.hpp"
 #include "validation/case_runs.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -30,7 +31,7 @@ Scene cornered_wheel(int corners, double spin) {
              .position = 30 * along - 0.5 * up,
              .angle = -corner_slope,
              .friction = 1});
-  std::vector<Vec2<double>> points;
+  List<Vec2<double>> points;
   for (int i = 0; i < corners; ++i) {
     const double angle = -pi / 2 + (2 * i + 1) * pi / corners;  // a face is below
     points.push_back(corner_radius * Vec2<double>(std::cos(angle), std::sin(angle)));
@@ -57,14 +58,14 @@ struct CornerImpact {
 /// A speed that drops within two steps by more than a twentieth is an impact.
 CornerImpact last_impact(const EngineMaker& make, int corners, double spin, double seconds) {
   const std::unique_ptr<Engine> wheel = make(cornered_wheel(corners, spin), 50);
-  std::vector<double> speeds;
+  List<double> speeds;
   const auto steps = std::lround(seconds * corner_frequency);
   for (long step = 0; step < steps; ++step) {
     wheel->step();
     speeds.push_back(-wheel->snapshot().bodies.back().velocity.z());
   }
   CornerImpact impact;
-  for (std::size_t i = 1; i + 3 < speeds.size(); ++i) {
+  for (int i = 1; i + 3 < speeds.size(); ++i) {
     if (speeds[i] < speeds[i - 1] || speeds[i + 1] > speeds[i]) continue;  // not at its fastest
     if (speeds[i + 2] < 0.95 * speeds[i]) impact = {speeds[i], speeds[i + 2]};
   }

@@ -1,5 +1,6 @@
 // Floor 8. Of many measurements of one thing the one that is furthest from its formula.
 #include "validation/worst.hpp"
+#include "math/list.hpp"
 
 #include <limits>
 #include <stdexcept>
@@ -28,7 +29,7 @@ Measured Worst::number() const {
   return worst_;
 }
 
-double farthest(double expected, const std::vector<double>& values) {
+double farthest(double expected, const List<double>& values) {
   Worst worst({.what = "values far from " + std::to_string(expected)});
   for (const double value : values) worst.add(expected, value, 1);
   return worst.number().got;

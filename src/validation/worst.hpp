@@ -1,9 +1,8 @@
 // Floor 8. Of many measurements of one thing the one that is furthest from its formula.
 #pragma once
 
-#include <vector>
-
 #include "validation/case.hpp"
+#include "math/list.hpp"
 
 namespace cairn::cases {
 
@@ -28,6 +27,6 @@ class Worst {
 
 /// The value that is farthest from the expected one; a NaN is farther than any number.
 /// @throws std::logic_error where there are no values.
-double farthest(double expected, const std::vector<double>& values);
+double farthest(double expected, const List<double>& values);
 
 }  // namespace cairn::cases

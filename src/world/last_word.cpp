@@ -1,5 +1,6 @@
 // Floor 5. Shock propagation, from the ground up.
 #include "world/last_word.hpp"
+#include "math/list.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -16,16 +17,15 @@ constexpr int no_level = std::numeric_limits<int>::max();
 /// Gives a body one level more than the lower body of a contact: if it has none yet, or if a shorter
 /// way leads to it. Levels that were there before stay.
 template <Scalar Real, typename Counts>
-void spread_levels(const VelocityProblem<Real>& problem, const std::vector<ContactLimit<Real>>& contacts,
-                   const Counts& counts, std::vector<int>& level) {
-  const std::vector<int> fixed = level;
+void spread_levels(const VelocityProblem<Real>& problem, const List<ContactLimit<Real>>& contacts,
+                   const Counts& counts, PerBody<int>& level) {
+  const PerBody<int> fixed = level;
   for (bool changed = true; changed;) {
     changed = false;
     for (const ContactLimit<Real>& contact : contacts) {
-      const ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(contact.row)];
-      const auto a = static_cast<std::size_t>(row.a.index), b = static_cast<std::size_t>(row.b.index);
-      const std::size_t higher = level[a] < level[b] ? b : a;
-      const int lower = std::min(level[a], level[b]);
+      const ConstraintRow<Real>& row = problem.rows[contact.row];
+      const BodyId higher = level[row.a] < level[row.b] ? row.b : row.a;
+      const int lower = std::min(level[row.a], level[row.b]);
       if (!counts(contact) || lower == no_level || fixed[higher] != no_level) continue;
       if (level[higher] - 1 <= lower) continue;
       level[higher] = lower + 1;
@@ -37,9 +37,8 @@ void spread_levels(const VelocityProblem<Real>& problem, const std::vector<Conta
 /// For each body, over how many contacts the nearest immovable one is; where there is none, all are alike.
 /// What is still far from it counts only for bodies that touch nothing that is held.
 template <Scalar Real>
-std::vector<int> contact_levels(const VelocityProblem<Real>& problem,
-                                const std::vector<ContactLimit<Real>>& contacts) {
-  std::vector<int> level;
+PerBody<int> contact_levels(const VelocityProblem<Real>& problem, const List<ContactLimit<Real>>& contacts) {
+  PerBody<int> level;
   for (const Vec3<Real>& inverse_mass : problem.inverse_mass)
     level.push_back(inverse_mass.x() > 0 ? no_level : 0);
   const auto is_near = [](const ContactLimit<Real>& contact) { return contact.separation < contact.depth; };
@@ -76,17 +75,17 @@ void stop_approach(RowSide<Real> near, RowSide<Real> far, bool is_immovable, Rea
 
 /// One sweep over contacts of one level; how fast the fastest of them approached [m/s].
 template <Scalar Real>
-Real last_sweep(const VelocityProblem<Real>& problem, const std::vector<int>& level,
+Real last_sweep(const VelocityProblem<Real>& problem, const PerBody<int>& level,
                 const ContactLimit<Real>* first, const ContactLimit<Real>* last,
-                std::vector<Vec3<Real>>& velocity) {
+                PerBody<Vec3<Real>>& velocity) {
   Real fastest = 0;
   for (const ContactLimit<Real>* contact = first; contact != last; ++contact) {
-    const ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(contact->row)];
+    const ConstraintRow<Real>& row = problem.rows[contact->row];
     const Real least = -std::max(contact->separation, Real(0)) / problem.dt;
     const Real missing = least - row_velocity(problem, row, velocity);
     if (!(missing > 0)) continue;
     fastest = std::max(fastest, missing);
-    const auto a = static_cast<std::size_t>(row.a.index), b = static_cast<std::size_t>(row.b.index);
+    const BodyId a = row.a, b = row.b;
     RowSide<Real> side_a{row.jacobian_a, problem.inverse_mass[a], velocity[a]};
     RowSide<Real> side_b{row.jacobian_b, problem.inverse_mass[b], velocity[b]};
     if (level[a] == level[b]) {
@@ -106,20 +105,19 @@ Real last_sweep(const VelocityProblem<Real>& problem, const std::vector<int>& le
 
 template <Scalar Real>
 bool goes_too_deep(const VelocityProblem<Real>& problem, const ContactLimit<Real>& contact,
-                   const std::vector<Vec3<Real>>& velocity) {
-  const ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(contact.row)];
+                   const PerBody<Vec3<Real>>& velocity) {
+  const ConstraintRow<Real>& row = problem.rows[contact.row];
   const Real way = problem.dt * row_velocity(problem, row, velocity);
   return way < 0 && contact.separation + way < -contact.depth;
 }
 
 template <Scalar Real>
-void keep_bodies_apart(const VelocityProblem<Real>& problem, std::vector<ContactLimit<Real>> contacts,
-                       std::vector<Vec3<Real>>& velocity) {
-  const std::vector<int> level = contact_levels(problem, contacts);
+void keep_bodies_apart(const VelocityProblem<Real>& problem, List<ContactLimit<Real>> contacts,
+                       PerBody<Vec3<Real>>& velocity) {
+  const PerBody<int> level = contact_levels(problem, contacts);
   const auto level_of = [&](const ContactLimit<Real>& contact) {
-    const ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(contact.row)];
-    return std::min(level[static_cast<std::size_t>(row.a.index)],
-                    level[static_cast<std::size_t>(row.b.index)]);
+    const ConstraintRow<Real>& row = problem.rows[contact.row];
+    return std::min(level[row.a], level[row.b]);
   };
   std::stable_sort(contacts.begin(), contacts.end(),
                    [&](const auto& one, const auto& other) { return level_of(one) < level_of(other); });
@@ -138,16 +136,16 @@ void keep_bodies_apart(const VelocityProblem<Real>& problem, std::vector<Contact
 }
 
 template bool goes_too_deep(const VelocityProblem<float>&, const ContactLimit<float>&,
-                            const std::vector<Vec3<float>>&);
-template void keep_bodies_apart(const VelocityProblem<float>&, std::vector<ContactLimit<float>>,
-                                std::vector<Vec3<float>>&);
+                            const PerBody<Vec3<float>>&);
+template void keep_bodies_apart(const VelocityProblem<float>&, List<ContactLimit<float>>,
+                                PerBody<Vec3<float>>&);
 template bool goes_too_deep(const VelocityProblem<double>&, const ContactLimit<double>&,
-                            const std::vector<Vec3<double>>&);
-template void keep_bodies_apart(const VelocityProblem<double>&, std::vector<ContactLimit<double>>,
-                                std::vector<Vec3<double>>&);
+                            const PerBody<Vec3<double>>&);
+template void keep_bodies_apart(const VelocityProblem<double>&, List<ContactLimit<double>>,
+                                PerBody<Vec3<double>>&);
 template bool goes_too_deep(const VelocityProblem<long double>&, const ContactLimit<long double>&,
-                            const std::vector<Vec3<long double>>&);
-template void keep_bodies_apart(const VelocityProblem<long double>&, std::vector<ContactLimit<long double>>,
-                                std::vector<Vec3<long double>>&);
+                            const PerBody<Vec3<long double>>&);
+template void keep_bodies_apart(const VelocityProblem<long double>&, List<ContactLimit<long double>>,
+                                PerBody<Vec3<long double>>&);
 
 }  // namespace cairn

@@ -1,9 +1,8 @@
 // Floor 5. Bodies that a solve has left going through each other are kept apart.
 #pragma once
 
-#include <vector>
-
 #include "constraints/row.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -19,7 +18,7 @@ struct ContactLimit {
 /// and deeper than they were before it.
 template <Scalar Real>
 bool goes_too_deep(const VelocityProblem<Real>& problem, const ContactLimit<Real>& contact,
-                   const std::vector<Vec3<Real>>& velocity);
+                   const PerBody<Vec3<Real>>& velocity);
 
 /// Stops what still approaches, from the immovable bodies outwards: a body gives way to those that are fewer
 /// contacts away from what cannot be moved, as if they could not be moved either. So a heavy body rests on a
@@ -28,7 +27,7 @@ bool goes_too_deep(const VelocityProblem<Real>& problem, const ContactLimit<Real
 /// alone: it is for steps whose solve has failed. Source: E. Guendelman, R. Bridson, R. Fedkiw, Nonconvex
 /// Rigid Bodies with Stacking (2003), for such shock propagation.
 template <Scalar Real>
-void keep_bodies_apart(const VelocityProblem<Real>& problem, std::vector<ContactLimit<Real>> contacts,
-                       std::vector<Vec3<Real>>& velocity);
+void keep_bodies_apart(const VelocityProblem<Real>& problem, List<ContactLimit<Real>> contacts,
+                       PerBody<Vec3<Real>>& velocity);
 
 }  // namespace cairn

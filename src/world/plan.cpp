@@ -29,7 +29,7 @@ Plan make_plan(const Scene& scene) {
     plan.bodies += 1;
     plan.dynamic_bodies += dynamic;
     plan.turning_bodies += dynamic && body.inertia > 0;
-    plan.colliders += static_cast<int>(spec.shapes.size());
+    plan.colliders += spec.shapes.size();
     plan.collision |= dynamic && !spec.shapes.empty();
     plan.gravity |= dynamic && spec.gravity_scale != 0 && !scene.settings().gravity.isZero(0);
     plan.damping |= dynamic && (spec.linear_damping > 0 || spec.angular_damping > 0);
@@ -41,7 +41,7 @@ Plan make_plan(const Scene& scene) {
   plan.friction = plan.collision && rubbing_bodies > 1;
   plan.friction_rows = scene.settings().friction_rows;
   plan.restitution &= plan.collision;
-  plan.joints = static_cast<int>(scene.joints().size());
+  plan.joints = scene.joints().size();
   plan.broadphase = plan.colliders > all_pairs_limit ? BroadphaseKind::sweep : BroadphaseKind::all_pairs;
   plan.warm_start = scene.settings().warm_start;
   plan.guarded = scene.settings().guarded;

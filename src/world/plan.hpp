@@ -2,10 +2,10 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "collision/broadphase.hpp"
 #include "world/scene.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -26,10 +26,10 @@ struct Plan {
   bool warm_start = false;                                // solves begin from last step's impulses
   bool guarded = false;                                   // failed solves are looked after
   int substeps = 1;                                       // in a step
-  bool relaxes = false;                       // a second solve takes the speed of springs out again
-  bool corrects_positions = false;            // a second solve takes errors back
-  bool sleeping = false;                      // islands at rest take no part
-  std::vector<std::string> shape_kinds = {};  // those that occur, sorted
+  bool relaxes = false;                // a second solve takes the speed of springs out again
+  bool corrects_positions = false;     // a second solve takes errors back
+  bool sleeping = false;               // islands at rest take no part
+  List<std::string> shape_kinds = {};  // those that occur, sorted
 };
 
 /// What the scene requires.

@@ -6,6 +6,7 @@
 #include "geometry/aabb.hpp"
 #include "geometry/mass.hpp"
 #include "math/check.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -53,7 +54,7 @@ void check_material(const BodySpec& spec) {
 
 /// Makers of shapes refuse bad numbers; a shape written by hand has asked none of them.
 void check_shapes(const BodySpec& spec) {
-  for (std::size_t i = 0; i < spec.shapes.size(); ++i) {
+  for (int i = 0; i < spec.shapes.size(); ++i) {
     const Aabb<double> box = bounding_box(spec.shapes[i], Pose<double>{});
     const Vec2<double> size = box.upper - box.lower;
     const bool has_size = size.allFinite() && size.minCoeff() >= 0 && size.maxCoeff() > 0;
@@ -105,7 +106,7 @@ void check_settings(const SceneSettings& settings) {
 
 Scene::Scene(const SceneSettings& settings) : settings_(settings), bodies_(1) {
   check_settings(settings);
-  bodies_[0].spec.type = BodyType::static_body;
+  bodies_[ground].spec.type = BodyType::static_body;
 }
 
 void Scene::set_settings(const SceneSettings& settings) {
@@ -129,7 +130,7 @@ BodyId Scene::add(const BodySpec& spec) {
     for (Shape<double>& shape : body.spec.shapes) shape = moved(shape, -shapes.centroid);
   }
   bodies_.push_back(body);
-  return {static_cast<int>(bodies_.size()) - 1};
+  return {bodies_.size() - 1};
 }
 
 BodyId Scene::add_ground(const GroundSpec& spec) {
@@ -139,7 +140,7 @@ BodyId Scene::add_ground(const GroundSpec& spec) {
   require_friction(spec.friction, "Scene::add_ground");
   require_unit_interval(spec.restitution, "Scene::add_ground", "restitution");
   const double thickness = 1;  // [m]
-  SceneBody& body = bodies_[0];
+  SceneBody& body = bodies_[ground];
   body.spec.friction = spec.friction;
   body.spec.restitution = spec.restitution;
   body.spec.shapes.push_back(moved(box(2 * spec.half_width, thickness), {0, spec.height - thickness / 2}));
@@ -148,20 +149,20 @@ BodyId Scene::add_ground(const GroundSpec& spec) {
 
 void Scene::add_joint(std::shared_ptr<const Constraint> joint, JointCollision collision) {
   require(joint != nullptr, "Scene::add_joint", "joint", "a constraint", "nullptr");
-  const std::vector<Attachment> places = joint->attachments();
+  const List<Attachment> places = joint->attachments();
   std::string named;
   bool can_move = false;
   for (const Attachment& place : places) {
     require_body(place.body, "attachment");
-    can_move |= bodies_[static_cast<std::size_t>(place.body.index)].spec.type == BodyType::dynamic;
+    can_move |= bodies_[place.body].spec.type == BodyType::dynamic;
     named += (named.empty() ? "" : ", ") + std::to_string(place.body.index);
   }
   require(can_move, "Scene::add_joint", "bodies", "at least one that can move", named);
 
   const bool collide =
       collision == JointCollision::as_usual ? joint->bodies_collide() : collision == JointCollision::on;
-  for (std::size_t i = 0; !collide && i < places.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
+  for (int i = 0; !collide && i < places.size(); ++i) {
+    for (int k = 0; k < i; ++k) {
       const std::pair<BodyId, BodyId> pair = std::minmax(places[i].body, places[k].body);
       const auto place = std::lower_bound(apart_.begin(), apart_.end(), pair);
       if (place == apart_.end() || *place != pair) apart_.insert(place, pair);
@@ -171,11 +172,11 @@ void Scene::add_joint(std::shared_ptr<const Constraint> joint, JointCollision co
 }
 
 void Scene::displace(BodyId body, const Vec2<double>& offset, double angle) {
-  require(body.index > 0 && body.index < static_cast<int>(bodies_.size()), "Scene::displace", "body",
+  require(body.index > 0 && body.index < bodies_.size(), "Scene::displace", "body",
           "the id of a body other than the ground", body.index);
   require_finite(offset, "Scene::displace", "offset", "m");
   require_finite(angle, "Scene::displace", "angle", "rad");
-  SceneBody& moved_body = bodies_[static_cast<std::size_t>(body.index)];
+  SceneBody& moved_body = bodies_[body];
   const Vec2<double> frame = moved_body.pose.local(moved_body.spec.position);
   moved_body.pose.position += offset;
   moved_body.pose.angle += angle;
@@ -184,15 +185,15 @@ void Scene::displace(BodyId body, const Vec2<double>& offset, double angle) {
   moved_body.spec.angle += angle;
 }
 
-std::vector<Pose<double>> Scene::poses() const {
-  std::vector<Pose<double>> result;
+PerBody<Pose<double>> Scene::poses() const {
+  PerBody<Pose<double>> result;
   for (const SceneBody& body : bodies_) result.push_back(body.pose);
   return result;
 }
 
 void Scene::require_body(BodyId id, const char* field) const {
-  require(id.index >= 0 && id.index < static_cast<int>(bodies_.size()), "Scene::join", field,
-          "the id of a body of this scene", id.index);
+  require(id.index >= 0 && id.index < bodies_.size(), "Scene::join", field, "the id of a body of this scene",
+          id.index);
 }
 
 void require_time_step(double dt, const char* place) {

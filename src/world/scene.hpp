@@ -5,13 +5,13 @@
 #include <memory>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "constraints/constraint.hpp"
 #include "constraints/contact.hpp"
 #include "constraints/stabilization.hpp"
 #include "dynamics/body.hpp"
 #include "geometry/shape.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -46,21 +46,21 @@ struct SceneSettings {
 /// One body. Its mass is `mass`, or else density times area; its inertia follows from the shapes.
 /// Where two bodies touch, friction is sqrt(mu_a mu_b) and restitution max(e_a, e_b), as in Box2D.
 struct BodySpec {
-  BodyType type = BodyType::dynamic;       // static, kinematic or dynamic
-  std::vector<Shape<double>> shapes = {};  // in the frame of `position` and `angle`; may be none
-  Vec2<double> position = {0, 0};          // [m] of the frame that the shapes are given in
-  double angle = 0;                        // [rad]
-  Vec2<double> velocity = {0, 0};          // [m/s] of the centre of mass
-  double angular_velocity = 0;             // [rad/s]
-  std::optional<double> mass = {};         // [kg]
-  std::optional<double> inertia = {};      // [kg m^2] about the centre of mass
-  double density = 1;                      // [kg/m^2]
-  double friction = 0.6;                   // mu
-  double restitution = 0;                  // e, in [0, 1]
-  double linear_damping = 0;               // [1/s]
-  double angular_damping = 0;              // [1/s]
-  double gravity_scale = 1;                // how many times the gravity of the scene it feels
-  bool fixed_rotation = false;             // never turns: 1/I is 0
+  BodyType type = BodyType::dynamic;   // static, kinematic or dynamic
+  List<Shape<double>> shapes = {};     // in the frame of `position` and `angle`; may be none
+  Vec2<double> position = {0, 0};      // [m] of the frame that the shapes are given in
+  double angle = 0;                    // [rad]
+  Vec2<double> velocity = {0, 0};      // [m/s] of the centre of mass
+  double angular_velocity = 0;         // [rad/s]
+  std::optional<double> mass = {};     // [kg]
+  std::optional<double> inertia = {};  // [kg m^2] about the centre of mass
+  double density = 1;                  // [kg/m^2]
+  double friction = 0.6;               // mu
+  double restitution = 0;              // e, in [0, 1]
+  double linear_damping = 0;           // [1/s]
+  double angular_damping = 0;          // [1/s]
+  double gravity_scale = 1;            // how many times the gravity of the scene it feels
+  bool fixed_rotation = false;         // never turns: 1/I is 0
   bool sensor = false;  // is seen to touch (StepRecord::sensed), and neither pushes nor is pushed
   /// Never passes through what it could reach within a step: it gets contact rows with the room in between.
   /// May be stopped by what it would have passed at the side, and then rebounds before it arrives. So does
@@ -109,7 +109,7 @@ class Scene {
   /// @throws std::invalid_argument for unknown bodies, or none that can move.
   template <typename Joint>
   void join(const typename Joint::Spec& spec, JointCollision collision = JointCollision::as_usual) {
-    const std::vector<Pose<double>> start = poses();
+    const PerBody<Pose<double>> start = poses();
     if constexpr (requires { spec.a; }) require_body(spec.a, "a");
     if constexpr (requires { spec.b; }) require_body(spec.b, "b");
     if constexpr (requires { spec.c; }) require_body(spec.c, "c");
@@ -128,20 +128,20 @@ class Scene {
   /// What holds for the whole scene.
   const SceneSettings& settings() const { return settings_; }
   /// In the order of their ids; the ground is the first.
-  const std::vector<SceneBody>& bodies() const { return bodies_; }
+  const PerBody<SceneBody>& bodies() const { return bodies_; }
   /// In the order in which they were added.
-  const std::vector<std::shared_ptr<const Constraint>>& joints() const { return joints_; }
+  const List<std::shared_ptr<const Constraint>>& joints() const { return joints_; }
   /// Pairs of bodies that a joint keeps from colliding, sorted, the lower id first.
-  const std::vector<std::pair<BodyId, BodyId>>& apart() const { return apart_; }
+  const List<std::pair<BodyId, BodyId>>& apart() const { return apart_; }
 
  private:
-  std::vector<Pose<double>> poses() const;
+  PerBody<Pose<double>> poses() const;
   void require_body(BodyId id, const char* field) const;
 
   SceneSettings settings_;
-  std::vector<SceneBody> bodies_;
-  std::vector<std::shared_ptr<const Constraint>> joints_;
-  std::vector<std::pair<BodyId, BodyId>> apart_;
+  PerBody<SceneBody> bodies_;
+  List<std::shared_ptr<const Constraint>> joints_;
+  List<std::pair<BodyId, BodyId>> apart_;
 };
 
 /// @throws std::invalid_argument unless dt is from 1e-12 to 1e6 s.

@@ -1,14 +1,12 @@
 // Floor 5. Sleeping: bodies at rest are left out of the steps until something wakes them.
 #pragma once
 
-#include <array>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "collision/manifold.hpp"
 #include "constraints/row.hpp"
 #include "world/scene.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -33,63 +31,62 @@ class SleepState {
   explicit SleepState(const Scene& scene);
 
   /// Whether the body sleeps.
-  bool asleep(BodyId body) const { return island_[index_of(body)] != awake; }
+  bool asleep(BodyId body) const { return island_[body] != awake; }
   /// Whether it writes no rows: all of its bodies sleep, or cannot be moved.
-  bool joint_asleep(std::size_t joint) const;
+  bool joint_asleep(int joint) const;
   /// When the last step ended.
   const AwakeCount& count() const { return count_; }
 
   /// For each shape, whether it may meet what is not movable: shapes of awake and of moving bodies, and
   /// sensors, which see sleepers too.
-  void mark_movable(const std::vector<Vec3<Real>>& velocity, std::vector<char>& movable) const;
+  void mark_movable(const PerBody<Vec3<Real>>& velocity, List<char>& movable) const;
   /// Wakes every island that something awake, or kinematic and moving, touches or holds. Whether any was.
-  bool wake_touched(const std::vector<Manifold<Real>>& manifolds, const std::vector<Vec3<Real>>& velocity);
+  bool wake_touched(const List<Manifold<Real>>& manifolds, const PerBody<Vec3<Real>>& velocity);
   /// Wakes the island of a body, and begins to count its time anew.
   void wake(BodyId body);
   /// Gives the impulses of woken rows back, as those of a step of dt [s]; keeps the list sorted.
-  void give_back(std::vector<std::pair<RowKey, Real>>& impulses, double dt);
+  void give_back(List<std::pair<RowKey, Real>>& impulses, double dt);
   /// What forces have done to sleeping bodies is undone: their velocities are 0.
-  void hold(std::vector<Vec3<Real>>& velocity) const;
+  void hold(PerBody<Vec3<Real>>& velocity) const;
   /// At the end of a step of dt [s], of which `problem` is the last solve, in substeps of problem.dt.
-  void let_sleep(const std::vector<Manifold<Real>>& manifolds, const VelocityProblem<Real>& problem,
-                 double dt, std::vector<Vec3<Real>>& velocity);
+  void let_sleep(const List<Manifold<Real>>& manifolds, const VelocityProblem<Real>& problem, double dt,
+                 PerBody<Vec3<Real>>& velocity);
 
  private:
-  static constexpr int awake = -1;
+  static constexpr BodyId awake = {-1};
 
   /// What a row had given when its island fell asleep.
   struct KeptImpulse {
     RowKey key = {};
     Real impulse = 0;  // [N s]
     double dt = 0;     // [s] of the substep it belongs to
-    int island = 0;
+    BodyId island = {};
   };
 
-  static std::size_t index_of(BodyId body) { return static_cast<std::size_t>(body.index); }
   template <typename Visit>
-  void for_each_tie(const std::vector<Manifold<Real>>& manifolds, const Visit& visit) const;
-  bool is_dynamic(BodyId body) const { return type_[index_of(body)] == BodyType::dynamic; }
-  bool disturbs(BodyId body, const std::vector<Vec3<Real>>& velocity) const;
-  void count_still_time(double dt, const std::vector<Vec3<Real>>& velocity);
-  void connect(std::span<const BodyId> tied, const std::vector<Vec3<Real>>& velocity);
-  int root_of(int body);
-  bool put_to_sleep(double dt, std::vector<Vec3<Real>>& velocity);
+  void for_each_tie(const List<Manifold<Real>>& manifolds, const Visit& visit) const;
+  bool is_dynamic(BodyId body) const { return type_[body] == BodyType::dynamic; }
+  bool disturbs(BodyId body, const PerBody<Vec3<Real>>& velocity) const;
+  void count_still_time(double dt, const PerBody<Vec3<Real>>& velocity);
+  void connect(Span<const BodyId> tied, const PerBody<Vec3<Real>>& velocity);
+  BodyId root_of(BodyId body);
+  bool put_to_sleep(double dt, PerBody<Vec3<Real>>& velocity);
   void keep_impulses(const VelocityProblem<Real>& problem);
 
   Sleeping settings_;
-  std::vector<BodyType> type_;               // of each body
-  std::vector<char> sensor_;                 // of each body
-  std::vector<BodyId> owner_;                // of each shape
-  std::vector<std::vector<BodyId>> joints_;  // the bodies of each joint
-  std::vector<int> island_;                  // of each body: the lowest id in its sleeping island, or `awake`
-  std::vector<double> still_for_;            // [s] of each body: how long it has been slow
-  std::vector<KeptImpulse> kept_;
+  PerBody<BodyType> type_;
+  PerBody<char> sensor_;
+  List<BodyId> owner_;         // of each shape
+  List<List<BodyId>> joints_;  // the bodies of each joint
+  PerBody<BodyId> island_;     // the lowest id in its sleeping island, or `awake`
+  PerBody<double> still_for_;  // [s] how long it has been slow
+  List<KeptImpulse> kept_;
   bool has_woken_ = false;  // some of kept_ are to be given back
   AwakeCount count_ = {};
 
   // Scratch memory.
-  std::vector<int> parent_;     // of each body, in the forest of islands: never a higher id
-  std::vector<char> restless_;  // of each root: some body of its island may not sleep yet
+  PerBody<BodyId> parent_;  // in the forest of islands: never a higher id
+  PerBody<char> restless_;  // of each root: some body of its island may not sleep yet
 };
 
 }  // namespace cairn

@@ -2,6 +2,7 @@
 #include "world/snapshot.hpp"
 
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -34,13 +35,13 @@ void share_friction(const ConstraintRow<Real>& row, Real impulse, SnapshotContac
 /// The contacts of one manifold, from the rows of its block: a normal row for each point, and a friction row
 /// behind it, or behind both, where there is friction.
 template <Scalar Real>
-void append_contacts(const StepRecord<Real>& record, std::size_t manifold_index, const RowBlock& block,
-                     std::vector<SnapshotContact>& contacts) {
+void append_contacts(const StepRecord<Real>& record, int manifold_index, const RowBlock& block,
+                     List<SnapshotContact>& contacts) {
   const Manifold<Real>& manifold = record.manifolds[manifold_index];
   int row = block.first;
   for (int i = 0; i < manifold.count; ++i) {
-    const ManifoldPoint<Real>& point = manifold.points[static_cast<std::size_t>(i)];
-    const auto normal = static_cast<std::size_t>(row++);
+    const ManifoldPoint<Real>& point = manifold.points[i];
+    const auto normal = row++;
     SnapshotContact contact{.a = record.problem.rows[normal].a,
                             .b = record.problem.rows[normal].b,
                             .position = point.position.template cast<double>(),
@@ -48,7 +49,7 @@ void append_contacts(const StepRecord<Real>& record, std::size_t manifold_index,
                             .separation = static_cast<double>(point.separation),
                             .normal_impulse = static_cast<double>(record.problem.impulse[normal]),
                             .is_new = record.is_new[normal] != 0};
-    const auto next = static_cast<std::size_t>(row);
+    const auto next = row;
     const bool has_next = row < block.first + block.count;
     const bool is_shared = has_next && record.problem.rows[next].bounds.second_normal_row >= 0;
     if (has_next && record.problem.rows[next].bounds.is_friction() && !is_shared) {
@@ -66,16 +67,16 @@ void append_contacts(const StepRecord<Real>& record, std::size_t manifold_index,
 
 template <Scalar Real>
 SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& state) {
-  const std::vector<Attachment> places = joint.attachments();
+  const List<Attachment> places = joint.attachments();
   const auto world_point = [&state](const Attachment& place) -> Vec2<double> {
-    Pose<Real> pose = state.pose[static_cast<std::size_t>(place.body.index)];
+    Pose<Real> pose = state.pose[place.body];
     if (!place.turns) pose.angle = 0;
     return pose.world(place.anchor.template cast<Real>()).template cast<double>();
   };
   SnapshotJoint result{.name = joint.name(), .a = places.front().body, .b = places.back().body};
   result.anchor_a = world_point(places.front());
   result.anchor_b = world_point(places.back());
-  for (std::size_t i = 1; i + 1 < places.size(); ++i) result.between.push_back(world_point(places[i]));
+  for (int i = 1; i + 1 < places.size(); ++i) result.between.push_back(world_point(places[i]));
   RowSpecs<Real> specs;
   joint.append_rows(state.pose, specs);
   double sum = 0;
@@ -97,20 +98,19 @@ Snapshot snapshot(const World<Real>& world) {
                   .dt = world.dt() / scene.settings().substeps,
                   .gravity = scene.settings().gravity};
   result.apart = scene.apart();
-  for (std::size_t i = 0; i < scene.bodies().size(); ++i) {
-    const Pose<Real>& pose = world.bodies().pose[i];
+  for (const BodyId body : scene.bodies().indices()) {
+    const Pose<Real>& pose = world.bodies().pose[body];
     const Pose<double> double_pose{pose.position.template cast<double>(), static_cast<double>(pose.angle)};
-    result.bodies.push_back(
-        snapshot_body(scene.bodies()[i], double_pose, world.bodies().velocity[i].template cast<double>()));
-    result.bodies.back().awake = world.is_awake({static_cast<int>(i)});
+    result.bodies.push_back(snapshot_body(scene.bodies()[body], double_pose,
+                                          world.bodies().velocity[body].template cast<double>()));
+    result.bodies.back().awake = world.is_awake({body});
   }
-  const std::size_t joints = scene.joints().size();
-  for (std::size_t i = 0; i < joints; ++i) {
+  const int joints = scene.joints().size();
+  for (int i = 0; i < joints; ++i) {
     SnapshotJoint joint = snapshot_joint(*scene.joints()[i], world.bodies());
     if (i < record.problem.blocks.size()) {
       const RowBlock& block = record.problem.blocks[i];
-      for (int row = block.first; row < block.first + block.count; ++row) {
-        const auto index = static_cast<std::size_t>(row);
+      for (int index = block.first; index < block.first + block.count; ++index) {
         const Vec2<Real> push =
             record.problem.rows[index].jacobian_b.template head<2>() * record.problem.impulse[index];
         joint.impulse += push.template cast<double>();
@@ -118,7 +118,7 @@ Snapshot snapshot(const World<Real>& world) {
     }
     result.joints.push_back(joint);
   }
-  for (std::size_t i = 0; i < record.manifolds.size(); ++i) {
+  for (int i = 0; i < record.manifolds.size(); ++i) {
     append_contacts(record, i, record.problem.blocks[joints + i], result.contacts);
   }
   return result;

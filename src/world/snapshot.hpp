@@ -4,26 +4,26 @@
 #include <cstdint>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "dynamics/body.hpp"
 #include "geometry/shape.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
 /// One body.
 struct SnapshotBody {
-  BodyType type = BodyType::static_body;   // static, kinematic or dynamic
-  Pose<double> pose = {};                  // of the centre of mass
-  Vec3<double> velocity = {0, 0, 0};       // [m/s, m/s, rad/s]
-  double mass = 0;                         // [kg]; 0 where it cannot be moved
-  double inertia = 0;                      // [kg m^2]; 0 where it cannot be turned
-  double gravity_scale = 1;                // how many times the gravity of the scene it feels
-  bool awake = true;                       // takes part in the steps
-  bool sensor = false;                     // is seen to touch, and neither pushes nor is pushed
-  std::uint32_t category = 1;              // bits: what it is
-  std::uint32_t collides_with = ~0u;       // bits: of which categories both must accept the other's
-  std::vector<Shape<double>> shapes = {};  // in the frame of `pose`
+  BodyType type = BodyType::static_body;  // static, kinematic or dynamic
+  Pose<double> pose = {};                 // of the centre of mass
+  Vec3<double> velocity = {0, 0, 0};      // [m/s, m/s, rad/s]
+  double mass = 0;                        // [kg]; 0 where it cannot be moved
+  double inertia = 0;                     // [kg m^2]; 0 where it cannot be turned
+  double gravity_scale = 1;               // how many times the gravity of the scene it feels
+  bool awake = true;                      // takes part in the steps
+  bool sensor = false;                    // is seen to touch, and neither pushes nor is pushed
+  std::uint32_t category = 1;             // bits: what it is
+  std::uint32_t collides_with = ~0u;      // bits: of which categories both must accept the other's
+  List<Shape<double>> shapes = {};        // in the frame of `pose`
 };
 
 /// One contact point.
@@ -42,14 +42,14 @@ struct SnapshotContact {
 
 /// One joint, as far as it can be drawn and measured.
 struct SnapshotJoint {
-  std::string name = {};                   // Constraint::name()
-  BodyId a = {};                           // where it begins
-  BodyId b = {};                           // where it ends
-  Vec2<double> anchor_a = {0, 0};          // [m], world
-  Vec2<double> anchor_b = {0, 0};          // [m], world
-  std::vector<Vec2<double>> between = {};  // [m], world: where a rope goes on its way from a to b
-  double drift = 0;                        // [m or rad], norm of what its rigid rows lack
-  Vec2<double> impulse = {0, 0};           // [N s], on b, world
+  std::string name = {};            // Constraint::name()
+  BodyId a = {};                    // where it begins
+  BodyId b = {};                    // where it ends
+  Vec2<double> anchor_a = {0, 0};   // [m], world
+  Vec2<double> anchor_b = {0, 0};   // [m], world
+  List<Vec2<double>> between = {};  // [m], world: where a rope goes on its way from a to b
+  double drift = 0;                 // [m or rad], norm of what its rigid rows lack
+  Vec2<double> impulse = {0, 0};    // [N s], on b, world
 };
 
 /// A world at one instant.
@@ -58,10 +58,10 @@ struct Snapshot {
   int step = 0;                                // how many were taken before
   double dt = 0;                               // [s] of the last substep: impulse / dt is the paper's lambda
   Vec2<double> gravity = {0, 0};               // [m/s^2]
-  std::vector<SnapshotBody> bodies = {};       // index 0 is the ground
-  std::vector<SnapshotContact> contacts = {};  // ordered by the shapes that touch
-  std::vector<SnapshotJoint> joints = {};      // in the order of the scene
-  std::vector<std::pair<BodyId, BodyId>> apart = {};  // bodies that a joint keeps from colliding, sorted
+  PerBody<SnapshotBody> bodies = {};           // index 0 is the ground
+  List<SnapshotContact> contacts = {};         // ordered by the shapes that touch
+  List<SnapshotJoint> joints = {};             // in the order of the scene
+  List<std::pair<BodyId, BodyId>> apart = {};  // bodies that a joint keeps from colliding, sorted
 };
 
 }  // namespace cairn

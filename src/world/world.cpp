@@ -1,5 +1,6 @@
 // Floor 5. The step.
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,13 +29,13 @@ auto find_impulse(const Impulses& impulses, const RowKey& key) {
 /// Whether no impulse of a row could change a velocity, as that of a row for the angle between the ground and
 /// a body that never turns: A_ii is 0, so it is not written. No row names one like it for its bounds.
 template <Scalar Real>
-bool moves_nothing(const RowSpec<Real>& spec, const std::vector<Vec3<Real>>& inverse_mass) {
+bool moves_nothing(const RowSpec<Real>& spec, const PerBody<Vec3<Real>>& inverse_mass) {
   const auto is_still = [&](BodyId body, const Vec3<Real>& jacobian) {
-    return inverse_mass[static_cast<std::size_t>(body.index)].cwiseProduct(jacobian).isZero(0);
+    return inverse_mass[body].cwiseProduct(jacobian).isZero(0);
   };
   bool still = is_still(spec.a, spec.jacobian_a) && is_still(spec.b, spec.jacobian_b);
   for (int k = 0; k < spec.extra_count; ++k) {
-    const RowTerm<Real>& term = spec.extra[static_cast<std::size_t>(k)];
+    const RowTerm<Real>& term = spec.extra[k];
     still = still && is_still(term.body, term.jacobian);
   }
   return still;
@@ -106,8 +107,8 @@ void World<Real>::correct_positions(Solver<Real>& solver, StepReport& report) {
   for (Vec3<Real>& v : second_problem_.velocity) v.setZero();
   second_problem_.impulse.assign(second_problem_.rows.size(), Real(0));
   report.sweeps += solver.solve(second_problem_).iterations;
-  for (std::size_t i = 0; i < moving_velocity_.size(); ++i)
-    moving_velocity_[i] += second_problem_.velocity[i];
+  for (const BodyId body : moving_velocity_.indices())
+    moving_velocity_[body] += second_problem_.velocity[body];
 }
 
 template <Scalar Real>
@@ -139,15 +140,15 @@ void World<Real>::write_rows(StabilizationPass pass, VelocityProblem<Real>& prob
   problem.extra_terms.clear();
   problem.inverse_mass = state_.inverse_mass;
   problem.dt = substep_length();
-  for (std::size_t i = 0; i < scene_->joints().size(); ++i) {
+  for (int i = 0; i < scene_->joints().size(); ++i) {
     specs_.clear();
     const bool asleep = sleep_ && sleep_->joint_asleep(i);
     if (!asleep) scene_->joints()[i]->append_rows(state_.pose, problem.velocity, specs_);
-    append_block(pass, i, problem);
+    append_block(pass, static_cast<std::uint64_t>(i), problem);
   }
   for (const Manifold<Real>& manifold : record_.manifolds) {
-    const BodyId a = (*colliders_)[static_cast<std::size_t>(manifold.collider_a)].body;
-    const BodyId b = (*colliders_)[static_cast<std::size_t>(manifold.collider_b)].body;
+    const BodyId a = (*colliders_)[manifold.collider_a].body;
+    const BodyId b = (*colliders_)[manifold.collider_b].body;
     specs_.clear();
     append_contact_rows(manifold, a, b, material(a, b), state_.pose, state_.velocity, specs_);
     append_block(pass, contact_source(manifold.collider_a, manifold.collider_b), problem);
@@ -174,7 +175,7 @@ void World<Real>::warm_start() {
   const Real scale = previous_dt_ > 0 ? substep_length() / static_cast<Real>(previous_dt_) : Real(1);
   problem.impulse.assign(problem.rows.size(), Real(0));
   record_.is_new.assign(problem.rows.size(), 1);
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     const RowKey& key = problem.rows[i].key;
     const auto found = find_impulse(impulses_, key);
     if (found == impulses_.end()) continue;
@@ -189,10 +190,10 @@ void World<Real>::warm_start() {
 template <Scalar Real>
 void World<Real>::remember_impulses() {
   const Real share = previous_dt_ > 0 ? substep_length() / static_cast<Real>(previous_dt_) : Real(1);
-  std::vector<std::pair<RowKey, Real>> before;
+  List<std::pair<RowKey, Real>> before;
   if (share < 1) before.swap(impulses_);
   impulses_.clear();
-  for (std::size_t i = 0; i < record_.problem.rows.size(); ++i) {
+  for (int i = 0; i < record_.problem.row_count(); ++i) {
     impulses_.emplace_back(record_.problem.rows[i].key, record_.problem.impulse[i]);
   }
   for (auto& [key, impulse] : impulses_) {
@@ -206,14 +207,13 @@ void World<Real>::remember_impulses() {
 
 template <Scalar Real>
 ContactMaterial<Real> World<Real>::material(BodyId a, BodyId b) const {
-  const auto index_a = static_cast<std::size_t>(a.index), index_b = static_cast<std::size_t>(b.index);
-  const BodySpec& spec_a = scene_->bodies()[index_a].spec;
-  const BodySpec& spec_b = scene_->bodies()[index_b].spec;
+  const BodySpec& spec_a = scene_->bodies()[a].spec;
+  const BodySpec& spec_b = scene_->bodies()[b].spec;
   return {.friction = static_cast<Real>(std::sqrt(spec_a.friction) * std::sqrt(spec_b.friction)),
           .restitution = static_cast<Real>(std::max(spec_a.restitution, spec_b.restitution)),
           .restitution_threshold = static_cast<Real>(scene_->settings().restitution_threshold),
           .friction_rows = scene_->settings().friction_rows,
-          .slop_limit = std::min(slop_limit_[index_a], slop_limit_[index_b]),
+          .slop_limit = std::min(slop_limit_[a], slop_limit_[b]),
           .gravity = static_cast<Real>(scene_->settings().gravity.norm())};
 }
 

@@ -3,9 +3,7 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "collision/broadphase.hpp"
 #include "collision/manifold.hpp"
@@ -16,6 +14,7 @@
 #include "world/scene.hpp"
 #include "world/sleeping.hpp"
 #include "world/snapshot.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -43,10 +42,10 @@ struct StepReport {
 /// order; then one for each manifold. Of what sleeps there are no manifolds, and joints with an empty block.
 template <Scalar Real>
 struct StepRecord {
-  std::vector<Manifold<Real>> manifolds = {};  // ordered by collider_a, collider_b; where the step began
-  VelocityProblem<Real> problem = {};          // after the solve
-  std::vector<char> is_new = {};               // for each row: it had no impulse to start from
-  std::vector<std::pair<BodyId, BodyId>> sensed = {};  // what touches a sensor, the lower id first, sorted
+  List<Manifold<Real>> manifolds = {};          // ordered by collider_a, collider_b; where the step began
+  VelocityProblem<Real> problem = {};           // after the solve
+  PerRow<char> is_new = {};                     // it had no impulse to start from
+  List<std::pair<BodyId, BodyId>> sensed = {};  // what touches a sensor, the lower id first, sorted
 };
 
 /// A copyable value: `World twin = world;`. The scene is shared and never changes. Owns no solver.
@@ -121,13 +120,13 @@ class World {
 
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Plan> plan_;
-  std::shared_ptr<const std::vector<Collider>> colliders_;
-  std::vector<BodyForces<Real>> forces_;
-  std::vector<Real> slop_limit_;    // [m] of each body: a share of its smallest shape
-  std::vector<Real> failed_error_;  // [m] likewise: deeper in another, it is on its way through
-  std::vector<Real> length_;        // [m] of each body: of its largest shape
+  std::shared_ptr<const List<Collider>> colliders_;
+  PerBody<BodyForces<Real>> forces_;
+  PerBody<Real> slop_limit_;    // [m] a share of the smallest shape
+  PerBody<Real> failed_error_;  // [m] likewise: deeper in another, it is on its way through
+  PerBody<Real> length_;        // [m] of the largest shape
   BodyState<Real> state_;
-  std::vector<std::pair<RowKey, Real>> impulses_;  // of the last step, sorted by key
+  List<std::pair<RowKey, Real>> impulses_;  // of the last step, sorted by key
   StepRecord<Real> record_;
   std::optional<SleepState<Real>> sleep_;  // where the scene lets bodies sleep
   double dt_ = 0;                          // [s]
@@ -137,12 +136,12 @@ class World {
 
   // Scratch memory, kept so that a steady step allocates nothing.
   Broadphase<Real> broadphase_;
-  std::vector<Aabb<Real>> boxes_;
-  std::vector<char> movable_;  // of each collider: not of a pair where neither is
+  List<Aabb<Real>> boxes_;
+  List<char> movable_;  // of each collider: not of a pair where neither is
   RowSpecs<Real> specs_;
-  VelocityProblem<Real> second_problem_;     // of the policies that solve twice
-  std::vector<Vec3<Real>> moving_velocity_;  // of each body: what its position moves by in this substep
-  std::vector<Vec3<Real>> solved_velocity_;  // of each body: what impulses have given it
+  VelocityProblem<Real> second_problem_;  // of the policies that solve twice
+  PerBody<Vec3<Real>> moving_velocity_;   // what the position moves by in this substep
+  PerBody<Vec3<Real>> solved_velocity_;   // what impulses have given
 };
 
 /// `World world(scene);` is one in double.

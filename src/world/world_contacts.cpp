@@ -3,6 +3,7 @@
 
 #include "collision/collide.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -21,10 +22,10 @@ void World<Real>::find_manifolds() {
   record_.sensed.clear();
   if (!plan_->collision) return;
   const Real margin = static_cast<Real>(scene_->settings().speculative_margin);
-  const std::vector<Collider>& colliders = *colliders_;
-  for (std::size_t i = 0; i < colliders.size(); ++i) {
+  const List<Collider>& colliders = *colliders_;
+  for (int i = 0; i < colliders.size(); ++i) {
     const BodyId body = colliders[i].body;
-    const Pose<Real>& pose = state_.pose[static_cast<std::size_t>(body.index)];
+    const Pose<Real>& pose = state_.pose[body];
     boxes_[i] = bounding_box(colliders[i].shape, pose, margin / 2 + reach(body));
   }
   if (sleep_) sleep_->mark_movable(state_.velocity, movable_);
@@ -36,11 +37,11 @@ void World<Real>::find_manifolds() {
 /// One pair that is near: its manifold, if the two may touch.
 template <Scalar Real>
 void World<Real>::meet(int collider_a, int collider_b) {
-  const Collider& a = (*colliders_)[static_cast<std::size_t>(collider_a)];
-  const Collider& b = (*colliders_)[static_cast<std::size_t>(collider_b)];
+  const Collider& a = (*colliders_)[collider_a];
+  const Collider& b = (*colliders_)[collider_b];
   if (a.body == b.body) return;
-  const BodySpec& spec_a = scene_->bodies()[static_cast<std::size_t>(a.body.index)].spec;
-  const BodySpec& spec_b = scene_->bodies()[static_cast<std::size_t>(b.body.index)].spec;
+  const BodySpec& spec_a = scene_->bodies()[a.body].spec;
+  const BodySpec& spec_b = scene_->bodies()[b.body].spec;
   if (spec_a.type != BodyType::dynamic && spec_b.type != BodyType::dynamic) return;
   const std::pair<BodyId, BodyId> bodies = std::minmax(a.body, b.body);
   const auto& apart = scene_->apart();
@@ -49,8 +50,7 @@ void World<Real>::meet(int collider_a, int collider_b) {
   const bool is_sensed = spec_a.sensor || spec_b.sensor;
   const Real wide = static_cast<Real>(scene_->settings().speculative_margin) + reach(a.body) + reach(b.body);
   Manifold<Real> manifold =
-      collide(a.shape, state_.pose[static_cast<std::size_t>(a.body.index)], b.shape,
-              state_.pose[static_cast<std::size_t>(b.body.index)], is_sensed ? Real(0) : wide);
+      collide(a.shape, state_.pose[a.body], b.shape, state_.pose[b.body], is_sensed ? Real(0) : wide);
   if (manifold.count == 0) return;
   if (is_sensed) {
     record_.sensed.push_back(bodies);
@@ -65,13 +65,12 @@ void World<Real>::meet(int collider_a, int collider_b) {
 /// its largest shape is long: then it could pass through another of its size.
 template <Scalar Real>
 Real World<Real>::reach(BodyId body) const {
-  const auto index = static_cast<std::size_t>(body.index);
-  const BodySpec& spec = scene_->bodies()[index].spec;
+  const BodySpec& spec = scene_->bodies()[body].spec;
   if (spec.type == BodyType::static_body) return 0;
   const Real dt = substep_length();
   const Real gravity = static_cast<Real>(spec.gravity_scale * scene_->settings().gravity.norm());
-  const Real way = dt * (state_.velocity[index].template head<2>().norm() + dt * std::abs(gravity));
-  return spec.fast || way > length_[index] ? way : Real(0);
+  const Real way = dt * (state_.velocity[body].template head<2>().norm() + dt * std::abs(gravity));
+  return spec.fast || way > length_[body] ? way : Real(0);
 }
 
 template class World<float>;

@@ -5,6 +5,7 @@
 #include "solvers/impulse_energy.hpp"
 #include "world/last_word.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -14,18 +15,17 @@ namespace {
 /// further is taken back no faster, for Baumgarte would give the bodies beta C / dt of an error C without
 /// end.
 template <Scalar Real>
-void limit_joint_bias(std::size_t joints, Real rate, const std::vector<Real>& failed_error,
+void limit_joint_bias(int joints, Real rate, const PerBody<Real>& failed_error,
                       VelocityProblem<Real>& problem) {
   if (!(rate > 0)) return;
-  for (std::size_t i = 0; i < joints; ++i) {
+  for (int i = 0; i < joints; ++i) {
     const RowBlock& block = problem.blocks[i];
     for (int k = block.first; k < block.first + block.count; ++k) {
-      ConstraintRow<Real>& row = problem.rows[static_cast<std::size_t>(k)];
+      ConstraintRow<Real>& row = problem.rows[k];
       const bool holds_points =
           !row.jacobian_a.template head<2>().isZero(0) || !row.jacobian_b.template head<2>().isZero(0);
       if (!row.bounds.is_equality() || !holds_points) continue;
-      const Real most = rate * std::min(failed_error[static_cast<std::size_t>(row.a.index)],
-                                        failed_error[static_cast<std::size_t>(row.b.index)]);
+      const Real most = rate * std::min(failed_error[row.a], failed_error[row.b]);
       row.bias = std::clamp(row.bias, -most, most);
     }
   }
@@ -58,17 +58,14 @@ void World<Real>::guard_solve(StepReport& report) {
 template <Scalar Real>
 void World<Real>::keep_apart(StepReport& report) {
   const VelocityProblem<Real>& problem = record_.problem;
-  std::size_t block = scene_->joints().size();
+  int block = scene_->joints().size();
   const auto limits_of = [&](const Manifold<Real>& manifold, const auto& visit) {
-    const auto a =
-        static_cast<std::size_t>((*colliders_)[static_cast<std::size_t>(manifold.collider_a)].body.index);
-    const auto b =
-        static_cast<std::size_t>((*colliders_)[static_cast<std::size_t>(manifold.collider_b)].body.index);
+    const BodyId a = (*colliders_)[manifold.collider_a].body, b = (*colliders_)[manifold.collider_b].body;
     const Real depth = std::min(failed_error_[a], failed_error_[b]);
     int row = problem.blocks[block++].first;
     for (int i = 0; i < manifold.count; ++i, ++row) {
-      while (!problem.rows[static_cast<std::size_t>(row)].bounds.is_unilateral()) ++row;
-      visit(ContactLimit<Real>{row, manifold.points[static_cast<std::size_t>(i)].separation, depth});
+      while (!problem.rows[row].bounds.is_unilateral()) ++row;
+      visit(ContactLimit<Real>{row, manifold.points[i].separation, depth});
     }
   };
   bool any = false;
@@ -78,7 +75,7 @@ void World<Real>::keep_apart(StepReport& report) {
     });
   if (!any) return;
   report.kept_apart += 1;
-  std::vector<ContactLimit<Real>> limits;
+  List<ContactLimit<Real>> limits;
   block = scene_->joints().size();
   for (const Manifold<Real>& manifold : record_.manifolds)
     limits_of(manifold, [&](const ContactLimit<Real>& limit) { limits.push_back(limit); });
@@ -92,15 +89,15 @@ template <Scalar Real>
 std::optional<BodyId> World<Real>::first_not_finite() const {
   const Real dt = substep_length();
   std::optional<BodyId> first;
-  for (std::size_t i = 0; i < state_.pose.size(); ++i) {
-    const Pose<Real>& pose = state_.pose[i];
-    const Vec3<Real>& v = moving_velocity_[i];
+  for (const BodyId body : state_.pose.indices()) {
+    const Pose<Real>& pose = state_.pose[body];
+    const Vec3<Real>& v = moving_velocity_[body];
     const bool finite = std::isfinite(pose.position.x() + dt * v.x()) &&
                         std::isfinite(pose.position.y() + dt * v.y()) &&
-                        std::isfinite(pose.angle + dt * v.z()) && record_.problem.velocity[i].allFinite();
+                        std::isfinite(pose.angle + dt * v.z()) && record_.problem.velocity[body].allFinite();
     if (finite) continue;
-    if (state_.inverse_mass[i].x() > 0) return BodyId{static_cast<int>(i)};
-    if (!first) first = BodyId{static_cast<int>(i)};
+    if (state_.inverse_mass[body].x() > 0) return body;
+    if (!first) first = body;
   }
   return first;
 }

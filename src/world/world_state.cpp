@@ -4,6 +4,7 @@
 #include "geometry/aabb.hpp"
 #include "math/check.hpp"
 #include "world/world.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -22,28 +23,28 @@ double extent(const Shape<double>& shape) {
 }
 
 template <Scalar Real>
-void require_number(double value, std::size_t body, const char* field) {
-  require(std::isfinite(static_cast<Real>(value)), "World", field + (" of body " + std::to_string(body)),
+void require_number(double value, BodyId id, const char* field) {
+  require(std::isfinite(static_cast<Real>(value)), "World", field + (" of body " + std::to_string(id.index)),
           "a number of its scalar type", value);
 }
 
 /// A body no longer than the distance of neighbouring numbers cannot touch anything in earnest.
 template <Scalar Real>
-void require_place(const SceneBody& body, std::size_t number) {
+void require_place(const SceneBody& body, BodyId id) {
   for (int axis = 0; axis < 2; ++axis) {
     const double place = body.pose.position[axis];
-    require_number<Real>(place, number, "position");
-    require_number<Real>(body.spec.velocity[axis], number, "velocity");
+    require_number<Real>(place, id, "position");
+    require_number<Real>(body.spec.velocity[axis], id, "velocity");
     const Real at = static_cast<Real>(std::abs(place));
     const double step = static_cast<double>(std::nextafter(at, std::numeric_limits<Real>::infinity()) - at);
     for (const Shape<double>& shape : body.spec.shapes) {
-      require(step < extent(shape), "World", "position of body " + std::to_string(number),
+      require(step < extent(shape), "World", "position of body " + std::to_string(id.index),
               "nearer to the origin in this scalar type, for a shape of " + shortest(extent(shape)) + " m",
               place);
     }
   }
-  require_number<Real>(body.pose.angle, number, "angle");
-  require_number<Real>(body.spec.angular_velocity, number, "angular_velocity");
+  require_number<Real>(body.pose.angle, id, "angle");
+  require_number<Real>(body.spec.angular_velocity, id, "angular_velocity");
 }
 
 /// [m] Infinite without shapes.
@@ -54,7 +55,7 @@ double smallest_extent(const BodySpec& spec) {
 }
 
 /// Springs that give way to a weight by half the length of a body let it through.
-void require_springs_hold(const SceneSettings& settings, const SceneBody& body, std::size_t number) {
+void require_springs_hold(const SceneSettings& settings, const SceneBody& body, BodyId id) {
   const Stabilization& stabilization = settings.stabilization;
   const bool on_springs = settings.guarded && stabilization.policy == StabilizationPolicy::soft;
   if (!on_springs || body.spec.type != BodyType::dynamic) return;
@@ -62,7 +63,7 @@ void require_springs_hold(const SceneSettings& settings, const SceneBody& body, 
   const double sag = spring_sag(stabilization, settings.dt / settings.substeps, weight);
   const double smallest = smallest_extent(body.spec);
   require(sag < smallest / 2, "World", "stabilization.soft",
-          "stiffer, or substeps shorter, for body " + std::to_string(number) + " of " + shortest(smallest) +
+          "stiffer, or substeps shorter, for body " + std::to_string(id.index) + " of " + shortest(smallest) +
               " m, into which springs may give way by less than half",
           shortest(sag) + " m");
 }
@@ -81,12 +82,12 @@ World<Real>::World(Scene scene)
       plan_(std::make_shared<const Plan>(make_plan(*scene_))),
       dt_(scene_->settings().dt),
       broadphase_(plan_->broadphase) {
-  std::vector<Collider> colliders;
-  for (std::size_t i = 0; i < scene_->bodies().size(); ++i) {
-    const SceneBody& body = scene_->bodies()[i];
+  List<Collider> colliders;
+  for (const BodyId id : scene_->bodies().indices()) {
+    const SceneBody& body = scene_->bodies()[id];
     const BodySpec& spec = body.spec;
-    require_place<Real>(body, i);
-    require_springs_hold(scene_->settings(), body, i);
+    require_place<Real>(body, id);
+    require_springs_hold(scene_->settings(), body, id);
     slop_limit_.push_back(static_cast<Real>(slop_share * smallest_extent(spec)));
     failed_error_.push_back(static_cast<Real>(failed_share * smallest_extent(spec)));
     length_.push_back(static_cast<Real>(length(spec)));
@@ -101,13 +102,13 @@ World<Real>::World(Scene scene)
                        .linear_damping = static_cast<Real>(spec.linear_damping),
                        .angular_damping = static_cast<Real>(spec.angular_damping)});
     for (const Shape<double>& shape : spec.shapes) {
-      colliders.push_back({BodyId{static_cast<int>(i)}, shape_cast<Real>(shape)});
+      colliders.push_back({id, shape_cast<Real>(shape)});
       movable_.push_back(spec.type == BodyType::dynamic ? 1 : 0);
     }
   }
   if (plan_->sleeping) sleep_.emplace(*scene_);
   boxes_.resize(colliders.size());
-  colliders_ = std::make_shared<const std::vector<Collider>>(std::move(colliders));
+  colliders_ = std::make_shared<const List<Collider>>(std::move(colliders));
 }
 
 template <Scalar Real>
@@ -118,20 +119,19 @@ void World<Real>::set_dt(double dt) {
 
 template <Scalar Real>
 void World<Real>::set_velocity(BodyId body, const Vec3<double>& velocity) {
-  require(body.index > 0 && body.index < static_cast<int>(state_.pose.size()), "World::set_velocity", "body",
+  require(body.index > 0 && body.index < state_.pose.size(), "World::set_velocity", "body",
           "the id of a body other than the ground", body.index);
-  const auto index = static_cast<std::size_t>(body.index);
-  require(scene_->bodies()[index].spec.type != BodyType::static_body, "World::set_velocity", "body",
+  require(scene_->bodies()[body].spec.type != BodyType::static_body, "World::set_velocity", "body",
           "one that is not static", body.index);
   require_finite(Vec2<double>(velocity.head<2>()), "World::set_velocity", "velocity", "m/s");
   require_finite(velocity.z(), "World::set_velocity", "angular velocity", "rad/s");
-  state_.velocity[index] = velocity.template cast<Real>();
+  state_.velocity[body] = velocity.template cast<Real>();
   wake(body);
 }
 
 template <Scalar Real>
 void World<Real>::wake(BodyId body) {
-  require(body.index >= 0 && body.index < static_cast<int>(state_.pose.size()), "World::wake", "body",
+  require(body.index >= 0 && body.index < state_.pose.size(), "World::wake", "body",
           "the id of a body of this world", body.index);
   if (sleep_) sleep_->wake(body);
 }

@@ -12,8 +12,8 @@
 #include <functional>
 #include <string>
 #include <utility>
-#include <vector>
 
+#include "math/list.hpp"
 #include "measure.hpp"
 #include "tables.hpp"
 
@@ -57,8 +57,8 @@ void print_machine() {
 using Table = std::pair<std::string, std::function<void()>>;
 
 /// @returns false for a name that is no table.
-bool print_tables(const std::vector<std::string>& wanted) {
-  const std::vector<Table> tables = {{"solvers", cairn::bench::print_solver_table},
+bool print_tables(const cairn::List<std::string>& wanted) {
+  const cairn::List<Table> tables = {{"solvers", cairn::bench::print_solver_table},
                                      {"layout", cairn::bench::print_layout_table},
                                      {"memory", cairn::bench::print_memory_table},
                                      {"blocks", cairn::bench::print_block_table},
@@ -92,9 +92,9 @@ bool print_tables(const std::vector<std::string>& wanted) {
 int main(int argc, char** argv) {
   // Repetitions of different benchmarks in a shuffled order, unless the caller says otherwise.
   std::string shuffled = "--benchmark_enable_random_interleaving=true";
-  std::vector<char*> arguments = {argv[0], shuffled.data()};
+  cairn::List<char*> arguments = {argv[0], shuffled.data()};
   arguments.insert(arguments.end(), argv + 1, argv + argc);
-  int count = static_cast<int>(arguments.size());
+  int count = arguments.size();
   arguments.push_back(nullptr);
   benchmark::Initialize(&count, arguments.data());
   try {

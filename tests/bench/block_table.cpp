@@ -9,9 +9,9 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 #include "solvers/iterative/block_sequential_impulse.hpp"
 
 namespace cairn::bench {
@@ -70,7 +70,7 @@ BlockScene frictional_stack(const std::string& name, double offset) {
   return {name, World(scene).velocity_problem()};
 }
 
-std::vector<BlockTableColumn> block_table_columns() {
+List<BlockTableColumn> block_table_columns() {
   const auto blocks = [](ContactBlock contact) -> BlockTableSolver {
     return [contact](const SolverSettings& settings) {
       return std::make_unique<BlockSequentialImpulse<double>>(settings, contact);
@@ -102,7 +102,7 @@ double cost_ratio(const BlockTableSolver& make, const BlockTableSolver& base,
                   const VelocityProblem<double>& problem) {
   const auto solver = make({.iterations = 200});
   const auto other = base({.iterations = 200});
-  std::vector<double> ratios;
+  List<double> ratios;
   for (int round = 0; round < 31; ++round) {
     const double of_base = seconds_of(*other, problem);
     ratios.push_back(seconds_of(*solver, problem) / of_base);
@@ -114,10 +114,10 @@ double cost_ratio(const BlockTableSolver& make, const BlockTableSolver& base,
 }  // namespace
 
 void print_block_table() {
-  const std::vector<BlockScene> scenes = {
+  const List<BlockScene> scenes = {
       pin_chain("pin chain, 45 degrees", pi / 4), pin_chain("pin chain, level", 0), welded_beam(),
       frictional_stack("stack, straight", 0), frictional_stack("stack, staggered", 0.1)};
-  const std::vector<BlockTableColumn> columns = block_table_columns();
+  const List<BlockTableColumn> columns = block_table_columns();
   print_heading("4. Blocks: what it gains to solve rows together that belong together");
   std::printf(
       "Paper 4.3: solving the rows of a joint at once should converge faster. Sweeps from cold to a "

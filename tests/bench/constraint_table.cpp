@@ -4,6 +4,7 @@
 #include <set>
 
 #include "collision/collide.hpp"
+#include "math/list.hpp"
 #include "measure.hpp"
 #include "scenes.hpp"
 #include "table.hpp"
@@ -23,21 +24,21 @@ struct ConstraintKind {
 
 /// Where constraints are made and written: the ground and four bodies, with numbers of which none vanishes.
 struct Stage {
-  std::vector<Pose<double>> start = {{},
-                                     {.position = {0.1, 0.2}, .angle = 0.3},
-                                     {.position = {1.3, 0.4}, .angle = -0.2},
-                                     {.position = {2.1, -0.3}, .angle = 0.5},
-                                     {.position = {2.9, 0.6}, .angle = 0.1}};
-  std::vector<Pose<double>> now = start;  // a little further: constraints have errors
-  VelocityProblem<double> problem = {};   // without rows
+  PerBody<Pose<double>> start = {{},
+                                 {.position = {0.1, 0.2}, .angle = 0.3},
+                                 {.position = {1.3, 0.4}, .angle = -0.2},
+                                 {.position = {2.1, -0.3}, .angle = 0.5},
+                                 {.position = {2.9, 0.6}, .angle = 0.1}};
+  PerBody<Pose<double>> now = start;     // a little further: constraints have errors
+  VelocityProblem<double> problem = {};  // without rows
 
   Stage() {
     problem.dt = 1.0 / 60;
     problem.inverse_mass = {{0, 0, 0}, {1, 1, 6}, {0.5, 0.5, 2}, {0.3, 0.3, 1}, {0.2, 0.2, 0.7}};
     problem.velocity = {{0, 0, 0}, {0.1, -0.2, 0.3}, {-0.3, 0.1, 0.2}, {0.2, 0.2, -0.1}, {0.1, 0.3, 0.1}};
-    for (std::size_t i = 1; i < now.size(); ++i) {
-      now[i].position += Vec2<double>(0.001, -0.002);
-      now[i].angle += 0.003 * static_cast<double>(i);
+    for (int i = 1; i < now.size(); ++i) {
+      now[{i}].position += Vec2<double>(0.001, -0.002);
+      now[{i}].angle += 0.003 * i;
     }
   }
 };
@@ -57,19 +58,19 @@ ConstraintKind joint_kind(const std::string& name, const typename Joint::Spec& s
 /// A shape that lies on a box, by their manifold, which is found once.
 ConstraintKind contact_kind(const std::string& name, const Shape<double>& upper, double friction,
                             FrictionRows friction_rows = FrictionRows::per_point) {
-  std::vector<Pose<double>> poses = Stage().now;
-  poses[2] = {.position = {0, 0}, .angle = 0};
-  poses[1] = {.position = {0.1, 1}, .angle = 0};
-  const Manifold<double> manifold = collide<double>(box(3, 1), poses[2], upper, poses[1], 0.02);
+  PerBody<Pose<double>> poses = Stage().now;
+  poses[{2}] = {.position = {0, 0}, .angle = 0};
+  poses[{1}] = {.position = {0.1, 1}, .angle = 0};
+  const Manifold<double> manifold = collide<double>(box(3, 1), poses[{2}], upper, poses[{1}], 0.02);
   const ContactMaterial<double> material = {.friction = friction, .friction_rows = friction_rows};
-  const std::vector<Vec3<double>> velocity = Stage().problem.velocity;
+  const PerBody<Vec3<double>> velocity = Stage().problem.velocity;
   return {name, [=](RowSpecs<double>& rows) {
             append_contact_rows(manifold, stage_b, stage_a, material, poses, velocity, rows);
           }};
 }
 
 /// Joints on three and four bodies, and those that need no error of their own.
-std::vector<ConstraintKind> further_kinds() {
+List<ConstraintKind> further_kinds() {
   const BodyId a = stage_a, b = stage_b, c{3}, d{4};
   const auto end = [](BodyId body, double x, double parts) {
     return PulleyJoint::End{.body = body, .anchor = {x, 0}, .roller = {x, 3}, .parts = parts};
@@ -92,7 +93,7 @@ std::vector<ConstraintKind> further_kinds() {
 }
 
 /// All kinds: a new one is one line here, or above.
-std::vector<ConstraintKind> all_kinds() {
+List<ConstraintKind> all_kinds() {
   using Distance = DistanceJoint::Kind;
   const Vec2<double> p(0.6, 0.3), q(1.2, 0.5);  // [m] anchors
   const RevoluteJoint::Motor turn = {.speed = 1, .max_torque = 5};
@@ -100,7 +101,7 @@ std::vector<ConstraintKind> all_kinds() {
   const SwingSoftness soft = {.frequency = 2, .damping_ratio = 0.5};
   const double near = 10;  // [m or rad] margin: within reach
   const BodyId a = stage_a, b = stage_b;
-  std::vector<ConstraintKind> kinds = {
+  List<ConstraintKind> kinds = {
       joint_kind<RevoluteJoint>("revolute", {.a = a, .b = b, .anchor = p}),
       joint_kind<RevoluteJoint>("revolute, limit far away", {.a = a, .b = b, .anchor = p, .lower = -2}),
       joint_kind<RevoluteJoint>(
@@ -125,7 +126,7 @@ std::vector<ConstraintKind> all_kinds() {
       contact_kind("contact, 2 points", box(1, 1), 0.6),
       contact_kind("contact, 2 points, per manifold", box(1, 1), 0.6, FrictionRows::per_manifold),
   };
-  const std::vector<ConstraintKind> further = further_kinds();
+  const List<ConstraintKind> further = further_kinds();
   kinds.insert(kinds.end() - 5, further.begin(), further.end());  // contacts last
   return kinds;
 }
@@ -155,8 +156,7 @@ VelocityProblem<double> repeated(const VelocityProblem<double>& one, int copies)
   all.dt = one.dt;
   const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
   for (int copy = 0; copy < copies; ++copy) {
-    const int bodies = all.body_count(), rows = all.row_count(),
-              extra = static_cast<int>(all.extra_terms.size());
+    const int bodies = all.body_count(), rows = all.row_count(), extra = all.extra_terms.size();
     append(all.velocity, one.velocity);
     append(all.inverse_mass, one.inverse_mass);
     append(all.impulse, one.impulse);
@@ -231,9 +231,9 @@ std::string bounds_cell(const VelocityProblem<double>& problem) {
 }
 
 std::size_t bodies_of(const VelocityProblem<double>& problem) {
-  std::set<int> bodies;
+  std::set<BodyId> bodies;
   for (const ConstraintRow<double>& row : problem.rows) {
-    for_each_term(problem, row, [&](BodyId body, const Vec3<double>&) { bodies.insert(body.index); });
+    for_each_term(problem, row, [&](BodyId body, const Vec3<double>&) { bodies.insert(body); });
   }
   return bodies.size();
 }
@@ -243,8 +243,7 @@ std::string softness_cell(const VelocityProblem<double>& problem) {
   return std::any_of(problem.rows.begin(), problem.rows.end(), is_soft) ? "soft" : "rigid";
 }
 
-TextTable table_of_kinds(const std::vector<ConstraintKind>& kinds,
-                         const std::map<std::string, Outcome>& outcomes) {
+TextTable table_of_kinds(const List<ConstraintKind>& kinds, const std::map<std::string, Outcome>& outcomes) {
   TextTable table({{"constraint", ""},
                    {"bodies", ""},
                    {"rows", "updates/sweep"},
@@ -278,8 +277,8 @@ void print_constraint_table() {
       "time is that of {} such constraints with bodies of their own, over {}, with a fiftieth of the\n"
       "set-up. A row in a sweep over so few rows finds them in the nearest cache.\n\n",
       copies_to_sweep, copies_to_sweep);
-  const std::vector<ConstraintKind> kinds = all_kinds();
-  std::vector<Case> cases;
+  const List<ConstraintKind> kinds = all_kinds();
+  List<Case> cases;
   for (const ConstraintKind& kind : kinds) {
     cases.push_back(write_case(kind));
     if (!problem_of_kind(kind).rows.empty()) cases.push_back(kind_sweep_case(kind));

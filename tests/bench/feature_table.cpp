@@ -1,10 +1,10 @@
 // What a feature costs those who do not use it, and those who do.
 #include <fmt/format.h>
 
-#include <array>
 #include <stdexcept>
 
 #include "lean_sweeps.hpp"
+#include "math/list.hpp"
 #include "measure.hpp"
 #include "scenes.hpp"
 #include "table.hpp"
@@ -35,8 +35,8 @@ struct FeatureCost {
 };
 
 /// The sum of so many runs of each, in turns [s]; 0 of a run that is missing.
-std::array<double, 3> run_in_turns(const Feature& feature, std::int64_t turns) {
-  std::array<double, 3> sums = {};
+FixedList<double, 3> run_in_turns(const Feature& feature, std::int64_t turns) {
+  FixedList<double, 3> sums = {};
   for (std::int64_t turn = 0; turn < turns; ++turn) {
     sums[0] += feature.without();
     if (feature.unused) sums[1] += feature.unused();
@@ -45,24 +45,24 @@ std::array<double, 3> run_in_turns(const Feature& feature, std::int64_t turns) {
   return sums;
 }
 
-std::vector<FeatureCost> measure_features(const std::vector<Feature>& features) {
+List<FeatureCost> measure_features(const List<Feature>& features) {
   const int repetitions = 31;
-  std::vector<std::int64_t> turns;
+  List<std::int64_t> turns;
   for (const Feature& feature : features) {
     run_in_turns(feature, 1);  // all memory is touched now
     const Stopwatch pilot;
     run_in_turns(feature, 1);
     turns.push_back(iterations_for(pilot.seconds()));
   }
-  std::vector<std::array<std::vector<double>, 3>> all(features.size());
+  List<FixedList<List<double>, 3>> all(features.size());
   for (int repetition = 0; repetition < repetitions; ++repetition) {
-    for (std::size_t i = 0; i < features.size(); ++i) {
-      const std::array<double, 3> sums = run_in_turns(features[i], turns[i]);
+    for (int i = 0; i < features.size(); ++i) {
+      const FixedList<double, 3> sums = run_in_turns(features[i], turns[i]);
       all[i][0].push_back(sums[0] / static_cast<double>(turns[i]) * 1e9);
-      for (const std::size_t k : {1u, 2u}) all[i][k].push_back(sums[k] / sums[0]);
+      for (const int k : {1, 2}) all[i][k].push_back(sums[k] / sums[0]);
     }
   }
-  std::vector<FeatureCost> costs;
+  List<FeatureCost> costs;
   for (const auto& values : all) {
     costs.push_back({times_of(values[0]), times_of(values[1]), times_of(values[2])});
   }
@@ -132,10 +132,10 @@ VelocityProblem<double> soft_everywhere(VelocityProblem<double> problem) {
 
 /// Every row acts on a third body.
 VelocityProblem<double> third_body_everywhere(VelocityProblem<double> problem) {
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     ConstraintRow<double>& row = problem.rows[i];
     const int third = (row.b.index + 7) % problem.body_count();
-    row.first_extra = static_cast<int>(i);
+    row.first_extra = i;
     row.extra_count = 1;
     problem.extra_terms.push_back({.body = {third}, .jacobian = {1e-3, 0, 0}});
   }
@@ -153,7 +153,7 @@ class IdleObserver final : public SolveObserver<double> {
 };
 
 /// Sweeps: the twin of a feature is a copy of the code that goes without.
-std::vector<Feature> sweep_features() {
+List<Feature> sweep_features() {
   const VelocityProblem<double> start = cold(pyramid_problem(10));
   using namespace left_out;
   for (const auto& solver : {lean<nothing>(), lean<extra_bodies>(), lean<softness>(), lean<relaxation>(),
@@ -209,7 +209,7 @@ TimedRun tower_with(const SceneSettings& settings, const BodySpec& one = {}) {
 SceneSettings with_policy(StabilizationPolicy policy) { return {.stabilization = {.policy = policy}}; }
 
 /// Steps: the twin of a feature is a scene that goes without.
-std::vector<Feature> step_features() {
+List<Feature> step_features() {
   const TimedRun plain = tower({});
   const TimedRun no_policy = tower_with(with_policy(StabilizationPolicy::none));
   const TimedRun split = tower_with(with_policy(StabilizationPolicy::split_impulse));
@@ -232,8 +232,8 @@ std::vector<Feature> step_features() {
   };
 }
 
-void print_features(const std::vector<Feature>& features, const std::string& unit_of_work) {
-  const std::vector<FeatureCost> costs = measure_features(features);
+void print_features(const List<Feature>& features, const std::string& unit_of_work) {
+  const List<FeatureCost> costs = measure_features(features);
   TextTable table({{"feature", ""},
                    {"without it", "us a " + unit_of_work},
                    {"noise", ""},
@@ -241,7 +241,7 @@ void print_features(const std::vector<Feature>& features, const std::string& uni
                    {"noise", "of the ratio"},
                    {"used", "to without"},
                    {"noise", "of the ratio"}});
-  for (std::size_t i = 0; i < features.size(); ++i) {
+  for (int i = 0; i < features.size(); ++i) {
     const FeatureCost& cost = costs[i];
     table.add({features[i].name, three_digits(cost.without.median / 1000), noise_cell(cost.without),
                cost_cell(cost.unused), cost_noise_cell(cost.unused), cost_cell(cost.used),

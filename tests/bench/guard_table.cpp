@@ -26,15 +26,14 @@ Scene guarded_scene(int bodies, bool touching, bool watches) {
 }
 
 /// A copy of World::first_not_finite(), which is private: the sum in place of the state it would lead to.
-std::size_t first_not_finite(const BodyState<double>& bodies, const std::vector<Vec3<double>>& moving,
-                             double dt) {
-  for (std::size_t i = 0; i < bodies.pose.size(); ++i) {
-    const Pose<double>& pose = bodies.pose[i];
-    const Vec3<double>& v = moving[i];
+int first_not_finite(const BodyState<double>& bodies, const PerBody<Vec3<double>>& moving, double dt) {
+  for (const BodyId body : bodies.pose.indices()) {
+    const Pose<double>& pose = bodies.pose[body];
+    const Vec3<double>& v = moving[body];
     const bool finite = std::isfinite(pose.position.x() + dt * v.x()) &&
                         std::isfinite(pose.position.y() + dt * v.y()) &&
-                        std::isfinite(pose.angle + dt * v.z()) && bodies.velocity[i].allFinite();
-    if (!finite) return i;
+                        std::isfinite(pose.angle + dt * v.z()) && bodies.velocity[body].allFinite();
+    if (!finite) return body.index;
   }
   return bodies.pose.size();
 }
@@ -61,10 +60,10 @@ class Steps {
   /// Of one check [s].
   double check_seconds() const {
     const BodyState<double>& bodies = world_.bodies();
-    const int turns = 10000 / static_cast<int>(bodies.pose.size()) + 1;
+    const int turns = 10000 / bodies.pose.size() + 1;
     const Stopwatch stopwatch;
     for (int turn = 0; turn < turns; ++turn) {
-      std::size_t found = first_not_finite(bodies, bodies.velocity, world_.dt());
+      int found = first_not_finite(bodies, bodies.velocity, world_.dt());
       benchmark::DoNotOptimize(found);
       benchmark::ClobberMemory();
     }

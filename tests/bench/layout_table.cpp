@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "layouts.hpp"
+#include "math/list.hpp"
 #include "measure.hpp"
 #include "scenes.hpp"
 #include "table.hpp"
@@ -19,7 +20,7 @@ void require_same_answer(Layout& layout, const VelocityProblem<double>& start) {
   const int sweeps = 10;
   VelocityProblem<double> expected = start;
   SequentialImpulse<double>({.iterations = sweeps}).solve(expected);
-  std::vector<Vec3<double>> velocity = start.velocity;
+  PerBody<Vec3<double>> velocity = start.velocity;
   for (int sweep = 0; sweep < sweeps; ++sweep) layout.sweep(velocity);
   if (layout.impulses() != expected.impulse || velocity != expected.velocity) {
     throw std::logic_error("cairn_bench: " + layout.name() + ": impulses must be those of SequentialImpulse");
@@ -28,7 +29,7 @@ void require_same_answer(Layout& layout, const VelocityProblem<double>& start) {
 
 /// Goes on from where the last sweep ended: what a sweep costs does not depend on how far it has come.
 Case layout_case(const std::shared_ptr<Layout>& layout, const VelocityProblem<double>& start) {
-  const auto velocity = std::make_shared<std::vector<Vec3<double>>>(start.velocity);
+  const auto velocity = std::make_shared<PerBody<Vec3<double>>>(start.velocity);
   const Stopwatch pilot;
   for (int sweep = 0; sweep < 5; ++sweep) layout->sweep(*velocity);
   const std::int64_t sweeps = iterations_for(pilot.seconds() / 5);
@@ -70,7 +71,7 @@ Case library_case(const VelocityProblem<double>& start) {
 
 void print_for_scene(int base) {
   const VelocityProblem<double> start = cold(pyramid_with_chains_problem(base));
-  std::vector<Case> cases;
+  List<Case> cases;
   for (std::unique_ptr<Layout>& layout : make_layouts(start)) {
     require_same_answer(*layout, start);
     cases.push_back(layout_case(std::move(layout), start));
@@ -82,13 +83,14 @@ void print_for_scene(int base) {
   cases.push_back(library_case(start));
   const std::map<std::string, Outcome> outcomes = measure(cases);
 
-  std::size_t joint_rows = 0;
+  int joint_rows = 0;
   for (const ConstraintRow<double>& row : start.rows) joint_rows += row.bounds.is_equality() ? 1 : 0;
+  const std::size_t bytes = start.rows.bytes() + 2 * start.impulse.bytes();  // two more numbers a row
   fmt::print(
       "Pyramid of base {} and chains: m = {} rows in {} constraints, {} rows of joints; the rows take {} "
       "kB\n",
       base, start.row_count(), start.blocks.size(), joint_rows,
-      grouped((bytes_of(start.rows) + 16 * start.rows.size()) / 1000));
+      grouped(static_cast<std::ptrdiff_t>(bytes / 1000)));
   TextTable table(
       {{"how the sweep is written", ""}, {"row update", "ns"}, {"noise", ""}, {"to the first", "ratio"}});
   const double m = start.row_count();

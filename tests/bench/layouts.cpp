@@ -23,8 +23,8 @@ class ArrayLayout final : public Layout {
   void sweep(Velocities& velocity) override {
     update_rows(rows_.data(), rows_.size(), 0, inverse_mass_, velocity);
   }
-  std::vector<double> impulses() const override {
-    std::vector<double> result;
+  PerRow<double> impulses() const override {
+    PerRow<double> result;
     for (const SweepRow& row : rows_) result.push_back(row.impulse);
     return result;
   }
@@ -32,7 +32,7 @@ class ArrayLayout final : public Layout {
  private:
   std::string name_;
   const Masses& inverse_mass_;
-  std::vector<SweepRow> rows_;
+  List<SweepRow> rows_;
 };
 
 /// Objects that somebody else owns, visited through pointers in the order of the problem's rows.
@@ -42,31 +42,31 @@ class ObjectLayout : public Layout {
   void sweep(Velocities& velocity) override {
     for (Solvable* object : order_) object->solve(inverse_mass_, velocity);
   }
-  std::vector<double> impulses() const override {
-    std::vector<double> result;
+  PerRow<double> impulses() const override {
+    PerRow<double> result;
     for (const Solvable* object : order_) object->append_impulses(result);
     return result;
   }
 
  protected:
-  std::vector<Solvable*> order_ = {};
+  List<Solvable*> order_ = {};
 
  private:
   const Masses& inverse_mass_;
 };
 
 /// A friction row reads the impulse of another object.
-void link_friction(const VelocityProblem<double>& problem, const std::vector<Solvable*>& order) {
-  for (std::size_t i = 0; i < order.size(); ++i) {
+void link_friction(const VelocityProblem<double>& problem, const List<Solvable*>& order) {
+  for (int i = 0; i < order.size(); ++i) {
     const Bounds<double>& bounds = problem.rows[i].bounds;
     if (!bounds.is_friction()) continue;
-    const auto normal = static_cast<std::size_t>(bounds.normal_row);
-    static_cast<FrictionRow*>(order[i])->set_normal(static_cast<const RowObject*>(order[normal]));
+    const Solvable* normal = order[bounds.normal_row];
+    static_cast<FrictionRow*>(order[i])->set_normal(static_cast<const RowObject*>(normal));
   }
 }
 
 bool is_joint(const VelocityProblem<double>& problem, const RowBlock& block) {
-  return problem.rows[static_cast<std::size_t>(block.first)].bounds.is_equality();
+  return problem.rows[block.first].bounds.is_equality();
 }
 
 /// Constraints in an array for each class.
@@ -86,8 +86,8 @@ class ConstraintArrays final : public ObjectLayout {
   std::string name() const override { return "virtual call a constraint, objects in arrays"; }
 
  private:
-  std::vector<JointObject> joints_;
-  std::vector<ManifoldObject> manifolds_;
+  List<JointObject> joints_;
+  List<ManifoldObject> manifolds_;
 };
 
 /// Rows in an array for each class.
@@ -112,15 +112,15 @@ class RowArrays final : public ObjectLayout {
   std::string name() const override { return "virtual call a row, objects in arrays"; }
 
  private:
-  std::vector<EqualityRow> equalities_;
-  std::vector<NormalRow> normals_;
-  std::vector<FrictionRow> frictions_;
+  List<EqualityRow> equalities_;
+  List<NormalRow> normals_;
+  List<FrictionRow> frictions_;
 };
 
 /// 0, 1, ..., count - 1 in an order that is the same on every run.
-std::vector<std::size_t> shuffled_indices(std::size_t count) {
-  std::vector<std::size_t> indices(count);
-  std::iota(indices.begin(), indices.end(), std::size_t{0});
+List<int> shuffled_indices(int count) {
+  List<int> indices(count);
+  std::iota(indices.begin(), indices.end(), 0);
   std::shuffle(indices.begin(), indices.end(), std::mt19937(1));
   return indices;
 }
@@ -131,7 +131,7 @@ class ScatteredConstraints final : public ObjectLayout {
  public:
   explicit ScatteredConstraints(const VelocityProblem<double>& problem) : ObjectLayout(problem) {
     objects_.resize(problem.blocks.size());
-    for (const std::size_t i : shuffled_indices(problem.blocks.size())) {
+    for (const int i : shuffled_indices(problem.blocks.size())) {
       const RowBlock& block = problem.blocks[i];
       if (is_joint(problem, block)) {
         objects_[i] = std::make_unique<JointObject>(problem, block);
@@ -144,7 +144,7 @@ class ScatteredConstraints final : public ObjectLayout {
   std::string name() const override { return "virtual call a constraint, objects scattered"; }
 
  private:
-  std::vector<std::unique_ptr<Solvable>> objects_;
+  List<std::unique_ptr<Solvable>> objects_;
 };
 
 /// The same for rows.
@@ -152,8 +152,8 @@ class ScatteredRows final : public ObjectLayout {
  public:
   explicit ScatteredRows(const VelocityProblem<double>& problem) : ObjectLayout(problem) {
     objects_.resize(problem.rows.size());
-    for (const std::size_t i : shuffled_indices(problem.rows.size())) {
-      const SweepRow row = sweep_row(problem, static_cast<int>(i));
+    for (const int i : shuffled_indices(problem.rows.size())) {
+      const SweepRow row = sweep_row(problem, i);
       if (row.row.bounds.is_friction()) {
         objects_[i] = std::make_unique<FrictionRow>(row);
       } else if (row.row.bounds.is_unilateral()) {
@@ -168,13 +168,13 @@ class ScatteredRows final : public ObjectLayout {
   std::string name() const override { return "virtual call a row, objects scattered"; }
 
  private:
-  std::vector<std::unique_ptr<Solvable>> objects_;
+  List<std::unique_ptr<Solvable>> objects_;
 };
 
 }  // namespace
 
-std::vector<std::unique_ptr<Layout>> make_layouts(const VelocityProblem<double>& problem) {
-  std::vector<std::unique_ptr<Layout>> layouts;
+List<std::unique_ptr<Layout>> make_layouts(const VelocityProblem<double>& problem) {
+  List<std::unique_ptr<Layout>> layouts;
   layouts.push_back(std::make_unique<ArrayLayout>(problem, "array of rows, no virtual call"));
   layouts.push_back(std::make_unique<ConstraintArrays>(problem));
   layouts.push_back(std::make_unique<RowArrays>(problem));
@@ -186,18 +186,14 @@ std::vector<std::unique_ptr<Layout>> make_layouts(const VelocityProblem<double>&
 VelocityProblem<double> in_coloured_order(const VelocityProblem<double>& problem) {
   RowSequence sequence;
   order_rows(problem, RowOrder::coloured, 1, 1, sequence);
-  std::vector<int> place(problem.rows.size());  // where a row goes
-  for (std::size_t turn = 0; turn < place.size(); ++turn) {
-    place[static_cast<std::size_t>(sequence.rows[turn])] = static_cast<int>(turn);
-  }
+  PerRow<int> place(problem.row_count());  // where a row goes
+  for (int turn = 0; turn < place.size(); ++turn) place[sequence.rows[turn]] = turn;
   VelocityProblem<double> result = problem;
-  for (std::size_t turn = 0; turn < place.size(); ++turn) {
-    const auto i = static_cast<std::size_t>(sequence.rows[turn]);
+  for (int turn = 0; turn < place.size(); ++turn) {
+    const int i = sequence.rows[turn];
     ConstraintRow<double>& row = result.rows[turn];
     row = problem.rows[i];
-    if (row.bounds.is_friction()) {
-      row.bounds.normal_row = place[static_cast<std::size_t>(row.bounds.normal_row)];
-    }
+    if (row.bounds.is_friction()) row.bounds.normal_row = place[row.bounds.normal_row];
     result.impulse[turn] = problem.impulse[i];
   }
   return result;

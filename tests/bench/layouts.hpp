@@ -3,9 +3,9 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "constraints/row.hpp"
+#include "math/list.hpp"
 
 namespace cairn::bench {
 
@@ -16,14 +16,14 @@ class Layout {
   virtual ~Layout() = default;
   virtual std::string name() const = 0;
   /// One sweep over all rows: one virtual call, which costs nothing beside it.
-  virtual void sweep(std::vector<Vec3<double>>& velocity) = 0;
+  virtual void sweep(PerBody<Vec3<double>>& velocity) = 0;
   /// [N s], in the order of the problem's rows.
-  virtual std::vector<double> impulses() const = 0;
+  virtual PerRow<double> impulses() const = 0;
 };
 
 /// All ways, from a cold start; the first is the one that the others are compared with. They keep a
 /// reference to the problem's masses.
-std::vector<std::unique_ptr<Layout>> make_layouts(const VelocityProblem<double>& problem);
+List<std::unique_ptr<Layout>> make_layouts(const VelocityProblem<double>& problem);
 
 /// The problem with its rows in the order of RowOrder::coloured. Its blocks do not follow.
 VelocityProblem<double> in_coloured_order(const VelocityProblem<double>& problem);

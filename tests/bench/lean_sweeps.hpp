@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "solvers/solver.hpp"
 
 namespace cairn::bench {
@@ -33,7 +33,7 @@ class LeanSweeps final : public Solver<double> {
   std::string name() const override { return "SI without " + std::to_string(without); }
   SolveReport solve(VelocityProblem<double>& problem, SolveObserver<double>* = nullptr) override {
     effective_mass_.resize(problem.rows.size());
-    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    for (int i = 0; i < problem.row_count(); ++i) {
       const double inverse = inverse_effective_mass(problem, problem.rows[i]);
       effective_mass_[i] = inverse > 0 ? 1 / inverse : 0;
       apply(problem, problem.rows[i], problem.impulse[i]);
@@ -55,22 +55,21 @@ class LeanSweeps final : public Solver<double> {
 
   static double velocity_of(const VelocityProblem<double>& problem, const ConstraintRow<double>& row) {
     if constexpr (has(left_out::extra_bodies)) return row_velocity(problem, row);
-    return row.jacobian_a.dot(problem.velocity[static_cast<std::size_t>(row.a.index)]) +
-           row.jacobian_b.dot(problem.velocity[static_cast<std::size_t>(row.b.index)]);
+    return row.jacobian_a.dot(problem.velocity[row.a]) + row.jacobian_b.dot(problem.velocity[row.b]);
   }
 
   static void apply(VelocityProblem<double>& problem, const ConstraintRow<double>& row, double p) {
     if constexpr (has(left_out::extra_bodies)) return apply_impulse(problem, row, p);
-    const auto a = static_cast<std::size_t>(row.a.index);
-    const auto b = static_cast<std::size_t>(row.b.index);
+    const BodyId a = row.a;
+    const BodyId b = row.b;
     problem.velocity[a] += problem.inverse_mass[a].cwiseProduct(row.jacobian_a) * p;
     problem.velocity[b] += problem.inverse_mass[b].cwiseProduct(row.jacobian_b) * p;
   }
 
-  static double clamp(const Bounds<double>& bounds, double x, const std::vector<double>& impulse) {
+  static double clamp(const Bounds<double>& bounds, double x, const PerRow<double>& impulse) {
     if constexpr (has(left_out::second_normal)) return bounds.clamp(x, impulse);
     if (!bounds.is_friction()) return std::max(std::min(x, bounds.upper), bounds.lower);
-    const double load = std::max(impulse[static_cast<std::size_t>(bounds.normal_row)], 0.0);
+    const double load = std::max(impulse[bounds.normal_row], 0.0);
     const double limit = bounds.friction * load;
     return std::max(std::min(x, limit), -limit);
   }
@@ -78,9 +77,9 @@ class LeanSweeps final : public Solver<double> {
   double sweep(VelocityProblem<double>& problem) {
     const double omega = settings_.relaxation;
     double largest_change = 0;
-    for (std::size_t turn = 0; turn < problem.rows.size(); ++turn) {
-      std::size_t i = turn;
-      if constexpr (has(left_out::order)) i = static_cast<std::size_t>(order_[turn]);
+    for (int turn = 0; turn < problem.row_count(); ++turn) {
+      int i = turn;
+      if constexpr (has(left_out::order)) i = order_[turn];
       const ConstraintRow<double>& row = problem.rows[i];
       double& accumulated = problem.impulse[i];
       double error = row.bias - velocity_of(problem, row);
@@ -96,8 +95,8 @@ class LeanSweeps final : public Solver<double> {
   }
 
   SolverSettings settings_;
-  std::vector<double> effective_mass_;
-  std::vector<int> order_;
+  PerRow<double> effective_mass_;
+  List<int> order_;
 };
 
 }  // namespace cairn::bench

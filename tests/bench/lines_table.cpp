@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "math/list.hpp"
 #include "table.hpp"
 #include "tables.hpp"
 
@@ -17,18 +18,20 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What every iterative solver uses, and none is charged for.
-const std::vector<std::string> shared_parts = {"solver", "stopping", "row_order"};
+const List<std::string> shared_parts = {"solver", "stopping", "row_order"};
 
+/// A file of src/solvers, or of those of its folders that has the iterative solvers.
 fs::path solver_file(const std::string& name) {
-  return fs::path(CAIRN_SOURCE_DIR) / "src" / "solvers" / name;
+  const fs::path solvers = fs::path(CAIRN_SOURCE_DIR) / "src" / "solvers";
+  return fs::exists(solvers / name) ? solvers / name : solvers / "iterative" / name;
 }
 
 /// The lines of a file that are neither blank nor only a comment, without the white space before them. The
 /// solvers have no comments of several lines but those with // in each.
-std::vector<std::string> code_lines(const fs::path& file) {
+List<std::string> code_lines(const fs::path& file) {
   std::ifstream in(file);
   if (!in) throw std::runtime_error("cairn_bench: cannot read " + file.string());
-  std::vector<std::string> lines;
+  List<std::string> lines;
   for (std::string line; std::getline(in, line);) {
     const std::size_t begin = line.find_first_not_of(" \t\r");
     if (begin != std::string::npos && !line.substr(begin).starts_with("//"))
@@ -37,7 +40,7 @@ std::vector<std::string> code_lines(const fs::path& file) {
   return lines;
 }
 
-std::size_t code_line_count(const std::string& part) {
+int code_line_count(const std::string& part) {
   return code_lines(solver_file(part + ".hpp")).size() + code_lines(solver_file(part + ".cpp")).size();
 }
 
@@ -47,7 +50,8 @@ void add_included_parts(const std::string& part, std::set<std::string>& parts) {
   for (const std::string ending : {".hpp", ".cpp"}) {
     for (const std::string& line : code_lines(solver_file(part + ending))) {
       if (!line.starts_with(prefix)) continue;
-      const std::string name = line.substr(prefix.size(), line.find(".hpp") - prefix.size());
+      const fs::path file = line.substr(prefix.size(), line.find(".hpp") - prefix.size());
+      const std::string name = file.filename().string();
       const bool shared = std::find(shared_parts.begin(), shared_parts.end(), name) != shared_parts.end();
       if (name != part && !shared && parts.insert(name).second) add_included_parts(name, parts);
     }
@@ -72,11 +76,11 @@ void print_lines_table() {
        {"sequential_impulse", "block_sequential_impulse", "jacobi", "accelerated_projected_gauss_seidel",
         "naive_projected_gauss_seidel", "factored_projected_gauss_seidel", "projected_gauss_seidel",
         "sparse_projected_gauss_seidel"}) {
-    const std::size_t header = code_lines(solver_file(solver + ".hpp")).size();
-    const std::size_t both = code_line_count(solver);
+    const int header = code_lines(solver_file(solver + ".hpp")).size();
+    const int both = code_line_count(solver);
     std::set<std::string> parts;
     add_included_parts(solver, parts);
-    std::size_t all = both;
+    int all = both;
     std::string names;
     for (const std::string& part : parts) {
       all += code_line_count(part);
@@ -86,7 +90,7 @@ void print_lines_table() {
                std::to_string(all), names.empty() ? "-" : names});
   }
   fmt::print("{}\n", table.text());
-  std::size_t shared = 0;
+  int shared = 0;
   for (const std::string& part : shared_parts) shared += code_line_count(part);
   fmt::print("  Shared by all of them: solver, stopping, row_order, with {} lines.\n", shared);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <ctime>
 #include <stdexcept>
+#include <vector>
 
 #include "table.hpp"
 
@@ -28,16 +29,16 @@ class RepetitionKeeper final : public benchmark::BenchmarkReporter {
     }
   }
 
-  std::map<std::string, std::vector<double>> times = {};  // [ns] of one iteration, for each repetition
-  std::map<std::string, std::map<std::string, std::vector<double>>> counters = {};
+  std::map<std::string, List<double>> times = {};  // [ns] of one iteration, for each repetition
+  std::map<std::string, std::map<std::string, List<double>>> counters = {};
 };
 
 /// The value below which the share `part` of all values lies, between two of them where it must be.
-double quantile(const std::vector<double>& sorted, double part) {
+double quantile(const List<double>& sorted, double part) {
   const double place = part * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
+  const int below = static_cast<int>(place);
+  const int above = std::min(below + 1, sorted.size() - 1);
+  return std::lerp(sorted[below], sorted[above], place - below);
 }
 
 }  // namespace
@@ -48,14 +49,14 @@ double Stopwatch::now() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-Times times_of(std::vector<double> nanoseconds) {
+Times times_of(List<double> nanoseconds) {
   std::sort(nanoseconds.begin(), nanoseconds.end());
   return {.median = quantile(nanoseconds, 0.5),
           .lower_quartile = quantile(nanoseconds, 0.25),
           .upper_quartile = quantile(nanoseconds, 0.75)};
 }
 
-std::map<std::string, Outcome> measure(const std::vector<Case>& cases) {
+std::map<std::string, Outcome> measure(const List<Case>& cases) {
   for (const Case& one : cases) {
     benchmark::RegisterBenchmark(one.name.c_str(), one.run)
         ->Iterations(one.iterations)

@@ -7,7 +7,8 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace cairn::bench {
 
@@ -49,10 +50,10 @@ class Stopwatch {
 
 /// Runs all repetitions of all cases in a shuffled order, so that what disturbs the machine for a while
 /// disturbs all of them alike.
-std::map<std::string, Outcome> measure(const std::vector<Case>& cases);
+std::map<std::string, Outcome> measure(const List<Case>& cases);
 
 /// Median and quartiles; at least one value.
-Times times_of(std::vector<double> nanoseconds);
+Times times_of(List<double> nanoseconds);
 
 /// How many iterations fill one repetition, from how long one took [s].
 std::int64_t iterations_for(double seconds);

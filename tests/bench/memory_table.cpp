@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "math/list.hpp"
 #include "scenes.hpp"
 #include "table.hpp"
 #include "tables.hpp"
@@ -19,7 +20,7 @@ const int largest_dense = 1700;
 /// What one scene of a family takes.
 struct MemoryOfScene {
   double rows = 0;
-  std::vector<std::optional<double>> bytes = {};  // of each solver
+  List<std::optional<double>> bytes = {};  // of each solver
 };
 
 template <typename SolverType>
@@ -40,12 +41,12 @@ MemoryOfScene memory_of_scene(const VelocityProblem<double>& problem) {
                     bytes_kept<Jacobi<double>>(problem), bytes_kept<SequentialImpulse<double>>(problem)}};
 }
 
-std::string count_with_share(std::size_t count, double rows) {
+std::string count_with_share(std::ptrdiff_t count, double rows) {
   return fmt::format("{} ({:.1f} m)", grouped(count), static_cast<double>(count) / rows);
 }
 
 /// The p of bytes ~ m^p between the two largest scenes that have a number.
-std::string growth_cell(const std::vector<MemoryOfScene>& scenes, std::size_t solver) {
+std::string growth_cell(const List<MemoryOfScene>& scenes, int solver) {
   const MemoryOfScene* larger = nullptr;
   for (auto scene = scenes.rbegin(); scene != scenes.rend(); ++scene) {
     if (!scene->bytes[solver]) continue;
@@ -59,7 +60,7 @@ std::string growth_cell(const std::vector<MemoryOfScene>& scenes, std::size_t so
 }
 
 void print_family(const std::string& name, const std::function<VelocityProblem<double>(int)>& make,
-                  const std::vector<int>& sizes) {
+                  const List<int>& sizes) {
   TextTable counts({{name, "size"},
                     {"m", "rows"},
                     {"A dense: m^2", "entries"},
@@ -73,23 +74,23 @@ void print_family(const std::string& name, const std::function<VelocityProblem<d
                     {"accelerated", "bytes/row"},
                     {"Jacobi", "bytes/row"},
                     {"SI", "bytes/row"}});
-  std::vector<MemoryOfScene> scenes;
+  List<MemoryOfScene> scenes;
   for (const int size : sizes) {
     const VelocityProblem<double> problem = cold(make(size));
     scenes.push_back(memory_of_scene(problem));
     const double m = scenes.back().rows;
-    counts.add({std::to_string(size), grouped(problem.rows.size()),
-                grouped(problem.rows.size() * problem.rows.size()),
+    const std::ptrdiff_t rows = problem.row_count();
+    counts.add({std::to_string(size), grouped(rows), grouped(rows * rows),
                 count_with_share(non_zeros_as_printed(problem), m), count_with_share(non_zeros(problem), m),
                 count_with_share(coupled_pairs(problem), m)});
-    std::vector<std::string> cells = {grouped(problem.rows.size())};
+    List<std::string> cells = {grouped(rows)};
     for (const auto& bytes : scenes.back().bytes) {
       cells.push_back(bytes ? fmt::format("{:.1f}", *bytes / m) : "-");
     }
     stored.add(cells);
   }
-  std::vector<std::string> growth = {"all bytes grow as"};
-  for (std::size_t solver = 0; solver < scenes.front().bytes.size(); ++solver) {
+  List<std::string> growth = {"all bytes grow as"};
+  for (int solver = 0; solver < scenes.front().bytes.size(); ++solver) {
     growth.push_back(growth_cell(scenes, solver));
   }
   stored.add(growth);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cairn.hpp"
+#include "math/list.hpp"
 #include "table.hpp"
 #include "tables.hpp"
 
@@ -19,7 +20,7 @@ struct PolicyLine {
   int substeps = 1;
 };
 
-std::vector<PolicyLine> policy_lines() {
+List<PolicyLine> policy_lines() {
   using Policy = StabilizationPolicy;
   return {{"none", {.policy = Policy::none, .slop = 0}},
           {"Baumgarte, beta = 0.2", {.slop = 0, .max_speed = std::numeric_limits<double>::infinity()}},
@@ -46,8 +47,8 @@ PolicyPop policy_pop(const PolicyLine& line) {
   PolicyPop pop{.apex = -depth};
   for (int step = 1; step <= 2400; ++step) {
     world.step(solver);
-    const double room = world.bodies().pose[1].position.y() - 0.5;
-    pop.speed = std::max(pop.speed, world.bodies().velocity[1].y());
+    const double room = world.bodies().pose[{1}].position.y() - 0.5;
+    pop.speed = std::max(pop.speed, world.bodies().velocity[{1}].y());
     pop.apex = std::max(pop.apex, room);
     if (pop.steps < 0 && room >= -0.1 * depth) pop.steps = step;
   }

@@ -55,8 +55,8 @@ VelocityProblem<double> cold(VelocityProblem<double> problem) {
 }
 
 std::size_t problem_memory(const VelocityProblem<double>& problem) {
-  return bytes_of(problem.rows) + bytes_of(problem.blocks) + bytes_of(problem.inverse_mass) +
-         bytes_of(problem.velocity) + bytes_of(problem.impulse);
+  return problem.rows.bytes() + problem.blocks.bytes() + problem.inverse_mass.bytes() +
+         problem.velocity.bytes() + problem.impulse.bytes();
 }
 
 }  // namespace cairn::bench

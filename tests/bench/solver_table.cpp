@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "math/list.hpp"
 #include "measure.hpp"
 #include "scenes.hpp"
 #include "table.hpp"
@@ -46,7 +47,7 @@ std::unique_ptr<Solver<double>> mass_splitting(const SolverSettings& settings) {
 }
 
 /// The first is what the others are compared with.
-std::vector<SolverEntry> solver_entries() {
+List<SolverEntry> solver_entries() {
   return {
       {"SI", plain_solver<SequentialImpulse<double>>},
       {"SI, masses in the loop", si_masses_in_the_loop},
@@ -126,9 +127,9 @@ std::string residual_cell(const VelocityProblem<double>& answer, const VelocityP
 }
 
 /// The largest difference of two impulses, over the largest impulse.
-std::string difference_cell(const std::vector<double>& impulses, const std::vector<double>& reference) {
+std::string difference_cell(const PerRow<double>& impulses, const PerRow<double>& reference) {
   double difference = 0, largest = 0;
-  for (std::size_t i = 0; i < impulses.size(); ++i) {
+  for (int i = 0; i < impulses.size(); ++i) {
     difference = std::max(difference, std::abs(impulses[i] - reference[i]));
     largest = std::max(largest, std::abs(reference[i]));
   }
@@ -155,8 +156,8 @@ std::string set_up_cell(const Outcome& outcome, double m) {
 void print_for_pyramid(int base) {
   const VelocityProblem<double> start = cold(pyramid_problem(base));
   const double m = start.row_count();
-  const std::vector<SolverEntry> entries = solver_entries();
-  std::vector<Case> cases;
+  const List<SolverEntry> entries = solver_entries();
+  List<Case> cases;
   for (const SolverEntry& entry : entries) cases.push_back(sweep_case(entry, start));
   const std::map<std::string, Outcome> outcomes = measure(cases);
 

@@ -2,15 +2,15 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <vector>
+#include <stdexcept>
 
 #include "constraints/row.hpp"
+#include "math/list.hpp"
 
 namespace cairn::bench {
 
-using Velocities = std::vector<Vec3<double>>;
-using Masses = std::vector<Vec3<double>>;  // inverse, for each body
+using Velocities = PerBody<Vec3<double>>;
+using Masses = PerBody<Vec3<double>>;  // inverse, for each body
 
 /// What one row update reads, and the impulse that it changes.
 struct SweepRow {
@@ -21,7 +21,7 @@ struct SweepRow {
 
 inline SweepRow sweep_row(const VelocityProblem<double>& problem, int i) {
   SweepRow result;
-  result.row = problem.rows[static_cast<std::size_t>(i)];
+  result.row = problem.rows[i];
   const double inverse = inverse_effective_mass(problem, result.row);
   result.effective_mass = inverse > 0 ? 1 / inverse : 0;
   return result;
@@ -30,8 +30,8 @@ inline SweepRow sweep_row(const VelocityProblem<double>& problem, int i) {
 /// (22), Algorithm 1 and (21) for an interval [lower, upper] of the impulse.
 inline void update(SweepRow& r, double lower, double upper, const Masses& inverse_mass,
                    Velocities& velocity) {
-  const auto a = static_cast<std::size_t>(r.row.a.index);
-  const auto b = static_cast<std::size_t>(r.row.b.index);
+  const BodyId a = r.row.a;
+  const BodyId b = r.row.b;
   const double jv = r.row.jacobian_a.dot(velocity[a]) + r.row.jacobian_b.dot(velocity[b]);
   const double old = r.impulse;
   const double corrective = (r.row.bias - jv - r.row.softness * old) * r.effective_mass;
@@ -48,9 +48,9 @@ inline void update_friction(SweepRow& r, double normal_impulse, const Masses& in
 }
 
 /// The rows [0, count) one after the other, whatever they are; normal rows are counted from `first`.
-inline void update_rows(SweepRow* rows, std::size_t count, int first, const Masses& inverse_mass,
+inline void update_rows(SweepRow* rows, int count, int first, const Masses& inverse_mass,
                         Velocities& velocity) {
-  for (std::size_t i = 0; i < count; ++i) {
+  for (int i = 0; i < count; ++i) {
     const Bounds<double>& bounds = rows[i].row.bounds;
     if (bounds.is_friction()) {
       update_friction(rows[i], rows[bounds.normal_row - first].impulse, inverse_mass, velocity);
@@ -65,26 +65,27 @@ class Solvable {
  public:
   virtual ~Solvable() = default;
   virtual void solve(const Masses& inverse_mass, Velocities& velocity) = 0;
-  virtual void append_impulses(std::vector<double>& impulses) const = 0;
+  virtual void append_impulses(PerRow<double>& impulses) const = 0;
 };
 
 /// A joint or a manifold: two classes with the same data.
 class ConstraintObject : public Solvable {
  public:
-  static constexpr std::size_t most_rows = 4;
+  static constexpr int most_rows = 4;
 
   ConstraintObject(const VelocityProblem<double>& problem, const RowBlock& block)
-      : first_(block.first), count_(static_cast<std::size_t>(block.count)) {
-    for (std::size_t i = 0; i < count_; ++i) rows_.at(i) = sweep_row(problem, first_ + static_cast<int>(i));
+      : first_(block.first), count_(block.count) {
+    if (count_ > most_rows) throw std::out_of_range("cairn_bench: a constraint must have at most 4 rows");
+    for (int i = 0; i < count_; ++i) rows_[i] = sweep_row(problem, first_ + i);
   }
-  void append_impulses(std::vector<double>& impulses) const override {
-    for (std::size_t i = 0; i < count_; ++i) impulses.push_back(rows_[i].impulse);
+  void append_impulses(PerRow<double>& impulses) const override {
+    for (int i = 0; i < count_; ++i) impulses.push_back(rows_[i].impulse);
   }
 
  protected:
-  int first_;          // row of the problem
-  std::size_t count_;  // of rows
-  std::array<SweepRow, most_rows> rows_ = {};
+  int first_;  // row of the problem
+  int count_;  // of rows
+  FixedList<SweepRow, most_rows> rows_ = {};
 };
 
 class ManifoldObject final : public ConstraintObject {
@@ -100,7 +101,7 @@ class JointObject final : public ConstraintObject {
  public:
   using ConstraintObject::ConstraintObject;
   void solve(const Masses& inverse_mass, Velocities& velocity) override {
-    for (std::size_t i = 0; i < count_; ++i) {
+    for (int i = 0; i < count_; ++i) {
       update(rows_[i], rows_[i].row.bounds.lower, rows_[i].row.bounds.upper, inverse_mass, velocity);
     }
   }
@@ -110,7 +111,7 @@ class JointObject final : public ConstraintObject {
 class RowObject : public Solvable {
  public:
   explicit RowObject(const SweepRow& row) : row_(row) {}
-  void append_impulses(std::vector<double>& impulses) const override { impulses.push_back(row_.impulse); }
+  void append_impulses(PerRow<double>& impulses) const override { impulses.push_back(row_.impulse); }
   double impulse() const { return row_.impulse; }
 
  protected:

@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <stdexcept>
 
 namespace cairn::bench {
 
-void TextTable::add(std::vector<std::string> cells) {
+void TextTable::add(List<std::string> cells) {
   if (cells.size() != columns_.size()) {
     throw std::logic_error(
         fmt::format("TextTable::add: cells must be {}, got {}", columns_.size(), cells.size()));
@@ -19,26 +20,26 @@ void TextTable::add(std::vector<std::string> cells) {
 }
 
 std::string TextTable::text() const {
-  std::vector<std::string> names, units;
+  List<std::string> names, units;
   for (const Column& column : columns_) {
     names.push_back(column.name);
     units.push_back(column.unit);
   }
-  std::vector<std::vector<std::string>> lines = {names, units};
+  List<List<std::string>> lines = {names, units};
   lines.insert(lines.end(), rows_.begin(), rows_.end());
 
-  std::vector<std::size_t> width(columns_.size(), 0);
+  List<std::size_t> width(columns_.size(), 0);
   for (const auto& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i) width[i] = std::max(width[i], line[i].size());
+    for (int i = 0; i < line.size(); ++i) width[i] = std::max(width[i], line[i].size());
   }
   std::string text;
-  for (std::size_t number = 0; number < lines.size(); ++number) {
+  for (int number = 0; number < lines.size(); ++number) {
     if (number == 2) {
       std::size_t whole = 0;
       for (const std::size_t one : width) whole += one + 2;
       text += "  " + std::string(whole - 2, '-') + "\n";
     }
-    for (std::size_t i = 0; i < width.size(); ++i) {
+    for (int i = 0; i < width.size(); ++i) {
       const std::string& cell = lines[number][i];
       text += i == 0 ? fmt::format("  {:<{}}", cell, width[i]) : fmt::format("  {:>{}}", cell, width[i]);
     }
@@ -51,12 +52,14 @@ void print_heading(const std::string& text) {
   fmt::print("\n{}\n{}\n\n", text, std::string(text.size(), '='));
 }
 
-std::string grouped(std::size_t number) {
+std::string grouped(std::ptrdiff_t number) {
   const std::string digits = std::to_string(number);
   std::string text;
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    if (i > 0 && (digits.size() - i) % 3 == 0) text += ' ';
-    text += digits[i];
+  std::ptrdiff_t left = std::ssize(digits);
+  for (const char digit : digits) {
+    if (!text.empty() && left % 3 == 0) text += ' ';
+    text += digit;
+    --left;
   }
   return text;
 }

@@ -1,8 +1,10 @@
 // Tables in plain text, for a terminal.
 #pragma once
 
+#include <cstddef>
 #include <string>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace cairn::bench {
 
@@ -15,22 +17,22 @@ struct Column {
 /// The first column is aligned left, the others right. Every row has a cell for each column.
 class TextTable {
  public:
-  explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
+  explicit TextTable(List<Column> columns) : columns_(std::move(columns)) {}
 
-  void add(std::vector<std::string> cells);
+  void add(List<std::string> cells);
   /// Names, units, a rule, and the rows.
   std::string text() const;
 
  private:
-  std::vector<Column> columns_;
-  std::vector<std::vector<std::string>> rows_;
+  List<Column> columns_;
+  List<List<std::string>> rows_;
 };
 
 /// A heading that stands out between tables.
 void print_heading(const std::string& text);
 
 /// 1234567 as "1 234 567".
-std::string grouped(std::size_t number);
+std::string grouped(std::ptrdiff_t number);
 
 /// Three significant digits, without an exponent where the number is of common size.
 std::string three_digits(double number);

@@ -5,16 +5,17 @@
 
 #include "../geometry/random_shapes.hpp"
 #include "collision/broadphase.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 namespace {
 
-using Pairs = std::vector<std::pair<int, int>>;
+using Pairs = List<std::pair<int, int>>;
 
 template <Scalar Real>
 struct Crowd {
-  std::vector<Aabb<Real>> boxes;
-  std::vector<char> movable;
+  List<Aabb<Real>> boxes;
+  List<char> movable;
 
   void add(const Vec2<double>& lower, const Vec2<double>& upper) {
     boxes.push_back({lower.cast<Real>(), upper.cast<Real>()});
@@ -83,8 +84,8 @@ TEST_CASE_TEMPLATE("boxes that are not numbers overlap nothing and disturb nobod
   test::Random random(7);
   for (int round = 0; round < 200; ++round) {
     Crowd<Real> crowd = random_crowd<Real>(40, random);
-    std::vector<char> broken(40, 0);
-    for (std::size_t i = 0; i < 40; ++i) {
+    List<char> broken(40, 0);
+    for (int i = 0; i < 40; ++i) {
       if (random.below(4) != 0) continue;
       broken[i] = 1;
       Vec2<Real>& corner = random.below(2) == 0 ? crowd.boxes[i].lower : crowd.boxes[i].upper;
@@ -93,8 +94,8 @@ TEST_CASE_TEMPLATE("boxes that are not numbers overlap nothing and disturb nobod
     const Pairs pairs = crowd.pairs(BroadphaseKind::sweep);
     CHECK(pairs == crowd.pairs(BroadphaseKind::all_pairs));
     for (const auto& [i, j] : pairs) {
-      CHECK(!broken[static_cast<std::size_t>(i)]);
-      CHECK(!broken[static_cast<std::size_t>(j)]);
+      CHECK(!broken[i]);
+      CHECK(!broken[j]);
     }
   }
 }

@@ -95,7 +95,7 @@ long double distance(const Vec2<long double>& point, const Vec2<long double>& p,
 long double corner_distance(const test::Core& a, const test::Core& b) {
   long double nearest = std::numeric_limits<long double>::infinity();
   for (const Vec2<long double>& corner : a.corners) {
-    for (std::size_t i = 0; i < b.corners.size(); ++i) {
+    for (int i = 0; i < b.corners.size(); ++i) {
       nearest = std::min(nearest, distance(corner, b.corners[i], b.corners[(i + 1) % b.corners.size()]));
     }
   }
@@ -190,7 +190,7 @@ TEST_CASE_TEMPLATE("with the two shapes swapped, the manifold is mirrored", Real
     if ((one.points[0].position - other.points[0].position).norm() > Real(0.01)) {
       std::swap(other.points[0], other.points[1]);
     }
-    for (std::size_t i = 0; i < static_cast<std::size_t>(one.count); ++i) {
+    for (int i = 0; i < one.count; ++i) {
       // A cut at a small angle between the edges multiplies the rounding of the height.
       CHECK((one.points[i].position - other.points[i].position).norm() <= 64 * rounding<Real>());
       CHECK(std::abs(one.points[i].separation - other.points[i].separation) <= 64 * rounding<Real>());
@@ -213,7 +213,7 @@ TEST_CASE_TEMPLATE("features keep their names while the shapes move a little", R
     const Manifold<Real> after = touch(later);
     ++encounters;
     bool same = before.count == after.count;
-    for (std::size_t i = 0; i < 2; ++i) same = same && before.points[i].feature == after.points[i].feature;
+    for (int i = 0; i < 2; ++i) same = same && before.points[i].feature == after.points[i].feature;
     if (!same) ++changes;
   });
   CHECK(encounters == 1000);

@@ -16,8 +16,7 @@ Pose<double> at(double x, double y, double angle = 0) { return {{x, y}, angle}; 
 
 std::set<std::uint32_t> features(const Manifold<double>& manifold) {
   std::set<std::uint32_t> result;
-  for (int i = 0; i < manifold.count; ++i)
-    result.insert(manifold.points[static_cast<std::size_t>(i)].feature);
+  for (int i = 0; i < manifold.count; ++i) result.insert(manifold.points[i].feature);
   return result;
 }
 
@@ -250,7 +249,7 @@ TEST_CASE_TEMPLATE("far from the origin nothing becomes not-a-number", Real, flo
                                  static_cast<Real>(random.uniform(-9, 9))};
       const Manifold<Real> manifold = collide(a, pose_a, b, pose_b, Real(0.1));
       for (int i = 0; i < manifold.count; ++i) {
-        const ManifoldPoint<Real>& point = manifold.points[static_cast<std::size_t>(i)];
+        const ManifoldPoint<Real>& point = manifold.points[i];
         CHECK(point.position.allFinite());
         CHECK(std::isfinite(point.separation));
         CHECK(std::abs(manifold.normal.norm() - 1) <= 8 * std::numeric_limits<Real>::epsilon());

@@ -14,8 +14,8 @@ using namespace cairn::testing;
 namespace {
 
 template <Scalar Real>
-std::vector<Pose<Real>> poses_in(const std::vector<Pose<double>>& poses) {
-  std::vector<Pose<Real>> result;
+PerBody<Pose<Real>> poses_in(const PerBody<Pose<double>>& poses) {
+  PerBody<Pose<Real>> result;
   for (const Pose<double>& pose : poses) {
     result.push_back({pose.position.cast<Real>(), static_cast<Real>(pose.angle)});
   }
@@ -30,7 +30,7 @@ void check_finite(const RowSpecs<Real>& rows) {
     CHECK(row.jacobian_b.allFinite());
     Real largest = row.jacobian_a.cwiseAbs().maxCoeff() + row.jacobian_b.cwiseAbs().maxCoeff();
     for (int k = 0; k < row.extra_count; ++k) {
-      const RowTerm<Real>& term = row.extra[static_cast<std::size_t>(k)];
+      const RowTerm<Real>& term = row.extra[k];
       CHECK(term.jacobian.allFinite());
       largest += term.jacobian.cwiseAbs().maxCoeff();
     }
@@ -66,7 +66,7 @@ VelocityProblem<Real> constraint_problem(const RowSpecs<Real>& specs) {
 template <Scalar Real>
 Real largest_speed_gap(const VelocityProblem<Real>& one, const VelocityProblem<Real>& other) {
   Real largest = 0;
-  for (std::size_t body = 0; body < one.velocity.size(); ++body) {
+  for (const BodyId body : one.velocity.indices()) {
     const Vec3<Real> gap = one.velocity[body] - other.velocity[body];
     largest = std::max(largest, gap.cwiseAbs().maxCoeff());
   }
@@ -78,13 +78,13 @@ Real largest_speed_gap(const VelocityProblem<Real>& one, const VelocityProblem<R
 TEST_CASE_TEMPLATE("a constraint that is asked twice says the same, to the last bit", Real, float, double,
                    long double) {
   test::Random random(21);
-  const std::vector<Pose<double>> start = random_poses(random);
+  const PerBody<Pose<double>> start = random_poses(random);
   for (const ConstraintUnderTest<Real>& constraint : all_constraints<Real>(start, random)) {
     CAPTURE(constraint.name);
-    const std::vector<Pose<Real>> poses = poses_in<Real>(start);
+    const PerBody<Pose<Real>> poses = poses_in<Real>(start);
     const RowSpecs<Real> first = constraint.rows(poses), second = constraint.rows(poses);
     REQUIRE(first.size() == second.size());
-    for (std::size_t i = 0; i < first.size(); ++i) {
+    for (int i = 0; i < first.size(); ++i) {
       CHECK(first[i].error == second[i].error);
       CHECK(first[i].jacobian_a == second[i].jacobian_a);
       CHECK(first[i].jacobian_b == second[i].jacobian_b);
@@ -96,17 +96,17 @@ TEST_CASE_TEMPLATE("a constraint that is asked twice says the same, to the last 
 TEST_CASE_TEMPLATE("the rows of a constraint have names that differ, and keep them while bodies move", Real,
                    float, double, long double) {
   test::Random random(22);
-  const std::vector<Pose<double>> start = random_poses(random);
+  const PerBody<Pose<double>> start = random_poses(random);
   for (const ConstraintUnderTest<Real>& constraint : all_constraints<Real>(start, random)) {
     CAPTURE(constraint.name);
-    std::vector<Pose<Real>> poses = poses_in<Real>(start);
+    PerBody<Pose<Real>> poses = poses_in<Real>(start);
     const RowSpecs<Real> before = constraint.rows(poses);
-    poses[1].position.x() += Real(1e-3);
+    poses[{1}].position.x() += Real(1e-3);
     const RowSpecs<Real> after = constraint.rows(poses);
     REQUIRE(after.size() == before.size());
-    for (std::size_t i = 0; i < before.size(); ++i) {
+    for (int i = 0; i < before.size(); ++i) {
       CHECK(after[i].part == before[i].part);
-      for (std::size_t other = 0; other < i; ++other) CHECK(before[other].part != before[i].part);
+      for (int other = 0; other < i; ++other) CHECK(before[other].part != before[i].part);
     }
   }
 }
@@ -114,20 +114,20 @@ TEST_CASE_TEMPLATE("the rows of a constraint have names that differ, and keep th
 TEST_CASE_TEMPLATE("where bodies lie in one place, every row has a direction and no row is not a number",
                    Real, float, double, long double) {
   test::Random random(23);
-  const std::vector<Pose<double>> start = random_poses(random);
+  const PerBody<Pose<double>> start = random_poses(random);
   for (const ConstraintUnderTest<Real>& constraint : all_constraints<Real>(start, random)) {
     CAPTURE(constraint.name);
-    std::vector<Pose<Real>> poses = poses_in<Real>(start);
-    poses[2] = poses[1];
+    PerBody<Pose<Real>> poses = poses_in<Real>(start);
+    poses[{2}] = poses[{1}];
     check_finite(constraint.rows(poses));
-    poses[1] = poses[2] = {};
+    poses[{1}] = poses[{2}] = {};
     check_finite(constraint.rows(poses));
   }
 }
 
 TEST_CASE_TEMPLATE("a rod, a rope and a spring whose ends have met write no row", Real, float, double,
                    long double) {
-  const std::vector<Pose<double>> start = {{}, {{0, 0}, 0}, {{2, 0}, 0}};
+  const PerBody<Pose<double>> start = {{}, {{0, 0}, 0}, {{2, 0}, 0}};
   using Kind = DistanceJoint::Kind;
   for (const Kind kind : {Kind::rod, Kind::rope, Kind::spring}) {
     DistanceJoint::Spec spec = {.a = {1}, .b = {2}, .anchor_a = {0, 0}, .anchor_b = {2, 0}, .kind = kind};
@@ -143,7 +143,7 @@ TEST_CASE_TEMPLATE("every solver gives the bodies of a constraint the same veloc
                    long double) {
   test::Random random(24);
   for (int round = 0; round < 2; ++round) {
-    const std::vector<Pose<double>> start = random_poses(random);
+    const PerBody<Pose<double>> start = random_poses(random);
     for (const ConstraintUnderTest<Real>& constraint : all_constraints<Real>(start, random)) {
       CAPTURE(constraint.name);
       const VelocityProblem<Real> given = constraint_problem(constraint.rows(poses_in<Real>(start)));

@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "../geometry/random_shapes.hpp"
 #include "collision/collide.hpp"
@@ -17,12 +16,13 @@
 #include "constraints/pulley_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
+#include "math/list.hpp"
 
 namespace cairn::testing {
 
 /// Writes the rows that hold at the given poses of the ground and of bodies 1 to 4.
 template <Scalar Real>
-using RowWriter = std::function<RowSpecs<Real>(const std::vector<Pose<Real>>&)>;
+using RowWriter = std::function<RowSpecs<Real>(const PerBody<Pose<Real>>&)>;
 
 template <Scalar Real>
 struct ConstraintUnderTest {
@@ -38,15 +38,15 @@ Vec3<Real> jacobian_of(const RowSpec<Real>& row, BodyId body) {
   if (row.a == body) sum += row.jacobian_a;
   if (row.b == body) sum += row.jacobian_b;
   for (int k = 0; k < row.extra_count; ++k) {
-    const RowTerm<Real>& term = row.extra[static_cast<std::size_t>(k)];
+    const RowTerm<Real>& term = row.extra[k];
     if (term.body == body) sum += term.jacobian;
   }
   return sum;
 }
 
 template <typename Joint, Scalar Real>
-RowWriter<Real> joint_rows(const typename Joint::Spec& spec, const std::vector<Pose<double>>& start) {
-  return [joint = Joint(spec, start)](const std::vector<Pose<Real>>& poses) {
+RowWriter<Real> joint_rows(const typename Joint::Spec& spec, const PerBody<Pose<double>>& start) {
+  return [joint = Joint(spec, start)](const PerBody<Pose<Real>>& poses) {
     RowSpecs<Real> rows;
     joint.append_rows(poses, rows);
     return rows;
@@ -56,12 +56,12 @@ RowWriter<Real> joint_rows(const typename Joint::Spec& spec, const std::vector<P
 /// Two shapes without friction: a friction row has no error that its Jacobian could be the derivative of.
 template <Scalar Real>
 RowWriter<Real> contact_rows(const Shape<double>& a, const Shape<double>& b, double friction = 0) {
-  return [=](const std::vector<Pose<Real>>& poses) {
+  return [=](const PerBody<Pose<Real>>& poses) {
     const Real far = 100;  // [m] margin: they need not touch
     const Manifold<Real> manifold =
-        collide(shape_cast<Real>(a), poses[1], shape_cast<Real>(b), poses[2], far);
+        collide(shape_cast<Real>(a), poses[{1}], shape_cast<Real>(b), poses[{2}], far);
     RowSpecs<Real> rows;
-    const std::vector<Vec3<Real>> at_rest(3, Vec3<Real>::Zero());
+    const PerBody<Vec3<Real>> at_rest(3, Vec3<Real>::Zero());
     append_contact_rows<Real>(manifold, {1}, {2}, {.friction = static_cast<Real>(friction)}, poses, at_rest,
                               rows);
     return rows;
@@ -70,24 +70,23 @@ RowWriter<Real> contact_rows(const Shape<double>& a, const Shape<double>& b, dou
 
 /// Ropes on four bodies, with and without the ground.
 template <Scalar Real>
-std::vector<ConstraintUnderTest<Real>> pulleys(const std::vector<Pose<double>>& start, test::Random& random) {
+List<ConstraintUnderTest<Real>> pulleys(const PerBody<Pose<double>>& start, test::Random& random) {
   using Roller = PulleyJoint::Roller;
   const double far = 100;  // [m] margin: a slack rope has its row too
   const BodyId a{1}, b{2}, c{3}, d{4};
-  std::vector<Vec2<double>> anchors, above;  // on the bodies, and 3 m above
+  PerBody<Vec2<double>> anchors, above;  // on the bodies, and 3 m above
   for (const Pose<double>& pose : start) {
     anchors.push_back(pose.position + random.point(1));
     above.push_back(anchors.back() + Vec2<double>(0, 3));
   }
-  const Vec2<double> side = start[2].position + Vec2<double>(2, 0);  // of a drum
-  const std::vector<PulleyJoint::End> fixed = {
-      {.body = a, .anchor = anchors[1], .roller = above[1]},
-      {.body = b, .anchor = anchors[2], .roller = above[2], .parts = 2},
-      {.body = c, .anchor = anchors[3], .roller = above[3]},
-      {.body = d, .anchor = anchors[4], .roller = above[4], .parts = 3}};
-  const std::vector<PulleyJoint::End> carried = {
-      {.body = a, .anchor = anchors[1], .roller = side, .carrier = b, .kind = Roller::drum},
-      {.body = c, .anchor = anchors[3], .roller = anchors[4], .parts = 2, .carrier = d}};
+  const Vec2<double> side = start[b].position + Vec2<double>(2, 0);  // of a drum
+  const List<PulleyJoint::End> fixed = {{.body = a, .anchor = anchors[a], .roller = above[a]},
+                                        {.body = b, .anchor = anchors[b], .roller = above[b], .parts = 2},
+                                        {.body = c, .anchor = anchors[c], .roller = above[c]},
+                                        {.body = d, .anchor = anchors[d], .roller = above[d], .parts = 3}};
+  const List<PulleyJoint::End> carried = {
+      {.body = a, .anchor = anchors[a], .roller = side, .carrier = b, .kind = Roller::drum},
+      {.body = c, .anchor = anchors[c], .roller = anchors[d], .parts = 2, .carrier = d}};
   return {
       {"pulley on four bodies",
        joint_rows<PulleyJoint, Real>({.ends = fixed, .kind = PulleyJoint::Kind::taut}, start), false},
@@ -98,10 +97,9 @@ std::vector<ConstraintUnderTest<Real>> pulleys(const std::vector<Pose<double>>& 
 
 /// The joints on three bodies, and those that need the ground.
 template <Scalar Real>
-std::vector<ConstraintUnderTest<Real>> gears_and_drag(const std::vector<Pose<double>>& start,
-                                                      test::Random& random) {
+List<ConstraintUnderTest<Real>> gears_and_drag(const PerBody<Pose<double>>& start, test::Random& random) {
   const BodyId a{1}, b{2}, c{3};
-  const Vec2<double> anchor = start[2].position + random.point(1), target = random.point(3);
+  const Vec2<double> anchor = start[b].position + random.point(1), target = random.point(3);
   return {
       {"gear", joint_rows<GearJoint, Real>({.a = a, .b = b, .radius_a = 0.5, .radius_b = 1.5}, start), false},
       {"planetary gear",
@@ -115,11 +113,10 @@ std::vector<ConstraintUnderTest<Real>> gears_and_drag(const std::vector<Pose<dou
 
 /// The joints of two bodies, and contacts, between bodies 1 and 2 that start from these poses.
 template <Scalar Real>
-std::vector<ConstraintUnderTest<Real>> constraints_of_two(const std::vector<Pose<double>>& start,
-                                                          test::Random& random) {
+List<ConstraintUnderTest<Real>> constraints_of_two(const PerBody<Pose<double>>& start, test::Random& random) {
   const BodyId a{1}, b{2};
-  const Vec2<double> near_a = start[1].position + random.point(1);
-  const Vec2<double> near_b = start[2].position + random.point(1);
+  const Vec2<double> near_a = start[a].position + random.point(1);
+  const Vec2<double> near_b = start[b].position + random.point(1);
   const Vec2<double> offset_a = random.point(0.2);
   const Vec2<double> axis = Rotation<double>(random.uniform(-pi, pi)) * Vec2<double>(1, 0);
   const double far = 100;  // [m or rad] margin: limits have rows wherever the bodies are
@@ -157,9 +154,8 @@ std::vector<ConstraintUnderTest<Real>> constraints_of_two(const std::vector<Pose
 
 /// Everything that states rows, between bodies 1 to 4 that start from these poses.
 template <Scalar Real>
-std::vector<ConstraintUnderTest<Real>> all_constraints(const std::vector<Pose<double>>& start,
-                                                       test::Random& random) {
-  std::vector<ConstraintUnderTest<Real>> constraints = constraints_of_two<Real>(start, random);
+List<ConstraintUnderTest<Real>> all_constraints(const PerBody<Pose<double>>& start, test::Random& random) {
+  List<ConstraintUnderTest<Real>> constraints = constraints_of_two<Real>(start, random);
   for (const auto& more : {pulleys<Real>(start, random), gears_and_drag<Real>(start, random)}) {
     constraints.insert(constraints.end(), more.begin(), more.end());
   }
@@ -168,7 +164,7 @@ std::vector<ConstraintUnderTest<Real>> all_constraints(const std::vector<Pose<do
 
 /// The ground, and two bodies some 4 m apart, one above the other, at any angle (the second one nearly
 /// level); and two more, 4 m apart on the right.
-inline std::vector<Pose<double>> random_poses(test::Random& random) {
+inline PerBody<Pose<double>> random_poses(test::Random& random) {
   const Vec2<double> place = random.point(2);
   const Vec2<double> other = place + Vec2<double>(random.uniform(-1, 1), random.uniform(-5, -3));
   const Vec2<double> right(4, 0);

@@ -24,7 +24,7 @@ TEST_CASE("a dragged body swings to its target as implicit Euler says, on each a
     velocity =
         (velocity - h * omega * omega * offset) / (1 + 2 * damping_ratio * omega * h + h * h * omega * omega);
     offset += h * velocity;
-    const Vec2<double> found = world.bodies().velocity[1].head<2>();
+    const Vec2<double> found = world.bodies().velocity[{1}].head<2>();
     CHECK((found - velocity).norm() <= 1e-12);  // the rounding of a few steps at up to 20 m/s
   }
 }
@@ -37,8 +37,8 @@ TEST_CASE("a drag is never stronger than max_force on an axis") {
   World world(scene);
   step_often(world, 30, 1);
   const double speed = limit / mass * 30 * joint_dt;
-  CHECK(world.bodies().velocity[1].x() == doctest::Approx(speed).epsilon(1e-13));
-  CHECK(world.bodies().velocity[1].y() == doctest::Approx(-speed).epsilon(1e-13));
+  CHECK(world.bodies().velocity[{1}].x() == doctest::Approx(speed).epsilon(1e-13));
+  CHECK(world.bodies().velocity[{1}].y() == doctest::Approx(-speed).epsilon(1e-13));
 }
 
 TEST_CASE("a drag off the middle turns its body, holds it against gravity, and never counts as drift") {
@@ -54,11 +54,11 @@ TEST_CASE("a drag off the middle turns its body, holds it against gravity, and n
                          .max_force = 100});
   World world(scene);
   step_often(world, 1);
-  CHECK(world.bodies().velocity[1].z() > 0);  // the middle sinks, the anchor is held
+  CHECK(world.bodies().velocity[{1}].z() > 0);  // the middle sinks, the anchor is held
   step_often(world, 3000);
   // At rest the body hangs under its anchor, the spring longer by m g / k. In 50 s the swings have lost more
   // than 1 - 1e-6 of their size: the pendulum takes e^-1 of it off in a second or less.
-  const Pose<double>& pose = world.bodies().pose[1];
+  const Pose<double>& pose = world.bodies().pose[{1}];
   CHECK(pose.world({0.5, 0}).y() == doctest::Approx(-mass * joint_gravity / stiffness).epsilon(1e-6));
   CHECK(pose.angle == doctest::Approx(pi / 2).epsilon(1e-6));
   CHECK(snapshot(world).joints[0].drift == 0);

@@ -36,7 +36,7 @@ TEST_CASE(
     const Vec2<double> diagonal = pull * Vec2<double>(std::sqrt(0.5), std::sqrt(0.5));
     World world(puck_scene(shape, 0, 0, joint_dt, diagonal));
     step_often(world, 30, 5);
-    const Vec2<double> velocity = world.bodies().velocity[1].head<2>();
+    const Vec2<double> velocity = world.bodies().velocity[{1}].head<2>();
     CHECK(std::abs(cross(velocity, diagonal)) <= 1e-12);
     return velocity.norm() / (30 * joint_dt);
   };
@@ -63,7 +63,7 @@ TEST_CASE("where a string turns the way of a puck, the circle still takes mu g o
   // so much: its cosine loses the square of that, and its sine goes to the string. What the string takes off
   // by turning the velocity is of the first order in it.
   const double speed = puck_speed - table_grip * seconds;
-  CHECK(world.bodies().velocity[1].head<2>().norm() == doctest::Approx(speed).epsilon(1e-3));
+  CHECK(world.bodies().velocity[{1}].head<2>().norm() == doctest::Approx(speed).epsilon(1e-3));
 }
 
 TEST_CASE("friction stops the turning of a puck by max_torque, and then holds it") {
@@ -76,9 +76,9 @@ TEST_CASE("friction stops the turning of a puck by max_torque, and then holds it
   World world(scene);
   REQUIRE(joint_row_count(world) == 1);  // no rows for sliding where there is no friction
   step_often(world, 60, 1);
-  CHECK(world.bodies().velocity[1].z() == doctest::Approx(3 - 2 * 60 * joint_dt).epsilon(1e-12));
+  CHECK(world.bodies().velocity[{1}].z() == doctest::Approx(3 - 2 * 60 * joint_dt).epsilon(1e-12));
   step_often(world, 60, 1);
-  CHECK(std::abs(world.bodies().velocity[1].z()) <= 1e-15);
+  CHECK(std::abs(world.bodies().velocity[{1}].z()) <= 1e-15);
 }
 
 TEST_CASE("a plank that slides on another gives it what it loses, and both end at one velocity") {
@@ -89,10 +89,10 @@ TEST_CASE("a plank that slides on another gives it what it loses, and both end a
   scene.join<FrictionJoint>({.a = under, .b = on, .max_force = 2, .max_torque = 1});
   World world(scene);
   step_often(world, 600, 50);
-  const Vec2<double> apart = world.bodies().pose[1].position - world.bodies().pose[2].position;
+  const Vec2<double> apart = world.bodies().pose[{1}].position - world.bodies().pose[{2}].position;
   step_often(world, 1, 50);
-  const Vec3<double>& v = world.bodies().velocity[1];
-  const Vec3<double>& w = world.bodies().velocity[2];
+  const Vec3<double>& v = world.bodies().velocity[{1}];
+  const Vec3<double>& w = world.bodies().velocity[{2}];
   const Vec2<double> momentum = v.head<2>() + 3 * w.head<2>();
   CHECK((momentum - Vec2<double>(2, 1)).norm() <= 1e-12);  // the rounding of 600 steps
   // They go on as one rigid body, by the places where the step began.
@@ -100,8 +100,8 @@ TEST_CASE("a plank that slides on another gives it what it loses, and both end a
   const Vec2<double> slip = v.head<2>() - w.head<2>() - cross(w.z(), apart);
   CHECK(slip.norm() <= 1e-9);
   // Internal forces leave the moment of momentum about the origin as it was: (1, 1) x (2, 1) = -1.
-  const double moment = cross<double>(world.bodies().pose[1].position, v.head<2>()) + v.z() +
-                        3 * cross<double>(world.bodies().pose[2].position, w.head<2>()) + 2 * w.z();
+  const double moment = cross<double>(world.bodies().pose[{1}].position, v.head<2>()) + v.z() +
+                        3 * cross<double>(world.bodies().pose[{2}].position, w.head<2>()) + 2 * w.z();
   CHECK(moment == doctest::Approx(-1).epsilon(1e-9));
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("all solvers agree on a puck in the circle, and none leaves it") {
     for (const SolverMaker<double>& make : all_solvers<double>(Iterates::any)) {
       VelocityProblem<double> problem = start;
       make({.iterations = 200})->solve(problem);
-      CHECK((problem.velocity[1] - expected.velocity[1]).norm() <= 1e-13);
+      CHECK((problem.velocity[{1}] - expected.velocity[{1}]).norm() <= 1e-13);
       CHECK(std::hypot(problem.impulse[0], problem.impulse[1]) <= puck_friction * joint_dt * (1 + 1e-15));
     }
   }
@@ -139,7 +139,7 @@ TEST_CASE("on fixed axes that leave each other the rest of a disc, the order of 
     problem.blocks = {{0, 2}};
     problem.impulse = {0, 0};
     SequentialImpulse<double>({.iterations = 100}).solve(problem);
-    CHECK(problem.impulse == std::vector<double>{-0.5, 0});
+    CHECK(problem.impulse == PerRow<double>{-0.5, 0});
     CHECK(residual(problem, 1.0).energy == 0);
   }
 }

@@ -9,9 +9,7 @@ using namespace cairn::testing;
 
 namespace {
 
-double turning(const World<double>& world, BodyId body) {
-  return world.bodies().velocity[static_cast<std::size_t>(body.index)].z();
-}
+double turning(const World<double>& world, BodyId body) { return world.bodies().velocity[body].z(); }
 
 }  // namespace
 
@@ -38,7 +36,7 @@ TEST_CASE("a planet that rolls about a fixed sun turns (r_a + r_b) / r_b times a
 }
 
 TEST_CASE("gears have no error where they were made, and see what slipped, many turns later too") {
-  std::vector<Pose<double>> poses = {{}, {{0, 0}, 0.7}, {{3, 0}, -2}, {{0, 0}, 5}};
+  PerBody<Pose<double>> poses = {{}, {{0, 0}, 0.7}, {{3, 0}, -2}, {{0, 0}, 5}};
   const GearJoint gear({.a = {1}, .b = {2}, .radius_a = 1, .radius_b = 2}, poses);
   const DifferentialJoint shafts({.a = {1}, .b = {2}, .c = {3}}, poses);
   const double tolerance = 1e-13;  // of angles below 100 rad
@@ -50,9 +48,9 @@ TEST_CASE("gears have no error where they were made, and see what slipped, many 
   };
   CHECK(std::abs(error(gear)) <= tolerance);
   CHECK(std::abs(error(shafts)) <= tolerance);
-  poses[1].angle += 20 * pi;
-  poses[2].angle -= 10 * pi - 0.25;
-  poses[3].angle += 5 * pi;
+  poses[{1}].angle += 20 * pi;
+  poses[{2}].angle -= 10 * pi - 0.25;
+  poses[{3}].angle += 5 * pi;
   CHECK(std::abs(error(gear) - 2 * 0.25) <= tolerance);
   CHECK(std::abs(error(shafts) - 0.25) <= tolerance);
 }
@@ -65,7 +63,7 @@ TEST_CASE("gears on one body, and wheels without a radius, are refused") {
         "DifferentialJoint: b must be another body than a, got 1");
   CHECK(refusal_of<DifferentialJoint>({.a = {1}, .b = {0}, .c = {1}}) ==
         "DifferentialJoint: c must be another body than a and b, got 1");
-  const std::vector<Pose<double>> three(3);
+  const PerBody<Pose<double>> three(3);
   CHECK_THROWS_WITH(GearJoint({.a = {1}, .b = {2}, .radius_a = 0}, three),
                     "GearJoint: radius_a must be > 0 m and finite, got 0");
   CHECK_THROWS_WITH(GearJoint({.a = {1}, .b = {2}, .radius_b = std::nan("")}, three),

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "constraint_list.hpp"
+#include "math/list.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -13,8 +14,8 @@ namespace {
 constexpr int random_rounds = 20;
 
 template <Scalar Real>
-std::vector<Pose<Real>> cast_poses(const std::vector<Pose<double>>& poses) {
-  std::vector<Pose<Real>> result;
+PerBody<Pose<Real>> cast_poses(const PerBody<Pose<double>>& poses) {
+  PerBody<Pose<Real>> result;
   for (const Pose<double>& pose : poses) {
     result.push_back({pose.position.cast<Real>(), static_cast<Real>(pose.angle)});
   }
@@ -23,7 +24,7 @@ std::vector<Pose<Real>> cast_poses(const std::vector<Pose<double>>& poses) {
 
 /// The poses with one coordinate of one body (0, 1: x, y; 2: angle) changed.
 template <Scalar Real>
-std::vector<Pose<Real>> nudged(std::vector<Pose<Real>> poses, std::size_t body, int coordinate, Real by) {
+PerBody<Pose<Real>> nudged(PerBody<Pose<Real>> poses, BodyId body, int coordinate, Real by) {
   if (coordinate == 2) {
     poses[body].angle += by;
   } else {
@@ -34,8 +35,8 @@ std::vector<Pose<Real>> nudged(std::vector<Pose<Real>> poses, std::size_t body, 
 
 /// dC/dq of row `row`, by central differences of step h.
 template <Scalar Real>
-Real difference_quotient(const RowWriter<Real>& rows, std::size_t row, const std::vector<Pose<Real>>& poses,
-                         std::size_t body, int coordinate, Real h) {
+Real difference_quotient(const RowWriter<Real>& rows, int row, const PerBody<Pose<Real>>& poses, BodyId body,
+                         int coordinate, Real h) {
   const Real above = rows(nudged(poses, body, coordinate, h)).at(row).error;
   const Real below = rows(nudged(poses, body, coordinate, -h)).at(row).error;
   return (above - below) / (2 * h);
@@ -47,9 +48,10 @@ template <Scalar Real, typename Check>
 void for_all_constraints(std::uint64_t seed, double moved, const Check& check) {
   test::Random random(seed);
   for (int round = 0; round < random_rounds; ++round) {
-    std::vector<Pose<double>> poses = random_poses(random);
-    const std::vector<ConstraintUnderTest<Real>> constraints = all_constraints<Real>(poses, random);
-    for (std::size_t body = 1; body < poses.size(); ++body) {
+    PerBody<Pose<double>> poses = random_poses(random);
+    const List<ConstraintUnderTest<Real>> constraints = all_constraints<Real>(poses, random);
+    for (const BodyId body : poses.indices()) {
+      if (body == ground) continue;
       poses[body].position += random.point(moved);
       poses[body].angle += random.uniform(-moved, moved);
     }
@@ -73,12 +75,13 @@ TEST_CASE_TEMPLATE("every constraint's Jacobian is the derivative of its error",
   const Real size = 10;
   const Real tolerance = 8 * size * h * h / 6 + 8 * epsilon * size / h;
   for_all_constraints<Real>(
-      1, 0.2, [&](const ConstraintUnderTest<Real>& constraint, const std::vector<Pose<Real>>& poses) {
+      1, 0.2, [&](const ConstraintUnderTest<Real>& constraint, const PerBody<Pose<Real>>& poses) {
         const RowSpecs<Real> rows = constraint.rows(poses);
         REQUIRE_FALSE(rows.empty());
-        for (std::size_t row = 0; row < rows.size(); ++row) {
-          for (std::size_t body = 1; body < poses.size(); ++body) {
-            const Vec3<Real> jacobian = jacobian_of(rows[row], BodyId{static_cast<int>(body)});
+        for (int row = 0; row < rows.size(); ++row) {
+          for (const BodyId body : poses.indices()) {
+            if (body == ground) continue;
+            const Vec3<Real> jacobian = jacobian_of(rows[row], body);
             for (int coordinate = 0; coordinate < 3; ++coordinate) {
               const Real slope = difference_quotient(constraint.rows, row, poses, body, coordinate, h);
               CHECK(std::abs(jacobian(coordinate) - slope) <= tolerance);
@@ -92,11 +95,12 @@ TEST_CASE_TEMPLATE("every row's forces on its bodies cancel, and turn the world 
                    float, double, long double) {
   const Real tolerance =
       64 * std::numeric_limits<Real>::epsilon() * 10;  // [m] coordinates and arms are below 10 m
-  const auto check_pair = [&](const RowSpec<Real>& row, const std::vector<Pose<Real>>& poses, Real drift) {
+  const auto check_pair = [&](const RowSpec<Real>& row, const PerBody<Pose<Real>>& poses, Real drift) {
     Vec2<Real> sum = Vec2<Real>::Zero();
     Real torque = 0;
-    for (std::size_t body = 1; body < poses.size(); ++body) {
-      const Vec3<Real> jacobian = jacobian_of(row, BodyId{static_cast<int>(body)});
+    for (const BodyId body : poses.indices()) {
+      if (body == ground) continue;
+      const Vec3<Real> jacobian = jacobian_of(row, body);
       const Vec2<Real> force = jacobian.template head<2>();
       sum += force;
       torque += cross(poses[body].position, force) + jacobian.z();
@@ -108,7 +112,7 @@ TEST_CASE_TEMPLATE("every row's forces on its bodies cancel, and turn the world 
   // but their anchors, and the radius of a drum, are kept in double: that is a drift for long double, of a
   // few roundings of numbers below 10 m.
   for_all_constraints<Real>(
-      2, 0, [&](const ConstraintUnderTest<Real>& constraint, const std::vector<Pose<Real>>& poses) {
+      2, 0, [&](const ConstraintUnderTest<Real>& constraint, const PerBody<Pose<Real>>& poses) {
         if (!constraint.is_free) return;
         const RowSpecs<Real> rows = constraint.rows(poses);
         Real drift = 16 * std::numeric_limits<double>::epsilon();
@@ -118,7 +122,7 @@ TEST_CASE_TEMPLATE("every row's forces on its bodies cancel, and turn the world 
       });
   test::Random random(3);
   for (int round = 0; round < random_rounds; ++round) {
-    const std::vector<Pose<Real>> poses = cast_poses<Real>(random_poses(random));
+    const PerBody<Pose<Real>> poses = cast_poses<Real>(random_poses(random));
     const RowSpecs<Real> rows = contact_rows<Real>(circle(0.3, {0.1, 0.2}), box(4, 1), 0.5)(poses);
     REQUIRE(rows.size() % 2 == 0);
     for (const RowSpec<Real>& row : rows) check_pair(row, poses, 0);
@@ -128,7 +132,7 @@ TEST_CASE_TEMPLATE("every row's forces on its bodies cancel, and turn the world 
 TEST_CASE("a joint has no error where it was made, and names the bodies and anchors it was given") {
   test::Random random(4);
   for (int round = 0; round < random_rounds; ++round) {
-    const std::vector<Pose<double>> poses = random_poses(random);
+    const PerBody<Pose<double>> poses = random_poses(random);
     const Vec2<double> anchor_a = random.point(3), anchor_b = random.point(3);
     const DistanceJoint rod({.a = {1}, .b = {2}, .anchor_a = anchor_a, .anchor_b = anchor_b}, poses);
     const RevoluteJoint pin({.a = {2}, .b = {1}, .anchor = anchor_a}, poses);
@@ -142,32 +146,32 @@ TEST_CASE("a joint has no error where it was made, and names the bodies and anch
     CHECK(rod.attachments()[1].body == BodyId{2});
     CHECK(pin.attachments()[0].body == BodyId{2});
     CHECK(pin.attachments()[1].body == BodyId{1});
-    CHECK((poses[1].world(rod.attachments()[0].anchor) - anchor_a).norm() <= tolerance);
-    CHECK((poses[2].world(rod.attachments()[1].anchor) - anchor_b).norm() <= tolerance);
-    CHECK((poses[2].world(pin.attachments()[0].anchor) - anchor_a).norm() <= tolerance);
-    CHECK((poses[1].world(pin.attachments()[1].anchor) - anchor_a).norm() <= tolerance);
+    CHECK((poses[{1}].world(rod.attachments()[0].anchor) - anchor_a).norm() <= tolerance);
+    CHECK((poses[{2}].world(rod.attachments()[1].anchor) - anchor_b).norm() <= tolerance);
+    CHECK((poses[{2}].world(pin.attachments()[0].anchor) - anchor_a).norm() <= tolerance);
+    CHECK((poses[{1}].world(pin.attachments()[1].anchor) - anchor_a).norm() <= tolerance);
   }
 }
 
 TEST_CASE("a rod whose ends have met writes no row, as it has no direction") {
-  const std::vector<Pose<double>> start = {{}, {{1, 0}, 0}};
+  const PerBody<Pose<double>> start = {{}, {{1, 0}, 0}};
   const DistanceJoint rod({.a = ground, .b = {1}, .anchor_a = {0, 0}, .anchor_b = {1, 0}}, start);
   RowSpecs<double> rows;
-  rod.append_rows(std::vector<Pose<double>>{{}, {{0, 0}, 0}}, rows);
+  rod.append_rows(PerBody<Pose<double>>{{}, {{0, 0}, 0}}, rows);
   CHECK(rows.empty());
 }
 
 TEST_CASE("a contact has a friction row behind each normal row, and none where mu is 0") {
-  const std::vector<Pose<double>> poses = {{}, {{0, 0}, 0}, {{0, 1}, 0}};
+  const PerBody<Pose<double>> poses = {{}, {{0, 0}, 0}, {{0, 1}, 0}};
   const RowSpecs<double> smooth = contact_rows<double>(box(1, 1), box(1, 1), 0)(poses);
   const RowSpecs<double> rough = contact_rows<double>(box(1, 1), box(1, 1), 0.5)(poses);
   CHECK(smooth.size() == 2);
   REQUIRE(rough.size() == 4);
-  for (std::size_t i = 0; i < 4; i += 2) {
+  for (int i = 0; i < 4; i += 2) {
     CHECK(rough[i].bounds.is_unilateral());
     CHECK(rough[i].part == smooth[i / 2].part);
     CHECK(rough[i + 1].bounds.is_friction());
-    CHECK(rough[i + 1].bounds.normal_row == static_cast<int>(i));
+    CHECK(rough[i + 1].bounds.normal_row == i);
     CHECK(rough[i + 1].part == (rough[i].part | 1));
     // The normal is up, so that the tangent is to the right; all tangents of a manifold have one arm.
     CHECK(rough[i + 1].jacobian_b == rough[1].jacobian_b);

@@ -15,10 +15,10 @@
 
 namespace cairn::testing {
 
-inline constexpr double joint_gravity = 10;               // [m/s^2]
-inline constexpr double joint_dt = 1.0 / 60;              // [s]
-inline constexpr double never_found = -1e300;             // no impulse is that large
-inline const std::vector<Pose<double>> two_at_origin(2);  // the ground and one body
+inline constexpr double joint_gravity = 10;           // [m/s^2]
+inline constexpr double joint_dt = 1.0 / 60;          // [s]
+inline constexpr double never_found = -1e300;         // no impulse is that large
+inline const PerBody<Pose<double>> two_at_origin(2);  // the ground and one body
 
 /// A disc of the given mass [kg] and inertia [kg m^2] at `position`, that touches nothing.
 inline BodySpec disc(const Vec2<double>& position, double mass, double inertia = 1) {
@@ -30,15 +30,15 @@ template <Scalar Real>
 Real joint_impulse(const World<Real>& world, JointPart part, std::uint64_t joint = 0) {
   const VelocityProblem<Real>& problem = world.last_step().problem;
   const RowKey key{joint, static_cast<std::uint64_t>(part)};
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     if (problem.rows[i].key == key) return problem.impulse[i];
   }
   return static_cast<Real>(never_found);
 }
 
 template <Scalar Real>
-std::size_t joint_row_count(const World<Real>& world) {
-  return world.velocity_problem().rows.size();
+int joint_row_count(const World<Real>& world) {
+  return world.velocity_problem().row_count();
 }
 
 template <Scalar Real>

@@ -39,7 +39,7 @@ TEST_CASE("a lower limit carries the weight m g of the load that rests on it") {
   step_often(world, 120);
   const double weight = load_mass * joint_gravity * joint_dt;  // [N s]
   CHECK(joint_impulse(world, JointPart::lower_limit) == doctest::Approx(weight).epsilon(1e-12));
-  CHECK(std::abs(world.bodies().pose[1].position.y()) <= 1e-14);
+  CHECK(std::abs(world.bodies().pose[{1}].position.y()) <= 1e-14);
 }
 
 TEST_CASE("an angular limit carries the moment m g l of a level arm") {
@@ -55,7 +55,7 @@ TEST_CASE("an angular limit carries the moment m g l of a level arm") {
     const JointPart part = side > 0 ? JointPart::lower_limit : JointPart::upper_limit;
     const double moment = load_mass * joint_gravity * arm * joint_dt;  // [N m s]
     CHECK(joint_impulse(world, part) == doctest::Approx(moment).epsilon(1e-9));
-    CHECK(std::abs(world.bodies().pose[1].angle) <= 1e-9);
+    CHECK(std::abs(world.bodies().pose[{1}].angle) <= 1e-9);
   }
 }
 
@@ -71,7 +71,7 @@ TEST_CASE_TEMPLATE("a load falls freely until its limit, and stops there without
     speed -= joint_gravity * joint_dt;
     if (height + speed * joint_dt < -drop) speed = (-drop - height) / joint_dt;  // what room is left
     height += speed * joint_dt;
-    CHECK(std::abs(world.bodies().pose[1].position.y() - static_cast<Real>(height)) <= 60 * tolerance);
+    CHECK(std::abs(world.bodies().pose[{1}].position.y() - static_cast<Real>(height)) <= 60 * tolerance);
   }
   CHECK(height == doctest::Approx(-drop));
 }
@@ -96,7 +96,7 @@ TEST_CASE("a limit that is passed at the start takes a share beta of what is mis
   SequentialImpulse<double> solver({.iterations = 20});
   for (int step = 1; step <= 20; ++step) {
     world.step(solver);
-    const double left = missing - world.bodies().pose[1].position.y();
+    const double left = missing - world.bodies().pose[{1}].position.y();
     CHECK(left == doctest::Approx(missing * std::pow(1 - beta, step)).epsilon(1e-11));
   }
 }
@@ -104,8 +104,8 @@ TEST_CASE("a limit that is passed at the start takes a share beta of what is mis
 TEST_CASE("two limits at one place hold a coordinate from both sides") {
   World world(wheel({.lower = 0, .upper = 0}, 4));
   step_often(world, 30);
-  CHECK(std::abs(world.bodies().pose[1].angle) <= 1e-14);
-  CHECK(std::abs(world.bodies().velocity[1].z()) <= 1e-14);
+  CHECK(std::abs(world.bodies().pose[{1}].angle) <= 1e-14);
+  CHECK(std::abs(world.bodies().velocity[{1}].z()) <= 1e-14);
 }
 
 TEST_CASE_TEMPLATE("a motor turns a wheel up by max_torque / I, and then holds its speed", Real, float,
@@ -121,7 +121,7 @@ TEST_CASE_TEMPLATE("a motor turns a wheel up by max_torque / I, and then holds i
       const Real reached = std::min(acceleration * steps * dt, Real(2));
       const Real expected = std::copysign(reached, static_cast<Real>(speed));
       const Real tolerance = 8 * steps * std::numeric_limits<Real>::epsilon();
-      CHECK(std::abs(world.bodies().velocity[1].z() - expected) <= tolerance);
+      CHECK(std::abs(world.bodies().velocity[{1}].z() - expected) <= tolerance);
       CHECK(std::abs(joint_impulse(world, JointPart::motor)) <= torque * dt);
     }
     CHECK(std::abs(joint_impulse(world, JointPart::motor)) <=
@@ -136,7 +136,7 @@ TEST_CASE("a lift climbs with (F - m g) / m while its motor is at its limit, and
   for (int step = 1; step <= 30; ++step) {
     world.step(solver);
     const double expected = std::min((force / load_mass - joint_gravity) * step * joint_dt, speed);
-    CHECK(world.bodies().velocity[1].y() == doctest::Approx(expected).epsilon(1e-12));
+    CHECK(world.bodies().velocity[{1}].y() == doctest::Approx(expected).epsilon(1e-12));
   }
   const double weight = load_mass * joint_gravity * joint_dt;
   CHECK(joint_impulse(world, JointPart::motor) == doctest::Approx(weight).epsilon(1e-12));
@@ -147,7 +147,7 @@ TEST_CASE("a lift whose motor is weaker than the load sinks with (m g - F) / m")
   World world(lift({.motor = {{.speed = 1, .max_force = force}}}));
   step_often(world, 30);
   const double expected = -(joint_gravity - force / load_mass) * 30 * joint_dt;
-  CHECK(world.bodies().velocity[1].y() == doctest::Approx(expected).epsilon(1e-12));
+  CHECK(world.bodies().velocity[{1}].y() == doctest::Approx(expected).epsilon(1e-12));
 }
 
 TEST_CASE("a motor's force does not depend on the step: half of dt, half of the impulse") {
@@ -164,7 +164,7 @@ TEST_CASE("a motor drives a slide to its limit, which takes the force that is le
   const double force = 45, upper = 0.25;
   World world(lift({.upper = upper, .motor = {{.speed = 2, .max_force = force}}}));
   step_often(world, 120, 2000);
-  CHECK(world.bodies().pose[1].position.y() == doctest::Approx(upper).epsilon(1e-9));
+  CHECK(world.bodies().pose[{1}].position.y() == doctest::Approx(upper).epsilon(1e-9));
   CHECK(joint_impulse(world, JointPart::motor) == doctest::Approx(force * joint_dt).epsilon(1e-9));
   const double left = (force - load_mass * joint_gravity) * joint_dt;
   CHECK(joint_impulse(world, JointPart::upper_limit) == doctest::Approx(left).epsilon(1e-9));
@@ -178,8 +178,8 @@ TEST_CASE("a motor between two free wheels turns them against each other, and no
   World world(scene);
   step_often(world, 5);
   const double total = inertia_a + inertia_b;
-  CHECK(world.bodies().velocity[1].z() == doctest::Approx(-speed * inertia_b / total).epsilon(1e-12));
-  CHECK(world.bodies().velocity[2].z() == doctest::Approx(speed * inertia_a / total).epsilon(1e-12));
+  CHECK(world.bodies().velocity[{1}].z() == doctest::Approx(-speed * inertia_b / total).epsilon(1e-12));
+  CHECK(world.bodies().velocity[{2}].z() == doctest::Approx(speed * inertia_a / total).epsilon(1e-12));
 }
 
 TEST_CASE("limits and motors are no drift of a joint") {

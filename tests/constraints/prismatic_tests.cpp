@@ -15,18 +15,18 @@ const double slide_infinity = std::numeric_limits<double>::infinity();
 TEST_CASE("a slide has no error anywhere on its line, which turns with its first body") {
   test::Random random(41);
   for (int round = 0; round < 20; ++round) {
-    const std::vector<Pose<double>> start = {
+    const PerBody<Pose<double>> start = {
         {}, {random.point(3), random.uniform(-3, 3)}, {random.point(3), random.uniform(-3, 3)}};
     const Vec2<double> axis = Rotation<double>(random.uniform(-pi, pi)) * Vec2<double>(7, 0);
     const PrismaticJoint slide({.a = {1}, .b = {2}, .anchor = random.point(3), .axis = axis}, start);
     // Both bodies turn about the origin, and b moves along the axis, which has turned as well.
     const double turned = random.uniform(-pi, pi), along = random.uniform(-2, 2);
     const Rotation<double> turn(turned);
-    std::vector<Pose<double>> poses = start;
-    for (std::size_t body = 1; body < 3; ++body) {
+    PerBody<Pose<double>> poses = start;
+    for (const BodyId body : {BodyId{1}, BodyId{2}}) {
       poses[body] = {turn * start[body].position, start[body].angle + turned};
     }
-    poses[2].position += turn * Vec2<double>(axis / 7) * along;
+    poses[{2}].position += turn * Vec2<double>(axis / 7) * along;
     RowSpecs<double> rows;
     slide.append_rows(poses, rows);
     REQUIRE(rows.size() == 2);  // no limits, no motor: no rows for them
@@ -46,7 +46,7 @@ TEST_CASE_TEMPLATE(
   World<Real> world(scene);
   const int steps = 60;
   step_often(world, steps, 20);
-  const Vec3<Real>& velocity = world.bodies().velocity[1];
+  const Vec3<Real>& velocity = world.bodies().velocity[{1}];
   // Rounding: each step leaves a few ulp of g dt and of the position over dt.
   const Real tolerance = 64 * std::numeric_limits<Real>::epsilon() * steps * 10;
   const Real expected = static_cast<Real>(-joint_gravity * std::sin(slope) * steps * joint_dt);
@@ -54,7 +54,7 @@ TEST_CASE_TEMPLATE(
   CHECK(std::abs(velocity.y() - expected * static_cast<Real>(axis.y())) <= tolerance + Real(1e-15));
   CHECK(std::abs(velocity.z()) <= tolerance);
   // Semi-implicit Euler: n steps go n (n + 1) / 2 times g sin(angle) dt^2.
-  const Vec2<Real> moved = world.bodies().pose[1].position - Vec2<Real>(1, 2);
+  const Vec2<Real> moved = world.bodies().pose[{1}].position - Vec2<Real>(1, 2);
   const Real way =
       static_cast<Real>(-joint_gravity * std::sin(slope) * joint_dt * joint_dt * steps * (steps + 1) / 2);
   CHECK(std::abs(moved.x() - way * static_cast<Real>(axis.x())) <= tolerance);
@@ -72,7 +72,7 @@ TEST_CASE("a slide carries the load across its line, and the moment of a load be
   const double weight = mass * joint_gravity * joint_dt;  // [N s]
   CHECK(joint_impulse(world, JointPart::y) == doctest::Approx(weight).epsilon(1e-12));
   CHECK(joint_impulse(world, JointPart::angle) == doctest::Approx(weight * offset).epsilon(1e-12));
-  CHECK(world.bodies().velocity[1].norm() <= 1e-14);
+  CHECK(world.bodies().velocity[{1}].norm() <= 1e-14);
 }
 
 TEST_CASE("two bodies on one slide turn as one, and part along it as if they were free") {
@@ -87,9 +87,9 @@ TEST_CASE("two bodies on one slide turn as one, and part along it as if they wer
   World world(scene);
   const double momentum = 2 * (0.5 * 2 + 1 * 1 * 2);  // 2 (I w + m r v)
   step_often(world, 480);
-  const Pose<double>& pose = world.bodies().pose[2];
-  const Vec3<double>& velocity = world.bodies().velocity[2];
-  CHECK(velocity.z() == doctest::Approx(world.bodies().velocity[1].z()).epsilon(1e-6));
+  const Pose<double>& pose = world.bodies().pose[{2}];
+  const Vec3<double>& velocity = world.bodies().velocity[{2}];
+  CHECK(velocity.z() == doctest::Approx(world.bodies().velocity[{1}].z()).epsilon(1e-6));
   const double kept = 2 * (0.5 * velocity.z() + cross(pose.position, Vec2<double>(velocity.head<2>())));
   CHECK(kept == doctest::Approx(momentum).epsilon(1e-9));
   const double r = pose.position.norm();

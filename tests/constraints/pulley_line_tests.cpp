@@ -1,18 +1,19 @@
 // Where a rope is slack, where it goes, and which ropes cannot be.
 #include "constraints/pulley_joint.hpp"
 #include "joint_worlds.hpp"
+#include "math/list.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
 
 TEST_CASE(
     "a rope only pulls, is absent while it is slack, and has no direction where an end is at its roller") {
-  const std::vector<Pose<double>> start = {{}, {{0, 0}, 0}, {{2, 0}, 0}};
+  const PerBody<Pose<double>> start = {{}, {{0, 0}, 0}, {{2, 0}, 0}};
   PulleyJoint::Spec spec{.ends = {{.body = {1}, .anchor = {0, 0}, .roller = {0, 5}},
                                   {.body = {2}, .anchor = {2, 0}, .roller = {2, 5}}}};
   const auto rows_at = [&](double y1, double y2) {
     RowSpecs<double> rows;
-    const std::vector<Pose<double>> poses = {{}, {{0, y1}, 0}, {{2, y2}, 0}};
+    const PerBody<Pose<double>> poses = {{}, {{0, y1}, 0}, {{2, y2}, 0}};
     PulleyJoint(spec, start).append_rows(poses, rows);
     return rows;
   };
@@ -29,16 +30,16 @@ TEST_CASE(
 }
 
 TEST_CASE("a rope is drawn from its first anchor over all rollers to its last") {
-  const std::vector<Pose<double>> start = {{}, {{0, 0}, 0}, {{2, 0}, 0}, {{4, 0}, 0}};
+  const PerBody<Pose<double>> start = {{}, {{0, 0}, 0}, {{2, 0}, 0}, {{4, 0}, 0}};
   PulleyJoint::Spec spec;
   for (int i = 1; i <= 3; ++i) {
     const double x = 2 * (i - 1);
     spec.ends.push_back({.body = {i}, .anchor = {x, 0}, .roller = {x, 5}});
   }
-  const std::vector<Attachment> line = PulleyJoint(spec, start).attachments();
-  const std::vector<int> bodies = {1, 0, 0, 2, 0, 0, 3};
+  const List<Attachment> line = PulleyJoint(spec, start).attachments();
+  const List<BodyId> bodies = {{1}, ground, ground, {2}, ground, ground, {3}};
   REQUIRE(line.size() == bodies.size());
-  for (std::size_t i = 0; i < line.size(); ++i) CHECK(line[i].body.index == bodies[i]);
+  for (int i = 0; i < line.size(); ++i) CHECK(line[i].body == bodies[i]);
   CHECK(line[1].anchor == Vec2<double>(0, 5));
   CHECK(line[2].anchor == Vec2<double>(2, 5));
   CHECK(line[4].anchor == Vec2<double>(2, 5));
@@ -104,6 +105,6 @@ TEST_CASE("ropes that cannot be are refused") {
 
   PulleyJoint::Spec five;
   for (int i = 1; i <= 5; ++i) five.ends.push_back({.body = {i}, .anchor = {0, 0}, .roller = {0, 5}});
-  CHECK_THROWS_WITH(PulleyJoint(five, std::vector<Pose<double>>(6)),
+  CHECK_THROWS_WITH(PulleyJoint(five, PerBody<Pose<double>>(6)),
                     "PulleyJoint: ends must be on at most 4 bodies besides the ground, got 5");
 }

@@ -51,7 +51,7 @@ TEST_CASE("a rope that holds one body at two places pulls it as two parts of rop
   // T (1 + 2 * 2 / 2) = (1 + 2) g, as both accelerations are r_i T / m_i - g and sum r_i a_i = 0.
   const double tension = joint_gravity;
   CHECK(joint_impulse(world, JointPart::x) / joint_dt == doctest::Approx(tension).epsilon(1e-14));
-  CHECK(world.bodies().velocity[2].z() == 0);  // the two torques cancel
+  CHECK(world.bodies().velocity[{2}].z() == 0);  // the two torques cancel
 }
 
 TEST_CASE("two bodies on a roller that hangs from a rope itself weigh as much as 4 m1 m2 / (m1 + m2)") {
@@ -66,10 +66,10 @@ TEST_CASE("two bodies on a roller that hangs from a rope itself weigh as much as
       (masses.left - masses.carrier - hung) * joint_gravity / (masses.left + masses.carrier + hung);
   const double apart = (masses.far - masses.near) / (masses.far + masses.near) * (joint_gravity + up);
   const double time = steps * joint_dt;
-  CHECK(world.bodies().velocity[1].y() == doctest::Approx(-up * time).epsilon(1e-9));
-  CHECK(world.bodies().velocity[2].y() == doctest::Approx(up * time).epsilon(1e-9));
-  CHECK(world.bodies().velocity[3].y() == doctest::Approx((up + apart) * time).epsilon(1e-9));
-  CHECK(world.bodies().velocity[4].y() == doctest::Approx((up - apart) * time).epsilon(1e-9));
+  CHECK(world.bodies().velocity[{1}].y() == doctest::Approx(-up * time).epsilon(1e-9));
+  CHECK(world.bodies().velocity[{2}].y() == doctest::Approx(up * time).epsilon(1e-9));
+  CHECK(world.bodies().velocity[{3}].y() == doctest::Approx((up + apart) * time).epsilon(1e-9));
+  CHECK(world.bodies().velocity[{4}].y() == doctest::Approx((up - apart) * time).epsilon(1e-9));
 }
 
 TEST_CASE("all solvers agree on a scene with a pulley of three bodies") {
@@ -86,7 +86,7 @@ TEST_CASE("all solvers agree on a scene with a pulley of three bodies") {
     for (const SolverMaker<double>& make : all_solvers<double>(which)) {
       VelocityProblem<double> problem = start;
       make({.iterations = sweeps})->solve(problem);
-      for (std::size_t body = 0; body < problem.velocity.size(); ++body) {
+      for (const BodyId body : problem.velocity.indices()) {
         CHECK((problem.velocity[body] - expected.velocity[body]).norm() <= 1e-12);
       }
     }

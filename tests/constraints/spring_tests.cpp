@@ -30,7 +30,7 @@ Scene hanging_bob(Kind kind, const std::optional<Softness>& softness, double str
 /// How much longer than rest_length the joint is.
 template <Scalar Real>
 Real stretch_of(const World<Real>& world) {
-  return world.bodies().pose[1].position.norm() - static_cast<Real>(rest_length);
+  return world.bodies().pose[{1}].position.norm() - static_cast<Real>(rest_length);
 }
 
 template <Scalar Real>
@@ -66,7 +66,7 @@ TEST_CASE("an undamped spring far too stiff for the step keeps 1 / (1 + w^2 dt^2
     for (int step = 0; step < 10; ++step) {
       step_often(world, 1, 1);
       square /= 1 + omega * omega * joint_dt * joint_dt;
-      const double x = stretch_of(world), v = world.bodies().velocity[1].y() / omega;
+      const double x = stretch_of(world), v = world.bodies().velocity[{1}].y() / omega;
       CHECK(std::abs(x * x + v * v - square) <=
             64 * 2.3e-16 * 0.25 * (step + 1));  // rounding of lengths of 2 m
     }
@@ -91,9 +91,9 @@ TEST_CASE("a spring between two free bodies swings with its frequency, whatever 
     step_often(world, 1, 1);
     v = (v - joint_dt * omega * omega * x) / (1 + joint_dt * joint_dt * omega * omega);
     x += joint_dt * v;
-    const std::vector<Pose<double>>& pose = world.bodies().pose;
-    CHECK(pose[2].position.x() - pose[1].position.x() - rest_length == doctest::Approx(x).epsilon(1e-12));
-    CHECK(std::abs(pose[1].position.x() + 7 * pose[2].position.x() - 7 * (rest_length + 0.25)) <= 1e-13);
+    const PerBody<Pose<double>>& pose = world.bodies().pose;
+    CHECK(pose[{2}].position.x() - pose[{1}].position.x() - rest_length == doctest::Approx(x).epsilon(1e-12));
+    CHECK(std::abs(pose[{1}].position.x() + 7 * pose[{2}].position.x() - 7 * (rest_length + 0.25)) <= 1e-13);
   }
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("a damper without a spring slows a bob by 1 / (1 + c dt / m) in every 
   for (int step = 1; step <= 20; ++step) {
     step_often(world, 1, 1);
     const double expected = std::pow(1 + damping * joint_dt / bob_mass, -step);
-    CHECK(world.bodies().velocity[1].y() == doctest::Approx(expected).epsilon(1e-13));
+    CHECK(world.bodies().velocity[{1}].y() == doctest::Approx(expected).epsilon(1e-13));
   }
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("a spring too weak for the number type to tell from none leaves its bo
   World<float> world(
       hanging_bob(Kind::spring, SpringSoftness{.stiffness = 1e-44}, 0.25, joint_gravity, 1e-6));
   step_often(world, 1, 5);
-  CHECK(world.bodies().velocity[1].y() == doctest::Approx(-joint_gravity * 1e-6));
+  CHECK(world.bodies().velocity[{1}].y() == doctest::Approx(-joint_gravity * 1e-6));
 }
 
 TEST_CASE("a slack rope gives no force: its bob falls freely until it is taut, and then hangs") {
@@ -138,7 +138,7 @@ TEST_CASE("a rope never pushes: a bob that is thrown inwards flies as if there w
   World world(hanging_bob(Kind::rope, {}, 0, 0, joint_dt));
   world.set_velocity({1}, {0, 1, 0});
   step_often(world, 30, 5);
-  CHECK(world.bodies().velocity[1].y() == 1);
+  CHECK(world.bodies().velocity[{1}].y() == 1);
   CHECK(stretch_of(world) == doctest::Approx(-30 * joint_dt));
 }
 
@@ -151,7 +151,7 @@ TEST_CASE("a taut rope pulls with m (g + v^2 / r) at the bottom of a swing, to f
         {.a = ground, .b = bob, .anchor_a = {0, 0}, .anchor_b = {rest_length, 0}, .kind = Kind::rope});
     World world(scene);
     double largest = 0;
-    while (world.bodies().pose[1].position.x() > 0) {
+    while (world.bodies().pose[{1}].position.x() > 0) {
       step_often(world, 1, 1);
       largest = std::max(largest, tension(world));
     }
@@ -172,7 +172,7 @@ TEST_CASE("a rubber rope hangs m g / k longer than it is, and is slack above its
   World slack(hanging_bob(Kind::rope, rubber, -0.25, joint_gravity, joint_dt));
   step_often(slack, 5, 1);
   CHECK(tension(slack) == 0);
-  CHECK(slack.bodies().velocity[1].y() == doctest::Approx(-joint_gravity * 5 * joint_dt).epsilon(1e-13));
+  CHECK(slack.bodies().velocity[{1}].y() == doctest::Approx(-joint_gravity * 5 * joint_dt).epsilon(1e-13));
 }
 
 TEST_CASE("a distance joint says of which kind it is") {

@@ -26,7 +26,7 @@ RowSpec<double> row_along_y(double error, const Bounds<double>& bounds, double r
   return spec;
 }
 
-std::vector<Vec3<double>> moving_at(double v) { return {Vec3<double>::Zero(), Vec3<double>(0, v, 0)}; }
+PerBody<Vec3<double>> moving_at(double v) { return {Vec3<double>::Zero(), Vec3<double>(0, v, 0)}; }
 
 const Stabilization quarter_and_eighth = {.baumgarte = 0.25, .slop = 0.125};  // powers of two: exact results
 const double half_second = 0.5;                                               // [s]
@@ -93,7 +93,7 @@ TEST_CASE("a stretched rod loses a share beta of its error in every step") {
     SequentialImpulse<double> solver({.iterations = 1});  // one row: solved in one sweep
     for (int k = 1; k <= 40; ++k) {
       world.step(solver);
-      const double error = world.bodies().pose[1].position.x() - length;
+      const double error = world.bodies().pose[{1}].position.x() - length;
       // Rounding of 3 m in each step.
       const double tolerance = 4 * std::numeric_limits<double>::epsilon() * 3 * k;
       CHECK(std::abs(error - 0.5 * std::pow(1 - beta, k)) <= tolerance);
@@ -109,7 +109,7 @@ TEST_CASE("two overlapping bodies part until the slop is left, by a share beta i
   World world(scene);
   SequentialImpulse<double> solver({.iterations = 1});
   world.step(solver);
-  const double left = depth - (world.bodies().pose[1].position.y() - (0.5 - depth));
+  const double left = depth - (world.bodies().pose[{1}].position.y() - (0.5 - depth));
   CHECK(left - slop == doctest::Approx((1 - beta) * (depth - slop)).epsilon(1e-12));
-  CHECK(world.bodies().velocity[1].y() == doctest::Approx(beta * (depth - slop) * 60).epsilon(1e-12));
+  CHECK(world.bodies().velocity[{1}].y() == doctest::Approx(beta * (depth - slop) * 60).epsilon(1e-12));
 }

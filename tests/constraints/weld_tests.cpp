@@ -9,7 +9,7 @@ using namespace cairn::testing;
 TEST_CASE("a weld has no error where it was made, however its bodies stand, and sees every drift") {
   test::Random random(31);
   for (int round = 0; round < 20; ++round) {
-    std::vector<Pose<double>> poses = {
+    PerBody<Pose<double>> poses = {
         {}, {random.point(3), random.uniform(-9, 9)}, {random.point(3), random.uniform(-9, 9)}};
     const WeldJoint weld({.a = {1}, .b = {2}, .anchor = random.point(3)}, poses);
     RowSpecs<double> rows;
@@ -21,9 +21,10 @@ TEST_CASE("a weld has no error where it was made, however its bodies stand, and 
     // b moves by (0.25, -0.5) m and turns by two and a half turns about the anchor.
     const Vec2<double> moved(0.25, -0.5);
     const double turned = 5 * pi;
-    const Vec2<double> anchor = poses[2].world(weld.attachments()[1].anchor);
-    poses[2].position = anchor + Rotation<double>(turned) * Vec2<double>(poses[2].position - anchor) + moved;
-    poses[2].angle += turned;
+    const Vec2<double> anchor = poses[{2}].world(weld.attachments()[1].anchor);
+    poses[{2}].position =
+        anchor + Rotation<double>(turned) * Vec2<double>(poses[{2}].position - anchor) + moved;
+    poses[{2}].angle += turned;
     rows.clear();
     weld.append_rows(poses, rows);
     CHECK(std::abs(rows[0].error - moved.x()) <= tolerance);
@@ -49,8 +50,8 @@ TEST_CASE("two welded bodies fall and turn as one body of their common mass and 
   const double inertia =
       inertia_a + inertia_b + mass_a * centre * centre + mass_b * (2 - centre) * (2 - centre);
   const double spin = mass_b * speed * (2 - centre) / inertia;
-  const Vec3<double>& velocity_a = world.bodies().velocity[1];
-  const Vec3<double>& velocity_b = world.bodies().velocity[2];
+  const Vec3<double>& velocity_a = world.bodies().velocity[{1}];
+  const Vec3<double>& velocity_b = world.bodies().velocity[{2}];
   CHECK(velocity_a.z() == doctest::Approx(spin).epsilon(1e-10));
   CHECK(velocity_b.z() == doctest::Approx(spin).epsilon(1e-10));
   CHECK(velocity_a.y() == doctest::Approx(mass_b * speed / mass - spin * centre).epsilon(1e-10));

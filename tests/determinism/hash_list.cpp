@@ -4,11 +4,11 @@
 #include <cmath>
 #include <sstream>
 
-#include "measure/fingerprint.hpp"
-#include "study/contestant.hpp"
 #include "frozen/frozen_set.hpp"
+#include "measure/fingerprint.hpp"
 #include "scenes/scene_list.hpp"
 #include "scenes/solver_list.hpp"
+#include "study/contestant.hpp"
 
 namespace cairn::determinism {
 
@@ -17,15 +17,15 @@ namespace {
 const int hashed_steps = 60;
 
 /// Contacts of all kinds, joints of all kinds, and scenes that are seen from above or fall apart.
-const std::vector<std::string>& hashed_scenes() {
-  static const std::vector<std::string> names = {
+const List<std::string>& hashed_scenes() {
+  static const List<std::string> names = {
       "stack-offset", "arch", "bridge",  "chain-bob",    "cradle",  "differential", "gear-row",  "piston",
       "pulley",       "puck", "ragdoll", "rolling-disc", "tumbler", "weld-beam",    "spring-row"};
   return names;
 }
 
-const std::vector<std::string>& hashed_solvers() {
-  static const std::vector<std::string> names = {"si", "pgs", "block-contact", "accelerated"};
+const List<std::string>& hashed_solvers() {
+  static const List<std::string> names = {"si", "pgs", "block-contact", "accelerated"};
   return names;
 }
 
@@ -34,8 +34,8 @@ struct HashedScalar {
   Precision precision = Precision::double_precision;
 };
 // A long double has as many bits as the compiler likes.
-constexpr HashedScalar hashed_scalars[] = {{"float", Precision::single_precision},
-                                           {"double", Precision::double_precision}};
+constexpr FixedList<HashedScalar, 2> hashed_scalars = {
+    {{"float", Precision::single_precision}, {"double", Precision::double_precision}}};
 
 std::uint64_t hash_of_run(const SceneEntry& entry, const std::string& solver, Precision precision) {
   Setting setting = entry.setting;
@@ -60,13 +60,11 @@ std::uint64_t hash_of_solve(VelocityProblem<double> problem, const std::string& 
 
 }  // namespace
 
-std::size_t run_count() {
-  return hashed_scenes().size() * hashed_solvers().size() * std::size(hashed_scalars);
-}
+int run_count() { return hashed_scenes().size() * hashed_solvers().size() * hashed_scalars.size(); }
 
-std::string run_line(std::size_t run) {
-  const HashedScalar& scalar = hashed_scalars[run % std::size(hashed_scalars)];
-  const std::size_t pair = run / std::size(hashed_scalars);
+std::string run_line(int run) {
+  const HashedScalar& scalar = hashed_scalars[run % hashed_scalars.size()];
+  const int pair = run / hashed_scalars.size();
   const std::string& solver = hashed_solvers()[pair % hashed_solvers().size()];
   const std::string& scene = hashed_scenes()[pair / hashed_solvers().size()];
   const std::uint64_t hash = hash_of_run(scene_entry(scene), solver, scalar.precision);
@@ -79,8 +77,8 @@ FrozenProblem written_and_read(const FrozenProblem& frozen) {
   return read_frozen(text, frozen.name);
 }
 
-std::vector<std::string> frozen_lines(const std::vector<FrozenProblem>& problems) {
-  std::vector<std::string> lines;
+List<std::string> frozen_lines(const List<FrozenProblem>& problems) {
+  List<std::string> lines;
   for (const FrozenProblem& frozen : problems) {
     for (const std::string& solver : hashed_solvers()) {
       lines.push_back("frozen " + frozen.name + " " + solver + " " +
@@ -105,12 +103,12 @@ std::string library_line() {
   return "libm " + hexadecimal(all.value());
 }
 
-std::vector<std::string> all_lines() {
-  std::vector<std::string> lines = {library_line()};
-  for (std::size_t run = 0; run < run_count(); ++run) lines.push_back(run_line(run));
-  std::vector<FrozenProblem> problems;
+List<std::string> all_lines() {
+  List<std::string> lines = {library_line()};
+  for (int run = 0; run < run_count(); ++run) lines.push_back(run_line(run));
+  List<FrozenProblem> problems;
   for (const std::string& name : frozen_names()) problems.push_back(make_frozen(name));
-  const std::vector<std::string> frozen = frozen_lines(problems);
+  const List<std::string> frozen = frozen_lines(problems);
   lines.insert(lines.end(), frozen.begin(), frozen.end());
   return lines;
 }

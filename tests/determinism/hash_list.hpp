@@ -1,26 +1,25 @@
 // Fingerprints of runs: two builds that print the same ones compute the same bits.
 #pragma once
 
-#include <cstddef>
 #include <string>
-#include <vector>
 
 #include "frozen/frozen_problem.hpp"
+#include "math/list.hpp"
 
 namespace cairn::determinism {
 
 /// How many runs there are.
-std::size_t run_count();
+int run_count();
 /// "SCENE SOLVER SCALAR HASH" of one of them: all snapshots of its steps.
-std::string run_line(std::size_t run);
+std::string run_line(int run);
 /// "frozen NAME SOLVER HASH" of each problem and solver: velocities and impulses after a solve.
-std::vector<std::string> frozen_lines(const std::vector<FrozenProblem>& problems);
+List<std::string> frozen_lines(const List<FrozenProblem>& problems);
 /// What comes back once the problem is written and read.
 FrozenProblem written_and_read(const FrozenProblem& frozen);
 /// "libm HASH": sines, cosines and other functions of the C library, which Cairn calls and cannot answer for.
 /// Libraries with another hash may give other bits to all of the above.
 std::string library_line();
 /// All lines: the library's, the runs', those of the frozen set, made anew.
-std::vector<std::string> all_lines();
+List<std::string> all_lines();
 
 }  // namespace cairn::determinism

@@ -9,6 +9,7 @@
 
 #include "determinism/hash_list.hpp"
 #include "frozen/frozen_set.hpp"
+#include "math/list.hpp"
 
 using namespace cairn;
 
@@ -17,8 +18,8 @@ namespace {
 const std::string hash_file = std::string(CAIRN_SOURCE_DIR) + "/tests/determinism/hashes.txt";
 
 /// Without what says how the file came about.
-std::vector<std::string> kept_hashes() {
-  std::vector<std::string> lines;
+List<std::string> kept_hashes() {
+  List<std::string> lines;
   std::ifstream file(hash_file);
   for (std::string line; std::getline(file, line);) {
     if (!line.empty() && line[0] != '#') lines.push_back(line);
@@ -37,13 +38,13 @@ void renew_hashes() {
 }
 
 /// The runs by as many threads as asked for, each taking the next one that is left.
-std::vector<std::string> runs_by(int threads) {
-  std::vector<std::string> lines(determinism::run_count());
-  std::atomic<std::size_t> next = 0;
+List<std::string> runs_by(int threads) {
+  List<std::string> lines(determinism::run_count());
+  std::atomic<int> next = 0;
   const auto work = [&] {
-    for (std::size_t run = next++; run < lines.size(); run = next++) lines[run] = determinism::run_line(run);
+    for (int run = next++; run < lines.size(); run = next++) lines[run] = determinism::run_line(run);
   };
-  std::vector<std::thread> workers;
+  List<std::thread> workers;
   for (int i = 0; i < threads; ++i) workers.emplace_back(work);
   for (std::thread& worker : workers) worker.join();
   return lines;
@@ -54,16 +55,16 @@ std::vector<std::string> runs_by(int threads) {
 TEST_CASE(
     "every build gives the bits that the first one gave, on a machine with the same mathematical library") {
   if (std::getenv("CAIRN_RENEW_HASHES") != nullptr) renew_hashes();
-  const std::vector<std::string> kept = kept_hashes();
+  const List<std::string> kept = kept_hashes();
   REQUIRE(!kept.empty());
   if (kept.front() != determinism::library_line()) {
     MESSAGE(
         "another mathematical library than that of tests/determinism/hashes.txt: nothing to compare with");
     return;
   }
-  const std::vector<std::string> now = determinism::all_lines();
+  const List<std::string> now = determinism::all_lines();
   REQUIRE(now.size() == kept.size());
-  for (std::size_t i = 0; i < now.size(); ++i) CHECK(now[i] == kept[i]);
+  for (int i = 0; i < now.size(); ++i) CHECK(now[i] == kept[i]);
 }
 
 TEST_CASE("worlds in three threads beside each other give the bits that they give one after the other") {
@@ -71,9 +72,8 @@ TEST_CASE("worlds in three threads beside each other give the bits that they giv
 }
 
 TEST_CASE("a frozen problem has the same answer to the last bit once it was saved and reloaded") {
-  std::vector<FrozenProblem> reloaded;
-  const std::vector<FrozenProblem> kept =
-      read_frozen_set(std::string(CAIRN_SOURCE_DIR) + "/tests/frozen/problems");
+  List<FrozenProblem> reloaded;
+  const List<FrozenProblem> kept = read_frozen_set(std::string(CAIRN_SOURCE_DIR) + "/tests/frozen/problems");
   for (const FrozenProblem& frozen : kept) reloaded.push_back(determinism::written_and_read(frozen));
   CHECK(determinism::frozen_lines(reloaded) == determinism::frozen_lines(kept));
 }

@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "exercises/wrong_answers.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise01 {
 namespace {
 
-using Row = std::array<double, 3>;
+using Row = FixedList<double, 3>;
 
 Row along(const Rail& rail) { return {std::cos(rail.slope), std::sin(rail.slope), 0}; }
 

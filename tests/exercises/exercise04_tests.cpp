@@ -5,13 +5,14 @@
 #include <cstdlib>
 
 #include "exercises/wrong_answers.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise04 {
 namespace {
 
-using Masses = std::vector<double>;
+using Masses = List<double>;
 
-double mass(const Masses& masses, int box) { return masses[static_cast<std::size_t>(box)]; }
+double mass(const Masses& masses, int box) { return masses[box]; }
 
 double without_masses(int i, int j, const Masses&) {
   return i == j ? (i == 0 ? 1 : 2) : (std::abs(i - j) == 1 ? -1 : 0);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "exercises/wrong_answers.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise06 {
 namespace {
@@ -13,8 +14,8 @@ struct Pair {
   Box& above;
 };
 
-Pair pair_of(const Contact& contact, std::vector<Box>& boxes) {
-  return {boxes[static_cast<std::size_t>(contact.below)], boxes[static_cast<std::size_t>(contact.above)]};
+Pair pair_of(const Contact& contact, List<Box>& boxes) {
+  return {boxes[contact.below], boxes[contact.above]};
 }
 
 double correction_of(const Pair& p) {
@@ -26,48 +27,48 @@ void give(const Pair& p, double impulse) {
   p.above.velocity += p.above.inverse_mass * impulse;
 }
 
-void clamped_correction(Contact& contact, std::vector<Box>& boxes) {
+void clamped_correction(Contact& contact, List<Box>& boxes) {
   const double correction = std::max(correction_of(pair_of(contact, boxes)), 0.0);
   contact.impulse += correction;
   give(pair_of(contact, boxes), correction);
 }
 
-void unclamped(Contact& contact, std::vector<Box>& boxes) {
+void unclamped(Contact& contact, List<Box>& boxes) {
   const double correction = correction_of(pair_of(contact, boxes));
   contact.impulse += correction;
   give(pair_of(contact, boxes), correction);
 }
 
-void all_of_it_given(Contact& contact, std::vector<Box>& boxes) {
+void all_of_it_given(Contact& contact, List<Box>& boxes) {
   const double correction = correction_of(pair_of(contact, boxes));
   contact.impulse = std::max(contact.impulse + correction, 0.0);
   give(pair_of(contact, boxes), correction);
 }
 
-void replaced(Contact& contact, std::vector<Box>& boxes) {
+void replaced(Contact& contact, List<Box>& boxes) {
   const double correction = correction_of(pair_of(contact, boxes));
   contact.impulse = std::max(correction, 0.0);
   give(pair_of(contact, boxes), correction);
 }
 
-void nothing_applied(Contact& contact, std::vector<Box>& boxes) {
+void nothing_applied(Contact& contact, List<Box>& boxes) {
   contact.impulse = std::max(contact.impulse + correction_of(pair_of(contact, boxes)), 0.0);
 }
 
-void only_above(Contact& contact, std::vector<Box>& boxes) {
+void only_above(Contact& contact, List<Box>& boxes) {
   const double correction = correction_of(pair_of(contact, boxes));
   contact.impulse += correction;
   pair_of(contact, boxes).above.velocity += correction * pair_of(contact, boxes).above.inverse_mass;
 }
 
-void one_mass(Contact& contact, std::vector<Box>& boxes) {
+void one_mass(Contact& contact, List<Box>& boxes) {
   const Pair p = pair_of(contact, boxes);
   const double correction = -(p.above.velocity - p.below.velocity) / p.above.inverse_mass;
   contact.impulse += correction;
   give(p, correction);
 }
 
-void multiplied(Contact& contact, std::vector<Box>& boxes) {
+void multiplied(Contact& contact, List<Box>& boxes) {
   const Pair p = pair_of(contact, boxes);
   const double inverse = p.below.inverse_mass + p.above.inverse_mass;
   const double correction = correction_of(p) * inverse * inverse;
@@ -75,7 +76,7 @@ void multiplied(Contact& contact, std::vector<Box>& boxes) {
   give(p, correction);
 }
 
-void wrong_sign(Contact& contact, std::vector<Box>& boxes) {
+void wrong_sign(Contact& contact, List<Box>& boxes) {
   const double correction = -correction_of(pair_of(contact, boxes));
   contact.impulse += correction;
   give(pair_of(contact, boxes), correction);

@@ -2,24 +2,22 @@
 #include "lessons/08_same_thing_twice/exercise.hpp"
 
 #include "exercises/wrong_answers.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise08 {
 namespace {
 
-using Matrix = std::vector<std::vector<double>>;
-using Numbers = std::vector<double>;
+using Matrix = List<List<double>>;
+using Numbers = List<double>;
 
 /// What the row still lacks, with `own` times its own impulse taken off too.
 double lacking(int i, const Matrix& a, const Numbers& change, const Numbers& impulse, double own) {
-  const auto row = static_cast<std::size_t>(i);
-  double sum = change[row];
-  for (std::size_t k = 0; k < impulse.size(); ++k) sum -= (k == row ? own : 1) * a[row][k] * impulse[k];
+  double sum = change[i];
+  for (int k = 0; k < impulse.size(); ++k) sum -= (k == i ? own : 1) * a[i][k] * impulse[k];
   return sum;
 }
 
-double diagonal(int i, const Matrix& a) {
-  return a[static_cast<std::size_t>(i)][static_cast<std::size_t>(i)];
-}
+double diagonal(int i, const Matrix& a) { return a[i][i]; }
 
 double correction(int i, const Matrix& a, const Numbers& c, const Numbers& p) {
   return lacking(i, a, c, p, 1) / diagonal(i, a);
@@ -33,9 +31,7 @@ double other_sign(int i, const Matrix& a, const Numbers& c, const Numbers& p) {
   return -lacking(i, a, c, p, 0) / diagonal(i, a);
 }
 
-double alone(int i, const Matrix& a, const Numbers& c, const Numbers&) {
-  return c[static_cast<std::size_t>(i)] / diagonal(i, a);
-}
+double alone(int i, const Matrix& a, const Numbers& c, const Numbers&) { return c[i] / diagonal(i, a); }
 
 }  // namespace
 

@@ -4,17 +4,18 @@
 #include <algorithm>
 
 #include "exercises/wrong_answers.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise09 {
 namespace {
 
-using Keys = std::vector<int>;
-using Numbers = std::vector<double>;
-using Store = std::vector<Kept>;
+using Keys = List<int>;
+using Numbers = List<double>;
+using Store = List<Kept>;
 
 Numbers by_place(const Keys& keys, const Store& kept, double, double) {
   Numbers guess;
-  for (std::size_t i = 0; i < keys.size(); ++i) guess.push_back(i < kept.size() ? kept[i].impulse : 0);
+  for (int i = 0; i < keys.size(); ++i) guess.push_back(i < kept.size() ? kept[i].impulse : 0);
   return guess;
 }
 

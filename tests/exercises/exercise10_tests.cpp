@@ -2,12 +2,13 @@
 #include "lessons/10_what_is_stored/exercise.hpp"
 
 #include "exercises/wrong_answers.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise10 {
 namespace {
 
-using Rows = std::vector<RowBodies>;
-using Numbers = std::vector<double>;
+using Rows = List<RowBodies>;
+using Numbers = List<double>;
 
 bool share(const RowBodies& i, const RowBodies& j) {
   return i.a == j.a || i.a == j.b || i.b == j.a || i.b == j.b;
@@ -21,14 +22,14 @@ int with_ground(const Rows& rows, const Numbers&) {
   return count;
 }
 
-int all_pairs(const Rows& rows, const Numbers&) { return static_cast<int>(rows.size() * rows.size()); }
+int all_pairs(const Rows& rows, const Numbers&) { return rows.size() * rows.size(); }
 
 int once_for_each_body(const Rows& rows, const Numbers& inverse) {
   int count = 0;
   for (const RowBodies& i : rows) {
     for (const RowBodies& j : rows) {
       for (const int body : {i.a, i.b}) {
-        const bool moves = inverse[static_cast<std::size_t>(body)] > 0;
+        const bool moves = inverse[body] > 0;
         count += moves && (body == j.a || body == j.b) ? 1 : 0;
       }
     }
@@ -37,12 +38,10 @@ int once_for_each_body(const Rows& rows, const Numbers& inverse) {
 }
 
 int without_diagonal(const Rows& rows, const Numbers& inverse) {
-  return entries(rows, inverse) - static_cast<int>(rows.size());
+  return entries(rows, inverse) - rows.size();
 }
 
-int one_half(const Rows& rows, const Numbers& inverse) {
-  return (entries(rows, inverse) + static_cast<int>(rows.size())) / 2;
-}
+int one_half(const Rows& rows, const Numbers& inverse) { return (entries(rows, inverse) + rows.size()) / 2; }
 
 int ground_for_ever(const Rows& rows, const Numbers& inverse) {
   Numbers without_tray = inverse;

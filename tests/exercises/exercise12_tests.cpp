@@ -2,11 +2,12 @@
 #include "lessons/12_blocks/exercise.hpp"
 
 #include "exercises/wrong_answers.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise12 {
 namespace {
 
-using Two = std::array<double, 2>;
+using Two = FixedList<double, 2>;
 
 double determinant(double k11, double k12, double k22) { return k11 * k22 - k12 * k12; }
 

@@ -2,11 +2,12 @@
 #include "lessons/14_pulley/exercise.hpp"
 
 #include "exercises/wrong_answers.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise14 {
 namespace {
 
-using Row = std::array<double, 2>;
+using Row = FixedList<double, 2>;
 
 }  // namespace
 

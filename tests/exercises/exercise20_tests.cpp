@@ -4,11 +4,12 @@
 #include <algorithm>
 
 #include "exercises/wrong_answers.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise20 {
 namespace {
 
-int with_rows_a_box(const std::vector<Island>& islands, int rows) {
+int with_rows_a_box(const List<Island>& islands, int rows) {
   int updates = 0;
   for (const Island& island : islands) {
     if (!island.asleep) updates += (rows * island.boxes + 2 * island.pins) * island.sweeps;
@@ -16,13 +17,13 @@ int with_rows_a_box(const std::vector<Island>& islands, int rows) {
   return updates;
 }
 
-int sleepers_too(const std::vector<Island>& islands) {
+int sleepers_too(const List<Island>& islands) {
   int updates = 0;
   for (const Island& island : islands) updates += (3 * island.boxes + 2 * island.pins) * island.sweeps;
   return updates;
 }
 
-int all_wait(const std::vector<Island>& islands) {
+int all_wait(const List<Island>& islands) {
   int rows = 0, most = 0;
   for (const Island& island : islands) {
     if (island.asleep) continue;
@@ -32,15 +33,15 @@ int all_wait(const std::vector<Island>& islands) {
   return rows * most;
 }
 
-int rows_only(const std::vector<Island>& islands) {
+int rows_only(const List<Island>& islands) {
   int rows = 0;
   for (const Island& island : islands) rows += island.asleep ? 0 : 3 * island.boxes + 2 * island.pins;
   return rows;
 }
 
-int two_frictions(const std::vector<Island>& islands) { return with_rows_a_box(islands, 4); }
+int two_frictions(const List<Island>& islands) { return with_rows_a_box(islands, 4); }
 
-int no_friction(const std::vector<Island>& islands) { return with_rows_a_box(islands, 2); }
+int no_friction(const List<Island>& islands) { return with_rows_a_box(islands, 2); }
 
 }  // namespace
 

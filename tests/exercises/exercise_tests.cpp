@@ -5,17 +5,17 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "lessons/exercise.hpp"
+#include "math/list.hpp"
 
 using namespace cairn;
 
 namespace {
 
 /// "02", for every lesson with an exercise.
-std::vector<std::string> lessons_with_exercises() {
-  std::vector<std::string> numbers;
+List<std::string> lessons_with_exercises() {
+  List<std::string> numbers;
   for (const auto& entry : std::filesystem::directory_iterator(CAIRN_SOURCE_DIR "/lessons")) {
     if (std::filesystem::exists(entry.path() / "exercise.cpp"))
       numbers.push_back(entry.path().filename().string().substr(0, 2));

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "extremes/atlas_maps.hpp"
+#include "math/list.hpp"
 #include "math/math.hpp"
 #include "scenes/solver_list.hpp"
 
@@ -53,7 +54,7 @@ double implicit_energy_left(double frequency, double h, int steps) {
 }
 
 /// A map of 2 by 3 whose cells hold as told, by x and then y.
-AtlasSheet sheet_of(AtlasReading reading, const std::vector<bool>& holds) {
+AtlasSheet sheet_of(AtlasReading reading, const List<bool>& holds) {
   AtlasSheet sheet;
   sheet.map.x = {.title = "x", .values = {10, 100}, .labels = {"10", "100"}};
   sheet.map.y = {.title = "y", .values = {1, 2, 4}, .labels = {"float", "double", "long"}};
@@ -111,16 +112,15 @@ TEST_CASE("a place whose neighbouring numbers are further apart than a box is re
 }
 
 TEST_CASE("every map has a label for each value, names for its classes, and its headline in the quick part") {
-  const std::vector<AtlasMap> all = atlas_maps(AtlasPart::all), quick = atlas_maps(AtlasPart::quick);
+  const List<AtlasMap> all = atlas_maps(AtlasPart::all), quick = atlas_maps(AtlasPart::quick);
   REQUIRE(all.size() == quick.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  for (int i = 0; i < all.size(); ++i) {
     CAPTURE(all[i].name);
     for (const AtlasMap* map : {&all[i], &quick[i]}) {
       CHECK(map->x.values.size() == map->x.labels.size());
       CHECK(map->y.values.size() == map->y.labels.size());
       CHECK(map->panels.size() <= 11);  // with the legend, three rows of four
-      for (int named = 0; named < 4; ++named)
-        CHECK_FALSE(map->classes[static_cast<std::size_t>(named)].name.empty());
+      for (int named = 0; named < 4; ++named) CHECK_FALSE(map->classes[named].name.empty());
     }
     CHECK(all[i].x.values[all[i].headline] == quick[i].x.values[quick[i].headline]);
     CHECK(quick[i].x.values.size() < all[i].x.values.size());
@@ -129,7 +129,7 @@ TEST_CASE("every map has a label for each value, names for its classes, and its 
 
 TEST_CASE("every map has a panel of every solver, or of one that gives the same numbers") {
   // PGS is SI, eq. (24) to (29), and without contacts block-contact is block.
-  const std::vector<std::string> same_as_si = {"pgs", "pgs-sparse", "pgs-factored"};
+  const List<std::string> same_as_si = {"pgs", "pgs-sparse", "pgs-factored"};
   for (const AtlasMap& map : atlas_maps(AtlasPart::all)) {
     CAPTURE(map.name);
     for (const SolverEntry& solver : solver_entries()) {
@@ -148,7 +148,7 @@ TEST_CASE("cells come back from the journal in their places, and those that were
   std::filesystem::remove(file);
   Journal journal(file, study);
   journal.write(1, study.tasks[1].run());  // the first panel's first x, second y
-  const std::vector<AtlasSheet> sheets = atlas_sheets(AtlasPart::quick, journal.csv());
+  const List<AtlasSheet> sheets = atlas_sheets(AtlasPart::quick, journal.csv());
   const AtlasMap& map = sheets.front().map;
   const AtlasCell again = map.run(map.panels[0], map.x.values[0], map.y.values[1]);
   CHECK(sheets.front().cell(0, 0, 1).ending == again.ending);

@@ -7,6 +7,7 @@
 
 #include "extremes/extreme.hpp"
 #include "extremes/extreme_study.hpp"
+#include "math/list.hpp"
 
 using namespace cairn;
 
@@ -86,8 +87,8 @@ TEST_CASE("rows come back from the journal as they were found, and from JSON's t
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "cairn_extremes_tests.csv";
   std::filesystem::remove(file);
   Journal journal(file, study);
-  REQUIRE(run_study(study, {}, journal, [](std::size_t, std::size_t, double) { return true; }));
-  const std::vector<ExtremeRow> rows = extreme_rows(journal.csv());
+  REQUIRE(run_study(study, {}, journal, [](int, int, double) { return true; }));
+  const List<ExtremeRow> rows = extreme_rows(journal.csv());
   REQUIRE(rows.size() == study.tasks.size());
   for (const ExtremeRow& row : rows) CHECK_MESSAGE(row.meets, row.axis, " ", row.value, " ", row.note);
   CHECK(rows.front().axis == "restitution");
@@ -96,7 +97,7 @@ TEST_CASE("rows come back from the journal as they were found, and from JSON's t
   CHECK(rows.front().policy == "baumgarte");
   CHECK(rows.front().verdict == "OK");
   const std::string json = extreme_json(rows);
-  std::size_t objects = 0;
+  int objects = 0;
   for (std::size_t at = 0; (at = json.find("\"axis\"", at)) != std::string::npos; ++at) ++objects;
   CHECK(objects == rows.size());
   CHECK(json.find("\"build\"") != std::string::npos);

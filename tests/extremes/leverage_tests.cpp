@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solvers/impulse_energy.hpp"
 #include "scenes/scene_list.hpp"
 #include "scenes/solver_list.hpp"
+#include "solvers/impulse_energy.hpp"
 #include "world/world.hpp"
 
 using namespace cairn;
@@ -24,7 +24,7 @@ double leverage_of_step(World<double>& world, Solver<double>& solver) {
   before.impulse = after.impulse;
   const double there_is = impulse_there_is(before);
   double largest = 0;
-  for (std::size_t i = 0; i < after.rows.size(); ++i) {
+  for (int i = 0; i < after.rows.size(); ++i) {
     const Bounds<double>& bounds = after.rows[i].bounds;
     const bool is_passive = after.rows[i].softness == 0 && !std::isfinite(bounds.upper);
     if (is_passive) largest = std::max(largest, std::abs(after.impulse[i]));
@@ -61,7 +61,7 @@ TEST_CASE("the moment of a beam that is held at one end has half its length as l
   problem.rows.push_back({.a = ground, .b = {1}, .jacobian_b = {0, 1, -length / 2}});
   problem.rows.push_back({.a = ground, .b = {1}, .jacobian_b = {0, 0, 1}});
   apply_impulses(problem);
-  CHECK(problem.velocity[1].norm() < 1e-15);
-  problem.velocity[1] = {0, -1, 0};
+  CHECK(problem.velocity[{1}].norm() < 1e-15);
+  problem.velocity[{1}] = {0, -1, 0};
   CHECK(problem.impulse[1] / impulse_there_is(problem) == doctest::Approx(length / 2).epsilon(1e-15));
 }

@@ -6,10 +6,11 @@
 #include <map>
 #include <sstream>
 
-#include "frozen_files.hpp"
-#include "solvers/residual.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
 #include "frozen/frozen_set.hpp"
+#include "frozen_files.hpp"
+#include "math/list.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
+#include "solvers/residual.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -30,9 +31,9 @@ std::string text_of_file(const std::filesystem::path& path) {
 TEST_CASE("every problem of the frozen set can be read, and there are eleven") {
   // Renewed by CAIRN_RENEW_FROZEN=1, when scenes or the step have changed on purpose.
   if (std::getenv("CAIRN_RENEW_FROZEN") != nullptr) write_frozen_set(frozen_folder);
-  const std::vector<FrozenProblem> all = read_frozen_set(frozen_folder);
+  const List<FrozenProblem> all = read_frozen_set(frozen_folder);
   REQUIRE(all.size() >= 11);
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  for (int i = 0; i < all.size(); ++i) {
     CHECK(all[i].name == frozen_names()[i]);
     CHECK(std::filesystem::file_size(frozen_folder / (all[i].name + ".json")) < 300000);
     CHECK(all[i].tags.size() == 3);
@@ -75,11 +76,11 @@ TEST_CASE("a world is frozen as its next step will see it, and goes on as if it 
   scene.add_ground();
   scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}});
   World world(scene);
-  CHECK(freeze(world, "box", "").tags == std::vector<std::string>{"cold", "4 rows", "start"});
+  CHECK(freeze(world, "box", "").tags == List<std::string>{"cold", "4 rows", "start"});
   SequentialImpulse<double> solver({.iterations = 50});
   for (int step = 0; step < 10; ++step) world.step(solver);
   const FrozenProblem frozen = freeze(world, "box", "");
-  CHECK(frozen.tags == std::vector<std::string>{"warm", "4 rows", "settled"});
+  CHECK(frozen.tags == List<std::string>{"warm", "4 rows", "settled"});
   VelocityProblem<double> problem = frozen.problem;
   solver.solve(problem);
   world.step(solver);

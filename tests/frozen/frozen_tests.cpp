@@ -7,8 +7,9 @@
 #include <sstream>
 
 #include "../geometry/random_shapes.hpp"
-#include "frozen_files.hpp"
 #include "frozen/frozen_set.hpp"
+#include "frozen_files.hpp"
+#include "math/list.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -24,15 +25,15 @@ FrozenProblem all_kinds() {
   problem.inverse_mass = {{0, 0, 0}, {1.0 / 3, 1.0 / 3, 0.1}, {5e-324, 1e300, 0}};
   problem.velocity = {
       {0, -0.0, 0}, {1.0 / 7, -1e-310, 12345678901234567890.0}, {-1.0 / 3, 9007199254740992.0, 0}};
-  const std::vector<Bounds<double>> bounds = {Bounds<double>::equality(),
-                                              Bounds<double>::unilateral(),
-                                              Bounds<double>::at_most(0.1),
-                                              {.lower = -0.25, .upper = 1.0 / 3},
-                                              {.upper = 2},
-                                              {.lower = -0.0, .upper = 0.0},
-                                              Bounds<double>::coulomb(0.7, 1),
-                                              Bounds<double>::coulomb(-0.0, 1, 0),
-                                              Bounds<double>::rest_of_disc(0.3, 2)};
+  const Bounds<double> bounds[] = {Bounds<double>::equality(),
+                                   Bounds<double>::unilateral(),
+                                   Bounds<double>::at_most(0.1),
+                                   {.lower = -0.25, .upper = 1.0 / 3},
+                                   {.upper = 2},
+                                   {.lower = -0.0, .upper = 0.0},
+                                   Bounds<double>::coulomb(0.7, 1),
+                                   Bounds<double>::coulomb(-0.0, 1, 0),
+                                   Bounds<double>::rest_of_disc(0.3, 2)};
   std::uint64_t source = std::numeric_limits<std::uint64_t>::max();
   for (const Bounds<double>& each : bounds) {
     ConstraintRow<double> row;
@@ -108,19 +109,19 @@ void check_same(const VelocityProblem<double>& a, const VelocityProblem<double>&
   REQUIRE(a.velocity.size() == b.velocity.size());
   REQUIRE(a.blocks.size() == b.blocks.size());
   REQUIRE(a.extra_terms.size() == b.extra_terms.size());
-  for (std::size_t i = 0; i < a.rows.size(); ++i) {
+  for (int i = 0; i < a.rows.size(); ++i) {
     check_same_row(a.rows[i], b.rows[i]);
     CHECK(same_bits(a.impulse[i], b.impulse[i]));
   }
-  for (std::size_t i = 0; i < a.velocity.size(); ++i) {
-    CHECK(same_bits(a.velocity[i], b.velocity[i]));
-    CHECK(same_bits(a.inverse_mass[i], b.inverse_mass[i]));
+  for (const BodyId body : a.velocity.indices()) {
+    CHECK(same_bits(a.velocity[body], b.velocity[body]));
+    CHECK(same_bits(a.inverse_mass[body], b.inverse_mass[body]));
   }
-  for (std::size_t i = 0; i < a.blocks.size(); ++i) {
+  for (int i = 0; i < a.blocks.size(); ++i) {
     CHECK(a.blocks[i].first == b.blocks[i].first);
     CHECK(a.blocks[i].count == b.blocks[i].count);
   }
-  for (std::size_t i = 0; i < a.extra_terms.size(); ++i) {
+  for (int i = 0; i < a.extra_terms.size(); ++i) {
     CHECK(a.extra_terms[i].body == b.extra_terms[i].body);
     CHECK(same_bits(a.extra_terms[i].jacobian, b.extra_terms[i].jacobian));
   }
@@ -140,7 +141,7 @@ TEST_CASE("a frozen problem reads back bit-equal, with every kind of bounds and 
 
 TEST_CASE("a world without rows, and one without moving bodies, can be frozen") {
   const FrozenProblem nothing = freeze(World<double>(Scene()), "nothing", "");
-  CHECK(nothing.tags == std::vector<std::string>{"cold", "0 rows", "start"});
+  CHECK(nothing.tags == List<std::string>{"cold", "0 rows", "start"});
   check_same(thawed(frozen_text(nothing)).problem, nothing.problem);
 }
 
@@ -154,7 +155,7 @@ TEST_CASE("what is malformed is refused in one message of file, field, rule and 
   const std::string text = frozen_text(all_kinds());
   const std::string first_row = "[1,0,[0.10000000000000001,-0.0,1e+22]";
   const std::string coulomb = "[\"-inf\",\"inf\",0.69999999999999996,0,1,-1]";
-  const std::vector<Malformed> all = {
+  const List<Malformed> all = {
       {"problem 1", "problem 2", "file.json: schema must be \"cairn frozen problem 1\", got"},
       {"\"dt\": 0.016666666666666666", "\"dt\": 0", "file.json: dt must be a finite number > 0 s, got 0"},
       {"\"dt\": 0.016666666666666666", "\"dt\": \"inf\"", "file.json: dt must be a number, got \"inf\""},
@@ -242,7 +243,7 @@ TEST_CASE("a frozen problem with a wrong character is refused, or is another pro
 
 TEST_CASE("what could not be read is not written") {
   FrozenProblem frozen = all_kinds();
-  frozen.problem.velocity[1].x() = std::numeric_limits<double>::quiet_NaN();
+  frozen.problem.velocity[{1}].x() = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_WITH_AS(frozen_text(frozen),
                        "write_frozen: bodies[1].velocity[0] must be a finite number, got nan",
                        std::invalid_argument);

@@ -12,13 +12,14 @@
 #include "fuzz/fuzz_run.hpp"
 #include "fuzz/mutate.hpp"
 #include "lessons/words.hpp"
+#include "math/list.hpp"
 
 namespace {
 
 using namespace cairn;
 using namespace cairn::fuzz;
 
-double number_behind(const std::vector<std::string>& words, std::size_t& place) {
+double number_behind(const List<std::string>& words, int& place) {
   const std::string flag = words[place];
   const std::optional<double> number =
       ++place < words.size() ? parse_number(words[place]) : std::optional<double>();
@@ -28,10 +29,10 @@ double number_behind(const std::vector<std::string>& words, std::size_t& place) 
   return *number;
 }
 
-Run run_of(const std::vector<std::string>& words) {
+Run run_of(const List<std::string>& words) {
   Run run;
-  std::vector<std::string> paths;
-  for (std::size_t i = 0; i < words.size(); ++i) {
+  List<std::string> paths;
+  for (int i = 0; i < words.size(); ++i) {
     if (words[i] == "--seconds") {
       run.seconds = number_behind(words, i);
     } else if (words[i] == "--seed") {
@@ -48,9 +49,9 @@ Run run_of(const std::vector<std::string>& words) {
   return run;
 }
 
-int fuzz_and_tell(const std::vector<std::string>& words) {
+int fuzz_and_tell(const List<std::string>& words) {
   const Run what = run_of(words);
-  const std::string target = target_names()[static_cast<std::size_t>(what.target)];
+  const std::string target = target_names()[static_cast<int>(what.target)];
   const RunReport report = fuzz::run(what);
   for (const Harm& harm : report.harm) {
     const std::string file = fmt::format("fuzz-{}-{}-{}", target, what.seed, harm.number);

@@ -14,8 +14,9 @@
 #include "constraints/pulley_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
-#include "math/check.hpp"
 #include "frozen/problem_check.hpp"
+#include "math/check.hpp"
+#include "math/list.hpp"
 #include "scenes/solver_list.hpp"
 #include "world/scene.hpp"
 
@@ -30,7 +31,7 @@ const double field_infinity = std::numeric_limits<double>::infinity();
 struct NumberField {
   std::string name = {};
   std::function<void(double)> use = {};
-  std::vector<double> bad = {field_infinity, -field_infinity};
+  List<double> bad = {field_infinity, -field_infinity};
 };
 
 std::string refusal_of(const NumberField& field, double value) {
@@ -42,9 +43,9 @@ std::string refusal_of(const NumberField& field, double value) {
   return "";
 }
 
-void check_fields(const std::vector<NumberField>& fields) {
+void check_fields(const List<NumberField>& fields) {
   for (const NumberField& field : fields) {
-    std::vector<double> values = field.bad;
+    List<double> values = field.bad;
     values.push_back(field_nan);
     for (const double value : values) {
       CAPTURE(field.name);
@@ -56,8 +57,8 @@ void check_fields(const std::vector<NumberField>& fields) {
   }
 }
 
-const std::vector<double> not_positive = {field_infinity, -field_infinity, 0.0, -1.0};
-const std::vector<double> negative = {field_infinity, -field_infinity, -1.0};
+const List<double> not_positive = {field_infinity, -field_infinity, 0.0, -1.0};
+const List<double> negative = {field_infinity, -field_infinity, -1.0};
 
 std::function<void(double)> with_settings(const std::function<void(SceneSettings&, double)>& set) {
   return [set](double value) {

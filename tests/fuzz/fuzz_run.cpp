@@ -16,6 +16,7 @@
 #include <fstream>
 #include <new>
 #include <sstream>
+#include <utility>
 
 #include "fuzz/mutate.hpp"
 
@@ -104,7 +105,8 @@ void send_to(int stream, const char* path, int flags) {
   send_to(STDERR_FILENO, (scratch.path / "stderr").c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND);
   std::filesystem::current_path(scratch.path);
   limit_memory();
-  for (std::uint64_t number = first; number < run.seeds.size() || Clock::now() < end; ++number) {
+  for (std::uint64_t number = first; std::cmp_less(number, run.seeds.size()) || Clock::now() < end;
+       ++number) {
     page->number = number;
     allow_seconds();
     try {
@@ -159,18 +161,18 @@ RunReport run(const Run& run) {
     report.inputs = page->number;
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) break;
     report.harm.push_back({page->number, ending_of(status, page), tail_of(scratch.path / "stderr")});
-    if (static_cast<int>(report.harm.size()) >= run.most_findings) break;
+    if (report.harm.size() >= run.most_findings) break;
     first = page->number + 1;
-    if (first >= run.seeds.size() && Clock::now() >= end) break;
+    if (std::cmp_greater_equal(first, run.seeds.size()) && Clock::now() >= end) break;
   }
   report.accepted = page->accepted;
   return report;
 }
 
-std::vector<std::string> read_seeds(const std::vector<std::string>& paths) {
-  std::vector<std::string> seeds;
+List<std::string> read_seeds(const List<std::string>& paths) {
+  List<std::string> seeds;
   for (const std::string& path : paths) {
-    std::vector<std::filesystem::path> files = {path};
+    List<std::filesystem::path> files = {path};
     if (std::filesystem::is_directory(path)) {
       files.clear();
       for (const auto& entry : std::filesystem::directory_iterator(path)) {
@@ -183,14 +185,14 @@ std::vector<std::string> read_seeds(const std::vector<std::string>& paths) {
   return seeds;
 }
 
-std::vector<std::string> usual_seeds(Target target, const std::string& source_folder) {
-  std::vector<std::string> paths = {source_folder + "/tests/fuzz/corpus/" +
-                                    target_names()[static_cast<std::size_t>(target)]};
+List<std::string> usual_seeds(Target target, const std::string& source_folder) {
+  List<std::string> paths = {source_folder + "/tests/fuzz/corpus/" +
+                             target_names()[static_cast<int>(target)]};
   if (target == Target::scene) paths.push_back(source_folder + "/lessons/scenes");
   if (target == Target::frozen) paths.push_back(source_folder + "/tests/frozen/problems");
-  std::vector<std::string> seeds = read_seeds(paths);
+  List<std::string> seeds = read_seeds(paths);
   if (target != Target::words) return seeds;
-  const std::vector<std::string> lines = word_seeds();
+  const List<std::string> lines = word_seeds();
   seeds.insert(seeds.end(), lines.begin(), lines.end());
   return seeds;
 }

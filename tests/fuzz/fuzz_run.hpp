@@ -3,18 +3,18 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "fuzz/fuzz_target.hpp"
+#include "math/list.hpp"
 
 namespace cairn::fuzz {
 
 struct Run {
   Target target = Target::scene;
-  double seconds = 10;                  // [s] of the clock, after the seeds
-  std::uint64_t seed = 1;               // of the changes
-  std::vector<std::string> seeds = {};  // inputs to begin from
-  int most_findings = 20;               // after which it ends
+  double seconds = 10;           // [s] of the clock, after the seeds
+  std::uint64_t seed = 1;        // of the changes
+  List<std::string> seeds = {};  // inputs to begin from
+  int most_findings = 20;        // after which it ends
 };
 
 /// An input that did harm.
@@ -27,7 +27,7 @@ struct Harm {
 struct RunReport {
   std::uint64_t inputs = 0;
   std::uint64_t accepted = 0;
-  std::vector<Harm> harm = {};
+  List<Harm> harm = {};
 };
 
 /// Feeds the seeds and then what they become by changes. An input that takes more than 5 s of processor time
@@ -36,9 +36,9 @@ RunReport run(const Run& run);
 
 /// The contents of files, and of all files of folders, by their names.
 /// @throws std::runtime_error for what is neither.
-std::vector<std::string> read_seeds(const std::vector<std::string>& paths);
+List<std::string> read_seeds(const List<std::string>& paths);
 /// The scenes that are shipped, the frozen set, or word_seeds(), and what was found before in
 /// tests/fuzz/corpus.
-std::vector<std::string> usual_seeds(Target target, const std::string& source_folder);
+List<std::string> usual_seeds(Target target, const std::string& source_folder);
 
 }  // namespace cairn::fuzz

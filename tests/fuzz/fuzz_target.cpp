@@ -4,12 +4,12 @@
 #include <functional>
 #include <sstream>
 
+#include "frozen/frozen_problem.hpp"
 #include "fuzz/fuzz_words.hpp"
 #include "math/check.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "frozen/frozen_problem.hpp"
 #include "scenes/scene_file.hpp"
 #include "scenes/solver_list.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
 namespace cairn::fuzz {
@@ -17,7 +17,7 @@ namespace cairn::fuzz {
 namespace {
 
 const std::size_t longest_message = 600;  // [bytes]
-const std::size_t most_bodies = 60;       // of a scene that is stepped, and as many joints
+const int most_bodies = 60;               // of a scene that is stepped, and as many joints
 const int most_dense_rows = 300;          // of a problem that every solver is given
 const int most_exact_rows = 12;           // of one for the exact solver too
 const int most_fuzz_substeps = 4;
@@ -48,12 +48,12 @@ Outcome outcome_of(const std::function<void()>& work) {
 
 template <Scalar Real>
 void require_finite_bodies(const World<Real>& world, const char* scalar) {
-  for (std::size_t i = 0; i < world.bodies().pose.size(); ++i) {
-    const Pose<Real>& pose = world.bodies().pose[i];
-    if (pose.position.allFinite() && std::isfinite(pose.angle) && world.bodies().velocity[i].allFinite()) {
+  for (const BodyId body : world.bodies().pose.indices()) {
+    const Pose<Real>& pose = world.bodies().pose[body];
+    if (pose.position.allFinite() && std::isfinite(pose.angle) && world.bodies().velocity[body].allFinite()) {
       continue;
     }
-    throw Finding(std::string("in ") + scalar + " body " + std::to_string(i) +
+    throw Finding(std::string("in ") + scalar + " body " + std::to_string(body.index) +
                   " is not finite, and no report says so");
   }
 }
@@ -127,13 +127,13 @@ void feed_frozen(const std::string& text) {
 
 }  // namespace
 
-const std::vector<std::string>& target_names() {
-  static const std::vector<std::string> names = {"scene", "frozen", "words"};
+const List<std::string>& target_names() {
+  static const List<std::string> names = {"scene", "frozen", "words"};
   return names;
 }
 
 Target target_of(const std::string& name) {
-  for (std::size_t i = 0; i < target_names().size(); ++i) {
+  for (int i = 0; i < target_names().size(); ++i) {
     if (target_names()[i] == name) return static_cast<Target>(i);
   }
   require(false, "cairn_fuzz", "target", "scene, frozen or words", name);

@@ -3,7 +3,8 @@
 
 #include <stdexcept>
 #include <string>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace cairn::fuzz {
 
@@ -15,7 +16,7 @@ enum class Target {
 };
 
 /// "scene", "frozen" and "words".
-const std::vector<std::string>& target_names();
+const List<std::string>& target_names();
 /// @throws std::invalid_argument for a name that is not among them.
 Target target_of(const std::string& name);
 
@@ -37,6 +38,6 @@ struct Finding : std::logic_error {
 Outcome feed(Target target, const std::string& bytes);
 
 /// Command lines with every verb and every flag, to begin from.
-std::vector<std::string> word_seeds();
+List<std::string> word_seeds();
 
 }  // namespace cairn::fuzz

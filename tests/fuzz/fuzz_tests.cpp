@@ -7,6 +7,7 @@
 
 #include "fuzz/fuzz_run.hpp"
 #include "fuzz/mutate.hpp"
+#include "math/list.hpp"
 
 using namespace cairn;
 
@@ -21,7 +22,7 @@ void check_unharmed(const fuzz::RunReport& report) {
 }
 
 fuzz::Run corpus_run(fuzz::Target target, double seconds) {
-  const std::string folder = fuzz_corpus + "/" + fuzz::target_names()[static_cast<std::size_t>(target)];
+  const std::string folder = fuzz_corpus + "/" + fuzz::target_names()[static_cast<int>(target)];
   return {.target = target, .seconds = seconds, .seed = 1, .seeds = fuzz::read_seeds({folder})};
 }
 
@@ -49,7 +50,7 @@ TEST_CASE("command lines from two seconds of changed ones are refused, or run to
 }
 
 TEST_CASE("an input is the same for the same seeds, seed and number, and another for another") {
-  const std::vector<std::string> seeds = {"a = 1\nb = [2, 3]\n", "c = \"text\"\n"};
+  const List<std::string> seeds = {"a = 1\nb = [2, 3]\n", "c = \"text\"\n"};
   CHECK(fuzz::input(seeds, 7, 0) == seeds[0]);
   CHECK(fuzz::input(seeds, 7, 1) == seeds[1]);
   int differing = 0;

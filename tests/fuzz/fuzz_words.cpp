@@ -7,6 +7,7 @@
 
 #include "lessons/sandbox/verb.hpp"
 #include "lessons/words.hpp"
+#include "math/list.hpp"
 #include "render/image.hpp"
 
 namespace cairn::fuzz {
@@ -26,8 +27,8 @@ const std::set<std::string> quick_flags = {"solver", "solvers", "sweeps",       
                                            "csv",    "json",    "quiet",         "plain",    "color",
                                            "step",   "rows",    "out",           "list",     "progress"};
 
-std::vector<std::string> divided(const std::string& bytes) {
-  std::vector<std::string> words(1);
+List<std::string> divided(const std::string& bytes) {
+  List<std::string> words(1);
   for (const char letter : bytes) {
     if (letter == ' ' || letter == '\n') {
       words.emplace_back();
@@ -115,7 +116,7 @@ Outcome refused_words(const std::string& message) {
 }
 
 Outcome run_words(const std::string& bytes) {
-  const std::vector<std::string> all = divided(bytes);
+  const List<std::string> all = divided(bytes);
   const auto verb = std::find_if(sandbox::verbs().begin(), sandbox::verbs().end(),
                                  [&](const Verb& v) { return !all.empty() && v.name == all.front(); });
   if (verb == sandbox::verbs().end()) return refused_words("no verb");
@@ -152,11 +153,11 @@ Outcome feed_words(const std::string& bytes) {
   }
 }
 
-std::vector<std::string> word_seeds() {
-  std::vector<std::string> seeds;
+List<std::string> word_seeds() {
+  List<std::string> seeds;
   for (const Verb& verb : sandbox::verbs()) {
     seeds.insert(seeds.end(), verb.examples.begin(), verb.examples.end());
-    std::vector<Flag> flags = verb.flags;
+    List<Flag> flags = verb.flags;
     flags.insert(flags.end(), sandbox::shared_flags().begin(), sandbox::shared_flags().end());
     for (const Flag& flag : flags) {
       seeds.push_back(verb.name + " stack --" + flag.name + (flag.takes.empty() ? "" : " 1"));

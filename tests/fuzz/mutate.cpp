@@ -2,8 +2,8 @@
 #include "fuzz/mutate.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
+#include <utility>
 
 #include "geometry/random_shapes.hpp"
 
@@ -15,75 +15,75 @@ using test::Random;
 
 const std::size_t longest_input = 200000;  // [bytes]
 
-std::size_t place_in(std::size_t size, Random& random) {
-  return static_cast<std::size_t>(random.below(static_cast<int>(std::max<std::size_t>(size, 1))));
+std::size_t place_in(const std::string& text, Random& random) {
+  return static_cast<std::size_t>(random.below(std::max(static_cast<int>(text.size()), 1)));
 }
 
-const std::string& one_of(const std::vector<std::string>& texts, Random& random) {
-  return texts[place_in(texts.size(), random)];
+const std::string& one_of(const List<std::string>& texts, Random& random) {
+  return texts[random.below(texts.size())];
 }
 
 /// The shortest of three: more inputs in the same time.
-const std::string& short_one_of(const std::vector<std::string>& texts, Random& random) {
-  std::size_t best = place_in(texts.size(), random);
+const std::string& short_one_of(const List<std::string>& texts, Random& random) {
+  int best = random.below(texts.size());
   for (int i = 0; i < 2; ++i) {
-    const std::size_t other = place_in(texts.size(), random);
+    const int other = random.below(texts.size());
     if (texts[other].size() < texts[best].size()) best = other;
   }
   return texts[best];
 }
 
 /// Numbers at the edges of what doubles and integers hold, and texts that are nearly numbers.
-const std::vector<std::string>& edges() {
-  static const std::vector<std::string> numbers = {"nan",
-                                                   "inf",
-                                                   "-inf",
-                                                   "1e308",
-                                                   "-1e308",
-                                                   "1.8e308",
-                                                   "-0.0",
-                                                   "0",
-                                                   "-1",
-                                                   "1e-308",
-                                                   "5e-324",
-                                                   "1e15",
-                                                   "1e16",
-                                                   "1e-15",
-                                                   "1e154",
-                                                   "1e-154",
-                                                   "1e38",
-                                                   "1e39",
-                                                   "1e-40",
-                                                   "2147483647",
-                                                   "2147483648",
-                                                   "-2147483649",
-                                                   "9223372036854775807",
-                                                   "1e999",
-                                                   "\"inf\"",
-                                                   "\"-inf\"",
-                                                   "18446744073709551616",
-                                                   "0.1",
-                                                   "1",
-                                                   "2",
-                                                   "3",
-                                                   "100",
-                                                   "1e6",
-                                                   "1e7",
-                                                   "1e-6",
-                                                   "1e-12",
-                                                   "\"\"",
-                                                   "[]",
-                                                   "{}",
-                                                   "true",
-                                                   "1/0",
-                                                   "pi",
-                                                   "16777217",
-                                                   "4503599627370497",
-                                                   "0x7f",
-                                                   "1_000",
-                                                   "+1",
-                                                   "1e",
-                                                   "null"};
+const List<std::string>& edges() {
+  static const List<std::string> numbers = {"nan",
+                                            "inf",
+                                            "-inf",
+                                            "1e308",
+                                            "-1e308",
+                                            "1.8e308",
+                                            "-0.0",
+                                            "0",
+                                            "-1",
+                                            "1e-308",
+                                            "5e-324",
+                                            "1e15",
+                                            "1e16",
+                                            "1e-15",
+                                            "1e154",
+                                            "1e-154",
+                                            "1e38",
+                                            "1e39",
+                                            "1e-40",
+                                            "2147483647",
+                                            "2147483648",
+                                            "-2147483649",
+                                            "9223372036854775807",
+                                            "1e999",
+                                            "\"inf\"",
+                                            "\"-inf\"",
+                                            "18446744073709551616",
+                                            "0.1",
+                                            "1",
+                                            "2",
+                                            "3",
+                                            "100",
+                                            "1e6",
+                                            "1e7",
+                                            "1e-6",
+                                            "1e-12",
+                                            "\"\"",
+                                            "[]",
+                                            "{}",
+                                            "true",
+                                            "1/0",
+                                            "pi",
+                                            "16777217",
+                                            "4503599627370497",
+                                            "0x7f",
+                                            "1_000",
+                                            "+1",
+                                            "1e",
+                                            "null"};
   return numbers;
 }
 
@@ -118,7 +118,7 @@ std::string text_of(const std::string& text, const Token& token) {
 }
 
 void change_bytes(std::string& text, Random& random) {
-  const std::size_t place = place_in(text.size(), random);
+  const std::size_t place = place_in(text, random);
   const int kind = random.below(4);
   if (kind == 0 && !text.empty()) {
     text[place] = static_cast<char>(static_cast<unsigned char>(text[place]) ^ (1u << random.below(8)));
@@ -133,20 +133,20 @@ void change_bytes(std::string& text, Random& random) {
 
 /// The next number behind a place becomes one at the edge, or a multiple of itself.
 void change_number(std::string& text, Random& random) {
-  const std::size_t place = text.find_first_of("0123456789", place_in(text.size(), random));
+  const std::size_t place = text.find_first_of("0123456789", place_in(text, random));
   if (place == std::string::npos) return;
   Token token = token_at(text, place);
   const std::string before = text_of(text, token);
-  const std::array<const char*, 4> endings = {"0", "e3", "e-3", "00000"};
+  const FixedList<const char*, 4> endings = {"0", "e3", "e-3", "00000"};
   const bool is_scaled = random.below(4) == 0;
   text.replace(token.begin, token.end - token.begin,
-               is_scaled ? before + endings[place_in(endings.size(), random)] : one_of(edges(), random));
+               is_scaled ? before + endings[random.below(endings.size())] : one_of(edges(), random));
 }
 
 /// A part is left out, is there twice, changes places with another, or comes from another input.
 void change_parts(std::string& text, const std::string& other, bool whole_lines, Random& random) {
   const auto part = [&](const std::string& from) {
-    const std::size_t place = place_in(from.size(), random);
+    const std::size_t place = place_in(from, random);
     return whole_lines ? line_at(from, place) : token_at(from, place);
   };
   const Token first = part(text);
@@ -164,7 +164,7 @@ void change_parts(std::string& text, const std::string& other, bool whole_lines,
 }
 
 void splice(std::string& text, const std::string& other, Random& random) {
-  const std::size_t end = place_in(text.size(), random), begin = place_in(other.size(), random);
+  const std::size_t end = place_in(text, random), begin = place_in(other, random);
   text = text.substr(0, end) + other.substr(std::min(begin, other.size()));
 }
 
@@ -180,8 +180,8 @@ void change(std::string& text, const std::string& other, Random& random) {
 
 }  // namespace
 
-std::string input(const std::vector<std::string>& seeds, std::uint64_t seed, std::uint64_t number) {
-  if (number < seeds.size()) return seeds[number];
+std::string input(const List<std::string>& seeds, std::uint64_t seed, std::uint64_t number) {
+  if (std::cmp_less(number, seeds.size())) return seeds[static_cast<int>(number)];
   Random random(seed * 0x9e3779b97f4a7c15u + number);
   if (seeds.empty()) return {};
   std::string text = short_one_of(seeds, random);

@@ -6,6 +6,7 @@
 
 #include "geometry/aabb.hpp"
 #include "geometry/mass.hpp"
+#include "math/list.hpp"
 #include "random_shapes.hpp"
 
 namespace cairn {
@@ -24,7 +25,7 @@ struct Integral {
 Integral integrate(const Shape<double>& shape) {
   constexpr int directions = 20000;
   const test::Core core = test::core(shape, Pose<double>{});
-  std::vector<Vec2<long double>> boundary;
+  List<Vec2<long double>> boundary;
   for (int i = 0; i < directions; ++i) {
     const Rotation<long double> turn(2 * std::numbers::pi_v<long double> * i / directions);
     const Vec2<long double> out = {turn.c, turn.s};
@@ -34,7 +35,7 @@ Integral integrate(const Shape<double>& shape) {
   long double about_origin = 0;
   long double perimeter = 0;
   Vec2<long double> first_moment = {0, 0};
-  for (std::size_t i = 0; i < boundary.size(); ++i) {
+  for (int i = 0; i < boundary.size(); ++i) {
     const Vec2<long double>& p = boundary[i];
     const Vec2<long double>& q = boundary[(i + 1) % boundary.size()];
     const long double twice = cross(p, q);
@@ -102,7 +103,7 @@ TEST_CASE("a segment has no mass") {
 }
 
 TEST_CASE("two halves have the mass of the whole") {
-  const std::vector<Shape<double>> halves = {moved(box(1, 0.5), {-0.5, 3}), moved(box(1, 0.5), {0.5, 3})};
+  const List<Shape<double>> halves = {moved(box(1, 0.5), {-0.5, 3}), moved(box(1, 0.5), {0.5, 3})};
   const MassProperties together = mass_properties(halves);
   CHECK(together.area == doctest::Approx(1).epsilon(8 * mass_epsilon));
   CHECK((together.centroid - Vec2<double>(0, 3)).norm() <= 16 * mass_epsilon);
@@ -110,10 +111,10 @@ TEST_CASE("two halves have the mass of the whole") {
 }
 
 TEST_CASE("nothing, or segments alone, have mass properties zero") {
-  const MassProperties nothing = mass_properties(std::span<const Shape<double>>{});
+  const MassProperties nothing = mass_properties(Span<const Shape<double>>{});
   CHECK(nothing.area == 0);
   CHECK(nothing.inertia == 0);
-  const std::vector<Shape<double>> lines = {segment({1, 0}, {2, 0})};
+  const List<Shape<double>> lines = {segment({1, 0}, {2, 0})};
   CHECK(mass_properties(lines).centroid == Vec2<double>(0, 0));
 }
 

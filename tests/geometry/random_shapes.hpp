@@ -3,9 +3,9 @@
 
 #include <cstdint>
 #include <random>
-#include <vector>
 
 #include "geometry/shape.hpp"
+#include "math/list.hpp"
 
 namespace cairn::test {
 
@@ -40,7 +40,7 @@ inline Shape<double> random_shape(int kind, Random& random) {
   if (kind == 4) return moved(segment({-length / 2, 0}, {length / 2, 0}), offset, angle);
   // Corners on an ellipse, at unequal angles that leave a gap: always convex.
   const int count = 3 + random.below(6);
-  std::vector<Vec2<double>> corners;
+  List<Vec2<double>> corners;
   for (int i = 0; i < count; ++i) {
     const double turn = 2 * pi * (i + random.uniform(0, 0.7)) / count;
     corners.emplace_back(length / 2 * std::cos(turn), 0.4 * std::sin(turn));
@@ -50,8 +50,8 @@ inline Shape<double> random_shape(int kind, Random& random) {
 
 /// Every shape is the convex hull of these corners, and all that is within `radius` of it.
 struct Core {
-  std::vector<Vec2<long double>> corners;  // [m], world, counter-clockwise
-  long double radius = 0;                  // [m]
+  List<Vec2<long double>> corners;  // [m], world, counter-clockwise
+  long double radius = 0;           // [m]
 };
 
 /// At a pose, in long double whatever the scalar, so that only the rounding of the input is shared.
@@ -75,7 +75,7 @@ Core core(const Shape<Real>& shape, const Pose<Real>& pose) {
     add(line->point2);
   } else {
     const Polygon<Real>& convex = std::get<Polygon<Real>>(shape);
-    for (int i = 0; i < convex.count; ++i) add(convex.vertices[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < convex.count; ++i) add(convex.vertices[i]);
     result.radius = convex.radius;
   }
   return result;

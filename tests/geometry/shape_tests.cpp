@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "geometry/shape.hpp"
+#include "math/list.hpp"
 #include "random_shapes.hpp"
 
 namespace cairn {
@@ -24,7 +25,7 @@ std::string refusal(const std::function<void()>& make) {
   return "accepted";
 }
 
-std::string polygon_refusal(const std::vector<Vec2<double>>& points) {
+std::string polygon_refusal(const List<Vec2<double>>& points) {
   return refusal([&] { polygon(points); });
 }
 
@@ -33,14 +34,14 @@ bool says(const std::string& message, const std::string& part) {
 }
 
 /// A star with five points, drawn in one line that crosses itself.
-std::vector<Vec2<double>> pentagram() {
-  std::vector<Vec2<double>> points;
+List<Vec2<double>> pentagram() {
+  List<Vec2<double>> points;
   for (int i = 0; i < 5; ++i) points.emplace_back(std::cos(0.8 * pi * i), std::sin(0.8 * pi * i));
   return points;
 }
 
-std::vector<Vec2<double>> regular(int count) {
-  std::vector<Vec2<double>> points;
+List<Vec2<double>> regular(int count) {
+  List<Vec2<double>> points;
   for (int i = 0; i < count; ++i)
     points.emplace_back(std::cos(2 * pi * i / count), std::sin(2 * pi * i / count));
   return points;
@@ -108,17 +109,16 @@ TEST_CASE("a polygon is stored counter-clockwise with outward unit normals, whic
   test::Random random(1);
   for (int round = 0; round < 100; ++round) {
     const Polygon<double> forward = std::get<Polygon<double>>(test::random_shape(2, random));
-    std::vector<Vec2<double>> points(forward.vertices.begin(), forward.vertices.begin() + forward.count);
+    List<Vec2<double>> points(forward.vertices.begin(), forward.vertices.begin() + forward.count);
     std::reverse(points.begin(), points.end());
     const Polygon<double> backward = polygon(points);
     for (const Polygon<double>& shape : {forward, backward}) {
       for (int i = 0; i < shape.count; ++i) {
-        const Vec2<double>& normal = shape.normals[static_cast<std::size_t>(i)];
+        const Vec2<double>& normal = shape.normals[i];
         // Each component is rounded once, by at most half an ulp.
         CHECK(std::abs(normal.norm() - 1) <= 2 * std::numeric_limits<double>::epsilon());
         for (int j = 0; j < shape.count; ++j) {
-          const Vec2<double> arm =
-              shape.vertices[static_cast<std::size_t>(j)] - shape.vertices[static_cast<std::size_t>(i)];
+          const Vec2<double> arm = shape.vertices[j] - shape.vertices[i];
           const bool on_the_edge = j == i || j == (i + 1) % shape.count;
           if (on_the_edge) CHECK(std::abs(normal.dot(arm)) <= 4 * std::numeric_limits<double>::epsilon());
           if (!on_the_edge) CHECK(normal.dot(arm) < 0);

@@ -9,9 +9,12 @@
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace {
+
+using cairn::List;
 
 namespace fs = std::filesystem;
 
@@ -82,8 +85,8 @@ const double weight_of_box = 2.0 * 10.0;
 const double last_printed_digit = 1e-4;
 
 /// The headers below a folder, by their paths in it, sorted.
-std::vector<std::string> headers_below(const fs::path& root, const fs::path& folder) {
-  std::vector<std::string> headers;
+List<std::string> headers_below(const fs::path& root, const fs::path& folder) {
+  List<std::string> headers;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.path().extension() == ".hpp") headers.push_back(entry.path().lexically_relative(root).string());
   }
@@ -91,9 +94,9 @@ std::vector<std::string> headers_below(const fs::path& root, const fs::path& fol
   return headers;
 }
 
-std::vector<std::string> public_headers() {
+List<std::string> public_headers() {
   const fs::path source = fs::path(CAIRN_SOURCE_DIR) / "src";
-  std::vector<std::string> headers = {"cairn.hpp"};
+  List<std::string> headers = {"cairn.hpp"};
   std::istringstream rooms(CAIRN_PUBLIC_ROOMS);
   for (std::string room; std::getline(rooms, room, ',');) {
     for (const std::string& header : headers_below(source, source / room)) headers.push_back(header);

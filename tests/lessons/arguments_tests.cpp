@@ -2,9 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <string>
-#include <vector>
 
 #include "lessons/arguments.hpp"
+#include "math/list.hpp"
 
 using namespace cairn;
 
@@ -25,13 +25,13 @@ LessonInfo lesson_with_flags() {
   return info;
 }
 
-Options options_from(std::vector<const char*> words) {
+Options options_from(List<const char*> words) {
   words.insert(words.begin(), "lesson06_made_up");
-  return read_arguments(lesson_with_flags(), static_cast<int>(words.size()), words.data());
+  return read_arguments(lesson_with_flags(), words.size(), words.data());
 }
 
 /// What is said about the words; "" when they are accepted.
-std::string complaint_about(const std::vector<const char*>& words) {
+std::string complaint_about(const List<const char*>& words) {
   try {
     options_from(words);
   } catch (const UsageError& error) {
@@ -67,7 +67,7 @@ TEST_CASE("long flags take their value after a blank or after an equals sign, th
 TEST_CASE("negative frame numbers are values, not flags") {
   CHECK(options_from({"--frames", "-1"}).frames.first == -1);
   CHECK(options_from({"--frames=-3:-1"}).frames.first == -3);
-  CHECK(options_from({"--answer", "-0.1,2"}).answer.value() == std::vector<double>{-0.1, 2});
+  CHECK(options_from({"--answer", "-0.1,2"}).answer.value() == List<double>{-0.1, 2});
 }
 
 TEST_CASE("a value out of range is refused with its flag, meaning, range, unit and value on one line") {

@@ -11,9 +11,9 @@
 #include <regex>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "child_lesson.hpp"
+#include "math/list.hpp"
 
 namespace cairn::testing {
 namespace {
@@ -55,16 +55,16 @@ const WholeBook& whole_book() {
   return book;
 }
 
-std::vector<std::string> all_matches(const std::string& text, const std::regex& pattern) {
-  std::vector<std::string> found;
+List<std::string> all_matches(const std::string& text, const std::regex& pattern) {
+  List<std::string> found;
   for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
     found.push_back((*match)[1].str());
   return found;
 }
 
 /// "lesson06_sequential_impulses" of every lesson that was built.
-std::vector<std::string> built_lessons() {
-  std::vector<std::string> names;
+List<std::string> built_lessons() {
+  List<std::string> names;
   for (const auto& entry : fs::directory_iterator(CAIRN_BIN_DIR)) {
     const std::string name = entry.path().filename().string();
     if (std::regex_match(name, std::regex("lesson[0-9][0-9]_[a-z0-9_]+"))) names.push_back(name);
@@ -74,7 +74,7 @@ std::vector<std::string> built_lessons() {
 }
 
 /// A driver with only a few lessons beside it.
-std::string small_driver(const ScratchFolder& scratch, const std::vector<std::string>& lessons) {
+std::string small_driver(const ScratchFolder& scratch, const List<std::string>& lessons) {
   const fs::path folder = scratch.path() + "/bin";
   fs::create_directories(folder);
   fs::copy_file(CAIRN_BIN_DIR "/lessons", folder / "lessons");
@@ -85,10 +85,10 @@ std::string small_driver(const ScratchFolder& scratch, const std::vector<std::st
 /// What is wrong with the nesting of the elements of a page; empty when nothing is.
 std::string nesting_error(const std::string& page) {
   const std::set<std::string> without_end = {"meta", "link", "img", "source", "input", "br", "hr"};
-  std::vector<std::string> open;
+  List<std::string> open;
   static const std::regex tag("<(/?)([a-z][a-z0-9]*)((?:\\s+[a-z-]+(?:=\"[^\"<]*\")?)*)\\s*>");
   const std::string text = page.substr(page.find("<html"));
-  std::size_t seen = 0;
+  int seen = 0;
   for (std::sregex_iterator match(text.begin(), text.end(), tag), end; match != end; ++match, ++seen) {
     const std::string name = (*match)[2].str();
     if ((*match)[1].length() == 0) {
@@ -100,7 +100,7 @@ std::string nesting_error(const std::string& page) {
     }
   }
   // Every < is the beginning of a tag that was understood: what is text was escaped.
-  if (seen != static_cast<std::size_t>(std::count(text.begin(), text.end(), '<'))) return "a stray <";
+  if (seen != std::count(text.begin(), text.end(), '<')) return "a stray <";
   return open.empty() ? "" : "<" + open.back() + "> is not closed";
 }
 
@@ -132,7 +132,7 @@ TEST_CASE("every page of the lesson book is well formed, and every picture has i
     const std::string& page = entry.second;
     CAPTURE(name);
     CHECK(nesting_error(page) == "");
-    const std::vector<std::string> ids = all_matches(page, std::regex(" id=\"([^\"]*)\""));
+    const List<std::string> ids = all_matches(page, std::regex(" id=\"([^\"]*)\""));
     CHECK(std::set<std::string>(ids.begin(), ids.end()).size() == ids.size());
     const auto pictures = all_matches(page, std::regex("<(img) "));
     const auto described =

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<char*> pointers_to(std::vector<std::string>& words) {
-  std::vector<char*> pointers;
+List<char*> pointers_to(List<std::string>& words) {
+  List<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   return pointers;
@@ -69,20 +69,20 @@ LessonInfo made_up_lesson() {
   return info;
 }
 
-Ran run_in_child(const std::function<void(Lesson&)>& lesson, const std::vector<std::string>& flags) {
+Ran run_in_child(const std::function<void(Lesson&)>& lesson, const List<std::string>& flags) {
   return run_apart([&lesson, &flags] {
-    std::vector<std::string> words = {"lesson42_made_up"};
+    List<std::string> words = {"lesson42_made_up"};
     words.insert(words.end(), flags.begin(), flags.end());
-    std::vector<char*> pointers = pointers_to(words);
-    return run_lesson(made_up_lesson(), lesson, static_cast<int>(words.size()), pointers.data());
+    List<char*> pointers = pointers_to(words);
+    return run_lesson(made_up_lesson(), lesson, words.size(), pointers.data());
   });
 }
 
-Ran run_program(const std::string& name, const std::vector<std::string>& flags) {
+Ran run_program(const std::string& name, const List<std::string>& flags) {
   return run_apart([&name, &flags] {
-    std::vector<std::string> words = {(std::filesystem::path(CAIRN_BIN_DIR) / name).string()};
+    List<std::string> words = {(std::filesystem::path(CAIRN_BIN_DIR) / name).string()};
     words.insert(words.end(), flags.begin(), flags.end());
-    const std::vector<char*> pointers = pointers_to(words);
+    const List<char*> pointers = pointers_to(words);
     execv(pointers[0], pointers.data());
     return 127;
   });
@@ -107,8 +107,8 @@ ScratchFolder::~ScratchFolder() {
   fs::remove_all(path_, ignored);
 }
 
-std::vector<std::string> ScratchFolder::names(const std::string& below) const {
-  std::vector<std::string> names;
+List<std::string> ScratchFolder::names(const std::string& below) const {
+  List<std::string> names;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(fs::path(path_) / below, error)) {
     names.push_back(entry.path().filename().string());

@@ -3,9 +3,9 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "lessons/lesson.hpp"
+#include "math/list.hpp"
 
 namespace cairn::testing {
 
@@ -19,10 +19,10 @@ struct Ran {
 LessonInfo made_up_lesson();
 
 /// Runs `lesson` with these flags. The child's input is empty.
-Ran run_in_child(const std::function<void(Lesson&)>& lesson, const std::vector<std::string>& flags);
+Ran run_in_child(const std::function<void(Lesson&)>& lesson, const List<std::string>& flags);
 
 /// Runs a program that was built beside the tests, or that has a path of its own.
-Ran run_program(const std::string& name, const std::vector<std::string>& flags);
+Ran run_program(const std::string& name, const List<std::string>& flags);
 
 /// A shot that writes one word, with an alt text.
 Shot word_shot(const std::string& word);
@@ -36,7 +36,7 @@ class ScratchFolder {
   ScratchFolder& operator=(const ScratchFolder&) = delete;
   const std::string& path() const { return path_; }
   /// The names in a folder below it ("" for itself), sorted.
-  std::vector<std::string> names(const std::string& below = {}) const;
+  List<std::string> names(const std::string& below = {}) const;
   std::string text(const std::string& file) const;
   void write(const std::string& file, const std::string& text) const;
 

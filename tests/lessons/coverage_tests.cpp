@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
-#include <vector>
 
 #include "child_lesson.hpp"
+#include "math/list.hpp"
 
 namespace cairn::testing {
 namespace {
@@ -21,9 +22,9 @@ struct CoverMark {
   std::string check = {};
 };
 
-std::vector<CoverMark> marks_in(const fs::path& file) {
+List<CoverMark> marks_in(const fs::path& file) {
   std::ifstream stream(file);
-  std::vector<CoverMark> marks;
+  List<CoverMark> marks;
   for (std::string line; std::getline(stream, line);) {
     if (line.empty() || line.front() == '#') continue;
     std::istringstream parts(line);
@@ -36,7 +37,7 @@ std::vector<CoverMark> marks_in(const fs::path& file) {
   return marks;
 }
 
-void check_marks(const std::string& lesson, const std::vector<CoverMark>& marks) {
+void check_marks(const std::string& lesson, const List<CoverMark>& marks) {
   const ScratchFolder folder;
   REQUIRE(run_program("lesson" + lesson, {"-q", "--frames", "cover", "-o", folder.path()}).code == 0);
   const auto run = nlohmann::json::parse(folder.text("run.json"));

@@ -3,9 +3,9 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 #include "child_lesson.hpp"
+#include "math/list.hpp"
 #include "render/image.hpp"
 
 using namespace cairn;
@@ -13,7 +13,7 @@ using namespace cairn::testing;
 
 namespace {
 
-using Names = std::vector<std::string>;
+using Names = List<std::string>;
 
 /// Three frames and a row of data.
 void film_three(Lesson& lesson) {
@@ -23,7 +23,7 @@ void film_three(Lesson& lesson) {
   table.rows.back().emplace_back(1LL);
   table.rows.back().emplace_back(0.1);
   lesson.data(table);
-  lesson.fingerprint(std::vector<double>{0.1});
+  lesson.fingerprint(List<double>{0.1});
 }
 
 Ran film_into(const ScratchFolder& folder, Names flags) {
@@ -174,7 +174,7 @@ TEST_CASE("a shot without alt text, too many key frames and a second film are mi
   Shot mute = word_shot("one");
   mute.alt.clear();
   CHECK(code([&mute](Lesson& run) { run.film({mute}); }) == 1);
-  CHECK(code([](Lesson& run) { run.film(std::vector<Shot>(13, word_shot("one"))); }) == 1);
+  CHECK(code([](Lesson& run) { run.film(List<Shot>(13, word_shot("one"))); }) == 1);
   CHECK(code([](Lesson& run) {
           run.film({});
           run.film({});

@@ -2,23 +2,23 @@
 #include <doctest/doctest.h>
 
 #include <stdexcept>
-#include <vector>
 
 #include "lessons/frames.hpp"
+#include "math/list.hpp"
 
 using namespace cairn;
 
 namespace {
 
-using Indices = std::vector<std::size_t>;
+using Chosen = List<int>;
 
 FrameSupply supply_of_ten() {
-  FrameSupply supply = {.key = std::vector<bool>(10, false), .cover = -2};
+  FrameSupply supply = {.key = List<bool>(10, false), .cover = -2};
   supply.key[0] = supply.key[4] = supply.key[9] = true;
   return supply;
 }
 
-Indices frames_for(const char* text) {
+Chosen frames_for(const char* text) {
   const auto choice = parse_frames(text);
   REQUIRE_MESSAGE(choice, std::string(text));
   return chosen_frames(*choice, supply_of_ten());
@@ -27,25 +27,25 @@ Indices frames_for(const char* text) {
 }  // namespace
 
 TEST_CASE("frames are counted from one at the front and from minus one at the back") {
-  CHECK(frames_for("1") == Indices{0});
-  CHECK(frames_for("10") == Indices{9});
-  CHECK(frames_for("-1") == Indices{9});
-  CHECK(frames_for("-10") == Indices{0});
+  CHECK(frames_for("1") == Chosen{0});
+  CHECK(frames_for("10") == Chosen{9});
+  CHECK(frames_for("-1") == Chosen{9});
+  CHECK(frames_for("-10") == Chosen{0});
 }
 
 TEST_CASE("a range holds both its ends, and takes every S-th frame when asked") {
-  CHECK(frames_for("3:5") == Indices{2, 3, 4});
-  CHECK(frames_for("2:9:3") == Indices{1, 4, 7});
-  CHECK(frames_for("-3:-1") == Indices{7, 8, 9});
-  CHECK(frames_for("8:-1:2") == Indices{7, 9});
-  CHECK(frames_for("9:200") == Indices{8, 9});
+  CHECK(frames_for("3:5") == Chosen{2, 3, 4});
+  CHECK(frames_for("2:9:3") == Chosen{1, 4, 7});
+  CHECK(frames_for("-3:-1") == Chosen{7, 8, 9});
+  CHECK(frames_for("8:-1:2") == Chosen{7, 9});
+  CHECK(frames_for("9:200") == Chosen{8, 9});
 }
 
 TEST_CASE("key, all, none and cover choose what they say") {
-  CHECK(frames_for("key") == Indices{0, 4, 9});
+  CHECK(frames_for("key") == Chosen{0, 4, 9});
   CHECK(frames_for("all").size() == 10);
   CHECK(frames_for("none").empty());
-  CHECK(frames_for("cover") == Indices{8});
+  CHECK(frames_for("cover") == Chosen{8});
 }
 
 TEST_CASE("a choice of frames that cannot be read is refused") {
@@ -63,8 +63,8 @@ TEST_CASE("frames that the sequence does not have are reported") {
 
 TEST_CASE("twelve key frames are allowed, a thirteenth is a mistake of the lesson") {
   const FrameChoice key = {};
-  CHECK(chosen_frames(key, {.key = std::vector<bool>(12, true)}).size() == 12);
-  CHECK_THROWS_AS(chosen_frames(key, {.key = std::vector<bool>(13, true)}), std::logic_error);
+  CHECK(chosen_frames(key, {.key = List<bool>(12, true)}).size() == 12);
+  CHECK_THROWS_AS(chosen_frames(key, {.key = List<bool>(13, true)}), std::logic_error);
 }
 
 TEST_CASE("a cover that is none of the frames is a mistake of the lesson") {

@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "../images/golden.hpp"
 #include "child_lesson.hpp"
+#include "math/list.hpp"
 
 namespace cairn::testing {
 
@@ -31,7 +31,7 @@ bool is_of_the_atlas(const std::string& name) { return name.starts_with("atlas_"
 TEST_CASE("the pictures of the documents are what the lessons draw now") {
   const ScratchFolder scratch;
   REQUIRE(draw_images(scratch) == 0);
-  const std::vector<std::string> drawn = scratch.names("images");
+  const List<std::string> drawn = scratch.names("images");
   CHECK(drawn.size() >= 8);  // two themes of at least four lessons
   test::golden::Place place = test::golden::default_place();
   place.goldens = std::filesystem::path(CAIRN_SOURCE_DIR) / "images";

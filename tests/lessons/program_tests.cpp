@@ -6,15 +6,17 @@
 #include <string>
 
 #include "child_lesson.hpp"
+#include "math/list.hpp"
 
 using namespace cairn::testing;
+using cairn::List;
 
 namespace {
 
 const char* const first_lesson = "lesson00_one_body";
 
 /// Runs the driver in a folder.
-Ran drive_in(const ScratchFolder& folder, const std::vector<std::string>& words) {
+Ran drive_in(const ScratchFolder& folder, const List<std::string>& words) {
   const auto before = std::filesystem::current_path();
   std::filesystem::current_path(folder.path());
   const Ran ran = run_program("lessons", words);
@@ -76,7 +78,7 @@ namespace {
 /// The driver and lesson 02 in a folder of their own, with an exercise that ends with this exit code, or
 /// none.
 Ran drive_beside_exercise(const ScratchFolder& folder, std::optional<int> exercise_code,
-                          const std::vector<std::string>& words) {
+                          const List<std::string>& words) {
   namespace fs = std::filesystem;
   const fs::path bin = fs::path(folder.path()) / "bin";
   fs::create_directories(bin);
@@ -103,7 +105,7 @@ TEST_CASE("a passed exercise is noted once, next goes on behind it, and then its
   const std::string notes = folder.text("lessons-progress.txt");
   CHECK(notes.rfind("02 passed 20", 0) == 0);
   CHECK(notes.size() == std::string("02 passed 2026-11-20\n").size());
-  CHECK(folder.names() == std::vector<std::string>{"bin", "lessons-progress.txt"});
+  CHECK(folder.names() == List<std::string>{"bin", "lessons-progress.txt"});
   CHECK_FALSE(tells(drive_beside_exercise(folder, 0, {"next"}).out, "Next is lesson 2;"));
   CHECK(tells(drive_beside_exercise(folder, 0, {"progress"}).out, "1 of 1"));
   const Ran solution = drive_beside_exercise(folder, 0, {"solution", "2"});
@@ -116,12 +118,12 @@ TEST_CASE(
   const ScratchFolder folder;
   CHECK(drive_beside_exercise(folder, 1, {"check", "2"}).code == 1);
   CHECK(drive_beside_exercise(folder, 1, {"check", "--all"}).code == 0);
-  CHECK(folder.names() == std::vector<std::string>{"bin"});
+  CHECK(folder.names() == List<std::string>{"bin"});
   const ScratchFolder elsewhere;
   const Ran ran = drive_beside_exercise(elsewhere, std::nullopt, {"check", "2"});
   CHECK(ran.code == 3);
   CHECK(tells(ran.err, "bash lessons/run check 2 builds it"));
-  CHECK(elsewhere.names() == std::vector<std::string>{"bin"});
+  CHECK(elsewhere.names() == List<std::string>{"bin"});
 }
 
 TEST_CASE("the doctor draws a picture and leaves nothing behind") {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "child_lesson.hpp"
+#include "math/list.hpp"
 #include "render/image.hpp"
 
 using namespace cairn;
@@ -15,7 +16,7 @@ namespace {
 
 bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-int code_of(const std::function<void(Lesson&)>& lesson, const std::vector<std::string>& flags = {}) {
+int code_of(const std::function<void(Lesson&)>& lesson, const List<std::string>& flags = {}) {
   return run_in_child(lesson, flags).code;
 }
 
@@ -86,7 +87,7 @@ TEST_CASE(
         lesson.detail("a detail");
         lesson.answer({42}, 0, "By counting.");
         lesson.check_that("it is", true, "42");
-        lesson.fingerprint(std::vector<double>{42});
+        lesson.fingerprint(List<double>{42});
       },
       {"--dt", "1/60"});
   std::size_t at = 0;
@@ -141,7 +142,7 @@ TEST_CASE("an answer on the command line is judged, and a wrong one gives exit c
 }
 
 TEST_CASE("the state of a run can be demanded of the next") {
-  const auto lesson = [](Lesson& run) { run.fingerprint(std::vector<double>{}); };
+  const auto lesson = [](Lesson& run) { run.fingerprint(List<double>{}); };
   CHECK(code_of(lesson, {"--expect", "cbf29ce484222325"}) == 0);  // FNV-1a of nothing: its offset basis
   CHECK(code_of(lesson, {"--expect", "cbf29ce484222326"}) == 1);
   CHECK(code_of([](Lesson&) {}, {"--expect", "cbf29ce484222325"}) == 1);

@@ -1,11 +1,11 @@
 // cairn extremes --atlas: its pictures, and what it says of their layout.
 #include <doctest/doctest.h>
 
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "math/list.hpp"
 #include "render/image.hpp"
 #include "sandbox_program.hpp"
 
@@ -15,19 +15,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::array<const char*, 5> atlas_maps = {"mass-ratio", "stack", "chain", "springs", "origin"};
+const FixedList<const char*, 5> atlas_maps = {"mass-ratio", "stack", "chain", "springs", "origin"};
 
 /// A journal of all cells, with endings that a run would not give: the two lines of `begun` that name the
 /// study, and then classes in turns, a few cells long.
 void write_made_up_journal(const fs::path& begun, const fs::path& path, int cells) {
-  const std::array<const char*, 6> endings = {"holds",    "strained", "failed",
-                                              "exploded", "refused",  "not run"};
+  const FixedList<const char*, 6> endings = {"holds", "strained", "failed", "exploded", "refused", "not run"};
   std::ifstream in(begun);
   std::ofstream out(path);
   std::string line;
   for (int i = 0; i < 2 && std::getline(in, line); ++i) out << line << '\n';
   for (int cell = 0; cell < cells; ++cell) {
-    out << cell << ",m,s,p,1,1," << endings[static_cast<std::size_t>(cell / 4 % 6)] << ",0,0\n";
+    out << cell << ",m,s,p,1,1," << endings[cell / 4 % 6] << ",0,0\n";
   }
 }
 

@@ -2,10 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 
+#include "math/list.hpp"
 #include "render/image.hpp"
 #include "render/theme.hpp"
 #include "sandbox_program.hpp"
@@ -28,11 +27,11 @@ bool rows_differ(const render::Image& first, const render::Image& second, int to
 /// Pixels of the colour that bodies have in the light theme, to a few levels.
 int body_pixels(const render::Image& image) {
   const render::Color body = render::light_theme().body;
-  const std::array<float, 3> wanted = {body.r, body.g, body.b};
+  const FixedList<float, 3> wanted = {body.r, body.g, body.b};
   int count = 0;
-  for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+  for (int i = 0; i < image.pixels.size(); i += 3) {
     bool is_near = true;
-    for (std::size_t k = 0; k < 3; ++k)
+    for (int k = 0; k < 3; ++k)
       is_near = is_near && std::abs(image.pixels[i + k] - 255 * static_cast<double>(wanted[k])) < 4;
     count += is_near ? 1 : 0;
   }
@@ -60,7 +59,7 @@ TEST_CASE("a film of a step that could not be done ends with a frame of the stat
   // In the first of four steps, to 10 s, the ball would get to 1.7e309 m.
   CHECK(text_has(ran.out, "nan after 10 s: body 6 would not be finite"));
   CHECK_FALSE(text_has(ran.out, "inf m"));  // how far bodies came means nothing then
-  CHECK(folder.names("film") == std::vector<std::string>{"0000.png", "0001.png", "frames.json"});
+  CHECK(folder.names("film") == List<std::string>{"0000.png", "0001.png", "frames.json"});
   const render::Image start = render::read_png(film + "/0000.png");
   const render::Image end = render::read_png(film + "/0001.png");
   CHECK_FALSE(rows_differ(start, end, world_top, world_bottom));
@@ -74,7 +73,7 @@ TEST_CASE("a film of a run that diverges ends with the frame in which it did, du
                              "--frames", folder.path() + "/film"});
   CHECK(ran.code == 4);
   CHECK(text_has(ran.out, "diverged after 0.0167 s"));
-  CHECK(folder.names("film") == std::vector<std::string>{"0000.png", "0001.png", "frames.json"});
+  CHECK(folder.names("film") == List<std::string>{"0000.png", "0001.png", "frames.json"});
 }
 
 TEST_CASE("what flies off does not make the rest of a film small") {

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <thread>
 
+#include "math/list.hpp"
 #include "measure/csv.hpp"
 #include "render/image.hpp"
 #include "sandbox_program.hpp"
@@ -24,18 +25,18 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A short, small film of the stack into a folder: 7 frames, at 0, 0.1 ... 0.6 s.
-std::vector<std::string> small_film(const std::string& folder) {
+List<std::string> small_film(const std::string& folder) {
   return {"run", "stack", "--seconds", "0.6s", "--fps", "10", "--size", "320x180", "--frames", folder};
 }
 
-std::vector<std::string> frame_names(int count) {
-  std::vector<std::string> names;
+List<std::string> frame_names(int count) {
+  List<std::string> names;
   for (int i = 0; i < count; ++i) names.push_back("000" + std::to_string(i) + ".png");
   return names;
 }
 
 /// Starts a film and interrupts it once there is a frame. The exit code.
-int run_interrupted(const std::string& folder, const std::vector<std::string>& flags) {
+int run_interrupted(const std::string& folder, const List<std::string>& flags) {
   const pid_t child = started_cairn(flags, "/dev/null");
   int status = 0;
   bool is_sent = false;
@@ -75,17 +76,16 @@ TEST_CASE(
   const nlohmann::json run = cairn_json({"run", "double-pendulum", "--seconds", "0.5s", "--csv", path});
   std::ifstream stream(path);
   const CsvTable table = read_csv(stream, path);
-  REQUIRE(table.rows.size() == run["steps"].get<std::size_t>() + 1);
+  REQUIRE(table.rows.size() == run["steps"].get<int>() + 1);
   const auto column = [&table](const std::string& name) {
-    return static_cast<std::size_t>(std::find(table.header.begin(), table.header.end(), name) -
-                                    table.header.begin());
+    return std::find(table.header.begin(), table.header.end(), name) - table.header.begin();
   };
   const auto number = [](const CsvCell& cell) {
     return std::holds_alternative<double>(cell) ? std::get<double>(cell)
                                                 : static_cast<double>(std::get<long long>(cell));
   };
   double worst_drift = 0, updates = 0;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+  for (int i = 0; i < table.rows.size(); ++i) {
     CHECK(number(table.rows[i][column("time_s")]) ==
           doctest::Approx(static_cast<double>(i) * run["dt_s"].get<double>()));
     worst_drift = std::max(worst_drift, number(table.rows[i][column("drift")]));
@@ -103,7 +103,7 @@ TEST_CASE("a film is whole frames from 0000 and a note; the same command draws o
   const ScratchFolder folder;
   const Ran first = run_cairn(small_film(folder.path() + "/film"));
   CHECK(first.code == 0);
-  std::vector<std::string> names = frame_names(7);
+  List<std::string> names = frame_names(7);
   names.push_back("frames.json");
   CHECK(folder.names("film") == names);
   CHECK(nlohmann::json::parse(folder.text("film/frames.json"))["frames"] == 7);
@@ -121,7 +121,7 @@ TEST_CASE("a film is whole frames from 0000 and a note; the same command draws o
   CHECK(folder.text("film/0006.png") == last);
   CHECK(folder.names("film") == names);
   // Another film in the same folder begins anew.
-  std::vector<std::string> other = small_film(folder.path() + "/film");
+  List<std::string> other = small_film(folder.path() + "/film");
   other.insert(other.end(), {"--theme", "dark"});
   CHECK_FALSE(text_has(run_cairn(other).out, "were there"));
   CHECK(folder.text("film/0002.png") != "marked");
@@ -131,14 +131,14 @@ TEST_CASE("a film is whole frames from 0000 and a note; the same command draws o
 TEST_CASE("a film that is interrupted leaves whole frames, and goes on where it was") {
   const ScratchFolder folder;
   const std::string film = folder.path() + "/film";
-  const std::vector<std::string> flags = {"run",    "pyramid", "--seconds", "1s", "--fps",    "40",
-                                          "--size", "large",   "--frames",  film, "--sweeps", "4"};
+  const List<std::string> flags = {"run",    "pyramid", "--seconds", "1s", "--fps",    "40",
+                                   "--size", "large",   "--frames",  film, "--sweeps", "4"};
   CHECK(run_interrupted(film, flags) == 130);
-  const std::vector<std::string> names = folder.names("film");
-  const std::size_t frames = names.size() - 1;  // beside the note
+  const List<std::string> names = folder.names("film");
+  const int frames = names.size() - 1;  // beside the note
   CHECK(frames >= 1);
   CHECK(frames < 41);
-  for (std::size_t i = 0; i < frames; ++i) CHECK(render::read_png(film + "/" + names[i]).width == 1920);
+  for (int i = 0; i < frames; ++i) CHECK(render::read_png(film + "/" + names[i]).width == 1920);
   const Ran rest = run_cairn(flags);
   CHECK(rest.code == 0);
   CHECK(text_has(rest.out, "(" + std::to_string(frames) + " frames were there)"));
@@ -151,7 +151,7 @@ TEST_CASE("a folder with numbered pictures of somebody else's is left alone") {
   const Ran ran = run_cairn(small_film(folder.path() + "/holiday"));
   CHECK(ran.code == 3);
   CHECK(text_has(ran.err, "no film of cairn"));
-  CHECK(folder.names("holiday") == std::vector<std::string>{"0001.png"});
+  CHECK(folder.names("holiday") == List<std::string>{"0001.png"});
   CHECK(run_cairn(small_film("/dev/null/film")).code == 3);
 }
 
@@ -159,10 +159,9 @@ TEST_CASE("films in one file: APNG always, GIF and WebP where their programs are
   const ScratchFolder folder;
   fs::create_directories(folder.path() + "/programs");
   const std::string apng = folder.path() + "/film.png", gif = folder.path() + "/film.gif";
-  const std::vector<std::string> run = {"run",   "stack", "--seconds", "0.2s",
-                                        "--fps", "10",    "--size",    "320x180"};
-  const auto with = [&run](const std::vector<std::string>& more) {
-    std::vector<std::string> words = run;
+  const List<std::string> run = {"run", "stack", "--seconds", "0.2s", "--fps", "10", "--size", "320x180"};
+  const auto with = [&run](const List<std::string>& more) {
+    List<std::string> words = run;
     words.insert(words.end(), more.begin(), more.end());
     return run_cairn(words);
   };
@@ -184,7 +183,7 @@ TEST_CASE("films in one file: APNG always, GIF and WebP where their programs are
   const Ran failed = with({"--webp", folder.path() + "/film.webp"});
   CHECK(failed.code == 3);
   CHECK_FALSE(fs::exists(folder.path() + "/film.webp"));
-  CHECK(folder.names() == std::vector<std::string>{"film.gif", "film.png", "programs"});
+  CHECK(folder.names() == List<std::string>{"film.gif", "film.png", "programs"});
 }
 
 TEST_CASE("a comparison is drawn side by side, with as many frames as its longest run") {
@@ -193,7 +192,7 @@ TEST_CASE("a comparison is drawn side by side, with as many frames as its longes
   const Ran ran = run_cairn({"compare", "ragdoll", "--solvers", "si,jacobi", "--seconds", "0.3s", "--fps",
                              "10", "--size", "small", "--frames", folder.path() + "/film"});
   CHECK(ran.code == 4);
-  std::vector<std::string> names = frame_names(4);
+  List<std::string> names = frame_names(4);
   names.push_back("frames.json");
   CHECK(folder.names("film") == names);
   CHECK(render::read_png(folder.path() + "/film/0003.png").height == 360);

@@ -8,18 +8,18 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 #include "child_lesson.hpp"
+#include "math/list.hpp"
 
 namespace cairn::testing {
 
-inline Ran run_cairn(const std::vector<std::string>& words) { return run_program("cairn", words); }
+inline Ran run_cairn(const List<std::string>& words) { return run_program("cairn", words); }
 
 /// Starts it with its stdout in a file, and says nothing of errors; the caller waits for it.
-inline pid_t started_cairn(std::vector<std::string> words, const std::string& out) {
+inline pid_t started_cairn(List<std::string> words, const std::string& out) {
   words.insert(words.begin(), std::string(CAIRN_BIN_DIR) + "/cairn");
-  std::vector<char*> pointers;
+  List<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   const pid_t child = fork();
@@ -36,7 +36,7 @@ inline pid_t started_cairn(std::vector<std::string> words, const std::string& ou
 }
 
 /// What it says with --json.
-inline nlohmann::json cairn_json(std::vector<std::string> words) {
+inline nlohmann::json cairn_json(List<std::string> words) {
   words.push_back("--json");
   const Ran ran = run_cairn(words);
   CAPTURE(ran.err);

@@ -11,16 +11,17 @@
 #include <sstream>
 #include <string>
 #include <thread>
-#include <vector>
 
-#include "sandbox_program.hpp"
+#include "math/list.hpp"
 #include "measure/csv.hpp"
+#include "sandbox_program.hpp"
 
 using namespace cairn::testing;
+using cairn::List;
 
 namespace {
 
-using Flags = std::vector<std::string>;
+using Flags = List<std::string>;
 
 /// Every number of it depends on nothing but the code: quick studies of single steps take no times.
 Ran study_in(const ScratchFolder& folder, const std::string& scene, const Flags& flags) {
@@ -75,12 +76,14 @@ TEST_CASE("the table, the CSV and the JSON of a study hold the same numbers") {
   std::istringstream file(folder.text("ratio100.csv"));
   const cairn::CsvTable table = cairn::read_csv(file, "ratio100.csv");
   REQUIRE(table.rows.size() == rows.size() + 1);  // the units come first
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t k = 0; k < table.header.size(); ++k) {
-      const nlohmann::json& cell = rows[i].at(table.header[k]);
-      if (const auto* number = std::get_if<double>(&table.rows[i + 1][k])) CHECK(cell == *number);
-      if (const auto* whole = std::get_if<long long>(&table.rows[i + 1][k])) CHECK(cell == *whole);
-      if (const auto* text = std::get_if<std::string>(&table.rows[i + 1][k])) CHECK(cell == *text);
+  int line = 0;
+  for (const nlohmann::json& row : rows) {
+    const List<cairn::CsvCell>& cells = table.rows[++line];
+    for (int k = 0; k < table.header.size(); ++k) {
+      const nlohmann::json& cell = row.at(table.header[k]);
+      if (const auto* number = std::get_if<double>(&cells[k])) CHECK(cell == *number);
+      if (const auto* whole = std::get_if<long long>(&cells[k])) CHECK(cell == *whole);
+      if (const auto* text = std::get_if<std::string>(&cells[k])) CHECK(cell == *text);
     }
   }
   double least = 1e300;  // row updates to R_E <= 1e-2 from a cold start

@@ -4,15 +4,16 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 #include "child_lesson.hpp"
+#include "math/list.hpp"
 
 using namespace cairn::testing;
+using cairn::List;
 
 namespace {
 
-using Words = std::vector<std::string>;
+using Words = List<std::string>;
 
 Ran cairn_with(const Words& words) { return run_program("cairn", words); }
 
@@ -59,7 +60,7 @@ TEST_CASE("cairn and each of its verbs explain themselves") {
 }
 
 TEST_CASE("words that no verb knows are refused in one line that helps") {
-  for (const BadInput& bad : std::vector<BadInput>{
+  for (const BadInput& bad : List<BadInput>{
            {{"tradeof"}, {"no verb tradeof", "did you mean tradeoff?"}},
            {{"dance"}, {"no verb dance", "freeze, tradeoff, tune, validate"}},
            {{"tune", "stack", "--penetraton", "2mm"},
@@ -77,7 +78,7 @@ TEST_CASE("words that no verb knows are refused in one line that helps") {
 }
 
 TEST_CASE("values that mean nothing are refused in one line with flag, rule and value") {
-  for (const BadInput& bad : std::vector<BadInput>{
+  for (const BadInput& bad : List<BadInput>{
            {{"freeze", "stak"}, {"SCENE must be", "got stak", "did you mean stack?"}},
            {{"freeze", "stack", "--step", "-1"},
             {"--step must be a whole number from 0 to 1000000", "got -1"}},
@@ -105,7 +106,7 @@ TEST_CASE("values that mean nothing are refused in one line with flag, rule and 
 
 TEST_CASE("a study that cannot be done is refused before anything is written") {
   const ScratchFolder folder;
-  for (const BadInput& bad : std::vector<BadInput>{
+  for (const BadInput& bad : List<BadInput>{
            {{"stak"}, {"SCENE", "got stak"}},
            {{"stack10", "--level", "3"}, {"--level must be a whole number from 1 to 2", "got 3"}},
            {{"stack10", "--level", "2"}, {"level 2", "got stack10"}},

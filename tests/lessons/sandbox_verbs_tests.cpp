@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "math/list.hpp"
 #include "render/image.hpp"
 #include "sandbox_program.hpp"
 
@@ -16,14 +17,14 @@ TEST_CASE("every verb that takes a scene takes a file of one's own, and refuses 
   const std::string scene = scratch.path() + "/own.toml", out = scratch.path() + "/out";
   scratch.write("own.toml",
                 "seconds = 0.5\n[ground]\n[[body]]\nname = \"a\"\nbox = [1, 1]\nposition = [0, 0.5]\n");
-  using Flags = std::vector<std::string>;
-  const std::vector<Flags> verbs = {{"run"},
-                                    {"explain"},
-                                    {"compare", "--solvers", "si,accelerated"},
-                                    {"inspect", "--step", "2"},
-                                    {"freeze", "--step", "2", "--out", scratch.path() + "/own.json"},
-                                    {"tune", "--penetration", "10mm", "--starts", "1", "--solvers", "si"},
-                                    {"tradeoff", "--quick", "--solvers", "si", "--out", out}};
+  using Flags = List<std::string>;
+  const List<Flags> verbs = {{"run"},
+                             {"explain"},
+                             {"compare", "--solvers", "si,accelerated"},
+                             {"inspect", "--step", "2"},
+                             {"freeze", "--step", "2", "--out", scratch.path() + "/own.json"},
+                             {"tune", "--penetration", "10mm", "--starts", "1", "--solvers", "si"},
+                             {"tradeoff", "--quick", "--solvers", "si", "--out", out}};
   for (const Flags& verb : verbs) {
     CAPTURE(verb.front());
     const auto with = [&](const std::string& name) {
@@ -96,10 +97,10 @@ TEST_CASE("two runs by one command end in the same state") {
 
 TEST_CASE("what the verbs cannot understand they refuse with a hint, before any work") {
   struct Refusal {
-    std::vector<std::string> words;
+    List<std::string> words;
     std::string says;
   };
-  const std::vector<Refusal> refusals = {
+  const List<Refusal> refusals = {
       {{"run", "stac"}, "stack"},
       {{"run"}, "a word is missing"},
       {{"run", "stack", "--solver", "jakobi"}, "did you mean jacobi?"},

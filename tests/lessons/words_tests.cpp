@@ -2,9 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <string>
-#include <vector>
 
 #include "lessons/words.hpp"
+#include "math/list.hpp"
 
 using namespace cairn;
 
@@ -26,7 +26,7 @@ TEST_CASE("what is no finite number is refused") {
 
 TEST_CASE("a list of numbers holds one number between every two commas") {
   REQUIRE(parse_numbers("1, -2,1/4"));
-  CHECK(*parse_numbers("1, -2,1/4") == std::vector<double>{1, -2, 0.25});
+  CHECK(*parse_numbers("1, -2,1/4") == List<double>{1, -2, 0.25});
   CHECK_FALSE(parse_numbers("1,,2"));
   CHECK_FALSE(parse_numbers("1,"));
   CHECK_FALSE(parse_numbers(""));

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "../geometry/random_shapes.hpp"
+#include "math/list.hpp"
 #include "measure/csv.hpp"
 
 using namespace cairn;
@@ -20,8 +21,8 @@ std::string text_of_table(const CsvTable& table) {
 }
 
 /// The cells of CSV text, line by line: quotes taken off, doubled quotes single.
-std::vector<std::vector<std::string>> parsed(const std::string& text) {
-  std::vector<std::vector<std::string>> lines(1, std::vector<std::string>(1));
+List<List<std::string>> parsed(const std::string& text) {
+  List<List<std::string>> lines(1, List<std::string>(1));
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
@@ -60,9 +61,9 @@ TEST_CASE("numbers read back bit-equal") {
                                std::numeric_limits<double>::max(), std::numeric_limits<double>::infinity()}) {
     table.rows.push_back({special});
   }
-  const std::vector<std::vector<std::string>> lines = parsed(text_of_table(table));
+  const List<List<std::string>> lines = parsed(text_of_table(table));
   REQUIRE(lines.size() == table.rows.size() + 1);
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+  for (int i = 0; i < table.rows.size(); ++i) {
     const double written = std::get<double>(table.rows[i][0]);
     const double read = std::strtod(lines[i + 1][0].c_str(), nullptr);
     CHECK(read == written);
@@ -71,10 +72,10 @@ TEST_CASE("numbers read back bit-equal") {
 }
 
 TEST_CASE("text with commas, quotes and line breaks reads back as it was") {
-  const std::vector<std::string> texts = {"plain", "a, b", "say \"so\"", "two\nlines", ""};
+  const List<std::string> texts = {"plain", "a, b", "say \"so\"", "two\nlines", ""};
   CsvTable table{.header = texts};
   table.rows.push_back({texts.begin(), texts.end()});
-  const std::vector<std::vector<std::string>> lines = parsed(text_of_table(table));
+  const List<List<std::string>> lines = parsed(text_of_table(table));
   REQUIRE(lines.size() == 2);
   CHECK(lines[0] == texts);
   CHECK(lines[1] == texts);

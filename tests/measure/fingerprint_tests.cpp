@@ -4,6 +4,7 @@
 #include <bit>
 #include <string>
 
+#include "math/list.hpp"
 #include "measure/fingerprint.hpp"
 
 using namespace cairn;
@@ -19,7 +20,7 @@ std::uint64_t hash_of_text(std::string_view text) {
 Snapshot snapshot_of_one_body() {
   Snapshot snapshot;
   snapshot.bodies.resize(1);
-  snapshot.bodies[0].pose.position = {1, 2};
+  snapshot.bodies[{0}].pose.position = {1, 2};
   return snapshot;
 }
 
@@ -36,16 +37,16 @@ TEST_CASE("a number is hashed as its eight bytes, the lowest first") {
   const auto bits = std::bit_cast<std::uint64_t>(1.5);
   std::string bytes;
   for (int i = 0; i < 8; ++i) bytes += static_cast<char>(bits >> (8 * i) & 0xFFu);
-  CHECK(fingerprint_of(std::vector<double>{1.5}) == hash_of_text(bytes));
-  CHECK(fingerprint_of(std::vector<double>{}) == hash_of_text(""));
+  CHECK(fingerprint_of(List<double>{1.5}) == hash_of_text(bytes));
+  CHECK(fingerprint_of(List<double>{}) == hash_of_text(""));
 }
 
 TEST_CASE("two states that differ in one bit have two fingerprints") {
   const Snapshot state = snapshot_of_one_body();
   Snapshot moved = state;
-  moved.bodies[0].pose.position.x() = std::nextafter(1.0, 2.0);
+  moved.bodies[{0}].pose.position.x() = std::nextafter(1.0, 2.0);
   Snapshot turning = state;
-  turning.bodies[0].velocity.z() = 1e-300;
+  turning.bodies[{0}].velocity.z() = 1e-300;
   CHECK(fingerprint_of(state) == fingerprint_of(snapshot_of_one_body()));
   CHECK(fingerprint_of(state) != fingerprint_of(moved));
   CHECK(fingerprint_of(state) != fingerprint_of(turning));

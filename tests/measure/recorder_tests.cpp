@@ -12,9 +12,9 @@ TEST_CASE("a recorder keeps the start and every sweep, and the residual falls fr
     REQUIRE(recorder.sweeps().size() == 6);
     CHECK(recorder.rows().empty());
     CHECK(recorder.sweeps()[0].residual_energy == doctest::Approx(1));
-    CHECK(recorder.sweeps()[0].impulse == std::vector<double>{0, 0, 0});
-    for (std::size_t k = 1; k < 6; ++k) {
-      CHECK(recorder.sweeps()[k].sweep == static_cast<int>(k));
+    CHECK(recorder.sweeps()[0].impulse == PerRow<double>{0, 0, 0});
+    for (int k = 1; k < 6; ++k) {
+      CHECK(recorder.sweeps()[k].sweep == k);
       CHECK(recorder.sweeps()[k].residual_energy < recorder.sweeps()[k - 1].residual_energy);
     }
     CHECK(recorder.sweeps()[5].impulse == problem.impulse);
@@ -29,7 +29,7 @@ TEST_CASE("sweep 0 of a recorder is the warm start, applied") {
     SweepRecorder<double> recorder;
     make({.iterations = 1})->solve(problem, &recorder);
     CHECK(recorder.sweeps()[0].residual_energy <= 8 * double_epsilon);
-    CHECK(recorder.sweeps()[0].impulse == std::vector<double>{2 * fall, fall});
+    CHECK(recorder.sweeps()[0].impulse == PerRow<double>{2 * fall, fall});
   }
 }
 
@@ -48,8 +48,8 @@ TEST_CASE("a recorder of rows sees each update: j v, the correction, and the imp
     CHECK(first.corrective == doctest::Approx(fall));
     CHECK(first.impulse_before == 0);
     CHECK(first.impulse_after == doctest::Approx(fall));
-    CHECK(std::abs(recorder.rows()[0].velocity[1].y()) <= double_epsilon);  // the lower box stands,
-    CHECK(recorder.rows()[0].velocity[2].y() == doctest::Approx(-fall));    // the upper one still falls
+    CHECK(std::abs(recorder.rows()[0].velocity[{1}].y()) <= double_epsilon);  // the lower box stands,
+    CHECK(recorder.rows()[0].velocity[{2}].y() == doctest::Approx(-fall));    // the upper one still falls
     const RowUpdate<double>& second = recorder.rows()[1].update;
     CHECK(second.row == 1);
     CHECK(second.inverse_mass == doctest::Approx(1 + 1.0 / 3));

@@ -25,15 +25,13 @@ VelocityProblem<double> sliding_box() {
 
 /// Gives every body the impulses that the problem holds.
 void apply_all(VelocityProblem<double>& problem) {
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    apply_impulse(problem, problem.rows[i], problem.impulse[i]);
-  }
+  for (int i = 0; i < problem.row_count(); ++i) apply_impulse(problem, problem.rows[i], problem.impulse[i]);
 }
 
 /// The same rows in other units: row i times the i-th factor, so that its impulse is divided by it. A
 /// friction row keeps its normal row's factor, or its bound would have another meaning.
-VelocityProblem<double> in_other_units(VelocityProblem<double> problem, const std::vector<double>& factors) {
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+VelocityProblem<double> in_other_units(VelocityProblem<double> problem, const PerRow<double>& factors) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     problem.rows[i].jacobian_a *= factors[i];
     problem.rows[i].jacobian_b *= factors[i];
     problem.rows[i].bias *= factors[i];
@@ -74,7 +72,7 @@ TEST_CASE("an impulse that pulls is a residual, even where the velocity is right
   CHECK(residual(problem, scale).energy == 0);  // it leaves, and nothing holds it
   problem.impulse[0] = -6;                      // glue
   apply_all(problem);
-  CHECK(problem.velocity[1].y() == 0);
+  CHECK(problem.velocity[{1}].y() == 0);
   // e = -6 - max(-6 - 0, 0) = -6 N s, of which 1/2 A e^2 with A = 1/2 is all of its energy.
   CHECK(residual(problem, scale).energy == doctest::Approx(1).epsilon(4 * double_epsilon));
   CHECK(residual(problem, scale).velocity == 3);
@@ -108,7 +106,7 @@ TEST_CASE("the residual does not change when rows are written in other units") {
   VelocityProblem<double> problem = sliding_box();
   problem.rows[4].softness = 0.25;
   problem.impulse = {0.05, 0.01, 0.1, -0.02, 0.03};
-  const std::vector<double> factors = {10, 10, 0.001, 0.001, 77};
+  const PerRow<double> factors = {10, 10, 0.001, 0.001, 77};
   const VelocityProblem<double> other = in_other_units(problem, factors);
   CHECK(residual_scale(other) == doctest::Approx(residual_scale(problem)).epsilon(64 * double_epsilon));
   const double scale = residual_scale(problem);
@@ -122,8 +120,8 @@ TEST_CASE("the residual does not change when rows are written in other units") {
 TEST_CASE("a problem with nothing to do has a residual of 0, not a quotient of round-offs") {
   VelocityProblem<double> problem = free_chain(3);
   for (Vec3<double>& v : problem.velocity) v = {0.1, 0.2, 0.3};
-  problem.velocity[0].setZero();
-  problem.velocity[2].y() += 2 * double_epsilon;
+  problem.velocity[ground].setZero();
+  problem.velocity[{2}].y() += 2 * double_epsilon;
   const double scale = residual_scale(problem);
   CHECK(scale > 0);
   CHECK(residual(problem, scale).energy <= 1e-3);

@@ -77,7 +77,7 @@ TEST_CASE(
   TrajectoryMeasure measure;
   measure.add(still);
   CHECK(measure.result().relative_energy_gain() == 0);
-  still.bodies[1].velocity = {1, 0, 0};
+  still.bodies[{1}].velocity = {1, 0, 0};
   measure.add(still);
   CHECK(std::isinf(measure.result().relative_energy_gain()));
 }
@@ -106,8 +106,8 @@ TEST_CASE("friction that pushes a body along has power, and friction that brakes
   // The ball has gone 0.1 m/s for 0.1 s since the contact was found, 0.5 m below its centre, and turns at
   // 2 rad/s: its lowest point goes 0.1 + 2 * 0.5 = 1.1 m/s to the right.
   Snapshot snapshot = ball_at(0, 1, {0.1, 0});
-  snapshot.bodies[1].velocity.z() = 2;
-  snapshot.bodies[1].pose.position.x() = 0.01;
+  snapshot.bodies[{1}].velocity.z() = 2;
+  snapshot.bodies[{1}].pose.position.x() = 0.01;
   snapshot.contacts.push_back(
       {.b = {1}, .position = {0, 0.5}, .normal = {0, 1}, .normal_impulse = 1, .friction = 1});
   for (const double friction : {0.2, -0.2}) {
@@ -207,7 +207,7 @@ TEST_CASE("a momentum that comes from outside is seen: a step of 2 kg from rest 
   Snapshot start = ball_at(0, 1, {0, 0});
   start.gravity.setZero();
   measure.add(start);
-  start.bodies[1].velocity = {3, 0, 0};
+  start.bodies[{1}].velocity = {3, 0, 0};
   measure.add(start);
   CHECK(measure.result().momentum_error == 6);
   CHECK(measure.result().angular_momentum_error == 6);  // at a height of 1 m above the origin

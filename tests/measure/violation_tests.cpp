@@ -3,6 +3,7 @@
 
 #include "constraints/distance_joint.hpp"
 #include "constraints/revolute_joint.hpp"
+#include "math/list.hpp"
 #include "measure/violation.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
@@ -12,7 +13,7 @@ using namespace cairn;
 namespace {
 
 /// Boxes of 1 m at the given places, dynamic or static.
-Snapshot boxes_at(const std::vector<Vec2<double>>& places, BodyType type = BodyType::dynamic) {
+Snapshot boxes_at(const List<Vec2<double>>& places, BodyType type = BodyType::dynamic) {
   Snapshot snapshot;
   for (const Vec2<double>& place : places) {
     snapshot.bodies.push_back({.type = type, .pose = {place, 0}, .shapes = {box(1, 1)}});
@@ -46,13 +47,13 @@ TEST_CASE("bodies of which none is dynamic, and bodies that a joint keeps apart,
 
 TEST_CASE("sensors, and bodies whose categories exclude each other, do not penetrate") {
   Snapshot sensing = boxes_at({{0, 0}, {0, 0.5}});
-  sensing.bodies[1].sensor = true;
+  sensing.bodies[{1}].sensor = true;
   CHECK(worst_penetration(sensing) == 0);
   Snapshot sorted = boxes_at({{0, 0}, {0, 0.5}});
-  sorted.bodies[0].category = 2;
-  sorted.bodies[1].collides_with = 1;
+  sorted.bodies[{0}].category = 2;
+  sorted.bodies[{1}].collides_with = 1;
   CHECK(worst_penetration(sorted) == 0);
-  sorted.bodies[1].collides_with = 3;
+  sorted.bodies[{1}].collides_with = 3;
   CHECK(worst_penetration(sorted) == doctest::Approx(0.5).epsilon(overlap_rounding));
 }
 
@@ -97,7 +98,7 @@ TEST_CASE("the normal impulse between two bodies is summed over their contacts, 
 TEST_CASE("the velocity gap of two snapshots is their largest difference in any component") {
   Snapshot first = boxes_at({{0, 0}, {5, 0}});
   Snapshot second = first;
-  second.bodies[1].velocity = {0.5, 0, -2};
+  second.bodies[{1}].velocity = {0.5, 0, -2};
   CHECK(largest_velocity_gap(first, second) == 2);
   CHECK(largest_velocity_gap(first, first) == 0);
   CHECK_THROWS_AS(largest_velocity_gap(first, boxes_at({{0, 0}})), std::invalid_argument);

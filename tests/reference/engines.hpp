@@ -34,9 +34,7 @@ inline constexpr double float_rounding = 6e-8;
 
 inline constexpr double degree = pi / 180;
 
-inline const SnapshotBody& body(const Snapshot& snapshot, BodyId id) {
-  return snapshot.bodies[static_cast<std::size_t>(id.index)];
-}
+inline const SnapshotBody& body(const Snapshot& snapshot, BodyId id) { return snapshot.bodies[id]; }
 
 /// Bodies of a box on a plane, and how they were placed.
 struct Slope {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engines.hpp"
+#include "math/list.hpp"
 
 namespace cairn::reference_tests {
 
@@ -26,7 +27,7 @@ Scene scene_with(const Shape<double>& shape) {
 }
 
 Polygon<double> regular_polygon(int count) {
-  std::vector<Vec2<double>> points;
+  List<Vec2<double>> points;
   for (int i = 0; i < count; ++i) {
     const double angle = 2 * pi * i / count;
     points.push_back({std::cos(angle), std::sin(angle)});
@@ -38,9 +39,9 @@ Polygon<double> regular_polygon(int count) {
 class Magnet final : public ConstraintOf<Magnet> {
  public:
   std::string name() const override { return "magnet"; }
-  std::vector<Attachment> attachments() const override { return {{ground, {0, 0}}, {{1}, {0, 0}}}; }
+  List<Attachment> attachments() const override { return {{ground, {0, 0}}, {{1}, {0, 0}}}; }
   template <Scalar Real>
-  void rows(const std::vector<Pose<Real>>&, RowSpecs<Real>&) const {}
+  void rows(const PerBody<Pose<Real>>&, RowSpecs<Real>&) const {}
 };
 
 TEST_CASE("sensors and filters, which Box2D would not be told of, are refused") {

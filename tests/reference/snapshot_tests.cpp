@@ -38,15 +38,15 @@ TEST_CASE("masses, inertias, centres of mass and poses are Cairn's in Box2D, to 
   const Snapshot cairn = snapshot(World<double>(scene));
   const Snapshot box2d = Box2DWorld(scene).snapshot();
   REQUIRE(cairn.bodies.size() == box2d.bodies.size());
-  for (std::size_t i = 0; i < cairn.bodies.size(); ++i) {
-    CAPTURE(i);
+  for (const BodyId body : cairn.bodies.indices()) {
+    CAPTURE(body.index);
     const double tolerance = 4 * float_rounding;
-    CHECK(box2d.bodies[i].type == cairn.bodies[i].type);
-    CHECK(box2d.bodies[i].mass == doctest::Approx(cairn.bodies[i].mass).epsilon(tolerance));
-    CHECK(box2d.bodies[i].inertia == doctest::Approx(cairn.bodies[i].inertia).epsilon(tolerance));
-    CHECK((box2d.bodies[i].pose.position - cairn.bodies[i].pose.position).norm() < 10 * tolerance);
-    CHECK(std::abs(box2d.bodies[i].pose.angle - cairn.bodies[i].pose.angle) < tolerance);
-    CHECK(box2d.bodies[i].shapes.size() == cairn.bodies[i].shapes.size());
+    CHECK(box2d.bodies[body].type == cairn.bodies[body].type);
+    CHECK(box2d.bodies[body].mass == doctest::Approx(cairn.bodies[body].mass).epsilon(tolerance));
+    CHECK(box2d.bodies[body].inertia == doctest::Approx(cairn.bodies[body].inertia).epsilon(tolerance));
+    CHECK((box2d.bodies[body].pose.position - cairn.bodies[body].pose.position).norm() < 10 * tolerance);
+    CHECK(std::abs(box2d.bodies[body].pose.angle - cairn.bodies[body].pose.angle) < tolerance);
+    CHECK(box2d.bodies[body].shapes.size() == cairn.bodies[body].shapes.size());
   }
 }
 
@@ -181,8 +181,8 @@ TEST_CASE("a box that Box2D has put to sleep keeps its contacts, and stays awake
   const Snapshot seen = sleepy.snapshot();
   CHECK(seen.contacts.size() == 2);
   CHECK_FALSE(seen.contacts.front().is_new);
-  CHECK_FALSE(seen.bodies[static_cast<std::size_t>(resting.index)].awake);
-  CHECK(awake.snapshot().bodies[static_cast<std::size_t>(resting.index)].awake);
+  CHECK_FALSE(seen.bodies[resting].awake);
+  CHECK(awake.snapshot().bodies[resting].awake);
   CHECK(total_normal(seen) == doctest::Approx(mass * g * seen.dt).epsilon(impulse_tolerance));
 }
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "engines.hpp"
+#include "math/list.hpp"
 
 namespace cairn::reference_tests {
 
@@ -59,7 +59,7 @@ TEST_CASE("a pyramid of 10 rows stands for 10 s in both engines") {
   const double spacing = 1.1;  // [m], so that the skins of neighbours do not touch
   Scene scene;
   scene.add_ground();
-  std::vector<std::pair<int, double>> places;  // row and x of each box
+  List<std::pair<int, double>> places;  // row and x of each box
   for (int row = 1; row <= rows; ++row) {
     for (int i = 0; i <= rows - row; ++i) {
       places.emplace_back(row, spacing * (i - (rows - row) / 2.0));
@@ -70,9 +70,9 @@ TEST_CASE("a pyramid of 10 rows stands for 10 s in both engines") {
   engines.step(ten_seconds);
   const Snapshot cairn = snapshot(engines.cairn);
   const Snapshot box2d = engines.box2d.snapshot();
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  for (int i = 0; i < places.size(); ++i) {
     const auto& [row, x] = places[i];
-    const BodyId id = {static_cast<int>(i) + 1};
+    const BodyId id = {i + 1};
     CAPTURE(id.index);
     CHECK(kept_height(cairn, id, row, cairn_allowance));
     CHECK(kept_height(box2d, id, row, box2d_allowance));

@@ -2,9 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "engines.hpp"
+#include "math/list.hpp"
 
 namespace cairn::reference_tests {
 
@@ -55,22 +55,22 @@ constexpr double load_tolerance = 1e-3;  // [N]
 /// The same tower as masses on a line: velocity[i] and impulse[i] of mass i, and between it and the one
 /// below. Velocities are solved by Gauss-Seidel from the ground up.
 struct Line {
-  std::vector<double> velocity = std::vector<double>(boxes + 1, 0.0);  // [m/s]; 0: the ground
-  std::vector<double> impulse = std::vector<double>(boxes + 1, 0.0);   // [N s]
+  List<double> velocity = List<double>(boxes + 1, 0.0);  // [m/s]; 0: the ground
+  List<double> impulse = List<double>(boxes + 1, 0.0);   // [N s]
 
-  void push(std::size_t i, double p) {
+  void push(int i, double p) {
     velocity[i] += p;
     if (i > 1) velocity[i - 1] -= p;
     impulse[i] += p;
   }
 
   void step(bool warm_start) {
-    const std::vector<double> last = impulse;
+    const List<double> last = impulse;
     impulse.assign(boxes + 1, 0.0);
-    for (std::size_t i = 1; i <= boxes; ++i) velocity[i] -= 10 * dt;
-    for (std::size_t i = 1; i <= boxes && warm_start; ++i) push(i, last[i]);
+    for (int i = 1; i <= boxes; ++i) velocity[i] -= 10 * dt;
+    for (int i = 1; i <= boxes && warm_start; ++i) push(i, last[i]);
     for (int sweep = 0; sweep < 10; ++sweep) {
-      for (std::size_t i = 1; i <= boxes; ++i) {
+      for (int i = 1; i <= boxes; ++i) {
         const double approach = velocity[i - 1] - velocity[i];
         push(i, std::max(approach / (i > 1 ? 2 : 1), -impulse[i]));
       }
@@ -105,8 +105,7 @@ TEST_CASE("the loads of a tower are those of masses on a line, frame by frame, w
       const Snapshot cairn = snapshot(engines.cairn);
       for (int i = 1; i <= boxes; ++i) {
         // 41 sweeps of 10 rows, each rounding loads of up to 200 N.
-        CHECK(std::abs(load(cairn, i) - line.impulse[static_cast<std::size_t>(i)] / dt) <
-              410 * 200 * 2.2e-16);
+        CHECK(std::abs(load(cairn, i) - line.impulse[i] / dt) < 410 * 200 * 2.2e-16);
       }
       CHECK(std::abs(load(engines.box2d.snapshot(), 1) - line.impulse[1] / dt) < load_tolerance);
     }

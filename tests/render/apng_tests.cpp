@@ -3,8 +3,8 @@
 
 #include <limits>
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "picture_files.hpp"
 #include "render/sequence.hpp"
 
@@ -21,8 +21,8 @@ struct AnimationFrame {
 };
 
 struct Animation {
-  std::vector<AnimationFrame> frames = {};
-  std::vector<std::string> names = {};  // of the chunks
+  List<AnimationFrame> frames = {};
+  List<std::string> names = {};  // of the chunks
   std::uint32_t frame_count = 0, repeats = 99;
 };
 
@@ -87,8 +87,7 @@ Image picture_of_square(int x, int y) {
 }  // namespace
 
 TEST_CASE("an animation shows exactly the given pictures, for ever") {
-  std::vector<Image> images = {random_picture(31, 17, 1), random_picture(31, 17, 2),
-                               random_picture(31, 17, 2)};
+  List<Image> images = {random_picture(31, 17, 1), random_picture(31, 17, 2), random_picture(31, 17, 2)};
   images.push_back(images[2]);
   channel_at(images[3], 30, 16, 2) ^= 1;  // one bit in the last corner
   images.push_back(images[3]);
@@ -100,28 +99,28 @@ TEST_CASE("an animation shows exactly the given pictures, for ever") {
   CHECK(animation.frame_count == images.size());
   CHECK(animation.repeats == 0);
   REQUIRE(animation.frames.size() == images.size());
-  for (std::size_t i = 0; i < images.size(); ++i) CHECK(animation.frames[i].shown.pixels == images[i].pixels);
+  for (int i = 0; i < images.size(); ++i) CHECK(animation.frames[i].shown.pixels == images[i].pixels);
   CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
 }
 
 TEST_CASE("a viewer that knows no animation sees the first picture") {
-  const std::vector<Image> images = {picture_of_square(5, 7), picture_of_square(40, 20)};
+  const List<Image> images = {picture_of_square(5, 7), picture_of_square(40, 20)};
   const TemporaryFolder folder;
   write_apng(folder / "a.png", images, 10);
   CHECK(read_png(folder / "a.png").pixels == images[0].pixels);
-  const std::vector<std::string> expected = {"IHDR", "acTL", "fcTL", "IDAT", "fcTL", "fdAT", "IEND"};
+  const List<std::string> expected = {"IHDR", "acTL", "fcTL", "IDAT", "fcTL", "fdAT", "IEND"};
   CHECK(animation_in(folder / "a.png").names == expected);
 }
 
 TEST_CASE("only the rectangle that changed is stored, and one pixel when nothing did") {
-  const std::vector<Image> images = {picture_of_square(5, 7), picture_of_square(6, 7),
-                                     picture_of_square(6, 7), picture_of_square(26, 17)};
+  const List<Image> images = {picture_of_square(5, 7), picture_of_square(6, 7), picture_of_square(6, 7),
+                              picture_of_square(26, 17)};
   const TemporaryFolder folder;
   write_apng(folder / "a.png", images, 10);
   const Animation animation = animation_in(folder / "a.png");
   REQUIRE(animation.frames.size() == 4);
   const int expected[4][4] = {{0, 0, 64, 36}, {5, 7, 11, 10}, {0, 0, 1, 1}, {6, 7, 30, 20}};
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (int i = 0; i < 4; ++i) {
     CHECK(animation.frames[i].x == expected[i][0]);
     CHECK(animation.frames[i].y == expected[i][1]);
     CHECK(animation.frames[i].width == expected[i][2]);
@@ -131,7 +130,7 @@ TEST_CASE("only the rectangle that changed is stored, and one pixel when nothing
 }
 
 TEST_CASE("a picture stays for one over the frame rate, to a hundredth of a frame per second") {
-  const std::vector<Image> images = {flat_picture(2, 2, 0), flat_picture(2, 2, 1)};
+  const List<Image> images = {flat_picture(2, 2, 0), flat_picture(2, 2, 1)};
   const TemporaryFolder folder;
   for (const double rate : {0.01, 0.5, 10.0, 23.97, 30.0, 60.0, 655.0}) {
     write_apng(folder / "a.png", images, rate);
@@ -143,16 +142,16 @@ TEST_CASE("a picture stays for one over the frame rate, to a hundredth of a fram
 
 TEST_CASE("an animation of one picture is a picture") {
   const TemporaryFolder folder;
-  write_apng(folder / "a.png", std::vector<Image>{flat_picture(1, 1, 77)}, 1);
+  write_apng(folder / "a.png", List<Image>{flat_picture(1, 1, 77)}, 1);
   const Animation animation = animation_in(folder / "a.png");
   REQUIRE(animation.frames.size() == 1);
-  CHECK(animation.frames[0].shown.pixels == std::vector<std::uint8_t>{77, 77, 77});
+  CHECK(animation.frames[0].shown.pixels == List<std::uint8_t>{77, 77, 77});
 }
 
 TEST_CASE("an animation of nothing, of two sizes or at a rate the format cannot say is refused") {
   const TemporaryFolder folder;
-  const std::vector<Image> pair = {flat_picture(2, 2, 0), flat_picture(2, 2, 1)};
-  const auto refusal = [&](const std::vector<Image>& images, double rate) {
+  const List<Image> pair = {flat_picture(2, 2, 0), flat_picture(2, 2, 1)};
+  const auto refusal = [&](const List<Image>& images, double rate) {
     return message_of<std::invalid_argument>([&] { write_apng(folder / "a.png", images, rate); });
   };
   CHECK(refusal({}, 10) == "write_apng: images must be at least one, got 0");

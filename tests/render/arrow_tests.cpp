@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "images/golden.hpp"
+#include "math/list.hpp"
 
 namespace cairn::render {
 
@@ -16,8 +17,7 @@ namespace {
 Camera arrow_test_camera() { return {.viewport = {0, 0, 640, 360}, .center = {0, 0}, .scale = 100}; }
 
 bool arrow_test_inked(const Image& image, int x, int y, Color background) {
-  const std::size_t at =
-      3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+  const int at = 3 * (y * image.width + x);
   const double change = std::abs(image.pixels[at] - 255 * background.r) +
                         std::abs(image.pixels[at + 1] - 255 * background.g) +
                         std::abs(image.pixels[at + 2] - 255 * background.b);
@@ -183,10 +183,10 @@ TEST_CASE("labels of arrows side by side do not meet") {
     for (const double x : {-0.3, 0.0, 0.3}) {
       draw_arrow(page, camera, scale, {.tail = {x, 0}, .value = {0, 10}, .label = "10.00 N"});
     }
-    const std::span<const TextBox> boxes = page.canvas().text_boxes();
+    const Span<const TextBox> boxes = page.canvas().text_boxes();
     REQUIRE(boxes.size() == 3);
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < i; ++j) {
         const Rect a = boxes[i].rect, b = boxes[j].rect;
         const bool apart = a.x + a.width <= b.x + 1 || b.x + b.width <= a.x + 1 ||
                            a.y + a.height <= b.y + 1 || b.y + b.height <= a.y + 1;
@@ -241,7 +241,7 @@ TEST_CASE("what is not finite draws nothing and harms nothing") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const ArrowScale scale = {.pixels_per_unit = 10, .longest = 100, .unit = "N"};
   Page page(640, 360, light_theme());
-  const std::vector<std::uint8_t> empty = page.canvas().read().pixels;
+  const List<std::uint8_t> empty = page.canvas().read().pixels;
   draw_arrow(page, arrow_test_camera(), scale, {.value = {nan, 0}, .label = "lost"});
   draw_arrow(page, arrow_test_camera(), scale, {.tail = {nan, 0}, .value = {1, 0}, .label = "lost"});
   draw_arrow(page, arrow_test_camera(), scale,
@@ -256,13 +256,13 @@ TEST_CASE("every kind of arrow looks as it did") {
   Page page(640, 360, light_theme());
   const Camera camera = arrow_test_camera();
   const ArrowScale scale = {.pixels_per_unit = 10, .longest = 110, .unit = "N"};
-  const std::vector<std::pair<ArrowKind, std::string>> kinds = {
+  const List<std::pair<ArrowKind, std::string>> kinds = {
       {ArrowKind::normal, "normal"},     {ArrowKind::negative_correction, "negative"},
       {ArrowKind::friction, "friction"}, {ArrowKind::joint, "joint"},
       {ArrowKind::velocity, "velocity"}, {ArrowKind::external, "external"},
       {ArrowKind::inactive, "old"}};
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    const double x = -2.9 + 0.85 * static_cast<double>(i);
+  for (int i = 0; i < kinds.size(); ++i) {
+    const double x = -2.9 + 0.85 * i;
     draw_arrow(page, camera, scale,
                {.kind = kinds[i].first, .tail = {x, 0.1}, .value = {0, 8}, .label = kinds[i].second});
     draw_arrow(page, camera, scale, {.kind = kinds[i].first, .tail = {x, -0.6}, .value = {4, 3}});

@@ -16,8 +16,8 @@ namespace {
 
 struct BarPicture {
   Image image = {};
-  std::vector<TextBox> boxes = {};
-  std::vector<std::string> faults = {};
+  List<TextBox> boxes = {};
+  List<std::string> faults = {};
 };
 
 BarPicture bars_of(const BarChart& chart, const Theme& theme = light_theme(),
@@ -25,13 +25,13 @@ BarPicture bars_of(const BarChart& chart, const Theme& theme = light_theme(),
   Page page(640, 360, theme);
   page.canvas().clear(page.theme().background);
   draw_bars(page, room, chart);
-  const std::span<const TextBox> boxes = page.canvas().text_boxes();
+  const Span<const TextBox> boxes = page.canvas().text_boxes();
   return {.image = page.canvas().read(), .boxes = {boxes.begin(), boxes.end()}, .faults = lint(page)};
 }
 
 bool bar_pixel_is(const Image& image, int x, int y, Color color) {
-  const auto at = static_cast<std::size_t>(3 * (y * image.width + x));
-  const auto close = [&](std::size_t i, float channel) {
+  const int at = 3 * (y * image.width + x);
+  const auto close = [&](int i, float channel) {
     return std::abs(static_cast<float>(image.pixels.at(at + i)) - 255 * channel) <= 1.5F;
   };
   return close(0, color.r) && close(1, color.g) && close(2, color.b);
@@ -273,7 +273,7 @@ TEST_CASE("bars have a sound layout in every theme") {
     for (const int height : {360, 720}) {
       Page page(height * 16 / 9, height, theme);
       page.begin({.number = "06", .title = "Sequential impulses"});
-      const std::vector<Rect> parts = columns(page.area(), {1, 1}, page.sizes().gap);
+      const List<Rect> parts = columns(page.area(), {1, 1}, page.sizes().gap);
       draw_bars(page, parts[0], worked_chart());
       draw_bars(page, parts[1], crowded_chart(12));
       for (const std::string& fault : lint(page)) FAIL_CHECK(fault);
@@ -291,7 +291,7 @@ TEST_CASE("no bars, no values and no room do no harm") {
 TEST_CASE("the bars of a stack of three boxes look as they did") {
   Page page(640, 360, light_theme());
   page.begin({.number = "06", .title = "Sequential impulses", .state = "sweep 2/10 · row 2 of 3"});
-  const std::vector<Rect> parts = columns(page.area(), {1, 1}, page.sizes().gap);
+  const List<Rect> parts = columns(page.area(), {1, 1}, page.sizes().gap);
   draw_bars(page, parts[0], worked_chart());
   draw_bars(page, parts[1], crowded_chart(12));
   test::check_golden("bars_light", page.canvas().read());

@@ -1,10 +1,9 @@
 // Shapes: what part of every pixel they cover, held against areas from formulas.
 #include <doctest/doctest.h>
 
-#include <array>
 #include <cmath>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/canvas.hpp"
 #include "ink.hpp"
 
@@ -15,11 +14,11 @@ TEST_CASE("an upright rectangle covers every pixel by the area they share") {
   const Image image = picture_of(8, 8, [](Canvas& canvas) {
     canvas.rect({2.5, 3.25, 3, 2}, {.fill = canvas_black});
   });
-  const std::array<double, 8> across = {0, 0, 0.5, 1, 1, 0.5, 0, 0};
-  const std::array<double, 8> down = {0, 0, 0, 0.75, 1, 0.25, 0, 0};
+  const FixedList<double, 8> across = {0, 0, 0.5, 1, 1, 0.5, 0, 0};
+  const FixedList<double, 8> down = {0, 0, 0, 0.75, 1, 0.25, 0, 0};
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 8; ++x) {
-      const double shared = across[static_cast<std::size_t>(x)] * down[static_cast<std::size_t>(y)];
+      const double shared = across[x] * down[y];
       CHECK(darkness(image, x, y) == doctest::Approx(shared).epsilon(one_level));
     }
   }
@@ -83,8 +82,8 @@ TEST_CASE("an opaque outline hides the fill under it and nothing shows between t
 
 TEST_CASE("a polygon looks the same in either turning sense, and a turned one keeps its area") {
   const auto points = turned_rectangle({30, 30}, 18, 9, 0.7);
-  const std::array<Point, 4> reversed = {points[3], points[2], points[1], points[0]};
-  const auto image_of = [](const std::array<Point, 4>& corners) {
+  const FixedList<Point, 4> reversed = {points[3], points[2], points[1], points[0]};
+  const auto image_of = [](const FixedList<Point, 4>& corners) {
     return picture_of(60, 60, [&](Canvas& canvas) { canvas.polygon(corners, {.fill = canvas_black}); });
   };
   const Image image = image_of(points);
@@ -93,7 +92,7 @@ TEST_CASE("a polygon looks the same in either turning sense, and a turned one ke
 }
 
 TEST_CASE("polygons of many sides, sharp or rounded, cover their area") {
-  std::vector<Point> points;
+  List<Point> points;
   for (int i = 0; i < 7; ++i) {
     points.emplace_back(40 + 25 * std::cos(2 * pi * i / 7), 40 + 25 * std::sin(2 * pi * i / 7));
   }
@@ -131,13 +130,13 @@ TEST_CASE("a thin sliver and a sharp tip are as dark as their area") {
   });
   CHECK(covered_area(sliver) == doctest::Approx(60 * 0.4).epsilon(0.03));
   const Image tip = picture_of(80, 30, [](Canvas& canvas) {
-    canvas.polygon(std::array<Point, 3>{Point(5, 10), Point(5, 20), Point(75, 14)}, {.fill = canvas_black});
+    canvas.polygon(FixedList<Point, 3>{Point(5, 10), Point(5, 20), Point(75, 14)}, {.fill = canvas_black});
   });
   CHECK(covered_area(tip) == doctest::Approx(0.5 * 10 * 70).epsilon(0.01));
 }
 
 TEST_CASE("a polygon that has collapsed to a line is drawn as one if it is rounded, and else not at all") {
-  const std::array<Point, 3> flat = {Point(10, 20), Point(40, 20), Point(25, 20)};
+  const FixedList<Point, 3> flat = {Point(10, 20), Point(40, 20), Point(25, 20)};
   const auto image_of = [&](double rounding) {
     return picture_of(60, 40,
                       [&](Canvas& canvas) { canvas.polygon(flat, {.fill = canvas_black}, rounding); });

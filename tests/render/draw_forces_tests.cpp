@@ -1,6 +1,7 @@
 // Forces and velocities of a drawn world: direction, length, labels.
 #include <doctest/doctest.h>
 
+#include "math/list.hpp"
 #include "render/lint.hpp"
 #include "render/world_picture.hpp"
 
@@ -46,7 +47,7 @@ TEST_CASE("on a large page a force is labelled with its symbol and unit, among m
     camera.viewport = page.area();
     draw_contact_forces(page, camera, {.pixels_per_unit = 10, .longest = 200, .unit = "N"}, world);
     CHECK(is_written(page, "λ_{n} = 8.66 N") == (count == 1));
-    CHECK(lint(page) == std::vector<std::string>{});
+    CHECK(lint(page) == List<std::string>{});
   }
 }
 
@@ -71,9 +72,9 @@ TEST_CASE("a force passes behind the number of a body") {
 
 TEST_CASE("a velocity is drawn for every dynamic body, and only for those") {
   Snapshot world = with_ground();
-  world.bodies[0].velocity = {5, 0, 0};
+  world.bodies[ground].velocity = {5, 0, 0};
   world.bodies.push_back(dynamic_body(box(0.2, 0.2), {0, 0}));
-  world.bodies[1].velocity = {2, 0, 0};
+  world.bodies[{1}].velocity = {2, 0, 0};
   WorldPage page;
   draw_velocities(page, world_camera, {.pixels_per_unit = 30, .longest = 200, .unit = "m/s"}, world);
   const Image image = page.canvas().read();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "images/golden.hpp"
+#include "math/list.hpp"
 #include "render/lint.hpp"
 #include "render/world_picture.hpp"
 
@@ -38,8 +39,8 @@ Snapshot sample_world() {
   world.joints.push_back({.name = "revolute",
                           .a = ground,
                           .b = {4},
-                          .anchor_a = world.bodies[4].pose.world({-1, 0}),
-                          .anchor_b = world.bodies[4].pose.world({-1, 0})});
+                          .anchor_a = world.bodies[{4}].pose.world({-1, 0}),
+                          .anchor_b = world.bodies[{4}].pose.world({-1, 0})});
   world.bodies.push_back(dynamic_body(box(1.5, 1), {5, -1.5}));
   world.bodies.push_back(dynamic_body(box(1, 1), {5.2, -0.65}));
   world.contacts.push_back(
@@ -65,7 +66,7 @@ TEST_CASE("a body is painted where the camera sees it, with its outline on its e
 TEST_CASE("a body that sleeps is pale, with a grey outline, and in its lit colour where it is lit") {
   Snapshot world = with_ground();
   world.bodies.push_back(dynamic_body(box(2, 1), {3, 1}));
-  world.bodies[1].awake = false;
+  world.bodies[{1}].awake = false;
   const Theme theme = light_theme();
   const Image asleep = picture_of_world(world, {.numbers = false});
   CHECK(distance_at(asleep, {3, 1}, theme.sleeping, 0, 0) <= 2);
@@ -97,20 +98,19 @@ TEST_CASE("the active pair is lit and lettered, all other bodies have one fill")
   WorldPage page;
   draw_world(page, world_camera, world, {.active_a = {2}, .active_b = {3}});
   const Image image = page.canvas().read();
-  const std::vector<Color> fills = {theme.body, theme.active_a, theme.active_b, theme.body};
-  for (std::size_t i = 0; i < 4; ++i) {
-    CHECK(distance_at(image, world.bodies[i + 1].pose.position, fills[i], -20, -20) <= 2);
+  const List<Color> fills = {theme.body, theme.active_a, theme.active_b, theme.body};
+  for (int i = 0; i < 4; ++i) {
+    CHECK(distance_at(image, world.bodies[{i + 1}].pose.position, fills[i], -20, -20) <= 2);
   }
   CHECK(is_written(page, "a"));
   CHECK(is_written(page, "b"));
-  CHECK(lint(page) == std::vector<std::string>{});
+  CHECK(lint(page) == List<std::string>{});
 }
 
 TEST_CASE("a body's number is scaled to the body, and left out where there is no room") {
   Snapshot world = with_ground();
   for (const double size : {3.0, 1.0, 0.6, 0.2}) {
-    world.bodies.push_back(
-        dynamic_body(box(size, size), {2.5 * static_cast<double>(world.bodies.size()) - 6, 1}));
+    world.bodies.push_back(dynamic_body(box(size, size), {2.5 * world.bodies.size() - 6, 1}));
   }
   WorldPage page;
   draw_world(page, world_camera, world);
@@ -132,11 +132,11 @@ TEST_CASE("a body's number is scaled to the body, and left out where there is no
 
 TEST_CASE("a body that blew up disturbs nothing else in the picture") {
   const double infinite = std::numeric_limits<double>::infinity();
-  const std::vector<Pose<double>> lost = {{{no_number, 0}, 0},
-                                          {{0, infinite}, 0},
-                                          {{1e30, -1e30}, 0},
-                                          {{0, 0}, no_number},
-                                          {{-1e300, 1e300}, 1e300}};
+  const List<Pose<double>> lost = {{{no_number, 0}, 0},
+                                   {{0, infinite}, 0},
+                                   {{1e30, -1e30}, 0},
+                                   {{0, 0}, no_number},
+                                   {{-1e300, 1e300}, 1e300}};
   Snapshot sane = sample_world();
   Snapshot broken = sane;
   for (const Pose<double>& pose : lost) {
@@ -158,7 +158,7 @@ TEST_CASE("a body that blew up disturbs nothing else in the picture") {
   const auto draw_all = [](const Snapshot& world) {
     WorldPage page;
     const ArrowScale scale{.pixels_per_unit = 5, .longest = 80, .unit = "N"};
-    const std::vector<Snapshot> past(3, world);
+    const List<Snapshot> past(3, world);
     draw_ghosts(page, world_camera, past);
     draw_world(page, world_camera, world);
     draw_contact_forces(page, world_camera, scale, world);
@@ -171,7 +171,7 @@ TEST_CASE("a body that blew up disturbs nothing else in the picture") {
 }
 
 TEST_CASE("at most 7 ghosts are drawn, the first and the newest among them, the older the paler") {
-  std::vector<Snapshot> past;
+  List<Snapshot> past;
   for (int i = 0; i < 25; ++i) {
     Snapshot world = with_ground();
     world.bodies.push_back(dynamic_body(circle(0.2), {0.5 * i - 6, 1}));
@@ -183,11 +183,11 @@ TEST_CASE("at most 7 ghosts are drawn, the first and the newest among them, the 
   const Color background = page.theme().background;
   CHECK(strokes_in_row(image, world_camera.project({0, 1}).y(), background, 20) == 2 * 7);  // two sides each
   const Vec2<double> left_edge(-0.2, 0);
-  const int oldest = distance_at(image, past.front().bodies[1].pose.position + left_edge, background, 0, 0);
-  const int newest = distance_at(image, past.back().bodies[1].pose.position + left_edge, background, 0, 0);
+  const int oldest = distance_at(image, past.front().bodies[{1}].pose.position + left_edge, background, 0, 0);
+  const int newest = distance_at(image, past.back().bodies[{1}].pose.position + left_edge, background, 0, 0);
   CHECK(oldest > 20);
   CHECK(newest > 1.5 * oldest);
-  CHECK(distance_at(image, past.back().bodies[1].pose.position, background, 0, 0) <= 2);  // never filled
+  CHECK(distance_at(image, past.back().bodies[{1}].pose.position, background, 0, 0) <= 2);  // never filled
 }
 
 TEST_CASE("a new contact is larger than an old one, and the active one is lit") {
@@ -238,7 +238,7 @@ TEST_CASE("a rod is a double line, a pin a ring") {
 TEST_CASE("the bounds are those of the dynamic bodies that can be seen") {
   CHECK(bounds_of({}).lower == Vec2<double>(0, 0));
   CHECK(bounds_of({}).upper == Vec2<double>(0, 0));
-  std::vector<Snapshot> past(2, with_ground());
+  List<Snapshot> past(2, with_ground());
   past[0].bodies.push_back(dynamic_body(box(2, 1), {3, 4}));
   past[0].bodies.push_back(dynamic_body(box(2, 1), {no_number, 4}));
   past[1].bodies.push_back(dynamic_body(circle(0.5), {-2, 1}));
@@ -249,7 +249,7 @@ TEST_CASE("the bounds are those of the dynamic bodies that can be seen") {
 }
 
 TEST_CASE("a trail is a curve that is interrupted where the point was lost") {
-  const std::vector<Vec2<double>> path = {{-2, 0}, {-1, 0}, {no_number, 0}, {1, 0}, {2, 0}, {1e300, 0}};
+  const List<Vec2<double>> path = {{-2, 0}, {-1, 0}, {no_number, 0}, {1, 0}, {2, 0}, {1e300, 0}};
   WorldPage page;
   draw_trail(page, world_camera, path, page.theme().pgs);
   const Image image = page.canvas().read();
@@ -267,7 +267,7 @@ TEST_CASE("a world looks as it did") {
     const Snapshot world = sample_world();
     draw_world(page, world_camera, world, {.active_a = {5}, .active_b = {6}, .active_contact = 1});
     draw_contact_forces(page, world_camera, {.pixels_per_unit = 8, .longest = 100, .unit = "N"}, world);
-    CHECK(lint(page) == std::vector<std::string>{});
+    CHECK(lint(page) == List<std::string>{});
     test::check_golden(name, page.canvas().read());
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/list.hpp"
 #include "render/image.hpp"
 #include "render/lint.hpp"
 #include "render/world_picture.hpp"
@@ -33,11 +34,11 @@ int count_within(const Image& image, const Rect& rect, const Color& color) {
 }
 
 /// A box in the middle, and others that have flown off in all directions.
-Snapshot exploded(std::size_t flown, double distance) {
+Snapshot exploded(int flown, double distance) {
   Snapshot world = with_ground();
   world.bodies.push_back(dynamic_body(box(1, 1), {0, 0}));
-  for (std::size_t i = 0; i < flown; ++i) {
-    const double angle = 2 * pi * static_cast<double>(i) / static_cast<double>(flown);
+  for (int i = 0; i < flown; ++i) {
+    const double angle = 2 * pi * i / flown;
     world.bodies.push_back(
         dynamic_body(box(1, 1), distance * Vec2<double>(std::cos(angle), std::sin(angle))));
   }
@@ -64,7 +65,7 @@ TEST_CASE(
       CHECK(texts_with(page, " m away") == 4);
       CHECK(is_written(page, "body 2, " + significant(distance, 2) + " m away"));
       CHECK(is_written(page, "and 12 more outside of the picture"));
-      CHECK(lint(page) == std::vector<std::string>{});
+      CHECK(lint(page) == List<std::string>{});
       // Body 2 is to the right: there is an arrow of about 13 px by 10 px, half of which is filled.
       const Rect at_right{extreme_view.x + extreme_view.width - 17, extreme_middle.y() - 6, 17, 12};
       const int ink = count_within(page.canvas().read(), at_right, theme.text);
@@ -103,17 +104,17 @@ TEST_CASE("bodies without a finite pose are not drawn, and named in a note") {
     draw_world(sane, world_camera, world);
     const Image image = sane.canvas().read();
     world.bodies.push_back(dynamic_body(box(1, 1), {0, 0}));
-    world.bodies[2].pose = pose;
+    world.bodies[{2}].pose = pose;
     WorldPage page;
     draw_world(page, world_camera, world);
     CHECK(compare(image, page.canvas().read()).differing == 0);
     draw_unseen(page, world_camera, world);
     CHECK(is_written(page, "body 2 is nowhere: not finite"));
-    world.bodies.push_back(world.bodies[2]);
-    world.bodies.push_back(world.bodies[2]);
+    world.bodies.push_back(world.bodies[{2}]);
+    world.bodies.push_back(world.bodies[{2}]);
     draw_unseen(page, world_camera, world);
     CHECK(is_written(page, "body 2 and 2 more are nowhere: not finite"));
-    CHECK(lint(page) == std::vector<std::string>{});
+    CHECK(lint(page) == List<std::string>{});
   }
 }
 
@@ -124,7 +125,7 @@ TEST_CASE("a body smaller than a pixel gets a ring and its name; many are counte
   draw_world(page, world_camera, world);
   draw_unseen(page, world_camera, world);
   CHECK(is_written(page, "body 1"));
-  CHECK(lint(page) == std::vector<std::string>{});
+  CHECK(lint(page) == List<std::string>{});
   const Image image = page.canvas().read();
   const Point at = world_camera.project({-2, 1});
   // A ring of 9 px and 1.5 px, and a dot of 1.5 px: pixels touched are at least their area, 85 + 7 px^2, and
@@ -154,7 +155,7 @@ TEST_CASE("on a small page with little room everything unseen is still told with
     world.bodies.push_back(dynamic_body(box(1, 1), {no_number, 1}));
     draw_world(page, camera, world);
     draw_unseen(page, camera, world);
-    CHECK(lint(page) == std::vector<std::string>{});
+    CHECK(lint(page) == List<std::string>{});
     CHECK(page.canvas().text_boxes().size() > 2);
   }
 }
@@ -205,7 +206,7 @@ TEST_CASE("arrows on a stack of forty boxes go without numbers, on few they have
       draw_world(page, world_camera, world);
       draw_contact_forces(page, world_camera, {.pixels_per_unit = 60 / load, .longest = 100, .unit = "N"},
                           world);
-      CHECK(lint(page) == std::vector<std::string>{});
+      CHECK(lint(page) == List<std::string>{});
       CHECK((texts_with(page, "1×10^{9}") > 0) == (boxes == 4 && load > 1));
       CHECK((texts_with(page, "1.00") > 0) == (boxes == 4 && load == 1));
     }
@@ -238,7 +239,7 @@ TEST_CASE("of a body of ten kilometres its edge is drawn where a tenth of a mill
       Snapshot world{.dt = 0.02};
       world.bodies.push_back({});
       world.bodies.push_back(dynamic_body(shape, {0, -5e3}));
-      world.bodies[1].type = type;
+      world.bodies[{1}].type = type;
       world.bodies.push_back(dynamic_body(box(1e-4, 1e-4), {0, 5e-5}));
       WorldPage page;
       draw_world(page, camera, world, {.numbers = false});

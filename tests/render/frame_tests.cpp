@@ -2,14 +2,13 @@
 // time.
 #include <doctest/doctest.h>
 
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <string>
 #include <thread>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/canvas.hpp"
 #include "ink.hpp"
 
@@ -26,7 +25,7 @@ void draw_medley(Canvas& canvas) {
   canvas.polygon(turned_rectangle({100, 40}, 15, 9, 1.1), {.fill = faded(rgb(0xCF6F60), 0.7)}, 4);
   canvas.hatch(box, {.width = 1, .color = canvas_black}, 7);
   canvas.circle({150.3, 40.7}, 17.2, {.fill = rgb(0x7AB58A), .outline = canvas_black, .outline_width = 2});
-  std::vector<Point> wave;
+  List<Point> wave;
   for (int i = 0; i < 180; ++i) {
     wave.emplace_back(10 + i, 90 + 12 * std::sin(0.3 * i));
   }
@@ -97,7 +96,7 @@ TEST_CASE("coordinates that are not finite or absurdly large draw nothing and ha
   const Image image = picture_of(40, 40, [&](Canvas& canvas) {
     for (const double bad : {nan, infinite, -infinite, 1e30, -1e30}) {
       const Paint paint = {.fill = canvas_black, .outline = canvas_black, .outline_width = 1};
-      const std::array<Point, 4> corners = {Point(1, 1), Point(9, bad), Point(9, 9), Point(1, 9)};
+      const FixedList<Point, 4> corners = {Point(1, 1), Point(9, bad), Point(9, 9), Point(1, 9)};
       const Stroke stroke = {.width = 2, .color = canvas_black, .dash = {3, 2}};
       canvas.circle({bad, 5}, 3, paint);
       canvas.circle({5, 5}, bad, paint);
@@ -122,7 +121,7 @@ TEST_CASE("coordinates that are not finite or absurdly large draw nothing and ha
 TEST_CASE("shapes that reach far beyond the frame keep their edges") {
   const Image image = picture_of(20, 20, [](Canvas& canvas) {
     canvas.polygon(
-        std::array<Point, 4>{Point(-1e6, 10.5), Point(1e6, 10.5), Point(1e6, 1e6), Point(-1e6, 1e6)},
+        FixedList<Point, 4>{Point(-1e6, 10.5), Point(1e6, 10.5), Point(1e6, 1e6), Point(-1e6, 1e6)},
         {.fill = canvas_black});
     canvas.line({-1e6, 4}, {1e6, 4}, {.width = 1, .color = canvas_black});
   });

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "picture_files.hpp"
 #include "render/image.hpp"
 
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<Image> pictures_of_all_kinds() {
+List<Image> pictures_of_all_kinds() {
   return {random_picture(61, 37, 1),  random_picture(1, 1, 2),  random_picture(1, 300, 3),
           random_picture(300, 1, 4),  flat_picture(100, 50, 0), flat_picture(1, 1, 255),
           flat_picture(640, 360, 128)};
@@ -30,8 +30,8 @@ bool mentions(const std::string& text, const std::string& part) {
 }
 
 /// The entries of a folder, so that nothing can be left behind unseen.
-std::size_t entries(const fs::path& folder) {
-  std::size_t count = 0;
+int entries(const fs::path& folder) {
+  int count = 0;
   for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder)) ++count;
   return count;
 }
@@ -49,7 +49,7 @@ TEST_CASE("a picture comes back from its PNG file pixel for pixel") {
 
 TEST_CASE("a PNG holds a header, one chunk of pixels and an end, each with a valid checksum") {
   for (const Image& image : pictures_of_all_kinds()) {
-    const std::vector<PngChunk> chunks = png_chunks(as_text(encode_png(image)));
+    const List<PngChunk> chunks = png_chunks(as_text(encode_png(image)));
     REQUIRE(chunks.size() == 3);
     for (const PngChunk& chunk : chunks) CHECK(chunk.checksum == checksum_of(chunk));
     CHECK(chunks[0].name == "IHDR");
@@ -70,8 +70,8 @@ TEST_CASE("flat colours are stored in a hundredth of their bytes") {
 
 TEST_CASE("the alpha channel of a foreign PNG is dropped") {
   const std::string row("\0\x0a\x14\x1e\x80\xc8\xd2\xdc\xff", 9);  // two pixels RGBA
-  std::vector<Bytef> compressed(100);
-  uLongf length = static_cast<uLongf>(compressed.size());
+  List<Bytef> compressed(100);
+  uLongf length = compressed.bytes();
   REQUIRE(compress(compressed.data(), &length, reinterpret_cast<const Bytef*>(row.data()), 9) == Z_OK);
   const auto number = [](std::uint32_t value) {
     std::string text;
@@ -86,7 +86,7 @@ TEST_CASE("the alpha channel of a foreign PNG is dropped") {
     file += number(static_cast<std::uint32_t>(chunk.data.size())) + chunk.name + chunk.data;
     file += number(checksum_of(chunk));
   }
-  const Image image = decode_png(std::vector<std::uint8_t>(file.begin(), file.end()));
+  const Image image = decode_png(List<std::uint8_t>(file.begin(), file.end()));
   CHECK(same_pixels(image, {.width = 2, .height = 1, .pixels = {10, 20, 30, 200, 210, 220}}));
 }
 
@@ -95,8 +95,8 @@ TEST_CASE("a picture without pixels, or with too few or too many, is refused by 
         "encode_png: width must be positive px, got 0");
   CHECK(message_of<std::invalid_argument>([] { encode_png({.width = 2, .height = -1}); }) ==
         "encode_png: height must be positive px, got -1");
-  for (const std::size_t size : {0u, 11u, 13u}) {
-    const Image image{.width = 2, .height = 2, .pixels = std::vector<std::uint8_t>(size)};
+  for (const int size : {0, 11, 13}) {
+    const Image image{.width = 2, .height = 2, .pixels = List<std::uint8_t>(size)};
     CHECK(message_of<std::invalid_argument>([&] { encode_png(image); }) ==
           "encode_png: pixels must be width * height * 3 bytes, got " + std::to_string(size));
   }

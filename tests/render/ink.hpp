@@ -1,9 +1,7 @@
 // What the tests of the canvas share: pictures in black on white, and how much of them is black.
 #pragma once
 
-#include <array>
-#include <cstddef>
-
+#include "math/list.hpp"
 #include "render/canvas.hpp"
 
 namespace cairn::render {
@@ -15,8 +13,7 @@ inline constexpr double one_level = 1.0 / 255;  // what eight bits can tell apar
 
 /// How dark a pixel of a picture in black on white is: 0 to 1.
 inline double darkness(const Image& image, int x, int y) {
-  const std::size_t pixel =
-      static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+  const int pixel = y * image.width + x;
   return 1 - image.pixels[3 * pixel] / 255.0;
 }
 
@@ -41,8 +38,8 @@ Image picture_of(int width, int height, Draw draw) {
 }
 
 /// A rectangle about a centre, turned.
-inline std::array<Point, 4> turned_rectangle(const Point& center, double half_width, double half_height,
-                                             double angle) {
+inline FixedList<Point, 4> turned_rectangle(const Point& center, double half_width, double half_height,
+                                            double angle) {
   const Rotation<double> turn(angle);
   return {center + turn * Point(-half_width, -half_height), center + turn * Point(half_width, -half_height),
           center + turn * Point(half_width, half_height), center + turn * Point(-half_width, half_height)};

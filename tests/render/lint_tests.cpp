@@ -5,7 +5,8 @@
 
 #include <limits>
 #include <string>
-#include <vector>
+
+#include "math/list.hpp"
 
 namespace cairn::render {
 
@@ -15,7 +16,7 @@ TextStyle lint_test_style() { return {.size = 16, .color = light_theme().text}; 
 
 // What lint says about a page that `draw` has drawn on.
 template <typename Draw>
-std::vector<std::string> lint_of(Draw draw) {
+List<std::string> lint_of(Draw draw) {
   Page page(640, 360, light_theme());
   page.canvas().clear(page.theme().background);
   draw(page);
@@ -24,7 +25,7 @@ std::vector<std::string> lint_of(Draw draw) {
 
 template <typename Draw>
 void check_one_fault(Draw draw, const std::string& words) {
-  const std::vector<std::string> faults = lint_of(draw);
+  const List<std::string> faults = lint_of(draw);
   REQUIRE(faults.size() == 1);
   CAPTURE(faults[0]);
   CHECK(faults[0].find(words) != std::string::npos);
@@ -38,7 +39,7 @@ TEST_CASE("a page with header, panel, table and footer has no fault of layout") 
     for (const Theme& theme : {light_theme(), dark_theme()}) {
       Page page(height * 16 / 9, height, theme);
       page.begin({.number = "06", .title = "Rows", .state = "row 2 of 3", .frame = 1, .frames = 5});
-      const std::vector<Rect> parts = rows(page.area(), {1, 1}, page.sizes().gap);
+      const List<Rect> parts = rows(page.area(), {1, 1}, page.sizes().gap);
       page.table(parts[0], "speeds (m/s)", {.header = {"body", "v"}, .rows = {{"1", "0.25"}, {"2", "−3"}}});
       page.note(parts[1], "Predict", "Which of the boxes comes to rest first, and why?");
       CHECK(lint(page).empty());

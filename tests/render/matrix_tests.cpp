@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "images/golden.hpp"
+#include "math/list.hpp"
 #include "render/lint.hpp"
 
 namespace cairn::render {
@@ -18,21 +19,21 @@ constexpr double matrix_nan = std::numeric_limits<double>::quiet_NaN();
 
 struct MatrixPicture {
   Image image = {};
-  std::vector<TextBox> boxes = {};
-  std::vector<std::string> faults = {};
+  List<TextBox> boxes = {};
+  List<std::string> faults = {};
 };
 
 MatrixPicture picture_of(const MatrixView& view, const Rect& rect, const Theme& theme = light_theme()) {
   Page page(640, 360, theme);
   page.canvas().clear(page.theme().background);
   draw_matrix(page, rect, view);
-  const std::span<const TextBox> boxes = page.canvas().text_boxes();
+  const Span<const TextBox> boxes = page.canvas().text_boxes();
   return {.image = page.canvas().read(), .boxes = {boxes.begin(), boxes.end()}, .faults = lint(page)};
 }
 
 Color matrix_pixel(const Image& image, int x, int y) {
-  const auto at = static_cast<std::size_t>(3 * (y * image.width + x));
-  const auto channel = [&](std::size_t i) { return static_cast<float>(image.pixels.at(at + i)) / 255.0F; };
+  const int at = 3 * (y * image.width + x);
+  const auto channel = [&](int i) { return static_cast<float>(image.pixels.at(at + i)) / 255.0F; };
   return {channel(0), channel(1), channel(2), 1};
 }
 
@@ -214,7 +215,7 @@ TEST_CASE("an empty matrix and nonsense in its options do no harm") {
 TEST_CASE("the matrix of a stack of three boxes looks as it did") {
   Page page(640, 360, light_theme());
   page.begin({.number = "04", .title = "The big matrices", .state = "3 bodies · 3 rows"});
-  const std::vector<Rect> parts = rows(page.area(), {1, 1}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {1, 1}, page.sizes().gap);
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(3, 9);
   jacobian(0, 1) = jacobian(1, 4) = jacobian(2, 7) = 1;
   jacobian(1, 1) = jacobian(2, 4) = -1;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "images/golden.hpp"
+#include "math/list.hpp"
 
 namespace cairn::render {
 
@@ -24,12 +25,12 @@ bool page_test_inside(const Rect& inner, const Rect& outer) {
 
 /// Every text lies within `outer`, none meets another, none is below 12 px.
 void page_test_check_texts(const Page& page, const Rect& outer) {
-  const std::span<const TextBox> boxes = page.canvas().text_boxes();
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
+  const Span<const TextBox> boxes = page.canvas().text_boxes();
+  for (int i = 0; i < boxes.size(); ++i) {
     CAPTURE(boxes[i].text);
     CHECK(page_test_inside(boxes[i].rect, outer));
     CHECK(boxes[i].style.size >= 12);
-    for (std::size_t j = 0; j < i; ++j) {
+    for (int j = 0; j < i; ++j) {
       CAPTURE(boxes[j].text);
       CHECK_FALSE(page_test_overlap(boxes[i].rect, boxes[j].rect));
     }
@@ -89,7 +90,7 @@ TEST_CASE("the body lies between header and footer, inside the margins, at every
 
 TEST_CASE("columns and rows with their gaps fill the whole, by their weights") {
   const Rect all = {10, 20, 310, 200};
-  const std::vector<Rect> three = columns(all, {1, 2, 3}, 5);
+  const List<Rect> three = columns(all, {1, 2, 3}, 5);
   REQUIRE(three.size() == 3);
   const double unit = (310 - 2 * 5) / 6.0;
   CHECK(three[0].x == 10);
@@ -97,7 +98,7 @@ TEST_CASE("columns and rows with their gaps fill the whole, by their weights") {
   CHECK(three[1].x == doctest::Approx(10 + unit + 5));
   CHECK(three[1].width == doctest::Approx(2 * unit));
   CHECK(three[2].x + three[2].width == doctest::Approx(10 + 310));
-  const std::vector<Rect> two = rows(all, {3, 1}, 8);
+  const List<Rect> two = rows(all, {3, 1}, 8);
   REQUIRE(two.size() == 2);
   CHECK(two[0].height == doctest::Approx(3 * (200 - 8) / 4.0));
   CHECK(two[1].y == doctest::Approx(20 + two[0].height + 8));
@@ -153,7 +154,7 @@ TEST_CASE("the dot of the scrubber stands where the frame is in the sequence") {
     const double above = y - 3;  // inside the dot, above line and progress
     double sum = 0, count = 0;
     for (int x = 0; x < 640; ++x) {
-      const std::size_t at = 3 * (static_cast<std::size_t>(above) * 640 + static_cast<std::size_t>(x));
+      const int at = 3 * (static_cast<int>(above) * 640 + x);
       if (std::abs(image.pixels[at] - 255 * dark.r) < 12) sum += x + 0.5, count += 1;
     }
     REQUIRE(count > 0);
@@ -169,8 +170,8 @@ TEST_CASE("an equation stays inside its panel, from a large one to one too small
     page.begin({.title = "Rows"});
     const Rect panel = {10, 40, width, 280};
     page.equation(panel, page_test_equation());
-    const std::span<const TextBox> boxes = page.canvas().text_boxes();
-    for (std::size_t i = 1; i < boxes.size(); ++i) {
+    const Span<const TextBox> boxes = page.canvas().text_boxes();
+    for (int i = 1; i < boxes.size(); ++i) {
       CAPTURE(boxes[i].text);
       CHECK(page_test_inside(boxes[i].rect, panel));
     }
@@ -246,7 +247,7 @@ TEST_CASE("a new frame forgets the curves of the last one") {
 
 TEST_CASE("the same page drawn twice has the same pixels") {
   Page page(640, 360, light_theme());
-  std::vector<std::uint8_t> first;
+  List<std::uint8_t> first;
   for (int i = 0; i < 2; ++i) {
     page.begin({.number = "06", .title = "Rows", .state = "sweep 1/10", .frame = 2, .frames = 9});
     page.equation({320, 40, 310, 140}, page_test_equation());
@@ -264,8 +265,8 @@ TEST_CASE("a page looks as it did, light and dark") {
                 .state = "sweep 2/10 · row 2 of 3",
                 .frame = 5,
                 .frames = 31});
-    const std::vector<Rect> halves = columns(page.area(), {1, 1}, page.sizes().gap);
-    const std::vector<Rect> right = rows(halves[1], {1, 1}, page.sizes().gap);
+    const List<Rect> halves = columns(page.area(), {1, 1}, page.sizes().gap);
+    const List<Rect> right = rows(halves[1], {1, 1}, page.sizes().gap);
     TableView table = page_test_table(5);
     table.active_row = 1;
     page.note(halves[0], "question", "After the first sweep, which boxes still move, and how fast?");

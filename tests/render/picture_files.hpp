@@ -11,9 +11,9 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "../geometry/random_shapes.hpp"
+#include "math/list.hpp"
 #include "render/image.hpp"
 
 namespace cairn::test {
@@ -48,11 +48,11 @@ inline std::string text_of_file(const std::filesystem::path& path) {
   return text;
 }
 
-inline std::string as_text(const std::vector<std::uint8_t>& bytes) { return {bytes.begin(), bytes.end()}; }
+inline std::string as_text(const List<std::uint8_t>& bytes) { return {bytes.begin(), bytes.end()}; }
 
 inline render::Image flat_picture(int width, int height, std::uint8_t grey) {
-  const auto size = 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  return {.width = width, .height = height, .pixels = std::vector<std::uint8_t>(size, grey)};
+  const int size = 3 * width * height;
+  return {.width = width, .height = height, .pixels = List<std::uint8_t>(size, grey)};
 }
 
 inline render::Image random_picture(int width, int height, std::uint64_t seed) {
@@ -64,7 +64,7 @@ inline render::Image random_picture(int width, int height, std::uint64_t seed) {
 
 /// One channel (0 red, 1 green, 2 blue) of one pixel.
 inline std::uint8_t& channel_at(render::Image& image, int x, int y, int channel) {
-  return image.pixels.at(static_cast<std::size_t>(3 * (y * image.width + x) + channel));
+  return image.pixels[3 * (y * image.width + x) + channel];
 }
 
 struct PngChunk {
@@ -81,9 +81,9 @@ inline std::uint32_t number_at(const std::string& bytes, std::size_t offset, std
   return value;
 }
 
-inline std::vector<PngChunk> png_chunks(const std::string& file) {
+inline List<PngChunk> png_chunks(const std::string& file) {
   if (file.substr(0, 8) != "\x89PNG\r\n\x1a\n") throw std::runtime_error("no PNG signature");
-  std::vector<PngChunk> chunks;
+  List<PngChunk> chunks;
   for (std::size_t at = 8; at < file.size();) {
     const std::size_t length = number_at(file, at, 4);
     chunks.push_back({.name = file.substr(at + 4, 4),
@@ -103,17 +103,17 @@ inline std::uint32_t checksum_of(const PngChunk& chunk) {
 
 /// The inverse of zlib's compression, of unfiltered rows of RGB.
 inline render::Image inflated(int width, int height, const std::string& compressed) {
-  const std::size_t row = 1 + 3 * static_cast<std::size_t>(width);
-  std::vector<std::uint8_t> rows(row * static_cast<std::size_t>(height));
-  uLongf length = static_cast<uLongf>(rows.size());
+  const int row = 1 + 3 * width;
+  List<std::uint8_t> rows(row * height);
+  uLongf length = rows.bytes();
   const auto* const bytes = reinterpret_cast<const Bytef*>(compressed.data());
   const int code = uncompress(rows.data(), &length, bytes, static_cast<uLong>(compressed.size()));
-  if (code != Z_OK || length != rows.size()) throw std::runtime_error("pixels do not inflate");
+  if (code != Z_OK || length != rows.bytes()) throw std::runtime_error("pixels do not inflate");
   render::Image image{.width = width, .height = height};
-  for (std::size_t at = 0; at < rows.size(); at += row) {
+  for (int at = 0; at < rows.size(); at += row) {
     if (rows[at] != 0) throw std::runtime_error("a row is filtered");
-    const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(at);
-    image.pixels.insert(image.pixels.end(), begin + 1, begin + static_cast<std::ptrdiff_t>(row));
+    const auto begin = rows.begin() + at;
+    image.pixels.insert(image.pixels.end(), begin + 1, begin + row);
   }
   return image;
 }

@@ -7,12 +7,14 @@
 #include <stdexcept>
 
 #include "images/golden.hpp"
+#include "math/list.hpp"
 #include "render/lint.hpp"
 #include "render/plot.hpp"
 #include "render/plot_parts.hpp"
 
 namespace {
 
+using cairn::List;
 using namespace cairn::render;
 
 constexpr double not_plottable = std::numeric_limits<double>::quiet_NaN();
@@ -31,8 +33,7 @@ ColoredPixels pixels_of_color(const Image& image, const Color& color) {
   ColoredPixels found;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
-      const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                                  static_cast<std::size_t>(x));
+      const int at = 3 * (y * image.width + x);
       const double distance = std::abs(image.pixels[at] - 255.0 * static_cast<double>(color.r)) +
                               std::abs(image.pixels[at + 1] - 255.0 * static_cast<double>(color.g)) +
                               std::abs(image.pixels[at + 2] - 255.0 * static_cast<double>(color.b));
@@ -66,13 +67,13 @@ Plot unit_plot() {
   return plot;
 }
 
-std::vector<Series> series_that_end_together(const Theme& theme) {
-  std::vector<Series> all;
+List<Series> series_that_end_together(const Theme& theme) {
+  List<Series> all;
   for (const SeriesStyle& style : {theme.pgs, theme.si, theme.box2d, theme.jacobi}) {
     Series series{.name = "series " + std::to_string(all.size()), .style = style};
     for (int i = 0; i <= 20; ++i) {
       series.x.push_back(i);
-      series.y.push_back(2 + 0.001 * static_cast<double>(all.size()) * i);
+      series.y.push_back(2 + 0.001 * all.size() * i);
     }
     all.push_back(series);
   }
@@ -84,10 +85,10 @@ Plot convergence_plot(const Theme& theme) {
   plot.x.title = "sweeps";
   plot.y = {.title = "largest |λ − λ*| / 100 N", .scale = AxisScale::logarithmic, .min = 1e-4};
   plot.goals.push_back({.y = 0.01, .text = "1 % goal"});
-  const std::vector<std::pair<std::string, double>> rates = {
+  const List<std::pair<std::string, double>> rates = {
       {"PGS", 0.975}, {"SI", 0.975}, {"SOR", 0.78}, {"Jacobi", 0.99}};
-  const std::vector<SeriesStyle> styles = {theme.pgs, theme.si, theme.box2d, theme.jacobi};
-  for (std::size_t k = 0; k < rates.size(); ++k) {
+  const List<SeriesStyle> styles = {theme.pgs, theme.si, theme.box2d, theme.jacobi};
+  for (int k = 0; k < rates.size(); ++k) {
     Series series{.name = rates[k].first, .style = styles[k]};
     for (int i = 0; i <= 60; ++i) {
       series.x.push_back(i);
@@ -144,9 +145,9 @@ TEST_CASE("a value that is not a number leaves a gap in its curve") {
   const double from = page.curves()[0].back().x();
   const double to = page.curves()[1].front().x();
   const Image image = page.canvas().read();
-  const auto y = static_cast<std::size_t>(page.curves()[0].back().y());
+  const int y = static_cast<int>(page.curves()[0].back().y());
   for (double x = from + 4; x < to - 4; ++x) {
-    const std::size_t at = 3 * (y * 640 + static_cast<std::size_t>(x));
+    const int at = 3 * (y * 640 + static_cast<int>(x));
     REQUIRE(image.pixels[at + 1] > 128);  // red has no green
   }
 }
@@ -160,7 +161,7 @@ TEST_CASE("names at the ends of curves that end together do not overlap") {
     plot.y.title = "x (m)";
     plot.series = series_that_end_together(page.theme());
     draw_plot(page, page.area(), plot);
-    CHECK(lint(page) == std::vector<std::string>{});
+    CHECK(lint(page) == List<std::string>{});
     int names = 0;
     for (const TextBox& box : page.canvas().text_boxes()) names += box.text.rfind("series ", 0) == 0 ? 1 : 0;
     CHECK(names == 4);
@@ -172,7 +173,7 @@ TEST_CASE("no title, tick or text of a plot stands upon its curves") {
     Page page(height * 16 / 9, height, light_theme());
     page.begin({.title = "Plot"});
     draw_plot(page, page.area(), convergence_plot(page.theme()));
-    CHECK(lint(page) == std::vector<std::string>{});
+    CHECK(lint(page) == List<std::string>{});
     CHECK(page.curves().size() == 4);
   }
 }
@@ -199,24 +200,24 @@ TEST_CASE("of two curves that coincide both are seen by their markers") {
 
 TEST_CASE("data without extent, without points, or beyond all bounds is drawn all the same") {
   const double infinite = std::numeric_limits<double>::infinity();
-  const std::vector<std::vector<double>> heights = {{},
-                                                    {2},
-                                                    {0, 0, 0},
-                                                    {5, 5, 5},
-                                                    {not_plottable, not_plottable},
-                                                    {1, infinite, 3},
-                                                    {-1e299, 1e299},
-                                                    {1e-299, 2e-299}};
+  const List<List<double>> heights = {{},
+                                      {2},
+                                      {0, 0, 0},
+                                      {5, 5, 5},
+                                      {not_plottable, not_plottable},
+                                      {1, infinite, 3},
+                                      {-1e299, 1e299},
+                                      {1e-299, 2e-299}};
   for (const AxisScale scale : {AxisScale::linear, AxisScale::logarithmic}) {
-    for (const std::vector<double>& height : heights) {
+    for (const List<double>& height : heights) {
       Plot plot;
       plot.y.scale = scale;
       Series series{.name = "x", .style = red_line, .y = height};
-      for (std::size_t i = 0; i < height.size(); ++i) series.x.push_back(static_cast<double>(i));
+      for (int i = 0; i < height.size(); ++i) series.x.push_back(i);
       plot.series.push_back(series);
       PlotPage page;
       draw_plot(page, plot_rect, plot);
-      CHECK(lint(page) == std::vector<std::string>{});
+      CHECK(lint(page) == List<std::string>{});
       const bool has_points =
           std::any_of(height.begin(), height.end(), [&](double y) { return plottable(y, scale); });
       CHECK((pixels_of_color(page.canvas().read(), red_line.color).count > 0) == has_points);

@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <limits>
 
+#include "math/list.hpp"
 #include "render/plot_parts.hpp"
 
 namespace {
 
+using cairn::List;
 using namespace cairn::render;
 
 /// splitmix64, as a number in [0, 1).
@@ -35,15 +37,15 @@ TEST_CASE("round ticks lie inside the range, at steps of 1, 2 or 5 times a power
     const double min = size * (4 * next_plot_number(state) - 2);
     const double max = min + size * (0.01 + next_plot_number(state));
     const int count = 2 + static_cast<int>(9 * next_plot_number(state));
-    const std::vector<double> ticks = round_ticks(min, max, count);
+    const List<double> ticks = round_ticks(min, max, count);
     CAPTURE(min);
     CAPTURE(max);
-    REQUIRE(static_cast<int>(ticks.size()) <= count);
+    REQUIRE(ticks.size() <= count);
     // Steps grow by at most 2.5: of `count` at least a third is used, and of few at least none.
-    REQUIRE(static_cast<double>(ticks.size()) > count / 2.5 - 2);
+    REQUIRE(ticks.size() > count / 2.5 - 2);
     const double slack = 1e-6 * (max - min);
     for (const double tick : ticks) REQUIRE((tick >= min - slack && tick <= max + slack));
-    for (std::size_t i = 1; i < ticks.size(); ++i) {
+    for (int i = 1; i < ticks.size(); ++i) {
       REQUIRE(ticks[i] - ticks[i - 1] == doctest::Approx(ticks[1] - ticks[0]).epsilon(1e-6));
     }
     if (ticks.size() > 1) REQUIRE(is_plain_step(ticks[1] - ticks[0]));
@@ -51,11 +53,11 @@ TEST_CASE("round ticks lie inside the range, at steps of 1, 2 or 5 times a power
 }
 
 TEST_CASE("round ticks are the numbers a person would write") {
-  CHECK(round_ticks(0, 1, 6) == std::vector<double>{0, 0.2, 0.4, 0.6, 0.8, 1});
-  CHECK(round_ticks(0, 10, 3) == std::vector<double>{0, 5, 10});
-  CHECK(round_ticks(-1, 1, 5) == std::vector<double>{-1, -0.5, 0, 0.5, 1});
-  CHECK(round_ticks(0.13, 0.41, 4) == std::vector<double>{0.2, 0.3, 0.4});
-  CHECK(round_ticks(1200, 4700, 8) == std::vector<double>{1500, 2000, 2500, 3000, 3500, 4000, 4500});
+  CHECK(round_ticks(0, 1, 6) == List<double>{0, 0.2, 0.4, 0.6, 0.8, 1});
+  CHECK(round_ticks(0, 10, 3) == List<double>{0, 5, 10});
+  CHECK(round_ticks(-1, 1, 5) == List<double>{-1, -0.5, 0, 0.5, 1});
+  CHECK(round_ticks(0.13, 0.41, 4) == List<double>{0.2, 0.3, 0.4});
+  CHECK(round_ticks(1200, 4700, 8) == List<double>{1500, 2000, 2500, 3000, 3500, 4000, 4500});
 }
 
 TEST_CASE("a range that is none has no ticks") {
@@ -72,10 +74,10 @@ TEST_CASE("a range that is none has no ticks") {
 TEST_CASE("decades are thinned evenly and keep 1") {
   CHECK(decade_ticks(1e-4, 1, 5).size() == 5);
   CHECK(decade_ticks(3e-3, 40, 9).size() == 4);  // 0.01, 0.1, 1, 10
-  const std::vector<double> thinned = decade_ticks(1e-12, 1, 5);
+  const List<double> thinned = decade_ticks(1e-12, 1, 5);
   REQUIRE(thinned.size() == 5);
-  for (std::size_t i = 0; i < 5; ++i) {
-    CHECK(std::log10(thinned[i]) == doctest::Approx(-12.0 + 3.0 * static_cast<double>(i)));
+  for (int i = 0; i < 5; ++i) {
+    CHECK(std::log10(thinned[i]) == doctest::Approx(-12.0 + 3.0 * i));
   }
   for (int count = 1; count < 12; ++count) {
     CHECK(static_cast<int>(decade_ticks(1e-200, 1e200, count).size()) <= count);
@@ -90,12 +92,12 @@ TEST_CASE("on a logarithmic axis the geometric mean stands in the middle") {
 }
 
 TEST_CASE("places move apart by no more than they must, and keep their order") {
-  CHECK(moved_apart({10, 50, 90}, 20, 0, 100) == std::vector<double>{10, 50, 90});
-  CHECK(moved_apart({50, 50}, 20, 0, 100) == std::vector<double>{40, 60});
-  CHECK(moved_apart({95, 98}, 20, 0, 100) == std::vector<double>{80, 100});
+  CHECK(moved_apart({10, 50, 90}, 20, 0, 100) == List<double>{10, 50, 90});
+  CHECK(moved_apart({50, 50}, 20, 0, 100) == List<double>{40, 60});
+  CHECK(moved_apart({95, 98}, 20, 0, 100) == List<double>{80, 100});
   CHECK(moved_apart({}, 20, 0, 100).empty());
-  const std::vector<double> crowd = moved_apart({10, 12, 14, 16}, 30, 0, 60);  // no room: still apart
-  for (std::size_t i = 1; i < crowd.size(); ++i) CHECK(crowd[i] - crowd[i - 1] == doctest::Approx(30));
+  const List<double> crowd = moved_apart({10, 12, 14, 16}, 30, 0, 60);  // no room: still apart
+  for (int i = 1; i < crowd.size(); ++i) CHECK(crowd[i] - crowd[i - 1] == doctest::Approx(30));
 }
 
 TEST_CASE("where there is room for two ticks, some decades are never left with one") {

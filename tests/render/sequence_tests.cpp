@@ -8,8 +8,8 @@
 #include <string>
 #include <thread>
 #include <utility>
-#include <vector>
 
+#include "math/list.hpp"
 #include "picture_files.hpp"
 #include "render/sequence.hpp"
 
@@ -88,7 +88,7 @@ TEST_CASE("finish throws the error of the first frame that failed, whichever thr
     for (const int number : {3, 4, 5}) fs::create_directory(folder / name_of_frame(number));
     FrameWriter writer(folder.path(), "l06", {.threads = threads});
     const std::string expected = "cannot write " + (folder / "l06_0003.png").string() + ": Is a directory";
-    std::vector<Image> images;  // made beforehand, so that the threads have several at a time
+    List<Image> images;  // made beforehand, so that the threads have several at a time
     for (int i = 1; i <= 8; ++i) images.push_back(random_picture(i == slow ? 500 : i == 3 ? 100 : 5, 500, 1));
     const auto add_frames = [&] {
       for (Image& image : images) writer.add(std::move(image));

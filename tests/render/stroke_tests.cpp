@@ -2,10 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <vector>
 
+#include "math/list.hpp"
 #include "render/canvas.hpp"
 #include "ink.hpp"
 
@@ -23,7 +22,7 @@ TEST_CASE("a line is cut straight at its ends: it covers its length times its wi
 }
 
 TEST_CASE("the joints of a see-through polyline are drawn once and without a gap") {
-  std::vector<Point> arc;
+  List<Point> arc;
   for (int i = 0; i <= 40; ++i) {
     arc.emplace_back(50 + 35 * std::cos(pi * i / 40), 50 + 35 * std::sin(pi * i / 40));
   }
@@ -52,7 +51,7 @@ TEST_CASE("a dash pattern draws and leaves out the lengths it names, also around
     const bool drawn = in_period < 6 || (in_period >= 10 && in_period < 12);
     CHECK(darkness(straight, x, 2) == doctest::Approx(drawn ? 1 : 0));
   }
-  const std::array<Point, 3> corner = {Point(5, 5), Point(45, 5), Point(45, 45)};
+  const FixedList<Point, 3> corner = {Point(5, 5), Point(45, 5), Point(45, 45)};
   const Image bent = picture_of(50, 50, [&](Canvas& canvas) {
     canvas.polyline(corner, {.width = 1, .color = canvas_black, .dash = {7, 3}});
   });
@@ -73,7 +72,7 @@ TEST_CASE("an odd dash pattern swaps drawn and left out each time round; an empt
 }
 
 TEST_CASE("hatching stays in its polygon and covers width over pitch of it") {
-  const std::array<Point, 4> square = {Point(10, 10), Point(90, 10), Point(90, 90), Point(10, 90)};
+  const FixedList<Point, 4> square = {Point(10, 10), Point(90, 10), Point(90, 90), Point(10, 90)};
   const Image image = picture_of(
       100, 100, [&](Canvas& canvas) { canvas.hatch(square, {.width = 1.5, .color = canvas_black}, 10); });
   // Lines at 45 degrees and 10 px apart horizontally are 10 / sqrt(2) px apart across. Pixel centres meet
@@ -86,8 +85,8 @@ TEST_CASE("hatching stays in its polygon and covers width over pitch of it") {
 }
 
 TEST_CASE("a polyline with a bad point keeps its sound parts") {
-  const std::array<Point, 5> points = {Point(2, 2.5), Point(12, 2.5), Point(std::nan(""), 0), Point(20, 2.5),
-                                       Point(30, 2.5)};
+  const FixedList<Point, 5> points = {Point(2, 2.5), Point(12, 2.5), Point(std::nan(""), 0), Point(20, 2.5),
+                                      Point(30, 2.5)};
   const Image image = picture_of(
       40, 5, [&](Canvas& canvas) { canvas.polyline(points, {.width = 1, .color = canvas_black}); });
   CHECK(covered_area(image) == 20);

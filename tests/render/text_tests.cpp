@@ -25,7 +25,7 @@ InkBounds ink_of(const Image& image) {
   InkBounds ink;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
-      const std::size_t at = 3 * static_cast<std::size_t>(y * image.width + x);
+      const int at = 3 * (y * image.width + x);
       if (image.pixels[at] < 255) {
         ink.left = std::min(ink.left, x);
         ink.right = std::max(ink.right, x);
@@ -107,7 +107,7 @@ TEST_CASE("a text moved by whole pixels is the same picture moved") {
   const Image there = written_picture("λ = 3.75 N", black_text, {103, 50});
   for (int y = 0; y < 100; ++y) {
     for (int x = 0; x + 3 < 200; ++x) {
-      const std::size_t from = 3 * static_cast<std::size_t>(y * 200 + x);
+      const int from = 3 * (y * 200 + x);
       REQUIRE(here.pixels[from] == there.pixels[from + 9]);
     }
   }
@@ -220,9 +220,7 @@ TEST_CASE("a halo keeps the ground around the glyphs clear") {
   canvas.text({100, 50}, "l", style);
   const Image image = canvas.read();
   const InkBounds letter = ink_of(written_picture("l"));
-  const auto brightness = [&](int x, int y) {
-    return image.pixels[3 * static_cast<std::size_t>(y * 200 + x)];
-  };
+  const auto brightness = [&](int x, int y) { return image.pixels[3 * (y * 200 + x)]; };
   CHECK(brightness(letter.left - 1, 45) > 240);
   CHECK(brightness(letter.right + 1, 45) > 240);
   CHECK(brightness(letter.left - 8, 45) == 0);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string>
 
+#include "math/list.hpp"
+
 namespace cairn::render {
 
 namespace {
@@ -31,7 +33,7 @@ struct StatedContrast {
   double ratio = 1;
 };
 
-void theme_test_check(Color background, const std::vector<StatedContrast>& stated) {
+void theme_test_check(Color background, const List<StatedContrast>& stated) {
   for (const StatedContrast& each : stated) {
     CAPTURE(each.name);
     // Stated with one decimal.
@@ -39,7 +41,7 @@ void theme_test_check(Color background, const std::vector<StatedContrast>& state
   }
 }
 
-std::vector<Color> theme_test_grounds(const Theme& theme) {
+List<Color> theme_test_grounds(const Theme& theme) {
   return {theme.background, theme.panel, theme.body, theme.active_a, theme.active_b, theme.sleeping};
 }
 
@@ -47,7 +49,7 @@ std::vector<Color> theme_test_grounds(const Theme& theme) {
 
 TEST_CASE("the light palette has the contrasts stated for it") {
   const Theme theme = light_theme();
-  std::vector<StatedContrast> stated;
+  List<StatedContrast> stated;
   stated.push_back({"text", theme.text, 16.0});
   stated.push_back({"secondary text", theme.secondary_text, 6.0});
   stated.push_back({"normal", theme.normal, 3.7});
@@ -64,7 +66,7 @@ TEST_CASE("the light palette has the contrasts stated for it") {
 
 TEST_CASE("the dark palette has the contrasts stated for it") {
   const Theme theme = dark_theme();
-  std::vector<StatedContrast> stated;
+  List<StatedContrast> stated;
   stated.push_back({"text", theme.text, 16.3});
   stated.push_back({"secondary text", theme.secondary_text, 8.8});
   stated.push_back({"normal", theme.normal, 6.9});
@@ -117,9 +119,9 @@ TEST_CASE("without hues every colour is a grey of the same luminance") {
 
 TEST_CASE("no two solvers share a dash and a marker, so that print without hues tells them apart") {
   const Theme theme = light_theme();
-  const std::vector<SeriesStyle> series = {theme.pgs, theme.si, theme.box2d, theme.jacobi, theme.exact};
-  for (std::size_t i = 0; i < series.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) CHECK(series[i].marker != series[j].marker);
+  const List<SeriesStyle> series = {theme.pgs, theme.si, theme.box2d, theme.jacobi, theme.exact};
+  for (int i = 0; i < series.size(); ++i) {
+    for (int j = 0; j < i; ++j) CHECK(series[i].marker != series[j].marker);
   }
   CHECK(theme.pgs.dash.empty());
   CHECK(theme.si.dash != theme.box2d.dash);

@@ -39,9 +39,9 @@ inline Snapshot with_ground() {
 
 /// How far a pixel's colour is from another, 0..255, the worst of the three channels.
 inline int distance_at(const Image& image, const Point& at, const Color& color) {
-  const auto x = static_cast<std::size_t>(at.x());
-  const auto y = static_cast<std::size_t>(at.y());
-  const std::size_t first = 3 * (y * static_cast<std::size_t>(image.width) + x);
+  const int x = static_cast<int>(at.x());
+  const int y = static_cast<int>(at.y());
+  const int first = 3 * (y * image.width + x);
   const double r = std::abs(image.pixels[first] - 255.0 * static_cast<double>(color.r));
   const double g = std::abs(image.pixels[first + 1] - 255.0 * static_cast<double>(color.g));
   const double b = std::abs(image.pixels[first + 2] - 255.0 * static_cast<double>(color.b));

@@ -22,7 +22,7 @@ double scene_formula_value(const std::string& text) {
   return result.value;
 }
 
-const SceneBody& scene_body_at(const Scene& scene, std::size_t i) { return scene.bodies().at(i); }
+const SceneBody& scene_body_at(const Scene& scene, int i) { return scene.bodies().at({i}); }
 
 }  // namespace
 
@@ -230,7 +230,7 @@ TEST_CASE("a file is read by its path, and a folder by the order that its scenes
   std::ofstream(folder / "a.toml") << "order = 2\n";
   std::ofstream(folder / "z.toml") << "order = 1\n";
   std::ofstream(folder / "notes.txt") << "no scene\n";
-  const std::vector<SceneEntry> entries = read_scene_folder(folder.string());
+  const List<SceneEntry> entries = read_scene_folder(folder.string());
   REQUIRE(entries.size() == 3);
   CHECK(entries[0].name + entries[1].name + entries[2].name == "zab");
   CHECK(scene_entry((folder / "z.toml").string()).name == "z");

@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "scenes/scene_file.hpp"
 #include "scenes/solver_list.hpp"
 
@@ -18,7 +18,7 @@ struct JointMistakes {
   std::string message = {};
 };
 
-const std::vector<JointMistakes> joint_mistakes = {
+const List<JointMistakes> joint_mistakes = {
     {"a joint without a type", "[[joint]]\nb = \"ball\"\n",
      "my.toml:1:1: joint[1].type must be given: one of rod, rope, spring, revolute, prismatic, weld, pulley, "
      "gear, differential, drag, friction (what joins the bodies)"},

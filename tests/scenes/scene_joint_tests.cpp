@@ -13,6 +13,7 @@
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
 #include "scenes/scene_file.hpp"
+#include "study/trial.hpp"
 
 using namespace cairn;
 
@@ -181,6 +182,6 @@ TEST_CASE("a joint for each of a row is as many joints") {
           .make();
   REQUIRE(scene.joints().size() == 3);
   for (int i = 0; i < 3; ++i) {
-    CHECK(scene.joints()[static_cast<std::size_t>(i)]->attachments()[1].body == BodyId{i + 1});
+    CHECK(scene.joints()[i]->attachments()[1].body == BodyId{i + 1});
   }
 }

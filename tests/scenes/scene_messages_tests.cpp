@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "scenes/scene_file.hpp"
 
 using namespace cairn;
@@ -17,7 +17,7 @@ struct BodyMistakes {
   std::string message = {};
 };
 
-const std::vector<BodyMistakes> body_mistakes = {
+const List<BodyMistakes> body_mistakes = {
     {"an unknown table", "[gruond]\nheight = 1\n",
      "my.toml:1:2: gruond must be a known key, but the file itself has none of that name (ground?)"},
     {"an unknown key", "[[body]]\ncircle = 1\ndensty = 2\n",
@@ -118,7 +118,7 @@ TEST_CASE("a mistake in a table or a body is told with its place, its field and 
 }
 
 TEST_CASE("what is no TOML is told with its line and column") {
-  const std::vector<BodyMistakes> mistakes = {
+  const List<BodyMistakes> mistakes = {
       {"a word without quotes", "title = stack\n",
        "my.toml:1:9: the text must be TOML: a value must be a number, a list, or a text in quotes"},
       {"a bracket that is not closed", "[[body]]\nbox = [1, 1\nposition = [0, 1]\n",

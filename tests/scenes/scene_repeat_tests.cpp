@@ -4,17 +4,18 @@
 #include <cmath>
 #include <set>
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "scenes/scene_file.hpp"
+#include "study/trial.hpp"
 
 using namespace cairn;
 
 namespace {
 
 /// Centres of the bodies of a text, without the ground.
-std::vector<Vec2<double>> repeat_places(const std::string& text) {
-  std::vector<Vec2<double>> places;
+List<Vec2<double>> repeat_places(const std::string& text) {
+  List<Vec2<double>> places;
   const Scene scene = read_scene_text(text, "repeat.toml").make();
   for (const SceneBody& body : scene.bodies()) places.push_back(body.pose.position);
   places.erase(places.begin());
@@ -39,7 +40,7 @@ TEST_CASE("a stack stands on its foot, each body on the one below, to the left a
   const auto places = repeat_places("[[stack]]\nn = 3\nbox = [2, 1]\nposition = [1, 2]\noffset = 0.25\n");
   REQUIRE(places.size() == 3);
   for (int i = 0; i < 3; ++i) {
-    CHECK(places[static_cast<std::size_t>(i)] == Vec2<double>(i == 1 ? 1.25 : 0.75, 2.5 + i));
+    CHECK(places[i] == Vec2<double>(i == 1 ? 1.25 : 0.75, 2.5 + i));
   }
   CHECK(repeat_places("[[stack]]\nn = 2\ncircle = 0.5\n")[1] == Vec2<double>(0, 1.5));
 }
@@ -47,7 +48,7 @@ TEST_CASE("a stack stands on its foot, each body on the one below, to the left a
 TEST_CASE("a pyramid of n rows has n (n + 1) / 2 boxes, symmetric about its middle") {
   for (const int n : {1, 2, 7}) {
     const auto places = repeat_places("[[pyramid]]\nn = " + std::to_string(n) + "\nbox = [1, 1]\n");
-    CHECK(static_cast<int>(places.size()) == n * (n + 1) / 2);
+    CHECK(places.size() == n * (n + 1) / 2);
     CHECK(places.back() == Vec2<double>(0, n - 0.5));
     double sum = 0;
     for (const Vec2<double>& place : places) sum += place.x();
@@ -59,16 +60,16 @@ TEST_CASE("a row begins where it should, and its rows are moved in turns") {
   const std::string row =
       "n = 2\nrows = 2\nstep = [2, 0]\nrow_step = [0, 3]\nstagger = [0.5, 0]\ncircle = 0.2\n";
   const auto first = repeat_places("[[row]]\nfirst = [1, 1]\n" + row);
-  CHECK(first == std::vector<Vec2<double>>{{1, 1}, {3, 1}, {1.5, 4}, {3.5, 4}});
+  CHECK(first == List<Vec2<double>>{{1, 1}, {3, 1}, {1.5, 4}, {3.5, 4}});
   const auto middle = repeat_places("[[row]]\nposition = [1, 1]\n" + row);
-  CHECK(middle == std::vector<Vec2<double>>{{0, 1}, {2, 1}, {0.5, 4}, {2.5, 4}});
+  CHECK(middle == List<Vec2<double>>{{0, 1}, {2, 1}, {0.5, 4}, {2.5, 4}});
   const Scene mixed = read_scene_text(
                           "[[row]]\nfirst = [0, 0]\nn = 5\nstep = [2, 0]\nbox = [1, 1]\nevery = 3\n"
                           "other = { circle = 0.5 }\n",
                           "mixed.toml")
                           .make();
-  for (std::size_t i = 0; i < 5; ++i) {
-    CHECK(shape_name(mixed.bodies()[i + 1].spec.shapes[0]) == (i % 3 == 0 ? "circle" : "polygon"));
+  for (int i = 0; i < 5; ++i) {
+    CHECK(shape_name(mixed.bodies()[{i + 1}].spec.shapes[0]) == (i % 3 == 0 ? "circle" : "polygon"));
   }
 }
 
@@ -83,7 +84,7 @@ TEST_CASE("a pile is the same for the same seed, another one for another, and st
   CHECK(pile(3) != pile(4));
   const auto places = pile(5);
   for (int i = 0; i < 12; ++i) {
-    const Vec2<double>& place = places[static_cast<std::size_t>(i)];
+    const Vec2<double>& place = places[i];
     CHECK(std::abs(place.x() - 2 * (i % 4)) <= 0.5);
     CHECK(place.y() == 3 * (i / 4));
   }
@@ -104,7 +105,7 @@ TEST_CASE("an arch of n stones has the area of half a ring, whatever n is, but f
 TEST_CASE("a house of n storeys has n (n + 1) cards and n boards, and a row of dominoes n pieces") {
   for (const int n : {1, 3}) {
     const auto cards = repeat_places("[[cards]]\nn = " + std::to_string(n) + "\n");
-    CHECK(static_cast<int>(cards.size()) == n * (n + 1) + n);
+    CHECK(cards.size() == n * (n + 1) + n);
   }
   const auto dominoes = repeat_places("[[dominoes]]\nn = 4\nlean = 0.1\nposition = [0, 1]\n");
   REQUIRE(dominoes.size() == 4);
@@ -132,8 +133,8 @@ TEST_CASE("the joints of chains and cradles begin closed, between ends or with a
       read_scene_text("[[chain]]\nn = 2\nlink = 0.5\n[chain.bob]\nradius = 0.2\nratio = 3\n", "bob.toml")
           .make();
   CHECK(bob.joints().size() == 3);
-  CHECK(bob.bodies()[3].mass == 3 * bob.bodies()[2].mass);
-  CHECK(bob.bodies()[3].pose.position.y() == doctest::Approx(-1.2).epsilon(1e-15));
+  CHECK(bob.bodies()[{3}].mass == 3 * bob.bodies()[{2}].mass);
+  CHECK(bob.bodies()[{3}].pose.position.y() == doctest::Approx(-1.2).epsilon(1e-15));
 }
 
 TEST_CASE("bodies come in the order of the file, and each has a name that joints can use") {
@@ -159,7 +160,7 @@ circle = 0.1
 )",
                                            "names.toml");
   CHECK(entry.body_names ==
-        std::vector<std::string>{"ground", "body.1", "stack.1", "stack.2", "body.2", "late.1"});
+        PerBody<std::string>{"ground", "body.1", "stack.1", "stack.2", "body.2", "late.1"});
   const auto joints = entry.make().joints();
   REQUIRE(joints.size() == 1);
   CHECK(joints[0]->attachments()[0].body == BodyId{5});

@@ -74,17 +74,17 @@ TEST_CASE("clamping increments throws a box with narrow feet up for ever; clampi
     VelocityProblem<double> wrong = box_on_two_feet(foot);
     SequentialImpulse<double>({.iterations = sweeps}, {.clamp = Clamp::increment}).solve(wrong);
     CHECK((wrong.impulse[0] + wrong.impulse[1]) / fall_of_one_step == doctest::Approx(sum).epsilon(1e-13));
-    CHECK(wrong.velocity[1].y() ==
+    CHECK(wrong.velocity[{1}].y() ==
           doctest::Approx((sum - 1) * fall_of_one_step).epsilon(1e-12));  // 0.0198 m/s
     // The second foot is at rest, v + foot omega = 0.
-    CHECK(wrong.velocity[1].z() == doctest::Approx(-wrong.velocity[1].y() / foot).epsilon(1e-12));
+    CHECK(wrong.velocity[{1}].z() == doctest::Approx(-wrong.velocity[{1}].y() / foot).epsilon(1e-12));
   }
   VelocityProblem<double> right = box_on_two_feet(foot);
   SequentialImpulse<double>({.iterations = 1000}).solve(right);
   for (const double impulse : right.impulse) {
     CHECK(impulse / fall_of_one_step == doctest::Approx(0.5).epsilon(1e-13));
   }
-  CHECK(right.velocity[1].cwiseAbs().maxCoeff() <= 1e-15);
+  CHECK(right.velocity[{1}].cwiseAbs().maxCoeff() <= 1e-15);
 }
 
 TEST_CASE("with feet at its corners a box does not show the mistake: test the narrow one") {
@@ -104,7 +104,7 @@ TEST_CASE("a warm start that is twice too large is taken back by clamped sums, n
     problem.impulse = {fall_of_one_step, fall_of_one_step};
     SequentialImpulse<double>({.iterations = 1000}, {.clamp = clamp}).solve(problem);
     const double up = clamp == Clamp::accumulated ? 0 : fall_of_one_step;
-    CHECK(std::abs(problem.velocity[1].y() - up) <= 1e-15);
+    CHECK(std::abs(problem.velocity[{1}].y() - up) <= 1e-15);
   }
 }
 
@@ -118,7 +118,7 @@ TEST_CASE_TEMPLATE("effective masses computed in the loop give the same bits as 
       SequentialImpulse<Real>(settings).solve(before);
       SequentialImpulse<Real>(settings, {.effective_mass = EffectiveMass::in_the_loop}).solve(inside);
       CHECK(before.impulse == inside.impulse);
-      for (std::size_t body = 0; body < before.velocity.size(); ++body) {
+      for (const BodyId body : before.velocity.indices()) {
         CHECK(before.velocity[body] == inside.velocity[body]);
       }
       CHECK(std::abs(before.impulse[0]) > 0);

@@ -48,7 +48,7 @@ class BoundsWatcher final : public SolveObserver<Real> {
  public:
   bool watches_rows() const override { return true; }
   void after_row(const RowUpdate<Real>& update, const VelocityProblem<Real>& problem) override {
-    const Bounds<Real>& bounds = problem.rows[static_cast<std::size_t>(update.row)].bounds;
+    const Bounds<Real>& bounds = problem.rows[update.row].bounds;
     violations += bounds.clamp(update.impulse_after, problem.impulse) != update.impulse_after;
     updates += 1;
   }
@@ -68,7 +68,7 @@ TEST_CASE_TEMPLATE("a solver that starts from the answer stays there", Real, flo
     again.impulse = problem.impulse;
     make({.iterations = 1})->solve(again);
     // One sweep adds at most a rounding of each of its terms: impulses here are below 4 N s.
-    for (std::size_t i = 0; i < again.impulse.size(); ++i) {
+    for (int i = 0; i < again.impulse.size(); ++i) {
       CHECK(std::abs(again.impulse[i] - problem.impulse[i]) <= 64 * epsilon * 4);
     }
   }
@@ -106,7 +106,7 @@ TEST_CASE_TEMPLATE("the same problem gives the same bits twice", Real, float, do
     solver->solve(first);
     solver->solve(second);
     CHECK(first.impulse == second.impulse);
-    for (std::size_t i = 0; i < first.velocity.size(); ++i) CHECK(first.velocity[i] == second.velocity[i]);
+    for (const BodyId body : first.velocity.indices()) CHECK(first.velocity[body] == second.velocity[body]);
   }
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("no sweeps at all apply the warm start and nothing else") {
     const SolveReport report = make({.iterations = 0})->solve(problem);
     CHECK(report.iterations == 0);
     CHECK(problem.impulse[0] == 2);
-    CHECK(problem.velocity[1].y() == -5 + 2);
+    CHECK(problem.velocity[{1}].y() == -5 + 2);
   }
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("a problem without rows is solved by leaving it alone") {
     problem.velocity = {Vec3<double>(1, 2, 3)};
     problem.inverse_mass = {Vec3<double>(1, 1, 1)};
     make({})->solve(problem);
-    CHECK(problem.velocity[0] == Vec3<double>(1, 2, 3));
+    CHECK(problem.velocity[{0}] == Vec3<double>(1, 2, 3));
   }
 }
 

@@ -1,6 +1,7 @@
 // Rows on more than two bodies (paper 4.3 says only SI can have them): every solver here can.
 #include <doctest/doctest.h>
 
+#include "math/list.hpp"
 #include "solver_list.hpp"
 #include "solvers/body_rows.hpp"
 #include "solvers/non_zeros.hpp"
@@ -15,8 +16,7 @@ namespace {
 /// A rope over and under fixed rollers that holds bodies of these masses: sum r_i y_i is kept, with r_i parts
 /// of rope at each. After one step of falling.
 template <Scalar Real>
-VelocityProblem<Real> rope_over(const std::vector<Real>& parts, const std::vector<Real>& masses, Real g,
-                                Real dt) {
+VelocityProblem<Real> rope_over(const List<Real>& parts, const List<Real>& masses, Real g, Real dt) {
   VelocityProblem<Real> problem;
   problem.dt = dt;
   problem.velocity = {Vec3<Real>::Zero()};
@@ -30,10 +30,8 @@ VelocityProblem<Real> rope_over(const std::vector<Real>& parts, const std::vecto
   row.b = {2};
   row.jacobian_a = {0, parts[0], 0};
   row.jacobian_b = {0, parts[1], 0};
-  for (std::size_t i = 2; i < parts.size(); ++i) {
-    problem.extra_terms.push_back({{static_cast<int>(i) + 1}, {0, parts[i], 0}});
-  }
-  row.extra_count = static_cast<int>(parts.size()) - 2;
+  for (int i = 2; i < parts.size(); ++i) problem.extra_terms.push_back({{i + 1}, {0, parts[i], 0}});
+  row.extra_count = parts.size() - 2;
   problem.rows = {row};
   problem.blocks = {{0, 1}};
   problem.impulse = {0};
@@ -62,13 +60,13 @@ VelocityProblem<Real> rope_and_floor() {
 TEST_CASE_TEMPLATE("a rope on 2, 3 or 4 bodies pulls with sum r_i g / sum r_i^2 / m_i, in every solver", Real,
                    float, double, long double) {
   struct Case {
-    std::vector<Real> parts;
-    std::vector<Real> masses;
+    List<Real> parts;
+    List<Real> masses;
   };
-  const std::vector<Case> cases = {{{1, 1}, {2, 1}}, {{1, 2, 1}, {1, 2, 3}}, {{1, 2, 2, 1}, {3, 1, 2, 5}}};
+  const List<Case> cases = {{{1, 1}, {2, 1}}, {{1, 2, 1}, {1, 2, 3}}, {{1, 2, 2, 1}, {3, 1, 2, 5}}};
   for (const Case& rope : cases) {
     Real sum = 0, inverse = 0;
-    for (std::size_t i = 0; i < rope.parts.size(); ++i) {
+    for (int i = 0; i < rope.parts.size(); ++i) {
       sum += rope.parts[i];
       inverse += rope.parts[i] * rope.parts[i] / rope.masses[i];
     }
@@ -95,7 +93,7 @@ TEST_CASE_TEMPLATE("rows that share a third body couple, and all solvers give th
       make({.iterations = sweeps})->solve(problem);
       const Real tolerance =
           64 * std::numeric_limits<Real>::epsilon() * Real(1 + sweeps);  // as for two bodies
-      for (std::size_t i = 0; i < problem.impulse.size(); ++i) {
+      for (int i = 0; i < problem.impulse.size(); ++i) {
         CHECK(std::abs(problem.impulse[i] - expected.impulse[i]) <= tolerance);
       }
     }
@@ -109,7 +107,7 @@ TEST_CASE("solvers that go their own way come to the same answer with a third bo
   for (const SolverMaker<double>& make : all_solvers<double>(Iterates::any)) {
     VelocityProblem<double> problem = rope_and_floor<double>();
     make({.iterations = 2000})->solve(problem);
-    for (std::size_t body = 0; body < problem.velocity.size(); ++body) {
+    for (const BodyId body : problem.velocity.indices()) {
       CHECK((problem.velocity[body] - expected.velocity[body]).norm() <= 1e-12);
     }
   }
@@ -123,12 +121,11 @@ TEST_CASE("non-zeros, couplings and colours count a third body") {
   const SystemMatrices<double> system = system_matrices(problem);
   for (int i = 0; i < 4; ++i) {
     for (int k = 0; k < 4; ++k) {
-      CHECK(coupling(problem, problem.rows[static_cast<std::size_t>(i)],
-                     problem.rows[static_cast<std::size_t>(k)],
-                     problem.inverse_mass) == doctest::Approx(system.A(i, k)).epsilon(1e-15));
+      CHECK(coupling(problem, problem.rows[i], problem.rows[k], problem.inverse_mass) ==
+            doctest::Approx(system.A(i, k)).epsilon(1e-15));
     }
   }
   RowSequence sequence;
   order_rows(problem, RowOrder::coloured, 1, 1, sequence);
-  CHECK(sequence.colours == std::vector<int>{0, 1, 4});  // the rope alone, and the three floors together
+  CHECK(sequence.colours == List<int>{0, 1, 4});  // the rope alone, and the three floors together
 }

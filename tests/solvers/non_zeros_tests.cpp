@@ -31,7 +31,7 @@ VelocityProblem<Real> pyramid_of_boxes(int base, Real shift) {
   const Real half = Real(0.5);
   for (int level = 0; level < base; ++level) {
     for (int i = 0; i < base - level; ++i) {
-      const BodyId box = {static_cast<int>(problem.inverse_mass.size())};
+      const BodyId box = {problem.inverse_mass.size()};
       problem.inverse_mass.push_back({1, 1, 6});
       const Real x = shift + static_cast<Real>(i) + half;
       const BodyId left = {box.index - (base - level + 1)};
@@ -67,8 +67,8 @@ VelocityProblem<double> body_on_two_points(double mass, double inertia, double f
 }
 
 template <Scalar Real>
-std::size_t dense_non_zeros(const Matrix<Real>& matrix) {
-  return static_cast<std::size_t>((matrix.array() != Real(0)).count());
+std::ptrdiff_t dense_non_zeros(const Matrix<Real>& matrix) {
+  return (matrix.array() != Real(0)).count();
 }
 
 }  // namespace
@@ -77,9 +77,9 @@ std::size_t dense_non_zeros(const Matrix<Real>& matrix) {
 // row of boxes fewer; pairs that share both of their bodies are counted once.
 TEST_CASE_TEMPLATE("a pyramid of base n has 2 n^2 rows and 28 n^2 - 48 n + 24 entries in A that are not zero",
                    Real, float, double, long double) {
-  for (const std::size_t n : {3u, 5u, 10u, 20u}) {
+  for (const int n : {3, 5, 10, 20}) {
     CAPTURE(n);
-    const VelocityProblem<Real> problem = pyramid_of_boxes<Real>(static_cast<int>(n), 0);
+    const VelocityProblem<Real> problem = pyramid_of_boxes<Real>(n, 0);
     CHECK(problem.rows.size() == 2 * n * n);
     CHECK(non_zeros(problem) == 28 * n * n - 48 * n + 24);
     CHECK(coupled_pairs(problem) == non_zeros(problem));  // nothing cancels here
@@ -91,7 +91,7 @@ TEST_CASE_TEMPLATE("a pyramid of base n has 2 n^2 rows and 28 n^2 - 48 n + 24 en
 TEST_CASE("the pyramids of base 3, 5, 10 and 20 have the numbers of non-zeros that the lesson quotes") {
   struct Count {
     int base = 0;
-    std::size_t bodies = 0, rows = 0, dense = 0, printed = 0, exact = 0;
+    int bodies = 0, rows = 0, dense = 0, printed = 0, exact = 0;
   };
   for (const Count& expected :
        {Count{3, 6, 18, 324, 156, 132}, Count{5, 15, 50, 2500, 564, 484},
@@ -116,14 +116,14 @@ TEST_CASE("the counts are those of the dense matrices") {
 }
 
 TEST_CASE("a world's pyramid has the non-zeros of the one written by hand") {
-  const std::size_t n = 10;
+  const int n = 10;
   Scene scene;
   scene.add_ground({.friction = 0});
-  for (std::size_t level = 0; level < n; ++level) {
-    for (std::size_t i = 0; i + level < n; ++i) {
+  for (int level = 0; level < n; ++level) {
+    for (int i = 0; i + level < n; ++i) {
       // A spacing of 1.1 m, so that neighbours do not touch.
-      const double x = 1.1 * (static_cast<double>(i) + 0.5 * static_cast<double>(level) + 0.5);
-      scene.add({.shapes = {box(1, 1)}, .position = {x, static_cast<double>(level) + 0.5}, .friction = 0});
+      const double x = 1.1 * (i + 0.5 * level + 0.5);
+      scene.add({.shapes = {box(1, 1)}, .position = {x, level + 0.5}, .friction = 0});
     }
   }
   const VelocityProblem<double> problem = World<double>(scene).velocity_problem();
@@ -164,7 +164,7 @@ TEST_CASE("eq. (30) as printed depends on where the ground has its origin, and A
 
 TEST_CASE("a row between two bodies that cannot be moved has no entry in A, and one in eq. (30)") {
   VelocityProblem<double> problem = body_on_two_points(1, 1, 0.5, 0.25);
-  problem.inverse_mass[1].setZero();
+  problem.inverse_mass[{1}].setZero();
   CHECK(non_zeros(problem) == 0);
   CHECK(coupled_pairs(problem) == 0);
   CHECK(non_zeros_as_printed(problem) == 4);

@@ -4,7 +4,9 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <vector>
 
+#include "math/list.hpp"
 #include "solver_list.hpp"
 #include "solvers/row_order.hpp"
 
@@ -17,12 +19,12 @@ constexpr RowOrder every_row_order[] = {RowOrder::as_written, RowOrder::reverse,
                                         RowOrder::shuffled, RowOrder::coloured};
 
 template <Scalar Real>
-std::vector<SolverMaker<Real>> gauss_seidel_solvers() {
+List<SolverMaker<Real>> gauss_seidel_solvers() {
   return {maker<SequentialImpulse<Real>, Real>(), maker<ProjectedGaussSeidel<Real>, Real>()};
 }
 
-std::vector<int> rows_of_sweep(const VelocityProblem<double>& problem, RowOrder order, std::uint64_t seed,
-                               int sweep) {
+List<int> rows_of_sweep(const VelocityProblem<double>& problem, RowOrder order, std::uint64_t seed,
+                        int sweep) {
   RowSequence sequence;
   for (int number = 1; number <= sweep; ++number) order_rows(problem, order, seed, number, sequence);
   return sequence.rows;
@@ -31,9 +33,7 @@ std::vector<int> rows_of_sweep(const VelocityProblem<double>& problem, RowOrder 
 /// A body in the middle, tied to `arms` others, each of which stands on the ground.
 VelocityProblem<double> star_of_bodies(int arms) {
   VelocityProblem<double> problem = hand_made_stack<double>(arms + 1, 10, 0.02);
-  for (int arm = 0; arm < arms; ++arm) {
-    problem.rows[static_cast<std::size_t>(arm)].a = ground;
-  }
+  for (int arm = 0; arm < arms; ++arm) problem.rows[arm].a = ground;
   problem.rows.pop_back();
   for (int arm = 0; arm < arms; ++arm) {
     ConstraintRow<double> row = problem.rows.front();
@@ -51,14 +51,14 @@ class VisitRecorder final : public SolveObserver<double> {
   void after_row(const RowUpdate<double>& update, const VelocityProblem<double>&) override {
     visits.push_back(update.row);
   }
-  std::vector<int> visits = {};
+  List<int> visits = {};
 };
 
 }  // namespace
 
 TEST_CASE("rows can be visited as written, backwards, or up and down in turn") {
   const VelocityProblem<double> problem = hand_made_stack<double>(4, 10, 0.02);
-  const std::vector<int> up = {0, 1, 2, 3}, down = {3, 2, 1, 0};
+  const List<int> up = {0, 1, 2, 3}, down = {3, 2, 1, 0};
   for (const int sweep : {1, 2, 3, 4}) {
     CHECK(rows_of_sweep(problem, RowOrder::as_written, 1, sweep) == up);
     CHECK(rows_of_sweep(problem, RowOrder::reverse, 1, sweep) == down);
@@ -91,9 +91,9 @@ TEST_CASE("one seed shuffles in one way; every sweep and every seed shuffles in 
   std::set<std::vector<int>> orders;
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     for (const int sweep : {1, 2, 3, 4}) {
-      const std::vector<int> rows = rows_of_sweep(problem, RowOrder::shuffled, seed, sweep);
+      const List<int> rows = rows_of_sweep(problem, RowOrder::shuffled, seed, sweep);
       CHECK(rows == rows_of_sweep(problem, RowOrder::shuffled, seed, sweep));
-      orders.insert(rows);
+      orders.insert(rows.as_vector());
     }
   }
   CHECK(orders.size() == 16);  // of 20! = 2.4e18: two alike would be no accident
@@ -106,7 +106,7 @@ TEST_CASE("shuffling makes every order equally likely") {
   const int sweeps = 6000;
   for (int sweep = 1; sweep <= sweeps; ++sweep) {
     order_rows(problem, RowOrder::shuffled, 1, sweep, sequence);
-    count[sequence.rows] += 1;
+    count[sequence.rows.as_vector()] += 1;
   }
   CHECK(count.size() == 6);
   // A binomial count scatters by sqrt(6000 * 1/6 * 5/6) = 29: within five of those.
@@ -117,21 +117,21 @@ TEST_CASE("a stack needs two colours: the ground couples nothing, and odd rows d
   const VelocityProblem<double> problem = hand_made_stack<double>(5, 10, 0.02);
   RowSequence sequence;
   order_rows(problem, RowOrder::coloured, 1, 1, sequence);
-  CHECK(sequence.rows == std::vector<int>{0, 2, 4, 1, 3});
-  CHECK(sequence.colours == std::vector<int>{0, 3, 5});
+  CHECK(sequence.rows == List<int>{0, 2, 4, 1, 3});
+  CHECK(sequence.colours == List<int>{0, 3, 5});
 }
 
 TEST_CASE("boxes side by side need one colour, whichever body of their rows is the ground") {
   VelocityProblem<double> problem = hand_made_stack<double>(4, 10, 0.02);
   for (int i = 0; i < 4; ++i) {
-    ConstraintRow<double>& row = problem.rows[static_cast<std::size_t>(i)];
+    ConstraintRow<double>& row = problem.rows[i];
     row.a = i % 2 == 0 ? ground : BodyId{i + 1};
     row.b = i % 2 == 0 ? BodyId{i + 1} : ground;
   }
   RowSequence sequence;
   order_rows(problem, RowOrder::coloured, 1, 1, sequence);
-  CHECK(sequence.rows == std::vector<int>{0, 1, 2, 3});
-  CHECK(sequence.colours == std::vector<int>{0, 4});
+  CHECK(sequence.rows == List<int>{0, 1, 2, 3});
+  CHECK(sequence.colours == List<int>{0, 4});
 }
 
 TEST_CASE(
@@ -141,17 +141,16 @@ TEST_CASE(
     const VelocityProblem<double> problem = star_of_bodies(arms);
     RowSequence sequence;
     order_rows(problem, RowOrder::coloured, 1, 1, sequence);
-    const std::size_t colours = sequence.colours.size() - 1;
-    CHECK(colours >= static_cast<std::size_t>(arms));
-    CHECK(colours <= static_cast<std::size_t>(2 * std::max(arms, 2) - 1));
+    const int colours = sequence.colours.size() - 1;
+    CHECK(colours >= arms);
+    CHECK(colours <= 2 * std::max(arms, 2) - 1);
     CHECK(sequence.colours.back() == problem.row_count());
-    for (std::size_t colour = 0; colour < colours; ++colour) {
-      std::set<int> bodies;
+    for (int colour = 0; colour < colours; ++colour) {
+      std::set<BodyId> bodies;
       for (int turn = sequence.colours[colour]; turn < sequence.colours[colour + 1]; ++turn) {
-        const int i = sequence.rows[static_cast<std::size_t>(turn)];
-        const ConstraintRow<double>& row = problem.rows[static_cast<std::size_t>(i)];
+        const ConstraintRow<double>& row = problem.rows[sequence.rows[turn]];
         for (const BodyId body : {row.a, row.b}) {
-          if (body.index != ground.index) CHECK(bodies.insert(body.index).second);
+          if (body != ground) CHECK(bodies.insert(body).second);
         }
       }
     }
@@ -162,9 +161,9 @@ TEST_CASE("a solver visits the rows in the order of its settings") {
   for (const SolverMaker<double>& make : gauss_seidel_solvers<double>()) {
     for (const RowOrder order : every_row_order) {
       VelocityProblem<double> problem = star_of_bodies(3);
-      std::vector<int> expected;
+      List<int> expected;
       for (int sweep = 1; sweep <= 5; ++sweep) {
-        const std::vector<int> rows = rows_of_sweep(problem, order, 9, sweep);
+        const List<int> rows = rows_of_sweep(problem, order, 9, sweep);
         expected.insert(expected.end(), rows.begin(), rows.end());
       }
       VisitRecorder recorder;
@@ -181,7 +180,7 @@ TEST_CASE("the row that is solved last is the one that is satisfied") {
       for (ConstraintRow<double>& row : problem.rows) row.bounds = Bounds<double>::equality();
       const int last = rows_of_sweep(problem, order, 1, 3).back();
       make({.iterations = 3, .order = order})->solve(problem);
-      const ConstraintRow<double>& row = problem.rows[static_cast<std::size_t>(last)];
+      const ConstraintRow<double>& row = problem.rows[last];
       CHECK(std::abs(row_velocity(problem, row)) <= 64 * std::numeric_limits<double>::epsilon());
     }
   }
@@ -199,7 +198,7 @@ TEST_CASE_TEMPLATE(
       VelocityProblem<Real> by_pgs = by_si;
       SequentialImpulse<Real>({.iterations = sweeps, .order = order}).solve(by_si);
       ProjectedGaussSeidel<Real>({.iterations = sweeps, .order = order}).solve(by_pgs);
-      for (std::size_t i = 0; i < 5; ++i) {
+      for (int i = 0; i < 5; ++i) {
         // The same numbers but for rounding, which piles up over sweeps until the slowest error (cos^2(pi/10)
         // = 0.905 a sweep for five boxes) has shrunk: 11 sweeps' worth.
         const Real allowed = 64 * epsilon * Real(std::min(1 + sweeps, 12)) * 5 * weight;

@@ -42,8 +42,8 @@ TEST_CASE("a soft row moves a mass exactly as implicit Euler moves a damped spri
         make({.iterations = 1})->solve(problem);
         const double expected =
             (v - dt * omega * omega * x) / (1 + 2 * zeta * omega * dt + dt * dt * omega * omega);
-        CHECK(problem.velocity[1].x() == doctest::Approx(expected).epsilon(1e-13));
-        v = problem.velocity[1].x();
+        CHECK(problem.velocity[{1}].x() == doctest::Approx(expected).epsilon(1e-13));
+        v = problem.velocity[{1}].x();
         x += dt * v;
       }
     }

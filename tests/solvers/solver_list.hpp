@@ -13,10 +13,10 @@ template <Scalar Real>
 VelocityProblem<Real> hand_made_stack(int boxes, Real g, Real dt) {
   VelocityProblem<Real> problem;
   problem.dt = dt;
-  problem.velocity.assign(static_cast<std::size_t>(boxes) + 1, Vec3<Real>(0, -g * dt, 0));
-  problem.inverse_mass.assign(static_cast<std::size_t>(boxes) + 1, Vec3<Real>(1, 1, 6));
-  problem.velocity[0].setZero();
-  problem.inverse_mass[0].setZero();
+  problem.velocity.assign(boxes + 1, Vec3<Real>(0, -g * dt, 0));
+  problem.inverse_mass.assign(boxes + 1, Vec3<Real>(1, 1, 6));
+  problem.velocity[ground].setZero();
+  problem.inverse_mass[ground].setZero();
   for (int i = 0; i < boxes; ++i) {
     ConstraintRow<Real> row;
     row.a = {i};

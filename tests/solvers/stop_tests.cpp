@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "math/list.hpp"
 #include "solver_list.hpp"
 #include "solvers/stopping.hpp"
 
@@ -14,7 +15,7 @@ using namespace cairn::testing;
 namespace {
 
 template <Scalar Real>
-std::vector<SolverMaker<Real>> stopping_solvers() {
+List<SolverMaker<Real>> stopping_solvers() {
   return {maker<SequentialImpulse<Real>, Real>(), maker<ProjectedGaussSeidel<Real>, Real>()};
 }
 
@@ -69,7 +70,7 @@ TEST_CASE_TEMPLATE("a solver stops where only rounding is left, and its answer i
       // A sweep shrinks errors to cos^2(pi / 2n) = 0.96: each has 16 roundings at most to go, times
       // 1 / (1 - 0.96) = 26 sweeps. Twice that, for orders that are a little slower.
       const Real weight = Real(10) * problem.dt;
-      for (std::size_t i = 0; i < boxes; ++i) {
+      for (int i = 0; i < boxes; ++i) {
         CHECK(std::abs(problem.impulse[i] - Real(boxes - i) * weight) <=
               2 * 26 * 16 * epsilon * boxes * weight);
       }
@@ -94,7 +95,7 @@ TEST_CASE("where there is nothing to do, patience is the number of sweeps") {
 TEST_CASE("slow progress is no standstill: a heavy box on a light one") {
   for (const SolverMaker<double>& make : stopping_solvers<double>()) {
     VelocityProblem<double> problem = hand_made_stack<double>(2, 10, 0.02);
-    problem.inverse_mass[2] = Vec3<double>(1e-6, 1e-6, 6e-6);  // a sweep removes a millionth of the error
+    problem.inverse_mass[{2}] = Vec3<double>(1e-6, 1e-6, 6e-6);  // a sweep removes a millionth of the error
     const SolveReport report = make({.iterations = 5000, .patience = 1})->solve(problem);
     CHECK(report.stop == Stop::sweeps);
     CHECK(report.iterations == 5000);
@@ -152,7 +153,7 @@ TEST_CASE("Jacobi's two-cycle is found: two feet in one place both take the whol
   int sweep = 0;
   Stop stop = Stop::sweeps;
   while (stop == Stop::sweeps && sweep < 1000) {
-    const std::vector<double> old = problem.impulse;
+    const PerRow<double> old = problem.impulse;
     problem.impulse = {weight - old[1], weight - old[0]};
     stop = stopping.judge(problem, ++sweep, std::abs(problem.impulse[0] - old[0]));
   }
@@ -198,7 +199,7 @@ TEST_CASE("an up-sweep and a down-sweep with the same outcome are no cycle, and 
 TEST_CASE("impulses that are not numbers are neither a standstill nor a cycle") {
   for (const SolverMaker<double>& make : stopping_solvers<double>()) {
     VelocityProblem<double> problem = hand_made_stack<double>(2, 10, 0.02);
-    problem.velocity[1].y() = std::numeric_limits<double>::quiet_NaN();
+    problem.velocity[{1}].y() = std::numeric_limits<double>::quiet_NaN();
     const SolveReport report = make({.iterations = 50, .patience = 1})->solve(problem);
     CHECK(report.stop == Stop::sweeps);
     CHECK(report.iterations == 50);

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "math/list.hpp"
 #include "solver_list.hpp"
 #include "solvers/residual.hpp"
 
@@ -49,7 +50,7 @@ class SweepWatcher final : public SolveObserver<Real> {
  public:
   void after_sweep(int, const VelocityProblem<Real>& problem) override {
     sweeps += 1;
-    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    for (int i = 0; i < problem.row_count(); ++i) {
       outside += problem.rows[i].bounds.clamp(problem.impulse[i], problem.impulse) != problem.impulse[i];
     }
   }
@@ -58,9 +59,9 @@ class SweepWatcher final : public SolveObserver<Real> {
 };
 
 template <Scalar Real>
-Real largest_lid_gap(const std::vector<Vec3<Real>>& one, const std::vector<Vec3<Real>>& other) {
+Real largest_lid_gap(const PerBody<Vec3<Real>>& one, const PerBody<Vec3<Real>>& other) {
   Real largest = 0;
-  for (std::size_t body = 0; body < one.size(); ++body) {
+  for (const BodyId body : one.indices()) {
     const Vec3<Real> gap = one[body] - other[body];
     largest = std::max(largest, gap.cwiseAbs().maxCoeff());
   }
@@ -70,8 +71,8 @@ Real largest_lid_gap(const std::vector<Vec3<Real>>& one, const std::vector<Vec3<
 /// Jacobi's friction is bounded by the normal impulse that the sweep began with: at a standstill it is
 /// inside.
 template <Scalar Real>
-std::vector<SolverMaker<Real>> solvers_in_turn() {
-  std::vector<SolverMaker<Real>> solvers = all_solvers<Real>();
+List<SolverMaker<Real>> solvers_in_turn() {
+  List<SolverMaker<Real>> solvers = all_solvers<Real>();
   solvers.push_back(maker<AcceleratedProjectedGaussSeidel<Real>, Real>());
   return solvers;
 }
@@ -87,11 +88,11 @@ TEST_CASE_TEMPLATE("where the velocities are unique, every solver finds them fro
   for (const SolverMaker<Real>& make : all_solvers<Real>(Iterates::any)) {
     for (const Real start : {Real(0), Real(0.05), Real(0.4)}) {
       VelocityProblem<Real> problem = cold;
-      for (std::size_t i = 0; i < problem.impulse.size(); ++i) {
+      for (int i = 0; i < problem.impulse.size(); ++i) {
         problem.impulse[i] = problem.rows[i].bounds.clamp(start, problem.impulse);
       }
       make({.iterations = 3000})->solve(problem);
-      const std::vector<Vec3<Real>> expected = {
+      const PerBody<Vec3<Real>> expected = {
           Vec3<Real>::Zero(), {2 - friction - Real(0.1), 0, 0}, {Real(0.1) / 2, 0, 0}};
       // Speeds of 2 m/s and spins of up to 12 rad/s, rounded a few times in each sweep; sweeps contract.
       CHECK(largest_lid_gap(problem.velocity, expected) <= 256 * std::numeric_limits<Real>::epsilon() * 2);
@@ -101,10 +102,10 @@ TEST_CASE_TEMPLATE("where the velocities are unique, every solver finds them fro
 
 TEST_CASE_TEMPLATE("a velocity that is not a number leaves none in the residual, whatever row it is in", Real,
                    float, double, long double) {
-  for (const int body : {1, 2}) {
+  for (const BodyId body : {BodyId{1}, BodyId{2}}) {
     VelocityProblem<Real> problem = box_with_a_lid<Real>();
     const Real scale = residual_scale(problem);
-    problem.velocity[static_cast<std::size_t>(body)].x() = std::numeric_limits<Real>::quiet_NaN();
+    problem.velocity[body].x() = std::numeric_limits<Real>::quiet_NaN();
     const Residual<Real> found = residual(problem, scale);
     CHECK(std::isnan(found.velocity));
     CHECK(std::isnan(found.energy));
@@ -128,18 +129,18 @@ TEST_CASE_TEMPLATE("no rows and no sweeps are no work, in every scalar", Real, f
     empty.velocity = {Vec3<Real>(1, 2, 3)};
     empty.inverse_mass = {Vec3<Real>(1, 1, 1)};
     make({})->solve(empty);
-    CHECK(empty.velocity[0] == Vec3<Real>(1, 2, 3));
+    CHECK(empty.velocity[{0}] == Vec3<Real>(1, 2, 3));
 
     VelocityProblem<Real> problem = box_with_a_lid<Real>();
     problem.impulse = {Real(0.25), 0, Real(0.5), 0, 1, 0};
-    const std::vector<Real> warm = problem.impulse;
+    const PerRow<Real> warm = problem.impulse;
     const SolveReport report = make({.iterations = 0})->solve(problem);
     CHECK(report.iterations == 0);
     CHECK(report.stop == Stop::sweeps);
     CHECK_FALSE(report.converged);
     CHECK(problem.impulse == warm);
     // The box gets 0.25 and 0.5 at feet 0.5 m from its middle, and passes 1 N s on to the lid.
-    const std::vector<Vec3<Real>> expected = {
+    const PerBody<Vec3<Real>> expected = {
         Vec3<Real>::Zero(), {2, Real(-0.2) - Real(0.25), Real(0.75)}, {0, Real(0.3), 0}};
     CHECK(largest_lid_gap(problem.velocity, expected) <= 16 * std::numeric_limits<Real>::epsilon() * 2);
   }

@@ -97,7 +97,7 @@ TEST_CASE("who watches a wrong motion sees the error") {
   const std::unique_ptr<MotionError> error = scene.watch();
   Snapshot snapshot;
   snapshot.bodies.resize(2);
-  snapshot.bodies[1].pose.position = {0.9 * 25 / 6, 0.25};
+  snapshot.bodies[{1}].pose.position = {0.9 * 25 / 6, 0.25};
   error->see(snapshot);
   CHECK(std::abs(error->value() - 0.1) <= 4e-16);
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
+#include "math/list.hpp"
 #include "study/contestant.hpp"
 #include "study/expectation.hpp"
 
@@ -20,9 +20,9 @@ const Setting usual_box2d{.solver = "box2d", .sweeps = {.iterations = 8}};
 }  // namespace
 
 TEST_CASE("Box2D runs the scenes of circles, polygons, rods and pins, and says why it refuses the others") {
-  const std::vector<std::string> beyond_it = {"weld-beam", "spring-row", "four-bar",    "gears", "pulley",
-                                              "tumbler",   "puck",       "ragdoll",     "mill",  "gear-row",
-                                              "piston",    "towing",     "differential"};
+  const List<std::string> beyond_it = {"weld-beam", "spring-row", "four-bar",    "gears", "pulley",
+                                       "tumbler",   "puck",       "ragdoll",     "mill",  "gear-row",
+                                       "piston",    "towing",     "differential"};
   for (const SceneEntry& entry : scene_entries()) {
     CAPTURE(entry.name);
     const bool refused = std::find(beyond_it.begin(), beyond_it.end(), entry.name) != beyond_it.end();
@@ -59,7 +59,7 @@ TEST_CASE("a step of Box2D with substeps is as many shorter steps") {
   coarse.substeps = 4;
   Setting fine = usual_box2d;
   fine.dt = coarse.dt / 4;
-  std::vector<int> steps;
+  List<int> steps;
   TrialOptions options{.seconds = 0.5};
   options.observer = [&](const Snapshot& now) { steps.push_back(now.step); };
   const TrialResult one = run_trial(tower, coarse, options);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 using namespace cairn;
 
@@ -76,7 +75,7 @@ TEST_CASE("expectations that were missed are told with both numbers, and met one
                      .fell_at = 0.5,
                      .stands_until = 0.5};
   const Expectations all{.penetration = 0.1, .drift = 0.2, .energy_gain = 1, .stands = 1};
-  const std::vector<std::string> missed = unmet(all, result);
+  const List<std::string> missed = unmet(all, result);
   REQUIRE(missed.size() == 4);
   CHECK(missed[0] == "worst penetration 0.25 m, expected at most 0.1 m");
   CHECK(missed[1] == "worst drift 0.5 m or rad, expected at most 0.2 m or rad");

@@ -33,7 +33,7 @@ TEST_CASE("jitter has the bits of the 64-bit Mersenne twister, whose numbers the
   // The first 53 bits of each number n: 2 n / 2^53 - 1, computed here in another way.
   std::mt19937_64 numbers(7);
   const Scene result = jittered(three_bodies(), 0.5, 7);
-  for (const std::size_t body : {1U, 3U}) {
+  for (const BodyId body : {BodyId{1}, BodyId{3}}) {
     for (int axis = 0; axis < 2; ++axis) {
       const double expected = std::ldexp(static_cast<double>(numbers() / 2048), -53) - 0.5;
       CHECK(result.bodies()[body].pose.position[axis] == expected);
@@ -47,16 +47,16 @@ TEST_CASE("jitter moves dynamic bodies by up to its size along each axis, and no
   double largest = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const Scene result = jittered(scene, size, seed);
-    CHECK(result.bodies()[0].pose.position == scene.bodies()[0].pose.position);
-    CHECK(result.bodies()[2].pose.position == scene.bodies()[2].pose.position);
-    CHECK(result.bodies()[3].pose.angle == 2);
-    largest = std::max(largest, result.bodies()[1].pose.position.cwiseAbs().maxCoeff());
+    CHECK(result.bodies()[ground].pose.position == scene.bodies()[ground].pose.position);
+    CHECK(result.bodies()[{2}].pose.position == scene.bodies()[{2}].pose.position);
+    CHECK(result.bodies()[{3}].pose.angle == 2);
+    largest = std::max(largest, result.bodies()[{1}].pose.position.cwiseAbs().maxCoeff());
   }
   CHECK(largest <= size);
   CHECK(largest >= 0.9 * size);  // of 200 numbers all are smaller with a chance of 0.9^200 = 7e-10
-  CHECK(jittered(scene, 0, 1).bodies()[1].pose.position == scene.bodies()[1].pose.position);
-  CHECK(jittered(scene, size, 1).bodies()[1].pose.position !=
-        jittered(scene, size, 2).bodies()[1].pose.position);
+  CHECK(jittered(scene, 0, 1).bodies()[{1}].pose.position == scene.bodies()[{1}].pose.position);
+  CHECK(jittered(scene, size, 1).bodies()[{1}].pose.position !=
+        jittered(scene, size, 2).bodies()[{1}].pose.position);
 }
 
 TEST_CASE("a jitter of no size is refused") {

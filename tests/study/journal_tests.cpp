@@ -35,7 +35,7 @@ Study squares(int count, int& runs) {
   Study study = {.name = "squares", .header = {"square", "word", "half"}, .tasks = {}};
   for (int k = 0; k < count; ++k) {
     study.tasks.push_back(
-        {.name = std::to_string(k), .run = [k, &runs]() -> std::vector<CsvCell> {
+        {.name = std::to_string(k), .run = [k, &runs]() -> List<CsvCell> {
            ++runs;
            return {static_cast<long long>(k * k), std::string("a,") + std::to_string(k), k / 2.0};
          }});
@@ -43,7 +43,7 @@ Study squares(int count, int& runs) {
   return study;
 }
 
-const StudyProgress to_the_end = [](std::size_t, std::size_t, double) { return true; };
+const StudyProgress to_the_end = [](int, int, double) { return true; };
 
 }  // namespace
 
@@ -57,8 +57,7 @@ TEST_CASE("a study that was stopped goes on where it was, whatever was cut off")
   CHECK(runs == 7);
   {
     Journal first(cut, study);
-    const bool finished =
-        run_study(study, {}, first, [](std::size_t done, std::size_t, double) { return done < 3; });
+    const bool finished = run_study(study, {}, first, [](int done, int, double) { return done < 3; });
     CHECK_FALSE(finished);
     CHECK(first.size() == 3);
   }

@@ -79,7 +79,7 @@ TEST_CASE("E_M of two boxes after k sweeps is the formula's") {
   // The truth is rest. v_1 = -p + lambda_1 - lambda_2 = -p q^k by the above, v_2 = -p + lambda_2 / M = -p
   // q^k: all velocities shrink alike, so that E_M = q^k.
   const double heavy = 4, q = heavy / (1 + heavy);
-  const std::vector<Vec3<double>> rest(3, Vec3<double>::Zero());
+  const PerBody<Vec3<double>> rest(3, Vec3<double>::Zero());
   for (const int k : {1, 3, 20}) {
     const SolveOutcome outcome =
         try_solver(two_boxes(heavy, 0.3), {.solver = "si", .sweeps = k}, rest, untimed);
@@ -105,8 +105,8 @@ TEST_CASE(
     for (const auto scalar : {Precision::single_precision, Precision::double_precision}) {
       CAPTURE(solver);
       const auto status = [&](double friction, int sweeps) {
-        return try_solver(cases::painleve_rod<double>(-1, friction), {solver, sweeps, scalar, Start::cold}, {},
-                          untimed);
+        return try_solver(cases::painleve_rod<double>(-1, friction), {solver, sweeps, scalar, Start::cold},
+                          {}, untimed);
       };
       const SolveOutcome jammed = status(1.4, 256);
       CHECK(jammed.status == "cycle");
@@ -144,7 +144,7 @@ TEST_CASE("a stack that converges is neither a cycle nor a plateau while it is o
 
 TEST_CASE("velocities that are no numbers are a status, and so is a solver that refuses") {
   VelocityProblem<double> endless = two_boxes(1, 0.3);
-  endless.velocity[2].y() = std::numeric_limits<double>::quiet_NaN();
+  endless.velocity[{2}].y() = std::numeric_limits<double>::quiet_NaN();
   CHECK(try_solver(endless, {.solver = "si", .sweeps = 4}, {}, untimed).status == "nan");
 
   VelocityProblem<double> crowd = two_boxes(1, 0.3);

@@ -12,7 +12,7 @@
 using namespace cairn;
 
 TEST_CASE("a row of the trade has a cell for every column, and what is not set is empty") {
-  const std::vector<std::string> header = trade_header();
+  const List<std::string> header = trade_header();
   REQUIRE(header.size() == trade_columns().size());
   CHECK(std::set<std::string>(header.begin(), header.end()).size() == header.size());
   TradeRow row;
@@ -20,9 +20,9 @@ TEST_CASE("a row of the trade has a cell for every column, and what is not set i
   row.set("sweeps", 16LL);
   row.set("dt", 0.1);
   row.set("dt", 1.0 / 60);  // the last word counts
-  const std::vector<CsvCell> cells = row.cells();
+  const List<CsvCell> cells = row.cells();
   REQUIRE(cells.size() == header.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  for (int i = 0; i < cells.size(); ++i) {
     const bool is_set = header[i] == "solver" || header[i] == "sweeps" || header[i] == "dt";
     CHECK((cells[i] == CsvCell(std::string())) != is_set);
   }

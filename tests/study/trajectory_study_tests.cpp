@@ -14,7 +14,7 @@ using namespace cairn;
 
 namespace {
 
-CsvTable rows_of(const std::vector<TrajectoryScene>& scenes, const TrajectoryGrid& grid) {
+CsvTable rows_of(const List<TrajectoryScene>& scenes, const TrajectoryGrid& grid) {
   const Study study = trajectory_study(scenes, grid);
   CsvTable table{.header = study.header, .rows = {}};
   for (const StudyTask& task : study.tasks) table.rows.push_back(task.run());
@@ -77,7 +77,7 @@ TEST_CASE("a study of runs has a row for every point of its grid, of the right s
   const CsvTable table = rows_of({free_disc(1, 0.25)}, grid);
   REQUIRE(table.rows.size() == 16);
   std::set<std::string> settings;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+  for (int i = 0; i < table.rows.size(); ++i) {
     CHECK(settings.insert(text_in(table, i, "setting")).second);
     CHECK(number_in(table, i, "level") == 2);
     CHECK(number_in(table, i, "err_value") == 0.25);
@@ -185,7 +185,7 @@ TEST_CASE("two studies of runs give the same answers, but for their times") {
   const TrajectoryScene scene = trajectory_scene("bounce");
   const CsvTable first = rows_of({scene}, one_setting("si")), second = rows_of({scene}, one_setting("si"));
   const std::set<std::string> times = {"cost", "step_ns_med"};
-  for (std::size_t i = 0; i < first.header.size(); ++i) {
+  for (int i = 0; i < first.header.size(); ++i) {
     CAPTURE(first.header[i]);
     if (times.count(first.header[i]) == 0) CHECK(first.rows[0][i] == second.rows[0][i]);
   }
@@ -194,7 +194,7 @@ TEST_CASE("two studies of runs give the same answers, but for their times") {
 TEST_CASE("the name of a study of runs tells every grid and every number of starts from every other") {
   const TrajectoryScene stack = trajectory_scene("stack");
   const std::string usual = trajectory_study({stack}, one_setting("si")).name;
-  std::vector<TrajectoryGrid> others(4, one_setting("si"));
+  List<TrajectoryGrid> others(4, one_setting("si"));
   others[0].solvers = {"block"};
   others[1].frequencies = {120};
   others[2].substeps = {2};

@@ -8,11 +8,11 @@
 
 #include "constraints/revolute_joint.hpp"
 #include "geometry/shape.hpp"
+#include "scenes/scene_list.hpp"
+#include "scenes/solver_list.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "study/contestant.hpp"
 #include "study/jitter.hpp"
-#include "scenes/scene_list.hpp"
-#include "scenes/solver_list.hpp"
 #include "world/world.hpp"
 
 using namespace cairn;
@@ -230,8 +230,8 @@ TEST_CASE("a trial steps as a world does that is stepped by hand") {
   World world(scene);
   SequentialImpulse<double> solver({.iterations = 8});
   for (int step = 0; step < 30; ++step) world.step(solver);
-  for (std::size_t i = 0; i < last.bodies.size(); ++i) {
-    CHECK(last.bodies[i].velocity == world.bodies().velocity[i]);
-    CHECK(last.bodies[i].pose.position == world.bodies().pose[i].position);
+  for (const BodyId body : last.bodies.indices()) {
+    CHECK(last.bodies[body].velocity == world.bodies().velocity[body]);
+    CHECK(last.bodies[body].pose.position == world.bodies().pose[body].position);
   }
 }

@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "validation/case_problems.hpp"
 #include "study/trade_row.hpp"
+#include "validation/case_problems.hpp"
 
 using namespace cairn;
 
@@ -25,7 +25,7 @@ struct MadeUp {
   double median = 100, range = 1;
 };
 
-CsvTable made_up_table(const std::vector<MadeUp>& rows) {
+CsvTable made_up_table(const List<MadeUp>& rows) {
   CsvTable table{.header = trade_header(), .rows = {}};
   for (const MadeUp& made : rows) {
     TradeRow row;
@@ -54,7 +54,7 @@ CsvTable answers(const Study& study) {
   return table;
 }
 
-SolveGrid small_grid(const std::vector<std::string>& solvers, int most_sweeps) {
+SolveGrid small_grid(const List<std::string>& solvers, int most_sweeps) {
   return {.solvers = solvers,
           .most_sweeps = most_sweeps,
           .starts = {Start::cold},
@@ -63,7 +63,10 @@ SolveGrid small_grid(const std::vector<std::string>& solvers, int most_sweeps) {
 }
 
 FrozenProblem frozen_rod(double friction) {
-  return {.name = "rod", .description = "a rod", .tags = {}, .problem = cases::painleve_rod<double>(-1, friction)};
+  return {.name = "rod",
+          .description = "a rod",
+          .tags = {},
+          .problem = cases::painleve_rod<double>(-1, friction)};
 }
 
 }  // namespace
@@ -75,7 +78,7 @@ TEST_CASE("a study of solvers has a task for every point of its grid, and a row 
   const Study study = solve_study({frozen_rod(0.5), frozen_rod(1)}, grid);
   REQUIRE(study.tasks.size() == 2 * 2 * 2 * 2 * 4);  // problems, solvers, starts, scalars; 1, 2, 4, 8 sweeps
   const CsvTable table = answers(study);
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+  for (int i = 0; i < table.rows.size(); ++i) {
     CHECK(number_in(table, i, "row_updates") == 2 * number_in(table, i, "sweeps"));  // two rows
     CHECK(number_in(table, i, "rows") == 2);
     CHECK(number_in(table, i, "level") == 1);
@@ -89,7 +92,7 @@ TEST_CASE("a study of solvers has a task for every point of its grid, and a row 
 TEST_CASE("the name of a study tells every grid from every other") {
   const FrozenProblem rod = frozen_rod(0.5);
   const SolveGrid usual = small_grid({"si"}, 8);
-  std::vector<SolveGrid> others(6, usual);
+  List<SolveGrid> others(6, usual);
   others[0].solvers = {"pgs"};
   others[1].most_sweeps = 16;
   others[2].starts = {Start::warm};
@@ -115,16 +118,16 @@ TEST_CASE("E_M is given where the true velocity is unique, and the exact solver 
 TEST_CASE("failures stay in the table: a nan and a cycle") {
   FrozenProblem endless = frozen_rod(0.5);
   endless.name = "endless";
-  endless.problem.velocity[1].x() = std::nan("");
+  endless.problem.velocity[{1}].x() = std::nan("");
   const CsvTable table = answers(solve_study({endless, frozen_rod(1.4)}, small_grid({"pgs"}, 128)));
   REQUIRE(table.rows.size() == 2 * 8);
   CHECK(rows_with(table, {{"scene", "endless"}, {"status", "nan"}}).rows.size() == 8);
   CHECK(text_in(table, 15, "status") == "cycle");
-  const std::vector<WorkToError> work = work_to_errors(table, {1e-2});
+  const List<WorkToError> work = work_to_errors(table, {1e-2});
   REQUIRE(work.size() == 2);
   const std::string endings[] = {"nan", "cycle"};
-  for (std::size_t i = 0; i < 2; ++i) {
-    CHECK(work[i].row_updates == std::vector<double>{never});
+  for (int i = 0; i < 2; ++i) {
+    CHECK(work[i].row_updates == List<double>{never});
     CHECK(work[i].ending == endings[i]);
   }
   // The cycle is drawn where it stands; the other has nothing to draw.
@@ -135,14 +138,14 @@ TEST_CASE("the front of made-up points is what brute force finds") {
   std::mt19937 random(7);
   std::uniform_int_distribution<int> few(1, 12);  // so that there are ties
   for (int round = 0; round < 20; ++round) {
-    std::vector<MadeUp> rows(40);
+    List<MadeUp> rows(40);
     for (MadeUp& row : rows) {
       row.work = few(random);
       row.error = few(random);
     }
-    const std::vector<TradePoint> points = trade_points(made_up_table(rows), "row_updates", "R_E_v", 1e-16);
+    const List<TradePoint> points = trade_points(made_up_table(rows), "row_updates", "R_E_v", 1e-16);
     REQUIRE(points.size() == rows.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for (int i = 0; i < points.size(); ++i) {
       bool is_beaten = false;
       for (const MadeUp& other : rows) {
         is_beaten = is_beaten || (other.work < rows[i].work && other.error <= rows[i].error) ||
@@ -163,7 +166,7 @@ TEST_CASE("points are rows that ended with numbers, and an error of 0 stands at 
                                         {.status = "refused"},
                                         {.work = 6, .error = 0.5, .status = "plateau"},
                                         {.work = 7, .error = 0.25, .status = "cycle"}});
-  const std::vector<TradePoint> points = trade_points(table, "row_updates", "R_E_v", 1e-16);
+  const List<TradePoint> points = trade_points(table, "row_updates", "R_E_v", 1e-16);
   REQUIRE(points.size() == 3);
   CHECK(points[0].error == 1e-16);
   CHECK(points[1].work == 6);
@@ -191,14 +194,14 @@ TEST_CASE(
        {.scene = "a", .solver = "si", .sweeps = 4, .work = 40, .error = 1e-3, .status = "plateau"},
        {.scene = "a", .solver = "si", .sweeps = 2, .work = 20, .error = 1e-2},
        {.scene = "a", .solver = "pgs", .sweeps = 1, .work = 5, .error = std::nan(""), .status = "nan"}});
-  const std::vector<WorkToError> work = work_to_errors(table, {1e-2, 1e-4});
+  const List<WorkToError> work = work_to_errors(table, {1e-2, 1e-4});
   REQUIRE(work.size() == 3);
   CHECK(work[0].scene == "a");
   CHECK(work[0].solver == "si");
-  CHECK(work[0].row_updates == std::vector<double>{20, never});  // 1e-2 is at most 1e-2
-  CHECK(work[0].ending == "plateau");  // of four sweeps, though it is not the last row
-  CHECK(work[1].row_updates == std::vector<double>{7, 7});
+  CHECK(work[0].row_updates == List<double>{20, never});  // 1e-2 is at most 1e-2
+  CHECK(work[0].ending == "plateau");                     // of four sweeps, though it is not the last row
+  CHECK(work[1].row_updates == List<double>{7, 7});
   CHECK(work[1].ending == "ok");
-  CHECK(work[2].row_updates == std::vector<double>{never, never});
+  CHECK(work[2].row_updates == List<double>{never, never});
   CHECK(work[2].ending == "nan");
 }

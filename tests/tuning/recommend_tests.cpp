@@ -11,8 +11,8 @@ using namespace cairn;
 
 namespace {
 
-const std::vector<Recommendation>& shipped() {
-  static const std::vector<Recommendation> all = read_recommendations(recommended_file());
+const List<Recommendation>& shipped() {
+  static const List<Recommendation> all = read_recommendations(recommended_file());
   return all;
 }
 
@@ -31,7 +31,7 @@ RecommendCandidate made_up(const std::string& setting, double cost, const std::s
 
 TEST_CASE("there is a recommendation for every kind, and none of its runs gains more than 1 % of energy") {
   REQUIRE(shipped().size() == recommend_kinds().size());
-  for (std::size_t k = 0; k < shipped().size(); ++k) {
+  for (int k = 0; k < shipped().size(); ++k) {
     const RecommendKind& kind = recommend_kinds()[k];
     CAPTURE(kind.name);
     CHECK(shipped()[k].kind == kind.name);
@@ -43,11 +43,11 @@ TEST_CASE("there is a recommendation for every kind, and none of its runs gains 
 }
 
 TEST_CASE("the file knows every setting and every run of today") {
-  std::vector<Recommendation> known = shipped();
+  List<Recommendation> known = shipped();
   int runs = 0;
   const bool complete = renew_recommendations(
-      known, [](const std::vector<Recommendation>&) {},
-      [&runs](std::size_t, std::size_t) {
+      known, [](const List<Recommendation>&) {},
+      [&runs](int, int) {
         ++runs;
         return false;
       });
@@ -62,7 +62,7 @@ TEST_CASE("the quick run of each kind still gives the numbers that its recommend
     REQUIRE_FALSE(of_kind.ranked().empty());
     const RecommendCandidate best = of_kind.ranked().front();
     int repeated = 0;
-    for (std::size_t i = 0; i < kind.runs.size(); ++i) {
+    for (int i = 0; i < kind.runs.size(); ++i) {
       if (!kind.runs[i].quick) continue;
       const RecommendFinding& said = best.findings[i];
       const RecommendFinding found = find_recommendation(kind.runs[i], tried_setting(best.setting));
@@ -84,7 +84,7 @@ TEST_CASE("the cheapest setting that misses nothing is recommended") {
   const Recommendation of_kind{
       .kind = "stack",
       .candidates = {made_up("dear", 3, ""), made_up("falls", 1, "stands 1 s"), made_up("cheap", 2, "")}};
-  const std::vector<RecommendCandidate> ranked = of_kind.ranked();
+  const List<RecommendCandidate> ranked = of_kind.ranked();
   REQUIRE(ranked.size() == 2);
   CHECK(ranked[0].setting == "cheap");
   CHECK(ranked[1].setting == "dear");

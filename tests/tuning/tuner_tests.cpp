@@ -30,7 +30,7 @@ TrialResult formula_run(const Setting& setting, std::uint64_t) {
 }
 
 /// The least cost of all settings that meet the wish by the formula.
-double least_formula_cost(const Wish& wish, const std::vector<std::string>& solvers) {
+double least_formula_cost(const Wish& wish, const List<std::string>& solvers) {
   double least = std::numeric_limits<double>::infinity();
   for (const Setting& setting : tuner_settings(solvers)) {
     const TrialResult result = formula_run(setting, 0);

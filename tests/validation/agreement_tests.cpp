@@ -75,7 +75,7 @@ VelocityProblem<Real> problem_of_a_scene() {
 template <Scalar Real>
 int rows_at_bounds(const VelocityProblem<Real>& problem) {
   int count = 0;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     const Bounds<Real>& bounds = problem.rows[i].bounds;
     const Real nudge = std::numeric_limits<Real>::epsilon();
     count += bounds.clamp(problem.impulse[i] + nudge, problem.impulse) <= problem.impulse[i] ||
@@ -97,11 +97,11 @@ void check_agreement(const VelocityProblem<Real>& start) {
     for (const Vec3<Real>& v : start.velocity) fastest = std::max(fastest, v.cwiseAbs().maxCoeff());
     // A row update is one sum of some 20 products; each sweep rounds it anew.
     const Real tolerance = 64 * std::numeric_limits<Real>::epsilon() * static_cast<Real>(1 + sweeps);
-    for (std::size_t i = 0; i < start.impulse.size(); ++i) {
+    for (int i = 0; i < start.impulse.size(); ++i) {
       CHECK(std::abs(by_impulses.impulse[i] - by_matrix.impulse[i]) <= tolerance * largest);
     }
-    for (std::size_t i = 0; i < start.velocity.size(); ++i) {
-      const Vec3<Real> gap = by_impulses.velocity[i] - by_matrix.velocity[i];
+    for (const BodyId body : start.velocity.indices()) {
+      const Vec3<Real> gap = by_impulses.velocity[body] - by_matrix.velocity[body];
       CHECK(gap.cwiseAbs().maxCoeff() <= tolerance * fastest);
     }
     CHECK(rows_at_bounds(by_impulses) > 0);

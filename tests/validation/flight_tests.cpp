@@ -1,5 +1,6 @@
 // Bounces, with and without a contact that is foreseen.
 #include "geometry/shape.hpp"
+#include "math/list.hpp"
 #include "problems.hpp"
 
 using namespace cairn;
@@ -27,15 +28,15 @@ World<double> dropped_ball(const BallSpec& spec) {
 }
 
 double height_of_ball(const World<double>& world) {
-  return world.bodies().pose[1].position.y() - ball_radius;
+  return world.bodies().pose[{1}].position.y() - ball_radius;
 }
-double speed_of_ball(const World<double>& world) { return world.bodies().velocity[1].y(); }
+double speed_of_ball(const World<double>& world) { return world.bodies().velocity[{1}].y(); }
 
 /// The highest points after each of the first `count` bounces [m].
-std::vector<double> apexes(const BallSpec& spec, std::size_t count) {
+List<double> apexes(const BallSpec& spec, int count) {
   World world = dropped_ball(spec);
   SequentialImpulse<double> solver;
-  std::vector<double> result;
+  List<double> result;
   double before = 0;
   while (result.size() < count && world.time() < 60) {
     world.step(solver);

@@ -25,11 +25,11 @@ void run(World<Real>& world, Solver<Real>& solver, double seconds) {
 /// A body's velocity and position in the world, by id.
 template <Scalar Real>
 const Vec3<Real>& velocity_of(const World<Real>& world, BodyId body) {
-  return world.bodies().velocity[static_cast<std::size_t>(body.index)];
+  return world.bodies().velocity[body];
 }
 template <Scalar Real>
 const Pose<Real>& pose_of(const World<Real>& world, BodyId body) {
-  return world.bodies().pose[static_cast<std::size_t>(body.index)];
+  return world.bodies().pose[body];
 }
 
 /// Checks that an error, given the steps per second, shrinks in proportion to dt: order 0.8 to 1.2 over three

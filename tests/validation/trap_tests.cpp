@@ -82,15 +82,15 @@ TEST_CASE("impulses that are not scaled with dt leave a stack falling by g times
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     for (const double scale : {1.0, longer / shorter}) {
       VelocityProblem<double> problem = stack<double>(10);
-      for (std::size_t j = 0; j < 10; ++j) {
-        problem.impulse[j] = scale * (10 - static_cast<double>(j)) * test_gravity * shorter;
-        problem.velocity[j + 1] = {0, -test_gravity * longer, 0};
+      for (int j = 0; j < 10; ++j) {
+        problem.impulse[j] = scale * (10 - j) * test_gravity * shorter;
+        problem.velocity[{j + 1}] = {0, -test_gravity * longer, 0};
       }
       problem.dt = longer;
       make({.iterations = 0})->solve(problem);
       const double left = scale == 1 ? test_gravity * (longer - shorter) : 0;
-      for (std::size_t i = 1; i <= 10; ++i) {
-        CHECK(std::abs(problem.velocity[i].y() + left) <= 64 * double_epsilon);
+      for (int i = 1; i <= 10; ++i) {
+        CHECK(std::abs(problem.velocity[{i}].y() + left) <= 64 * double_epsilon);
       }
     }
   }
@@ -119,8 +119,8 @@ TEST_CASE("a kinematic body moves others through j v, and nothing moves it") {
     const BodyId box = add_body<double>(problem, 2, 1, {0, 0, 0});
     add_row(problem, vertical_row<double>({1}, box, Bounds<double>::unilateral()));
     make({.iterations = 1})->solve(problem);
-    CHECK(problem.velocity[2].y() == 3);
-    CHECK(problem.velocity[1].y() == 3);
+    CHECK(problem.velocity[{2}].y() == 3);
+    CHECK(problem.velocity[{1}].y() == 3);
     CHECK(problem.impulse[0] == 2 * 3);
   }
 }
@@ -154,7 +154,7 @@ TEST_CASE("a row between two bodies that cannot move does nothing and harms noth
     CHECK(problem.impulse[0] == doctest::Approx(test_gravity * test_dt).epsilon(1e-15));
     CHECK(problem.impulse[1] == 0);
     CHECK(problem.impulse[2] == 0);
-    CHECK(problem.velocity[2] == Vec3<double>(0, -3, 0));
+    CHECK(problem.velocity[{2}] == Vec3<double>(0, -3, 0));
   }
 }
 
@@ -166,14 +166,14 @@ TEST_CASE("clamped sums of impulses carry a narrow box exactly; clamped incremen
   // ever takes any of the first one's share back.
   const double A_ii = 1.24, A_ij = 0.76;
   CHECK(sum == doctest::Approx(weight / A_ii * (1 + (1 - A_ij / A_ii))).epsilon(1e-13));  // 1.119 m g dt
-  CHECK(wrong.velocity[1].y() == doctest::Approx(sum - weight).epsilon(1e-12));           // upwards, for ever
+  CHECK(wrong.velocity[{1}].y() == doctest::Approx(sum - weight).epsilon(1e-12));         // upwards, for ever
 
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     VelocityProblem<double> right = box_on_narrow_feet();
     make({.iterations = 100})->solve(right);  // (A_ij / A_ii)^2 = 0.38 a sweep
     CHECK(std::accumulate(right.impulse.begin(), right.impulse.end(), 0.0) ==
           doctest::Approx(weight).epsilon(1e-14));
-    CHECK(right.velocity[1].cwiseAbs().maxCoeff() <= 64 * double_epsilon);
+    CHECK(right.velocity[{1}].cwiseAbs().maxCoeff() <= 64 * double_epsilon);
   }
 }
 
@@ -183,7 +183,7 @@ TEST_CASE("a warm impulse that is too large is taken back") {
     VelocityProblem<double> problem = box_on_narrow_feet();
     problem.impulse = {weight, weight};  // twice what is needed
     make({.iterations = 100})->solve(problem);
-    CHECK(problem.velocity[1].cwiseAbs().maxCoeff() <= 64 * double_epsilon);
+    CHECK(problem.velocity[{1}].cwiseAbs().maxCoeff() <= 64 * double_epsilon);
   }
 }
 
@@ -197,19 +197,19 @@ TEST_CASE("friction is given back when its contact lets go") {
     make({.iterations = 1})->solve(problem);
     CHECK(problem.impulse[0] == 0);
     CHECK(problem.impulse[1] == 0);
-    CHECK((problem.velocity[1] - Vec3<double>(0, 1, 0)).cwiseAbs().maxCoeff() <= 4 * double_epsilon);
+    CHECK((problem.velocity[{1}] - Vec3<double>(0, 1, 0)).cwiseAbs().maxCoeff() <= 4 * double_epsilon);
   }
 }
 
 TEST_CASE("a NaN is still a NaN after clamping, so that it cannot hide") {
-  const std::vector<double> impulse = {1, 1};
+  const PerRow<double> impulse = {1, 1};
   CHECK(std::isnan(Bounds<double>::equality().clamp(quiet_nan, impulse)));
   CHECK(std::isnan(Bounds<double>::unilateral().clamp(quiet_nan, impulse)));
   CHECK(std::isnan(Bounds<double>::at_most(1).clamp(quiet_nan, impulse)));
   CHECK(std::isnan(Bounds<double>::coulomb(0.5, 0).clamp(quiet_nan, impulse)));
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     VelocityProblem<double> problem = stack<double>(2);
-    problem.velocity[1].y() = quiet_nan;
+    problem.velocity[{1}].y() = quiet_nan;
     make({})->solve(problem);
     CHECK(std::isnan(problem.impulse[0]));
   }
@@ -228,7 +228,7 @@ TEST_CASE("impulses find their rows again when rows before them have gone, and n
   run(world, solver, 0.1);  // the ball, whose rows came first, has left the margin
   const VelocityProblem<double> without = world.velocity_problem();
   CHECK(without.row_count() == before.row_count() - 2);
-  for (std::size_t i = 0; i < without.rows.size(); ++i) {
+  for (int i = 0; i < without.row_count(); ++i) {
     CHECK(without.rows[i].key == before.rows[i + 2].key);
     CHECK(without.impulse[i] == doctest::Approx(before.impulse[i + 2]).epsilon(1e-9));
   }
@@ -239,5 +239,5 @@ TEST_CASE("impulses find their rows again when rows before them have gone, and n
   REQUIRE(world.last_step().problem.row_count() == before.row_count());
   CHECK(world.last_step().is_new[0] == 1);
   CHECK(world.last_step().is_new[1] == 1);
-  for (std::size_t i = 2; i < before.rows.size(); ++i) CHECK(world.last_step().is_new[i] == 0);
+  for (int i = 2; i < before.row_count(); ++i) CHECK(world.last_step().is_new[i] == 0);
 }

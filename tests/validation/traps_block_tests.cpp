@@ -14,23 +14,19 @@ namespace {
 /// One sweep over equality rows that solves `size` consecutive rows at a time, exactly.
 template <int size>
 void sweep_in_blocks(VelocityProblem<double>& problem) {
-  for (std::size_t first = 0; first < problem.rows.size(); first += size) {
+  for (int first = 0; first < problem.row_count(); first += size) {
     Eigen::Matrix<double, size, size> A;
     Eigen::Matrix<double, size, 1> speed;
-    for (std::size_t i = 0; i < size; ++i) {
+    for (int i = 0; i < size; ++i) {
       const ConstraintRow<double>& row = problem.rows[first + i];
       VelocityProblem<double> response = problem;  // of one unit of impulse
       for (Vec3<double>& v : response.velocity) v.setZero();
       apply_impulse(response, row, 1.0);
-      for (std::size_t j = 0; j < size; ++j) {
-        A(static_cast<int>(j), static_cast<int>(i)) = row_velocity(response, problem.rows[first + j]);
-      }
-      speed(static_cast<int>(i)) = row_velocity(problem, row);
+      for (int j = 0; j < size; ++j) A(j, i) = row_velocity(response, problem.rows[first + j]);
+      speed(i) = row_velocity(problem, row);
     }
     const Eigen::Matrix<double, size, 1> impulse = -(A.inverse() * speed);
-    for (std::size_t i = 0; i < size; ++i) {
-      apply_impulse(problem, problem.rows[first + i], impulse(static_cast<int>(i)));
-    }
+    for (int i = 0; i < size; ++i) apply_impulse(problem, problem.rows[first + i], impulse(i));
   }
 }
 
@@ -92,8 +88,8 @@ TEST_CASE("row by row is what the paper's solvers do") {
   VelocityProblem<double> by_hand = oblique_rods<WeldJoint>(4), by_solver = by_hand;
   for (int sweep = 0; sweep < 20; ++sweep) sweep_in_blocks<1>(by_hand);
   SequentialImpulse<double>({.iterations = 20}).solve(by_solver);
-  for (std::size_t body = 1; body < by_hand.velocity.size(); ++body) {
-    const Vec3<double> gap = by_hand.velocity[body] - by_solver.velocity[body];
+  for (int body = 1; body < by_hand.body_count(); ++body) {
+    const Vec3<double> gap = by_hand.velocity[{body}] - by_solver.velocity[{body}];
     CHECK(gap.cwiseAbs().maxCoeff() <= 64 * 21 * double_epsilon);
   }
 }

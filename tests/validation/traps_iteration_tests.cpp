@@ -30,8 +30,8 @@ VelocityProblem<double> pushed_stack(int n, const Vec3<double>& push) {
   for (int k = 0; k < n; ++k) scene.add({.shapes = {box(1, 1)}, .position = {0, k + 0.5}, .mass = 1});
   VelocityProblem<double> problem = World(scene).velocity_problem();
   REQUIRE(problem.row_count() == 3 * n);
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    const int boxes_above = n - static_cast<int>(i) / 3;
+  for (int i = 0; i < problem.row_count(); ++i) {
+    const int boxes_above = n - i / 3;
     if (!problem.rows[i].bounds.is_friction()) problem.impulse[i] = boxes_above * test_gravity * test_dt / 2;
   }
   problem.velocity.back() += push;
@@ -65,8 +65,8 @@ TEST_CASE_TEMPLATE("three boxes approach (3, 2, 1) g dt from (1, 1/2, 1/4) g dt 
     for (int k = 1; k <= sweeps; ++k, power *= Real(0.75)) {
       // Up to 64 roundings a sweep of numbers below 3 g dt.
       const Real tolerance = 64 * std::numeric_limits<Real>::epsilon() * static_cast<Real>(1 + k) * 3 * g_dt;
-      const std::vector<Real>& rising = up.sweeps[static_cast<std::size_t>(k)];
-      const std::vector<Real>& falling = down.sweeps[static_cast<std::size_t>(k)];
+      const PerRow<Real>& rising = up.sweeps[k];
+      const PerRow<Real>& falling = down.sweeps[k];
       CHECK(std::abs(rising[0] - g_dt * (3 - 2 * power)) <= tolerance);
       CHECK(std::abs(rising[1] - g_dt * (2 - Real(1.5) * power)) <= tolerance);
       CHECK(std::abs(rising[2] - g_dt * (1 - Real(0.75) * power)) <= tolerance);
@@ -114,11 +114,11 @@ TEST_CASE(
     // Row 1 is satisfied last; row 0 is wrong by the contradiction, for ever. Both have A_ii = 1 and
     // b = bias + g dt.
     const double plateau = contradiction / std::hypot(fall, fall + contradiction);
-    for (std::size_t k = 1; k <= 400; ++k) {
+    for (int k = 1; k <= 400; ++k) {
       CHECK(recorder.sweeps()[k].residual_energy == doctest::Approx(plateau).epsilon(1e-12));
     }
     // Impulses up to 400 * 0.25 N s were added up: 64 (1 + k) roundings.
-    CHECK(std::abs(problem.velocity[1].y() - contradiction) <= 64 * 401 * double_epsilon * contradiction);
+    CHECK(std::abs(problem.velocity[{1}].y() - contradiction) <= 64 * 401 * double_epsilon * contradiction);
     CHECK(problem.impulse[1] == doctest::Approx(400 * contradiction).epsilon(1e-12));
     CHECK(problem.impulse[0] + problem.impulse[1] == doctest::Approx(fall + contradiction).epsilon(1e-11));
   }
@@ -127,7 +127,7 @@ TEST_CASE(
 TEST_CASE("tangents at one height agree; at two heights friction drifts for ever as soon as the box turns") {
   const int sweeps = 400;
   const auto residual_at = [](const SweepRecorder<double>& recorder, int sweep) {
-    return recorder.sweeps()[static_cast<std::size_t>(sweep)].residual_energy;
+    return recorder.sweeps()[sweep].residual_energy;
   };
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     VelocityProblem<double> level = box_with_tangents_at(-0.5, -0.5);
@@ -146,7 +146,7 @@ TEST_CASE("tangents at one height agree; at two heights friction drifts for ever
     // m/s, and sweeps add c d each, where c d^T (D - L) d = c d^T D d / 2 is that contradiction.
     const double weighted = 0.01 * (2.5 + 2.5) + 2.5 + (1 + 6 * 0.16);
     const double drift = 100 * 2 * 0.001 / weighted;
-    const std::vector<double>&before = trace.sweeps[300], &after = trace.sweeps[400];
+    const PerRow<double>&before = trace.sweeps[300], &after = trace.sweeps[400];
     CHECK(after[2] - before[2] == doctest::Approx(-drift).epsilon(1e-9));
     CHECK(after[3] - before[3] == doctest::Approx(drift).epsilon(1e-9));
     CHECK(after[1] - before[1] == doctest::Approx(0.1 * drift).epsilon(1e-9));

@@ -19,17 +19,16 @@ namespace {
 /// come apart.
 template <Scalar Real>
 double drift_of_velocity(const VelocityProblem<Real>& start, const VelocityProblem<Real>& solved) {
-  std::vector<Vec3<double>> given(start.velocity.size(), Vec3<double>::Zero());  // M^-1 J^T lambda
-  for (std::size_t i = 0; i < start.rows.size(); ++i) {
-    for_each_term(start, start.rows[i], [&](BodyId id, const Vec3<Real>& jacobian) {
-      const auto body = static_cast<std::size_t>(id.index);
+  PerBody<Vec3<double>> given(start.body_count(), Vec3<double>::Zero());  // M^-1 J^T lambda
+  for (int i = 0; i < start.row_count(); ++i) {
+    for_each_term(start, start.rows[i], [&](BodyId body, const Vec3<Real>& jacobian) {
       const Vec3<double> share =
           start.inverse_mass[body].template cast<double>().cwiseProduct(jacobian.template cast<double>());
       given[body] += share * static_cast<double>(solved.impulse[i]);
     });
   }
   double lost = 0, gained = 0;
-  for (std::size_t body = 0; body < given.size(); ++body) {
+  for (const BodyId body : given.indices()) {
     const Vec3<double> change =
         solved.velocity[body].template cast<double>() - start.velocity[body].template cast<double>();
     for (int axis = 0; axis < 3; ++axis) {

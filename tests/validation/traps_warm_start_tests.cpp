@@ -71,7 +71,7 @@ TEST_CASE("a contact's name says whose face it is on and at which end, so that a
     if (manifold.count < 2 || tilt == 0) continue;
     const bool face_of_a = manifold.normal == Vec2<double>(0, 1);
     const bool first_is_left = manifold.points[0].position.x() < manifold.points[1].position.x();
-    for (std::size_t i = 0; i < 2; ++i) {
+    for (int i = 0; i < 2; ++i) {
       const Place place = {face_of_a, first_is_left == (i == 0)};
       const auto [known, is_new] = place_of.emplace(manifold.points[i].feature, place);
       CHECK(known->second == place);
@@ -90,7 +90,7 @@ TEST_CASE("the rows of a world have names of their own, whichever body came firs
       pair.world.step(solver);
       std::set<RowKey> keys;
       for (const ConstraintRow<double>& row : pair.world.last_step().problem.rows) keys.insert(row.key);
-      CHECK(static_cast<int>(keys.size()) == pair.world.last_step().problem.row_count());
+      CHECK(std::ssize(keys) == pair.world.last_step().problem.row_count());
       for (const Manifold<double>& manifold : pair.world.last_step().manifolds) {
         CHECK(manifold.collider_a < manifold.collider_b);
       }

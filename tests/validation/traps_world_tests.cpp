@@ -6,6 +6,7 @@
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
 #include "geometry/shape.hpp"
+#include "math/list.hpp"
 #include "problems.hpp"
 
 using namespace cairn;
@@ -19,14 +20,14 @@ RowSpecs<Real> rows_of_tilted_boxes(test::Random& random) {
   const Pose<double> below = {random.point(3), random.uniform(-pi, pi)};
   const Vec2<double> place = below.world({random.uniform(-1, 1), 1});
   const Pose<double> above = {place, below.angle + random.uniform(-0.01, 0.01)};
-  std::vector<Pose<Real>> poses(1);
+  PerBody<Pose<Real>> poses(1);
   for (const Pose<double>& pose : {below, above}) {
     poses.push_back({pose.position.cast<Real>(), static_cast<Real>(pose.angle)});
   }
-  const Manifold<Real> manifold =
-      collide<Real>(shape_cast<Real>(box(4, 1)), poses[1], shape_cast<Real>(box(1, 1)), poses[2], Real(0.1));
+  const Manifold<Real> manifold = collide<Real>(shape_cast<Real>(box(4, 1)), poses[{1}],
+                                                shape_cast<Real>(box(1, 1)), poses[{2}], Real(0.1));
   RowSpecs<Real> rows;
-  const std::vector<Vec3<Real>> at_rest(3, Vec3<Real>::Zero());
+  const PerBody<Vec3<Real>> at_rest(3, Vec3<Real>::Zero());
   append_contact_rows<Real>(manifold, {1}, {2}, {.friction = Real(0.5)}, poses, at_rest, rows);
   return rows;
 }
@@ -96,7 +97,7 @@ TEST_CASE("a hinge with limits counts turns: it stops a wheel at 9 rad, not at 9
 TEST_CASE("a weld holds while its bodies turn through pi at different times, again and again") {
   const double omega = 10;  // [rad/s]
   Scene scene({.gravity = {0, 0}});
-  std::vector<BodyId> halves;
+  List<BodyId> halves;
   for (const double side : {-1.0, 1.0}) {
     halves.push_back(scene.add({.shapes = {circle(0.5)},
                                 .position = {side, 0},
@@ -140,7 +141,7 @@ TEST_CASE("nothing falls asleep: a stack at rest for ten seconds falls freely wh
   Scene scene;
   const BodyId table =
       scene.add({.type = BodyType::kinematic, .shapes = {box(10, 1)}, .position = {0, -0.5}});
-  std::vector<BodyId> boxes;
+  List<BodyId> boxes;
   for (int i = 0; i < 3; ++i) {
     boxes.push_back(scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1}));
   }

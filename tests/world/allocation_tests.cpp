@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
-#include <vector>
 
 #include "../solvers/solver_list.hpp"
 #include "constraints/revolute_joint.hpp"
+#include "math/list.hpp"
 #include "solvers/system_matrix.hpp"
 #include "world/world.hpp"
 
@@ -86,13 +86,13 @@ namespace {
 class ThreeBodyRope final : public ConstraintOf<ThreeBodyRope> {
  public:
   std::string name() const override { return "rope on three bodies"; }
-  std::vector<Attachment> attachments() const override { return {{{1}}, {{2}}, {{3}}}; }
+  List<Attachment> attachments() const override { return {{{1}}, {{2}}, {{3}}}; }
   template <Scalar Real>
-  void rows(const std::vector<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
     RowSpec<Real> row;
     row.a = {1};
     row.b = {2};
-    row.error = poses[1].position.y() + 2 * poses[2].position.y() + poses[3].position.y();
+    row.error = poses[{1}].position.y() + 2 * poses[{2}].position.y() + poses[{3}].position.y();
     row.jacobian_a = {0, 1, 0};
     row.jacobian_b = {0, 2, 0};
     row.extra[0] = {.body = {3}, .jacobian = {0, 1, 0}};
@@ -158,7 +158,7 @@ Scene rope_to_count() {
   return scene;
 }
 
-std::vector<SceneToCount> scenes_to_count() {
+List<SceneToCount> scenes_to_count() {
   return {
       {"stack", stack_to_count({})},
       {"stack, soft", stack_to_count({.stabilization = {.policy = StabilizationPolicy::soft}})},
@@ -195,7 +195,7 @@ void check_steady_steps(const SceneToCount& one, const SolverSettings& settings)
 }  // namespace
 
 TEST_CASE("the counter of allocations counts, and only while it lives") {
-  std::vector<double> array;
+  List<double> array;
   array.reserve(10);
   long before = -1, once = -1, twice = -1;
   {

@@ -28,7 +28,7 @@ World<double> bullet_and_wall(double speed, bool is_fast, double restitution = 0
   return World(scene);
 }
 
-double bullet_x(const World<double>& world) { return world.bodies().pose[2].position.x(); }
+double bullet_x(const World<double>& world) { return world.bodies().pose[{2}].position.x(); }
 
 void run_steps(World<double>& world, int steps) {
   SequentialImpulse<double> solver;
@@ -47,7 +47,7 @@ TEST_CASE(
       run_steps(world, 1);
       CHECK(bullet_x(world) <= -0.05 + 1e-9 * speed);  // at the wall, but for the rounding of C / dt * dt
     }
-    CHECK(world.bodies().velocity[2].x() <= 1e-9 * speed);
+    CHECK(world.bodies().velocity[{2}].x() <= 1e-9 * speed);
   }
   World<double> other = bullet_and_wall(1e3, false);
   run_steps(other, 10);
@@ -57,7 +57,7 @@ TEST_CASE(
 TEST_CASE("a fast body rebounds with e of its speed, as any other") {
   World<double> world = bullet_and_wall(1e3, true, 0.5);
   run_steps(world, 3);
-  CHECK(world.bodies().velocity[2].x() == doctest::Approx(-500).epsilon(1e-12));
+  CHECK(world.bodies().velocity[{2}].x() == doctest::Approx(-500).epsilon(1e-12));
 }
 
 TEST_CASE("a fast body that stands still reaches no further than another") {
@@ -90,7 +90,7 @@ TEST_CASE("a sensor names what touches it, and neither pushes nor is pushed") {
   World<double> world(scene);
   int sensed = 0;
   for (int step = 0; step < 60; ++step) {
-    const double x = world.bodies().pose[2].position.x();
+    const double x = world.bodies().pose[{2}].position.x();
     run_steps(world, 1);
     const bool overlaps = std::abs(x) < 1.5;
     CHECK((world.last_step().sensed.size() == 1) == overlaps);
@@ -98,7 +98,7 @@ TEST_CASE("a sensor names what touches it, and neither pushes nor is pushed") {
     CHECK(world.last_step().problem.rows.empty());
   }
   CHECK(sensed == 30);  // from -1.45 m to 1.45 m, at 0.1 m a step
-  CHECK(world.bodies().pose[2].position.x() == doctest::Approx(2.95).epsilon(1e-12));
+  CHECK(world.bodies().pose[{2}].position.x() == doctest::Approx(2.95).epsilon(1e-12));
 }
 
 TEST_CASE("joined bodies collide where the scene lets them") {
@@ -135,8 +135,8 @@ TEST_CASE("one friction row a manifold gives the forces of two, in fewer rows an
   CHECK(per_manifold.last_step().problem.row_count() == 6);
   // Both slide with g (sin - mu cos): 6 - 0.5 * 8 = 2 m/s^2; what is left is the solver's, 200 sweeps a step.
   for (const World<double>* world : {&per_point, &per_manifold}) {
-    CHECK(world->bodies().velocity[1].x() == doctest::Approx(2).epsilon(1e-6));
-    CHECK(world->bodies().velocity[2].x() == doctest::Approx(2).epsilon(1e-6));
+    CHECK(world->bodies().velocity[{1}].x() == doctest::Approx(2).epsilon(1e-6));
+    CHECK(world->bodies().velocity[{2}].x() == doctest::Approx(2).epsilon(1e-6));
     const Snapshot now = snapshot(*world);
     double friction = 0, load = 0;
     for (const SnapshotContact& contact : now.contacts) {

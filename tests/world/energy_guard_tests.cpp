@@ -52,13 +52,13 @@ class NoNumberSolver final : public Solver<double> {
 }  // namespace
 
 TEST_CASE("of impulses to begin from the share is kept that makes their energy least") {
-  std::vector<Vec3<double>> scratch;
+  PerBody<Vec3<double>> scratch;
   // D = p^2 (1 / m + softness) / 2 - p (3 + bias): least at p = (3 + bias) / (1 / m + softness) = 4.
   VelocityProblem<double> problem = falling_body(0.25, 0.3125, 16);
   CHECK(limit_warm_start(problem, scratch) == doctest::Approx(0.25).epsilon(1e-15));
   CHECK(problem.impulse[0] == doctest::Approx(4).epsilon(1e-15));
-  CHECK(problem.velocity[1].y() == -3);  // a warm start is given by the solver
-  problem.impulse = {2};                 // too little is no harm
+  CHECK(problem.velocity[{1}].y() == -3);  // a warm start is given by the solver
+  problem.impulse = {2};                   // too little is no harm
   CHECK(limit_warm_start(problem, scratch) == 1);
   CHECK(problem.impulse[0] == 2);
   problem.impulse = {-2};  // the wrong way round
@@ -74,13 +74,13 @@ TEST_CASE("of impulses to begin from the share is kept that makes their energy l
 }
 
 TEST_CASE("of what a solve has found the share is kept at which its rows do not work") {
-  std::vector<Vec3<double>> scratch;
+  PerBody<Vec3<double>> scratch;
   VelocityProblem<double> problem = falling_body(0.25, 0.3125, 16);
   apply_impulses(problem);
-  CHECK(problem.velocity[1].y() == 5);
+  CHECK(problem.velocity[{1}].y() == 5);
   CHECK(limit_solved(problem, scratch) == doctest::Approx(0.25).epsilon(1e-15));
   CHECK(problem.impulse[0] == doctest::Approx(4).epsilon(1e-15));
-  CHECK(problem.velocity[1].y() == doctest::Approx(-1).epsilon(1e-15));  // -3 + 4 / 2
+  CHECK(problem.velocity[{1}].y() == doctest::Approx(-1).epsilon(1e-15));  // -3 + 4 / 2
   CHECK(limit_solved(problem, scratch) == doctest::Approx(1).epsilon(1e-15));
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("impulses that hold a box at rest are kept, and dropped once it leaves
   const double dt = 1.0 / 60, gravity = 10;
   World<double> resting = box_at_rest(true);
   CHECK(resting.step(no_sweeps).warm_share == doctest::Approx(1).epsilon(1e-6));
-  CHECK(std::abs(resting.bodies().velocity[1].y()) < 1e-6);  // what 60 steps of 50 sweeps have left
+  CHECK(std::abs(resting.bodies().velocity[{1}].y()) < 1e-6);  // what 60 steps of 50 sweeps have left
 
   // Thrown up with 1 m/s, it needs no impulse; the last one, m g dt, would make it faster by g dt.
   for (const bool watches : {false, true}) {
@@ -98,7 +98,7 @@ TEST_CASE("impulses that hold a box at rest are kept, and dropped once it leaves
     const StepReport report = world.step(no_sweeps);
     CHECK(report.warm_share == (watches ? 0 : 1));
     const double expected = watches ? 1 - gravity * dt : 1;
-    CHECK(world.bodies().velocity[1].y() == doctest::Approx(expected).epsilon(1e-6));
+    CHECK(world.bodies().velocity[{1}].y() == doctest::Approx(expected).epsilon(1e-6));
   }
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("a guarded joint that has come apart by metres asks for a quarter of i
     world.step(solver);
     // beta C / dt, with C = 5 m, or a quarter of 0.4 m.
     const double expected = -0.2 * (watches ? 0.1 : 5) * 60;
-    CHECK(world.bodies().velocity[1].x() == doctest::Approx(expected).epsilon(1e-12));
+    CHECK(world.bodies().velocity[{1}].x() == doctest::Approx(expected).epsilon(1e-12));
   }
 }
 
@@ -161,7 +161,7 @@ TEST_CASE("a step that is not done names a body that moves, not the ground that 
   NoNumberSolver solver;
   const StepReport report = world.step(solver);
   CHECK(report.not_finite == body);
-  CHECK(world.bodies().velocity[0] == Vec3<double>(0, 0, 0));
+  CHECK(world.bodies().velocity[ground] == Vec3<double>(0, 0, 0));
 }
 
 TEST_CASE("a shape without a size is refused under its own name") {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "constraints/revolute_joint.hpp"
+#include "math/list.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
@@ -24,9 +25,9 @@ Scene scene_with_runaway(int substeps, StabilizationPolicy policy) {
   return scene;
 }
 
-const std::vector<StabilizationPolicy> guard_policies = {
-    StabilizationPolicy::none, StabilizationPolicy::baumgarte, StabilizationPolicy::soft,
-    StabilizationPolicy::split_impulse};
+const List<StabilizationPolicy> guard_policies = {StabilizationPolicy::none, StabilizationPolicy::baumgarte,
+                                                  StabilizationPolicy::soft,
+                                                  StabilizationPolicy::split_impulse};
 
 /// Two boxes on the ground, a rod that swings on a pin, and body 4, which floats far above them.
 Scene scene_with_floating_body(const SceneSettings& settings) {
@@ -43,12 +44,12 @@ Scene scene_with_floating_body(const SceneSettings& settings) {
 /// Bit by bit; what is no number is equal to nothing.
 template <Scalar Real>
 bool guard_same_state(const World<Real>& first, const World<Real>& second) {
-  for (std::size_t i = 0; i < first.bodies().pose.size(); ++i) {
-    const Pose<Real>& a = first.bodies().pose[i];
-    const Pose<Real>& b = second.bodies().pose[i];
+  for (const BodyId body : first.bodies().pose.indices()) {
+    const Pose<Real>& a = first.bodies().pose[body];
+    const Pose<Real>& b = second.bodies().pose[body];
     if (a.position != b.position || a.angle != b.angle) return false;
-    if (first.bodies().velocity[i] != second.bodies().velocity[i]) return false;
-    if (first.is_awake({static_cast<int>(i)}) != second.is_awake({static_cast<int>(i)})) return false;
+    if (first.bodies().velocity[body] != second.bodies().velocity[body]) return false;
+    if (first.is_awake(body) != second.is_awake(body)) return false;
   }
   return true;
 }
@@ -72,9 +73,8 @@ void check_as_if_never_asked(const SceneSettings& settings, int steps_before) {
   world.set_velocity(floating, {0, static_cast<double>(std::numeric_limits<Real>::max() / 2), 0});
   CHECK(world.step(solver).not_finite == floating);
   for (const BodyId body : {BodyId{1}, BodyId{2}, BodyId{3}}) {
-    const auto i = static_cast<std::size_t>(body.index);
-    CHECK(world.bodies().pose[i].position == twin.bodies().pose[i].position);
-    CHECK(world.bodies().velocity[i] == twin.bodies().velocity[i]);
+    CHECK(world.bodies().pose[body].position == twin.bodies().pose[body].position);
+    CHECK(world.bodies().velocity[body] == twin.bodies().velocity[body]);
     CHECK(world.is_awake(body) == twin.is_awake(body));
   }
   world.set_dt(settings.dt);
@@ -92,7 +92,7 @@ class LosingSolver final : public Solver<double> {
   std::string name() const override { return "losing"; }
   SolveReport solve(VelocityProblem<double>& problem, SolveObserver<double>* observer = nullptr) override {
     const SolveReport report = solver_.solve(problem, observer);
-    if (++solves_ == bad_) problem.velocity[2].z() = std::numeric_limits<double>::quiet_NaN();
+    if (++solves_ == bad_) problem.velocity[{2}].z() = std::numeric_limits<double>::quiet_NaN();
     return report;
   }
 
@@ -111,15 +111,15 @@ TEST_CASE("a step that would leave the numbers moves nothing, names the body, an
     for (int step = 1; step <= 3; ++step) {
       const StepReport report = world.step(solver);
       CHECK(report.not_finite == BodyId{2});
-      CHECK(world.bodies().pose[1].position == Vec2<double>(5, 0));
-      CHECK(world.bodies().velocity[1] == Vec3<double>(1, 0, 0));
-      CHECK(world.bodies().pose[2].position.y() == 0.75 * guard_huge);
+      CHECK(world.bodies().pose[{1}].position == Vec2<double>(5, 0));
+      CHECK(world.bodies().velocity[{1}] == Vec3<double>(1, 0, 0));
+      CHECK(world.bodies().pose[{2}].position.y() == 0.75 * guard_huge);
       CHECK(world.time() == step);
       CHECK(world.steps() == step);
     }
     world.set_velocity({2}, {0, 0, 0});
     CHECK_FALSE(world.step(solver).not_finite.has_value());
-    CHECK(world.bodies().pose[1].position.x() == 6);
+    CHECK(world.bodies().pose[{1}].position.x() == 6);
   }
 }
 
@@ -128,8 +128,8 @@ TEST_CASE("of a step with substeps those before the bad one are done") {
   SequentialImpulse<double> solver;
   // 0.75 + 0.25 * 0.75 = 0.9375 of the largest number after one substep, 1.125 after two.
   CHECK(world.step(solver).not_finite == BodyId{2});
-  CHECK(world.bodies().pose[1].position.x() == 5.25);
-  CHECK(world.bodies().pose[2].position.y() == 0.9375 * guard_huge);
+  CHECK(world.bodies().pose[{1}].position.x() == 5.25);
+  CHECK(world.bodies().pose[{2}].position.y() == 0.9375 * guard_huge);
 }
 
 TEST_CASE("after a step that was not done, a world goes on as if it had never been asked for it") {
@@ -186,7 +186,7 @@ TEST_CASE("an angle that would leave the numbers stops the step as a position do
   World<double> world(scene);
   SequentialImpulse<double> solver;
   CHECK(world.step(solver).not_finite == BodyId{1});
-  CHECK(world.bodies().pose[1].angle == 0.75 * guard_huge);
+  CHECK(world.bodies().pose[{1}].angle == 0.75 * guard_huge);
 }
 
 TEST_CASE("a body beyond the numbers of a scalar type, or no longer than their spacing there, is refused") {
@@ -224,7 +224,7 @@ TEST_CASE("a body of a tenth of a millimetre may sink in by a share of itself, n
     world.set_velocity(small, {0, 0, 0});  // what Baumgarte leaves would throw it up
   }
   // A twentieth of it is left alone: every step takes a fifth of what is above that.
-  const double depth = size / 2 - world.bodies().pose[1].position.y();
+  const double depth = size / 2 - world.bodies().pose[{1}].position.y();
   CHECK(depth < 0.06 * size);
   CHECK(depth > -0.05 * size);
 }

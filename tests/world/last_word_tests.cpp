@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "geometry/shape.hpp"
+#include "math/list.hpp"
 #include "solvers/impulse_energy.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "world/last_word.hpp"
@@ -15,16 +16,16 @@ namespace {
 
 /// The ground, and so many bodies one above the other that cannot turn, each with a normal row to the one
 /// below.
-VelocityProblem<double> falling_column(const std::vector<double>& masses, const std::vector<double>& speeds) {
+VelocityProblem<double> falling_column(const List<double>& masses, const List<double>& speeds) {
   VelocityProblem<double> problem;
   problem.dt = 1;
   problem.inverse_mass.push_back(Vec3<double>::Zero());
   problem.velocity.push_back(Vec3<double>::Zero());
-  for (std::size_t i = 0; i < masses.size(); ++i) {
+  for (int i = 0; i < masses.size(); ++i) {
     problem.inverse_mass.push_back({1 / masses[i], 1 / masses[i], 0});
     problem.velocity.push_back({0, speeds[i], 0});
-    problem.rows.push_back({.a = BodyId{static_cast<int>(i)},
-                            .b = BodyId{static_cast<int>(i + 1)},
+    problem.rows.push_back({.a = BodyId{i},
+                            .b = BodyId{i + 1},
                             .jacobian_a = {0, -1, 0},
                             .jacobian_b = {0, 1, 0},
                             .bounds = Bounds<double>::unilateral()});
@@ -33,16 +34,19 @@ VelocityProblem<double> falling_column(const std::vector<double>& masses, const 
   return problem;
 }
 
-std::vector<ContactLimit<double>> limits_from_the_top(int rows) {
-  std::vector<ContactLimit<double>> limits;
+List<ContactLimit<double>> limits_from_the_top(int rows) {
+  List<ContactLimit<double>> limits;
   for (int row = rows - 1; row >= 0; --row) limits.push_back({row, 0, 0.1});
   return limits;
 }
 
 double column_energy(const VelocityProblem<double>& problem) {
   double energy = 0;
-  for (std::size_t i = 1; i < problem.velocity.size(); ++i)
-    energy += problem.velocity[i].y() * problem.velocity[i].y() / (2 * problem.inverse_mass[i].y());
+  for (const BodyId body : problem.velocity.indices()) {
+    if (body == ground) continue;
+    const double v = problem.velocity[body].y();
+    energy += v * v / (2 * problem.inverse_mass[body].y());
+  }
   return energy;
 }
 
@@ -58,23 +62,23 @@ TEST_CASE("what rises from below is stopped, and throws nothing that is above it
   VelocityProblem<double> problem = falling_column({1, 1e6}, {5, -2});
   const double before = column_energy(problem);
   keep_bodies_apart(problem, limits_from_the_top(2), problem.velocity);
-  CHECK(problem.velocity[1].y() == 0);
-  CHECK(problem.velocity[2].y() == 0);
+  CHECK(problem.velocity[{1}].y() == 0);
+  CHECK(problem.velocity[{2}].y() == 0);
   CHECK(column_energy(problem) <= before);
   // A lift moves by itself: it takes what stands on it along.
   VelocityProblem<double> lift = falling_column({1}, {0});
-  lift.velocity[0].y() = 3;
+  lift.velocity[ground].y() = 3;
   keep_bodies_apart(lift, limits_from_the_top(1), lift.velocity);
-  CHECK(lift.velocity[1].y() == 3);
+  CHECK(lift.velocity[{1}].y() == 3);
 }
 
 TEST_CASE("in free space two bodies that approach go on with their common momentum") {
   VelocityProblem<double> problem = falling_column({1, 3}, {4, 0});
-  problem.inverse_mass[0].setConstant(1);
+  problem.inverse_mass[ground].setConstant(1);
   problem.rows.erase(problem.rows.begin());  // between the first body and what was the ground
   keep_bodies_apart(problem, {{0, 0, 0.1}}, problem.velocity);
-  CHECK(problem.velocity[1].y() == doctest::Approx(1));
-  CHECK(problem.velocity[2].y() == doctest::Approx(1));
+  CHECK(problem.velocity[{1}].y() == doctest::Approx(1));
+  CHECK(problem.velocity[{2}].y() == doctest::Approx(1));
 }
 
 TEST_CASE("too deep is deeper than before and deeper than allowed, at the end of the step") {
@@ -82,7 +86,7 @@ TEST_CASE("too deep is deeper than before and deeper than allowed, at the end of
   CHECK(goes_too_deep(problem, {0, 0.0, 0.5}, problem.velocity));
   CHECK_FALSE(goes_too_deep(problem, {0, 0.6, 0.5}, problem.velocity));
   CHECK_FALSE(goes_too_deep(problem, {0, 0.0, 1.5}, problem.velocity));
-  problem.velocity[1].y() = 1;
+  problem.velocity[{1}].y() = 1;
   CHECK_FALSE(goes_too_deep(problem, {0, -2.0, 0.5}, problem.velocity));
 }
 
@@ -96,8 +100,8 @@ TEST_CASE("a heavy box on a light one does not press it through the ground, and 
   int kept_apart = 0;
   for (int step = 0; step < 180; ++step) kept_apart += world.step(solver).kept_apart;
   CHECK(kept_apart > 0);
-  CHECK(world.bodies().pose[1].position.y() > 0.2);  // at most a quarter of it is in the ground
-  CHECK(world.bodies().pose[2].position.y() > 0.2);
+  CHECK(world.bodies().pose[{1}].position.y() > 0.2);  // at most a quarter of it is in the ground
+  CHECK(world.bodies().pose[{2}].position.y() > 0.2);
 }
 
 TEST_CASE("a stack that its solver carries is left alone") {

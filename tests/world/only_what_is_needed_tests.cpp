@@ -4,11 +4,11 @@
 #include <set>
 #include <sstream>
 #include <string>
-#include <vector>
 
 #include "constraints/distance_joint.hpp"
 #include "constraints/prismatic_joint.hpp"
 #include "constraints/revolute_joint.hpp"
+#include "math/list.hpp"
 #include "solvers/iterative/projected_gauss_seidel.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
@@ -93,10 +93,9 @@ TEST_CASE("only the pairs that rub have friction rows, in a scene where some do"
   // From below: 0.5 on 0.5, 0 on 0.5, 0.5 on 0. One of three interfaces rubs, with two points.
   Scene scene;
   scene.add_ground({.friction = 0.5});
-  const std::vector<double> frictions = {0.5, 0, 0.5};
-  for (std::size_t i = 0; i < frictions.size(); ++i) {
-    const double y = 0.5 + static_cast<double>(i);
-    scene.add({.shapes = {box(1, 1)}, .position = {0, y}, .friction = frictions[i]});
+  const List<double> frictions = {0.5, 0, 0.5};
+  for (int i = 0; i < frictions.size(); ++i) {
+    scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .friction = frictions[i]});
   }
   CHECK(report_of_one_step(scene).rows == 3 * 2 + 2);
 }
@@ -128,7 +127,7 @@ TEST_CASE("a slack rope has no row until its slack is within the margin") {
   SequentialImpulse<double> solver;
   int with_row = 0;
   for (int step = 0; step < 65; ++step) {
-    const double slack = length - world.bodies().pose[1].position.x();
+    const double slack = length - world.bodies().pose[{1}].position.x();
     const int rows = world.step(solver).rows;
     CHECK(rows == (slack < margin ? 1 : 0));
     with_row += rows;
@@ -166,14 +165,13 @@ TEST_CASE("a static body stays where it is to the last bit, whatever presses on 
       {.type = BodyType::static_body, .shapes = {box(4, 0.2)}, .position = {0.3, 0.7}, .angle = 0.1});
   for (int i = 0; i < 4; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0.3, 1.4 + 1.1 * i}});
   World world(scene);
-  const auto index = static_cast<std::size_t>(shelf.index);
-  const Pose<double> start = world.bodies().pose[index];
+  const Pose<double> start = world.bodies().pose[shelf];
   SequentialImpulse<double> solver;
   for (int step = 0; step < 60; ++step) world.step(solver);
   CHECK(world.last_step().problem.row_count() > 0);
-  CHECK(world.bodies().pose[index].position == start.position);
-  CHECK(world.bodies().pose[index].angle == start.angle);
-  CHECK(world.bodies().velocity[index] == Vec3<double>::Zero());
+  CHECK(world.bodies().pose[shelf].position == start.position);
+  CHECK(world.bodies().pose[shelf].angle == start.angle);
+  CHECK(world.bodies().velocity[shelf] == Vec3<double>::Zero());
 }
 
 TEST_CASE("rotation that is fixed has 1/I = 0 in the problem, and the mass stays") {
@@ -181,10 +179,9 @@ TEST_CASE("rotation that is fixed has 1/I = 0 in the problem, and the mass stays
   const BodyId fixed = scene.add({.shapes = {box(1, 1)}, .density = 4, .fixed_rotation = true});
   const BodyId turns = scene.add({.shapes = {box(1, 1)}, .position = {5, 0}, .density = 4});
   const VelocityProblem<double> problem = World<double>(scene).velocity_problem();
-  CHECK(problem.inverse_mass[static_cast<std::size_t>(fixed.index)] == Vec3<double>(0.25, 0.25, 0));
+  CHECK(problem.inverse_mass[fixed] == Vec3<double>(0.25, 0.25, 0));
   // I of a square of side 1 is m / 6: 1/I = 6/4, to a few roundings.
-  CHECK(problem.inverse_mass[static_cast<std::size_t>(turns.index)].z() ==
-        doctest::Approx(1.5).epsilon(1e-14));
+  CHECK(problem.inverse_mass[turns].z() == doctest::Approx(1.5).epsilon(1e-14));
 }
 
 TEST_CASE("each part of a scene switches on its own lines of the plan, and no others") {
@@ -262,8 +259,9 @@ TEST_CASE("sequential impulses keep one number a row of a world, and never a mat
     World world(tower_of_boxes(n, 0.5));
     SequentialImpulse<double> impulses;
     ProjectedGaussSeidel<double> matrices({.iterations = 1});
-    const auto m = static_cast<std::size_t>(world.step(impulses).rows);
-    CHECK(m == static_cast<std::size_t>(4 * n));
+    const int rows = world.step(impulses).rows;
+    CHECK(rows == 4 * n);
+    const auto m = static_cast<std::size_t>(rows);
     CHECK(impulses.memory() == m * sizeof(double));
     world.step(matrices);
     CHECK(matrices.memory() > m * m * sizeof(double));  // A alone

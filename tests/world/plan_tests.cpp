@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "constraints/revolute_joint.hpp"
+#include "math/list.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
@@ -20,8 +21,10 @@ Scene plain_scene(double friction_of_ground, double friction_of_disc) {
 
 /// A scene in which everything occurs.
 Scene rich_scene() {
-  Scene scene(
-      {.substeps = 2, .stabilization = {.policy = StabilizationPolicy::soft}, .guarded = true, .sleeping = Sleeping{}});
+  Scene scene({.substeps = 2,
+               .stabilization = {.policy = StabilizationPolicy::soft},
+               .guarded = true,
+               .sleeping = Sleeping{}});
   scene.add_ground({.friction = 0.5});
   const BodyId bar =
       scene.add({.shapes = {box(1, 1), circle(1, {1, 0})}, .position = {0, 3}, .angular_damping = 0.1});
@@ -48,7 +51,7 @@ TEST_CASE("a plan counts bodies, shapes and joints, and lists the kinds of shape
   CHECK(plan.turning_bodies == 2);
   CHECK(plan.colliders == 5);
   CHECK(plan.joints == 1);
-  CHECK(plan.shape_kinds == std::vector<std::string>{"capsule", "circle", "polygon", "segment"});
+  CHECK(plan.shape_kinds == List<std::string>{"capsule", "circle", "polygon", "segment"});
   CHECK(plan.broadphase == BroadphaseKind::all_pairs);
   CHECK(plan.collision);
   CHECK(plan.gravity);
@@ -129,7 +132,7 @@ TEST_CASE("bodies whose rotation is fixed are counted, and never turn") {
   World world(scene);
   SequentialImpulse<double> solver;
   for (int step = 0; step < 30; ++step) world.step(solver);
-  CHECK(world.bodies().pose[static_cast<std::size_t>(sledge.index)].angle == 0);
+  CHECK(world.bodies().pose[sledge].angle == 0);
   CHECK(says(world.plan(), "left out for 1 of 2 dynamic bodies: 1/I is 0"));
   CHECK(says(world.plan(), "2 dynamic of 3; 5 velocities a step"));
 }

@@ -8,6 +8,7 @@
 #include "constraints/distance_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "math/check.hpp"
+#include "math/list.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
@@ -24,7 +25,7 @@ struct Field {
   std::string name = {};
   std::string rule = {};
   std::function<void(double)> use = {};
-  std::vector<double> out_of_range = {};
+  List<double> out_of_range = {};
 };
 
 std::string message_of(const std::function<void()>& action) {
@@ -36,9 +37,9 @@ std::string message_of(const std::function<void()>& action) {
   return "nothing was refused";
 }
 
-void check_refusals(const std::string& place, const std::vector<Field>& fields) {
+void check_refusals(const std::string& place, const List<Field>& fields) {
   for (const Field& field : fields) {
-    std::vector<double> values = {no_number, unbounded, -unbounded};
+    List<double> values = {no_number, unbounded, -unbounded};
     values.insert(values.end(), field.out_of_range.begin(), field.out_of_range.end());
     for (const double value : values) {
       const std::string expected =
@@ -49,7 +50,7 @@ void check_refusals(const std::string& place, const std::vector<Field>& fields) 
 }
 
 /// The same for fields of two numbers, of which the second is bad.
-void check_vector_refusals(const std::string& place, const std::vector<Field>& fields) {
+void check_vector_refusals(const std::string& place, const List<Field>& fields) {
   for (const Field& field : fields) {
     for (const double value : {no_number, unbounded, -unbounded}) {
       const std::string expected =

@@ -22,8 +22,8 @@ TEST_CASE("new settings take the place of a scene's own, and worlds made of it e
   before.step(solver);
   after.step(solver);
   // One step of falling: g dt.
-  CHECK(before.bodies().velocity[1].y() == doctest::Approx(-10.0 / 60).epsilon(1e-15));
-  CHECK(after.bodies().velocity[1] == Vec3<double>(1.5, 0, 0));
+  CHECK(before.bodies().velocity[{1}].y() == doctest::Approx(-10.0 / 60).epsilon(1e-15));
+  CHECK(after.bodies().velocity[{1}] == Vec3<double>(1.5, 0, 0));
 }
 
 TEST_CASE("settings that a scene could not be made with are refused, and change nothing") {
@@ -41,7 +41,7 @@ TEST_CASE("a displaced body is moved, and turned about its centre of mass, with 
   Scene scene;
   const BodyId body = scene.add({.shapes = {circle(0.5, center)}, .position = {10, 20}});
   scene.displace(body, {0.25, -0.5}, pi / 2);
-  const SceneBody& now = scene.bodies()[1];
+  const SceneBody& now = scene.bodies()[{1}];
   // Sums of a few numbers of 20 m.
   const double tolerance = 64 * std::numeric_limits<double>::epsilon() * 20;
   CHECK((now.pose.position - Vec2<double>(12.25, 20.5)).norm() <= tolerance);
@@ -50,7 +50,7 @@ TEST_CASE("a displaced body is moved, and turned about its centre of mass, with 
   // The frame that the shapes were given in turns with it: its origin was at (-2, -1) from the centre.
   CHECK((now.spec.position - Vec2<double>(12.25 + 1, 20.5 - 2)).norm() <= tolerance);
   const World world(scene);
-  CHECK((world.bodies().pose[1].position - now.pose.position).norm() == 0);
+  CHECK((world.bodies().pose[{1}].position - now.pose.position).norm() == 0);
 }
 
 TEST_CASE("a joint whose body is displaced begins with the error of that displacement") {
@@ -72,5 +72,5 @@ TEST_CASE("what cannot be displaced is refused by name") {
   CHECK_THROWS_AS(scene.displace({-1}, {0, 0}), std::invalid_argument);
   CHECK_THROWS_AS(scene.displace(body, {NAN, 0}), std::invalid_argument);
   CHECK_THROWS_AS(scene.displace(body, {0, 0}, INFINITY), std::invalid_argument);
-  CHECK(scene.bodies()[1].pose.position == Vec2<double>(0, 0));
+  CHECK(scene.bodies()[{1}].pose.position == Vec2<double>(0, 0));
 }

@@ -24,7 +24,7 @@ Vec3<double> landed(const BodySpec& material, const GroundSpec& surface, double 
   World world(scene);
   SequentialImpulse<double> solver;
   world.step(solver);
-  return world.bodies().velocity[1];
+  return world.bodies().velocity[{1}];
 }
 
 const double few_roundings = 64 * std::numeric_limits<double>::epsilon();
@@ -39,19 +39,19 @@ TEST_CASE("a body's mass is density times area unless it is given, and its inert
   scene.add({.shapes = {box(2, 3)}, .fixed_rotation = true});
   scene.add({.type = BodyType::kinematic, .shapes = {box(2, 3)}});
   const double per_mass = (4.0 + 9.0) / 12;  // [m^2] (w^2 + h^2) / 12
-  CHECK(scene.bodies()[1].mass == doctest::Approx(30).epsilon(few_roundings));
-  CHECK(scene.bodies()[1].inertia == doctest::Approx(30 * per_mass).epsilon(few_roundings));
-  CHECK(scene.bodies()[2].mass == 7);
-  CHECK(scene.bodies()[2].inertia == doctest::Approx(7 * per_mass).epsilon(few_roundings));
-  CHECK(scene.bodies()[3].inertia == 11);
-  CHECK(scene.bodies()[4].inertia == 0);
-  CHECK(scene.bodies()[4].mass > 0);
-  CHECK(scene.bodies()[5].mass == 0);
+  CHECK(scene.bodies()[{1}].mass == doctest::Approx(30).epsilon(few_roundings));
+  CHECK(scene.bodies()[{1}].inertia == doctest::Approx(30 * per_mass).epsilon(few_roundings));
+  CHECK(scene.bodies()[{2}].mass == 7);
+  CHECK(scene.bodies()[{2}].inertia == doctest::Approx(7 * per_mass).epsilon(few_roundings));
+  CHECK(scene.bodies()[{3}].inertia == 11);
+  CHECK(scene.bodies()[{4}].inertia == 0);
+  CHECK(scene.bodies()[{4}].mass > 0);
+  CHECK(scene.bodies()[{5}].mass == 0);
   const World world(scene);
-  CHECK(world.bodies().inverse_mass[0].isZero(0));
-  CHECK(world.bodies().inverse_mass[2] == Vec3<double>(1.0 / 7, 1.0 / 7, 1 / scene.bodies()[2].inertia));
-  CHECK(world.bodies().inverse_mass[4].z() == 0);
-  CHECK(world.bodies().inverse_mass[5].isZero(0));
+  CHECK(world.bodies().inverse_mass[ground].isZero(0));
+  CHECK(world.bodies().inverse_mass[{2}] == Vec3<double>(1.0 / 7, 1.0 / 7, 1 / scene.bodies()[{2}].inertia));
+  CHECK(world.bodies().inverse_mass[{4}].z() == 0);
+  CHECK(world.bodies().inverse_mass[{5}].isZero(0));
 }
 
 TEST_CASE("a body's frame is moved to its centre of mass, and its shapes stay where they were in the world") {
@@ -61,7 +61,7 @@ TEST_CASE("a body's frame is moved to its centre of mass, and its shapes stay wh
   const BodyId body =
       scene.add({.shapes = {circle(0.5, center)}, .position = given.position, .angle = given.angle});
   const World world(scene);
-  const SnapshotBody now = snapshot(world).bodies[static_cast<std::size_t>(body.index)];
+  const SnapshotBody now = snapshot(world).bodies[body];
   CHECK((now.pose.position - given.world(center)).norm() <= few_roundings * 25);
   CHECK(now.pose.angle == given.angle);
   const Vec2<double> drawn = now.pose.world(std::get<Circle<double>>(now.shapes.at(0)).center);
@@ -76,9 +76,7 @@ TEST_CASE("the ground's surface is where it was asked for") {
   World world(scene);
   SequentialImpulse<double> solver({.iterations = 100});  // feet 1/2 m from the middle: 1/4 a sweep
   for (int step = 0; step < 30; ++step) world.step(solver);
-  const auto height = [&](BodyId id) {
-    return world.bodies().pose[static_cast<std::size_t>(id.index)].position.y();
-  };
+  const auto height = [&](BodyId id) { return world.bodies().pose[id].position.y(); };
   CHECK(std::abs(height(box_on_it) - 3.5) <= few_roundings * 30);
   CHECK(height(box_beside) < 3);
 }
@@ -116,7 +114,7 @@ TEST_CASE("damping divides velocities by 1 + c dt in every step, and never turns
     SequentialImpulse<double> solver;
     for (int k = 1; k <= 20; ++k) {
       world.step(solver);
-      const Vec3<double>& v = world.bodies().velocity[1];
+      const Vec3<double>& v = world.bodies().velocity[{1}];
       CHECK(v.x() == doctest::Approx(3 * std::pow(1 + c * dt, -k)).scale(0).epsilon(few_roundings));
       CHECK(v.y() == doctest::Approx(4 * std::pow(1 + c * dt, -k)).scale(0).epsilon(few_roundings));
       CHECK(v.z() == doctest::Approx(5 * std::pow(1 + 2 * c * dt, -k)).scale(0).epsilon(few_roundings));
@@ -132,9 +130,9 @@ TEST_CASE("gravity acts on dynamic bodies by their gravity scale, and on no othe
   World world(scene);
   SequentialImpulse<double> solver;
   world.step(solver);
-  CHECK(world.bodies().velocity[1].x() == doctest::Approx(-0.5 / 60));
-  CHECK(world.bodies().velocity[1].y() == doctest::Approx(5.0 / 60));
-  CHECK(world.bodies().velocity[2].isZero(0));
-  CHECK(world.bodies().velocity[3] == Vec3<double>(0, 2, 0));
-  CHECK(world.bodies().pose[3].position.y() == doctest::Approx(2.0 / 60));
+  CHECK(world.bodies().velocity[{1}].x() == doctest::Approx(-0.5 / 60));
+  CHECK(world.bodies().velocity[{1}].y() == doctest::Approx(5.0 / 60));
+  CHECK(world.bodies().velocity[{2}].isZero(0));
+  CHECK(world.bodies().velocity[{3}] == Vec3<double>(0, 2, 0));
+  CHECK(world.bodies().pose[{3}].position.y() == doctest::Approx(2.0 / 60));
 }

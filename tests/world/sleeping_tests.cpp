@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "math/list.hpp"
 #include "sleeping_worlds.hpp"
 
 using namespace cairn;
@@ -111,7 +112,7 @@ TEST_CASE(
 TEST_CASE("two stacks on one ground are two islands, and sleep independently") {
   Scene scene({.sleeping = usual_sleeping});
   scene.add_ground();
-  const std::vector<BodyId> still = add_stack(scene, 3, -5);
+  const List<BodyId> still = add_stack(scene, 3, -5);
   // This one is dropped from 5 m: it falls for sqrt(2 h / g) = 1 s, twice the time that lets the other sleep.
   const BodyId late = scene.add({.shapes = {box(1, 1)}, .position = {5, 5.5}});
   World<double> world(scene);
@@ -164,9 +165,9 @@ TEST_CASE("what is joined to the ground alone sleeps, whatever else hangs from t
   const Snapshot seen = snapshot(world);
   CHECK(seen.joints[0].impulse.norm() == 0);
   CHECK(seen.joints[1].impulse.norm() > 0);
-  CHECK_FALSE(seen.bodies[static_cast<std::size_t>(still.index)].awake);
-  CHECK(seen.bodies[static_cast<std::size_t>(swinging.index)].awake);
-  CHECK(seen.bodies[0].awake);
+  CHECK_FALSE(seen.bodies[still].awake);
+  CHECK(seen.bodies[swinging].awake);
+  CHECK(seen.bodies[ground].awake);
 }
 
 TEST_CASE("a chain joined to an awake body stays awake, though it never moves itself") {
@@ -174,7 +175,7 @@ TEST_CASE("a chain joined to an awake body stays awake, though it never moves it
   const StepReport report = sleep_steps(spinning, 120);
   CHECK(report.awake.bodies == 4);
   CHECK(report.awake.islands == 1);
-  for (std::size_t i = 2; i < 5; ++i) CHECK(spinning.bodies().velocity[i].norm() < usual_sleeping.speed);
+  for (int i = 2; i < 5; ++i) CHECK(spinning.bodies().velocity[{i}].norm() < usual_sleeping.speed);
   World<double> still(chain_scene(0));
   CHECK(steps_until_asleep(still) == usual_sleep_steps);
 }

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "constraints/distance_joint.hpp"
 #include "constraints/revolute_joint.hpp"
+#include "math/list.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
@@ -19,8 +19,8 @@ inline constexpr Sleeping usual_sleeping = {.speed = 0.05, .angular_speed = 0.05
 inline constexpr int usual_sleep_steps = 30;  // 0.5 s in steps of 1/60 s
 
 /// n boxes of 1 kg and 1 m, one on the other, at `x` [m]; the lowest first.
-inline std::vector<BodyId> add_stack(Scene& scene, int n, double x) {
-  std::vector<BodyId> boxes;
+inline List<BodyId> add_stack(Scene& scene, int n, double x) {
+  List<BodyId> boxes;
   for (int i = 0; i < n; ++i) boxes.push_back(scene.add({.shapes = {box(1, 1)}, .position = {x, 0.5 + i}}));
   return boxes;
 }
@@ -41,9 +41,9 @@ inline Scene stack_scene(const SceneSettings& settings = {.sleeping = usual_slee
 template <Scalar Real>
 bool same_poses(const World<Real>& first, const World<Real>& second) {
   bool same = true;
-  for (std::size_t i = 0; i < first.bodies().pose.size(); ++i) {
-    same = same && first.bodies().pose[i].position == second.bodies().pose[i].position &&
-           first.bodies().pose[i].angle == second.bodies().pose[i].angle;
+  for (const BodyId body : first.bodies().pose.indices()) {
+    same = same && first.bodies().pose[body].position == second.bodies().pose[body].position &&
+           first.bodies().pose[body].angle == second.bodies().pose[body].angle;
   }
   return same;
 }
@@ -51,8 +51,8 @@ bool same_poses(const World<Real>& first, const World<Real>& second) {
 template <Scalar Real>
 bool same_state(const World<Real>& first, const World<Real>& second) {
   bool same = same_poses(first, second) && first.bodies().velocity == second.bodies().velocity;
-  for (int i = 0; i < static_cast<int>(first.bodies().pose.size()); ++i) {
-    same = same && first.is_awake({i}) == second.is_awake({i});
+  for (const BodyId body : first.bodies().pose.indices()) {
+    same = same && first.is_awake(body) == second.is_awake(body);
   }
   return same && first.last_step().problem.impulse == second.last_step().problem.impulse;
 }
@@ -76,16 +76,16 @@ int steps_until_asleep(World<Real>& world, int most = 2000) {
 }
 
 template <Scalar Real>
-int count_awake(const World<Real>& world, const std::vector<BodyId>& bodies) {
+int count_awake(const World<Real>& world, const List<BodyId>& bodies) {
   return static_cast<int>(
       std::count_if(bodies.begin(), bodies.end(), [&](BodyId body) { return world.is_awake(body); }));
 }
 
 template <Scalar Real>
-double largest_speed(const World<Real>& world, const std::vector<BodyId>& bodies) {
+double largest_speed(const World<Real>& world, const List<BodyId>& bodies) {
   double largest = 0;
   for (const BodyId body : bodies) {
-    const Vec3<Real>& v = world.bodies().velocity[static_cast<std::size_t>(body.index)];
+    const Vec3<Real>& v = world.bodies().velocity[body];
     largest = std::max(largest, static_cast<double>(v.template head<2>().norm()));
   }
   return largest;

@@ -6,6 +6,7 @@
 
 #include "constraints/revolute_joint.hpp"
 #include "geometry/shape.hpp"
+#include "math/list.hpp"
 #include "measure/violation.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
@@ -31,9 +32,9 @@ World<double> sunken_ball(const Stabilization& stabilization, int substeps = 1) 
 }
 
 struct PopPath {
-  std::vector<double> room = {};   // [m] above the ground, after every step; negative in overlap
-  std::vector<double> speed = {};  // [m/s] upwards
-  double apex = -pop_depth;        // [m]
+  List<double> room = {};    // [m] above the ground, after every step; negative in overlap
+  List<double> speed = {};   // [m/s] upwards
+  double apex = -pop_depth;  // [m]
 };
 
 PopPath watch_pop(const Stabilization& stabilization, int steps, int substeps = 1) {
@@ -42,8 +43,8 @@ PopPath watch_pop(const Stabilization& stabilization, int steps, int substeps = 
   PopPath path;
   for (int step = 0; step < steps; ++step) {
     world.step(solver);
-    path.room.push_back(world.bodies().pose[1].position.y() - pop_radius);
-    path.speed.push_back(world.bodies().velocity[1].y());
+    path.room.push_back(world.bodies().pose[{1}].position.y() - pop_radius);
+    path.speed.push_back(world.bodies().velocity[{1}].y());
     path.apex = std::max(path.apex, path.room.back());
   }
   return path;
@@ -60,7 +61,7 @@ Scene policy_stack(const Stabilization& stabilization, int substeps) {
 
 TEST_CASE("without stabilization an overlap stays as it is, and gains no speed") {
   const PopPath path = watch_pop({.policy = StabilizationPolicy::none, .slop = 0}, 256);
-  for (std::size_t i = 0; i < path.room.size(); ++i) {
+  for (int i = 0; i < path.room.size(); ++i) {
     CHECK(std::abs(path.room[i] + pop_depth) <= pop_rounding);
     CHECK(std::abs(path.speed[i]) <= pop_rounding);
   }
@@ -95,8 +96,8 @@ TEST_CASE("a cap on Baumgarte lifts a ball out of the ground and no higher, howe
     const double rise = 2 * std::sqrt(2 * pop_depth / pop_gravity);  // [s]
     for (int step = 0; step < static_cast<int>(1.2 * rise / dt); ++step) {
       world.step(solver);
-      highest = std::max(highest, world.bodies().pose[1].position.y() - pop_radius);
-      fastest = std::max(fastest, world.bodies().velocity[1].y());
+      highest = std::max(highest, world.bodies().pose[{1}].position.y() - pop_radius);
+      fastest = std::max(fastest, world.bodies().velocity[{1}].y());
     }
     CHECK(fastest <= speed * (1 + 1e-12));
     // The first step goes v dt, where continuous flight would go v dt - g dt^2 / 2.
@@ -108,7 +109,7 @@ TEST_CASE("split impulses take a share beta of an overlap back in every step, an
   const PopPath path =
       watch_pop({.policy = StabilizationPolicy::split_impulse, .slop = 0, .max_speed = uncapped}, 128);
   double room = -pop_depth;
-  for (std::size_t i = 0; i < path.room.size(); ++i) {
+  for (int i = 0; i < path.room.size(); ++i) {
     room *= 0.8;
     CHECK(std::abs(path.room[i] - room) <= pop_rounding);
     CHECK(std::abs(path.speed[i]) <= pop_rounding);
@@ -121,7 +122,7 @@ TEST_CASE("a soft contact moves as its spring does, and the relaxing solve takes
   const double omega = 2 * std::acos(-1.0) * soft.soft.frequency;
   const double divisor = 1 + 2 * soft.soft.damping_ratio * omega * pop_dt + omega * omega * pop_dt * pop_dt;
   double room = -pop_depth;
-  for (std::size_t i = 0; i < path.room.size(); ++i) {
+  for (int i = 0; i < path.room.size(); ++i) {
     // Implicit Euler from rest, as gravity leaves it: v' = (v - h w^2 C) / (1 + 2 z w h + w^2 h^2).
     const double v = (-pop_gravity * pop_dt - pop_dt * omega * omega * room) / divisor;
     room += pop_dt * std::max(v, -pop_gravity * pop_dt);
@@ -146,8 +147,8 @@ TEST_CASE("n substeps are n steps of dt / n, bit for bit") {
       const StepReport report = whole.step(solver);
       CHECK(report.sweeps >= 40);
       for (int k = 0; k < 4; ++k) parts.step(solver);
-      REQUIRE(whole.bodies().pose[1].position == parts.bodies().pose[1].position);
-      REQUIRE(whole.bodies().velocity[1] == parts.bodies().velocity[1]);
+      REQUIRE(whole.bodies().pose[{1}].position == parts.bodies().pose[{1}].position);
+      REQUIRE(whole.bodies().velocity[{1}] == parts.bodies().velocity[{1}]);
     }
     CHECK(whole.time() == 64 * pop_dt);
     CHECK(whole.steps() == 64);
@@ -172,10 +173,10 @@ TEST_CASE("a stack of ten stands ten seconds under every policy that takes error
     for (int step = 0; step < 600; ++step) world.step(solver);
     const double give = setting.policy == StabilizationPolicy::soft ? sag : 0;
     CHECK(worst_penetration(snapshot(world)) <= 2 * 0.005 + give);  // slop, and as much for ten sweeps
-    const std::vector<Pose<double>>& pose = world.bodies().pose;
+    const PerBody<Pose<double>>& pose = world.bodies().pose;
     CHECK(std::abs(pose.back().position.y() - 9.5) <= 10 * (2 * 0.005 + give));
-    for (std::size_t i = 2; i < pose.size(); ++i) {
-      CHECK(std::abs(pose[i].position.x() - pose[i - 1].position.x()) <= 0.05);  // it leans, and holds
+    for (int i = 2; i < pose.size(); ++i) {
+      CHECK(std::abs(pose[{i}].position.x() - pose[{i - 1}].position.x()) <= 0.05);  // it leans, and holds
     }
   }
 }

@@ -34,9 +34,9 @@ Scene busy_scene() {
 template <Scalar Real>
 bool same_bits(const World<Real>& first, const World<Real>& second) {
   bool same = first.bodies().velocity == second.bodies().velocity;
-  for (std::size_t i = 0; i < first.bodies().pose.size(); ++i) {
-    same = same && first.bodies().pose[i].position == second.bodies().pose[i].position &&
-           first.bodies().pose[i].angle == second.bodies().pose[i].angle;
+  for (const BodyId body : first.bodies().pose.indices()) {
+    same = same && first.bodies().pose[body].position == second.bodies().pose[body].position &&
+           first.bodies().pose[body].angle == second.bodies().pose[body].angle;
   }
   return same && first.last_step().problem.impulse == second.last_step().problem.impulse &&
          first.time() == second.time() && first.steps() == second.steps();
@@ -47,7 +47,7 @@ bool same_problem(const VelocityProblem<Real>& first, const VelocityProblem<Real
   bool same = first.rows.size() == second.rows.size() && first.velocity == second.velocity &&
               first.inverse_mass == second.inverse_mass && first.impulse == second.impulse &&
               first.dt == second.dt;
-  for (std::size_t i = 0; same && i < first.rows.size(); ++i) {
+  for (int i = 0; same && i < first.row_count(); ++i) {
     const ConstraintRow<Real>& left = first.rows[i];
     const ConstraintRow<Real>& right = second.rows[i];
     same = left.a == right.a && left.b == right.b && left.jacobian_a == right.jacobian_a &&

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "math/list.hpp"
 #include "sleeping_worlds.hpp"
 
 using namespace cairn;
@@ -25,10 +26,9 @@ Scene hanging_scene(const SceneSettings& settings) {
 struct Carried {
   Scene scene = Scene({.sleeping = usual_sleeping});
   BodyId platform = scene.add({.type = BodyType::kinematic, .shapes = {box(8, 1)}, .position = {0, -0.5}});
-  std::vector<BodyId> load = {
-      scene.add({.shapes = {box(1, 1)}, .position = {-1.5, 0.5}}),
-      scene.add({.shapes = {box(1, 1)}, .position = {1.5, 0.5}}),
-      scene.add({.shapes = {circle(0.2)}, .position = {0, -3}, .fixed_rotation = true})};
+  List<BodyId> load = {scene.add({.shapes = {box(1, 1)}, .position = {-1.5, 0.5}}),
+                       scene.add({.shapes = {box(1, 1)}, .position = {1.5, 0.5}}),
+                       scene.add({.shapes = {circle(0.2)}, .position = {0, -3}, .fixed_rotation = true})};
   Carried() {
     scene.join<DistanceJoint>({.a = platform, .b = load[2], .anchor_a = {0, -0.5}, .anchor_b = {0, -3}});
   }
@@ -40,7 +40,7 @@ double speed_after_touch(SceneSettings settings, double threshold) {
   settings.sleeping = Sleeping{.speed = threshold, .angular_speed = threshold, .time = 0.5};
   Scene scene(settings);
   scene.add_ground();
-  const std::vector<BodyId> boxes = add_stack(scene, 5, 0);
+  const List<BodyId> boxes = add_stack(scene, 5, 0);
   const BodyId missile = add_missile(scene, {1.1, 2.5}, 0.01);
   World<double> world(scene);
   REQUIRE(steps_until_asleep(world) < 2000);
@@ -69,9 +69,7 @@ TEST_CASE_TEMPLATE(
       World<Real> slept(hangs ? hanging_scene(on) : stack_scene(on));
       World<Real> stopped(hangs ? hanging_scene(off) : stack_scene(off));
       sleep_steps(stopped, steps_until_asleep(slept));
-      for (int i = 1; i < static_cast<int>(stopped.bodies().pose.size()); ++i) {
-        stopped.set_velocity({i}, {0, 0, 0});
-      }
+      for (int i = 1; i < stopped.bodies().pose.size(); ++i) stopped.set_velocity({i}, {0, 0, 0});
       sleep_steps(slept, 77);
       CHECK(slept.velocity_problem().rows.empty());
       slept.wake({1});
@@ -88,8 +86,8 @@ TEST_CASE(
     "a ball thrown at one of two sleeping stacks wakes that one, whole, in the step in which it touches") {
   Scene scene({.sleeping = usual_sleeping});
   scene.add_ground();
-  const std::vector<BodyId> hit = add_stack(scene, 5, -5);
-  const std::vector<BodyId> spared = add_stack(scene, 5, 5);
+  const List<BodyId> hit = add_stack(scene, 5, -5);
+  const List<BodyId> spared = add_stack(scene, 5, 5);
   const BodyId ball = add_missile(scene, {-8, 3}, 1);
   World<double> world(scene);
   steps_until_asleep(world);
@@ -103,7 +101,7 @@ TEST_CASE(
     CHECK(count_awake(world, hit) == 0);
     const VelocityProblem<double> next = world.velocity_problem();
     report = world.step(solver);
-    CHECK(static_cast<int>(next.rows.size()) == report.rows);
+    CHECK(next.rows.size() == report.rows);
   }
   // From -8 m to where the gap of -5.5 - (x + 0.5) is below the margin, 0.02 m: 1.98 m at 5 m/s, then that
   // step.
@@ -118,9 +116,8 @@ TEST_CASE(
   for (int i = 0; i < 120; ++i) world.step(solver);
   CHECK(count_awake(world, spared) == 0);
   for (const BodyId box : spared) {
-    const auto i = static_cast<std::size_t>(box.index);
-    CHECK(world.bodies().pose[i].position == asleep.bodies().pose[i].position);
-    CHECK(world.bodies().pose[i].angle == asleep.bodies().pose[i].angle);
+    CHECK(world.bodies().pose[box].position == asleep.bodies().pose[box].position);
+    CHECK(world.bodies().pose[box].angle == asleep.bodies().pose[box].angle);
   }
 }
 
@@ -145,11 +142,11 @@ TEST_CASE("impulses kept are scaled when dt changes while the island sleeps") {
     sleep_steps(*each, 3);
     each->wake({5});
   }
-  const std::vector<double> whole = world.velocity_problem().impulse;
-  const std::vector<double> half = finer.velocity_problem().impulse;
+  const PerRow<double> whole = world.velocity_problem().impulse;
+  const PerRow<double> half = finer.velocity_problem().impulse;
   REQUIRE(whole.size() == half.size());
   REQUIRE(whole.size() == 20);
-  for (std::size_t i = 0; i < whole.size(); ++i) CHECK(half[i] == whole[i] / 2);        // exact in binary
+  for (int i = 0; i < whole.size(); ++i) CHECK(half[i] == whole[i] / 2);                // exact in binary
   CHECK(whole[0] + whole[2] == doctest::Approx(5 * sleep_gravity / 60).epsilon(0.01));  // five boxes of 1 kg
 }
 

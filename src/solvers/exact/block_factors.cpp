@@ -1,5 +1,6 @@
 // Floor 4. Elimination, body by body.
 #include "solvers/exact/block_factors.hpp"
+#include "math/list.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -12,18 +13,17 @@ namespace cairn {
 namespace {
 
 /// Sorted, without the two that are named.
-std::vector<int> joined_neighbours(const std::vector<int>& one, const std::vector<int>& other, int without,
-                                   int nor) {
-  std::vector<int> all;
+List<int> joined_neighbours(const List<int>& one, const List<int>& other, int without, int nor) {
+  List<int> all;
   std::set_union(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(all));
-  std::erase_if(all, [&](int body) { return body == without || body == nor; });
+  erase_if(all, [&](int body) { return body == without || body == nor; });
   return all;
 }
 
 }  // namespace
 
 template <Scalar Real>
-void BlockFactors<Real>::begin(int bodies, const std::vector<std::pair<int, int>>& pairs) {
+void BlockFactors<Real>::begin(int bodies, const List<std::pair<int, int>>& pairs) {
   if (bodies == bodies_ && pairs == pairs_) return;
   bodies_ = bodies;
   pairs_ = pairs;
@@ -33,28 +33,27 @@ void BlockFactors<Real>::begin(int bodies, const std::vector<std::pair<int, int>
 /// Which blocks there will be: a body that is eliminated joins all neighbours that it has left.
 template <Scalar Real>
 void BlockFactors<Real>::eliminate() {
-  const auto n = static_cast<std::size_t>(bodies_);
-  std::vector<std::vector<int>> neighbours(n);
+  List<List<int>> neighbours(bodies_);
   for (const auto& [low, high] : pairs_) {
-    neighbours[static_cast<std::size_t>(low)].push_back(high);
-    neighbours[static_cast<std::size_t>(high)].push_back(low);
+    neighbours[low].push_back(high);
+    neighbours[high].push_back(low);
   }
-  std::set<std::pair<std::size_t, int>> waiting;  // by degree, then by number
+  std::set<std::pair<int, int>> waiting;  // by degree, then by number
   for (int body = 0; body < bodies_; ++body) {
-    std::vector<int>& of_body = neighbours[static_cast<std::size_t>(body)];
+    List<int>& of_body = neighbours[body];
     std::sort(of_body.begin(), of_body.end());
     waiting.emplace(of_body.size(), body);
   }
-  place_.assign(n, 0);
+  place_.assign(bodies_, 0);
   body_.clear();
   while (!waiting.empty()) {
     const int body = waiting.begin()->second;
     waiting.erase(waiting.begin());
-    place_[static_cast<std::size_t>(body)] = static_cast<int>(body_.size());
+    place_[body] = body_.size();
     body_.push_back(body);
-    const std::vector<int>& left = neighbours[static_cast<std::size_t>(body)];
+    const List<int>& left = neighbours[body];
     for (const int other : left) {
-      std::vector<int>& of_other = neighbours[static_cast<std::size_t>(other)];
+      List<int>& of_other = neighbours[other];
       waiting.erase({of_other.size(), other});
       of_other = joined_neighbours(of_other, left, body, other);
       waiting.emplace(of_other.size(), other);
@@ -63,15 +62,14 @@ void BlockFactors<Real>::eliminate() {
   first_.assign(1, 0);
   later_.clear();
   for (const int body : body_) {
-    const auto start = static_cast<std::ptrdiff_t>(later_.size());
-    for (const int other : neighbours[static_cast<std::size_t>(body)])
-      later_.push_back(place_[static_cast<std::size_t>(other)]);
+    const int start = later_.size();
+    for (const int other : neighbours[body]) later_.push_back(place_[other]);
     std::sort(later_.begin() + start, later_.end());
     first_.push_back(later_.size());
   }
   upper_.resize(later_.size());
   lower_.resize(later_.size());
-  diagonal_.resize(n);
+  diagonal_.resize(bodies_);
 }
 
 template <Scalar Real>
@@ -82,37 +80,36 @@ void BlockFactors<Real>::set_identity() {
 }
 
 template <Scalar Real>
-std::size_t BlockFactors<Real>::entry(int place, int later_place) const {
-  const auto at = static_cast<std::size_t>(place);
-  const auto begin = later_.begin() + static_cast<std::ptrdiff_t>(first_[at]);
-  const auto end = later_.begin() + static_cast<std::ptrdiff_t>(first_[at + 1]);
+int BlockFactors<Real>::entry(int at, int later_place) const {
+  const auto begin = later_.begin() + first_[at];
+  const auto end = later_.begin() + first_[at + 1];
   const auto found = std::lower_bound(begin, end, later_place);
   assert(found != end && *found == later_place);
-  return static_cast<std::size_t>(found - later_.begin());
+  return static_cast<int>(found - later_.begin());
 }
 
 template <Scalar Real>
 typename BlockFactors<Real>::Block& BlockFactors<Real>::at(int row_body, int column_body) {
-  const int row = place_[static_cast<std::size_t>(row_body)];
-  const int column = place_[static_cast<std::size_t>(column_body)];
-  if (row == column) return diagonal_[static_cast<std::size_t>(row)];
+  const int row = place_[row_body];
+  const int column = place_[column_body];
+  if (row == column) return diagonal_[row];
   return row < column ? upper_[entry(row, column)] : lower_[entry(column, row)];
 }
 
 template <Scalar Real>
 void BlockFactors<Real>::factorize() {
-  for (std::size_t k = 0; k < diagonal_.size(); ++k) {
+  for (int k = 0; k < diagonal_.size(); ++k) {
     const Block inverse = diagonal_[k].inverse();
     diagonal_[k] = inverse;
-    for (std::size_t e = first_[k]; e < first_[k + 1]; ++e) {
+    for (int e = first_[k]; e < first_[k + 1]; ++e) {
       const Block scaled = lower_[e] * inverse;
       lower_[e] = scaled;
     }
-    for (std::size_t e = first_[k]; e < first_[k + 1]; ++e) {
-      const auto i = static_cast<std::size_t>(later_[e]);
+    for (int e = first_[k]; e < first_[k + 1]; ++e) {
+      const int i = later_[e];
       diagonal_[i].noalias() -= lower_[e] * upper_[e];
-      std::size_t target = first_[i];  // what is left beside k is left beside i as well
-      for (std::size_t f = e + 1; f < first_[k + 1]; ++f) {
+      int target = first_[i];  // what is left beside k is left beside i as well
+      for (int f = e + 1; f < first_[k + 1]; ++f) {
         while (later_[target] != later_[f]) ++target;
         upper_[target].noalias() -= lower_[e] * upper_[f];
         lower_[target].noalias() -= lower_[f] * upper_[e];
@@ -123,23 +120,21 @@ void BlockFactors<Real>::factorize() {
 
 template <Scalar Real>
 void BlockFactors<Real>::solve(Vector<Real>& x) const {
-  const auto part = [this, &x](int place) {
-    return x.template segment<3>(3 * body_[static_cast<std::size_t>(place)]);
-  };
-  for (std::size_t k = 0; k < diagonal_.size(); ++k) {
-    const Eigen::Matrix<Real, 3, 1> known = part(static_cast<int>(k));
-    for (std::size_t e = first_[k]; e < first_[k + 1]; ++e) part(later_[e]) -= lower_[e] * known;
+  const auto part = [this, &x](int place) { return x.template segment<3>(3 * body_[place]); };
+  for (int k = 0; k < diagonal_.size(); ++k) {
+    const Eigen::Matrix<Real, 3, 1> known = part(k);
+    for (int e = first_[k]; e < first_[k + 1]; ++e) part(later_[e]) -= lower_[e] * known;
   }
-  for (std::size_t k = diagonal_.size(); k-- > 0;) {
-    Eigen::Matrix<Real, 3, 1> rest = part(static_cast<int>(k));
-    for (std::size_t e = first_[k]; e < first_[k + 1]; ++e) rest -= upper_[e] * part(later_[e]);
-    part(static_cast<int>(k)) = diagonal_[k] * rest;
+  for (int k = diagonal_.size(); k-- > 0;) {
+    Eigen::Matrix<Real, 3, 1> rest = part(k);
+    for (int e = first_[k]; e < first_[k + 1]; ++e) rest -= upper_[e] * part(later_[e]);
+    part(k) = diagonal_[k] * rest;
   }
 }
 
 template <Scalar Real>
 std::size_t BlockFactors<Real>::memory() const {
-  return (upper_.size() + lower_.size() + diagonal_.size()) * sizeof(Block);
+  return upper_.bytes() + lower_.bytes() + diagonal_.bytes();
 }
 
 template class BlockFactors<double>;

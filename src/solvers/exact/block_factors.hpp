@@ -3,9 +3,9 @@
 
 #include <Eigen/Core>
 #include <utility>
-#include <vector>
 
 #include "solvers/system_matrix.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -24,7 +24,7 @@ class BlockFactors {
   using Block = Eigen::Matrix<Real, 3, 3>;
 
   /// The bodies, and the pairs (lower, higher) of those that share a row, sorted and each once.
-  void begin(int bodies, const std::vector<std::pair<int, int>>& pairs);
+  void begin(int bodies, const List<std::pair<int, int>>& pairs);
   /// The identity, to which blocks are added.
   void set_identity();
   /// The block of two bodies that share a row, or of one.
@@ -38,17 +38,17 @@ class BlockFactors {
 
  private:
   void eliminate();
-  std::size_t entry(int place, int later_place) const;
+  int entry(int place, int later_place) const;
 
   int bodies_ = 0;
-  std::vector<std::pair<int, int>> pairs_;
-  std::vector<int> place_;          // of each body in the order of elimination
-  std::vector<int> body_;           // at each place
-  std::vector<std::size_t> first_;  // of each place in later_, and one beyond the last
-  std::vector<int> later_;          // places of the neighbours left, sorted
-  std::vector<Block> upper_;        // block (place, later), for each of later_
-  std::vector<Block> lower_;        // block (later, place)
-  std::vector<Block> diagonal_;     // for each place; its inverse once factorized
+  List<std::pair<int, int>> pairs_;
+  List<int> place_;       // of each body in the order of elimination
+  List<int> body_;        // at each place
+  List<int> first_;       // of each place in later_, and one beyond the last
+  List<int> later_;       // places of the neighbours left, sorted
+  List<Block> upper_;     // block (place, later), for each of later_
+  List<Block> lower_;     // block (later, place)
+  List<Block> diagonal_;  // for each place; its inverse once factorized
 };
 
 }  // namespace cairn

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "solvers/exact/exact_rows.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -16,17 +17,17 @@ struct RowUnknowns {
 };
 
 /// Lists the unknowns of all rows: `row`, `sign` and `shift`.
-std::vector<RowUnknowns> list_unknowns(const ExactRows& rows, ComplementarityProblem& problem) {
-  std::vector<RowUnknowns> unknowns;
+List<RowUnknowns> list_unknowns(const ExactRows& rows, ComplementarityProblem& problem) {
+  List<RowUnknowns> unknowns;
   const auto add = [&](int row, long double sign) {
     problem.row.push_back(row);
     problem.sign.push_back(sign);
-    return static_cast<int>(problem.row.size()) - 1;
+    return problem.row.size() - 1;
   };
-  problem.shift = Vector<long double>::Zero(static_cast<Eigen::Index>(rows.bounds.size()));
-  for (std::size_t i = 0; i < rows.bounds.size(); ++i) {
+  problem.shift = Vector<long double>::Zero(rows.bounds.size());
+  for (int i = 0; i < rows.bounds.size(); ++i) {
     const ExactBounds& bounds = rows.bounds[i];
-    const int row = static_cast<int>(i);
+    const int row = i;
     RowUnknowns of_row;
     if (bounds.is_friction) {
       of_row.first = add(row, 1);
@@ -44,7 +45,7 @@ std::vector<RowUnknowns> list_unknowns(const ExactRows& rows, ComplementarityPro
 }
 
 /// The row of M that says how much of an upper bound, or of a limit of friction, is left.
-void write_room(const ExactRows& rows, const std::vector<RowUnknowns>& unknowns, std::size_t i,
+void write_room(const ExactRows& rows, const List<RowUnknowns>& unknowns, int i,
                 ComplementarityProblem& problem) {
   const ExactBounds& bounds = rows.bounds[i];
   const int last = unknowns[i].last;
@@ -58,7 +59,7 @@ void write_room(const ExactRows& rows, const std::vector<RowUnknowns>& unknowns,
   problem.M(unknowns[i].second, last) = 1;
   const auto load = [&](int normal, long double mu) {
     if (normal == ExactBounds::none) return;
-    problem.M(last, unknowns[static_cast<std::size_t>(normal)].first) += mu;
+    problem.M(last, unknowns[normal].first) += mu;
     problem.q(last) += mu * problem.shift(normal);
   };
   load(bounds.normal, bounds.mu);
@@ -69,25 +70,23 @@ void write_room(const ExactRows& rows, const std::vector<RowUnknowns>& unknowns,
 
 ComplementarityProblem complementarity_problem(const ExactRows& rows) {
   ComplementarityProblem problem;
-  const std::vector<RowUnknowns> unknowns = list_unknowns(rows, problem);
-  const auto n = static_cast<Eigen::Index>(problem.row.size());
+  const List<RowUnknowns> unknowns = list_unknowns(rows, problem);
+  const auto n = problem.row.size();
   problem.M = Matrix<long double>::Zero(n, n);
   problem.q = Vector<long double>::Zero(n);
   const Vector<long double> w = rows.S * problem.shift + rows.s;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto place_i = static_cast<std::size_t>(i);
+  for (Eigen::Index place_i = 0; place_i < n; ++place_i) {
     const int row_i = problem.row[place_i];
     if (row_i < 0) continue;
-    problem.q(i) = problem.sign[place_i] * w(row_i);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const auto place_j = static_cast<std::size_t>(j);
+    problem.q(place_i) = problem.sign[place_i] * w(row_i);
+    for (Eigen::Index place_j = 0; place_j < n; ++place_j) {
       const int row_j = problem.row[place_j];
       if (row_j >= 0) {
-        problem.M(i, j) = problem.sign[place_i] * problem.sign[place_j] * rows.S(row_i, row_j);
+        problem.M(place_i, place_j) = problem.sign[place_i] * problem.sign[place_j] * rows.S(row_i, row_j);
       }
     }
   }
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+  for (int i = 0; i < unknowns.size(); ++i) {
     if (unknowns[i].last >= 0) write_room(rows, unknowns, i, problem);
   }
   return problem;
@@ -95,9 +94,8 @@ ComplementarityProblem complementarity_problem(const ExactRows& rows) {
 
 Vector<long double> unknowns_of(const ComplementarityProblem& problem, const Vector<long double>& z) {
   Vector<long double> x = problem.shift;
-  for (Eigen::Index j = 0; j < z.size(); ++j) {
-    const auto place = static_cast<std::size_t>(j);
-    if (problem.row[place] >= 0) x(problem.row[place]) += problem.sign[place] * z(j);
+  for (Eigen::Index place = 0; place < z.size(); ++place) {
+    if (problem.row[place] >= 0) x(problem.row[place]) += problem.sign[place] * z(place);
   }
   return x;
 }

@@ -7,6 +7,7 @@
 #include "solvers/exact/dictionary.hpp"
 #include "solvers/exact/impulse_family.hpp"
 #include "solvers/residual.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -29,7 +30,7 @@ class ModeWalk {
   ModeWalk(const ExactRows& rows, int max_modes)
       : rows_(rows), max_modes_(max_modes), mode_(rows.bounds.size(), RowMode::free) {
     for (const bool friction : {false, true}) {  // the mode of friction depends on that of its normal
-      for (std::size_t i = 0; i < rows.bounds.size(); ++i) {
+      for (int i = 0; i < rows.bounds.size(); ++i) {
         if (rows.bounds[i].is_friction == friction) order_.push_back(i);
       }
     }
@@ -46,34 +47,33 @@ class ModeWalk {
   }
 
  private:
-  void walk(std::size_t depth) {
+  void walk(int depth) {
     if (list_.modes > max_modes_) return;
     if (depth == order_.size()) {
       ++list_.modes;
       if (!count_only_) try_mode();
       return;
     }
-    const std::size_t row = order_[depth];
+    const int row = order_[depth];
     for (const RowMode mode : modes_of(rows_.bounds[row])) {
       mode_[row] = mode;
       walk(depth + 1);
     }
   }
 
-  bool is_open(int normal) const {
-    if (normal == ExactBounds::none) return true;
-    const auto row = static_cast<std::size_t>(normal);
+  bool is_open(int row) const {
+    if (row == ExactBounds::none) return true;
     return mode_[row] == RowMode::lower && rows_.bounds[row].lower == 0;
   }
 
-  std::vector<RowMode> modes_of(const ExactBounds& bounds) const {
+  List<RowMode> modes_of(const ExactBounds& bounds) const {
     if (bounds.is_friction) {
       const bool open = is_open(bounds.normal) && is_open(bounds.second);
       if (open || bounds.mu + bounds.second_mu == 0) return {RowMode::zero};
       return {RowMode::stick, RowMode::forward, RowMode::backward};
     }
     if (!(bounds.lower < bounds.upper)) return {RowMode::zero};
-    std::vector<RowMode> modes;
+    List<RowMode> modes;
     if (std::isfinite(bounds.lower)) modes.push_back(RowMode::lower);
     modes.push_back(RowMode::free);
     if (std::isfinite(bounds.upper)) modes.push_back(RowMode::upper);
@@ -82,7 +82,7 @@ class ModeWalk {
 
   /// side * x_i at most its limit by friction; an equation where friction is exhausted.
   Inequality room(Eigen::Index i, long double side) const {
-    const ExactBounds& bounds = rows_.bounds[static_cast<std::size_t>(i)];
+    const ExactBounds& bounds = rows_.bounds[i];
     Inequality room = {Vector<long double>::Zero(rows_.s.size()), 0};
     room.slope(i) = -side;
     if (bounds.normal != ExactBounds::none) room.slope(bounds.normal) += bounds.mu;
@@ -100,8 +100,8 @@ class ModeWalk {
   }
 
   Inequality equation(Eigen::Index i) const {
-    const ExactBounds& bounds = rows_.bounds[static_cast<std::size_t>(i)];
-    switch (mode_[static_cast<std::size_t>(i)]) {
+    const ExactBounds& bounds = rows_.bounds[i];
+    switch (mode_[i]) {
       case RowMode::lower:
         return beyond(i, 1, bounds.lower);
       case RowMode::upper:
@@ -119,9 +119,9 @@ class ModeWalk {
     return error(i, 1);
   }
 
-  void add_inequalities(Eigen::Index i, std::vector<Inequality>& inequalities) const {
-    const ExactBounds& bounds = rows_.bounds[static_cast<std::size_t>(i)];
-    switch (mode_[static_cast<std::size_t>(i)]) {
+  void add_inequalities(Eigen::Index i, List<Inequality>& inequalities) const {
+    const ExactBounds& bounds = rows_.bounds[i];
+    switch (mode_[i]) {
       case RowMode::lower:
       case RowMode::backward:
         inequalities.push_back(error(i, 1));
@@ -147,7 +147,7 @@ class ModeWalk {
     const Eigen::Index n = rows_.s.size();
     Matrix<long double> K(n, n);
     Vector<long double> rhs(n);
-    std::vector<Inequality> inequalities;
+    List<Inequality> inequalities;
     for (Eigen::Index i = 0; i < n; ++i) {
       const Inequality row = equation(i);
       K.row(i) = row.slope.transpose();
@@ -173,13 +173,13 @@ class ModeWalk {
     add(found);
   }
 
-  FeasiblePoint nearest(const std::vector<Inequality>& inequalities, const Vector<long double>& x,
+  FeasiblePoint nearest(const List<Inequality>& inequalities, const Vector<long double>& x,
                         const Matrix<long double>& N, long double slack) const {
-    const auto count = static_cast<Eigen::Index>(inequalities.size());
+    const auto count = inequalities.size();
     Matrix<long double> H(count, N.cols());
     Vector<long double> h(count);
     for (Eigen::Index k = 0; k < count; ++k) {
-      const Inequality& inequality = inequalities[static_cast<std::size_t>(k)];
+      const Inequality& inequality = inequalities[k];
       H.row(k) = inequality.slope.transpose() * N;
       h(k) = -inequality.slope.dot(x) - inequality.constant - slack;
     }
@@ -199,8 +199,8 @@ class ModeWalk {
 
   const ExactRows& rows_;
   int max_modes_ = 0;
-  std::vector<RowMode> mode_;
-  std::vector<std::size_t> order_;
+  List<RowMode> mode_;
+  List<int> order_;
   bool count_only_ = true;
   ModeList list_;
 };
@@ -209,9 +209,9 @@ class ModeWalk {
 
 ModeList enumerate_modes(const ExactRows& rows, int max_modes) { return ModeWalk(rows, max_modes).all(); }
 
-void set_impulses(VelocityProblem<long double>& problem, const std::vector<long double>& impulse) {
+void set_impulses(VelocityProblem<long double>& problem, const PerRow<long double>& impulse) {
   problem.impulse = impulse;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     apply_impulse(problem, problem.rows[i], impulse[i]);
   }
 }

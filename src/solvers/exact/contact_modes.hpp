@@ -1,9 +1,8 @@
 // Floor 4. All answers that a small problem has, by trying every mode of every row.
 #pragma once
 
-#include <vector>
-
 #include "solvers/exact/exact_rows.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -15,9 +14,9 @@ struct ModeSolution {
 
 /// What the enumeration found.
 struct ModeList {
-  bool complete = false;                     // every mode was tried
-  int modes = 0;                             // that were tried
-  std::vector<ModeSolution> solutions = {};  // in the order of the modes: first those with open contacts
+  bool complete = false;              // every mode was tried
+  int modes = 0;                      // that were tried
+  List<ModeSolution> solutions = {};  // in the order of the modes: first those with open contacts
 };
 
 /// A contact without friction is open or closed; with friction it is open, sticks, or slides one way or the
@@ -32,19 +31,19 @@ ModeList enumerate_modes(const ExactRows& rows, int max_modes);
 /// The same for a problem: what solves it, all velocities that do.
 template <Scalar Real>
 struct ContactSolution {
-  std::vector<Vec3<Real>> velocity = {};  // of each body [m/s, m/s, rad/s]
-  std::vector<Real> impulse = {};         // [N s]
-  bool unique_impulse = false;            // no other impulses cause these velocities
-  bool in_family = false;                 // one of infinitely many velocities of a mode
-  Real residual = 0;                      // R_E in long double, with the scale of exact_rows.hpp
+  PerBody<Vec3<Real>> velocity = {};  // of each body [m/s, m/s, rad/s]
+  PerRow<Real> impulse = {};          // [N s]
+  bool unique_impulse = false;        // no other impulses cause these velocities
+  bool in_family = false;             // one of infinitely many velocities of a mode
+  Real residual = 0;                  // R_E in long double, with the scale of exact_rows.hpp
 };
 
 /// What the enumeration found, as velocities and impulses.
 template <Scalar Real>
 struct ContactSolutions {
-  bool complete = false;                              // every mode was tried
-  int modes = 0;                                      // that were tried
-  std::vector<ContactSolution<Real>> solutions = {};  // in the order of the modes
+  bool complete = false;                       // every mode was tried
+  int modes = 0;                               // that were tried
+  List<ContactSolution<Real>> solutions = {};  // in the order of the modes
 };
 
 /// Warm starts are ignored.
@@ -53,6 +52,6 @@ template <Scalar Real>
 ContactSolutions<Real> all_contact_solutions(const VelocityProblem<Real>& problem, int max_modes = 4096);
 
 /// Gives the problem, whose velocities are those before any impulse, these impulses and their velocities.
-void set_impulses(VelocityProblem<long double>& problem, const std::vector<long double>& impulse);
+void set_impulses(VelocityProblem<long double>& problem, const PerRow<long double>& impulse);
 
 }  // namespace cairn

@@ -1,5 +1,6 @@
 // Floor 4. Pivots in a dense table.
 #include "solvers/exact/dictionary.hpp"
+#include "math/list.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -17,29 +18,28 @@ struct PivotPlace {
 };
 
 /// The largest entry in the rows and columns not pivoted yet: those from `done` on in the two orders.
-PivotPlace largest_entry(const Dictionary& table, const std::vector<int>& row_order,
-                         const std::vector<int>& column_order, int done) {
+PivotPlace largest_entry(const Dictionary& table, const List<int>& row_order, const List<int>& column_order,
+                         int done) {
   PivotPlace best;
   for (int i = done; i < table.rows(); ++i) {
-    const long double* row = table.row(row_order[static_cast<std::size_t>(i)]);
+    const long double* row = table.row(row_order[i]);
     for (int j = done; j < table.columns(); ++j) {
-      const long double size = std::abs(row[column_order[static_cast<std::size_t>(j)]]);
+      const long double size = std::abs(row[column_order[j]]);
       if (size > best.size) best = {i, j, size};
     }
   }
   return best;
 }
 
-std::vector<int> counted_up(int count) {
-  std::vector<int> numbers(static_cast<std::size_t>(count));
+List<int> counted_up(int count) {
+  List<int> numbers(count);
   std::iota(numbers.begin(), numbers.end(), 0);
   return numbers;
 }
 
 }  // namespace
 
-Dictionary::Dictionary(int rows, int columns)
-    : rows_(rows), columns_(columns), values_(static_cast<std::size_t>(rows) * stride(), 0) {}
+Dictionary::Dictionary(int rows, int columns) : rows_(rows), columns_(columns), values_(rows * stride(), 0) {}
 
 void Dictionary::exchange(int i, int j) {
   long double* pivot_row = row(i);
@@ -65,33 +65,33 @@ LinearSolutions solve_linear(const Matrix<long double>& M, const Vector<long dou
     for (int j = 0; j < columns; ++j) table.row(i)[j] = M(i, j);
     table.set_constant(i, -rhs(i));
   }
-  std::vector<int> row_order = counted_up(rows), column_order = counted_up(columns);
+  List<int> row_order = counted_up(rows), column_order = counted_up(columns);
   LinearSolutions result;
   while (result.rank < std::min(rows, columns)) {
     const PivotPlace place = largest_entry(table, row_order, column_order, result.rank);
     if (!(place.size > threshold)) break;
-    const auto done = static_cast<std::size_t>(result.rank);
-    std::swap(row_order[done], row_order[static_cast<std::size_t>(place.row)]);
-    std::swap(column_order[done], column_order[static_cast<std::size_t>(place.column)]);
+    const auto done = result.rank;
+    std::swap(row_order[done], row_order[place.row]);
+    std::swap(column_order[done], column_order[place.column]);
     table.exchange(row_order[done], column_order[done]);
     ++result.rank;
   }
   result.solution = Vector<long double>::Zero(columns);
   result.null_space = Matrix<long double>::Zero(columns, columns - result.rank);
   for (int k = 0; k < rows; ++k) {
-    const int i = row_order[static_cast<std::size_t>(k)];
+    const int i = row_order[k];
     if (k >= result.rank) {
       result.contradiction = std::max(result.contradiction, std::abs(table.constant(i)));
       continue;
     }
-    const int variable = column_order[static_cast<std::size_t>(k)];
+    const int variable = column_order[k];
     result.solution(variable) = table.constant(i);
     for (int f = result.rank; f < columns; ++f) {
-      result.null_space(variable, f - result.rank) = table.row(i)[column_order[static_cast<std::size_t>(f)]];
+      result.null_space(variable, f - result.rank) = table.row(i)[column_order[f]];
     }
   }
   for (int f = result.rank; f < columns; ++f) {
-    result.null_space(column_order[static_cast<std::size_t>(f)], f - result.rank) = 1;
+    result.null_space(column_order[f], f - result.rank) = 1;
   }
   return result;
 }

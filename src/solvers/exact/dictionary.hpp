@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "solvers/system_matrix.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -20,9 +20,9 @@ class Dictionary {
   /// The other variables.
   int columns() const { return columns_; }
   /// Row i of T, and t_i behind it.
-  long double* row(int i) { return values_.data() + static_cast<std::size_t>(i) * stride(); }
+  long double* row(int i) { return values_.data() + i * stride(); }
   /// The same to look at.
-  const long double* row(int i) const { return values_.data() + static_cast<std::size_t>(i) * stride(); }
+  const long double* row(int i) const { return values_.data() + i * stride(); }
   /// t_i.
   long double constant(int i) const { return row(i)[columns_]; }
   /// Makes `value` of t_i.
@@ -32,11 +32,11 @@ class Dictionary {
   void exchange(int i, int j);
 
  private:
-  std::size_t stride() const { return static_cast<std::size_t>(columns_) + 1; }
+  int stride() const { return columns_ + 1; }
 
   int rows_ = 0;
   int columns_ = 0;
-  std::vector<long double> values_;
+  List<long double> values_;
 };
 
 /// All solutions of M x = rhs: the sums of one of them and of the columns of null_space.

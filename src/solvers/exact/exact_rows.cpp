@@ -8,6 +8,7 @@
 #include "solvers/body_rows.hpp"
 #include "solvers/exact/dictionary.hpp"
 #include "solvers/residual.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -21,30 +22,28 @@ constexpr long double bias_rounding = 1e-12L;
 
 /// A of (15) in sqrt(J): only pairs of rows that share a body are visited.
 Matrix<long double> scaled_matrix(const VelocityProblem<long double>& problem,
-                                  const std::vector<long double>& unit) {
+                                  const PerRow<long double>& unit) {
   const int m = problem.row_count();
   Matrix<long double> A = Matrix<long double>::Zero(m, m);
   BodyRows body_rows;
   body_rows.build(problem, problem.inverse_mass);
-  std::vector<int> neighbours;
-  for (int i = 0; i < m; ++i) {
-    const auto row_i = static_cast<std::size_t>(i);
+  List<int> neighbours;
+  for (int row_i = 0; row_i < m; ++row_i) {
     neighbours.clear();
-    body_rows.append_neighbours(i, neighbours);
-    for (const int j : neighbours) {
-      const auto row_j = static_cast<std::size_t>(j);
-      if (j > i) continue;
+    body_rows.append_neighbours(row_i, neighbours);
+    for (const int row_j : neighbours) {
+      if (row_j > row_i) continue;
       const long double entry =
           coupling(problem, problem.rows[row_i], problem.rows[row_j], problem.inverse_mass);
-      A(i, j) = A(j, i) = unit[row_i] * entry * unit[row_j];
+      A(row_i, row_j) = A(row_j, row_i) = unit[row_i] * entry * unit[row_j];
     }
-    if (unit[row_i] > 0) A(i, i) = 1;  // softness included
+    if (unit[row_i] > 0) A(row_i, row_i) = 1;  // softness included
   }
   return A;
 }
 
-std::vector<long double> units_of(const VelocityProblem<long double>& problem) {
-  std::vector<long double> unit;
+PerRow<long double> units_of(const VelocityProblem<long double>& problem) {
+  PerRow<long double> unit;
   for (const ConstraintRow<long double>& row : problem.rows) {
     const long double inverse = inverse_effective_mass(problem, row);
     unit.push_back(inverse > 0 ? 1 / std::sqrt(inverse) : 0.0L);
@@ -53,8 +52,8 @@ std::vector<long double> units_of(const VelocityProblem<long double>& problem) {
 }
 
 /// Bounds of row i in sqrt(J), with the other rows counted as `place` says.
-ExactBounds scaled_bounds(const VelocityProblem<long double>& problem, std::size_t i,
-                          const std::vector<long double>& unit, const std::vector<int>& place) {
+ExactBounds scaled_bounds(const VelocityProblem<long double>& problem, int i, const PerRow<long double>& unit,
+                          const List<int>& place) {
   const Bounds<long double>& bounds = problem.rows[i].bounds;
   ExactBounds result;
   if (!bounds.is_friction()) {
@@ -68,12 +67,12 @@ ExactBounds scaled_bounds(const VelocityProblem<long double>& problem, std::size
           "a finite number >= 0", static_cast<double>(bounds.friction));
   result.is_friction = true;
   const auto load = [&](int row, int& normal, long double& mu) {
-    if (row == Bounds<long double>::none || !(unit[static_cast<std::size_t>(row)] > 0)) return;
-    const Bounds<long double>& other = problem.rows[static_cast<std::size_t>(row)].bounds;
+    if (row == Bounds<long double>::none || !(unit[row] > 0)) return;
+    const Bounds<long double>& other = problem.rows[row].bounds;
     require(!other.is_friction() && other.lower >= 0, "ReferenceSolver", "normal_row",
             "a row of impulses >= 0", row);
-    normal = place[static_cast<std::size_t>(row)];
-    mu = bounds.friction * unit[static_cast<std::size_t>(row)] / unit[i];
+    normal = place[row];
+    mu = bounds.friction * unit[row] / unit[i];
   };
   load(bounds.normal_row, result.normal, result.mu);
   load(bounds.second_normal_row, result.second, result.second_mu);
@@ -82,8 +81,8 @@ ExactBounds scaled_bounds(const VelocityProblem<long double>& problem, std::size
 
 /// w = A x + r, solved for x_i at w_i = 0 for as many equalities as are independent: moves those from
 /// `dependent` to `solved`.
-Dictionary solved_equalities(const Matrix<long double>& A, const Vector<long double>& r,
-                             std::vector<int>& dependent, std::vector<int>& solved) {
+Dictionary solved_equalities(const Matrix<long double>& A, const Vector<long double>& r, List<int>& dependent,
+                             List<int>& solved) {
   const int m = static_cast<int>(r.size());
   Dictionary table(m, m);
   for (int i = 0; i < m; ++i) {
@@ -104,11 +103,11 @@ Dictionary solved_equalities(const Matrix<long double>& A, const Vector<long dou
 /// Takes from the r of equalities what no impulses can fulfil: its part in the null space of their matrix,
 /// which `table` has as a column for every dependent row.
 Vector<long double> fulfillable(const Dictionary& table, const Vector<long double>& r,
-                                const std::vector<int>& dependent, const std::vector<int>& solved) {
-  const auto count = static_cast<Eigen::Index>(dependent.size());
+                                const List<int>& dependent, const List<int>& solved) {
+  const auto count = dependent.size();
   Matrix<long double> N = Matrix<long double>::Zero(r.size(), count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const int d = dependent[static_cast<std::size_t>(k)];
+    const int d = dependent[k];
     N(d, k) = 1;
     for (const int i : solved) N(i, k) = table.row(i)[d];
   }
@@ -118,14 +117,13 @@ Vector<long double> fulfillable(const Dictionary& table, const Vector<long doubl
 }
 
 void keep_rows(const Dictionary& table, ExactReduction& reduction) {
-  const auto kept = static_cast<Eigen::Index>(reduction.kept.size());
-  const auto solved = static_cast<Eigen::Index>(reduction.eliminated.size());
-  const auto copy = [&](const std::vector<int>& places, Matrix<long double>& matrix,
-                        Vector<long double>& constant) {
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
+  const auto kept = reduction.kept.size();
+  const auto solved = reduction.eliminated.size();
+  const auto copy = [&](const List<int>& places, Matrix<long double>& matrix, Vector<long double>& constant) {
+    for (int i = 0; i < places.size(); ++i) {
+      const auto row = i;
       for (Eigen::Index j = 0; j < kept; ++j) {
-        matrix(row, j) = table.row(places[i])[reduction.kept[static_cast<std::size_t>(j)]];
+        matrix(row, j) = table.row(places[i])[reduction.kept[j]];
       }
       constant(row) = table.constant(places[i]);
     }
@@ -140,12 +138,11 @@ void keep_rows(const Dictionary& table, ExactReduction& reduction) {
 
 /// M^(1/2) M^-1 J^T in these units, with the impulses of the equalities that follow.
 Matrix<long double> effect_of(const VelocityProblem<long double>& problem, const ExactReduction& reduction) {
-  const auto kept = static_cast<Eigen::Index>(reduction.kept.size());
+  const auto kept = reduction.kept.size();
   Matrix<long double> effect = Matrix<long double>::Zero(3 * problem.body_count(), kept);
-  const auto add = [&](int place, const auto& share) {
-    const auto row = static_cast<std::size_t>(place);
+  const auto add = [&](int row, const auto& share) {
     for_each_term(problem, problem.rows[row], [&](BodyId body, const Vec3<long double>& jacobian) {
-      const Vec3<long double>& inverse = problem.inverse_mass[static_cast<std::size_t>(body.index)];
+      const Vec3<long double>& inverse = problem.inverse_mass[body];
       for (int axis = 0; axis < 3; ++axis) {
         const long double change = std::sqrt(inverse(axis)) * jacobian(axis) * reduction.unit[row];
         if (change != 0) effect.row(3 * body.index + axis) += change * share;
@@ -153,9 +150,9 @@ Matrix<long double> effect_of(const VelocityProblem<long double>& problem, const
     });
   };
   const Matrix<long double> one = Matrix<long double>::Identity(kept, kept);
-  for (Eigen::Index k = 0; k < kept; ++k) add(reduction.kept[static_cast<std::size_t>(k)], one.row(k));
+  for (Eigen::Index k = 0; k < kept; ++k) add(reduction.kept[k], one.row(k));
   for (Eigen::Index k = 0; k < reduction.T.rows(); ++k) {
-    add(reduction.eliminated[static_cast<std::size_t>(k)], reduction.T.row(k));
+    add(reduction.eliminated[k], reduction.T.row(k));
   }
   return effect;
 }
@@ -191,19 +188,19 @@ template long double exact_scale(const VelocityProblem<long double>&);
 ExactReduction reduce_to_exact_rows(const VelocityProblem<long double>& problem) {
   ExactReduction reduction;
   reduction.unit = units_of(problem);
-  const std::size_t m = problem.rows.size();
-  Vector<long double> r = Vector<long double>::Zero(static_cast<Eigen::Index>(m));
-  std::vector<int> dependent, place(m, 0);
-  for (std::size_t i = 0; i < m; ++i) {
+  const int m = problem.rows.size();
+  Vector<long double> r = Vector<long double>::Zero(m);
+  List<int> dependent, place(m, 0);
+  for (int i = 0; i < m; ++i) {
     if (!(reduction.unit[i] > 0)) continue;
     const ConstraintRow<long double>& row = problem.rows[i];
-    r(static_cast<Eigen::Index>(i)) = reduction.unit[i] * (row_velocity(problem, row) - row.bias);
-    place[i] = static_cast<int>(reduction.kept.size());
-    (row.bounds.is_equality() ? dependent : reduction.kept).push_back(static_cast<int>(i));
+    r(i) = reduction.unit[i] * (row_velocity(problem, row) - row.bias);
+    place[i] = reduction.kept.size();
+    (row.bounds.is_equality() ? dependent : reduction.kept).push_back(i);
   }
   reduction.rows.size = m > 0 ? r.cwiseAbs().maxCoeff() : 0;
   const Matrix<long double> A = scaled_matrix(problem, reduction.unit);
-  const std::vector<int> equalities = dependent;
+  const List<int> equalities = dependent;
   Dictionary table = solved_equalities(A, r, dependent, reduction.eliminated);
   for (const int d : dependent) {
     const long double left = std::abs(table.constant(d));
@@ -220,20 +217,19 @@ ExactReduction reduce_to_exact_rows(const VelocityProblem<long double>& problem)
     table = solved_equalities(A, r, dependent, reduction.eliminated);
   }
   for (const int i : reduction.kept) {
-    reduction.rows.bounds.push_back(
-        scaled_bounds(problem, static_cast<std::size_t>(i), reduction.unit, place));
+    reduction.rows.bounds.push_back(scaled_bounds(problem, i, reduction.unit, place));
   }
   keep_rows(table, reduction);
   reduction.rows.effect = effect_of(problem, reduction);
   return reduction;
 }
 
-std::vector<long double> impulses_of(const ExactReduction& reduction, const Vector<long double>& x) {
-  std::vector<long double> impulse(reduction.unit.size(), 0);
-  const auto set = [&](const std::vector<int>& places, const Vector<long double>& values) {
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const auto row = static_cast<std::size_t>(places[k]);
-      impulse[row] = reduction.unit[row] * values(static_cast<Eigen::Index>(k));
+PerRow<long double> impulses_of(const ExactReduction& reduction, const Vector<long double>& x) {
+  PerRow<long double> impulse(reduction.unit.size(), 0);
+  const auto set = [&](const List<int>& places, const Vector<long double>& values) {
+    for (int k = 0; k < places.size(); ++k) {
+      const auto row = places[k];
+      impulse[row] = reduction.unit[row] * values(k);
     }
   };
   set(reduction.kept, x);
@@ -244,7 +240,7 @@ std::vector<long double> impulses_of(const ExactReduction& reduction, const Vect
 Vector<long double> natural_error(const ExactRows& rows, const Vector<long double>& x) {
   Vector<long double> error = rows.S * x + rows.s;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    error(i) = x(i) - rows.bounds[static_cast<std::size_t>(i)].clamp(x(i) - error(i), x);
+    error(i) = x(i) - rows.bounds[i].clamp(x(i) - error(i), x);
   }
   return error;
 }

@@ -1,10 +1,9 @@
 // Floor 4. A problem of rows as the exact methods see it: long double, without units, without equalities.
 #pragma once
 
-#include <vector>
-
 #include "constraints/row.hpp"
 #include "solvers/system_matrix.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -32,9 +31,9 @@ struct ExactBounds {
 /// Row i of the original problem is measured in sqrt(J): impulse_i = x_i / sqrt(A_ii), w_i likewise. So
 /// numbers are about 1 on the diagonal, whatever the masses.
 struct ExactRows {
-  Matrix<long double> S;            // A in these units, without the equalities
-  Vector<long double> s;            // w where x is 0
-  std::vector<ExactBounds> bounds;  // of each x
+  Matrix<long double> S;       // A in these units, without the equalities
+  Vector<long double> s;       // w where x is 0
+  List<ExactBounds> bounds;    // of each x
   Matrix<long double> effect;  // on the velocities, each in sqrt(J): |effect dx| tells how far apart they are
   long double size =
       0;  // the largest |s_i| before the equalities were eliminated: what is small beside it is 0
@@ -46,9 +45,9 @@ struct ExactRows {
 /// Rows that can do nothing (A_ii = 0) are left out of everything.
 struct ExactReduction {
   ExactRows rows;                         // those that are left
-  std::vector<int> kept;                  // their places in the problem
-  std::vector<int> eliminated;            // the equalities' places
-  std::vector<long double> unit;          // of all rows of the problem: impulse = unit * x; 0: does nothing
+  List<int> kept;                         // their places in the problem
+  List<int> eliminated;                   // the equalities' places
+  PerRow<long double> unit;               // of the problem: impulse = unit * x; 0: does nothing
   Matrix<long double> T;                  // of x_equality
   Vector<long double> t;                  // of x_equality
   bool redundant_equalities = false;      // some say what others say already
@@ -66,7 +65,7 @@ Real exact_scale(const VelocityProblem<Real>& problem);
 ExactReduction reduce_to_exact_rows(const VelocityProblem<long double>& problem);
 
 /// The impulses [N s] of all rows of the problem.
-std::vector<long double> impulses_of(const ExactReduction& reduction, const Vector<long double>& x);
+PerRow<long double> impulses_of(const ExactReduction& reduction, const Vector<long double>& x);
 
 /// x_i - clamp(x_i - w_i): R_E is the norm of this over its scale.
 Vector<long double> natural_error(const ExactRows& rows, const Vector<long double>& x);
@@ -75,11 +74,11 @@ Vector<long double> natural_error(const ExactRows& rows, const Vector<long doubl
 /// unknown for its upper bound; for friction x = z - z', and a third unknown, the speed of sliding (D.
 /// Stewart, J. Trinkle, An implicit time-stepping scheme, 1996).
 struct ComplementarityProblem {
-  Matrix<long double> M;          // square
-  Vector<long double> q;          // as long as z
-  std::vector<int> row;           // of each unknown; -1: of a speed
-  std::vector<long double> sign;  // x_row = sum of sign * z + shift_row
-  Vector<long double> shift;      // for each row of ExactRows
+  Matrix<long double> M;      // square
+  Vector<long double> q;      // as long as z
+  List<int> row;              // of each unknown; -1: of a speed
+  List<long double> sign;     // x_row = sum of sign * z + shift_row
+  Vector<long double> shift;  // for each row of ExactRows
 };
 /// The problem that belongs to such rows.
 ComplementarityProblem complementarity_problem(const ExactRows& rows);

@@ -5,6 +5,7 @@
 
 #include "solvers/exact/dictionary.hpp"
 #include "solvers/exact/lemke.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -15,21 +16,21 @@ constexpr long double family_pivot = 1e-13L;     // of rows of S with ones on th
 
 /// Conditions on a change dx: what must be 0, and what must not fall.
 struct Conditions {
-  std::vector<Vector<long double>> zero;
-  std::vector<Vector<long double>> not_falling;
+  List<Vector<long double>> zero;
+  List<Vector<long double>> not_falling;
 };
 
-Matrix<long double> matrix_of(const std::vector<Vector<long double>>& rows, Eigen::Index columns) {
-  Matrix<long double> matrix(static_cast<Eigen::Index>(rows.size()), columns);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    matrix.row(static_cast<Eigen::Index>(i)) = rows[i].transpose();
+Matrix<long double> matrix_of(const List<Vector<long double>>& rows, Eigen::Index columns) {
+  Matrix<long double> matrix(rows.size(), columns);
+  for (int i = 0; i < rows.size(); ++i) {
+    matrix.row(i) = rows[i].transpose();
   }
   return matrix;
 }
 
 /// How the room changes between x_i and the end of its interval: the upper one for side 1, else -1.
 Vector<long double> change_of_room(const ExactRows& rows, Eigen::Index i, long double side) {
-  const ExactBounds& bounds = rows.bounds[static_cast<std::size_t>(i)];
+  const ExactBounds& bounds = rows.bounds[i];
   Vector<long double> change = Vector<long double>::Zero(rows.s.size());
   change(i) = -side;
   if (bounds.normal != ExactBounds::none) change(bounds.normal) += bounds.mu;
@@ -39,7 +40,7 @@ Vector<long double> change_of_room(const ExactRows& rows, Eigen::Index i, long d
 
 void add_conditions(const ExactRows& rows, const Vector<long double>& x, Eigen::Index i, long double w,
                     Conditions& conditions) {
-  const ExactBounds& bounds = rows.bounds[static_cast<std::size_t>(i)];
+  const ExactBounds& bounds = rows.bounds[i];
   const long double small = family_rounding * rows.size;
   const long double limit = bounds.is_friction ? bounds.limit(x) : 0;
   const long double to_upper = (bounds.is_friction ? limit : bounds.upper) - x(i);

@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "math/check.hpp"
 #include "solvers/exact/dictionary.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -51,7 +51,7 @@ class LemkeTable {
     if (leaving == artificial()) result.status = LemkeStatus::solved;
     result.z = Vector<long double>::Zero(n_);
     for (int i = 0; i < n_; ++i) {
-      const int variable = basic_[static_cast<std::size_t>(i)];
+      const int variable = basic_[i];
       const bool is_z = variable >= n_ && variable != artificial();
       if (is_z) result.z(variable - n_) = size_ * std::max(table_.constant(i), 0.0L);
     }
@@ -60,20 +60,20 @@ class LemkeTable {
 
  private:
   int artificial() const { return 2 * n_; }
-  int place(int variable) const { return place_[static_cast<std::size_t>(variable)]; }
+  int place(int variable) const { return place_[variable]; }
   bool is_basic(int variable) const {
-    const auto at = static_cast<std::size_t>(place(variable));
+    const auto at = place(variable);
     return at < basic_.size() && basic_[at] == variable;
   }
 
   /// Exchanges the variables there and returns the one that has left the basis.
   int leave(int row, int column) {
     table_.exchange(row, column);
-    int& left = basic_[static_cast<std::size_t>(row)];
-    int& entered = nonbasic_[static_cast<std::size_t>(column)];
+    int& left = basic_[row];
+    int& entered = nonbasic_[column];
     std::swap(left, entered);
-    place_[static_cast<std::size_t>(left)] = row;
-    place_[static_cast<std::size_t>(entered)] = column;
+    place_[left] = row;
+    place_[entered] = column;
     return entered;
   }
 
@@ -114,7 +114,7 @@ class LemkeTable {
       const long double slope = -table_.row(i)[column];
       if (!(slope > lemke_zero)) continue;
       if (std::max(table_.constant(i), 0.0L) / slope > least + lemke_tie * (1 + least)) continue;
-      if (basic_[static_cast<std::size_t>(i)] == artificial()) return i;  // the end of the path
+      if (basic_[i] == artificial()) return i;  // the end of the path
       if (best < 0 || blocks_sooner(i, best, column)) best = i;
     }
     return best;
@@ -123,9 +123,9 @@ class LemkeTable {
   int n_ = 0;
   Dictionary table_;
   long double size_ = 1;
-  std::vector<int> basic_;
-  std::vector<int> nonbasic_;
-  std::vector<int> place_;  // of a variable: its row where it is basic, else its column
+  List<int> basic_;
+  List<int> nonbasic_;
+  List<int> place_;  // of a variable: its row where it is basic, else its column
 };
 
 }  // namespace

@@ -4,12 +4,12 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
 #include "solvers/exact/contact_modes.hpp"
 #include "solvers/exact/exact_rows.hpp"
 #include "solvers/exact/proximal_rows.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -55,20 +55,20 @@ class NewtonIteration {
   bool is_used_up() const { return result_.iterations >= settings_.iterations; }
 
   /// The best impulses so far after some sweeps.
-  std::vector<long double> swept(int sweeps) const {
+  PerRow<long double> swept(int sweeps) const {
     VelocityProblem<long double> copy = problem_;
     copy.impulse = best_;
     AcceleratedProjectedGaussSeidel<long double>({.iterations = sweeps}).solve(copy);
     return copy.impulse;
   }
 
-  void restart_at(const std::vector<long double>& impulse) {
+  void restart_at(const PerRow<long double>& impulse) {
     rows_.center_at(impulse);
     note_center(impulse);
   }
 
   /// Keeps the centre's impulses if none have been better.
-  void note_center(const std::vector<long double>& impulse) {
+  void note_center(const PerRow<long double>& impulse) {
     const long double error = rows_.error();
     residual_ = error == 0 ? 0 : error / scale_;
     if (!has_best_ || residual_ < result_.residual) {
@@ -152,10 +152,10 @@ class NewtonIteration {
   long double scale_ = 0;
   ProximalRows<long double> rows_;
   long double residual_ = 0;  // R_E at the centre
-  std::vector<long double> best_;
+  PerRow<long double> best_;
   bool has_best_ = false;
   NewtonResult result_;
-  std::vector<Eigen::Triplet<double>> entries_;
+  List<Eigen::Triplet<double>> entries_;
   Eigen::SparseLU<Eigen::SparseMatrix<double>> factors_;
 };
 

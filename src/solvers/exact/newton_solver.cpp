@@ -42,7 +42,7 @@ SolveReport NewtonSolver<Real>::solve(VelocityProblem<Real>& problem, SolveObser
     answer(converted<Work>(problem));
   }
   SolveReport report{.iterations = systems_, .extra_sweeps = sweeps_};
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) problem.impulse[i] = static_cast<Real>(best_[i]);
+  for (int i = 0; i < problem.row_count(); ++i) problem.impulse[i] = static_cast<Real>(best_[i]);
   apply_impulses(problem);
   report.converged = least_residual_ <= enough();
   if (report.converged) report.stop = Stop::tolerance;
@@ -156,15 +156,15 @@ bool NewtonSolver<Real>::find_change(Vector<Work>& change) {
   ++systems_;
   factors_.set_identity();
   rows_.for_each_slope([this](const auto& left, const auto& right, Work factor) {
-    for (std::size_t k = 0; k < left.size();) {
+    for (int k = 0; k < left.size();) {
       const int row = left[k].column / 3;
-      std::size_t k_end = k;
+      int k_end = k;
       while (k_end < left.size() && left[k_end].column / 3 == row) ++k_end;
-      for (std::size_t l = 0; l < right.size();) {
+      for (int l = 0; l < right.size();) {
         const int column = right[l].column / 3;
         auto& block = factors_.at(row, column);
         for (; l < right.size() && right[l].column / 3 == column; ++l) {
-          for (std::size_t of_row = k; of_row < k_end; ++of_row) {
+          for (int of_row = k; of_row < k_end; ++of_row) {
             block(left[of_row].column - 3 * row, right[l].column - 3 * column) +=
                 factor * left[of_row].value * right[l].value;
           }

@@ -3,11 +3,11 @@
 
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "solvers/exact/block_factors.hpp"
 #include "solvers/exact/proximal_rows.hpp"
 #include "solvers/solver.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -54,15 +54,15 @@ class NewtonSolver final : public Solver<Real> {
   SolverSettings settings_;
   ProximalRows<Work> rows_;
   BlockFactors<Work> factors_;
-  std::vector<std::pair<int, int>> pairs_;  // of bodies that share a row
-  Vector<Work> du_;                         // where Newton's method is
-  Vector<Work> next_;                       // and where it may go
-  Vector<Work> change_;                     // its step
-  Work scale_ = 0;                          // of R_E
-  Work residual_ = 0;                       // R_E at the centre
+  List<std::pair<int, int>> pairs_;  // of bodies that share a row
+  Vector<Work> du_;                  // where Newton's method is
+  Vector<Work> next_;                // and where it may go
+  Vector<Work> change_;              // its step
+  Work scale_ = 0;                   // of R_E
+  Work residual_ = 0;                // R_E at the centre
   Work least_residual_ = 0;
   VelocityProblem<Work> swept_;  // a copy for sweeps
-  std::vector<Work> best_;       // [N s] the impulses with that
+  PerRow<Work> best_;            // [N s] the impulses with that
   int systems_ = 0;              // solved
   int sweeps_ = 0;               // done between them, and one to look at the warm start
 };

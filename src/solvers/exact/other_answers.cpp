@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solvers/exact/newton.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -21,11 +22,10 @@ long double largest_row_speed(const VelocityProblem<long double>& problem) {
 }
 
 /// sqrt(dv^T M dv)
-long double kinetic_distance(const VelocityProblem<long double>& problem,
-                             const std::vector<Vec3<long double>>& a,
-                             const std::vector<Vec3<long double>>& b) {
+long double kinetic_distance(const VelocityProblem<long double>& problem, const PerBody<Vec3<long double>>& a,
+                             const PerBody<Vec3<long double>>& b) {
   long double sum = 0;
-  for (std::size_t body = 0; body < a.size(); ++body) {
+  for (const BodyId body : a.indices()) {
     for (int axis = 0; axis < 3; ++axis) {
       const long double inverse = problem.inverse_mass[body](axis), change = a[body](axis) - b[body](axis);
       if (inverse > 0) sum += change * change / inverse;
@@ -36,11 +36,11 @@ long double kinetic_distance(const VelocityProblem<long double>& problem,
 
 /// Some times as much as the speeds call for, as between walls that were driven in; no friction yet.
 void press_rows(VelocityProblem<long double>& problem, int number, long double speed) {
-  const Vector<long double> cover = other_cover(static_cast<Eigen::Index>(problem.rows.size()), number);
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  const Vector<long double> cover = other_cover(problem.rows.size(), number);
+  for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<long double>& row = problem.rows[i];
     const long double mass = effective_mass(problem, row);
-    const long double press = 4 * cover(static_cast<Eigen::Index>(i)) * speed * std::sqrt(mass);
+    const long double press = 4 * cover(i) * speed * std::sqrt(mass);
     problem.impulse[i] = row.bounds.is_friction() ? 0.0L : press;
   }
 }
@@ -56,10 +56,10 @@ Vector<long double> other_cover(Eigen::Index size, int number) {
   return cover;
 }
 
-int count_newton_answers(const VelocityProblem<long double>& problem,
-                         const std::vector<Vec3<long double>>& known, int starts) {
+int count_newton_answers(const VelocityProblem<long double>& problem, const PerBody<Vec3<long double>>& known,
+                         int starts) {
   const long double speed = largest_row_speed(problem);
-  std::vector<std::vector<Vec3<long double>>> answers = {known};
+  List<PerBody<Vec3<long double>>> answers = {known};
   for (int k = 1; k <= starts; ++k) {
     VelocityProblem<long double> other = problem;
     press_rows(other, k, speed);
@@ -70,7 +70,7 @@ int count_newton_answers(const VelocityProblem<long double>& problem,
     });
     if (!is_known) answers.push_back(other.velocity);
   }
-  return static_cast<int>(answers.size());
+  return answers.size();
 }
 
 }  // namespace cairn

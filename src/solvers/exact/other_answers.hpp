@@ -1,8 +1,6 @@
 // Floor 4. Whether a problem has another answer: what searches for one.
 #pragma once
 
-#include <vector>
-
 #include "constraints/row.hpp"
 #include "solvers/system_matrix.hpp"
 
@@ -18,7 +16,7 @@ Vector<long double> other_cover(Eigen::Index size, int number);
 
 /// How many velocities Newton's method finds from impulses that press all rows, `starts` times in other
 /// shares, counting the one that is known. `problem` has the velocities before any impulse.
-int count_newton_answers(const VelocityProblem<long double>& problem,
-                         const std::vector<Vec3<long double>>& known, int starts);
+int count_newton_answers(const VelocityProblem<long double>& problem, const PerBody<Vec3<long double>>& known,
+                         int starts);
 
 }  // namespace cairn

@@ -1,11 +1,9 @@
 // Floor 4. Rows made a little soft around the impulses of the moment: what Newton's method solves.
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "constraints/row.hpp"
 #include "solvers/system_matrix.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -32,11 +30,11 @@ class ProximalRows {
   void begin(const VelocityProblem<Real>& problem);
 
   /// Takes x' from impulses [N s], brought inside their bounds.
-  void center_at(const std::vector<Real>& impulse);
+  void center_at(const PerRow<Real>& impulse);
   /// Takes x' from the last evaluation.
   void center_at_last() { center_at(impulses()); }
   /// x' [N s].
-  std::vector<Real> center_impulses() const { return impulses_of(center_); }
+  PerRow<Real> center_impulses() const { return impulses_of(center_); }
   /// How soft the rows are from now on.
   void soften(Real epsilon) { epsilon_ = epsilon; }
 
@@ -58,7 +56,7 @@ class ProximalRows {
     for (const Row& row : rows_) visit(terms_of(row));
   }
   /// x(du) of the last evaluation [N s].
-  std::vector<Real> impulses() const { return impulses_of(x_); }
+  PerRow<Real> impulses() const { return impulses_of(x_); }
 
  private:
   struct Row {
@@ -69,27 +67,25 @@ class ProximalRows {
     Real unit = 0;             // impulse = unit * x; 0: the row can do nothing
     Bounds<Real> bounds = {};  // in sqrt(J); those of friction and its disc as they were [N s]
   };
-  std::vector<Real> impulses_of(const Vector<Real>& x) const;
+  PerRow<Real> impulses_of(const Vector<Real>& x) const;
   Real product(const Row& row, const Vector<Real>& u) const;
-  Real clamp(std::size_t i, Real wish, const Vector<Real>& x) const;
+  Real clamp(int i, Real wish, const Vector<Real>& x) const;
   /// d clamp / d x_other, at the end that `wish` is beyond.
-  Real slope_of_limit(std::size_t i, int other) const;
-  std::span<const Term> terms_of(const Row& row) const {
-    return {terms_.data() + row.first, static_cast<std::size_t>(row.count)};
-  }
+  Real slope_of_limit(int i, int other) const;
+  Span<const Term> terms_of(const Row& row) const { return {terms_.data() + row.first, row.count}; }
   /// Calls visit(i) for all rows, those that limit others first.
   template <typename Visit>
   void for_each_row(const Visit& visit) const {
-    for (std::size_t i = 0; i < rows_.size(); ++i)
+    for (int i = 0; i < rows_.size(); ++i)
       if (!rows_[i].bounds.is_friction()) visit(i);
-    for (std::size_t i = 0; i < rows_.size(); ++i)
+    for (int i = 0; i < rows_.size(); ++i)
       if (rows_[i].bounds.is_friction()) visit(i);
   }
 
   Eigen::Index freedoms_ = 0;
   Real epsilon_ = 1;
-  std::vector<Term> terms_;
-  std::vector<Row> rows_;
+  List<Term> terms_;
+  PerRow<Row> rows_;
   Vector<Real> center_;    // x'
   Vector<Real> center_w_;  // w'
   Vector<Real> x_;         // of the last evaluation
@@ -100,8 +96,8 @@ class ProximalRows {
 template <Scalar Real>
 template <typename Visit>
 void ProximalRows<Real>::for_each_slope(const Visit& visit) const {
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
+  for (int i = 0; i < rows_.size(); ++i) {
+    const auto at = i;
     const Row& row = rows_[i];
     if (row.unit == 0) continue;
     if (x_(at) == wish_(at)) {
@@ -109,7 +105,7 @@ void ProximalRows<Real>::for_each_slope(const Visit& visit) const {
     } else if (row.bounds.is_friction()) {
       for (const int other : {row.bounds.normal_row, row.bounds.second_normal_row}) {
         if (other == Bounds<Real>::none) continue;
-        const Row& normal = rows_[static_cast<std::size_t>(other)];
+        const Row& normal = rows_[other];
         if (normal.unit == 0) continue;
         const Real slope = slope_of_limit(i, other);
         if (slope != 0) visit(terms_of(row), terms_of(normal), slope / (epsilon_ + normal.softness));

@@ -12,6 +12,7 @@
 #include "solvers/exact/newton.hpp"
 #include "solvers/exact/other_answers.hpp"
 #include "solvers/residual.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -100,10 +101,10 @@ class ReferenceRun {
   }
 
   static Vector<long double> unknowns_at(const ExactReduction& reduction,
-                                         const std::vector<long double>& impulse) {
-    Vector<long double> x(static_cast<Eigen::Index>(reduction.kept.size()));
+                                         const PerRow<long double>& impulse) {
+    Vector<long double> x(reduction.kept.size());
     for (Eigen::Index k = 0; k < x.size(); ++k) {
-      const auto row = static_cast<std::size_t>(reduction.kept[static_cast<std::size_t>(k)]);
+      const auto row = reduction.kept[k];
       x(k) = impulse[row] / reduction.unit[row];
     }
     return x;
@@ -113,7 +114,7 @@ class ReferenceRun {
     const ModeList list = enumerate_modes(rows, settings_.max_modes);
     if (list.solutions.empty() || !is_answer(rows, list.solutions.front().x)) return false;
     report.method = ReferenceMethod::enumeration;
-    report.solutions = static_cast<int>(list.solutions.size());
+    report.solutions = list.solutions.size();
     if (report.solutions > 1) {
       report.velocity = {Uniqueness::not_unique, Evidence::enumeration};
     } else if (!list.solutions.front().in_family) {
@@ -139,7 +140,7 @@ class ReferenceRun {
     const ComplementarityProblem problem = complementarity_problem(rows);
     const Eigen::Index n = problem.q.size();
     memory = static_cast<std::size_t>(n * (n + 2) + n * n) * sizeof(long double);
-    std::vector<Vector<long double>> answers;
+    List<Vector<long double>> answers;
     const int covers = settings_.other_covers;
     for (int k = 0; k <= covers; ++k) {
       if (k > 0 && !answers.empty() && !has_moving_bounds(rows)) break;  // there is one velocity only
@@ -156,7 +157,7 @@ class ReferenceRun {
     }
     if (answers.empty()) return false;
     report.method = ReferenceMethod::lemke;
-    report.solutions = static_cast<int>(answers.size());
+    report.solutions = answers.size();
     x = answers.front();
     if (answers.size() == 1 && has_moving_bounds(rows) && error_of(rows, x) <= exact_residual) {
       VelocityProblem<long double> copy = problem_;
@@ -167,7 +168,7 @@ class ReferenceRun {
     return true;
   }
 
-  static bool is_known(const ExactRows& rows, const std::vector<Vector<long double>>& answers,
+  static bool is_known(const ExactRows& rows, const List<Vector<long double>>& answers,
                        const Vector<long double>& answer) {
     for (const Vector<long double>& known : answers) {
       const Vector<long double> change = rows.effect * (answer - known);
@@ -245,10 +246,10 @@ SolveReport ReferenceSolver<Real>::solve(VelocityProblem<Real>& problem, SolveOb
     result.converged = report_.method != ReferenceMethod::none && report_.residual <= settings_.tolerance;
   }
   if (result.converged) result.stop = Stop::tolerance;
-  for (std::size_t i = 0; i < exact.rows.size(); ++i) {
+  for (int i = 0; i < exact.rows.size(); ++i) {
     problem.impulse[i] = static_cast<Real>(exact.impulse[i]);
   }
-  for (std::size_t body = 0; body < exact.velocity.size(); ++body) {
+  for (const BodyId body : exact.velocity.indices()) {
     problem.velocity[body] = exact.velocity[body].template cast<Real>();
   }
   if (observer != nullptr) observer->after_sweep(1, problem);

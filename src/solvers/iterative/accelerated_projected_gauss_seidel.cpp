@@ -44,7 +44,7 @@ void AcceleratedProjectedGaussSeidel<Real>::prepare(VelocityProblem<Real>& probl
   k_ = 1;
   restarts_ = 0;
   effective_mass_.resize(problem.rows.size());
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     effective_mass_[i] = effective_mass(problem, problem.rows[i]);
   }
   apply_impulses(problem);  // warm start: those of last step act before the first sweep
@@ -83,7 +83,7 @@ Real AcceleratedProjectedGaussSeidel<Real>::extrapolate(Real momentum, VelocityP
     return 0;
   }
   Real change = 0;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<Real>& row = problem.rows[i];
     const Real old = problem.impulse[i];
     const Real target = row.bounds.clamp(old + momentum * (old - impulse_before_[i]), problem.impulse);
@@ -105,8 +105,7 @@ typename AcceleratedProjectedGaussSeidel<Real>::Descent AcceleratedProjectedGaus
     int number, VelocityProblem<Real>& problem, [[maybe_unused]] SolveObserver<Real>* observer) {
   const Real omega = Real(settings_.relaxation);
   Descent descent;
-  for (const int turn : sequence_.rows) {
-    const auto i = static_cast<std::size_t>(turn);
+  for (const int i : sequence_.rows) {
     const ConstraintRow<Real>& row = problem.rows[i];
     const Real old = problem.impulse[i];
     const Real jv = row_velocity(problem, row);
@@ -122,7 +121,7 @@ typename AcceleratedProjectedGaussSeidel<Real>::Descent AcceleratedProjectedGaus
     descent.change += step * (step * inverse / 2 - error);
     descent.share += step * step * inverse * (1 / omega - Real(0.5));
     if constexpr (watched) {
-      observer->after_row({number, turn, jv, inverse, corrective, old, problem.impulse[i]}, problem);
+      observer->after_row({number, i, jv, inverse, corrective, old, problem.impulse[i]}, problem);
     }
   }
   return descent;
@@ -131,7 +130,7 @@ typename AcceleratedProjectedGaussSeidel<Real>::Descent AcceleratedProjectedGaus
 template <Scalar Real>
 Real AcceleratedProjectedGaussSeidel<Real>::largest_change(const VelocityProblem<Real>& problem) const {
   Real largest = 0;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     largest = std::max(largest, std::abs(problem.impulse[i] - impulse_before_[i]));
   }
   return largest;

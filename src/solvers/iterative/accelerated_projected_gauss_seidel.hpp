@@ -4,6 +4,7 @@
 #include "solvers/row_order.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/stopping.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -42,7 +43,7 @@ class AcceleratedProjectedGaussSeidel final : public Solver<Real> {
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
   /// 2 m + 3 n numbers.
   std::size_t memory() const override {
-    return bytes_of(effective_mass_) + bytes_of(impulse_before_) + bytes_of(velocity_before_);
+    return effective_mass_.bytes() + impulse_before_.bytes() + velocity_before_.bytes();
   }
   /// How many sweeps the last solve undid.
   int restarts() const { return restarts_; }
@@ -64,9 +65,9 @@ class AcceleratedProjectedGaussSeidel final : public Solver<Real> {
   SolverSettings settings_;
   int k_ = 1;  // of the next sweep, counted from the last restart
   int restarts_ = 0;
-  std::vector<Real> effective_mass_;         // [kg] for each row, 1 / A_ii
-  std::vector<Real> impulse_before_;         // [N s] for each row, where the sweep began
-  std::vector<Vec3<Real>> velocity_before_;  // for each body
+  PerRow<Real> effective_mass_;          // [kg] for each row, 1 / A_ii
+  PerRow<Real> impulse_before_;          // [N s] for each row, where the sweep began
+  PerBody<Vec3<Real>> velocity_before_;  // for each body
   RowSequence sequence_;
   Stopping<Real> stopping_;
 };

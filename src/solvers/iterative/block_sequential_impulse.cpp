@@ -6,6 +6,7 @@
 
 #include "math/check.hpp"
 #include "solvers/body_rows.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -13,7 +14,7 @@ namespace {
 
 template <Scalar Real>
 const ConstraintRow<Real>& block_row(const VelocityProblem<Real>& problem, int row) {
-  return problem.rows[static_cast<std::size_t>(row)];
+  return problem.rows[row];
 }
 
 /// A_ij (15), softness included.
@@ -61,9 +62,9 @@ SolveReport BlockSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
   return stopping_.repeat_rows(problem, observer, sequence_, [&](int number, auto watched) {
     Real largest_change = 0;
     for (const int row : sequence_.rows) {
-      const Turn turn = turns_[static_cast<std::size_t>(row)];
+      const Turn turn = turns_[row];
       for (int k = turn.first; k < turn.last; ++k) {
-        const Part& part = parts_[static_cast<std::size_t>(k)];
+        const Part& part = parts_[k];
         const Real change = update<decltype(watched)::value>(number, part, problem, observer);
         largest_change = std::max(largest_change, change);
       }
@@ -74,8 +75,8 @@ SolveReport BlockSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
 
 template <Scalar Real>
 std::size_t BlockSequentialImpulse<Real>::memory() const {
-  return bytes_of(parts_) + bytes_of(turns_) + bytes_of(effective_mass_) + bytes_of(pairs_) +
-         bytes_of(factors_) + bytes_of(partner_);
+  return parts_.bytes() + turns_.bytes() + effective_mass_.bytes() + pairs_.bytes() + factors_.bytes() +
+         partner_.bytes();
 }
 
 template <Scalar Real>
@@ -88,10 +89,10 @@ void BlockSequentialImpulse<Real>::prepare(const VelocityProblem<Real>& problem)
   partner_.assign(problem.rows.size(), -1);
   for (const RowBlock& block : problem.blocks) {
     if (block.count == 0) continue;  // a degenerate joint
-    const int first = static_cast<int>(parts_.size());
+    const int first = parts_.size();
     find_partners(problem, block);
     add_parts(problem, block);
-    turns_[static_cast<std::size_t>(block.first)] = {first, static_cast<int>(parts_.size())};
+    turns_[block.first] = {first, parts_.size()};
   }
 }
 
@@ -100,8 +101,8 @@ template <Scalar Real>
 void BlockSequentialImpulse<Real>::find_partners(const VelocityProblem<Real>& problem,
                                                  const RowBlock& block) {
   const auto join = [this](int first, int second) {
-    partner_[static_cast<std::size_t>(first)] = second;
-    partner_[static_cast<std::size_t>(second)] = first;
+    partner_[first] = second;
+    partner_[second] = first;
   };
   int normals = 0, before = 0, last = 0, equalities = 0;
   for (int i = block.first; i < block.first + block.count; ++i) {
@@ -117,8 +118,7 @@ void BlockSequentialImpulse<Real>::find_partners(const VelocityProblem<Real>& pr
     const int normal = bounds.normal_row;
     const bool is_here = normal >= block.first && normal < block.first + block.count;
     // One friction row a contact: in the plane there is no second.
-    if (is_here && is_block_normal(block_row(problem, normal).bounds) &&
-        partner_[static_cast<std::size_t>(normal)] < 0) {
+    if (is_here && is_block_normal(block_row(problem, normal).bounds) && partner_[normal] < 0) {
       join(normal, i);
     }
   }
@@ -131,7 +131,7 @@ void BlockSequentialImpulse<Real>::add_parts(const VelocityProblem<Real>& proble
   const Kind kind = contact_ == ContactBlock::two_normals ? Kind::two_normals : Kind::contact;
   equalities_.clear();
   const auto add_if_not_joined = [&](int i) {
-    const int partner = partner_[static_cast<std::size_t>(i)];
+    const int partner = partner_[i];
     if (partner < 0) return add_row(problem, i);
     // The pair stands where the normal row, or the first of two, is written.
     const bool leads = kind == Kind::contact ? is_block_normal(block_row(problem, i).bounds) : i < partner;
@@ -156,7 +156,7 @@ void BlockSequentialImpulse<Real>::add_parts(const VelocityProblem<Real>& proble
 
 template <Scalar Real>
 void BlockSequentialImpulse<Real>::add_row(const VelocityProblem<Real>& problem, int row) {
-  parts_.push_back({Kind::row, 1, static_cast<int>(effective_mass_.size()), {row}});
+  parts_.push_back({Kind::row, 1, effective_mass_.size(), {row}});
   effective_mass_.push_back(effective_mass(problem, block_row(problem, row)));
 }
 
@@ -167,21 +167,21 @@ bool BlockSequentialImpulse<Real>::add_pair(const VelocityProblem<Real>& problem
                            .cross = block_entry(problem, first, second),
                            .second = block_entry(problem, second, second)};
   if (!is_regular(A)) return false;
-  parts_.push_back({kind, 2, static_cast<int>(pairs_.size()), {first, second}});
+  parts_.push_back({kind, 2, pairs_.size(), {first, second}});
   pairs_.push_back(A);
   return true;
 }
 
 template <Scalar Real>
 bool BlockSequentialImpulse<Real>::add_equalities(const VelocityProblem<Real>& problem,
-                                                  const std::vector<int>& rows) {
-  const int count = static_cast<int>(rows.size());
+                                                  const List<int>& rows) {
+  const int count = rows.size();
   if (count < 2 || count > max_block_rows) return false;
-  Part part{Kind::equalities, count, static_cast<int>(factors_.size()), {}};
+  Part part{Kind::equalities, count, factors_.size(), {}};
   BlockMatrix<Real> A = {};
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  for (int i = 0; i < rows.size(); ++i) {
     part.rows[i] = rows[i];
-    for (std::size_t k = 0; k < rows.size(); ++k) A[i][k] = block_entry(problem, rows[i], rows[k]);
+    for (int k = 0; k < rows.size(); ++k) A[i][k] = block_entry(problem, rows[i], rows[k]);
   }
   BlockFactor<Real> factor;
   if (!factor.factorize(A, count)) return false;
@@ -195,10 +195,10 @@ template <Scalar Real>
 template <bool watched>
 Real BlockSequentialImpulse<Real>::update(int number, const Part& part, VelocityProblem<Real>& problem,
                                           [[maybe_unused]] SolveObserver<Real>* observer) {
-  const auto count = static_cast<std::size_t>(part.count);
+  const auto count = part.count;
   BlockVector<Real> jv, corrective, old;
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto i = static_cast<std::size_t>(part.rows[k]);
+  for (int k = 0; k < count; ++k) {
+    const auto i = part.rows[k];
     const ConstraintRow<Real>& row = problem.rows[i];
     old[k] = problem.impulse[i];
     jv[k] = row_velocity(problem, row);
@@ -206,8 +206,8 @@ Real BlockSequentialImpulse<Real>::update(int number, const Part& part, Velocity
   }
   correct(part, problem, corrective);
   Real largest_change = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto i = static_cast<std::size_t>(part.rows[k]);
+  for (int k = 0; k < count; ++k) {
+    const auto i = part.rows[k];
     const ConstraintRow<Real>& row = problem.rows[i];
     corrective[k] *= Real(settings_.relaxation);
     problem.impulse[i] = row.bounds.clamp(old[k] + corrective[k], problem.impulse);
@@ -215,11 +215,10 @@ Real BlockSequentialImpulse<Real>::update(int number, const Part& part, Velocity
     largest_change = std::max(largest_change, std::abs(problem.impulse[i] - old[k]));
   }
   if constexpr (watched) {
-    for (std::size_t k = 0; k < count; ++k) {
+    for (int k = 0; k < count; ++k) {
       const int i = part.rows[k];
-      observer->after_row({number, i, jv[k], block_entry(problem, i, i), corrective[k], old[k],
-                           problem.impulse[static_cast<std::size_t>(i)]},
-                          problem);
+      observer->after_row(
+          {number, i, jv[k], block_entry(problem, i, i), corrective[k], old[k], problem.impulse[i]}, problem);
     }
   }
   return largest_change;
@@ -230,7 +229,7 @@ Real BlockSequentialImpulse<Real>::update(int number, const Part& part, Velocity
 template <Scalar Real>
 void BlockSequentialImpulse<Real>::correct(const Part& part, const VelocityProblem<Real>& problem,
                                            BlockVector<Real>& error) const {
-  const auto matrix = static_cast<std::size_t>(part.matrix);
+  const auto matrix = part.matrix;
   if (part.kind == Kind::row) {
     error[0] *= effective_mass_[matrix];
     return;
@@ -240,8 +239,7 @@ void BlockSequentialImpulse<Real>::correct(const Part& part, const VelocityProbl
     return;
   }
   const PairMatrix<Real>& A = pairs_[matrix];
-  const Vec2<Real> old = {problem.impulse[static_cast<std::size_t>(part.rows[0])],
-                          problem.impulse[static_cast<std::size_t>(part.rows[1])]};
+  const Vec2<Real> old = {problem.impulse[part.rows[0]], problem.impulse[part.rows[1]]};
   // w = A impulse + q: what would be left of the errors if the two rows gave nothing.
   const Vec2<Real> q = {-error[0] - A.first * old(0) - A.cross * old(1),
                         -error[1] - A.cross * old(0) - A.second * old(1)};

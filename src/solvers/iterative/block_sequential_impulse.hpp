@@ -1,13 +1,11 @@
 // Floor 4. Sequential impulses for whole blocks of rows: section 4.3 of the paper.
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "solvers/iterative/block_solve.hpp"
 #include "solvers/row_order.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/stopping.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -59,8 +57,8 @@ class BlockSequentialImpulse final : public Solver<Real> {
   struct Part {
     Kind kind = Kind::row;
     int count = 0;
-    int matrix = 0;                             // its place in the array that goes with its kind
-    std::array<int, max_block_rows> rows = {};  // a normal row before its friction row
+    int matrix = 0;                            // its place in the array that goes with its kind
+    FixedList<int, max_block_rows> rows = {};  // a normal row before its friction row
   };
   /// Parts from first to last - 1.
   struct Turn {
@@ -73,20 +71,20 @@ class BlockSequentialImpulse final : public Solver<Real> {
   void add_parts(const VelocityProblem<Real>& problem, const RowBlock& block);
   void add_row(const VelocityProblem<Real>& problem, int row);
   bool add_pair(const VelocityProblem<Real>& problem, Kind kind, int first, int second);
-  bool add_equalities(const VelocityProblem<Real>& problem, const std::vector<int>& rows);
+  bool add_equalities(const VelocityProblem<Real>& problem, const List<int>& rows);
   template <bool watched>
   Real update(int number, const Part& part, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
   void correct(const Part& part, const VelocityProblem<Real>& problem, BlockVector<Real>& error) const;
 
   SolverSettings settings_;
   ContactBlock contact_;
-  std::vector<Part> parts_;                 // in the order of their turns
-  std::vector<Turn> turns_;                 // for each row: the parts of the block that begins with it
-  std::vector<Real> effective_mass_;        // [kg] of rows that are alone
-  std::vector<PairMatrix<Real>> pairs_;     // of contacts
-  std::vector<BlockFactor<Real>> factors_;  // of equality rows
-  std::vector<int> partner_;                // scratch, for each row: whom it is solved with, or -1
-  std::vector<int> equalities_;             // scratch: equality rows of one block
+  List<Part> parts_;                 // in the order of their turns
+  List<Turn> turns_;                 // for each row: the parts of the block that begins with it
+  PerRow<Real> effective_mass_;      // [kg] of rows that are alone
+  List<PairMatrix<Real>> pairs_;     // of contacts
+  List<BlockFactor<Real>> factors_;  // of equality rows
+  PerRow<int> partner_;              // scratch, for each row: whom it is solved with, or -1
+  List<int> equalities_;             // scratch: equality rows of one block
   RowSequence sequence_;
   Stopping<Real> stopping_;
 };

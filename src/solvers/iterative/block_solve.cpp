@@ -9,7 +9,7 @@ namespace cairn {
 namespace {
 
 /// Where row `row` of a strictly lower triangle begins when its rows stand one after the other.
-constexpr std::size_t lower_row(std::size_t row) { return row * (row - 1) / 2; }
+constexpr int lower_row(int row) { return row * (row - 1) / 2; }
 
 template <Scalar Real>
 constexpr Real singular_below(int count) {
@@ -27,21 +27,20 @@ Vec2<Real> solve_both_rows(const PairMatrix<Real>& A, const Vec2<Real>& q) {
 }  // namespace
 
 template <Scalar Real>
-bool BlockFactor<Real>::factorize(const BlockMatrix<Real>& A, int count) {
-  count_ = count;
-  const auto n = static_cast<std::size_t>(count);
+bool BlockFactor<Real>::factorize(const BlockMatrix<Real>& A, int n) {
+  count_ = n;
   BlockVector<Real> pivot = {};
-  for (std::size_t i = 0; i < n; ++i) {
+  for (int i = 0; i < n; ++i) {
     pivot[i] = A[i][i];
-    for (std::size_t k = 0; k < i; ++k) {
+    for (int k = 0; k < i; ++k) {
       Real entry = A[i][k];
-      for (std::size_t l = 0; l < k; ++l) {
+      for (int l = 0; l < k; ++l) {
         entry -= lower_[lower_row(i) + l] * pivot[l] * lower_[lower_row(k) + l];
       }
       lower_[lower_row(i) + k] = entry * inverse_pivot_[k];
       pivot[i] -= lower_[lower_row(i) + k] * entry;
     }
-    if (!(pivot[i] > singular_below<Real>(count) * A[i][i])) return false;
+    if (!(pivot[i] > singular_below<Real>(n) * A[i][i])) return false;
     inverse_pivot_[i] = 1 / pivot[i];
   }
   return true;
@@ -49,13 +48,13 @@ bool BlockFactor<Real>::factorize(const BlockMatrix<Real>& A, int count) {
 
 template <Scalar Real>
 void BlockFactor<Real>::solve(BlockVector<Real>& x) const {
-  const auto n = static_cast<std::size_t>(count_);
-  for (std::size_t i = 1; i < n; ++i) {
-    for (std::size_t k = 0; k < i; ++k) x[i] -= lower_[lower_row(i) + k] * x[k];
+  const auto n = count_;
+  for (int i = 1; i < n; ++i) {
+    for (int k = 0; k < i; ++k) x[i] -= lower_[lower_row(i) + k] * x[k];
   }
-  for (std::size_t i = 0; i < n; ++i) x[i] *= inverse_pivot_[i];
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) x[i] -= lower_[lower_row(k) + i] * x[k];
+  for (int i = 0; i < n; ++i) x[i] *= inverse_pivot_[i];
+  for (int i = n; i-- > 0;) {
+    for (int k = i + 1; k < n; ++k) x[i] -= lower_[lower_row(k) + i] * x[k];
   }
 }
 

@@ -1,9 +1,8 @@
 // Floor 4. The small systems inside a block of rows, each solved exactly.
 #pragma once
 
-#include <array>
-
 #include "math/math.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -12,10 +11,10 @@ inline constexpr int max_block_rows = 4;
 
 /// A number for each row of a block.
 template <Scalar Real>
-using BlockVector = std::array<Real, max_block_rows>;
+using BlockVector = FixedList<Real, max_block_rows>;
 /// A_BB, row by row.
 template <Scalar Real>
-using BlockMatrix = std::array<BlockVector<Real>, max_block_rows>;
+using BlockMatrix = FixedList<BlockVector<Real>, max_block_rows>;
 
 /// A_BB = L D L^T of a symmetric positive definite A_BB: what the paper (4.3) would invert once per step. No
 /// pivoting: a positive definite matrix needs none, and the ratio of a pivot to its diagonal entry does not
@@ -33,7 +32,7 @@ class BlockFactor {
  private:
   int count_ = 0;
   BlockVector<Real> inverse_pivot_ = {};  // of D
-  std::array<Real, 6> lower_ = {};        // of L, below its diagonal of ones, row by row
+  FixedList<Real, 6> lower_ = {};         // of L, below its diagonal of ones, row by row
 };
 
 /// A_BB of two rows [1/kg], softness included.

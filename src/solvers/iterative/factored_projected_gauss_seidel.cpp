@@ -18,15 +18,10 @@ SolveReport FactoredProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& pro
   stopping_.begin(settings_, problem);
   build(problem);
 
-  const SolveReport report =
-      stopping_.repeat_rows(problem, observer, sequence_, [&](int number, auto watched) {
-        const Real change = sweep<decltype(watched)::value>(number, problem, observer);
-        // For those who look; the sweep itself does not need it.
-        if (observer != nullptr || stopping_.needs_velocity(number)) update_velocity(problem);
-        return change;
-      });
-  update_velocity(problem);
-  return report;
+  return stopping_.repeat_rows(
+      problem, observer, sequence_,
+      [&](int number, auto watched) { return sweep<decltype(watched)::value>(number, problem, observer); },
+      [&] { update_velocity(problem); });
 }
 
 /// The rows of J and M^-1 J^T, b (15), and a = M^-1 J^T lambda for the lambda to start from (2.3).
@@ -35,11 +30,13 @@ void FactoredProjectedGaussSeidel<Real>::build(const VelocityProblem<Real>& prob
   velocity_ = problem.velocity;
   acceleration_.assign(problem.velocity.size(), Vec3<Real>::Zero());
   rows_.resize(problem.rows.size());
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
+  for (int i = 0; i < rows_.size(); ++i) {
     const ConstraintRow<Real>& source = problem.rows[i];
     FactoredRow& row = rows_[i];
-    row.body_a = static_cast<std::size_t>(source.a.index);
-    row.body_b = static_cast<std::size_t>(source.b.index);
+    row.body_a = source.a;
+    row.body_b = source.b;
+    row.first_extra = source.first_extra;
+    row.extra_count = source.extra_count;
     row.jacobian_a = source.jacobian_a;
     row.jacobian_b = source.jacobian_b;
     row.response_a = problem.inverse_mass[row.body_a].cwiseProduct(row.jacobian_a);
@@ -54,13 +51,12 @@ void FactoredProjectedGaussSeidel<Real>::build(const VelocityProblem<Real>& prob
 
 /// a += M^-1 j^T lambda, on the row's two bodies, and on further ones where there are any.
 template <Scalar Real>
-void FactoredProjectedGaussSeidel<Real>::accelerate(const VelocityProblem<Real>& problem, std::size_t i,
+void FactoredProjectedGaussSeidel<Real>::accelerate(const VelocityProblem<Real>& problem, int i,
                                                     Real lambda) {
   const FactoredRow& row = rows_[i];
   acceleration_[row.body_a] += row.response_a * lambda;
   acceleration_[row.body_b] += row.response_b * lambda;
-  for_each_extra_term(problem, problem.rows[i], [&](BodyId id, const Vec3<Real>& jacobian) {
-    const auto body = static_cast<std::size_t>(id.index);
+  for_each_extra_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
     acceleration_[body] += problem.inverse_mass[body].cwiseProduct(jacobian) * lambda;
   });
 }
@@ -71,14 +67,13 @@ Real FactoredProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>
                                                [[maybe_unused]] SolveObserver<Real>* observer) {
   const Real omega = Real(settings_.relaxation);
   Real largest_change = 0;
-  for (const int turn : sequence_.rows) {
-    const auto i = static_cast<std::size_t>(turn);
+  for (const int i : sequence_.rows) {
     FactoredRow& row = rows_[i];
 
     // (28) rearranged as in (29), with j a for the sums over J M^-1 J^T.
     Real ja = row.jacobian_a.dot(acceleration_[row.body_a]) + row.jacobian_b.dot(acceleration_[row.body_b]);
-    for_each_extra_term(problem, problem.rows[i], [&](BodyId body, const Vec3<Real>& jacobian) {
-      ja += jacobian.dot(acceleration_[static_cast<std::size_t>(body.index)]);
+    for_each_extra_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
+      ja += jacobian.dot(acceleration_[body]);
     });
     const Real row_error = row.b - ja - row.softness * row.lambda;
     const Real corrective = omega * (row_error * row.effective_mass);
@@ -94,7 +89,7 @@ Real FactoredProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>
       const Real jv = problem.rows[i].bias - row.softness * old - row_error * problem.dt;
       const Real inverse = row.effective_mass > 0 ? 1 / row.effective_mass : Real(0);
       update_velocity(problem);
-      observer->after_row({number, turn, jv, inverse, corrective * problem.dt, old, problem.impulse[i]},
+      observer->after_row({number, i, jv, inverse, corrective * problem.dt, old, problem.impulse[i]},
                           problem);
     }
   }
@@ -104,14 +99,14 @@ Real FactoredProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>
 /// (12): v_2 = v_1 + a dt.
 template <Scalar Real>
 void FactoredProjectedGaussSeidel<Real>::update_velocity(VelocityProblem<Real>& problem) const {
-  for (std::size_t body = 0; body < velocity_.size(); ++body) {
+  for (const BodyId body : velocity_.indices()) {
     problem.velocity[body] = velocity_[body] + acceleration_[body] * problem.dt;
   }
 }
 
 template <Scalar Real>
 std::size_t FactoredProjectedGaussSeidel<Real>::memory() const {
-  return bytes_of(rows_) + bytes_of(acceleration_) + bytes_of(velocity_);
+  return rows_.bytes() + acceleration_.bytes() + velocity_.bytes();
 }
 
 template class FactoredProjectedGaussSeidel<float>;

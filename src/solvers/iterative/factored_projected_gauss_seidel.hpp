@@ -4,6 +4,7 @@
 #include "solvers/row_order.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/stopping.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -31,8 +32,10 @@ class FactoredProjectedGaussSeidel final : public Solver<Real> {
  private:
   /// A row of J, the column of M^-1 J^T that belongs to it, and what else one update reads.
   struct FactoredRow {
-    std::size_t body_a = 0;
-    std::size_t body_b = 0;
+    BodyId body_a = {};
+    BodyId body_b = {};
+    int first_extra = 0;  // its terms of further bodies, in the problem's extra_terms
+    int extra_count = 0;
     Vec3<Real> jacobian_a = Vec3<Real>::Zero();
     Vec3<Real> jacobian_b = Vec3<Real>::Zero();
     Vec3<Real> response_a = Vec3<Real>::Zero();  // M^-1 j^T
@@ -44,7 +47,7 @@ class FactoredProjectedGaussSeidel final : public Solver<Real> {
   };
 
   void build(const VelocityProblem<Real>& problem);
-  void accelerate(const VelocityProblem<Real>& problem, std::size_t i, Real lambda);
+  void accelerate(const VelocityProblem<Real>& problem, int i, Real lambda);
   template <bool watched>
   Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
   void update_velocity(VelocityProblem<Real>& problem) const;
@@ -52,9 +55,9 @@ class FactoredProjectedGaussSeidel final : public Solver<Real> {
   SolverSettings settings_;
   RowSequence sequence_;
   Stopping<Real> stopping_;
-  std::vector<FactoredRow> rows_;         // m
-  std::vector<Vec3<Real>> acceleration_;  // n, a [m/s^2, m/s^2, rad/s^2]
-  std::vector<Vec3<Real>> velocity_;      // n, v_1
+  List<FactoredRow> rows_;            // m
+  PerBody<Vec3<Real>> acceleration_;  // n, a [m/s^2, m/s^2, rad/s^2]
+  PerBody<Vec3<Real>> velocity_;      // n, v_1
 };
 
 }  // namespace cairn

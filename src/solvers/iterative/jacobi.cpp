@@ -34,11 +34,10 @@ void Jacobi<Real>::prepare(const VelocityProblem<Real>& problem) {
   count_rows(problem);
   new_impulse_.resize(problem.rows.size());
   step_.resize(problem.rows.size());
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<Real>& row = problem.rows[i];
     Real inverse = row.softness;
-    for_each_term(problem, row, [&](BodyId id, const Vec3<Real>& jacobian) {
-      const auto body = static_cast<std::size_t>(id.index);
+    for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
       inverse += Real(rows_on_body_[body]) * jacobian.dot(problem.inverse_mass[body].cwiseProduct(jacobian));
     });
     // Between two immovable bodies nothing can be done.
@@ -53,7 +52,7 @@ void Jacobi<Real>::count_rows(const VelocityProblem<Real>& problem) {
   if (whole) return;
   for (const ConstraintRow<Real>& row : problem.rows) {
     for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-      if (!jacobian.isZero(Real(0))) ++rows_on_body_[static_cast<std::size_t>(body.index)];
+      if (!jacobian.isZero(Real(0))) ++rows_on_body_[body];
     });
   }
 }
@@ -63,7 +62,7 @@ template <bool watched>
 Real Jacobi<Real>::sweep(int number, VelocityProblem<Real>& problem,
                          [[maybe_unused]] SolveObserver<Real>* observer) {
   // Everything is read here, and nothing is written that another row reads ...
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<Real>& row = problem.rows[i];
     const Real jv = row_velocity(problem, row);
     const Real old = problem.impulse[i];
@@ -71,14 +70,13 @@ Real Jacobi<Real>::sweep(int number, VelocityProblem<Real>& problem,
     new_impulse_[i] = row.bounds.clamp(old + corrective, problem.impulse);
     if constexpr (watched) {
       const Real inverse = inverse_effective_mass(problem, row);
-      observer->after_row({number, static_cast<int>(i), jv, inverse, corrective, old, new_impulse_[i]},
-                          problem);
+      observer->after_row({number, i, jv, inverse, corrective, old, new_impulse_[i]}, problem);
     }
   }
 
   // ... and here all of it acts.
   Real largest_change = 0;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     const Real change = new_impulse_[i] - problem.impulse[i];
     apply_impulse(problem, problem.rows[i], change);
     problem.impulse[i] = new_impulse_[i];

@@ -3,6 +3,7 @@
 
 #include "solvers/solver.hpp"
 #include "solvers/stopping.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -42,9 +43,7 @@ class Jacobi final : public Solver<Real> {
   std::string name() const override;
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
   /// 2 m numbers, and a count for each body.
-  std::size_t memory() const override {
-    return bytes_of(step_) + bytes_of(new_impulse_) + bytes_of(rows_on_body_);
-  }
+  std::size_t memory() const override { return step_.bytes() + new_impulse_.bytes() + rows_on_body_.bytes(); }
 
  private:
   void prepare(const VelocityProblem<Real>& problem);
@@ -54,9 +53,9 @@ class Jacobi final : public Solver<Real> {
 
   SolverSettings settings_;
   Splitting splitting_;
-  std::vector<Real> step_;         // omega / D_ii [kg] for each row
-  std::vector<Real> new_impulse_;  // [N s] for each row, until all of them are known
-  std::vector<int> rows_on_body_;  // n, for each body; 1 where masses are not split
+  PerRow<Real> step_;          // omega / D_ii [kg] for each row
+  PerRow<Real> new_impulse_;   // [N s] for each row, until all of them are known
+  PerBody<int> rows_on_body_;  // n, for each body; 1 where masses are not split
   Stopping<Real> stopping_;
 };
 

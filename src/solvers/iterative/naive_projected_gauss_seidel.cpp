@@ -25,7 +25,7 @@ SolveReport NaiveProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& proble
 
   velocity_ = problem.velocity;
   inverse_mass_.resize(problem.rows.size());
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     inverse_mass_[i] = inverse_effective_mass(problem, problem.rows[i]);
   }
   recompute_velocity(problem);  // warm start (2.3): the impulses that are there already act
@@ -41,8 +41,7 @@ Real NaiveProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& p
                                             [[maybe_unused]] SolveObserver<Real>* observer) {
   const Real omega = Real(settings_.relaxation);
   Real largest_change = 0;
-  for (const int turn : sequence_.rows) {
-    const auto i = static_cast<std::size_t>(turn);
+  for (const int i : sequence_.rows) {
     const ConstraintRow<Real>& row = problem.rows[i];
     const Real jv = row_velocity(problem, row);
     const Real old = problem.impulse[i];
@@ -55,7 +54,7 @@ Real NaiveProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& p
 
     largest_change = std::max(largest_change, std::abs(problem.impulse[i] - old));
     if constexpr (watched) {
-      observer->after_row({number, turn, jv, inverse_mass_[i], corrective, old, problem.impulse[i]}, problem);
+      observer->after_row({number, i, jv, inverse_mass_[i], corrective, old, problem.impulse[i]}, problem);
     }
   }
   return largest_change;
@@ -65,9 +64,7 @@ Real NaiveProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& p
 template <Scalar Real>
 void NaiveProjectedGaussSeidel<Real>::recompute_velocity(VelocityProblem<Real>& problem) const {
   problem.velocity = velocity_;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    apply_impulse(problem, problem.rows[i], problem.impulse[i]);
-  }
+  apply_impulses(problem);
 }
 
 template class NaiveProjectedGaussSeidel<float>;

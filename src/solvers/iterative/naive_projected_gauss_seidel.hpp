@@ -4,6 +4,7 @@
 #include "solvers/row_order.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/stopping.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -28,7 +29,7 @@ class NaiveProjectedGaussSeidel final : public Solver<Real> {
   std::string name() const override { return "naive PGS"; }
   /// @throws std::length_error for more than max_rows rows: before anything is changed.
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
-  std::size_t memory() const override { return bytes_of(inverse_mass_) + bytes_of(velocity_); }
+  std::size_t memory() const override { return inverse_mass_.bytes() + velocity_.bytes(); }
 
  private:
   template <bool watched>
@@ -38,8 +39,8 @@ class NaiveProjectedGaussSeidel final : public Solver<Real> {
   SolverSettings settings_;
   RowSequence sequence_;
   Stopping<Real> stopping_;
-  std::vector<Real> inverse_mass_;    // m, A_ii [1/kg]
-  std::vector<Vec3<Real>> velocity_;  // n, v_1
+  PerRow<Real> inverse_mass_;     // m, A_ii [1/kg]
+  PerBody<Vec3<Real>> velocity_;  // n, v_1
 };
 
 }  // namespace cairn

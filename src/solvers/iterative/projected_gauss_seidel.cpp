@@ -25,18 +25,13 @@ SolveReport ProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem, So
   system_velocity(problem, velocity_);
   lambda_.resize(problem.row_count());
   for (int i = 0; i < problem.row_count(); ++i) {
-    lambda_(i) = problem.impulse[static_cast<std::size_t>(i)] / problem.dt;  // warm start (2.3)
+    lambda_(i) = problem.impulse[i] / problem.dt;  // warm start (2.3)
   }
 
-  const SolveReport report =
-      stopping_.repeat_rows(problem, observer, sequence_, [&](int number, auto watched) {
-        const Real change = sweep<decltype(watched)::value>(number, problem, observer);
-        // For those who look; the sweep itself does not need it.
-        if (observer != nullptr || stopping_.needs_velocity(number)) update_velocity(problem);
-        return change;
-      });
-  update_velocity(problem);
-  return report;
+  return stopping_.repeat_rows(
+      problem, observer, sequence_,
+      [&](int number, auto watched) { return sweep<decltype(watched)::value>(number, problem, observer); },
+      [&] { update_velocity(problem); });
 }
 
 template <Scalar Real>
@@ -52,23 +47,22 @@ Real ProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& proble
                                        [[maybe_unused]] SolveObserver<Real>* observer) {
   const Real omega = Real(settings_.relaxation);
   Real largest_change = 0;
-  for (const int i : sequence_.rows) {
-    const auto index = static_cast<std::size_t>(i);
+  for (const int index : sequence_.rows) {
     const ConstraintRow<Real>& row = problem.rows[index];
-    const Real A_ii = system_.A(i, i);
+    const Real A_ii = system_.A(index, index);
 
     // (28) rearranged as in (29). A is symmetric: its column is its row, and lies together in memory.
-    const Real row_error = system_.b(i) - system_.A.col(i).dot(lambda_);
+    const Real row_error = system_.b(index) - system_.A.col(index).dot(lambda_);
     const Real corrective = A_ii > 0 ? omega * (row_error / A_ii) : Real(0);
     const Real old = problem.impulse[index];
-    problem.impulse[index] = row.bounds.clamp((lambda_(i) + corrective) * problem.dt, problem.impulse);
-    lambda_(i) = problem.impulse[index] / problem.dt;
+    problem.impulse[index] = row.bounds.clamp((lambda_(index) + corrective) * problem.dt, problem.impulse);
+    lambda_(index) = problem.impulse[index] / problem.dt;
 
     largest_change = std::max(largest_change, std::abs(problem.impulse[index] - old));
     if constexpr (watched) {
       const Real jv = row.bias - row.softness * old - row_error * problem.dt;
       update_velocity(problem);
-      observer->after_row({number, i, jv, A_ii, corrective * problem.dt, old, problem.impulse[index]},
+      observer->after_row({number, index, jv, A_ii, corrective * problem.dt, old, problem.impulse[index]},
                           problem);
     }
   }

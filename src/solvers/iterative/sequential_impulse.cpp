@@ -28,7 +28,7 @@ template <Scalar Real>
 void SequentialImpulse<Real>::prepare(const VelocityProblem<Real>& problem) {
   if (variant_.effective_mass == EffectiveMass::in_the_loop) return;
   effective_mass_.resize(problem.rows.size());
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     effective_mass_[i] = effective_mass(problem, problem.rows[i]);
   }
 }
@@ -41,8 +41,7 @@ Real SequentialImpulse<Real>::sweep(int number, VelocityProblem<Real>& problem,
   const bool clamps_sum = variant_.clamp == Clamp::accumulated;
   const Real omega = Real(settings_.relaxation);
   Real largest_change = 0;
-  for (const int turn : sequence_.rows) {
-    const auto i = static_cast<std::size_t>(turn);
+  for (const int i : sequence_.rows) {
     const ConstraintRow<Real>& row = problem.rows[i];
     Real& accumulated = problem.impulse[i];
     const Real jv = row_velocity(problem, row);
@@ -58,7 +57,7 @@ Real SequentialImpulse<Real>::sweep(int number, VelocityProblem<Real>& problem,
     largest_change = std::max(largest_change, std::abs(accumulated - old));
     if constexpr (watched) {
       const Real inverse = mass > 0 ? 1 / mass : Real(0);
-      observer->after_row({number, turn, jv, inverse, corrective, old, accumulated}, problem);
+      observer->after_row({number, i, jv, inverse, corrective, old, accumulated}, problem);
     }
   }
   return largest_change;

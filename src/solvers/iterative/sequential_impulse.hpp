@@ -4,6 +4,7 @@
 #include "solvers/row_order.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/stopping.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -44,7 +45,7 @@ class SequentialImpulse final : public Solver<Real> {
   std::string name() const override { return "SI"; }
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
   /// m numbers; without the order of the rows, an index for each.
-  std::size_t memory() const override { return bytes_of(effective_mass_); }
+  std::size_t memory() const override { return effective_mass_.bytes(); }
 
  private:
   void prepare(const VelocityProblem<Real>& problem);
@@ -53,7 +54,7 @@ class SequentialImpulse final : public Solver<Real> {
 
   SolverSettings settings_;
   SequentialImpulseVariant variant_;
-  std::vector<Real> effective_mass_;  // [kg] for each row, 1 / A_ii
+  PerRow<Real> effective_mass_;  // [kg] for each row, 1 / A_ii
   RowSequence sequence_;
   Stopping<Real> stopping_;
 };

@@ -25,15 +25,10 @@ SolveReport SparseProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& probl
   stopping_.begin(settings_, problem);
   build(problem);
 
-  const SolveReport report =
-      stopping_.repeat_rows(problem, observer, sequence_, [&](int number, auto watched) {
-        const Real change = sweep<decltype(watched)::value>(number, problem, observer);
-        // For those who look; the sweep itself does not need it.
-        if (observer != nullptr || stopping_.needs_velocity(number)) update_velocity(problem);
-        return change;
-      });
-  update_velocity(problem);
-  return report;
+  return stopping_.repeat_rows(
+      problem, observer, sequence_,
+      [&](int number, auto watched) { return sweep<decltype(watched)::value>(number, problem, observer); },
+      [&] { update_velocity(problem); });
 }
 
 /// A and b (15), and the lambda to start from.
@@ -49,19 +44,17 @@ void SparseProjectedGaussSeidel<Real>::build(const VelocityProblem<Real>& proble
   b_.resize(problem.rows.size());
   lambda_.resize(problem.rows.size());
   for (int i = 0; i < problem.row_count(); ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    const ConstraintRow<Real>& row = problem.rows[index];
-    diagonal_[index] = coupling(problem, row, row, problem.inverse_mass) + row.softness;
+    const ConstraintRow<Real>& row = problem.rows[i];
+    diagonal_[i] = coupling(problem, row, row, problem.inverse_mass) + row.softness;
     body_rows_.append_neighbours(i, column_);
     if (column_.size() == first_.back()) column_.push_back(i);  // acts on nothing: softness may be there
-    for (std::size_t k = first_.back(); k < column_.size(); ++k) {
-      const ConstraintRow<Real>& other = problem.rows[static_cast<std::size_t>(column_[k])];
-      entry_.push_back(column_[k] == i ? diagonal_[index]
-                                       : coupling(problem, row, other, problem.inverse_mass));
+    for (std::ptrdiff_t k = first_.back(); k < column_.size(); ++k) {
+      const ConstraintRow<Real>& other = problem.rows[column_[k]];
+      entry_.push_back(column_[k] == i ? diagonal_[i] : coupling(problem, row, other, problem.inverse_mass));
     }
     first_.push_back(column_.size());
-    b_[index] = (row.bias - row_velocity(problem, row, velocity_)) / problem.dt;
-    lambda_[index] = problem.impulse[index] / problem.dt;  // warm start (2.3)
+    b_[i] = (row.bias - row_velocity(problem, row, velocity_)) / problem.dt;
+    lambda_[i] = problem.impulse[i] / problem.dt;  // warm start (2.3)
   }
 }
 
@@ -71,8 +64,7 @@ Real SparseProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& 
                                              [[maybe_unused]] SolveObserver<Real>* observer) {
   const Real omega = Real(settings_.relaxation);
   Real largest_change = 0;
-  for (const int turn : sequence_.rows) {
-    const auto i = static_cast<std::size_t>(turn);
+  for (const int i : sequence_.rows) {
     const ConstraintRow<Real>& row = problem.rows[i];
     const Real row_error = b_[i] - row_product(i);  // (28) rearranged as in (29)
     const Real corrective = diagonal_[i] > 0 ? omega * (row_error / diagonal_[i]) : Real(0);
@@ -84,7 +76,7 @@ Real SparseProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& 
     if constexpr (watched) {
       const Real jv = row.bias - row.softness * old - row_error * problem.dt;
       update_velocity(problem);
-      observer->after_row({number, turn, jv, diagonal_[i], corrective * problem.dt, old, problem.impulse[i]},
+      observer->after_row({number, i, jv, diagonal_[i], corrective * problem.dt, old, problem.impulse[i]},
                           problem);
     }
   }
@@ -93,10 +85,10 @@ Real SparseProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& 
 
 /// Row i of A times lambda.
 template <Scalar Real>
-Real SparseProjectedGaussSeidel<Real>::row_product(std::size_t i) const {
+Real SparseProjectedGaussSeidel<Real>::row_product(int i) const {
   Real sum = 0;
-  for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
-    sum += entry_[k] * lambda_[static_cast<std::size_t>(column_[k])];
+  for (std::ptrdiff_t k = first_[i]; k < first_[i + 1]; ++k) {
+    sum += entry_[k] * lambda_[column_[k]];
   }
   return sum;
 }
@@ -110,8 +102,8 @@ void SparseProjectedGaussSeidel<Real>::update_velocity(VelocityProblem<Real>& pr
 
 template <Scalar Real>
 std::size_t SparseProjectedGaussSeidel<Real>::memory() const {
-  return body_rows_.memory() + bytes_of(first_) + bytes_of(entry_) + bytes_of(column_) + bytes_of(diagonal_) +
-         bytes_of(b_) + bytes_of(lambda_) + bytes_of(velocity_);
+  return body_rows_.memory() + first_.bytes() + entry_.bytes() + column_.bytes() + diagonal_.bytes() +
+         b_.bytes() + lambda_.bytes() + velocity_.bytes();
 }
 
 template class SparseProjectedGaussSeidel<float>;

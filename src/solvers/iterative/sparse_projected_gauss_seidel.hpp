@@ -5,6 +5,7 @@
 #include "solvers/row_order.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/stopping.hpp"
+#include "math/list.hpp"
 
 namespace cairn {
 
@@ -23,7 +24,7 @@ template <Scalar Real = double>
 class SparseProjectedGaussSeidel final : public Solver<Real> {
  public:
   /// Above this many pairs of rows on a body A could take 300 MB in double, the columns included.
-  static constexpr std::size_t max_pairs = 25'000'000;
+  static constexpr std::ptrdiff_t max_pairs = 25'000'000;
 
   /// @throws std::invalid_argument for settings out of range.
   explicit SparseProjectedGaussSeidel(const SolverSettings& settings = {});
@@ -37,20 +38,20 @@ class SparseProjectedGaussSeidel final : public Solver<Real> {
   void build(const VelocityProblem<Real>& problem);
   template <bool watched>
   Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
-  Real row_product(std::size_t i) const;
+  Real row_product(int i) const;
   void update_velocity(VelocityProblem<Real>& problem) const;
 
   SolverSettings settings_;
   RowSequence sequence_;
   Stopping<Real> stopping_;
   BodyRows body_rows_;
-  std::vector<std::size_t> first_;    // m + 1: where a row begins in entry_ and column_
-  std::vector<Real> entry_;           // A_ij [1/kg], row after row
-  std::vector<int> column_;           // j, ascending inside a row
-  std::vector<Real> diagonal_;        // m, A_ii once more, to divide by
-  std::vector<Real> b_;               // m, (zeta - J v_1) / dt (15) [m/s^2]
-  std::vector<Real> lambda_;          // m [N]
-  std::vector<Vec3<Real>> velocity_;  // n, v_1
+  List<std::ptrdiff_t> first_;    // m + 1: where a row begins in entry_ and column_
+  List<Real> entry_;              // A_ij [1/kg], row after row
+  List<int> column_;              // j, ascending inside a row
+  PerRow<Real> diagonal_;         // m, A_ii once more, to divide by
+  PerRow<Real> b_;                // m, (zeta - J v_1) / dt (15) [m/s^2]
+  PerRow<Real> lambda_;           // m [N]
+  PerBody<Vec3<Real>> velocity_;  // n, v_1
 };
 
 }  // namespace cairn

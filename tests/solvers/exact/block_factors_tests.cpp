@@ -1,4 +1,5 @@
 // LU factors in blocks, beside dense ones.
+#include "math/list.hpp"
 #include "solvers/exact/block_factors.hpp"
 
 #include <doctest/doctest.h>
@@ -47,7 +48,7 @@ struct BlocksToFactor {
 
   Matrix<double> full;
   Vector<double> sides;
-  std::vector<std::pair<int, int>> pairs;
+  List<std::pair<int, int>> pairs;
   BlockFactors<double> factors;
 };
 
@@ -68,7 +69,7 @@ TEST_CASE("factors in blocks solve what dense factors solve, whoever is joined w
 
 TEST_CASE("a chain keeps one pair of blocks a joint, whatever the numbers of its bodies") {
   const int bodies = 50;
-  std::vector<std::pair<int, int>> pairs;
+  List<std::pair<int, int>> pairs;
   for (int k = 0; k + 1 < bodies; ++k) {
     const int a = 7 * k % bodies, b = 7 * (k + 1) % bodies;  // 7 and 50 share no divisor: each body once
     pairs.emplace_back(std::min(a, b), std::max(a, b));

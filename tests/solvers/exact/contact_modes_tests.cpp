@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "../validation/problems.hpp"
+#include "../../validation/problems.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -55,12 +55,12 @@ TEST_CASE("a box in a tight slot falls or is held: both are found, and that wall
   REQUIRE(all.solutions.size() == 2);
   const ContactSolution<double>& falls = all.solutions[0];
   const ContactSolution<double>& holds = all.solutions[1];
-  CHECK(falls.velocity[1] == Vec3<double>(0, -modes_fall, 0));
+  CHECK(falls.velocity[{1}] == Vec3<double>(0, -modes_fall, 0));
   for (const double impulse : falls.impulse) CHECK(impulse == 0);
   CHECK(falls.unique_impulse);
   // Sliding walls that press with 0 to m g dt / (2 mu) brake it: a family of velocities, from falling on.
   CHECK(falls.in_family);
-  CHECK(holds.velocity[1].cwiseAbs().maxCoeff() <= modes_rounding);
+  CHECK(holds.velocity[{1}].cwiseAbs().maxCoeff() <= modes_rounding);
   CHECK(holds.impulse[0] >= modes_fall - modes_rounding);  // m g dt / (2 mu) at least
   CHECK(holds.impulse[0] == doctest::Approx(holds.impulse[2]).epsilon(1e-14));
   CHECK(holds.impulse[1] + holds.impulse[3] == doctest::Approx(modes_fall).epsilon(1e-14));
@@ -116,7 +116,7 @@ TEST_CASE("a box on three points stands still in one way only, but the points ca
   REQUIRE(all.complete);
   REQUIRE(all.solutions.size() == 1);
   const ContactSolution<double>& rest = all.solutions[0];
-  CHECK(rest.velocity[1].cwiseAbs().maxCoeff() <= modes_rounding);
+  CHECK(rest.velocity[{1}].cwiseAbs().maxCoeff() <= modes_rounding);
   CHECK(rest.impulse[0] + rest.impulse[1] + rest.impulse[2] == doctest::Approx(modes_fall).epsilon(1e-14));
   CHECK_FALSE(rest.unique_impulse);
   CHECK_FALSE(rest.in_family);
@@ -153,8 +153,8 @@ TEST_CASE_TEMPLATE("solutions are rounded to the scalar asked for, and no furthe
   VelocityProblem<Real> problem = stack<Real>(3);
   const ContactSolutions<Real> all = all_contact_solutions(problem);
   REQUIRE(all.solutions.size() == 1);
-  const Real weight = -problem.velocity[1].y();  // m g dt of one box
-  for (std::size_t j = 0; j < 3; ++j) {
+  const Real weight = -problem.velocity[{1}].y();  // m g dt of one box
+  for (int j = 0; j < 3; ++j) {
     CHECK(std::abs(all.solutions[0].impulse[j] - Real(3 - j) * weight) <=
           4 * std::numeric_limits<Real>::epsilon() * weight * 3);
   }

@@ -17,7 +17,7 @@ using LongVector = Vector<long double>;
 const long double lemke_epsilon = std::numeric_limits<long double>::epsilon();
 
 LongVector long_numbers(std::initializer_list<long double> values) {
-  LongVector vector(static_cast<Eigen::Index>(values.size()));
+  LongVector vector(values.size());
   Eigen::Index i = 0;
   for (const long double value : values) vector(i++) = value;
   return vector;

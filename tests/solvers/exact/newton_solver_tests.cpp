@@ -60,7 +60,7 @@ TEST_CASE("Newton's method carries every stack exactly, 100 boxes or a load of 1
     // Row j carries the boxes above it: m g dt each.
     for (int j = 0; j < stack.boxes; ++j) {
       const double carried = (stack.boxes - 1 - j + stack.top) * speed_of_a_step;
-      CHECK(problem.impulse[static_cast<std::size_t>(j)] == doctest::Approx(carried).epsilon(1e-6));
+      CHECK(problem.impulse[j] == doctest::Approx(carried).epsilon(1e-6));
     }
     // A sum over up to 100 rows of what R_E leaves of each, in velocities of the lowest row's size.
     for (const Vec3<double>& v : problem.velocity)
@@ -78,7 +78,7 @@ TEST_CASE("where the warm start is the answer, Newton's method solves no system 
   const SolveReport report = solver.solve(again);
   CHECK(report.iterations == 0);
   CHECK(report.converged);
-  for (std::size_t i = 0; i < again.impulse.size(); ++i) {
+  for (int i = 0; i < again.impulse.size(); ++i) {
     // Units are divided by and multiplied with: two roundings.
     CHECK(again.impulse[i] == doctest::Approx(problem.impulse[i]).epsilon(4e-16));
   }
@@ -116,7 +116,7 @@ TEST_CASE("Newton's method slides and sticks as Coulomb says") {
 
 TEST_CASE("no number in, no number out: Newton's method comes back from a problem with a NaN") {
   VelocityProblem<double> problem = loaded_stack(3, 1);
-  problem.velocity[2].y() = std::numeric_limits<double>::quiet_NaN();
+  problem.velocity[{2}].y() = std::numeric_limits<double>::quiet_NaN();
   const SolveReport report = NewtonSolver<double>({.iterations = 30}).solve(problem);
   CHECK_FALSE(report.converged);
   CHECK(report.iterations == 0);
@@ -140,6 +140,6 @@ TEST_CASE("without systems Newton's method applies the warm start, inside its bo
   problem.impulse[0] = 2;
   const SolveReport report = NewtonSolver<double>({.iterations = 0}).solve(problem);
   CHECK(report.iterations == 0);
-  CHECK(problem.velocity[1].y() == doctest::Approx(-5 + 2));
+  CHECK(problem.velocity[{1}].y() == doctest::Approx(-5 + 2));
   CHECK_THROWS_AS(NewtonSolver<double>({.iterations = -1}), std::invalid_argument);
 }

@@ -2,7 +2,7 @@
 #include <limits>
 #include <random>
 
-#include "../validation/problems.hpp"
+#include "../../validation/problems.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "geometry/shape.hpp"
 #include "solvers/exact/contact_modes.hpp"
@@ -57,9 +57,9 @@ VelocityProblem<double> random_contact_problem(std::mt19937& random) {
   return problem;
 }
 
-double largest_difference(const std::vector<Vec3<double>>& a, const std::vector<Vec3<double>>& b) {
+double largest_difference(const PerBody<Vec3<double>>& a, const PerBody<Vec3<double>>& b) {
   double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).cwiseAbs().maxCoeff());
+  for (const BodyId i : a.indices()) largest = std::max(largest, (a[i] - b[i]).cwiseAbs().maxCoeff());
   return largest;
 }
 
@@ -182,7 +182,7 @@ TEST_CASE(
 TEST_CASE("Newton's method agrees with Lemke's at a hundred rows and more, without and with friction") {
   for (const double mu : {0.0, 0.5}) {
     Scene scene = chain_with_bob(50, 10);
-    SceneSettings settings = scene.settings();  // the bob is deep in the ground: pushed out, there is an answer
+    SceneSettings settings = scene.settings();  // the bob is deep in the ground: once out, there is an answer
     settings.stabilization.max_speed = std::numeric_limits<double>::infinity();
     scene.set_settings(settings);
     for (int i = 0; i < 30; ++i) {
@@ -270,9 +270,9 @@ TEST_CASE(
   VelocityProblem<long double> exact = converted<long double>(problem);
   CHECK(newton(exact).converged);
   // Two normal impulses of interface j carry the boxes above it, if the top ones stay: none does leave.
-  for (std::size_t body = 1; body < exact.velocity.size(); ++body) {
+  for (int body = 1; body < exact.body_count(); ++body) {
     // R_E is 1e-15; velocities may be off by that times the root of the condition, 100^2, and of the sum.
-    CHECK(std::abs(static_cast<double>(exact.velocity[body].y())) <= 1e-10);
+    CHECK(std::abs(static_cast<double>(exact.velocity[{body}].y())) <= 1e-10);
   }
 }
 

@@ -3,7 +3,8 @@
 
 #include <stdexcept>
 
-#include "../validation/problems.hpp"
+#include "../../validation/problems.hpp"
+#include "math/list.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -23,7 +24,7 @@ TEST_CASE_TEMPLATE("a stack of n boxes gets (n - j) m g dt at interface j", Real
   for (const int n : {1, 5, 12, 40}) {
     for (const int max_modes : {4096, 0}) {
       VelocityProblem<Real> problem = stack<Real>(n);
-      const Real weight = -problem.velocity[1].y();
+      const Real weight = -problem.velocity[{1}].y();
       ReferenceSolver<Real> solver({.max_modes = max_modes});
       const SolveReport report = solver.solve(problem);
       CHECK(report.converged);
@@ -36,7 +37,7 @@ TEST_CASE_TEMPLATE("a stack of n boxes gets (n - j) m g dt at interface j", Real
       for (int j = 0; j < n; ++j) {
         const Real expected = static_cast<Real>(n - j) * weight;
         // One rounding to Real; A has a condition of n^2, which long double has room for.
-        CHECK(std::abs(problem.impulse[static_cast<std::size_t>(j)] - expected) <=
+        CHECK(std::abs(problem.impulse[j] - expected) <=
               std::max(std::numeric_limits<Real>::epsilon() * expected, Real(1e-15) * expected));
       }
     }
@@ -46,14 +47,14 @@ TEST_CASE_TEMPLATE("a stack of n boxes gets (n - j) m g dt at interface j", Real
 // A2 in its limit
 TEST_CASE("a heavy box on a light one is solved to 1e-12 for a mass ratio of 1e6, and tall stacks of both") {
   for (const double ratio : {1e3, 1e6}) {
-    for (const std::vector<double>& masses :
-         {std::vector<double>{1, ratio}, {1, 1, 1, 1, ratio}, {1, ratio, 1, ratio, 1, ratio}}) {
+    for (const List<double>& masses :
+         {List<double>{1, ratio}, {1, 1, 1, 1, ratio}, {1, ratio, 1, ratio, 1, ratio}}) {
       for (const int max_modes : {4096, 0}) {
         VelocityProblem<double> problem = column<double>(masses);
         ReferenceSolver<double> solver({.max_modes = max_modes});
         CHECK(solver.solve(problem).converged);
         double above = 0;
-        for (std::size_t j = masses.size(); j-- > 0;) {
+        for (int j = masses.size(); j-- > 0;) {
           above += masses[j];
           // 1e-12 where there is one heavy box; else A has a condition of about n^2 ratio.
           const double n = static_cast<double>(masses.size());
@@ -72,7 +73,7 @@ TEST_CASE("a box on three points: one velocity, by convexity, and many impulses,
   for (const double x : {-0.5, 0.0, 0.5}) add_row(problem, floor_row<double>(body, x));
   ReferenceSolver<double> solver = by_lemke();
   CHECK(solver.solve(problem).converged);
-  CHECK(problem.velocity[1].cwiseAbs().maxCoeff() <= 4 * double_epsilon);
+  CHECK(problem.velocity[{1}].cwiseAbs().maxCoeff() <= 4 * double_epsilon);
   CHECK(solver.report().velocity.verdict == Uniqueness::unique);
   CHECK(solver.report().velocity.evidence == Evidence::convexity);
   CHECK(solver.report().impulse.verdict == Uniqueness::not_unique);
@@ -118,9 +119,9 @@ TEST_CASE("soft rows, motors at their limit and limits on one side have the answ
     row_on_new_body({.lower = -7, .upper = 0}, -3, 0);       // pulls only: -6
     row_on_new_body({.upper = -0.5}, 0.1, 0);                // no lower bound
     row_on_new_body(Bounds<double>::at_most(0), 3, 0);       // may do nothing
-    const std::vector<double> expected = {1.5, -1.5, 0.25, -0.25, 0.2, 0.5, -6, -0.5, 0};
+    const PerRow<double> expected = {1.5, -1.5, 0.25, -0.25, 0.2, 0.5, -6, -0.5, 0};
     CHECK(solver.solve(problem).converged);
-    for (std::size_t i = 0; i < expected.size(); ++i) {
+    for (int i = 0; i < expected.size(); ++i) {
       CHECK(problem.impulse[i] == doctest::Approx(expected[i]).epsilon(4 * double_epsilon));
     }
     CHECK(solver.report().velocity.verdict == Uniqueness::unique);
@@ -140,7 +141,7 @@ TEST_CASE("one row of friction for two contacts slides at mu times their sum") {
     ReferenceSolver<double> solver({.max_modes = max_modes});
     CHECK(solver.solve(problem).converged);
     CHECK(problem.impulse[2] == doctest::Approx(-0.4 * reference_fall).epsilon(1e-14));
-    CHECK(problem.velocity[1].x() == doctest::Approx(5 - 0.4 * reference_fall).epsilon(1e-14));
+    CHECK(problem.velocity[{1}].x() == doctest::Approx(5 - 0.4 * reference_fall).epsilon(1e-14));
   }
 }
 
@@ -153,17 +154,17 @@ TEST_CASE("equalities that repeat each other are solved, and those that contradi
   VelocityProblem<double> repeated = problem;
   ReferenceSolver<double> solver;
   CHECK(solver.solve(repeated).converged);
-  CHECK(std::abs(repeated.velocity[1].y()) <= double_epsilon * reference_fall);
+  CHECK(std::abs(repeated.velocity[{1}].y()) <= double_epsilon * reference_fall);
   CHECK(solver.report().redundant_equalities);
   CHECK_FALSE(solver.report().contradictory_equalities);
   CHECK(solver.report().impulse.verdict == Uniqueness::not_unique);
 
-  for (int i = 0; i < 3; ++i) problem.rows[static_cast<std::size_t>(i)].bias = i;
+  for (int i = 0; i < 3; ++i) problem.rows[i].bias = i;
   const SolveReport report = solver.solve(problem);
   CHECK_FALSE(report.converged);
   CHECK(solver.report().contradictory_equalities);
   CHECK(solver.report().residual > 0.1);
-  CHECK(problem.velocity[1].y() == doctest::Approx(1).epsilon(1e-14));  // the mean of 0, 1 and 2
+  CHECK(problem.velocity[{1}].y() == doctest::Approx(1).epsilon(1e-14));  // the mean of 0, 1 and 2
 }
 
 // A10

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "../validation/problems.hpp"
+#include "../../validation/problems.hpp"
 #include "geometry/shape.hpp"
+#include "math/list.hpp"
 #include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
 #include "solvers/residual.hpp"
 #include "solvers/system_matrix.hpp"
@@ -64,20 +65,20 @@ class EnergyWatcher final : public SolveObserver<double> {
     undone += problem.impulse == last;
     last = problem.impulse;
   }
-  std::vector<double> energy = {};
+  List<double> energy = {};
   double largest_sum = 0;  // [J] of the terms of p^T A p, which cancel each other almost
   int undone = 0;
 
  private:
   SystemMatrices<double> system;
   Vector<double> b;
-  std::vector<double> last = {};
+  PerRow<double> last = {};
 };
 
 class BoundsAfterSweeps final : public SolveObserver<double> {
  public:
   void after_sweep(int, const VelocityProblem<double>& problem) override {
-    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    for (int i = 0; i < problem.row_count(); ++i) {
       const double inside = problem.rows[i].bounds.clamp(problem.impulse[i], problem.impulse);
       outside += inside != problem.impulse[i];
     }
@@ -114,7 +115,7 @@ TEST_CASE_TEMPLATE("two boxes: momentum multiplies the last step by (k - 1) / (k
     const Real start = error + momentum * (error - before);
     before = error;
     error = q * start;
-    const std::vector<Real>& impulse = trace.sweeps[static_cast<std::size_t>(k)];
+    const PerRow<Real>& impulse = trace.sweeps[k];
     const Real tolerance =
         64 * std::numeric_limits<Real>::epsilon() * static_cast<Real>(1 + k) * (m + M) * g_dt;
     CHECK(std::abs(impulse[0] - ((m + M) * g_dt + start)) <= tolerance);
@@ -123,12 +124,11 @@ TEST_CASE_TEMPLATE("two boxes: momentum multiplies the last step by (k - 1) / (k
 }
 
 TEST_CASE("stacks and heavy boxes get the weights that they must carry") {
-  for (const std::vector<double>& masses :
-       {std::vector<double>(50, 1.0), {1, 1000}, {1, 1, 1, 1, 100}, {100, 1, 100, 1}}) {
+  for (const List<double>& masses : {List<double>(50, 1.0), {1, 1000}, {1, 1, 1, 1, 100}, {100, 1, 100, 1}}) {
     VelocityProblem<double> problem = column(masses);
     Accelerated<double>({.iterations = 3000}).solve(problem);
     double weight = 0;  // [N s] above, from the top down
-    for (std::size_t i = masses.size(); i-- > 0;) {
+    for (int i = masses.size(); i-- > 0;) {
       weight += masses[i] * test_gravity * test_dt;
       // An impulse is known to about epsilon times the condition of A, at most 1e5 here.
       CHECK(problem.impulse[i] == doctest::Approx(weight).epsilon(1e-9));
@@ -140,7 +140,7 @@ TEST_CASE("with friction a tower gets the velocities of PGS") {
   VelocityProblem<double> problem = tower_with_friction(3, 1), pgs = problem;
   Accelerated<double>({.iterations = 1000}).solve(problem);
   ProjectedGaussSeidel<double>({.iterations = 10000}).solve(pgs);
-  for (std::size_t body = 0; body < pgs.velocity.size(); ++body) {
+  for (const BodyId body : pgs.velocity.indices()) {
     const Vec3<double> gap = problem.velocity[body] - pgs.velocity[body];
     CHECK(gap.cwiseAbs().maxCoeff() <= 1e-9 * test_gravity * test_dt);
   }
@@ -166,7 +166,7 @@ TEST_CASE(
     CHECK(solver.restarts() >= 1);
     CHECK(watcher.undone == solver.restarts());
     const double rounding = 64 * double_epsilon * watcher.largest_sum;
-    for (std::size_t k = 1; k < watcher.energy.size(); ++k) {
+    for (int k = 1; k < watcher.energy.size(); ++k) {
       CHECK(watcher.energy[k] <= watcher.energy[k - 1] + rounding);
     }
   }
@@ -184,8 +184,7 @@ TEST_CASE(
     "after every sweep every impulse is inside its bounds, friction inside those of the newest normal") {
   for (const double top_mass : {1.0, 100.0}) {
     VelocityProblem<double> problem = tower_with_friction(4, top_mass);
-    for (std::size_t i = 0; i < problem.velocity.size(); ++i)
-      problem.velocity[i].x() = static_cast<double>(i);
+    for (const BodyId body : problem.velocity.indices()) problem.velocity[body].x() = body.index;
     BoundsAfterSweeps watcher;
     Accelerated<double> solver({.iterations = 500});
     solver.solve(problem, &watcher);
@@ -206,12 +205,11 @@ TEST_CASE("momentum ends with the solve: a used solver gives the bits of a new o
 
 TEST_CASE("a warm start that is twice too large is taken back") {
   VelocityProblem<double> problem = stack<double>(5);
-  for (int i = 0; i < 5; ++i)
-    problem.impulse[static_cast<std::size_t>(i)] = 2 * (5 - i) * test_gravity * test_dt;
+  for (int i = 0; i < 5; ++i) problem.impulse[i] = 2 * (5 - i) * test_gravity * test_dt;
   Accelerated<double>({.iterations = 500}).solve(problem);
   for (int i = 0; i < 5; ++i) {
     const double weight = (5 - i) * test_gravity * test_dt;
-    CHECK(problem.impulse[static_cast<std::size_t>(i)] == doctest::Approx(weight).epsilon(1e-12));
+    CHECK(problem.impulse[i] == doctest::Approx(weight).epsilon(1e-12));
   }
 }
 

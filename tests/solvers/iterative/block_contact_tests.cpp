@@ -3,7 +3,6 @@
 
 #include <limits>
 #include <random>
-#include <vector>
 
 #include "measure/recorder.hpp"
 #include "../solver_list.hpp"
@@ -55,8 +54,8 @@ VelocityProblem<Real> random_contacts(BlockRandom& random, int points) {
                               .jacobian_a = {-d.x(), -d.y(), -cross<Real>(r_a, d)},
                               .jacobian_b = {d.x(), d.y(), cross<Real>(r_b, d)}});
     }
-    problem.rows[static_cast<std::size_t>(normal)].bounds = Bounds<Real>::unilateral();
-    problem.rows[static_cast<std::size_t>(normal)].bias = any(-1, 1);
+    problem.rows[normal].bounds = Bounds<Real>::unilateral();
+    problem.rows[normal].bias = any(-1, 1);
     problem.rows.back().bounds = Bounds<Real>::coulomb(friction, normal);
     // A warm start that the block has to take back or to keep.
     problem.impulse.push_back(any(0, 3));
@@ -69,24 +68,24 @@ VelocityProblem<Real> random_contacts(BlockRandom& random, int points) {
 /// What rounding may leave of a row's velocity error: 64 roundings of all that was added up in it, before
 /// and after.
 template <Scalar Real>
-Real rounding_of(const VelocityProblem<Real>& start, const VelocityProblem<Real>& solved, std::size_t i) {
+Real rounding_of(const VelocityProblem<Real>& start, const VelocityProblem<Real>& solved, int i) {
   Real sum = std::abs(start.rows[i].bias);
-  for (std::size_t k = 0; k < start.rows.size(); ++k) {
+  for (int k = 0; k < start.rows.size(); ++k) {
     Real A_ik = 0;
     const ConstraintRow<Real>& row = start.rows[i];
     const ConstraintRow<Real>& other = start.rows[k];
-    A_ik += row.jacobian_a.cwiseAbs().dot(start.inverse_mass[0].cwiseProduct(other.jacobian_a.cwiseAbs()));
-    A_ik += row.jacobian_b.cwiseAbs().dot(start.inverse_mass[1].cwiseProduct(other.jacobian_b.cwiseAbs()));
+    A_ik += row.jacobian_a.cwiseAbs().dot(start.inverse_mass[{0}].cwiseProduct(other.jacobian_a.cwiseAbs()));
+    A_ik += row.jacobian_b.cwiseAbs().dot(start.inverse_mass[{1}].cwiseProduct(other.jacobian_b.cwiseAbs()));
     sum += A_ik * (std::abs(start.impulse[k]) + std::abs(solved.impulse[k]));
   }
-  sum += start.rows[i].jacobian_a.cwiseAbs().dot(start.velocity[0].cwiseAbs());
-  sum += start.rows[i].jacobian_b.cwiseAbs().dot(start.velocity[1].cwiseAbs());
+  sum += start.rows[i].jacobian_a.cwiseAbs().dot(start.velocity[{0}].cwiseAbs());
+  sum += start.rows[i].jacobian_b.cwiseAbs().dot(start.velocity[{1}].cwiseAbs());
   return 64 * std::numeric_limits<Real>::epsilon() * sum;
 }
 
 /// Impulse >= 0, w >= 0, and one of them 0.
 template <Scalar Real>
-bool obeys_signorini(const VelocityProblem<Real>& start, const VelocityProblem<Real>& solved, std::size_t i) {
+bool obeys_signorini(const VelocityProblem<Real>& start, const VelocityProblem<Real>& solved, int i) {
   const Real w = row_velocity(solved, solved.rows[i]) - solved.rows[i].bias;
   const Real rounding = rounding_of(start, solved, i);
   return solved.impulse[i] >= 0 && w >= -rounding && (solved.impulse[i] == 0 || w <= rounding);
@@ -94,14 +93,13 @@ bool obeys_signorini(const VelocityProblem<Real>& start, const VelocityProblem<R
 
 /// |impulse| <= mu normal, and a slip that friction resists with all it has, or none.
 template <Scalar Real>
-bool obeys_coulomb(const VelocityProblem<Real>& start, const VelocityProblem<Real>& solved, std::size_t i) {
+bool obeys_coulomb(const VelocityProblem<Real>& start, const VelocityProblem<Real>& solved, int i) {
   const Bounds<Real>& bounds = solved.rows[i].bounds;
-  const Real limit = bounds.friction * solved.impulse[static_cast<std::size_t>(bounds.normal_row)];
+  const Real limit = bounds.friction * solved.impulse[bounds.normal_row];
   const Real w = row_velocity(solved, solved.rows[i]) - solved.rows[i].bias;
   const Real rounding = rounding_of(start, solved, i);
   // At the limit: the impulse is reached by a change from where it began, and both are rounded.
-  const Real begun = std::abs(start.impulse[i]) +
-                     bounds.friction * start.impulse[static_cast<std::size_t>(bounds.normal_row)];
+  const Real begun = std::abs(start.impulse[i]) + bounds.friction * start.impulse[bounds.normal_row];
   const Real nearly = limit - 4 * std::numeric_limits<Real>::epsilon() * (limit + begun);
   if (std::abs(solved.impulse[i]) > limit) return false;
   if (w > rounding) return solved.impulse[i] <= -nearly;
@@ -184,9 +182,9 @@ TEST_CASE_TEMPLATE("a box that lands on two contacts is at rest on both after on
   const Real rounding = 16 * std::numeric_limits<Real>::epsilon();
   CHECK(std::abs(problem.impulse[0] - Real(7) / 12) <= rounding);
   CHECK(std::abs(problem.impulse[1] - Real(5) / 12) <= rounding);
-  CHECK(problem.velocity[1].norm() <= 4 * rounding);
+  CHECK(problem.velocity[{1}].norm() <= 4 * rounding);
   SequentialImpulse<Real>({.iterations = 1}).solve(scalar);
-  CHECK(scalar.velocity[1].norm() > Real(0.01));  // the second contact tilts the box off the first
+  CHECK(scalar.velocity[{1}].norm() > Real(0.01));  // the second contact tilts the box off the first
 }
 
 TEST_CASE("two normals first, then friction inside the bounds that they gave") {
@@ -194,7 +192,7 @@ TEST_CASE("two normals first, then friction inside the bounds that they gave") {
   for (int trial = 0; trial < 200; ++trial) {
     VelocityProblem<double> problem = random_contacts<double>(random, 2);
     BlockSequentialImpulse<double>({.iterations = 1}, ContactBlock::two_normals).solve(problem);
-    for (const std::size_t friction : {1u, 3u}) {
+    for (const int friction : {1, 3}) {
       const Bounds<double>& bounds = problem.rows[friction].bounds;
       CHECK(problem.impulse[friction] == bounds.clamp(problem.impulse[friction], problem.impulse));
     }
@@ -229,10 +227,10 @@ TEST_CASE("Painleve's rod on the other side: an impact without a collision, the 
 TEST_CASE("where open, stick and slip are all answers, bodies that part are given no impulse") {
   // Painleve's indeterminate case: q_n > 0, but sliding friction would press the rod to the ground.
   VelocityProblem<double> rod = painleve_rod(2, 1);
-  rod.velocity[1].y() = 0.01;
+  rod.velocity[{1}].y() = 0.01;
   rod.impulse = {0.3, -0.4};  // begun from close to where it sticks, which is an answer too
   BlockSequentialImpulse<double>({.iterations = 1}).solve(rod);
-  CHECK(rod.impulse == std::vector<double>{0, 0});
+  CHECK(rod.impulse == PerRow<double>{0, 0});
   const double stick = (-3.4 * 0.01 + 1.2 * 1) / (1.6 * 3.4 - 1.2 * 1.2);  // lambda_n where it sticks
   CHECK(stick > 0);
 }
@@ -252,7 +250,7 @@ TEST_CASE("blocks and SI come to the same velocities where there is one answer o
       VelocityProblem<double> block = start;
       BlockSequentialImpulse<double>({.iterations = 2000}, contact).solve(block);
       const double rounding = rounding_of(start, block, 0) + rounding_of(start, block, 1);
-      for (const std::size_t row : {0u, 1u}) {
+      for (const int row : {0, 1}) {
         const double difference =
             row_velocity(block, block.rows[row]) - row_velocity(scalar, scalar.rows[row]);
         CHECK(std::abs(difference) <= rounding);

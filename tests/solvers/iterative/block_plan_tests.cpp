@@ -2,9 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "../solver_list.hpp"
+#include "math/list.hpp"
 #include "solvers/iterative/block_sequential_impulse.hpp"
 
 using namespace cairn;
@@ -18,24 +18,24 @@ class BlockVisits final : public SolveObserver<double> {
   void after_row(const RowUpdate<double>& update, const VelocityProblem<double>&) override {
     rows.push_back(update.row);
   }
-  std::vector<int> rows = {};
+  List<int> rows = {};
 };
 
 /// A chain of `links` bodies: link i hangs on link i - 1 by a pin, whose block begins with a row of a limit.
 /// Three rows a block: 3 i is x, 3 i + 1 the limit, 3 i + 2 is y.
 VelocityProblem<double> limited_chain(int links) {
   VelocityProblem<double> problem;
-  problem.velocity.assign(static_cast<std::size_t>(links) + 1, {0, -0.1, 0.2});
-  problem.inverse_mass.assign(static_cast<std::size_t>(links) + 1, {1, 1, 3});
-  problem.velocity[0].setZero();
-  problem.inverse_mass[0].setZero();
+  problem.velocity.assign(links + 1, {0, -0.1, 0.2});
+  problem.inverse_mass.assign(links + 1, {1, 1, 3});
+  problem.velocity[ground].setZero();
+  problem.inverse_mass[ground].setZero();
   for (int i = 0; i < links; ++i) {
     const Vec3<double> of_a[] = {{-1, 0, 0.4}, {0, 0, -1}, {0, -1, -0.3}};
     const Vec3<double> of_b[] = {{1, 0, 0.4}, {0, 0, 1}, {0, 1, -0.3}};
     for (int k = 0; k < 3; ++k) {
       problem.rows.push_back({.a = {i}, .b = {i + 1}, .jacobian_a = of_a[k], .jacobian_b = of_b[k]});
     }
-    problem.rows[static_cast<std::size_t>(3 * i + 1)].bounds = Bounds<double>::unilateral();
+    problem.rows[3 * i + 1].bounds = Bounds<double>::unilateral();
     problem.blocks.push_back({3 * i, 3});
   }
   problem.impulse.assign(problem.rows.size(), 0);
@@ -43,11 +43,11 @@ VelocityProblem<double> limited_chain(int links) {
 }
 
 /// The blocks of limited_chain in the order of their turns, over all sweeps.
-std::vector<int> turns_of_blocks(VelocityProblem<double> problem, const SolverSettings& settings) {
+List<int> turns_of_blocks(VelocityProblem<double> problem, const SolverSettings& settings) {
   BlockVisits visits;
   BlockSequentialImpulse<double>(settings).solve(problem, &visits);
-  std::vector<int> blocks;
-  for (std::size_t k = 0; k < visits.rows.size(); k += 3) {
+  List<int> blocks;
+  for (int k = 0; k < visits.rows.size(); k += 3) {
     const int block = visits.rows[k] / 3;
     // The bounded row alone, then the equality rows together.
     CHECK(visits.rows[k] == 3 * block + 1);
@@ -62,26 +62,25 @@ std::vector<int> turns_of_blocks(VelocityProblem<double> problem, const SolverSe
 
 TEST_CASE("blocks can be visited as written, backwards, or up and down in turn; inside, bounded rows first") {
   const VelocityProblem<double> chain = limited_chain(4);
-  CHECK(turns_of_blocks(chain, {.iterations = 2}) == std::vector<int>{0, 1, 2, 3, 0, 1, 2, 3});
-  CHECK(turns_of_blocks(chain, {.iterations = 1, .order = RowOrder::reverse}) ==
-        std::vector<int>{3, 2, 1, 0});
+  CHECK(turns_of_blocks(chain, {.iterations = 2}) == List<int>{0, 1, 2, 3, 0, 1, 2, 3});
+  CHECK(turns_of_blocks(chain, {.iterations = 1, .order = RowOrder::reverse}) == List<int>{3, 2, 1, 0});
   CHECK(turns_of_blocks(chain, {.iterations = 2, .order = RowOrder::alternating}) ==
-        std::vector<int>{0, 1, 2, 3, 3, 2, 1, 0});
+        List<int>{0, 1, 2, 3, 3, 2, 1, 0});
 }
 
 TEST_CASE("shuffled blocks each have one turn a sweep, and the same seed gives the same order") {
   const VelocityProblem<double> chain = limited_chain(20);
   const SolverSettings settings{.iterations = 1, .order = RowOrder::shuffled, .seed = 7};
-  std::vector<int> blocks = turns_of_blocks(chain, settings);
+  List<int> blocks = turns_of_blocks(chain, settings);
   CHECK(blocks == turns_of_blocks(chain, settings));
   CHECK_FALSE(std::is_sorted(blocks.begin(), blocks.end()));  // once in 20! seeds
   std::sort(blocks.begin(), blocks.end());
-  for (int i = 0; i < 20; ++i) CHECK(blocks[static_cast<std::size_t>(i)] == i);
+  for (int i = 0; i < 20; ++i) CHECK(blocks[i] == i);
 }
 
 TEST_CASE("coloured blocks take their turns colour by colour: in a chain, every second one") {
   CHECK(turns_of_blocks(limited_chain(6), {.iterations = 1, .order = RowOrder::coloured}) ==
-        std::vector<int>{0, 2, 4, 1, 3, 5});
+        List<int>{0, 2, 4, 1, 3, 5});
 }
 
 TEST_CASE("blocks that leave rows out or overlap are refused") {

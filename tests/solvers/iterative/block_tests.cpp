@@ -3,7 +3,6 @@
 
 #include <Eigen/LU>
 #include <limits>
-#include <vector>
 
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
@@ -56,7 +55,7 @@ VelocityProblem<double> line_of(int links, double angle) {
 }
 
 /// Block Gauss-Seidel on A lambda = b with dense matrices: the impulses [N s] after so many sweeps.
-std::vector<double> dense_block_gauss_seidel(const VelocityProblem<double>& problem, int sweeps) {
+PerRow<double> dense_block_gauss_seidel(const VelocityProblem<double>& problem, int sweeps) {
   const SystemMatrices<double> system = system_matrices(problem);
   Vector<double> lambda = Vector<double>::Zero(problem.row_count());
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -66,7 +65,7 @@ std::vector<double> dense_block_gauss_seidel(const VelocityProblem<double>& prob
       lambda.segment(block.first, block.count) += A_BB.fullPivLu().solve(error);
     }
   }
-  std::vector<double> impulse;
+  PerRow<double> impulse;
   for (int i = 0; i < problem.row_count(); ++i) impulse.push_back(lambda(i) * problem.dt);
   return impulse;
 }
@@ -105,7 +104,7 @@ TEST_CASE_TEMPLATE("one pin, one weld and one soft weld are satisfied after one 
       VelocityProblem<Real> problem = two_joined_bodies<Real>(rows);
       for (ConstraintRow<Real>& row : problem.rows) row.softness = softness;
       BlockSequentialImpulse<Real>({.iterations = 1}).solve(problem);
-      for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+      for (int i = 0; i < problem.row_count(); ++i) {
         const ConstraintRow<Real>& row = problem.rows[i];
         const Real left = row_velocity(problem, row) + row.softness * problem.impulse[i] - row.bias;
         // Elimination leaves roundings of A times impulse: A is below 8 1/kg and impulses below 4 N s.
@@ -154,10 +153,10 @@ TEST_CASE("impulses are those of block Gauss-Seidel on A lambda = b after every 
   for (const VelocityProblem<double>& start :
        {line_of<RevoluteJoint>(8, pi / 4), line_of<WeldJoint>(8, 0.3)}) {
     for (const int sweeps : {1, 2, 5, 50}) {
-      const std::vector<double> expected = dense_block_gauss_seidel(start, sweeps);
+      const PerRow<double> expected = dense_block_gauss_seidel(start, sweeps);
       VelocityProblem<double> problem = start;
       BlockSequentialImpulse<double>({.iterations = sweeps}).solve(problem);
-      for (std::size_t i = 0; i < expected.size(); ++i) {
+      for (int i = 0; i < expected.size(); ++i) {
         // 64 roundings a sweep of impulses below 2 N s, as for SI and PGS; blocks amplify by A_xx / pivot
         // < 4.
         const double tolerance = 4 * 64 * std::numeric_limits<double>::epsilon() * (1 + sweeps) * 2;
@@ -218,6 +217,6 @@ TEST_CASE("a pin between two immovable bodies does nothing and harms nothing") {
   VelocityProblem<double> problem = two_joined_bodies<double>(2);
   for (Vec3<double>& inverse : problem.inverse_mass) inverse.setZero();
   BlockSequentialImpulse<double>({.iterations = 3}).solve(problem);
-  CHECK(problem.impulse == std::vector<double>{0, 0});
-  CHECK(problem.velocity[0] == Vec3<double>(1, -0.5, 2));
+  CHECK(problem.impulse == PerRow<double>{0, 0});
+  CHECK(problem.velocity[{0}] == Vec3<double>(1, -0.5, 2));
 }

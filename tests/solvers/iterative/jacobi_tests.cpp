@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "../validation/problems.hpp"
+#include "../../validation/problems.hpp"
 #include "solvers/iterative/jacobi.hpp"
 #include "solvers/residual.hpp"
 
@@ -37,7 +37,7 @@ VelocityProblem<double> box_on_feet(int feet) {
 }
 
 template <Scalar Real>
-Real sum_of(const std::vector<Real>& impulses) {
+Real sum_of(const PerRow<Real>& impulses) {
   return std::accumulate(impulses.begin(), impulses.end(), Real(0));
 }
 
@@ -51,9 +51,9 @@ TEST_CASE_TEMPLATE("Jacobi passes a weight on by one box a sweep: (10, 0, 0), (1
   VelocityProblem<Real> problem = hand_made_stack<Real>(3, 10, 1);  // m g dt = 10 N s
   ImpulseTrace<Real> trace;
   Jacobi<Real>({.iterations = 3}).solve(problem, &trace);
-  CHECK(trace.sweeps[1] == std::vector<Real>{10, 0, 0});
-  CHECK(trace.sweeps[2] == std::vector<Real>{10, 5, 0});
-  CHECK(trace.sweeps[3] == std::vector<Real>{15, 5, Real(2.5)});
+  CHECK(trace.sweeps[1] == PerRow<Real>{10, 0, 0});
+  CHECK(trace.sweeps[2] == PerRow<Real>{10, 5, 0});
+  CHECK(trace.sweeps[3] == PerRow<Real>{15, 5, Real(2.5)});
 }
 
 TEST_CASE(
@@ -74,7 +74,7 @@ TEST_CASE_TEMPLATE("a box on three feet: plain Jacobi flips for ever between 27/
   ImpulseTrace<Real> trace;
   Jacobi<Real>({.iterations = 1000}).solve(problem, &trace);
   const Real tolerance = 64 * std::numeric_limits<Real>::epsilon() * Real(weight_dt);
-  for (std::size_t k = 1; k < trace.sweeps.size(); ++k) {
+  for (int k = 1; k < trace.sweeps.size(); ++k) {
     // Every foot takes the whole weight for itself: m g dt (8/11 + 1 + 8/11). Then all of them let go.
     const Real expected = k % 2 == 1 ? Real(weight_dt) * 27 / 11 : Real(0);
     CHECK(std::abs(sum_of(trace.sweeps[k]) - expected) <= tolerance);
@@ -89,7 +89,7 @@ TEST_CASE("glued to three feet, the box leaves for ever: the spectral radius is 
   ImpulseTrace<double> trace;
   Jacobi<double>({.iterations = 40}).solve(problem, &trace);
   double power = 1;  // (-16/11)^k
-  for (std::size_t k = 0; k < trace.sweeps.size(); ++k, power *= -16.0 / 11) {
+  for (int k = 0; k < trace.sweeps.size(); ++k, power *= -16.0 / 11) {
     const double tolerance = 64 * double_epsilon * static_cast<double>(1 + k) * std::abs(power) * weight_dt;
     CHECK(std::abs(sum_of(trace.sweeps[k]) - weight_dt * (1 - power)) <= tolerance);
   }
@@ -100,7 +100,7 @@ TEST_CASE("a share omega of every correction leaves 1 - 27/11 omega of the error
     VelocityProblem<double> problem = box_on_three_feet<double>();
     ImpulseTrace<double> trace;
     Jacobi<double>({.iterations = 200, .relaxation = omega}).solve(problem, &trace);
-    for (std::size_t k = 0; k < trace.sweeps.size(); ++k) {
+    for (int k = 0; k < trace.sweeps.size(); ++k) {
       const double left = std::pow(1 - omega * 27 / 11, static_cast<double>(k));
       CHECK(std::abs(sum_of(trace.sweeps[k]) - weight_dt * (1 - left)) <= 64 * double_epsilon * weight_dt);
     }
@@ -134,7 +134,7 @@ TEST_CASE("on one body, splitting the mass in n parts is damping by 1 / n") {
     VelocityProblem<double> split = box_on_feet(feet), damped = split;
     Jacobi<double>({.iterations = 30}, Splitting::mass).solve(split);
     Jacobi<double>({.iterations = 30, .relaxation = 1.0 / feet}).solve(damped);
-    for (std::size_t i = 0; i < split.impulse.size(); ++i) {
+    for (int i = 0; i < split.impulse.size(); ++i) {
       CHECK(std::abs(split.impulse[i] - damped.impulse[i]) <=
             64 * 31 * double_epsilon * test_gravity * test_dt);
     }
@@ -146,7 +146,7 @@ TEST_CASE("with split masses three feet leave 1 - 9/11 omega of the error: every
     VelocityProblem<double> problem = glued(box_on_three_feet<double>());
     ImpulseTrace<double> trace;
     Jacobi<double>({.iterations = 100, .relaxation = omega}, Splitting::mass).solve(problem, &trace);
-    for (std::size_t k = 0; k < trace.sweeps.size(); ++k) {
+    for (int k = 0; k < trace.sweeps.size(); ++k) {
       const double left = std::pow(1 - omega * 9 / 11, static_cast<double>(k));
       CHECK(std::abs(sum_of(trace.sweeps[k]) - weight_dt * (1 - left)) <= 64 * double_epsilon * weight_dt);
     }
@@ -170,7 +170,7 @@ TEST_CASE("friction is bounded by the normal impulse of the sweep's beginning") 
   ImpulseTrace<double> trace;
   Jacobi<double>({.iterations = 3}).solve(problem, &trace);
   const double weight = test_gravity * test_dt;
-  CHECK(trace.sweeps[1] == std::vector<double>{weight, 0});
+  CHECK(trace.sweeps[1] == PerRow<double>{weight, 0});
   // 5 m/s would need more than mu m g dt to stop: the bound is reached, one sweep late.
   CHECK(trace.sweeps[2][1] == doctest::Approx(-friction * weight));
   CHECK(trace.sweeps[3][1] == doctest::Approx(-friction * weight));

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "../validation/problems.hpp"
+#include "../../validation/problems.hpp"
 #include "geometry/shape.hpp"
 #include "solvers/iterative/jacobi.hpp"
 #include "solvers/residual.hpp"
@@ -24,20 +24,18 @@ VelocityProblem<double> crooked_tower(int boxes) {
 }
 
 /// Row i of the result is row place[i] of the problem.
-VelocityProblem<double> reordered(const VelocityProblem<double>& problem, const std::vector<int>& place) {
-  std::vector<int> new_place(place.size());
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    new_place[static_cast<std::size_t>(place[i])] = static_cast<int>(i);
-  }
+VelocityProblem<double> reordered(const VelocityProblem<double>& problem, const PerRow<int>& place) {
+  PerRow<int> new_place(place.size());
+  for (int i = 0; i < place.size(); ++i) new_place[place[i]] = i;
   VelocityProblem<double> result = problem;
   result.blocks.clear();
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    ConstraintRow<double> row = problem.rows[static_cast<std::size_t>(place[i])];
+  for (int i = 0; i < place.size(); ++i) {
+    ConstraintRow<double> row = problem.rows[place[i]];
     int& normal = row.bounds.normal_row;
-    if (normal != Bounds<double>::none) normal = new_place[static_cast<std::size_t>(normal)];
+    if (normal != Bounds<double>::none) normal = new_place[normal];
     result.rows[i] = row;
-    result.impulse[i] = problem.impulse[static_cast<std::size_t>(place[i])];
-    result.blocks.push_back({static_cast<int>(i), 1});
+    result.impulse[i] = problem.impulse[place[i]];
+    result.blocks.push_back({i, 1});
   }
   return result;
 }
@@ -48,15 +46,16 @@ double effect_of_order(Solver<double>& solver, const VelocityProblem<double>& st
   VelocityProblem<double> straight = start;
   solver.solve(straight);
   const double largest = *std::max_element(straight.impulse.begin(), straight.impulse.end());
-  std::vector<int> backwards(start.rows.size()), dealt(start.rows.size());
-  std::iota(backwards.rbegin(), backwards.rend(), 0);
-  for (std::size_t i = 0; i < dealt.size(); ++i) dealt[i] = static_cast<int>(i * 7 % dealt.size());
+  PerRow<int> backwards(start.row_count()), dealt(start.row_count());
+  std::iota(backwards.begin(), backwards.end(), 0);
+  std::reverse(backwards.begin(), backwards.end());
+  for (int i = 0; i < dealt.size(); ++i) dealt[i] = i * 7 % dealt.size();
   double effect = 0;
-  for (const std::vector<int>& place : {backwards, dealt}) {
+  for (const PerRow<int>& place : {backwards, dealt}) {
     VelocityProblem<double> other = reordered(start, place);
     solver.solve(other);
-    for (std::size_t i = 0; i < place.size(); ++i) {
-      const double gap = other.impulse[i] - straight.impulse[static_cast<std::size_t>(place[i])];
+    for (int i = 0; i < place.size(); ++i) {
+      const double gap = other.impulse[i] - straight.impulse[place[i]];
       effect = std::max(effect, std::abs(gap) / largest);
     }
   }
@@ -66,30 +65,26 @@ double effect_of_order(Solver<double>& solver, const VelocityProblem<double>& st
 /// One sweep as the paper of 2012 tells it: each row gets bodies of its own with 1 / n of the mass, and the
 /// velocity of a body is the average of its parts'.
 void sweep_over_parts(VelocityProblem<double>& problem) {
-  std::vector<int> parts(problem.velocity.size(), 0);
+  PerBody<int> parts(problem.body_count(), 0);
   for (const ConstraintRow<double>& row : problem.rows) {
-    if (row.jacobian_a != Vec3<double>::Zero()) ++parts[static_cast<std::size_t>(row.a.index)];
-    if (row.jacobian_b != Vec3<double>::Zero()) ++parts[static_cast<std::size_t>(row.b.index)];
+    if (row.jacobian_a != Vec3<double>::Zero()) ++parts[row.a];
+    if (row.jacobian_b != Vec3<double>::Zero()) ++parts[row.b];
   }
   VelocityProblem<double> light = problem;
-  for (std::size_t body = 0; body < parts.size(); ++body)
-    light.inverse_mass[body] *= std::max(parts[body], 1);
+  for (const BodyId body : parts.indices()) light.inverse_mass[body] *= std::max(parts[body], 1);
 
-  const std::vector<double> before = problem.impulse;
-  std::vector<Vec3<double>> sum(problem.velocity.size(), Vec3<double>::Zero());
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+  const PerRow<double> before = problem.impulse;
+  PerBody<Vec3<double>> sum(problem.body_count(), Vec3<double>::Zero());
+  for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<double>& row = problem.rows[i];
     light.velocity = problem.velocity;
     const double wish = (row.bias - row_velocity(light, row)) / inverse_effective_mass(light, row);
     const double after = row.bounds.clamp(before[i] + wish, before);
     apply_impulse(light, row, after - before[i]);
     problem.impulse[i] = after;
-    for (std::size_t body = 0; body < sum.size(); ++body)
-      sum[body] += light.velocity[body] - problem.velocity[body];
+    for (const BodyId body : sum.indices()) sum[body] += light.velocity[body] - problem.velocity[body];
   }
-  for (std::size_t body = 0; body < sum.size(); ++body) {
-    problem.velocity[body] += sum[body] / std::max(parts[body], 1);
-  }
+  for (const BodyId body : sum.indices()) problem.velocity[body] += sum[body] / std::max(parts[body], 1);
 }
 
 /// Sees whether the problem that comes with a row is that of the sweep's beginning.
@@ -98,7 +93,7 @@ class BeginningWatcher final : public SolveObserver<double> {
   bool watches_rows() const override { return true; }
   void before_solve(const VelocityProblem<double>& problem) override { begin(problem); }
   void after_row(const RowUpdate<double>& update, const VelocityProblem<double>& problem) override {
-    const auto i = static_cast<std::size_t>(update.row);
+    const int i = update.row;
     const Bounds<double>& bounds = problem.rows[i].bounds;
     in_order = in_order && i == after.size();
     unchanged = unchanged && problem.impulse == impulse && problem.velocity == velocity;
@@ -118,8 +113,8 @@ class BeginningWatcher final : public SolveObserver<double> {
     velocity = problem.velocity;
     after.clear();
   }
-  std::vector<double> impulse = {}, after = {};
-  std::vector<Vec3<double>> velocity = {};
+  PerRow<double> impulse = {}, after = {};
+  PerBody<Vec3<double>> velocity = {};
 };
 
 }  // namespace
@@ -129,7 +124,7 @@ TEST_CASE("mass splitting is what it says: parts solved alone, and their velocit
   Jacobi<double>({.iterations = 20}, Splitting::mass).solve(problem);
   for (int sweep = 0; sweep < 20; ++sweep) sweep_over_parts(parts);
   const double largest = *std::max_element(problem.impulse.begin(), problem.impulse.end());
-  for (std::size_t i = 0; i < parts.impulse.size(); ++i) {
+  for (int i = 0; i < parts.impulse.size(); ++i) {
     CHECK(std::abs(problem.impulse[i] - parts.impulse[i]) <= 64 * 21 * double_epsilon * largest);
   }
 }

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "../geometry/random_shapes.hpp"
+#include "../../geometry/random_shapes.hpp"
+#include "../solver_list.hpp"
 #include "constraints/distance_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "geometry/shape.hpp"
-#include "../solver_list.hpp"
+#include "math/list.hpp"
 #include "world/world.hpp"
 
 using namespace cairn;
@@ -18,7 +19,7 @@ namespace {
 
 /// Every form but the dense one, which they are compared with.
 template <Scalar Real>
-std::vector<SolverMaker<Real>> forms_of_pgs() {
+List<SolverMaker<Real>> forms_of_pgs() {
   return {maker<SparseProjectedGaussSeidel<Real>, Real>(), maker<FactoredProjectedGaussSeidel<Real>, Real>(),
           maker<NaiveProjectedGaussSeidel<Real>, Real>(), maker<SequentialImpulse<Real>, Real>()};
 }
@@ -99,8 +100,8 @@ class RowHistory final : public SolveObserver<Real> {
   }
   void after_sweep(int sweep, const VelocityProblem<Real>&) override { sweeps = sweep; }
 
-  std::vector<RowUpdate<Real>> updates = {};
-  std::vector<std::vector<Vec3<Real>>> velocities = {};  // before the first row, and after each
+  List<RowUpdate<Real>> updates = {};
+  List<PerBody<Vec3<Real>>> velocities = {};  // before the first row, and after each
   int sweeps = 0;
   Real largest = 0;  // [N s]
   Real fastest = 0;  // [m/s, rad/s]
@@ -122,10 +123,10 @@ template <Scalar Real>
 void check_same_answer(const VelocityProblem<Real>& answer, const VelocityProblem<Real>& dense,
                        const RowHistory<Real>& scale, int sweeps) {
   const Real tolerance = sweeps_of_roundings<Real>(sweeps);
-  for (std::size_t i = 0; i < dense.impulse.size(); ++i) {
+  for (int i = 0; i < dense.impulse.size(); ++i) {
     CHECK(std::abs(answer.impulse[i] - dense.impulse[i]) <= tolerance * scale.largest);
   }
-  for (std::size_t body = 0; body < dense.velocity.size(); ++body) {
+  for (const BodyId body : dense.velocity.indices()) {
     const Vec3<Real> gap = answer.velocity[body] - dense.velocity[body];
     CHECK(gap.cwiseAbs().maxCoeff() <= tolerance * scale.fastest);
   }
@@ -162,9 +163,9 @@ void check_forms_show_the_same(const VelocityProblem<Real>& start, int sweeps) {
     CAPTURE(solver->name());
     RowHistory<Real> seen;
     solver->solve(problem, &seen);
-    REQUIRE(seen.updates.size() == start.rows.size() * static_cast<std::size_t>(sweeps));
+    REQUIRE(seen.updates.size() == start.row_count() * sweeps);
     CHECK(seen.sweeps == sweeps);
-    for (std::size_t i = 0; i < seen.updates.size(); ++i) {
+    for (int i = 0; i < seen.updates.size(); ++i) {
       const RowUpdate<Real>& update = seen.updates[i];
       const RowUpdate<Real>& wanted = expected.updates[i];
       CHECK(update.sweep == wanted.sweep);
@@ -174,7 +175,7 @@ void check_forms_show_the_same(const VelocityProblem<Real>& start, int sweeps) {
       CHECK(std::abs(update.corrective - wanted.corrective) <= tolerance * expected.largest);
       CHECK(std::abs(update.impulse_before - wanted.impulse_before) <= tolerance * expected.largest);
       CHECK(std::abs(update.impulse_after - wanted.impulse_after) <= tolerance * expected.largest);
-      for (std::size_t body = 0; body < start.velocity.size(); ++body) {
+      for (const BodyId body : start.velocity.indices()) {
         const Vec3<Real> gap = seen.velocities[i + 1][body] - expected.velocities[i + 1][body];
         CHECK(gap.cwiseAbs().maxCoeff() <= tolerance * expected.fastest);
       }
@@ -234,23 +235,23 @@ TEST_CASE("one row is solved by one update") {
     VelocityProblem<double> problem = hand_made_stack<double>(1, g, dt);
     make({.iterations = 1})->solve(problem);
     CHECK(problem.impulse[0] == g * dt);
-    CHECK(problem.velocity[1] == Vec3<double>(0, 0, 0));
+    CHECK(problem.velocity[{1}] == Vec3<double>(0, 0, 0));
   }
 }
 
 TEST_CASE("a row between two immovable bodies gets no impulse, and bias / softness when it is soft") {
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     VelocityProblem<double> problem = hand_made_stack<double>(1, 10, 0.5);
-    problem.inverse_mass[1].setZero();
+    problem.inverse_mass[{1}].setZero();
     VelocityProblem<double> soft = problem;
     make({.iterations = 3})->solve(problem);
     CHECK(problem.impulse[0] == 0);
-    CHECK(problem.velocity[1] == Vec3<double>(0, -5, 0));
+    CHECK(problem.velocity[{1}] == Vec3<double>(0, -5, 0));
 
     soft.rows[0].softness = 2;
     make({.iterations = 3})->solve(soft);
     CHECK(soft.impulse[0] == 5.0 / 2);  // gamma p = zeta - j v
-    CHECK(soft.velocity[1] == Vec3<double>(0, -5, 0));
+    CHECK(soft.velocity[{1}] == Vec3<double>(0, -5, 0));
   }
 }
 

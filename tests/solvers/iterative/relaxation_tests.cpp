@@ -8,13 +8,14 @@
 #include <numbers>
 
 #include "../solver_list.hpp"
+#include "math/list.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
 
 namespace {
 
-std::vector<SolverMaker<double>> relaxing_solvers() {
+List<SolverMaker<double>> relaxing_solvers() {
   return {maker<SequentialImpulse<double>, double>(), maker<ProjectedGaussSeidel<double>, double>()};
 }
 
@@ -33,9 +34,9 @@ double spectral_radius(const SolverMaker<double>& make, int boxes, const SolverS
   Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> errors(boxes, boxes);
   for (int column = 0; column < boxes; ++column) {
     VelocityProblem<double> problem = glued_stack<double>(boxes, 0);
-    problem.impulse[static_cast<std::size_t>(column)] = 1;
+    problem.impulse[column] = 1;
     make(settings)->solve(problem);
-    for (int i = 0; i < boxes; ++i) errors(i, column) = problem.impulse[static_cast<std::size_t>(i)];
+    for (int i = 0; i < boxes; ++i) errors(i, column) = problem.impulse[i];
   }
   long double log_radius = 0;
   for (long double k = 1; k <= 0x1p40L; k *= 2) {
@@ -66,7 +67,7 @@ long double error_after(int boxes, int sweeps, double omega) {
   long double largest = 0;
   for (int i = 0; i < boxes; ++i) {
     const long double weight = static_cast<long double>(boxes - i) * 10 * problem.dt;
-    largest = std::max(largest, std::abs(problem.impulse[static_cast<std::size_t>(i)] - weight));
+    largest = std::max(largest, std::abs(problem.impulse[i] - weight));
   }
   return largest;
 }
@@ -75,7 +76,7 @@ class RelaxedBoundsWatcher final : public SolveObserver<double> {
  public:
   bool watches_rows() const override { return true; }
   void after_row(const RowUpdate<double>& update, const VelocityProblem<double>& problem) override {
-    const Bounds<double>& bounds = problem.rows[static_cast<std::size_t>(update.row)].bounds;
+    const Bounds<double>& bounds = problem.rows[update.row].bounds;
     const double wish = update.impulse_before + update.corrective;
     largest_error =
         std::max(largest_error, std::abs(bounds.clamp(wish, problem.impulse) - update.impulse_after));
@@ -160,7 +161,7 @@ TEST_CASE("ten boxes: the best omega needs 7 sweeps a digit where Gauss-Seidel n
 TEST_CASE("clamping comes after relaxation, so that every impulse stays inside its bounds") {
   for (const SolverMaker<double>& make : relaxing_solvers()) {
     VelocityProblem<double> problem = hand_made_stack<double>(5, 10, 0.02);
-    problem.velocity[2].y() = 3;  // the second box is thrown up: its contact opens, the one above pushes
+    problem.velocity[{2}].y() = 3;  // the second box is thrown up: its contact opens, the one above pushes
     RelaxedBoundsWatcher watcher;
     make({.iterations = 40, .relaxation = 1.9})->solve(problem, &watcher);
     CHECK(watcher.clamped > 0);
@@ -176,7 +177,7 @@ TEST_CASE_TEMPLATE("PGS and SI relax alike, row by row", Real, float, double, lo
       VelocityProblem<Real> by_pgs = by_si;
       SequentialImpulse<Real>({.iterations = sweeps, .relaxation = omega}).solve(by_si);
       ProjectedGaussSeidel<Real>({.iterations = sweeps, .relaxation = omega}).solve(by_pgs);
-      for (std::size_t i = 0; i < 6; ++i) {
+      for (int i = 0; i < 6; ++i) {
         // Impulses are below 6 weights of 0.2 N s; a sweep rounds and over-relaxes a few times.
         CHECK(std::abs(by_si.impulse[i] - by_pgs.impulse[i]) <= 64 * epsilon * Real(1 + sweeps) * Real(1.2));
       }

@@ -1,0 +1,36 @@
+// Lesson 01. What it prints, checks and draws.
+#pragma once
+
+#include <optional>
+
+#include "lessons/lesson.hpp"
+#include "math/list.hpp"
+#include "rod.hpp"
+
+namespace cairn::one_row {
+
+void print_scene(Lesson& lesson, const Rod& rod);
+void print_derivative(Lesson& lesson, const Rod& rod);
+void print_motions(Lesson& lesson, const Rod& rod);
+void print_kinds(Lesson& lesson, const List<KindOfRows>& kinds);
+void check_derivative(Lesson& lesson, const Rod& rod, const List<KindOfRows>& kinds);
+void check_force(Lesson& lesson, const Rod& rod);
+CsvTable quotients_table(const Rod& rod);
+
+/// Where, which way, how fast, and how strong.
+List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds);
+
+/// What is drawn of the rod besides the box.
+struct RodLook {
+  Pose<double> pose = {};                     // of the box
+  bool ghost = false;                         // the box as the scene has it, as an outline
+  bool circles = false;                       // level curves of c
+  bool direction = false;                     // j: an arrow and an arc
+  bool force = false;                         // j^T lambda: an arrow and an arc
+  std::optional<Vec3<double>> velocity = {};  // arrows at the centre and at the anchor
+};
+
+/// The pivot, the rod and the box, in a panel.
+void draw_rod(render::Page& page, const render::Rect& rect, const Rod& rod, const RodLook& look);
+
+}  // namespace cairn::one_row

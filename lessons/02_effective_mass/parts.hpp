@@ -1,0 +1,34 @@
+// Lesson 02. What it prints, checks and draws.
+#pragma once
+
+#include "lessons/lesson.hpp"
+#include "math/list.hpp"
+#include "peg.hpp"
+
+namespace cairn::felt_mass {
+
+void print_scene(Lesson& lesson, const PegSettings& settings);
+/// The push at the last place, for both bodies.
+void print_pair(Lesson& lesson, const Pushes& all);
+void print_places(Lesson& lesson, const Pushes& all);
+void check_row(Lesson& lesson, const Pushes& all);
+void check_motion(Lesson& lesson, const Pushes& all);
+void check_others(Lesson& lesson, const Pushes& all);
+CsvTable places_table(const Pushes& all);
+
+/// The peg at three places, and the mass that it feels at all.
+List<Shot> peg_shots(const Pushes& all);
+
+/// The box on its peg.
+struct PegLook {
+  bool push = false;        // the impulse as an arrow
+  bool after = false;       // the velocities after it, and where they lead
+  bool masses = false;      // bars under the underside: what is felt there
+  bool directions = false;  // the curve of what is felt in all directions
+};
+
+/// The box, the peg and arrows, in a panel.
+void draw_push(render::Page& page, const render::Rect& rect, const Pushes& all, const Push& push,
+               const PegLook& look);
+
+}  // namespace cairn::felt_mass

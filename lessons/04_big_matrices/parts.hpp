@@ -1,0 +1,53 @@
+// Lesson 04. What it prints, checks and draws.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "lessons/lesson.hpp"
+#include "math/list.hpp"
+#include "render/page.hpp"
+#include "system.hpp"
+
+namespace cairn::big {
+
+void print_scene(Lesson& lesson, const StackRun& run);
+void print_matrices(Lesson& lesson, const StackRun& run);
+void print_right_side(Lesson& lesson, const StackRun& run);
+void print_solution(Lesson& lesson, const StackRun& run);
+void print_growth(Lesson& lesson, const StackRun& run);
+void check_matrices(Lesson& lesson, const StackRun& run);
+void check_solution(Lesson& lesson, const StackRun& run);
+CsvTable entries_table(const StackRun& run);
+
+/// Without a minus in front of what rounding left of a zero.
+double cleaned(double value);
+
+/// The matrices entry by entry, the elimination, and what comes of lambda.
+List<Shot> stack_shots(const StackRun& run);
+
+using Run = std::shared_ptr<const StackRun>;
+
+/// Their parts: how A and b are built, and how they are solved.
+List<Shot> building_shots(const Run& run);
+List<Shot> solving_shots(const Run& run);
+
+/// What of the stack is shown beside the matrices.
+struct StackView {
+  int contact = -1;               // whose two bodies are lit; from 0
+  int box = 0;                    // instead: one body that is lit; from 1
+  int known = 0;                  // so many pushes are shown, from the uppermost contact down
+  Eigen::VectorXd velocity = {};  // three numbers a box; nothing: no velocities
+};
+void draw_stack(render::Page& page, const render::Rect& rect, const StackRun& run, const StackView& view);
+
+/// "1_{x}", "1_{y}", ... for the columns of J.
+List<std::string> column_names(int boxes);
+/// "1", "2", ...
+List<std::string> row_names(int rows);
+/// Negative numbers, as behind an operator.
+std::string in_brackets(const std::string& number);
+/// As many decimals as it needs, up to three.
+std::string brief(double value);
+
+}  // namespace cairn::big

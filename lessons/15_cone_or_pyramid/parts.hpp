@@ -1,0 +1,20 @@
+// Lesson 15. What it prints, checks and draws.
+#pragma once
+
+#include "lessons/lesson.hpp"
+#include "math/list.hpp"
+#include "slide.hpp"
+
+namespace cairn::top_view {
+
+SlideSettings settings_of(const Lesson& lesson);
+
+void print_scene(Lesson& lesson, const SlideSettings& settings);
+void print_slides(Lesson& lesson, const Slides& all);
+void check_slides(Lesson& lesson, const Slides& all);
+CsvTable steps_table(const Slides& all);
+
+/// One row at a time in the first step, then the slide, then all directions.
+List<Shot> slide_shots(const Slides& all);
+
+}  // namespace cairn::top_view
