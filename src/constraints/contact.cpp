@@ -20,29 +20,28 @@ RowSpec<Real> relative_velocity_row(BodyId a, BodyId b, const Vec2<Real>& r_a, c
 }  // namespace
 
 template <Scalar Real>
-void append_contact_rows(const Manifold<Real>& manifold, BodyId index_a, BodyId index_b,
+void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
                          const ContactMaterial<Real>& material, const PerBody<Pose<Real>>& poses,
                          const PerBody<Vec3<Real>>& velocity, RowSpecs<Real>& rows) {
   const Vec2<Real> tangent = -perpendicular(manifold.normal);
   const auto friction_row = [&](const Vec2<Real>& position) {
-    return relative_velocity_row(index_a, index_b, Vec2<Real>(position - poses[index_a].position),
-                                 Vec2<Real>(position - poses[index_b].position), tangent);
+    return relative_velocity_row(a, b, Vec2<Real>(position - poses[a].position),
+                                 Vec2<Real>(position - poses[b].position), tangent);
   };
   const bool has_friction = material.friction > 0;
   const bool is_shared = material.friction_rows == FrictionRows::per_manifold && manifold.count == 2;
   for (int i = 0; i < manifold.count; ++i) {
     const ManifoldPoint<Real>& point = manifold.points[i];
-    const Vec2<Real> r_a = point.position - poses[index_a].position;
-    const Vec2<Real> r_b = point.position - poses[index_b].position;
+    const Vec2<Real> r_a = point.position - poses[a].position;
+    const Vec2<Real> r_b = point.position - poses[b].position;
 
-    RowSpec<Real> normal = relative_velocity_row(index_a, index_b, r_a, r_b, manifold.normal);
+    RowSpec<Real> normal = relative_velocity_row(a, b, r_a, r_b, manifold.normal);
     normal.error = point.separation;
     normal.bounds = Bounds<Real>::unilateral();
     normal.part = normal_part(point.feature);
     normal.slop_limit = material.slop_limit;
     normal.gravity = material.gravity;
-    const Real approach =
-        -normal.jacobian_a.dot(velocity[index_a]) - normal.jacobian_b.dot(velocity[index_b]);
+    const Real approach = -normal.jacobian_a.dot(velocity[a]) - normal.jacobian_b.dot(velocity[b]);
     if (approach > material.restitution_threshold) normal.rebound = material.restitution * approach;
     const int normal_row = rows.size();
     rows.push_back(normal);

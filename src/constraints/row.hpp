@@ -213,8 +213,7 @@ Real row_velocity(const VelocityProblem<Real>& problem, const ConstraintRow<Real
 /// v += M^-1 j^T p: gives the bodies of one of the problem's rows the impulse p [N s] (paper (19), (21)).
 template <Scalar Real>
 void apply_impulse(VelocityProblem<Real>& problem, const ConstraintRow<Real>& row, Real p) {
-  const BodyId a = row.a;
-  const BodyId b = row.b;
+  const BodyId a = row.a, b = row.b;
   problem.velocity[a] += problem.inverse_mass[a].cwiseProduct(row.jacobian_a) * p;
   problem.velocity[b] += problem.inverse_mass[b].cwiseProduct(row.jacobian_b) * p;
   for_each_extra_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {

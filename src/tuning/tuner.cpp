@@ -214,8 +214,7 @@ TunerAnswer tune(const TunerRun& run, const Wish& wish, const TunerOptions& opti
   if (!kinds.empty()) {
     answer.best = kinds.front();
     answer.nearest.reset();
-    const auto count = static_cast<std::ptrdiff_t>(std::min(kinds.size(), most));
-    answer.runners_up.assign(kinds.begin() + 1, kinds.begin() + count);
+    answer.runners_up.assign(kinds.begin() + 1, kinds.begin() + std::min(kinds.size(), most));
   }
   answer.plain_si = search.first_that_meets(plain_si_settings(), answer.tried, total);
   if (has_box2d()) answer.box2d = search.first_that_meets(box2d_settings(), answer.tried, total);

@@ -68,7 +68,7 @@ VelocityProblem<double> normals_first(const VelocityProblem<double>& problem) {
   for (int first = 0; first < result.rows.size(); first += 4) {
     std::swap(result.rows[first + 1], result.rows[first + 2]);
     std::swap(result.impulse[first + 1], result.impulse[first + 2]);
-    result.rows[first + 3].bounds.normal_row = static_cast<int>(first) + 1;
+    result.rows[first + 3].bounds.normal_row = first + 1;
   }
   return result;
 }

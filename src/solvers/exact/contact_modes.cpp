@@ -175,7 +175,7 @@ class ModeWalk {
 
   FeasiblePoint nearest(const List<Inequality>& inequalities, const Vector<long double>& x,
                         const Matrix<long double>& N, long double slack) const {
-    const auto count = inequalities.size();
+    const int count = inequalities.size();
     Matrix<long double> H(count, N.cols());
     Vector<long double> h(count);
     for (Eigen::Index k = 0; k < count; ++k) {

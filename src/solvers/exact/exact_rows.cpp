@@ -104,7 +104,7 @@ Dictionary solved_equalities(const Matrix<long double>& A, const Vector<long dou
 /// which `table` has as a column for every dependent row.
 Vector<long double> fulfillable(const Dictionary& table, const Vector<long double>& r,
                                 const List<int>& dependent, const List<int>& solved) {
-  const auto count = dependent.size();
+  const int count = dependent.size();
   Matrix<long double> N = Matrix<long double>::Zero(r.size(), count);
   for (Eigen::Index k = 0; k < count; ++k) {
     const int d = dependent[k];

@@ -34,7 +34,7 @@ void ProximalRows<Real>::begin(const VelocityProblem<Real>& problem) {
     scaled.count = terms_.size() - scaled.first;
     rows_.push_back(scaled);
   }
-  const auto m = rows_.size();
+  const int m = rows_.size();
   x_ = wish_ = center_ = center_w_ = Vector<Real>::Zero(m);
   value_ = Vector<Real>::Zero(freedoms_);
 }
