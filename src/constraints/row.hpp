@@ -12,8 +12,7 @@
 
 namespace cairn {
 
-/// The number of a row, from 0. An int does as well: what counts is that arrays over rows are a type of their
-/// own.
+/// The number of a row, from 0. Any int will do: this type keeps arrays over rows apart from other arrays.
 enum RowNumber : int {};
 
 /// One element for each row.

@@ -56,9 +56,8 @@ class Indices {
   int count_;
 };
 
-/// A std::vector with an index of its own kind and signed sizes. Indices are checked where those of
-/// std::vector are: in builds with _GLIBCXX_ASSERTIONS, which are all but the release. Use it as List, PerRow
-/// or PerBody.
+/// A std::vector with an index of its own kind and signed sizes. Builds with _GLIBCXX_ASSERTIONS check every
+/// index; all presets but the release are such builds. Use it as List, PerRow or PerBody.
 template <typename T, typename Index>
 class IndexedVector {
   using Values = std::vector<T>;
