@@ -14,7 +14,6 @@ namespace {
 constexpr double shortest_arrow = 8;  // [px] below it a dot
 constexpr double dot_radius = 3;      // [px]
 constexpr double label_distance = 6;  // [px]
-constexpr double large_type = 18;     // [px] bold text of this size may have the arrow's colour
 
 /// One arrow in pixels.
 struct ArrowShape {
@@ -191,7 +190,7 @@ TextStyle label_style(const Page& page, const ArrowShape& shape, bool lit) {
   style.halo = page.theme().background;
   if (!lit) style.color = page.theme().secondary_text;
   if (!lit || page.compact()) return style;
-  style.size = std::max(style.size, large_type);
+  style.size = std::max(style.size, large_text);
   style.bold = true;
   style.color = shape.color;
   return style;

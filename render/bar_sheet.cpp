@@ -11,7 +11,6 @@ namespace {
 
 constexpr double largest_pitch = 84;      // [px] more would tear few rows apart
 constexpr double largest_thickness = 46;  // [px]
-constexpr double large_text = 18;         // [px] bold of this size can be read in any colour of the theme
 constexpr double text_gap = 8;            // [px] between a text and what it belongs to
 
 BarRange range_of(const BarChart& chart) {

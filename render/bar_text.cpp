@@ -5,16 +5,13 @@
 #include "math/list.hpp"
 #include "render/bar_sheet.hpp"
 #include "render/lint.hpp"
+#include "render/rects.hpp"
 #include "render/text_layout.hpp"
 
 namespace cairn::render {
 namespace {
 
 constexpr double number_gap = 6;  // [px] between a number and what it belongs to
-
-bool overlap(const Rect& a, const Rect& b) {
-  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-}
 
 bool within(const Rect& inner, const Rect& outer) {
   constexpr double slack = 4;  // [px] the text of a low first or last row may reach into the panel's padding

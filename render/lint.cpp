@@ -9,7 +9,6 @@
 namespace cairn::render {
 namespace {
 
-constexpr double large_text = 18;      // [px] from here on bold text may have less contrast
 constexpr double allowed_overlap = 1;  // [px] of two text boxes: their rims hold no ink
 
 // One channel of sRGB as light (WCAG 2.2, "relative luminance").

@@ -10,7 +10,6 @@ namespace cairn::render {
 
 namespace {
 
-constexpr double large_type = 18;  // [px] from here on bold text may have a colour of less contrast
 
 struct PlacedLine {
   Point at = {0, 0};
@@ -57,7 +56,7 @@ class EquationSetter {
     const TextStyle plain = {.size = type_.size, .color = page_.theme().text};
     TextStyle result = plain;
     result.bold = true;
-    if (equation_.color.a > 0 && type_.size >= large_type) result.color = equation_.color;
+    if (equation_.color.a > 0 && type_.size >= large_text) result.color = equation_.color;
     double baseline = top_ + 1.05 * type_.size;
     const double offset = equals_offset(page_.canvas(), equation_.symbols, plain);
     const double offset_inside = std::min(offset, 0.25 * inner_.width);

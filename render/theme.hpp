@@ -35,6 +35,8 @@ Theme without_hues(const Theme& theme);
 
 /// No text is smaller [px].
 inline constexpr double smallest_text = 12;
+/// From here on bold text can be read with less contrast [px] (WCAG 2.1, 1.4.3).
+inline constexpr double large_text = 18;
 
 /// All in px, for one picture size. Text and lines do not scale with the picture.
 struct Sizes {

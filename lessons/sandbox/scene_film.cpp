@@ -18,7 +18,7 @@ namespace {
 
 using render::Rect;
 
-constexpr double bar = 6;  // [px] above a panel, in the solver's colour
+constexpr double bar_height = 6;  // [px] above a panel, in the solver's colour
 constexpr int few_contacts = 40;
 constexpr double least_speed = 0.05;  // [m/s] of the longest arrow: what rests must not look fast
 constexpr double arrow_share = 0.4;   // of the length that a lesson gives its arrows: here they are many
@@ -190,10 +190,10 @@ void SceneFilm::draw_panel(const SceneRun& run, int frame, const Rect& rect) {
   page_.canvas().rect({rect.x + 0.5, rect.y + 0.5, rect.width - 1, world.height - 1},
                       {.fill = theme.panel, .outline = theme.frame_line, .outline_width = 1});
   if (!is_alone) {
-    page_.canvas().rect({rect.x, rect.y, rect.width, bar},
+    page_.canvas().rect({rect.x, rect.y, rect.width, bar_height},
                         {.fill = panel_style(run.setting.solver, theme).color});
   }
-  const double top = is_alone ? 1 : bar;
+  const double top = is_alone ? 1 : bar_height;
   const bool is_over = frame >= run.frames.size();
   const bool is_at_end = frame + 1 >= run.frames.size();
   if (!run.frames.empty()) {

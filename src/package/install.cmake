@@ -18,13 +18,16 @@ endfunction()
 
 # A user's numbers are to be those of Cairn's own programs; an archive with sanitizers asks for their libraries.
 target_compile_options(cairn INTERFACE $<INSTALL_INTERFACE:-ffp-contract=off>)
-target_link_libraries(cairn INTERFACE $<INSTALL_INTERFACE:Eigen3::Eigen>)
-set(pkg_config_libraries "-lcairn")
+# Who uses what is installed names one library, and has both archives.
+target_link_libraries(cairn INTERFACE $<INSTALL_INTERFACE:Eigen3::Eigen> $<INSTALL_INTERFACE:cairn::exact>)
+set(pkg_config_libraries "-lcairn_exact -lcairn")
 if(CAIRN_SANITIZE)
   target_link_options(cairn INTERFACE $<INSTALL_INTERFACE:-fsanitize=${CAIRN_SANITIZE}>)
   string(APPEND pkg_config_libraries " -fsanitize=${CAIRN_SANITIZE}")
 endif()
 set(CAIRN_PUBLIC_ROOMS ${CAIRN_FLOORS})
+set_target_properties(cairn_exact PROPERTIES EXPORT_NAME exact)
+install(TARGETS cairn_exact EXPORT cairnTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
 cairn_install_room(cairn cairn cairnTargets ${CAIRN_FLOORS})
 install(FILES ${PROJECT_SOURCE_DIR}/src/cairn.hpp DESTINATION ${header_folder} COMPONENT library)
 if(TARGET cairn_reference)
