@@ -21,7 +21,7 @@ struct Texts {
   std::map<std::string, std::string> scene = {};
   std::string answer = {}, out = {}, frames = {}, size = {}, theme = {}, palette = {}, csv = {}, json = {};
   std::string expect = {}, color = {}, progress = {}, hint = {};
-  bool help = false, version = false, about = false, list_params = false, info_json = false, dry_run = false;
+  bool help = false, version = false, about = false, list_params = false, dry_run = false;
 };
 
 void add_texts(CLI::App& app, Texts& texts) {
@@ -44,7 +44,6 @@ void add_flags(CLI::App& app, Texts& texts, Options& options) {
   app.add_flag("--version", texts.version);
   app.add_flag("--about", texts.about);
   app.add_flag("--list-params", texts.list_params);
-  app.add_flag("--info-json", texts.info_json);
   app.add_flag("--dry-run", texts.dry_run);
   app.add_flag("--predict", options.predict);
   app.add_flag("--check", options.check);
@@ -241,8 +240,7 @@ Options::Request request_of(const Texts& texts, Options::Request otherwise) {
   if (texts.help) return Options::Request::help;
   if (texts.version) return Options::Request::version;
   if (texts.about) return Options::Request::about;
-  if (texts.list_params) return Options::Request::list_params;
-  return texts.info_json ? Options::Request::info_json : otherwise;
+  return texts.list_params ? Options::Request::list_params : otherwise;
 }
 
 }  // namespace
@@ -274,6 +272,8 @@ Options read_arguments(const LessonInfo& info, int argc, const char* const* argv
 std::string two_digits(int number) { return (number < 10 ? "0" : "") + std::to_string(number); }
 std::string short_name(const LessonInfo& info) { return "lesson" + two_digits(info.number); }
 std::string program_name(const LessonInfo& info) { return short_name(info) + "_" + info.name; }
+
+std::string typed_command(const LessonInfo& info) { return "bash lessons/run " + std::to_string(info.number); }
 
 const List<std::string>& common_flags() {
   static const List<std::string> flags = {"help",  "version", "about",   "list-params", "predict", "answer",

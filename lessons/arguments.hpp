@@ -17,7 +17,7 @@ namespace cairn {
 
 /// What the reader asked a lesson to do. Everything has been checked.
 struct Options {
-  enum class Request { run, help, version, about, list_params, info_json, hint };
+  enum class Request { run, help, version, about, list_params, hint };
   enum class Theme { light, dark };
   enum class Palette { color, gray };
 
@@ -59,6 +59,8 @@ Options read_arguments(const LessonInfo& info, int argc, const char* const* argv
 std::string short_name(const LessonInfo& info);
 /// "lesson06_sequential_impulses".
 std::string program_name(const LessonInfo& info);
+/// What a reader types: "bash lessons/run 6".
+std::string typed_command(const LessonInfo& info);
 /// "01" to "99".
 std::string two_digits(int number);
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "lessons/words.hpp"
 #include "math/check.hpp"
@@ -56,7 +55,7 @@ std::string example_value(const Parameter& parameter) {
 }
 
 std::string examples(const LessonInfo& info) {
-  const std::string name = program_name(info);
+  const std::string name = typed_command(info);
   List<std::pair<std::string, std::string>> lines = {
       {name, "run it: text, and pictures in out/" + short_name(info) + "/"},
       {name + " --predict", "think first"}};
@@ -132,13 +131,6 @@ std::string parameters_text(const LessonInfo& info) {
   return text;
 }
 
-std::string info_json(const LessonInfo& info) {
-  const nlohmann::ordered_json json = {
-      {"number", info.number}, {"name", info.name}, {"title", info.title},        {"idea", info.idea},
-      {"paper", info.paper},   {"next", info.next}, {"hints", info.hints.size()}, {"cover", info.cover}};
-  return json.dump() + "\n";
-}
-
 std::string text_asked_for(const LessonInfo& info, const Options& options) {
   switch (options.request) {
     case Options::Request::help:
@@ -147,8 +139,6 @@ std::string text_asked_for(const LessonInfo& info, const Options& options) {
       return about_text(info);
     case Options::Request::list_params:
       return parameters_text(info);
-    case Options::Request::info_json:
-      return info_json(info);
     case Options::Request::version:
       return program_name(info) + " " CAIRN_VERSION "\n";
     case Options::Request::hint:

@@ -17,7 +17,5 @@ std::string help_text(const LessonInfo& info);
 std::string about_text(const LessonInfo& info);
 /// --list-params: one line per scene flag, columns separated by tabs, for people and programs.
 std::string parameters_text(const LessonInfo& info);
-/// What the driver asks: one line of JSON.
-std::string info_json(const LessonInfo& info);
 
 }  // namespace cairn

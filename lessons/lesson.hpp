@@ -7,49 +7,13 @@
 #include <string>
 #include <string_view>
 
+#include "lessons/card.hpp"
 #include "math/list.hpp"
 #include "measure/csv.hpp"
 #include "render/page.hpp"
 #include "world/snapshot.hpp"
 
 namespace cairn {
-
-/// A number that the reader may change: `--dt 0.01`, also `--dt 1/60`. Refused outside [min, max].
-struct Parameter {
-  std::string flag = {};  // "dt"
-  double standard = 0;
-  double min = 0;
-  double max = 0;
-  std::string unit = {};  // "s"; "" for counts and ratios
-  std::string what = {};  // "time step"
-  enum class Kind { real, whole } kind = Kind::real;
-};
-
-/// A choice: `--precision float`. The first value is the standard.
-struct Choice {
-  std::string flag = {};
-  List<std::string> values = {};
-  std::string what = {};
-};
-
-/// What a lesson is, before it runs: shown by --help, --about, `lessons list`.
-struct LessonInfo {
-  int number = 0;
-  std::string name = {};             // "sequential_impulses": program lesson06_sequential_impulses
-  std::string title = {};            // "Sequential impulses"
-  std::string idea = {};             // one sentence
-  std::string paper = {};            // "paper 3.2, Algorithm 1, eq (19)-(23)"
-  List<std::string> equations = {};  // "(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)"
-  List<std::string> needs = {};      // what to know first: "lesson 06" ...
-  List<std::string> reads = {};      // files of the project to read next
-  std::string question = {};         // to predict before the lesson shows it
-  List<std::string> hints = {};      // up to three, from vague to plain
-  List<Parameter> parameters = {};
-  List<Choice> choices = {};
-  int cover = -1;  // the frame that stands for the lesson, from 1; negative: from the end
-  std::string next =
-      {};  // "lesson08_same_thing_twice   (the same pushes, out of a large matrix)"; "" after the last
-};
 
 /// One frame, drawn only if it is wanted.
 struct Shot {
@@ -115,9 +79,6 @@ struct Diverged : std::runtime_error {
 struct Skipped : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-
-/// The card of the lesson that is built: each defines its own, in card.cpp.
-LessonInfo card();
 
 /// The whole of a lesson's main: reads the arguments, prints title and equations, runs, reports.
 /// Returns 0 all claims held, 1 one did not, 2 usage, 3 cannot draw or write, 4 diverged, 77 skipped.

@@ -65,7 +65,7 @@ std::string run_json(const LessonInfo& info, const Options& options, const RunRe
 }
 
 std::string command_line(const LessonInfo& info, const Options& options) {
-  List<std::string> words = {program_name(info)};
+  List<std::string> words = {typed_command(info)};
   for (const Parameter& parameter : info.parameters) {
     words.push_back("--" + parameter.flag + " " + shortest(options.numbers.at(parameter.flag)));
   }

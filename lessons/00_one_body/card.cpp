@@ -1,5 +1,5 @@
 // Lesson 00. What --help and --about say, and what may be changed.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -35,7 +35,7 @@ LessonInfo card() {
        .what = "steps",
        .kind = Parameter::Kind::whole}};
   info.cover = -3;
-  info.next = "lesson01_constraint_and_jacobian   (what takes some of this freedom away)";
+  info.next = "bash lessons/run 1   (what takes some of this freedom away)";
   return info;
 }
 

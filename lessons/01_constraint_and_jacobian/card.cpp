@@ -1,5 +1,5 @@
 // Lesson 01. What --help and --about say, and what may be changed.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -37,7 +37,7 @@ LessonInfo card() {
                      {"lambda", -10, -1000, 1000, "N", "strength of the rod; negative: it pulls"},
                      {"seed", 1, 0, 1e6, "", "of the random poses", Parameter::Kind::whole}},
       .cover = 3,
-      .next = "lesson02_effective_mass   (how large λ has to be)"};
+      .next = "bash lessons/run 2   (how large λ has to be)"};
 }
 
 }  // namespace cairn

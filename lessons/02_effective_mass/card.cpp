@@ -1,5 +1,5 @@
 // Lesson 02. What --help and --about say, and what may be changed.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -31,7 +31,7 @@ LessonInfo card() {
                      {"x", 0.5, 0.01, 0.5, "m", "the last place of the peg, right of the middle"},
                      {"dt", 0.02, 0.0001, 0.1, "s", "time step"}},
       .cover = 7,
-      .next = "lesson03_drift_and_baumgarte   (what ζ is for)"};
+      .next = "bash lessons/run 3   (what ζ is for)"};
 }
 
 }  // namespace cairn

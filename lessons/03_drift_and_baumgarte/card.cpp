@@ -1,5 +1,5 @@
 // Lesson 03. What --help and --about say, and what may be changed.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -29,7 +29,7 @@ LessonInfo card() {
                      {"beta", 0.2, 0.05, 1, "", "the share β of an error that a step takes back"},
                      {"depth", 0.1, 0.01, 0.2, "m", "how deep the ball begins inside the ground"}},
       .cover = -1,
-      .next = "lesson04_big_matrices   (all rows at once, in one equation)"};
+      .next = "bash lessons/run 4   (all rows at once, in one equation)"};
 }
 
 }  // namespace cairn

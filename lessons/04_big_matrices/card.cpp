@@ -1,5 +1,5 @@
 // Lesson 04. What --help and --about say, and what may be changed.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -29,7 +29,7 @@ LessonInfo card() {
                      {"top", 1, 0.01, 100, "kg", "mass of the uppermost box; the others have 1 kg"},
                      {"sunk", 0, 0, 0.02, "m", "how deep the lowest box is inside the ground, β = 0.2"}},
       .cover = 12,
-      .next = "lesson05_sweep_and_bounds   (guess, fix one row, repeat; and what may not pull)"};
+      .next = "bash lessons/run 5   (guess, fix one row, repeat; and what may not pull)"};
 }
 
 }  // namespace cairn

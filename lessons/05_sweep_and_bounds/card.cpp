@@ -1,5 +1,5 @@
 // Lesson 05. What --help and --about say, and what may be changed.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -31,7 +31,7 @@ LessonInfo card() {
                      {"sweeps", 10, 3, 100, "", "sweeps", Parameter::Kind::whole},
                      {"support", 1, 0.5, 3, "m", "from the left end of the rod to the right support"}},
       .cover = -3,
-      .next = "lesson06_sequential_impulses   (the same answer without the matrices)"};
+      .next = "bash lessons/run 6   (the same answer without the matrices)"};
 }
 
 }  // namespace cairn

@@ -1,5 +1,5 @@
 // What lesson 06 is: its title, its equations, its question, its parameters.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -29,7 +29,7 @@ LessonInfo card() {
                      {"seed", 1, 0, 1e9, "", "of --order shuffle", Parameter::Kind::whole}},
       .choices = {{"order", {"up", "down", "shuffle"}, "in which rows are visited"}},
       .cover = 6,
-      .next = "lesson07_clamp_the_sum   (why a contact may take back what it gave)"};
+      .next = "bash lessons/run 7   (why a contact may take back what it gave)"};
 }
 
 }  // namespace cairn

@@ -1,5 +1,5 @@
 // What lesson 07 is: its title, its equations, its question, its parameters.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -30,7 +30,7 @@ LessonInfo card() {
                      {"speed", 10, 0.5, 50, "m/s", "how fast it lands"},
                      {"sweeps", 10, 2, 100, "", "sweeps", Parameter::Kind::whole}},
       .cover = 4,
-      .next = "lesson08_same_thing_twice   (the same pushes, out of a large matrix)"};
+      .next = "bash lessons/run 8   (the same pushes, out of a large matrix)"};
 }
 
 }  // namespace cairn

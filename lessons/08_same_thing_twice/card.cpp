@@ -1,5 +1,5 @@
 // What lesson 08 is: its title, its equations, its question, its parameters.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -29,7 +29,7 @@ LessonInfo card() {
                      {"sweeps", 50, 2, 1000, "", "sweeps", Parameter::Kind::whole},
                      {"seed", 1, 0, 1e9, "", "of the random problem", Parameter::Kind::whole}},
       .cover = 16,
-      .next = "lesson09_warm_start   (yesterday's answer is today's first guess)"};
+      .next = "bash lessons/run 9   (yesterday's answer is today's first guess)"};
 }
 
 }  // namespace cairn

@@ -1,5 +1,5 @@
 // What lesson 09 is: its title, its equations, its question, its parameters.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -28,7 +28,7 @@ LessonInfo card() {
                      {"steps", 120, 60, 300, "", "steps of each run", Parameter::Kind::whole},
                      {"dt", 0.02, 0.005, 0.03, "s", "time step"}},
       .cover = -6,
-      .next = "lesson10_what_is_stored   (what the two solvers keep, and what they need)"};
+      .next = "bash lessons/run 10   (what the two solvers keep, and what they need)"};
 }
 
 }  // namespace cairn

@@ -1,5 +1,5 @@
 // What lesson 10 is: its title, its equations, its question, its parameters.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -29,7 +29,7 @@ LessonInfo card() {
                      {"sweeps", 10, 1, 50, "", "of each solver, where answers are compared",
                       Parameter::Kind::whole}},
       .cover = 21,
-      .next = "lesson11_friction   (a row whose bounds lean on another row)"};
+      .next = "bash lessons/run 11   (a row whose bounds lean on another row)"};
 }
 
 }  // namespace cairn

@@ -1,8 +1,5 @@
-// Lesson 11. What the lesson says of itself, and the settings that its parameters make.
-#include <algorithm>
-
-#include "lessons/lesson.hpp"
-#include "parts.hpp"
+// Lesson 11. What the lesson says of itself.
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -34,25 +31,8 @@ LessonInfo card() {
                      {"sweeps", 50, 1, 1000, "", "sweeps per step", Kind::whole},
                      {"steps", 100, 40, 400, "", "steps", Kind::whole}};
   info.cover = 4;
-  info.next = "lesson12_blocks   (rows that belong together, solved together)";
+  info.next = "bash lessons/run 12   (rows that belong together, solved together)";
   return info;
 }
 
 }  // namespace cairn
-
-namespace cairn::friction {
-
-StudySettings settings_of(const Lesson& lesson) {
-  StudySettings settings;
-  settings.slope.angle = lesson.real("angle") * pi / 180;
-  settings.slope.gravity = lesson.real("gravity");
-  settings.slope.dt = lesson.real("dt");
-  settings.slope.sweeps = lesson.whole("sweeps");
-  settings.slope.steps = lesson.whole("steps");
-  settings.slippery = std::min(lesson.real("mu"), lesson.real("mu-rough"));
-  settings.rough = std::max(lesson.real("mu"), lesson.real("mu-rough"));
-  settings.mass = lesson.real("mass");
-  return settings;
-}
-
-}  // namespace cairn::friction

@@ -195,4 +195,17 @@ CsvTable table_of(const Study& study) {
   return table;
 }
 
+StudySettings settings_of(const Lesson& lesson) {
+  StudySettings settings;
+  settings.slope.angle = lesson.real("angle") * pi / 180;
+  settings.slope.gravity = lesson.real("gravity");
+  settings.slope.dt = lesson.real("dt");
+  settings.slope.sweeps = lesson.whole("sweeps");
+  settings.slope.steps = lesson.whole("steps");
+  settings.slippery = std::min(lesson.real("mu"), lesson.real("mu-rough"));
+  settings.rough = std::max(lesson.real("mu"), lesson.real("mu-rough"));
+  settings.mass = lesson.real("mass");
+  return settings;
+}
+
 }  // namespace cairn::friction

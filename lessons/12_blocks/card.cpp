@@ -1,6 +1,5 @@
-// Lesson 12. What the lesson says of itself, and the settings that its parameters make.
-#include "lessons/lesson.hpp"
-#include "parts.hpp"
+// Lesson 12. What the lesson says of itself.
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -32,18 +31,7 @@ LessonInfo card() {
                      {"inertia", 1e-6, 1e-7, 1, "kg m^2", "of the bob: how hard it is to turn"},
                      {"sweeps", 5, 1, 20, "", "a step, for the bob", Parameter::Kind::whole}},
       .cover = 13,
-      .next = "lesson13_soft   (a row that gives way)"};
+      .next = "bash lessons/run 13   (a row that gives way)"};
 }
 
 }  // namespace cairn
-
-namespace cairn::blocks {
-
-BlocksSettings settings_of(const Lesson& lesson) {
-  return {.dt = lesson.real("dt"),
-          .angle = lesson.real("angle"),
-          .inertia = lesson.real("inertia"),
-          .sweeps = lesson.whole("sweeps")};
-}
-
-}  // namespace cairn::blocks

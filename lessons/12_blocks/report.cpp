@@ -156,4 +156,11 @@ CsvTable sweeps_table(const BlocksRuns& all) {
   return table;
 }
 
+BlocksSettings settings_of(const Lesson& lesson) {
+  return {.dt = lesson.real("dt"),
+          .angle = lesson.real("angle"),
+          .inertia = lesson.real("inertia"),
+          .sweeps = lesson.whole("sweeps")};
+}
+
 }  // namespace cairn::blocks

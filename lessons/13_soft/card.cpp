@@ -1,6 +1,5 @@
-// Lesson 13. What the lesson says of itself, and the settings that its parameters make.
-#include "lessons/lesson.hpp"
-#include "parts.hpp"
+// Lesson 13. What the lesson says of itself.
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -32,19 +31,7 @@ LessonInfo card() {
                      {"mass", 1, 0.01, 100, "kg", "of each weight"},
                      {"pressed", 0.2, 0, 0.3, "m", "how far the spring is pressed together at the start"}},
       .cover = 21,
-      .next = "lesson14_pulley   (one row on as many bodies as it likes)"};
+      .next = "bash lessons/run 14   (one row on as many bodies as it likes)"};
 }
 
 }  // namespace cairn
-
-namespace cairn::soft {
-
-SoftSettings settings_of(const Lesson& lesson) {
-  return {.frequency = lesson.real("frequency"),
-          .damping = lesson.real("damping"),
-          .dt = lesson.real("dt"),
-          .mass = lesson.real("mass"),
-          .pressed = lesson.real("pressed")};
-}
-
-}  // namespace cairn::soft

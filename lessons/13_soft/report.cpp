@@ -119,4 +119,12 @@ CsvTable steps_table(const SoftRuns& all) {
   return table;
 }
 
+SoftSettings settings_of(const Lesson& lesson) {
+  return {.frequency = lesson.real("frequency"),
+          .damping = lesson.real("damping"),
+          .dt = lesson.real("dt"),
+          .mass = lesson.real("mass"),
+          .pressed = lesson.real("pressed")};
+}
+
 }  // namespace cairn::soft

@@ -1,6 +1,5 @@
-// Lesson 14. What the lesson says of itself, and the settings that its parameters make.
-#include "lessons/lesson.hpp"
-#include "parts.hpp"
+// Lesson 14. What the lesson says of itself.
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -31,17 +30,7 @@ LessonInfo card() {
                      {"m3", 3, 0.01, 100, "kg", "mass on the right, on one part"},
                      {"lift", 3, 0, 20, "m/s", "how fast the third mass is thrown up; 0: not at all"}},
       .cover = 2,
-      .next = "lesson15_cone_or_pyramid   (two rows of friction that share one limit)"};
+      .next = "bash lessons/run 15   (two rows of friction that share one limit)"};
 }
 
 }  // namespace cairn
-
-namespace cairn::pulley {
-
-PulleySettings settings_of(const Lesson& lesson) {
-  return {.dt = lesson.real("dt"),
-          .masses = {lesson.real("m1"), lesson.real("m2"), lesson.real("m3")},
-          .lift = lesson.real("lift")};
-}
-
-}  // namespace cairn::pulley

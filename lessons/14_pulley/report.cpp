@@ -150,4 +150,10 @@ CsvTable steps_table(const PulleyRuns& all) {
   return table;
 }
 
+PulleySettings settings_of(const Lesson& lesson) {
+  return {.dt = lesson.real("dt"),
+          .masses = {lesson.real("m1"), lesson.real("m2"), lesson.real("m3")},
+          .lift = lesson.real("lift")};
+}
+
 }  // namespace cairn::pulley

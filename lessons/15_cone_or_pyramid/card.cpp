@@ -1,6 +1,5 @@
-// Lesson 15. What the lesson says of itself, and the settings that its parameters make.
-#include "lessons/lesson.hpp"
-#include "parts.hpp"
+// Lesson 15. What the lesson says of itself.
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -30,16 +29,7 @@ LessonInfo card() {
                      {"vx", 3, 2, 10, "m/s", "speed to the right"},
                      {"vy", 4, 0, 10, "m/s", "speed upwards in the picture"}},
       .cover = 4,
-      .next = "lesson16_jacobi   (all rows at once: parallel, and dangerous)"};
+      .next = "bash lessons/run 16   (all rows at once: parallel, and dangerous)"};
 }
 
 }  // namespace cairn
-
-namespace cairn::top_view {
-
-SlideSettings settings_of(const Lesson& lesson) {
-  return {
-      .dt = lesson.real("dt"), .mu = lesson.real("mu"), .velocity = {lesson.real("vx"), lesson.real("vy")}};
-}
-
-}  // namespace cairn::top_view

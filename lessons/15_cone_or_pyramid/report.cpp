@@ -179,4 +179,9 @@ CsvTable steps_table(const Slides& all) {
   return table;
 }
 
+SlideSettings settings_of(const Lesson& lesson) {
+  return {
+      .dt = lesson.real("dt"), .mu = lesson.real("mu"), .velocity = {lesson.real("vx"), lesson.real("vy")}};
+}
+
 }  // namespace cairn::top_view

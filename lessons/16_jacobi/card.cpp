@@ -1,5 +1,5 @@
 // Lesson 16: its card.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -30,7 +30,7 @@ LessonInfo card() {
                      {"omega", 0.3, 0.1, 1, "", "what the damped form gives of each correction"},
                      {"base", 4, 2, 6, "", "boxes in the pyramid's lowest row", Parameter::Kind::whole}},
       .cover = -2,
-      .next = "lesson17_tower   (the solvers beside a third one, by somebody else)"};
+      .next = "bash lessons/run 17   (the solvers beside a third one, by somebody else)"};
 }
 
 }  // namespace cairn

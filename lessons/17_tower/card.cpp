@@ -1,5 +1,5 @@
 // Lesson 17: its card.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -27,7 +27,7 @@ LessonInfo card() {
                          {"sweeps", 10, 1, 200, "", "sweeps in each step", Parameter::Kind::whole},
                          {"steps", 50, 10, 100, "", "steps of each run", Parameter::Kind::whole}},
           .cover = 51,
-          .next = "lesson18_speed_accuracy   (what one more digit costs)"};
+          .next = "bash lessons/run 18   (what one more digit costs)"};
 }
 
 }  // namespace cairn

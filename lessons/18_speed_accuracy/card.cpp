@@ -1,5 +1,5 @@
 // Lesson 18: its card.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -28,7 +28,7 @@ LessonInfo card() {
                          {"sweeps", 10, 1, 100, "", "sweeps in each step of the warm run",
                           Parameter::Kind::whole}},
           .cover = 9,
-          .next = "lesson19_extremes   (where it breaks, and how you notice)"};
+          .next = "bash lessons/run 19   (where it breaks, and how you notice)"};
 }
 
 }  // namespace cairn

@@ -1,5 +1,5 @@
 // Lesson 19: its card.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 
@@ -32,7 +32,7 @@ LessonInfo card() {
                      {"beta", 2.1, 0, 2.5, "", "share of the pin's error that a step takes back"},
                      {"turn", 0.5, 0.001, 3, "rad", "by which the sling turns in a step"}},
       .cover = -3,
-      .next = "lesson20_only_what_the_scene_needs   (the fastest row is the one you do not have)"};
+      .next = "bash lessons/run 20   (the fastest row is the one you do not have)"};
 }
 
 }  // namespace cairn

@@ -1,5 +1,5 @@
 // Lesson 20: its card.
-#include "lessons/lesson.hpp"
+#include "lessons/card.hpp"
 
 namespace cairn {
 

@@ -129,7 +129,7 @@ void take_frames(const Workshop& shop, BookLesson& lesson) {
 }
 
 BookLesson book_lesson(const Workshop& shop, const Program& program, bool& all_held) {
-  BookLesson lesson = {.program = program, .about = ask(program)};
+  BookLesson lesson = {.program = program};
   const ProcessResult result = run_in_theme(program, shop, "light");
   run_in_theme(program, shop, "dark");
   all_held = all_held && result.code != 1;
@@ -183,8 +183,9 @@ int make_book(const Context& context, const Workshop& shop) {
   bool all_held = true;
   {
     const WorkFolder folder(shop.work);
-    Progress progress(context.settings, "lessons", context.programs.size());
-    for (const Program& program : context.programs) {
+    const List<Program> programs = built(context.programs);
+    Progress progress(context.settings, "lessons", programs.size());
+    for (const Program& program : programs) {
       progress.advance(book.size());
       book.push_back(book_lesson(shop, program, all_held));
     }

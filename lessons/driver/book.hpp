@@ -26,7 +26,6 @@ struct BookSource {
 
 struct BookLesson {
   Program program = {};
-  About about = {};
   std::string text = {};     // README.md
   std::string console = {};  // what the program printed
   int frames_in_all = 0;

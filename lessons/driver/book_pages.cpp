@@ -54,7 +54,7 @@ std::string page(const PageParts& parts) {
 }
 
 std::string numbered(const BookLesson& lesson) {
-  return two_digits(lesson.program.number) + " " + lesson.about.title;
+  return two_digits(lesson.program.number) + " " + lesson.program.card.title;
 }
 
 std::string page_link(const BookLesson& lesson, const std::string& words, const std::string& relation = {}) {
@@ -166,7 +166,7 @@ std::string with_idea(const std::string& html, const BookLesson& lesson) {
   const std::size_t end = html.find("</h1>");
   const std::size_t behind = end == std::string::npos ? 0 : end + std::string("</h1>").size();
   return fmt::format("<p class=\"kicker\">{}</p>\n{}\n<p class=\"idea\">{}</p>{}",
-                     escaped(lesson.about.paper), html.substr(0, behind), escaped(lesson.about.idea),
+                     escaped(lesson.program.card.paper), html.substr(0, behind), escaped(lesson.program.card.idea),
                      html.substr(behind));
 }
 
@@ -188,7 +188,7 @@ std::string contents(const Book& book) {
     const BookFrame* cover = cover_of(lesson);
     text += fmt::format("<li>{}<div><h3>{}</h3><p>{}</p></div></li>\n",
                         cover == nullptr ? "" : picture(lesson, *cover),
-                        page_link(lesson, escaped(numbered(lesson))), escaped(lesson.about.idea));
+                        page_link(lesson, escaped(numbered(lesson))), escaped(lesson.program.card.idea));
   }
   return text + "</ol>\n";
 }
@@ -214,7 +214,7 @@ std::string filled_in(const Book& book, const std::string& mark) {
 std::string page_name(const Program& program) { return "lesson" + two_digits(program.number) + ".html"; }
 
 const BookFrame* cover_of(const BookLesson& lesson) {
-  const int cover = lesson.about.cover;
+  const int cover = lesson.program.card.cover;
   const int number = cover < 0 ? lesson.frames_in_all + 1 + cover : cover;
   for (const BookFrame& frame : lesson.frames) {
     if (frame.number == number) return &frame;
@@ -233,7 +233,7 @@ std::string lesson_page(const Book& book, int index) {
   std::string body;
   for (const Section& section : sections) body += section.html;
   return page({.title = numbered(lesson) + " · Cairn",
-               .description = lesson.about.idea,
+               .description = lesson.program.card.idea,
                .navigation = "<a href=\"index.html\">Cairn: the lesson book</a>",
                .kind = "lesson",
                .body = body + turning(book, index)});

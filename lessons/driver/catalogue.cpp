@@ -1,28 +1,21 @@
-// Finds the lesson programs beside the driver and keeps the notes of progress.
+// Knows the lessons and keeps the notes of progress.
 #include "lessons/driver/catalogue.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 #include <system_error>
-
-#include "lessons/driver/process.hpp"
 
 namespace cairn::driver {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_lesson_name(const std::string& name) {
-  return name.size() > 9 && name.rfind("lesson", 0) == 0 &&
-         std::isdigit(static_cast<unsigned char>(name[6])) != 0 &&
-         std::isdigit(static_cast<unsigned char>(name[7])) != 0 && name[8] == '_' &&
-         name.find('.') == std::string::npos;
-}
 
 std::string today() {
   const std::time_t now = std::time(nullptr);
@@ -37,15 +30,25 @@ std::string two_digits(int number) { return (number < 10 ? "0" : "") + std::to_s
 
 List<Program> programs_in(const fs::path& folder) {
   List<Program> programs;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (!is_lesson_name(name) || !entry.is_regular_file()) continue;
-    programs.push_back({.number = std::stoi(name.substr(6, 2)), .name = name, .path = entry.path()});
+  for (const LessonInfo& card : cards()) {
+    const std::string name = "lesson" + two_digits(card.number) + "_" + card.name;
+    programs.push_back({.number = card.number, .name = name, .path = folder / name, .card = card});
   }
-  std::sort(programs.begin(), programs.end(),
-            [](const Program& a, const Program& b) { return a.name < b.name; });
   return programs;
+}
+
+List<Program> built(const List<Program>& programs) {
+  List<Program> there;
+  for (const Program& program : programs) {
+    if (fs::exists(program.path)) there.push_back(program);
+  }
+  return there;
+}
+
+void require_built(const Program& program) {
+  if (fs::exists(program.path)) return;
+  throw std::runtime_error(
+      fmt::format("lesson {0} is not built; bash lessons/run {0} builds it", program.number));
 }
 
 const Program* find(const List<Program>& programs, std::string_view word) {
@@ -58,16 +61,6 @@ const Program* find(const List<Program>& programs, std::string_view word) {
     if (is_named || (is_number && std::stoi(std::string(word)) == program.number)) return &program;
   }
   return nullptr;
-}
-
-About ask(const Program& program) {
-  const ProcessResult result = run_quietly({program.path.string(), "--info-json"});
-  const auto json = nlohmann::json::parse(result.output, nullptr, false);
-  if (!json.is_object()) return {.title = program.name, .idea = "(cannot be started)"};
-  return {.title = json.value("title", program.name),
-          .idea = json.value("idea", ""),
-          .paper = json.value("paper", ""),
-          .cover = json.value("cover", 1)};
 }
 
 ProgressNotes read_progress(const fs::path& file) {

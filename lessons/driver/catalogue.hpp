@@ -6,18 +6,32 @@
 #include <string>
 #include <string_view>
 
+#include "lessons/card.hpp"
 #include "math/list.hpp"
 
 namespace cairn::driver {
 
 struct Program {
   int number = 0;
-  std::string name = {};  // "lesson06_sequential_impulses"
-  std::filesystem::path path = {};
+  std::string name = {};            // "lesson06_sequential_impulses"
+  std::filesystem::path path = {};  // may not have been built
+  LessonInfo card = {};
 };
 
-/// The lesson programs in a folder, by number.
+/// The card of every lesson, by number. Its definition is generated from the lessons' own files.
+List<LessonInfo> cards();
+
+/// All lessons, as they are or would be in a folder of programs.
 List<Program> programs_in(const std::filesystem::path& folder);
+
+/// The driver's exit code where a program has not been built.
+inline constexpr int not_built = 3;
+
+/// Those of them that have been built.
+List<Program> built(const List<Program>& programs);
+
+/// @throws std::runtime_error that says how to build a lesson that is not built.
+void require_built(const Program& program);
 
 /// The lesson that a person means by "6", "06", "lesson06", "sequential_impulses" or the whole name; nullptr
 /// if none.
@@ -25,15 +39,6 @@ const Program* find(const List<Program>& programs, std::string_view word);
 
 /// "06".
 std::string two_digits(int number);
-
-/// What a lesson program says about itself.
-struct About {
-  std::string title = {};
-  std::string idea = {};
-  std::string paper = {};  // "paper 3.2, Algorithm 1, eq (19)-(23)"
-  int cover = 1;           // the frame that stands for the lesson, from 1; negative: from the end
-};
-About ask(const Program& program);
 
 /// The day a lesson was passed, by number, as kept in `lessons-progress.txt`: "06 passed 2026-11-20".
 using ProgressNotes = std::map<int, std::string>;

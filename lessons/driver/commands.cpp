@@ -89,23 +89,28 @@ std::string outcome_text(const Outcome& outcome, const Console& console) {
 std::string short_list(const Context& context) {
   std::string text;
   for (const Program& program : context.programs) {
-    text += fmt::format("  {}  {}\n", two_digits(program.number), ask(program).title);
+    text += fmt::format("  {}  {}\n", two_digits(program.number), program.card.title);
   }
   return text;
 }
 
 int run_all(const Context& context, const List<std::string>& flags) {
   Console console(context.settings);
-  Progress progress(context.settings, "lessons", context.programs.size());
+  const List<Program> programs = built(context.programs);
+  if (programs.empty()) {
+    console.warn("lessons: no lesson is built beside this program; bash lessons/run builds them");
+    return not_built;
+  }
+  Progress progress(context.settings, "lessons", programs.size());
   int failed = 0;
   int pictures = 0;
-  for (int i = 0; i < context.programs.size(); ++i) {
-    const Program& program = context.programs[i];
+  for (int i = 0; i < programs.size(); ++i) {
+    const Program& program = programs[i];
     progress.advance(i);
     const Outcome outcome = run_one_of_many(program, flags);
     progress.clear();
     console.result(fmt::format("{}  {} {}", two_digits(program.number),
-                               padded(console.spelt(ask(program).title), 32),
+                               padded(console.spelt(program.card.title), 32),
                                outcome_text(outcome, console)));
     if (outcome.code != 0) {
       for (const std::string& line : outcome.complaints) console.result("      " + line);
@@ -116,13 +121,12 @@ int run_all(const Context& context, const List<std::string>& flags) {
   }
   if (pictures > 0) {
     console.narrate(fmt::format("{} pictures: out/{}/ to out/{}/", pictures,
-                                context.programs.front().name.substr(0, 8),
-                                context.programs.back().name.substr(0, 8)));
+                                programs.front().name.substr(0, 8), programs.back().name.substr(0, 8)));
   }
   console.narrate(
       "One lesson with its text: bash lessons/run 6     what there is: bash lessons/run list     more: "
       "--help");
-  if (failed > 0) console.result(fmt::format("{} of {} lessons failed", failed, context.programs.size()));
+  if (failed > 0) console.result(fmt::format("{} of {} lessons failed", failed, programs.size()));
   return failed > 0 ? 1 : 0;
 }
 
@@ -130,13 +134,12 @@ int list(const Context& context) {
   Console console(context.settings);
   const ProgressNotes notes = read_progress(context.progress_file);
   for (const Program& program : context.programs) {
-    const About about = ask(program);
     const auto note = notes.find(program.number);
     const std::string done =
         note == notes.end() ? "" : console.colored("   done " + note->second, Color::good);
-    const std::string title = two_digits(program.number) + "  " + console.spelt(about.title);
+    const std::string title = two_digits(program.number) + "  " + console.spelt(program.card.title);
     console.result(console.colored(title, Color::bold) + done);
-    console.result("    " + wrapped(console.spelt(about.idea), list_width, 4));
+    console.result("    " + wrapped(console.spelt(program.card.idea), list_width, 4));
   }
   return 0;
 }
@@ -148,6 +151,7 @@ int next(const Context& context, const List<std::string>& flags) {
     if (notes.count(program.number) > 0) continue;
     console.narrate(
         fmt::format("Next is lesson {0}; when it is done: bash lessons/run check {0}", program.number));
+    require_built(program);
     return become(command(program, {}, flags));
   }
   console.result(
@@ -157,6 +161,7 @@ int next(const Context& context, const List<std::string>& flags) {
 
 int check_one(const Context& context, const Program& program, const List<std::string>& flags) {
   Console console(context.settings);
+  require_built(program);
   int code = run_aloud(command(program, {"--check"}, flags));
   const std::optional<ExerciseFiles> exercise = exercise_of(program);
   if (code == 0 && exercise) code = grade_exercise(program, *exercise);
@@ -170,6 +175,7 @@ int hint(const Context& context, const Program& program, const List<std::string>
   const std::optional<ExerciseFiles> exercise = exercise_of(program);
   List<std::string> words = {exercise ? exercise->program.string() : program.path.string(), "--hint"};
   words.insert(words.end(), number.begin(), number.end());
+  if (!exercise) require_built(program);
   if (!exercise && context.settings.plain) words.push_back("--plain");
   return become(words);
 }
@@ -190,13 +196,14 @@ int solution(const Context& context, const Program& program) {
 }
 
 int check_all(const Context& context, const List<std::string>& flags) {
+  const List<Program> programs = built(context.programs);
   int failed = 0;
-  for (const Program& program : context.programs) {
+  for (const Program& program : programs) {
     const int code = run_aloud(command(program, {"--check"}, flags));
     failed += code != 0 && code != skipped ? 1 : 0;
   }
   Console console(context.settings);
-  if (failed > 0) console.result(fmt::format("{} of {} lessons failed", failed, context.programs.size()));
+  if (failed > 0) console.result(fmt::format("{} of {} lessons failed", failed, programs.size()));
   return failed > 0 ? 1 : 0;
 }
 
@@ -208,7 +215,7 @@ int progress(const Context& context) {
     const auto note = notes.find(program.number);
     done += note != notes.end() ? 1 : 0;
     console.result(fmt::format("{}  {} {}", two_digits(program.number),
-                               padded(console.spelt(ask(program).title), 32),
+                               padded(console.spelt(program.card.title), 32),
                                note == notes.end() ? "-" : "passed " + note->second));
   }
   console.result(fmt::format("{} of {} lessons passed", done, context.programs.size()));

@@ -68,7 +68,8 @@ std::string seen_backend(const fs::path& folder) {
 
 int doctor(const Context& context) {
   Console console(context.settings);
-  console.result(fmt::format("Lessons   {} found", context.programs.size()));
+  const List<Program> programs = built(context.programs);
+  console.result(fmt::format("Lessons   {} of {} built", programs.size(), context.programs.size()));
 #ifdef CAIRN_HAVE_BOX2D
   console.result("Box2D     built in: the lessons that compare with it run");
 #else
@@ -76,13 +77,13 @@ int doctor(const Context& context) {
       "Box2D     not built in: lessons that need it are skipped; apt-get install libbox2d-dev, build again");
 #endif
   const TemporaryFolder folder;
-  if (context.programs.empty() || folder.path.empty()) {
-    console.result(context.programs.empty()
-                       ? "Pictures  no lesson that could draw one: build the lessons first"
+  if (programs.empty() || folder.path.empty()) {
+    console.result(programs.empty()
+                       ? "Pictures  no lesson that could draw one: bash lessons/run 1 builds the first"
                        : "Pictures  there is no temporary folder that can be written");
     return 1;
   }
-  const ProcessResult result = run_quietly({context.programs.front().path.string(), "--frames", "cover", "-q",
+  const ProcessResult result = run_quietly({programs.front().path.string(), "--frames", "cover", "-q",
                                             "-o", (folder.path / "out").string()});
   const std::string backend = seen_backend(folder.path / "out");
   if (backend.empty()) {

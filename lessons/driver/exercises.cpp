@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 
 #include "lessons/driver/process.hpp"
 
@@ -13,12 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int not_built = 3;
-
 }  // namespace
 
 fs::path lesson_folder(const Program& lesson) {
-  return fs::path(CAIRN_LESSONS_FOLDER) / lesson.name.substr(std::string("lesson").size());
+  const fs::path folder = CAIRN_LESSONS_FOLDER;
+  if (!fs::exists(folder)) {
+    throw std::runtime_error("the lessons' texts were in " + folder.string() + ", which is not there");
+  }
+  return folder / lesson.name.substr(std::string("lesson").size());
 }
 
 std::optional<ExerciseFiles> exercise_of(const Program& lesson) {

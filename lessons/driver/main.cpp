@@ -27,6 +27,7 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
   bash lessons/run check 6     its checks and your exercise; a pass is noted in lessons-progress.txt
   bash lessons/run check --all the checks of every lesson, without the exercises
   bash lessons/run book        every lesson as a page for the browser, in out/book/
+  bash lessons/run cairn       the program for scenes of your own: cairn run FILE.toml
 
   run [N] [flags]   list   next   check N|--all   hint N [1-3]   solution N   progress
   book [DIR]        text, code, output and pictures of all lessons; flags follow: --frames all
@@ -75,6 +76,7 @@ int run_one(const Context& context, const Program& program, const Words& flags) 
   Words command = {program.path.string()};
   command.insert(command.end(), flags.begin(), flags.end());
   if (context.settings.plain) command.push_back("--plain");
+  require_built(program);
   return become(command);
 }
 
@@ -155,10 +157,6 @@ int drive(int argc, char** argv) {
   if (word == "--version") {
     fmt::print("lessons {}\n", CAIRN_VERSION);
     return 0;
-  }
-  if (context.programs.empty()) {
-    fmt::print(stderr, "lessons: there is no lesson program beside this one; build them first\n");
-    return 3;
   }
   if (word.rfind("-", 0) == 0) return run_all(context, words);
   return act(context, word, words.empty() ? Words{} : Words{words.begin() + 1, words.end()});

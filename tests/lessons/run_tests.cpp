@@ -94,7 +94,7 @@ TEST_CASE(
   for (const char* part :
        {"Lesson 42  Made up ", "paper 1, eq (1)", "Idea: A lesson", "λ = 1/60", "PREDICT  What is six",
         "a step", "ANSWER   42.00   By counting.", "CHECK  it is ..", "42        ok\n",
-        "Again: lesson42_made_up --dt 0.016666666666666666 --steps 3 --precision double     state ",
+        "Again: bash lessons/run 42 --dt 0.016666666666666666 --steps 3 --precision double     state ",
         "Next:  lesson43_none"}) {
     const std::size_t found = ran.out.find(part, at);
     CHECK_MESSAGE(found != std::string::npos, std::string(part));
@@ -151,7 +151,7 @@ TEST_CASE("the state of a run can be demanded of the next") {
 TEST_CASE("help, version, about, hints and parameters are told without a run") {
   const auto lesson = [](Lesson&) { throw std::logic_error("ran"); };
   for (const char* flag :
-       {"--help", "-h", "--version", "--about", "--list-params", "--info-json", "--hint"}) {
+       {"--help", "-h", "--version", "--about", "--list-params", "--hint"}) {
     const Ran ran = run_in_child(lesson, {flag});
     CHECK_MESSAGE(ran.code == 0, std::string(flag));
     CHECK_MESSAGE(!ran.out.empty(), std::string(flag));
