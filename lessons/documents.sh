@@ -5,6 +5,7 @@
 # are in it or the command is slow; what stands in the ``` block behind that line is replaced. DESTINATION: another root for what is written;
 # blocks that are not compared are then left as they are.
 set -eu
+unset CDPATH
 programs=$(cd "$1" && pwd)
 source=$(cd "$2" && pwd)
 destination=${3:-$source}

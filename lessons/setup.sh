@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Set-up and build, shared by lessons/run and tests/run.
 #   bash lessons/setup.sh [clang|bench|docs|book]   installs what is missing (alone: nothing is built)
-# When sourced it only defines: cairn_set_up [clang|bench|docs|book], cairn_build PRESET TARGET...
+# When sourced it only defines: cairn_set_up [clang|bench|docs|book], cairn_build PRESET TARGET..., cairn_watch.
 
+unset CDPATH
 cairn_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cairn_installed=no  # becomes yes when packages were installed: then CMake has to look again
 
-cairn_packages=(g++ cmake ninja-build pkg-config ccache libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+cairn_packages=(g++ make cmake ninja-build pkg-config ccache libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libstb-dev zlib1g-dev fonts-dejavu-core libosmesa6-dev libegl-dev libbox2d-dev doctest-dev
   libtomlplusplus-dev libmd4c-dev libmd4c-html0-dev)
 cairn_bench_packages=(libbenchmark-dev)
@@ -17,6 +18,36 @@ cairn_book_packages=(chromium)
 if ! command -v npm >/dev/null; then cairn_book_packages+=(nodejs npm); fi
 # Packages that some releases do not have. Without OSMesa the pictures are drawn through EGL.
 cairn_dispensable=" libosmesa6-dev libclang-rt-dev "
+
+# cairn_watch WHAT LOG PATTERN [ALL]: keeps the lines of stdin in LOG and says on stderr how far WHAT has come. A line
+# that matches PATTERN is one of ALL; or it tells, by two groups of the pattern, how many are done of how many. On a
+# terminal one line is rewritten; elsewhere there is a line every five seconds, also while nothing comes.
+cairn_watch() {
+  local what=$1 log=$2 pattern=$3 all=${4:-} line='' part='' done=0 begun=$SECONDS said=$SECONDS code
+  : >"$log"
+  while true; do
+    IFS= read -r -t 1 part
+    code=$?
+    line+=$part
+    if [[ $code == 0 ]]; then
+      printf '%s\n' "$line" >>"$log"
+      if [[ $line =~ $pattern ]]; then
+        done=$((done + 1))
+        if [[ ${BASH_REMATCH[2]:-} ]]; then done=${BASH_REMATCH[1]} all=${BASH_REMATCH[2]}; fi
+      fi
+      line=''
+    elif [[ $code -le 128 ]]; then
+      break
+    fi
+    if [[ -t 2 ]]; then
+      printf '\r\033[K%s: %s%s, %s s ' "$what" "$done" "${all:+ of $all}" $((SECONDS - begun)) >&2
+    elif [[ $((SECONDS - said)) -ge 5 ]]; then
+      printf '%s: %s%s, %s s\n' "$what" "$done" "${all:+ of $all}" $((SECONDS - begun)) >&2
+      said=$SECONDS
+    fi
+  done
+  if [[ -t 2 ]]; then printf '\r\033[K' >&2; fi
+}
 
 # Prints those of the given packages that are not installed.
 cairn_missing() {
@@ -50,14 +81,17 @@ cairn_install() {
     fi
   fi
   printf 'Installing %s\n' "$*" >&2
-  local log
+  local log steps
   log=$(mktemp)
-  "${as_root[@]}" apt-get update -q >"$log" 2>&1 ||
-    printf 'apt-get update failed; going on with what apt knows.\n' >&2
+  "${as_root[@]}" apt-get update -q 2>&1 | cairn_watch 'Lists of packages' "$log" '^(Get|Hit):'
+  [[ ${PIPESTATUS[0]} == 0 ]] || printf 'apt-get update failed; going on with what apt knows.\n' >&2
   local -a wanted
   mapfile -t wanted < <(cairn_available "$@")
-  if [[ ${#wanted[@]} -gt 0 ]] && ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-      apt-get install -y -q --no-install-recommends "${wanted[@]}" >>"$log" 2>&1; then
+  # Each package is fetched, unpacked and set up.
+  steps=$((3 * $(apt-get install -s --no-install-recommends "${wanted[@]}" 2>/dev/null | grep -c '^Inst ')))
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${wanted[@]}" 2>&1 |
+    cairn_watch 'Steps of installing' "$log" '^(Get:|Unpacking |Setting up )' "$steps"
+  if [[ ${PIPESTATUS[0]} != 0 ]]; then
     tail -n 20 "$log" >&2
     printf 'The installation failed. What is missing:\n  %s\n' "${wanted[*]}" >&2
     rm -f "$log"
@@ -99,28 +133,16 @@ cairn_configure() {
   local home
   home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt" 2>/dev/null)
   if [[ $cairn_installed == no && -f $build/build.ninja && $home == "$cairn_root" && -f $stamp &&
-        ! $cairn_root/CMakePresets.json -nt $stamp ]]; then
+        ! $cairn_root/CMakePresets.json -nt $stamp && ! $cairn_root/CMakeLists.txt -nt $stamp ]]; then
     return 0
   fi
   mkdir -p "$build"
-  local -a options=(--preset "$1")
-  if [[ -n $home && $home != "$cairn_root" ]]; then options+=(--fresh); fi
-  if ! (cd "$cairn_root" && cmake "${options[@]}") >"$build/configure.log" 2>&1; then
+  if ! (cd "$cairn_root" && cmake --preset "$1" --fresh) >"$build/configure.log" 2>&1; then
     cat "$build/configure.log" >&2
     return 1
   fi
   grep -E '^-- Without ' "$build/configure.log" >&2
   touch "$stamp"
-}
-
-# Keeps Ninja's output in the file $1 and shows its progress: one line, rewritten, on a terminal; nothing elsewhere.
-cairn_progress() {
-  local line
-  while IFS= read -r line; do
-    printf '%s\n' "$line"
-    if [[ -t 2 && $line =~ ^\[([0-9]+/[0-9]+)\] ]]; then printf '\rBuilding %s ' "${BASH_REMATCH[1]}" >&2; fi
-  done >"$1"
-  if [[ -t 2 ]]; then printf '\r\033[K' >&2; fi
 }
 
 # cairn_build PRESET TARGET...: configures and builds; the whole log is in build/PRESET/build.log.
@@ -132,7 +154,8 @@ cairn_build() {
   if [[ ! -w ${HOME:-/nonexistent} ]]; then export CCACHE_DIR="${CCACHE_DIR:-$cairn_root/build/ccache}"; fi
   cairn_configure "$preset" || return 1
   if [[ ! -f $build/built ]]; then printf 'Building in build/%s: some minutes the first time.\n' "$preset" >&2; fi
-  NINJA_STATUS='[%f/%t] ' cmake --build "$build" --target "$@" 2>&1 | cairn_progress "$build/build.log"
+  NINJA_STATUS='[%f/%t] ' cmake --build "$build" --target "$@" 2>&1 |
+    cairn_watch Building "$build/build.log" '^\[([0-9]+)/([0-9]+)\]'
   local code=${PIPESTATUS[0]}
   if [[ $code != 0 ]]; then
     # From the first failure on, without the steps that went well and the compiler's command lines.

@@ -4,6 +4,7 @@
 # tests/determinism/hashes.txt, or with the first build where the mathematical library is another one.
 #   bash tests/determinism/builds.sh                      all of them
 #   bash tests/determinism/builds.sh g++:-O3 clang++:-O2  these alone
+unset CDPATH
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 out=$root/build/determinism
 mkdir -p "$out"

@@ -1,0 +1,97 @@
+// The shell scripts that a student types: what they answer without building, what they build, what they say meanwhile.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "child_lesson.hpp"
+#include "math/list.hpp"
+
+using namespace cairn::testing;
+using cairn::List;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Ran shell(const std::string& line) { return run_program("/bin/bash", {"-c", line}); }
+
+/// A tree with the real lessons/run and a set-up that says what it would have built.
+struct StubbedTree {
+  ScratchFolder folder = {};
+
+  StubbedTree() {
+    const fs::path source = fs::path(CAIRN_SOURCE_DIR) / "lessons";
+    const fs::path copy = fs::path(folder.path()) / "lessons";
+    fs::create_directories(copy / "driver");
+    fs::copy_file(source / "run", copy / "run");
+    fs::copy_file(source / "driver" / "main.cpp", copy / "driver" / "main.cpp");
+    for (const char* name : {"00_one_body", "06_sequential_impulses"}) fs::create_directories(copy / name);
+    folder.write("lessons/06_sequential_impulses/exercise.cpp", "");
+    folder.write("lessons/setup.sh",
+                 "cairn_root=.\ncairn_set_up() { :; }\ncairn_build() { echo \"$*\"; exit 0; }\n");
+  }
+
+  Ran run(const std::string& words) const {
+    return shell("cd '" + folder.path() + "' && bash lessons/run " + words);
+  }
+  std::string built(const std::string& words) const { return run(words).out; }
+};
+
+}  // namespace
+
+TEST_CASE("lessons/run answers help and refuses unknown words before anything is built") {
+  const StubbedTree tree;
+  const Ran help = tree.run("--help");
+  CHECK(help.code == 0);
+  CHECK(help.out == run_program("lessons", {"--help"}).out);
+  for (const char* word : {"99", "lst", "check 98", "hint"}) {
+    INFO(std::string(word));
+    const Ran refused = tree.run(word);
+    CHECK(refused.code == 2);
+    CHECK(refused.out.empty());
+    CHECK(refused.err.find("bash lessons/run --help") != std::string::npos);
+  }
+}
+
+TEST_CASE("lessons/run builds what is asked for and no more") {
+  const StubbedTree tree;
+  for (const char* word : {"list", "progress", "legend", "coverage", "doctor", "solution 6", "--plain list"}) {
+    INFO(std::string(word));
+    CHECK(tree.built(word) == "release lessons\n");
+  }
+  for (const char* word : {"6", "06", "run 6 --help", "lesson06", "sequential_impulses --predict"}) {
+    INFO(std::string(word));
+    CHECK(tree.built(word) == "release lessons lesson06_sequential_impulses\n");
+  }
+  CHECK(tree.built("check 6") == "release lessons lesson06_sequential_impulses exercise06\n");
+  CHECK(tree.built("check 0") == "release lessons lesson00_one_body\n");
+  CHECK(tree.built("cairn list") == "release cairn_sandbox\n");
+  for (const char* word : {"", "book", "--frames none", "check --all"}) {
+    INFO(std::string(word));
+    CHECK(tree.built(word).rfind("release lessons", 0) == 0);
+    CHECK(tree.built(word).find("lessons/all") != std::string::npos);
+  }
+  CHECK(tree.built("next") == "release lessons lesson00_one_body\n");
+  tree.folder.write("lessons-progress.txt", "00 passed 2026-11-20\n");
+  CHECK(tree.built("next") == "release lessons lesson06_sequential_impulses\n");
+}
+
+TEST_CASE("the scripts run wherever CDPATH leads") {
+  const Ran ran = shell("cd '" CAIRN_SOURCE_DIR "' && CDPATH=. bash tests/run --help");
+  CHECK(ran.code == 0);
+  CHECK(ran.err.empty());
+}
+
+TEST_CASE("a step that takes long says every five seconds how far it has come, and keeps what it was told") {
+  const ScratchFolder folder;
+  const std::string watch = ". '" CAIRN_SOURCE_DIR "/lessons/setup.sh'; ";
+  const std::string log = "'" + folder.path() + "/log'";
+  const Ran build = shell(watch + "{ echo '[1/3] a'; sleep 7; printf '[2/'; sleep 2; echo '3] b'; } | " +
+                          "cairn_watch Building " + log + " '^\\[([0-9]+)/([0-9]+)\\]'");
+  CHECK(build.err.rfind("Building: 1 of 3, ", 0) == 0);
+  CHECK(folder.text("log") == "[1/3] a\n[2/3] b\n");
+  const Ran packages = shell(watch + "{ echo 'Get:1 a'; echo b; echo 'Get:2 c'; sleep 7; } | " +
+                             "cairn_watch Fetching " + log + " '^Get:' 9");
+  CHECK(packages.err.rfind("Fetching: 2 of 9, ", 0) == 0);
+}
