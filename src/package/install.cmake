@@ -4,6 +4,19 @@ include(CMakePackageConfigHelpers)
 set(header_folder ${CMAKE_INSTALL_INCLUDEDIR}/cairn)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/cairn)
 
+# Before anything is copied: what was not built cannot be installed.
+set(installed_archives "")
+foreach(archive cairn cairn_exact cairn_reference)
+  if(TARGET ${archive})
+    string(APPEND installed_archives " \"$<TARGET_FILE:${archive}>\"")
+  endif()
+endforeach()
+install(CODE "foreach(archive${installed_archives})
+  if(NOT EXISTS \"\${archive}\")
+    message(FATAL_ERROR \"\${archive} is not built, and nothing was installed. First: cmake --build ${PROJECT_BINARY_DIR}\")
+  endif()
+endforeach()" COMPONENT library)
+
 # cairn_install_room(TARGET NAME EXPORT folders of src...): an archive with its headers, found as cairn::NAME.
 function(cairn_install_room target name export)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
@@ -48,6 +61,10 @@ string(REGEX REPLACE "/$" "" pkg_config_to_prefix "${pkg_config_to_prefix}")
 configure_file(${CMAKE_CURRENT_LIST_DIR}/cairn.pc.in ${PROJECT_BINARY_DIR}/cairn.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/cairn.pc DESTINATION ${pkg_config_folder} COMPONENT library)
 
+if(TARGET cairn_sandbox)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/lessons/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/cairn COMPONENT programs
+          FILES_MATCHING PATTERN "*.toml")
+endif()
 # The driver starts the lessons that it finds beside it.
 foreach(program cairn_sandbox lessons ${CAIRN_LESSONS})
   if(TARGET ${program})

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <system_error>
 
 #include "math/nearest.hpp"
 #include "scenes/scene_file.hpp"
@@ -10,7 +11,13 @@
 
 namespace cairn {
 
-std::filesystem::path scene_folder() { return CAIRN_SCENE_DIR; }
+std::filesystem::path scene_folder() {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path installed = program.parent_path().parent_path() / CAIRN_INSTALLED_SCENES;
+  return fs::is_directory(installed, error) ? installed : fs::path(CAIRN_SCENE_DIR);
+}
 
 const List<SceneEntry>& scene_entries() {
   static const List<SceneEntry> entries = [] {

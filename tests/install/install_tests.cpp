@@ -127,6 +127,38 @@ TEST_CASE("what is installed has every public header and names no folder of the 
   CHECK(descriptions >= 5);  // the package, its version, its targets, those of one build type, and cairn.pc
 }
 
+TEST_CASE("a build without the archives installs nothing, and says what to do") {
+  const fs::path folder = scratch("unbuilt");
+  const fs::path build = folder / "build";
+  require_success(run_line(folder, quoted(CAIRN_CMAKE) + " -S " + quoted(CAIRN_SOURCE_DIR) + " -B " +
+                                       quoted(build.string()) + " -G " + quoted(CAIRN_GENERATOR) + " " +
+                                       quoted("-DCMAKE_MAKE_PROGRAM=" + std::string(CAIRN_MAKE)) + " " +
+                                       quoted("-DCMAKE_CXX_COMPILER=" + std::string(CAIRN_COMPILER)) +
+                                       " -DCMAKE_CXX_FLAGS_RELEASE=-O1"));
+  CHECK(text_of(build / "CMakeCache.txt").find("CMAKE_CXX_FLAGS_RELEASE:STRING=-O1\n") != std::string::npos);
+  const CommandResult result = run_line(folder, quoted(CAIRN_CMAKE) + " --install " + quoted(build.string()) +
+                                                    " --prefix " + quoted((folder / "prefix").string()));
+  CHECK(result.code == 1);
+  CHECK(result.output.find("libcairn.a is not built") != std::string::npos);
+  CHECK(result.output.find("cmake --build") != std::string::npos);
+  CHECK_FALSE(fs::exists(folder / "prefix"));
+}
+
+#ifdef CAIRN_HAVE_SANDBOX
+TEST_CASE("an installed cairn finds the scenes that were installed with it, wherever it is moved") {
+  const fs::path folder = scratch("programs");
+  require_success(run_line(folder, quoted(CAIRN_CMAKE) + " --install " + quoted(CAIRN_BINARY_DIR) +
+                                       " --component programs --prefix " + quoted((folder / "first").string())));
+  fs::rename(folder / "first", folder / "prefix");
+  const fs::path scenes = folder / "prefix" / "share" / "cairn" / "scenes";
+  fs::copy_file(scenes / "stack.toml", scenes / "only-here.toml");
+  const CommandResult result =
+      run_line(folder, quoted((folder / "prefix" / "bin" / "cairn").string()) + " list");
+  CHECK(result.code == 0);
+  CHECK(result.output.find("only-here") != std::string::npos);
+}
+#endif
+
 TEST_CASE("a program outside of the tree finds the installed library with CMake and computes with it") {
   const fs::path folder = scratch("with_cmake");
   const fs::path prefix = installed_and_moved(folder);
@@ -160,7 +192,7 @@ TEST_CASE("pkg-config says what compiles the same program, without a warning, an
   const std::string program = (folder / "resting_box").string();
   const std::string flags = "$(PKG_CONFIG_PATH=" + quoted(description.parent_path().string()) +
                             " pkg-config --cflags --libs cairn)";
-  require_success(run_line(folder, quoted(CAIRN_COMPILER) + " -std=c++20 -Wall -Wextra -Werror -o " +
+  require_success(run_line(folder, quoted(CAIRN_COMPILER) + " -Wall -Wextra -Werror -o " +
                                        quoted(program) + " " + quoted(user_folder + "/resting_box.cpp") +
                                        " " + flags));
   CHECK(std::abs(printed_newtons(folder, program) - weight_of_box) < last_printed_digit);
