@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lessons/frames.hpp"
+#include "measure/whole_file.hpp"
 #include "render/lint.hpp"
 #include "render/sequence.hpp"
 
@@ -75,7 +76,7 @@ class FilmMaker {
     const List<std::string> earlier = earlier_frames(options_.out, stem());
     try {
       write_frames(shots, wanted);
-      render::write_file(options_.out / "frames.json", std::string_view(index_.dump(2) + "\n"));
+      write_whole_file(options_.out / "frames.json", index_.dump(2) + "\n");
     } catch (...) {
       remove_all_but(options_.out, {written_.begin(), written_.end()}, {});
       throw;

@@ -19,7 +19,7 @@
 #include "lessons/words.hpp"
 #include "math/check.hpp"
 #include "measure/fingerprint.hpp"
-#include "render/image.hpp"
+#include "measure/whole_file.hpp"
 
 namespace cairn {
 
@@ -97,15 +97,15 @@ void Lesson::State::print_end() {
 void Lesson::State::write_files() {
   const bool may_write = !options.dry_run && !options.check;
   if (may_write && record.film.pictures > 0) {
-    if (table) render::write_file(options.out / "rows.csv", std::string_view(csv_of(*table)));
-    render::write_file(options.out / "run.json", std::string_view(run_json(info, options, record)));
+    if (table) write_whole_file(options.out / "rows.csv", csv_of(*table));
+    write_whole_file(options.out / "run.json", run_json(info, options, record));
   }
   const auto deliver = [&](const std::string& place, const std::string& text) {
     if (place == "-") {
       std::cout << text << std::flush;
-      if (!std::cout) throw render::WriteError("cannot write the data to stdout");
+      if (!std::cout) throw WriteError("cannot write the data to stdout");
     } else if (!place.empty() && may_write) {
-      render::write_file(place, std::string_view(text));
+      write_whole_file(place, text);
     }
   };
   if (!table && (!options.csv.empty() || !options.json.empty()))
@@ -241,7 +241,7 @@ int explain_failure(const std::string& name) {
     return complain(name, 2, error.what());
   } catch (const render::RenderError& error) {
     return complain(name, 3, std::string(error.what()) + "; --frames none runs the lesson without pictures");
-  } catch (const render::WriteError& error) {
+  } catch (const WriteError& error) {
     return complain(name, 3,
                     std::string(error.what()) + "; -o names another folder, --frames none draws no pictures");
   } catch (const Diverged& error) {

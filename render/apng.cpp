@@ -134,7 +134,9 @@ void write_apng(const std::filesystem::path& path, Span<const Image> images, dou
     append_chunk(file, "fdAT", data);
   }
   append_chunk(file, "IEND", {});
-  write_file(path, file);
+  WholeFile target(path);
+  target.write(file);
+  target.finish();
 }
 
 }  // namespace cairn::render

@@ -1,4 +1,4 @@
-// Whole files or none, and the comparison of two pictures pixel by pixel.
+// Pictures to and from disk, and the comparison of two pictures pixel by pixel.
 #include "render/image.hpp"
 
 #include <algorithm>
@@ -16,35 +16,10 @@ namespace fs = std::filesystem;
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-[[noreturn]] void fail_write(const fs::path& path, const std::string& why) {
-  throw WriteError("cannot write " + path.string() + ": " + why);
-}
-
-/// Removes the part on every way out; once it is renamed there is none.
-struct PartGuard {
-  fs::path path = {};
-  ~PartGuard() {
-    std::error_code ignored;
-    fs::remove(path, ignored);
-  }
-};
-
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
-
-/// Writes to `destination`; errors speak of `path`, the name the caller knows.
-void write_bytes(const fs::path& destination, const fs::path& path, Span<const std::uint8_t> bytes) {
-  File file(std::fopen(destination.c_str(), "wb"));
-  if (!file) fail_write(path, reason(errno));
-  // An empty span may have no address, and fwrite must have one.
-  const auto size = static_cast<std::size_t>(bytes.size());
-  const std::size_t written = bytes.empty() ? 0 : std::fwrite(bytes.data(), 1, size, file.get());
-  if (written != size) fail_write(path, reason(errno));
-  // A full disk often shows only when the buffer is flushed.
-  if (std::fclose(file.release()) != 0) fail_write(path, reason(errno));
-}
 
 /// The three channels of a pixel; nothing outside the image.
 const std::uint8_t* pixel_at(const Image& image, int x, int y) {
@@ -69,27 +44,11 @@ std::uint8_t faded_grey(const std::uint8_t* pixel) {
 
 }  // namespace
 
-void write_file(const fs::path& path, Span<const std::uint8_t> bytes) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
-    write_bytes(path, path, bytes);  // renaming onto a device would replace the device itself
-    return;
-  }
-  fs::path part = path;
-  part += ".part";
-  const PartGuard guard{part};
-  write_bytes(part, path, bytes);
-  fs::rename(part, path, error);
-  if (error) fail_write(path, error.message());
+void write_png(const fs::path& path, const Image& image) {
+  WholeFile file(path);
+  file.write(encode_png(image));
+  file.finish();
 }
-
-void write_file(const fs::path& path, std::string_view text) {
-  const List<std::uint8_t> bytes(text.begin(), text.end());
-  write_file(path, Span<const std::uint8_t>(bytes));
-}
-
-void write_png(const fs::path& path, const Image& image) { write_file(path, encode_png(image)); }
 
 Image read_png(const fs::path& path) {
   const std::string failed = "cannot read " + path.string() + ": ";

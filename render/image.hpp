@@ -3,24 +3,15 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <string_view>
 
 #include "math/list.hpp"
+#include "measure/whole_file.hpp"
 #include "render/canvas.hpp"
 
 namespace cairn::render {
 
-/// A file could not be written: the message names its path and the reason.
-struct WriteError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// Writes `<path>.part` beside the file and renames it, so that no reader ever sees half a file. Devices and
-/// pipes are written directly.
-/// @throws WriteError; the part is then removed, and an earlier file of that name is as it was.
-void write_file(const std::filesystem::path& path, Span<const std::uint8_t> bytes);
-void write_file(const std::filesystem::path& path, std::string_view text);
+using cairn::WriteError;
 
 /// @throws std::invalid_argument unless both sides are positive and there are 3 bytes for every pixel.
 void require_image(const Image& image, std::string_view place);
@@ -31,7 +22,7 @@ List<std::uint8_t> encode_png(const Image& image);
 /// Any PNG; an alpha channel is dropped. @throws std::runtime_error with the reason.
 Image decode_png(Span<const std::uint8_t> bytes);
 
-/// @throws WriteError, or std::invalid_argument as require_image().
+/// Whole or not at all. @throws WriteError, or std::invalid_argument as require_image().
 void write_png(const std::filesystem::path& path, const Image& image);
 /// @throws std::runtime_error that names the file and the reason.
 Image read_png(const std::filesystem::path& path);

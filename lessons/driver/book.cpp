@@ -14,6 +14,7 @@
 #include "lessons/driver/commands.hpp"
 #include "lessons/driver/exercises.hpp"
 #include "lessons/driver/process.hpp"
+#include "measure/whole_file.hpp"
 
 namespace cairn::driver {
 namespace {
@@ -27,16 +28,6 @@ constexpr int cannot_make = 3;
 std::string text_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// Beside its place, then into it: nobody sees half a file. @throws std::runtime_error
-void write_whole(const fs::path& file, const std::string& text) {
-  const fs::path part = file.string() + ".part";
-  std::ofstream stream(part, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error("book: cannot write " + file.string());
-  fs::rename(part, file);
 }
 
 /// A folder that is gone when this is.
@@ -161,10 +152,10 @@ void remove_old_pictures(const fs::path& folder, const Book& book) {
 void write_pages(const fs::path& folder, const Book& book) {
   const fs::path source = fs::path(CAIRN_LESSONS_FOLDER) / "driver";
   for (int i = 0; i < book.size(); ++i) {
-    write_whole(folder / page_name(book[i].program), lesson_page(book, i));
+    write_whole_file(folder / page_name(book[i].program), lesson_page(book, i));
   }
-  for (const char* name : {"book.css", "book.js"}) write_whole(folder / name, text_of(source / name));
-  write_whole(folder / "index.html", index_page(book, text_of(source / "book.md")));
+  for (const char* name : {"book.css", "book.js"}) write_whole_file(folder / name, text_of(source / name));
+  write_whole_file(folder / "index.html", index_page(book, text_of(source / "book.md")));
   remove_old_pictures(folder / "frames", book);
 }
 

@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "measure/whole_file.hpp"
+
 namespace cairn::driver {
 namespace {
 
@@ -79,15 +81,14 @@ ProgressNotes read_progress(const fs::path& file) {
 bool note_pass(const fs::path& file, int number) {
   ProgressNotes notes = read_progress(file);
   notes[number] = today();
-  const fs::path part = file.string() + ".part";
-  std::ofstream stream(part);
-  for (const auto& [passed, day] : notes) stream << two_digits(passed) << " passed " << day << '\n';
-  stream.close();
-  std::error_code error;
-  if (stream) fs::rename(part, file, error);
-  if (stream && !error) return true;
-  fs::remove(part, error);
-  return false;
+  std::string text;
+  for (const auto& [passed, day] : notes) text += two_digits(passed) + " passed " + day + "\n";
+  try {
+    write_whole_file(file, text);
+  } catch (const WriteError&) {
+    return false;
+  }
+  return true;
 }
 
 }  // namespace cairn::driver

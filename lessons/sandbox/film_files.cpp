@@ -12,6 +12,7 @@
 #include "lessons/sandbox/film_encoders.hpp"
 #include "lessons/sandbox/progress_line.hpp"
 #include "lessons/words.hpp"
+#include "measure/whole_file.hpp"
 #include "render/sequence.hpp"
 
 namespace cairn::sandbox {
@@ -47,9 +48,9 @@ List<fs::path> numbered_pictures(const fs::path& folder) {
   List<fs::path> numbered;
   std::error_code none_there;
   for (const auto& entry : fs::directory_iterator(folder, none_there)) {
-    std::string name = entry.path().filename().string();
-    if (name.size() > 5 && name.substr(name.size() - 5) == ".part") name.resize(name.size() - 5);
-    if (is_frame_name(name)) numbered.push_back(entry.path());
+    const fs::path name = entry.path().filename();
+    const bool is_part = name.extension() == ".part";  // 0004.png.3f...9c.part: see WholeFile
+    if (is_frame_name(is_part ? name.stem().stem().string() : name.string())) numbered.push_back(entry.path());
   }
   return numbered;
 }
@@ -69,7 +70,7 @@ void prepare_folder(const fs::path& folder, const std::string& identity, const J
   for (const fs::path& path : numbered_pictures(folder)) {
     if (before != identity || path.extension() == ".part") fs::remove(path);
   }
-  render::write_file(folder / "frames.json", std::string_view(note.dump(1) + "\n"));
+  write_whole_file(folder / "frames.json", note.dump(1) + "\n");
 }
 
 /// Encodes one picture while the next is drawn.

@@ -12,6 +12,7 @@
 #include "lessons/sandbox/trade_chart.hpp"
 #include "lessons/words.hpp"
 #include "math/list.hpp"
+#include "measure/whole_file.hpp"
 #include "render/image.hpp"
 #include "study/trade_row.hpp"
 
@@ -200,8 +201,8 @@ render::Theme theme_of(const Words& words) {
 int report_trade(const Words& words, const TradeStudy& trade, const std::string& csv, const fs::path& folder,
                  Console& console) {
   const CsvTable table = table_of(csv, trade.name);
-  render::write_file(folder / (trade.name + ".csv"), csv_with_units(csv));
-  render::write_file(folder / (trade.name + ".json"), json_of(table));
+  write_whole_file(folder / (trade.name + ".csv"), csv_with_units(csv));
+  write_whole_file(folder / (trade.name + ".json"), json_of(table));
   if (words.has("json")) fmt::print("{}", json_of(table));
   const CsvTable shown = rows_with(table, trade.shown);
   List<WorkToError> work;

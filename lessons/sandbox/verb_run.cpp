@@ -10,7 +10,7 @@
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
 #include "math/list.hpp"
-#include "render/image.hpp"
+#include "measure/whole_file.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -25,7 +25,7 @@ void write_series(const SceneRun& run, const std::string& path, Console& console
     fmt::print("{}", series_csv(run.series));
     return;
   }
-  render::write_file(path, std::string_view(series_csv(run.series)));
+  write_whole_file(path, series_csv(run.series));
   console.narrate(fmt::format("written: {}", path));
 }
 

@@ -9,7 +9,7 @@
 #include "lessons/words.hpp"
 #include "math/check.hpp"
 #include "math/list.hpp"
-#include "render/image.hpp"
+#include "measure/whole_file.hpp"
 #include "study/build_info.hpp"
 #include "validation/box2d_engine.hpp"
 #include "validation/case.hpp"
@@ -247,7 +247,7 @@ int run_validate(const Words& words, Console& console) {
   bar.clear();
   if (words.has("json")) fmt::print("{}\n", json.dump(1));
   const Summary sum = summary_of(outcomes);
-  if (const std::optional<std::string> path = words.text("page")) render::write_file(*path, page(outcomes));
+  if (const std::optional<std::string> path = words.text("page")) write_whole_file(*path, page(outcomes));
   const Color color = sum.passed == sum.cases ? Color::good : Color::bad;
   if (words.has("json")) {
     console.narrate(summary_text(sum), color);

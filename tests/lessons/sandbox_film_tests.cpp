@@ -72,7 +72,7 @@ class OtherPath {
 TEST_CASE(
     "the time series has a row for the start and for every step, and its numbers are those of the run") {
   const ScratchFolder folder;
-  const std::string path = folder.path() + "/series.csv";
+  const std::string path = folder.path() + "/made/for/it/series.csv";
   const nlohmann::json run = cairn_json({"run", "double-pendulum", "--seconds", "0.5s", "--csv", path});
   std::ifstream stream(path);
   const CsvTable table = read_csv(stream, path);
@@ -95,7 +95,7 @@ TEST_CASE(
   CHECK(worst_drift == run["drift_m_or_rad"].get<double>());
   CHECK(updates == run["row_updates"].get<double>());
   const Ran piped = run_cairn({"run", "double-pendulum", "--seconds", "0.5s", "--csv", "-"});
-  CHECK(piped.out == folder.text("series.csv"));
+  CHECK(piped.out == folder.text("made/for/it/series.csv"));
   CHECK(text_has(piped.err, "meets"));
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("a film is whole frames from 0000 and a note; the same command draws o
   const std::string last = folder.text("film/0006.png");
   // A frame that is kept is not even read: what stands there stays.
   folder.write("film/0002.png", "marked");
-  folder.write("film/0004.png.part", "half");
+  folder.write("film/0004.png.0123456789abcdef.part", "half");
   fs::remove(folder.path() + "/film/0006.png");
   const Ran second = run_cairn(small_film(folder.path() + "/film"));
   CHECK(text_has(second.out, "(6 frames were there)"));

@@ -2,11 +2,12 @@
 #include "measure/whole_file.hpp"
 
 #include <doctest/doctest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
 #include <string>
 
 using namespace cairn;
@@ -22,6 +23,26 @@ struct WholeFileFolder {
   }
   ~WholeFileFolder() { fs::remove_all(path); }
   fs::path path;
+};
+
+/// No file may become longer, as on a full disk.
+class FileLimit {
+ public:
+  explicit FileLimit(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit = {bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, SIG_DFL);
+  }
+  FileLimit(const FileLimit&) = delete;
+  FileLimit& operator=(const FileLimit&) = delete;
+
+ private:
+  rlimit before_ = {};
 };
 
 std::string whole_text(const fs::path& path) {
@@ -43,21 +64,53 @@ TEST_CASE("a file is replaced as a whole, and nothing else is left in its folder
 
 TEST_CASE("where nothing can be written the message says where and why, and what was there stays") {
   const WholeFileFolder folder;
-  const fs::path missing = folder.path / "no" / "file";
-  CHECK_THROWS_WITH_AS(write_whole_file(missing, "x"),
-                       ("cannot write " + missing.string() + ": No such file or directory").c_str(),
-                       std::runtime_error);
-  CHECK_THROWS_WITH_AS(write_whole_file(folder.path, "x"), doctest::Contains("directory"),
-                       std::runtime_error);
+  CHECK_THROWS_WITH_AS(write_whole_file(folder.path, "x"),
+                       ("cannot write " + folder.path.string() + ": Is a directory").c_str(), WriteError);
   CHECK(fs::is_empty(folder.path));
-  CHECK_THROWS_AS(write_whole_file("/dev/null/x", "x"), std::runtime_error);
+  write_whole_file(folder.path / "file", "old");
+  const fs::path below_a_file = folder.path / "file" / "x";
+  CHECK_THROWS_WITH_AS(write_whole_file(below_a_file, "x"),
+                       ("cannot write " + below_a_file.string() + ": Not a directory").c_str(), WriteError);
+  {
+    const FileLimit limit(1000);
+    CHECK_THROWS_WITH_AS(write_whole_file(folder.path / "file", std::string(2000, 'x')),
+                         doctest::Contains("File too large"), WriteError);
+  }
+  CHECK(whole_text(folder.path / "file") == "old");
+  CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 1);
+}
+
+TEST_CASE("the folder of a file is made") {
+  const WholeFileFolder folder;
+  write_whole_file(folder.path / "a" / "b" / "file", "x");
+  CHECK(whole_text(folder.path / "a" / "b" / "file") == "x");
+}
+
+TEST_CASE("a file that is not finished leaves nothing, and its name until then cannot be foreseen") {
+  const WholeFileFolder folder;
+  const fs::path file = folder.path / "file", victim = folder.path / "victim";
+  write_whole_file(victim, "precious");
+  fs::create_symlink(victim, folder.path / "file.part");
+  {
+    WholeFile first(file), second(file);
+    CHECK(first.part() != second.part());
+    CHECK(first.part().parent_path() == folder.path);
+    first.write("half");
+    CHECK_FALSE(fs::exists(file));
+  }
+  write_whole_file(file, "whole");
+  CHECK(whole_text(victim) == "precious");
+  CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 3);
+  // As others may read what the user writes elsewhere.
+  std::ofstream(folder.path / "usual") << "x";
+  CHECK(fs::status(file).permissions() == fs::status(folder.path / "usual").permissions());
 }
 
 TEST_CASE("a device is written to, never replaced") {
   const WholeFileFolder folder;
   const fs::path device = folder.path / "device";
   fs::create_symlink("/dev/full", device);
-  CHECK_THROWS_WITH_AS(write_whole_file(device, "x"), doctest::Contains("No space left"), std::runtime_error);
+  CHECK_THROWS_WITH_AS(write_whole_file(device, "x"), doctest::Contains("No space left"), WriteError);
   CHECK(fs::is_character_file(device));
   CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 1);
 }

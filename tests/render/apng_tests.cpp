@@ -164,5 +164,5 @@ TEST_CASE("an animation of nothing, of two sizes or at a rate the format cannot 
     CHECK(refusal(pair, rate).find("write_apng: frames_per_second must be 0.01 to 655 1/s") == 0);
   }
   CHECK(std::filesystem::is_empty(folder.path()));
-  CHECK_THROWS_AS(write_apng(folder / "missing/a.png", pair, 10), WriteError);
+  CHECK_THROWS_AS(write_apng("/dev/null/a.png", pair, 10), WriteError);
 }

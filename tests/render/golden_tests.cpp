@@ -90,7 +90,7 @@ TEST_CASE("a golden picture that is missing fails with the same advice") {
 
 TEST_CASE("a golden picture that is broken is an error that names it") {
   const GoldenRoom room;
-  write_file(room.folder / "images/scene.png", "no picture");
+  write_whole_file(room.folder / "images/scene.png", "no picture");
   const auto ask = [&] { golden::objection(room.place, "scene", room.scene); };
   CHECK(tells(message_of<std::runtime_error>(ask), (room.folder / "images/scene.png").string()));
 }

@@ -105,58 +105,6 @@ TEST_CASE("a picture without pixels, or with too few or too many, is refused by 
       mentions(message_of<std::invalid_argument>([&] { encode_png(vast); }), "size must be less than 1 GiB"));
 }
 
-TEST_CASE("a text file holds exactly the text, and writing it again replaces it") {
-  const TemporaryFolder folder;
-  for (const std::string& text : {std::string("lambda,60\n"), std::string(), std::string("a\0b\r\n", 5)}) {
-    write_file(folder / "table.csv", text);
-    CHECK(text_of_file(folder / "table.csv") == text);
-    CHECK(entries(folder.path()) == 1);
-  }
-}
-
-TEST_CASE("a file that cannot be made is an error with its path and the reason, and nothing is left behind") {
-  const TemporaryFolder folder;
-  write_file(folder / "file", "a regular file");
-  const fs::path below_a_file = folder / "file/picture.png";
-  CHECK(message_of<WriteError>([&] { write_png(below_a_file, flat_picture(2, 2, 9)); }) ==
-        "cannot write " + below_a_file.string() + ": Not a directory");
-  const fs::path nowhere = folder / "missing/picture.png";
-  CHECK(message_of<WriteError>([&] { write_png(nowhere, flat_picture(2, 2, 9)); }) ==
-        "cannot write " + nowhere.string() + ": No such file or directory");
-  fs::create_directory(folder / "folder.png");
-  CHECK(message_of<WriteError>([&] { write_file(folder / "folder.png", "text"); }) ==
-        "cannot write " + (folder / "folder.png").string() + ": Is a directory");
-  CHECK(text_of_file(folder / "file") == "a regular file");
-  CHECK(entries(folder.path()) == 2);
-}
-
-TEST_CASE("on a full disk the earlier file stays as it was and the part is removed") {
-  REQUIRE(fs::is_character_file("/dev/full"));
-  const TemporaryFolder folder;
-  write_file(folder / "table.csv", "old");
-  // Short text fails when the buffer is flushed, long text while it is written.
-  for (const std::string& text : {std::string("new"), std::string(1'000'000, 'x')}) {
-    fs::create_symlink("/dev/full", folder / "table.csv.part");
-    CHECK(message_of<WriteError>([&] { write_file(folder / "table.csv", text); }) ==
-          "cannot write " + (folder / "table.csv").string() + ": No space left on device");
-    CHECK(text_of_file(folder / "table.csv") == "old");
-    CHECK(entries(folder.path()) == 1);
-  }
-}
-
-TEST_CASE("a device is written to, not replaced") {
-  REQUIRE(fs::is_character_file("/dev/null"));
-  const TemporaryFolder folder;
-  fs::create_symlink("/dev/null", folder / "null");
-  fs::create_symlink("/dev/full", folder / "full");
-  write_file(folder / "null", "text");
-  CHECK(mentions(message_of<WriteError>([&] { write_file(folder / "full", "text"); }),
-                 "No space left on device"));
-  CHECK(fs::is_symlink(folder / "null"));
-  CHECK(fs::is_symlink(folder / "full"));
-  CHECK(entries(folder.path()) == 2);
-}
-
 TEST_CASE("what is not a whole PNG is refused with the file's name") {
   const TemporaryFolder folder;
   const fs::path path = folder / "picture.png";
@@ -166,10 +114,10 @@ TEST_CASE("what is not a whole PNG is refused with the file's name") {
   const std::string whole = as_text(encode_png(random_picture(20, 10, 5)));
   // The last 16 bytes are the checksum of the pixels and the end: a decoder can do without.
   for (std::size_t size = 0; size + 16 < whole.size(); size += 7) {
-    write_file(path, whole.substr(0, size));
+    write_whole_file(path, whole.substr(0, size));
     CHECK(mentions(refusal(), start + "not a whole PNG ("));
   }
-  write_file(path, std::string(10000, 'x'));
+  write_whole_file(path, std::string(10000, 'x'));
   CHECK(mentions(refusal(), start + "not a whole PNG ("));
   fs::remove(path);
   fs::create_directory(path);
