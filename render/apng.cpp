@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "math/check.hpp"
 #include "math/list.hpp"
@@ -94,49 +95,50 @@ Bytes frame_control(std::uint32_t sequence_number, const Block& rect, std::uint3
   return data;
 }
 
-void require_sequence(Span<const Image> images, double frames_per_second) {
-  require(!images.empty(), "write_apng", "images", "at least one", 0);
-  require(frames_per_second >= 0.01 && frames_per_second <= 655, "write_apng", "frames_per_second",
-          "0.01 to 655 1/s", frames_per_second);
-  for (const Image& image : images) {
-    require_image(image, "write_apng");
-    require(image.width == images[0].width, "write_apng", "width", "that of the first image", image.width);
-    require(image.height == images[0].height, "write_apng", "height", "that of the first image",
-            image.height);
-  }
-}
-
 }  // namespace
 
-void write_apng(const std::filesystem::path& path, Span<const Image> images, double frames_per_second) {
-  require_sequence(images, frames_per_second);
-  const auto hundredths = static_cast<std::uint32_t>(std::lround(100 * frames_per_second));
-  const Bytes first = encode_png(images[0]);
-  Bytes file(first.begin(), first.begin() + header_end);
+ApngWriter::ApngWriter(const std::filesystem::path& path, int frames, double frames_per_second)
+    : file_(path), frames_(frames) {
+  require(frames > 0, "ApngWriter", "frames", "at least one", frames);
+  require(frames_per_second >= 0.01 && frames_per_second <= 655, "ApngWriter", "frames_per_second",
+          "0.01 to 655 1/s", frames_per_second);
+  hundredths_ = static_cast<std::uint32_t>(std::lround(100 * frames_per_second));
+}
 
-  Bytes animation;
-  append_number(animation, static_cast<std::uint32_t>(images.size()));
-  append_number(animation, 0);  // repeats for ever
-  append_chunk(file, "acTL", animation);
-
-  std::uint32_t sequence_number = 0;  // one count for control and data chunks
-  const Block whole = {.x = 0, .y = 0, .width = images[0].width, .height = images[0].height};
-  append_chunk(file, "fcTL", frame_control(sequence_number++, whole, hundredths));
-  append_chunk(file, "IDAT", compressed_pixels(first));
-  for (int i = 1; i < images.size(); ++i) {
-    const Block rect = changed_rect(images[i - 1], images[i]);
-    append_chunk(file, "fcTL", frame_control(sequence_number++, rect, hundredths));
-    const Bytes png = encode_png(cropped(images[i], rect));
-    const Span<const std::uint8_t> pixels = compressed_pixels(png);
-    Bytes data;
-    append_number(data, sequence_number++);
-    data.insert(data.end(), pixels.begin(), pixels.end());
-    append_chunk(file, "fdAT", data);
+void ApngWriter::add(Image image) {
+  require_image(image, "ApngWriter");
+  const bool is_first = added_ == 0;
+  if (!is_first) {
+    require(image.width == last_.width, "ApngWriter", "width", "that of the first image", image.width);
+    require(image.height == last_.height, "ApngWriter", "height", "that of the first image", image.height);
   }
-  append_chunk(file, "IEND", {});
-  WholeFile target(path);
-  target.write(file);
-  target.finish();
+  const Block rect = is_first ? Block{.x = 0, .y = 0, .width = image.width, .height = image.height}
+                              : changed_rect(last_, image);
+  const Bytes png = encode_png(is_first ? image : cropped(image, rect));
+  Bytes chunks, data;
+  if (is_first) {
+    chunks.assign(png.begin(), png.begin() + header_end);
+    append_number(data, static_cast<std::uint32_t>(frames_));
+    append_number(data, 0);  // repeats for ever
+    append_chunk(chunks, "acTL", data);
+    data.clear();
+  }
+  append_chunk(chunks, "fcTL", frame_control(sequence_number_++, rect, hundredths_));
+  if (!is_first) append_number(data, sequence_number_++);
+  const Span<const std::uint8_t> pixels = compressed_pixels(png);
+  data.insert(data.end(), pixels.begin(), pixels.end());
+  append_chunk(chunks, is_first ? "IDAT" : "fdAT", data);
+  file_.write(chunks);
+  last_ = std::move(image);
+  ++added_;
+}
+
+void ApngWriter::finish() {
+  require(added_ == frames_, "ApngWriter", "frames added", std::to_string(frames_), added_);
+  Bytes end;
+  append_chunk(end, "IEND", {});
+  file_.write(end);
+  file_.finish();
 }
 
 }  // namespace cairn::render

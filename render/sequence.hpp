@@ -42,9 +42,28 @@ class FrameWriter {
 };
 
 /// An animated PNG that shows exactly the given pixels and repeats for ever. Only the rectangle that changed
-/// is stored of every frame. A viewer that knows no animation shows the first.
-/// @throws WriteError, or std::invalid_argument unless there are images, all are of one size, and the rate is
-/// 0.01 to 655 frames per second (the format's limits).
-void write_apng(const std::filesystem::path& path, Span<const Image> images, double frames_per_second);
+/// is stored of every frame, and written at once: however long the film, memory holds one frame. A viewer
+/// that knows no animation shows the first.
+class ApngWriter {
+ public:
+  /// `frames`: as many as add() is going to bring.
+  /// @throws WriteError; std::invalid_argument unless there are frames, and the rate is 0.01 to 655 frames
+  /// per second (the format's limits).
+  ApngWriter(const std::filesystem::path& path, int frames, double frames_per_second);
+
+  /// @throws WriteError; std::invalid_argument as require_image(), and for another size than the first.
+  void add(Image image);
+  /// Puts the file into its place; without, there is none. @throws WriteError; std::invalid_argument unless
+  /// all frames were added.
+  void finish();
+
+ private:
+  WholeFile file_;
+  int frames_;
+  int added_ = 0;
+  std::uint32_t hundredths_ = 0;       // [frames per 100 s]
+  std::uint32_t sequence_number_ = 0;  // one count for control and data chunks
+  Image last_ = {};
+};
 
 }  // namespace cairn::render

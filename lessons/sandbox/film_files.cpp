@@ -50,7 +50,8 @@ List<fs::path> numbered_pictures(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder, none_there)) {
     const fs::path name = entry.path().filename();
     const bool is_part = name.extension() == ".part";  // 0004.png.3f...9c.part: see WholeFile
-    if (is_frame_name(is_part ? name.stem().stem().string() : name.string())) numbered.push_back(entry.path());
+    if (is_frame_name(is_part ? name.stem().stem().string() : name.string()))
+      numbered.push_back(entry.path());
   }
   return numbered;
 }
@@ -108,18 +109,22 @@ class PassingFolder {
   std::string path_;
 };
 
-/// Every frame of the film into the folder; what is there already stays.
-FilmOutcome fill_folder(SceneFilm& film, const fs::path& folder, const std::function<bool()>& stops,
-                        const ConsoleSettings& console) {
+/// Every frame of the film into the folder and the APNG, where they are wanted; what is in the folder already
+/// stays.
+FilmOutcome write_frames(SceneFilm& film, const std::optional<fs::path>& folder, render::ApngWriter* apng,
+                         const std::function<bool()>& stops, const ConsoleSettings& console) {
   FilmOutcome outcome;
   FrameSaver saver;
   ProgressLine progress(console, "frames", film.frame_count());
   for (int i = 0; i < film.frame_count() && !outcome.stopped; ++i) {
-    const fs::path path = folder / frame_name(i);
-    if (fs::exists(path)) {
+    const fs::path path = folder ? *folder / frame_name(i) : fs::path();
+    if (folder && fs::exists(path)) {
+      if (apng != nullptr) apng->add(render::read_png(path));
       outcome.kept += 1;
     } else {
-      saver.save(path, film.draw(i));
+      const render::Image image = film.draw(i);
+      if (folder) saver.save(path, image);
+      if (apng != nullptr) apng->add(image);
       outcome.drawn += 1;
     }
     progress.advance(i + 1);
@@ -129,14 +134,7 @@ FilmOutcome fill_folder(SceneFilm& film, const fs::path& folder, const std::func
   return outcome;
 }
 
-void write_one_file_films(const FilmFiles& files, const fs::path& folder, int count, FilmOutcome& outcome) {
-  if (files.apng) {
-    List<render::Image> images;
-    for (int i = 0; i < count; ++i) images.push_back(render::read_png(folder / frame_name(i)));
-    if (files.apng->has_parent_path()) make_folder(files.apng->parent_path());
-    render::write_apng(*files.apng, images, files.frames_per_second);
-    outcome.written.push_back(files.apng->string());
-  }
+void write_encoded_films(const FilmFiles& files, const fs::path& folder, int count, FilmOutcome& outcome) {
   if (files.gif) {
     encode_gif(folder, files.frames_per_second, *files.gif);
     outcome.written.push_back(files.gif->string());
@@ -189,25 +187,37 @@ std::string film_text(const FilmOutcome& outcome) {
   return text;
 }
 
+std::string stopped_text(const FilmFiles& files, const FilmOutcome& outcome) {
+  return fmt::format("stopped after {} frames; {}", outcome.drawn + outcome.kept,
+                     files.frames ? "the same command goes on there"
+                                  : "no film is written, and the same command begins anew");
+}
+
 FilmOutcome write_film(SceneFilm& film, const std::string& identity, const FilmFiles& files,
                        const std::function<bool()>& stops, const ConsoleSettings& console) {
   if (film.frame_count() == 0) throw render::WriteError("there is no frame to draw");
   std::optional<PassingFolder> passing;
-  if (!files.frames) passing.emplace();
-  const fs::path folder = files.frames ? *files.frames : fs::path(passing->path());
+  std::optional<fs::path> folder = files.frames;
+  if (!folder && (files.gif || files.webp)) folder = passing.emplace().path();
   const Json note = {{"film", identity},
                      {"frames", film.frame_count()},
                      {"frames_per_second", files.frames_per_second},
                      {"first", frame_name(0)},
                      {"last", frame_name(film.frame_count() - 1)}};
-  prepare_folder(folder, identity, note);
-  FilmOutcome outcome = fill_folder(film, folder, stops, console);
+  if (folder) prepare_folder(*folder, identity, note);
+  std::optional<render::ApngWriter> apng;
+  if (files.apng) apng.emplace(*files.apng, film.frame_count(), files.frames_per_second);
+  FilmOutcome outcome = write_frames(film, folder, apng ? &*apng : nullptr, stops, console);
   if (outcome.stopped && outcome.drawn + outcome.kept < film.frame_count()) return outcome;
   outcome.stopped = false;
   if (files.frames) {
-    outcome.written.push_back(fmt::format("{} frames in {}", film.frame_count(), folder.string()));
+    outcome.written.push_back(fmt::format("{} frames in {}", film.frame_count(), folder->string()));
   }
-  write_one_file_films(files, folder, film.frame_count(), outcome);
+  if (apng) {
+    apng->finish();
+    outcome.written.push_back(files.apng->string());
+  }
+  if (folder) write_encoded_films(files, *folder, film.frame_count(), outcome);
   return outcome;
 }
 

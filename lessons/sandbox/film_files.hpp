@@ -49,6 +49,9 @@ std::string film_identity(const SceneEntry& scene, const List<SceneRun>& runs, c
 /// "written: 91 frames in out/stack (12 were there)".
 std::string film_text(const FilmOutcome& outcome);
 
+/// What a film that was stopped leaves: a folder of frames is taken up again, a film in one file is not.
+std::string stopped_text(const FilmFiles& files, const FilmOutcome& outcome);
+
 /// The program of that name in PATH; nothing if there is none.
 std::optional<std::filesystem::path> program_in_path(const std::string& name);
 

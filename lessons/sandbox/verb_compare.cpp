@@ -64,8 +64,7 @@ void write_compare_film(const Words& words, const SceneEntry& scene, const List<
                                          files, wish.stops, words.console);
   is_stopped = outcome.stopped;
   if (is_stopped) {
-    console.warn(
-        fmt::format("stopped after {} frames; the same command goes on there", outcome.drawn + outcome.kept));
+    console.warn(stopped_text(files, outcome));
   } else {
     console.narrate(film_text(outcome));
   }

@@ -59,10 +59,7 @@ int run_run(const Words& words, Console& usual_console) {
     SceneFilm film(scene, runs, look);
     const FilmOutcome outcome = write_film(film, film_identity(scene, runs, look, files.frames_per_second),
                                            files, wish.stops, words.console);
-    if (outcome.stopped) {
-      return stopped_run(console, fmt::format("stopped after {} frames; the same command goes on there",
-                                              outcome.drawn + outcome.kept));
-    }
+    if (outcome.stopped) return stopped_run(console, stopped_text(files, outcome));
     console.narrate(film_text(outcome));
   }
   return exit_code(run);

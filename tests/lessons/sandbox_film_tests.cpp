@@ -145,6 +145,19 @@ TEST_CASE("a film that is interrupted leaves whole frames, and goes on where it 
   CHECK(folder.names("film").size() == 42);
 }
 
+TEST_CASE("an APNG that is interrupted leaves nothing, and does not promise to go on") {
+  const ScratchFolder folder;
+  // Stops it once there is the beginning of a file.
+  const std::string script =
+      "\"$0\" run pyramid --seconds 20s --size large --apng \"$1/film.png\" & for i in $(seq 1000); do "
+      "ls \"$1\"/film.png.*.part > /dev/null 2>&1 && break; sleep 0.01; done; kill -TERM $!; wait $!";
+  const Ran ran =
+      run_program("/bin/sh", {"-c", script, std::string(CAIRN_BIN_DIR) + "/cairn", folder.path()});
+  CHECK(ran.code == 130);
+  CHECK(text_has(ran.err, "no film is written, and the same command begins anew"));
+  CHECK(folder.names().empty());
+}
+
 TEST_CASE("a folder with numbered pictures of somebody else's is left alone") {
   const ScratchFolder folder;
   folder.write("holiday/0001.png", "the sea");

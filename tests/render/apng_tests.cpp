@@ -77,6 +77,12 @@ Animation animation_in(const std::filesystem::path& path) {
   return animation;
 }
 
+void write_apng(const std::filesystem::path& path, const List<Image>& images, double frames_per_second) {
+  ApngWriter writer(path, images.size(), frames_per_second);
+  for (const Image& image : images) writer.add(image);
+  writer.finish();
+}
+
 /// A square of 10 pixels on grey, with its top left corner at (x, y).
 Image picture_of_square(int x, int y) {
   Image image = flat_picture(64, 36, 230);
@@ -154,15 +160,33 @@ TEST_CASE("an animation of nothing, of two sizes or at a rate the format cannot 
   const auto refusal = [&](const List<Image>& images, double rate) {
     return message_of<std::invalid_argument>([&] { write_apng(folder / "a.png", images, rate); });
   };
-  CHECK(refusal({}, 10) == "write_apng: images must be at least one, got 0");
+  CHECK(refusal({}, 10) == "ApngWriter: frames must be at least one, got 0");
   CHECK(refusal({pair[0], flat_picture(3, 2, 0)}, 10) ==
-        "write_apng: width must be that of the first image, got 3");
+        "ApngWriter: width must be that of the first image, got 3");
   CHECK(refusal({pair[0], flat_picture(2, 1, 0)}, 10) ==
-        "write_apng: height must be that of the first image, got 1");
-  CHECK(refusal({pair[0], Image{}}, 10) == "write_apng: width must be positive px, got 0");
+        "ApngWriter: height must be that of the first image, got 1");
+  CHECK(refusal({pair[0], Image{}}, 10) == "ApngWriter: width must be positive px, got 0");
   for (const double rate : {0.0, -1.0, 0.001, 656.0, std::numeric_limits<double>::quiet_NaN()}) {
-    CHECK(refusal(pair, rate).find("write_apng: frames_per_second must be 0.01 to 655 1/s") == 0);
+    CHECK(refusal(pair, rate).find("ApngWriter: frames_per_second must be 0.01 to 655 1/s") == 0);
   }
   CHECK(std::filesystem::is_empty(folder.path()));
   CHECK_THROWS_AS(write_apng("/dev/null/a.png", pair, 10), WriteError);
+}
+
+TEST_CASE("frames are on disk as they come, and an animation that is not finished leaves nothing") {
+  const TemporaryFolder folder;
+  {
+    ApngWriter writer(folder / "a.png", 3, 10);
+    const auto written = [&folder] {
+      return file_size(std::filesystem::directory_iterator(folder.path())->path());
+    };
+    writer.add(random_picture(100, 100, 1));
+    const std::uintmax_t first = written();
+    CHECK(first > 30000);  // noise does not compress
+    writer.add(random_picture(100, 100, 2));
+    CHECK(written() > 2 * first - 1000);
+    CHECK_FALSE(std::filesystem::exists(folder / "a.png"));
+    CHECK_THROWS_WITH_AS(writer.finish(), "ApngWriter: frames added must be 3, got 2", std::invalid_argument);
+  }
+  CHECK(std::filesystem::is_empty(folder.path()));
 }
