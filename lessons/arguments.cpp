@@ -155,11 +155,19 @@ void read_size(const LessonInfo& info, const std::string& text, Options& options
   options.height = static_cast<int>(*height);
 }
 
+/// A path that begins with a dash was meant as a flag; "-" alone is for the caller.
+std::string read_path(const LessonInfo& info, const std::string& flag, const std::string& rule,
+                      const std::string& text) {
+  if (text.empty()) refuse(info, "--" + flag + " must " + rule + ", got nothing");
+  if (text.size() < 2 || text[0] != '-') return text;
+  refuse(info, "--" + flag + " must " + rule + ", got " + text +
+                   "; a path that begins with a dash is written ./" + text);
+}
+
 void read_pictures(const LessonInfo& info, const CLI::App& app, const Texts& texts, Options& options) {
   options.out = std::filesystem::path("out") / short_name(info);
   if (app.count("--out") > 0) {
-    if (texts.out.empty()) refuse(info, "--out must name a folder, got nothing");
-    options.out = texts.out;
+    options.out = read_path(info, "out", "name a folder", texts.out);
   }
   if (app.count("--frames") > 0) {
     const std::optional<FrameChoice> choice = parse_frames(texts.frames);
@@ -193,14 +201,9 @@ void read_pictures(const LessonInfo& info, const CLI::App& app, const Texts& tex
 }
 
 void read_data(const LessonInfo& info, const CLI::App& app, const Texts& texts, Options& options) {
-  for (const char* flag : {"--csv", "--json"}) {
-    const std::string& text = std::string_view(flag) == "--csv" ? texts.csv : texts.json;
-    if (app.count(flag) > 0 && text.empty())
-      refuse(info, std::string(flag) + " must name a file or be -, got nothing");
-  }
+  if (app.count("--csv") > 0) options.csv = read_path(info, "csv", "name a file or be -", texts.csv);
+  if (app.count("--json") > 0) options.json = read_path(info, "json", "name a file or be -", texts.json);
   if (texts.csv == "-" && texts.json == "-") refuse(info, "--csv - and --json - cannot share stdout");
-  options.csv = texts.csv;
-  options.json = texts.json;
   options.console.narrates_on_stderr = texts.csv == "-" || texts.json == "-";
   const bool is_hash =
       texts.expect.size() == 16 && texts.expect.find_first_not_of("0123456789abcdef") == std::string::npos;

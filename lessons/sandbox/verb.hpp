@@ -34,6 +34,9 @@ struct Flag {
   std::string takes = {};  // "MM"; empty: it takes no value
   std::string help = {};   // with its standard value in brackets
   bool many = false;       // may be given more than once, or with commas
+
+  /// Whether its values are places on disk.
+  bool takes_paths() const { return takes == "DIR" || takes.rfind("FILE", 0) == 0; }
 };
 
 /// The words of a command line behind its verb, as far as flags and their values are told apart.

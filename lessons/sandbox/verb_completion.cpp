@@ -48,9 +48,9 @@ std::string file_flags() {
   List<std::string> words;
   for (const Verb& verb : verbs()) {
     for (const Flag& flag : verb.flags) {
-      const bool is_file = flag.takes.find("FILE") != std::string::npos || flag.takes == "DIR";
       const std::string word = "--" + flag.name;
-      if (is_file && std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+      if (flag.takes_paths() && std::find(words.begin(), words.end(), word) == words.end())
+        words.push_back(word);
     }
   }
   return joined(words, "|");

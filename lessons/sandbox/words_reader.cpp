@@ -73,6 +73,11 @@ void take(const Verb& verb, const List<Flag>& flags, const Values& values, Words
     if (given.size() > 1 && !flag.many) refuse_words(verb, "--" + flag.name + " is given twice");
     for (const std::string& value : given) {
       if (value.empty()) refuse_words(verb, "--" + flag.name + " needs a value, got nothing");
+      const bool is_flag = flag.takes_paths() && value.size() > 1 && value[0] == '-';
+      if (is_flag) {
+        refuse_words(verb, "--" + flag.name + " needs a path, got " + value +
+                               "; one that begins with a dash is written ./" + value);
+      }
     }
     words.flags[flag.name] = given;
   }

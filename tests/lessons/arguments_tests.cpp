@@ -115,6 +115,15 @@ TEST_CASE("picture flags are checked before anything runs") {
   CHECK(mentions(complaint_about({"--out="}), "--out"));
 }
 
+TEST_CASE("a path that begins with a dash was meant as a flag") {
+  CHECK(
+      complaint_about({"--out", "--check"}) ==
+      "lesson06: --out must name a folder, got --check; a path that begins with a dash is written ./--check");
+  CHECK(mentions(complaint_about({"--csv", "--json"}), "--csv must name a file or be -, got --json"));
+  CHECK(mentions(complaint_about({"--json=-x"}), "--json must name a file or be -, got -x"));
+  CHECK(options_from({"--out", "./-x"}).out == std::filesystem::path("./-x"));
+}
+
 TEST_CASE("a dry run and a check draw nothing") {
   CHECK(options_from({"--dry-run", "--frames", "all"}).frames.kind == FrameChoice::Kind::none);
   CHECK(options_from({"--check"}).frames.kind == FrameChoice::Kind::none);

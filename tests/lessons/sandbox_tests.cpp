@@ -71,6 +71,9 @@ TEST_CASE("words that no verb knows are refused in one line that helps") {
            {{"tradeoff"}, {"SCENE", "--all"}},
            {{"freeze", "stack", "--json=no"}, {"--json takes no value", "no"}},
            {{"freeze", "stack", "--out"}, {"--out needs a value"}},
+           {{"freeze", "stack", "--out", "--json"}, {"--out needs a path", "got --json", "./--json"}},
+           {{"run", "stack", "--frames", "--apng", "x.png"}, {"--frames needs a path", "got --apng"}},
+           {{"run", "stack", "--csv=-x"}, {"--csv needs a path", "got -x", "./-x"}},
            {{"freeze", "stack", "--step", "1", "--step", "2"}, {"--step is given twice"}},
            {{"validate", "--color", "blue"}, {"--color must be auto or always or never", "blue"}}}) {
     check_refused(bad);
