@@ -38,12 +38,16 @@ List<int> wanted_frames(const LessonInfo& info, const Options& options, const Li
 }
 
 /// The files that the folder's frames.json names: only such as this lesson could have written.
+/// @throws WriteError where that file is of nobody's lesson
 List<std::string> earlier_frames(const fs::path& folder, const std::string& stem) {
-  std::ifstream stream(folder / "frames.json");
-  if (!stream) return {};
+  const fs::path path = folder / "frames.json";
+  if (!fs::exists(path)) return {};
+  std::ifstream stream(path);
   const Json old = Json::parse(stream, nullptr, false);
   List<std::string> files;
-  if (!old.is_object() || !old.contains("frames") || !old["frames"].is_array()) return files;
+  if (!old.is_object() || !old.contains("lesson") || !old.contains("frames") || !old["frames"].is_array()) {
+    throw WriteError("cannot write " + path.string() + ": there is one that no lesson wrote");
+  }
   for (const Json& frame : old["frames"]) {
     if (!frame.is_object() || !frame.contains("file") || !frame["file"].is_string()) continue;
     const std::string file = frame["file"];

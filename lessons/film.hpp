@@ -20,8 +20,8 @@ struct FilmReport {
 /// Writes lNN_0001.png ... and frames.json into options.out, and removes the frames that an earlier
 /// frames.json of that folder names and that were not written again. When a frame cannot be written, those of
 /// this run are removed too.
-/// @throws render::RenderError, render::WriteError, NoSuchFrame; std::logic_error for a shot without alt
-/// text.
+/// @throws render::RenderError, NoSuchFrame; WriteError, also for a frames.json that no lesson wrote;
+/// std::logic_error for a shot without alt text.
 FilmReport draw_film(const LessonInfo& info, const Options& options, const List<Shot>& shots,
                      Console& console);
 

@@ -1,9 +1,12 @@
 // Frames in a folder: which are there, which are to be drawn.
 #include "lessons/sandbox/film_files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <fstream>
 #include <future>
@@ -31,7 +34,7 @@ bool is_frame_name(const std::string& name) {
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw render::WriteError("cannot make the folder " + folder.string() + ": " + error.message());
+  if (error) throw WriteError("cannot make the folder " + folder.string() + ": " + error.message());
 }
 
 /// What the folder's note says that its frames are of; nothing without a note.
@@ -57,15 +60,40 @@ List<fs::path> numbered_pictures(const fs::path& folder) {
 }
 
 void require_own_folder(const fs::path& folder) {
-  if (identity_in(folder) || numbered_pictures(folder).empty()) return;
-  throw render::WriteError(
-      folder.string() +
-      " holds numbered pictures that are no film of cairn; name an empty folder, or a new one");
+  if (identity_in(folder)) return;
+  const fs::path note = folder / "frames.json";
+  if (fs::exists(note)) {
+    throw WriteError(note.string() +
+                     " is not of a film of cairn; name another folder, or move the file away");
+  }
+  if (numbered_pictures(folder).empty()) return;
+  throw WriteError(folder.string() +
+                   " holds numbered pictures that are no film of cairn; name an empty folder, or a new one");
 }
+
+/// Two runs must not fill one folder. The system frees it with the process that had it, however that ended.
+class FolderLock {
+ public:
+  /// A folder that is missing, or that cannot be locked, is free.
+  explicit FolderLock(const fs::path& folder)
+      : file_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (file_ < 0 || flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    close(file_);
+    throw WriteError(folder.string() +
+                     " is being filled by another run; wait for it, or name another folder");
+  }
+  ~FolderLock() {
+    if (file_ >= 0) close(file_);
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int file_;
+};
 
 /// Makes the folder ready: afterwards, numbered pictures in it are whole frames of this very film.
 void prepare_folder(const fs::path& folder, const std::string& identity, const Json& note) {
-  make_folder(folder);
   require_own_folder(folder);
   const std::optional<std::string> before = identity_in(folder);
   for (const fs::path& path : numbered_pictures(folder)) {
@@ -95,7 +123,7 @@ class PassingFolder {
  public:
   PassingFolder() {
     path_ = (fs::temp_directory_path() / "cairn-film-XXXXXX").string();
-    if (mkdtemp(path_.data()) == nullptr) throw render::WriteError("cannot make the folder " + path_);
+    if (mkdtemp(path_.data()) == nullptr) throw WriteError("cannot make the folder " + path_);
   }
   ~PassingFolder() {
     std::error_code ignored;
@@ -164,7 +192,10 @@ FilmFiles film_files(const Words& words) {
   if (const auto path = words.text("webp")) files.webp = *path;
   files.frames_per_second = words.number("fps", 30, 0.01, 600);
   require_encoders(files);
-  if (files.frames) require_own_folder(*files.frames);
+  if (files.frames) {
+    require_own_folder(*files.frames);
+    const FolderLock is_free(*files.frames);
+  }
   return files;
 }
 
@@ -195,7 +226,7 @@ std::string stopped_text(const FilmFiles& files, const FilmOutcome& outcome) {
 
 FilmOutcome write_film(SceneFilm& film, const std::string& identity, const FilmFiles& files,
                        const std::function<bool()>& stops, const ConsoleSettings& console) {
-  if (film.frame_count() == 0) throw render::WriteError("there is no frame to draw");
+  if (film.frame_count() == 0) throw WriteError("there is no frame to draw");
   std::optional<PassingFolder> passing;
   std::optional<fs::path> folder = files.frames;
   if (!folder && (files.gif || files.webp)) folder = passing.emplace().path();
@@ -204,7 +235,12 @@ FilmOutcome write_film(SceneFilm& film, const std::string& identity, const FilmF
                      {"frames_per_second", files.frames_per_second},
                      {"first", frame_name(0)},
                      {"last", frame_name(film.frame_count() - 1)}};
-  if (folder) prepare_folder(*folder, identity, note);
+  std::optional<FolderLock> lock;
+  if (folder) {
+    make_folder(*folder);
+    lock.emplace(*folder);
+    prepare_folder(*folder, identity, note);
+  }
   std::optional<render::ApngWriter> apng;
   if (files.apng) apng.emplace(*files.apng, film.frame_count(), files.frames_per_second);
   FilmOutcome outcome = write_frames(film, folder, apng ? &*apng : nullptr, stops, console);

@@ -38,7 +38,8 @@ struct FilmOutcome {
 
 /// Draws the film into its files. Frames 0000.png, 0001.png ... appear whole or not at all. `identity` says
 /// what the film is of: frames of the same film that are there stay, those of another one are removed.
-/// @throws render::WriteError, also for a folder that holds numbered pictures of somebody else's.
+/// @throws render::WriteError, also for a folder that another run fills, or that holds numbered pictures or a
+/// frames.json of somebody else's.
 FilmOutcome write_film(SceneFilm& film, const std::string& identity, const FilmFiles& files,
                        const std::function<bool()>& stops, const ConsoleSettings& console);
 

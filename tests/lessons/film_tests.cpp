@@ -90,13 +90,23 @@ TEST_CASE("an index that was tampered with does not remove files outside the fol
   folder.write("out/other.png", "other");
   folder.write(
       "out/frames.json",
-      R"({"frames": [{"file": "../precious.png"}, {"file": "l42_/../../precious.png"}, {"file": "other.png"},
+      R"({"lesson": 42, "frames": [{"file": "../precious.png"}, {"file": "l42_/../../precious.png"}, {"file": "other.png"},
                               {"file": 5}, 7]})");
   CHECK(film_into(folder, {}).code == 0);
   CHECK(folder.text("precious.png") == "precious");
   CHECK(folder.text("out/other.png") == "other");
-  folder.write("out/frames.json", "{ broken");
-  CHECK(film_into(folder, {}).code == 0);
+}
+
+TEST_CASE("a frames.json that no lesson wrote is left alone, and nothing is put beside it") {
+  const ScratchFolder folder;
+  for (const char* index : {"{ broken", "[]", R"({"frames": []})", R"({"film": "stack", "frames": 7})"}) {
+    folder.write("out/frames.json", index);
+    const Ran ran = film_into(folder, {});
+    CHECK(ran.code == 3);
+    CHECK(ran.err.find("out/frames.json: there is one that no lesson wrote") != std::string::npos);
+    CHECK(folder.text("out/frames.json") == index);
+    CHECK(folder.names("out") == Names{"frames.json"});
+  }
 }
 
 TEST_CASE("a dry run, a check and a run without frames write nothing") {

@@ -145,6 +145,24 @@ TEST_CASE("a film that is interrupted leaves whole frames, and goes on where it 
   CHECK(folder.names("film").size() == 42);
 }
 
+TEST_CASE("a folder that another run fills is refused, and free once that run is killed") {
+  const ScratchFolder folder;
+  const std::string film = folder.path() + "/film";
+  const pid_t other =
+      started_cairn({"run", "pyramid", "--seconds", "20s", "--size", "large", "--frames", film}, "/dev/null");
+  for (int i = 0; i < 1000 && !fs::exists(film + "/0000.png"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const Ran refused = run_cairn(small_film(film));
+  CHECK(refused.code == 3);
+  CHECK(refused.out.empty());
+  CHECK(text_has(refused.err, film + " is being filled by another run"));
+  kill(other, SIGKILL);
+  int status = 0;
+  waitpid(other, &status, 0);
+  CHECK(run_cairn(small_film(film)).code == 0);
+  CHECK(folder.names("film").size() == 8);  // 7 frames and the note, and nothing of the run that was killed
+}
+
 TEST_CASE("an APNG that is interrupted leaves nothing, and does not promise to go on") {
   const ScratchFolder folder;
   // Stops it once there is the beginning of a file.
@@ -166,6 +184,12 @@ TEST_CASE("a folder with numbered pictures of somebody else's is left alone") {
   CHECK(text_has(ran.err, "no film of cairn"));
   CHECK(folder.names("holiday") == List<std::string>{"0001.png"});
   CHECK(run_cairn(small_film("/dev/null/film")).code == 3);
+  folder.write("notes/frames.json", "{\"mine\": 1}");
+  const Ran noted = run_cairn(small_film(folder.path() + "/notes"));
+  CHECK(noted.code == 3);
+  CHECK(text_has(noted.err, "notes/frames.json is not of a film of cairn; name another folder"));
+  CHECK(folder.text("notes/frames.json") == "{\"mine\": 1}");
+  CHECK(folder.names("notes") == List<std::string>{"frames.json"});
 }
 
 TEST_CASE("films in one file: APNG always, GIF and WebP where their programs are") {
