@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "lessons/output.hpp"
+
 namespace cairn {
 namespace {
 
@@ -33,6 +35,32 @@ int show_hint(const Exercise& exercise, std::string_view word) {
   return 0;
 }
 
+int run_exercise(const Exercise& exercise, int argument_count, const char* const* arguments) {
+  if (argument_count > 1) {
+    const bool is_hint = std::string_view(arguments[1]) == "--hint" && argument_count <= 3;
+    if (is_hint) return show_hint(exercise, argument_count == 3 ? arguments[2] : "1");
+    fmt::print(stderr, "exercise {:02}: unknown word {}; there is: --hint [1-{}]\n", exercise.lesson,
+               arguments[1], exercise.hints.size());
+    return 2;
+  }
+  Grade grade;
+  exercise.grade(grade);
+  fmt::print("EXERCISE {:02}  {}\n         {}\n", exercise.lesson, exercise.task, exercise.file);
+  print_marks(grade);
+  if (grade.passed()) {
+    fmt::print("Passed.\n");
+    return 0;
+  }
+  fmt::print("Not yet. A hint: bash lessons/run hint {}\n", exercise.lesson);
+  return 1;
+}
+
+int finished(int code) {
+  if (output_is_written()) return code;
+  fmt::print(stderr, "exercise: the output cannot be written\n");
+  return 3;
+}
+
 }  // namespace
 
 void Grade::number(const ExpectedNumber& expected, double got) {
@@ -53,23 +81,7 @@ bool Grade::passed() const {
 }
 
 int exercise_program(const Exercise& exercise, int argument_count, const char* const* arguments) {
-  if (argument_count > 1) {
-    const bool is_hint = std::string_view(arguments[1]) == "--hint" && argument_count <= 3;
-    if (is_hint) return show_hint(exercise, argument_count == 3 ? arguments[2] : "1");
-    fmt::print(stderr, "exercise {:02}: unknown word {}; there is: --hint [1-{}]\n", exercise.lesson,
-               arguments[1], exercise.hints.size());
-    return 2;
-  }
-  Grade grade;
-  exercise.grade(grade);
-  fmt::print("EXERCISE {:02}  {}\n         {}\n", exercise.lesson, exercise.task, exercise.file);
-  print_marks(grade);
-  if (grade.passed()) {
-    fmt::print("Passed.\n");
-    return 0;
-  }
-  fmt::print("Not yet. A hint: bash lessons/run hint {}\n", exercise.lesson);
-  return 1;
+  return finished(run_exercise(exercise, argument_count, arguments));
 }
 
 int exercise_list_program(const List<Exercise>& exercises) {
@@ -78,7 +90,7 @@ int exercise_list_program(const List<Exercise>& exercises) {
     exercise.grade(grade);
     fmt::print("{:02} {}\n", exercise.lesson, grade.passed() ? "passed" : "failed");
   }
-  return EXIT_SUCCESS;
+  return finished(EXIT_SUCCESS);
 }
 
 }  // namespace cairn

@@ -15,6 +15,7 @@
 #include "lessons/console.hpp"
 #include "lessons/film.hpp"
 #include "lessons/help.hpp"
+#include "lessons/output.hpp"
 #include "lessons/records.hpp"
 #include "lessons/words.hpp"
 #include "math/check.hpp"
@@ -229,6 +230,11 @@ int complain(const std::string& name, int code, const std::string& message) {
   return code;
 }
 
+int finished(const LessonInfo& info, int code) {
+  if (output_is_written()) return code;
+  return complain(short_name(info), 3, "the output cannot be written");
+}
+
 /// Says why the run ended early, inside a handler. Returns the exit code.
 int explain_failure(const std::string& name) {
   try {
@@ -261,7 +267,7 @@ int run_lesson(const LessonInfo& info, const std::function<void(Lesson&)>& lesso
     if (options.request != Options::Request::run) {
       const std::string text = text_asked_for(info, options);
       std::cout << (options.console.plain ? transliterated(text) : text) << std::flush;
-      return 0;
+      return finished(info, 0);
     }
     const bool can_pause = is_terminal(stdin);
     if (options.step && !can_pause) {
@@ -280,7 +286,7 @@ int run_lesson(const LessonInfo& info, const std::function<void(Lesson&)>& lesso
     }
     state.print_end();
     state.write_files();
-    return state.exit_code();
+    return finished(info, state.exit_code());
   } catch (...) {
     return explain_failure(short_name(info));
   }

@@ -9,6 +9,7 @@
 
 #include "lessons/driver/commands.hpp"
 #include "lessons/driver/process.hpp"
+#include "lessons/output.hpp"
 #include "lessons/words.hpp"
 #include "math/list.hpp"
 
@@ -166,7 +167,10 @@ int drive(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return drive(argc, argv);
+    const int code = drive(argc, argv);
+    if (output_is_written()) return code;
+    fmt::print(stderr, "lessons: the output cannot be written\n");
+    return 3;
   } catch (const std::exception& error) {
     fmt::print(stderr, "lessons: {}\n", error.what());
     return 3;

@@ -5,6 +5,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include "lessons/output.hpp"
 #include "lessons/sandbox/verb.hpp"
 #include "lessons/words.hpp"
 #include "math/list.hpp"
@@ -53,9 +54,8 @@ int act(const List<std::string>& all) {
   return verb->run(words, console);
 }
 
-/// A full disk behind stdout often shows only here.
 int finished(int code) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  if (output_is_written()) return code;
   return complain(cannot_write, "cairn: the output cannot be written");
 }
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -44,6 +45,10 @@ std::string lines_ending(const std::string& ending) {
 TEST_CASE("every exercise fails as it comes") { CHECK(output_of("all_exercises") == lines_ending("failed")); }
 
 TEST_CASE("every model answer passes") { CHECK(output_of("all_solutions") == lines_ending("passed")); }
+
+TEST_CASE("output that a full disk does not take ends with three") {
+  CHECK(WEXITSTATUS(std::system(CAIRN_BIN_DIR "/all_solutions > /dev/full 2> /dev/null")) == 3);
+}
 
 TEST_CASE("a number holds within its tolerance, and a NaN never does") {
   const double nan = std::numeric_limits<double>::quiet_NaN();

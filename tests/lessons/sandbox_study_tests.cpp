@@ -157,6 +157,13 @@ TEST_CASE("output that a full disk does not take ends with three") {
        {Flags{"--help"}, Flags{"validate", "--list"}, Flags{"freeze", "stack", "--json"}}) {
     CHECK(exit_code_of(started_cairn(words, "/dev/full")) == 3);
   }
+  for (const std::string command : {"lesson00_one_body --help", "lesson00_one_body --frames none",
+                                    "lesson00_one_body --check --quiet", "lessons list", "lessons --help"}) {
+    CAPTURE(command);
+    const Ran ran = run_program("/bin/sh", {"-c", CAIRN_BIN_DIR "/" + command + " > /dev/full"});
+    CHECK(ran.code == 3);
+    CHECK(mentions(ran.err, "the output cannot be written"));
+  }
 }
 
 TEST_CASE("solvers that never arrive say in the table how they end") {
