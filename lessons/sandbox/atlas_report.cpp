@@ -9,6 +9,7 @@
 #include "lessons/sandbox/atlas_chart.hpp"
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/progress_line.hpp"
+#include "lessons/sandbox/study_words.hpp"
 #include "lessons/sandbox/trade_report.hpp"
 #include "math/list.hpp"
 #include "render/image.hpp"
@@ -51,14 +52,14 @@ int run_atlas(const Words& words, Console& console) {
   (void)theme_of(words);  // refuses a wrong one before the work
   const AtlasPart part = words.has("quick") ? AtlasPart::quick : AtlasPart::all;
   const Study study = atlas_study(part);
-  const Shard shard = parse_shard(words.text("shard").value_or("1/1"));
+  const Shard shard = shard_of(words);
   const fs::path folder = *words.text("atlas");
   std::error_code error;
   fs::create_directories(folder, error);
   const std::string of = shard.of > 1 ? fmt::format("_{}_of_{}", shard.number, shard.of) : "";
   const fs::path file = folder / (study.name + of + ".csv");
   if (words.has("again")) fs::remove(file, error);
-  Journal journal(file, study);
+  Journal journal = open_journal(words, file, study);
   for (const std::string& other : words.texts("merge")) journal.absorb(other);
   if (!words.has("merge") && !run_maps(study, shard, journal, words)) {
     console.warn("stopped; the same command goes on where it was");

@@ -10,6 +10,7 @@
 #include "lessons/records.hpp"
 #include "lessons/sandbox/atlas_report.hpp"
 #include "lessons/sandbox/interrupt.hpp"
+#include "lessons/sandbox/study_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
 #include "math/list.hpp"
@@ -99,13 +100,13 @@ int run_extremes(const Words& words, Console& console) {
   if (words.has("list")) return list_axes(console);
   const ExtremeChoice choice = choice_of(words);
   const Study study = extreme_study(choice);
-  const Shard shard = parse_shard(words.text("shard").value_or("1/1"));
+  const Shard shard = shard_of(words);
   const fs::path folder = words.text("out").value_or("out/extremes");
   std::error_code error;
   fs::create_directories(folder, error);
   const fs::path file = folder / fmt::format("{}_{}_of_{}.csv", study.name, shard.number, shard.of);
   if (words.has("again")) fs::remove(file, error);
-  Journal journal(file, study);
+  Journal journal = open_journal(words, file, study);
   if (words.has("merge")) {
     for (const std::string& other : words.texts("merge")) journal.absorb(other);
   } else {

@@ -7,6 +7,7 @@
 #include "frozen/frozen_set.hpp"
 #include "lessons/records.hpp"
 #include "lessons/sandbox/interrupt.hpp"
+#include "lessons/sandbox/study_words.hpp"
 #include "lessons/sandbox/trade_report.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
@@ -37,30 +38,10 @@ int list_scenes(const Words& words, Console& console) {
   return all_well;
 }
 
-Shard shard_of(const Words& words) {
-  const std::optional<std::string> given = words.text("shard");
-  if (!given) return {};
-  words.refuse_beside("merge", "beside --shard");
-  try {
-    return parse_shard(*given);
-  } catch (const std::invalid_argument&) {
-    words.refuse("shard", "k/n with 1 <= k <= n <= 10000", *given);
-  }
-}
-
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw std::runtime_error(folder.string() + ": cannot be made: " + error.message());
-}
-
-Journal open_journal(const fs::path& path, const Study& study) {
-  try {
-    return {path, study};
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("cairn tradeoff: ") + error.what() +
-                     "; --out writes elsewhere, or delete the journal to begin anew");
-  }
 }
 
 /// True when it went to its end.
@@ -88,7 +69,7 @@ int run_level(const Words& words, Console& console) {
   const fs::path folder = words.text("out").value_or("out/tradeoff");
   make_folder(folder);
   const std::string part = shard.of > 1 ? fmt::format(".{}-of-{}", shard.number, shard.of) : "";
-  Journal journal = open_journal(folder / (trade.name + part + ".journal"), trade.study);
+  Journal journal = open_journal(words, folder / (trade.name + part + ".journal"), trade.study);
   for (const std::string& other : parts) journal.absorb(other);
   if (parts.empty() && !run_to_the_end(words, trade.study, shard, journal, console)) {
     console.warn("stopped; the same command goes on where it was");

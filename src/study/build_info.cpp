@@ -46,6 +46,11 @@ const List<std::pair<std::string, std::string>>& build_entries() {
   return entries;
 }
 
+std::string build_text() {
+  return "cairn " CAIRN_VERSION " of commit " + build_commit() + ", Box2D " CAIRN_BOX2D_VERSION ", " +
+         compiler_name() + ", " CAIRN_BUILD_FLAGS;
+}
+
 nlohmann::ordered_json build_json() {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   for (const auto& [name, value] : build_entries()) json[name] = value;

@@ -19,6 +19,9 @@ std::string build_commit();
 /// process may use).
 const List<std::pair<std::string, std::string>>& build_entries();
 
+/// What decides about numbers, on one line: version, commit, Box2D, compiler and flags, not the machine.
+std::string build_text();
+
 /// The same as an object, to stand beside numbers in JSON.
 nlohmann::ordered_json build_json();
 

@@ -11,6 +11,7 @@
 #include "math/check.hpp"
 #include "measure/whole_file.hpp"
 #include "math/list.hpp"
+#include "study/build_info.hpp"
 
 namespace cairn {
 
@@ -24,6 +25,9 @@ bool read_count(std::string_view text, int& number) {
 }
 
 std::string title_line(const std::string& study) { return "# " + study; }
+
+/// Answers of two builds must not stand in one table.
+std::string build_line() { return "# " + build_text(); }
 
 /// Lines that end with a line break: one that does not was cut off.
 List<std::string> whole_lines(std::istream& in) {
@@ -58,18 +62,21 @@ void Journal::read(const std::filesystem::path& path) {
   std::ostringstream all;
   all << in.rdbuf();
   if (!in) throw std::runtime_error(path.string() + ": cannot be read");
-  const std::string text = all.str(), ours = title_line(study_) + '\n' + header_ + '\n';
-  // It may have been cut off within its first two lines.
+  const std::string text = all.str(), ours = title_line(study_) + '\n' + build_line() + '\n' + header_ + '\n';
+  // It may have been cut off within its first three lines.
   const bool is_ours = text.compare(0, ours.size(), ours, 0, text.size()) == 0;
   const std::string first_line = text.substr(0, text.find('\n'));
   const bool is_titled = first_line.rfind("# ", 0) == 0;
   const bool has_title = first_line == title_line(study_);
+  std::istringstream whole(text);
+  const List<std::string> lines = whole_lines(whole);
+  const std::string build = lines.size() > 1 ? lines[1] : "";
+  require(is_ours || !has_title || build == build_line(), path.string(), "build", build_text(),
+          build.rfind("# ", 0) == 0 ? build.substr(2) : "none");
   require(is_ours || !has_title, path.string(), "columns", "those of this version", "others");
   require(is_ours, path.string(), "journal", "of the study \"" + study_ + "\"",
           "\"" + first_line.substr(is_titled ? 2 : 0) + "\"");
-  std::istringstream whole(text);
-  const List<std::string> lines = whole_lines(whole);
-  for (int i = 2; i < lines.size(); ++i) {
+  for (int i = 3; i < lines.size(); ++i) {
     int task = -1;
     const bool is_task = read_count(std::string_view(lines[i]).substr(0, lines[i].find(',')), task);
     require(is_task && task >= 0 && task < tasks_, path.string(), "line " + std::to_string(i + 1),
@@ -94,7 +101,9 @@ void Journal::absorb(const std::filesystem::path& other) {
   rewrite();
 }
 
-void Journal::rewrite() const { write_whole_file(path_, title_line(study_) + '\n' + csv()); }
+void Journal::rewrite() const {
+  write_whole_file(path_, title_line(study_) + '\n' + build_line() + '\n' + csv());
+}
 
 std::string Journal::csv() const {
   std::string text = header_ + "\n";

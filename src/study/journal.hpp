@@ -35,13 +35,13 @@ struct Study {
   List<StudyTask> tasks = {};
 };
 
-/// The answers found so far: a file with the study's name, a header, and a line for each task in the order in
-/// which they were done. A line that was cut off is forgotten. The file is
-/// only ever replaced as a whole or appended to.
+/// The answers found so far: a file with the study's name, the build's, a header, and a line for each task in
+/// the order in which they were done. A line that was cut off is forgotten. The file is only ever replaced as
+/// a whole or appended to.
 class Journal {
  public:
   /// Begins the file, or takes up what is there.
-  /// @throws std::invalid_argument when the file belongs to another study or cannot be understood,
+  /// @throws std::invalid_argument when the file belongs to another study or build, or cannot be understood,
   /// std::runtime_error when it cannot be written; both name the file.
   Journal(std::filesystem::path path, const Study& study);
 

@@ -17,14 +17,14 @@ namespace fs = std::filesystem;
 
 const FixedList<const char*, 5> atlas_maps = {"mass-ratio", "stack", "chain", "springs", "origin"};
 
-/// A journal of all cells, with endings that a run would not give: the two lines of `begun` that name the
-/// study, and then classes in turns, a few cells long.
+/// A journal of all cells, with endings that a run would not give: the three lines of `begun` that name
+/// study, build and columns, and then classes in turns, a few cells long.
 void write_made_up_journal(const fs::path& begun, const fs::path& path, int cells) {
   const FixedList<const char*, 6> endings = {"holds", "strained", "failed", "exploded", "refused", "not run"};
   std::ifstream in(begun);
   std::ofstream out(path);
   std::string line;
-  for (int i = 0; i < 2 && std::getline(in, line); ++i) out << line << '\n';
+  for (int i = 0; i < 3 && std::getline(in, line); ++i) out << line << '\n';
   for (int cell = 0; cell < cells; ++cell) {
     out << cell << ",m,s,p,1,1," << endings[cell / 4 % 6] << ",0,0\n";
   }

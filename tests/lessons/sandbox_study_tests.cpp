@@ -125,7 +125,7 @@ TEST_CASE("the journal of another grid, and a file that is none, are refused and
   const Ran other = study_in(folder, "ratio100", {"--solvers", "pgs"});
   CHECK(other.code == 2);
   CHECK(lines_in(other.err) == 1);
-  CHECK(mentions(other.err, "--out writes elsewhere"));
+  CHECK(mentions(other.err, "name another folder, or delete the journal"));
   CHECK(folder.text("ratio100.journal") == before);
   folder.write("stack10.journal", "notes without a line break");
   CHECK(study_in(folder, "stack10", {"--solvers", "si"}).code == 2);
@@ -137,15 +137,15 @@ TEST_CASE("a study that is interrupted ends with 130, and goes on to the bytes o
   CHECK(study_in(whole, "silo60", {"--solvers", "si"}).code == 0);
   const pid_t child = started_cairn(
       {"tradeoff", "silo60", "--quick", "--out", stopped.path(), "--solvers", "si"}, "/dev/null");
-  // Two lines of title and header, and five answers.
+  // Three lines of title, build and header, and five answers.
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (lines_in(stopped.text("silo60.journal")) < 7 && std::chrono::steady_clock::now() < deadline) {
+  while (lines_in(stopped.text("silo60.journal")) < 8 && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   kill(child, SIGINT);
   CHECK(exit_code_of(child) == 130);
   CHECK(stopped.names() == Flags{"silo60.journal"});
-  const long done = lines_in(stopped.text("silo60.journal")) - 2;
+  const long done = lines_in(stopped.text("silo60.journal")) - 3;
   CHECK(done >= 5);
   CHECK(done < 26);
   CHECK(study_in(stopped, "silo60", {"--solvers", "si"}).code == 0);
@@ -164,6 +164,26 @@ TEST_CASE("output that a full disk does not take ends with three") {
     CHECK(ran.code == 3);
     CHECK(mentions(ran.err, "the output cannot be written"));
   }
+}
+
+TEST_CASE("the journal of another build is neither taken up nor merged") {
+  const ScratchFolder folder, merged;
+  CHECK(study_in(folder, "ratio100", {"--solvers", "si"}).code == 0);
+  std::string journal = folder.text("ratio100.journal");
+  const std::size_t commit = journal.find(" of commit ");
+  REQUIRE(commit != std::string::npos);
+  journal.insert(commit + 11, "another");
+  folder.write("ratio100.journal", journal);
+  for (const Ran& ran :
+       {study_in(folder, "ratio100", {"--solvers", "si"}),
+        study_in(merged, "ratio100", {"--solvers", "si", "--merge", folder.path() + "/ratio100.journal"})}) {
+    CHECK(ran.code == 2);
+    CHECK(lines_in(ran.err) == 1);
+    CHECK(mentions(ran.err, "ratio100.journal: build must be cairn "));
+    CHECK(mentions(ran.err, ", got cairn "));
+    CHECK(mentions(ran.err, " of commit another"));
+  }
+  CHECK(folder.text("ratio100.journal") == journal);
 }
 
 TEST_CASE("solvers that never arrive say in the table how they end") {

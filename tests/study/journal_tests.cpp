@@ -9,6 +9,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "study/build_info.hpp"
+
 using namespace cairn;
 
 namespace {
@@ -105,11 +107,18 @@ TEST_CASE("the journal of another study is left alone, and a wrong share is refu
   CHECK_THROWS_WITH_AS(Journal(path, study), doctest::Contains("of the study \"squares\""),
                        std::invalid_argument);
   CHECK(journal_text(path) == "my diary\n");
-  std::ofstream(path, std::ios::trunc) << "# squares\ntask,square,third\n";
+  std::ofstream(path, std::ios::trunc) << "# squares\n# cairn 0.0.1\ntask,square,word,half\n";
+  CHECK_THROWS_WITH_AS(Journal(path, study),
+                       (path.string() + ": build must be " + build_text() + ", got cairn 0.0.1").c_str(),
+                       std::invalid_argument);
+  std::ofstream(path, std::ios::trunc) << "# squares\ntask,square,word,half\n";
+  CHECK_THROWS_WITH_AS(Journal(path, study), doctest::Contains(", got none"), std::invalid_argument);
+  const std::string title = "# squares\n# " + build_text() + "\n";
+  std::ofstream(path, std::ios::trunc) << title << "task,square,third\n";
   CHECK_THROWS_WITH_AS(Journal(path, study), doctest::Contains("columns must be those of this version"),
                        std::invalid_argument);
-  std::ofstream(path, std::ios::trunc) << "# squares\ntask,square,word,half\n9,1,2,3\n";
-  CHECK_THROWS_WITH_AS(Journal(path, study), doctest::Contains("line 3"), std::invalid_argument);
+  std::ofstream(path, std::ios::trunc) << title << "task,square,word,half\n9,1,2,3\n";
+  CHECK_THROWS_WITH_AS(Journal(path, study), doctest::Contains("line 4"), std::invalid_argument);
   CHECK_THROWS_AS(Journal("/dev/null/journal.csv", study), std::runtime_error);
   CHECK(parse_shard("2/8").number == 2);
   CHECK(parse_shard("2/8").of == 8);
