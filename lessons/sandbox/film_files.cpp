@@ -190,6 +190,9 @@ FilmFiles film_files(const Words& words) {
   if (const auto path = words.text("apng")) files.apng = *path;
   if (const auto path = words.text("gif")) files.gif = *path;
   if (const auto path = words.text("webp")) files.webp = *path;
+  for (const char* flag : {"fps", "size", "theme", "show"}) {
+    if (!files.any()) words.refuse_beside(flag, "without --frames, --apng, --gif or --webp");
+  }
   files.frames_per_second = words.number("fps", 30, 0.01, 600);
   require_encoders(files);
   if (files.frames) {

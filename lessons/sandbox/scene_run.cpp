@@ -1,6 +1,8 @@
 // A trial with an observer that keeps what is wanted.
 #include "lessons/sandbox/scene_run.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -94,6 +96,8 @@ SceneRun run_scene(const SceneEntry& scene, const Setting& setting, const RunWis
   TrialOptions options = trial_options(scene);
   options.seconds = wish.seconds;
   const double steps = std::round(wish.seconds / setting.dt);
+  require(steps >= 1, scene.name, "seconds", fmt::format("at least a step of {:g} s", setting.dt),
+          wish.seconds);
   require(steps <= 1e9, "run_scene", "seconds", "from 0 to 1e9 steps", wish.seconds);
   const int judged_at = static_cast<int>(std::lround(std::min(scene.seconds, wish.seconds) / setting.dt));
   std::optional<TrialResult> judged;

@@ -56,7 +56,11 @@ SceneEntry scene_of(const Words& words, const std::string& name, List<std::strin
     for (const SceneEntry& entry : scene_entries()) others.push_back(entry.name);
     words.require_known("SCENE", name, others, list);
   }
-  return scene_entry(name);
+  SceneEntry scene = scene_entry(name);
+  if (scene.make().bodies().size() == 1) {  // the ground
+    throw UsageError("cairn " + words.verb + ": " + name + ": bodies must be at least one, got none");
+  }
+  return scene;
 }
 
 List<std::string> solver_names() {
@@ -107,6 +111,7 @@ Setting setting_of(const Words& words, const SceneEntry& scene) {
   Setting setting = scene.setting;
   if (const std::optional<std::string> solver = words.text("solver")) {
     setting = with_solver(words, "solver", setting, *solver);
+    if (solver->find(':') != std::string::npos) words.refuse_beside("sweeps", "beside --solver " + *solver);
   }
   setting.sweeps.iterations = words.whole("sweeps", setting.sweeps.iterations, 0, most_sweeps);
   setting.substeps = words.whole("substeps", setting.substeps, 1, most_substeps);

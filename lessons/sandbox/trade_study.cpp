@@ -156,6 +156,7 @@ TradeStudy trade_study(const Words& words) {
     throw UsageError(
         "cairn tradeoff: it goes cairn tradeoff SCENE, or cairn tradeoff --all; --list shows the scenes");
   }
+  if (all) words.refuse_beside("labels", "beside --all, which draws no settings");
   const std::string name = all ? "" : words.places.front();
   const bool is_frozen = std::count(frozen_names().begin(), frozen_names().end(), name) > 0;
   const int level = words.whole("level", all || is_frozen ? 1 : 2, 1, 2);

@@ -38,6 +38,10 @@ SceneRun left_out(Setting setting, const std::string& reason) {
 List<Setting> compared_settings(const Words& words, const SceneEntry& scene) {
   const List<std::string> asked =
       words.has("solvers") ? words.texts("solvers") : List<std::string>{"si", "pgs", "accelerated", "box2d"};
+  const auto has_sweeps = [](const std::string& text) { return text.find(':') != std::string::npos; };
+  if (std::all_of(asked.begin(), asked.end(), has_sweeps)) {
+    words.refuse_beside("sweeps", "where every solver has sweeps of its own");
+  }
   List<Setting> settings;
   for (const std::string& text : asked) {
     Setting setting = setting_of(words, scene);

@@ -89,6 +89,9 @@ List<Recommendation> taken_up(const fs::path& path) {
 }
 
 int renew(const Words& words, Console& console) {
+  for (const char* flag : {"from", "json"}) words.refuse_beside(flag, "beside --renew");
+  if (!words.places.empty())
+    words.refuse("renew", "given without a kind: it renews all", words.places.front());
   const fs::path target = words.text("out").value_or(recommended_file().string());
   fs::path part = target;
   part += ".renewing";
@@ -114,6 +117,7 @@ int renew(const Words& words, Console& console) {
 
 int run_recommend(const Words& words, Console& console) {
   if (words.has("renew")) return renew(words, console);
+  words.refuse_beside("out", "without --renew");
   const fs::path file = words.text("from").value_or(recommended_file().string());
   const std::string wanted = words.places.empty() ? "" : recommend_kind(words.places.front()).name;
   Json json = Json::array();

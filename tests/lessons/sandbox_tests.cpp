@@ -158,6 +158,39 @@ TEST_CASE("a frozen problem is the same on stdout, in a file, and when it is fro
   CHECK(folder.names() == Words{"p.json"});
 }
 
+TEST_CASE("flags that contradict each other, or mean nothing alone, are refused") {
+  for (const BadInput& bad : List<BadInput>{
+           {{"run", "stack", "--solver", "si:10", "--sweeps", "20"}, {"--sweeps means nothing", "si:10"}},
+           {{"compare", "stack", "--solvers", "si:10,pgs:5", "--sweeps", "20"}, {"--sweeps means nothing"}},
+           {{"run", "stack", "--fps", "10"}, {"--fps means nothing without --frames"}},
+           {{"compare", "stack", "--theme", "dark"}, {"--theme means nothing without --frames"}},
+           {{"recommend", "--out", "x.json"}, {"--out means nothing without --renew"}},
+           {{"recommend", "stack", "--renew"}, {"--renew must be given without a kind", "got stack"}},
+           {{"recommend", "--renew", "--from", "x.json"}, {"--from means nothing beside --renew"}},
+           {{"tradeoff", "--all", "--quick", "--labels"}, {"--labels means nothing beside --all"}},
+           {{"extremes", "--shard", "1/2", "--merge", "x"}, {"--merge means nothing beside --shard"}}}) {
+    check_refused(bad);
+  }
+  CHECK(
+      cairn_with({"compare", "stack", "--solvers", "si,si:5", "--sweeps", "20", "--seconds", "0.1s"}).code ==
+      0);
+}
+
+TEST_CASE("a run in which nothing would happen is refused") {
+  const ScratchFolder folder;
+  folder.write("empty.toml", "");
+  const std::string empty = folder.path() + "/empty.toml";
+  for (const BadInput& bad : List<BadInput>{
+           {{"run", empty}, {empty, "bodies must be at least one, got none"}},
+           {{"explain", empty}, {empty, "bodies must be at least one"}},
+           {{"run", "stack", "--dt", "1e6"}, {"seconds must be at least a step of 1e+06 s, got 3"}},
+           {{"run", "stack", "--seconds", "1e-9s"}, {"seconds must be at least a step", "got 1e-09"}},
+           {{"compare", "stack", "--dt", "1e6"}, {"seconds must be at least a step"}},
+           {{"run", folder.path() + "/none.toml"}, {"a file that can be read", "none.toml"}}}) {
+    check_refused(bad);
+  }
+}
+
 TEST_CASE("a place that cannot be written ends with three, and leaves nothing half-written") {
   const ScratchFolder folder;
   folder.write("stack10.csv/in_the_way", "");  // a folder where a file should be
