@@ -11,6 +11,7 @@
 #include <cstdlib>
 
 #include "math/list.hpp"
+#include "measure/whole_file.hpp"
 #include "render/image.hpp"
 
 namespace cairn::sandbox {
@@ -39,21 +40,13 @@ void run_encoder(const fs::path& program, List<std::string> words) {
   }
 }
 
-/// Beside the target, so that nobody ever sees half a film. It keeps its ending: it tells the format.
-fs::path unfinished(const fs::path& target) {
-  return target.parent_path() / (".unfinished-" + target.filename().string());
-}
-
 void encode(const fs::path& program, List<std::string> words, const fs::path& target) {
-  std::error_code error;
-  if (target.has_parent_path()) fs::create_directories(target.parent_path(), error);
-  const fs::path part = unfinished(target);
-  words.push_back(part.string());
+  WholeFile file(target);
+  words.push_back(file.part().string());
   try {
     run_encoder(program, words);
-    fs::rename(part, target);
+    file.finish();
   } catch (const std::exception& failure) {
-    fs::remove(part, error);
     throw render::WriteError(target.string() + ": " + failure.what());
   }
 }

@@ -217,6 +217,13 @@ TEST_CASE("films in one file: APNG always, GIF and WebP where their programs are
   CHECK(text_has(folder.text("film.gif"), "-framerate 10 -i "));
   folder.write("programs/img2webp", "#!/bin/sh\nexit 1\n");
   fs::permissions(folder.path() + "/programs/img2webp", fs::perms::owner_all);
+  // Nothing is written through a link that lies in wait.
+  folder.write("victim", "precious");
+  fs::create_symlink(folder.path() + "/victim", folder.path() + "/.unfinished-film.gif");
+  CHECK(with({"--gif", gif}).code == 0);
+  CHECK(folder.text("victim") == "precious");
+  fs::remove(folder.path() + "/.unfinished-film.gif");
+  fs::remove(folder.path() + "/victim");
   const Ran failed = with({"--webp", folder.path() + "/film.webp"});
   CHECK(failed.code == 3);
   CHECK_FALSE(fs::exists(folder.path() + "/film.webp"));
