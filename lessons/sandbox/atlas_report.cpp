@@ -20,13 +20,12 @@ namespace {
 namespace fs = std::filesystem;
 
 bool run_maps(const Study& study, const Shard& shard, Journal& journal, const Words& words) {
-  const Interrupt interrupt;
   int count = 0;
   for (int task = 0; task < study.tasks.size(); ++task) count += shard.holds(task) ? 1 : 0;
   ProgressLine bar(words.console, "cells", count);
   return run_study(study, shard, journal, [&](int done, int, double) {
     bar.advance(done);
-    return !interrupt.came();
+    return !interrupted();
   });
 }
 

@@ -7,9 +7,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
+#include <thread>
 
+#include "lessons/sandbox/interrupt.hpp"
 #include "math/list.hpp"
 #include "measure/whole_file.hpp"
 #include "render/image.hpp"
@@ -18,6 +22,16 @@ namespace cairn::sandbox {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// What waitpid() says of it. An interrupt ends it at once: all that it has written is thrown away.
+int status_at_end(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    if (interrupted()) kill(child, SIGKILL);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return status;
+}
 
 /// Runs it with its output thrown away, and its standard input empty.
 void run_encoder(const fs::path& program, List<std::string> words) {
@@ -33,8 +47,8 @@ void run_encoder(const fs::path& program, List<std::string> words) {
   pid_t child = 0;
   const int error = posix_spawn(&child, program.c_str(), &actions, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  int status = 0;
-  if (error == 0) waitpid(child, &status, 0);
+  const int status = error == 0 ? status_at_end(child) : 0;
+  if (interrupted()) throw Interrupted("stopped before " + words.back() + " was written");
   if (error != 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
     throw render::WriteError(program.string() + " could not write " + words.back());
   }
@@ -46,6 +60,8 @@ void encode(const fs::path& program, List<std::string> words, const fs::path& ta
   try {
     run_encoder(program, words);
     file.finish();
+  } catch (const Interrupted&) {
+    throw Interrupted("stopped before " + target.string() + " was written");
   } catch (const std::exception& failure) {
     throw render::WriteError(target.string() + ": " + failure.what());
   }

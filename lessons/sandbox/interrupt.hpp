@@ -1,18 +1,22 @@
-// Ctrl-C, as a question to ask between two pieces of work.
+// Ctrl-C, obeyed within half a second: at the next good place for it, or else where the program stands.
 #pragma once
 
-#include <csignal>
+#include <stdexcept>
 
 namespace cairn::sandbox {
 
-/// While it lives, SIGINT and SIGTERM are noted instead of ending the program; a second one ends it.
-class Interrupt {
- public:
-  Interrupt();
-  ~Interrupt();
-  Interrupt(const Interrupt&) = delete;
-  Interrupt& operator=(const Interrupt&) = delete;
-  bool came() const;
+/// From now on SIGINT and SIGTERM end the program with the exit code `stopped`. interrupted() turns true, so
+/// that work can come to an orderly end. What has not ended 0.4 s later, such as one long solve or a
+/// factorization, is ended where it is. Files are written beside and renamed, and journals by whole lines: no
+/// file is ever half-written under its own name.
+void obey_interrupts();
+
+/// Whether a signal has come: to be asked between two pieces of work.
+bool interrupted();
+
+/// The work at hand was interrupted, and has cleaned up behind itself.
+struct Interrupted : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 }  // namespace cairn::sandbox

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "lessons/output.hpp"
+#include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/verb.hpp"
 #include "lessons/words.hpp"
 #include "math/list.hpp"
@@ -62,10 +63,13 @@ int finished(int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  obey_interrupts();
   try {
     return finished(act({argv + std::min(argc, 1), argv + argc}));
   } catch (const UsageError& error) {
     return complain(bad_usage, error.what());
+  } catch (const Interrupted& error) {
+    return complain(stopped, std::string("cairn: ") + error.what());
   } catch (const std::invalid_argument& error) {
     return complain(bad_usage, std::string("cairn: ") + error.what());
   } catch (const render::RenderError& error) {

@@ -107,10 +107,9 @@ int run_compare(const Words& words, Console& console) {
   (void)look_of(words, "small");  // refuses before any work is done
   if (files.any() && settings.size() > SceneFilm::most_panels)
     words.refuse("solvers", "at most 4 where there are pictures", fmt::format("{}", settings.size()));
-  const Interrupt interrupt;
   const RunWish wish{.seconds = seconds_of(words, scene),
                      .frames_per_second = files.any() ? files.frames_per_second : 0,
-                     .stops = [&interrupt] { return interrupt.came(); }};
+                     .stops = interrupted};
   List<SceneRun> runs;
   for (const Setting& setting : settings) {
     const bool is_missing = setting.solver == "box2d" && !has_box2d();

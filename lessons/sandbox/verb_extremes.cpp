@@ -110,15 +110,14 @@ int run_extremes(const Words& words, Console& console) {
   if (words.has("merge")) {
     for (const std::string& other : words.texts("merge")) journal.absorb(other);
   } else {
-    const Interrupt interrupt;
     Progress bar(words.console, "cases", study.tasks.size() / shard.of);
     const bool finished = run_study(study, shard, journal, [&](int done, int, double left) {
       bar.advance(done, fmt::format("{:.0f} s left", left));
-      return !interrupt.came();
+      return !interrupted();
     });
     if (!finished) {
       console.warn("stopped; the same command goes on where it was");
-      return 130;
+      return stopped;
     }
   }
   const int code = report_extremes(extreme_rows(journal.csv()), words, console);

@@ -96,14 +96,13 @@ int renew(const Words& words, Console& console) {
   fs::path part = target;
   part += ".renewing";
   List<Recommendation> known = taken_up(part);
-  const Interrupt interrupt;
   Progress bar(words.console, "settings", recommend_kinds().size() * recommend_settings().size());
   const auto keep = [&](const List<Recommendation>& all) {
     write_whole_file(part, recommendations_json(all));
   };
   const bool complete = renew_recommendations(known, keep, [&](int done, int) {
     bar.advance(done);
-    return !interrupt.came();
+    return !interrupted();
   });
   bar.clear();
   if (!complete) {

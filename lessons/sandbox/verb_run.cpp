@@ -40,11 +40,10 @@ int run_run(const Words& words, Console& usual_console) {
   settings.narrates_on_stderr = settings.narrates_on_stderr || csv == "-";
   Console data_console(settings);
   Console& console = csv == "-" ? data_console : usual_console;
-  const Interrupt interrupt;
   const RunWish wish{.seconds = seconds_of(words, scene),
                      .frames_per_second = files.any() ? files.frames_per_second : 0,
                      .series = !csv.empty(),
-                     .stops = [&interrupt] { return interrupt.came(); }};
+                     .stops = interrupted};
   const List<SceneRun> runs = {run_scene(scene, setting, wish, words.console)};
   const SceneRun& run = runs.front();
   if (run.stopped) return stopped_run(console, "stopped before the run was over; nothing is written");

@@ -53,11 +53,10 @@ bool run_to_the_end(const Words& words, const Study& study, const Shard& shard, 
   if (journal.size() > 0) {
     console.narrate(fmt::format("{} of them were tried before, as the journal says", journal.size()));
   }
-  const Interrupt interrupt;
   Progress bar(words.console, "settings", count);
   return run_study(study, shard, journal, [&](int done, int, double left) {
     bar.advance(done, left_text(left));
-    return !interrupt.came();
+    return !interrupted();
   });
 }
 

@@ -1,7 +1,6 @@
 // cairn tune: the cheapest setting that meets a wish.
 #include <fmt/format.h>
 
-#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "lessons/sandbox/interrupt.hpp"
@@ -152,32 +151,31 @@ void check_stands(const Words& words, const SceneEntry& entry) {
   words.refuse("stands", "for a scene that says how near its bodies stay ([expect] stands)", entry.name);
 }
 
-TunerOptions tuner_options(const Words& words, const Interrupt& interrupt, Progress& bar) {
+TunerOptions tuner_options(const Words& words, Progress& bar) {
   TunerOptions options;
   options.starts = words.whole("starts", 16, 1, 1000);
   if (words.has("solvers")) options.solvers = words.known_texts("solvers", solvers_to_tune());
   options.time_limit = words.quantity("time", "s", 60);
-  options.progress = [&interrupt, &bar](int tried, int) {
+  options.progress = [&bar](int tried, int) {
     bar.advance(tried);
-    return !interrupt.came();
+    return !interrupted();
   };
   return options;
 }
 
 /// Runs of the scene that give up once the wish cannot be met any more, or the program is interrupted. What
 /// is passed must stay where it is.
-TunerRun tuner_run(const SceneEntry& entry, const Scene& scene, const TrialOptions& limits, const Wish& wish,
-                   const Interrupt& interrupt) {
+TunerRun tuner_run(const SceneEntry& entry, const Scene& scene, const TrialOptions& limits, const Wish& wish) {
   TrialOptions trial = trial_options(entry);
   trial.seconds = limits.seconds;
   trial.time_limit = limits.time_limit;
   trial.residual = wish.residual ? ResidualMeasure::every_step : ResidualMeasure::off;
-  trial.gives_up = [&wish, &interrupt](const TrialResult& so_far) {
-    return interrupt.came() || !verdict_so_far(so_far, wish).meets;
+  trial.gives_up = [&wish](const TrialResult& so_far) {
+    return interrupted() || !verdict_so_far(so_far, wish).meets;
   };
-  return [trial, &scene, &interrupt](const Setting& setting, std::uint64_t start) {
+  return [trial, &scene](const Setting& setting, std::uint64_t start) {
     TrialResult result = run_trial(start == 0 ? scene : jittered(scene, jitter_size, start), setting, trial);
-    if (interrupt.came()) result.status = TrialStatus::timeout;  // it may have been cut short
+    if (interrupted()) result.status = TrialStatus::timeout;  // it may have been cut short
     return result;
   };
 }
@@ -188,17 +186,16 @@ int run_tune(const Words& words, Console& console) {
   check_stands(words, entry);
   const double seconds = seconds_to_tune(words, entry, wish);
   const Scene scene = entry.make();
-  const Interrupt interrupt;
   Progress bar(words.console, "settings", tuner_settings({"si"}).size());
-  const TunerOptions options = tuner_options(words, interrupt, bar);
+  const TunerOptions options = tuner_options(words, bar);
   // One run may not take longer than the whole search.
   const TrialOptions limits{.seconds = seconds, .time_limit = options.time_limit};
-  const TunerRun run = tuner_run(entry, scene, limits, wish, interrupt);
+  const TunerRun run = tuner_run(entry, scene, limits, wish);
   console.narrate(fmt::format("{}: {}, for {:g} s from {}", entry.name, wish_text(wish), seconds,
                               starts_text(options.starts)));
   const TunerAnswer answer = tune(run, wish, options);
   bar.clear();
-  if (interrupt.came()) {
+  if (interrupted()) {
     console.warn(fmt::format("stopped after {} settings", answer.tried));
     return stopped;
   }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
 #include "math/check.hpp"
@@ -217,19 +218,18 @@ List<const ValidationCase*> chosen_cases(const Words& words) {
   return chosen;
 }
 
+int list_cases(const Words& words, Console& console) {
+  Json all = Json::array();
+  for (const ValidationCase& test : validation_cases()) {
+    all.push_back({{"id", test.id}, {"title", test.title}});
+    if (!words.has("json")) console.result(console.spelt(fmt::format("{:<4} {}", test.id, test.title)));
+  }
+  if (words.has("json")) fmt::print("{}\n", all.dump(1));
+  return all_well;
+}
+
 int run_validate(const Words& words, Console& console) {
-  if (words.has("list") && words.has("json")) {
-    Json all = Json::array();
-    for (const ValidationCase& test : validation_cases())
-      all.push_back({{"id", test.id}, {"title", test.title}});
-    fmt::print("{}\n", all.dump(1));
-    return all_well;
-  }
-  if (words.has("list")) {
-    for (const ValidationCase& test : validation_cases())
-      console.result(console.spelt(fmt::format("{:<4} {}", test.id, test.title)));
-    return all_well;
-  }
+  if (words.has("list")) return list_cases(words, console);
   const List<const ValidationCase*> cases = chosen_cases(words);
   List<Outcome> outcomes;
   Progress bar(words.console, "closed forms", cases.size());
@@ -243,6 +243,10 @@ int run_validate(const Words& words, Console& console) {
       print_outcome(outcomes.back(), console);
     }
     bar.advance(outcomes.size());
+    if (!interrupted()) continue;
+    bar.clear();
+    console.warn(fmt::format("stopped after {} of {} closed forms", outcomes.size(), cases.size()));
+    return stopped;
   }
   bar.clear();
   if (words.has("json")) fmt::print("{}\n", json.dump(1));

@@ -125,10 +125,13 @@ bool renew_recommendations(List<Recommendation>& known,
       if (found == nullptr && !goes_on) continue;
       known.back().candidates.push_back(found != nullptr ? *found : try_for_kind(kind, setting));
       ++done;
-      if (found == nullptr) goes_on = progress(done, total);
+      if (found == nullptr) {
+        keep(known);
+        goes_on = progress(done, total);
+      }
     }
-    keep(known);
   }
+  keep(known);
   return done == total;
 }
 

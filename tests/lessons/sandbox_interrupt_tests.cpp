@@ -1,0 +1,91 @@
+// The program `cairn` when it is told to stop: at once, with 130, and without half a file.
+#include <doctest/doctest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "math/list.hpp"
+#include "sandbox_program.hpp"
+
+using namespace cairn;
+using namespace cairn::testing;
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::seconds long_enough(20);  // to get into its work, or out of it, on a busy machine
+
+bool comes_true(const std::function<bool()>& what) {
+  for (const auto deadline = Clock::now() + long_enough; !what() && Clock::now() < deadline;)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  return what();
+}
+
+/// Sends the signal; how the program ended, or -1 where it did not within `long_enough`.
+int code_after(pid_t child, int signal) {
+  kill(child, signal);
+  int status = 0;
+  if (comes_true([&] { return waitpid(child, &status, WNOHANG) != 0; }))
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  kill(child, SIGKILL);
+  waitpid(child, &status, 0);
+  return -1;
+}
+
+/// In the middle of its work, whatever that is: none of these commands ends by itself within a minute.
+int code_after_a_second(const List<std::string>& words, int signal) {
+  const pid_t child = started_cairn(words, "/dev/null");
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  return code_after(child, signal);
+}
+
+bool is_running(const std::string& pid) { return kill(std::stoi(pid), 0) == 0; }
+
+}  // namespace
+
+TEST_CASE("SIGINT and SIGTERM end every long verb with 130, in the middle of a solve or of a trial") {
+  const ScratchFolder folder;
+  const std::string many = "si:1000000", out = folder.path();
+  CHECK(code_after_a_second({"run", "stack", "--solver", many, "--seconds", "60s"}, SIGINT) == 130);
+  CHECK(code_after_a_second({"compare", "stack", "--solvers", many, "--seconds", "60s"}, SIGTERM) == 130);
+  CHECK(code_after_a_second({"inspect", "stack", "--solver", many, "--step", "1000"}, SIGINT) == 130);
+  CHECK(code_after_a_second({"freeze", "stack", "--step", "1000000", "--sweeps", "1000", "--out", out + "/f"},
+                            SIGTERM) == 130);
+  CHECK(code_after_a_second({"tune", "stack", "--residual", "1e-14", "--time", "600s"}, SIGINT) == 130);
+  CHECK(code_after_a_second({"recommend", "--renew", "--out", out + "/r"}, SIGTERM) == 130);
+  CHECK(code_after_a_second({"tradeoff", "--all", "--level", "2", "--out", out + "/t"}, SIGINT) == 130);
+  CHECK(code_after_a_second({"extremes", "--out", out + "/e"}, SIGTERM) == 130);
+  CHECK(code_after_a_second({"validate"}, SIGINT) == 130);
+  for (const std::string& name : folder.names()) {
+    CAPTURE(name);
+    CHECK((name == "r.renewing" || name == "t" || name == "e"));  // nothing but what the command goes on from
+  }
+}
+
+TEST_CASE("a film that another program writes is stopped with that program, and leaves nothing") {
+  const ScratchFolder folder;
+  const std::string path = folder.path(), before = std::getenv("PATH");
+  folder.write("ffmpeg",
+               "#!/bin/sh\nfor last; do :; done\necho half > \"$last\"\necho $$ > " + path +
+                   "/started\nmv " + path + "/started " + path + "/pid\nexec sleep 600\n");
+  fs::permissions(path + "/ffmpeg", fs::perms::owner_all);
+  setenv("PATH", (path + ":" + before).c_str(), 1);
+  const pid_t child =
+      started_cairn({"run", "stack", "--seconds", "0.1s", "--size", "320x180", "--gif", path + "/film.gif"},
+                    "/dev/null");
+  setenv("PATH", before.c_str(), 1);
+  CHECK(comes_true([&] { return fs::exists(path + "/pid"); }));
+  CHECK(code_after(child, SIGINT) == 130);
+  REQUIRE_FALSE(folder.text("pid").empty());
+  CHECK_FALSE(is_running(folder.text("pid")));
+  CHECK(folder.names() == List<std::string>{"ffmpeg", "pid"});
+}
