@@ -1,6 +1,8 @@
 // From flags to a setting.
 #include "lessons/sandbox/scene_words.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,13 +12,17 @@
 namespace cairn::sandbox {
 namespace {
 
-constexpr int most_sweeps = 1000000;
 constexpr int most_substeps = 10000;
 
 int sweeps_behind(const Words& words, std::string_view flag, const std::string& text, std::size_t colon) {
   const std::optional<double> sweeps = parse_number(text.substr(colon + 1));
-  const bool fits = sweeps && std::trunc(*sweeps) == *sweeps && *sweeps >= 0 && *sweeps <= most_sweeps;
-  if (!fits) words.refuse(flag, "a solver, or a solver and its sweeps such as si:10", text);
+  const bool fits =
+      sweeps && std::trunc(*sweeps) == *sweeps && *sweeps >= 0 && *sweeps <= Setting::most_sweeps;
+  if (!fits)
+    words.refuse(
+        flag,
+        fmt::format("a solver, or a solver and its 0 to {} sweeps, such as si:10", Setting::most_sweeps),
+        text);
   return static_cast<int>(*sweeps);
 }
 
@@ -83,7 +89,7 @@ const List<std::string>& scalar_names() {
 List<Flag> setting_flags() {
   return {{"solver", "NAME",
            "or NAME:SWEEPS, such as si:10; cairn list solvers (the scene's own, as all of these)"},
-          {"sweeps", "N", "over all rows, at most"},
+          {"sweeps", "N", fmt::format("over all rows, at most; from 0 to {}", Setting::most_sweeps)},
           {"substeps", "N", "of which a step is made"},
           {"frequency", "HZ", "steps a second"},
           {"dt", "TIME", "the length of a step, such as 1/60 or 2ms, in place of --frequency"},
@@ -113,7 +119,7 @@ Setting setting_of(const Words& words, const SceneEntry& scene) {
     setting = with_solver(words, "solver", setting, *solver);
     if (solver->find(':') != std::string::npos) words.refuse_beside("sweeps", "beside --solver " + *solver);
   }
-  setting.sweeps.iterations = words.whole("sweeps", setting.sweeps.iterations, 0, most_sweeps);
+  setting.sweeps.iterations = words.whole("sweeps", setting.sweeps.iterations, 0, Setting::most_sweeps);
   setting.substeps = words.whole("substeps", setting.substeps, 1, most_substeps);
   setting.dt = step_of(words, setting.dt);
   setting.scalar = scalar_of(words, setting.scalar);

@@ -70,7 +70,7 @@ int run_freeze(const Words& words, Console& console) {
     throw UsageError("cairn freeze: a word is missing: it goes cairn freeze SCENE; --list shows them");
   const std::string& name = words.places.front();
   const int step = words.whole("step", 30, 0, most_steps);
-  const int sweeps = words.whole("sweeps", 10, 0, most_steps);
+  const int sweeps = words.whole("sweeps", 10, 0, Setting::most_sweeps);
   if (is_of_the_set(name)) {
     for (const char* flag : {"step", "sweeps"}) words.refuse_beside(flag, "for a problem of the frozen set");
   }

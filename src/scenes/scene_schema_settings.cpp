@@ -1,5 +1,6 @@
 // Floor 7. Keys of the whole scene: how it steps, what is recommended, what is expected.
 #include "scenes/scene_schema.hpp"
+#include "scenes/setting.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
@@ -73,7 +74,8 @@ List<SceneKey> scene_recommended_keys() {
   using enum SceneType;
   return {
       {"recommended", "solver", text, "", "si", "", "a name of `cairn list`, or box2d"},
-      {"recommended", "iterations", integer, "", "10", "from 0 to 1000000000", "sweeps, at most"},
+      {"recommended", "iterations", integer, "", "10", "from 0 to " + std::to_string(Setting::most_sweeps),
+       "sweeps, at most"},
       {"recommended", "tolerance", number, "", "0", ">= 0", "stop once the residual is so small; 0: never"},
       {"recommended", "time_budget", number, "s", "0", ">= 0", "no sweep begins later; 0: no limit"},
       {"recommended", "row_order", word, "", "as written",

@@ -15,6 +15,9 @@ enum class Precision { single_precision, double_precision, long_double };
 /// sweeps.iterations are its velocity iterations, a step is `substeps` steps of dt / substeps, it always
 /// computes in single precision, and the other settings mean nothing to it.
 struct Setting {
+  /// That a scene file or a flag may ask for.
+  static constexpr int most_sweeps = 1'000'000;
+
   std::string solver = "si";  // a name of solver_entries(), or "box2d"
   SolverSettings sweeps = {};
   Precision scalar = Precision::double_precision;

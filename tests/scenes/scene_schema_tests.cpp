@@ -101,6 +101,13 @@ TEST_CASE("every key belongs to a table, is explained, and stands once in each t
   }
 }
 
+TEST_CASE("a scene file may ask for as many sweeps as a flag") {
+  const SceneKey* const sweeps = find_scene_key(scene_table_kind("recommended"), "iterations");
+  REQUIRE(sweeps != nullptr);
+  CHECK(in_range(*sweeps, Setting::most_sweeps));
+  CHECK_FALSE(in_range(*sweeps, Setting::most_sweeps + 1));
+}
+
 TEST_CASE("a range holds what it says") {
   const auto holds = [](const std::string& range, double value) {
     return in_range({.group = "", .key = "", .type = SceneType::number, .range = range}, value);
