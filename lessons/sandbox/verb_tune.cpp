@@ -1,6 +1,7 @@
 // cairn tune: the cheapest setting that meets a wish.
 #include <fmt/format.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "lessons/sandbox/interrupt.hpp"
@@ -163,17 +164,19 @@ TunerOptions tuner_options(const Words& words, Progress& bar) {
   return options;
 }
 
-/// Runs of the scene that give up once the wish cannot be met any more, or the program is interrupted. What
-/// is passed must stay where it is.
-TunerRun tuner_run(const SceneEntry& entry, const Scene& scene, const TrialOptions& limits, const Wish& wish) {
+/// Runs of the scene that give up once the wish cannot be met any more, their time is over or the program is
+/// interrupted. What is passed must stay where it is.
+TunerRun tuner_run(const SceneEntry& entry, const Scene& scene, double seconds, const Wish& wish) {
+  using Clock = std::chrono::steady_clock;
   TrialOptions trial = trial_options(entry);
-  trial.seconds = limits.seconds;
-  trial.time_limit = limits.time_limit;
+  trial.seconds = seconds;
   trial.residual = wish.residual ? ResidualMeasure::every_step : ResidualMeasure::off;
-  trial.gives_up = [&wish](const TrialResult& so_far) {
-    return interrupted() || !verdict_so_far(so_far, wish).meets;
-  };
-  return [trial, &scene](const Setting& setting, std::uint64_t start) {
+  return [trial, &scene, &wish](const Setting& setting, std::uint64_t start, double seconds_left) mutable {
+    const auto begin = Clock::now();
+    trial.gives_up = [&](const TrialResult& so_far) {
+      const bool late = std::chrono::duration<double>(Clock::now() - begin).count() > seconds_left;
+      return late || interrupted() || !verdict_so_far(so_far, wish).meets;
+    };
     TrialResult result = run_trial(start == 0 ? scene : jittered(scene, jitter_size, start), setting, trial);
     if (interrupted()) result.status = TrialStatus::timeout;  // it may have been cut short
     return result;
@@ -188,9 +191,7 @@ int run_tune(const Words& words, Console& console) {
   const Scene scene = entry.make();
   Progress bar(words.console, "settings", tuner_settings({"si"}).size());
   const TunerOptions options = tuner_options(words, bar);
-  // One run may not take longer than the whole search.
-  const TrialOptions limits{.seconds = seconds, .time_limit = options.time_limit};
-  const TunerRun run = tuner_run(entry, scene, limits, wish);
+  const TunerRun run = tuner_run(entry, scene, seconds, wish);
   console.narrate(fmt::format("{}: {}, for {:g} s from {}", entry.name, wish_text(wish), seconds,
                               starts_text(options.starts)));
   const TunerAnswer answer = tune(run, wish, options);
@@ -237,7 +238,7 @@ Verb tune_verb() {
                 {"seconds", "TIME", "of every run (the scene's own, or as long as it should stand)"},
                 {"solvers", "NAME,NAME", "to try (si, block, block-contact, accelerated, newton)", true},
                 {"starts", "N", "from which it must hold (16)"},
-                {"time", "TIME", "for the search (60s)"}},
+                {"time", "TIME", "for all of it, the rivals too (60s)"}},
       .examples = {"tune stack --penetration 2mm", "tune chain-bob --drift 5mm --energy-gain 1%",
                    "tune stack-ratio --stands 10s --json"},
       .run = run_tune};

@@ -17,6 +17,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// Of the time: when each part of the work has to be over. What one leaves is for the next.
+constexpr double search_end = 2.0 / 3;
+constexpr double plain_si_end = 5.0 / 6;
+constexpr double box2d_end = 1;
 constexpr double search_margin = 4;  // measured cost and expected work agree within about so much
 
 double median_of(List<double> values) {
@@ -52,28 +56,6 @@ void check_tuner_options(const TunerOptions& options) {
   require(options.time_limit > 0, "tune", "time_limit", "> 0 s", options.time_limit);
 }
 
-/// Runs a setting from starts 0, 1, ... and stops at the first that misses the wish.
-Candidate tried_candidate(const TunerRun& run, const Setting& setting, const Wish& wish, int starts) {
-  Candidate candidate{.setting = setting};
-  List<double> costs, updates;
-  for (int start = 0; start < starts && candidate.verdict.meets; ++start) {
-    const TrialResult result = run(setting, static_cast<std::uint64_t>(start));
-    candidate.verdict = verdict(result, wish);
-    candidate.starts += 1;
-    costs.push_back(result.cost());
-    updates.push_back(result.seconds > 0 ? static_cast<double>(result.row_updates) / result.seconds : 0);
-    candidate.worst_penetration = std::max(candidate.worst_penetration, result.worst_penetration);
-    candidate.worst_drift = std::max(candidate.worst_drift, result.worst_drift);
-    candidate.worst_residual = std::max(candidate.worst_residual, result.worst_residual.value_or(0));
-    candidate.energy_gain = std::max(candidate.energy_gain, result.energy_gain);
-    candidate.stands_until =
-        start == 0 ? result.stands_until : std::min(candidate.stands_until, result.stands_until);
-  }
-  candidate.cost = median_of(costs);
-  candidate.row_updates = median_of(updates);
-  return candidate;
-}
-
 /// Runs settings, each of them once, until time is over or it is told to stop.
 class TunerSearch {
  public:
@@ -81,24 +63,26 @@ class TunerSearch {
       : run_(run), wish_(wish), options_(options) {}
 
   bool told_to_stop() const { return told_to_stop_; }
-  bool late() const {
-    return std::chrono::duration<double>(Clock::now() - begin_).count() > options_.time_limit;
-  }
-  void begin_anew() { begin_ = Clock::now(); }
+  /// What follows has to be over by that share of the time.
+  void end_at(double share) { end_ = share * options_.time_limit; }
 
-  /// `tried` of `total` settings are what progress is told.
-  Candidate candidate(const Setting& setting, int tried, int total) {
+  /// `tried` of `total` settings are what progress is told. Nothing where the time is over, or it was told to
+  /// stop.
+  std::optional<Candidate> candidate(const Setting& setting, int tried, int total) {
+    if (told_to_stop_) return std::nullopt;
     const std::string name = setting_text(setting);
     auto found = known_.find(name);
     if (found == known_.end()) {
-      found = known_.emplace(name, tried_candidate(run_, setting, wish_, options_.starts)).first;
+      const std::optional<Candidate> now = try_setting(setting);
+      if (!now) return std::nullopt;
+      found = known_.emplace(name, *now).first;
     }
     if (options_.progress && !options_.progress(tried, total)) told_to_stop_ = true;
     return found->second;
   }
 
   /// Seldom cheaper, and never by much.
-  Candidate in_single_precision(const Candidate& candidate_in_double, int tried, int total) {
+  std::optional<Candidate> in_single_precision(const Candidate& candidate_in_double, int tried, int total) {
     Setting setting = candidate_in_double.setting;
     setting.scalar = Precision::single_precision;
     return candidate(setting, tried, total);
@@ -107,10 +91,10 @@ class TunerSearch {
   /// Of a few settings in the order of their work, the first that meets the wish, else the last one tried.
   std::optional<Candidate> first_that_meets(const List<Setting>& settings, int tried, int total) {
     std::optional<Candidate> last;
-    begin_anew();
     for (const Setting& setting : settings) {
-      if (told_to_stop_ || (last && late())) break;
-      last = candidate(setting, tried, total);
+      const std::optional<Candidate> next = candidate(setting, tried, total);
+      if (!next) break;
+      last = next;
       if (last->verdict.meets) break;
       last->list_exhausted = &setting == &settings.back();
     }
@@ -118,10 +102,37 @@ class TunerSearch {
   }
 
  private:
+  double seconds_left() const { return end_ - std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+  /// Runs a setting from starts 0, 1, ... and stops at the first that misses the wish.
+  std::optional<Candidate> try_setting(const Setting& setting) const {
+    Candidate candidate{.setting = setting};
+    List<double> costs, updates;
+    for (int start = 0; start < options_.starts && candidate.verdict.meets; ++start) {
+      if (!(seconds_left() > 0)) return std::nullopt;
+      const TrialResult result = run_(setting, static_cast<std::uint64_t>(start), seconds_left());
+      if (!(seconds_left() > 0)) return std::nullopt;  // it may have been cut short
+      candidate.verdict = verdict(result, wish_);
+      candidate.starts += 1;
+      costs.push_back(result.cost());
+      updates.push_back(result.seconds > 0 ? static_cast<double>(result.row_updates) / result.seconds : 0);
+      candidate.worst_penetration = std::max(candidate.worst_penetration, result.worst_penetration);
+      candidate.worst_drift = std::max(candidate.worst_drift, result.worst_drift);
+      candidate.worst_residual = std::max(candidate.worst_residual, result.worst_residual.value_or(0));
+      candidate.energy_gain = std::max(candidate.energy_gain, result.energy_gain);
+      candidate.stands_until =
+          start == 0 ? result.stands_until : std::min(candidate.stands_until, result.stands_until);
+    }
+    candidate.cost = median_of(costs);
+    candidate.row_updates = median_of(updates);
+    return candidate;
+  }
+
   const TunerRun& run_;
   const Wish& wish_;
   const TunerOptions& options_;
   Clock::time_point begin_ = Clock::now();
+  double end_ = 0;                          // [s] after that
   std::map<std::string, Candidate> known_;  // by setting_text()
   bool told_to_stop_ = false;
 };
@@ -142,6 +153,41 @@ List<Candidate> ranked(List<Candidate> met) {
     if (is_new) kinds.push_back(candidate);
   }
   return kinds;
+}
+
+/// The best and its runners-up.
+int most_kinds(const TunerOptions& options) { return std::max(options.runners_up, 0) + 1; }
+
+/// All that meet the wish: of the settings until they are too much work, and of the best in single precision.
+List<Candidate> all_that_meet(TunerSearch& search, const TunerOptions& options, TunerAnswer& answer) {
+  const List<Setting> settings = tuner_settings(options.solvers);
+  const int total = settings.size();
+  List<Candidate> met;
+  double least_work = 0;
+  for (const Setting& setting : settings) {
+    const double work = expected_work(setting);
+    if (!met.empty() && work > search_margin * least_work) break;
+    const std::optional<Candidate> candidate = search.candidate(setting, answer.tried + 1, total);
+    answer.complete = candidate.has_value();
+    if (!candidate) break;
+    answer.tried += 1;
+    if (candidate->verdict.meets) {
+      if (met.empty()) least_work = work;
+      met.push_back(*candidate);
+    } else if (met.empty()) {
+      answer.nearest = candidate;
+    }
+  }
+  const List<Candidate> kinds = ranked(met);
+  for (int i = 0; i < std::min(kinds.size(), most_kinds(options)); ++i) {
+    const std::optional<Candidate> candidate = search.in_single_precision(kinds[i], answer.tried + 1, total);
+    answer.complete = answer.complete && candidate.has_value();
+    if (!candidate) break;
+    answer.tried += 1;
+    if (candidate->verdict.meets) met.push_back(*candidate);
+  }
+  answer.complete = answer.complete && !search.told_to_stop();
+  return met;
 }
 
 }  // namespace
@@ -184,39 +230,20 @@ Verdict verdict_so_far(const TrialResult& result, const Wish& wish) {
 TunerAnswer tune(const TunerRun& run, const Wish& wish, const TunerOptions& options) {
   check_wish(wish);
   check_tuner_options(options);
-  const List<Setting> settings = tuner_settings(options.solvers);
-  const int total = settings.size();
   TunerSearch search(run, wish, options);
   TunerAnswer answer;
-  List<Candidate> met;
-  double least_work = 0;
-  for (const Setting& setting : settings) {
-    const double work = expected_work(setting);
-    if (!met.empty() && work > search_margin * least_work) break;
-    answer.complete = !search.told_to_stop() && !search.late();
-    if (!answer.complete) break;
-    const Candidate candidate = search.candidate(setting, ++answer.tried, total);
-    if (candidate.verdict.meets) {
-      if (met.empty()) least_work = work;
-      met.push_back(candidate);
-    } else if (met.empty()) {
-      answer.nearest = candidate;
-    }
-  }
-  answer.complete = answer.complete && !search.told_to_stop();
-  List<Candidate> kinds = ranked(met);
-  const int most = std::max(options.runners_up, 0) + 1;
-  for (int i = 0; i < std::min(kinds.size(), most); ++i) {
-    const Candidate candidate = search.in_single_precision(kinds[i], ++answer.tried, total);
-    if (candidate.verdict.meets) met.push_back(candidate);
-  }
-  kinds = ranked(met);
+  search.end_at(search_end);
+  const List<Candidate> kinds = ranked(all_that_meet(search, options, answer));
   if (!kinds.empty()) {
     answer.best = kinds.front();
     answer.nearest.reset();
-    answer.runners_up.assign(kinds.begin() + 1, kinds.begin() + std::min(kinds.size(), most));
+    const int most = std::min(kinds.size(), most_kinds(options));
+    answer.runners_up.assign(kinds.begin() + 1, kinds.begin() + most);
   }
+  const int total = tuner_settings(options.solvers).size();
+  search.end_at(plain_si_end);
   answer.plain_si = search.first_that_meets(plain_si_settings(), answer.tried, total);
+  search.end_at(box2d_end);
   if (has_box2d()) answer.box2d = search.first_that_meets(box2d_settings(), answer.tried, total);
   return answer;
 }

@@ -30,8 +30,9 @@ Verdict verdict(const TrialResult& result, const Wish& wish);
 /// The same of a run that is not over: whether it can still meet the wish.
 Verdict verdict_so_far(const TrialResult& result, const Wish& wish);
 
-/// A run of the scene under a setting. Start 0 is the scene as it is; others have been jittered.
-using TunerRun = std::function<TrialResult(const Setting& setting, std::uint64_t start)>;
+/// A run of the scene under a setting. Start 0 is the scene as it is; others have been jittered. A run that
+/// is not over after so many seconds of the wall clock need not go on: what came of it is not looked at.
+using TunerRun = std::function<TrialResult(const Setting& setting, std::uint64_t start, double seconds_left)>;
 
 /// A setting that was tried, and what came out: the worst and the median of its starts.
 struct Candidate {
@@ -53,7 +54,7 @@ struct TunerOptions {
   List<std::string> solvers = {"si", "block", "block-contact", "accelerated", "newton"};
   int starts = 16;         // of each setting that is to be trusted
   int runners_up = 4;      // that are to be found beside the best
-  double time_limit = 60;  // [s] after which no further setting is begun
+  double time_limit = 60;  // [s] of the wall clock; the search may have two thirds, and each rival a sixth
   /// Told after every setting: how many were tried, and how many there are. False stops the search.
   std::function<bool(int tried, int total)> progress = {};
 };

@@ -3,10 +3,12 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <stdexcept>
+#include <thread>
 
 #include "scenes/scene_list.hpp"
 
@@ -16,7 +18,7 @@ namespace {
 
 /// An engine by formula: overlap goes down with sweeps and with the square of steps, SI needs 3 times as many
 /// sweeps as others, and Box2D never gets below 5 mm.
-TrialResult formula_run(const Setting& setting, std::uint64_t) {
+TrialResult formula_run(const Setting& setting, std::uint64_t = 0, double = 0) {
   TrialResult result;
   result.seconds = 2;
   result.stands_until = 2;
@@ -83,7 +85,7 @@ TEST_CASE("where nothing meets a wish the tuner says so, and what came of the mo
 
 TEST_CASE("a setting that meets the wish from one start only is not taken") {
   // Few sweeps are lucky from the first start.
-  const TunerRun lucky = [](const Setting& setting, std::uint64_t start) {
+  const TunerRun lucky = [](const Setting& setting, std::uint64_t start, double) {
     TrialResult result = formula_run(setting, start);
     result.worst_penetration = start == 0 || setting.sweeps.iterations >= 64 ? 0.0 : 1.0;
     return result;
@@ -104,6 +106,24 @@ TEST_CASE("the search ends when its time is over, or when it is told to") {
   const TunerAnswer told = tune(formula_run, {.penetration = 1e-12}, stopped);
   CHECK(told.tried == 5);
   CHECK_FALSE(told.complete);
+}
+
+TEST_CASE(
+    "the time holds for the search and its rivals together, and a run cut off by its end says nothing") {
+  double longest = 0;
+  const TunerRun endless = [&](const Setting&, std::uint64_t, double seconds_left) {
+    longest = std::max(longest, seconds_left);
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds_left));
+    return TrialResult();  // meets any wish
+  };
+  const auto begin = std::chrono::steady_clock::now();
+  const TunerAnswer answer = tune(endless, {.penetration = 1}, {.solvers = {"si"}, .time_limit = 0.9});
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  CHECK(longest <= 0.6);
+  CHECK(passed.count() < 1.8);  // a limit of its own for each of the three would be 2.7 s
+  CHECK(answer.tried == 0);
+  CHECK_FALSE(answer.complete);
+  CHECK_FALSE((answer.best || answer.nearest || answer.plain_si || answer.box2d));
 }
 
 TEST_CASE("a verdict names what was missed, and NaN meets no wish") {
@@ -130,7 +150,7 @@ TEST_CASE("wishes that mean nothing are refused") {
 
 TEST_CASE("no setting runs twice, and once it is told to stop none runs at all") {
   std::map<std::string, int> runs;
-  const TunerRun counted = [&](const Setting& setting, std::uint64_t start) {
+  const TunerRun counted = [&](const Setting& setting, std::uint64_t start, double) {
     runs[setting_text(setting)] += 1;
     return formula_run(setting, start);
   };
