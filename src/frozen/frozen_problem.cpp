@@ -235,10 +235,10 @@ FrozenProblem read_frozen(std::istream& in, const std::string& name) {
 }
 
 FrozenProblem read_frozen_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) {
-    throw std::runtime_error("cannot read " + path.string() + ": there is no such file");
-  }
+  std::error_code error;
+  const bool is_file = std::filesystem::is_regular_file(path, error);  // to open a FIFO would wait for ever
+  std::ifstream file(is_file ? path : "", std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path.string() + ": there is no such file");
   return read_frozen(file, path.filename().string());
 }
 

@@ -119,9 +119,10 @@ SceneEntry read_scene_text(const std::string& text, const std::string& file) {
 
 SceneEntry read_scene_file(const std::string& path) {
   const std::uintmax_t most = 1000000;  // [bytes] parse_toml refuses more: there is no need to read it
-  std::ifstream stream(path, std::ios::binary);
-  require(stream.good() && !std::filesystem::is_directory(path), "read_scene_file", "path",
-          "a file that can be read", path);
+  std::error_code error;
+  const bool is_file = std::filesystem::is_regular_file(path, error);  // to open a FIFO would wait for ever
+  std::ifstream stream(is_file ? path : "", std::ios::binary);
+  require(is_file && stream.good(), "read_scene_file", "path", "a file that can be read", path);
   std::string text(most + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));

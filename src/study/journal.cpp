@@ -58,6 +58,7 @@ Journal::Journal(std::filesystem::path path, const Study& study)
 }
 
 void Journal::read(const std::filesystem::path& path) {
+  require(std::filesystem::is_regular_file(path), path.string(), "journal", "a file", "something else");
   std::ifstream in(path, std::ios::binary);
   std::ostringstream all;
   all << in.rdbuf();

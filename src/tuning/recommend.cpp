@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "math/check.hpp"
 #include "scenes/scene_list.hpp"
 #include "study/build_info.hpp"
 #include "math/list.hpp"
@@ -140,6 +141,10 @@ std::filesystem::path recommended_file() {
 }
 
 List<Recommendation> read_recommendations(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const bool is_other =
+      std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
+  require(!is_other, path.string(), "recommendations", "a file", "something else");  // a FIFO would block
   std::ifstream in(path, std::ios::binary);
   if (!in) throw std::runtime_error(path.string() + ": cannot be read");
   List<Recommendation> all;

@@ -1,5 +1,6 @@
 // Frozen problems: kept to the last bit, and refused where they are not what they should be.
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <bit>
 #include <cmath>
@@ -274,4 +275,6 @@ TEST_CASE("a frozen file is whole or not there, and a missing one is named") {
   CHECK_THROWS_AS(write_frozen_file(folder.path / "one.json/two.json", all_kinds()), std::runtime_error);
   CHECK_THROWS_AS(read_frozen_file(folder.path / "three.json"), std::runtime_error);
   CHECK_THROWS_AS(read_frozen_file(folder.path), std::runtime_error);
+  REQUIRE(mkfifo((folder.path / "fifo.json").c_str(), 0600) == 0);  // nobody writes: to open it would block
+  CHECK_THROWS_AS(read_frozen_file(folder.path / "fifo.json"), std::runtime_error);
 }

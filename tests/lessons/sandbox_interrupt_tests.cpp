@@ -1,6 +1,7 @@
 // The program `cairn` when it is told to stop: at once, with 130, and without half a file.
 #include <doctest/doctest.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -30,15 +31,19 @@ bool comes_true(const std::function<bool()>& what) {
   return what();
 }
 
-/// Sends the signal; how the program ended, or -1 where it did not within `long_enough`.
-int code_after(pid_t child, int signal) {
-  kill(child, signal);
+/// How the program ended, or -1 where it did not within `long_enough`.
+int code_of(pid_t child) {
   int status = 0;
   if (comes_true([&] { return waitpid(child, &status, WNOHANG) != 0; }))
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   kill(child, SIGKILL);
   waitpid(child, &status, 0);
   return -1;
+}
+
+int code_after(pid_t child, int signal) {
+  kill(child, signal);
+  return code_of(child);
 }
 
 /// In the middle of its work, whatever that is: none of these commands ends by itself within a minute.
@@ -71,17 +76,28 @@ TEST_CASE("SIGINT and SIGTERM end every long verb with 130, in the middle of a s
   }
 }
 
+TEST_CASE("what is no file is refused as one, at once: a FIFO would keep the program waiting for ever") {
+  const ScratchFolder folder;
+  const std::string fifo = folder.path() + "/fifo.toml";
+  REQUIRE(mkfifo(fifo.c_str(), 0600) == 0);
+  for (const std::string& place : {fifo, folder.path() + "/", std::string("/dev/zero")}) {
+    CAPTURE(place);
+    CHECK(code_of(started_cairn({"run", place}, "/dev/null")) == 2);
+    CHECK(code_of(started_cairn({"recommend", "--from", place}, "/dev/null")) == 2);
+    CHECK(code_of(started_cairn({"tradeoff", "stack10", "--out", folder.path() + "/out", "--merge", place},
+                                "/dev/null")) == 2);
+  }
+}
+
 TEST_CASE("a film that another program writes is stopped with that program, and leaves nothing") {
   const ScratchFolder folder;
   const std::string path = folder.path(), before = std::getenv("PATH");
-  folder.write("ffmpeg",
-               "#!/bin/sh\nfor last; do :; done\necho half > \"$last\"\necho $$ > " + path +
-                   "/started\nmv " + path + "/started " + path + "/pid\nexec sleep 600\n");
+  folder.write("ffmpeg", "#!/bin/sh\nfor last; do :; done\necho half > \"$last\"\necho $$ > " + path +
+                             "/started\nmv " + path + "/started " + path + "/pid\nexec sleep 600\n");
   fs::permissions(path + "/ffmpeg", fs::perms::owner_all);
   setenv("PATH", (path + ":" + before).c_str(), 1);
-  const pid_t child =
-      started_cairn({"run", "stack", "--seconds", "0.1s", "--size", "320x180", "--gif", path + "/film.gif"},
-                    "/dev/null");
+  const pid_t child = started_cairn(
+      {"run", "stack", "--seconds", "0.1s", "--size", "320x180", "--gif", path + "/film.gif"}, "/dev/null");
   setenv("PATH", before.c_str(), 1);
   CHECK(comes_true([&] { return fs::exists(path + "/pid"); }));
   CHECK(code_after(child, SIGINT) == 130);
