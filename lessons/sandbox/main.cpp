@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <stdexcept>
 
 #include "lessons/output.hpp"
@@ -72,6 +73,10 @@ int main(int argc, char** argv) {
     return complain(stopped, std::string("cairn: ") + error.what());
   } catch (const std::invalid_argument& error) {
     return complain(bad_usage, std::string("cairn: ") + error.what());
+  } catch (const std::length_error& error) {
+    return complain(bad_usage, std::string("cairn: ") + error.what());
+  } catch (const std::bad_alloc&) {
+    return complain(cannot_write, "cairn: there is not enough memory for this scene");
   } catch (const render::RenderError& error) {
     return complain(cannot_write, std::string("cairn: ") + error.what());
   } catch (const std::exception& error) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 
 namespace cairn {
 namespace {
@@ -34,6 +36,13 @@ void sort_along(int axis, Span<const Aabb<Real>> boxes, List<int>& order) {
             [&](int i, int j) { return begins(i) != begins(j) ? begins(i) < begins(j) : i < j; });
 }
 
+void require_few(int pairs, int most) {
+  if (pairs < most) return;
+  throw std::length_error("Broadphase: more than " + std::to_string(most) +
+                          " pairs of shapes that overlap or are near are above the limit of a step; put "
+                          "bodies farther apart");
+}
+
 }  // namespace
 
 template <Scalar Real>
@@ -44,7 +53,9 @@ const List<std::pair<int, int>>& Broadphase<Real>::pairs(Span<const Aabb<Real>> 
   const auto compare = [&](int i, int j) {
     const int a = i;
     const int b = j;
-    if ((movable[a] || movable[b]) && boxes[a].overlaps(boxes[b])) pairs_.emplace_back(std::minmax(i, j));
+    if (!(movable[a] || movable[b]) || !boxes[a].overlaps(boxes[b])) return;
+    require_few(pairs_.size(), max_pairs);
+    pairs_.emplace_back(std::minmax(i, j));
   };
   const int count = boxes.size();
   if (kind_ == BroadphaseKind::all_pairs) {

@@ -115,6 +115,7 @@ const List<SolverEntry>& solver_entries() {
       {.name = "reference",
        .title = "exact: modes, Lemke's method or Newton's",
        .cost = "m^3 and more, memory 4 m^2",
+       .max_rows = ReferenceSolver<double>::most_rows,
        .uses_order = false,
        .uses_relaxation = false},
   };

@@ -59,7 +59,8 @@ class World {
   explicit World(Scene scene);
 
   /// One step of dt, in as many substeps as the scene asks for. The same bits for the same scene, solver and
-  /// number of steps.
+  /// number of steps. @throws std::length_error for more pairs of shapes near each other than
+  /// Broadphase::max_pairs, and for more rows than the solver takes.
   StepReport step(Solver<Real>& solver, SolveObserver<Real>* observer = nullptr);
   /// The problem that step() would hand to its solver now: changes nothing.
   VelocityProblem<Real> velocity_problem() const;

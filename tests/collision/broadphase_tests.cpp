@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <stdexcept>
 
 #include "../geometry/random_shapes.hpp"
 #include "collision/broadphase.hpp"
@@ -106,6 +107,16 @@ TEST_CASE("a broadphase that is used again remembers nothing") {
   for (int round = 0; round < 50; ++round) {
     const Crowd<double> crowd = random_crowd<double>(random.below(60), random);
     CHECK(sweep.pairs(crowd.boxes, crowd.movable) == crowd.pairs(BroadphaseKind::all_pairs));
+  }
+}
+
+TEST_CASE("more pairs than a step has room for are refused, before they are all written down") {
+  for (const BroadphaseKind kind : {BroadphaseKind::all_pairs, BroadphaseKind::sweep}) {
+    Crowd<double> crowd;
+    for (int i = 0; i < 1414; ++i) crowd.add({0, 0}, {1, 1});
+    CHECK(crowd.pairs(kind).size() == 1414 * 1413 / 2);
+    crowd.add({0, 0}, {1, 1});
+    CHECK_THROWS_AS(crowd.pairs(kind), std::length_error);
   }
 }
 

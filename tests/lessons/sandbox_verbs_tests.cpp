@@ -131,6 +131,24 @@ TEST_CASE("what the verbs cannot understand they refuse with a hint, before any 
   CHECK_FALSE(std::filesystem::exists("never"));
 }
 
+TEST_CASE("a scene with more contacts or rows than there is room for is refused with two") {
+  const ScratchFolder folder;
+  const std::string heap = folder.path() + "/heap.toml", point = folder.path() + "/point.toml";
+  const std::string boxes = "box = [1, 1]\nfirst = [0, 0.5]\njitter = 0.01\n";
+  folder.write("heap.toml", "[ground]\n[[pile]]\nn = 900\ncolumns = 30\nstep = [0.99, 0.99]\n" + boxes);
+  folder.write("point.toml", "[ground]\n[[pile]]\nn = 2000\ncolumns = 2000\nstep = [0, 0]\n" + boxes);
+  const Ran exact = run_cairn({"run", heap, "--solver", "reference", "--seconds", "0.1s"});
+  CHECK(exact.code == 2);
+  CHECK(text_has(exact.out, "above the limit of 5000"));
+  const Ran run = run_cairn({"run", point, "--seconds", "0.1s"});
+  CHECK(run.code == 2);
+  CHECK(text_has(run.out, "more than 1000000 pairs of shapes"));
+  const Ran frozen = run_cairn({"freeze", point, "--out", folder.path() + "/point.json"});
+  CHECK(frozen.code == 2);
+  CHECK(text_has(frozen.err, "more than 1000000 pairs of shapes"));
+  CHECK(folder.names() == List<std::string>{"heap.toml", "point.toml"});
+}
+
 TEST_CASE("cairn explain counts bodies, joints and rows, and says what is left out") {
   // 21 stones touch in 20 joints, and the ground twice: 22 manifolds of two points, each with a friction row.
   const nlohmann::json arch = cairn_json({"explain", "arch"});

@@ -53,10 +53,12 @@ TEST_CASE("damped Jacobi gives half of every correction, and takes no relaxation
 }
 
 TEST_CASE("a solver refuses as many rows as its entry says, and no fewer") {
-  const int most = solver_entry("pgs").max_rows;
-  const auto solver = make_solver<double>("pgs", {.iterations = 0});
-  VelocityProblem<double> problem = testing::hand_made_stack<double>(most + 1, 10, 0.5);
-  CHECK_THROWS_AS(solver->solve(problem), std::length_error);
+  for (const char* name : {"pgs", "reference"}) {
+    const int most = solver_entry(name).max_rows;
+    const auto solver = make_solver<double>(name, {.iterations = 0});
+    VelocityProblem<double> problem = testing::hand_made_stack<double>(most + 1, 10, 0.5);
+    CHECK_THROWS_AS(solver->solve(problem), std::length_error);
+  }
   CHECK(solver_entry("si").max_rows == SolverEntry::no_limit);
 }
 

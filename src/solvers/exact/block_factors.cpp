@@ -7,6 +7,8 @@
 #include <cassert>
 #include <iterator>
 #include <set>
+#include <stdexcept>
+#include <string>
 
 namespace cairn {
 
@@ -20,38 +22,50 @@ List<int> joined_neighbours(const List<int>& one, const List<int>& other, int wi
   return all;
 }
 
+void require_room(int pairs, int most) {
+  if (pairs <= most) return;
+  throw std::length_error("NewtonSolver: factors for more than " + std::to_string(most) +
+                          " pairs of bodies are above the limit; SequentialImpulse needs memory linear in "
+                          "the rows");
+}
+
 }  // namespace
 
 template <Scalar Real>
 void BlockFactors<Real>::begin(int bodies, const List<std::pair<int, int>>& pairs) {
   if (bodies == bodies_ && pairs == pairs_) return;
+  bodies_ = 0;  // until all of it is known
+  pairs_.clear();
+  eliminate(bodies, pairs);
   bodies_ = bodies;
   pairs_ = pairs;
-  eliminate();
 }
 
 /// Which blocks there will be: a body that is eliminated joins all neighbours that it has left.
 template <Scalar Real>
-void BlockFactors<Real>::eliminate() {
-  List<List<int>> neighbours(bodies_);
-  for (const auto& [low, high] : pairs_) {
+void BlockFactors<Real>::eliminate(int bodies, const List<std::pair<int, int>>& pairs) {
+  require_room(pairs.size(), max_pairs);
+  List<List<int>> neighbours(bodies);
+  for (const auto& [low, high] : pairs) {
     neighbours[low].push_back(high);
     neighbours[high].push_back(low);
   }
   std::set<std::pair<int, int>> waiting;  // by degree, then by number
-  for (int body = 0; body < bodies_; ++body) {
+  for (int body = 0; body < bodies; ++body) {
     List<int>& of_body = neighbours[body];
     std::sort(of_body.begin(), of_body.end());
     waiting.emplace(of_body.size(), body);
   }
-  place_.assign(bodies_, 0);
+  place_.assign(bodies, 0);
   body_.clear();
+  int stored = 0;
   while (!waiting.empty()) {
     const int body = waiting.begin()->second;
     waiting.erase(waiting.begin());
     place_[body] = body_.size();
     body_.push_back(body);
     const List<int>& left = neighbours[body];
+    require_room(stored += left.size(), max_pairs);
     for (const int other : left) {
       List<int>& of_other = neighbours[other];
       waiting.erase({of_other.size(), other});
@@ -69,7 +83,7 @@ void BlockFactors<Real>::eliminate() {
   }
   upper_.resize(later_.size());
   lower_.resize(later_.size());
-  diagonal_.resize(bodies_);
+  diagonal_.resize(bodies);
 }
 
 template <Scalar Real>

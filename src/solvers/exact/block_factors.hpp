@@ -20,10 +20,14 @@ namespace cairn {
 template <Scalar Real>
 class BlockFactors {
  public:
+  /// Above so many pairs, those that elimination adds among them, the factors would take 300 MB in double.
+  static constexpr int max_pairs = 2'000'000;
+
   /// What one body has to do with another, or with itself.
   using Block = Eigen::Matrix<Real, 3, 3>;
 
   /// The bodies, and the pairs (lower, higher) of those that share a row, sorted and each once.
+  /// @throws std::length_error for more than max_pairs pairs: before the factors are allocated.
   void begin(int bodies, const List<std::pair<int, int>>& pairs);
   /// The identity, to which blocks are added.
   void set_identity();
@@ -37,7 +41,7 @@ class BlockFactors {
   std::size_t memory() const;
 
  private:
-  void eliminate();
+  void eliminate(int bodies, const List<std::pair<int, int>>& pairs);
   int entry(int place, int later_place) const;
 
   int bodies_ = 0;

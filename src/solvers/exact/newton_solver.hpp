@@ -34,6 +34,7 @@ class NewtonSolver final : public Solver<Real> {
   explicit NewtonSolver(const SolverSettings& settings = {});
 
   std::string name() const override { return "Newton"; }
+  /// @throws std::length_error for more pairs of bodies than BlockFactors holds: before anything is changed.
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
   std::size_t memory() const override { return factors_.memory(); }
 

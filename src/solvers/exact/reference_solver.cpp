@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "math/check.hpp"
 #include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
@@ -232,6 +233,11 @@ ReferenceSolver<Real>::ReferenceSolver(const ReferenceSettings& settings) : sett
 
 template <Scalar Real>
 SolveReport ReferenceSolver<Real>::solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer) {
+  if (problem.row_count() > most_rows) {
+    throw std::length_error("ReferenceSolver: an exact answer for " + std::to_string(problem.row_count()) +
+                            " rows, above the limit of " + std::to_string(most_rows) +
+                            ", may take many minutes; NewtonSolver comes close to it in less");
+  }
   if (observer != nullptr) observer->before_solve(problem);
   report_ = {};
   memory_ = 0;

@@ -76,11 +76,15 @@ struct ReferenceReport {
 template <Scalar Real = double>
 class ReferenceSolver final : public Solver<Real> {
  public:
+  /// Above this many rows one solve could take many minutes.
+  static constexpr int most_rows = 5000;
+
   /// @throws std::invalid_argument unless numbers are >= 0, and the tolerance is above 0 and finite.
   explicit ReferenceSolver(const ReferenceSettings& settings = {});
 
   std::string name() const override { return "reference"; }
-  /// @throws std::invalid_argument for friction bound to a row whose impulses may be negative.
+  /// @throws std::invalid_argument for friction bound to a row whose impulses may be negative,
+  /// std::length_error for more than most_rows rows: before anything is changed.
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
   /// Of the last solve.
   const ReferenceReport& report() const { return report_; }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <random>
 #include <set>
+#include <stdexcept>
 
 using namespace cairn;
 
@@ -78,4 +79,16 @@ TEST_CASE("a chain keeps one pair of blocks a joint, whatever the numbers of its
   BlockFactors<double> factors;
   factors.begin(bodies, pairs);
   CHECK(factors.memory() == (2 * (bodies - 1) + bodies) * 9 * sizeof(double));
+}
+
+TEST_CASE("factors that would take too much memory are refused, and the next ones are as good as ever") {
+  const int bodies = 2001;  // each joined with every other: 2 001 000 pairs
+  List<std::pair<int, int>> pairs;
+  for (int a = 0; a < bodies; ++a) {
+    for (int b = a + 1; b < bodies; ++b) pairs.emplace_back(a, b);
+  }
+  BlockFactors<double> factors;
+  for (int again = 0; again < 2; ++again) CHECK_THROWS_AS(factors.begin(bodies, pairs), std::length_error);
+  factors.begin(2, {{0, 1}});
+  CHECK(factors.memory() == 4 * 9 * sizeof(double));
 }
