@@ -32,7 +32,7 @@ class Contestant {
 
 /// The scene steps by the setting in place of its own settings.
 /// @throws std::invalid_argument for a setting that check() refuses, and for Box2D a scene that it cannot
-/// run.
+/// run; std::length_error for one that has more pairs of shapes at its start than a step of Cairn takes.
 std::unique_ptr<Contestant> make_contestant(const Scene& scene, const Setting& setting);
 
 }  // namespace cairn

@@ -197,6 +197,17 @@ TEST_CASE("a problem too large for the solver is a refusal, with its reason") {
   CHECK_FALSE(result.reason.empty());
 }
 
+TEST_CASE("too many shapes in one place are a refusal, whoever steps them") {
+  Scene scene;
+  for (int i = 0; i < 1500; ++i) scene.add({.shapes = {circle(1)}});
+  for (const std::string solver : {"si", "box2d"}) {
+    if (solver == "box2d" && !has_box2d()) continue;
+    const TrialResult result = run_trial(scene, {.solver = solver}, {.seconds = 0.1});
+    CHECK(result.status == TrialStatus::refused);
+    CHECK(result.reason.find("more than 1000000 pairs of shapes") != std::string::npos);
+  }
+}
+
 TEST_CASE("options out of range and settings that nothing runs under are refused by exceptions") {
   const Scene scene = falling_disc();
   CHECK_THROWS_AS(run_trial(scene, {.solver = "sj"}), std::invalid_argument);
