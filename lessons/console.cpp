@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lessons/words.hpp"
+#include "math/printable.hpp"
 
 namespace cairn {
 namespace {
@@ -55,7 +56,8 @@ std::string Console::colored(std::string_view text, Color color) const {
 }
 
 std::string Console::spelt(std::string_view text) const {
-  return settings_.plain ? transliterated(text) : std::string(text);
+  const std::string shown = printable(text);
+  return settings_.plain ? transliterated(shown) : shown;
 }
 
 void Console::ask(std::string_view question) {

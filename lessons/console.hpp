@@ -37,7 +37,7 @@ class Console {
   void result(std::string_view line);
   /// The text as it is to be put into a line: coloured if colours are wanted.
   std::string colored(std::string_view text, Color color) const;
-  /// The text as --plain wants it.
+  /// The text as --plain wants it, and without what could command the terminal: see printable().
   std::string spelt(std::string_view text) const;
   /// A question to the reader: no line end, and shown at once.
   void ask(std::string_view question);

@@ -19,6 +19,7 @@
 #include "lessons/records.hpp"
 #include "lessons/words.hpp"
 #include "math/check.hpp"
+#include "math/printable.hpp"
 #include "measure/fingerprint.hpp"
 #include "measure/whole_file.hpp"
 
@@ -226,7 +227,8 @@ namespace {
 
 int complain(const std::string& name, int code, const std::string& message) {
   std::fflush(stdout);
-  fmt::print(stderr, "{}{}\n", message.rfind(name, 0) == 0 ? "" : name + ": ", message);
+  fmt::print(stderr, "{}{}\n", message.rfind(name, 0) == 0 ? "" : name + ": ",
+             excerpt(message, longest_message));
   return code;
 }
 

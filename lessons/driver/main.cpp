@@ -12,6 +12,7 @@
 #include "lessons/output.hpp"
 #include "lessons/words.hpp"
 #include "math/list.hpp"
+#include "math/printable.hpp"
 
 namespace {
 
@@ -47,7 +48,7 @@ std::filesystem::path own_folder(const char* name) {
 }
 
 int complain(const Context& context, const std::string& message) {
-  fmt::print(stderr, "lessons: {}\n{}", message, short_list(context));
+  fmt::print(stderr, "lessons: {}\n{}", excerpt(message, longest_message), short_list(context));
   return 2;
 }
 
@@ -172,7 +173,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "lessons: the output cannot be written\n");
     return 3;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "lessons: {}\n", error.what());
+    fmt::print(stderr, "lessons: {}\n", excerpt(error.what(), longest_message));
     return 3;
   }
 }

@@ -11,6 +11,7 @@
 #include "lessons/sandbox/verb.hpp"
 #include "lessons/words.hpp"
 #include "math/list.hpp"
+#include "math/printable.hpp"
 #include "render/context.hpp"
 #include "render/image.hpp"
 
@@ -21,7 +22,7 @@ using namespace cairn::sandbox;
 
 int complain(int code, const std::string& message) {
   std::fflush(stdout);
-  fmt::print(stderr, "{}\n", message);
+  fmt::print(stderr, "{}\n", excerpt(message, longest_message));
   return code;
 }
 
