@@ -80,8 +80,8 @@ PulleyJoint::PulleyJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses
     length_ += end.parts * (end.anchor - end.roller).norm();
   }
   bodies.erase(ground);
-  require(bodies.size() <= most_rope_bodies, "PulleyJoint", "ends", "on at most 4 bodies besides the ground",
-          static_cast<double>(bodies.size()));
+  require(bodies.size() <= most_rope_bodies, "PulleyJoint", "ends",
+          "on at most 4 bodies besides the ground, carriers among them", static_cast<double>(bodies.size()));
   require_finite(spec.length, "PulleyJoint", "length", "m");
   if (!(spec.length < 0)) length_ = spec.length;
   require(length_ > 0 && std::isfinite(length_), "PulleyJoint", "length", "> 0 m and finite", length_);

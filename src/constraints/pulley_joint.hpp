@@ -43,7 +43,7 @@ class PulleyJoint final : public ConstraintOf<PulleyJoint> {
   };
   /// What the joint is made from.
   struct Spec {
-    List<End> ends = {};        // one or more, on up to four bodies
+    List<End> ends = {};        // one or more, on up to four bodies with their carriers
     double length = -1;         // [m] sum of all parts; negative: as long as it is now
     Kind kind = Kind::rope;     // rope or taut
     double slack_margin = 0.5;  // [m]; a rope that loses more slack in one step is overstretched

@@ -1,6 +1,8 @@
 // Floor 7. Bodies by name.
 #include "scenes/scene_builder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 
@@ -10,8 +12,6 @@
 namespace cairn {
 
 namespace {
-
-const int most_scene_bodies = 20000;
 
 bool is_scene_name(const std::string& name) {
   const auto belongs = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
@@ -41,7 +41,14 @@ std::string SceneBuilder::claim_name(const SceneTable& table, const std::string&
 
 BodyId SceneBuilder::add(const SceneTable& table, const BodySpec& spec, const std::string& name) {
   if (names_.size() > most_scene_bodies) {
-    table.refuse("", "part of a scene of at most 20000 bodies", "one more");
+    table.refuse("", fmt::format("part of a scene of at most {} bodies", most_scene_bodies), "one more");
+  }
+  const bool needs_none = spec.mass && (spec.inertia || spec.fixed_rotation);
+  if (spec.shapes.empty() && spec.type == BodyType::dynamic && !needs_none) {
+    refuse_scene(table.context().file, table.mark(),
+                 fmt::format("{}: {} has no shape; give it a box, circle, capsule or polygon, or else mass "
+                             "and inertia",
+                             table.path(), name));
   }
   BodyId id;
   table.guard([&] { id = scene_.add(spec); });
@@ -81,6 +88,25 @@ List<BodyId> SceneBuilder::bodies(const SceneTable& table, const std::string& ke
 void SceneBuilder::require_room_for_joint(const SceneTable& table) const {
   const int most = 50000;
   if (scene_.joints().size() >= most) table.refuse("", "part of a scene of at most 50000 joints", "one more");
+}
+
+std::string SceneBuilder::listed(const List<BodyId>& bodies) const {
+  std::string text;
+  for (const BodyId body : bodies) text += (text.empty() ? "" : ", ") + names_[body];
+  return text;
+}
+
+void SceneBuilder::require_different(const SceneTable& table, const List<BodyId>& bodies) const {
+  if (std::ssize(std::set<BodyId>(bodies.begin(), bodies.end())) < bodies.size())
+    table.refuse("", "between different bodies", listed(bodies));
+}
+
+void SceneBuilder::require_movable(const SceneTable& table, const Constraint& joint) const {
+  List<BodyId> bodies;
+  for (const Attachment& place : joint.attachments()) bodies.push_back(place.body);
+  const auto can_move = [this](BodyId body) { return scene_.bodies()[body].spec.type == BodyType::dynamic; };
+  if (std::none_of(bodies.begin(), bodies.end(), can_move))
+    table.refuse("", "on at least one body that can move", listed(bodies));
 }
 
 void SceneBuilder::finish() {

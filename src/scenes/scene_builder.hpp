@@ -39,7 +39,13 @@ class SceneBuilder {
   void join(const SceneTable& table, const typename Joint::Spec& spec,
             JointCollision collision = JointCollision::as_usual) {
     require_room_for_joint(table);
-    table.guard([&] { scene_.add_joint(std::make_shared<const Joint>(spec, poses_), collision); });
+    if constexpr (requires { spec.a; }) require_different(table, {spec.a, spec.b});
+    if constexpr (requires { spec.c; }) require_different(table, {spec.a, spec.b, spec.c});
+    table.guard([&] {
+      const auto joint = std::make_shared<const Joint>(spec, poses_);
+      require_movable(table, *joint);
+      scene_.add_joint(joint, collision);
+    });
   }
 
   const Scene& scene() const { return scene_; }
@@ -47,6 +53,10 @@ class SceneBuilder {
 
  private:
   void require_room_for_joint(const SceneTable& table) const;
+  // What constraints refuse by the ids of bodies, by their names.
+  void require_different(const SceneTable& table, const List<BodyId>& bodies) const;
+  void require_movable(const SceneTable& table, const Constraint& joint) const;
+  std::string listed(const List<BodyId>& bodies) const;
 
   Scene scene_;
   PerBody<std::string> names_;

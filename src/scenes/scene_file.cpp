@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "math/check.hpp"
+#include "math/printable.hpp"
 #include "measure/fingerprint.hpp"
 #include "scenes/scene_builder.hpp"
 #include "scenes/scene_formula.hpp"
@@ -27,7 +28,7 @@ std::map<std::string, double> numbers_of(const SceneContext& context, const Scen
   const SceneValue* table = file.find("numbers");
   if (!table || table->kind != SceneValue::Kind::table) return {};
   for (const SceneValue& item : table->items) {
-    const std::string path = "numbers." + item.key;
+    const std::string path = "numbers." + excerpt(item.key);
     const bool is_word = evaluate_formula(item.key, {{item.key, 0}}).problem.empty();
     const bool is_free = evaluate_formula(item.key, {}).problem.compare(0, 12, "unknown word") == 0;
     if (!is_word || !is_free || item.key == "deg" || item.key == "rad") {
@@ -86,7 +87,10 @@ void build_items(SceneBuilder& builder, const SceneContext& context, const List<
   builder.finish();
 }
 
-std::string stem_of(const std::string& file) { return std::filesystem::path(file).stem().string(); }
+/// For tables and names of files, whatever the name of the scene file has in it.
+std::string stem_of(const std::string& file) {
+  return excerpt(std::filesystem::path(file).stem().string(), 100);
+}
 
 }  // namespace
 
@@ -118,15 +122,12 @@ SceneEntry read_scene_text(const std::string& text, const std::string& file) {
 }
 
 SceneEntry read_scene_file(const std::string& path) {
-  const std::uintmax_t most = 1000000;  // [bytes] parse_toml refuses more: there is no need to read it
   std::error_code error;
   const bool is_file = std::filesystem::is_regular_file(path, error);  // to open a FIFO would wait for ever
   std::ifstream stream(is_file ? path : "", std::ios::binary);
   require(is_file && stream.good(), "read_scene_file", "path", "a file that can be read", path);
-  std::string text(most + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return read_scene_text(text, path);
+  require_scene_size(std::filesystem::file_size(path), path);  // before it is read
+  return read_scene_text({std::istreambuf_iterator<char>(stream), {}}, path);
 }
 
 List<SceneEntry> read_scene_folder(const std::string& folder) {

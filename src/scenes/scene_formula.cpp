@@ -4,9 +4,11 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 #include "math/math.hpp"
 #include "math/nearest.hpp"
+#include "math/printable.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
@@ -31,7 +33,7 @@ class FormulaReader {
 
   FormulaResult read() {
     const double value = sum();
-    if (problem_.empty() && at() != '\0') complain(std::string("unexpected \"") + at() + "\"");
+    if (problem_.empty() && at() != '\0') complain(unexpected());
     if (problem_.empty() && !std::isfinite(value)) complain("its value is not finite");
     return {.value = value, .problem = problem_};
   }
@@ -46,6 +48,7 @@ class FormulaReader {
     ++place_;
     return true;
   }
+  std::string unexpected() const { return "unexpected \"" + excerpt(text_.substr(place_), 12) + '"'; }
   double complain(const std::string& problem) {
     if (problem_.empty()) problem_ = problem;
     place_ = text_.size();
@@ -119,7 +122,7 @@ class FormulaReader {
       if (!take('(')) return complain(name + " without a bracket behind it");
       return function->second(bracket());
     }
-    return complain("unknown word " + name + hint(name));
+    return complain("unknown word " + excerpt(name) + hint(name));
   }
 
   std::string hint(const std::string& name) const {
@@ -135,13 +138,17 @@ class FormulaReader {
     double value = 0;
     const char* begin = text_.data() + place_;
     const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
-    if (error != std::errc() || end == begin) return complain(std::string("unexpected \"") + at() + "\"");
+    if (error == std::errc::result_out_of_range) {
+      const bool is_large = std::strtod(begin, nullptr) > 1;
+      return complain(is_large ? "a number too large" : "a number too small");
+    }
+    if (error != std::errc()) return complain(unexpected());
     place_ += static_cast<std::size_t>(end - begin);
     if (!std::isalpha(static_cast<unsigned char>(at()))) return value;
     const std::string unit = word();
     if (unit == "deg") return value * pi / 180;
     if (unit == "rad") return value;
-    return complain("unknown unit " + unit + ", only deg and rad can stand behind a number");
+    return complain("unknown unit " + excerpt(unit) + ", only deg and rad can stand behind a number");
   }
 
   const std::string& text_;

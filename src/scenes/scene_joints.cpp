@@ -115,6 +115,7 @@ void join_differential(const ScenePair& pair) {
 
 void join_drag(const ScenePair& pair) {
   const SceneTable& table = pair.table;
+  if (pair.b == ground) table.refuse("b", "a body other than the ground");
   DragJoint::Spec spec{.body = pair.b, .anchor = pair.anchor(), .target = table.point("target")};
   spec.softness = softness_of(table).value_or(spec.softness);
   spec.max_force = table.number("max_force");
@@ -136,13 +137,16 @@ void join_friction(const ScenePair& pair) {
 void join_pulley(SceneBuilder& builder, const SceneTable& table) {
   PulleyJoint::Spec spec;
   for (const SceneTable& end : table.tables("ends")) {
-    spec.ends.push_back(
-        {.body = builder.body(end, "body"),
-         .anchor = end.point("anchor"),
-         .roller = end.point("roller"),
-         .parts = end.number("parts"),
-         .carrier = builder.body(end, "carrier"),
-         .kind = end.word("kind") == 0 ? PulleyJoint::Roller::smooth : PulleyJoint::Roller::drum});
+    const BodyId body = builder.body(end, "body"), carrier = builder.body(end, "carrier");
+    if (carrier == body) end.refuse("carrier", "another body than the end's", builder.names()[carrier]);
+    const bool on_drum = end.word("kind") == 1;
+    if (on_drum && carrier == ground) end.refuse("carrier", "a body that can turn for a drum", "ground");
+    spec.ends.push_back({.body = body,
+                         .anchor = end.point("anchor"),
+                         .roller = end.point("roller"),
+                         .parts = end.number("parts"),
+                         .carrier = carrier,
+                         .kind = on_drum ? PulleyJoint::Roller::drum : PulleyJoint::Roller::smooth});
   }
   spec.length = number_if_given(table, "length").value_or(-1);
   spec.kind = table.word("kind") == 0 ? PulleyJoint::Kind::rope : PulleyJoint::Kind::taut;

@@ -7,6 +7,9 @@
 
 namespace cairn {
 
+/// What a scene may have, beside the ground.
+inline constexpr int most_scene_bodies = 20000;
+
 enum class SceneType {
   number,   // or a sum in quotes
   integer,  // a whole number

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "math/printable.hpp"
 #include "scenes/scene_formula.hpp"
 #include "math/list.hpp"
 
@@ -57,7 +58,7 @@ const SceneKey& SceneTable::known(const std::string& key) const {
 
 std::string SceneTable::path_of(const std::string& key) const {
   if (key.empty()) return path_;
-  return path_.empty() ? key : path_ + "." + key;
+  return path_.empty() ? excerpt(key) : path_ + "." + excerpt(key);
 }
 
 bool SceneTable::flag(const std::string& key) const {
@@ -129,6 +130,8 @@ void SceneTable::refuse(const std::string& key, const std::string& rule) const {
 void SceneTable::guard(const std::function<void()>& work) const {
   try {
     work();
+  } catch (const SceneRefusal&) {
+    throw;  // it has its place
   } catch (const std::invalid_argument& error) {
     refuse_scene(context_->file, value_->mark, path_ + ": " + error.what());
   }

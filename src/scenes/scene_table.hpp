@@ -56,6 +56,7 @@ class SceneTable {
   void check_member(const SceneValue& member) const;
   void check_value(const SceneKey& key, const SceneValue& value, const std::string& path) const;
   void check_number(const SceneKey& key, const SceneValue& value, const std::string& path) const;
+  void check_text(const SceneValue& value, const std::string& path) const;
   void check_point(const SceneKey& key, const SceneValue& value, const std::string& path) const;
   void check_required() const;
   [[noreturn]] void refuse_unknown(const SceneValue& member) const;

@@ -6,6 +6,7 @@
 
 #include "math/check.hpp"
 #include "math/nearest.hpp"
+#include "math/printable.hpp"
 #include "scenes/scene_table.hpp"
 #include "math/list.hpp"
 
@@ -51,6 +52,14 @@ void SceneTable::check_point(const SceneKey& key, const SceneValue& value, const
   }
 }
 
+void SceneTable::check_text(const SceneValue& value, const std::string& path) const {
+  const std::size_t longest = 1000;
+  if (excerpt(value.text, longest) == value.text) return;
+  refuse_scene(context_->file, value.mark,
+               fmt::format("{} must be one line of at most {} bytes without control characters, got {}", path,
+                           longest, description(value)));
+}
+
 void SceneTable::check_value(const SceneKey& key, const SceneValue& value, const std::string& path) const {
   using Kind = SceneValue::Kind;
   const auto demand = [&](Kind kind) {
@@ -63,7 +72,8 @@ void SceneTable::check_value(const SceneKey& key, const SceneValue& value, const
     case SceneType::flag:
       return demand(Kind::flag);
     case SceneType::text:
-      return demand(Kind::text);
+      demand(Kind::text);
+      return check_text(value, path);
     case SceneType::word: {
       const List<std::string> words = scene_words(key);
       if (value.kind == Kind::text && std::find(words.begin(), words.end(), value.text) != words.end())

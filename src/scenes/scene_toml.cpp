@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "math/printable.hpp"
 #include "scenes/scene_value.hpp"
 
 namespace cairn {
@@ -100,16 +101,17 @@ std::string toml_complaint(const toml::parse_error& error) {
   }
   toml_replace(text, "could not determine value type",
                "a value must be a number, a list, or a text in quotes");
+  toml_replace(text, "unescaped control characters other than TAB (U+0009) are explicitly prohibited",
+               "a text must end on its line, and have no control characters");
+  toml_replace(text, "could not be interpreted as a value", "is a number too large or too small");
+  toml_replace(text, "is not representable in 64 bits", "is a number too large");
+  toml_replace(text, " (TOML_MAX_NESTED_VALUES)", "");
   toml_replace(text, "Encountered", "there is an");
   toml_replace(text, "saw '\\n'", "and the line ended");
   toml_replace(text, "saw '\\r'", "and the line ended");
   toml_replace(text, "a array", "an array");
   toml_replace(text, "a inline", "an inline");
-  // What the parser saw may go on behind the end of the line; a complaint is one line.
-  text.erase(
-      std::remove_if(text.begin(), text.end(), [](char letter) { return letter == '\n' || letter == '\r'; }),
-      text.end());
-  return text;
+  return excerpt(text, 200);
 }
 
 /// Every dot of a key is a table in a table, and toml++ has no limit to them; the stack has.
@@ -140,10 +142,7 @@ void require_few_dots(const std::string& text, const std::string& file) {
 }  // namespace
 
 SceneValue parse_toml(const std::string& text, const std::string& file) {
-  const std::size_t most = 1000000;  // [bytes]
-  if (text.size() > most) {
-    refuse_scene(file, {}, "the file must be at most 1000000 bytes, got " + std::to_string(text.size()));
-  }
+  require_scene_size(text.size(), file);
   require_few_dots(text, file);
   try {
     const toml::table table = toml::parse(std::string_view(text), file);

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "math/check.hpp"
+#include "math/printable.hpp"
 
 namespace cairn {
 
@@ -17,7 +17,6 @@ const SceneValue* SceneValue::find(const std::string& name) const {
 }
 
 std::string description(const SceneValue& value) {
-  const std::size_t longest = 40;  // letters of a text that a message repeats
   switch (value.kind) {
     case SceneValue::Kind::flag:
       return value.number != 0 ? "true" : "false";
@@ -26,8 +25,7 @@ std::string description(const SceneValue& value) {
     case SceneValue::Kind::number:
       return shortest(value.number);
     case SceneValue::Kind::text:
-      if (value.text.size() > longest) return '"' + value.text.substr(0, longest) + "...\"";
-      return '"' + value.text + '"';
+      return '"' + excerpt(value.text) + '"';
     case SceneValue::Kind::array:
       return fmt::format("a list of {}", value.items.size());
     case SceneValue::Kind::table:
@@ -38,8 +36,14 @@ std::string description(const SceneValue& value) {
   return "a date or time";
 }
 
+void require_scene_size(std::uintmax_t bytes, const std::string& file) {
+  const std::uintmax_t most = 1000000;
+  if (bytes > most)
+    refuse_scene(file, {}, fmt::format("the file must be at most {} bytes, got {}", most, bytes));
+}
+
 void refuse_scene(const std::string& file, const SceneMark& mark, const std::string& message) {
-  throw std::invalid_argument(fmt::format("{}:{}:{}: {}", file, mark.line, mark.column, message));
+  throw SceneRefusal(fmt::format("{}:{}:{}: {}", file, mark.line, mark.column, message));
 }
 
 }  // namespace cairn

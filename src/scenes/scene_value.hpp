@@ -1,6 +1,8 @@
 // Floor 7. What a scene file says, as a tree of values that know their places.
 #pragma once
 
+#include <cstdint>
+#include <stdexcept>
 #include <string>
 
 #include "math/list.hpp"
@@ -32,8 +34,16 @@ struct SceneValue {
 /// For messages: a number, "a text" in quotes, true, "a table", "a list of 3".
 std::string description(const SceneValue& value);
 
-/// Throws std::invalid_argument "file:line:column: message".
+/// What a scene file is refused for, with its place in the file.
+struct SceneRefusal : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Throws SceneRefusal "file:line:column: message".
 [[noreturn]] void refuse_scene(const std::string& file, const SceneMark& mark, const std::string& message);
+
+/// @throws std::invalid_argument for a file of more than 1 MB.
+void require_scene_size(std::uintmax_t bytes, const std::string& file);
 
 /// The tree of a TOML text. `file` is the name that messages give it.
 /// @throws std::invalid_argument for what is no TOML, and for more than 1 MB.

@@ -105,6 +105,7 @@ TEST_CASE("ropes that cannot be are refused") {
 
   PulleyJoint::Spec five;
   for (int i = 1; i <= 5; ++i) five.ends.push_back({.body = {i}, .anchor = {0, 0}, .roller = {0, 5}});
-  CHECK_THROWS_WITH(PulleyJoint(five, PerBody<Pose<double>>(6)),
-                    "PulleyJoint: ends must be on at most 4 bodies besides the ground, got 5");
+  CHECK_THROWS_WITH(
+      PulleyJoint(five, PerBody<Pose<double>>(6)),
+      "PulleyJoint: ends must be on at most 4 bodies besides the ground, carriers among them, got 5");
 }

@@ -236,10 +236,10 @@ TEST_CASE("a file is read by its path, and a folder by the order that its scenes
   CHECK(scene_entry((folder / "z.toml").string()).name == "z");
   CHECK_THROWS_AS(read_scene_file((folder / "none.toml").string()), std::invalid_argument);
   CHECK_THROWS_AS(read_scene_file(folder.string()), std::invalid_argument);
-  std::ofstream(folder / "large.toml") << "#" << std::string(1000000, 'x');
+  std::ofstream(folder / "large.toml") << "#" << std::string(3000000, 'x');
   CHECK_THROWS_WITH_AS(
       read_scene_file((folder / "large.toml").string()),
-      ((folder / "large.toml").string() + ":1:1: the file must be at most 1000000 bytes, got 1000001")
+      ((folder / "large.toml").string() + ":1:1: the file must be at most 1000000 bytes, got 3000001")
           .c_str(),
       std::invalid_argument);
   fs::remove_all(folder);

@@ -41,10 +41,33 @@ const List<JointMistakes> joint_mistakes = {
      "my.toml:6:5: joint[1].b must be the name of a body (stack.1?), got \"stack.14\""},
     {"a joint of two things that cannot move",
      "[[body]]\nname = \"wall\"\ntype = \"static\"\nbox = [1, 1]\n[[joint]]\ntype = \"weld\"\nb = \"wall\"\n",
-     "my.toml:5:1: joint[1]: Scene::add_joint: bodies must be at least one that can move, got 0, 1"},
+     "my.toml:5:1: joint[1] must be on at least one body that can move, got ground, wall"},
     {"a joint of a body to itself",
      "[[body]]\nname = \"ball\"\ncircle = 1\n[[joint]]\ntype = \"weld\"\na = \"ball\"\nb = \"ball\"\n",
-     "my.toml:4:1: joint[1]: WeldJoint: b must be another body than a, got 1"},
+     "my.toml:4:1: joint[1] must be between different bodies, got ball, ball"},
+    {"a gear whose wheel carries it",
+     "[[row]]\nn = 2\nfirst = [0, 0]\nstep = [2, 0]\ncircle = 1\n[[joint]]\ntype = \"gear\"\na = "
+     "\"row.1\"\nb = \"row.2\"\ncarrier = \"row.2\"\n",
+     "my.toml:6:1: joint[1] must be between different bodies, got row.1, row.2, row.2"},
+    {"a chain that hangs from itself", "[[chain]]\nn = 2\nlink = 1\na = \"chain.1\"\n",
+     "my.toml:1:1: chain[1] must be between different bodies, got chain.1, chain.1"},
+    {"the ground dragged", "[[joint]]\ntype = \"drag\"\nb = \"ground\"\ntarget = [0, 1]\n",
+     "my.toml:3:5: joint[1].b must be a body other than the ground, got \"ground\""},
+    {"a rope end that carries its own roller",
+     "[[body]]\nname = \"weight\"\ncircle = 0.3\n[[joint]]\ntype = \"pulley\"\nends = [{ body = \"weight\", "
+     "anchor = [0, 0], roller = [0, 2], carrier = \"weight\" }]\n",
+     "my.toml:6:72: joint[1].ends[1].carrier must be another body than the end's, got weight"},
+    {"a rope on five bodies",
+     "[[row]]\nn = 5\nfirst = [0, 0]\nstep = [1, 0]\ncircle = 0.1\n[[joint]]\ntype = \"pulley\"\nends = [{ "
+     "body "
+     "= \"row.1\", anchor = [0, 0], roller = [0, 2] }, { body = \"row.2\", anchor = [1, 0], roller = [1, 2] "
+     "}, { "
+     "body = \"row.3\", anchor = [2, 0], roller = [2, 2] }, { body = \"row.4\", anchor = [3, 0], roller = "
+     "[3, 2], "
+     "carrier = \"row.5\" }]\n",
+     "my.toml:6:1: joint[1]: PulleyJoint: ends must be on at most 4 bodies besides the ground, carriers "
+     "among "
+     "them, got 5"},
     {"limits that leave no room",
      "[[body]]\nname = \"door\"\nbox = [1, 1]\n[[joint]]\ntype = \"revolute\"\nb = \"door\"\nlower = "
      "1\nupper = 0\n",
@@ -73,9 +96,10 @@ const List<JointMistakes> joint_mistakes = {
     {"a drum that is the ground",
      "[[body]]\nname = \"weight\"\ncircle = 0.3\n[[joint]]\ntype = \"pulley\"\nends = [{ body = \"weight\", "
      "anchor = [0, 0], roller = [0, 2], kind = \"drum\" }]\n",
-     "my.toml:4:1: joint[1]: PulleyJoint: end carrier must be a body that can turn for a drum, got 0"},
+     "my.toml:6:9: joint[1].ends[1].carrier must be a body that can turn for a drum, got ground"},
     {"a pulley without ends", "[[joint]]\ntype = \"pulley\"\n",
-     "my.toml:1:1: joint[1].ends must be given: a list of tables: [{...}, {...}] (one to four)"},
+     "my.toml:1:1: joint[1].ends must be given: a list of tables: [{...}, {...}] (one or more, on at most 4 "
+     "bodies; carriers count, the ground does not)"},
     {"a row of nothing",
      "[[body]]\nname = \"ball\"\ncircle = 1\n[[joint]]\ntype = \"weld\"\nb = \"balls.*\"\n",
      "my.toml:6:5: joint[1].b must be the name of a row, and .* behind it, got \"balls.*\""},

@@ -73,8 +73,29 @@ const List<BodyMistakes> body_mistakes = {
      "my.toml:2:10: body[1].circle must be the only shape; for several there is shapes = [{...}, {...}], got "
      "a box beside it"},
     {"a body without a shape", "[[body]]\nname = \"nothing\"\n",
-     "my.toml:1:1: body[1]: Scene::add: shapes must be of some area for a dynamic body without a mass of its "
-     "own, got 0"},
+     "my.toml:1:1: body[1]: nothing has no shape; give it a box, circle, capsule or polygon, or else mass "
+     "and inertia"},
+    {"a row without a shape", "[[row]]\nn = 2\nfirst = [0, 0]\nstep = [1, 0]\n",
+     "my.toml:1:1: row[1]: row.1 has no shape; give it a box, circle, capsule or polygon, or else mass and "
+     "inertia"},
+    {"a mass without a shape", "[[body]]\nmass = 1\n",
+     "my.toml:1:1: body[1]: body.1 has no shape; give it a box, circle, capsule or polygon, or else mass and "
+     "inertia"},
+    {"a capsule of one point", "[[body]]\ncapsule = [[0, 0]]\nradius = 1\n",
+     "my.toml:2:11: body[1].capsule must be two points [[x, y], [x, y]], got a list of 1"},
+    {"a number too large", "seconds = \"1e309\"\n",
+     "my.toml:1:11: seconds must be a number from 1e-6 to 3600 s, got \"1e309\": a number too large"},
+    {"a number too small", "seconds = \"2 + 1e-400\"\n",
+     "my.toml:1:11: seconds must be a number from 1e-6 to 3600 s, got \"2 + 1e-400\": a number too small"},
+    {"a title that commands the terminal", "title = \"\\u001b[31mred\"\n",
+     "my.toml:1:9: title must be one line of at most 1000 bytes without control characters, got "
+     "\"\\x1b[31mred\""},
+    {"a look of two lines", "look = \"\"\"one\ntwo\"\"\"\n",
+     "my.toml:1:8: look must be one line of at most 1000 bytes without control characters, got "
+     "\"one\\ntwo\""},
+    {"a sum that goes on in another script", "seconds = \"2 \u00b7 3\"\n",
+     "my.toml:1:11: seconds must be a number from 1e-6 to 3600 s, got \"2 \u00b7 3\": unexpected \"\u00b7 "
+     "3\""},
     {"a polygon with a dent", "[[body]]\npolygon = [[0, 0], [2, 0], [0.5, 0.5], [0, 2]]\n",
      "my.toml:1:1: body[1]: polygon: points[2] must be a corner that turns outwards (convex), got (0.5, "
      "0.5)"},
@@ -117,6 +138,25 @@ TEST_CASE("a mistake in a table or a body is told with its place, its field and 
   }
 }
 
+TEST_CASE("no message is longer than a few lines, however long a key, a text or a word of the file is") {
+  const std::string huge(900000, 'k');
+  for (const std::string& text :
+       {huge + " = 1\n", "[ground]\n" + huge + " = 1\n", "seconds = \"" + huge + "\"\n",
+        "title = \"" + huge + "\"\n", "seconds = \"2 " + huge + "\"\n", "[numbers]\n" + huge + " = true\n",
+        "x = " + huge + "\n", huge.substr(0, 400000) + " = 1\n" + huge.substr(0, 400000) + " = 1\n",
+        "[[body]]\ncircle = 1\n[[joint]]\ntype = \"weld\"\nb = \"" + huge + "\"\n"}) {
+    std::string message;
+    try {
+      read_scene_text(text, "my.toml");
+    } catch (const std::invalid_argument& error) {
+      message = error.what();
+    }
+    CAPTURE(text.substr(0, 40));
+    CHECK_FALSE(message.empty());
+    CHECK(message.size() <= 500);
+  }
+}
+
 TEST_CASE("what is no TOML is told with its line and column") {
   const List<BodyMistakes> mistakes = {
       {"a word without quotes", "title = stack\n",
@@ -124,6 +164,10 @@ TEST_CASE("what is no TOML is told with its line and column") {
       {"a bracket that is not closed", "[[body]]\nbox = [1, 1\nposition = [0, 1]\n",
        "my.toml:3:1: the text must be TOML: "},
       {"a key twice", "[[body]]\ncircle = 1\ncircle = 2\n", "my.toml:3:10: the text must be TOML: "},
+      {"a text that goes on", "title = \"one\ntwo\"\n",
+       "my.toml:1:13: the text must be TOML: a text must end on its line, and have no control characters"},
+      {"a number too large", "seconds = 1e309\n",
+       "my.toml:1:16: the text must be TOML: '1e309' is a number too large"},
       {"a key without a value", "seconds =\n", "my.toml:1:10: the text must be TOML: "},
       {"a heading that is not closed", "[ground\nheight = 1\n", "my.toml:1:8: the text must be TOML: "},
       {"letters that are none", "title = \"\xff\"\n", "my.toml:1:9: the text must be TOML: "},
