@@ -7,6 +7,7 @@
 
 #include "math/list.hpp"
 #include "scenes/scene_file.hpp"
+#include "scenes/scene_schema.hpp"
 #include "study/trial.hpp"
 
 using namespace cairn;
@@ -116,6 +117,32 @@ TEST_CASE("a house of n storeys has n (n + 1) cards and n boards, and a row of d
   CHECK((dominoes[0] - corner).norm() == doctest::Approx(std::hypot(0.1, 0.7)).epsilon(1e-14));
   CHECK(std::atan2(dominoes[0].x() - corner.x(), dominoes[0].y() - corner.y()) ==
         doctest::Approx(0.1 - std::atan(0.1 / 0.7)).epsilon(1e-13));
+}
+
+TEST_CASE(
+    "the most that the page allows of a pyramid or a house of cards is the most that a scene may have") {
+  CHECK(repeat_places("[[pyramid]]\nn = 199\nbox = [1, 1]\n").size() == 199 * 200 / 2);
+  CHECK(199 * 200 / 2 <= most_scene_bodies);
+  CHECK(200 * 201 / 2 > most_scene_bodies);
+  CHECK_THROWS_WITH_AS(read_scene_text("[[pyramid]]\nn = 200\nbox = [1, 1]\n", "my.toml"),
+                       "my.toml:2:5: pyramid[1].n must be a whole number from 1 to 199, got 200",
+                       std::invalid_argument);
+  CHECK(repeat_places("[[cards]]\nn = 140\n").size() == 140 * 141 + 140);
+  CHECK(141 * 142 + 141 > most_scene_bodies);
+  CHECK_THROWS_WITH_AS(read_scene_text("[[cards]]\nn = 141\n", "my.toml"),
+                       "my.toml:2:5: cards[1].n must be a whole number from 1 to 140, got 141",
+                       std::invalid_argument);
+}
+
+TEST_CASE("the most that the page allows of what is n bodies is as many as a scene may have") {
+  for (const char* text : {"[[stack]]\nn = 20000\nbox = [1, 1]\n",
+                           "[[row]]\nn = 20000\nfirst = [0, 0]\nstep = [1, 0]\ncircle = 0.1\n",
+                           "[[pile]]\nn = 20000\ncolumns = 9\nfirst = [0, 0]\nstep = [1, 1]\ncircle = 0.1\n",
+                           "[[arch]]\nn = 20000\nradius = 4\nthickness = 1\n", "[[dominoes]]\nn = 20000\n",
+                           "[[cradle]]\nn = 20000\n", "[[chain]]\nn = 20000\nlink = 0.1\n"}) {
+    CAPTURE(text);
+    CHECK(repeat_places(text).size() == most_scene_bodies);
+  }
 }
 
 TEST_CASE("the joints of chains and cradles begin closed, between ends or with a bob") {
