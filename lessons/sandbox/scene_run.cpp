@@ -43,6 +43,8 @@ class RunKeeper {
 
   void see(const Snapshot& snapshot) {
     const bool finite = is_finite(snapshot);
+    const Overlap in_ground = deepest_in_ground(snapshot);
+    if (in_ground.depth > run_.in_ground.depth) run_.in_ground = in_ground;
     const long long step = seen_++;
     const double time = static_cast<double>(step) * dt_;  // [s]
     // As many frames as have become due; where steps are longer than frames, each step is one.
@@ -115,7 +117,7 @@ SceneRun run_scene(const SceneEntry& scene, const Setting& setting, const RunWis
   keeper.end(run.result);
   // A run that was shorter than the scene's own time, or that ended badly, is judged as far as it came.
   if (!judged || run.result.steps <= judged_at) judged = run.result;
-  run.missed = unmet(scene.expectations, *judged);
+  run.missed = unmet(scene.expectations, *judged, scene.body_names);
   return run;
 }
 

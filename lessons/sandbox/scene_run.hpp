@@ -7,6 +7,7 @@
 #include "lessons/console.hpp"
 #include "math/list.hpp"
 #include "measure/csv.hpp"
+#include "measure/violation.hpp"
 #include "scenes/scene_list.hpp"
 #include "study/trial.hpp"
 
@@ -26,6 +27,7 @@ struct SceneRun {
   List<std::string> missed = {};  // expectations, in the seconds that they are for
   List<Snapshot> frames = {};     // none that is not finite; of a run that ends badly, its end too
   CsvTable series = {};           // time_s, kinetic_J, ...
+  Overlap in_ground = {};         // the deepest of a body whose joint keeps it from touching the ground
   bool stopped = false;           // by RunWish::stops
 };
 

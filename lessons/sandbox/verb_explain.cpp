@@ -1,6 +1,7 @@
 // cairn explain: what a scene makes the engine do, and what it leaves out.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -23,6 +24,7 @@ constexpr int most_rows_of_reference = 60;  // above, its exact answer takes too
 /// What is counted in a scene before and after its first step.
 struct SceneCounts {
   Counts bodies = {}, shapes = {}, joints = {};
+  int apart = 0;  // pairs of bodies that a joint keeps from colliding
   int contacts = 0, rows = 0, equalities = 0, normals = 0, frictions = 0;
   std::size_t problem_bytes = 0;
 };
@@ -53,6 +55,7 @@ SceneCounts counts_of(const Scene& scene, const World<double>& after, int contac
                                              : counts.equalities;
     kind += 1;
   }
+  counts.apart = scene.apart().size();
   counts.contacts = contacts;
   counts.rows = problem.row_count();
   counts.problem_bytes = problem.rows.bytes() + problem.blocks.bytes() + problem.extra_terms.bytes() +
@@ -95,6 +98,19 @@ std::string bytes_text(std::size_t bytes) {
                          : fmt::format("{:.1f} MiB", value / 1048576);
 }
 
+/// Joined bodies go through each other, which is easily overlooked where one of them is the ground.
+std::string apart_text(const SceneEntry& entry, int count) {
+  const int most = 3;  // pairs that are named
+  List<std::string> pairs;
+  const Scene scene = entry.make();
+  for (int i = 0; i < std::min(count, most); ++i) {
+    const auto& [a, b] = scene.apart()[i];
+    pairs.push_back(entry.body_names[a] + " and " + entry.body_names[b]);
+  }
+  const std::string rest = count > most ? fmt::format(", and {} pairs more", count - most) : "";
+  return fmt::format("joined bodies do not collide: {}{}", joined(pairs, ", "), rest);
+}
+
 void print_explanation(const SceneEntry& entry, const Setting& setting, const Plan& plan,
                        const SceneCounts& counts, const List<SolverMemory>& memories, Console& console) {
   const auto line = [&console](const std::string& name, const std::string& what) {
@@ -110,6 +126,7 @@ void print_explanation(const SceneEntry& entry, const Setting& setting, const Pl
   line("bodies", counts_text(counts.bodies));
   line("shapes", counts_text(counts.shapes));
   line("joints", counts_text(counts.joints));
+  if (counts.apart > 0) line("apart", apart_text(entry, counts.apart));
   console.result("Its first step has");
   line("contacts", fmt::format("{} points", counts.contacts));
   line("rows", fmt::format("{}: {} of joints and motors, {} one-sided, {} of friction", counts.rows,
@@ -132,6 +149,7 @@ Json explanation_json(const SceneEntry& entry, const Setting& setting, const Pla
           {"bodies", counts.bodies},
           {"shapes", counts.shapes},
           {"joints", counts.joints},
+          {"pairs_apart", counts.apart},
           {"velocities", 2 * plan.dynamic_bodies + plan.turning_bodies},
           {"collision", plan.collision},
           {"gravity", plan.gravity},

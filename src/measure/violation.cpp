@@ -18,9 +18,20 @@ bool is_apart(const Snapshot& snapshot, BodyId first, BodyId second) {
   return std::binary_search(snapshot.apart.begin(), snapshot.apart.end(), bodies);
 }
 
+/// The deepest point of two shapes, if it is deeper than `worst`.
+void keep_deeper(const Snapshot& snapshot, BodyId a, const Shape<double>& shape_a, BodyId b,
+                 const Shape<double>& shape_b, Overlap& worst) {
+  const Manifold<double> manifold =
+      collide(shape_a, snapshot.bodies[a].pose, shape_b, snapshot.bodies[b].pose, 0.0);
+  for (int k = 0; k < manifold.count; ++k) {
+    const double depth = -manifold.points[k].separation;
+    if (depth > worst.depth) worst = {.depth = depth, .a = a, .b = b};
+  }
+}
+
 }  // namespace
 
-double worst_penetration(const Snapshot& snapshot) {
+Overlap deepest_overlap(const Snapshot& snapshot) {
   struct Item {
     BodyId body;
     const Shape<double>* shape;
@@ -38,7 +49,7 @@ double worst_penetration(const Snapshot& snapshot) {
     }
   }
 
-  double worst = 0;
+  Overlap worst;
   Broadphase<double> broadphase(BroadphaseKind::sweep);
   for (const auto& [i, j] : broadphase.pairs(boxes, movable)) {
     const Item& a = items[i];
@@ -46,9 +57,20 @@ double worst_penetration(const Snapshot& snapshot) {
     const SnapshotBody& body_a = snapshot.bodies[a.body];
     const SnapshotBody& body_b = snapshot.bodies[b.body];
     if (a.body == b.body || !may_touch(body_a, body_b) || is_apart(snapshot, a.body, b.body)) continue;
-    const Manifold<double> manifold = collide(*a.shape, body_a.pose, *b.shape, body_b.pose, 0.0);
-    for (int k = 0; k < manifold.count; ++k) {
-      worst = std::max(worst, -manifold.points[k].separation);
+    keep_deeper(snapshot, a.body, *a.shape, b.body, *b.shape, worst);
+  }
+  return worst;
+}
+
+double worst_penetration(const Snapshot& snapshot) { return deepest_overlap(snapshot).depth; }
+
+Overlap deepest_in_ground(const Snapshot& snapshot) {
+  Overlap worst;
+  for (const auto& [first, second] : snapshot.apart) {
+    if (first != ground) break;  // pairs are sorted
+    for (const Shape<double>& surface : snapshot.bodies[ground].shapes) {
+      for (const Shape<double>& shape : snapshot.bodies[second].shapes)
+        keep_deeper(snapshot, ground, surface, second, shape, worst);
     }
   }
   return worst;

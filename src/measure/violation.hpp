@@ -5,11 +5,22 @@
 
 namespace cairn {
 
-/// The deepest overlap of any two shapes of different bodies, of which one is dynamic [m]; 0 when none
-/// overlap. Measured on the shapes as they stand now, not on the contacts that a solver saw: it is the same
-/// measure for every engine. Left out are sensors, and pairs that a joint or their categories keep from
-/// touching.
+/// Two bodies in each other.
+struct Overlap {
+  double depth = 0;  // [m]; 0: none
+  BodyId a = {};
+  BodyId b = {};
+};
+
+/// The deepest overlap of any two shapes of different bodies, of which one is dynamic. Measured on the
+/// shapes as they stand now, not on the contacts that a solver saw: it is the same measure for every engine.
+/// Left out are sensors, and pairs that a joint or their categories keep from touching.
+Overlap deepest_overlap(const Snapshot& snapshot);
+/// Its depth [m]; 0 when no shapes overlap.
 double worst_penetration(const Snapshot& snapshot);
+
+/// The deepest overlap of the ground and a body that a joint keeps from touching it.
+Overlap deepest_in_ground(const Snapshot& snapshot);
 
 /// The largest drift of a joint [m or rad]; 0 without joints.
 double worst_joint_drift(const Snapshot& snapshot);

@@ -12,12 +12,15 @@ TrialOptions trial_options(const SceneEntry& scene) {
   return options;
 }
 
-List<std::string> unmet(const Expectations& expectations, const TrialResult& result) {
+List<std::string> unmet(const Expectations& expectations, const TrialResult& result,
+                        const PerBody<std::string>& names) {
   if (result.status == TrialStatus::refused) return {"refused: " + result.reason};
   if (result.status != TrialStatus::ok) {
     const std::string ending = fmt::format("{} after {:.3g} s", status_text(result.status), result.seconds);
     if (!result.not_finite) return {ending};
-    return {fmt::format("{}: body {} would not be finite", ending, result.not_finite->index)};
+    const BodyId body = *result.not_finite;
+    const std::string name = body.index < names.size() ? names[body] : fmt::format("body {}", body.index);
+    return {fmt::format("{}: {} would not be finite", ending, name)};
   }
   List<std::string> missed;
   const auto at_most = [&missed](const char* name, double value, const std::optional<double>& most,

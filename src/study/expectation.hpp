@@ -13,7 +13,8 @@ namespace cairn {
 TrialOptions trial_options(const SceneEntry& scene);
 
 /// What the run does not keep to, each as "worst penetration 0.012 m, expected at most 0.01 m"; empty: it
-/// meets all. A run that did not end ok meets nothing.
-List<std::string> unmet(const Expectations& expectations, const TrialResult& result);
+/// meets all. A run that did not end ok meets nothing. Bodies without a name go by their number.
+List<std::string> unmet(const Expectations& expectations, const TrialResult& result,
+                        const PerBody<std::string>& names = {});
 
 }  // namespace cairn

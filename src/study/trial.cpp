@@ -113,15 +113,29 @@ class Trial {
     }
     result_.farthest = std::max(result_.farthest, farthest_from_start(start_, now));
     if (!standing_.holds(now, result_.seconds)) note_fall();
-    result_.worst_drift = std::max(result_.worst_drift, worst_joint_drift(now));
+    note_drift(now);
     const double change = (total_energy(now) - start_energy_) / result_.energy_scale;
     result_.energy_gain = std::max(result_.energy_gain, change);
     result_.energy_loss = -change;
     if (is_last || result_.steps % options_.penetration_every == 0) {
-      result_.worst_penetration = std::max(result_.worst_penetration, worst_penetration(now));
+      note_overlap(deepest_overlap(now));
     }
     const bool late = options_.time_limit > 0 && result_.step_seconds > options_.time_limit;
     if (late && !is_last && result_.status == TrialStatus::ok) result_.status = TrialStatus::timeout;
+  }
+
+  void note_drift(const Snapshot& now) {
+    for (const SnapshotJoint& joint : now.joints) {
+      if (!(joint.drift > result_.worst_drift)) continue;
+      result_.worst_drift = joint.drift;
+      result_.drift_worst = {.time = result_.seconds, .a = joint.a, .b = joint.b, .joint = joint.name};
+    }
+  }
+
+  void note_overlap(const Overlap& overlap) {
+    if (!(overlap.depth > result_.worst_penetration)) return;
+    result_.worst_penetration = overlap.depth;
+    result_.penetration_worst = {.time = result_.seconds, .a = overlap.a, .b = overlap.b};
   }
 
   void note_fall() {

@@ -32,6 +32,13 @@ double thread_cpu_seconds();
 
 struct TrialResult;
 
+/// Where and when a run was worst.
+struct TrialWorst {
+  double time = 0;         // [s]
+  BodyId a = {}, b = {};   // the bodies that overlapped, or that the joint joins
+  std::string joint = {};  // Constraint::name(); none for an overlap
+};
+
 struct TrialOptions {
   double seconds = 2;  // [s] to simulate, rounded to whole steps
   /// [m] The scene stands while every dynamic body's centre of mass is at most as far from its place: where
@@ -60,6 +67,8 @@ struct TrialResult {
   double seconds = 0;                     // [s] simulated
   double worst_penetration = 0;           // [m] of any step that was measured
   double worst_drift = 0;                 // [m or rad] of any joint after any step
+  TrialWorst penetration_worst = {};      // where worst_penetration is above 0
+  TrialWorst drift_worst = {};            // where worst_drift is above 0
   double energy_scale = 0;  // [J] energy_scale() of the start (measure/trajectory.hpp); 1 J where it is 0
   double energy_gain = 0;   // of the scale: how far kinetic and potential energy rose above the start's
   double energy_loss = 0;   // of the scale: how far they are below it at the end; < 0: above it

@@ -1,6 +1,8 @@
 // Penetration, drift, cones and gaps of states written by hand, where the answer is known.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "constraints/distance_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "math/list.hpp"
@@ -36,6 +38,21 @@ TEST_CASE("the worst of several overlaps counts, and boxes that are apart do not
         doctest::Approx(0.2).epsilon(2 * overlap_rounding));
   CHECK(worst_penetration(boxes_at({{0, 0}, {0, 1.5}, {3, 0}})) == 0);
   CHECK(worst_penetration(boxes_at({})) == 0);
+}
+
+TEST_CASE("the deepest overlap says whose it is") {
+  const Overlap deepest = deepest_overlap(boxes_at({{0, 0}, {0, 0.9}, {0, 1.7}}));
+  CHECK(deepest.depth == doctest::Approx(0.2).epsilon(2 * overlap_rounding));
+  CHECK(std::min(deepest.a, deepest.b) == BodyId{1});
+  CHECK(std::max(deepest.a, deepest.b) == BodyId{2});
+}
+
+TEST_CASE("what goes through the ground unseen is a body that is joined to it") {
+  Snapshot snapshot = boxes_at({{0, 0}, {0, 0.75}, {0, 0.5}});
+  CHECK(deepest_in_ground(snapshot).depth == 0);
+  snapshot.apart = {{{0}, {1}}, {{1}, {2}}};
+  CHECK(deepest_in_ground(snapshot).depth == doctest::Approx(0.25).epsilon(overlap_rounding));
+  CHECK(deepest_in_ground(snapshot).b == BodyId{1});
 }
 
 TEST_CASE("bodies of which none is dynamic, and bodies that a joint keeps apart, do not penetrate") {
