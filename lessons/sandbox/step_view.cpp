@@ -32,10 +32,6 @@ class StepKeeper final : public SolveObserver<double> {
   SweepRecorder<double> recorder{};
 };
 
-std::string body_name(BodyId body) {
-  return body == ground ? std::string("ground") : std::to_string(body.index);
-}
-
 /// What wrote each row: joints come first, in the scene's order.
 PerRow<std::string> row_kinds(const VelocityProblem<double>& problem, const Scene& scene) {
   PerRow<std::string> kinds(problem.row_count());
@@ -55,14 +51,14 @@ PerRow<std::string> row_kinds(const VelocityProblem<double>& problem, const Scen
   return kinds;
 }
 
-void set_rows(StepView& view, const Scene& scene) {
+void set_rows(StepView& view, const Scene& scene, const PerBody<std::string>& names) {
   const PerRow<std::string> kinds = row_kinds(view.given, scene);
   for (int i = 0; i < view.given.row_count(); ++i) {
     const ConstraintRow<double>& row = view.given.rows[i];
     constexpr double endless = std::numeric_limits<double>::infinity();
     view.rows.push_back({.kind = kinds[i],
-                         .a = body_name(row.a),
-                         .b = body_name(row.b),
+                         .a = names[row.a],
+                         .b = names[row.b],
                          .velocity = row_velocity(view.given, row),
                          .bias = row.bias,
                          .lower = row.bounds.clamp(-endless, view.solved.impulse),
@@ -145,7 +141,7 @@ StepView view_step(const SceneEntry& entry, const Setting& setting, int step) {
                            .residual_velocity = left.velocity,
                            .impulse = view.solved.impulse});
   }
-  set_rows(view, scene);
+  set_rows(view, scene, entry.body_names);
   add_reference(view);
   return view;
 }

@@ -20,6 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int most_columns = 8;       // of rows in the table of sweeps
 constexpr int most_matrix_rows = 12;  // of A as text
+constexpr int most_json_matrix_rows = 400;
 
 /// Rounding's rest of a zero is 0.
 std::string short_text(double value, int digits = 4) {
@@ -46,8 +47,9 @@ std::string uniqueness_text(Uniqueness verdict) {
   return verdict == Uniqueness::not_unique ? "more than one" : "perhaps one";
 }
 
-std::string row_line(const List<std::string>& cells) {
-  constexpr int widths[] = {-3, 14, -6, -6, -9, -9, -9, -9, -10, -10, -10};  // negative: right-aligned
+std::string row_line(const List<std::string>& cells, int name_width) {
+  // Negative: right-aligned.
+  const int widths[] = {-3, 14, -name_width, -name_width, -9, -9, -9, -9, -10, -10, -10};
   std::string line;
   for (int i = 0; i < cells.size(); ++i) {
     line += (i == 0 ? "" : " ") + (widths[i] < 0 ? fmt::format("{:>{}}", cells[i], -widths[i])
@@ -57,15 +59,20 @@ std::string row_line(const List<std::string>& cells) {
 }
 
 void print_rows(const StepView& view, int most, Console& console) {
-  console.result(
-      row_line({"row", "kind", "a", "b", "j v", "bias", "lower", "upper", "impulse", "exact", "still asks"}));
-  console.result(row_line({"", "", "", "", "m/s", "m/s", "N s", "N s", "N s", "N s", "N s"}));
-  for (int i = 0; i < std::min(most, view.rows.size()); ++i) {
+  int name_width = 6;
+  const int shown = std::min(most, view.rows.size());
+  for (int i = 0; i < shown; ++i) {
+    for (const std::string& name : {view.rows[i].a, view.rows[i].b})
+      name_width = std::max(name_width, display_width(name));
+  }
+  const auto line = [&](const List<std::string>& cells) { console.result(row_line(cells, name_width)); };
+  line({"row", "kind", "a", "b", "j v", "bias", "lower", "upper", "impulse", "exact", "still asks"});
+  line({"", "", "", "", "m/s", "m/s", "N s", "N s", "N s", "N s", "N s"});
+  for (int i = 0; i < shown; ++i) {
     const StepRow& row = view.rows[i];
-    console.result(row_line({std::to_string(i + 1), row.kind, row.a, row.b, short_text(row.velocity, 3),
-                             short_text(row.bias, 3), short_text(row.lower, 3), short_text(row.upper, 3),
-                             short_text(row.impulse), row.exact ? short_text(*row.exact) : "-",
-                             short_text(row.correction)}));
+    line({std::to_string(i + 1), row.kind, row.a, row.b, short_text(row.velocity, 3), short_text(row.bias, 3),
+          short_text(row.lower, 3), short_text(row.upper, 3), short_text(row.impulse),
+          row.exact ? short_text(*row.exact) : "-", short_text(row.correction)});
   }
   if (most < view.rows.size())
     console.result(fmt::format("    and {} more; --rows shows them", view.rows.size() - most));
@@ -73,8 +80,9 @@ void print_rows(const StepView& view, int most, Console& console) {
 
 void print_matrix(const StepView& view, Console& console) {
   if (view.given.row_count() > most_matrix_rows) {
-    console.result(
-        console.spelt(fmt::format("A has {0} x {0} entries: --picture FILE draws it", view.rows.size())));
+    console.result(console.spelt(
+        fmt::format("A has {0} x {0} entries: --picture FILE draws it, --json has all of it up to {1} rows",
+                    view.rows.size(), most_json_matrix_rows)));
     return;
   }
   console.result(console.spelt("A = J M⁻¹ Jᵀ (1/kg; softness on the diagonal)"));
@@ -161,8 +169,9 @@ Json step_json(const SceneEntry& scene, const StepView& view) {
                  {"impulse_gap_Ns", view.reference->impulse_gap},
                  {"energy_error", view.reference->energy_error}};
   }
-  Json A = Json::array();
-  if (view.given.row_count() <= most_matrix_rows) {
+  Json A = nullptr;
+  if (view.given.row_count() <= most_json_matrix_rows) {
+    A = Json::array();
     const Matrix<double> matrix = system_matrices(view.given).A;
     for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
       const Vector<double> line = matrix.row(row).transpose();
