@@ -122,7 +122,13 @@ class FrameSaver {
 class PassingFolder {
  public:
   PassingFolder() {
-    path_ = (fs::temp_directory_path() / "cairn-film-XXXXXX").string();
+    std::error_code error;
+    path_ = (fs::temp_directory_path(error) / "cairn-film-XXXXXX").string();
+    if (error) {
+      const char* named = std::getenv("TMPDIR");
+      throw WriteError(std::string("TMPDIR must name a folder for temporary files, got ") +
+                               (named == nullptr ? "nothing" : named));
+    }
     if (mkdtemp(path_.data()) == nullptr) throw WriteError("cannot make the folder " + path_);
   }
   ~PassingFolder() {
