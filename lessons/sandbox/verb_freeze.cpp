@@ -45,7 +45,7 @@ int list_problems(const Words& words, Console& console) {
   }
   for (const std::string& name : frozen_names()) console.result(name);
   for (const SceneEntry& scene : scene_entries())
-    console.result(fmt::format("{:<18} {} (--step N)", scene.name, scene.title));
+    console.result(console.spelt(fmt::format("{:<18} {} (--step N)", scene.name, scene.title)));
   return all_well;
 }
 
@@ -59,7 +59,7 @@ int freeze_set(const Words& words, Console& console) {
   if (words.has("json"))
     fmt::print("{}\n", nlohmann::json(frozen_names()).dump());
   else
-    console.result(fmt::format("{} problems in {}", frozen_names().size(), folder));
+    console.result(console.spelt(fmt::format("{} problems in {}", frozen_names().size(), folder)));
   return all_well;
 }
 
@@ -86,8 +86,8 @@ int run_freeze(const Words& words, Console& console) {
   }
   const std::string path = words.text("out").value_or(frozen.name + ".json");
   write_frozen_file(path, frozen);
-  console.result(fmt::format("{}: {} bodies, {} rows; {}", path, frozen.problem.body_count(),
-                             frozen.problem.row_count(), frozen.description));
+  console.result(console.spelt(fmt::format("{}: {} bodies, {} rows; {}", path, frozen.problem.body_count(),
+                                           frozen.problem.row_count(), frozen.description)));
   return all_well;
 }
 
@@ -104,7 +104,8 @@ Verb freeze_verb() {
               "impulses? "
               "This verb keeps the question: as JSON, with 17 digits, so that it reads back bit for bit and "
               "every solver "
-              "can be given the very same. SCENE is a built-in scene, or a problem of the frozen set.",
+              "can be given the very same. SCENE is the name of a scene, the path of a scene file, or a "
+              "problem of the frozen set.",
           .flags = {{"step", "N", "after so many steps of a scene (30)"},
                     {"sweeps", "N", "of SI in the steps before (10)"},
                     {"out", "FILE", "where to (NAME.json; with --json: nowhere)"},

@@ -110,7 +110,7 @@ int renew(const Words& words, Console& console) {
     return stopped;
   }
   fs::rename(part, target);
-  console.result("wrote " + target.string());
+  console.result(console.spelt("wrote " + target.string()));
   return all_well;
 }
 
