@@ -122,10 +122,10 @@ SceneEntry read_scene_text(const std::string& text, const std::string& file) {
 }
 
 SceneEntry read_scene_file(const std::string& path) {
-  std::error_code error;
-  const bool is_file = std::filesystem::is_regular_file(path, error);  // to open a FIFO would wait for ever
-  std::ifstream stream(is_file ? path : "", std::ios::binary);
-  require(is_file && stream.good(), "read_scene_file", "path", "a file that can be read", path);
+  std::ifstream stream;
+  std::error_code ignored;  // opening what is no file could wait for ever
+  if (std::filesystem::is_regular_file(path, ignored)) stream.open(path, std::ios::binary);
+  require(stream.is_open(), "read_scene_file", "path", "a file that can be read", path);
   require_scene_size(std::filesystem::file_size(path), path);  // before it is read
   return read_scene_text({std::istreambuf_iterator<char>(stream), {}}, path);
 }

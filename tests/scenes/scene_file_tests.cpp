@@ -2,6 +2,7 @@
 #include "scenes/scene_file.hpp"
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -236,6 +237,8 @@ TEST_CASE("a file is read by its path, and a folder by the order that its scenes
   CHECK(scene_entry((folder / "z.toml").string()).name == "z");
   CHECK_THROWS_AS(read_scene_file((folder / "none.toml").string()), std::invalid_argument);
   CHECK_THROWS_AS(read_scene_file(folder.string()), std::invalid_argument);
+  REQUIRE(mkfifo((folder / "pipe.toml").c_str(), 0600) == 0);
+  CHECK_THROWS_AS(read_scene_file((folder / "pipe.toml").string()), std::invalid_argument);
   std::ofstream(folder / "large.toml") << "#" << std::string(3000000, 'x');
   CHECK_THROWS_WITH_AS(
       read_scene_file((folder / "large.toml").string()),
