@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -20,6 +21,14 @@ bool is_of_the_set(const std::string& name) {
   return std::count(frozen_names().begin(), frozen_names().end(), name) > 0;
 }
 
+/// A scene file may have a name that a frozen problem may not: all but letters, digits and _ becomes -.
+std::string frozen_name(const std::string& scene, int step) {
+  std::string name = scene.substr(0, 56);  // with its step at most 64
+  const auto is_other = [](unsigned char c) { return !std::isalnum(c) && c != '-' && c != '_'; };
+  std::replace_if(name.begin(), name.end(), is_other, '-');
+  return name + "-" + std::to_string(step);
+}
+
 FrozenProblem frozen_scene(const SceneEntry& entry, int step, int sweeps) {
   World<double> world(entry.make());
   const auto solver = make_solver<double>("si", {.iterations = sweeps});
@@ -28,7 +37,7 @@ FrozenProblem frozen_scene(const SceneEntry& entry, int step, int sweeps) {
     if (report.not_finite)
       throw std::invalid_argument("freeze: the scene is not finite after step " + std::to_string(k + 1));
   }
-  return freeze(world, entry.name + "-" + std::to_string(step),
+  return freeze(world, frozen_name(entry.name, step),
                 fmt::format("{}, after {} steps of SI with {} sweeps", entry.title, step, sweeps));
 }
 

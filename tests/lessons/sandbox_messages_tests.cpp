@@ -105,6 +105,13 @@ TEST_CASE("cairn inspect names bodies, and gives A in full up to 400 rows") {
   CHECK(many["A"].is_null());
 }
 
+TEST_CASE("cairn freeze takes a scene file whatever its name is") {
+  const ScratchFolder scratch;
+  scratch.write("my first post.toml", sunk_post);
+  CHECK(cairn_json({"freeze", scratch.path() + "/my first post.toml", "--step", "2"})["name"] ==
+        "my-first-post-2");
+}
+
 TEST_CASE("a TMPDIR that is not there is named by whom it stops") {
   const ScratchFolder scratch;
   const Ran ran = run_program(
