@@ -1,6 +1,7 @@
 // What cairn says of scenes to people: names instead of numbers, and nothing that commands a terminal.
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "math/list.hpp"
@@ -113,10 +114,12 @@ TEST_CASE("cairn freeze takes a scene file whatever its name is") {
 }
 
 TEST_CASE("a TMPDIR that is not there is named by whom it stops") {
-  const ScratchFolder scratch;
-  const Ran ran = run_program(
-      "/usr/bin/env", {"TMPDIR=/no/such/folder", CAIRN_BIN_DIR "/cairn", "run", "puck", "--seconds", "0.1s",
-                       "--size", "small", "--apng", scratch.path() + "/puck.png"});
+  const ScratchFolder scratch;  // a stand-in for the encoder, which is asked for before the frames are drawn
+  scratch.write("ffmpeg", "#!/bin/sh\n");
+  std::filesystem::permissions(scratch.path() + "/ffmpeg", std::filesystem::perms::owner_all);
+  const Ran ran = run_program("/usr/bin/env", {"TMPDIR=/no/such/folder", "PATH=" + scratch.path(),
+                                               CAIRN_BIN_DIR "/cairn", "run", "puck", "--seconds", "0.1s",
+                                               "--size", "small", "--gif", scratch.path() + "/puck.gif"});
   CHECK(ran.code == 3);
   CHECK(text_has(ran.err, "TMPDIR must name a folder for temporary files, got /no/such/folder"));
 }
