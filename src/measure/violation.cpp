@@ -50,7 +50,7 @@ Overlap deepest_overlap(const Snapshot& snapshot) {
   }
 
   Overlap worst;
-  Broadphase<double> broadphase(BroadphaseKind::sweep);
+  Broadphase<double> broadphase(BroadphaseKind::grid);
   for (const auto& [i, j] : broadphase.pairs(boxes, movable)) {
     const Item& a = items[i];
     const Item& b = items[j];

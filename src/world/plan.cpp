@@ -42,7 +42,7 @@ Plan make_plan(const Scene& scene) {
   plan.friction_rows = scene.settings().friction_rows;
   plan.restitution &= plan.collision;
   plan.joints = scene.joints().size();
-  plan.broadphase = plan.colliders > all_pairs_limit ? BroadphaseKind::sweep : BroadphaseKind::all_pairs;
+  plan.broadphase = plan.colliders > all_pairs_limit ? BroadphaseKind::grid : BroadphaseKind::all_pairs;
   plan.warm_start = scene.settings().warm_start;
   plan.guarded = scene.settings().guarded;
   plan.substeps = scene.settings().substeps;
@@ -55,7 +55,7 @@ Plan make_plan(const Scene& scene) {
 
 std::string explain(const Plan& plan) {
   const std::string phase =
-      plan.broadphase == BroadphaseKind::sweep ? "sort and sweep" : "all pairs of boxes";
+      plan.broadphase == BroadphaseKind::grid ? "grid of cells" : "all pairs of boxes";
   std::string text = "This scene needs\n";
   text += line("bodies", fmt::format("{} dynamic of {}; {} velocities a step", plan.dynamic_bodies,
                                      plan.bodies, 2 * plan.dynamic_bodies + plan.turning_bodies));

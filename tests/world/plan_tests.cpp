@@ -119,8 +119,8 @@ TEST_CASE("a scene in which nothing can meet has no contacts, even where shapes 
 TEST_CASE("many shapes are sorted, few are compared each with each") {
   Scene scene;
   for (int i = 0; i < 100; ++i) scene.add({.shapes = {circle(0.4)}, .position = {static_cast<double>(i), 0}});
-  CHECK(make_plan(scene).broadphase == BroadphaseKind::sweep);
-  CHECK(says(make_plan(scene), "sort and sweep"));
+  CHECK(make_plan(scene).broadphase == BroadphaseKind::grid);
+  CHECK(says(make_plan(scene), "grid of cells"));
 }
 
 TEST_CASE("bodies whose rotation is fixed are counted, and never turn") {
