@@ -17,14 +17,26 @@ std::uint64_t contact_source(int collider_a, int collider_b) {
          static_cast<std::uint64_t>(collider_b);
 }
 
-/// The impulse of a row in a sorted list, or the end of the list.
-template <typename Impulses>
-auto find_impulse(const Impulses& impulses, const RowKey& key) {
-  const auto found =
-      std::lower_bound(impulses.begin(), impulses.end(), key,
-                       [](const auto& entry, const RowKey& wanted) { return entry.first < wanted; });
-  return found != impulses.end() && found->first == key ? found : impulses.end();
-}
+/// Finds the impulses of rows, asked for in the order of their sources, which is also that of the list: one pass over
+/// both.
+template <Scalar Real>
+class ImpulseFinder {
+ public:
+  explicit ImpulseFinder(const List<std::pair<RowKey, Real>>& impulses)
+      : next_(impulses.begin()), end_(impulses.end()) {}
+
+  /// Null where the row has none.
+  const Real* find(const RowKey& key) {
+    while (next_ != end_ && next_->first.source < key.source) ++next_;
+    for (auto entry = next_; entry != end_ && entry->first.source == key.source; ++entry) {
+      if (entry->first.part == key.part) return &entry->second;
+    }
+    return nullptr;
+  }
+
+ private:
+  typename List<std::pair<RowKey, Real>>::const_iterator next_, end_;
+};
 
 /// Whether no impulse of a row could change a velocity, as that of a row for the angle between the ground and
 /// a body that never turns: A_ii is 0, so it is not written. No row names one like it for its bounds.
@@ -175,12 +187,12 @@ void World<Real>::warm_start() {
   const Real scale = previous_dt_ > 0 ? substep_length() / static_cast<Real>(previous_dt_) : Real(1);
   problem.impulse.assign(problem.rows.size(), Real(0));
   record_.is_new.assign(problem.rows.size(), 1);
+  ImpulseFinder<Real> last(impulses_);
   for (int i = 0; i < problem.row_count(); ++i) {
-    const RowKey& key = problem.rows[i].key;
-    const auto found = find_impulse(impulses_, key);
-    if (found == impulses_.end()) continue;
+    const Real* impulse = last.find(problem.rows[i].key);
+    if (!impulse) continue;
     record_.is_new[i] = 0;
-    if (plan_->warm_start) problem.impulse[i] = scale * found->second;
+    if (plan_->warm_start) problem.impulse[i] = scale * *impulse;
   }
 }
 
@@ -196,12 +208,11 @@ void World<Real>::remember_impulses() {
   for (int i = 0; i < record_.problem.row_count(); ++i) {
     impulses_.emplace_back(record_.problem.rows[i].key, record_.problem.impulse[i]);
   }
+  ImpulseFinder<Real> last(before);
   for (auto& [key, impulse] : impulses_) {
-    const auto found = find_impulse(before, key);
-    if (found != before.end()) impulse = share * (found->second + impulse - share * found->second);
+    const Real* old = last.find(key);
+    if (old) impulse = share * (*old + impulse - share * *old);
   }
-  std::sort(impulses_.begin(), impulses_.end(),
-            [](const auto& left, const auto& right) { return left.first < right.first; });
   previous_dt_ = static_cast<double>(substep_length());
 }
 
@@ -209,7 +220,7 @@ template <Scalar Real>
 ContactMaterial<Real> World<Real>::material(BodyId a, BodyId b) const {
   const BodySpec& spec_a = scene_->bodies()[a].spec;
   const BodySpec& spec_b = scene_->bodies()[b].spec;
-  return {.friction = static_cast<Real>(std::sqrt(spec_a.friction) * std::sqrt(spec_b.friction)),
+  return {.friction = static_cast<Real>(friction_root_[a] * friction_root_[b]),
           .restitution = static_cast<Real>(std::max(spec_a.restitution, spec_b.restitution)),
           .restitution_threshold = static_cast<Real>(scene_->settings().restitution_threshold),
           .friction_rows = scene_->settings().friction_rows,

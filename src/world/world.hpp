@@ -125,9 +125,10 @@ class World {
   PerBody<BodyForces<Real>> forces_;
   PerBody<Real> slop_limit_;    // [m] a share of the smallest shape
   PerBody<Real> failed_error_;  // [m] likewise: deeper in another, it is on its way through
+  PerBody<double> friction_root_;  // sqrt(mu): a pair's mu is the product of two
   PerBody<Real> length_;        // [m] of the largest shape
   BodyState<Real> state_;
-  List<std::pair<RowKey, Real>> impulses_;  // of the last step, sorted by key
+  List<std::pair<RowKey, Real>> impulses_;  // of the last step, in the order of their sources
   StepRecord<Real> record_;
   std::optional<SleepState<Real>> sleep_;  // where the scene lets bodies sleep
   double dt_ = 0;                          // [s]

@@ -90,6 +90,7 @@ World<Real>::World(Scene scene)
     require_springs_hold(scene_->settings(), body, id);
     slop_limit_.push_back(static_cast<Real>(slop_share * smallest_extent(spec)));
     failed_error_.push_back(static_cast<Real>(failed_share * smallest_extent(spec)));
+    friction_root_.push_back(std::sqrt(spec.friction));
     length_.push_back(static_cast<Real>(length(spec)));
     state_.pose.push_back(
         {.position = body.pose.position.template cast<Real>(), .angle = static_cast<Real>(body.pose.angle)});
