@@ -40,7 +40,7 @@ struct LessonInfo {
   List<Parameter> parameters = {};
   List<Choice> choices = {};
   int cover = -1;  // the frame that stands for the lesson, from 1; negative: from the end
-  std::string next = {};  // "bash lessons/run 8   (the same pushes, out of a large matrix)"; "" after the last
+  std::string next = {};  // "bash lessons/run 8   (what it is about)"; "" after the last
 };
 
 /// The card of the lesson that is built: each defines its own, in card.cpp.

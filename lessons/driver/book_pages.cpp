@@ -166,8 +166,8 @@ std::string with_idea(const std::string& html, const BookLesson& lesson) {
   const std::size_t end = html.find("</h1>");
   const std::size_t behind = end == std::string::npos ? 0 : end + std::string("</h1>").size();
   return fmt::format("<p class=\"kicker\">{}</p>\n{}\n<p class=\"idea\">{}</p>{}",
-                     escaped(lesson.program.card.paper), html.substr(0, behind), escaped(lesson.program.card.idea),
-                     html.substr(behind));
+                     escaped(lesson.program.card.paper), html.substr(0, behind),
+                     escaped(lesson.program.card.idea), html.substr(behind));
 }
 
 std::string order_links(const Book& book, const std::string& numbers) {

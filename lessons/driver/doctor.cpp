@@ -83,8 +83,8 @@ int doctor(const Context& context) {
                        : "Pictures  there is no temporary folder that can be written");
     return 1;
   }
-  const ProcessResult result = run_quietly({programs.front().path.string(), "--frames", "cover", "-q",
-                                            "-o", (folder.path / "out").string()});
+  const ProcessResult result = run_quietly(
+      {programs.front().path.string(), "--frames", "cover", "-q", "-o", (folder.path / "out").string()});
   const std::string backend = seen_backend(folder.path / "out");
   if (backend.empty()) {
     console.result(fmt::format("Pictures  cannot be drawn (exit code {}):\n{}", result.code, result.output));

@@ -127,7 +127,7 @@ class PassingFolder {
     if (error) {
       const char* named = std::getenv("TMPDIR");
       throw WriteError(std::string("TMPDIR must name a folder for temporary files, got ") +
-                               (named == nullptr ? "nothing" : named));
+                       (named == nullptr ? "nothing" : named));
     }
     if (mkdtemp(path_.data()) == nullptr) throw WriteError("cannot make the folder " + path_);
   }

@@ -57,13 +57,15 @@ auto Broadphase<Real>::cell_at(const Vec2<Real>& point, int level) -> Cell {
 /// Neighbours in x lie in neighbouring buckets, so that they are near in memory too.
 template <Scalar Real>
 int Broadphase<Real>::bucket(const Cell& cell) const {
-  const auto mixed = static_cast<std::uint64_t>(cell.x) + static_cast<std::uint64_t>(cell.y) * 0x9E3779B97F4A7C15u +
+  const auto mixed = static_cast<std::uint64_t>(cell.x) +
+                     static_cast<std::uint64_t>(cell.y) * 0x9E3779B97F4A7C15u +
                      static_cast<std::uint64_t>(cell.level) * 0xC2B2AE3D27D4EB4Fu;
   return static_cast<int>(mixed & static_cast<std::uint64_t>(first_.size() - 2));
 }
 
 template <Scalar Real>
-const List<std::pair<int, int>>& Broadphase<Real>::pairs(Span<const Aabb<Real>> boxes, Span<const char> movable) {
+const List<std::pair<int, int>>& Broadphase<Real>::pairs(Span<const Aabb<Real>> boxes,
+                                                         Span<const char> movable) {
   assert(boxes.size() == movable.size());
   pairs_.clear();
   if (kind_ == BroadphaseKind::all_pairs) {
@@ -137,8 +139,8 @@ void Broadphase<Real>::compare(const Entry& entry, const Entry& other) {
   pairs_.push_back(std::minmax(entry.index, other.index));
 }
 
-/// What a box overlaps on its own level: of the neighbouring cells only those that come after its own, as the others
-/// look at this one, and only as far as the box reaches.
+/// What a box overlaps on its own level: of the neighbouring cells only those that come after its own, as the
+/// others look at this one, and only as far as the box reaches.
 template <Scalar Real>
 void Broadphase<Real>::look_ahead(int place) {
   const Entry& entry = ordered_[place];
@@ -157,7 +159,8 @@ template <Scalar Real>
 void Broadphase<Real>::look_around(const Entry& entry, int level) {
   // What rounding may take from the difference, and from the side that the level was chosen by.
   const Real size = std::ldexp(Real(1), level);
-  const Vec2<Real> slack = 4 * std::numeric_limits<Real>::epsilon() * (entry.box.lower.array().abs() + size).matrix();
+  const Vec2<Real> slack =
+      4 * std::numeric_limits<Real>::epsilon() * (entry.box.lower.array().abs() + size).matrix();
   const Cell from = cell_at(entry.box.lower - slack - Vec2<Real>(size, size), level);
   const Cell to = cell_at(entry.box.upper, level);
   for (std::int64_t y = from.y; y <= to.y; ++y) {

@@ -9,16 +9,16 @@
 
 namespace cairn {
 
-/// all_pairs compares every two boxes: best for a few. grid compares boxes of neighbouring cells: its cost grows as
-/// the number of boxes does, wherever they lie.
+/// all_pairs compares every two boxes: best for a few. grid compares boxes of neighbouring cells: its cost
+/// grows as the number of boxes does, wherever they lie.
 enum class BroadphaseKind { all_pairs, grid };
 
 /// Finds overlapping pairs. Holds scratch memory only, so that a steady step allocates nothing.
 ///
-/// The grid has a level for each power of two: a box lies in the cell of its lower corner, on the level whose cells are
-/// just larger than it is. What it may overlap on a level as coarse as its own, or coarser, then has its lower corner
-/// at most one cell before the box. Cells are found by a hash of their level and place (M. Teschner and others, 2003;
-/// C. Ericson, Real-Time Collision Detection, 2005, 7.2).
+/// The grid has a level for each power of two: a box lies in the cell of its lower corner, on the level whose
+/// cells are just larger than it is. What it may overlap on a level as coarse as its own, or coarser, then
+/// has its lower corner at most one cell before the box. Cells are found by a hash of their level and place
+/// (M. Teschner and others, 2003; C. Ericson, Real-Time Collision Detection, 2005, 7.2).
 template <Scalar Real>
 class Broadphase {
  public:
@@ -62,10 +62,10 @@ class Broadphase {
   BroadphaseKind kind_;
   List<std::pair<int, int>> pairs_;
   // Of the grid.
-  List<Entry> entries_;   // by index
-  List<Entry> ordered_;   // by bucket
-  List<int> first_;       // of each bucket, in ordered_; at the end their number
-  List<int> levels_;      // in use, ascending
+  List<Entry> entries_;    // by index
+  List<Entry> ordered_;    // by bucket
+  List<int> first_;        // of each bucket, in ordered_; at the end their number
+  List<int> levels_;       // in use, ascending
   List<Entry> boundless_;  // boxes that no cell holds: compared with all others
   List<std::pair<int, int>> unsorted_;
 };

@@ -54,8 +54,8 @@ void turn_sign(RowSpec<Real>& row) {
 
 void check_rope_end(const PulleyJoint::End& end, int bodies) {
   const auto require_body = [&](BodyId id, const char* field) {
-    require(id.index >= 0 && id.index < bodies, "PulleyJoint", field,
-            "the id of a body of this scene", id.index);
+    require(id.index >= 0 && id.index < bodies, "PulleyJoint", field, "the id of a body of this scene",
+            id.index);
   };
   require_body(end.body, "end body");
   require_body(end.carrier, "end carrier");

@@ -54,8 +54,7 @@ Plan make_plan(const Scene& scene) {
 }
 
 std::string explain(const Plan& plan) {
-  const std::string phase =
-      plan.broadphase == BroadphaseKind::grid ? "grid of cells" : "all pairs of boxes";
+  const std::string phase = plan.broadphase == BroadphaseKind::grid ? "grid of cells" : "all pairs of boxes";
   std::string text = "This scene needs\n";
   text += line("bodies", fmt::format("{} dynamic of {}; {} velocities a step", plan.dynamic_bodies,
                                      plan.bodies, 2 * plan.dynamic_bodies + plan.turning_bodies));

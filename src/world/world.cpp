@@ -17,8 +17,8 @@ std::uint64_t contact_source(int collider_a, int collider_b) {
          static_cast<std::uint64_t>(collider_b);
 }
 
-/// Finds the impulses of rows, asked for in the order of their sources, which is also that of the list: one pass over
-/// both.
+/// Finds the impulses of rows, asked for in the order of their sources, which is also that of the list: one
+/// pass over both.
 template <Scalar Real>
 class ImpulseFinder {
  public:

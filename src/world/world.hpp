@@ -123,10 +123,10 @@ class World {
   std::shared_ptr<const Plan> plan_;
   std::shared_ptr<const List<Collider>> colliders_;
   PerBody<BodyForces<Real>> forces_;
-  PerBody<Real> slop_limit_;    // [m] a share of the smallest shape
-  PerBody<Real> failed_error_;  // [m] likewise: deeper in another, it is on its way through
+  PerBody<Real> slop_limit_;       // [m] a share of the smallest shape
+  PerBody<Real> failed_error_;     // [m] likewise: deeper in another, it is on its way through
   PerBody<double> friction_root_;  // sqrt(mu): a pair's mu is the product of two
-  PerBody<Real> length_;        // [m] of the largest shape
+  PerBody<Real> length_;           // [m] of the largest shape
   BodyState<Real> state_;
   List<std::pair<RowKey, Real>> impulses_;  // of the last step, in the order of their sources
   StepRecord<Real> record_;

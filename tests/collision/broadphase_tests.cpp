@@ -51,8 +51,8 @@ TEST_CASE_TEMPLATE("both broadphases find the same pairs in the same order", Rea
   }
 }
 
-TEST_CASE_TEMPLATE("sizes of every magnitude, and places as far out as numbers go, make the same pairs", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("sizes of every magnitude, and places as far out as numbers go, make the same pairs", Real,
+                   float, double, long double) {
   test::Random random(9);
   for (int round = 0; round < 200; ++round) {
     Crowd<Real> crowd;
@@ -67,7 +67,8 @@ TEST_CASE_TEMPLATE("sizes of every magnitude, and places as far out as numbers g
   }
 }
 
-TEST_CASE_TEMPLATE("boxes that fill their cells to the last bit are found", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("boxes that fill their cells to the last bit are found", Real, float, double,
+                   long double) {
   test::Random random(10);
   for (int round = 0; round < 200; ++round) {
     Crowd<Real> crowd;

@@ -148,7 +148,8 @@ TEST_CASE("a build without the archives installs nothing, and says what to do") 
 TEST_CASE("an installed cairn finds the scenes that were installed with it, wherever it is moved") {
   const fs::path folder = scratch("programs");
   require_success(run_line(folder, quoted(CAIRN_CMAKE) + " --install " + quoted(CAIRN_BINARY_DIR) +
-                                       " --component programs --prefix " + quoted((folder / "first").string())));
+                                       " --component programs --prefix " +
+                                       quoted((folder / "first").string())));
   fs::rename(folder / "first", folder / "prefix");
   const fs::path scenes = folder / "prefix" / "share" / "cairn" / "scenes";
   fs::copy_file(scenes / "stack.toml", scenes / "only-here.toml");
@@ -192,9 +193,8 @@ TEST_CASE("pkg-config says what compiles the same program, without a warning, an
   const std::string program = (folder / "resting_box").string();
   const std::string flags = "$(PKG_CONFIG_PATH=" + quoted(description.parent_path().string()) +
                             " pkg-config --cflags --libs cairn)";
-  require_success(run_line(folder, quoted(CAIRN_COMPILER) + " -Wall -Wextra -Werror -o " +
-                                       quoted(program) + " " + quoted(user_folder + "/resting_box.cpp") +
-                                       " " + flags));
+  require_success(run_line(folder, quoted(CAIRN_COMPILER) + " -Wall -Wextra -Werror -o " + quoted(program) +
+                                       " " + quoted(user_folder + "/resting_box.cpp") + " " + flags));
   CHECK(std::abs(printed_newtons(folder, program) - weight_of_box) < last_printed_digit);
 }
 

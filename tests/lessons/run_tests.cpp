@@ -150,8 +150,7 @@ TEST_CASE("the state of a run can be demanded of the next") {
 
 TEST_CASE("help, version, about, hints and parameters are told without a run") {
   const auto lesson = [](Lesson&) { throw std::logic_error("ran"); };
-  for (const char* flag :
-       {"--help", "-h", "--version", "--about", "--list-params", "--hint"}) {
+  for (const char* flag : {"--help", "-h", "--version", "--about", "--list-params", "--hint"}) {
     const Ran ran = run_in_child(lesson, {flag});
     CHECK_MESSAGE(ran.code == 0, std::string(flag));
     CHECK_MESSAGE(!ran.out.empty(), std::string(flag));

@@ -1,4 +1,5 @@
-// The shell scripts that a student types: what they answer without building, what they build, what they say meanwhile.
+// The shell scripts that a student types: what they answer without building, what they build, what they say
+// meanwhile.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -56,7 +57,8 @@ TEST_CASE("lessons/run answers help and refuses unknown words before anything is
 
 TEST_CASE("lessons/run builds what is asked for and no more") {
   const StubbedTree tree;
-  for (const char* word : {"list", "progress", "legend", "coverage", "doctor", "solution 6", "--plain list"}) {
+  for (const char* word :
+       {"list", "progress", "legend", "coverage", "doctor", "solution 6", "--plain list"}) {
     INFO(std::string(word));
     CHECK(tree.built(word) == "release lessons\n");
   }
