@@ -8,8 +8,8 @@ namespace cairn {
 /// Two bodies in each other.
 struct Overlap {
   double depth = 0;  // [m]; 0: none
-  BodyId a = {};
-  BodyId b = {};
+  BodyId a = {};     // the body whose shape comes first
+  BodyId b = {};     // the other
 };
 
 /// The deepest overlap of any two shapes of different bodies, of which one is dynamic. Measured on the

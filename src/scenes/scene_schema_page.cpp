@@ -12,7 +12,9 @@ const char* const scene_page_beginning = R"(# Scenes
 
 Every `.toml` file of this folder is a scene. Copy one, change it, and run it:
 
-    cairn run lessons/scenes/stack.toml
+    bash lessons/run cairn run lessons/scenes/stack.toml
+
+The program is `build/release/bin/cairn` once it is built; below it is `cairn` for short.
 
 Or write one of your own, in five minutes.
 
