@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 set(header_folder ${CMAKE_INSTALL_INCLUDEDIR}/cairn)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/cairn)
 
-# Before anything is copied: what was not built cannot be installed.
+# Before anything is copied: what was not built cannot be installed. CMake breaks no line that begins with a space.
 set(installed_archives "")
 foreach(archive cairn cairn_exact cairn_reference)
   if(TARGET ${archive})
@@ -13,7 +13,7 @@ foreach(archive cairn cairn_exact cairn_reference)
 endforeach()
 install(CODE "foreach(archive${installed_archives})
   if(NOT EXISTS \"\${archive}\")
-    message(FATAL_ERROR \"\${archive} is not built, and nothing was installed. First: cmake --build ${PROJECT_BINARY_DIR}\")
+    message(FATAL_ERROR \" \${archive} is not built, and nothing was installed.\\n First: cmake --build ${PROJECT_BINARY_DIR}\")
   endif()
 endforeach()" COMPONENT library)
 
