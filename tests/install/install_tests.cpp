@@ -94,6 +94,15 @@ List<std::string> headers_below(const fs::path& root, const fs::path& folder) {
   return headers;
 }
 
+/// Whether a path in the text begins with this folder. In other paths its name may well be, as in
+/// include/cairn.
+bool names_folder(const std::string& text, const std::string& folder) {
+  for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at + 1)) {
+    if (at == 0 || std::string(" \t\n\"'=;:(").find(text[at - 1]) != std::string::npos) return true;
+  }
+  return false;
+}
+
 List<std::string> public_headers() {
   const fs::path source = fs::path(CAIRN_SOURCE_DIR) / "src";
   List<std::string> headers = {"cairn.hpp"};
@@ -119,8 +128,8 @@ TEST_CASE("what is installed has every public header and names no folder of the 
     ++descriptions;
     INFO(entry.path().string());
     const std::string text = text_of(entry.path());
-    CHECK(text.find(CAIRN_SOURCE_DIR) == std::string::npos);
-    CHECK(text.find(CAIRN_BINARY_DIR) == std::string::npos);
+    CHECK_FALSE(names_folder(text, CAIRN_SOURCE_DIR));
+    CHECK_FALSE(names_folder(text, CAIRN_BINARY_DIR));
     CHECK(text.find("-Wall") == std::string::npos);
     CHECK(text.find("-Werror") == std::string::npos);
   }

@@ -179,7 +179,7 @@ TEST_CASE("OSMesa and EGL draw the same bits, side by side") {
     }
     CHECK(osmesa.pixels == egl.pixels);
   } catch (const RenderError& error) {
-    MESSAGE("not compared, one backend is missing: " << error.what());
+    MESSAGE("not compared, one backend is missing: " << std::string(error.what()));
   }
 }
 
