@@ -15,11 +15,12 @@ namespace {
 constexpr int finest_level = -40;    // smaller boxes share its cells
 constexpr int coarsest_level = 120;  // larger boxes lie in no cell
 
-/// The level whose cells are larger than the box, and at most twice as large.
+/// The level whose cells are larger than the box, and at most twice as large; one more than the coarsest
+/// where there is none.
 template <Scalar Real>
 int level_of(const Aabb<Real>& box) {
   const Real side = (box.upper - box.lower).maxCoeff();
-  return side > 0 ? std::max(std::ilogb(side) + 1, finest_level) : finest_level;
+  return side > 0 ? std::clamp(std::ilogb(side), finest_level - 1, coarsest_level) + 1 : finest_level;
 }
 
 /// Whether a box lies so far out that Real cannot tell a sixteenth of its cell apart.
