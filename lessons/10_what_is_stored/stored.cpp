@@ -137,8 +137,8 @@ double pairs_by_formula(int base) {
 }
 
 double count_entries(const Eigen::MatrixXd& matrix) {
-  const double largest = matrix.cwiseAbs().maxCoeff();
-  return static_cast<double>((matrix.array().abs() > 1e-12 * largest).count());
+  const double largest_entry = matrix.cwiseAbs().maxCoeff();
+  return static_cast<double>((matrix.array().abs() > 1e-12 * largest_entry).count());
 }
 
 List<List<Entry>> pattern(const VelocityProblem<double>& problem) {
