@@ -36,14 +36,15 @@ bool is_number(const Aabb<Real>& box) {
   return !box.lower.hasNaN() && !box.upper.hasNaN();
 }
 
-void require_few(int pairs, int most) {
-  if (pairs < most) return;
-  throw std::length_error("Broadphase: more than " + std::to_string(most) +
+}  // namespace
+
+template <Scalar Real>
+void Broadphase<Real>::require_few(int pairs) {
+  if (pairs <= max_pairs) return;
+  throw std::length_error("Broadphase: more than " + std::to_string(max_pairs) +
                           " pairs of shapes that overlap or are near are above the limit of a step; put "
                           "bodies farther apart");
 }
-
-}  // namespace
 
 template <Scalar Real>
 auto Broadphase<Real>::cell_at(const Vec2<Real>& point, int level) -> Cell {
@@ -94,7 +95,7 @@ void Broadphase<Real>::compare_all(Span<const Aabb<Real>> boxes, Span<const char
   for (int i = 0; i < boxes.size(); ++i) {
     for (int j = i + 1; j < boxes.size(); ++j) {
       if (!(movable[i] || movable[j]) || !boxes[i].overlaps(boxes[j])) continue;
-      require_few(pairs_.size(), max_pairs);
+      require_few(pairs_.size() + 1);
       pairs_.push_back({i, j});
     }
   }
@@ -136,7 +137,7 @@ void Broadphase<Real>::put_in_buckets() {
 template <Scalar Real>
 void Broadphase<Real>::compare(const Entry& entry, const Entry& other) {
   if (!(entry.movable || other.movable) || !entry.box.overlaps(other.box)) return;
-  require_few(pairs_.size(), max_pairs);
+  require_few(pairs_.size() + 1);
   pairs_.push_back(std::minmax(entry.index, other.index));
 }
 

@@ -34,6 +34,9 @@ class Broadphase {
   /// @throws std::length_error for more than max_pairs pairs.
   const List<std::pair<int, int>>& pairs(Span<const Aabb<Real>> boxes, Span<const char> movable);
 
+  /// @throws std::length_error for more than max_pairs pairs.
+  static void require_few(int pairs);
+
  private:
   struct Cell {
     std::int64_t x = 0;

@@ -16,14 +16,7 @@
 namespace cairn {
 namespace {
 
-/// Which features touch. A face of one hull meets a vertex of the other, or two corners meet.
-enum class FeatureKind : std::uint32_t { face_of_a = 0, face_of_b = 1, corners = 2 };
-
-std::uint32_t feature_id(FeatureKind kind, int first, int second) {
-  static_assert(max_polygon_vertices <= 256);
-  return static_cast<std::uint32_t>(kind) << 16 | static_cast<std::uint32_t>(first) << 8 |
-         static_cast<std::uint32_t>(second);
-}
+static_assert(max_polygon_vertices <= 256);  // what feature_id has room for
 
 /// A face of the reference hull, and the vertex of the other hull that is deepest below it.
 template <Scalar Real>
@@ -242,11 +235,11 @@ Manifold<Real> collide_hulls(const Pair<Real>& pair) {
 }  // namespace
 
 template <Scalar Real>
-Manifold<Real> collide(const Shape<Real>& a, const Pose<Real>& pose_a, const Shape<Real>& b,
-                       const Pose<Real>& pose_b, Real margin) {
-  const Vec2<Real>& origin = pose_a.position;
-  const RoundedHull<Real> hull_a = rounded_hull(a, pose_a, origin);
-  const RoundedHull<Real> hull_b = rounded_hull(b, pose_b, origin);
+Manifold<Real> collide(const Shape<Real>& a, const std::type_identity_t<Frame<Real>>& frame_a,
+                       const Shape<Real>& b, const std::type_identity_t<Frame<Real>>& frame_b, Real margin) {
+  const Vec2<Real>& origin = frame_a.position;
+  const RoundedHull<Real> hull_a = rounded_hull(a, frame_a, origin);
+  const RoundedHull<Real> hull_b = rounded_hull(b, frame_b, origin);
   // A few roundings each of a rotation, a difference and a projection.
   const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * (hull_a.extent + hull_b.extent);
   Manifold<Real> manifold = collide_hulls<Real>({hull_a, hull_b, margin, rounding});
@@ -254,11 +247,11 @@ Manifold<Real> collide(const Shape<Real>& a, const Pose<Real>& pose_a, const Sha
   return manifold;
 }
 
-template Manifold<float> collide(const Shape<float>&, const Pose<float>&, const Shape<float>&,
-                                 const Pose<float>&, float);
-template Manifold<double> collide(const Shape<double>&, const Pose<double>&, const Shape<double>&,
-                                  const Pose<double>&, double);
-template Manifold<long double> collide(const Shape<long double>&, const Pose<long double>&,
-                                       const Shape<long double>&, const Pose<long double>&, long double);
+template Manifold<float> collide(const Shape<float>&, const Frame<float>&, const Shape<float>&,
+                                 const Frame<float>&, float);
+template Manifold<double> collide(const Shape<double>&, const Frame<double>&, const Shape<double>&,
+                                  const Frame<double>&, double);
+template Manifold<long double> collide(const Shape<long double>&, const Frame<long double>&,
+                                       const Shape<long double>&, const Frame<long double>&, long double);
 
 }  // namespace cairn

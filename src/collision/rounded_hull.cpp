@@ -56,8 +56,8 @@ struct HullMaker {
 }  // namespace
 
 template <Scalar Real>
-RoundedHull<Real> rounded_hull(const Shape<Real>& shape, const Pose<Real>& pose, const Vec2<Real>& origin) {
-  const HullMaker<Real> maker = {pose.position - origin, Rotation<Real>(pose.angle)};
+RoundedHull<Real> rounded_hull(const Shape<Real>& shape, const Frame<Real>& frame, const Vec2<Real>& origin) {
+  const HullMaker<Real> maker = {frame.position - origin, frame.rotation};
   RoundedHull<Real> hull = std::visit(maker, shape);
   Real size_squared = 0;
   for (int i = 0; i < hull.count; ++i) {
@@ -68,9 +68,9 @@ RoundedHull<Real> rounded_hull(const Shape<Real>& shape, const Pose<Real>& pose,
   return hull;
 }
 
-template RoundedHull<float> rounded_hull(const Shape<float>&, const Pose<float>&, const Vec2<float>&);
-template RoundedHull<double> rounded_hull(const Shape<double>&, const Pose<double>&, const Vec2<double>&);
-template RoundedHull<long double> rounded_hull(const Shape<long double>&, const Pose<long double>&,
+template RoundedHull<float> rounded_hull(const Shape<float>&, const Frame<float>&, const Vec2<float>&);
+template RoundedHull<double> rounded_hull(const Shape<double>&, const Frame<double>&, const Vec2<double>&);
+template RoundedHull<long double> rounded_hull(const Shape<long double>&, const Frame<long double>&,
                                                const Vec2<long double>&);
 
 }  // namespace cairn

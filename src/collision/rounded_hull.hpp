@@ -31,9 +31,9 @@ struct RoundedHull {
   const Vec2<Real>& normal(int i) const { return normals[i]; }
 };
 
-/// The hull of a shape at a pose. Positions are relative to `origin`, a point close to the shape, so that no
+/// The hull of a shape of a body. Positions are relative to `origin`, a point close to the shape, so that no
 /// digits are lost where the shape is far from the world's origin.
 template <Scalar Real>
-RoundedHull<Real> rounded_hull(const Shape<Real>& shape, const Pose<Real>& pose, const Vec2<Real>& origin);
+RoundedHull<Real> rounded_hull(const Shape<Real>& shape, const Frame<Real>& frame, const Vec2<Real>& origin);
 
 }  // namespace cairn

@@ -35,20 +35,20 @@ Real visit_core(const Segment<Real>& shape, const Use& use) {
 }  // namespace
 
 template <Scalar Real>
-Aabb<Real> bounding_box(const Shape<Real>& shape, const Pose<Real>& pose, Real margin) {
+Aabb<Real> bounding_box(const Shape<Real>& shape, const std::type_identity_t<Frame<Real>>& frame,
+                        Real margin) {
   constexpr Real infinity = std::numeric_limits<Real>::infinity();
-  const Rotation<Real> rotation(pose.angle);
   // The core in the world's directions, seen from the body's origin.
   Vec2<Real> lower = Vec2<Real>::Constant(infinity);
   Vec2<Real> upper = Vec2<Real>::Constant(-infinity);
   const auto include = [&](const Vec2<Real>& local) {
-    const Vec2<Real> arm = rotation * local;
+    const Vec2<Real> arm = frame.rotation * local;
     lower = lower.cwiseMin(arm);
     upper = upper.cwiseMax(arm);
   };
   const Real radius = std::visit([&](const auto& held) { return visit_core(held, include); }, shape);
   const Vec2<Real> grown = Vec2<Real>::Constant(radius + margin);
-  return {pose.position + lower - grown, pose.position + upper + grown};
+  return {frame.position + lower - grown, frame.position + upper + grown};
 }
 
 template <Scalar Real>
@@ -59,9 +59,9 @@ Real bounding_radius(const Shape<Real>& shape) {
   return farthest + radius;
 }
 
-template Aabb<float> bounding_box(const Shape<float>&, const Pose<float>&, float);
-template Aabb<double> bounding_box(const Shape<double>&, const Pose<double>&, double);
-template Aabb<long double> bounding_box(const Shape<long double>&, const Pose<long double>&, long double);
+template Aabb<float> bounding_box(const Shape<float>&, const Frame<float>&, float);
+template Aabb<double> bounding_box(const Shape<double>&, const Frame<double>&, double);
+template Aabb<long double> bounding_box(const Shape<long double>&, const Frame<long double>&, long double);
 
 template float bounding_radius(const Shape<float>&);
 template double bounding_radius(const Shape<double>&);

@@ -1,6 +1,8 @@
 // Floor 1. Axis-aligned bounding boxes.
 #pragma once
 
+#include <type_traits>
+
 #include "geometry/shape.hpp"
 
 namespace cairn {
@@ -18,9 +20,10 @@ struct Aabb {
   }
 };
 
-/// The bounding box of a shape at a pose, grown by `margin` [m] on every side.
+/// The bounding box of a shape of a body, grown by `margin` [m] on every side.
 template <Scalar Real>
-Aabb<Real> bounding_box(const Shape<Real>& shape, const Pose<Real>& pose, Real margin = 0);
+Aabb<Real> bounding_box(const Shape<Real>& shape, const std::type_identity_t<Frame<Real>>& frame,
+                        Real margin = 0);
 
 /// The bounding circle's radius about the body's origin [m].
 template <Scalar Real>

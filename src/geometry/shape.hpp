@@ -17,6 +17,9 @@ template <Scalar Real>
 struct Circle {
   Vec2<Real> center = Vec2<Real>::Zero();  // [m]
   Real radius = 0;                         // [m]
+
+  /// Member by member.
+  bool operator==(const Circle&) const = default;
 };
 
 /// All points within `radius` of the segment from point1 to point2.
@@ -25,6 +28,9 @@ struct Capsule {
   Vec2<Real> point1 = Vec2<Real>::Zero();  // [m]
   Vec2<Real> point2 = Vec2<Real>::Zero();  // [m]
   Real radius = 0;                         // [m]
+
+  /// Member by member.
+  bool operator==(const Capsule&) const = default;
 };
 
 /// A convex polygon, counter-clockwise, rounded by `radius` (all points within `radius` of it).
@@ -34,6 +40,9 @@ struct Polygon {
   FixedList<Vec2<Real>, max_polygon_vertices> normals = {};   // normals[i]: outward, of the edge i -> i + 1
   int count = 0;                                              // of vertices
   Real radius = 0;                                            // [m]
+
+  /// Member by member.
+  bool operator==(const Polygon&) const = default;
 };
 
 /// A line without thickness and without mass: for static scenery. Both sides collide.
@@ -41,6 +50,9 @@ template <Scalar Real>
 struct Segment {
   Vec2<Real> point1 = Vec2<Real>::Zero();  // [m]
   Vec2<Real> point2 = Vec2<Real>::Zero();  // [m]
+
+  /// Member by member.
+  bool operator==(const Segment&) const = default;
 };
 
 /// Any of the shapes.

@@ -73,4 +73,15 @@ struct Pose {
   }
 };
 
+/// A pose with the cosine and the sine of its angle, for those who use them more than once.
+template <Scalar Real>
+struct Frame {
+  Vec2<Real> position = Vec2<Real>::Zero();  // [m] of the centre of mass
+  Rotation<Real> rotation = {};              // from the body's directions to the world's
+
+  Frame() = default;
+  /// Of a body at this pose.
+  Frame(const Pose<Real>& pose) : position(pose.position), rotation(pose.angle) {}
+};
+
 }  // namespace cairn
