@@ -5,17 +5,110 @@ namespace cairn {
 
 namespace {
 
-/// The Jacobian of the relative velocity of two material points along `direction`.
-template <Scalar Real>
-RowSpec<Real> relative_velocity_row(BodyId a, BodyId b, const Vec2<Real>& r_a, const Vec2<Real>& r_b,
-                                    const Vec2<Real>& direction) {
-  RowSpec<Real> row;
-  row.a = a;
-  row.b = b;
+/// The Jacobian of the relative velocity along `direction` of what two bodies have at a point.
+template <Scalar Real, typename Row>
+void set_jacobians(const Vec2<Real>& r_a, const Vec2<Real>& r_b, const Vec2<Real>& direction, Row& row) {
   row.jacobian_a = {-direction.x(), -direction.y(), -cross(r_a, direction)};
   row.jacobian_b = {direction.x(), direction.y(), cross(r_b, direction)};
-  return row;
 }
+
+/// Makes every row of a manifold, each by sink.row(part), and ends it by sink.end_normal(row, point, rebound)
+/// or by sink.end_friction(row, normal_row, second_normal_row); sink.last() is the number of the last one.
+template <Scalar Real, typename Sink>
+void make_contact_rows(const Manifold<Real>& manifold, const Pose<Real>& pose_a, const Pose<Real>& pose_b,
+                       const Vec3<Real>& velocity_a, const Vec3<Real>& velocity_b,
+                       const ContactMaterial<Real>& material, Sink sink) {
+  const Vec2<Real> tangent = -perpendicular(manifold.normal);
+  const auto make = [&](const Vec2<Real>& position, const Vec2<Real>& direction,
+                        std::uint64_t part) -> auto& {
+    auto& row = sink.row(part);
+    set_jacobians<Real>(position - pose_a.position, position - pose_b.position, direction, row);
+    return row;
+  };
+  const bool has_friction = material.friction > 0;
+  const bool is_shared = material.friction_rows == FrictionRows::per_manifold && manifold.count == 2;
+  int normal_rows[2] = {Bounds<Real>::none, Bounds<Real>::none};
+  for (int i = 0; i < manifold.count; ++i) {
+    const ManifoldPoint<Real>& point = manifold.points[i];
+    auto& normal = make(point.position, manifold.normal, normal_part(point.feature));
+    Real rebound = 0;
+    if (material.restitution > 0) {
+      const Real approach = -normal.jacobian_a.dot(velocity_a) - normal.jacobian_b.dot(velocity_b);
+      if (approach > material.restitution_threshold) rebound = material.restitution * approach;
+    }
+    sink.end_normal(normal, point, rebound);
+    normal_rows[i] = sink.last();
+    if (!has_friction || is_shared) continue;
+    auto& friction = make(point.position, tangent, friction_part(point.feature));
+    sink.end_friction(friction, normal_rows[i], Bounds<Real>::none);
+  }
+  if (has_friction && is_shared) {
+    const auto& points = manifold.points;
+    const Vec2<Real> middle = (points[0].position + points[1].position) / 2;
+    auto& friction = make(middle, tangent, friction_part(points[0].feature));
+    sink.end_friction(friction, normal_rows[0], normal_rows[1]);
+  }
+}
+
+/// States the rows.
+template <Scalar Real>
+struct SpecSink {
+  BodyId a, b;
+  const ContactMaterial<Real>& material;
+  RowSpecs<Real>& rows;
+
+  RowSpec<Real>& row(std::uint64_t part) {
+    RowSpec<Real>& row = rows.emplace_back();
+    row.a = a;
+    row.b = b;
+    row.part = part;
+    return row;
+  }
+  int last() const { return rows.size() - 1; }
+  void end_normal(RowSpec<Real>& row, const ManifoldPoint<Real>& point, Real rebound) const {
+    row.error = point.separation;
+    row.bounds = Bounds<Real>::unilateral();
+    row.slop_limit = material.slop_limit;
+    row.gravity = material.gravity;
+    row.rebound = rebound;
+  }
+  void end_friction(RowSpec<Real>& row, int normal_row, int second) const {
+    row.bounds = Bounds<Real>::coulomb(material.friction, normal_row, second);
+  }
+};
+
+/// Writes the rows as a solver sees them, over old ones where there are any: every member is set.
+template <Scalar Real>
+struct ProblemSink {
+  BodyId a, b;
+  const ContactMaterial<Real>& material;
+  const ContactStabilization<Real>& stabilization;
+  std::uint64_t source;
+  VelocityProblem<Real>& problem;
+  int& next;
+
+  ConstraintRow<Real>& row(std::uint64_t part) {
+    if (next == problem.row_count()) problem.rows.emplace_back();
+    ConstraintRow<Real>& row = problem.rows[next++];
+    row.a = a;
+    row.b = b;
+    row.softness = 0;
+    row.key = {.source = source, .part = part};
+    row.first_extra = problem.extra_terms.size();
+    row.extra_count = 0;
+    return row;
+  }
+  int last() const { return next - 1; }
+  void end_normal(ConstraintRow<Real>& row, const ManifoldPoint<Real>& point, Real rebound) const {
+    row.bounds = Bounds<Real>::unilateral();
+    stabilization.stabilize({point.separation, rebound, material.slop_limit, material.gravity}, problem, row);
+  }
+  void end_friction(ConstraintRow<Real>& row, int normal_row, int second) const {
+    row.bias = 0;
+    row.bounds = stabilization.has_friction() ? Bounds<Real>::coulomb(material.friction, normal_row, second)
+                                              : Bounds<Real>::at_most(0);
+  }
+};
 
 }  // namespace
 
@@ -23,43 +116,18 @@ template <Scalar Real>
 void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
                          const ContactMaterial<Real>& material, const PerBody<Pose<Real>>& poses,
                          const PerBody<Vec3<Real>>& velocity, RowSpecs<Real>& rows) {
-  const Vec2<Real> tangent = -perpendicular(manifold.normal);
-  const auto friction_row = [&](const Vec2<Real>& position) {
-    return relative_velocity_row(a, b, Vec2<Real>(position - poses[a].position),
-                                 Vec2<Real>(position - poses[b].position), tangent);
-  };
-  const bool has_friction = material.friction > 0;
-  const bool is_shared = material.friction_rows == FrictionRows::per_manifold && manifold.count == 2;
-  for (int i = 0; i < manifold.count; ++i) {
-    const ManifoldPoint<Real>& point = manifold.points[i];
-    const Vec2<Real> r_a = point.position - poses[a].position;
-    const Vec2<Real> r_b = point.position - poses[b].position;
+  make_contact_rows(manifold, poses[a], poses[b], velocity[a], velocity[b], material,
+                    SpecSink<Real>{a, b, material, rows});
+}
 
-    RowSpec<Real> normal = relative_velocity_row(a, b, r_a, r_b, manifold.normal);
-    normal.error = point.separation;
-    normal.bounds = Bounds<Real>::unilateral();
-    normal.part = normal_part(point.feature);
-    normal.slop_limit = material.slop_limit;
-    normal.gravity = material.gravity;
-    const Real approach = -normal.jacobian_a.dot(velocity[a]) - normal.jacobian_b.dot(velocity[b]);
-    if (approach > material.restitution_threshold) normal.rebound = material.restitution * approach;
-    const int normal_row = rows.size();
-    rows.push_back(normal);
-
-    if (!has_friction || is_shared) continue;
-    RowSpec<Real> friction = friction_row(point.position);
-    friction.bounds = Bounds<Real>::coulomb(material.friction, normal_row);
-    friction.part = friction_part(point.feature);
-    rows.push_back(friction);
-  }
-  if (has_friction && is_shared) {
-    const auto& points = manifold.points;
-    RowSpec<Real> friction = friction_row((points[0].position + points[1].position) / 2);
-    const int normals_end = rows.size();
-    friction.bounds = Bounds<Real>::coulomb(material.friction, normals_end - 2, normals_end - 1);
-    friction.part = friction_part(points[0].feature);
-    rows.push_back(friction);
-  }
+template <Scalar Real>
+void write_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
+                        const ContactMaterial<Real>& material, const PerBody<Pose<Real>>& poses,
+                        const PerBody<Vec3<Real>>& velocity, const ContactStabilization<Real>& stabilization,
+                        std::uint64_t source, VelocityProblem<Real>& problem, int& next) {
+  if (problem.inverse_mass[a].isZero(0) && problem.inverse_mass[b].isZero(0)) return;
+  make_contact_rows(manifold, poses[a], poses[b], velocity[a], velocity[b], material,
+                    ProblemSink<Real>{a, b, material, stabilization, source, problem, next});
 }
 
 template void append_contact_rows(const Manifold<float>&, BodyId, BodyId, const ContactMaterial<float>&,
@@ -70,5 +138,18 @@ template void append_contact_rows(const Manifold<double>&, BodyId, BodyId, const
 template void append_contact_rows(const Manifold<long double>&, BodyId, BodyId,
                                   const ContactMaterial<long double>&, const PerBody<Pose<long double>>&,
                                   const PerBody<Vec3<long double>>&, RowSpecs<long double>&);
+
+template void write_contact_rows(const Manifold<float>&, BodyId, BodyId, const ContactMaterial<float>&,
+                                 const PerBody<Pose<float>>&, const PerBody<Vec3<float>>&,
+                                 const ContactStabilization<float>&, std::uint64_t, VelocityProblem<float>&,
+                                 int&);
+template void write_contact_rows(const Manifold<double>&, BodyId, BodyId, const ContactMaterial<double>&,
+                                 const PerBody<Pose<double>>&, const PerBody<Vec3<double>>&,
+                                 const ContactStabilization<double>&, std::uint64_t, VelocityProblem<double>&,
+                                 int&);
+template void write_contact_rows(const Manifold<long double>&, BodyId, BodyId,
+                                 const ContactMaterial<long double>&, const PerBody<Pose<long double>>&,
+                                 const PerBody<Vec3<long double>>&, const ContactStabilization<long double>&,
+                                 std::uint64_t, VelocityProblem<long double>&, int&);
 
 }  // namespace cairn

@@ -12,12 +12,18 @@ namespace cairn {
 struct SwingSoftness {
   double frequency = 1;      // f [Hz], as it would be without damping
   double damping_ratio = 0;  // zeta; 1: the fastest return without overshoot
+
+  /// Member by member.
+  bool operator==(const SwingSoftness&) const = default;
 };
 
 /// A spring by its constants.
 struct SpringSoftness {
   double stiffness = 0;  // k [N/m]; of an angle [N m/rad]
   double damping = 0;    // c [N s/m]; of an angle [N m s/rad]
+
+  /// Member by member.
+  bool operator==(const SpringSoftness&) const = default;
 };
 
 /// How a row gives way: force = -k C - c dC/dt, instead of whatever force keeps C at 0. An inequality gives

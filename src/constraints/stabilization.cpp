@@ -30,18 +30,25 @@ bool rebounds(const RowSpec<Real>& spec, Real dt, const PerBody<Vec3<Real>>& vel
   return spec.rebound > 0 && spec.error + dt * spec_velocity(spec, velocity) < 0;
 }
 
+/// The policy's spring in steps of dt [s].
+SwingSoftness policy_spring(const Stabilization& stabilization, double dt) {
+  SwingSoftness soft = stabilization.soft;
+  soft.frequency = spring_frequency(stabilization, dt);
+  return soft;
+}
+
+bool policy_has_springs(const Stabilization& stabilization, StabilizationPass pass) {
+  return stabilization.policy == StabilizationPolicy::soft && pass == StabilizationPass::velocity;
+}
+
 /// The spring of a row in the velocity pass: its own, or the policy's for an error that is to go.
 template <Scalar Real>
 std::optional<Softness> spring_of(const RowSpec<Real>& spec, const Stabilization& stabilization,
                                   StabilizationPass pass, Real dt, const PerBody<Vec3<Real>>& velocity) {
   if (spec.softness) return spec.softness;
-  const bool is_asked_for =
-      stabilization.policy == StabilizationPolicy::soft && pass == StabilizationPass::velocity;
-  if (!is_asked_for || holds_no_position(spec)) return std::nullopt;
+  if (!policy_has_springs(stabilization, pass) || holds_no_position(spec)) return std::nullopt;
   if (spec.bounds.is_unilateral() && (spec.error >= 0 || rebounds(spec, dt, velocity))) return std::nullopt;
-  SwingSoftness soft = stabilization.soft;
-  soft.frequency = spring_frequency(stabilization, static_cast<double>(dt));
-  return soft;
+  return policy_spring(stabilization, static_cast<double>(dt));
 }
 
 /// What the policy's spring of a row carries [1/kg]: its A_ii; or, of a row that holds points of two bodies
@@ -72,11 +79,17 @@ Real recovery_rate(const Stabilization& stabilization, StabilizationPass pass, R
 /// velocities keep the speed: up to four overlaps d on each other then lift the last body no higher than they
 /// are deep, as n sqrt(g d / 2) <= sqrt(2 g n d). Without gravity nothing says how fast that is.
 template <Scalar Real>
-Real speed_limit(const RowSpec<Real>& spec, const Stabilization& stabilization, Real overlap) {
-  if (!spec.gravity || std::isinf(stabilization.max_speed)) return std::numeric_limits<Real>::infinity();
+Real speed_limit(const Stabilization& stabilization, Real gravity, Real overlap) {
+  if (std::isinf(stabilization.max_speed)) return std::numeric_limits<Real>::infinity();
   const Real limit = static_cast<Real>(stabilization.max_speed);
-  const bool keeps_speed = stabilization.policy == StabilizationPolicy::baumgarte && *spec.gravity > 0;
-  return keeps_speed ? std::min(limit, std::sqrt(*spec.gravity * overlap / 2)) : limit;
+  const bool keeps_speed = stabilization.policy == StabilizationPolicy::baumgarte && gravity > 0;
+  return keeps_speed ? std::min(limit, std::sqrt(gravity * overlap / 2)) : limit;
+}
+
+/// [m] What an inequality may stay violated by.
+template <Scalar Real>
+Real slop_of(const Stabilization& stabilization, Real slop_limit) {
+  return std::min(static_cast<Real>(stabilization.slop), slop_limit);
 }
 
 }  // namespace
@@ -98,11 +111,12 @@ Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization
   if (!spec.bounds.is_unilateral()) return spec.speed - spec.error * rate;
 
   const bool has_slop = spec.keeps_slop && !spec.softness;
-  const Real slop = has_slop ? std::min(static_cast<Real>(stabilization.slop), spec.slop_limit) : Real(0);
+  const Real slop = has_slop ? slop_of(stabilization, spec.slop_limit) : Real(0);
   Real bias = -spec.error / dt;
   if (spec.error < 0) {
     const Real overlap = std::max(Real(0), -spec.error - slop);
-    bias = std::min(rate * overlap, speed_limit(spec, stabilization, overlap));
+    bias = rate * overlap;
+    if (spec.gravity) bias = std::min(bias, speed_limit(stabilization, *spec.gravity, overlap));
   }
   if (pass == StabilizationPass::position) return bias - spec_velocity(spec, velocity);
   return rebounds(spec, dt, velocity) ? std::max(bias, spec.rebound) : bias;
@@ -144,6 +158,44 @@ ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilizatio
   return row;
 }
 
+template <Scalar Real>
+ContactStabilization<Real>::ContactStabilization(const Stabilization& stabilization, StabilizationPass pass,
+                                                 Real dt)
+    : stabilization_(stabilization),
+      pass_(pass),
+      dt_(dt),
+      on_springs_(policy_has_springs(stabilization, pass)),
+      rigid_rate_(recovery_rate(stabilization, pass, dt)),
+      spring_rate_(on_springs_ ? return_rate<Real>(policy_spring(stabilization, static_cast<double>(dt)), dt)
+                               : Real(0)) {}
+
+template <Scalar Real>
+void ContactStabilization<Real>::stabilize(const ContactState<Real>& contact,
+                                           const VelocityProblem<Real>& problem,
+                                           ConstraintRow<Real>& row) const {
+  const bool corrects = pass_ == StabilizationPass::position;
+  const bool needs_speed = corrects || contact.rebound > 0;
+  const Real jv = needs_speed ? row_velocity(problem, row) : Real(0);
+  const bool bounces = contact.rebound > 0 && contact.separation + dt_ * jv < 0;
+  const bool on_spring = on_springs_ && !(contact.separation >= 0) && !bounces;
+  row.bias = -contact.separation / dt_;
+  if (contact.separation < 0) {
+    const Real slop = slop_of(stabilization_, contact.slop_limit);
+    const Real overlap = std::max(Real(0), -contact.separation - slop);
+    const Real rate = on_spring ? spring_rate_ : rigid_rate_;
+    row.bias = std::min(rate * overlap, speed_limit(stabilization_, contact.gravity, overlap));
+  }
+  if (corrects) row.bias -= jv;
+  if (!corrects && bounces) row.bias = std::max(row.bias, contact.rebound);
+  row.softness = 0;
+  if (!on_spring) return;
+  const SwingSoftness spring = policy_spring(stabilization_, static_cast<double>(dt_));
+  row.softness = row_softness<Real>(spring, inverse_effective_mass(problem, row), dt_);
+}
+
+template class ContactStabilization<float>;
+template class ContactStabilization<double>;
+template class ContactStabilization<long double>;
 template float bias_velocity(const RowSpec<float>&, const Stabilization&, StabilizationPass, float,
                              const PerBody<Vec3<float>>&);
 template ConstraintRow<float> stabilized_row(const RowSpec<float>&, const Stabilization&, StabilizationPass,

@@ -34,6 +34,9 @@ struct Stabilization {
   /// Infinite: neither holds.
   double max_speed = 4;
   SwingSoftness soft = {.frequency = 30, .damping_ratio = 10};  // of policy soft; at most 0.25 / dt
+
+  /// Member by member.
+  bool operator==(const Stabilization&) const = default;
 };
 
 /// [Hz] How often the springs of policy soft swing in steps of dt [s]: no more often than a quarter of the
@@ -66,5 +69,37 @@ template <Scalar Real>
 ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilization& stabilization,
                                    StabilizationPass pass, VelocityProblem<Real>& problem,
                                    std::uint64_t source, int first_row);
+
+/// The normal row of a contact point, as far as stabilization needs to know it.
+template <Scalar Real>
+struct ContactState {
+  Real separation = 0;  // [m]; negative in overlap
+  Real rebound = 0;     // [m/s] least separation speed, should the bodies meet in this step
+  Real slop_limit = std::numeric_limits<Real>::infinity();  // [m] no slop above this
+  Real gravity = 0;  // [m/s^2] that a body in overlap has to rise against
+};
+
+/// What stabilized_row does for the rows of contacts, of which a step has many: what all of one pass share is
+/// computed once. The numbers are the same to the last bit.
+template <Scalar Real>
+class ContactStabilization {
+ public:
+  /// In a step of dt [s].
+  ContactStabilization(const Stabilization& stabilization, StabilizationPass pass, Real dt);
+
+  /// Gives a normal row of `problem`, which has its Jacobians, its bias and its softness.
+  void stabilize(const ContactState<Real>& contact, const VelocityProblem<Real>& problem,
+                 ConstraintRow<Real>& row) const;
+  /// Whether friction acts: not on what only corrects positions.
+  bool has_friction() const { return pass_ != StabilizationPass::position; }
+
+ private:
+  Stabilization stabilization_;
+  StabilizationPass pass_;
+  Real dt_;
+  bool on_springs_;   // rows in overlap are
+  Real rigid_rate_;   // [1/s] beta / dt of (7)
+  Real spring_rate_;  // [1/s]
+};
 
 }  // namespace cairn
