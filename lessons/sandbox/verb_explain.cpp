@@ -44,6 +44,7 @@ std::string body_type_name(BodyType type) {
 SceneCounts counts_of(const Scene& scene, const World<double>& after, int contacts) {
   SceneCounts counts;
   for (const SceneBody& body : scene.bodies()) {
+    if (body.removed) continue;
     counts.bodies[body_type_name(body.spec.type)] += 1;
     for (const Shape<double>& shape : body.spec.shapes) counts.shapes[shape_name(shape)] += 1;
   }

@@ -147,6 +147,7 @@ SnapshotBody Box2DWorld::Simulation::body(BodyId id) const {
           .inertia = static_cast<double>(box2d_body.GetInertia()),
           .gravity_scale = scene_body.spec.gravity_scale,
           .awake = box2d_body.IsAwake(),
+          .removed = scene_body.removed,
           .shapes = scene_body.spec.shapes};
 }
 

@@ -106,7 +106,9 @@ void set_scene(const TrajectoryScene& scene, TradeRow& row) {
   const Snapshot start = snapshot(World<double>(scene.make()));
   row.set("scene", scene.name);
   row.set("scene_hash", hexadecimal(scene.fingerprint != 0 ? scene.fingerprint : fingerprint_of(start)));
-  row.set("bodies", static_cast<long long>(start.bodies.size()));
+  const auto is_there = [](const SnapshotBody& body) { return !body.removed; };
+  row.set("bodies",
+          static_cast<long long>(std::count_if(start.bodies.begin(), start.bodies.end(), is_there)));
 }
 
 void set_setting(const Setting& setting, TradeRow& row) {

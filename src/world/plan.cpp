@@ -24,6 +24,7 @@ Plan make_plan(const Scene& scene) {
   std::set<std::string> kinds;
   int rubbing_bodies = 0;
   for (const SceneBody& body : scene.bodies()) {
+    if (body.removed) continue;
     const BodySpec& spec = body.spec;
     const bool dynamic = spec.type == BodyType::dynamic;
     plan.bodies += 1;

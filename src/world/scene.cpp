@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "geometry/aabb.hpp"
-#include "geometry/mass.hpp"
 #include "math/check.hpp"
 #include "math/list.hpp"
 
@@ -19,9 +18,8 @@ void require_range(double value, double least, const char* place, const char* fi
 
 /// Masses and inertias: their inverses must be finite in every scalar type, and products of a few of them
 /// too.
-void require_weight(double value, const char* field, const char* unit) {
-  require(value >= 1e-15 && value <= 1e15, "Scene::add", field, std::string("from 1e-15 to 1e15 ") + unit,
-          value);
+void require_weight(double value, const char* place, const char* field, const char* unit) {
+  require(value >= 1e-15 && value <= 1e15, place, field, std::string("from 1e-15 to 1e15 ") + unit, value);
 }
 
 /// Huge coefficients are as good as infinite ones, and infinity times an impulse of 0 has no value.
@@ -33,48 +31,77 @@ void require_unit_interval(double value, const char* place, const char* field) {
   require(value >= 0 && value <= 1, place, field, "in [0, 1]", value);
 }
 
-void check_motion(const BodySpec& spec) {
-  require_finite(spec.position, "Scene::add", "position", "m");
-  require_finite(spec.angle, "Scene::add", "angle", "rad");
-  require_finite(spec.velocity, "Scene::add", "velocity", "m/s");
-  require_finite(spec.angular_velocity, "Scene::add", "angular_velocity", "rad/s");
-  require_finite(spec.gravity_scale, "Scene::add", "gravity_scale", "");
+std::string text(const Vec2<double>& point) {
+  return "(" + shortest(point.x()) + ", " + shortest(point.y()) + ")";
 }
 
-void check_material(const BodySpec& spec) {
-  if (spec.mass) require_weight(*spec.mass, "mass", "kg");
-  if (spec.inertia) require_weight(*spec.inertia, "inertia", "kg m^2");
-  require(spec.density > 0 && std::isfinite(spec.density), "Scene::add", "density", "> 0 kg/m^2 and finite",
+void check_motion(const BodySpec& spec, const char* place) {
+  require_finite(spec.position, place, "position", "m");
+  require_finite(spec.angle, place, "angle", "rad");
+  require_finite(spec.velocity, place, "velocity", "m/s");
+  require_finite(spec.angular_velocity, place, "angular_velocity", "rad/s");
+  require_finite(spec.gravity_scale, place, "gravity_scale", "");
+  if (spec.type != BodyType::static_body) return;
+  require(spec.velocity.isZero(0) && spec.angular_velocity == 0, place, "velocity", "0 for a static body",
+          spec.velocity.norm());
+}
+
+void check_material(const BodySpec& spec, const char* place) {
+  if (spec.mass) require_weight(*spec.mass, place, "mass", "kg");
+  if (spec.inertia) require_weight(*spec.inertia, place, "inertia", "kg m^2");
+  require(spec.density > 0 && std::isfinite(spec.density), place, "density", "> 0 kg/m^2 and finite",
           spec.density);
-  require_friction(spec.friction, "Scene::add");
-  require_unit_interval(spec.restitution, "Scene::add", "restitution");
-  require_range(spec.linear_damping, 0, "Scene::add", "linear_damping", "1/s");
-  require_range(spec.angular_damping, 0, "Scene::add", "angular_damping", "1/s");
+  require_friction(spec.friction, place);
+  require_unit_interval(spec.restitution, place, "restitution");
+  require_range(spec.linear_damping, 0, place, "linear_damping", "1/s");
+  require_range(spec.angular_damping, 0, place, "angular_damping", "1/s");
 }
 
 /// Makers of shapes refuse bad numbers; a shape written by hand has asked none of them.
-void check_shapes(const BodySpec& spec) {
+void check_shapes(const BodySpec& spec, const char* place) {
   for (int i = 0; i < spec.shapes.size(); ++i) {
     const Aabb<double> box = bounding_box(spec.shapes[i], Pose<double>{});
     const Vec2<double> size = box.upper - box.lower;
     const bool has_size = size.allFinite() && size.minCoeff() >= 0 && size.maxCoeff() > 0;
-    require(has_size, "Scene::add", "size of shapes[" + std::to_string(i) + "]", "> 0 m and finite",
+    require(has_size, place, "size of shapes[" + std::to_string(i) + "]", "> 0 m and finite",
             size.maxCoeff());
   }
 }
 
+void check_body(const BodySpec& spec, const char* place) {
+  check_motion(spec, place);
+  check_material(spec, place);
+  check_shapes(spec, place);
+}
+
 /// Mass and inertia of a dynamic body from its shapes, unless they are given.
-void set_mass(SceneBody& body, const MassProperties& shapes) {
+void set_mass(SceneBody& body, const char* place) {
   const BodySpec& spec = body.spec;
-  require(shapes.area > 0 || spec.mass.has_value(), "Scene::add", "shapes",
+  const MassProperties& shapes = body.at_unit_density;
+  if (spec.type != BodyType::dynamic) return;
+  require(shapes.area > 0 || spec.mass.has_value(), place, "shapes",
           "of some area for a dynamic body without a mass of its own", shapes.area);
   body.mass = spec.mass.value_or(spec.density * shapes.area);
-  require_weight(body.mass, "mass", "kg");
-  require(shapes.inertia > 0 || spec.inertia.has_value() || spec.fixed_rotation, "Scene::add", "inertia",
+  require_weight(body.mass, place, "mass", "kg");
+  require(shapes.inertia > 0 || spec.inertia.has_value() || spec.fixed_rotation, place, "inertia",
           "given for a dynamic body whose shapes have no area, unless its rotation is fixed", shapes.inertia);
   if (spec.fixed_rotation) return;
   body.inertia = spec.inertia ? *spec.inertia : body.mass * shapes.inertia / shapes.area;
-  require_weight(body.inertia, "inertia", "kg m^2");
+  require_weight(body.inertia, place, "inertia", "kg m^2");
+}
+
+/// Moves the frame of a body to its centre of mass; in the world, its shapes stay where they are.
+void center(SceneBody& body) {
+  if (!(body.at_unit_density.area > 0)) return;
+  const Vec2<double> centroid = body.at_unit_density.centroid;
+  body.pose.position = body.pose.world(centroid);
+  for (Shape<double>& shape : body.spec.shapes) shape = moved(shape, -centroid);
+  body.at_unit_density.centroid = {0, 0};
+}
+
+/// Whether shapes with these properties need no new mass and no new centre.
+bool weigh_the_same(const MassProperties& a, const MassProperties& b) {
+  return a.area == b.area && a.centroid == b.centroid && a.inertia == b.inertia;
 }
 
 void require_positive(double value, const char* field, const char* unit) {
@@ -115,22 +142,41 @@ void Scene::set_settings(const SceneSettings& settings) {
 }
 
 BodyId Scene::add(const BodySpec& spec) {
-  check_motion(spec);
-  check_material(spec);
-  check_shapes(spec);
-  SceneBody body{.spec = spec, .pose = {.position = spec.position, .angle = spec.angle}};
-  const MassProperties shapes = mass_properties(spec.shapes);
-  if (spec.type == BodyType::dynamic) set_mass(body, shapes);
-  if (spec.type == BodyType::static_body) {
-    require(spec.velocity.isZero(0) && spec.angular_velocity == 0, "Scene::add", "velocity",
-            "0 for a static body", spec.velocity.norm());
-  }
-  if (shapes.area > 0) {
-    body.pose.position = body.pose.world(shapes.centroid);
-    for (Shape<double>& shape : body.spec.shapes) shape = moved(shape, -shapes.centroid);
-  }
+  const char* const who = "Scene::add";
+  check_body(spec, who);
+  SceneBody body{.spec = spec,
+                 .pose = {.position = spec.position, .angle = spec.angle},
+                 .at_unit_density = mass_properties(spec.shapes)};
+  set_mass(body, who);
+  center(body);
   bodies_.push_back(body);
   return {bodies_.size() - 1};
+}
+
+void Scene::change(BodyId body, const BodySpec& spec) {
+  const char* const who = "Scene::change";
+  require_changeable(body, who);
+  check_body(spec, who);
+  const SceneBody& before = bodies_[body];
+  require(spec.position == before.spec.position, who, "position",
+          "that of the body, " + text(before.spec.position) + " m (place and displace move it)",
+          text(spec.position));
+  require(spec.angle == before.spec.angle, who, "angle",
+          "that of the body, " + shortest(before.spec.angle) + " rad (place and displace turn it)",
+          spec.angle);
+  if (spec.type != BodyType::dynamic) require_other_movers(body, spec.type);
+  SceneBody now{.spec = spec, .pose = before.pose, .at_unit_density = before.at_unit_density};
+  const MassProperties given = mass_properties(spec.shapes);
+  const bool is_reweighed = !weigh_the_same(given, mass_properties(before.spec.shapes));
+  if (is_reweighed) now.at_unit_density = given;
+  set_mass(now, who);
+  if (is_reweighed) {
+    const double rounding = 1e-9 * std::sqrt(given.area);  // [m]
+    require(given.centroid.norm() <= rounding || !has_joints(body), who, "shapes",
+            "around the body's centre of mass, (0, 0) m, while it has joints", text(given.centroid));
+    center(now);
+  }
+  bodies_[body] = now;
 }
 
 BodyId Scene::add_ground(const GroundSpec& spec) {
@@ -145,55 +191,6 @@ BodyId Scene::add_ground(const GroundSpec& spec) {
   body.spec.restitution = spec.restitution;
   body.spec.shapes.push_back(moved(box(2 * spec.half_width, thickness), {0, spec.height - thickness / 2}));
   return ground;
-}
-
-void Scene::add_joint(std::shared_ptr<const Constraint> joint, JointCollision collision) {
-  require(joint != nullptr, "Scene::add_joint", "joint", "a constraint", "nullptr");
-  const List<Attachment> places = joint->attachments();
-  std::string named;
-  bool can_move = false;
-  for (const Attachment& place : places) {
-    require_body(place.body, "attachment");
-    can_move |= bodies_[place.body].spec.type == BodyType::dynamic;
-    named += (named.empty() ? "" : ", ") + std::to_string(place.body.index);
-  }
-  require(can_move, "Scene::add_joint", "bodies", "at least one that can move", named);
-
-  const bool collide =
-      collision == JointCollision::as_usual ? joint->bodies_collide() : collision == JointCollision::on;
-  for (int i = 0; !collide && i < places.size(); ++i) {
-    for (int k = 0; k < i; ++k) {
-      const std::pair<BodyId, BodyId> pair = std::minmax(places[i].body, places[k].body);
-      const auto place = std::lower_bound(apart_.begin(), apart_.end(), pair);
-      if (place == apart_.end() || *place != pair) apart_.insert(place, pair);
-    }
-  }
-  joints_.push_back(std::move(joint));
-}
-
-void Scene::displace(BodyId body, const Vec2<double>& offset, double angle) {
-  require(body.index > 0 && body.index < bodies_.size(), "Scene::displace", "body",
-          "the id of a body other than the ground", body.index);
-  require_finite(offset, "Scene::displace", "offset", "m");
-  require_finite(angle, "Scene::displace", "angle", "rad");
-  SceneBody& moved_body = bodies_[body];
-  const Vec2<double> frame = moved_body.pose.local(moved_body.spec.position);
-  moved_body.pose.position += offset;
-  moved_body.pose.angle += angle;
-  require_finite(moved_body.pose.position, "Scene::displace", "position", "m");
-  moved_body.spec.position = moved_body.pose.world(frame);
-  moved_body.spec.angle += angle;
-}
-
-PerBody<Pose<double>> Scene::poses() const {
-  PerBody<Pose<double>> result;
-  for (const SceneBody& body : bodies_) result.push_back(body.pose);
-  return result;
-}
-
-void Scene::require_body(BodyId id, const char* field) const {
-  require(id.index >= 0 && id.index < bodies_.size(), "Scene::join", field, "the id of a body of this scene",
-          id.index);
 }
 
 void require_time_step(double dt, const char* place) {

@@ -1,6 +1,7 @@
 // Floor 5. A scene: what there is, before anything moves.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "constraints/contact.hpp"
 #include "constraints/stabilization.hpp"
 #include "dynamics/body.hpp"
+#include "geometry/mass.hpp"
 #include "geometry/shape.hpp"
 #include "math/list.hpp"
 
@@ -80,10 +82,19 @@ struct GroundSpec {
 
 /// A body as the scene keeps it: its frame is at the centre of mass, and its shapes are moved accordingly.
 struct SceneBody {
-  BodySpec spec = {};      // with its shapes in the frame of `pose`
-  Pose<double> pose = {};  // [m, rad] of the centre of mass
-  double mass = 0;         // [kg]; 0 unless dynamic
-  double inertia = 0;      // [kg m^2]; 0 unless it can turn
+  BodySpec spec = {};                   // with its shapes in the frame of `pose`
+  Pose<double> pose = {};               // [m, rad] of the centre of mass
+  double mass = 0;                      // [kg]; 0 unless dynamic
+  double inertia = 0;                   // [kg m^2]; 0 unless it can turn
+  MassProperties at_unit_density = {};  // of its shapes, about the centre of mass
+  bool removed = false;  // an empty place: static, without shapes, and nothing can be fastened to it
+};
+
+/// A joint, for as long as it is in its scene; its number is not used again.
+struct JointId {
+  int index = 0;  // from 0, in the order of adding
+  /// By index.
+  auto operator<=>(const JointId&) const = default;
 };
 
 /// Whether the bodies of a joint may touch each other.
@@ -108,22 +119,41 @@ class Scene {
   /// A joint from its Spec, whose anchors are in world coordinates where the bodies stand now.
   /// @throws std::invalid_argument for unknown bodies, or none that can move.
   template <typename Joint>
-  void join(const typename Joint::Spec& spec, JointCollision collision = JointCollision::as_usual) {
+  JointId join(const typename Joint::Spec& spec, JointCollision collision = JointCollision::as_usual) {
     const PerBody<Pose<double>> start = poses();
     if constexpr (requires { spec.a; }) require_body(spec.a, "a");
     if constexpr (requires { spec.b; }) require_body(spec.b, "b");
     if constexpr (requires { spec.c; }) require_body(spec.c, "c");
-    add_joint(std::make_shared<const Joint>(spec, start), collision);
+    return add_joint(std::make_shared<const Joint>(spec, start), collision);
   }
   /// Any constraint, one of your own too.
-  void add_joint(std::shared_ptr<const Constraint> joint,
-                 JointCollision collision = JointCollision::as_usual);
+  JointId add_joint(std::shared_ptr<const Constraint> joint,
+                    JointCollision collision = JointCollision::as_usual);
   /// The same bodies and joints under other rules. @throws std::invalid_argument, and then changes nothing.
   void set_settings(const SceneSettings& settings);
   /// Moves a body by `offset` [m] and turns it about its centre of mass by `angle` [rad]. Its joints stay
   /// fastened to it where they are, and so begin with an error.
-  /// @throws std::invalid_argument for the ground, unknown bodies and numbers that are not finite.
+  /// @throws std::invalid_argument for the ground, unknown and removed bodies and numbers that are not
+  /// finite.
   void displace(BodyId body, const Vec2<double>& offset, double angle = 0);
+  /// Puts the centre of mass of a body where `pose` says [m, rad], to begin at `velocity` [m/s, m/s, rad/s].
+  /// Joints as in displace(). @throws std::invalid_argument as there, and where a static body would move.
+  void place(BodyId body, const Pose<double>& pose, const Vec3<double>& velocity);
+  /// Gives a body another spec: bodies()[body].spec with fields changed, so that its shapes are in the frame
+  /// of the centre of mass. Position and angle stay as they are. Where new shapes have another centre of
+  /// mass, the frame moves there, and the shapes stay where they are in the world; a body with joints, which
+  /// are fastened in that frame, must keep its centre.
+  /// @throws std::invalid_argument for the ground, unknown and removed bodies, what add() refuses, another
+  /// position or angle, another centre of mass while there are joints, and a joint that would be left without
+  /// a body that can move.
+  void change(BodyId body, const BodySpec& spec);
+  /// Takes a body out, with every joint that holds it. Other bodies keep their ids, and its own is not used
+  /// again: its place stays, static, without shapes and marked as removed.
+  /// @throws std::invalid_argument for the ground, unknown and removed bodies.
+  void remove(BodyId body);
+  /// Takes a joint out. Its bodies may touch from now on, unless another joint keeps them apart.
+  /// @throws std::invalid_argument for a joint that is not in the scene.
+  void remove(JointId joint);
 
   /// What holds for the whole scene.
   const SceneSettings& settings() const { return settings_; }
@@ -131,16 +161,32 @@ class Scene {
   const PerBody<SceneBody>& bodies() const { return bodies_; }
   /// In the order in which they were added.
   const List<std::shared_ptr<const Constraint>>& joints() const { return joints_; }
+  /// Of joints()[number], which comes one place forward when one before it is removed.
+  /// @throws std::invalid_argument for a number that is not in joints().
+  JointId joint_id(int number) const;
   /// Pairs of bodies that a joint keeps from colliding, sorted, the lower id first.
   const List<std::pair<BodyId, BodyId>>& apart() const { return apart_; }
 
  private:
+  struct Fastening {
+    JointId id = {};
+    bool collide = true;  // its bodies may touch
+  };
+
   PerBody<Pose<double>> poses() const;
+  void keep_apart(const Constraint& joint);
+  void find_apart();
+  bool holds(int joint, BodyId body, const PerBody<Pose<double>>& start) const;
+  bool has_joints(BodyId body) const;
   void require_body(BodyId id, const char* field) const;
+  void require_changeable(BodyId id, const char* who) const;
+  void require_other_movers(BodyId body, BodyType type) const;
 
   SceneSettings settings_;
   PerBody<SceneBody> bodies_;
   List<std::shared_ptr<const Constraint>> joints_;
+  List<Fastening> fastenings_;  // of joints_
+  int joints_made_ = 0;
   List<std::pair<BodyId, BodyId>> apart_;
 };
 

@@ -20,6 +20,7 @@ struct SnapshotBody {
   double inertia = 0;                     // [kg m^2]; 0 where it cannot be turned
   double gravity_scale = 1;               // how many times the gravity of the scene it feels
   bool awake = true;                      // takes part in the steps
+  bool removed = false;                   // an empty place, where a body of the scene was
   bool sensor = false;                    // is seen to touch, and neither pushes nor is pushed
   std::uint32_t category = 1;             // bits: what it is
   std::uint32_t collides_with = ~0u;      // bits: of which categories both must accept the other's

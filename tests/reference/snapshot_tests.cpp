@@ -35,6 +35,7 @@ TEST_CASE("masses, inertias, centres of mass and poses are Cairn's in Box2D, to 
   scene.add({.shapes = {box(1, 1)}, .position = {-6, 0}, .inertia = 5});
   scene.add({.shapes = {box(1, 1)}, .position = {6, 0}, .fixed_rotation = true});
   scene.add({.type = BodyType::static_body, .shapes = {box(1, 1)}, .position = {9, 0}});
+  scene.remove(scene.add({.shapes = {box(1, 1)}, .position = {12, 0}}));
   const Snapshot cairn = snapshot(World<double>(scene));
   const Snapshot box2d = Box2DWorld(scene).snapshot();
   REQUIRE(cairn.bodies.size() == box2d.bodies.size());
@@ -42,6 +43,7 @@ TEST_CASE("masses, inertias, centres of mass and poses are Cairn's in Box2D, to 
     CAPTURE(body.index);
     const double tolerance = 4 * float_rounding;
     CHECK(box2d.bodies[body].type == cairn.bodies[body].type);
+    CHECK(box2d.bodies[body].removed == cairn.bodies[body].removed);
     CHECK(box2d.bodies[body].mass == doctest::Approx(cairn.bodies[body].mass).epsilon(tolerance));
     CHECK(box2d.bodies[body].inertia == doctest::Approx(cairn.bodies[body].inertia).epsilon(tolerance));
     CHECK((box2d.bodies[body].pose.position - cairn.bodies[body].pose.position).norm() < 10 * tolerance);

@@ -71,6 +71,18 @@ TEST_CASE("every scene of the study can be made, and its names are told apart") 
                        std::invalid_argument);
 }
 
+TEST_CASE("a study of runs does not count bodies that were removed from its scene") {
+  TrajectoryScene scene = free_disc(1, 0);
+  scene.make = [make = scene.make] {
+    Scene made = make();
+    made.remove(made.add({.shapes = {circle(1)}, .position = {5, 0}}));
+    return made;
+  };
+  const CsvTable table = rows_of({scene, free_disc(1, 0)}, one_setting("si"));
+  CHECK(number_in(table, 0, "bodies") == 2);  // the ground and the disc
+  CHECK(number_in(table, 1, "bodies") == 2);
+}
+
 TEST_CASE("a study of runs has a row for every point of its grid, of the right steps and sweeps") {
   const TrajectoryGrid grid{
       .solvers = {"si", "block"}, .frequencies = {30, 60}, .substeps = {1, 4}, .sweeps = {1, 8}};
