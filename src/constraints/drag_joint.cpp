@@ -18,6 +18,13 @@ DragJoint::DragJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses)
   local_ = poses[body_].local(spec.anchor);
 }
 
+DragJoint DragJoint::moved_to(const Vec2<double>& target) const {
+  require_finite(target, "DragJoint::moved_to", "target", "m");
+  DragJoint moved = *this;
+  moved.target_ = target;
+  return moved;
+}
+
 template <Scalar Real>
 void DragJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
   const int first = rows.size();

@@ -9,9 +9,12 @@ namespace cairn {
 /// Pulls an anchor p of a body to a fixed point of the world, the target, with a spring that is never
 /// stronger than max_force. With the arm r from the centre of mass to the anchor:
 ///   C = p - target, two soft rows: j = (1, 0, -r.y) for x, (0, 1, r.x) for y, |impulse| <= max_force dt
-/// Each axis has that limit for itself: along a diagonal the pull may be sqrt(2) times as strong. The joint
-/// does not change; to drag a body about, rebuild the scene with another target. Source: the derivative of
-/// C; softness.hpp for springs.
+/// Each axis has that limit for itself: along a diagonal the pull may be sqrt(2) times as strong. A disc as
+/// in FrictionJoint would need axes that turn with the pull. 20 times the weight of a box pull it through no
+/// wall that it touches; 100 times may. The damper brakes against the world, not against the target: behind a
+/// target that goes evenly at u, the anchor stays 2 zeta u / w. The joint does not change: moved_to() is the
+/// same grip with another target. Source: the derivative of C; softness.hpp for springs; E. Catto's
+/// b2MouseJoint in Box2D, which has one stiffness for both axes.
 class DragJoint final : public ConstraintOf<DragJoint> {
  public:
   /// What the joint is made from.
@@ -27,6 +30,10 @@ class DragJoint final : public ConstraintOf<DragJoint> {
   /// @throws std::invalid_argument for an unknown body or the ground, numbers that are not finite, a softness
   /// out of range, or a max_force that is not > 0.
   DragJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
+
+  /// The same grip, pulled to another point of the world [m]. @throws std::invalid_argument unless it is
+  /// finite.
+  DragJoint moved_to(const Vec2<double>& target) const;
 
   std::string name() const override { return "drag"; }
   List<Attachment> attachments() const override { return {{ground, target_}, {body_, local_}}; }
