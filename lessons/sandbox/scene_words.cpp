@@ -54,6 +54,14 @@ StabilizationPolicy policy_of(const Words& words, StabilizationPolicy standard) 
   return name == "soft" ? StabilizationPolicy::soft : StabilizationPolicy::split_impulse;
 }
 
+ContactSearch contact_search_of(const Words& words, ContactSearch standard) {
+  if (!words.has("contact-search")) return standard;
+  const std::string name =
+      words.word("contact-search", "every-substep", {"every-substep", "every-step", "when-moved"});
+  if (name == "every-substep") return ContactSearch::every_substep;
+  return name == "every-step" ? ContactSearch::every_step : ContactSearch::when_moved;
+}
+
 }  // namespace
 
 SceneEntry scene_of(const Words& words, const std::string& name, List<std::string> others) {
@@ -91,6 +99,7 @@ List<Flag> setting_flags() {
            "or NAME:SWEEPS, such as si:10; cairn list solvers (the scene's own, as all of these)"},
           {"sweeps", "N", fmt::format("over all rows, at most; from 0 to {}", Setting::most_sweeps)},
           {"substeps", "N", "of which a step is made"},
+          {"contact-search", "WHICH", "every-substep, every-step or when-moved"},
           {"frequency", "HZ", "steps a second"},
           {"dt", "TIME", "the length of a step, such as 1/60 or 2ms, in place of --frequency"},
           {"scalar", "WHICH", "float, double or long-double"},
@@ -121,6 +130,7 @@ Setting setting_of(const Words& words, const SceneEntry& scene) {
   }
   setting.sweeps.iterations = words.whole("sweeps", setting.sweeps.iterations, 0, Setting::most_sweeps);
   setting.substeps = words.whole("substeps", setting.substeps, 1, most_substeps);
+  setting.contact_search = contact_search_of(words, setting.contact_search);
   setting.dt = step_of(words, setting.dt);
   setting.scalar = scalar_of(words, setting.scalar);
   setting.stabilization.policy = policy_of(words, setting.stabilization.policy);

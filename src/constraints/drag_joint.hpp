@@ -35,6 +35,9 @@ class DragJoint final : public ConstraintOf<DragJoint> {
   /// finite.
   DragJoint moved_to(const Vec2<double>& target) const;
 
+  /// The one that is pulled.
+  BodyId body() const { return body_; }
+
   std::string name() const override { return "drag"; }
   List<Attachment> attachments() const override { return {{ground, target_}, {body_, local_}}; }
   bool bodies_collide() const override { return true; }

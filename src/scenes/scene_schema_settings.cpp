@@ -58,6 +58,8 @@ List<SceneKey> scene_step_keys() {
       {"sleeping", "time", number, "s", "0.5", "> 0", "slower than both for so long"},
       {"pace", "dt", number, "s", "1 / 60", "from 1e-12 to 1e6", "one step"},
       {"pace", "substeps", integer, "", "1", "from 1 to 1000000", "solves in a step, each of dt / substeps"},
+      {"pace", "contact_search", word, "", "every substep", "every substep, every step, when moved",
+       "how long manifolds last"},
       {"pace", "warm_start", flag, "", "true", "", "begin from the last step's impulses"},
       {"pace", "stabilization", table, "", "", "stabilization", "how errors in positions go"},
       {"stabilization", "policy", word, "", "baumgarte", "none, baumgarte, soft, split impulse",

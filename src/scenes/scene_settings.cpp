@@ -26,6 +26,11 @@ Stabilization stabilization_of(const SceneTable& table) {
 void set_pace(const SceneTable& table, SceneSettings& settings) {
   if (table.has("dt")) settings.dt = table.number("dt");
   if (table.has("substeps")) settings.substeps = table.integer("substeps");
+  if (table.has("contact_search")) {
+    const ContactSearch searches[] = {ContactSearch::every_substep, ContactSearch::every_step,
+                                      ContactSearch::when_moved};
+    settings.contact_search = searches[table.word("contact_search")];
+  }
   if (table.has("warm_start")) settings.warm_start = table.flag("warm_start");
   for (const SceneTable& part : table.tables("stabilization")) {
     settings.stabilization = stabilization_of(part);
@@ -92,6 +97,7 @@ SceneSettings scene_settings_of(const SceneTable& file) {
 Setting recommended_of(const SceneTable& file, const SceneSettings& settings) {
   Setting setting{.dt = settings.dt,
                   .substeps = settings.substeps,
+                  .contact_search = settings.contact_search,
                   .stabilization = settings.stabilization,
                   .warm_start = settings.warm_start};
   for (const SceneTable& table : file.tables("recommended")) {
@@ -104,6 +110,7 @@ Setting recommended_of(const SceneTable& file, const SceneSettings& settings) {
     setting.scalar = scalars[table.word("scalar")];
     setting.dt = pace.dt;
     setting.substeps = pace.substeps;
+    setting.contact_search = pace.contact_search;
     setting.stabilization = pace.stabilization;
     setting.warm_start = pace.warm_start;
     setting.position_iterations = table.integer("position_iterations");

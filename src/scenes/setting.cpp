@@ -73,6 +73,8 @@ std::string stabilization_text(const Stabilization& stabilization) {
 std::string setting_text(const Setting& setting) {
   std::string rate = fmt::format("{:.6g} Hz", 1 / setting.dt);
   if (setting.substeps != 1) rate += fmt::format(" x{}", setting.substeps);
+  if (setting.contact_search == ContactSearch::every_step) rate += ", contacts every step";
+  if (setting.contact_search == ContactSearch::when_moved) rate += ", contacts when moved";
   const std::string cold = setting.warm_start ? "" : ", cold";
   if (setting.solver == "box2d") {
     return fmt::format("box2d x{}+{}, {}, float{}", setting.sweeps.iterations, setting.position_iterations,
@@ -98,6 +100,7 @@ void check(const Setting& setting) {
 SceneSettings with_setting(SceneSettings settings, const Setting& setting) {
   settings.dt = setting.dt;
   settings.substeps = setting.substeps;
+  settings.contact_search = setting.contact_search;
   settings.stabilization = setting.stabilization;
   settings.warm_start = setting.warm_start;
   return settings;

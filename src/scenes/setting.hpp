@@ -23,6 +23,7 @@ struct Setting {
   Precision scalar = Precision::double_precision;
   double dt = 1.0 / 60;  // [s]
   int substeps = 1;
+  ContactSearch contact_search = ContactSearch::every_substep;
   Stabilization stabilization = {};
   bool warm_start = true;
   int position_iterations = 3;  // of Box2D alone

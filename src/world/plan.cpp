@@ -47,6 +47,10 @@ Plan make_plan(const Scene& scene) {
   plan.warm_start = scene.settings().warm_start;
   plan.guarded = scene.settings().guarded;
   plan.substeps = scene.settings().substeps;
+  const ContactSearch search = scene.settings().contact_search;
+  plan.keeps_manifolds = search == ContactSearch::when_moved;
+  plan.moves_manifolds =
+      search == ContactSearch::when_moved || (search == ContactSearch::every_step && plan.substeps > 1);
   plan.relaxes = scene.settings().stabilization.policy == StabilizationPolicy::soft;
   plan.corrects_positions = scene.settings().stabilization.policy == StabilizationPolicy::split_impulse;
   plan.sleeping = scene.settings().sleeping.has_value();
@@ -55,7 +59,8 @@ Plan make_plan(const Scene& scene) {
 }
 
 std::string explain(const Plan& plan) {
-  const std::string phase = plan.broadphase == BroadphaseKind::grid ? "grid of cells" : "all pairs of boxes";
+  std::string phase = plan.broadphase == BroadphaseKind::grid ? "grid of cells" : "all pairs of boxes";
+  if (plan.moves_manifolds) phase += plan.keeps_manifolds ? " when moved" : " once a step";
   std::string text = "This scene needs\n";
   text += line("bodies", fmt::format("{} dynamic of {}; {} velocities a step", plan.dynamic_bodies,
                                      plan.bodies, 2 * plan.dynamic_bodies + plan.turning_bodies));

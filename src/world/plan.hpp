@@ -26,6 +26,8 @@ struct Plan {
   bool warm_start = false;                                // solves begin from last step's impulses
   bool guarded = false;                                   // failed solves are looked after
   int substeps = 1;                                       // in a step
+  bool moves_manifolds = false;                           // manifolds last longer than a substep
+  bool keeps_manifolds = false;                           // and longer than a step
   bool relaxes = false;                // a second solve takes the speed of springs out again
   bool corrects_positions = false;     // a second solve takes errors back
   bool sleeping = false;               // islands at rest take no part

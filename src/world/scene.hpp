@@ -22,6 +22,17 @@ struct Sleeping {
   double speed = 0.05;          // [m/s] of the centre of mass
   double angular_speed = 0.05;  // [rad/s]
   double time = 0.5;            // [s]
+
+  /// Member by member.
+  bool operator==(const Sleeping&) const = default;
+};
+
+/// How often shapes are compared with each other to find out where they touch. In between, manifolds move
+/// with their bodies: what is left out are changes of the features that touch.
+enum class ContactSearch {
+  every_substep,  // the reference for the others
+  every_step,     // the substeps of a step share what was found
+  when_moved,     // pairs that have hardly moved beside each other keep what was found in an earlier step
 };
 
 /// What holds for the whole scene, and how it steps.
@@ -38,11 +49,15 @@ struct SceneSettings {
   /// says how far. Springs of policy soft that would let a body through are refused. O(m) a substep; off:
   /// nothing of it is looked at.
   bool guarded = false;
+  ContactSearch contact_search = ContactSearch::every_substep;  // how long manifolds last
   double speculative_margin = 0.02;    // [m] shapes closer than this get contact rows with room to spare
   double restitution_threshold = 0.5;  // [m/s] slower approaches do not rebound
   FrictionRows friction_rows = FrictionRows::per_point;  // one for each point or for each manifold
   /// Bodies that have come to rest are left out of the steps until something wakes them. Off: none ever is.
   std::optional<Sleeping> sleeping = {};
+
+  /// Member by member.
+  bool operator==(const SceneSettings&) const = default;
 };
 
 /// One body. Its mass is `mass`, or else density times area; its inertia follows from the shapes.
@@ -70,6 +85,9 @@ struct BodySpec {
   bool fast = false;
   std::uint32_t category = 1;         // bits: what it is
   std::uint32_t collides_with = ~0u;  // bits: of which categories both must accept the other's
+
+  /// Member by member.
+  bool operator==(const BodySpec&) const = default;
 };
 
 /// The surface of the ground.

@@ -85,23 +85,15 @@ void SleepState<Real>::wake(BodyId body) {
     island_[other] = awake;
     still_for_[other] = 0;
   }
-  has_woken_ = true;
 }
 
 template <Scalar Real>
-void SleepState<Real>::give_back(List<std::pair<RowKey, Real>>& impulses, double dt) {
-  if (!has_woken_) return;
-  has_woken_ = false;
-  // The island of an impulse sleeps as long as the body does that it is named after.
-  const auto woken = std::stable_partition(kept_.begin(), kept_.end(), [this](const KeptImpulse& kept) {
-    return island_[kept.island] == kept.island;
-  });
-  for (auto kept = woken; kept != kept_.end(); ++kept) {
-    impulses.emplace_back(kept->key, kept->impulse * static_cast<Real>(dt / kept->dt));
+void SleepState<Real>::carry_over(const SleepState& before) {
+  for (const BodyId body : before.island_.indices()) {
+    if (!is_dynamic(body)) continue;
+    island_[body] = before.island_[body];
+    still_for_[body] = before.still_for_[body];
   }
-  kept_.erase(woken, kept_.end());
-  std::sort(impulses.begin(), impulses.end(),
-            [](const auto& left, const auto& right) { return left.first < right.first; });
 }
 
 template <Scalar Real>
@@ -112,12 +104,12 @@ void SleepState<Real>::hold(PerBody<Vec3<Real>>& velocity) const {
 }
 
 template <Scalar Real>
-void SleepState<Real>::let_sleep(const List<Manifold<Real>>& manifolds, const VelocityProblem<Real>& problem,
-                                 double dt, PerBody<Vec3<Real>>& velocity) {
+void SleepState<Real>::let_sleep(const List<Manifold<Real>>& manifolds, double dt,
+                                 PerBody<Vec3<Real>>& velocity) {
   count_still_time(dt, velocity);
   for (const BodyId body : parent_.indices()) parent_[body] = body;
   for_each_tie(manifolds, [&](Span<const BodyId> tied) { connect(tied, velocity); });
-  if (put_to_sleep(dt, velocity)) keep_impulses(problem);
+  put_to_sleep(dt, velocity);
 }
 
 template <Scalar Real>
@@ -158,15 +150,14 @@ BodyId SleepState<Real>::root_of(BodyId body) {
   return body;
 }
 
-/// Islands of which every body has been slow for long enough, to the nearest step: whether there were any.
+/// Islands of which every body has been slow for long enough, to the nearest step.
 template <Scalar Real>
-bool SleepState<Real>::put_to_sleep(double dt, PerBody<Vec3<Real>>& velocity) {
+void SleepState<Real>::put_to_sleep(double dt, PerBody<Vec3<Real>>& velocity) {
   std::fill(restless_.begin(), restless_.end(), char{0});
   for (const BodyId body : still_for_.indices()) {
     const bool still = still_for_[body] > 0 && still_for_[body] > settings_.time - dt / 2;
     if (!still) restless_[root_of(body)] = 1;
   }
-  bool found = false;
   count_ = {};
   for (const BodyId body : island_.indices()) {
     if (type_[body] != BodyType::dynamic || island_[body] != awake) continue;
@@ -178,22 +169,6 @@ bool SleepState<Real>::put_to_sleep(double dt, PerBody<Vec3<Real>>& velocity) {
     }
     island_[body] = root;
     velocity[body].setZero();
-    found = true;
-  }
-  return found;
-}
-
-template <Scalar Real>
-void SleepState<Real>::keep_impulses(const VelocityProblem<Real>& problem) {
-  for (int i = 0; i < problem.row_count(); ++i) {
-    BodyId island = awake;
-    for_each_term(problem, problem.rows[i],
-                  [&](BodyId body, const Vec3<Real>&) { island = std::max(island, island_[body]); });
-    if (island == awake) continue;
-    kept_.push_back({.key = problem.rows[i].key,
-                     .impulse = problem.impulse[i],
-                     .dt = static_cast<double>(problem.dt),
-                     .island = island});
   }
 }
 

@@ -16,12 +16,12 @@ struct AwakeCount {
   int islands = 0;  // of them
 };
 
-/// Which bodies of a world sleep, and what they need to wake up warm.
+/// Which bodies of a world sleep.
 ///
 /// An island is a set of dynamic bodies that manifolds and joints connect, directly or through each other.
 /// What cannot be pushed connects nothing. An island falls asleep as a whole and wakes as a whole: once it is
 /// touched or held by an awake body or by a kinematic one that moves, or once it is asked to. While it sleeps
-/// its velocities are 0, no rows are written for it, and what they had given is kept.
+/// its velocities are 0 and no rows are written for it: what they had given stays as it was.
 ///
 /// Everything goes by ids, lowest first, so that the same steps give the same bits.
 template <Scalar Real>
@@ -44,24 +44,16 @@ class SleepState {
   bool wake_touched(const List<Manifold<Real>>& manifolds, const PerBody<Vec3<Real>>& velocity);
   /// Wakes the island of a body, and begins to count its time anew.
   void wake(BodyId body);
-  /// Gives the impulses of woken rows back, as those of a step of dt [s]; keeps the list sorted.
-  void give_back(List<std::pair<RowKey, Real>>& impulses, double dt);
+  /// Takes over which of the first bodies sleep, and since when, from before the scene was edited. What is no
+  /// dynamic body any more is awake.
+  void carry_over(const SleepState& before);
   /// What forces have done to sleeping bodies is undone: their velocities are 0.
   void hold(PerBody<Vec3<Real>>& velocity) const;
-  /// At the end of a step of dt [s], of which `problem` is the last solve, in substeps of problem.dt.
-  void let_sleep(const List<Manifold<Real>>& manifolds, const VelocityProblem<Real>& problem, double dt,
-                 PerBody<Vec3<Real>>& velocity);
+  /// At the end of a step of dt [s].
+  void let_sleep(const List<Manifold<Real>>& manifolds, double dt, PerBody<Vec3<Real>>& velocity);
 
  private:
   static constexpr BodyId awake = {-1};
-
-  /// What a row had given when its island fell asleep.
-  struct KeptImpulse {
-    RowKey key = {};
-    Real impulse = 0;  // [N s]
-    double dt = 0;     // [s] of the substep it belongs to
-    BodyId island = {};
-  };
 
   template <typename Visit>
   void for_each_tie(const List<Manifold<Real>>& manifolds, const Visit& visit) const;
@@ -70,8 +62,7 @@ class SleepState {
   void count_still_time(double dt, const PerBody<Vec3<Real>>& velocity);
   void connect(Span<const BodyId> tied, const PerBody<Vec3<Real>>& velocity);
   BodyId root_of(BodyId body);
-  bool put_to_sleep(double dt, PerBody<Vec3<Real>>& velocity);
-  void keep_impulses(const VelocityProblem<Real>& problem);
+  void put_to_sleep(double dt, PerBody<Vec3<Real>>& velocity);
 
   Sleeping settings_;
   PerBody<BodyType> type_;
@@ -80,8 +71,6 @@ class SleepState {
   List<List<BodyId>> joints_;  // the bodies of each joint
   PerBody<BodyId> island_;     // the lowest id in its sleeping island, or `awake`
   PerBody<double> still_for_;  // [s] how long it has been slow
-  List<KeptImpulse> kept_;
-  bool has_woken_ = false;  // some of kept_ are to be given back
   AwakeCount count_ = {};
 
   // Scratch memory.

@@ -107,9 +107,9 @@ Snapshot snapshot(const World<Real>& world) {
     result.bodies.back().awake = world.is_awake({body});
   }
   const int joints = scene.joints().size();
-  for (int i = 0; i < joints; ++i) {
-    SnapshotJoint joint = snapshot_joint(*scene.joints()[i], world.bodies());
-    if (i < record.problem.blocks.size()) {
+  for (int i = 0; i < joints + (world.hand() ? 1 : 0); ++i) {
+    SnapshotJoint joint = snapshot_joint(i < joints ? *scene.joints()[i] : *world.hand(), world.bodies());
+    if (i < record.first_contact_block) {
       const RowBlock& block = record.problem.blocks[i];
       for (int index = block.first; index < block.first + block.count; ++index) {
         const Vec2<Real> push =
@@ -120,7 +120,7 @@ Snapshot snapshot(const World<Real>& world) {
     result.joints.push_back(joint);
   }
   for (int i = 0; i < record.manifolds.size(); ++i) {
-    append_contacts(record, i, record.problem.blocks[joints + i], result.contacts);
+    append_contacts(record, i, record.problem.blocks[record.first_contact_block + i], result.contacts);
   }
   return result;
 }

@@ -1,15 +1,17 @@
 // Floor 5. A world: the state of a scene that moves, and the step that moves it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "collision/broadphase.hpp"
 #include "collision/manifold.hpp"
 #include "constraints/contact.hpp"
+#include "constraints/drag_joint.hpp"
 #include "dynamics/integrate.hpp"
 #include "solvers/solver.hpp"
+#include "world/contact_graph.hpp"
 #include "world/plan.hpp"
 #include "world/scene.hpp"
 #include "world/sleeping.hpp"
@@ -39,13 +41,26 @@ struct StepReport {
 };
 
 /// What the last step saw and found. The first blocks of the problem are those of the joints, in the scene's
-/// order; then one for each manifold. Of what sleeps there are no manifolds, and joints with an empty block.
+/// order; then that of a hand that drags a body, if there is one; then one for each manifold. Of what sleeps
+/// there are no manifolds, and joints with an empty block.
 template <Scalar Real>
 struct StepRecord {
   List<Manifold<Real>> manifolds = {};          // ordered by collider_a, collider_b; where the step began
   VelocityProblem<Real> problem = {};           // after the solve
+  int first_contact_block = 0;                  // the block of the first manifold
   PerRow<char> is_new = {};                     // it had no impulse to start from
   List<std::pair<BodyId, BodyId>> sensed = {};  // what touches a sensor, the lower id first, sorted
+};
+
+/// What a hand does before a step: takes hold of a body, goes on to another target, or lets go.
+struct HandInput {
+  /// The three things that it does.
+  enum class Kind { grab, drag_to, let_go };
+
+  int step = 0;                  // World::steps() when it was done
+  Kind kind = Kind::let_go;      // what was done
+  DragJoint::Spec grip = {};     // of grab
+  Vec2<double> target = {0, 0};  // [m] of drag_to
 };
 
 /// A copyable value: `World twin = world;`. The scene is shared and never changes. Owns no solver.
@@ -74,6 +89,29 @@ class World {
   /// Wakes a body with all of its island, which may sleep again after the time that the scene asks for.
   /// @throws std::invalid_argument for unknown bodies.
   void wake(BodyId body);
+  /// Changes the scene in mid-run: change(scene) is given the scene as it is now, its bodies standing and
+  /// moving as they do, and may add, remove and change whatever it likes. Bodies and joints that it leaves
+  /// alone keep their state, their impulses and their sleep to the last bit; what it changes wakes, and so
+  /// does what touched or held it. last_step() is empty until the next one.
+  /// @throws what `change` throws, and what the constructor refuses: then nothing has changed.
+  void edit(const std::function<void(Scene&)>& change);
+
+  /// A hand takes hold of a body, in place of what it held before, and pulls it to grip.target.
+  /// @throws std::invalid_argument as DragJoint, and for a body that is not dynamic.
+  void grab(const DragJoint::Spec& grip);
+  /// The hand pulls what it holds to another point [m].
+  /// @throws std::invalid_argument where it holds nothing, and for numbers that are not finite.
+  void drag_to(const Vec2<double>& target);
+  /// The hand lets go of what it holds, if it holds anything.
+  void let_go();
+  /// What the hand holds; null: nothing.
+  const DragJoint* hand() const { return hand_.get(); }
+  /// All that the hand has done. A world that begins as this one did, and for which each is repeated before
+  /// the step of its number, takes the same steps to the last bit.
+  const List<HandInput>& hand_inputs() const { return hand_inputs_; }
+  /// Does once more what a hand did. @throws as grab() and drag_to().
+  void repeat(const HandInput& input);
+
   /// Whether the body takes part in the steps: always, unless it sleeps.
   bool is_awake(BodyId body) const { return !sleep_ || !sleep_->asleep(body); }
 
@@ -97,27 +135,48 @@ class World {
   struct Collider {
     BodyId body;
     Shape<Real> shape;
+    Real radius;       // [m] of a circle around it, about the body's centre of mass
+    Real core_radius;  // [m] by which its core is rounded
   };
+  using ContactImpulses = decltype(ContactSlot<Real>::impulses);
+  using JointImpulses = BlockImpulses<List<RowImpulse<Real>>, Real>;
 
   /// The length of a substep [s].
   Real substep_length() const { return static_cast<Real>(dt_ / scene_->settings().substeps); }
-  void substep(Solver<Real>& solver, SolveObserver<Real>* observer, StepReport& report);
+  void substep(int number, Solver<Real>& solver, SolveObserver<Real>* observer, StepReport& report);
   void find_contacts();
   void find_manifolds();
-  void meet(int collider_a, int collider_b);
+  void move_manifolds();
+  void look_ahead();
+  void locate_bodies();
+  Real way(BodyId body, Real time) const;
   Real reach(BodyId body) const;
+  std::optional<ContactSlot<Real>> make_slot(int collider_a, int collider_b) const;
+  void meet(int slot);
+  void touch(int slot, const Manifold<Real>& manifold);
+  Manifold<Real> collide_slot(const ContactSlot<Real>& slot, Real margin) const;
+  Pose<Real> relative_pose(const ContactSlot<Real>& slot) const;
+  bool has_lasting_manifold(const ContactSlot<Real>& slot, Real reach) const;
   void apply_forces();
   void write_rows(StabilizationPass pass, VelocityProblem<Real>& problem);
-  void append_block(StabilizationPass pass, std::uint64_t source, VelocityProblem<Real>& problem);
+  void write_relaxing_rows();
+  void write_joint_rows(StabilizationPass pass, VelocityProblem<Real>& problem, int& next);
+  int tie_count() const { return scene_->joints().size() + (hand_ ? 1 : 0); }
+  bool tie_asleep(int tie) const;
+  void carry_over(const World& before, const Scene& then);
+  void carry_contacts(const World& before);
+  void carry_sleep(const World& before, const Scene& then);
   void relax(Solver<Real>& solver, StepReport& report);
   void correct_positions(Solver<Real>& solver, StepReport& report);
   void warm_start();
+  template <typename Visit>
+  void for_each_block(const Visit& visit);
   void guard_warm_start(StepReport& report);
   void guard_solve(StepReport& report);
   void keep_apart(StepReport& report);
   void remember_impulses();
   std::optional<BodyId> first_not_finite() const;
-  ContactMaterial<Real> material(BodyId a, BodyId b) const;
+  ContactMaterial<Real> material(const ContactSlot<Real>& slot) const;
 
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Plan> plan_;
@@ -128,18 +187,23 @@ class World {
   PerBody<double> friction_root_;  // sqrt(mu): a pair's mu is the product of two
   PerBody<Real> length_;           // [m] of the largest shape
   BodyState<Real> state_;
-  List<std::pair<RowKey, Real>> impulses_;  // of the last step, in the order of their sources
+  ContactGraph<Real> graph_;
+  List<JointImpulses> joint_impulses_;  // the last ones are those of the hand
+  std::shared_ptr<const DragJoint> hand_;
+  List<HandInput> hand_inputs_;
   StepRecord<Real> record_;
   std::optional<SleepState<Real>> sleep_;  // where the scene lets bodies sleep
   double dt_ = 0;                          // [s]
-  double previous_dt_ = 0;                 // [s] of the substep that impulses_ belong to
   double time_ = 0;
   int steps_ = 0;
 
   // Scratch memory, kept so that a steady step allocates nothing.
-  Broadphase<Real> broadphase_;
+  PerBody<Frame<Real>> frames_;  // where contacts were sought
+  PerBody<Real> reach_;          // [m]
   List<Aabb<Real>> boxes_;
-  List<char> movable_;  // of each collider: not of a pair where neither is
+  List<char> movable_;    // of each collider: not of a pair where neither is
+  List<int> candidates_;  // slots with a manifold that moves with its bodies
+  List<int> touching_;    // slots of the manifolds of record_
   RowSpecs<Real> specs_;
   VelocityProblem<Real> second_problem_;  // of the policies that solve twice
   PerBody<Vec3<Real>> moving_velocity_;   // what the position moves by in this substep

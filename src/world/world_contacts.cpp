@@ -1,5 +1,6 @@
 // Floor 5. What touches what: from poses to manifolds.
 #include <algorithm>
+#include <cmath>
 
 #include "collision/collide.hpp"
 #include "world/world.hpp"
@@ -7,70 +8,190 @@
 
 namespace cairn {
 
+// Of the slop that two shapes may have: by how much a point may move before a manifold is found anew. Of
+// bodies of 1 m that is 5 mm, as in Box2D.
+constexpr double keep_share = 0.1;
+
 template <Scalar Real>
 void World<Real>::find_contacts() {
   find_manifolds();
   if (!sleep_) return;
   // What wakes may touch, or hold, what else sleeps.
   while (sleep_->wake_touched(record_.manifolds, state_.velocity)) find_manifolds();
-  sleep_->give_back(impulses_, previous_dt_);
+}
+
+/// Where every body is, and how far it may come.
+template <Scalar Real>
+void World<Real>::locate_bodies() {
+  for (const BodyId body : state_.pose.indices()) {
+    frames_[body] = state_.pose[body];
+    reach_[body] = reach(body);
+  }
 }
 
 template <Scalar Real>
 void World<Real>::find_manifolds() {
   record_.manifolds.clear();
   record_.sensed.clear();
+  touching_.clear();
+  candidates_.clear();
   if (!plan_->collision) return;
+  locate_bodies();
+  if (plan_->moves_manifolds && plan_->substeps > 1) look_ahead();
   const Real margin = static_cast<Real>(scene_->settings().speculative_margin);
   const List<Collider>& colliders = *colliders_;
   for (int i = 0; i < colliders.size(); ++i) {
     const BodyId body = colliders[i].body;
-    const Pose<Real>& pose = state_.pose[body];
-    boxes_[i] = bounding_box(colliders[i].shape, pose, margin / 2 + reach(body));
+    boxes_[i] = bounding_box(colliders[i].shape, frames_[body], margin / 2 + reach_[body]);
   }
   if (sleep_) sleep_->mark_movable(state_.velocity, movable_);
-  for (const auto& [i, j] : broadphase_.pairs(boxes_, movable_)) meet(i, j);
+  graph_.update(boxes_, [this](int i, int j) { return make_slot(i, j); });
+  for (const int slot : graph_.order()) meet(slot);
   std::sort(record_.sensed.begin(), record_.sensed.end());
   record_.sensed.erase(std::unique(record_.sensed.begin(), record_.sensed.end()), record_.sensed.end());
+  if (plan_->moves_manifolds) move_manifolds();
 }
 
-/// One pair that is near: its manifold, if the two may touch.
+/// Contacts are sought for all substeps: bodies may come as far as in a step.
 template <Scalar Real>
-void World<Real>::meet(int collider_a, int collider_b) {
+void World<Real>::look_ahead() {
+  for (const BodyId body : reach_.indices()) reach_[body] = way(body, static_cast<Real>(dt_));
+}
+
+/// The manifolds that were found, where the bodies are now.
+template <Scalar Real>
+void World<Real>::move_manifolds() {
+  record_.manifolds.clear();
+  touching_.clear();
+  locate_bodies();
+  for (const int number : candidates_) {
+    ContactSlot<Real>& slot = graph_[number];
+    const Real margin =
+        static_cast<Real>(scene_->settings().speculative_margin) + reach_[slot.a] + reach_[slot.b];
+    Manifold<Real> manifold = slot.manifold.at(frames_[slot.a], frames_[slot.b], margin);
+    manifold.collider_a = slot.collider_a;
+    manifold.collider_b = slot.collider_b;
+    touch(number, manifold);
+  }
+}
+
+/// The slot of two shapes that have come near each other; none where they never touch.
+template <Scalar Real>
+std::optional<ContactSlot<Real>> World<Real>::make_slot(int collider_a, int collider_b) const {
   const Collider& a = (*colliders_)[collider_a];
   const Collider& b = (*colliders_)[collider_b];
-  if (a.body == b.body) return;
+  if (a.body == b.body) return std::nullopt;
   const BodySpec& spec_a = scene_->bodies()[a.body].spec;
   const BodySpec& spec_b = scene_->bodies()[b.body].spec;
-  if (spec_a.type != BodyType::dynamic && spec_b.type != BodyType::dynamic) return;
+  if (spec_a.type != BodyType::dynamic && spec_b.type != BodyType::dynamic) return std::nullopt;
   const std::pair<BodyId, BodyId> bodies = std::minmax(a.body, b.body);
   const auto& apart = scene_->apart();
-  if (!may_touch(spec_a, spec_b) || std::binary_search(apart.begin(), apart.end(), bodies)) return;
+  if (!may_touch(spec_a, spec_b) || std::binary_search(apart.begin(), apart.end(), bodies))
+    return std::nullopt;
 
-  const bool is_sensed = spec_a.sensor || spec_b.sensor;
-  const Real wide = static_cast<Real>(scene_->settings().speculative_margin) + reach(a.body) + reach(b.body);
-  Manifold<Real> manifold =
-      collide(a.shape, state_.pose[a.body], b.shape, state_.pose[b.body], is_sensed ? Real(0) : wide);
-  if (manifold.count == 0) return;
-  if (is_sensed) {
-    record_.sensed.push_back(bodies);
-    return;
-  }
-  manifold.collider_a = collider_a;
-  manifold.collider_b = collider_b;
-  record_.manifolds.push_back(manifold);
+  ContactSlot<Real> slot{.collider_a = collider_a, .collider_b = collider_b, .a = a.body, .b = b.body};
+  slot.sensed = spec_a.sensor || spec_b.sensor;
+  slot.friction = static_cast<Real>(friction_root_[a.body] * friction_root_[b.body]);
+  slot.restitution = static_cast<Real>(std::max(spec_a.restitution, spec_b.restitution));
+  slot.slop_limit = std::min(slop_limit_[a.body], slop_limit_[b.body]);
+  slot.a_moves = a.radius < b.radius;
+  slot.radius = std::min(a.radius, b.radius);
+  // What was beyond the margin has not come in by more than a quarter of it.
+  const Real margin = static_cast<Real>(scene_->settings().speculative_margin);
+  slot.keep_limit = std::min(margin / 4, static_cast<Real>(keep_share) * slot.slop_limit);
+  return slot;
 }
 
-/// How far a fast body can come within a substep [m]; 0 for every other body, unless it comes farther than
+template <Scalar Real>
+Manifold<Real> World<Real>::collide_slot(const ContactSlot<Real>& slot, Real margin) const {
+  const Collider& a = (*colliders_)[slot.collider_a];
+  const Collider& b = (*colliders_)[slot.collider_b];
+  Manifold<Real> manifold = collide(a.shape, frames_[slot.a], b.shape, frames_[slot.b], margin);
+  manifold.collider_a = slot.collider_a;
+  manifold.collider_b = slot.collider_b;
+  return manifold;
+}
+
+/// Of the smaller of the two bodies, beside the other.
+template <Scalar Real>
+Pose<Real> World<Real>::relative_pose(const ContactSlot<Real>& slot) const {
+  const BodyId still = slot.a_moves ? slot.b : slot.a, moving = slot.a_moves ? slot.a : slot.b;
+  const Vec2<Real> arm = frames_[moving].position - frames_[still].position;
+  return {frames_[still].rotation.transposed_times(arm),
+          state_.pose[moving].angle - state_.pose[still].angle};
+}
+
+/// Whether the manifold of before does for this step, in which the bodies come no farther than `reach` [m].
+template <Scalar Real>
+bool World<Real>::has_lasting_manifold(const ContactSlot<Real>& slot, Real reach) const {
+  if (!plan_->keeps_manifolds || !slot.is_found) return false;
+  if (reach > static_cast<Real>(scene_->settings().speculative_margin) / 2) return false;
+  const Pose<Real> now = relative_pose(slot);
+  const Real way = (now.position - slot.found_at.position).norm();
+  return way + slot.radius * std::abs(now.angle - slot.found_at.angle) <= slot.keep_limit;
+}
+
+/// Takes a manifold into the step, if it has any point.
+template <Scalar Real>
+void World<Real>::touch(int number, const Manifold<Real>& manifold) {
+  ContactSlot<Real>& slot = graph_[number];
+  if (manifold.count == 0) {
+    slot.impulses.count = 0;
+    return;
+  }
+  record_.manifolds.push_back(manifold);
+  touching_.push_back(number);
+}
+
+/// One pair that is near: its manifold, if the two touch.
+template <Scalar Real>
+void World<Real>::meet(int number) {
+  ContactSlot<Real>& slot = graph_[number];
+  if (sleep_ && !movable_[slot.collider_a] && !movable_[slot.collider_b]) return;  // as they fell asleep
+  if (!boxes_[slot.collider_a].overlaps(boxes_[slot.collider_b])) {
+    slot.is_found = false;
+    slot.impulses.count = 0;
+    return;
+  }
+  if (slot.sensed) {
+    if (collide_slot(slot, 0).count > 0) record_.sensed.push_back(std::minmax(slot.a, slot.b));
+    return;
+  }
+  const Real reach = reach_[slot.a] + reach_[slot.b];
+  const Real margin = static_cast<Real>(scene_->settings().speculative_margin);
+  if (!plan_->moves_manifolds) {
+    touch(number, collide_slot(slot, margin + reach));
+    return;
+  }
+  if (!has_lasting_manifold(slot, reach)) {
+    const Manifold<Real> manifold = collide_slot(slot, margin + reach);
+    slot.manifold = {manifold, frames_[slot.a], (*colliders_)[slot.collider_a].core_radius, frames_[slot.b],
+                     (*colliders_)[slot.collider_b].core_radius};
+    slot.found_at = relative_pose(slot);
+    slot.is_found = true;
+  }
+  if (slot.manifold.count() > 0) {
+    candidates_.push_back(number);
+  } else {
+    slot.impulses.count = 0;
+  }
+}
+
+/// [m] How far a body can come within `time` [s].
+template <Scalar Real>
+Real World<Real>::way(BodyId body, Real time) const {
+  const BodySpec& spec = scene_->bodies()[body].spec;
+  if (spec.type == BodyType::static_body) return 0;
+  const Real gravity = static_cast<Real>(spec.gravity_scale * scene_->settings().gravity.norm());
+  return time * (state_.velocity[body].template head<2>().norm() + time * std::abs(gravity));
+}
+
+/// [m] How far a fast body can come within a substep; 0 for every other body, unless it comes farther than
 /// its largest shape is long: then it could pass through another of its size.
 template <Scalar Real>
 Real World<Real>::reach(BodyId body) const {
-  const BodySpec& spec = scene_->bodies()[body].spec;
-  if (spec.type == BodyType::static_body) return 0;
-  const Real dt = substep_length();
-  const Real gravity = static_cast<Real>(spec.gravity_scale * scene_->settings().gravity.norm());
-  const Real way = dt * (state_.velocity[body].template head<2>().norm() + dt * std::abs(gravity));
-  return spec.fast || way > length_[body] ? way : Real(0);
+  const Real far = way(body, substep_length());
+  return scene_->bodies()[body].spec.fast || far > length_[body] ? far : Real(0);
 }
 
 template class World<float>;

@@ -58,7 +58,7 @@ void World<Real>::guard_solve(StepReport& report) {
 template <Scalar Real>
 void World<Real>::keep_apart(StepReport& report) {
   const VelocityProblem<Real>& problem = record_.problem;
-  int block = scene_->joints().size();
+  int block = record_.first_contact_block;
   const auto limits_of = [&](const Manifold<Real>& manifold, const auto& visit) {
     const BodyId a = (*colliders_)[manifold.collider_a].body, b = (*colliders_)[manifold.collider_b].body;
     const Real depth = std::min(failed_error_[a], failed_error_[b]);
@@ -76,7 +76,7 @@ void World<Real>::keep_apart(StepReport& report) {
   if (!any) return;
   report.kept_apart += 1;
   List<ContactLimit<Real>> limits;
-  block = scene_->joints().size();
+  block = record_.first_contact_block;
   for (const Manifold<Real>& manifold : record_.manifolds)
     limits_of(manifold, [&](const ContactLimit<Real>& limit) { limits.push_back(limit); });
   keep_bodies_apart(problem, limits, moving_velocity_);

@@ -68,6 +68,16 @@ void require_springs_hold(const SceneSettings& settings, const SceneBody& body, 
           shortest(sag) + " m");
 }
 
+/// [m] Of what is around the shape's core.
+template <Scalar Real>
+Real core_radius(const Shape<Real>& shape) {
+  const auto radius = [](const auto& held) -> Real {
+    if constexpr (requires { held.radius; }) return held.radius;
+    return 0;
+  };
+  return std::visit(radius, shape);
+}
+
 double length(const BodySpec& spec) {
   double largest = 0;
   for (const Shape<double>& shape : spec.shapes) largest = std::max(largest, extent(shape));
@@ -80,8 +90,7 @@ template <Scalar Real>
 World<Real>::World(Scene scene)
     : scene_(std::make_shared<const Scene>(std::move(scene))),
       plan_(std::make_shared<const Plan>(make_plan(*scene_))),
-      dt_(scene_->settings().dt),
-      broadphase_(plan_->broadphase) {
+      dt_(scene_->settings().dt) {
   List<Collider> colliders;
   for (const BodyId id : scene_->bodies().indices()) {
     const SceneBody& body = scene_->bodies()[id];
@@ -103,12 +112,17 @@ World<Real>::World(Scene scene)
                        .linear_damping = static_cast<Real>(spec.linear_damping),
                        .angular_damping = static_cast<Real>(spec.angular_damping)});
     for (const Shape<double>& shape : spec.shapes) {
-      colliders.push_back({id, shape_cast<Real>(shape)});
+      const Shape<Real> cast = shape_cast<Real>(shape);
+      colliders.push_back({id, cast, bounding_radius(cast), core_radius(cast)});
       movable_.push_back(spec.type == BodyType::dynamic ? 1 : 0);
     }
   }
   if (plan_->sleeping) sleep_.emplace(*scene_);
+  frames_.resize(state_.pose.size());
+  reach_.resize(state_.pose.size());
   boxes_.resize(colliders.size());
+  joint_impulses_.resize(scene_->joints().size() + 1);
+  graph_ = ContactGraph<Real>(plan_->broadphase, movable_);
   colliders_ = std::make_shared<const List<Collider>>(std::move(colliders));
 }
 

@@ -1,0 +1,131 @@
+// Floor 5. What is known of contacts from step to step: a slot for each pair of shapes that are near.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "collision/kept_manifold.hpp"
+#include "collision/near_pairs.hpp"
+#include "constraints/row.hpp"
+#include "math/list.hpp"
+
+namespace cairn {
+
+/// What one row gave in the last step that it was written for.
+template <Scalar Real>
+struct RowImpulse {
+  std::uint64_t part = 0;  // RowKey::part
+  Real impulse = 0;        // [N s]
+};
+
+/// What the rows of one block gave, a contact's or a joint's, and in which order.
+template <typename Rows, Scalar Real>
+struct BlockImpulses {
+  Rows rows = {};
+  int count = 0;  // of rows that are in use
+  Real dt = 0;    // [s] of the substep that they are of
+
+  /// Null where there was no row of that part. Rows mostly keep their place: `place` is where to look first.
+  const RowImpulse<Real>* find(std::uint64_t part, int place) const {
+    if (place < count && rows[place].part == part) return &rows[place];
+    for (int i = 0; i < count; ++i) {
+      if (rows[i].part == part) return &rows[i];
+    }
+    return nullptr;
+  }
+};
+
+/// Two shapes that are near each other and may touch.
+template <Scalar Real>
+struct ContactSlot {
+  int collider_a = 0;  // the lower one
+  int collider_b = 0;
+  BodyId a = {};
+  BodyId b = {};
+  bool sensed = false;   // one is a sensor: they are seen to touch, and no more
+  Real friction = 0;     // mu
+  Real restitution = 0;  // e
+  Real slop_limit = 0;   // [m]
+  BlockImpulses<FixedList<RowImpulse<Real>, 4>, Real> impulses = {};
+
+  // Where manifolds last longer than a substep:
+  KeptManifold<Real> manifold = {};
+  bool is_found = false;     // there is one, or it is known that they do not touch
+  bool a_moves = false;      // motion is that of a beside b, because a is smaller; else that of b beside a
+  Real radius = 0;           // [m] of what moves, about its centre of mass
+  Real keep_limit = 0;       // [m] no point of it may move by more before the manifold is found anew
+  Pose<Real> found_at = {};  // of what moves, beside the other, when the manifold was found
+};
+
+/// The slots of all pairs that are near, in the order of their shapes: an order that depends on who is near
+/// whom now, and not on since when. A slot keeps its place in memory as long as its pair is near.
+template <Scalar Real>
+class ContactGraph {
+ public:
+  /// Of no shapes.
+  ContactGraph() = default;
+  /// As NearPairs.
+  ContactGraph(BroadphaseKind kind, List<char> movable) : near_(kind, std::move(movable)) {}
+
+  /// Takes in where the shapes are. make(i, j) is asked for the slot of every pair that has come near: a
+  /// std::optional<ContactSlot<Real>>, without a value where the two never touch.
+  /// @throws std::length_error as NearPairs.
+  template <typename Make>
+  void update(Span<const Aabb<Real>> boxes, const Make& make) {
+    if (!near_.update(boxes)) return;
+    next_.clear();
+    auto old = order_.begin();
+    for (const std::pair<int, int>& pair : near_.pairs()) {
+      while (old != order_.end() && key(*old) < pair) free_.push_back(*old++);
+      if (old != order_.end() && key(*old) == pair) {
+        next_.push_back(*old++);
+      } else if (std::optional<ContactSlot<Real>> slot = make(pair.first, pair.second)) {
+        next_.push_back(place(*slot));
+      }
+    }
+    free_.insert(free_.end(), old, order_.end());
+    order_.swap(next_);
+  }
+
+  /// Begins with slots of another graph, in the order of their shapes.
+  void begin_with(List<ContactSlot<Real>> slots) {
+    slots_ = std::move(slots);
+    order_.clear();
+    free_.clear();
+    List<std::pair<int, int>> pairs;
+    for (int i = 0; i < slots_.size(); ++i) {
+      order_.push_back(i);
+      pairs.push_back(key(i));
+    }
+    near_.begin_with(std::move(pairs));
+  }
+
+  /// The numbers of all slots, in order.
+  const List<int>& order() const { return order_; }
+  /// The slot of that number.
+  ContactSlot<Real>& operator[](int slot) { return slots_[slot]; }
+  /// The slot of that number.
+  const ContactSlot<Real>& operator[](int slot) const { return slots_[slot]; }
+
+ private:
+  std::pair<int, int> key(int slot) const { return {slots_[slot].collider_a, slots_[slot].collider_b}; }
+  int place(const ContactSlot<Real>& slot) {
+    if (free_.empty()) {
+      slots_.push_back(slot);
+      return slots_.size() - 1;
+    }
+    const int number = free_.back();
+    free_.pop_back();
+    slots_[number] = slot;
+    return number;
+  }
+
+  NearPairs<Real> near_;
+  List<ContactSlot<Real>> slots_;  // in no order
+  List<int> order_;
+  List<int> free_;
+  List<int> next_;  // scratch
+};
+
+}  // namespace cairn

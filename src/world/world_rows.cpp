@@ -1,0 +1,175 @@
+// Floor 5. Rows of a substep: written from joints and manifolds, and given the impulses of before.
+#include <algorithm>
+
+#include "world/world.hpp"
+
+namespace cairn {
+
+namespace {
+
+// Row sources: joints by their ids, the hand, then contacts by their two colliders.
+constexpr std::uint64_t hand_source = std::uint64_t{1} << 62;
+constexpr std::uint64_t contact_source_bit = std::uint64_t{1} << 63;
+
+template <Scalar Real>
+std::uint64_t contact_source(const ContactSlot<Real>& slot) {
+  return contact_source_bit | static_cast<std::uint64_t>(slot.collider_a) << 31 |
+         static_cast<std::uint64_t>(slot.collider_b);
+}
+
+/// Whether no impulse of a row could change a velocity, as that of a row for the angle between the ground and
+/// a body that never turns: A_ii is 0, so it is not written. No row names one like it for its bounds.
+template <Scalar Real>
+bool moves_nothing(const RowSpec<Real>& spec, const PerBody<Vec3<Real>>& inverse_mass) {
+  const auto is_still = [&](BodyId body, const Vec3<Real>& jacobian) {
+    return inverse_mass[body].cwiseProduct(jacobian).isZero(0);
+  };
+  bool still = is_still(spec.a, spec.jacobian_a) && is_still(spec.b, spec.jacobian_b);
+  for (int k = 0; k < spec.extra_count; ++k) {
+    const RowTerm<Real>& term = spec.extra[k];
+    still = still && is_still(term.body, term.jacobian);
+  }
+  return still;
+}
+
+}  // namespace
+
+/// Over the rows of the substep before, whose memory is used again.
+template <Scalar Real>
+void World<Real>::write_rows(StabilizationPass pass, VelocityProblem<Real>& problem) {
+  problem.blocks.clear();
+  problem.extra_terms.clear();
+  problem.inverse_mass = state_.inverse_mass;
+  problem.dt = substep_length();
+  int next = 0;
+  write_joint_rows(pass, problem, next);
+  record_.first_contact_block = problem.blocks.size();
+  const ContactStabilization<Real> stabilization(scene_->settings().stabilization, pass, problem.dt);
+  for (int i = 0; i < touching_.size(); ++i) {
+    const ContactSlot<Real>& slot = graph_[touching_[i]];
+    const int first = next;
+    write_contact_rows(record_.manifolds[i], slot.a, slot.b, material(slot), state_.pose, state_.velocity,
+                       stabilization, contact_source(slot), problem, next);
+    problem.blocks.push_back({first, next - first});
+  }
+  problem.rows.resize(next);
+}
+
+/// The rows of record_.problem for the relaxing solve: contacts are those of the velocities, without their
+/// springs and what these ask for.
+template <Scalar Real>
+void World<Real>::write_relaxing_rows() {
+  const VelocityProblem<Real>& problem = record_.problem;
+  second_problem_.velocity = problem.velocity;
+  second_problem_.inverse_mass = problem.inverse_mass;
+  second_problem_.dt = problem.dt;
+  second_problem_.blocks.clear();
+  second_problem_.extra_terms.clear();
+  int next = 0;
+  write_joint_rows(StabilizationPass::relax, second_problem_, next);
+  second_problem_.blocks = problem.blocks;
+  second_problem_.rows.resize(problem.rows.size());
+  for (int i = next; i < problem.row_count(); ++i) {
+    ConstraintRow<Real>& row = second_problem_.rows[i];
+    row = problem.rows[i];
+    if (row.softness > 0) row.bias = row.softness = 0;
+  }
+}
+
+template <Scalar Real>
+void World<Real>::write_joint_rows(StabilizationPass pass, VelocityProblem<Real>& problem, int& next) {
+  const Stabilization& stabilization = scene_->settings().stabilization;
+  const int joints = scene_->joints().size();
+  for (int i = 0; i < tie_count(); ++i) {
+    specs_.clear();
+    const Constraint& tie = i < joints ? *scene_->joints()[i] : *hand_;
+    if (!tie_asleep(i)) tie.append_rows(state_.pose, problem.velocity, specs_);
+    const auto source = i < joints ? static_cast<std::uint64_t>(scene_->joint_id(i).index) : hand_source;
+    const int first = next;
+    for (const RowSpec<Real>& spec : specs_) {
+      if (moves_nothing(spec, problem.inverse_mass)) continue;
+      if (next == problem.row_count()) problem.rows.emplace_back();
+      problem.rows[next++] = stabilized_row(spec, stabilization, pass, problem, source, first);
+    }
+    problem.blocks.push_back({first, next - first});
+  }
+}
+
+/// A joint whose bodies sleep; the hand holds none that does.
+template <Scalar Real>
+bool World<Real>::tie_asleep(int tie) const {
+  return sleep_ && tie < scene_->joints().size() && sleep_->joint_asleep(tie);
+}
+
+template <Scalar Real>
+ContactMaterial<Real> World<Real>::material(const ContactSlot<Real>& slot) const {
+  const SceneSettings& settings = scene_->settings();
+  return {.friction = slot.friction,
+          .restitution = slot.restitution,
+          .restitution_threshold = static_cast<Real>(settings.restitution_threshold),
+          .friction_rows = settings.friction_rows,
+          .slop_limit = slot.slop_limit,
+          .gravity = static_cast<Real>(settings.gravity.norm())};
+}
+
+/// Calls visit(block, impulses) for every block of the problem and what its rows gave before. What sleeps is
+/// left out: it keeps what it gave.
+template <Scalar Real>
+template <typename Visit>
+void World<Real>::for_each_block(const Visit& visit) {
+  const List<RowBlock>& blocks = record_.problem.blocks;
+  const int ties = tie_count();
+  for (int i = 0; i < ties; ++i) {
+    if (!tie_asleep(i)) visit(blocks[i], joint_impulses_[i]);
+  }
+  for (int i = 0; i < touching_.size(); ++i) visit(blocks[ties + i], graph_[touching_[i]].impulses);
+}
+
+/// Gives every row the impulse that the row of the same name had in the last step, or 0 (paper 2.3). An
+/// impulse grows with dt, so it is scaled when dt has changed; the paper's lambda, a force, would stay as it
+/// is.
+template <Scalar Real>
+void World<Real>::warm_start() {
+  VelocityProblem<Real>& problem = record_.problem;
+  problem.impulse.resize(problem.rows.size());
+  record_.is_new.resize(problem.rows.size());
+  for_each_block([&](const RowBlock& block, const auto& before) {
+    const Real scale = before.count > 0 ? problem.dt / before.dt : Real(1);
+    for (int k = 0; k < block.count; ++k) {
+      const int row = block.first + k;
+      const RowImpulse<Real>* last = before.find(problem.rows[row].key.part, k);
+      record_.is_new[row] = last == nullptr;
+      problem.impulse[row] = last && plan_->warm_start ? scale * last->impulse : Real(0);
+    }
+  });
+}
+
+/// Rows that have vanished are forgotten. What a step has added to an impulse made good for errors of the
+/// velocities, which do not grow with dt as forces do. After a shorter step than the last one, only a share
+/// of it is kept: as much as it will be again when it is scaled for a longer one.
+template <Scalar Real>
+void World<Real>::remember_impulses() {
+  const VelocityProblem<Real>& problem = record_.problem;
+  for_each_block([&](const RowBlock& block, auto& impulses) {
+    const Real share = impulses.count > 0 ? problem.dt / impulses.dt : Real(1);
+    std::remove_reference_t<decltype(impulses)> before;
+    if (share < 1) before = impulses;
+    impulses.count = block.count;
+    impulses.dt = problem.dt;
+    if constexpr (requires { impulses.rows.resize(0); }) impulses.rows.resize(block.count);
+    for (int k = 0; k < block.count; ++k) {
+      const int row = block.first + k;
+      const std::uint64_t part = problem.rows[row].key.part;
+      Real impulse = problem.impulse[row];
+      const RowImpulse<Real>* old = before.find(part, k);
+      if (old) impulse = share * (old->impulse + impulse - share * old->impulse);
+      impulses.rows[k] = {part, impulse};
+    }
+  });
+}
+
+template class World<float>;
+template class World<double>;
+template class World<long double>;
+
+}  // namespace cairn

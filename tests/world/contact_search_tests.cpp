@@ -1,0 +1,144 @@
+// Manifolds that last longer than a substep: what stays the same to the bit, and what differs by how much.
+#include <doctest/doctest.h>
+
+#include "solvers/iterative/sequential_impulse.hpp"
+#include "solvers/exact/newton_solver.hpp"
+#include "world/world.hpp"
+
+namespace cairn {
+namespace {
+
+/// Boxes on each other, tilted, that slide and fall over; a disc that rolls.
+Scene tumbling(ContactSearch search, int substeps, double dt = 1.0 / 60) {
+  Scene scene({.dt = dt, .substeps = substeps, .contact_search = search});
+  scene.add_ground();
+  for (int i = 0; i < 5; ++i) {
+    scene.add({.shapes = {box(1, 0.6)}, .position = {0.25 * i, 0.4 + 0.65 * i}, .angle = 0.02 * i});
+  }
+  scene.add({.shapes = {circle(0.4)}, .position = {-2, 0.4}, .velocity = {1, 0}, .angular_velocity = -2.5});
+  return scene;
+}
+
+Scene pyramid(ContactSearch search, int substeps) {
+  Scene scene({.substeps = substeps, .contact_search = search});
+  scene.add_ground();
+  for (int row = 0; row < 5; ++row) {
+    for (int i = 0; i < 5 - row; ++i) {
+      scene.add({.shapes = {box(1, 1)}, .position = {i + 0.5 * row, 0.5 + row}});
+    }
+  }
+  return scene;
+}
+
+World<double> after(Scene scene, int steps) {
+  World<double> world(std::move(scene));
+  SequentialImpulse<double> solver({.iterations = 20});
+  for (int i = 0; i < steps; ++i) world.step(solver);
+  return world;
+}
+
+bool same_bits(const World<double>& one, const World<double>& other) {
+  bool same = one.bodies().velocity == other.bodies().velocity &&
+              one.last_step().problem.impulse == other.last_step().problem.impulse;
+  for (const BodyId body : one.bodies().pose.indices()) {
+    const Pose<double>&left = one.bodies().pose[body], &right = other.bodies().pose[body];
+    same = same && left.position == right.position && left.angle == right.angle;
+  }
+  return same;
+}
+
+/// [m] The farthest that a body stands apart in two worlds.
+double distance(const World<double>& one, const World<double>& other) {
+  double most = 0;
+  for (const BodyId body : one.bodies().pose.indices()) {
+    most = std::max(most, (one.bodies().pose[body].position - other.bodies().pose[body].position).norm());
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("looking for contacts every step is looking every substep where a step has one") {
+  CHECK(same_bits(after(tumbling(ContactSearch::every_step, 1), 120),
+                  after(tumbling(ContactSearch::every_substep, 1), 120)));
+}
+
+TEST_CASE("one search a step and one a substep differ by the second order of the step at least") {
+  // From one state, and over one step: to the third order in positions.
+  double before = 0;
+  for (const double dt : {1.0 / 50, 1.0 / 100, 1.0 / 200}) {
+    CAPTURE(dt);
+    // Exactly solved, so that nothing but the search differs; rods and a disc that slide, turn and keep on
+    // touching with what touches at first.
+    const auto run = [&](ContactSearch search) {
+      Scene scene({.dt = dt, .substeps = 4, .contact_search = search});
+      scene.add_ground();
+      scene.add({.shapes = {box(1, 0.2)},
+                 .position = {0, 0.1 * std::cos(0.3) + 0.5 * std::sin(0.3)},
+                 .angle = 0.3,
+                 .velocity = {1, 0.4},
+                 .angular_velocity = -0.8});
+      scene.add({.shapes = {circle(0.5)}, .position = {3, 0.5}, .velocity = {2, 0}});
+      World<double> world(std::move(scene));
+      NewtonSolver<double> solver({.tolerance = 1e-13});
+      world.step(solver);
+      return world;
+    };
+    const double apart = distance(run(ContactSearch::every_step), run(ContactSearch::every_substep));
+    if (before > 0) CHECK(apart < before / 3.5);  // a second order gives a quarter
+    before = std::max(apart, 1e-15);              // below it is rounding
+  }
+}
+
+TEST_CASE("a pyramid that rests stands as high whatever the search, and as still") {
+  for (const int substeps : {1, 4}) {
+    CAPTURE(substeps);
+    const World<double> reference = after(pyramid(ContactSearch::every_substep, substeps), 180);
+    for (const ContactSearch search : {ContactSearch::every_step, ContactSearch::when_moved}) {
+      // Less than the slop of 5 mm, within which nothing says where a body stands.
+      CHECK(distance(after(pyramid(search, substeps), 180), reference) < 0.001);
+    }
+  }
+}
+
+TEST_CASE("a copy of a world that keeps its manifolds goes on with the same bits") {
+  World<double> world = after(tumbling(ContactSearch::when_moved, 2), 40);
+  World<double> twin = world;
+  SequentialImpulse<double> one({.iterations = 20}), other({.iterations = 20});
+  for (int i = 0; i < 40; ++i) {
+    world.step(one);
+    twin.step(other);
+  }
+  CHECK(same_bits(world, twin));
+}
+
+TEST_CASE("the problem that a world tells of is the one that its next step solves, manifolds kept or not") {
+  for (const ContactSearch search :
+       {ContactSearch::every_substep, ContactSearch::every_step, ContactSearch::when_moved}) {
+    World<double> world = after(tumbling(search, 1), 25);
+    const VelocityProblem<double> told = world.velocity_problem();
+    SequentialImpulse<double> solver({.iterations = 0});
+    world.step(solver);
+    const VelocityProblem<double>& solved = world.last_step().problem;
+    REQUIRE(told.row_count() == solved.row_count());
+    CHECK(told.impulse == solved.impulse);
+    for (int i = 0; i < told.row_count(); ++i) CHECK(told.rows[i].bias == solved.rows[i].bias);
+  }
+}
+
+TEST_CASE("what arrives within a step is met in the substep in which it arrives") {
+  // At 6 m/s a ball comes 0.1 m in a step and 0.025 m in a substep: it may sink in by that much, and no more.
+  for (const ContactSearch search : {ContactSearch::every_substep, ContactSearch::every_step}) {
+    Scene scene({.substeps = 4, .contact_search = search});
+    scene.add_ground();
+    const BodyId ball = scene.add({.shapes = {circle(0.2)}, .position = {0, 0.36}, .velocity = {0, -6}});
+    World<double> world(std::move(scene));
+    SequentialImpulse<double> solver({.iterations = 10});
+    world.step(solver);
+    world.step(solver);
+    CHECK(world.bodies().pose[ball].position.y() > 0.2 - 0.026);
+    CHECK(world.bodies().velocity[ball].y() > -0.5);
+  }
+}
+
+}  // namespace cairn
