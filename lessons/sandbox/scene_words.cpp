@@ -56,8 +56,7 @@ StabilizationPolicy policy_of(const Words& words, StabilizationPolicy standard) 
 
 ContactSearch contact_search_of(const Words& words, ContactSearch standard) {
   if (!words.has("contact-search")) return standard;
-  const std::string name =
-      words.word("contact-search", "every-substep", {"every-substep", "every-step", "when-moved"});
+  const std::string name = words.word("contact-search", "every-substep", contact_search_names());
   if (name == "every-substep") return ContactSearch::every_substep;
   return name == "every-step" ? ContactSearch::every_step : ContactSearch::when_moved;
 }
@@ -91,6 +90,11 @@ const List<std::string>& stabilization_names() {
 
 const List<std::string>& scalar_names() {
   static const List<std::string> names = {"float", "double", "long-double"};
+  return names;
+}
+
+const List<std::string>& contact_search_names() {
+  static const List<std::string> names = {"every-substep", "every-step", "when-moved"};
   return names;
 }
 

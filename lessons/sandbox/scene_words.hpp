@@ -33,6 +33,8 @@ List<std::string> solver_names();
 /// The words that --stabilization takes.
 const List<std::string>& stabilization_names();
 const List<std::string>& scalar_names();
+/// The words that --contact-search takes.
+const List<std::string>& contact_search_names();
 
 /// Both lists in one.
 List<Flag> joined_flags(List<Flag> first, const List<Flag>& second);

@@ -36,6 +36,7 @@ std::map<std::string, std::string> value_words() {
           {"--solvers", joined(solver_names(), " ")},
           {"--stabilization", joined(stabilization_names(), " ")},
           {"--scalar", joined(scalar_names(), " ")},
+          {"--contact-search", joined(contact_search_names(), " ")},
           {"--theme", "light dark"},
           {"--size", "small medium large"},
           {"--show", "loads contacts velocities trails overlaps numbers none"},

@@ -136,6 +136,7 @@ ground = { height = 0.5, half_width = 6, friction = 0.7, restitution = 0.8 }
 [step]
 dt = "1 / 120"
 substeps = 3
+contact_search = "when moved"
 warm_start = false
 speculative_margin = 0.03
 restitution_threshold = 0.6
@@ -171,6 +172,7 @@ stands = 0.04
   CHECK(settings.gravity == Vec2<double>(1, -2));
   CHECK(settings.dt == 1.0 / 120);
   CHECK(settings.substeps == 3);
+  CHECK(settings.contact_search == ContactSearch::when_moved);
   CHECK_FALSE(settings.warm_start);
   CHECK(settings.speculative_margin == 0.03);
   CHECK(settings.restitution_threshold == 0.6);
@@ -193,7 +195,7 @@ stands = 0.04
   CHECK(entry.expectations.stands == 0.04);
   // What is recommended is as the scene steps, unless it says otherwise.
   CHECK(setting_text(entry.setting) ==
-        "si x10, 120 Hz x3, split impulse 0.3 slop 0.004 m at most 9 m/s, double, cold");
+        "si x10, 120 Hz x3, contacts when moved, split impulse 0.3 slop 0.004 m at most 9 m/s, double, cold");
 }
 
 TEST_CASE("every field of what is recommended arrives") {
@@ -210,6 +212,7 @@ patience = 4
 scalar = "long double"
 dt = 0.01
 substeps = 2
+contact_search = "every step"
 warm_start = false
 position_iterations = 5
 stabilization = { policy = "soft", frequency = 60 }
@@ -217,8 +220,8 @@ stabilization = { policy = "soft", frequency = 60 }
                                           "recommended.toml")
                               .setting;
   CHECK(setting_text(setting) ==
-        "pgs x20 to 1e-06 omega 1.2 patience 4 within 0.5 s shuffled 3, 100 Hz x2, soft 60 Hz, long double, "
-        "cold");
+        "pgs x20 to 1e-06 omega 1.2 patience 4 within 0.5 s shuffled 3, 100 Hz x2, contacts every step, "
+        "soft 60 Hz, long double, cold");
   CHECK(setting.position_iterations == 5);
 }
 

@@ -28,6 +28,10 @@ TEST_CASE("a setting is written as the things that differ from the usual") {
                                         .max_speed = 3,
                                         .soft = {.frequency = 60, .damping_ratio = 5}}}) ==
         "si x10, 60 Hz, soft 60 Hz zeta 5 slop 0.001 m at most 3 m/s, double");
+  CHECK(setting_text({.substeps = 4, .contact_search = ContactSearch::every_step}) ==
+        "si x10, 60 Hz x4, contacts every step, baumgarte, double");
+  CHECK(setting_text({.contact_search = ContactSearch::when_moved}) ==
+        "si x10, 60 Hz, contacts when moved, baumgarte, double");
   CHECK(setting_text({.solver = "box2d", .sweeps = {.iterations = 8}, .position_iterations = 3}) ==
         "box2d x8+3, 60 Hz, float");
 }
@@ -39,6 +43,7 @@ TEST_CASE("a setting decides how a scene steps, and nothing about the scene itse
                           .friction_rows = FrictionRows::per_manifold};
   const SceneSettings result = with_setting(own, {.dt = 0.25,
                                                   .substeps = 5,
+                                                  .contact_search = ContactSearch::every_step,
                                                   .stabilization = {.policy = StabilizationPolicy::soft},
                                                   .warm_start = false});
   CHECK(result.gravity == own.gravity);
@@ -47,6 +52,7 @@ TEST_CASE("a setting decides how a scene steps, and nothing about the scene itse
   CHECK(result.friction_rows == FrictionRows::per_manifold);
   CHECK(result.dt == 0.25);
   CHECK(result.substeps == 5);
+  CHECK(result.contact_search == ContactSearch::every_step);
   CHECK(result.stabilization.policy == StabilizationPolicy::soft);
   CHECK_FALSE(result.warm_start);
 }
