@@ -48,6 +48,9 @@ class Stopwatch {
   double start_ = now();
 };
 
+/// Bytes of the heap that are in use, whoever asked for them: the C library counts them.
+double heap_in_use();
+
 /// Runs all repetitions of all cases in a shuffled order, so that what disturbs the machine for a while
 /// disturbs all of them alike.
 std::map<std::string, Outcome> measure(const List<Case>& cases);

@@ -6,9 +6,11 @@
 #include <optional>
 
 #include "math/list.hpp"
+#include "measure.hpp"
 #include "scenes.hpp"
 #include "table.hpp"
 #include "tables.hpp"
+#include "validation/case_scenes.hpp"
 
 namespace cairn::bench {
 
@@ -97,6 +99,54 @@ void print_family(const std::string& name, const std::function<VelocityProblem<d
   fmt::print("{}\n{}\n", counts.text(), stored.text());
 }
 
+/// What a world keeps after some steps, with the scene that it was made from.
+struct WorldMemory {
+  int bodies = 0;
+  int points = 0;  // of contacts
+  double bytes = 0;
+};
+
+WorldMemory world_memory(const Scene& scene) {
+  const double before = heap_in_use();
+  World<double> world(scene);
+  StepReport report;
+  {
+    SequentialImpulse<double> solver;  // the memory of solvers is in the tables above
+    for (int step = 0; step < 10; ++step) report = world.step(solver);
+  }
+  return {scene.bodies().size() - 1, report.contacts, heap_in_use() - before};
+}
+
+Scene boxes_in_the_air(int boxes) {
+  Scene scene;
+  for (int i = 0; i < boxes; ++i) scene.add({.shapes = {box(1, 1)}, .position = {2.0 * i, 0}});
+  return scene;
+}
+
+/// What a body costs is seen where nothing touches; what a pyramid keeps beyond that is its contacts'.
+void print_world_memory() {
+  const WorldMemory air = world_memory(boxes_in_the_air(1000));
+  const double of_body = air.bytes / air.bodies;
+  TextTable table({{"world", ""},
+                   {"bodies", ""},
+                   {"contact points", ""},
+                   {"kept", "kB"},
+                   {"of a body", "bytes"},
+                   {"of a contact point", "bytes"}});
+  table.add({"boxes in the air", grouped(air.bodies), "0", grouped(std::lround(air.bytes / 1024)),
+             grouped(std::lround(of_body)), "-"});
+  for (const int base : {10, 20, 40}) {
+    Scene scene;
+    cases::add_pyramid(scene, base);
+    const WorldMemory pyramid = world_memory(scene);
+    const double of_point = (pyramid.bytes - of_body * pyramid.bodies) / pyramid.points;
+    table.add({fmt::format("pyramid of base {}", base), grouped(pyramid.bodies), grouped(pyramid.points),
+               grouped(std::lround(pyramid.bytes / 1024)), "", grouped(std::lround(of_point))});
+  }
+  fmt::print("What a World keeps, its scene included, with what the allocator has set aside for more:\n{}\n",
+             table.text());
+}
+
 }  // namespace
 
 void print_memory_table() {
@@ -113,6 +163,7 @@ void print_memory_table() {
   print_family("pyramid", pyramid_problem, {5, 10, 20, 40});
   print_family("stack", stack_problem, {25, 50, 100, 200, 400});
   print_family("chain", chain_problem, {50, 100, 200, 400, 800});
+  print_world_memory();
 }
 
 }  // namespace cairn::bench
