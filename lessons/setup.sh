@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Set-up and build, shared by lessons/run and tests/run.
-#   bash lessons/setup.sh [clang|bench|docs|book]   installs what is missing (alone: nothing is built)
-# When sourced it only defines: cairn_set_up [clang|bench|docs|book], cairn_build PRESET TARGET..., cairn_watch.
+#   bash lessons/setup.sh [clang|bench|peers|docs|book]   installs what is missing (alone: nothing is built)
+# When sourced it only defines: cairn_set_up [clang|bench|peers|docs|book], cairn_build PRESET TARGET..., cairn_watch.
 
 unset CDPATH
 cairn_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -11,13 +11,15 @@ cairn_packages=(g++ make cmake ninja-build pkg-config ccache libeigen3-dev libfm
   libstb-dev zlib1g-dev fonts-dejavu-core libosmesa6-dev libegl-dev libbox2d-dev doctest-dev
   libtomlplusplus-dev libmd4c-dev libmd4c-html0-dev)
 cairn_bench_packages=(libbenchmark-dev)
+cairn_peer_packages=(libbenchmark-dev libchipmunk-dev libbullet-dev)
 cairn_docs_packages=(doxygen)
 cairn_clang_packages=(clang clang-tidy clang-format libclang-rt-dev)
 # A browser for the test of the lesson book. Node.js comes in packages of other makers too, npm within it.
 cairn_book_packages=(chromium)
 if ! command -v npm >/dev/null; then cairn_book_packages+=(nodejs npm); fi
-# Packages that some releases do not have. Without OSMesa the pictures are drawn through EGL.
-cairn_dispensable=" libosmesa6-dev libclang-rt-dev "
+# Packages that some releases do not have. Without OSMesa the pictures are drawn through EGL; engines to compare with may
+# be missing.
+cairn_dispensable=" libosmesa6-dev libclang-rt-dev libchipmunk-dev libbullet-dev "
 
 # cairn_watch WHAT LOG PATTERN [ALL]: keeps the lines of stdin in LOG and says on stderr how far WHAT has come. A line
 # that matches PATTERN is one of ALL; or it tells, by two groups of the pattern, how many are done of how many. On a
@@ -107,6 +109,7 @@ cairn_set_up() {
   if [[ ${1:-} == book ]]; then needed+=("${cairn_book_packages[@]}"); fi
   if [[ ${1:-} == docs ]]; then needed+=("${cairn_docs_packages[@]}"); fi
   if [[ ${1:-} == bench ]]; then needed+=("${cairn_bench_packages[@]}"); fi
+  if [[ ${1:-} == peers ]]; then needed+=("${cairn_peer_packages[@]}"); fi
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     if [[ ! -d $cairn_root/build ]]; then
       printf 'This is neither Debian nor Ubuntu. Cairn needs what they call:\n  %s\n' "${needed[*]}" >&2

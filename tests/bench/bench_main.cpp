@@ -4,49 +4,21 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <utility>
 
+#include "machine.hpp"
 #include "math/list.hpp"
 #include "measure.hpp"
 #include "tables.hpp"
 
 namespace {
 
-/// The value of the first line of a file of the system that begins with `key`, behind the colon.
-std::string system_line(const std::string& file, const std::string& key) {
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
-    const std::size_t colon = line.find(':');
-    if (line.starts_with(key) && colon != std::string::npos)
-      return line.substr(std::min(colon + 2, line.size()));
-  }
-  return "unknown";
-}
-
-void print_machine() {
-  std::ifstream load_file("/proc/loadavg");
-  std::string load = "unknown";
-  load_file >> load;
-  fmt::print("compiler  {}\n", CAIRN_BENCH_COMPILER);
-  fmt::print("flags     {}\n", CAIRN_BENCH_FLAGS);
-  fmt::print("Eigen     {}.{}.{}, vectors by {}\n", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
-             EIGEN_MINOR_VERSION, Eigen::SimdInstructionSetsInUse());
-  std::string caches;
-  for (const benchmark::CPUInfo::CacheInfo& cache : benchmark::CPUInfo::Get().caches) {
-    if (cache.type != "Instruction") caches += fmt::format(" L{} {} kB", cache.level, cache.size / 1024);
-  }
-  fmt::print("caches   {}\n", caches.empty() ? " unknown" : caches);
-  fmt::print("CPU       {}, load {} before we began\n", system_line("/proc/cpuinfo", "model name"), load);
-#ifndef NDEBUG
-  fmt::print("Assertions are on: these times are not those of a release.\n");
-#endif
+void print_how_to_read() {
   fmt::print(
       "Times are processor times of one thread in double, medians of repetitions in a shuffled order; noise "
       "is their\n"
@@ -78,7 +50,8 @@ bool print_tables(const cairn::List<std::string>& wanted) {
       return false;
     }
   }
-  print_machine();
+  cairn::bench::print_machine();
+  print_how_to_read();
   for (const auto& [name, print] : tables) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
     print();

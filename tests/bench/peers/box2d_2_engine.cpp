@@ -1,0 +1,85 @@
+// Box2D 2.4.1 as a peer: the reference's shapes and joints, in a world without listeners.
+#include <box2d/box2d.h>
+
+#include <cstdint>
+
+#include "engine.hpp"
+#include "reference/box2d_shapes.hpp"
+
+namespace cairn::bench {
+
+namespace {
+
+class Box2D2Engine final : public Engine {
+ public:
+  Box2D2Engine(const Scene& scene, const PeerSettings& settings)
+      : settings_(settings),
+        dt_(static_cast<float>(scene.settings().dt)),
+        world_(to_box2d(scene.settings().gravity)) {
+    world_.SetAllowSleeping(false);
+    world_.SetContinuousPhysics(false);
+    for (const SceneBody& body : scene.bodies()) bodies_.push_back(add(body));
+    for (const auto& joint : scene.joints()) create_joint(world_, *joint, bodies_, scene.apart());
+  }
+  void step() override { world_.Step(dt_, settings_.iterations, settings_.position_iterations); }
+  PerBody<Pose<double>> poses() const override {
+    PerBody<Pose<double>> result;
+    for (const b2Body* body : bodies_) {
+      const b2Vec2 center = body->GetWorldCenter();
+      result.push_back({.position = {center.x, center.y}, .angle = static_cast<double>(body->GetAngle())});
+    }
+    return result;
+  }
+  PerBody<Vec3<double>> velocities() const override {
+    PerBody<Vec3<double>> result;
+    for (const b2Body* body : bodies_) {
+      const b2Vec2 velocity = body->GetLinearVelocity();
+      result.push_back({velocity.x, velocity.y, body->GetAngularVelocity()});
+    }
+    return result;
+  }
+
+ private:
+  b2Body* add(const SceneBody& body) {
+    const BodySpec& spec = body.spec;
+    b2BodyDef definition;
+    definition.type = spec.type == BodyType::dynamic     ? b2_dynamicBody
+                      : spec.type == BodyType::kinematic ? b2_kinematicBody
+                                                         : b2_staticBody;
+    definition.position = to_box2d(body.pose.position);
+    definition.angle = static_cast<float>(body.pose.angle);
+    definition.linearVelocity = to_box2d(spec.velocity);
+    definition.angularVelocity = static_cast<float>(spec.angular_velocity);
+    b2Body* result = world_.CreateBody(&definition);
+    for (const Shape<double>& shape : spec.shapes) {
+      const std::unique_ptr<b2Shape> converted = to_box2d(shape);
+      b2FixtureDef fixture;
+      fixture.shape = converted.get();
+      fixture.friction = static_cast<float>(spec.friction);
+      fixture.filter.categoryBits = static_cast<std::uint16_t>(spec.category);
+      fixture.filter.maskBits = static_cast<std::uint16_t>(spec.collides_with);
+      result->CreateFixture(&fixture);
+    }
+    if (spec.type == BodyType::dynamic) {
+      b2MassData mass;
+      mass.mass = static_cast<float>(body.mass);
+      mass.center.SetZero();
+      mass.I = static_cast<float>(body.inertia);
+      result->SetMassData(&mass);
+    }
+    return result;
+  }
+
+  PeerSettings settings_;
+  float dt_;  // [s]
+  b2World world_;
+  PerBody<b2Body*> bodies_ = {};  // owned by the world
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_box2d_2(const Scene& scene, const PeerSettings& settings) {
+  return std::make_unique<Box2D2Engine>(scene, settings);
+}
+
+}  // namespace cairn::bench

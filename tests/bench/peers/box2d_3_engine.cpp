@@ -1,0 +1,126 @@
+// Box2D 3 as a peer. The only file that sees its headers: those of Box2D 2.4.1 have the same names.
+#include <box2d/box2d.h>
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <variant>
+
+#include "engine.hpp"
+#include "math/check.hpp"
+
+namespace cairn::bench {
+
+namespace {
+
+b2Vec2 to_v3(const Vec2<double>& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
+
+struct AddShape {
+  b2BodyId body;
+  const b2ShapeDef* definition;
+
+  void operator()(const Circle<double>& circle) const {
+    const b2Circle converted = {to_v3(circle.center), static_cast<float>(circle.radius)};
+    b2CreateCircleShape(body, definition, &converted);
+  }
+  void operator()(const Polygon<double>& polygon) const {
+    List<b2Vec2> corners;
+    for (int i = 0; i < polygon.count; ++i) corners.push_back(to_v3(polygon.vertices[i]));
+    const b2Hull hull = b2ComputeHull(corners.data(), corners.size());
+    const b2Polygon converted = b2MakePolygon(&hull, static_cast<float>(polygon.radius));
+    b2CreatePolygonShape(body, definition, &converted);
+  }
+  void operator()(const Segment<double>& segment) const {
+    const b2Segment converted = {to_v3(segment.point1), to_v3(segment.point2)};
+    b2CreateSegmentShape(body, definition, &converted);
+  }
+  void operator()(const Capsule<double>&) const { require(false, "Box2D 3", "shape", "no capsule", "one"); }
+};
+
+b2BodyId add(b2WorldId world, const SceneBody& body) {
+  const BodySpec& spec = body.spec;
+  b2BodyDef definition = b2DefaultBodyDef();
+  definition.type = spec.type == BodyType::dynamic     ? b2_dynamicBody
+                    : spec.type == BodyType::kinematic ? b2_kinematicBody
+                                                       : b2_staticBody;
+  definition.position = to_v3(body.pose.position);
+  definition.rotation = b2MakeRot(static_cast<float>(body.pose.angle));
+  definition.linearVelocity = to_v3(spec.velocity);
+  definition.angularVelocity = static_cast<float>(spec.angular_velocity);
+  const b2BodyId result = b2CreateBody(world, &definition);
+  b2ShapeDef shape = b2DefaultShapeDef();
+  shape.material.friction = static_cast<float>(spec.friction);
+  shape.filter.categoryBits = spec.category;
+  shape.filter.maskBits = spec.collides_with;
+  shape.updateBodyMass = false;
+  for (const Shape<double>& one : spec.shapes) std::visit(AddShape{result, &shape}, one);
+  if (spec.type == BodyType::dynamic) {
+    b2Body_SetMassData(result, {static_cast<float>(body.mass), {0, 0}, static_cast<float>(body.inertia)});
+  }
+  return result;
+}
+
+class Box2D3Engine final : public Engine {
+ public:
+  Box2D3Engine(const Scene& scene, const PeerSettings& settings)
+      : substeps_(settings.substeps), dt_(static_cast<float>(scene.settings().dt)) {
+    b2WorldDef definition = b2DefaultWorldDef();
+    definition.gravity = to_v3(scene.settings().gravity);
+    definition.enableSleep = false;
+    definition.enableContinuous = false;
+    world_ = b2CreateWorld(&definition);
+    for (const SceneBody& body : scene.bodies()) bodies_.push_back(add(world_, body));
+    for (const auto& joint : scene.joints()) pin(scene, *joint);
+  }
+  ~Box2D3Engine() override { b2DestroyWorld(world_); }
+  Box2D3Engine(const Box2D3Engine&) = delete;
+  Box2D3Engine& operator=(const Box2D3Engine&) = delete;
+
+  void step() override { b2World_Step(world_, dt_, substeps_); }
+  PerBody<Pose<double>> poses() const override {
+    PerBody<Pose<double>> result;
+    for (const b2BodyId body : bodies_) {
+      const b2Pos center = b2Body_GetWorldCenter(body);
+      result.push_back({.position = {center.x, center.y},
+                        .angle = static_cast<double>(b2Rot_GetAngle(b2Body_GetRotation(body)))});
+    }
+    return result;
+  }
+  PerBody<Vec3<double>> velocities() const override {
+    PerBody<Vec3<double>> result;
+    for (const b2BodyId body : bodies_) {
+      const b2Vec2 velocity = b2Body_GetLinearVelocity(body);
+      result.push_back({velocity.x, velocity.y, b2Body_GetAngularVelocity(body)});
+    }
+    return result;
+  }
+
+ private:
+  void pin(const Scene& scene, const Constraint& joint) {
+    const List<Attachment> ends = require_pin(joint, "Box2D 3").attachments();
+    b2RevoluteJointDef definition = b2DefaultRevoluteJointDef();
+    definition.base.bodyIdA = bodies_[ends[0].body];
+    definition.base.bodyIdB = bodies_[ends[1].body];
+    definition.base.localFrameA.p = to_v3(ends[0].anchor);
+    definition.base.localFrameB.p = to_v3(ends[1].anchor);
+    definition.base.collideConnected = !keeps_apart(scene, joint);
+    b2CreateRevoluteJoint(world_, &definition);
+  }
+
+  int substeps_;
+  float dt_;  // [s]
+  b2WorldId world_ = b2_nullWorldId;
+  PerBody<b2BodyId> bodies_ = {};
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_box2d_3(const Scene& scene, const PeerSettings& settings) {
+  return std::make_unique<Box2D3Engine>(scene, settings);
+}
+
+std::string box2d_3_version() {
+  const b2Version version = b2GetVersion();
+  return fmt::format("{}.{}.{}", version.major, version.minor, version.revision);
+}
+
+}  // namespace cairn::bench

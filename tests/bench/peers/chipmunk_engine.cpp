@@ -1,0 +1,120 @@
+// Chipmunk 7 as a peer.
+#include <chipmunk/chipmunk.h>
+
+#include <cmath>
+#include <memory>
+#include <variant>
+
+#include "engine.hpp"
+#include "math/check.hpp"
+
+namespace cairn::bench {
+
+namespace {
+
+struct Free {
+  void operator()(cpSpace* space) const { cpSpaceFree(space); }
+  void operator()(cpBody* body) const { cpBodyFree(body); }
+  void operator()(cpShape* shape) const { cpShapeFree(shape); }
+  void operator()(cpConstraint* joint) const { cpConstraintFree(joint); }
+};
+template <typename T>
+using Owned = std::unique_ptr<T, Free>;
+
+cpVect to_chipmunk(const Vec2<double>& v) { return cpv(v.x(), v.y()); }
+
+struct MakeShape {
+  cpBody* body;
+
+  cpShape* operator()(const Circle<double>& circle) const {
+    return cpCircleShapeNew(body, circle.radius, to_chipmunk(circle.center));
+  }
+  cpShape* operator()(const Polygon<double>& polygon) const {
+    List<cpVect> corners;
+    for (int i = 0; i < polygon.count; ++i) corners.push_back(to_chipmunk(polygon.vertices[i]));
+    return cpPolyShapeNewRaw(body, corners.size(), corners.data(), polygon.radius);
+  }
+  cpShape* operator()(const Segment<double>& segment) const {
+    return cpSegmentShapeNew(body, to_chipmunk(segment.point1), to_chipmunk(segment.point2), 0);
+  }
+  cpShape* operator()(const Capsule<double>& capsule) const {
+    return cpSegmentShapeNew(body, to_chipmunk(capsule.point1), to_chipmunk(capsule.point2), capsule.radius);
+  }
+};
+
+class ChipmunkEngine final : public Engine {
+ public:
+  ChipmunkEngine(const Scene& scene, const PeerSettings& settings)
+      : dt_(scene.settings().dt), space_(cpSpaceNew()) {
+    cpSpaceSetIterations(space_.get(), settings.iterations);
+    cpSpaceSetGravity(space_.get(), to_chipmunk(scene.settings().gravity));
+    cpSpaceSetCollisionSlop(space_.get(), 0.005);
+    for (const SceneBody& body : scene.bodies()) add(body);
+    for (const auto& joint : scene.joints()) pin(scene, *joint);
+  }
+  void step() override { cpSpaceStep(space_.get(), dt_); }
+  PerBody<Pose<double>> poses() const override {
+    PerBody<Pose<double>> result;
+    for (const Owned<cpBody>& body : bodies_) {
+      const cpVect center = cpBodyGetPosition(body.get());
+      result.push_back({.position = {center.x, center.y}, .angle = cpBodyGetAngle(body.get())});
+    }
+    return result;
+  }
+  PerBody<Vec3<double>> velocities() const override {
+    PerBody<Vec3<double>> result;
+    for (const Owned<cpBody>& body : bodies_) {
+      const cpVect velocity = cpBodyGetVelocity(body.get());
+      result.push_back({velocity.x, velocity.y, cpBodyGetAngularVelocity(body.get())});
+    }
+    return result;
+  }
+
+ private:
+  void add(const SceneBody& body) {
+    const BodySpec& spec = body.spec;
+    cpBody* made = spec.type == BodyType::dynamic     ? cpBodyNew(body.mass, body.inertia)
+                   : spec.type == BodyType::kinematic ? cpBodyNewKinematic()
+                                                      : cpBodyNewStatic();
+    bodies_.push_back(Owned<cpBody>(made));
+    cpBodySetPosition(made, to_chipmunk(body.pose.position));
+    cpBodySetAngle(made, body.pose.angle);
+    if (spec.type != BodyType::static_body) {
+      cpBodySetVelocity(made, to_chipmunk(spec.velocity));
+      cpBodySetAngularVelocity(made, spec.angular_velocity);
+    }
+    cpSpaceAddBody(space_.get(), made);
+    for (const Shape<double>& shape : spec.shapes) {
+      shapes_.push_back(Owned<cpShape>(std::visit(MakeShape{made}, shape)));
+      cpShape* converted = shapes_.back().get();
+      cpShapeSetFriction(converted, std::sqrt(spec.friction));  // it multiplies those of two shapes
+      cpShapeSetFilter(converted, cpShapeFilterNew(CP_NO_GROUP, spec.category, spec.collides_with));
+      cpSpaceAddShape(space_.get(), converted);
+    }
+  }
+  void pin(const Scene& scene, const Constraint& joint) {
+    const List<Attachment> ends = require_pin(joint, "Chipmunk").attachments();
+    joints_.push_back(
+        Owned<cpConstraint>(cpPivotJointNew2(bodies_[ends[0].body].get(), bodies_[ends[1].body].get(),
+                                             to_chipmunk(ends[0].anchor), to_chipmunk(ends[1].anchor))));
+    cpConstraintSetCollideBodies(joints_.back().get(), keeps_apart(scene, joint) ? cpFalse : cpTrue);
+    cpSpaceAddConstraint(space_.get(), joints_.back().get());
+  }
+
+  double dt_;  // [s]
+  // Freed from the last to the first: the space goes before what is in it, as its destructor looks at that.
+  PerBody<Owned<cpBody>> bodies_ = {};
+  List<Owned<cpShape>> shapes_ = {};
+  List<Owned<cpConstraint>> joints_ = {};
+  Owned<cpSpace> space_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_chipmunk(const Scene& scene, const PeerSettings& settings) {
+  return std::make_unique<ChipmunkEngine>(scene, settings);
+}
+
+std::string chipmunk_version() { return cpVersionString; }
+
+}  // namespace cairn::bench

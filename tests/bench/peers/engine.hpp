@@ -1,0 +1,59 @@
+// A scene that an engine steps, whichever engine it is: Cairn, or one of its peers.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "constraints/revolute_joint.hpp"
+#include "dynamics/body.hpp"
+#include "math/list.hpp"
+#include "scenes/setting.hpp"
+#include "world/scene.hpp"
+
+namespace cairn::bench {
+
+/// A world of an engine. Sleeping and continuous collision are off; friction mixes as in Cairn, masses and
+/// inertias are the scene's.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  /// One step of the scene's dt: all that is timed.
+  virtual void step() = 0;
+  /// Where the centres of mass are, in the scene's order.
+  virtual PerBody<Pose<double>> poses() const = 0;
+  /// [m/s, m/s, rad/s] of the centres of mass, in the scene's order.
+  virtual PerBody<Vec3<double>> velocities() const = 0;
+};
+
+/// How hard a peer works. What it has no use for it ignores.
+struct PeerSettings {
+  int iterations = 10;          // sweeps over the velocities, each step
+  int position_iterations = 3;  // of Box2D 2.4.1
+  int substeps = 4;             // of Box2D 3
+};
+
+// Each throws std::invalid_argument for a scene that its engine cannot run, and says why. Those whose library
+// was not there when this was built are not defined.
+
+/// The step of the scene is the setting's.
+std::unique_ptr<Engine> make_cairn(const Scene& scene, const Setting& setting);
+/// Box2D 2.4.1, without the listener that cairn::Box2DWorld has for its snapshots.
+std::unique_ptr<Engine> make_box2d_2(const Scene& scene, const PeerSettings& settings);
+std::unique_ptr<Engine> make_box2d_3(const Scene& scene, const PeerSettings& settings);
+/// Chipmunk 7. Its slop of 0.1 is meant for pixels; here it is that of the others, 0.005 m.
+std::unique_ptr<Engine> make_chipmunk(const Scene& scene, const PeerSettings& settings);
+/// Bullet, whose bodies are kept in the plane, with its collision of boxes in the plane.
+std::unique_ptr<Engine> make_bullet(const Scene& scene, const PeerSettings& settings);
+
+// What was found of each: "3.2.0".
+
+std::string box2d_3_version();
+std::string chipmunk_version();
+std::string bullet_version();
+
+/// The pin that a joint is. @throws std::invalid_argument for any other joint: no scene here has one.
+const RevoluteJoint& require_pin(const Constraint& joint, const std::string& engine);
+/// Whether the bodies of a joint must not touch.
+bool keeps_apart(const Scene& scene, const Constraint& joint);
+
+}  // namespace cairn::bench

@@ -1,0 +1,175 @@
+// Pyramids, stacks, chains, grids, heaps and a tumbler. Boxes of pyramids and stacks touch from the start,
+// and side by side too.
+#include "peer_scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "constraints/revolute_joint.hpp"
+#include "validation/case_scenes.hpp"
+
+namespace cairn::bench {
+
+namespace {
+
+/// Boxes of 1 m in rows of base, base - 1, ..., 1 above `foot`, the middle of the lowest row.
+void add_pyramid(Scene& scene, int base, const Vec2<double>& foot) {
+  for (int level = 0; level < base; ++level) {
+    for (int i = 0; i < base - level; ++i) {
+      const Vec2<double> place(i + 0.5 * (level - base + 1), 0.5 + level);
+      scene.add({.shapes = {box(1, 1)}, .position = foot + place});
+    }
+  }
+}
+
+Scene pyramid(int base) {
+  Scene scene;
+  scene.add_ground({.half_width = base + 10.0});
+  add_pyramid(scene, base, {0, 0});
+  return scene;
+}
+
+/// On ledges one above the other, ten on each.
+Scene small_pyramids(int ledges) {
+  const int base = 10;
+  const double width = 11.0 * 10;  // [m]
+  Scene scene;
+  BodySpec ground = {.type = BodyType::static_body};
+  for (int i = 0; i < ledges; ++i) {
+    ground.shapes.push_back(segment({-5.0, 11.0 * i}, {width, 11.0 * i}));
+  }
+  scene.add(ground);
+  for (int i = 0; i < ledges; ++i) {
+    for (int k = 0; k < 10; ++k) add_pyramid(scene, base, {5.0 + 11 * k, 11.0 * i});
+  }
+  return scene;
+}
+
+Scene stack(int boxes) { return cases::box_column(List<double>(boxes, 1.0)); }
+
+/// A body of a chain or a grid touches none of the others.
+BodySpec link(const Shape<double>& shape, const Vec2<double>& place) {
+  return {.shapes = {shape}, .position = place, .category = 2, .collides_with = ~2u};
+}
+
+/// Rods of 0.5 m in a level row, the first pinned to the ground: the row falls and swings.
+Scene level_chain(int links) {
+  Scene scene;
+  BodyId last = ground;
+  for (int i = 0; i < links; ++i) {
+    const BodyId next = scene.add(link(box(0.5, 0.1), {0.5 * i + 0.25, 0}));
+    scene.join<RevoluteJoint>({.a = last, .b = next, .anchor = {0.5 * i, 0}});
+    last = next;
+  }
+  return scene;
+}
+
+/// Discs in rows and columns 1 m apart, each pinned to its neighbours; it hangs from seven discs in the
+/// middle of the top row.
+Scene joint_grid(int size) {
+  Scene scene;
+  List<BodyId> above;
+  for (int row = 0; row < size; ++row) {
+    List<BodyId> discs;
+    for (int k = 0; k < size; ++k) {
+      const Vec2<double> place(k, -row);
+      BodySpec spec = link(circle(0.4), place);
+      const bool fixed = row == 0 && std::abs(k - size / 2) <= 3;
+      if (fixed) spec.type = BodyType::static_body;
+      discs.push_back(scene.add(spec));
+      const bool left_is_fixed = row == 0 && std::abs(k - 1 - size / 2) <= 3;
+      if (k > 0 && !(fixed && left_is_fixed)) {
+        scene.join<RevoluteJoint>({.a = discs[k - 1], .b = discs[k], .anchor = place - Vec2<double>(0.5, 0)});
+      }
+      if (row > 0) {
+        scene.join<RevoluteJoint>({.a = above[k], .b = discs[k], .anchor = place + Vec2<double>(0, 0.5)});
+      }
+    }
+    above = discs;
+  }
+  return scene;
+}
+
+/// Circles and boxes of 0.5 to 0.9 m in turn, in columns above the ground, at random places and angles.
+void pour(Scene& scene, int count, int columns) {
+  const std::function<double(double, double)> uniform = cases::uniform_numbers(1);
+  for (int i = 0; i < count; ++i) {
+    const double size = uniform(0.5, 0.9);
+    const double x = 1.2 * (i % columns - 0.5 * (columns - 1)) + uniform(-0.1, 0.1);
+    const double y = 1 + 1.2 * (i / columns);
+    Shape<double> shape = box(size, size);
+    if (i % 2 == 0) shape = circle(size / 2);
+    scene.add({.shapes = {shape}, .position = {x, y}, .angle = uniform(-0.5, 0.5)});
+  }
+}
+
+Scene heap(int count) {
+  Scene scene;
+  scene.add_ground({.half_width = 200});
+  pour(scene, count, static_cast<int>(std::lround(1.25 * std::sqrt(count))));
+  return scene;
+}
+
+/// Between two walls.
+Scene bin(int count) {
+  const int columns = 40;
+  Scene scene;
+  scene.add_ground();
+  for (const double side : {-1.0, 1.0}) {
+    scene.add({.type = BodyType::static_body,
+               .shapes = {box(2, 100)},
+               .position = {side * (0.6 * columns + 1), 50}});
+  }
+  pour(scene, count, columns);
+  return scene;
+}
+
+/// Boxes of 0.25 m in a square drum of 20 m that turns once in 14.4 s.
+Scene tumbler() {
+  Scene scene;
+  scene.add({.type = BodyType::kinematic,
+             .shapes = {moved(box(1, 20), {10, 0}), moved(box(1, 20), {-10, 0}), moved(box(20, 1), {0, 10}),
+                        moved(box(20, 1), {0, -10})},
+             .angular_velocity = 25 * pi / 180});
+  for (int row = 0; row < 25; ++row) {
+    for (int k = 0; k < 40; ++k) {
+      scene.add({.shapes = {box(0.25, 0.25)}, .position = {0.4 * (k - 19.5), 0.4 * (row - 12)}});
+    }
+  }
+  return scene;
+}
+
+}  // namespace
+
+const List<PeerScene>& peer_scenes() {
+  static const List<PeerScene> scenes = {
+      {.name = "pyramid-10", .make = [] { return pyramid(10); }, .stands = true},
+      {.name = "pyramid-30",
+       .make = [] { return pyramid(30); },
+       .stands = true,
+       .target = Target{.error = 0.010, .sinking = 0.12}},
+      {.name = "pyramid-100",
+       .make = [] { return pyramid(100); },
+       .stands = true,
+       .quick = false,
+       .target = Target{.error = 0.050, .sinking = 1}},
+      {.name = "small-pyramids-100",
+       .make = [] { return small_pyramids(10); },
+       .stands = true,
+       .quick = false},
+      {.name = "stack-10", .make = [] { return stack(10); }, .stands = true},
+      {.name = "stack-100",
+       .make = [] { return stack(100); },
+       .stands = true,
+       .target = Target{.error = 0.050, .sinking = 1}},
+      {.name = "chain-200", .make = [] { return level_chain(200); }},
+      {.name = "grid-50x50", .make = [] { return joint_grid(50); }, .target = Target{.error = 0.050}},
+      {.name = "heap-1000", .make = [] { return heap(1000); }},
+      {.name = "heap-5000", .make = [] { return heap(5000); }, .quick = false},
+      {.name = "bin-2000", .make = [] { return bin(2000); }, .quick = false},
+      {.name = "tumbler-1000", .make = tumbler, .quick = false},
+  };
+  return scenes;
+}
+
+}  // namespace cairn::bench

@@ -1,0 +1,71 @@
+// Cairn beside its peers: what a step costs, and what it is worth.
+//   bash tests/run bench peers           the small scenes, 250 steps each: some minutes
+//   bash tests/run bench peers --whole   all scenes, 500 steps each: about two hours
+//   cairn_peers [--whole] [SCENE...]     some scenes
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "../machine.hpp"
+#include "peer_list.hpp"
+#include "peer_tables.hpp"
+
+namespace cairn::bench {
+
+namespace {
+
+const RunLength quick = {.steps = 250, .repetitions = 5, .most = 10};
+const RunLength whole = {.steps = 500, .repetitions = 5, .most = 60};
+
+/// The scenes that were named, or else those of the length. @returns none for a name that is no scene.
+List<PeerScene> wanted_scenes(const List<std::string>& names, bool all) {
+  List<PeerScene> wanted;
+  for (const PeerScene& scene : peer_scenes()) {
+    const bool named = std::find(names.begin(), names.end(), scene.name) != names.end();
+    if (named || (names.empty() && (all || scene.quick))) wanted.push_back(scene);
+  }
+  if (!names.empty() && wanted.size() != names.size()) return {};
+  return wanted;
+}
+
+int compare(List<std::string> words) {
+  const bool all = std::find(words.begin(), words.end(), "--whole") != words.end();
+  erase_if(words, [](const std::string& word) { return word == "--whole"; });
+  const List<PeerScene> scenes = wanted_scenes(words, all);
+  if (scenes.empty()) {
+    fmt::print(stderr, "cairn_peers: takes --whole and names of scenes, each once; there are:");
+    for (const PeerScene& scene : peer_scenes()) fmt::print(stderr, " {}", scene.name);
+    fmt::print(stderr, "\n");
+    return 2;
+  }
+  const RunLength& length = all ? whole : quick;
+  print_machine();
+  for (const std::string& line : engine_lines()) fmt::print("{}\n", line);
+  fmt::print(
+      "Processor times of one thread, medians of {} runs in turn; {} steps of 1/60 s, the first tenth warms "
+      "up.\n"
+      "A ratio is \"noisy\" where its quartiles are more than {:.0f} % apart. Sleeping and continuous "
+      "collision are\n"
+      "off. Chipmunk says itself whether its assertions are on.\n",
+      length.repetitions, length.steps, 100 * largest_noise);
+  if (!adapters_agree()) return 1;
+  print_equal_work(scenes, length);
+  print_equal_error(scenes, length);
+  return 0;
+}
+
+}  // namespace
+
+}  // namespace cairn::bench
+
+int main(int argc, char** argv) {
+  try {
+    return cairn::bench::compare({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  }
+}

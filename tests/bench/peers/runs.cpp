@@ -1,0 +1,85 @@
+// Engines are made, stepped and looked at; only their steps are timed.
+#include "runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace cairn::bench {
+
+namespace {
+
+const int look_every = 10;  // steps
+
+int warm_up(const RunLength& length) { return length.steps / 10; }
+
+/// Seconds of a step, the steps of the warm-up left out.
+double seconds_of_a_step(const Scene& scene, const Contestant& contestant, const RunLength& length) {
+  const std::unique_ptr<Engine> engine = contestant.make(scene);
+  for (int step = 0; step < warm_up(length); ++step) engine->step();
+  const Stopwatch watch;
+  for (int step = warm_up(length); step < length.steps; ++step) engine->step();
+  return watch.seconds() / (length.steps - warm_up(length));
+}
+
+}  // namespace
+
+bool reaches(const Finding& finding, const Target& target) {
+  const Errors& end = finding.end;
+  const bool held = finding.worst <= target.error;
+  const bool stood = target.sinking == 0 || (std::abs(end.sinking) <= target.sinking && end.aside <= 0.5);
+  return !finding.refused && !finding.too_slow && !end.exploded && held && stood;
+}
+
+Finding find_errors(const Scene& scene, const Contestant& contestant, const RunLength& length,
+                    const std::optional<Target>& target) {
+  Finding finding;
+  Ruler ruler(scene);
+  const double before = heap_in_use();
+  std::unique_ptr<Engine> engine;
+  try {
+    engine = contestant.make(scene);
+  } catch (const std::invalid_argument& refusal) {
+    finding.refused = refusal.what();
+    return finding;
+  }
+  double all = 0;  // [s]
+  int step = 0;
+  const auto goes_on = [&] {
+    if (finding.end.exploded || (target && !reaches(finding, *target))) return false;
+    finding.too_slow = all > length.most;
+    return step < length.steps && !finding.too_slow;
+  };
+  while (goes_on()) {
+    const Stopwatch watch;
+    engine->step();
+    all += watch.seconds();
+    step += 1;
+    const bool looks = step > warm_up(length) && (step % look_every == 0 || step == length.steps);
+    if (!looks) continue;
+    finding.end = ruler.errors(*engine);
+    finding.worst = std::max(finding.worst, finding.end.error);
+  }
+  finding.seconds = all / step;
+  finding.bytes = heap_in_use() - before;
+  return finding;
+}
+
+List<List<double>> times(const Scene& scene, const List<Contestant>& contestants,
+                         const List<Finding>& findings, const RunLength& length) {
+  List<List<double>> all(contestants.size());
+  for (int repetition = 0; repetition < length.repetitions; ++repetition) {
+    for (int turn = 0; turn < contestants.size(); ++turn) {
+      const int i = (repetition + turn) % contestants.size();
+      if (findings[i].refused || findings[i].too_slow || findings[i].end.exploded) continue;
+      // A short run is done again until it fills what can be timed.
+      const auto runs = std::min<std::int64_t>(100, iterations_for(findings[i].seconds * length.steps));
+      double sum = 0;
+      for (int run = 0; run < runs; ++run) sum += seconds_of_a_step(scene, contestants[i], length);
+      all[i].push_back(sum / static_cast<double>(runs) * 1e9);
+    }
+  }
+  return all;
+}
+
+}  // namespace cairn::bench

@@ -1,0 +1,44 @@
+// Runs of a contestant through a scene: to see its errors, and to take its time.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "../measure.hpp"
+#include "errors.hpp"
+#include "peer_list.hpp"
+#include "peer_scenes.hpp"
+
+namespace cairn::bench {
+
+/// How long every run is.
+struct RunLength {
+  int steps = 500;      // the first tenth of them warms up: nothing of it is measured
+  int repetitions = 5;  // that are timed
+  double most = 60;     // [s] a run that takes longer is broken off
+};
+
+/// What a run has shown.
+struct Finding {
+  std::optional<std::string> refused = {};  // why the engine cannot run the scene
+  bool too_slow = false;                    // the run was broken off
+  double seconds = 0;                       // [s] of a step
+  double bytes = 0;                         // that the engine keeps at the end
+  double worst = 0;                         // [m] the largest error of every tenth step
+  Errors end = {};                          // after the last step
+};
+
+/// Steps the scene once and looks at every tenth step; ends as soon as errors exceed the target, if there is
+/// one.
+Finding find_errors(const Scene& scene, const Contestant& contestant, const RunLength& length,
+                    const std::optional<Target>& target = {});
+/// Whether nothing is worse than the target allows.
+bool reaches(const Finding& finding, const Target& target);
+
+/// [ns] of a step for each contestant and repetition: every repetition runs all contestants, one after the
+/// other, and begins with another. `findings` are theirs; no time is taken of those who cannot run, explode
+/// or are too slow.
+List<List<double>> times(const Scene& scene, const List<Contestant>& contestants,
+                         const List<Finding>& findings, const RunLength& length);
+
+}  // namespace cairn::bench
