@@ -76,6 +76,7 @@ class Box2D3Engine final : public Engine {
   Box2D3Engine& operator=(const Box2D3Engine&) = delete;
 
   void step() override { b2World_Step(world_, dt_, substeps_); }
+  b2Profile profile() const { return b2World_GetProfile(world_); }
   PerBody<Pose<double>> poses() const override {
     PerBody<Pose<double>> result;
     for (const b2BodyId body : bodies_) {
@@ -116,6 +117,26 @@ class Box2D3Engine final : public Engine {
 
 std::unique_ptr<Engine> make_box2d_3(const Scene& scene, const PeerSettings& settings) {
   return std::make_unique<Box2D3Engine>(scene, settings);
+}
+
+Phases phases_of_box2d_3(const Scene& scene, const PeerSettings& settings, int steps) {
+  Box2D3Engine engine(scene, settings);
+  List<Phase> parts = {{.name = "pairs"},
+                       {.name = "collide"},
+                       {.name = "set-up"},
+                       {.name = "constraints"},
+                       {.name = "all else"}};
+  for (int step = 0; step < steps; ++step) {
+    engine.step();
+    const b2Profile profile = engine.profile();
+    const float told = profile.pairs + profile.collide + profile.solverSetup + profile.constraints;
+    int i = 0;
+    for (const float milliseconds :
+         {profile.pairs, profile.collide, profile.solverSetup, profile.constraints, profile.step - told}) {
+      parts[i++].seconds.push_back(1e-3 * static_cast<double>(milliseconds));
+    }
+  }
+  return {.parts = parts};
 }
 
 std::string box2d_3_version() {

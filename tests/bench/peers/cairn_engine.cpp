@@ -1,6 +1,8 @@
 // Cairn behind the interface of its peers, and what adapters ask of a joint.
 #include <algorithm>
+#include <utility>
 
+#include "../measure.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "engine.hpp"
 #include "math/check.hpp"
@@ -24,13 +26,50 @@ class CairnEngine final : public Engine {
   std::unique_ptr<Solver<double>> solver_;
 };
 
+Scene prepared(const Scene& scene, const Setting& setting) {
+  check(setting);
+  Scene result = scene;
+  result.set_settings(with_setting(scene.settings(), setting));
+  return result;
+}
+
+/// Hands every problem on, and takes the time.
+class TimedSolver final : public Solver<double> {
+ public:
+  explicit TimedSolver(std::unique_ptr<Solver<double>> solver) : solver_(std::move(solver)) {}
+  std::string name() const override { return solver_->name(); }
+  SolveReport solve(VelocityProblem<double>& problem, SolveObserver<double>* observer = nullptr) override {
+    const Stopwatch watch;
+    const SolveReport report = solver_->solve(problem, observer);
+    seconds_ += watch.seconds();
+    return report;
+  }
+  double seconds() const { return seconds_; }
+
+ private:
+  std::unique_ptr<Solver<double>> solver_;
+  double seconds_ = 0;
+};
+
 }  // namespace
 
 std::unique_ptr<Engine> make_cairn(const Scene& scene, const Setting& setting) {
-  check(setting);
-  Scene prepared = scene;
-  prepared.set_settings(with_setting(scene.settings(), setting));
-  return std::make_unique<CairnEngine>(prepared, setting);
+  return std::make_unique<CairnEngine>(prepared(scene, setting), setting);
+}
+
+Phases phases_of_cairn(const Scene& scene, const Setting& setting, int steps) {
+  World<double> world(prepared(scene, setting));
+  TimedSolver solver(make_solver<double>(setting.solver, setting.sweeps));
+  Phases phases = {.parts = {{.name = "solver"}, {.name = "all else"}}};
+  for (int step = 0; step < steps; ++step) {
+    const double before = solver.seconds();
+    const Stopwatch watch;
+    phases.points = world.step(solver).contacts;
+    const double all = watch.seconds(), solved = solver.seconds() - before;
+    phases.parts[0].seconds.push_back(solved);
+    phases.parts[1].seconds.push_back(all - solved);
+  }
+  return phases;
 }
 
 const RevoluteJoint& require_pin(const Constraint& joint, const std::string& engine) {

@@ -45,6 +45,23 @@ std::unique_ptr<Engine> make_chipmunk(const Scene& scene, const PeerSettings& se
 /// Bullet, whose bodies are kept in the plane, with its collision of boxes in the plane.
 std::unique_ptr<Engine> make_bullet(const Scene& scene, const PeerSettings& settings);
 
+/// A part of every step.
+struct Phase {
+  std::string name = {};
+  List<double> seconds = {};  // of each step
+};
+
+/// Where the time of some steps went.
+struct Phases {
+  List<Phase> parts = {};
+  int points = 0;  // of contact, in the last step; only Cairn's are counted
+};
+
+/// The solver, and all else that the steps do.
+Phases phases_of_cairn(const Scene& scene, const Setting& setting, int steps);
+/// Its profile, by the clock on the wall.
+Phases phases_of_box2d_3(const Scene& scene, const PeerSettings& settings, int steps);
+
 // What was found of each: "3.2.0".
 
 std::string box2d_3_version();

@@ -10,6 +10,8 @@ namespace cairn::bench {
 void print_equal_work(const List<PeerScene>& scenes, const RunLength& length);
 /// The cheapest setting of each engine that keeps errors within the scene's target.
 void print_equal_error(const List<PeerScene>& scenes, const RunLength& length);
+/// What parts of a step cost, in Cairn and in Box2D 3, which is the only peer that tells.
+void print_phases(const List<PeerScene>& scenes, const RunLength& length);
 
 /// Whether the adapters agree about a box that falls, one that rests and one that swings; prints what each
 /// does. The tables would mean nothing if they did not.

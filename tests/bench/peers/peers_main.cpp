@@ -54,6 +54,7 @@ int compare(List<std::string> words) {
   if (!adapters_agree()) return 1;
   print_equal_work(scenes, length);
   print_equal_error(scenes, length);
+  print_phases(scenes, length);
   return 0;
 }
 
