@@ -75,7 +75,7 @@ List<Peer> all_peers() {
       {"Box2D 3",
        "",
        nullptr,
-       "install it with CMake and name its place in CMAKE_PREFIX_PATH",
+       "install it in a folder of its own, and name that in CMAKE_PREFIX_PATH",
        "substeps",
        {.substeps = 4},
        substeps},
