@@ -9,8 +9,11 @@
 namespace cairn {
 
 template <Scalar Real>
-void Stopping<Real>::begin(const SolverSettings& settings, const VelocityProblem<Real>& problem) {
+void Stopping<Real>::begin(const SolverSettings& settings, const VelocityProblem<Real>& problem,
+                           Looks looks) {
   settings_ = settings;
+  looks_ = looks;
+  look_below_ = std::numeric_limits<Real>::infinity();
   if (settings.time_budget > 0) began_ = std::chrono::steady_clock::now();
   scale_ = settings.tolerance > 0 || settings.patience > 0 ? residual_scale(problem) : Real(0);
   quiet_sweeps_ = 0;
@@ -21,9 +24,7 @@ void Stopping<Real>::begin(const SolverSettings& settings, const VelocityProblem
 
 template <Scalar Real>
 Stop Stopping<Real>::judge(const VelocityProblem<Real>& problem, int sweep, Real largest_change) {
-  if (settings_.tolerance > 0 && residual(problem, scale_).energy <= Real(settings_.tolerance)) {
-    return Stop::tolerance;
-  }
+  if (settings_.tolerance > 0 && has_arrived(problem, largest_change)) return Stop::tolerance;
   if (settings_.time_budget > 0 &&
       std::chrono::steady_clock::now() - began_ >= std::chrono::duration<double>(settings_.time_budget)) {
     return Stop::time;
@@ -41,6 +42,15 @@ Stop Stopping<Real>::judge(const VelocityProblem<Real>& problem, int sweep, Real
   if (quiet_sweeps_ >= settings_.patience) return Stop::stalled;
   if (repeats(problem, sweep)) return Stop::cycle;
   return is_plateau(problem, sweep, largest_change) ? Stop::plateau : Stop::sweeps;
+}
+
+template <Scalar Real>
+bool Stopping<Real>::has_arrived(const VelocityProblem<Real>& problem, Real largest_change) {
+  if (!looks_at_residual(largest_change)) return false;
+  const Real energy = residual(problem, scale_).energy;
+  // A quarter more: the two do not shrink quite alike.
+  look_below_ = Real(1.25) * largest_change * Real(settings_.tolerance) / energy;
+  return energy <= Real(settings_.tolerance);
 }
 
 template <Scalar Real>

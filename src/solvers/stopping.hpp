@@ -9,8 +9,17 @@
 
 namespace cairn {
 
+/// After which sweeps R_E is computed, where there is a tolerance.
+enum class Looks {
+  always,  // after every sweep
+  rarely,  // for sweeps that cost less than R_E: the first, then where the changes of a sweep are small
+           // enough
+};
+
 /// Judges every sweep of one solve by the solver's settings:
-/// - tolerance: the residual R_E is at most this. O(m) a sweep.
+/// - tolerance: the residual R_E is at most this. O(m) a sweep; with Looks::rarely, a few times in a solve.
+/// R_E
+///   follows the largest change: what R_E was, seen last, says at which change it is computed again.
 /// - stalled: for `patience` sweeps no impulse has changed by more than 16 roundings of the largest impulse.
 ///   Slow progress is no stall. O(m) a sweep.
 /// - plateau, where there is a patience: rows contradict each other, so that no impulse satisfies them all.
@@ -29,7 +38,8 @@ template <Scalar Real>
 class Stopping {
  public:
   /// Before the warm start is applied: the scale of R_E needs the velocities as given.
-  void begin(const SolverSettings& settings, const VelocityProblem<Real>& problem);
+  void begin(const SolverSettings& settings, const VelocityProblem<Real>& problem,
+             Looks looks = Looks::always);
 
   /// Stop::sweeps: nothing speaks against another sweep. `largest_change` [N s] is that of any impulse in
   /// this sweep. problem.velocity must be current where needs_velocity() says so.
@@ -38,6 +48,12 @@ class Stopping {
   /// Whether judge() will look at the velocities after this sweep.
   bool needs_velocity(int sweep) const {
     return settings_.tolerance > 0 || (settings_.patience > 0 && looks_for_plateau(sweep));
+  }
+
+  /// Whether judge() will look at impulses and velocities after a sweep with this largest change [N s].
+  bool looks(Real largest_change) const {
+    const bool at_residual = settings_.tolerance > 0 && looks_at_residual(largest_change);
+    return at_residual || settings_.patience > 0;
   }
 
   /// Sweeps until the settings given to begin() say stop: "while not satisfied with global solution" of
@@ -88,12 +104,18 @@ class Stopping {
   static constexpr int first_look = 512;  // half of the sweeps that a plateau must have lasted for at least
 
   static bool looks_for_plateau(int sweep) { return sweep >= first_look && (sweep & (sweep - 1)) == 0; }
+  bool looks_at_residual(Real largest_change) const {
+    return looks_ == Looks::always || !(largest_change > look_below_);
+  }
+  bool has_arrived(const VelocityProblem<Real>& problem, Real largest_change);
   bool is_plateau(const VelocityProblem<Real>& problem, int sweep, Real largest_change);
   bool repeats(const VelocityProblem<Real>& problem, int sweep);
 
   SolverSettings settings_;
   std::chrono::steady_clock::time_point began_ = {};  // where there is a time budget
   Real scale_ = 0;                                    // of R_E
+  Looks looks_ = Looks::always;                       // at R_E
+  Real look_below_ = 0;                               // [N s] the largest change for which R_E is computed
   int quiet_sweeps_ = 0;                              // in a row, without a change above rounding
   bool moved_ = false;                                // above rounding, since remembered_
   Real residual_before_ = 0;                          // R_E at half of the sweeps

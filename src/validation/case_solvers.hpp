@@ -12,6 +12,7 @@
 #include "solvers/iterative/projected_gauss_seidel.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "solvers/iterative/sparse_projected_gauss_seidel.hpp"
+#include "solvers/wide/wide_sequential_impulse.hpp"
 #include "math/list.hpp"
 
 namespace cairn::cases {
@@ -49,6 +50,7 @@ List<SolverMaker<Real>> all_solvers(Iterates iterates = Iterates::of_gauss_seide
   solvers.push_back(mass_splitting_jacobi<Real>);
   solvers.push_back(maker<AcceleratedProjectedGaussSeidel<Real>, Real>());
   solvers.push_back(maker<BlockSequentialImpulse<Real>, Real>());
+  solvers.push_back(maker<WideSequentialImpulse<Real>, Real>());
   return solvers;
 }
 

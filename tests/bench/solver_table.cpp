@@ -8,6 +8,7 @@
 #include "math/list.hpp"
 #include "measure.hpp"
 #include "scenes.hpp"
+#include "solvers/wide/wide_sequential_impulse.hpp"
 #include "table.hpp"
 #include "tables.hpp"
 
@@ -57,6 +58,7 @@ List<SolverEntry> solver_entries() {
       {"PGS dense", plain_solver<ProjectedGaussSeidel<double>>},
       {"PGS naive", plain_solver<NaiveProjectedGaussSeidel<double>>},
       {"PGS accelerated", plain_solver<AcceleratedProjectedGaussSeidel<double>>},
+      {"SI in lanes", plain_solver<WideSequentialImpulse<double>>},
       {"Jacobi, omega 1/4", damped_jacobi},
       {"Jacobi, mass splitting", mass_splitting},
   };

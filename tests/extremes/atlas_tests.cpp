@@ -128,8 +128,8 @@ TEST_CASE("every map has a label for each value, names for its classes, and its 
 }
 
 TEST_CASE("every map has a panel of every solver, or of one that gives the same numbers") {
-  // PGS is SI, eq. (24) to (29), and without contacts block-contact is block.
-  const List<std::string> same_as_si = {"pgs", "pgs-sparse", "pgs-factored"};
+  // PGS is SI, eq. (24) to (29), wide is SI in another order, and without contacts block-contact is block.
+  const List<std::string> same_as_si = {"pgs", "pgs-sparse", "pgs-factored", "wide"};
   for (const AtlasMap& map : atlas_maps(AtlasPart::all)) {
     CAPTURE(map.name);
     for (const SolverEntry& solver : solver_entries()) {

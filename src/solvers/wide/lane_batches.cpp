@@ -1,0 +1,215 @@
+// Floor 4. Colours, then batches.
+#include "solvers/wide/lane_batches.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "math/check.hpp"
+
+namespace cairn {
+
+namespace {
+
+const int bits_of_a_kind = 10;  // 1 + bounds, whether it is soft, two rows of the block
+
+template <Scalar Real>
+LaneBounds lane_bounds(const Bounds<Real>& bounds) {
+  if (bounds.is_friction()) {
+    return bounds.second_normal_row == Bounds<Real>::none ? LaneBounds::friction
+                                                          : LaneBounds::friction_of_two;
+  }
+  const Real infinity = std::numeric_limits<Real>::infinity();
+  if (bounds.upper != infinity) return LaneBounds::both;
+  return bounds.lower == -infinity ? LaneBounds::none : LaneBounds::lower;
+}
+
+std::uint64_t code_of(LaneKind kind) {
+  return (static_cast<std::uint64_t>(kind.bounds) + 1) | (kind.is_soft ? 8u : 0u) |
+         (static_cast<std::uint64_t>(kind.normal) << 4) |
+         (static_cast<std::uint64_t>(kind.second_normal) << 7);
+}
+
+LaneKind kind_of(std::uint64_t code) {
+  return {.bounds = static_cast<LaneBounds>((code & 7) - 1),
+          .is_soft = (code & 8) != 0,
+          .normal = static_cast<std::uint8_t>((code >> 4) & 7),
+          .second_normal = static_cast<std::uint8_t>((code >> 7) & 7)};
+}
+
+template <Scalar Real>
+void require_blocks(const VelocityProblem<Real>& problem) {
+  int next = 0;
+  for (const RowBlock& block : problem.blocks) {
+    require(block.first == next && block.count >= 0, "WideSequentialImpulse", "block",
+            "the rows after those of the block before it", block.first);
+    next += block.count;
+  }
+  require(next == problem.row_count(), "WideSequentialImpulse", "rows in blocks", "all of the problem's rows",
+          next);
+}
+
+}  // namespace
+
+template <Scalar Real>
+bool LaneBatches::arrange(const VelocityProblem<Real>& problem) {
+  require_blocks(problem);
+  leant_on_before_.swap(leant_on_);
+  leant_on_.clear();
+  bool same = !sees_other_bodies(problem) && blocks_.size() == problem.blocks.size();
+  blocks_.resize(problem.blocks.size());
+  for (int k = 0; k < blocks_.size(); ++k) {
+    const Block now = seen(problem, problem.blocks[k]);
+    same = same && now == blocks_[k];
+    blocks_[k] = now;
+  }
+  if (same && leant_on_ == leant_on_before_) return true;
+  colour();
+  make_batches();
+  return false;
+}
+
+std::size_t LaneBatches::bytes() const {
+  return blocks_.bytes() + moves_.bytes() + batches_.bytes() + kinds_.bytes() + single_rows_.bytes() +
+         coloured_.bytes() + taken_.bytes() + in_lane_.bytes();
+}
+
+template <Scalar Real>
+bool LaneBatches::sees_other_bodies(const VelocityProblem<Real>& problem) {
+  bool others = moves_.size() != problem.inverse_mass.size();
+  moves_.resize(problem.inverse_mass.size());
+  for (const BodyId body : moves_.indices()) {
+    const Vec3<Real>& inverse = problem.inverse_mass[body];
+    const char moves = inverse.x() != 0 || inverse.y() != 0 || inverse.z() != 0;
+    others = others || moves != moves_[body];
+    moves_[body] = moves;
+  }
+  return others;
+}
+
+template <Scalar Real>
+LaneBatches::Block LaneBatches::seen(const VelocityProblem<Real>& problem, const RowBlock& block) {
+  Block result = {.first_row = block.first, .rows = block.count};
+  if (block.count == 0) return result;  // a degenerate joint
+  result.a = problem.rows[block.first].a;
+  result.b = problem.rows[block.first].b;
+  const bool fits = block.count <= most_lane_rows && result.a != result.b;
+  bool fit_all = fits;
+  for (int i = block.first; i < block.first + block.count; ++i) {
+    const std::uint64_t kind = seen_kind(problem, block, i);
+    fit_all = fit_all && kind != 0;
+    result.kinds = result.kinds << bits_of_a_kind | kind;
+  }
+  if (!fit_all) result.kinds = 0;
+  return result;
+}
+
+/// 0: it fits into no lane.
+template <Scalar Real>
+std::uint64_t LaneBatches::seen_kind(const VelocityProblem<Real>& problem, const RowBlock& block, int i) {
+  const ConstraintRow<Real>& row = problem.rows[i];
+  const ConstraintRow<Real>& first = problem.rows[block.first];
+  LaneKind kind = {.bounds = lane_bounds(row.bounds), .is_soft = row.softness != 0};
+  bool fits = row.extra_count == 0 && row.a == first.a && row.b == first.b;
+  if (!row.bounds.is_friction()) return fits ? code_of(kind) : 0;
+
+  // Lanes take for granted that a normal impulse is clamped first, and never below 0.
+  const auto lean = [&](int normal) {
+    if (normal < block.first || normal >= block.first + block.count) leant_on_.push_back(normal);
+    fits = fits && normal >= block.first && normal < i && problem.rows[normal].bounds.is_unilateral();
+    return static_cast<std::uint8_t>((normal - block.first) & 7);
+  };
+  kind.normal = lean(row.bounds.normal_row);
+  if (kind.bounds == LaneBounds::friction_of_two) kind.second_normal = lean(row.bounds.second_normal_row);
+  return fits && !(row.bounds.disc > 0) ? code_of(kind) : 0;
+}
+
+/// Who leans on a row of another block reads its impulse in the problem: neither lies in a lane.
+void LaneBatches::single_out_what_is_leant_on() {
+  in_lane_.assign(blocks_.size(), 1);
+  for (const int row : leant_on_) {
+    const auto after = std::upper_bound(blocks_.begin(), blocks_.end(), row,
+                                        [](int i, const Block& block) { return i < block.first_row; });
+    const int block = static_cast<int>(after - blocks_.begin()) - 1;
+    if (block >= 0) in_lane_[block] = 0;
+  }
+}
+
+void LaneBatches::colour() {
+  single_out_what_is_leant_on();
+  taken_.assign(moves_.size(), 0);
+  coloured_.clear();
+  for (int k = 0; k < blocks_.size(); ++k) {
+    const Block& block = blocks_[k];
+    if (block.kinds == 0 || in_lane_[k] == 0) continue;
+    const std::uint64_t taken =
+        (moves_[block.a] != 0 ? taken_[block.a] : 0) | (moves_[block.b] != 0 ? taken_[block.b] : 0);
+    const int colour = std::countr_one(taken);
+    if (colour == 64) continue;
+    const std::uint64_t bit = std::uint64_t{1} << colour;
+    taken_[block.a] |= bit;
+    taken_[block.b] |= bit;
+    coloured_.push_back({colour, k});
+  }
+  std::sort(coloured_.begin(), coloured_.end(), [&](const Coloured& one, const Coloured& other) {
+    if (one.colour != other.colour) return one.colour < other.colour;
+    const std::uint64_t kinds = blocks_[one.block].kinds, others = blocks_[other.block].kinds;
+    return kinds != others ? kinds < others : one.block < other.block;
+  });
+}
+
+void LaneBatches::make_batches() {
+  batches_.clear();
+  kinds_.clear();
+  single_rows_.clear();
+  lane_rows_ = 0;
+  couplings_ = 0;
+  in_lane_.assign(blocks_.size(), 0);
+  int first = 0;
+  while (first < coloured_.size()) {
+    const Coloured& begin = coloured_[first];
+    int last = first + 1;
+    while (last < coloured_.size() && last < first + lane_count && coloured_[last].colour == begin.colour &&
+           blocks_[coloured_[last].block].kinds == blocks_[begin.block].kinds) {
+      ++last;
+    }
+    if (last > first + 1) add_batch(first, last);  // one block is solved as fast without lanes
+    first = last;
+  }
+  for (int k = 0; k < blocks_.size(); ++k) {
+    for (int i = 0; in_lane_[k] == 0 && i < blocks_[k].rows; ++i) {
+      single_rows_.push_back(blocks_[k].first_row + i);
+    }
+  }
+}
+
+void LaneBatches::add_batch(int first, int last) {
+  const Block& model = blocks_[coloured_[first].block];
+  LaneBatch batch = {.first_row = lane_rows_,
+                     .rows = model.rows,
+                     .first_kind = kinds_.size(),
+                     .first_coupling = couplings_,
+                     .used = last - first,
+                     .body_a = {},
+                     .body_b = {},
+                     .block_row = {}};
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const bool is_used = lane < batch.used;
+    const Block& block = blocks_[coloured_[is_used ? first + lane : first].block];
+    batch.body_a[lane] = is_used ? block.a.index : moves_.size();
+    batch.body_b[lane] = is_used ? block.b.index : moves_.size();
+    batch.block_row[lane] = block.first_row;
+    if (is_used) in_lane_[coloured_[first + lane].block] = 1;
+  }
+  for (int i = model.rows - 1; i >= 0; --i)
+    kinds_.push_back(kind_of(model.kinds >> (bits_of_a_kind * i) & 1023));
+  lane_rows_ += model.rows;
+  couplings_ += model.rows * (model.rows - 1) / 2;
+  batches_.push_back(batch);
+}
+
+template bool LaneBatches::arrange(const VelocityProblem<float>&);
+template bool LaneBatches::arrange(const VelocityProblem<double>&);
+template bool LaneBatches::arrange(const VelocityProblem<long double>&);
+
+}  // namespace cairn

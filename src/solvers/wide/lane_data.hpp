@@ -1,0 +1,113 @@
+// Floor 4. Rows side by side in lanes: what the sweeps of every instruction set read and write.
+#pragma once
+
+#include <cstdint>
+
+namespace cairn {
+
+/// Blocks in a batch, whatever the instruction set: so that all sets do the same, number for number.
+inline constexpr int lane_count = 16;
+/// Rows of a block in a lane, at most.
+inline constexpr int most_lane_rows = 6;
+
+/// One row of each block of a batch, scaled so that A_ii is 1. Impulses are changes since the lanes were
+/// filled, over `scale`; velocities are changes over the roots of the inverse masses. Functions that read it
+/// are compiled for several instruction sets: it has none of its own, and no type of Eigen.
+template <typename Number>
+struct alignas(64) LaneRow {
+  Number jacobian_a[3][lane_count];  // of the first body
+  Number jacobian_b[3][lane_count];  // of the second body
+  Number lacking[lane_count];        // bias - j v - softness * impulse where the lanes were filled
+  Number impulse[lane_count];        // the unknown: its change
+  Number lower[lane_count];          // of the impulse
+  Number upper[lane_count];          // of the impulse
+  Number friction[lane_count];       // by how much a normal impulse [N s] moves both of these
+  Number softness[lane_count];       // of the impulse
+  Number scale[lane_count];          // [N s] of an impulse of 1
+};
+
+/// An entry of A between two rows of a block, times omega: one for each block of a batch.
+template <typename Number>
+struct alignas(64) LaneCoupling {
+  Number entry[lane_count];
+};
+
+/// What a row compares its impulse with.
+enum class LaneBounds : std::uint8_t {
+  none,             // an equality
+  lower,            // a contact's normal, or a limit
+  both,             // a motor
+  friction,         // of one row of its block
+  friction_of_two,  // of two rows of its block
+};
+
+/// What one row of a batch has in common in all lanes.
+struct LaneKind {
+  LaneBounds bounds = LaneBounds::none;  // which of the bounds are read
+  bool is_soft = false;                  // whether softness is read
+  std::uint8_t normal = 0;               // the row in the block that friction leans on
+  std::uint8_t second_normal = 0;        // and the other one
+};
+
+/// Blocks of the same kinds of rows of which no two share a body that can move: one in each lane.
+struct LaneBatch {
+  int first_row = 0;       // in the list of LaneRow
+  int rows = 0;            // in each of the blocks
+  int first_kind = 0;      // in the list of LaneKind
+  int first_coupling = 0;  // in the list of LaneCoupling: of row 1 with row 0, of row 2 with 0, 1 ...
+  int used = 0;            // lanes with a block; in the others nothing acts
+  std::int32_t body_a[lane_count];     // the first body of each block; of none, one that nothing moves
+  std::int32_t body_b[lane_count];     // the second body
+  std::int32_t block_row[lane_count];  // the problem's row that is the block's first
+};
+
+/// A body's change of velocity over the root of its inverse mass, and a number that is always 0.
+template <typename Number>
+struct alignas(4 * sizeof(Number)) LaneBody {
+  Number velocity[4];
+};
+
+/// What a sweep over batches works on.
+template <typename Number>
+struct LaneProblem {
+  const LaneBatch* batches = nullptr;
+  const LaneKind* kinds = nullptr;
+  const LaneCoupling<Number>* couplings = nullptr;
+  LaneRow<Number>* rows = nullptr;
+  LaneBody<Number>* bodies = nullptr;
+  Number relaxation = 1;                   // omega
+  Number largest_change[lane_count] = {};  // [N s] of an impulse in each lane: sweeps raise it
+};
+
+/// The problem's numbers of one row of each block of a batch.
+template <typename Real>
+struct LaneInput {
+  Real jacobian_a[3][lane_count];
+  Real jacobian_b[3][lane_count];
+  Real bias[lane_count];
+  Real softness[lane_count];
+  Real impulse[lane_count];   // [N s]
+  Real lower[lane_count];     // [N s]
+  Real upper[lane_count];     // [N s]
+  Real friction[lane_count];  // mu
+};
+
+/// The same of the bodies of a batch.
+template <typename Real>
+struct LaneBodyInput {
+  Real velocity_a[3][lane_count];
+  Real velocity_b[3][lane_count];
+  Real root_a[3][lane_count];  // of the inverse mass
+  Real root_b[3][lane_count];
+};
+
+/// What filling the lanes of a batch reads.
+template <typename Real>
+struct LaneFilling {
+  LaneBodyInput<Real> bodies;
+  LaneInput<Real> rows[most_lane_rows];
+  int row_count = 0;
+  Real relaxation = 1;  // omega
+};
+
+}  // namespace cairn

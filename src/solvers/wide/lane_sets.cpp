@@ -1,0 +1,34 @@
+// Floor 4. Which sweep this processor can do.
+#include "solvers/wide/lane_sets.hpp"
+
+namespace cairn {
+
+bool has(LaneSet set) {
+#ifdef __x86_64__
+  if (set == LaneSet::avx512) return __builtin_cpu_supports("avx512f") != 0;
+  if (set == LaneSet::avx2) return __builtin_cpu_supports("avx2") != 0;
+#endif
+  return set == LaneSet::baseline;
+}
+
+LaneSet widest_lane_set() {
+  if (has(LaneSet::avx512)) return LaneSet::avx512;
+  return has(LaneSet::avx2) ? LaneSet::avx2 : LaneSet::baseline;
+}
+
+template <typename Real>
+LaneCode<Real> lane_code([[maybe_unused]] LaneSet set) {
+#ifdef __x86_64__
+  if constexpr (!std::same_as<Real, long double>) {
+    if (set == LaneSet::avx512) return {.sweep = sweep_avx512, .fill = fill_avx512};
+    if (set == LaneSet::avx2) return {.sweep = sweep_avx2, .fill = fill_avx2};
+  }
+#endif
+  return {.sweep = sweep_baseline, .fill = fill_baseline};
+}
+
+template LaneCode<float> lane_code(LaneSet);
+template LaneCode<double> lane_code(LaneSet);
+template LaneCode<long double> lane_code(LaneSet);
+
+}  // namespace cairn

@@ -1,0 +1,240 @@
+// Floor 4. Fills lanes, sweeps, and empties them.
+#include "solvers/wide/lane_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "math/check.hpp"
+
+namespace cairn {
+
+namespace {
+
+LaneSet known(LaneSet set) {
+  require(has(set), "WideSequentialImpulse", "instruction set", "one of this processor",
+          static_cast<int>(set));
+  return set;
+}
+
+}  // namespace
+
+template <Scalar Real>
+LaneSystem<Real>::LaneSystem(LaneSet set, Real relaxation)
+    : code_(lane_code<Real>(known(set))), relaxation_(relaxation) {}
+
+template <Scalar Real>
+void LaneSystem<Real>::take(const VelocityProblem<Real>& problem) {
+  if (!batches_.arrange(problem)) {
+    rows_.assign(batches_.lane_rows(), LaneRow<Number>{});
+    couplings_.resize(batches_.couplings());
+  }
+  take_bodies(problem);
+  take_single_rows(problem);
+  impulse_ = problem.impulse;
+  largest_impulse_ = 0;
+  for (const Real impulse : impulse_) largest_impulse_ = std::max(largest_impulse_, std::abs(impulse));
+  filling_.relaxation = relaxation_;
+  for (const LaneBatch& batch : batches_.batches()) {
+    if (batch.used < lane_count) filling_ = {.bodies = {}, .rows = {}, .relaxation = relaxation_};
+    filling_.row_count = batch.rows;
+    take_batch_bodies(batch);
+    for (int i = 0; i < batch.rows; ++i) take_batch_row(problem, batch, i);
+    code_.fill(filling_, &rows_[batch.first_row], couplings_.data() + batch.first_coupling);
+  }
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::take_bodies(const VelocityProblem<Real>& problem) {
+  velocity_ = problem.velocity;
+  bodies_.assign(problem.velocity.size() + 1, LaneBody<Number>{});
+  if (root_.size() != problem.inverse_mass.size()) {
+    inverse_mass_.assign(problem.inverse_mass.size(), Vec3<Real>::Zero());
+    root_ = inverse_mass_;
+  }
+  for (const BodyId body : root_.indices()) {
+    if (inverse_mass_[body] == problem.inverse_mass[body]) continue;
+    inverse_mass_[body] = problem.inverse_mass[body];
+    root_[body] = inverse_mass_[body].cwiseSqrt();
+  }
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::take_single_rows(const VelocityProblem<Real>& problem) {
+  single_mass_.clear();
+  for (const int i : batches_.single_rows()) single_mass_.push_back(effective_mass(problem, problem.rows[i]));
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::take_batch_bodies(const LaneBatch& batch) {
+  LaneBodyInput<Real>& to = filling_.bodies;
+  for (int lane = 0; lane < batch.used; ++lane) {
+    const BodyId a = {batch.body_a[lane]}, b = {batch.body_b[lane]};
+    for (int axis = 0; axis < 3; ++axis) {
+      to.velocity_a[axis][lane] = velocity_[a](axis);
+      to.velocity_b[axis][lane] = velocity_[b](axis);
+      to.root_a[axis][lane] = root_[a](axis);
+      to.root_b[axis][lane] = root_[b](axis);
+    }
+  }
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::take_batch_row(const VelocityProblem<Real>& problem, const LaneBatch& batch,
+                                      int number) {
+  LaneInput<Real>& to = filling_.rows[number];
+  const LaneBounds kind = batches_.kinds()[batch.first_kind + number].bounds;
+  for (int lane = 0; lane < batch.used; ++lane) {
+    const int i = batch.block_row[lane] + number;
+    const ConstraintRow<Real>& row = problem.rows[i];
+    for (int axis = 0; axis < 3; ++axis) {
+      to.jacobian_a[axis][lane] = row.jacobian_a(axis);
+      to.jacobian_b[axis][lane] = row.jacobian_b(axis);
+    }
+    to.bias[lane] = row.bias;
+    to.softness[lane] = row.softness;
+    to.impulse[lane] = impulse_[i];
+    if (kind < LaneBounds::friction) {
+      to.lower[lane] = row.bounds.lower;
+      to.upper[lane] = row.bounds.upper;
+    } else {
+      Real load = impulse_[row.bounds.normal_row];
+      if (kind == LaneBounds::friction_of_two) load += impulse_[row.bounds.second_normal_row];
+      to.friction[lane] = row.bounds.friction;
+      to.lower[lane] = -row.bounds.friction * load;
+      to.upper[lane] = row.bounds.friction * load;
+    }
+  }
+}
+
+template <Scalar Real>
+LaneProblem<typename LaneSystem<Real>::Number> LaneSystem<Real>::lane_problem() {
+  return {.batches = batches_.batches().data(),
+          .kinds = batches_.kinds().data(),
+          .couplings = couplings_.data(),
+          .rows = rows_.data(),
+          .bodies = bodies_.data(),
+          .relaxation = static_cast<Number>(relaxation_)};
+}
+
+template <Scalar Real>
+Real LaneSystem<Real>::sweep(VelocityProblem<Real>& problem) {
+  Real largest = sweep_single_rows<false>(0, problem, nullptr);
+  LaneProblem<Number> lanes = lane_problem();
+  code_.sweep(lanes, 0, batches_.batches().size());
+  for (const Number change : lanes.largest_change) largest = std::max(largest, static_cast<Real>(change));
+  return largest;
+}
+
+template <Scalar Real>
+Real LaneSystem<Real>::watched_sweep(int number, VelocityProblem<Real>& problem,
+                                     SolveObserver<Real>& observer) {
+  Real largest = sweep_single_rows<true>(number, problem, &observer);
+  LaneProblem<Number> lanes = lane_problem();
+  for (int k = 0; k < batches_.batches().size(); ++k) {
+    code_.sweep(lanes, k, k + 1);
+    watch_batch(number, batches_.batches()[k], problem, observer);
+  }
+  for (const Number change : lanes.largest_change) largest = std::max(largest, static_cast<Real>(change));
+  return largest;
+}
+
+/// Algorithm 1 in the problem's own precision, but for the velocities' changes. Impulses are those of the
+/// problem.
+template <Scalar Real>
+template <bool watched>
+Real LaneSystem<Real>::sweep_single_rows(int number, VelocityProblem<Real>& problem,
+                                         [[maybe_unused]] SolveObserver<Real>* observer) {
+  Real largest = 0;
+  for (int k = 0; k < single_mass_.size(); ++k) {
+    const int i = batches_.single_rows()[k];
+    const ConstraintRow<Real>& row = problem.rows[i];
+    Real jv = 0;
+    for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
+      const Number(&change)[4] = bodies_[body].velocity;
+      for (int axis = 0; axis < 3; ++axis) {
+        jv += jacobian(axis) * (velocity_[body](axis) + root_[body](axis) * static_cast<Real>(change[axis]));
+      }
+    });
+    const Real old = problem.impulse[i];
+    const Real corrective = relaxation_ * ((row.bias - jv - row.softness * old) * single_mass_[k]);
+    problem.impulse[i] = row.bounds.clamp(old + corrective, problem.impulse);
+    const Real step = problem.impulse[i] - old;
+    for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
+      Number(&change)[4] = bodies_[body].velocity;
+      for (int axis = 0; axis < 3; ++axis) {
+        change[axis] =
+            static_cast<Number>(static_cast<Real>(change[axis]) + root_[body](axis) * jacobian(axis) * step);
+      }
+    });
+    largest = std::max(largest, std::abs(step));
+    if constexpr (watched) {
+      apply_impulse(problem, row, step);
+      const Real inverse = single_mass_[k] > 0 ? 1 / single_mass_[k] : Real(0);
+      observer->after_row({number, i, jv, inverse, corrective, old, problem.impulse[i]}, problem);
+    }
+  }
+  return largest;
+}
+
+/// The problem goes the way of the lanes, row by row.
+template <Scalar Real>
+void LaneSystem<Real>::watch_batch(int number, const LaneBatch& batch, VelocityProblem<Real>& problem,
+                                   SolveObserver<Real>& observer) const {
+  for (int lane = 0; lane < batch.used; ++lane) {
+    for (int r = 0; r < batch.rows; ++r) {
+      const int i = batch.block_row[lane] + r;
+      const ConstraintRow<Real>& row = problem.rows[i];
+      const Real old = problem.impulse[i];
+      const Real jv = row_velocity(problem, row);
+      const Real mass = effective_mass(problem, row);
+      const Real corrective = relaxation_ * ((row.bias - jv - row.softness * old) * mass);
+      problem.impulse[i] = written_back(problem, batch, r, lane);
+      apply_impulse(problem, row, problem.impulse[i] - old);
+      observer.after_row({number, i, jv, mass > 0 ? 1 / mass : Real(0), corrective, old, problem.impulse[i]},
+                         problem);
+    }
+  }
+}
+
+template <Scalar Real>
+Real LaneSystem<Real>::written_back(const VelocityProblem<Real>& problem, const LaneBatch& batch, int r,
+                                    int lane) const {
+  const int i = batch.block_row[lane] + r;
+  const LaneRow<Number>& row = rows_[batch.first_row + r];
+  const Real change = static_cast<Real>(row.scale[lane]) * static_cast<Real>(row.impulse[lane]);
+  return problem.rows[i].bounds.clamp(impulse_[i] + change, problem.impulse);
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::write_back(VelocityProblem<Real>& problem) const {
+  for (const LaneBatch& batch : batches_.batches()) {
+    for (int lane = 0; lane < batch.used; ++lane) {
+      for (int r = 0; r < batch.rows; ++r) {
+        problem.impulse[batch.block_row[lane] + r] = written_back(problem, batch, r, lane);
+      }
+    }
+  }
+  problem.velocity = velocity_;
+  for (int i = 0; i < problem.row_count(); ++i) {
+    apply_impulse(problem, problem.rows[i], problem.impulse[i] - impulse_[i]);
+  }
+}
+
+template <Scalar Real>
+bool LaneSystem<Real>::is_worth_taking(Real change, Real path) const {
+  return change <= 1024 * static_cast<Real>(std::numeric_limits<Number>::epsilon()) * path &&
+         path > 16 * std::numeric_limits<Real>::epsilon() * largest_impulse_;
+}
+
+template <Scalar Real>
+std::size_t LaneSystem<Real>::bytes() const {
+  return batches_.bytes() + rows_.bytes() + couplings_.bytes() + bodies_.bytes() + inverse_mass_.bytes() +
+         root_.bytes() + velocity_.bytes() + impulse_.bytes() + single_mass_.bytes();
+}
+
+template class LaneSystem<float>;
+template class LaneSystem<double>;
+template class LaneSystem<long double>;
+
+}  // namespace cairn

@@ -1,0 +1,66 @@
+// Floor 4. A velocity problem in lanes, and back.
+#pragma once
+
+#include "math/list.hpp"
+#include "solvers/solver.hpp"
+#include "solvers/wide/lane_batches.hpp"
+#include "solvers/wide/lane_sets.hpp"
+
+namespace cairn {
+
+/// The rows of a problem in lanes, and those that fit into none. Lanes compute in single precision, those of
+/// a problem in long double in double; but all that they hold are changes since the problem was taken over,
+/// whose numbers stay in its own precision. So what is lost is a part of a change, and taking over the
+/// problem again, with these changes in it, loses nothing but a part of the next ones.
+template <Scalar Real>
+class LaneSystem {
+ public:
+  /// What lanes compute in.
+  using Number = LaneNumber<Real>;
+
+  /// @throws std::invalid_argument for a set that this processor has not.
+  LaneSystem(LaneSet set, Real relaxation);
+
+  /// Takes over a problem, its warm start applied; changes begin at 0.
+  void take(const VelocityProblem<Real>& problem);
+  /// One sweep. Returns the largest change of an impulse [N s].
+  Real sweep(VelocityProblem<Real>& problem);
+  /// The same numbers, and an observer sees the problem after each row. Rows of a batch have all been updated
+  /// when the observer hears of the first.
+  Real watched_sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>& observer);
+  /// Writes impulses, inside their bounds, and the velocities that they make.
+  void write_back(VelocityProblem<Real>& problem) const;
+  /// Whether a change so small [N s], the last of many that add up to `path`, is lost in the rounding of
+  /// lanes but would not be in that of the problem.
+  bool is_worth_taking(Real change, Real path) const;
+  /// What it takes up [bytes].
+  std::size_t bytes() const;
+
+ private:
+  void take_bodies(const VelocityProblem<Real>& problem);
+  void take_single_rows(const VelocityProblem<Real>& problem);
+  void take_batch_bodies(const LaneBatch& batch);
+  void take_batch_row(const VelocityProblem<Real>& problem, const LaneBatch& batch, int number);
+  template <bool watched>
+  Real sweep_single_rows(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
+  void watch_batch(int number, const LaneBatch& batch, VelocityProblem<Real>& problem,
+                   SolveObserver<Real>& observer) const;
+  Real written_back(const VelocityProblem<Real>& problem, const LaneBatch& batch, int row, int lane) const;
+  LaneProblem<Number> lane_problem();
+
+  LaneCode<Real> code_;
+  Real relaxation_;  // omega
+  LaneBatches batches_;
+  List<LaneRow<Number>> rows_;
+  List<LaneCoupling<Number>> couplings_;
+  PerBody<LaneBody<Number>> bodies_;  // and one that nothing moves
+  PerBody<Vec3<Real>> inverse_mass_;  // as taken over
+  PerBody<Vec3<Real>> root_;          // of the inverse masses
+  PerBody<Vec3<Real>> velocity_;      // as taken over
+  PerRow<Real> impulse_;              // [N s] as taken over
+  List<Real> single_mass_;            // [kg] of the rows that go one by one, 1 / A_ii
+  LaneFilling<Real> filling_ = {};    // scratch, for one batch
+  Real largest_impulse_ = 0;          // [N s] as taken over
+};
+
+}  // namespace cairn
