@@ -69,7 +69,8 @@ struct SolveReport {
   Stop stop = Stop::sweeps;   // why it ended
 };
 
-/// Owns settings and scratch memory only: the problem carries everything else.
+/// Owns settings and scratch memory only: the problem carries everything else. The one exception is
+/// NewtonSolver, which finds its answer sooner by what it has kept.
 template <Scalar Real>
 class Solver {
  public:

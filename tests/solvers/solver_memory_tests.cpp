@@ -3,6 +3,7 @@
 
 #include "math/list.hpp"
 #include "solver_list.hpp"
+#include "solvers/exact/newton_solver.hpp"
 #include "solvers/non_zeros.hpp"
 
 using namespace cairn;
@@ -11,10 +12,12 @@ using namespace cairn::testing;
 namespace {
 
 List<SolverMaker<double>> solvers_that_count_memory() {
-  return {maker<SequentialImpulse<double>, double>(), maker<ProjectedGaussSeidel<double>, double>(),
+  return {maker<SequentialImpulse<double>, double>(),
+          maker<ProjectedGaussSeidel<double>, double>(),
           maker<SparseProjectedGaussSeidel<double>, double>(),
           maker<FactoredProjectedGaussSeidel<double>, double>(),
-          maker<NaiveProjectedGaussSeidel<double>, double>()};
+          maker<NaiveProjectedGaussSeidel<double>, double>(),
+          maker<NewtonSolver<double>, double>()};
 }
 
 /// How many bytes a solver kept for a stack of boxes.

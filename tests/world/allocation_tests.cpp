@@ -8,6 +8,7 @@
 #include "../solvers/solver_list.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "math/list.hpp"
+#include "solvers/exact/newton_solver.hpp"
 #include "solvers/system_matrix.hpp"
 #include "world/world.hpp"
 
@@ -212,6 +213,18 @@ TEST_CASE("the counter of allocations counts, and only while it lives") {
 }
 
 #ifdef CAIRN_TEST_COUNTS_MALLOC
+TEST_CASE("Newton's method kept warm takes no memory from the heap for a stack at rest, systems and all") {
+  NewtonSolver<double> solver({.iterations = 30, .tolerance = 1e-9});
+  CHECK(allocations_of_steady_steps<double>(stack_to_count({}), solver) == 0);
+  World<double> world(stack_to_count({}));
+  VelocityProblem<double> problem = world.velocity_problem(), harder = problem;
+  for (Vec3<double>& velocity : harder.velocity) velocity.y() -= 1;
+  solver.solve(problem);
+  const AllocationCount count;
+  CHECK(solver.solve(harder).iterations == 0);  // steps by kept factors
+  CHECK(count.value() == 0);
+}
+
 TEST_CASE("the counter sees the matrices of Eigen, which do without operator new") {
   Vector<double> vector;
   long once = -1;

@@ -1,58 +1,57 @@
-// Floor 4. LU factors of a sparse matrix of 3 x 3 blocks, one row of blocks a body.
+// Floor 4. Factors of a sparse matrix of 3 x 3 blocks, one row of blocks a body.
 #pragma once
 
 #include <Eigen/Core>
 #include <utility>
 
+#include "solvers/exact/elimination.hpp"
 #include "solvers/system_matrix.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
 
-/// For matrices whose blocks (i, j) and (j, i) are there together: where bodies i and j share a row. Bodies
-/// are eliminated in the order of minimum degree (W. Tinney, J. Walker, Direct solutions of sparse network
-/// equations, 1967), which is found anew only where the pairs have changed. There are no pivots between
-/// blocks: for a positive definite matrix none are needed, and for another one the answer may have lost
-/// digits, or not be finite, so that who asks must look at it.
+/// For matrices whose blocks (i, j) and (j, i) are there together: where bodies i and j share a row. A
+/// symmetric matrix becomes L D L^T by blocks, another one L U with twice the work. The order is that of
+/// Elimination. There are no pivots between blocks: for a positive definite matrix none are needed, and for
+/// another one the answer may have lost digits, or not be finite, so that who asks must look at it.
 ///
-/// Cost: with d neighbours left to a body when it is eliminated, 27 d^2 multiply-adds. A chain or a stack has
-/// d = 1: linear in bodies. Memory: 18 d numbers a body.
+/// Cost: with d neighbours left to a body when it is eliminated, 27 d^2 multiply-adds, or half of them. A
+/// chain or a stack has d = 1: linear in bodies. Memory: 18 d numbers a body, and 3 d integers.
 template <Scalar Real>
 class BlockFactors {
  public:
-  /// Above so many pairs, those that elimination adds among them, the factors would take 300 MB in double.
-  static constexpr int max_pairs = 2'000'000;
-
   /// What one body has to do with another, or with itself.
   using Block = Eigen::Matrix<Real, 3, 3>;
 
   /// The bodies, and the pairs (lower, higher) of those that share a row, sorted and each once.
-  /// @throws std::length_error for more than max_pairs pairs: before the factors are allocated.
+  /// @throws std::length_error for more than Elimination::max_pairs pairs: before factors are allocated, and
+  /// with those of before gone.
   void begin(int bodies, const List<std::pair<int, int>>& pairs);
-  /// The identity, to which blocks are added.
-  void set_identity();
-  /// The block of two bodies that share a row, or of one.
-  Block& at(int row_body, int column_body);
+  /// The identity, to which blocks are added. What is added to it from now on is symmetric, or not.
+  void set_identity(bool is_symmetric);
+  /// Adds to the block of two bodies that share a row, or of one. Of a symmetric matrix both (i, j) and
+  /// (j, i) have to be added; one of them is passed over.
+  void add(int row_body, int column_body, const Block& more);
   /// Replaces the matrix by its factors.
   void factorize();
+  /// Of how many bodies there are factors; 0: there are none.
+  int factorized_bodies() const { return is_factorized_ ? elimination_.bodies() : 0; }
   /// x = matrix^-1 x.
   void solve(Vector<Real>& x) const;
-  /// Bytes of the factors.
+  /// Bytes of the factors and of their order.
   std::size_t memory() const;
 
  private:
-  void eliminate(int bodies, const List<std::pair<int, int>>& pairs);
-  int entry(int place, int later_place) const;
+  void take_out(int place);
+  void scale(int place);
 
-  int bodies_ = 0;
-  List<std::pair<int, int>> pairs_;
-  List<int> place_;       // of each body in the order of elimination
-  List<int> body_;        // at each place
-  List<int> first_;       // of each place in later_, and one beyond the last
-  List<int> later_;       // places of the neighbours left, sorted
-  List<Block> upper_;     // block (place, later), for each of later_
+  Elimination elimination_;
+  bool is_symmetric_ = false;
+  bool is_factorized_ = false;
+  List<Block> upper_;     // block (place, later), for each pair
   List<Block> lower_;     // block (later, place)
   List<Block> diagonal_;  // for each place; its inverse once factorized
+  List<int> pair_at_;     // of the place that is eliminated, with each later one
 };
 
 }  // namespace cairn

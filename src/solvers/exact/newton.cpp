@@ -87,7 +87,9 @@ class NewtonIteration {
       rows_.soften(softness);
       if (solve_softened()) {
         rows_.center_at_last();
-        note_center(rows_.impulses());
+        PerRow<long double> impulses;
+        rows_.copy_impulses_to(impulses);
+        note_center(impulses);
         softness = std::max(softness / factor, least_softness);
         factor = std::min(factor * 1.5L, largest_factor);
         failures = 0;
@@ -122,8 +124,14 @@ class NewtonIteration {
     for (int k = 0; k < freedoms; ++k) entries_.emplace_back(k, k, 1);
     rows_.for_each_slope([this](const auto& left, const auto& right, long double factor) {
       for (const auto& l : left) {
-        for (const auto& r : right) {
-          entries_.emplace_back(l.column, r.column, static_cast<double>(factor * l.value * r.value));
+        for (int row = 0; row < 3; ++row) {
+          for (const auto& r : right) {
+            for (int column = 0; column < 3; ++column) {
+              if (l.value(row) == 0 || r.value(column) == 0) continue;
+              entries_.emplace_back(3 * l.body + row, 3 * r.body + column,
+                                    static_cast<double>(factor * l.value(row) * r.value(column)));
+            }
+          }
         }
       }
     });

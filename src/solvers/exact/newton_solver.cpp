@@ -6,14 +6,13 @@
 #include <limits>
 
 #include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
-#include "solvers/exact/exact_rows.hpp"
 
 namespace cairn {
 
 namespace {
 
 // Softness, of rows with ones on the diagonal.
-constexpr double warm_softness = 1e-6;
+constexpr double warm_softness = 1e-7;
 constexpr double cold_softness = 1e-2;
 constexpr double softest = 10;
 constexpr double stiffest = 1e-9;  // below it, factors in double have few digits left
@@ -23,8 +22,15 @@ constexpr int first_sweeps = 30;
 constexpr int failures_before_sweeps = 4;
 constexpr int most_failures = 20;
 constexpr int roundings_of_residual = 4;  // of R_E: there is nothing below
-constexpr double least_progress =
-    0.5;  // of R_E in a step that was solved at the stiffest: else it stands still
+constexpr double goal_of_tolerance = 0.01;
+// Of R_E in a step that was solved: where it falls less, the next is stiffer;
+constexpr double good_progress = 0.1;
+// and where that is at the stiffest already, it stands still.
+constexpr double least_progress = 0.5;
+constexpr double kept_progress = 0.3;  // of |F| in a step by kept factors: else they do not help any more
+// In time: to look at a problem, and a step by kept factors.
+constexpr int sweeps_of_a_look = 3;
+constexpr int sweeps_of_a_kept_step = 2;
 
 }  // namespace
 
@@ -57,44 +63,32 @@ typename NewtonSolver<Real>::Work NewtonSolver<Real>::enough() const {
 }
 
 template <Scalar Real>
-void NewtonSolver<Real>::answer(const VelocityProblem<Work>& problem) {
-  begin(problem);
-  approach(problem);
+typename NewtonSolver<Real>::Work NewtonSolver<Real>::goal() const {
+  return std::max(static_cast<Work>(goal_of_tolerance * settings_.tolerance),
+                  roundings_of_residual * std::numeric_limits<Work>::epsilon());
 }
 
 template <Scalar Real>
-void NewtonSolver<Real>::begin(const VelocityProblem<Work>& problem) {
+void NewtonSolver<Real>::answer(const VelocityProblem<Work>& problem) {
   rows_.begin(problem);
-  pairs_.clear();
-  rows_.for_each_terms([this](const auto& terms) {
-    for (const auto& left : terms) {
-      const int low = left.column / 3;
-      for (const auto& right : terms) {
-        const int high = right.column / 3;
-        if (low < high && (pairs_.empty() || pairs_.back() != std::pair(low, high)))
-          pairs_.emplace_back(low, high);
-      }
-    }
-  });
-  std::sort(pairs_.begin(), pairs_.end());
-  pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
-  factors_.begin(problem.body_count(), pairs_);
-  scale_ = exact_scale(problem);
+  factors_.begin();
   systems_ = 0;
-  sweeps_ = 1;
+  sweeps_ = sweeps_of_a_look;
   best_ = problem.impulse;
   rows_.center_at(best_);
   residual_ = least_residual_ = std::numeric_limits<Work>::infinity();
   note_center();
+  // Nothing can be said of what is no number.
+  if (settings_.iterations > 0 && std::isfinite(residual_)) approach(problem);
 }
 
 template <Scalar Real>
 void NewtonSolver<Real>::note_center() {
   const Work error = rows_.error();
-  residual_ = error == 0 ? 0 : error / scale_;
+  residual_ = error == 0 ? 0 : error / rows_.scale();
   if (!(residual_ < least_residual_)) return;
   least_residual_ = residual_;
-  best_ = rows_.center_impulses();
+  rows_.copy_center_to(best_);
 }
 
 /// The best impulses so far after some sweeps: what Newton's method finds easier to begin with.
@@ -110,21 +104,23 @@ void NewtonSolver<Real>::sweep(const VelocityProblem<Work>& problem, int sweeps)
 
 template <Scalar Real>
 void NewtonSolver<Real>::approach(const VelocityProblem<Work>& problem) {
-  if (!std::isfinite(residual_)) return;  // nothing can be said of what is no number
   Work softness = Work(warm_softness);
+  if (factors_.are_for(rows_)) softness = std::min(softness, factors_.softness());
   int failures = 0, sweeps = first_sweeps;
-  while (least_residual_ > enough() && systems_ < settings_.iterations && failures < most_failures) {
+  while (least_residual_ > goal() && failures < most_failures) {
     const Work before = least_residual_;
     rows_.soften(softness);
     const bool is_solved = solve_softened();
     rows_.center_at_last();
     note_center();
     if (is_solved) {
+      if (least_residual_ <= Work(good_progress) * before) continue;
       const bool stands_still = !(least_residual_ <= Work(least_progress) * before);
       if (stands_still && softness <= Work(stiffest)) break;
       softness = std::max(softness / Work(softness_step), Work(stiffest));
       continue;
     }
+    if (least_residual_ <= enough()) break;
     // What was found is kept where it is nearer. After the first failure, and after many, sweeps lead on.
     if (failures % failures_before_sweeps == 0) {
       sweep(problem, sweeps);
@@ -136,47 +132,50 @@ void NewtonSolver<Real>::approach(const VelocityProblem<Work>& problem) {
       softness = std::min(softness * Work(softness_step), Work(softest));
     }
     failures += 1;
+    if (systems_ >= settings_.iterations) break;
   }
 }
 
 /// Seeks du with F(du) = 0 around the centre; the last evaluation is the answer.
 template <Scalar Real>
 bool NewtonSolver<Real>::solve_softened() {
-  const Work enough = Work(1e-2) * residual_ * scale_;
+  const Work small = Work(1e-2) * residual_ * rows_.scale();
   du_ = Vector<Work>::Zero(rows_.freedoms());
   Work error = rows_.evaluate(du_).norm();
-  for (int step = 0; step < steps_of_one_problem && error > enough; ++step) {
-    if (systems_ >= settings_.iterations || !find_change(change_) || !shorten(change_, error)) return false;
+  for (int step = 0; step < steps_of_one_problem && error > small; ++step) {
+    if (take_kept_step(error)) continue;
+    if (systems_ >= settings_.iterations || !take_new_step(error)) return false;
   }
-  return error <= enough;
+  return error <= small;
 }
 
+/// A step by factors of an earlier system, or of an earlier solve; false: they do not help, and nothing has
+/// changed.
 template <Scalar Real>
-bool NewtonSolver<Real>::find_change(Vector<Work>& change) {
+bool NewtonSolver<Real>::take_kept_step(Work& error) {
+  if (!factors_.are_for(rows_) || factors_.softness() != rows_.softness()) return false;
+  sweeps_ += sweeps_of_a_kept_step;
+  change_ = rows_.value();
+  factors_.solve(change_);
+  next_ = du_ - change_;
+  const Work left = rows_.evaluate(next_).norm();
+  if (left <= Work(kept_progress) * error) {
+    du_.swap(next_);
+    error = left;
+    return true;
+  }
+  rows_.evaluate(du_);
+  return false;
+}
+
+/// A step by factors of the moment, shortened until it helps; false: it does not.
+template <Scalar Real>
+bool NewtonSolver<Real>::take_new_step(Work& error) {
   ++systems_;
-  factors_.set_identity();
-  rows_.for_each_slope([this](const auto& left, const auto& right, Work factor) {
-    for (int k = 0; k < left.size();) {
-      const int row = left[k].column / 3;
-      int k_end = k;
-      while (k_end < left.size() && left[k_end].column / 3 == row) ++k_end;
-      for (int l = 0; l < right.size();) {
-        const int column = right[l].column / 3;
-        auto& block = factors_.at(row, column);
-        for (; l < right.size() && right[l].column / 3 == column; ++l) {
-          for (int of_row = k; of_row < k_end; ++of_row) {
-            block(left[of_row].column - 3 * row, right[l].column - 3 * column) +=
-                factor * left[of_row].value * right[l].value;
-          }
-        }
-      }
-      k = k_end;
-    }
-  });
-  factors_.factorize();
-  change = rows_.value();
-  factors_.solve(change);
-  return change.allFinite();
+  factors_.factorize(rows_);
+  change_ = rows_.value();
+  factors_.solve(change_);
+  return change_.allFinite() && shorten(change_, error);
 }
 
 /// Goes a share of the step that makes the error fall: the largest of 1, 1/2, 1/4 ...; false: there is none.
@@ -191,6 +190,13 @@ bool NewtonSolver<Real>::shorten(const Vector<Work>& change, Work& error) {
     return true;
   }
   return false;
+}
+
+template <Scalar Real>
+std::size_t NewtonSolver<Real>::memory() const {
+  const Eigen::Index numbers = du_.size() + next_.size() + change_.size();
+  return rows_.memory() + factors_.memory() + best_.bytes() +
+         static_cast<std::size_t>(numbers) * sizeof(Work);
 }
 
 template class NewtonSolver<float>;

@@ -20,28 +20,32 @@ namespace cairn {
 template <Scalar Real>
 class ProximalRows {
  public:
-  /// One number of a row of G, never 0.
+  /// What a row of G has for one body, not all 0.
   struct Term {
-    int column = 0;  // 3 * body + axis; those of a body stand together
-    Real value = 0;  // of G
+    int body = 0;                           // its number
+    Vec3<Real> value = Vec3<Real>::Zero();  // of G, for each axis
   };
 
   /// Keeps what it needs of the problem, in memory that is used again; its impulses are not looked at.
   void begin(const VelocityProblem<Real>& problem);
+  /// exact_scale of the problem.
+  Real scale() const { return scale_; }
 
   /// Takes x' from impulses [N s], brought inside their bounds.
   void center_at(const PerRow<Real>& impulse);
   /// Takes x' from the last evaluation.
-  void center_at_last() { center_at(impulses()); }
+  void center_at_last();
   /// x' [N s].
-  PerRow<Real> center_impulses() const { return impulses_of(center_); }
+  void copy_center_to(PerRow<Real>& impulse) const { copy_impulses(center_, impulse); }
   /// How soft the rows are from now on.
   void soften(Real epsilon) { epsilon_ = epsilon; }
+  /// How soft they are.
+  Real softness() const { return epsilon_; }
 
   /// 3 n: the numbers of du.
   Eigen::Index freedoms() const { return freedoms_; }
   /// |x - clamp(x - w)| at the centre: R_E times its scale.
-  Real error() const;
+  Real error() const { return error_; }
   /// F(du).
   const Vector<Real>& evaluate(const Vector<Real>& du);
   /// F of the last evaluation.
@@ -50,13 +54,17 @@ class ProximalRows {
   /// identity and the sum of factor left right^T.
   template <typename Visit>
   void for_each_slope(const Visit& visit) const;
+  /// Whether that is symmetric: no row slides at a limit that follows another row's impulse.
+  bool has_symmetric_slope() const;
   /// Calls visit(terms) for the terms of every row.
   template <typename Visit>
   void for_each_terms(const Visit& visit) const {
     for (const Row& row : rows_) visit(terms_of(row));
   }
+  /// Bytes of all this.
+  std::size_t memory() const;
   /// x(du) of the last evaluation [N s].
-  PerRow<Real> impulses() const { return impulses_of(x_); }
+  void copy_impulses_to(PerRow<Real>& impulse) const { copy_impulses(x_, impulse); }
 
  private:
   struct Row {
@@ -67,7 +75,12 @@ class ProximalRows {
     Real unit = 0;             // impulse = unit * x; 0: the row can do nothing
     Bounds<Real> bounds = {};  // in sqrt(J); those of friction and its disc as they were [N s]
   };
-  PerRow<Real> impulses_of(const Vector<Real>& x) const;
+  void append(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row);
+  void measure_scale(const VelocityProblem<Real>& problem);
+  void copy_impulses(const Vector<Real>& x, PerRow<Real>& impulse) const;
+  template <typename ImpulseOf>
+  void center_on(const ImpulseOf& impulse_of);
+  void add_to(Vector<Real>& u, const Row& row, Real change) const;
   Real product(const Row& row, const Vector<Real>& u) const;
   Real clamp(int i, Real wish, const Vector<Real>& x) const;
   /// d clamp / d x_other, at the end that `wish` is beyond.
@@ -84,13 +97,17 @@ class ProximalRows {
 
   Eigen::Index freedoms_ = 0;
   Real epsilon_ = 1;
+  Real scale_ = 0;
+  Real error_ = 0;  // at the centre
   List<Term> terms_;
   PerRow<Row> rows_;
-  Vector<Real> center_;    // x'
-  Vector<Real> center_w_;  // w'
-  Vector<Real> x_;         // of the last evaluation
-  Vector<Real> wish_;      // the same before clamping
-  Vector<Real> value_;     // F
+  PerBody<Vec3<Real>> root_;  // of each body's inverse mass
+  Vector<Real> center_;       // x'
+  Vector<Real> center_u_;     // G^T x'
+  Vector<Real> center_w_;     // w'
+  Vector<Real> x_;            // of the last evaluation
+  Vector<Real> wish_;         // the same before clamping
+  Vector<Real> value_;        // F
 };
 
 template <Scalar Real>
