@@ -32,6 +32,7 @@
 #include "solvers/non_zeros.hpp"
 #include "solvers/residual.hpp"
 #include "solvers/system_matrix.hpp"
+#include "solvers/wide/wide_sequential_impulse.hpp"
 #include "world/plan.hpp"
 #include "world/scene.hpp"
 #include "world/snapshot.hpp"

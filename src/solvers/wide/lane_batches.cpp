@@ -13,17 +13,6 @@ namespace {
 
 const int bits_of_a_kind = 10;  // 1 + bounds, whether it is soft, two rows of the block
 
-template <Scalar Real>
-LaneBounds lane_bounds(const Bounds<Real>& bounds) {
-  if (bounds.is_friction()) {
-    return bounds.second_normal_row == Bounds<Real>::none ? LaneBounds::friction
-                                                          : LaneBounds::friction_of_two;
-  }
-  const Real infinity = std::numeric_limits<Real>::infinity();
-  if (bounds.upper != infinity) return LaneBounds::both;
-  return bounds.lower == -infinity ? LaneBounds::none : LaneBounds::lower;
-}
-
 std::uint64_t code_of(LaneKind kind) {
   return (static_cast<std::uint64_t>(kind.bounds) + 1) | (kind.is_soft ? 8u : 0u) |
          (static_cast<std::uint64_t>(kind.normal) << 4) |
@@ -52,26 +41,30 @@ void require_blocks(const VelocityProblem<Real>& problem) {
 }  // namespace
 
 template <Scalar Real>
-bool LaneBatches::arrange(const VelocityProblem<Real>& problem) {
+void LaneBatches::arrange(const VelocityProblem<Real>& problem) {
   require_blocks(problem);
-  leant_on_before_.swap(leant_on_);
+  sees_other_bodies(problem);
   leant_on_.clear();
-  bool same = !sees_other_bodies(problem) && blocks_.size() == problem.blocks.size();
-  blocks_.resize(problem.blocks.size());
-  for (int k = 0; k < blocks_.size(); ++k) {
-    const Block now = seen(problem, problem.blocks[k]);
-    same = same && now == blocks_[k];
-    blocks_[k] = now;
-  }
-  if (same && leant_on_ == leant_on_before_) return true;
+  blocks_.clear();
+  for (const RowBlock& block : problem.blocks) blocks_.push_back(seen(problem, block));
   colour();
   make_batches();
-  return false;
+}
+
+template <Scalar Real>
+bool LaneBatches::may_be_same(const VelocityProblem<Real>& problem) {
+  if (sees_other_bodies(problem) || !has_same_blocks(problem)) return false;
+  leant_on_before_.swap(leant_on_);
+  leant_on_.clear();
+  for (const int k : single_blocks_) {
+    if (seen(problem, problem.blocks[k]) != blocks_[k]) return false;
+  }
+  return leant_on_ == leant_on_before_;
 }
 
 std::size_t LaneBatches::bytes() const {
-  return blocks_.bytes() + moves_.bytes() + batches_.bytes() + kinds_.bytes() + single_rows_.bytes() +
-         coloured_.bytes() + taken_.bytes() + in_lane_.bytes();
+  return blocks_.bytes() + moves_.bytes() + batches_.bytes() + kinds_.bytes() + single_blocks_.bytes() +
+         single_rows_.bytes() + coloured_.bytes() + taken_.bytes() + in_lane_.bytes();
 }
 
 template <Scalar Real>
@@ -85,6 +78,16 @@ bool LaneBatches::sees_other_bodies(const VelocityProblem<Real>& problem) {
     moves_[body] = moves;
   }
   return others;
+}
+
+template <Scalar Real>
+bool LaneBatches::has_same_blocks(const VelocityProblem<Real>& problem) const {
+  bool same = blocks_.size() == problem.blocks.size();
+  for (int k = 0; same && k < blocks_.size(); ++k) {
+    same = blocks_[k].first_row == problem.blocks[k].first && blocks_[k].rows == problem.blocks[k].count;
+  }
+  const RowBlock last = problem.blocks.empty() ? RowBlock{} : problem.blocks.back();
+  return same && last.first + last.count == problem.row_count();
 }
 
 template <Scalar Real>
@@ -161,6 +164,7 @@ void LaneBatches::colour() {
 void LaneBatches::make_batches() {
   batches_.clear();
   kinds_.clear();
+  single_blocks_.clear();
   single_rows_.clear();
   lane_rows_ = 0;
   couplings_ = 0;
@@ -177,9 +181,9 @@ void LaneBatches::make_batches() {
     first = last;
   }
   for (int k = 0; k < blocks_.size(); ++k) {
-    for (int i = 0; in_lane_[k] == 0 && i < blocks_[k].rows; ++i) {
-      single_rows_.push_back(blocks_[k].first_row + i);
-    }
+    if (in_lane_[k] != 0) continue;
+    single_blocks_.push_back(k);
+    for (int i = 0; i < blocks_[k].rows; ++i) single_rows_.push_back(blocks_[k].first_row + i);
   }
 }
 
@@ -208,8 +212,11 @@ void LaneBatches::add_batch(int first, int last) {
   batches_.push_back(batch);
 }
 
-template bool LaneBatches::arrange(const VelocityProblem<float>&);
-template bool LaneBatches::arrange(const VelocityProblem<double>&);
-template bool LaneBatches::arrange(const VelocityProblem<long double>&);
+template void LaneBatches::arrange(const VelocityProblem<float>&);
+template bool LaneBatches::may_be_same(const VelocityProblem<float>&);
+template void LaneBatches::arrange(const VelocityProblem<double>&);
+template bool LaneBatches::may_be_same(const VelocityProblem<double>&);
+template void LaneBatches::arrange(const VelocityProblem<long double>&);
+template bool LaneBatches::may_be_same(const VelocityProblem<long double>&);
 
 }  // namespace cairn

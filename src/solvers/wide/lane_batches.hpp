@@ -2,12 +2,25 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "constraints/row.hpp"
 #include "math/list.hpp"
 #include "solvers/wide/lane_data.hpp"
 
 namespace cairn {
+
+/// What a row with these bounds compares its impulse with.
+template <Scalar Real>
+LaneBounds lane_bounds(const Bounds<Real>& bounds) {
+  if (bounds.is_friction()) {
+    return bounds.second_normal_row == Bounds<Real>::none ? LaneBounds::friction
+                                                          : LaneBounds::friction_of_two;
+  }
+  const Real infinity = std::numeric_limits<Real>::infinity();
+  if (bounds.upper != infinity) return LaneBounds::both;
+  return bounds.lower == -infinity ? LaneBounds::none : LaneBounds::lower;
+}
 
 /// Blocks in colours: those of one colour share no body that can move, and are solved at the same time where
 /// they have rows of the same kinds. Colours are given greedily, each block as written taking the first of 64
@@ -16,10 +29,17 @@ namespace cairn {
 /// its colour and kinds. All of it is a function of the problem: never of those before it.
 class LaneBatches {
  public:
-  /// For this problem; keeps what it has where bodies and kinds are still the same. Returns whether they are.
+  /// Made anew for this problem.
   /// @throws std::invalid_argument unless the problem's blocks follow each other and cover all rows.
   template <Scalar Real>
-  bool arrange(const VelocityProblem<Real>& problem);
+  void arrange(const VelocityProblem<Real>& problem);
+  /// Whether arrange() would change nothing, if is_same_row() holds for all rows in lanes. It looks at no row
+  /// in a lane: whoever fills lanes looks at them anyway.
+  template <Scalar Real>
+  bool may_be_same(const VelocityProblem<Real>& problem);
+  /// Whether a row of a batch still is what its lane is made for. Only where may_be_same().
+  template <Scalar Real>
+  bool is_same_row(const VelocityProblem<Real>& problem, const LaneBatch& batch, int number, int lane) const;
 
   /// Colour by colour.
   const List<LaneBatch>& batches() const { return batches_; }
@@ -56,6 +76,8 @@ class LaneBatches {
   std::uint64_t seen_kind(const VelocityProblem<Real>& problem, const RowBlock& block, int row);
   template <Scalar Real>
   bool sees_other_bodies(const VelocityProblem<Real>& problem);
+  template <Scalar Real>
+  bool has_same_blocks(const VelocityProblem<Real>& problem) const;
   void single_out_what_is_leant_on();
   void colour();
   void make_batches();
@@ -66,6 +88,7 @@ class LaneBatches {
   List<int> leant_on_;   // rows that friction of another block leans on
   List<LaneBatch> batches_;
   List<LaneKind> kinds_;
+  List<int> single_blocks_;
   List<int> single_rows_;
   int lane_rows_ = 0;
   int couplings_ = 0;
@@ -74,5 +97,24 @@ class LaneBatches {
   List<char> in_lane_;            // scratch, for each block
   PerBody<std::uint64_t> taken_;  // scratch: the colours at a body, a bit each
 };
+
+// Here, so that filling lanes need not call it for every row.
+template <Scalar Real>
+inline bool LaneBatches::is_same_row(const VelocityProblem<Real>& problem, const LaneBatch& batch, int number,
+                                     int lane) const {
+  const int first = batch.block_row[lane];
+  const ConstraintRow<Real>& row = problem.rows[first + number];
+  const Bounds<Real>& bounds = row.bounds;
+  const LaneKind kind = kinds_[batch.first_kind + number];
+  const bool same = row.a.index == batch.body_a[lane] && row.b.index == batch.body_b[lane] &&
+                    row.extra_count == 0 && (row.softness != 0) == kind.is_soft &&
+                    lane_bounds(bounds) == kind.bounds;
+  if (kind.bounds < LaneBounds::friction) return same;
+  const auto leans_on = [&](int normal, int expected) {
+    return normal == first + expected && problem.rows[normal].bounds.is_unilateral();
+  };
+  return same && !(bounds.disc > 0) && leans_on(bounds.normal_row, kind.normal) &&
+         (kind.bounds == LaneBounds::friction || leans_on(bounds.second_normal_row, kind.second_normal));
+}
 
 }  // namespace cairn

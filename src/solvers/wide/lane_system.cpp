@@ -25,23 +25,35 @@ LaneSystem<Real>::LaneSystem(LaneSet set, Real relaxation)
 
 template <Scalar Real>
 void LaneSystem<Real>::take(const VelocityProblem<Real>& problem) {
-  if (!batches_.arrange(problem)) {
-    rows_.assign(batches_.lane_rows(), LaneRow<Number>{});
-    couplings_.resize(batches_.couplings());
-  }
   take_bodies(problem);
-  take_single_rows(problem);
   impulse_ = problem.impulse;
   largest_impulse_ = 0;
   for (const Real impulse : impulse_) largest_impulse_ = std::max(largest_impulse_, std::abs(impulse));
+  if (!batches_.may_be_same(problem) || !fill(problem)) {
+    batches_.arrange(problem);
+    rows_.assign(batches_.lane_rows(), LaneRow<Number>{});
+    couplings_.resize(batches_.couplings());
+    fill(problem);
+  }
+  take_single_rows(problem);
+}
+
+/// Whether lanes are those of this problem; if not, what they hold is of no use.
+template <Scalar Real>
+bool LaneSystem<Real>::fill(const VelocityProblem<Real>& problem) {
   filling_.relaxation = relaxation_;
   for (const LaneBatch& batch : batches_.batches()) {
     if (batch.used < lane_count) filling_ = {.bodies = {}, .rows = {}, .relaxation = relaxation_};
     filling_.row_count = batch.rows;
     take_batch_bodies(batch);
-    for (int i = 0; i < batch.rows; ++i) take_batch_row(problem, batch, i);
+    bool same = true;
+    for (int lane = 0; lane < batch.used; ++lane) {  // block after block, as they lie in memory
+      for (int i = 0; i < batch.rows; ++i) same = take_row(problem, batch, i, lane) && same;
+    }
+    if (!same) return false;
     code_.fill(filling_, &rows_[batch.first_row], couplings_.data() + batch.first_coupling);
   }
+  return true;
 }
 
 template <Scalar Real>
@@ -80,31 +92,32 @@ void LaneSystem<Real>::take_batch_bodies(const LaneBatch& batch) {
 }
 
 template <Scalar Real>
-void LaneSystem<Real>::take_batch_row(const VelocityProblem<Real>& problem, const LaneBatch& batch,
-                                      int number) {
+bool LaneSystem<Real>::take_row(const VelocityProblem<Real>& problem, const LaneBatch& batch, int number,
+                                int lane) {
   LaneInput<Real>& to = filling_.rows[number];
-  const LaneBounds kind = batches_.kinds()[batch.first_kind + number].bounds;
-  for (int lane = 0; lane < batch.used; ++lane) {
-    const int i = batch.block_row[lane] + number;
-    const ConstraintRow<Real>& row = problem.rows[i];
-    for (int axis = 0; axis < 3; ++axis) {
-      to.jacobian_a[axis][lane] = row.jacobian_a(axis);
-      to.jacobian_b[axis][lane] = row.jacobian_b(axis);
-    }
-    to.bias[lane] = row.bias;
-    to.softness[lane] = row.softness;
-    to.impulse[lane] = impulse_[i];
-    if (kind < LaneBounds::friction) {
-      to.lower[lane] = row.bounds.lower;
-      to.upper[lane] = row.bounds.upper;
-    } else {
-      Real load = impulse_[row.bounds.normal_row];
-      if (kind == LaneBounds::friction_of_two) load += impulse_[row.bounds.second_normal_row];
-      to.friction[lane] = row.bounds.friction;
-      to.lower[lane] = -row.bounds.friction * load;
-      to.upper[lane] = row.bounds.friction * load;
-    }
+  const LaneKind kind = batches_.kinds()[batch.first_kind + number];
+  const int i = batch.block_row[lane] + number;
+  const ConstraintRow<Real>& row = problem.rows[i];
+  for (int axis = 0; axis < 3; ++axis) {
+    to.jacobian_a[axis][lane] = row.jacobian_a(axis);
+    to.jacobian_b[axis][lane] = row.jacobian_b(axis);
   }
+  to.bias[lane] = row.bias;
+  to.softness[lane] = row.softness;
+  to.impulse[lane] = impulse_[i];
+  if (kind.bounds < LaneBounds::friction) {
+    to.lower[lane] = row.bounds.lower;
+    to.upper[lane] = row.bounds.upper;
+  } else {
+    Real load = impulse_[batch.block_row[lane] + kind.normal];
+    if (kind.bounds == LaneBounds::friction_of_two) {
+      load += impulse_[batch.block_row[lane] + kind.second_normal];
+    }
+    to.friction[lane] = row.bounds.friction;
+    to.lower[lane] = -row.bounds.friction * load;
+    to.upper[lane] = row.bounds.friction * load;
+  }
+  return batches_.is_same_row(problem, batch, number, lane);
 }
 
 template <Scalar Real>
@@ -208,16 +221,18 @@ Real LaneSystem<Real>::written_back(const VelocityProblem<Real>& problem, const 
 
 template <Scalar Real>
 void LaneSystem<Real>::write_back(VelocityProblem<Real>& problem) const {
+  problem.velocity = velocity_;
+  for (const int i : batches_.single_rows()) {
+    apply_impulse(problem, problem.rows[i], problem.impulse[i] - impulse_[i]);
+  }
   for (const LaneBatch& batch : batches_.batches()) {
     for (int lane = 0; lane < batch.used; ++lane) {
       for (int r = 0; r < batch.rows; ++r) {
-        problem.impulse[batch.block_row[lane] + r] = written_back(problem, batch, r, lane);
+        const int i = batch.block_row[lane] + r;
+        problem.impulse[i] = written_back(problem, batch, r, lane);
+        apply_impulse(problem, problem.rows[i], problem.impulse[i] - impulse_[i]);
       }
     }
-  }
-  problem.velocity = velocity_;
-  for (int i = 0; i < problem.row_count(); ++i) {
-    apply_impulse(problem, problem.rows[i], problem.impulse[i] - impulse_[i]);
   }
 }
 

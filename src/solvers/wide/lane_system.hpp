@@ -37,10 +37,11 @@ class LaneSystem {
   std::size_t bytes() const;
 
  private:
+  bool fill(const VelocityProblem<Real>& problem);
   void take_bodies(const VelocityProblem<Real>& problem);
   void take_single_rows(const VelocityProblem<Real>& problem);
   void take_batch_bodies(const LaneBatch& batch);
-  void take_batch_row(const VelocityProblem<Real>& problem, const LaneBatch& batch, int number);
+  bool take_row(const VelocityProblem<Real>& problem, const LaneBatch& batch, int number, int lane);
   template <bool watched>
   Real sweep_single_rows(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
   void watch_batch(int number, const LaneBatch& batch, VelocityProblem<Real>& problem,

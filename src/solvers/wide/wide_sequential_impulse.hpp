@@ -20,11 +20,13 @@ namespace cairn {
 ///
 /// Guarantees: impulses inside their bounds; velocities are those that the impulses make, to a rounding of
 /// the problem's own; the same bits for every instruction set. A tolerance is judged by R_E, computed where
-/// the changes of a sweep are near those for which R_E was last seen to be too large (Stopping). Cost: 12
-/// multiply-adds a row and sweep, 16 rows at a time; before and after the sweeps about as much as ten of
-/// them. Memory linear in m. Colours are kept from solve to solve while bodies and kinds of rows are the
-/// same. Observers of rows hear of a batch's rows when all of them have been updated. Sources: E. Catto,
-/// Box2D v3 (2024), for colours and lanes in SI.
+/// the changes of a sweep are near those for which R_E was last seen to be too large (Stopping).
+///
+/// Cost: 12 multiply-adds a row and sweep, 16 rows at a time; filling and emptying lanes takes as long as two
+/// or three sweeps of SequentialImpulse, so one or two sweeps gain nothing. Memory linear in m. Colours are
+/// kept from solve to solve while bodies and kinds of rows are the same.
+/// Observers: after_row comes when all rows of a batch have been updated.
+/// Sources: E. Catto, Box2D v3 (2024), for colours and lanes in SI.
 template <Scalar Real = double>
 class WideSequentialImpulse final : public Solver<Real> {
  public:

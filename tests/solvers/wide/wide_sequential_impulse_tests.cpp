@@ -145,8 +145,10 @@ VelocityProblem<Real> reordered(const VelocityProblem<Real>& problem, const List
 }
 
 List<LaneSet> lane_sets_here() {
-  List<LaneSet> sets = {LaneSet::baseline, LaneSet::avx2, LaneSet::avx512};
-  erase_if(sets, [](LaneSet set) { return !has(set); });
+  List<LaneSet> sets;
+  for (const LaneSet set : {LaneSet::baseline, LaneSet::avx2, LaneSet::avx512}) {
+    if (has(set)) sets.push_back(set);
+  }
   return sets;
 }
 
