@@ -13,11 +13,11 @@ namespace {
 using Pairs = List<std::pair<int, int>>;
 
 /// Boxes of 0.2 to 1 m, a quarter of them immovable.
-struct Crowd {
+struct MovingCrowd {
   List<Aabb<double>> boxes;
   List<char> movable;
 
-  Crowd(int count, test::Random& random) {
+  MovingCrowd(int count, test::Random& random) {
     for (int i = 0; i < count; ++i) {
       const Vec2<double> lower = {random.uniform(0, 8), random.uniform(0, 8)};
       boxes.push_back({lower, lower + Vec2<double>(random.uniform(0.2, 1), random.uniform(0.2, 1))});
@@ -32,7 +32,7 @@ struct Crowd {
 
 /// Every two boxes that overlap are listed, in order; and none that are farther apart than two proxies allow:
 /// each is a tenth of a side of at most 1 m larger, and may have been left behind by twice as much.
-void check_pairs(const Crowd& crowd, const Pairs& pairs) {
+void check_pairs(const MovingCrowd& crowd, const Pairs& pairs) {
   CHECK(std::is_sorted(pairs.begin(), pairs.end()));
   CHECK(std::adjacent_find(pairs.begin(), pairs.end()) == pairs.end());
   for (int i = 0; i < crowd.boxes.size(); ++i) {
@@ -54,7 +54,7 @@ TEST_CASE("near pairs hold all that overlap, whether a few boxes move or all of 
   for (const int moving : {0, 1, 5, 60, 90, 200}) {
     CAPTURE(moving);
     test::Random random(17);
-    Crowd crowd(200, random);
+    MovingCrowd crowd(200, random);
     NearPairs<double> near(BroadphaseKind::grid, crowd.movable);
     for (int step = 0; step < 12; ++step) {
       for (int k = 0; k < moving; ++k) {
@@ -68,7 +68,7 @@ TEST_CASE("near pairs hold all that overlap, whether a few boxes move or all of 
 
 TEST_CASE("the list of near pairs stays while boxes stay in their proxies") {
   test::Random random(3);
-  Crowd crowd(50, random);
+  MovingCrowd crowd(50, random);
   NearPairs<double> near(BroadphaseKind::grid, crowd.movable);
   CHECK(near.update(crowd.boxes));
   CHECK(!near.update(crowd.boxes));
@@ -80,7 +80,7 @@ TEST_CASE("the list of near pairs stays while boxes stay in their proxies") {
 
 TEST_CASE("boxes that are no numbers are near nothing, and are found again once they are numbers") {
   test::Random random(1);
-  Crowd crowd(0, random);
+  MovingCrowd crowd(0, random);
   crowd.boxes = {{{0, 0}, {1, 1}}, {{0.5, 0}, {1.5, 1}}};
   crowd.movable = {1, 1};
   NearPairs<double> near(BroadphaseKind::all_pairs, crowd.movable);

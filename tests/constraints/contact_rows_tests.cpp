@@ -17,7 +17,7 @@ struct Touching {
 };
 
 template <Scalar Real>
-Vec2<Real> random_vector(double reach, test::Random& random) {
+Vec2<Real> random_place(double reach, test::Random& random) {
   return random.point(reach).cast<Real>();
 }
 
@@ -31,7 +31,7 @@ Touching<Real> random_touch(test::Random& random) {
   touching.manifold.normal = Rotation<Real>(number(-3, 3)) * Vec2<Real>(0, 1);
   touching.manifold.count = 1 + random.below(2);
   for (int i = 0; i < touching.manifold.count; ++i) {
-    touching.manifold.points[i] = {random_vector<Real>(1, random), number(-0.05, 0.02),
+    touching.manifold.points[i] = {random_place<Real>(1, random), number(-0.05, 0.02),
                                    static_cast<std::uint32_t>(random.below(1000))};
   }
   touching.material = {
@@ -42,7 +42,7 @@ Touching<Real> random_touch(test::Random& random) {
       .slop_limit = number(0.001, 0.01),
       .gravity = random.below(2) == 0 ? Real(0) : Real(10)};
   for (int body = 0; body < 3; ++body) {
-    touching.poses.push_back({random_vector<Real>(2, random), number(-3, 3)});
+    touching.poses.push_back({random_place<Real>(2, random), number(-3, 3)});
     touching.velocity_before.push_back({number(-2, 2), number(-2, 2), number(-2, 2)});
     touching.problem.velocity.push_back({number(-2, 2), number(-2, 2), number(-2, 2)});
     const Real inverse = body == 0 ? Real(0) : number(0.1, 2);
@@ -53,7 +53,7 @@ Touching<Real> random_touch(test::Random& random) {
 }
 
 template <Scalar Real>
-bool same_bits(const ConstraintRow<Real>& one, const ConstraintRow<Real>& other) {
+bool same_row_bits(const ConstraintRow<Real>& one, const ConstraintRow<Real>& other) {
   const Bounds<Real>&left = one.bounds, &right = other.bounds;
   return one.a == other.a && one.b == other.b && one.jacobian_a == other.jacobian_a &&
          one.jacobian_b == other.jacobian_b && one.bias == other.bias && one.softness == other.softness &&
@@ -92,7 +92,7 @@ TEST_CASE_TEMPLATE("contact rows written at once have the bits of those that are
                            touching.velocity_before,
                            ContactStabilization<Real>(stabilization, pass, problem.dt), 77, problem, next);
         REQUIRE(next == before + expected.size());
-        for (int i = 0; i < expected.size(); ++i) CHECK(same_bits(problem.rows[before + i], expected[i]));
+        for (int i = 0; i < expected.size(); ++i) CHECK(same_row_bits(problem.rows[before + i], expected[i]));
       }
     }
   }

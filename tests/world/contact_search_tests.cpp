@@ -9,7 +9,7 @@ namespace cairn {
 namespace {
 
 /// Boxes on each other, tilted, that slide and fall over; a disc that rolls.
-Scene tumbling(ContactSearch search, int substeps, double dt = 1.0 / 60) {
+Scene tumbling_scene(ContactSearch search, int substeps, double dt = 1.0 / 60) {
   Scene scene({.dt = dt, .substeps = substeps, .contact_search = search});
   scene.add_ground();
   for (int i = 0; i < 5; ++i) {
@@ -19,7 +19,7 @@ Scene tumbling(ContactSearch search, int substeps, double dt = 1.0 / 60) {
   return scene;
 }
 
-Scene pyramid(ContactSearch search, int substeps) {
+Scene resting_pyramid(ContactSearch search, int substeps) {
   Scene scene({.substeps = substeps, .contact_search = search});
   scene.add_ground();
   for (int row = 0; row < 5; ++row) {
@@ -30,14 +30,14 @@ Scene pyramid(ContactSearch search, int substeps) {
   return scene;
 }
 
-World<double> after(Scene scene, int steps) {
+World<double> world_after(Scene scene, int steps) {
   World<double> world(std::move(scene));
   SequentialImpulse<double> solver({.iterations = 20});
   for (int i = 0; i < steps; ++i) world.step(solver);
   return world;
 }
 
-bool same_bits(const World<double>& one, const World<double>& other) {
+bool identical(const World<double>& one, const World<double>& other) {
   bool same = one.bodies().velocity == other.bodies().velocity &&
               one.last_step().problem.impulse == other.last_step().problem.impulse;
   for (const BodyId body : one.bodies().pose.indices()) {
@@ -48,7 +48,7 @@ bool same_bits(const World<double>& one, const World<double>& other) {
 }
 
 /// [m] The farthest that a body stands apart in two worlds.
-double distance(const World<double>& one, const World<double>& other) {
+double farthest_apart(const World<double>& one, const World<double>& other) {
   double most = 0;
   for (const BodyId body : one.bodies().pose.indices()) {
     most = std::max(most, (one.bodies().pose[body].position - other.bodies().pose[body].position).norm());
@@ -59,8 +59,8 @@ double distance(const World<double>& one, const World<double>& other) {
 }  // namespace
 
 TEST_CASE("looking for contacts every step is looking every substep where a step has one") {
-  CHECK(same_bits(after(tumbling(ContactSearch::every_step, 1), 120),
-                  after(tumbling(ContactSearch::every_substep, 1), 120)));
+  CHECK(identical(world_after(tumbling_scene(ContactSearch::every_step, 1), 120),
+                  world_after(tumbling_scene(ContactSearch::every_substep, 1), 120)));
 }
 
 TEST_CASE("one search a step and one a substep differ by the second order of the step at least") {
@@ -84,7 +84,7 @@ TEST_CASE("one search a step and one a substep differ by the second order of the
       world.step(solver);
       return world;
     };
-    const double apart = distance(run(ContactSearch::every_step), run(ContactSearch::every_substep));
+    const double apart = farthest_apart(run(ContactSearch::every_step), run(ContactSearch::every_substep));
     if (before > 0) CHECK(apart < before / 3.5);  // a second order gives a quarter
     before = std::max(apart, 1e-15);              // below it is rounding
   }
@@ -93,29 +93,29 @@ TEST_CASE("one search a step and one a substep differ by the second order of the
 TEST_CASE("a pyramid that rests stands as high whatever the search, and as still") {
   for (const int substeps : {1, 4}) {
     CAPTURE(substeps);
-    const World<double> reference = after(pyramid(ContactSearch::every_substep, substeps), 180);
+    const World<double> reference = world_after(resting_pyramid(ContactSearch::every_substep, substeps), 180);
     for (const ContactSearch search : {ContactSearch::every_step, ContactSearch::when_moved}) {
       // Less than the slop of 5 mm, within which nothing says where a body stands.
-      CHECK(distance(after(pyramid(search, substeps), 180), reference) < 0.001);
+      CHECK(farthest_apart(world_after(resting_pyramid(search, substeps), 180), reference) < 0.001);
     }
   }
 }
 
 TEST_CASE("a copy of a world that keeps its manifolds goes on with the same bits") {
-  World<double> world = after(tumbling(ContactSearch::when_moved, 2), 40);
+  World<double> world = world_after(tumbling_scene(ContactSearch::when_moved, 2), 40);
   World<double> twin = world;
   SequentialImpulse<double> one({.iterations = 20}), other({.iterations = 20});
   for (int i = 0; i < 40; ++i) {
     world.step(one);
     twin.step(other);
   }
-  CHECK(same_bits(world, twin));
+  CHECK(identical(world, twin));
 }
 
 TEST_CASE("the problem that a world tells of is the one that its next step solves, manifolds kept or not") {
   for (const ContactSearch search :
        {ContactSearch::every_substep, ContactSearch::every_step, ContactSearch::when_moved}) {
-    World<double> world = after(tumbling(search, 1), 25);
+    World<double> world = world_after(tumbling_scene(search, 1), 25);
     const VelocityProblem<double> told = world.velocity_problem();
     SequentialImpulse<double> solver({.iterations = 0});
     world.step(solver);

@@ -37,13 +37,13 @@ struct Yard {
 };
 
 /// A solver of its own in every call: none keeps anything from step to step.
-void run(World<double>& world, int steps) {
+void run_steps(World<double>& world, int steps) {
   SequentialImpulse<double> solver({.iterations = 10});
   for (int i = 0; i < steps; ++i) world.step(solver);
 }
 
 /// Of the bodies that both have.
-bool same_bits(const World<double>& one, const World<double>& other) {
+bool go_alike(const World<double>& one, const World<double>& other) {
   const int count = std::min(one.bodies().pose.size(), other.bodies().pose.size());
   bool same = one.time() == other.time() && one.steps() == other.steps() && one.dt() == other.dt();
   for (int i = 0; i < count; ++i) {
@@ -72,13 +72,13 @@ TEST_CASE("a world whose scene was edited without a change goes on with the same
         SceneSettings settings{.substeps = 2, .contact_search = search};
         if (sleeps) settings.sleeping = Sleeping{};
         World<double> world(Yard(settings).scene);
-        run(world, steps);
+        run_steps(world, steps);
         World<double> edited = world;
         edited.edit([](Scene&) {});
-        CHECK(same_bits(world, edited));
-        run(world, 60);
-        run(edited, 60);
-        CHECK(same_bits(world, edited));
+        CHECK(go_alike(world, edited));
+        run_steps(world, 60);
+        run_steps(edited, 60);
+        CHECK(go_alike(world, edited));
         CHECK(world.last_step().problem.impulse == edited.last_step().problem.impulse);
       }
     }
@@ -88,46 +88,46 @@ TEST_CASE("a world whose scene was edited without a change goes on with the same
 TEST_CASE("bodies that come and go elsewhere change no bit of the others") {
   for (const ContactSearch search : every_search) {
     World<double> world(Yard({.contact_search = search}).scene);
-    run(world, 20);
+    run_steps(world, 20);
     World<double> edited = world;
     BodyId guest;
     edited.edit([&](Scene& scene) { guest = scene.add({.shapes = {box(1, 1)}, .position = {20, 0.5}}); });
     CHECK(guest.index == world.bodies().pose.size());
-    run(world, 20);
-    run(edited, 20);
-    CHECK(same_bits(world, edited));
+    run_steps(world, 20);
+    run_steps(edited, 20);
+    CHECK(go_alike(world, edited));
     CHECK(edited.bodies().pose[guest].position.y() == doctest::Approx(0.5).epsilon(0.01));
     edited.edit([&](Scene& scene) { scene.remove(guest); });
-    run(world, 20);
-    run(edited, 20);
-    CHECK(same_bits(world, edited));
+    run_steps(world, 20);
+    run_steps(edited, 20);
+    CHECK(go_alike(world, edited));
     const Yard yard;  // its ids
     edited.edit([&](Scene& scene) { scene.remove(yard.lonely); });
-    run(world, 20);
-    run(edited, 20);
-    CHECK(same_bits(world, edited));
+    run_steps(world, 20);
+    run_steps(edited, 20);
+    CHECK(go_alike(world, edited));
   }
 }
 
 TEST_CASE("rows that stay keep their impulses when shapes before them in the order go") {
   Yard yard;
   World<double> world(yard.scene);
-  run(world, 60);
+  run_steps(world, 60);
   const double weight_below = world.last_step().problem.impulse[world.last_step().problem.blocks[4].first];
   CHECK(weight_below > 0);
   // The lowest number of the pile's colliders goes: the others are renumbered, and found again.
   world.edit([&](Scene& scene) { scene.remove(yard.lonely); });
-  run(world, 1);
+  run_steps(world, 1);
   CHECK(all_found_again(world));
   world.edit([&](Scene& scene) { scene.remove(yard.pile[5]); });  // the top of the pile
-  run(world, 1);
+  run_steps(world, 1);
   CHECK(all_found_again(world));
 }
 
 TEST_CASE("what rested on a removed body falls, and what sleeps elsewhere sleeps on") {
   Yard yard({.sleeping = Sleeping{}});
   World<double> world(yard.scene);
-  run(world, 240);
+  run_steps(world, 240);
   REQUIRE(!world.is_awake(yard.pile[5]));
   REQUIRE(!world.is_awake(yard.lonely));
   world.edit([&](Scene& scene) { scene.remove(yard.pile[0]); });
@@ -135,7 +135,7 @@ TEST_CASE("what rested on a removed body falls, and what sleeps elsewhere sleeps
   CHECK(world.is_awake(yard.pile[5]));
   CHECK(!world.is_awake(yard.lonely));
   const double height = world.bodies().pose[yard.pile[5]].position.y();
-  run(world, 30);
+  run_steps(world, 30);
   CHECK(world.bodies().pose[yard.pile[5]].position.y() < height - 0.5);
   CHECK(!world.is_awake(yard.lonely));
 }
@@ -146,7 +146,7 @@ TEST_CASE("a changed body, a changed rule and a new joint act from the next step
   const BodyId slider =
       scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .velocity = {3, 0}, .friction = 0});
   World<double> world(scene);
-  run(world, 30);
+  run_steps(world, 30);
   CHECK(world.bodies().velocity[slider].x() == doctest::Approx(3));
   world.edit([&](Scene& now) {
     BodySpec spec = now.bodies()[slider].spec;
@@ -154,9 +154,9 @@ TEST_CASE("a changed body, a changed rule and a new joint act from the next step
     now.change(slider, spec);
   });
   CHECK(world.bodies().velocity[slider].x() == doctest::Approx(3));
-  run(world, 15);
+  run_steps(world, 15);
   CHECK(world.bodies().velocity[slider].x() == doctest::Approx(3 - 10 * 15.0 / 60).epsilon(0.05));  // mu g t
-  run(world, 120);
+  run_steps(world, 120);
   REQUIRE(!world.is_awake(slider));
 
   // Gravity to the side wakes it; a pin at its centre then holds it.
@@ -166,26 +166,26 @@ TEST_CASE("a changed body, a changed rule and a new joint act from the next step
     now.set_settings(settings);
   });
   CHECK(world.is_awake(slider));
-  run(world, 10);
+  run_steps(world, 10);
   CHECK(world.bodies().velocity[slider].x() > 1);
   const double place = world.bodies().pose[slider].position.x();
   world.edit([&](Scene& now) {
     now.join<RevoluteJoint>({.a = ground, .b = slider, .anchor = now.bodies()[slider].pose.position});
   });
-  run(world, 120);
+  run_steps(world, 120);
   CHECK(world.bodies().pose[slider].position.x() == doctest::Approx(place).epsilon(0.01));
 }
 
 TEST_CASE("joints that stay keep their impulses when others are removed and added") {
   Yard yard;
   World<double> world(yard.scene);
-  run(world, 30);
+  run_steps(world, 30);
   const JointId first = world.scene().joint_id(0);
   world.edit([&](Scene& scene) { scene.remove(yard.pin); });
   CHECK(world.scene().joints().size() == 3);
   CHECK(world.scene().joint_id(0) == first);
   const auto joints_found_again = [&] {
-    run(world, 1);
+    run_steps(world, 1);
     const auto& is_new = world.last_step().is_new;
     const int rows = 2 * world.scene().joints().size();  // of pins
     return std::none_of(is_new.begin(), is_new.begin() + rows, [](char each) { return each != 0; });
@@ -198,7 +198,7 @@ TEST_CASE("joints that stay keep their impulses when others are removed and adde
 TEST_CASE("a body that is put elsewhere begins there, and one that is not keeps its bits") {
   Yard yard;
   World<double> world(yard.scene);
-  run(world, 50);
+  run_steps(world, 50);
   World<double> edited = world;
   edited.edit([&](Scene& scene) { scene.displace(yard.lonely, {0, 3}); });
   CHECK(edited.bodies().pose[yard.lonely].position.y() ==
@@ -206,15 +206,15 @@ TEST_CASE("a body that is put elsewhere begins there, and one that is not keeps 
   for (const BodyId body : yard.pile) {
     CHECK(edited.bodies().pose[body].position == world.bodies().pose[body].position);
   }
-  run(world, 20);
-  run(edited, 20);
+  run_steps(world, 20);
+  run_steps(edited, 20);
   CHECK(edited.bodies().pose[yard.pile[3]].position == world.bodies().pose[yard.pile[3]].position);
 }
 
 TEST_CASE("an edit that is refused, or fails midway, changes nothing") {
   Yard yard;
   World<double> world(yard.scene);
-  run(world, 20);
+  run_steps(world, 20);
   World<double> untouched = world;
   CHECK_THROWS_AS(world.edit([&](Scene& scene) {
     scene.remove(yard.lonely);
@@ -226,15 +226,15 @@ TEST_CASE("an edit that is refused, or fails midway, changes nothing") {
   }),
                   std::invalid_argument);
   CHECK_THROWS_AS(world.edit([](Scene&) { throw std::runtime_error("midway"); }), std::runtime_error);
-  run(world, 20);
-  run(untouched, 20);
-  CHECK(same_bits(world, untouched));
+  run_steps(world, 20);
+  run_steps(untouched, 20);
+  CHECK(go_alike(world, untouched));
 }
 
 TEST_CASE("time, steps and dt go on over an edit") {
   World<double> world(Yard().scene);
   world.set_dt(1.0 / 120);
-  run(world, 7);
+  run_steps(world, 7);
   world.edit([](Scene& scene) { scene.add({.shapes = {circle(0.2)}, .position = {0, 30}}); });
   CHECK(world.steps() == 7);
   CHECK(world.time() == doctest::Approx(7.0 / 120));
@@ -250,14 +250,14 @@ TEST_CASE("time, steps and dt go on over an edit") {
 TEST_CASE("a hand drags a body to where it pulls, wakes it, and lets go") {
   Yard yard({.sleeping = Sleeping{}});
   World<double> world(yard.scene);
-  run(world, 120);
+  run_steps(world, 120);
   REQUIRE(!world.is_awake(yard.lonely));
   world.grab({.body = yard.lonely, .anchor = {-20, 0.5}, .target = {-20, 0.5}, .max_force = 200});
   for (int i = 0; i < 120; ++i) {
     world.drag_to({-20 + 0.02 * i, 3});
-    run(world, 1);
+    run_steps(world, 1);
   }
-  run(world, 60);
+  run_steps(world, 60);
   CHECK(world.is_awake(yard.lonely));
   // The spring of 5 Hz gives way to the weight by g / omega^2.
   const double sag = 10 / std::pow(2 * pi * 5, 2);
@@ -268,7 +268,7 @@ TEST_CASE("a hand drags a body to where it pulls, wakes it, and lets go") {
   CHECK(seen.joints.back().impulse.y() / seen.dt == doctest::Approx(10).epsilon(0.01));  // its weight: 1 kg
   world.let_go();
   CHECK(world.hand() == nullptr);
-  run(world, 30);
+  run_steps(world, 30);
   CHECK(world.bodies().pose[yard.lonely].position.y() < 2.5);
 }
 
@@ -282,16 +282,16 @@ TEST_CASE("a run with a hand is repeated from its inputs, over edits and sleep")
     if (i > 50 && i < 120) world.drag_to({1 + 0.03 * (i - 50), 5 + std::sin(0.1 * i)});
     if (i == 80) world.edit(add_ball);
     if (i == 120) world.let_go();
-    run(world, 1);
+    run_steps(world, 1);
   }
   World<double> again = begin();
   auto input = world.hand_inputs().begin();
   for (int i = 0; i < 200; ++i) {
     for (; input != world.hand_inputs().end() && input->step == i; ++input) again.repeat(*input);
     if (i == 80) again.edit(add_ball);
-    run(again, 1);
+    run_steps(again, 1);
   }
-  CHECK(same_bits(world, again));
+  CHECK(go_alike(world, again));
   CHECK(again.hand_inputs().size() == world.hand_inputs().size());
 }
 
