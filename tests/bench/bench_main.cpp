@@ -1,6 +1,6 @@
-// What the paper says of speed, memory and code, and what features and constraints cost: nine tables.
+// What the paper says of speed, memory and code, and what features and constraints cost: ten tables.
 //   bash tests/run bench   all of them, in about two minutes
-//   cairn_bench [solvers|layout|memory|blocks|lines|features|constraints|policies|guards]   some of them
+//   cairn_bench [solvers|layout|memory|blocks|lines|features|constraints|policies|guards|searches]   some of them
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -38,7 +38,8 @@ bool print_tables(const cairn::List<std::string>& wanted) {
                                      {"features", cairn::bench::print_feature_table},
                                      {"constraints", cairn::bench::print_constraint_table},
                                      {"policies", cairn::bench::print_policy_table},
-                                     {"guards", cairn::bench::print_guard_table}};
+                                     {"guards", cairn::bench::print_guard_table},
+                                     {"searches", cairn::bench::print_search_table}};
   const auto named = [&](const std::string& name) {
     return [&name](const Table& table) { return table.first == name; };
   };

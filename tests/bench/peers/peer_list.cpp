@@ -13,26 +13,46 @@ namespace {
 
 const Stabilization soft = {.policy = StabilizationPolicy::soft};
 
+constexpr ContactSearch every_step = ContactSearch::every_step, when_moved = ContactSearch::when_moved;
+
 List<Setting> usual_settings_of_cairn() {
   return {{.solver = "si", .sweeps = {.iterations = 10}},
           {.solver = "accelerated", .sweeps = {.iterations = 20}},
           {.solver = "newton", .sweeps = {.iterations = 50, .tolerance = 1e-6}},
-          {.solver = "si", .sweeps = {.iterations = 1}, .substeps = 4, .stabilization = soft}};
+          {.solver = "newton", .sweeps = {.iterations = 50, .tolerance = 1e-6}, .contact_search = when_moved},
+          {.solver = "si", .sweeps = {.iterations = 1}, .substeps = 4, .stabilization = soft},
+          {.solver = "wide", .sweeps = {.iterations = 10}, .contact_search = when_moved},
+          {.solver = "wide", .sweeps = {.iterations = 300, .tolerance = 1e-3}, .contact_search = when_moved},
+          {.solver = "wide",
+           .sweeps = {.iterations = 1},
+           .substeps = 4,
+           .contact_search = every_step,
+           .stabilization = soft}};
 }
 
 /// Of rising cost, for each method.
 List<List<Setting>> settings_of_cairn() {
-  List<List<Setting>> all(4);
+  List<List<Setting>> all(6);
   for (const int sweeps : {5, 10, 20, 40, 80, 160}) {
     all[0].push_back({.solver = "si", .sweeps = {.iterations = sweeps}});
     all[1].push_back({.solver = "accelerated", .sweeps = {.iterations = sweeps}});
   }
   for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
-    all[2].push_back({.solver = "newton", .sweeps = {.iterations = 50, .tolerance = tolerance}});
+    all[2].push_back({.solver = "newton",
+                      .sweeps = {.iterations = 50, .tolerance = tolerance},
+                      .contact_search = when_moved});
   }
   for (const int substeps : {2, 4, 8, 16}) {
     all[3].push_back(
         {.solver = "si", .sweeps = {.iterations = 1}, .substeps = substeps, .stabilization = soft});
+    all[5].push_back({.solver = "wide",
+                      .sweeps = {.iterations = 1},
+                      .substeps = substeps,
+                      .contact_search = every_step,
+                      .stabilization = soft});
+  }
+  for (const int sweeps : {5, 10, 20, 40, 80, 160, 320}) {
+    all[4].push_back({.solver = "wide", .sweeps = {.iterations = sweeps}, .contact_search = when_moved});
   }
   return all;
 }
@@ -42,6 +62,8 @@ Contestant cairn_with(const Setting& setting) {
   if (setting.sweeps.tolerance > 0)
     name = fmt::format("Cairn {} to {:g}", setting.solver, setting.sweeps.tolerance);
   if (setting.substeps > 1) name += fmt::format(", {} substeps", setting.substeps);
+  if (setting.contact_search == every_step) name += ", one search";
+  if (setting.contact_search == when_moved) name += ", moved";
   if (setting.stabilization.policy != StabilizationPolicy::baumgarte) {
     name += ", " + stabilization_text(setting.stabilization);
   }
