@@ -20,7 +20,7 @@ struct SolverEntry {
   std::string cost = {};    // of one sweep over m rows, and of its memory
   int max_rows = no_limit;  // more are refused with std::length_error
   /// How many updates of each row one of its iterations counts for, where work is counted: a linear system
-  /// for as many as the sweeps of SequentialImpulse that take as long.
+  /// for as many as the sweeps of SequentialImpulse that take as long, between 5 in a stack and 40 in a grid.
   int updates_a_row = 1;
   bool uses_order = true;       // SolverSettings::order
   bool uses_relaxation = true;  // SolverSettings::relaxation

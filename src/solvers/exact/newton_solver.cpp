@@ -21,7 +21,8 @@ constexpr int steps_of_one_problem = 10;
 constexpr int first_sweeps = 30;
 constexpr int failures_before_sweeps = 4;
 constexpr int most_failures = 20;
-constexpr int roundings_of_residual = 4;  // of R_E: there is nothing below
+constexpr int roundings_of_residual = 4;   // of R_E: there is nothing below,
+constexpr int roundings_of_impulses = 16;  // nor below so many of all impulses, beside the scale of R_E
 constexpr double goal_of_tolerance = 0.01;
 // Of R_E in a step that was solved: where it falls less, the next is stiffer;
 constexpr double good_progress = 0.1;
@@ -64,8 +65,10 @@ typename NewtonSolver<Real>::Work NewtonSolver<Real>::enough() const {
 
 template <Scalar Real>
 typename NewtonSolver<Real>::Work NewtonSolver<Real>::goal() const {
-  return std::max(static_cast<Work>(goal_of_tolerance * settings_.tolerance),
-                  roundings_of_residual * std::numeric_limits<Work>::epsilon());
+  const Work rounding = std::numeric_limits<Work>::epsilon();
+  return std::max({static_cast<Work>(goal_of_tolerance * settings_.tolerance),
+                   roundings_of_residual * rounding,
+                   roundings_of_impulses * rounding * rows_.center_size() / rows_.scale()});
 }
 
 template <Scalar Real>
@@ -139,7 +142,7 @@ void NewtonSolver<Real>::approach(const VelocityProblem<Work>& problem) {
 /// Seeks du with F(du) = 0 around the centre; the last evaluation is the answer.
 template <Scalar Real>
 bool NewtonSolver<Real>::solve_softened() {
-  const Work small = Work(1e-2) * residual_ * rows_.scale();
+  const Work small = std::max(Work(1e-2) * residual_, Work(1e-1) * goal()) * rows_.scale();
   du_ = Vector<Work>::Zero(rows_.freedoms());
   Work error = rows_.evaluate(du_).norm();
   for (int step = 0; step < steps_of_one_problem && error > small; ++step) {

@@ -38,7 +38,8 @@ namespace cairn {
 /// of 5 sweeps of SequentialImpulse, for 50 x 50 bodies in a grid that of 40. SolveReport::iterations counts
 /// those; extra_sweeps counts sweeps, and two of them for a step by kept factors and three to look at the
 /// warm start, which is what they take. Memory: that of the factors, and some 22 numbers a row. Once it has
-/// been as large, a solve in double without sweeps and a new order allocates nothing. Observers see the end alone.
+/// been as large, a solve in double without sweeps and a new order allocates nothing. Observers see the end
+/// alone.
 template <Scalar Real = double>
 class NewtonSolver final : public Solver<Real> {
  public:

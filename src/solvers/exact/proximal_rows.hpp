@@ -37,6 +37,8 @@ class ProximalRows {
   void center_at_last();
   /// x' [N s].
   void copy_center_to(PerRow<Real>& impulse) const { copy_impulses(center_, impulse); }
+  /// |x'|: error() cannot fall below its roundings.
+  Real center_size() const { return center_.norm(); }
   /// How soft the rows are from now on.
   void soften(Real epsilon) { epsilon_ = epsilon; }
   /// How soft they are.
