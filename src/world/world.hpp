@@ -186,6 +186,7 @@ class World {
   PerBody<Real> failed_error_;     // [m] likewise: deeper in another, it is on its way through
   PerBody<double> friction_root_;  // sqrt(mu): a pair's mu is the product of two
   PerBody<Real> length_;           // [m] of the largest shape
+  PerBody<Real> radius_;           // [m] of a circle around all shapes, about the centre of mass
   BodyState<Real> state_;
   ContactGraph<Real> graph_;
   List<JointImpulses> joint_impulses_;  // the last ones are those of the hand

@@ -52,10 +52,14 @@ void World<Real>::find_manifolds() {
   if (plan_->moves_manifolds) move_manifolds();
 }
 
-/// Contacts are sought for all substeps: bodies may come as far as in a step.
+/// Contacts are sought for all substeps: a body, and what is at its rim, may come as far as in a step.
 template <Scalar Real>
 void World<Real>::look_ahead() {
-  for (const BodyId body : reach_.indices()) reach_[body] = way(body, static_cast<Real>(dt_));
+  const Real dt = static_cast<Real>(dt_);
+  for (const BodyId body : reach_.indices()) {
+    const Real turning = std::abs(state_.velocity[body].z()) * radius_[body];
+    reach_[body] = std::max(reach_[body], way(body, dt) + dt * turning);
+  }
 }
 
 /// The manifolds that were found, where the bodies are now.

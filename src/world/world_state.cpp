@@ -111,9 +111,11 @@ World<Real>::World(Scene scene)
     forces_.push_back({.gravity_scale = static_cast<Real>(spec.gravity_scale),
                        .linear_damping = static_cast<Real>(spec.linear_damping),
                        .angular_damping = static_cast<Real>(spec.angular_damping)});
+    radius_.push_back(0);
     for (const Shape<double>& shape : spec.shapes) {
       const Shape<Real> cast = shape_cast<Real>(shape);
       colliders.push_back({id, cast, bounding_radius(cast), core_radius(cast)});
+      radius_[id] = std::max(radius_[id], colliders.back().radius);
       movable_.push_back(spec.type == BodyType::dynamic ? 1 : 0);
     }
   }
