@@ -236,7 +236,7 @@ Verb tune_verb() {
                 {"energy-gain", "SHARE", "kinetic and potential energy never rise by more, such as 1%"},
                 {"stands", "TIME", "nothing leaves the place it settles in for so long, such as 10s"},
                 {"seconds", "TIME", "of every run (the scene's own, or as long as it should stand)"},
-                {"solvers", "NAME,NAME", "to try (si, block, block-contact, accelerated, newton)", true},
+                {"solvers", "NAME,NAME", "to try (si, wide, block, block-contact, accelerated, newton)", true},
                 {"starts", "N", "from which it must hold (16)"},
                 {"time", "TIME", "for all of it, the rivals too (60s)"}},
       .examples = {"tune stack --penetration 2mm", "tune chain-bob --drift 5mm --energy-gain 1%",

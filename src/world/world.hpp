@@ -138,7 +138,6 @@ class World {
     Real radius;       // [m] of a circle around it, about the body's centre of mass
     Real core_radius;  // [m] by which its core is rounded
   };
-  using ContactImpulses = decltype(ContactSlot<Real>::impulses);
   using JointImpulses = BlockImpulses<List<RowImpulse<Real>>, Real>;
 
   /// The length of a substep [s].
