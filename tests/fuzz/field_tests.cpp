@@ -243,8 +243,8 @@ TEST_CASE("bounds of a frozen row that only huge impulses keep are refused by na
 
 TEST_CASE("whoever gives a type another field is reminded of the tables above") {
   // These lines compile for as many fields as there are names.
-  const auto& [gravity, dt, substeps, stabilization, warm_start, watches, margin, threshold, rows, sleeping] =
-      SceneSettings{};
+  const auto& [gravity, dt, substeps, stabilization, warm_start, watches, search, margin, threshold, rows,
+               sleeping] = SceneSettings{};
   const auto& [policy, baumgarte, slop, max_speed, soft] = stabilization;
   const auto& [iterations, tolerance, budget, order, seed, relaxation, patience] = SolverSettings{};
   const auto& [type, shapes, position, angle, velocity, turning, mass, inertia, density, friction, rebound,
