@@ -58,6 +58,13 @@ struct ContactSlot {
   Pose<Real> found_at = {};  // of what moves, beside the other, when the manifold was found
 };
 
+/// A pair that is near, and its slot.
+struct NearSlot {
+  std::pair<int, int> shapes = {};  // the lower one first
+  int slot = 0;
+  bool is_blank = true;  // the slot knows of no touch
+};
+
 /// The slots of all pairs that are near, in the order of their shapes: an order that depends on who is near
 /// whom now, and not on since when. A slot keeps its place in memory as long as its pair is near.
 template <Scalar Real>
@@ -77,14 +84,14 @@ class ContactGraph {
     next_.clear();
     auto old = order_.begin();
     for (const std::pair<int, int>& pair : near_.pairs()) {
-      while (old != order_.end() && key(*old) < pair) free_.push_back(*old++);
-      if (old != order_.end() && key(*old) == pair) {
+      for (; old != order_.end() && old->shapes < pair; ++old) free_.push_back(old->slot);
+      if (old != order_.end() && old->shapes == pair) {
         next_.push_back(*old++);
-      } else if (std::optional<ContactSlot<Real>> slot = make(pair.first, pair.second)) {
-        next_.push_back(place(*slot));
+      } else if (const std::optional<ContactSlot<Real>> slot = make(pair.first, pair.second)) {
+        next_.push_back({.shapes = pair, .slot = place(*slot)});
       }
     }
-    free_.insert(free_.end(), old, order_.end());
+    for (; old != order_.end(); ++old) free_.push_back(old->slot);
     order_.swap(next_);
   }
 
@@ -95,21 +102,22 @@ class ContactGraph {
     free_.clear();
     List<std::pair<int, int>> pairs;
     for (int i = 0; i < slots_.size(); ++i) {
-      order_.push_back(i);
-      pairs.push_back(key(i));
+      pairs.push_back({slots_[i].collider_a, slots_[i].collider_b});
+      order_.push_back({.shapes = pairs.back(), .slot = i, .is_blank = false});
     }
     near_.begin_with(std::move(pairs));
   }
 
-  /// The numbers of all slots, in order.
-  const List<int>& order() const { return order_; }
+  /// All pairs that are near, in order.
+  List<NearSlot>& order() { return order_; }
+  /// All pairs that are near, in order.
+  const List<NearSlot>& order() const { return order_; }
   /// The slot of that number.
   ContactSlot<Real>& operator[](int slot) { return slots_[slot]; }
   /// The slot of that number.
   const ContactSlot<Real>& operator[](int slot) const { return slots_[slot]; }
 
  private:
-  std::pair<int, int> key(int slot) const { return {slots_[slot].collider_a, slots_[slot].collider_b}; }
   int place(const ContactSlot<Real>& slot) {
     if (free_.empty()) {
       slots_.push_back(slot);
@@ -123,9 +131,9 @@ class ContactGraph {
 
   NearPairs<Real> near_;
   List<ContactSlot<Real>> slots_;  // in no order
-  List<int> order_;
+  List<NearSlot> order_;
   List<int> free_;
-  List<int> next_;  // scratch
+  List<NearSlot> next_;  // scratch
 };
 
 }  // namespace cairn

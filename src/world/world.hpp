@@ -151,7 +151,7 @@ class World {
   Real way(BodyId body, Real time) const;
   Real reach(BodyId body) const;
   std::optional<ContactSlot<Real>> make_slot(int collider_a, int collider_b) const;
-  void meet(int slot);
+  void meet(NearSlot& near);
   void touch(int slot, const Manifold<Real>& manifold);
   Manifold<Real> collide_slot(const ContactSlot<Real>& slot, Real margin) const;
   Pose<Real> relative_pose(const ContactSlot<Real>& slot) const;

@@ -46,7 +46,7 @@ void World<Real>::find_manifolds() {
   }
   if (sleep_) sleep_->mark_movable(state_.velocity, movable_);
   graph_.update(boxes_, [this](int i, int j) { return make_slot(i, j); });
-  for (const int slot : graph_.order()) meet(slot);
+  for (NearSlot& near : graph_.order()) meet(near);
   std::sort(record_.sensed.begin(), record_.sensed.end());
   record_.sensed.erase(std::unique(record_.sensed.begin(), record_.sensed.end()), record_.sensed.end());
   if (plan_->moves_manifolds) move_manifolds();
@@ -149,10 +149,15 @@ void World<Real>::touch(int number, const Manifold<Real>& manifold) {
 
 /// One pair that is near: its manifold, if the two touch.
 template <Scalar Real>
-void World<Real>::meet(int number) {
+void World<Real>::meet(NearSlot& near) {
+  const auto [shape_a, shape_b] = near.shapes;
+  if (sleep_ && !movable_[shape_a] && !movable_[shape_b]) return;  // as they fell asleep
+  const bool overlap = boxes_[shape_a].overlaps(boxes_[shape_b]);
+  if (!overlap && near.is_blank) return;
+  near.is_blank = !overlap;
+  const int number = near.slot;
   ContactSlot<Real>& slot = graph_[number];
-  if (sleep_ && !movable_[slot.collider_a] && !movable_[slot.collider_b]) return;  // as they fell asleep
-  if (!boxes_[slot.collider_a].overlaps(boxes_[slot.collider_b])) {
+  if (!overlap) {
     slot.is_found = false;
     slot.impulses.count = 0;
     return;

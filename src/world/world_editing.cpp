@@ -87,8 +87,8 @@ template <Scalar Real>
 void World<Real>::carry_contacts(const World& before) {
   const List<int> numbers = numbers_now(*before.scene_, *scene_);
   List<ContactSlot<Real>> slots;
-  for (const int number : before.graph_.order()) {
-    const ContactSlot<Real>& old = before.graph_[number];
+  for (const NearSlot& near : before.graph_.order()) {
+    const ContactSlot<Real>& old = before.graph_[near.slot];
     const int a = numbers[old.collider_a], b = numbers[old.collider_b];
     if (a < 0 || b < 0) continue;
     std::optional<ContactSlot<Real>> slot = make_slot(a, b);
@@ -117,8 +117,8 @@ void World<Real>::carry_sleep(const World& before, const Scene& then) {
   for (const BodyId body : then.bodies().indices()) {
     if (has_changed(body)) sleep_->wake(body);
   }
-  for (const int number : before.graph_.order()) {
-    const ContactSlot<Real>& slot = before.graph_[number];
+  for (const NearSlot& near : before.graph_.order()) {
+    const ContactSlot<Real>& slot = before.graph_[near.slot];
     if (slot.impulses.count == 0) continue;
     if (has_changed(slot.a)) sleep_->wake(slot.b);
     if (has_changed(slot.b)) sleep_->wake(slot.a);
