@@ -22,9 +22,9 @@ struct RowImpulse {
 /// What the rows of one block gave, a contact's or a joint's, and in which order.
 template <typename Rows, Scalar Real>
 struct BlockImpulses {
-  Rows rows = {};
-  int count = 0;  // of rows that are in use
-  Real dt = 0;    // [s] of the substep that they are of
+  Rows rows = {};  // the first `count` of them are in use
+  int count = 0;   // of rows
+  Real dt = 0;     // [s] of the substep that they are of
 
   /// Null where there was no row of that part. Rows mostly keep their place: `place` is where to look first.
   const RowImpulse<Real>* find(std::uint64_t part, int place) const {
@@ -39,19 +39,18 @@ struct BlockImpulses {
 /// Two shapes that are near each other and may touch.
 template <Scalar Real>
 struct ContactSlot {
-  int collider_a = 0;  // the lower one
-  int collider_b = 0;
-  BodyId a = {};
-  BodyId b = {};
+  int collider_a = 0;    // the lower one
+  int collider_b = 0;    // the higher one
+  BodyId a = {};         // whose shape collider_a is
+  BodyId b = {};         // whose shape collider_b is
   bool sensed = false;   // one is a sensor: they are seen to touch, and no more
   Real friction = 0;     // mu
   Real restitution = 0;  // e
   Real slop_limit = 0;   // [m]
-  BlockImpulses<FixedList<RowImpulse<Real>, 4>, Real> impulses = {};
+  BlockImpulses<FixedList<RowImpulse<Real>, 4>, Real> impulses = {};  // of its rows
 
-  // Where manifolds last longer than a substep:
-  KeptManifold<Real> manifold = {};
-  bool is_found = false;     // there is one, or it is known that they do not touch
+  KeptManifold<Real> manifold = {};  // where manifolds last longer than a substep
+  bool is_found = false;             // there is one, or it is known that they do not touch
   bool a_moves = false;      // motion is that of a beside b, because a is smaller; else that of b beside a
   Real radius = 0;           // [m] of what moves, about its centre of mass
   Real keep_limit = 0;       // [m] no point of it may move by more before the manifold is found anew
@@ -61,8 +60,8 @@ struct ContactSlot {
 /// A pair that is near, and its slot.
 struct NearSlot {
   std::pair<int, int> shapes = {};  // the lower one first
-  int slot = 0;
-  bool is_blank = true;  // the slot knows of no touch
+  int slot = 0;                     // its number
+  bool is_blank = true;             // the slot knows of no touch
 };
 
 /// The slots of all pairs that are near, in the order of their shapes: an order that depends on who is near
@@ -93,6 +92,7 @@ class ContactGraph {
     }
     for (; old != order_.end(); ++old) free_.push_back(old->slot);
     order_.swap(next_);
+    next_.reserve(order_.size());  // now, not when a shape next leaves its proxy
   }
 
   /// Begins with slots of another graph, in the order of their shapes.

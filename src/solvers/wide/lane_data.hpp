@@ -29,7 +29,7 @@ struct alignas(64) LaneRow {
 /// An entry of A between two rows of a block, times omega: one for each block of a batch.
 template <typename Number>
 struct alignas(64) LaneCoupling {
-  Number entry[lane_count];
+  Number entry[lane_count];  // one for each lane
 };
 
 /// What a row compares its impulse with.
@@ -64,50 +64,50 @@ struct LaneBatch {
 /// A body's change of velocity over the root of its inverse mass, and a number that is always 0.
 template <typename Number>
 struct alignas(4 * sizeof(Number)) LaneBody {
-  Number velocity[4];
+  Number velocity[4];  // x, y, rotation, 0
 };
 
 /// What a sweep over batches works on.
 template <typename Number>
 struct LaneProblem {
-  const LaneBatch* batches = nullptr;
-  const LaneKind* kinds = nullptr;
-  const LaneCoupling<Number>* couplings = nullptr;
-  LaneRow<Number>* rows = nullptr;
-  LaneBody<Number>* bodies = nullptr;
-  Number relaxation = 1;                   // omega
-  Number largest_change[lane_count] = {};  // [N s] of an impulse in each lane: sweeps raise it
+  const LaneBatch* batches = nullptr;               // in the order of a sweep
+  const LaneKind* kinds = nullptr;                  // of their rows
+  const LaneCoupling<Number>* couplings = nullptr;  // between these
+  LaneRow<Number>* rows = nullptr;                  // all of them
+  LaneBody<Number>* bodies = nullptr;               // all, and one that nothing moves
+  Number relaxation = 1;                            // omega
+  Number largest_change[lane_count] = {};           // [N s] of an impulse in each lane: sweeps raise it
 };
 
 /// The problem's numbers of one row of each block of a batch.
 template <typename Real>
 struct LaneInput {
-  Real jacobian_a[3][lane_count];
-  Real jacobian_b[3][lane_count];
-  Real bias[lane_count];
-  Real softness[lane_count];
-  Real impulse[lane_count];   // [N s]
-  Real lower[lane_count];     // [N s]
-  Real upper[lane_count];     // [N s]
-  Real friction[lane_count];  // mu
+  Real jacobian_a[3][lane_count];  // of the first body
+  Real jacobian_b[3][lane_count];  // of the second body
+  Real bias[lane_count];           // zeta (7)
+  Real softness[lane_count];       // gamma [1/kg]
+  Real impulse[lane_count];        // [N s]
+  Real lower[lane_count];          // [N s]
+  Real upper[lane_count];          // [N s]
+  Real friction[lane_count];       // mu
 };
 
 /// The same of the bodies of a batch.
 template <typename Real>
 struct LaneBodyInput {
-  Real velocity_a[3][lane_count];
-  Real velocity_b[3][lane_count];
-  Real root_a[3][lane_count];  // of the inverse mass
-  Real root_b[3][lane_count];
+  Real velocity_a[3][lane_count];  // of the first bodies
+  Real velocity_b[3][lane_count];  // of the second bodies
+  Real root_a[3][lane_count];      // of the inverse masses of the first bodies
+  Real root_b[3][lane_count];      // of those of the second bodies
 };
 
 /// What filling the lanes of a batch reads.
 template <typename Real>
 struct LaneFilling {
-  LaneBodyInput<Real> bodies;
-  LaneInput<Real> rows[most_lane_rows];
-  int row_count = 0;
-  Real relaxation = 1;  // omega
+  LaneBodyInput<Real> bodies;            // of the blocks
+  LaneInput<Real> rows[most_lane_rows];  // the first row_count are in use
+  int row_count = 0;                     // in each block
+  Real relaxation = 1;                   // omega
 };
 
 }  // namespace cairn

@@ -27,6 +27,7 @@ using LaneNumber = std::conditional_t<std::same_as<Real, long double>, double, f
 /// The code of one set.
 template <typename Real>
 struct LaneCode {
+  /// Of the lanes.
   using Number = LaneNumber<Real>;
   /// Sweeps over batches `first` to `last` - 1.
   void (*sweep)(LaneProblem<Number>& problem, int first, int last) = nullptr;
