@@ -35,7 +35,7 @@ std::string three(const List<TrialResult>& results, const Number& number) {
   std::string text;
   for (const TrialResult& result : results) {
     const bool ended = result.status == TrialStatus::ok;
-    text += fmt::format("{:>8}", ended ? number(result) : status_text(result.status));
+    text += fmt::format("{:>9}", ended ? number(result) : status_text(result.status));
   }
   return text;
 }

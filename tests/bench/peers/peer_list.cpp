@@ -19,7 +19,6 @@ List<Setting> usual_settings_of_cairn() {
   return {{.solver = "si", .sweeps = {.iterations = 10}},
           {.solver = "accelerated", .sweeps = {.iterations = 20}},
           {.solver = "newton", .sweeps = {.iterations = 50, .tolerance = 1e-6}},
-          {.solver = "newton", .sweeps = {.iterations = 50, .tolerance = 1e-6}, .contact_search = when_moved},
           {.solver = "si", .sweeps = {.iterations = 1}, .substeps = 4, .stabilization = soft},
           {.solver = "wide", .sweeps = {.iterations = 10}, .contact_search = when_moved},
           {.solver = "wide", .sweeps = {.iterations = 300, .tolerance = 1e-3}, .contact_search = when_moved},
@@ -38,9 +37,7 @@ List<List<Setting>> settings_of_cairn() {
     all[1].push_back({.solver = "accelerated", .sweeps = {.iterations = sweeps}});
   }
   for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
-    all[2].push_back({.solver = "newton",
-                      .sweeps = {.iterations = 50, .tolerance = tolerance},
-                      .contact_search = when_moved});
+    all[2].push_back({.solver = "newton", .sweeps = {.iterations = 50, .tolerance = tolerance}});
   }
   for (const int substeps : {2, 4, 8, 16}) {
     all[3].push_back(
