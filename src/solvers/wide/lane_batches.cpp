@@ -11,19 +11,17 @@ namespace cairn {
 
 namespace {
 
-const int bits_of_a_kind = 10;  // 1 + bounds, whether it is soft, two rows of the block
+const int bits_of_a_kind = 9;  // 1 + bounds, two rows of the block
 
 std::uint64_t code_of(LaneKind kind) {
-  return (static_cast<std::uint64_t>(kind.bounds) + 1) | (kind.is_soft ? 8u : 0u) |
-         (static_cast<std::uint64_t>(kind.normal) << 4) |
-         (static_cast<std::uint64_t>(kind.second_normal) << 7);
+  return (static_cast<std::uint64_t>(kind.bounds) + 1) | (static_cast<std::uint64_t>(kind.normal) << 3) |
+         (static_cast<std::uint64_t>(kind.second_normal) << 6);
 }
 
 LaneKind kind_of(std::uint64_t code) {
   return {.bounds = static_cast<LaneBounds>((code & 7) - 1),
-          .is_soft = (code & 8) != 0,
-          .normal = static_cast<std::uint8_t>((code >> 4) & 7),
-          .second_normal = static_cast<std::uint8_t>((code >> 7) & 7)};
+          .normal = static_cast<std::uint8_t>((code >> 3) & 7),
+          .second_normal = static_cast<std::uint8_t>((code >> 6) & 7)};
 }
 
 template <Scalar Real>
@@ -112,7 +110,7 @@ template <Scalar Real>
 std::uint64_t LaneBatches::seen_kind(const VelocityProblem<Real>& problem, const RowBlock& block, int i) {
   const ConstraintRow<Real>& row = problem.rows[i];
   const ConstraintRow<Real>& first = problem.rows[block.first];
-  LaneKind kind = {.bounds = lane_bounds(row.bounds), .is_soft = row.softness != 0};
+  LaneKind kind = {.bounds = lane_bounds(row.bounds)};
   bool fits = row.extra_count == 0 && row.a == first.a && row.b == first.b;
   if (!row.bounds.is_friction()) return fits ? code_of(kind) : 0;
 

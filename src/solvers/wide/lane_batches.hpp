@@ -61,7 +61,7 @@ class LaneBatches {
     int rows = 0;
     BodyId a = {};
     BodyId b = {};
-    std::uint64_t kinds = 0;  // 10 bits a row; 0: its rows go one by one
+    std::uint64_t kinds = 0;  // 9 bits a row; 0: its rows go one by one
     bool operator==(const Block&) const = default;
   };
   /// A block that is to lie in a lane.
@@ -107,8 +107,7 @@ inline bool LaneBatches::is_same_row(const VelocityProblem<Real>& problem, const
   const Bounds<Real>& bounds = row.bounds;
   const LaneKind kind = kinds_[batch.first_kind + number];
   const bool same = row.a.index == batch.body_a[lane] && row.b.index == batch.body_b[lane] &&
-                    row.extra_count == 0 && (row.softness != 0) == kind.is_soft &&
-                    lane_bounds(bounds) == kind.bounds;
+                    row.extra_count == 0 && lane_bounds(bounds) == kind.bounds;
   if (kind.bounds < LaneBounds::friction) return same;
   const auto leans_on = [&](int normal, int expected) {
     return normal == first + expected && problem.rows[normal].bounds.is_unilateral();

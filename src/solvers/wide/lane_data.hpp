@@ -44,7 +44,6 @@ enum class LaneBounds : std::uint8_t {
 /// What one row of a batch has in common in all lanes.
 struct LaneKind {
   LaneBounds bounds = LaneBounds::none;  // which of the bounds are read
-  bool is_soft = false;                  // whether softness is read
   std::uint8_t normal = 0;               // the row in the block that friction leans on
   std::uint8_t second_normal = 0;        // and the other one
 };

@@ -196,8 +196,8 @@ inline void update_lanes(LaneProblem<Number>& problem, const LaneBatch& batch, i
   const LaneKind* const kinds = problem.kinds + batch.first_kind;
   for (int i = 0; i < rows; ++i) {
     const Numbers old = load<Numbers>(block[i].impulse + lane);
-    Numbers lacking = load<Numbers>(block[i].lacking + lane) - lane_velocity(block[i], lane, a, b);
-    if (kinds[i].is_soft) lacking = lacking - load<Numbers>(block[i].softness + lane) * old;
+    const Numbers lacking = load<Numbers>(block[i].lacking + lane) - lane_velocity(block[i], lane, a, b) -
+                            load<Numbers>(block[i].softness + lane) * old;
     wish[i] = old + problem.relaxation * lacking;
   }
   Numbers largest = load<Numbers>(problem.largest_change + lane);

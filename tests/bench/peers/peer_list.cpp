@@ -19,6 +19,7 @@ List<Setting> usual_settings_of_cairn() {
   return {{.solver = "si", .sweeps = {.iterations = 10}},
           {.solver = "accelerated", .sweeps = {.iterations = 20}},
           {.solver = "newton", .sweeps = {.iterations = 50, .tolerance = 1e-6}},
+          {.solver = "newton", .sweeps = {.iterations = 50, .tolerance = 1e-6}, .contact_search = when_moved},
           {.solver = "si", .sweeps = {.iterations = 1}, .substeps = 4, .stabilization = soft},
           {.solver = "wide", .sweeps = {.iterations = 10}, .contact_search = when_moved},
           {.solver = "wide", .sweeps = {.iterations = 300, .tolerance = 1e-3}, .contact_search = when_moved},
