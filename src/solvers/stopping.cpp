@@ -16,6 +16,7 @@ void Stopping<Real>::begin(const SolverSettings& settings, const VelocityProblem
   look_below_ = std::numeric_limits<Real>::infinity();
   if (settings.time_budget > 0) began_ = std::chrono::steady_clock::now();
   scale_ = settings.tolerance > 0 || settings.patience > 0 ? residual_scale(problem) : Real(0);
+  next_look_ = 0;
   quiet_sweeps_ = 0;
   moved_ = false;
   remembered_sweep_ = 0;
@@ -24,7 +25,7 @@ void Stopping<Real>::begin(const SolverSettings& settings, const VelocityProblem
 
 template <Scalar Real>
 Stop Stopping<Real>::judge(const VelocityProblem<Real>& problem, int sweep, Real largest_change) {
-  if (settings_.tolerance > 0 && has_arrived(problem, largest_change)) return Stop::tolerance;
+  if (settings_.tolerance > 0 && has_arrived(problem, sweep)) return Stop::tolerance;
   if (settings_.time_budget > 0 &&
       std::chrono::steady_clock::now() - began_ >= std::chrono::duration<double>(settings_.time_budget)) {
     return Stop::time;
@@ -45,11 +46,12 @@ Stop Stopping<Real>::judge(const VelocityProblem<Real>& problem, int sweep, Real
 }
 
 template <Scalar Real>
-bool Stopping<Real>::has_arrived(const VelocityProblem<Real>& problem, Real largest_change) {
-  if (!looks_at_residual(largest_change)) return false;
+bool Stopping<Real>::has_arrived(const VelocityProblem<Real>& problem, int sweep) {
+  if (looks_ == Looks::rarely && !looks_now_) return false;
   const Real energy = residual(problem, scale_).energy;
   // A quarter more: the two do not shrink quite alike.
-  look_below_ = Real(1.25) * largest_change * Real(settings_.tolerance) / energy;
+  look_below_ = Real(1.25) * size_ * Real(settings_.tolerance) / energy;
+  next_look_ = sweep + 1 + sweep / 64;
   return energy <= Real(settings_.tolerance);
 }
 

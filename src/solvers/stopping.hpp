@@ -17,9 +17,9 @@ enum class Looks {
 };
 
 /// Judges every sweep of one solve by the solver's settings:
-/// - tolerance: the residual R_E is at most this. O(m) a sweep; with Looks::rarely, a few times in a solve.
-/// R_E
-///   follows the largest change: what R_E was, seen last, says at which change it is computed again.
+/// - tolerance: the residual R_E is at most this. O(m) a sweep; with Looks::rarely, a few times in a solve:
+///   R_E goes with the size of a sweep's steps. What it was, seen last, says at which size it is computed
+///   again, a 64th more sweeps later at the soonest.
 /// - stalled: for `patience` sweeps no impulse has changed by more than 16 roundings of the largest impulse.
 ///   Slow progress is no stall. O(m) a sweep.
 /// - plateau, where there is a patience: rows contradict each other, so that no impulse satisfies them all.
@@ -50,10 +50,12 @@ class Stopping {
     return settings_.tolerance > 0 || (settings_.patience > 0 && looks_for_plateau(sweep));
   }
 
-  /// Whether judge() will look at impulses and velocities after a sweep with this largest change [N s].
-  bool looks(Real largest_change) const {
-    const bool at_residual = settings_.tolerance > 0 && looks_at_residual(largest_change);
-    return at_residual || settings_.patience > 0;
+  /// Whether judge() will look at impulses and velocities after this sweep, whose steps are of this size
+  /// [sqrt(J)]: the root of the sum of A_ii step^2. With Looks::rarely it must be asked before judge().
+  bool looks(int sweep, Real size) {
+    size_ = size;
+    looks_now_ = sweep >= next_look_ && !(size > look_below_);
+    return (settings_.tolerance > 0 && looks_now_) || settings_.patience > 0;
   }
 
   /// Sweeps until the settings given to begin() say stop: "while not satisfied with global solution" of
@@ -104,10 +106,7 @@ class Stopping {
   static constexpr int first_look = 512;  // half of the sweeps that a plateau must have lasted for at least
 
   static bool looks_for_plateau(int sweep) { return sweep >= first_look && (sweep & (sweep - 1)) == 0; }
-  bool looks_at_residual(Real largest_change) const {
-    return looks_ == Looks::always || !(largest_change > look_below_);
-  }
-  bool has_arrived(const VelocityProblem<Real>& problem, Real largest_change);
+  bool has_arrived(const VelocityProblem<Real>& problem, int sweep);
   bool is_plateau(const VelocityProblem<Real>& problem, int sweep, Real largest_change);
   bool repeats(const VelocityProblem<Real>& problem, int sweep);
 
@@ -115,7 +114,10 @@ class Stopping {
   std::chrono::steady_clock::time_point began_ = {};  // where there is a time budget
   Real scale_ = 0;                                    // of R_E
   Looks looks_ = Looks::always;                       // at R_E
-  Real look_below_ = 0;                               // [N s] the largest change for which R_E is computed
+  Real size_ = 0;                                     // [sqrt(J)] of the steps of the last sweep
+  Real look_below_ = 0;                               // [sqrt(J)] the size for which R_E is computed
+  int next_look_ = 0;                                 // no sweep before it
+  bool looks_now_ = false;                            // after this sweep
   int quiet_sweeps_ = 0;                              // in a row, without a change above rounding
   bool moved_ = false;                                // above rounding, since remembered_
   Real residual_before_ = 0;                          // R_E at half of the sweeps

@@ -31,6 +31,12 @@ std::unique_ptr<Solver<Real>> mass_splitting_jacobi(const SolverSettings& settin
   return std::make_unique<Jacobi<Real>>(settings, Splitting::mass);
 }
 
+/// Sequential impulses in lanes, with momentum.
+template <Scalar Real>
+std::unique_ptr<Solver<Real>> wide_accelerated(const SolverSettings& settings) {
+  return std::make_unique<WideSequentialImpulse<Real>>(settings, Momentum::nesterov);
+}
+
 /// What a case wants of the solvers that it asks for.
 enum class Iterates {
   of_gauss_seidel,  // after every sweep they have the impulses of Gauss-Seidel, but for rounding
@@ -51,6 +57,7 @@ List<SolverMaker<Real>> all_solvers(Iterates iterates = Iterates::of_gauss_seide
   solvers.push_back(maker<AcceleratedProjectedGaussSeidel<Real>, Real>());
   solvers.push_back(maker<BlockSequentialImpulse<Real>, Real>());
   solvers.push_back(maker<WideSequentialImpulse<Real>, Real>());
+  solvers.push_back(wide_accelerated<Real>);
   return solvers;
 }
 

@@ -37,7 +37,8 @@ TEST_CASE("an unknown solver is refused with the nearest name, or with all of th
   CHECK_THROWS_WITH_AS(
       make_solver<double>("simplex"),
       "make_solver: solver must be one of si, pgs, pgs-sparse, pgs-factored, jacobi, jacobi-damped, "
-      "jacobi-split, block, block-contact, accelerated, wide, newton, reference, got simplex",
+      "jacobi-split, block, block-contact, accelerated, wide, wide-accelerated, newton, reference, got "
+      "simplex",
       std::invalid_argument);
   CHECK_THROWS_AS(make_solver<float>(""), std::invalid_argument);
   CHECK_THROWS_AS(solver_entry("box2d"), std::invalid_argument);

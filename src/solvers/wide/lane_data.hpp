@@ -32,6 +32,12 @@ struct alignas(64) LaneCoupling {
   Number entry[lane_count];  // one for each lane
 };
 
+/// Impulses of one row of each block of a batch, as LaneRow has them.
+template <typename Number>
+struct alignas(64) LaneImpulse {
+  Number impulse[lane_count];  // one for each lane
+};
+
 /// What a row compares its impulse with.
 enum class LaneBounds : std::uint8_t {
   none,             // an equality
@@ -74,8 +80,18 @@ struct LaneProblem {
   const LaneCoupling<Number>* couplings = nullptr;  // between these
   LaneRow<Number>* rows = nullptr;                  // all of them
   LaneBody<Number>* bodies = nullptr;               // all, and one that nothing moves
+  LaneImpulse<Number>* before = nullptr;            // of each row: where the last sweep began
   Number relaxation = 1;                            // omega
+  Number momentum = 0;                              // what a step begins with is so much of the last one
   Number largest_change[lane_count] = {};           // [N s] of an impulse in each lane: sweeps raise it
+  Number squares[lane_count] = {};                  // [J] sums of A_ii step^2, of the impulses' steps
+  Number work[lane_count] = {};  // [J] sums of omega (bias - j v - softness * impulse) step
+};
+
+/// What a pass over all rows does to their impulses.
+enum class LanePass {
+  sweep,     // corrects them
+  momentum,  // takes them further the way that they went since `before`, which they become
 };
 
 /// The problem's numbers of one row of each block of a batch.

@@ -20,11 +20,11 @@ template <typename Real>
 LaneCode<Real> lane_code([[maybe_unused]] LaneSet set) {
 #ifdef __x86_64__
   if constexpr (!std::same_as<Real, long double>) {
-    if (set == LaneSet::avx512) return {.sweep = sweep_avx512, .fill = fill_avx512};
-    if (set == LaneSet::avx2) return {.sweep = sweep_avx2, .fill = fill_avx2};
+    if (set == LaneSet::avx512) return {.pass = pass_avx512, .fill = fill_avx512};
+    if (set == LaneSet::avx2) return {.pass = pass_avx2, .fill = fill_avx2};
   }
 #endif
-  return {.sweep = sweep_baseline, .fill = fill_baseline};
+  return {.pass = pass_baseline, .fill = fill_baseline};
 }
 
 template LaneCode<float> lane_code(LaneSet);

@@ -29,8 +29,8 @@ template <typename Real>
 struct LaneCode {
   /// Of the lanes.
   using Number = LaneNumber<Real>;
-  /// Sweeps over batches `first` to `last` - 1.
-  void (*sweep)(LaneProblem<Number>& problem, int first, int last) = nullptr;
+  /// A pass over batches `first` to `last` - 1.
+  void (*pass)(LaneProblem<Number>& problem, LanePass pass, int first, int last) = nullptr;
   /// Fills the rows of one batch, and the couplings between them.
   void (*fill)(const LaneFilling<Real>& from, LaneRow<Number>* rows,
                LaneCoupling<Number>* couplings) = nullptr;
@@ -42,10 +42,10 @@ LaneCode<Real> lane_code(LaneSet set);
 
 /// @cond
 // Each set in a file of its own, compiled for it.
-void sweep_baseline(LaneProblem<float>& problem, int first, int last);
-void sweep_baseline(LaneProblem<double>& problem, int first, int last);
-void sweep_avx2(LaneProblem<float>& problem, int first, int last);
-void sweep_avx512(LaneProblem<float>& problem, int first, int last);
+void pass_baseline(LaneProblem<float>& problem, LanePass pass, int first, int last);
+void pass_baseline(LaneProblem<double>& problem, LanePass pass, int first, int last);
+void pass_avx2(LaneProblem<float>& problem, LanePass pass, int first, int last);
+void pass_avx512(LaneProblem<float>& problem, LanePass pass, int first, int last);
 void fill_baseline(const LaneFilling<float>& from, LaneRow<float>* rows, LaneCoupling<float>* couplings);
 void fill_baseline(const LaneFilling<double>& from, LaneRow<float>* rows, LaneCoupling<float>* couplings);
 void fill_baseline(const LaneFilling<long double>& from, LaneRow<double>* rows,

@@ -184,12 +184,13 @@ inline Numbers lane_velocity(const LaneRow<Number>& row, int lane, const Numbers
   return of_a + of_b;
 }
 
-/// Algorithm 1 for one batch, from `lane` on, as many lanes as fit into a register. A row does not wait for
-/// velocities: what rows of its block before it have done to them comes by way of A.
-template <int bytes, int rows, typename Number>
+/// Algorithm 1, or the momentum before it, for one batch, from `lane` on, as many lanes as fit into a
+/// register. A row does not wait for velocities: what rows of its block before it have done to them comes by
+/// way of A.
+template <int bytes, int rows, LanePass pass, typename Number>
 inline void update_lanes(LaneProblem<Number>& problem, const LaneBatch& batch, int lane) {
   typedef typename Register<Number, bytes>::Numbers Numbers;
-  Numbers a[3], b[3], wish[rows], change[rows];
+  Numbers a[3], b[3], corrective[rows], change[rows];
   read_bodies<bytes>(problem.bodies, batch.body_a + lane, a);
   read_bodies<bytes>(problem.bodies, batch.body_b + lane, b);
   LaneRow<Number>* const block = problem.rows + batch.first_row;
@@ -198,22 +199,34 @@ inline void update_lanes(LaneProblem<Number>& problem, const LaneBatch& batch, i
     const Numbers old = load<Numbers>(block[i].impulse + lane);
     const Numbers lacking = load<Numbers>(block[i].lacking + lane) - lane_velocity(block[i], lane, a, b) -
                             load<Numbers>(block[i].softness + lane) * old;
-    wish[i] = old + problem.relaxation * lacking;
+    corrective[i] = problem.relaxation * lacking;
   }
   Numbers largest = load<Numbers>(problem.largest_change + lane);
+  Numbers squares = load<Numbers>(problem.squares + lane), work = load<Numbers>(problem.work + lane);
   const LaneCoupling<Number>* coupling = problem.couplings + batch.first_coupling;
   for (int i = 0; i < rows; ++i) {
     LaneRow<Number>& row = block[i];
     for (int k = 0; k < i; ++k, ++coupling) {
-      wish[i] = wish[i] - load<Numbers>(coupling->entry + lane) * change[k];
+      corrective[i] = corrective[i] - load<Numbers>(coupling->entry + lane) * change[k];
     }
-    const Numbers impulse = clamped<bytes>(wish[i], row, kinds[i], block, lane);
-    change[i] = impulse - load<Numbers>(row.impulse + lane);
+    const Numbers old = load<Numbers>(row.impulse + lane);
+    Numbers step = corrective[i];
+    if constexpr (pass == LanePass::momentum) {
+      Number* const before = problem.before[batch.first_row + i].impulse + lane;
+      step = problem.momentum * (old - load<Numbers>(before));
+      store(old, before);
+    }
+    const Numbers impulse = clamped<bytes>(old + step, row, kinds[i], block, lane);
+    change[i] = impulse - old;
     store(impulse, row.impulse + lane);
+    squares = squares + change[i] * change[i];
+    work = work + corrective[i] * change[i];
     const Numbers size = load<Numbers>(row.scale + lane) * (change[i] < 0 ? -change[i] : change[i]);
     largest = largest < size ? size : largest;
   }
   store(largest, problem.largest_change + lane);
+  store(squares, problem.squares + lane);
+  store(work, problem.work + lane);
   for (int i = 0; i < rows; ++i) {
     for (int axis = 0; axis < 3; ++axis) {
       a[axis] = a[axis] + load<Numbers>(block[i].jacobian_a[axis] + lane) * change[i];
@@ -224,25 +237,34 @@ inline void update_lanes(LaneProblem<Number>& problem, const LaneBatch& batch, i
   write_bodies<bytes>(b, problem.bodies, batch.body_b + lane);
 }
 
-template <int bytes, int rows, typename Number>
+template <int bytes, int rows, LanePass pass, typename Number>
 inline void update_batch(LaneProblem<Number>& problem, const LaneBatch& batch) {
   for (int lane = 0; lane < batch.used; lane += Register<Number, bytes>::count) {
-    update_lanes<bytes, rows>(problem, batch, lane);
+    update_lanes<bytes, rows, pass>(problem, batch, lane);
+  }
+}
+
+template <int bytes, LanePass pass, typename Number>
+inline void pass_batches(LaneProblem<Number>& problem, int first, int last) {
+  static_assert(most_lane_rows == 6);
+  for (int i = first; i < last; ++i) {
+    const LaneBatch& batch = problem.batches[i];
+    if (batch.rows == 4) update_batch<bytes, 4, pass>(problem, batch);
+    if (batch.rows == 2) update_batch<bytes, 2, pass>(problem, batch);
+    if (batch.rows == 1) update_batch<bytes, 1, pass>(problem, batch);
+    if (batch.rows == 3) update_batch<bytes, 3, pass>(problem, batch);
+    if (batch.rows == 5) update_batch<bytes, 5, pass>(problem, batch);
+    if (batch.rows == 6) update_batch<bytes, 6, pass>(problem, batch);
   }
 }
 
 /// Batches from first to last - 1.
 template <int bytes, typename Number>
-inline void sweep_batches(LaneProblem<Number>& problem, int first, int last) {
-  static_assert(most_lane_rows == 6);
-  for (int i = first; i < last; ++i) {
-    const LaneBatch& batch = problem.batches[i];
-    if (batch.rows == 4) update_batch<bytes, 4>(problem, batch);
-    if (batch.rows == 2) update_batch<bytes, 2>(problem, batch);
-    if (batch.rows == 1) update_batch<bytes, 1>(problem, batch);
-    if (batch.rows == 3) update_batch<bytes, 3>(problem, batch);
-    if (batch.rows == 5) update_batch<bytes, 5>(problem, batch);
-    if (batch.rows == 6) update_batch<bytes, 6>(problem, batch);
+inline void pass_batches(LaneProblem<Number>& problem, LanePass pass, int first, int last) {
+  if (pass == LanePass::momentum) {
+    pass_batches<bytes, LanePass::momentum>(problem, first, last);
+  } else {
+    pass_batches<bytes, LanePass::sweep>(problem, first, last);
   }
 }
 

@@ -5,7 +5,9 @@
 
 namespace cairn {
 
-void sweep_avx2(LaneProblem<float>& problem, int first, int last) { sweep_batches<32>(problem, first, last); }
+void pass_avx2(LaneProblem<float>& problem, LanePass pass, int first, int last) {
+  pass_batches<32>(problem, pass, first, last);
+}
 
 void fill_avx2(const LaneFilling<float>& from, LaneRow<float>* rows, LaneCoupling<float>* couplings) {
   fill_lanes(from, rows, couplings);

@@ -5,8 +5,8 @@
 
 namespace cairn {
 
-void sweep_avx512(LaneProblem<float>& problem, int first, int last) {
-  sweep_batches<64>(problem, first, last);
+void pass_avx512(LaneProblem<float>& problem, LanePass pass, int first, int last) {
+  pass_batches<64>(problem, pass, first, last);
 }
 
 void fill_avx512(const LaneFilling<float>& from, LaneRow<float>* rows, LaneCoupling<float>* couplings) {

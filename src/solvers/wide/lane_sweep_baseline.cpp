@@ -5,12 +5,12 @@
 
 namespace cairn {
 
-void sweep_baseline(LaneProblem<float>& problem, int first, int last) {
-  sweep_batches<16>(problem, first, last);
+void pass_baseline(LaneProblem<float>& problem, LanePass pass, int first, int last) {
+  pass_batches<16>(problem, pass, first, last);
 }
 
-void sweep_baseline(LaneProblem<double>& problem, int first, int last) {
-  sweep_batches<16>(problem, first, last);
+void pass_baseline(LaneProblem<double>& problem, LanePass pass, int first, int last) {
+  pass_batches<16>(problem, pass, first, last);
 }
 
 void fill_baseline(const LaneFilling<float>& from, LaneRow<float>* rows, LaneCoupling<float>* couplings) {

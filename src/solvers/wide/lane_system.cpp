@@ -1,4 +1,4 @@
-// Floor 4. Fills lanes, sweeps, and empties them.
+// Floor 4. Fills lanes, and empties them.
 #include "solvers/wide/lane_system.hpp"
 
 #include <algorithm>
@@ -121,96 +121,6 @@ bool LaneSystem<Real>::take_row(const VelocityProblem<Real>& problem, const Lane
 }
 
 template <Scalar Real>
-LaneProblem<typename LaneSystem<Real>::Number> LaneSystem<Real>::lane_problem() {
-  return {.batches = batches_.batches().data(),
-          .kinds = batches_.kinds().data(),
-          .couplings = couplings_.data(),
-          .rows = rows_.data(),
-          .bodies = bodies_.data(),
-          .relaxation = static_cast<Number>(relaxation_)};
-}
-
-template <Scalar Real>
-Real LaneSystem<Real>::sweep(VelocityProblem<Real>& problem) {
-  Real largest = sweep_single_rows<false>(0, problem, nullptr);
-  LaneProblem<Number> lanes = lane_problem();
-  code_.sweep(lanes, 0, batches_.batches().size());
-  for (const Number change : lanes.largest_change) largest = std::max(largest, static_cast<Real>(change));
-  return largest;
-}
-
-template <Scalar Real>
-Real LaneSystem<Real>::watched_sweep(int number, VelocityProblem<Real>& problem,
-                                     SolveObserver<Real>& observer) {
-  Real largest = sweep_single_rows<true>(number, problem, &observer);
-  LaneProblem<Number> lanes = lane_problem();
-  for (int k = 0; k < batches_.batches().size(); ++k) {
-    code_.sweep(lanes, k, k + 1);
-    watch_batch(number, batches_.batches()[k], problem, observer);
-  }
-  for (const Number change : lanes.largest_change) largest = std::max(largest, static_cast<Real>(change));
-  return largest;
-}
-
-/// Algorithm 1 in the problem's own precision, but for the velocities' changes. Impulses are those of the
-/// problem.
-template <Scalar Real>
-template <bool watched>
-Real LaneSystem<Real>::sweep_single_rows(int number, VelocityProblem<Real>& problem,
-                                         [[maybe_unused]] SolveObserver<Real>* observer) {
-  Real largest = 0;
-  for (int k = 0; k < single_mass_.size(); ++k) {
-    const int i = batches_.single_rows()[k];
-    const ConstraintRow<Real>& row = problem.rows[i];
-    Real jv = 0;
-    for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-      const Number(&change)[4] = bodies_[body].velocity;
-      for (int axis = 0; axis < 3; ++axis) {
-        jv += jacobian(axis) * (velocity_[body](axis) + root_[body](axis) * static_cast<Real>(change[axis]));
-      }
-    });
-    const Real old = problem.impulse[i];
-    const Real corrective = relaxation_ * ((row.bias - jv - row.softness * old) * single_mass_[k]);
-    problem.impulse[i] = row.bounds.clamp(old + corrective, problem.impulse);
-    const Real step = problem.impulse[i] - old;
-    for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-      Number(&change)[4] = bodies_[body].velocity;
-      for (int axis = 0; axis < 3; ++axis) {
-        change[axis] =
-            static_cast<Number>(static_cast<Real>(change[axis]) + root_[body](axis) * jacobian(axis) * step);
-      }
-    });
-    largest = std::max(largest, std::abs(step));
-    if constexpr (watched) {
-      apply_impulse(problem, row, step);
-      const Real inverse = single_mass_[k] > 0 ? 1 / single_mass_[k] : Real(0);
-      observer->after_row({number, i, jv, inverse, corrective, old, problem.impulse[i]}, problem);
-    }
-  }
-  return largest;
-}
-
-/// The problem goes the way of the lanes, row by row.
-template <Scalar Real>
-void LaneSystem<Real>::watch_batch(int number, const LaneBatch& batch, VelocityProblem<Real>& problem,
-                                   SolveObserver<Real>& observer) const {
-  for (int lane = 0; lane < batch.used; ++lane) {
-    for (int r = 0; r < batch.rows; ++r) {
-      const int i = batch.block_row[lane] + r;
-      const ConstraintRow<Real>& row = problem.rows[i];
-      const Real old = problem.impulse[i];
-      const Real jv = row_velocity(problem, row);
-      const Real mass = effective_mass(problem, row);
-      const Real corrective = relaxation_ * ((row.bias - jv - row.softness * old) * mass);
-      problem.impulse[i] = written_back(problem, batch, r, lane);
-      apply_impulse(problem, row, problem.impulse[i] - old);
-      observer.after_row({number, i, jv, mass > 0 ? 1 / mass : Real(0), corrective, old, problem.impulse[i]},
-                         problem);
-    }
-  }
-}
-
-template <Scalar Real>
 Real LaneSystem<Real>::written_back(const VelocityProblem<Real>& problem, const LaneBatch& batch, int r,
                                     int lane) const {
   const int i = batch.block_row[lane] + r;
@@ -245,7 +155,8 @@ bool LaneSystem<Real>::is_worth_taking(Real change, Real path) const {
 template <Scalar Real>
 std::size_t LaneSystem<Real>::bytes() const {
   return batches_.bytes() + rows_.bytes() + couplings_.bytes() + bodies_.bytes() + inverse_mass_.bytes() +
-         root_.bytes() + velocity_.bytes() + impulse_.bytes() + single_mass_.bytes();
+         root_.bytes() + velocity_.bytes() + impulse_.bytes() + single_mass_.bytes() + before_.bytes() +
+         bodies_before_.bytes() + single_before_.bytes();
 }
 
 template class LaneSystem<float>;

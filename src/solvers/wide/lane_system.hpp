@@ -8,6 +8,14 @@
 
 namespace cairn {
 
+/// The steps that impulses took in one pass over all rows.
+template <Scalar Real>
+struct LaneSteps {
+  Real largest = 0;  // [N s]
+  Real squares = 0;  // [J] sum of A_ii step^2
+  Real work = 0;     // [J] sum of omega (bias - j v - softness * impulse) step
+};
+
 /// The rows of a problem in lanes, and those that fit into none. Lanes compute in single precision, those of
 /// a problem in long double in double; but all that they hold are changes since the problem was taken over,
 /// whose numbers stay in its own precision. So what is lost is a part of a change, and taking over the
@@ -23,11 +31,19 @@ class LaneSystem {
 
   /// Takes over a problem, its warm start applied; changes begin at 0.
   void take(const VelocityProblem<Real>& problem);
-  /// One sweep. Returns the largest change of an impulse [N s].
-  Real sweep(VelocityProblem<Real>& problem);
+  /// One sweep.
+  LaneSteps<Real> sweep(VelocityProblem<Real>& problem);
   /// The same numbers, and an observer sees the problem after each row. Rows of a batch have all been updated
   /// when the observer hears of the first.
-  Real watched_sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>& observer);
+  LaneSteps<Real> watched_sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>& observer);
+  /// Remembers where impulses and velocities are, and takes impulses another `momentum` times the way that
+  /// they went since remembered last, inside their bounds. After take() and undo() there is no such way:
+  /// `momentum` must be 0.
+  LaneSteps<Real> gather_momentum(VelocityProblem<Real>& problem, Real momentum);
+  /// Goes back to where gather_momentum() began.
+  void undo(VelocityProblem<Real>& problem);
+  /// Writes back, and takes over what was written; what is remembered stays.
+  void take_again(VelocityProblem<Real>& problem);
   /// Writes impulses, inside their bounds, and the velocities that they make.
   void write_back(VelocityProblem<Real>& problem) const;
   /// Whether a change so small [N s], the last of many that add up to `path`, is lost in the rounding of
@@ -37,13 +53,21 @@ class LaneSystem {
   std::size_t bytes() const;
 
  private:
+  // Whose sums are made in the lanes' precision: those of more would lose their small terms.
+  static constexpr int batches_in_a_sum = 64;
+
   bool fill(const VelocityProblem<Real>& problem);
   void take_bodies(const VelocityProblem<Real>& problem);
   void take_single_rows(const VelocityProblem<Real>& problem);
   void take_batch_bodies(const LaneBatch& batch);
   bool take_row(const VelocityProblem<Real>& problem, const LaneBatch& batch, int number, int lane);
-  template <bool watched>
-  Real sweep_single_rows(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
+  template <LanePass kind, bool watched>
+  LaneSteps<Real> pass(VelocityProblem<Real>& problem, int number, SolveObserver<Real>* observer);
+  template <LanePass kind, bool watched>
+  LaneSteps<Real> pass_single_rows(VelocityProblem<Real>& problem, int number, SolveObserver<Real>* observer);
+  Real single_row_velocity(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) const;
+  void apply_single_row(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row, Real step);
+  static void take_sums(LaneProblem<Number>& lanes, LaneSteps<Real>& steps);
   void watch_batch(int number, const LaneBatch& batch, VelocityProblem<Real>& problem,
                    SolveObserver<Real>& observer) const;
   Real written_back(const VelocityProblem<Real>& problem, const LaneBatch& batch, int row, int lane) const;
@@ -60,8 +84,12 @@ class LaneSystem {
   PerBody<Vec3<Real>> velocity_;      // as taken over
   PerRow<Real> impulse_;              // [N s] as taken over
   List<Real> single_mass_;            // [kg] of the rows that go one by one, 1 / A_ii
-  LaneFilling<Real> filling_ = {};    // scratch, for one batch
-  Real largest_impulse_ = 0;          // [N s] as taken over
+  Real momentum_ = 0;                 // of the pass that gathers it
+  List<LaneImpulse<Number>> before_;  // of each of rows_, where the sweep began
+  PerBody<LaneBody<Number>> bodies_before_;
+  List<Real> single_before_;        // [N s] of the rows that go one by one
+  LaneFilling<Real> filling_ = {};  // scratch, for one batch
+  Real largest_impulse_ = 0;        // [N s] as taken over
 };
 
 }  // namespace cairn

@@ -1,13 +1,28 @@
-// Floor 4. Algorithm 1 in lanes.
+// Floor 4. Algorithm 1 in lanes, with momentum or without.
 #include "solvers/wide/wide_sequential_impulse.hpp"
+
+#include <cmath>
 
 namespace cairn {
 
+namespace {
+
+/// Whatever order was asked for: without momentum, sweeps may repeat themselves. With it, impulses that
+/// repeat are no cycle, for momentum is part of the state.
+SolverSettings settings_for_lanes(SolverSettings settings, Momentum momentum) {
+  settings.order = momentum == Momentum::none ? RowOrder::coloured : RowOrder::shuffled;
+  return settings;
+}
+
+}  // namespace
+
 template <Scalar Real>
-WideSequentialImpulse<Real>::WideSequentialImpulse(const SolverSettings& settings, LaneSet set)
-    : settings_(settings), lanes_(set, Real(settings.relaxation)) {
+WideSequentialImpulse<Real>::WideSequentialImpulse(const SolverSettings& settings, Momentum momentum,
+                                                   LaneSet set)
+    : settings_(settings_for_lanes(settings, momentum)),
+      momentum_(momentum),
+      lanes_(set, Real(settings.relaxation)) {
   check(settings, "WideSequentialImpulse");
-  settings_.order = RowOrder::coloured;  // whatever was asked for: sweeps may repeat themselves
 }
 
 template <Scalar Real>
@@ -17,25 +32,60 @@ SolveReport WideSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
   stopping_.begin(settings_, problem, Looks::rarely);
   apply_impulses(problem);  // warm start: those of last step act before the first sweep
   lanes_.take(problem);
+  path_ = 0;
+  k_ = 1;
+  restarts_ = 0;
 
-  Real path = 0;  // [N s] what changes since the lanes were filled add up to, at most
   bool is_current = true;
-  const SolveReport report =
-      stopping_.repeat(problem, observer, [&]([[maybe_unused]] int number, auto watched) {
-        const Real change = decltype(watched)::value ? lanes_.watched_sweep(number, problem, *observer)
-                                                     : lanes_.sweep(problem);
-        path += change;
-        const bool again = lanes_.is_worth_taking(change, path);
-        is_current = again || observer != nullptr || stopping_.looks(change);
-        if (is_current) lanes_.write_back(problem);
-        if (again) {
-          lanes_.take(problem);
-          path = 0;
-        }
-        return change;
-      });
+  const SolveReport report = stopping_.repeat(problem, observer, [&](int number, auto watched) {
+    const LaneSteps<Real> swept = iterate(number, problem, decltype(watched)::value ? observer : nullptr);
+    const bool looks = stopping_.looks(number, std::sqrt(swept.squares));
+    const bool again = lanes_.is_worth_taking(swept.largest, path_);
+    is_current = again || looks || observer != nullptr;
+    if (again) {
+      lanes_.take_again(problem);
+      path_ = 0;
+    } else if (is_current) {
+      lanes_.write_back(problem);
+    }
+    return swept.largest;
+  });
   if (!is_current) lanes_.write_back(problem);
   return report;
+}
+
+/// One sweep, with one step of momentum before it where there is any. Returns the steps of the sweep alone:
+/// R_E goes with them, while steps of momentum grow.
+template <Scalar Real>
+LaneSteps<Real> WideSequentialImpulse<Real>::iterate(int number, VelocityProblem<Real>& problem,
+                                                     SolveObserver<Real>* row_observer) {
+  LaneSteps<Real> gathered;
+  if (momentum_ == Momentum::nesterov) {
+    gathered = lanes_.gather_momentum(problem, static_cast<Real>(k_ - 1) / static_cast<Real>(k_ + 2));
+    if (row_observer != nullptr && k_ > 1) lanes_.write_back(problem);
+  }
+  const LaneSteps<Real> swept =
+      row_observer != nullptr ? lanes_.watched_sweep(number, problem, *row_observer) : lanes_.sweep(problem);
+  path_ += gathered.largest + swept.largest;
+  if (momentum_ == Momentum::nesterov) accept_or_undo(problem, gathered, swept);
+  return swept;
+}
+
+/// As AcceleratedProjectedGaussSeidel does: f must have fallen by half of what updates alone lower it by.
+template <Scalar Real>
+void WideSequentialImpulse<Real>::accept_or_undo(VelocityProblem<Real>& problem,
+                                                 const LaneSteps<Real>& gathered,
+                                                 const LaneSteps<Real>& swept) {
+  const Real omega = Real(settings_.relaxation);
+  const Real change = (gathered.squares + swept.squares) / 2 - (gathered.work + swept.work) / omega;
+  const Real share = swept.squares * (1 / omega - Real(0.5));
+  if (k_ == 1 || change <= -share / 2) {
+    k_ = share > 0 ? k_ + 1 : 1;  // what is too small to have an energy needs no momentum
+    return;
+  }
+  lanes_.undo(problem);
+  k_ = 1;
+  ++restarts_;
 }
 
 template class WideSequentialImpulse<float>;

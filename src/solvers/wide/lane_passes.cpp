@@ -1,0 +1,171 @@
+// Floor 4. Passes over the rows in lanes and over those that go one by one.
+#include <algorithm>
+#include <cmath>
+
+#include "solvers/wide/lane_system.hpp"
+
+namespace cairn {
+
+template <Scalar Real>
+LaneSteps<Real> LaneSystem<Real>::sweep(VelocityProblem<Real>& problem) {
+  return pass<LanePass::sweep, false>(problem, 0, nullptr);
+}
+
+template <Scalar Real>
+LaneSteps<Real> LaneSystem<Real>::watched_sweep(int number, VelocityProblem<Real>& problem,
+                                                SolveObserver<Real>& observer) {
+  return pass<LanePass::sweep, true>(problem, number, &observer);
+}
+
+template <Scalar Real>
+LaneSteps<Real> LaneSystem<Real>::gather_momentum(VelocityProblem<Real>& problem, Real momentum) {
+  bodies_before_ = bodies_;
+  momentum_ = momentum;
+  if (momentum > 0) return pass<LanePass::momentum, false>(problem, 0, nullptr);
+  before_.assign(rows_.size(), LaneImpulse<Number>{});
+  for (int i = 0; i < rows_.size(); ++i) std::copy_n(rows_[i].impulse, lane_count, before_[i].impulse);
+  single_before_.clear();
+  for (const int i : batches_.single_rows()) single_before_.push_back(problem.impulse[i]);
+  return {};
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::take_again(VelocityProblem<Real>& problem) {
+  write_back(problem);
+  for (int i = 0; i < before_.size(); ++i) {
+    for (int lane = 0; lane < lane_count; ++lane) before_[i].impulse[lane] -= rows_[i].impulse[lane];
+  }
+  take(problem);
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::undo(VelocityProblem<Real>& problem) {
+  bodies_ = bodies_before_;
+  for (int i = 0; i < rows_.size(); ++i) std::copy_n(before_[i].impulse, lane_count, rows_[i].impulse);
+  for (int k = 0; k < single_before_.size(); ++k) {
+    problem.impulse[batches_.single_rows()[k]] = single_before_[k];
+  }
+}
+
+template <Scalar Real>
+template <LanePass kind, bool watched>
+LaneSteps<Real> LaneSystem<Real>::pass(VelocityProblem<Real>& problem, int number,
+                                       [[maybe_unused]] SolveObserver<Real>* observer) {
+  LaneSteps<Real> steps = pass_single_rows<kind, watched>(problem, number, observer);
+  const int count = batches_.batches().size();
+  const int together = watched ? 1 : batches_in_a_sum;
+  LaneProblem<Number> lanes = lane_problem();
+  for (int first = 0; first < count; first += together) {
+    const int last = std::min(first + together, count);
+    code_.pass(lanes, kind, first, last);
+    if constexpr (watched) watch_batch(number, batches_.batches()[first], problem, *observer);
+    if (last % batches_in_a_sum == 0 || last == count) take_sums(lanes, steps);
+  }
+  for (const Number change : lanes.largest_change) {
+    steps.largest = std::max(steps.largest, static_cast<Real>(change));
+  }
+  return steps;
+}
+
+template <Scalar Real>
+LaneProblem<typename LaneSystem<Real>::Number> LaneSystem<Real>::lane_problem() {
+  return {.batches = batches_.batches().data(),
+          .kinds = batches_.kinds().data(),
+          .couplings = couplings_.data(),
+          .rows = rows_.data(),
+          .bodies = bodies_.data(),
+          .before = before_.data(),
+          .relaxation = static_cast<Number>(relaxation_),
+          .momentum = static_cast<Number>(momentum_)};
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::take_sums(LaneProblem<Number>& lanes, LaneSteps<Real>& steps) {
+  for (int lane = 0; lane < lane_count; ++lane) {
+    steps.squares += static_cast<Real>(lanes.squares[lane]);
+    steps.work += static_cast<Real>(lanes.work[lane]);
+    lanes.squares[lane] = lanes.work[lane] = 0;
+  }
+}
+
+/// In the problem's own precision, but for the velocities' changes. Impulses are those of the problem.
+template <Scalar Real>
+template <LanePass kind, bool watched>
+LaneSteps<Real> LaneSystem<Real>::pass_single_rows(VelocityProblem<Real>& problem, int number,
+                                                   [[maybe_unused]] SolveObserver<Real>* observer) {
+  LaneSteps<Real> steps;
+  for (int k = 0; k < single_mass_.size(); ++k) {
+    const int i = batches_.single_rows()[k];
+    const ConstraintRow<Real>& row = problem.rows[i];
+    const Real jv = single_row_velocity(problem, row), old = problem.impulse[i];
+    const Real corrective = relaxation_ * ((row.bias - jv - row.softness * old) * single_mass_[k]);
+    Real wish = corrective;
+    if constexpr (kind == LanePass::momentum) {
+      wish = momentum_ * (old - single_before_[k]);
+      single_before_[k] = old;
+    }
+    problem.impulse[i] = row.bounds.clamp(old + wish, problem.impulse);
+    const Real step = problem.impulse[i] - old;
+    apply_single_row(problem, row, step);
+    const Real inverse = single_mass_[k] > 0 ? 1 / single_mass_[k] : Real(0);
+    steps.largest = std::max(steps.largest, std::abs(step));
+    steps.squares += step * step * inverse;
+    steps.work += corrective * step * inverse;
+    if constexpr (watched) {
+      apply_impulse(problem, row, step);
+      observer->after_row({number, i, jv, inverse, corrective, old, problem.impulse[i]}, problem);
+    }
+  }
+  return steps;
+}
+
+template <Scalar Real>
+Real LaneSystem<Real>::single_row_velocity(const VelocityProblem<Real>& problem,
+                                           const ConstraintRow<Real>& row) const {
+  Real jv = 0;
+  for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
+    const Number(&change)[4] = bodies_[body].velocity;
+    for (int axis = 0; axis < 3; ++axis) {
+      jv += jacobian(axis) * (velocity_[body](axis) + root_[body](axis) * static_cast<Real>(change[axis]));
+    }
+  });
+  return jv;
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::apply_single_row(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row,
+                                        Real step) {
+  for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
+    Number(&change)[4] = bodies_[body].velocity;
+    for (int axis = 0; axis < 3; ++axis) {
+      change[axis] =
+          static_cast<Number>(static_cast<Real>(change[axis]) + root_[body](axis) * jacobian(axis) * step);
+    }
+  });
+}
+
+/// The problem goes the way of the lanes, row by row.
+template <Scalar Real>
+void LaneSystem<Real>::watch_batch(int number, const LaneBatch& batch, VelocityProblem<Real>& problem,
+                                   SolveObserver<Real>& observer) const {
+  for (int lane = 0; lane < batch.used; ++lane) {
+    for (int r = 0; r < batch.rows; ++r) {
+      const int i = batch.block_row[lane] + r;
+      const ConstraintRow<Real>& row = problem.rows[i];
+      const Real old = problem.impulse[i];
+      const Real jv = row_velocity(problem, row);
+      const Real mass = effective_mass(problem, row);
+      const Real corrective = relaxation_ * ((row.bias - jv - row.softness * old) * mass);
+      problem.impulse[i] = written_back(problem, batch, r, lane);
+      apply_impulse(problem, row, problem.impulse[i] - old);
+      observer.after_row({number, i, jv, mass > 0 ? 1 / mass : Real(0), corrective, old, problem.impulse[i]},
+                         problem);
+    }
+  }
+}
+
+template class LaneSystem<float>;
+template class LaneSystem<double>;
+template class LaneSystem<long double>;
+
+}  // namespace cairn

@@ -1,0 +1,95 @@
+// Momentum in lanes: that of AcceleratedProjectedGaussSeidel in the same order.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "../solver_list.hpp"
+#include "lane_grid.hpp"
+#include "math/list.hpp"
+#include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
+#include "solvers/residual.hpp"
+#include "solvers/wide/wide_sequential_impulse.hpp"
+
+using namespace cairn;
+using namespace cairn::testing;
+
+namespace {
+
+template <Scalar Real>
+List<int> order_in_lanes(const VelocityProblem<Real>& start) {
+  OrderWatcher<Real> watcher;
+  VelocityProblem<Real> problem = start;
+  WideSequentialImpulse<Real>({.iterations = 1}).solve(problem, &watcher);
+  return watcher.rows;
+}
+
+/// Counts the sweeps that changed nothing at all.
+class UndoneSweeps final : public SolveObserver<double> {
+ public:
+  void before_solve(const VelocityProblem<double>& problem) override { last_ = problem.impulse; }
+  void after_sweep(int, const VelocityProblem<double>& problem) override {
+    count += problem.impulse == last_;
+    last_ = problem.impulse;
+  }
+  int count = 0;
+
+ private:
+  PerRow<double> last_ = {};
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE(
+    "momentum in lanes is that of accelerated PGS in the same order, to a rounding of a change", Real, float,
+    double, long double) {
+  using Number = typename LaneSystem<Real>::Number;
+  for (const double relaxation : {1.0, 1.3}) {
+    const auto start = converted<Real>(lane_grid_with_oddities(4));
+    const List<int> order = order_in_lanes(start);
+    REQUIRE(order.size() == start.row_count());
+    for (const int sweeps : {1, 2, 6}) {
+      VelocityProblem<Real> wide = start, watched = start, plain = reordered(start, order);
+      const SolverSettings settings = {.iterations = sweeps, .relaxation = relaxation};
+      WideSequentialImpulse<Real> solver(settings, Momentum::nesterov);
+      AcceleratedProjectedGaussSeidel<Real> accelerated(settings);
+      solver.solve(wide);
+      accelerated.solve(plain);
+      CHECK(solver.restarts() == accelerated.restarts());
+      // As in wide_sequential_impulse_tests.cpp, and twice as many passes.
+      const Real tolerance =
+          Real(16 * 20 * 2 * sweeps) * static_cast<Real>(std::numeric_limits<Number>::epsilon());
+      for (int k = 0; k < order.size(); ++k) {
+        CHECK(std::abs(wide.impulse[order[k]] - plain.impulse[k]) <= tolerance);
+      }
+      CHECK(largest_lane_gap(wide, plain) <= tolerance);
+      OrderWatcher<Real> watcher;
+      solver.solve(watched, &watcher);
+      CHECK(watcher.outside == 0);
+      CHECK(same_bits(wide, watched));
+    }
+  }
+}
+
+TEST_CASE("a sweep in lanes that went too far is undone to the last bit") {
+  VelocityProblem<double> problem = lane_grid_with_oddities(4);
+  UndoneSweeps undone;
+  WideSequentialImpulse<double> solver({.iterations = 300}, Momentum::nesterov);
+  solver.solve(problem, &undone);
+  CHECK(solver.restarts() > 0);
+  CHECK(undone.count == solver.restarts());
+}
+
+TEST_CASE("momentum outlives the filling of lanes: a tall stack takes as many sweeps as accelerated PGS") {
+  const VelocityProblem<double> start = hand_made_stack<double>(60, 10, 0.02);
+  VelocityProblem<double> wide = start, watched = start, plain = reordered(start, order_in_lanes(start));
+  const SolverSettings settings = {.iterations = 20000, .tolerance = 1e-11};
+  WideSequentialImpulse<double> solver(settings, Momentum::nesterov);
+  const SolveReport report = solver.solve(wide);
+  const SolveReport expected = AcceleratedProjectedGaussSeidel<double>(settings).solve(plain);
+  CHECK(report.converged);
+  CHECK(residual(wide, residual_scale(start)).energy <= 1e-11);
+  // R_E is looked at every 64th more sweeps, and roundings move the restarts by a few.
+  CHECK(report.iterations <= 1.1 * expected.iterations);
+  CHECK(WideSequentialImpulse<double>(settings).solve(watched).iterations > 5 * report.iterations);
+}
