@@ -51,7 +51,8 @@ struct Candidate {
 };
 
 struct TunerOptions {
-  List<std::string> solvers = {"si", "wide", "block", "block-contact", "accelerated", "newton"};
+  List<std::string> solvers = {"si",    "wide", "block", "block-contact", "accelerated", "wide-accelerated",
+                               "newton"};
   int starts = 16;         // of each setting that is to be trusted
   int runners_up = 4;      // that are to be found beside the best
   double time_limit = 60;  // [s] of the wall clock; the search may have two thirds, and each rival a sixth

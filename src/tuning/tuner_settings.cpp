@@ -19,6 +19,7 @@ double work_of_a_sweep(const std::string& solver) {
   if (solver == "block" || solver == "block-contact") return 1.6;
   if (solver == "accelerated") return 1.3;
   if (solver == "wide") return 0.15;
+  if (solver == "wide-accelerated") return 0.3;
   if (solver == "pgs-sparse") return 1.8;
   return solver == "box2d" ? 1 : solver_entry(solver).updates_a_row;
 }

@@ -23,6 +23,9 @@ List<Setting> usual_settings_of_cairn() {
           {.solver = "si", .sweeps = {.iterations = 1}, .substeps = 4, .stabilization = soft},
           {.solver = "wide", .sweeps = {.iterations = 10}, .contact_search = when_moved},
           {.solver = "wide", .sweeps = {.iterations = 300, .tolerance = 1e-3}, .contact_search = when_moved},
+          {.solver = "wide-accelerated",
+           .sweeps = {.iterations = 300, .tolerance = 1e-3},
+           .contact_search = when_moved},
           {.solver = "wide",
            .sweeps = {.iterations = 1},
            .substeps = 4,
@@ -32,7 +35,7 @@ List<Setting> usual_settings_of_cairn() {
 
 /// Of rising cost, for each method.
 List<List<Setting>> settings_of_cairn() {
-  List<List<Setting>> all(6);
+  List<List<Setting>> all(7);
   for (const int sweeps : {5, 10, 20, 40, 80, 160}) {
     all[0].push_back({.solver = "si", .sweeps = {.iterations = sweeps}});
     all[1].push_back({.solver = "accelerated", .sweeps = {.iterations = sweeps}});
@@ -51,6 +54,8 @@ List<List<Setting>> settings_of_cairn() {
   }
   for (const int sweeps : {5, 10, 20, 40, 80, 160, 320}) {
     all[4].push_back({.solver = "wide", .sweeps = {.iterations = sweeps}, .contact_search = when_moved});
+    all[6].push_back(
+        {.solver = "wide-accelerated", .sweeps = {.iterations = sweeps}, .contact_search = when_moved});
   }
   return all;
 }
