@@ -135,7 +135,8 @@ void print_explanation(const SceneEntry& entry, const Setting& setting, const Pl
   line("problem", bytes_text(counts.problem_bytes));
   console.result("and keeps beside it, in double");
   for (const SolverMemory& memory : memories) {
-    line(memory.solver, memory.unknown.empty() ? bytes_text(memory.bytes) : memory.unknown);
+    const std::string how_much = memory.unknown.empty() ? bytes_text(memory.bytes) : memory.unknown;
+    console.result(console.spelt("  " + padded(memory.solver, 18) + how_much));
   }
 }
 
