@@ -66,7 +66,7 @@ std::string starts_text(int starts) { return starts == 1 ? "1 start" : fmt::form
 /// One line of the table: who, with which setting, at what cost, and how well.
 std::string candidate_line(const std::string& who, const Candidate& candidate, double best_cost,
                            const Wish& wish) {
-  return fmt::format("{:<12} {:<49} {:>7.3g} {:>11.3g} {:>7.2f}  {}", who, setting_text(candidate.setting),
+  return fmt::format("{:<12} {:<57} {:>7.3g} {:>11.3g} {:>7.2f}  {}", who, setting_text(candidate.setting),
                      1e3 * candidate.cost, candidate.row_updates, candidate.cost / best_cost,
                      found_text(candidate, wish));
 }
@@ -77,13 +77,13 @@ void print_rival(const std::string& who, const std::optional<Candidate>& rival, 
   const char* others = rival->list_exhausted ? "; with less work it misses, too" : "";
   const std::string line = rival->verdict.meets
                                ? candidate_line(who, *rival, best_cost, wish)
-                               : fmt::format("{:<12} {:<49} misses it: {}{}", who,
+                               : fmt::format("{:<12} {:<57} misses it: {}{}", who,
                                              setting_text(rival->setting), rival->verdict.missed, others);
   console.result(console.spelt(line));
 }
 
 void print_answer(const TunerAnswer& answer, const Wish& wish, Console& console) {
-  console.result(fmt::format("{:<12} {:<49} {:>7} {:>11} {:>7}  {}", "", "for a second of the scene", "ms",
+  console.result(fmt::format("{:<12} {:<57} {:>7} {:>11} {:>7}  {}", "", "for a second of the scene", "ms",
                              "row updates", "x best", "the worst of all starts"));
   const double best_cost = answer.best ? answer.best->cost : answer.plain_si ? answer.plain_si->cost : 1;
   if (answer.best) {
