@@ -2,7 +2,6 @@
 #include "constraints/softness.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "math/check.hpp"
 
@@ -39,15 +38,19 @@ Real return_rate(const Softness& softness, Real dt) {
 }
 
 template <Scalar Real>
+Real softness_divisor(const SwingSoftness& swing, Real dt) {
+  return dt * angular_frequency<Real>(swing) * resistance(swing, dt);
+}
+
+template <Scalar Real>
 Real row_softness(const Softness& softness, Real inverse_mass, Real dt) {
   Real gamma = 0;
   if (const auto* swing = std::get_if<SwingSoftness>(&softness)) {
-    gamma = inverse_mass / (dt * angular_frequency<Real>(*swing) * resistance(*swing, dt));
+    gamma = inverse_mass / softness_divisor(*swing, dt);
   } else {
     gamma = 1 / (dt * resistance(std::get<SpringSoftness>(softness), dt));
   }
-  // A spring too weak for Real to tell from none: gamma stays finite, so that gamma times no impulse is 0.
-  return std::min(gamma, std::numeric_limits<Real>::max() / 4);
+  return std::min(gamma, most_softness<Real>());
 }
 
 void require_softness(const Softness& softness, const std::string& place) {
@@ -70,6 +73,10 @@ void require_softness(const Softness& softness, const std::string& place) {
 template float return_rate(const Softness&, float);
 template double return_rate(const Softness&, double);
 template long double return_rate(const Softness&, long double);
+template float softness_divisor(const SwingSoftness&, float);
+template double softness_divisor(const SwingSoftness&, double);
+template long double softness_divisor(const SwingSoftness&, long double);
+
 template float row_softness(const Softness&, float, float);
 template double row_softness(const Softness&, double, double);
 template long double row_softness(const Softness&, long double, long double);

@@ -1,6 +1,7 @@
 // Floor 3. Soft rows: a spring and a damper in place of a rigid condition.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <variant>
 
@@ -45,6 +46,17 @@ Real return_rate(const Softness& softness, Real dt);
 /// `gamma` above [1/kg]. `inverse_mass` is j M^-1 j^T of the row.
 template <Scalar Real>
 Real row_softness(const Softness& softness, Real inverse_mass, Real dt);
+
+/// What j M^-1 j^T is divided by for `gamma` of a spring that is given by how it swings.
+template <Scalar Real>
+Real softness_divisor(const SwingSoftness& swing, Real dt);
+
+/// `gamma` [1/kg] of a spring too weak for Real to tell from none: finite, so that gamma times no impulse is
+/// 0.
+template <Scalar Real>
+constexpr Real most_softness() {
+  return std::numeric_limits<Real>::max() / 4;
+}
 
 /// @throws std::invalid_argument unless frequency is from 1e-6 to 1e6 Hz, the other numbers from 0 to 1e30,
 /// and stiffness and damping not both 0.

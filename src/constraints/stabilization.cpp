@@ -193,6 +193,22 @@ void ContactStabilization<Real>::stabilize(const ContactState<Real>& contact,
   row.softness = row_softness<Real>(spring, inverse_effective_mass(problem, row), dt_);
 }
 
+template <Scalar Real>
+ContactRule<Real> ContactStabilization<Real>::rule(Real gravity) const {
+  const bool keeps_speed =
+      stabilization_.policy == StabilizationPolicy::baumgarte && !std::isinf(stabilization_.max_speed);
+  const SwingSoftness spring = policy_spring(stabilization_, static_cast<double>(dt_));
+  return {.dt = dt_,
+          .slop = static_cast<Real>(stabilization_.slop),
+          .rigid_rate = rigid_rate_,
+          .has_springs = on_springs_,
+          .spring_rate = spring_rate_,
+          .spring_divisor = softness_divisor(spring, dt_),
+          .most_softness = most_softness<Real>(),
+          .most_speed = static_cast<Real>(stabilization_.max_speed),
+          .gravity = keeps_speed ? gravity : Real(0)};
+}
+
 template class ContactStabilization<float>;
 template class ContactStabilization<double>;
 template class ContactStabilization<long double>;

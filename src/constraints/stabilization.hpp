@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "constraints/constraint.hpp"
+#include "constraints/contact_rule.hpp"
 
 namespace cairn {
 
@@ -90,6 +91,9 @@ class ContactStabilization {
   /// Gives a normal row of `problem`, which has its Jacobians, its bias and its softness.
   void stabilize(const ContactState<Real>& contact, const VelocityProblem<Real>& problem,
                  ConstraintRow<Real>& row) const;
+  /// The same in numbers, for bodies that rise against `gravity` [m/s^2]. Not for
+  /// StabilizationPass::position.
+  ContactRule<Real> rule(Real gravity) const;
   /// Whether friction acts: not on what only corrects positions.
   bool has_friction() const { return pass_ != StabilizationPass::position; }
 

@@ -11,6 +11,9 @@
 
 namespace cairn {
 
+template <Scalar Real>
+class ContactSolver;
+
 /// When to stop, for every iterative solver; and how to sweep, for those of the Gauss-Seidel kind.
 struct SolverSettings {
   int iterations = 10;     // sweeps over all rows, at most
@@ -79,6 +82,8 @@ class Solver {
   virtual std::string name() const = 0;
   /// Changes problem.velocity and problem.impulse, from the impulses that it finds there.
   virtual SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) = 0;
+  /// This solver, where it can take contacts without rows; null where it cannot, as most.
+  virtual ContactSolver<Real>* for_contacts() { return nullptr; }
   /// Bytes that the last solve kept beside the problem: the numbers stored, not what the allocator has set
   /// aside for more. 0 before the first solve, and for a solver that keeps nothing.
   virtual std::size_t memory() const { return 0; }

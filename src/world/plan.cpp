@@ -54,6 +54,9 @@ Plan make_plan(const Scene& scene) {
   plan.relaxes = scene.settings().stabilization.policy == StabilizationPolicy::soft;
   plan.corrects_positions = scene.settings().stabilization.policy == StabilizationPolicy::split_impulse;
   plan.sleeping = scene.settings().sleeping.has_value();
+  const bool friction_per_point = !plan.friction || plan.friction_rows == FrictionRows::per_point;
+  plan.contacts_alone = plan.joints == 0 && friction_per_point && !plan.restitution && !plan.guarded &&
+                        !plan.corrects_positions;
   plan.shape_kinds.assign(kinds.begin(), kinds.end());
   return plan;
 }

@@ -19,7 +19,7 @@ StepReport World<Real>::step(Solver<Real>& solver, SolveObserver<Real>* observer
   }
   time_ += dt_;
   steps_ += 1;
-  report.rows = record_.problem.row_count();
+  report.rows = record_.is_new.size();
   for (const Manifold<Real>& manifold : record_.manifolds) report.contacts += manifold.count;
   return report;
 }
@@ -33,17 +33,12 @@ void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>*
     move_manifolds();  //       or those of the step, where they are now
   }
   apply_forces();  // 3     v_1 = v + dt M^-1 f: gravity is in before any constraint is solved
-  write_rows(StabilizationPass::velocity, record_.problem);  // 4  joints and manifolds -> rows,
-  warm_start();                                              //    with last step's impulses
-  if (plan_->guarded) guard_warm_start(report);
-  if (plan_->relaxes) write_relaxing_rows();
-  report.solve = solver.solve(record_.problem, observer);  // 5  -> impulses, v_2
-  report.sweeps += report.solve.iterations;
-  if (plan_->guarded) guard_solve(report);
-
-  moving_velocity_ = record_.problem.velocity;
-  if (plan_->corrects_positions) correct_positions(solver, report);
-  if (plan_->relaxes) relax(solver, report);
+  ContactSolver<Real>* const direct = observer == nullptr ? contact_solver(solver) : nullptr;
+  if (direct != nullptr) {
+    solve_contacts(*direct, report);  // 4, 5  manifolds -> impulses, v_2
+  } else {
+    solve_rows(solver, observer, report);  // 4, 5  joints and manifolds -> rows -> impulses, v_2
+  }
   if (plan_->guarded) keep_apart(report);
   report.not_finite = first_not_finite();
   if (report.not_finite) return;  // nothing has moved, and the impulses remembered are those of before
@@ -51,6 +46,21 @@ void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>*
   integrate_positions(state_, substep_length());  // 6  with the new velocities: semi-implicit Euler
   state_.velocity = record_.problem.velocity;
   remember_impulses();  // 7
+}
+
+template <Scalar Real>
+void World<Real>::solve_rows(Solver<Real>& solver, SolveObserver<Real>* observer, StepReport& report) {
+  has_rows_ = true;
+  write_rows(StabilizationPass::velocity, record_.problem);
+  warm_start();  // with last step's impulses
+  if (plan_->guarded) guard_warm_start(report);
+  if (plan_->relaxes) write_relaxing_rows();
+  report.solve = solver.solve(record_.problem, observer);
+  report.sweeps += report.solve.iterations;
+  if (plan_->guarded) guard_solve(report);
+  moving_velocity_ = record_.problem.velocity;
+  if (plan_->corrects_positions) correct_positions(solver, report);
+  if (plan_->relaxes) relax(solver, report);
 }
 
 /// The policy soft: solves again from v_1, without the springs that move the positions, so that their

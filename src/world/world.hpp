@@ -10,6 +10,7 @@
 #include "constraints/contact.hpp"
 #include "constraints/drag_joint.hpp"
 #include "dynamics/integrate.hpp"
+#include "solvers/contact_problem.hpp"
 #include "solvers/solver.hpp"
 #include "world/contact_graph.hpp"
 #include "world/plan.hpp"
@@ -121,8 +122,12 @@ class World {
   const Scene& scene() const { return *scene_; }
   /// What the scene requires, decided when the world was made.
   const Plan& plan() const { return *plan_; }
-  /// What the last step saw; empty before the first.
-  const StepRecord<Real>& last_step() const { return record_; }
+  /// What the last step saw; empty before the first. Where the step needed no rows, they are written when
+  /// this is first called: not from two threads at a time.
+  const StepRecord<Real>& last_step() const {
+    if (!has_rows_) write_record();
+    return record_;
+  }
   /// What has passed since the start.
   double time() const { return time_; }  // [s]
 
@@ -165,6 +170,11 @@ class World {
   void carry_over(const World& before, const Scene& then);
   void carry_contacts(const World& before);
   void carry_sleep(const World& before, const Scene& then);
+  ContactSolver<Real>* contact_solver(Solver<Real>& solver) const;
+  void solve_rows(Solver<Real>& solver, SolveObserver<Real>* observer, StepReport& report);
+  void solve_contacts(ContactSolver<Real>& solver, StepReport& report);
+  void take_contacts();
+  void write_record() const;
   void relax(Solver<Real>& solver, StepReport& report);
   void correct_positions(Solver<Real>& solver, StepReport& report);
   void warm_start();
@@ -191,7 +201,10 @@ class World {
   List<JointImpulses> joint_impulses_;  // the last ones are those of the hand
   std::shared_ptr<const DragJoint> hand_;
   List<HandInput> hand_inputs_;
-  StepRecord<Real> record_;
+  mutable StepRecord<Real> record_;
+  mutable bool has_rows_ = true;           // the record has all rows
+  PerBody<Pose<Real>> pose_before_;        // the substep, and
+  PerBody<Vec3<Real>> velocity_before_;    // v_1 of its solve, where that needed no rows
   std::optional<SleepState<Real>> sleep_;  // where the scene lets bodies sleep
   double dt_ = 0;                          // [s]
   double time_ = 0;
@@ -205,6 +218,7 @@ class World {
   List<int> candidates_;  // slots with a manifold that moves with its bodies
   List<int> touching_;    // slots of the manifolds of record_
   RowSpecs<Real> specs_;
+  List<Contact<Real>> contacts_;          // of the last substep, where it needed no rows
   VelocityProblem<Real> second_problem_;  // of the policies that solve twice
   PerBody<Vec3<Real>> moving_velocity_;   // what the position moves by in this substep
   PerBody<Vec3<Real>> solved_velocity_;   // what impulses have given

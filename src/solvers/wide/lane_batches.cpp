@@ -42,6 +42,7 @@ template <Scalar Real>
 void LaneBatches::arrange(const VelocityProblem<Real>& problem) {
   require_blocks(problem);
   sees_other_bodies(problem);
+  of_contacts_ = false;
   leant_on_.clear();
   blocks_.clear();
   for (const RowBlock& block : problem.blocks) blocks_.push_back(seen(problem, block));
@@ -50,8 +51,29 @@ void LaneBatches::arrange(const VelocityProblem<Real>& problem) {
 }
 
 template <Scalar Real>
+bool LaneBatches::arrange(const ContactProblem<Real>& problem) {
+  bool changed =
+      sees_other_bodies(*problem.problem) || !of_contacts_ || blocks_.size() != problem.contacts.size();
+  blocks_.resize(problem.contacts.size());
+  int next = 0;
+  for (int k = 0; k < blocks_.size(); ++k) {
+    const Block block = seen(problem.contacts[k], problem.manifolds[k].count, next);
+    changed = changed || block != blocks_[k];
+    blocks_[k] = block;
+    next += block.rows;
+  }
+  if (!changed) return false;
+  of_contacts_ = true;
+  leant_on_.clear();
+  colour();
+  make_batches();
+  for (int i = 0; i < single_rows_.size(); ++i) single_rows_[i] = i;
+  return true;
+}
+
+template <Scalar Real>
 bool LaneBatches::may_be_same(const VelocityProblem<Real>& problem) {
-  if (sees_other_bodies(problem) || !has_same_blocks(problem)) return false;
+  if (sees_other_bodies(problem) || of_contacts_ || !has_same_blocks(problem)) return false;
   leant_on_before_.swap(leant_on_);
   leant_on_.clear();
   for (const int k : single_blocks_) {
@@ -102,6 +124,22 @@ LaneBatches::Block LaneBatches::seen(const VelocityProblem<Real>& problem, const
     result.kinds = result.kinds << bits_of_a_kind | kind;
   }
   if (!fit_all) result.kinds = 0;
+  return result;
+}
+
+template <Scalar Real>
+LaneBatches::Block LaneBatches::seen(const Contact<Real>& contact, int points, int first_row) {
+  Block result = {.first_row = first_row, .rows = contact.count};
+  if (contact.count == 0) return result;
+  result.a = contact.a;
+  result.b = contact.b;
+  const int rows_of_a_point = contact.friction > 0 ? 2 : 1;
+  for (int i = 0; i < points; ++i) {
+    result.kinds = result.kinds << bits_of_a_kind | code_of({.bounds = LaneBounds::lower});
+    if (rows_of_a_point == 1) continue;
+    const LaneKind friction = {.bounds = LaneBounds::friction, .normal = static_cast<std::uint8_t>(2 * i)};
+    result.kinds = result.kinds << bits_of_a_kind | code_of(friction);
+  }
   return result;
 }
 
@@ -194,13 +232,15 @@ void LaneBatches::add_batch(int first, int last) {
                      .used = last - first,
                      .body_a = {},
                      .body_b = {},
-                     .block_row = {}};
+                     .block_row = {},
+                     .block = {}};
   for (int lane = 0; lane < lane_count; ++lane) {
     const bool is_used = lane < batch.used;
     const Block& block = blocks_[coloured_[is_used ? first + lane : first].block];
     batch.body_a[lane] = is_used ? block.a.index : moves_.size();
     batch.body_b[lane] = is_used ? block.b.index : moves_.size();
     batch.block_row[lane] = block.first_row;
+    batch.block[lane] = coloured_[is_used ? first + lane : first].block;
     if (is_used) in_lane_[coloured_[first + lane].block] = 1;
   }
   for (int i = model.rows - 1; i >= 0; --i)
@@ -210,6 +250,9 @@ void LaneBatches::add_batch(int first, int last) {
   batches_.push_back(batch);
 }
 
+template bool LaneBatches::arrange(const ContactProblem<float>&);
+template bool LaneBatches::arrange(const ContactProblem<double>&);
+template bool LaneBatches::arrange(const ContactProblem<long double>&);
 template void LaneBatches::arrange(const VelocityProblem<float>&);
 template bool LaneBatches::may_be_same(const VelocityProblem<float>&);
 template void LaneBatches::arrange(const VelocityProblem<double>&);

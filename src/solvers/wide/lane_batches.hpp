@@ -6,6 +6,7 @@
 
 #include "constraints/row.hpp"
 #include "math/list.hpp"
+#include "solvers/contact_problem.hpp"
 #include "solvers/wide/lane_data.hpp"
 
 namespace cairn {
@@ -37,6 +38,9 @@ class LaneBatches {
   /// in a lane: whoever fills lanes looks at them anyway.
   template <Scalar Real>
   bool may_be_same(const VelocityProblem<Real>& problem);
+  /// Made anew for these contacts, as for their rows if they were written; false: nothing has changed.
+  template <Scalar Real>
+  bool arrange(const ContactProblem<Real>& contacts);
   /// Whether a row of a batch still is what its lane is made for. Only where may_be_same().
   template <Scalar Real>
   bool is_same_row(const VelocityProblem<Real>& problem, const LaneBatch& batch, int number, int lane) const;
@@ -45,8 +49,11 @@ class LaneBatches {
   const List<LaneBatch>& batches() const { return batches_; }
   /// Of the rows of all batches.
   const List<LaneKind>& kinds() const { return kinds_; }
-  /// The rows of the problem that go one by one, as written.
+  /// The rows of the problem that go one by one, as written; of contacts, numbered as if there were no
+  /// others.
   const List<int>& single_rows() const { return single_rows_; }
+  /// The blocks that these are of.
+  const List<int>& single_blocks() const { return single_blocks_; }
   /// Rows in all batches.
   int lane_rows() const { return lane_rows_; }
   /// Pairs of rows in the blocks of all batches.
@@ -73,6 +80,8 @@ class LaneBatches {
   template <Scalar Real>
   Block seen(const VelocityProblem<Real>& problem, const RowBlock& block);
   template <Scalar Real>
+  static Block seen(const Contact<Real>& contact, int points, int first_row);
+  template <Scalar Real>
   std::uint64_t seen_kind(const VelocityProblem<Real>& problem, const RowBlock& block, int row);
   template <Scalar Real>
   bool sees_other_bodies(const VelocityProblem<Real>& problem);
@@ -84,8 +93,9 @@ class LaneBatches {
   void add_batch(int first, int last);
 
   List<Block> blocks_;
-  PerBody<char> moves_;  // whether a body can move
-  List<int> leant_on_;   // rows that friction of another block leans on
+  bool of_contacts_ = false;  // which had no rows
+  PerBody<char> moves_;       // whether a body can move
+  List<int> leant_on_;        // rows that friction of another block leans on
   List<LaneBatch> batches_;
   List<LaneKind> kinds_;
   List<int> single_blocks_;

@@ -64,6 +64,7 @@ struct LaneBatch {
   std::int32_t body_a[lane_count];     // the first body of each block; of none, one that nothing moves
   std::int32_t body_b[lane_count];     // the second body
   std::int32_t block_row[lane_count];  // the problem's row that is the block's first
+  std::int32_t block[lane_count];      // its number
 };
 
 /// A body's change of velocity over the root of its inverse mass, and a number that is always 0.

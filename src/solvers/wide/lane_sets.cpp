@@ -20,11 +20,11 @@ template <typename Real>
 LaneCode<Real> lane_code([[maybe_unused]] LaneSet set) {
 #ifdef __x86_64__
   if constexpr (!std::same_as<Real, long double>) {
-    if (set == LaneSet::avx512) return {.pass = pass_avx512, .fill = fill_avx512};
-    if (set == LaneSet::avx2) return {.pass = pass_avx2, .fill = fill_avx2};
+    if (set == LaneSet::avx512) return avx512_code<Real>();
+    if (set == LaneSet::avx2) return avx2_code<Real>();
   }
 #endif
-  return {.pass = pass_baseline, .fill = fill_baseline};
+  return baseline_code<Real>();
 }
 
 template LaneCode<float> lane_code(LaneSet);

@@ -4,6 +4,7 @@
 #include <concepts>
 #include <type_traits>
 
+#include "solvers/wide/lane_contact_data.hpp"
 #include "solvers/wide/lane_data.hpp"
 
 namespace cairn {
@@ -34,6 +35,17 @@ struct LaneCode {
   /// Fills the rows of one batch, and the couplings between them.
   void (*fill)(const LaneFilling<Real>& from, LaneRow<Number>* rows,
                LaneCoupling<Number>* couplings) = nullptr;
+  /// Arms, bias and softness of a batch of contacts, from what was gathered.
+  void (*measure_contacts)(const LaneContactInput<Real>& from, const ContactRule<Real>& rule,
+                           LaneContactBatch<Real>& to) = nullptr;
+  /// The warm start of a batch of contacts: gives their impulses to their bodies.
+  void (*push_contacts)(const LaneContactBatch<Real>& batch, LaneBodyInput<Real>& bodies) = nullptr;
+  /// Fills the rows of a batch of contacts, and the couplings between them.
+  void (*fill_contacts)(const LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies,
+                        Real relaxation, LaneRow<Number>* rows, LaneCoupling<Number>* couplings) = nullptr;
+  /// Takes over what sweeps have changed, and gives it to the bodies.
+  void (*empty_contacts)(const LaneRow<Number>* rows, LaneContactBatch<Real>& batch,
+                         LaneBodyInput<Real>& bodies) = nullptr;
 };
 
 /// That of a set that has() knows; for long double there is the baseline only.
@@ -42,18 +54,12 @@ LaneCode<Real> lane_code(LaneSet set);
 
 /// @cond
 // Each set in a file of its own, compiled for it.
-void pass_baseline(LaneProblem<float>& problem, LanePass pass, int first, int last);
-void pass_baseline(LaneProblem<double>& problem, LanePass pass, int first, int last);
-void pass_avx2(LaneProblem<float>& problem, LanePass pass, int first, int last);
-void pass_avx512(LaneProblem<float>& problem, LanePass pass, int first, int last);
-void fill_baseline(const LaneFilling<float>& from, LaneRow<float>* rows, LaneCoupling<float>* couplings);
-void fill_baseline(const LaneFilling<double>& from, LaneRow<float>* rows, LaneCoupling<float>* couplings);
-void fill_baseline(const LaneFilling<long double>& from, LaneRow<double>* rows,
-                   LaneCoupling<double>* couplings);
-void fill_avx2(const LaneFilling<float>& from, LaneRow<float>* rows, LaneCoupling<float>* couplings);
-void fill_avx2(const LaneFilling<double>& from, LaneRow<float>* rows, LaneCoupling<float>* couplings);
-void fill_avx512(const LaneFilling<float>& from, LaneRow<float>* rows, LaneCoupling<float>* couplings);
-void fill_avx512(const LaneFilling<double>& from, LaneRow<float>* rows, LaneCoupling<float>* couplings);
+template <typename Real>
+LaneCode<Real> baseline_code();
+template <typename Real>
+LaneCode<Real> avx2_code();
+template <typename Real>
+LaneCode<Real> avx512_code();
 /// @endcond
 
 }  // namespace cairn

@@ -24,43 +24,115 @@ LaneSystem<Real>::LaneSystem(LaneSet set, Real relaxation)
     : code_(lane_code<Real>(known(set))), relaxation_(relaxation) {}
 
 template <Scalar Real>
-void LaneSystem<Real>::take(const VelocityProblem<Real>& problem) {
-  take_bodies(problem);
-  impulse_ = problem.impulse;
-  largest_impulse_ = 0;
-  for (const Real impulse : impulse_) largest_impulse_ = std::max(largest_impulse_, std::abs(impulse));
-  if (!batches_.may_be_same(problem) || !fill(problem)) {
-    batches_.arrange(problem);
-    rows_.assign(batches_.lane_rows(), LaneRow<Number>{});
-    couplings_.resize(batches_.couplings());
-    fill(problem);
-  }
-  take_single_rows(problem);
+void LaneSystem<Real>::begin(VelocityProblem<Real>& problem) {
+  has_rows_ = true;
+  take_masses(problem);
+  velocity_ = problem.velocity;
+  if (batches_.may_be_same(problem) && push_rows(problem)) return;
+  problem.velocity = velocity_;
+  batches_.arrange(problem);
+  make_room();
+  push_rows(problem);
 }
 
-/// Whether lanes are those of this problem; if not, what they hold is of no use.
 template <Scalar Real>
-bool LaneSystem<Real>::fill(const VelocityProblem<Real>& problem) {
-  filling_.relaxation = relaxation_;
+void LaneSystem<Real>::begin(ContactProblem<Real>& contacts) {
+  has_rows_ = false;
+  const bool new_masses = take_masses(*contacts.problem);
+  const bool rearranged = batches_.arrange(contacts);
+  if (rearranged) make_room();
+  if (rearranged || new_masses) contacts_.arrange(batches_, contacts, root_);
+  write_single_rows(contacts);
+  contacts_.take(code_, batches_, contacts);
+  push_contacts(*contacts.problem);
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::begin_relaxed(ContactProblem<Real>& contacts) {
+  for (ConstraintRow<Real>& row : contacts.problem->rows) {
+    if (row.softness > 0) row.bias = row.softness = 0;
+  }
+  contacts_.relax();
+  push_contacts(*contacts.problem);
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::make_room() {
+  rows_.assign(batches_.lane_rows(), LaneRow<Number>{});
+  couplings_.resize(batches_.couplings());
+}
+
+/// False where a lane is not made for its row any more: velocities are of no use then.
+template <Scalar Real>
+bool LaneSystem<Real>::push_rows(VelocityProblem<Real>& problem) {
+  for (const int i : batches_.single_rows()) apply_impulse(problem, problem.rows[i], problem.impulse[i]);
   for (const LaneBatch& batch : batches_.batches()) {
-    if (batch.used < lane_count) filling_ = {.bodies = {}, .rows = {}, .relaxation = relaxation_};
-    filling_.row_count = batch.rows;
-    take_batch_bodies(batch);
-    bool same = true;
-    for (int lane = 0; lane < batch.used; ++lane) {  // block after block, as they lie in memory
-      for (int i = 0; i < batch.rows; ++i) same = take_row(problem, batch, i, lane) && same;
+    for (int lane = 0; lane < batch.used; ++lane) {
+      for (int r = 0; r < batch.rows; ++r) {
+        if (!batches_.is_same_row(problem, batch, r, lane)) return false;
+        const int i = batch.block_row[lane] + r;
+        apply_impulse(problem, problem.rows[i], problem.impulse[i]);
+      }
     }
-    if (!same) return false;
-    code_.fill(filling_, &rows_[batch.first_row], couplings_.data() + batch.first_coupling);
   }
   return true;
 }
 
 template <Scalar Real>
-void LaneSystem<Real>::take_bodies(const VelocityProblem<Real>& problem) {
+void LaneSystem<Real>::push_contacts(VelocityProblem<Real>& problem) {
+  apply_impulses(problem);  // of the rows that go one by one
+  contacts_.push(code_, batches_, problem.velocity);
+}
+
+/// Of the contacts that fit into no lane.
+template <Scalar Real>
+void LaneSystem<Real>::write_single_rows(const ContactProblem<Real>& contacts) {
+  VelocityProblem<Real>& problem = *contacts.problem;
+  problem.impulse.clear();
+  int next = 0;
+  for (const int k : batches_.single_blocks()) {
+    const Contact<Real>& contact = contacts.contacts[k];
+    const ContactMaterial<Real> material = {
+        .friction = contact.friction, .slop_limit = contact.slop_limit, .gravity = contacts.gravity};
+    write_contact_rows(contacts.manifolds[k], contact.a, contact.b, material, *contacts.poses,
+                       problem.velocity, *contacts.stabilization, 0, problem, next);
+    for (int i = 0; i < contact.count; ++i) problem.impulse.push_back(contact.impulse[i]);
+  }
+  problem.rows.resize(next);
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::take(const VelocityProblem<Real>& problem) {
   velocity_ = problem.velocity;
   bodies_.assign(problem.velocity.size() + 1, LaneBody<Number>{});
-  if (root_.size() != problem.inverse_mass.size()) {
+  impulse_ = problem.impulse;
+  if (has_rows_) {
+    fill(problem);
+  } else {
+    contacts_.fill(code_, batches_, relaxation_, velocity_, rows_, couplings_);
+  }
+  take_single_rows(problem);
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::fill(const VelocityProblem<Real>& problem) {
+  filling_.relaxation = relaxation_;
+  for (const LaneBatch& batch : batches_.batches()) {
+    if (batch.used < lane_count) filling_ = {.bodies = {}, .rows = {}, .relaxation = relaxation_};
+    filling_.row_count = batch.rows;
+    take_batch_bodies(batch);
+    for (int lane = 0; lane < batch.used; ++lane) {  // block after block, as they lie in memory
+      for (int i = 0; i < batch.rows; ++i) take_row(problem, batch, i, lane);
+    }
+    code_.fill(filling_, &rows_[batch.first_row], couplings_.data() + batch.first_coupling);
+  }
+}
+
+/// Whether one has changed.
+template <Scalar Real>
+bool LaneSystem<Real>::take_masses(const VelocityProblem<Real>& problem) {
+  bool changed = root_.size() != problem.inverse_mass.size();
+  if (changed) {
     inverse_mass_.assign(problem.inverse_mass.size(), Vec3<Real>::Zero());
     root_ = inverse_mass_;
   }
@@ -68,7 +140,9 @@ void LaneSystem<Real>::take_bodies(const VelocityProblem<Real>& problem) {
     if (inverse_mass_[body] == problem.inverse_mass[body]) continue;
     inverse_mass_[body] = problem.inverse_mass[body];
     root_[body] = inverse_mass_[body].cwiseSqrt();
+    changed = true;
   }
+  return changed;
 }
 
 template <Scalar Real>
@@ -92,7 +166,7 @@ void LaneSystem<Real>::take_batch_bodies(const LaneBatch& batch) {
 }
 
 template <Scalar Real>
-bool LaneSystem<Real>::take_row(const VelocityProblem<Real>& problem, const LaneBatch& batch, int number,
+void LaneSystem<Real>::take_row(const VelocityProblem<Real>& problem, const LaneBatch& batch, int number,
                                 int lane) {
   LaneInput<Real>& to = filling_.rows[number];
   const LaneKind kind = batches_.kinds()[batch.first_kind + number];
@@ -117,7 +191,6 @@ bool LaneSystem<Real>::take_row(const VelocityProblem<Real>& problem, const Lane
     to.lower[lane] = -row.bounds.friction * load;
     to.upper[lane] = row.bounds.friction * load;
   }
-  return batches_.is_same_row(problem, batch, number, lane);
 }
 
 template <Scalar Real>
@@ -130,11 +203,20 @@ Real LaneSystem<Real>::written_back(const VelocityProblem<Real>& problem, const 
 }
 
 template <Scalar Real>
-void LaneSystem<Real>::write_back(VelocityProblem<Real>& problem) const {
+void LaneSystem<Real>::write_back(VelocityProblem<Real>& problem) {
   problem.velocity = velocity_;
   for (const int i : batches_.single_rows()) {
     apply_impulse(problem, problem.rows[i], problem.impulse[i] - impulse_[i]);
   }
+  if (has_rows_) {
+    empty_rows(problem);
+  } else {
+    contacts_.empty(code_, batches_, rows_, problem.velocity);
+  }
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::empty_rows(VelocityProblem<Real>& problem) const {
   for (const LaneBatch& batch : batches_.batches()) {
     for (int lane = 0; lane < batch.used; ++lane) {
       for (int r = 0; r < batch.rows; ++r) {
@@ -147,16 +229,28 @@ void LaneSystem<Real>::write_back(VelocityProblem<Real>& problem) const {
 }
 
 template <Scalar Real>
+void LaneSystem<Real>::give(ContactProblem<Real>& contacts) const {
+  contacts_.give(batches_, contacts.contacts);
+  int next = 0;
+  for (const int k : batches_.single_blocks()) {
+    Contact<Real>& contact = contacts.contacts[k];
+    for (int i = 0; i < contact.count; ++i) contact.impulse[i] = contacts.problem->impulse[next++];
+  }
+}
+
+template <Scalar Real>
 bool LaneSystem<Real>::is_worth_taking(Real change, Real path) const {
-  return change <= 1024 * static_cast<Real>(std::numeric_limits<Number>::epsilon()) * path &&
-         path > 16 * std::numeric_limits<Real>::epsilon() * largest_impulse_;
+  if (!(change <= 1024 * static_cast<Real>(std::numeric_limits<Number>::epsilon()) * path)) return false;
+  Real largest = has_rows_ ? Real(0) : contacts_.largest_impulse();
+  for (const Real impulse : impulse_) largest = std::max(largest, std::abs(impulse));
+  return path > 16 * std::numeric_limits<Real>::epsilon() * largest;
 }
 
 template <Scalar Real>
 std::size_t LaneSystem<Real>::bytes() const {
-  return batches_.bytes() + rows_.bytes() + couplings_.bytes() + bodies_.bytes() + inverse_mass_.bytes() +
-         root_.bytes() + velocity_.bytes() + impulse_.bytes() + single_mass_.bytes() + before_.bytes() +
-         bodies_before_.bytes() + single_before_.bytes();
+  return batches_.bytes() + contacts_.bytes() + rows_.bytes() + couplings_.bytes() + bodies_.bytes() +
+         inverse_mass_.bytes() + root_.bytes() + velocity_.bytes() + impulse_.bytes() + single_mass_.bytes() +
+         before_.bytes() + bodies_before_.bytes() + single_before_.bytes();
 }
 
 template class LaneSystem<float>;

@@ -4,6 +4,7 @@
 #include "math/list.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/wide/lane_batches.hpp"
+#include "solvers/wide/lane_contacts.hpp"
 #include "solvers/wide/lane_sets.hpp"
 
 namespace cairn {
@@ -29,7 +30,14 @@ class LaneSystem {
   /// @throws std::invalid_argument for a set that this processor has not.
   LaneSystem(LaneSet set, Real relaxation);
 
-  /// Takes over a problem, its warm start applied; changes begin at 0.
+  /// Lays a problem in lanes and gives it its warm start, in the order of a sweep.
+  void begin(VelocityProblem<Real>& problem);
+  /// Lays contacts in lanes and gives them their warm start. Those that fit into none get rows, which are all
+  /// that contacts.problem has then: it is the problem for all that follows.
+  void begin(ContactProblem<Real>& contacts);
+  /// Begins once more with the contacts of before and their impulses, without springs.
+  void begin_relaxed(ContactProblem<Real>& contacts);
+  /// Takes over a problem that has begun; changes begin at 0.
   void take(const VelocityProblem<Real>& problem);
   /// One sweep.
   LaneSteps<Real> sweep(VelocityProblem<Real>& problem);
@@ -45,7 +53,9 @@ class LaneSystem {
   /// Writes back, and takes over what was written; what is remembered stays.
   void take_again(VelocityProblem<Real>& problem);
   /// Writes impulses, inside their bounds, and the velocities that they make.
-  void write_back(VelocityProblem<Real>& problem) const;
+  void write_back(VelocityProblem<Real>& problem);
+  /// Gives all contacts their impulses, written back before.
+  void give(ContactProblem<Real>& contacts) const;
   /// Whether a change so small [N s], the last of many that add up to `path`, is lost in the rounding of
   /// lanes but would not be in that of the problem.
   bool is_worth_taking(Real change, Real path) const;
@@ -56,11 +66,16 @@ class LaneSystem {
   // Whose sums are made in the lanes' precision: those of more would lose their small terms.
   static constexpr int batches_in_a_sum = 64;
 
-  bool fill(const VelocityProblem<Real>& problem);
-  void take_bodies(const VelocityProblem<Real>& problem);
+  void make_room();
+  bool push_rows(VelocityProblem<Real>& problem);
+  void push_contacts(VelocityProblem<Real>& problem);
+  void write_single_rows(const ContactProblem<Real>& contacts);
+  void fill(const VelocityProblem<Real>& problem);
+  void empty_rows(VelocityProblem<Real>& problem) const;
+  bool take_masses(const VelocityProblem<Real>& problem);
   void take_single_rows(const VelocityProblem<Real>& problem);
   void take_batch_bodies(const LaneBatch& batch);
-  bool take_row(const VelocityProblem<Real>& problem, const LaneBatch& batch, int number, int lane);
+  void take_row(const VelocityProblem<Real>& problem, const LaneBatch& batch, int number, int lane);
   template <LanePass kind, bool watched>
   LaneSteps<Real> pass(VelocityProblem<Real>& problem, int number, SolveObserver<Real>* observer);
   template <LanePass kind, bool watched>
@@ -76,6 +91,8 @@ class LaneSystem {
   LaneCode<Real> code_;
   Real relaxation_;  // omega
   LaneBatches batches_;
+  LaneContacts<Real> contacts_;  // where there are no rows
+  bool has_rows_ = true;
   List<LaneRow<Number>> rows_;
   List<LaneCoupling<Number>> couplings_;
   PerBody<LaneBody<Number>> bodies_;  // and one that nothing moves
@@ -89,7 +106,6 @@ class LaneSystem {
   PerBody<LaneBody<Number>> bodies_before_;
   List<Real> single_before_;        // [N s] of the rows that go one by one
   LaneFilling<Real> filling_ = {};  // scratch, for one batch
-  Real largest_impulse_ = 0;        // [N s] as taken over
 };
 
 }  // namespace cairn

@@ -30,7 +30,36 @@ SolveReport WideSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
                                                SolveObserver<Real>* observer) {
   if (observer != nullptr) observer->before_solve(problem);
   stopping_.begin(settings_, problem, Looks::rarely);
-  apply_impulses(problem);  // warm start: those of last step act before the first sweep
+  lanes_.begin(problem);  // warm start: impulses of last step act before the first sweep
+  return solve_begun(problem, observer);
+}
+
+template <Scalar Real>
+ContactSolver<Real>* WideSequentialImpulse<Real>::for_contacts() {
+  return settings_.tolerance > 0 || settings_.patience > 0 ? nullptr : this;
+}
+
+template <Scalar Real>
+SolveReport WideSequentialImpulse<Real>::solve(ContactProblem<Real>& contacts) {
+  stopping_.begin(settings_, *contacts.problem);
+  lanes_.begin(contacts);
+  const SolveReport report = solve_begun(*contacts.problem, nullptr);
+  lanes_.give(contacts);
+  return report;
+}
+
+template <Scalar Real>
+SolveReport WideSequentialImpulse<Real>::relax(ContactProblem<Real>& contacts) {
+  stopping_.begin(settings_, *contacts.problem);
+  lanes_.begin_relaxed(contacts);
+  const SolveReport report = solve_begun(*contacts.problem, nullptr);
+  lanes_.give(contacts);
+  return report;
+}
+
+template <Scalar Real>
+SolveReport WideSequentialImpulse<Real>::solve_begun(VelocityProblem<Real>& problem,
+                                                     SolveObserver<Real>* observer) {
   lanes_.take(problem);
   path_ = 0;
   k_ = 1;

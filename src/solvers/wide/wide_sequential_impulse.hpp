@@ -1,6 +1,7 @@
 // Floor 4. Sequential impulses, many rows at a time.
 #pragma once
 
+#include "solvers/contact_problem.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/stopping.hpp"
 #include "solvers/wide/lane_system.hpp"
@@ -38,7 +39,7 @@ enum class Momentum {
 /// Observers: after_row comes when all rows of a batch have been updated.
 /// Sources: E. Catto, Box2D v3 (2024), for colours and lanes in SI.
 template <Scalar Real = double>
-class WideSequentialImpulse final : public Solver<Real> {
+class WideSequentialImpulse final : public Solver<Real>, private ContactSolver<Real> {
  public:
   /// With the widest registers of this processor, or those of another set that it has.
   /// @throws std::invalid_argument for settings out of range.
@@ -48,12 +49,17 @@ class WideSequentialImpulse final : public Solver<Real> {
   std::string name() const override { return momentum_ == Momentum::none ? "wide SI" : "wide accelerated"; }
   /// @throws std::invalid_argument unless the problem's blocks follow each other and cover all rows.
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
+  /// Where nothing but the number of sweeps ends a solve: R_E and its like are judged by rows.
+  ContactSolver<Real>* for_contacts() override;
   /// Rows in lanes, m impulses, and of every body its velocity, its inverse mass and their like.
   std::size_t memory() const override { return lanes_.bytes(); }
   /// How many sweeps with momentum the last solve undid.
   int restarts() const { return restarts_; }
 
  private:
+  SolveReport solve(ContactProblem<Real>& contacts) override;
+  SolveReport relax(ContactProblem<Real>& contacts) override;
+  SolveReport solve_begun(VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
   LaneSteps<Real> iterate(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* row_observer);
   void accept_or_undo(VelocityProblem<Real>& problem, const LaneSteps<Real>& gathered,
                       const LaneSteps<Real>& swept);

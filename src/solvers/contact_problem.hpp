@@ -1,0 +1,48 @@
+// Floor 4. Contacts as they are, for solvers that need no rows of them.
+#pragma once
+
+#include "constraints/contact.hpp"
+#include "constraints/row.hpp"
+#include "math/list.hpp"
+#include "solvers/solver.hpp"
+
+namespace cairn {
+
+/// Two bodies in contact, and what the rows of that contact would give: of every point the normal impulse,
+/// then that of friction where there is any.
+template <Scalar Real>
+struct Contact {
+  BodyId a = {};                    // the first body
+  BodyId b = {};                    // the second body
+  Real friction = 0;                // mu
+  Real slop_limit = 0;              // [m] no slop above this
+  FixedList<Real, 4> impulse = {};  // [N s]; in: warm start; out: the answer
+  int count = 0;                    // of rows; 0 between bodies that nothing moves
+};
+
+/// A step in which contacts are all that is to be solved: with a row of friction for each point, and without
+/// restitution.
+template <Scalar Real>
+struct ContactProblem {
+  Span<Contact<Real>> contacts = {};           // in the order in which their rows would be written
+  Span<const Manifold<Real>> manifolds = {};   // of each contact
+  const PerBody<Pose<Real>>* poses = nullptr;  // of all bodies
+  const ContactStabilization<Real>* stabilization = nullptr;  // how errors go
+  Real gravity = 0;  // [m/s^2] that a body in overlap has to rise against
+  /// dt, inverse masses and velocities, as in any problem; of rows those that the solver likes to have.
+  VelocityProblem<Real>* problem = nullptr;
+};
+
+/// What a solver can do that takes contacts as they are.
+template <Scalar Real>
+class ContactSolver {
+ public:
+  virtual ~ContactSolver() = default;
+  /// Changes velocities and impulses, to the same bits as Solver::solve() does with the rows of the contacts.
+  virtual SolveReport solve(ContactProblem<Real>& contacts) = 0;
+  /// Solves once more what solve() has just solved, from its impulses and from the velocities that the
+  /// problem is given now, without springs: contacts on springs ask for 0, and do not give way.
+  virtual SolveReport relax(ContactProblem<Real>& contacts) = 0;
+};
+
+}  // namespace cairn

@@ -1,0 +1,31 @@
+// Floor 4. All that lanes do, in registers of one width: compiled once for each instruction set.
+#pragma once
+
+#include "solvers/wide/lane_contact_rows.hpp"
+#include "solvers/wide/lane_filling.hpp"
+#include "solvers/wide/lane_sets.hpp"
+#include "solvers/wide/lane_sweep.hpp"
+
+namespace cairn {
+
+namespace {
+
+template <int bytes, typename Number>
+void pass_over(LaneProblem<Number>& problem, LanePass pass, int first, int last) {
+  pass_batches<bytes>(problem, pass, first, last);
+}
+
+template <int bytes, typename Real>
+LaneCode<Real> code_in_registers_of() {
+  using Number = LaneNumber<Real>;
+  return {.pass = pass_over<bytes, Number>,
+          .fill = fill_lanes<Real, Number>,
+          .measure_contacts = measure_contacts<Real>,
+          .push_contacts = push_contacts<Real>,
+          .fill_contacts = fill_contacts<Real, Number>,
+          .empty_contacts = empty_contacts<Real, Number>};
+}
+
+}  // namespace
+
+}  // namespace cairn

@@ -1,0 +1,42 @@
+// Floor 4. Contacts side by side in lanes: what the code of every instruction set reads and writes.
+#pragma once
+
+#include "constraints/contact_rule.hpp"
+#include "solvers/wide/lane_data.hpp"
+
+namespace cairn {
+
+/// Points of a contact, at most.
+inline constexpr int most_lane_points = 2;
+/// Rows of a contact, at most: of every point the normal one, then that of friction where there is any.
+inline constexpr int most_contact_rows = 4;
+
+/// What is gathered of a batch of contacts.
+template <typename Real>
+struct LaneContactInput {
+  Real position_a[2][lane_count];                 // [m] of the centres of mass of the first bodies
+  Real position_b[2][lane_count];                 // [m] of the second bodies
+  Real normal[2][lane_count];                     // n, from the first to the second
+  Real point[most_lane_points][2][lane_count];    // [m]
+  Real separation[most_lane_points][lane_count];  // [m]
+  Real slop_limit[lane_count];                    // [m]
+};
+
+/// A batch of contacts in the problem's own precision: what its rows say, in fewer numbers.
+template <typename Real>
+struct alignas(64) LaneContactBatch {
+  int points = 0;                               // of each contact
+  bool has_friction = false;                    // there are rows of friction
+  int rows = 0;                                 // of each contact
+  Real inverse_a[3][lane_count];                // the inverse masses of the first bodies
+  Real inverse_b[3][lane_count];                // of the second bodies
+  Real normal[2][lane_count];                   // n
+  Real turn_a[most_contact_rows][lane_count];   // [m] r_a x direction of each row
+  Real turn_b[most_contact_rows][lane_count];   // [m] r_b x direction of each row
+  Real bias[most_lane_points][lane_count];      // [m/s] of the normal rows
+  Real softness[most_lane_points][lane_count];  // [1/kg] of the normal rows
+  Real friction[lane_count];                    // mu
+  Real impulse[most_contact_rows][lane_count];  // [N s] of each row
+};
+
+}  // namespace cairn

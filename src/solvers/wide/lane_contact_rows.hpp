@@ -1,0 +1,171 @@
+// Floor 4. The rows of a batch of contacts: compiled once for each instruction set, as lane_sweep.hpp is. All
+// of it does, number for number, what write_contact_rows(), ContactStabilization, apply_impulse() and
+// Bounds::clamp() do for one row.
+#pragma once
+
+#include "solvers/wide/lane_contact_data.hpp"
+#include "solvers/wide/lane_filling.hpp"
+
+namespace cairn {
+
+namespace {
+
+/// x . (m x) as Eigen adds up three products.
+template <typename Real>
+inline Real inverse_mass_of(Real x, Real y, Real turn, Real mass_x, Real mass_y, Real mass_turn) {
+  return x * (mass_x * x) + (y * (mass_y * y) + turn * (mass_turn * turn));
+}
+
+/// Bias and softness of the normal rows of one point.
+template <typename Real>
+inline void stabilize_point(const Real* separation, const Real* slop_limit, const ContactRule<Real>& rule,
+                            int point, LaneContactBatch<Real>& batch) {
+  const int row = batch.has_friction ? 2 * point : point;
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const Real x = batch.normal[0][lane], y = batch.normal[1][lane];
+    const Real inverse_mass = inverse_mass_of(-x, -y, -batch.turn_a[row][lane], batch.inverse_a[0][lane],
+                                              batch.inverse_a[1][lane], batch.inverse_a[2][lane]) +
+                              inverse_mass_of(x, y, batch.turn_b[row][lane], batch.inverse_b[0][lane],
+                                              batch.inverse_b[1][lane], batch.inverse_b[2][lane]);
+    const Real gamma = inverse_mass / rule.spring_divisor;
+    const Real limited = rule.most_softness < gamma ? rule.most_softness : gamma;
+    const bool overlaps = separation[lane] < 0;
+    const bool on_spring = rule.has_springs && !(separation[lane] >= 0);
+    batch.softness[point][lane] = on_spring ? limited : Real(0);
+
+    const Real slop = slop_limit[lane] < rule.slop ? slop_limit[lane] : rule.slop;
+    const Real beyond = -separation[lane] - slop;
+    const Real overlap = 0 < beyond ? beyond : Real(0);
+    const Real fall = square_root(rule.gravity * overlap / 2);
+    const bool falls = rule.gravity > 0 && fall < rule.most_speed;
+    const Real most_speed = falls ? fall : rule.most_speed;
+    const Real wish = (on_spring ? rule.spring_rate : rule.rigid_rate) * overlap;
+    batch.bias[point][lane] =
+        overlaps ? (most_speed < wish ? most_speed : wish) : -separation[lane] / rule.dt;
+  }
+}
+
+/// Arms about the centres of mass, from what was gathered.
+template <typename Real>
+inline void measure_arms(const LaneContactInput<Real>& from, int point, LaneContactBatch<Real>& to) {
+  const int row = to.has_friction ? 2 * point : point;
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const Real x = from.normal[0][lane], y = from.normal[1][lane];
+    const Real a_x = from.point[point][0][lane] - from.position_a[0][lane];
+    const Real a_y = from.point[point][1][lane] - from.position_a[1][lane];
+    const Real b_x = from.point[point][0][lane] - from.position_b[0][lane];
+    const Real b_y = from.point[point][1][lane] - from.position_b[1][lane];
+    to.turn_a[row][lane] = a_x * y - a_y * x;
+    to.turn_b[row][lane] = b_x * y - b_y * x;
+    if (to.has_friction) {
+      to.turn_a[row + 1][lane] = a_x * -x - a_y * y;
+      to.turn_b[row + 1][lane] = b_x * -x - b_y * y;
+    }
+  }
+}
+
+/// Everything but the impulses.
+template <typename Real>
+inline void measure_contacts(const LaneContactInput<Real>& from, const ContactRule<Real>& rule,
+                             LaneContactBatch<Real>& to) {
+  for (int lane = 0; lane < lane_count; ++lane) {
+    to.normal[0][lane] = from.normal[0][lane];
+    to.normal[1][lane] = from.normal[1][lane];
+  }
+  for (int point = 0; point < to.points; ++point) {
+    measure_arms(from, point, to);
+    stabilize_point(from.separation[point], from.slop_limit, rule, point, to);
+  }
+}
+
+/// Gives the bodies of each contact `impulse` [N s] of one row. The three do not overlap, or no compiler
+/// could tell that lanes are apart.
+template <typename Real>
+inline void push_bodies(const LaneContactBatch<Real>& __restrict batch, int row,
+                        const Real* __restrict impulse, LaneBodyInput<Real>& __restrict bodies) {
+  const bool is_friction = batch.has_friction && row % 2 == 1;
+  const Real* const first = batch.normal[is_friction ? 1 : 0];
+  const Real* const second = batch.normal[is_friction ? 0 : 1];
+  const Real sign = is_friction ? Real(-1) : Real(1);
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const Real x = first[lane], y = sign * second[lane], p = impulse[lane];
+    bodies.velocity_a[0][lane] += batch.inverse_a[0][lane] * -x * p;
+    bodies.velocity_a[1][lane] += batch.inverse_a[1][lane] * -y * p;
+    bodies.velocity_a[2][lane] += batch.inverse_a[2][lane] * -batch.turn_a[row][lane] * p;
+    bodies.velocity_b[0][lane] += batch.inverse_b[0][lane] * x * p;
+    bodies.velocity_b[1][lane] += batch.inverse_b[1][lane] * y * p;
+    bodies.velocity_b[2][lane] += batch.inverse_b[2][lane] * batch.turn_b[row][lane] * p;
+  }
+}
+
+/// The warm start.
+template <typename Real>
+inline void push_contacts(const LaneContactBatch<Real>& batch, LaneBodyInput<Real>& bodies) {
+  for (int row = 0; row < batch.rows; ++row) push_bodies(batch, row, batch.impulse[row], bodies);
+}
+
+/// What one row says of all contacts.
+template <typename Real>
+inline void state_row(const LaneContactBatch<Real>& batch, int row, LaneInput<Real>& to) {
+  const bool is_friction = batch.has_friction && row % 2 == 1;
+  const int point = batch.has_friction ? row / 2 : row;
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const Real n_x = batch.normal[0][lane], n_y = batch.normal[1][lane];
+    const Real x = is_friction ? n_y : n_x, y = is_friction ? -n_x : n_y;
+    to.jacobian_a[0][lane] = -x;
+    to.jacobian_a[1][lane] = -y;
+    to.jacobian_a[2][lane] = -batch.turn_a[row][lane];
+    to.jacobian_b[0][lane] = x;
+    to.jacobian_b[1][lane] = y;
+    to.jacobian_b[2][lane] = batch.turn_b[row][lane];
+    to.impulse[lane] = batch.impulse[row][lane];
+    to.bias[lane] = is_friction ? Real(0) : batch.bias[point][lane];
+    to.softness[lane] = is_friction ? Real(0) : batch.softness[point][lane];
+    const Real load = is_friction ? batch.impulse[row - 1][lane] : Real(0);
+    to.friction[lane] = is_friction ? batch.friction[lane] : Real(0);
+    to.lower[lane] = is_friction ? -batch.friction[lane] * load : Real(0);
+    to.upper[lane] = is_friction ? batch.friction[lane] * load : static_cast<Real>(__builtin_inf());
+  }
+}
+
+/// The rows of a batch as sweeps read them.
+template <typename Real, typename Number>
+inline void fill_contacts(const LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies,
+                          Real relaxation, LaneRow<Number>* rows, LaneCoupling<Number>* couplings) {
+  LaneInput<Real> input;
+  for (int i = 0; i < batch.rows; ++i) {
+    state_row(batch, i, input);
+    fill_row(bodies, input, rows[i]);
+    for (int k = 0; k < i; ++k) {
+      couple_rows(rows[i], rows[k], static_cast<Number>(relaxation), *couplings++);
+    }
+  }
+}
+
+/// Impulses with what sweeps have added, inside their bounds, and what that gives to the bodies.
+template <typename Real, typename Number>
+inline void empty_contacts(const LaneRow<Number>* rows, LaneContactBatch<Real>& batch,
+                           LaneBodyInput<Real>& bodies) {
+  Real change[lane_count];
+  for (int i = 0; i < batch.rows; ++i) {
+    const bool is_friction = batch.has_friction && i % 2 == 1;
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const Real old = batch.impulse[i][lane];
+      const Real wish =
+          old + static_cast<Real>(rows[i].scale[lane]) * static_cast<Real>(rows[i].impulse[lane]);
+      const Real other = is_friction ? batch.impulse[i - 1][lane] : Real(0);
+      const Real limit = batch.friction[lane] * (other < 0 ? Real(0) : other);
+      const Real below = limit < wish ? limit : wish;
+      const Real rubbing = below < -limit ? -limit : below;
+      const Real pushing = wish < 0 ? Real(0) : wish;
+      const Real now = is_friction ? rubbing : pushing;
+      batch.impulse[i][lane] = now;
+      change[lane] = now - old;
+    }
+    push_bodies(batch, i, change, bodies);
+  }
+}
+
+}  // namespace
+
+}  // namespace cairn

@@ -1,0 +1,171 @@
+// Floor 4. From contacts to lanes, and back.
+#include "solvers/wide/lane_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn {
+
+namespace {
+
+/// The velocities of the bodies of a batch.
+template <Scalar Real>
+void gather_velocities(const LaneBatch& batch, const PerBody<Vec3<Real>>& velocity, LaneBodyInput<Real>& to) {
+  for (int lane = 0; lane < batch.used; ++lane) {
+    const Vec3<Real>& a = velocity[BodyId{batch.body_a[lane]}];
+    const Vec3<Real>& b = velocity[BodyId{batch.body_b[lane]}];
+    for (int axis = 0; axis < 3; ++axis) {
+      to.velocity_a[axis][lane] = a(axis);
+      to.velocity_b[axis][lane] = b(axis);
+    }
+  }
+}
+
+template <Scalar Real>
+void scatter_velocities(const LaneBatch& batch, const LaneBodyInput<Real>& from,
+                        PerBody<Vec3<Real>>& velocity) {
+  for (int lane = 0; lane < batch.used; ++lane) {
+    Vec3<Real>& a = velocity[BodyId{batch.body_a[lane]}];
+    Vec3<Real>& b = velocity[BodyId{batch.body_b[lane]}];
+    for (int axis = 0; axis < 3; ++axis) {
+      a(axis) = from.velocity_a[axis][lane];
+      b(axis) = from.velocity_b[axis][lane];
+    }
+  }
+}
+
+}  // namespace
+
+template <Scalar Real>
+void LaneContacts<Real>::arrange(const LaneBatches& batches, const ContactProblem<Real>& problem,
+                                 const PerBody<Vec3<Real>>& root) {
+  contacts_.assign(batches.batches().size(), LaneContactBatch<Real>{});
+  bodies_.assign(batches.batches().size(), LaneBodyInput<Real>{});
+  for (int k = 0; k < contacts_.size(); ++k) {
+    const LaneBatch& batch = batches.batches()[k];
+    LaneContactBatch<Real>& to = contacts_[k];
+    to.rows = batch.rows;
+    to.points = problem.manifolds[batch.block[0]].count;
+    to.has_friction = to.rows > to.points;
+    for (int lane = 0; lane < batch.used; ++lane) {
+      const BodyId a = {batch.body_a[lane]}, b = {batch.body_b[lane]};
+      for (int axis = 0; axis < 3; ++axis) {
+        to.inverse_a[axis][lane] = problem.problem->inverse_mass[a](axis);
+        to.inverse_b[axis][lane] = problem.problem->inverse_mass[b](axis);
+        bodies_[k].root_a[axis][lane] = root[a](axis);
+        bodies_[k].root_b[axis][lane] = root[b](axis);
+      }
+    }
+  }
+}
+
+template <Scalar Real>
+void LaneContacts<Real>::take(const LaneCode<Real>& code, const LaneBatches& batches,
+                              const ContactProblem<Real>& problem) {
+  const ContactRule<Real> rule = problem.stabilization->rule(problem.gravity);
+  for (int k = 0; k < contacts_.size(); ++k) {
+    const LaneBatch& batch = batches.batches()[k];
+    if (batch.used < lane_count) input_ = {};
+    gather(batch, problem, contacts_[k]);
+    code.measure_contacts(input_, rule, contacts_[k]);
+  }
+}
+
+template <Scalar Real>
+void LaneContacts<Real>::gather(const LaneBatch& batch, const ContactProblem<Real>& problem,
+                                LaneContactBatch<Real>& to) {
+  const PerBody<Pose<Real>>& poses = *problem.poses;
+  for (int lane = 0; lane < batch.used; ++lane) {
+    const Contact<Real>& contact = problem.contacts[batch.block[lane]];
+    const Manifold<Real>& manifold = problem.manifolds[batch.block[lane]];
+    for (int axis = 0; axis < 2; ++axis) {
+      input_.position_a[axis][lane] = poses[contact.a].position(axis);
+      input_.position_b[axis][lane] = poses[contact.b].position(axis);
+      input_.normal[axis][lane] = manifold.normal(axis);
+    }
+    for (int i = 0; i < to.points; ++i) {
+      const ManifoldPoint<Real>& point = manifold.points[i];
+      input_.point[i][0][lane] = point.position.x();
+      input_.point[i][1][lane] = point.position.y();
+      input_.separation[i][lane] = point.separation;
+    }
+    input_.slop_limit[lane] = contact.slop_limit;
+    to.friction[lane] = contact.friction;
+    for (int i = 0; i < to.rows; ++i) to.impulse[i][lane] = contact.impulse[i];
+  }
+}
+
+template <Scalar Real>
+void LaneContacts<Real>::relax() {
+  for (LaneContactBatch<Real>& batch : contacts_) {
+    for (int i = 0; i < batch.points; ++i) {
+      for (int lane = 0; lane < lane_count; ++lane) {
+        const bool on_spring = batch.softness[i][lane] > 0;
+        batch.bias[i][lane] = on_spring ? Real(0) : batch.bias[i][lane];
+        batch.softness[i][lane] = on_spring ? Real(0) : batch.softness[i][lane];
+      }
+    }
+  }
+}
+
+template <Scalar Real>
+void LaneContacts<Real>::push(const LaneCode<Real>& code, const LaneBatches& batches,
+                              PerBody<Vec3<Real>>& velocity) {
+  for (int k = 0; k < contacts_.size(); ++k) {
+    const LaneBatch& batch = batches.batches()[k];
+    gather_velocities(batch, velocity, bodies_[k]);
+    code.push_contacts(contacts_[k], bodies_[k]);
+    scatter_velocities(batch, bodies_[k], velocity);
+  }
+}
+
+template <Scalar Real>
+void LaneContacts<Real>::fill(const LaneCode<Real>& code, const LaneBatches& batches, Real relaxation,
+                              const PerBody<Vec3<Real>>& velocity, List<LaneRow<Number>>& rows,
+                              List<LaneCoupling<Number>>& couplings) {
+  for (int k = 0; k < contacts_.size(); ++k) {
+    const LaneBatch& batch = batches.batches()[k];
+    gather_velocities(batch, velocity, bodies_[k]);
+    code.fill_contacts(contacts_[k], bodies_[k], relaxation, &rows[batch.first_row],
+                       couplings.data() + batch.first_coupling);
+  }
+}
+
+template <Scalar Real>
+void LaneContacts<Real>::empty(const LaneCode<Real>& code, const LaneBatches& batches,
+                               const List<LaneRow<Number>>& rows, PerBody<Vec3<Real>>& velocity) {
+  for (int k = 0; k < contacts_.size(); ++k) {
+    const LaneBatch& batch = batches.batches()[k];
+    gather_velocities(batch, velocity, bodies_[k]);
+    code.empty_contacts(&rows[batch.first_row], contacts_[k], bodies_[k]);
+    scatter_velocities(batch, bodies_[k], velocity);
+  }
+}
+
+template <Scalar Real>
+void LaneContacts<Real>::give(const LaneBatches& batches, Span<Contact<Real>> contacts) const {
+  for (int k = 0; k < contacts_.size(); ++k) {
+    const LaneBatch& batch = batches.batches()[k];
+    for (int lane = 0; lane < batch.used; ++lane) {
+      for (int i = 0; i < batch.rows; ++i)
+        contacts[batch.block[lane]].impulse[i] = contacts_[k].impulse[i][lane];
+    }
+  }
+}
+
+template <Scalar Real>
+Real LaneContacts<Real>::largest_impulse() const {
+  Real largest = 0;
+  for (const LaneContactBatch<Real>& batch : contacts_) {
+    for (int i = 0; i < batch.rows; ++i) {
+      for (const Real impulse : batch.impulse[i]) largest = std::max(largest, std::abs(impulse));
+    }
+  }
+  return largest;
+}
+
+template class LaneContacts<float>;
+template class LaneContacts<double>;
+template class LaneContacts<long double>;
+
+}  // namespace cairn

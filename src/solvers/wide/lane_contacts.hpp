@@ -1,0 +1,49 @@
+// Floor 4. Contacts in lanes, of which no rows were written.
+#pragma once
+
+#include "math/list.hpp"
+#include "solvers/contact_problem.hpp"
+#include "solvers/wide/lane_batches.hpp"
+#include "solvers/wide/lane_sets.hpp"
+
+namespace cairn {
+
+/// The contacts of all batches in the problem's own precision, from which lanes are filled.
+template <Scalar Real>
+class LaneContacts {
+ public:
+  /// What lanes compute in.
+  using Number = LaneNumber<Real>;
+
+  /// Makes room for these batches; each body has its root of the inverse mass in `root`.
+  void arrange(const LaneBatches& batches, const ContactProblem<Real>& problem,
+               const PerBody<Vec3<Real>>& root);
+  /// Takes over manifolds, poses and impulses.
+  void take(const LaneCode<Real>& code, const LaneBatches& batches, const ContactProblem<Real>& problem);
+  /// Leaves springs out.
+  void relax();
+  /// The warm start.
+  void push(const LaneCode<Real>& code, const LaneBatches& batches, PerBody<Vec3<Real>>& velocity);
+  /// Fills the rows of all batches, from `velocity` on.
+  void fill(const LaneCode<Real>& code, const LaneBatches& batches, Real relaxation,
+            const PerBody<Vec3<Real>>& velocity, List<LaneRow<Number>>& rows,
+            List<LaneCoupling<Number>>& couplings);
+  /// Takes over what sweeps have changed since, and gives it to the bodies.
+  void empty(const LaneCode<Real>& code, const LaneBatches& batches, const List<LaneRow<Number>>& rows,
+             PerBody<Vec3<Real>>& velocity);
+  /// Gives their impulses to the contacts.
+  void give(const LaneBatches& batches, Span<Contact<Real>> contacts) const;
+  /// [N s] of all impulses.
+  Real largest_impulse() const;
+  /// What it takes up [bytes].
+  std::size_t bytes() const { return contacts_.bytes() + bodies_.bytes(); }
+
+ private:
+  void gather(const LaneBatch& batch, const ContactProblem<Real>& problem, LaneContactBatch<Real>& to);
+
+  List<LaneContactBatch<Real>> contacts_;  // a batch each
+  List<LaneBodyInput<Real>> bodies_;       // of each batch
+  LaneContactInput<Real> input_ = {};      // scratch, of one batch
+};
+
+}  // namespace cairn

@@ -1,0 +1,173 @@
+// Contacts solved as they are, and the same contacts as rows: to the last bit.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "constraints/distance_joint.hpp"
+#include "math/list.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
+#include "solvers/wide/wide_sequential_impulse.hpp"
+#include "world/world.hpp"
+
+using namespace cairn;
+
+namespace {
+
+/// A wall that leans, with smooth boxes and discs in it, on ground that slopes: it slides, tips and falls.
+Scene leaning_wall(const SceneSettings& settings) {
+  Scene scene(settings);
+  scene.add_ground({.friction = 0.5});
+  scene.add({.type = BodyType::static_body, .shapes = {box(8.0, 1.0)}, .position = {6, 0}, .angle = 0.3});
+  for (int i = 0; i < 60; ++i) {
+    const Vec2<double> position = {0.99 * (i % 10) + 0.15 * (i / 10), 2.5 + 0.95 * (i / 10)};
+    const bool is_disc = i % 7 == 3;
+    BodySpec body = {.position = position, .angle = 0.02 * (i % 3), .friction = i % 5 == 0 ? 0.0 : 0.4};
+    if (is_disc) {
+      body.shapes = {circle(0.45)};
+    } else {
+      body.shapes = {box(0.9, 0.9)};
+    }
+    scene.add(body);
+  }
+  return scene;
+}
+
+/// Does nothing; but whoever observes a solve sees rows.
+template <Scalar Real>
+class Onlooker final : public SolveObserver<Real> {};
+
+template <Scalar Real>
+void check_same(const World<Real>& one, const World<Real>& other) {
+  for (const BodyId body : one.bodies().pose.indices()) {
+    CHECK(one.bodies().velocity[body] == other.bodies().velocity[body]);
+    CHECK(one.bodies().pose[body].position == other.bodies().pose[body].position);
+    CHECK(one.bodies().pose[body].angle == other.bodies().pose[body].angle);
+  }
+}
+
+template <Scalar Real>
+void check_same_record(const StepRecord<Real>& one, const StepRecord<Real>& other) {
+  REQUIRE(one.problem.row_count() == other.problem.row_count());
+  CHECK(one.problem.impulse == other.problem.impulse);
+  CHECK(one.problem.velocity == other.problem.velocity);
+  CHECK(one.problem.dt == other.problem.dt);
+  CHECK(one.is_new == other.is_new);
+  CHECK(one.problem.blocks.size() == other.problem.blocks.size());
+  for (int i = 0; i < one.problem.row_count(); ++i) {
+    const ConstraintRow<Real>&row = one.problem.rows[i], &expected = other.problem.rows[i];
+    CHECK(row.key == expected.key);
+    CHECK(row.a == expected.a);
+    CHECK(row.b == expected.b);
+    CHECK(row.jacobian_a == expected.jacobian_a);
+    CHECK(row.jacobian_b == expected.jacobian_b);
+    CHECK(row.bias == expected.bias);
+    CHECK(row.softness == expected.softness);
+    CHECK(row.bounds.normal_row == expected.bounds.normal_row);
+    CHECK(row.bounds.friction == expected.bounds.friction);
+  }
+}
+
+template <Scalar Real>
+void check_steps(const Scene& scene, Momentum momentum, LaneSet set) {
+  World<Real> world(scene), observed(scene);
+  WideSequentialImpulse<Real> solver({.iterations = 4}, momentum, set), watched(solver);
+  Onlooker<Real> onlooker;
+  for (int step = 0; step < 90; ++step) {
+    const StepReport report = world.step(solver);
+    const StepReport expected = observed.step(watched, &onlooker);
+    CHECK(report.rows == expected.rows);
+    CHECK(report.contacts == expected.contacts);
+    CHECK(report.sweeps == expected.sweeps);
+    if (step % 9 == 0) check_same_record(world.last_step(), observed.last_step());
+  }
+  CHECK(world.last_step().manifolds.size() > 40);
+  check_same(world, observed);
+}
+
+List<Scene> walls() {
+  List<Scene> scenes;
+  using enum StabilizationPolicy;
+  for (const StabilizationPolicy policy : {none, baumgarte, soft}) {
+    for (const int substeps : {1, 3}) {
+      SceneSettings settings = {.substeps = substeps};
+      settings.stabilization.policy = policy;
+      settings.contact_search = substeps > 1 ? ContactSearch::every_step : ContactSearch::when_moved;
+      scenes.push_back(leaning_wall(settings));
+    }
+  }
+  return scenes;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("contacts without rows are solved to the bits of their rows", Real, float, double,
+                   long double) {
+  for (const Scene& scene : walls()) {
+    check_steps<Real>(scene, Momentum::none, widest_lane_set());
+    check_steps<Real>(scene, Momentum::none, LaneSet::baseline);
+  }
+  check_steps<Real>(leaning_wall({}), Momentum::nesterov, widest_lane_set());
+}
+
+TEST_CASE("a solver may be given rows and contacts without them by turns") {
+  World<double> world(leaning_wall({})), observed(leaning_wall({}));
+  WideSequentialImpulse<double> solver({.iterations = 4}), watched({.iterations = 4});
+  Onlooker<double> onlooker;
+  for (int step = 0; step < 60; ++step) {
+    world.step(solver, step % 3 == 1 ? &onlooker : nullptr);
+    observed.step(watched, &onlooker);
+  }
+  check_same(world, observed);
+}
+
+TEST_CASE("the record of a step without rows is that step's, whenever it is asked for") {
+  World<double> world(leaning_wall({})), observed(leaning_wall({}));
+  WideSequentialImpulse<double> solver({.iterations = 4}), watched({.iterations = 4});
+  Onlooker<double> onlooker;
+  for (int step = 0; step < 40; ++step) {
+    world.step(solver);
+    observed.step(watched, &onlooker);
+  }
+  const World<double> copy = world;
+  for (int step = 0; step < 5; ++step) world.step(solver);
+  check_same_record(copy.last_step(), observed.last_step());
+}
+
+TEST_CASE("masses that change in mid-run reach the lanes") {
+  World<double> world(leaning_wall({})), observed(leaning_wall({}));
+  WideSequentialImpulse<double> solver({.iterations = 4}), watched({.iterations = 4});
+  Onlooker<double> onlooker;
+  const auto make_heavier = [](Scene& scene) {
+    BodySpec spec = scene.bodies()[BodyId{5}].spec;
+    spec.density *= 10;
+    scene.change(BodyId{5}, spec);
+  };
+  for (int step = 0; step < 80; ++step) {
+    if (step == 60) {
+      world.edit(make_heavier);
+      observed.edit(make_heavier);
+    }
+    world.step(solver);
+    observed.step(watched, &onlooker);
+  }
+  check_same(world, observed);
+}
+
+TEST_CASE("a tolerance, joints, rebounds, guards and friction by manifolds ask for rows") {
+  CHECK(WideSequentialImpulse<double>({.iterations = 4}).for_contacts() != nullptr);
+  CHECK(WideSequentialImpulse<double>({.tolerance = 1e-6}).for_contacts() == nullptr);
+  CHECK(WideSequentialImpulse<double>({.patience = 8}).for_contacts() == nullptr);
+  CHECK(SequentialImpulse<double>().for_contacts() == nullptr);
+  CHECK(make_plan(leaning_wall({})).contacts_alone);
+  CHECK_FALSE(make_plan(leaning_wall({.friction_rows = FrictionRows::per_manifold})).contacts_alone);
+  CHECK_FALSE(make_plan(leaning_wall({.guarded = true})).contacts_alone);
+  SceneSettings split;
+  split.stabilization.policy = StabilizationPolicy::split_impulse;
+  CHECK_FALSE(make_plan(leaning_wall(split)).contacts_alone);
+  Scene bouncing = leaning_wall({});
+  bouncing.add({.shapes = {circle(0.5)}, .position = {0, 20}, .restitution = 0.5});
+  CHECK_FALSE(make_plan(bouncing).contacts_alone);
+  Scene jointed = leaning_wall({});
+  jointed.join<DistanceJoint>({.a = BodyId{3}, .b = BodyId{9}, .anchor_a = {0, 9}, .anchor_b = {2, 9}});
+  CHECK_FALSE(make_plan(jointed).contacts_alone);
+}
