@@ -47,12 +47,12 @@ std::string power_text(double goal) { return fmt::format("1e{:.0f}", std::log10(
 std::string ending_text(const WorkToError& work) { return work.ending == "ok" ? "-" : work.ending; }
 
 void print_work_to_errors(const List<WorkToError>& all, Console& console) {
-  std::string head = fmt::format("{:<33}", "row updates down to R_E <=");
+  std::string head = fmt::format("{:<35}", "row updates down to R_E <=");
   for (const double goal : goals) head += fmt::format(" {:>10}", power_text(goal));
   console.result(head);
   bool has_endings = false;
   for (const WorkToError& work : all) {
-    std::string line = fmt::format("  {:<16} {:<14}", work.scene, work.solver);
+    std::string line = fmt::format("  {:<16} {:<16}", work.scene, work.solver);
     for (const double updates : work.row_updates) {
       const bool is_reached = std::isfinite(updates);
       has_endings = has_endings || !is_reached;

@@ -1,4 +1,4 @@
-// Floor 4. Refuses settings that no solver can work with.
+// Floor 4. Refuses settings and problems that no solver can work with.
 #include "solvers/solver.hpp"
 
 #include <cmath>
@@ -17,5 +17,20 @@ void check(const SolverSettings& settings, const std::string& solver) {
           "a finite number >= 0 s", settings.time_budget);
   require(settings.patience >= 0, solver, "patience", ">= 0", settings.patience);
 }
+
+template <Scalar Real>
+void check_blocks(const VelocityProblem<Real>& problem, std::string_view solver) {
+  int next = 0;
+  for (const RowBlock& block : problem.blocks) {
+    require(block.first == next && block.count >= 0, solver, "block",
+            "the rows after those of the block before it", block.first);
+    next += block.count;
+  }
+  require(next == problem.row_count(), solver, "rows in blocks", "all of the problem's rows", next);
+}
+
+template void check_blocks(const VelocityProblem<float>&, std::string_view);
+template void check_blocks(const VelocityProblem<double>&, std::string_view);
+template void check_blocks(const VelocityProblem<long double>&, std::string_view);
 
 }  // namespace cairn

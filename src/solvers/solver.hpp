@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "constraints/row.hpp"
 #include "solvers/row_order.hpp"
@@ -92,5 +93,9 @@ class Solver {
 /// @throws std::invalid_argument unless iterations and patience are >= 0, tolerance and time_budget are
 /// finite numbers >= 0, and relaxation is above 0 and below 2.
 void check(const SolverSettings& settings, const std::string& solver);
+
+/// @throws std::invalid_argument unless the problem's blocks follow each other and cover all rows.
+template <Scalar Real>
+void check_blocks(const VelocityProblem<Real>& problem, std::string_view solver);
 
 }  // namespace cairn

@@ -81,13 +81,6 @@ class TunerSearch {
     return found->second;
   }
 
-  /// Seldom cheaper, and never by much.
-  std::optional<Candidate> in_single_precision(const Candidate& candidate_in_double, int tried, int total) {
-    Setting setting = candidate_in_double.setting;
-    setting.scalar = Precision::single_precision;
-    return candidate(setting, tried, total);
-  }
-
   /// Of a few settings in the order of their work, the first that meets the wish, else the last one tried.
   std::optional<Candidate> first_that_meets(const List<Setting>& settings, int tried, int total) {
     std::optional<Candidate> last;
@@ -158,7 +151,18 @@ List<Candidate> ranked(List<Candidate> met) {
 /// The best and its runners-up.
 int most_kinds(const TunerOptions& options) { return std::max(options.runners_up, 0) + 1; }
 
-/// All that meet the wish: of the settings until they are too much work, and of the best in single precision.
+/// The same sweeps in other ways: single precision is seldom cheaper, and never by much; manifolds that last
+/// until bodies have moved often are.
+List<Setting> variants_of(const Setting& setting) {
+  Setting in_single_precision = setting, when_moved = setting;
+  in_single_precision.scalar = Precision::single_precision;
+  when_moved.contact_search = ContactSearch::when_moved;
+  Setting both = when_moved;
+  both.scalar = Precision::single_precision;
+  return {in_single_precision, when_moved, both};
+}
+
+/// All that meet the wish: of the settings until they are too much work, and of the variants of the best.
 List<Candidate> all_that_meet(TunerSearch& search, const TunerOptions& options, TunerAnswer& answer) {
   const List<Setting> settings = tuner_settings(options.solvers);
   const int total = settings.size();
@@ -179,8 +183,12 @@ List<Candidate> all_that_meet(TunerSearch& search, const TunerOptions& options, 
     }
   }
   const List<Candidate> kinds = ranked(met);
+  List<Setting> variants;
   for (int i = 0; i < std::min(kinds.size(), most_kinds(options)); ++i) {
-    const std::optional<Candidate> candidate = search.in_single_precision(kinds[i], answer.tried + 1, total);
+    for (const Setting& variant : variants_of(kinds[i].setting)) variants.push_back(variant);
+  }
+  for (const Setting& variant : variants) {
+    const std::optional<Candidate> candidate = search.candidate(variant, answer.tried + 1, total);
     answer.complete = answer.complete && candidate.has_value();
     if (!candidate) break;
     answer.tried += 1;

@@ -86,9 +86,9 @@ List<Setting> box2d_settings();
 double expected_work(const Setting& setting);
 
 /// Tries settings in the order of their expected work, each from start 0 first and, if that meets the wish,
-/// from all starts. The best are tried in single precision too. Once the best and its runners-up are found it
-/// goes on until the expected work is 4 times that of the cheapest found. Of those that meet the wish the one
-/// with the least measured cost is the best.
+/// from all starts. The best are tried in single precision and with manifolds that last, too. Once the best
+/// and its runners-up are found it goes on until the expected work is 4 times that of the cheapest found. Of
+/// those that meet the wish the one with the least measured cost is the best.
 /// @throws std::invalid_argument for an empty wish, and numbers that are not above 0.
 TunerAnswer tune(const TunerRun& run, const Wish& wish, const TunerOptions& options = {});
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "math/check.hpp"
 #include "solvers/body_rows.hpp"
 #include "math/list.hpp"
 
@@ -30,18 +29,6 @@ bool is_block_normal(const Bounds<Real>& bounds) {
   return bounds.is_unilateral() && bounds.upper == std::numeric_limits<Real>::infinity();
 }
 
-template <Scalar Real>
-void require_blocks(const VelocityProblem<Real>& problem) {
-  int next = 0;
-  for (const RowBlock& block : problem.blocks) {
-    require(block.first == next && block.count >= 0, "BlockSequentialImpulse", "block",
-            "the rows after those of the block before it", block.first);
-    next += block.count;
-  }
-  require(next == problem.row_count(), "BlockSequentialImpulse", "rows in blocks",
-          "all of the problem's rows", next);
-}
-
 }  // namespace
 
 template <Scalar Real>
@@ -53,7 +40,7 @@ BlockSequentialImpulse<Real>::BlockSequentialImpulse(const SolverSettings& setti
 template <Scalar Real>
 SolveReport BlockSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
                                                 SolveObserver<Real>* observer) {
-  require_blocks(problem);
+  check_blocks(problem, "BlockSequentialImpulse");
   if (observer != nullptr) observer->before_solve(problem);
   stopping_.begin(settings_, problem);
   prepare(problem);

@@ -5,8 +5,6 @@
 #include <bit>
 #include <limits>
 
-#include "math/check.hpp"
-
 namespace cairn {
 
 namespace {
@@ -24,23 +22,11 @@ LaneKind kind_of(std::uint64_t code) {
           .second_normal = static_cast<std::uint8_t>((code >> 6) & 7)};
 }
 
-template <Scalar Real>
-void require_blocks(const VelocityProblem<Real>& problem) {
-  int next = 0;
-  for (const RowBlock& block : problem.blocks) {
-    require(block.first == next && block.count >= 0, "WideSequentialImpulse", "block",
-            "the rows after those of the block before it", block.first);
-    next += block.count;
-  }
-  require(next == problem.row_count(), "WideSequentialImpulse", "rows in blocks", "all of the problem's rows",
-          next);
-}
-
 }  // namespace
 
 template <Scalar Real>
 void LaneBatches::arrange(const VelocityProblem<Real>& problem) {
-  require_blocks(problem);
+  check_blocks(problem, "WideSequentialImpulse");
   sees_other_bodies(problem);
   of_contacts_ = false;
   leant_on_.clear();
