@@ -97,7 +97,7 @@ void World<Real>::solve_contacts(ContactSolver<Real>& solver, StepReport& report
 template <Scalar Real>
 void World<Real>::take_contacts() {
   contacts_.resize(touching_.size());
-  record_.is_new.clear();
+  int rows = 0;
   const Real dt = record_.problem.dt;
   for (int i = 0; i < touching_.size(); ++i) {
     const ContactSlot<Real>& slot = graph_[touching_[i]];
@@ -108,13 +108,16 @@ void World<Real>::take_contacts() {
     contact.slop_limit = slot.slop_limit;
     const bool still = state_.inverse_mass[slot.a].isZero(0) && state_.inverse_mass[slot.b].isZero(0);
     contact.count = still ? 0 : record_.manifolds[i].count * (slot.friction > 0 ? 2 : 1);
+    rows += contact.count;
+    if (record_.is_new.size() < rows) record_.is_new.resize(rows);
     const Real scale = slot.impulses.count > 0 ? dt / slot.impulses.dt : Real(1);
     for (int k = 0; k < contact.count; ++k) {
       const RowImpulse<Real>* last = slot.impulses.find(part_of(record_.manifolds[i], contact, k), k);
-      record_.is_new.push_back(last == nullptr);
+      record_.is_new[rows - contact.count + k] = last == nullptr;
       contact.impulse[k] = last && plan_->warm_start ? scale * last->impulse : Real(0);
     }
   }
+  record_.is_new.resize(rows);
 }
 
 /// The rows that the last substep would have had, with what it gave them.
