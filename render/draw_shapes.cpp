@@ -67,7 +67,7 @@ void append(Outline& outline, const Capsule<double>& capsule, double scale) {
 }
 
 void append(Outline& outline, const Polygon<double>& polygon, double scale) {
-  const int count = polygon.count;
+  const int count = polygon.vertices.size();
   for (int i = 0; i < count; ++i) {
     if (polygon.radius == 0) {
       outline.push_back(polygon.vertices[i]);
@@ -117,7 +117,7 @@ double depth(const Capsule<double>& capsule, const Vec2<double>& point) {
 
 double depth(const Polygon<double>& polygon, const Vec2<double>& point) {
   double least = std::numeric_limits<double>::max();
-  for (int i = 0; i < polygon.count; ++i) {
+  for (int i = 0; i < polygon.vertices.size(); ++i) {
     least = std::min(least, polygon.normals[i].dot(polygon.vertices[i] - point));
   }
   return least + polygon.radius;
@@ -205,7 +205,7 @@ void paint_shape(Canvas& canvas, const Camera& camera, const Pose<double>& pose,
                    capsule->radius * camera.scale, paint);
   } else if (const auto* polygon = std::get_if<Polygon<double>>(&shape)) {
     Outline corners;
-    for (int i = 0; i < polygon->count; ++i) {
+    for (int i = 0; i < polygon->vertices.size(); ++i) {
       corners.push_back(camera.project(pose.world(polygon->vertices[i])));
     }
     canvas.polygon(corners, paint, polygon->radius * camera.scale);

@@ -43,9 +43,9 @@ struct HullMaker {
 
   RoundedHull<Real> operator()(const Polygon<Real>& shape) const {
     RoundedHull<Real> hull;
-    hull.count = shape.count;
+    hull.count = shape.vertices.size();
     hull.radius = shape.radius;
-    for (int i = 0; i < shape.count; ++i) {
+    for (int i = 0; i < hull.count; ++i) {
       hull.vertices[i] = placed(shape.vertices[i]);
       hull.normals[i] = rotation * shape.normals[i];
     }

@@ -22,7 +22,7 @@ Real visit_core(const Capsule<Real>& shape, const Use& use) {
 }
 template <Scalar Real, typename Use>
 Real visit_core(const Polygon<Real>& shape, const Use& use) {
-  std::for_each_n(shape.vertices.begin(), shape.count, use);
+  std::for_each(shape.vertices.begin(), shape.vertices.end(), use);
   return shape.radius;
 }
 template <Scalar Real, typename Use>

@@ -68,7 +68,7 @@ MassProperties of(const Capsule<double>& shape) {
 }
 
 MassProperties of(const Polygon<double>& shape) {
-  const int count = shape.count;
+  const int count = shape.vertices.size();
   List<MassProperties> parts;
   for (int i = 1; i + 1 < count; ++i) {
     parts.push_back(triangle(shape.vertices[0], shape.vertices[i], shape.vertices[i + 1]));

@@ -88,8 +88,9 @@ void require_convex(const List<Vec2<double>>& points, const List<int>& order) {
 /// @throws std::invalid_argument where an edge has no length, because the polygon was moved too far away.
 template <Scalar Real>
 void set_normals(const Polygon<double>& source, Polygon<Real>& target) {
-  for (int i = 0; i < source.count; ++i) {
-    const int next = (i + 1) % source.count;
+  const int count = source.vertices.size();
+  for (int i = 0; i < count; ++i) {
+    const int next = (i + 1) % count;
     const Vec2<long double> start = source.vertices[i].cast<long double>();
     const Vec2<long double> edge = source.vertices[next].cast<long double>() - start;
     const long double length = std::hypot(edge.x(), edge.y());
@@ -99,14 +100,11 @@ void set_normals(const Polygon<double>& source, Polygon<Real>& target) {
   }
 }
 
-/// A polygon whose unused places are zero, not arbitrary memory.
+/// A polygon that has its vertices; its normals are to be set.
 template <Scalar Real>
-Polygon<Real> empty_polygon(int count, Real radius) {
-  Polygon<Real> result;
-  result.vertices.fill(Vec2<Real>::Zero());
-  result.normals.fill(Vec2<Real>::Zero());
-  result.count = count;
-  result.radius = radius;
+Polygon<Real> without_normals(List<Vec2<Real>> vertices, Real radius) {
+  Polygon<Real> result{.vertices = std::move(vertices), .radius = radius};
+  result.normals.resize(result.vertices.size());
   return result;
 }
 
@@ -142,8 +140,10 @@ struct Caster {
     return Capsule<Real>{cast(shape.point1), cast(shape.point2), static_cast<Real>(shape.radius)};
   }
   Shape<Real> operator()(const Polygon<double>& shape) const {
-    Polygon<Real> result = empty_polygon(shape.count, static_cast<Real>(shape.radius));
-    std::transform(shape.vertices.begin(), shape.vertices.end(), result.vertices.begin(), cast);
+    List<Vec2<Real>> vertices;
+    vertices.reserve(shape.vertices.size());
+    for (const Vec2<double>& vertex : shape.vertices) vertices.push_back(cast(vertex));
+    Polygon<Real> result = without_normals(std::move(vertices), static_cast<Real>(shape.radius));
     set_normals(shape, result);
     return result;
   }
@@ -172,11 +172,7 @@ Polygon<double> box(double width, double height, double radius) {
   require_not_negative(radius, "box", "radius");
   const double x = width / 2;
   const double y = height / 2;
-  Polygon<double> result = empty_polygon(4, radius);
-  result.vertices[0] = {-x, -y};
-  result.vertices[1] = {x, -y};
-  result.vertices[2] = {x, y};
-  result.vertices[3] = {-x, y};
+  Polygon<double> result = without_normals<double>({{-x, -y}, {x, -y}, {x, y}, {-x, y}}, radius);
   set_normals(result, result);
   return result;
 }
@@ -199,8 +195,10 @@ Polygon<double> polygon(const List<Vec2<double>>& points, double radius) {
   if (area < 0) std::reverse(order.begin(), order.end());
   require_convex(points, order);
 
-  Polygon<double> result = empty_polygon(points.size(), radius);
-  for (int i = 0; i < order.size(); ++i) result.vertices[i] = points[order[i]];
+  List<Vec2<double>> vertices;
+  vertices.reserve(points.size());
+  for (const int i : order) vertices.push_back(points[i]);
+  Polygon<double> result = without_normals(std::move(vertices), radius);
   set_normals(result, result);
   return result;
 }

@@ -36,10 +36,9 @@ struct Capsule {
 /// A convex polygon, counter-clockwise, rounded by `radius` (all points within `radius` of it).
 template <Scalar Real>
 struct Polygon {
-  FixedList<Vec2<Real>, max_polygon_vertices> vertices = {};  // [m]
-  FixedList<Vec2<Real>, max_polygon_vertices> normals = {};   // normals[i]: outward, of the edge i -> i + 1
-  int count = 0;                                              // of vertices
-  Real radius = 0;                                            // [m]
+  List<Vec2<Real>> vertices = {};  // [m]
+  List<Vec2<Real>> normals = {};   // as many; normals[i]: outward, of the edge i -> i + 1
+  Real radius = 0;                 // [m]
 
   /// Member by member.
   bool operator==(const Polygon&) const = default;

@@ -32,18 +32,18 @@ std::unique_ptr<b2Shape> convert(const Capsule<double>&) {
 std::unique_ptr<b2Shape> convert(const Polygon<double>& polygon) {
   require(polygon.radius == 0, "Box2DWorld", "polygon radius",
           "0 m, as Box2D 2.4.1 does not round the corners of polygons", polygon.radius);
-  require(polygon.count <= b2_maxPolygonVertices, "Box2DWorld", "polygon vertices",
-          "at most 8, as Box2D 2.4.1 has no room for more", polygon.count);
+  require(polygon.vertices.size() <= b2_maxPolygonVertices, "Box2DWorld", "polygon vertices",
+          "at most 8, as Box2D 2.4.1 has no room for more", polygon.vertices.size());
   auto result = std::make_unique<b2PolygonShape>();
-  result->m_count = polygon.count;
+  result->m_count = polygon.vertices.size();
   b2Vec2 sum(0, 0);
-  for (int i = 0; i < polygon.count; ++i) {
+  for (int i = 0; i < polygon.vertices.size(); ++i) {
     result->m_vertices[i] = to_box2d(polygon.vertices[i]);
     result->m_normals[i] = to_box2d(polygon.normals[i]);
     sum += result->m_vertices[i];
   }
   // Box2D asks for a point inside when a segment meets the polygon; mass and inertia are set apart from it.
-  result->m_centroid = (1.0f / static_cast<float>(polygon.count)) * sum;
+  result->m_centroid = (1.0f / static_cast<float>(polygon.vertices.size())) * sum;
   return result;
 }
 

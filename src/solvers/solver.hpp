@@ -6,14 +6,12 @@
 #include <string>
 #include <string_view>
 
+#include "constraints/contact_problem.hpp"
 #include "constraints/row.hpp"
 #include "solvers/row_order.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
-
-template <Scalar Real>
-class ContactSolver;
 
 /// When to stop, for every iterative solver; and how to sweep, for those of the Gauss-Seidel kind.
 struct SolverSettings {
@@ -71,6 +69,18 @@ struct SolveReport {
   double largest_change = 0;  // [N s] the largest change of an impulse in the last sweep
   bool converged = false;     // the tolerance was asked for and reached
   Stop stop = Stop::sweeps;   // why it ended
+};
+
+/// What a solver can do that takes contacts as they are.
+template <Scalar Real>
+class ContactSolver {
+ public:
+  virtual ~ContactSolver() = default;
+  /// Changes velocities and impulses, to the same bits as Solver::solve() does with the rows of the contacts.
+  virtual SolveReport solve(ContactProblem<Real>& contacts) = 0;
+  /// Solves once more what solve() has just solved, from its impulses and from the velocities that the
+  /// problem is given now, without springs: contacts on springs ask for 0, and do not give way.
+  virtual SolveReport relax(ContactProblem<Real>& contacts) = 0;
 };
 
 /// Owns settings and scratch memory only: the problem carries everything else. The one exception is

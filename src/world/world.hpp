@@ -10,7 +10,7 @@
 #include "constraints/contact.hpp"
 #include "constraints/drag_joint.hpp"
 #include "dynamics/integrate.hpp"
-#include "solvers/contact_problem.hpp"
+#include "constraints/contact_problem.hpp"
 #include "solvers/solver.hpp"
 #include "world/contact_graph.hpp"
 #include "world/plan.hpp"

@@ -109,17 +109,17 @@ TEST_CASE("a polygon is stored counter-clockwise with outward unit normals, whic
   test::Random random(1);
   for (int round = 0; round < 100; ++round) {
     const Polygon<double> forward = std::get<Polygon<double>>(test::random_shape(2, random));
-    List<Vec2<double>> points(forward.vertices.begin(), forward.vertices.begin() + forward.count);
+    List<Vec2<double>> points = forward.vertices;
     std::reverse(points.begin(), points.end());
     const Polygon<double> backward = polygon(points);
     for (const Polygon<double>& shape : {forward, backward}) {
-      for (int i = 0; i < shape.count; ++i) {
+      for (int i = 0; i < shape.vertices.size(); ++i) {
         const Vec2<double>& normal = shape.normals[i];
         // Each component is rounded once, by at most half an ulp.
         CHECK(std::abs(normal.norm() - 1) <= 2 * std::numeric_limits<double>::epsilon());
-        for (int j = 0; j < shape.count; ++j) {
+        for (int j = 0; j < shape.vertices.size(); ++j) {
           const Vec2<double> arm = shape.vertices[j] - shape.vertices[i];
-          const bool on_the_edge = j == i || j == (i + 1) % shape.count;
+          const bool on_the_edge = j == i || j == (i + 1) % shape.vertices.size();
           if (on_the_edge) CHECK(std::abs(normal.dot(arm)) <= 4 * std::numeric_limits<double>::epsilon());
           if (!on_the_edge) CHECK(normal.dot(arm) < 0);
         }

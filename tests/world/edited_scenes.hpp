@@ -21,8 +21,8 @@ inline void append_shape(const Shape<double>& shape, List<double>& numbers) {
     append_point(disc->center, numbers);
     numbers.push_back(disc->radius);
   } else if (const auto* outline = std::get_if<Polygon<double>>(&shape)) {
-    for (int i = 0; i < outline->count; ++i) append_point(outline->vertices[i], numbers);
-    for (int i = 0; i < outline->count; ++i) append_point(outline->normals[i], numbers);
+    for (const Vec2<double>& vertex : outline->vertices) append_point(vertex, numbers);
+    for (const Vec2<double>& normal : outline->normals) append_point(normal, numbers);
     numbers.push_back(outline->radius);
   } else if (const auto* line = std::get_if<Segment<double>>(&shape)) {
     append_point(line->point1, numbers);

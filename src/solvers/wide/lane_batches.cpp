@@ -5,6 +5,8 @@
 #include <bit>
 #include <limits>
 
+#include "solvers/solver.hpp"
+
 namespace cairn {
 
 namespace {

@@ -6,7 +6,7 @@
 
 #include "constraints/row.hpp"
 #include "math/list.hpp"
-#include "solvers/contact_problem.hpp"
+#include "constraints/contact_problem.hpp"
 #include "solvers/wide/lane_data.hpp"
 
 namespace cairn {

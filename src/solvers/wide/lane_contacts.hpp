@@ -2,7 +2,7 @@
 #pragma once
 
 #include "math/list.hpp"
-#include "solvers/contact_problem.hpp"
+#include "constraints/contact_problem.hpp"
 #include "solvers/wide/lane_batches.hpp"
 #include "solvers/wide/lane_sets.hpp"
 

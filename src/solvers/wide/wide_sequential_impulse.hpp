@@ -1,7 +1,7 @@
 // Floor 4. Sequential impulses, many rows at a time.
 #pragma once
 
-#include "solvers/contact_problem.hpp"
+#include "constraints/contact_problem.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/stopping.hpp"
 #include "solvers/wide/lane_system.hpp"

@@ -24,7 +24,7 @@ struct AddShape {
   }
   void operator()(const Polygon<double>& polygon) const {
     List<b2Vec2> corners;
-    for (int i = 0; i < polygon.count; ++i) corners.push_back(to_v3(polygon.vertices[i]));
+    for (int i = 0; i < polygon.vertices.size(); ++i) corners.push_back(to_v3(polygon.vertices[i]));
     const b2Hull hull = b2ComputeHull(corners.data(), corners.size());
     const b2Polygon converted = b2MakePolygon(&hull, static_cast<float>(polygon.radius));
     b2CreatePolygonShape(body, definition, &converted);

@@ -37,7 +37,7 @@ struct MakeBulletShape {
   PlacedShape operator()(const Polygon<double>& polygon) const {
     const Vec2<double> along = polygon.vertices[1] - polygon.vertices[0];
     const Vec2<double> up = polygon.vertices[2] - polygon.vertices[1];
-    const bool is_box = polygon.count == 4 && std::abs(along.dot(up)) < 1e-9 * along.norm() * up.norm();
+    const bool is_box = polygon.vertices.size() == 4 && std::abs(along.dot(up)) < 1e-9 * along.norm() * up.norm();
     require(is_box, "Bullet", "shape", "a circle or a rectangle, as it has no others in the plane",
             "another");
     const auto half = [](const Vec2<double>& side) { return static_cast<btScalar>(side.norm() / 2); };

@@ -31,7 +31,7 @@ struct MakeShape {
   }
   cpShape* operator()(const Polygon<double>& polygon) const {
     List<cpVect> corners;
-    for (int i = 0; i < polygon.count; ++i) corners.push_back(to_chipmunk(polygon.vertices[i]));
+    for (int i = 0; i < polygon.vertices.size(); ++i) corners.push_back(to_chipmunk(polygon.vertices[i]));
     return cpPolyShapeNewRaw(body, corners.size(), corners.data(), polygon.radius);
   }
   cpShape* operator()(const Segment<double>& segment) const {

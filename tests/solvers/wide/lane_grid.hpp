@@ -63,7 +63,7 @@ inline VelocityProblem<double> lane_grid(int side, int kinds) {
   LaneGrid grid;
   for (int body = 0; body < side * side; ++body) {
     grid.problem.velocity.push_back({grid.numbers.next(), grid.numbers.next(), grid.numbers.next()});
-    const Vec3<double> mass(1.5 + grid.numbers.next(), 1.5, 1.5 + grid.numbers.next());
+    const Vec3<double> mass{1.5 + grid.numbers.next(), 1.5, 1.5 + grid.numbers.next()};  // in this order
     grid.problem.inverse_mass.push_back(body % 5 == 0 ? Vec3<double>(0, 0, 0) : mass);
   }
   for (int body = 0; body < side * side; ++body) {

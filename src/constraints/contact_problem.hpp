@@ -1,10 +1,9 @@
-// Floor 4. Contacts as they are, for solvers that need no rows of them.
+// Floor 3. Contacts as they are, for solvers that need no rows of them.
 #pragma once
 
 #include "constraints/contact.hpp"
 #include "constraints/row.hpp"
 #include "math/list.hpp"
-#include "solvers/solver.hpp"
 
 namespace cairn {
 
@@ -31,18 +30,6 @@ struct ContactProblem {
   Real gravity = 0;  // [m/s^2] that a body in overlap has to rise against
   /// dt, inverse masses and velocities, as in any problem; of rows those that the solver likes to have.
   VelocityProblem<Real>* problem = nullptr;
-};
-
-/// What a solver can do that takes contacts as they are.
-template <Scalar Real>
-class ContactSolver {
- public:
-  virtual ~ContactSolver() = default;
-  /// Changes velocities and impulses, to the same bits as Solver::solve() does with the rows of the contacts.
-  virtual SolveReport solve(ContactProblem<Real>& contacts) = 0;
-  /// Solves once more what solve() has just solved, from its impulses and from the velocities that the
-  /// problem is given now, without springs: contacts on springs ask for 0, and do not give way.
-  virtual SolveReport relax(ContactProblem<Real>& contacts) = 0;
 };
 
 }  // namespace cairn
