@@ -106,12 +106,13 @@ struct WorldMemory {
   double bytes = 0;
 };
 
+template <typename SolverType = SequentialImpulse<double>>
 WorldMemory world_memory(const Scene& scene) {
   const double before = heap_in_use();
   World<double> world(scene);
   StepReport report;
   {
-    SequentialImpulse<double> solver;  // the memory of solvers is in the tables above
+    SolverType solver;  // the memory of solvers is in the tables above
     for (int step = 0; step < 10; ++step) report = world.step(solver);
   }
   return {scene.bodies().size() - 1, report.contacts, heap_in_use() - before};
@@ -135,14 +136,18 @@ void print_world_memory() {
                    {"of a contact point", "bytes"}});
   table.add({"boxes in the air", grouped(air.bodies), "0", grouped(std::lround(air.bytes / 1024)),
              grouped(std::lround(of_body)), "-"});
-  for (const int base : {10, 20, 40}) {
-    Scene scene;
-    cases::add_pyramid(scene, base);
-    const WorldMemory pyramid = world_memory(scene);
+  const auto add = [&](const std::string& name, const WorldMemory& pyramid) {
     const double of_point = (pyramid.bytes - of_body * pyramid.bodies) / pyramid.points;
-    table.add({fmt::format("pyramid of base {}", base), grouped(pyramid.bodies), grouped(pyramid.points),
+    table.add({name, grouped(pyramid.bodies), grouped(pyramid.points),
                grouped(std::lround(pyramid.bytes / 1024)), "", grouped(std::lround(of_point))});
+  };
+  Scene scene;
+  for (const int base : {10, 20, 40}) {
+    scene = Scene();
+    cases::add_pyramid(scene, base);
+    add(fmt::format("pyramid of base {}", base), world_memory(scene));
   }
+  add("the same in lanes", world_memory<WideSequentialImpulse<double>>(scene));  // which need no rows
   fmt::print("What a World keeps, its scene included, with what the allocator has set aside for more:\n{}\n",
              table.text());
 }
