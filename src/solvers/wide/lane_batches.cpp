@@ -71,8 +71,9 @@ bool LaneBatches::may_be_same(const VelocityProblem<Real>& problem) {
 }
 
 std::size_t LaneBatches::bytes() const {
-  return blocks_.bytes() + moves_.bytes() + batches_.bytes() + kinds_.bytes() + single_blocks_.bytes() +
-         single_rows_.bytes() + coloured_.bytes() + taken_.bytes() + in_lane_.bytes();
+  return blocks_.bytes() + moves_.bytes() + batches_.bytes() + colours_.bytes() + kinds_.bytes() +
+         single_blocks_.bytes() + single_rows_.bytes() + coloured_.bytes() + taken_.bytes() +
+         in_lane_.bytes();
 }
 
 template <Scalar Real>
@@ -187,6 +188,7 @@ void LaneBatches::colour() {
 
 void LaneBatches::make_batches() {
   batches_.clear();
+  colours_.clear();
   kinds_.clear();
   single_blocks_.clear();
   single_rows_.clear();
@@ -196,6 +198,7 @@ void LaneBatches::make_batches() {
   int first = 0;
   while (first < coloured_.size()) {
     const Coloured& begin = coloured_[first];
+    if (first == 0 || begin.colour != coloured_[first - 1].colour) colours_.push_back(batches_.size());
     int last = first + 1;
     while (last < coloured_.size() && last < first + lane_count && coloured_[last].colour == begin.colour &&
            blocks_[coloured_[last].block].kinds == blocks_[begin.block].kinds) {
@@ -204,10 +207,22 @@ void LaneBatches::make_batches() {
     if (last > first + 1) add_batch(first, last);  // one block is solved as fast without lanes
     first = last;
   }
+  colours_.push_back(batches_.size());
+  order_by_place();
   for (int k = 0; k < blocks_.size(); ++k) {
     if (in_lane_[k] != 0) continue;
     single_blocks_.push_back(k);
     for (int i = 0; i < blocks_[k].rows; ++i) single_rows_.push_back(blocks_[k].first_row + i);
+  }
+}
+
+/// Whatever their kinds: neighbours in the problem are near each other in every colour, and so are the bodies
+/// that a thread finds in its cache.
+void LaneBatches::order_by_place() {
+  for (int k = 0; k + 1 < colours_.size(); ++k) {
+    std::sort(
+        batches_.begin() + colours_[k], batches_.begin() + colours_[k + 1],
+        [](const LaneBatch& one, const LaneBatch& other) { return one.block_row[0] < other.block_row[0]; });
   }
 }
 
@@ -218,6 +233,8 @@ void LaneBatches::add_batch(int first, int last) {
                      .first_kind = kinds_.size(),
                      .first_coupling = couplings_,
                      .used = last - first,
+                     .moves_a = 0,
+                     .moves_b = 0,
                      .body_a = {},
                      .body_b = {},
                      .block_row = {},
@@ -229,7 +246,10 @@ void LaneBatches::add_batch(int first, int last) {
     batch.body_b[lane] = is_used ? block.b.index : moves_.size();
     batch.block_row[lane] = block.first_row;
     batch.block[lane] = coloured_[is_used ? first + lane : first].block;
-    if (is_used) in_lane_[coloured_[first + lane].block] = 1;
+    if (!is_used) continue;
+    in_lane_[coloured_[first + lane].block] = 1;
+    batch.moves_a |= moves_[block.a] != 0 ? 1u << lane : 0u;
+    batch.moves_b |= moves_[block.b] != 0 ? 1u << lane : 0u;
   }
   for (int i = model.rows - 1; i >= 0; --i)
     kinds_.push_back(kind_of(model.kinds >> (bits_of_a_kind * i) & 1023));

@@ -47,6 +47,8 @@ class LaneBatches {
 
   /// Colour by colour.
   const List<LaneBatch>& batches() const { return batches_; }
+  /// The first batch of each colour, and the end of the last.
+  const List<int>& colours() const { return colours_; }
   /// Of the rows of all batches.
   const List<LaneKind>& kinds() const { return kinds_; }
   /// The rows of the problem that go one by one, as written; of contacts, numbered as if there were no
@@ -90,6 +92,7 @@ class LaneBatches {
   void single_out_what_is_leant_on();
   void colour();
   void make_batches();
+  void order_by_place();
   void add_batch(int first, int last);
 
   List<Block> blocks_;
@@ -97,6 +100,7 @@ class LaneBatches {
   PerBody<char> moves_;       // whether a body can move
   List<int> leant_on_;        // rows that friction of another block leans on
   List<LaneBatch> batches_;
+  List<int> colours_;
   List<LaneKind> kinds_;
   List<int> single_blocks_;
   List<int> single_rows_;

@@ -113,6 +113,7 @@ template <int bytes, typename Numbers>
   velocity[2] = Of::front(Of::high(body0, body1), Of::high(body2, body3));
 }
 
+/// All of them can move.
 template <int bytes, typename Numbers>
 [[gnu::always_inline]] inline void write_bodies(const Numbers* velocity, LaneBody<float>* bodies,
                                                 const std::int32_t* body) {
@@ -146,6 +147,22 @@ template <int bytes, typename Number, typename Numbers>
     for (int lane = 0; lane < Register<Number, bytes>::count; ++lane) {
       bodies[body[lane]].velocity[axis] = velocity[axis][lane];
     }
+  }
+}
+
+/// Those that can move: several threads may read one that cannot, and nobody writes it.
+template <int bytes, typename Number, typename Numbers>
+[[gnu::always_inline]] inline void write_moving_bodies(const Numbers* velocity, LaneBody<Number>* bodies,
+                                                       const std::int32_t* body, unsigned moves) {
+  constexpr int count = Register<Number, bytes>::count;
+  constexpr unsigned all = (1u << count) - 1;
+  if ((moves & all) == all) {
+    write_bodies<bytes>(velocity, bodies, body);
+    return;
+  }
+  for (int lane = 0; lane < count; ++lane) {
+    if ((moves >> lane & 1u) == 0) continue;
+    for (int axis = 0; axis < 3; ++axis) bodies[body[lane]].velocity[axis] = velocity[axis][lane];
   }
 }
 
@@ -233,8 +250,8 @@ inline void update_lanes(LaneProblem<Number>& problem, const LaneBatch& batch, i
       b[axis] = b[axis] + load<Numbers>(block[i].jacobian_b[axis] + lane) * change[i];
     }
   }
-  write_bodies<bytes>(a, problem.bodies, batch.body_a + lane);
-  write_bodies<bytes>(b, problem.bodies, batch.body_b + lane);
+  write_moving_bodies<bytes>(a, problem.bodies, batch.body_a + lane, batch.moves_a >> lane);
+  write_moving_bodies<bytes>(b, problem.bodies, batch.body_b + lane, batch.moves_b >> lane);
 }
 
 template <int bytes, int rows, LanePass pass, typename Number>
