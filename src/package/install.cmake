@@ -33,7 +33,7 @@ endfunction()
 target_compile_options(cairn INTERFACE $<INSTALL_INTERFACE:-ffp-contract=off>)
 # Who uses what is installed names one library, and has both archives.
 target_link_libraries(cairn INTERFACE $<INSTALL_INTERFACE:Eigen3::Eigen> $<INSTALL_INTERFACE:cairn::solvers>)
-set(pkg_config_libraries "-lcairn_solvers -lcairn")
+set(pkg_config_libraries "-lcairn_solvers -lcairn -pthread")
 if(CAIRN_SANITIZE)
   target_link_options(cairn INTERFACE $<INSTALL_INTERFACE:-fsanitize=${CAIRN_SANITIZE}>)
   string(APPEND pkg_config_libraries " -fsanitize=${CAIRN_SANITIZE}")

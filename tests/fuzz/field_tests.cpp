@@ -216,6 +216,8 @@ TEST_CASE("every number of a solver's settings is refused by name, whichever sol
          {"relaxation", with_sweeps([](SolverSettings& s, double x) { s.relaxation = x; }), {0, -1, 2}}});
     CHECK_THROWS_AS(make_solver<double>(entry.name, {.iterations = -1}), std::invalid_argument);
     CHECK_THROWS_AS(make_solver<double>(entry.name, {.patience = -1}), std::invalid_argument);
+    CHECK_THROWS_AS(make_solver<double>(entry.name, {.threads = 0}), std::invalid_argument);
+    CHECK_THROWS_AS(make_solver<double>(entry.name, {.threads = 65}), std::invalid_argument);
   }
 }
 
@@ -246,11 +248,12 @@ TEST_CASE("whoever gives a type another field is reminded of the tables above") 
   const auto& [gravity, dt, substeps, stabilization, warm_start, watches, search, margin, threshold, rows,
                sleeping] = SceneSettings{};
   const auto& [policy, baumgarte, slop, max_speed, soft] = stabilization;
-  const auto& [iterations, tolerance, budget, order, seed, relaxation, patience] = SolverSettings{};
+  const auto& [iterations, tolerance, budget, order, seed, relaxation, patience, threads] = SolverSettings{};
   const auto& [type, shapes, position, angle, velocity, turning, mass, inertia, density, friction, rebound,
                drag, turning_drag, scale, fixed, sensor, fast, category, collides] = BodySpec{};
   CHECK(substeps == 1);
   CHECK(max_speed == 4);
   CHECK(iterations == 10);
+  CHECK(threads == 1);
   CHECK(density == 1);
 }

@@ -47,22 +47,50 @@ void LaneSystem<Real>::undo(VelocityProblem<Real>& problem) {
   }
 }
 
+/// Colour by colour: batches of one share no body that can move, and any thread may take any of them.
 template <Scalar Real>
 template <LanePass kind, bool watched>
 LaneSteps<Real> LaneSystem<Real>::pass(VelocityProblem<Real>& problem, int number,
-                                       [[maybe_unused]] SolveObserver<Real>* observer) {
+                                       SolveObserver<Real>* observer) {
   LaneSteps<Real> steps = pass_single_rows<kind, watched>(problem, number, observer);
-  const int count = batches_.batches().size();
-  const int together = watched ? 1 : batches_in_a_sum;
-  LaneProblem<Number> lanes = lane_problem();
-  for (int first = 0; first < count; first += together) {
-    const int last = std::min(first + together, count);
-    code_.pass(lanes, kind, first, last);
-    if constexpr (watched) watch_batch(number, batches_.batches()[first], problem, *observer);
-    if (last % batches_in_a_sum == 0 || last == count) take_sums(lanes, steps);
+  const List<int>& colours = batches_.colours();
+  for (int colour = 0; colour + 1 < colours.size(); ++colour) {
+    const int begin = colours[colour], end = colours[colour + 1];
+    sums_.resize((end - begin + batches_in_a_sum - 1) / batches_in_a_sum);
+    const auto add_up = [&](int sum) {
+      const int first = begin + sum * batches_in_a_sum;
+      const int last = std::min(first + batches_in_a_sum, end);
+      sums_[sum] = pass_batches<kind, watched>(problem, first, last, number, observer);
+    };
+    if (watched || end - begin < fewest_to_share) {
+      for (int sum = 0; sum < sums_.size(); ++sum) add_up(sum);
+    } else {
+      threads_.share(sums_.size(), add_up);
+    }
+    for (const LaneSteps<Real>& sum : sums_) steps.add(sum);
   }
-  for (const Number change : lanes.largest_change) {
-    steps.largest = std::max(steps.largest, static_cast<Real>(change));
+  return steps;
+}
+
+template <Scalar Real>
+template <LanePass kind, bool watched>
+LaneSteps<Real> LaneSystem<Real>::pass_batches([[maybe_unused]] VelocityProblem<Real>& problem, int first,
+                                               int last, [[maybe_unused]] int number,
+                                               [[maybe_unused]] SolveObserver<Real>* observer) {
+  LaneProblem<Number> lanes = lane_problem();
+  if constexpr (watched) {
+    for (int i = first; i < last; ++i) {
+      code_.pass(lanes, kind, i, i + 1);
+      watch_batch(number, batches_.batches()[i], problem, *observer);
+    }
+  } else {
+    code_.pass(lanes, kind, first, last);
+  }
+  LaneSteps<Real> steps;
+  for (int lane = 0; lane < lane_count; ++lane) {
+    steps.add({.largest = static_cast<Real>(lanes.largest_change[lane]),
+               .squares = static_cast<Real>(lanes.squares[lane]),
+               .work = static_cast<Real>(lanes.work[lane])});
   }
   return steps;
 }
@@ -77,15 +105,6 @@ LaneProblem<typename LaneSystem<Real>::Number> LaneSystem<Real>::lane_problem() 
           .before = before_.data(),
           .relaxation = static_cast<Number>(relaxation_),
           .momentum = static_cast<Number>(momentum_)};
-}
-
-template <Scalar Real>
-void LaneSystem<Real>::take_sums(LaneProblem<Number>& lanes, LaneSteps<Real>& steps) {
-  for (int lane = 0; lane < lane_count; ++lane) {
-    steps.squares += static_cast<Real>(lanes.squares[lane]);
-    steps.work += static_cast<Real>(lanes.work[lane]);
-    lanes.squares[lane] = lanes.work[lane] = 0;
-  }
 }
 
 /// In the problem's own precision, but for the velocities' changes. Impulses are those of the problem.

@@ -20,8 +20,8 @@ LaneSet known(LaneSet set) {
 }  // namespace
 
 template <Scalar Real>
-LaneSystem<Real>::LaneSystem(LaneSet set, Real relaxation)
-    : code_(lane_code<Real>(known(set))), relaxation_(relaxation) {}
+LaneSystem<Real>::LaneSystem(LaneSet set, Real relaxation, int threads)
+    : code_(lane_code<Real>(known(set))), relaxation_(relaxation), threads_(threads) {}
 
 template <Scalar Real>
 void LaneSystem<Real>::begin(VelocityProblem<Real>& problem) {
@@ -250,7 +250,7 @@ template <Scalar Real>
 std::size_t LaneSystem<Real>::bytes() const {
   return batches_.bytes() + contacts_.bytes() + rows_.bytes() + couplings_.bytes() + bodies_.bytes() +
          inverse_mass_.bytes() + root_.bytes() + velocity_.bytes() + impulse_.bytes() + single_mass_.bytes() +
-         before_.bytes() + bodies_before_.bytes() + single_before_.bytes();
+         before_.bytes() + bodies_before_.bytes() + single_before_.bytes() + sums_.bytes();
 }
 
 template class LaneSystem<float>;

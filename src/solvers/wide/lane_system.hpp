@@ -6,6 +6,7 @@
 #include "solvers/wide/lane_batches.hpp"
 #include "solvers/wide/lane_contacts.hpp"
 #include "solvers/wide/lane_sets.hpp"
+#include "solvers/wide/lane_threads.hpp"
 
 namespace cairn {
 
@@ -15,6 +16,13 @@ struct LaneSteps {
   Real largest = 0;  // [N s]
   Real squares = 0;  // [J] sum of A_ii step^2
   Real work = 0;     // [J] sum of omega (bias - j v - softness * impulse) step
+
+  /// Those of other rows.
+  void add(const LaneSteps& other) {
+    largest = largest < other.largest ? other.largest : largest;
+    squares += other.squares;
+    work += other.work;
+  }
 };
 
 /// The rows of a problem in lanes, and those that fit into none. Lanes compute in single precision, those of
@@ -26,9 +34,14 @@ class LaneSystem {
  public:
   /// What lanes compute in.
   using Number = LaneNumber<Real>;
+  /// Batches of one colour: fewer are sooner done by one thread. Sharing takes 0.6 us, and a microsecond more
+  /// goes by while threads pass on bodies. Sweeps by 1 and 2 threads on 2 cores [us]: a pyramid of 40 boxes'
+  /// width, 26 batches a colour, 13.5 and 13.1; of 60, 57 batches, 25.8 and 24.1; of 100, 156 batches, 130
+  /// and 55, for two caches hold what one does not; a heap of 5000, 4 to 153 batches, 43.5 and 39.7.
+  static constexpr int fewest_to_share = 48;
 
   /// @throws std::invalid_argument for a set that this processor has not.
-  LaneSystem(LaneSet set, Real relaxation);
+  LaneSystem(LaneSet set, Real relaxation, int threads);
 
   /// Lays a problem in lanes and gives it its warm start, in the order of a sweep.
   void begin(VelocityProblem<Real>& problem);
@@ -63,8 +76,9 @@ class LaneSystem {
   std::size_t bytes() const;
 
  private:
-  // Whose sums are made in the lanes' precision: those of more would lose their small terms.
-  static constexpr int batches_in_a_sum = 64;
+  // What a thread takes at a time. Sums over them are made in the lanes' precision, in which those of many
+  // more would lose their small terms, and are added in the order of batches, whoever made them.
+  static constexpr int batches_in_a_sum = 16;
 
   void make_room();
   bool push_rows(VelocityProblem<Real>& problem);
@@ -82,7 +96,9 @@ class LaneSystem {
   LaneSteps<Real> pass_single_rows(VelocityProblem<Real>& problem, int number, SolveObserver<Real>* observer);
   Real single_row_velocity(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) const;
   void apply_single_row(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row, Real step);
-  static void take_sums(LaneProblem<Number>& lanes, LaneSteps<Real>& steps);
+  template <LanePass kind, bool watched>
+  LaneSteps<Real> pass_batches(VelocityProblem<Real>& problem, int first, int last, int number,
+                               SolveObserver<Real>* observer);
   void watch_batch(int number, const LaneBatch& batch, VelocityProblem<Real>& problem,
                    SolveObserver<Real>& observer) const;
   Real written_back(const VelocityProblem<Real>& problem, const LaneBatch& batch, int row, int lane) const;
@@ -106,6 +122,8 @@ class LaneSystem {
   PerBody<LaneBody<Number>> bodies_before_;
   List<Real> single_before_;        // [N s] of the rows that go one by one
   LaneFilling<Real> filling_ = {};  // scratch, for one batch
+  LaneThreads threads_;
+  List<LaneSteps<Real>> sums_;  // scratch, of batches_in_a_sum each
 };
 
 }  // namespace cairn

@@ -21,7 +21,7 @@ WideSequentialImpulse<Real>::WideSequentialImpulse(const SolverSettings& setting
                                                    LaneSet set)
     : settings_(settings_for_lanes(settings, momentum)),
       momentum_(momentum),
-      lanes_(set, Real(settings.relaxation)) {
+      lanes_(set, Real(settings.relaxation), settings.threads) {
   check(settings, "WideSequentialImpulse");
 }
 
