@@ -103,6 +103,9 @@ List<Flag> setting_flags() {
            "or NAME:SWEEPS, such as si:10; cairn list solvers (the scene's own, as all of these)"},
           {"sweeps", "N", fmt::format("over all rows, at most; from 0 to {}", Setting::most_sweeps)},
           {"substeps", "N", "of which a step is made"},
+          {"threads", "N",
+           fmt::format("of the solvers wide and wide-accelerated: the same numbers, sooner; from 1 to {}",
+                       SolverSettings::most_threads)},
           {"contact-search", "WHICH", "every-substep, every-step or when-moved"},
           {"frequency", "HZ", "steps a second"},
           {"dt", "TIME", "the length of a step, such as 1/60 or 2ms, in place of --frequency"},
@@ -134,6 +137,7 @@ Setting setting_of(const Words& words, const SceneEntry& scene) {
   }
   setting.sweeps.iterations = words.whole("sweeps", setting.sweeps.iterations, 0, Setting::most_sweeps);
   setting.substeps = words.whole("substeps", setting.substeps, 1, most_substeps);
+  setting.sweeps.threads = words.whole("threads", setting.sweeps.threads, 1, SolverSettings::most_threads);
   setting.contact_search = contact_search_of(words, setting.contact_search);
   setting.dt = step_of(words, setting.dt);
   setting.scalar = scalar_of(words, setting.scalar);

@@ -14,7 +14,8 @@ namespace cairn::sandbox {
 /// file that cannot be read.
 SceneEntry scene_of(const Words& words, const std::string& name, List<std::string> others = {});
 
-/// --solver, --sweeps, --substeps, --contact-search, --frequency, --dt, --scalar, --stabilization, --cold.
+/// --solver, --sweeps, --substeps, --threads, --contact-search, --frequency, --dt, --scalar, --stabilization,
+/// --cold.
 List<Flag> setting_flags();
 
 /// The scene's recommended setting, with what the words ask for in its place.

@@ -86,6 +86,8 @@ List<SceneKey> scene_recommended_keys() {
       {"recommended", "relaxation", number, "", "1", "from 0.001 to 1.999", "omega of SOR"},
       {"recommended", "patience", integer, "", "0", "from 0 to 1000000000",
        "sweeps at a standstill that end it; 0: never"},
+      {"recommended", "threads", integer, "", "1",
+       "from 1 to " + std::to_string(SolverSettings::most_threads), "of wide and wide-accelerated"},
       {"recommended", "scalar", word, "", "double", "float, double, long double", "type of number"},
       {"recommended", "position_iterations", integer, "", "3", "from 0 to 1000000000", "of box2d alone"},
       {"expect", "penetration", number, "m", "", "> 0", "no overlap is deeper"},

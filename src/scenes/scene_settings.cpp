@@ -62,6 +62,7 @@ SolverSettings sweeps_of(const SceneTable& table) {
   sweeps.seed = static_cast<std::uint64_t>(table.number("seed"));
   sweeps.relaxation = table.number("relaxation");
   sweeps.patience = table.integer("patience");
+  sweeps.threads = table.integer("threads");
   return sweeps;
 }
 

@@ -209,6 +209,7 @@ row_order = "shuffled"
 seed = 3
 relaxation = 1.2
 patience = 4
+threads = 3
 scalar = "long double"
 dt = 0.01
 substeps = 2
@@ -220,7 +221,8 @@ stabilization = { policy = "soft", frequency = 60 }
                                           "recommended.toml")
                               .setting;
   CHECK(setting_text(setting) ==
-        "pgs x20 to 1e-06 omega 1.2 patience 4 within 0.5 s shuffled 3, 100 Hz x2, contacts every step, "
+        "pgs x20 to 1e-06 omega 1.2 patience 4 threads 3 within 0.5 s shuffled 3, 100 Hz x2, contacts every "
+        "step, "
         "soft 60 Hz, long double, cold");
   CHECK(setting.position_iterations == 5);
 }
