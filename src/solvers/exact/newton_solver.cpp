@@ -23,6 +23,12 @@ constexpr int failures_before_sweeps = 4;
 constexpr int most_failures = 20;
 constexpr int roundings_of_residual = 4;   // of R_E: there is nothing below,
 constexpr int roundings_of_impulses = 16;  // nor below so many of all impulses, beside the scale of R_E
+// On the way through the interior.
+constexpr int most_attempts = 3;
+constexpr int steps_of_one_attempt = 40;
+constexpr double first_distance = 10;  // from bounds, beside the mean of what is left of R_E
+constexpr double share_of_way = 0.99;  // to the next bound
+constexpr double least_share = 1e-3;   // below it, bounds are in the way
 constexpr double goal_of_tolerance = 0.01;
 // Of R_E in a step that was solved: where it falls less, the next is stiffer;
 constexpr double good_progress = 0.1;
@@ -108,7 +114,7 @@ void NewtonSolver<Real>::sweep(const VelocityProblem<Work>& problem, int sweeps)
 template <Scalar Real>
 void NewtonSolver<Real>::approach(const VelocityProblem<Work>& problem) {
   Work softness = Work(warm_softness);
-  if (factors_.are_for(rows_)) softness = std::min(softness, factors_.softness());
+  if (factors_.are_for(rows_) && factors_.softness() > 0) softness = std::min(softness, factors_.softness());
   int failures = 0, sweeps = first_sweeps;
   while (least_residual_ > goal() && failures < most_failures) {
     const Work before = least_residual_;
@@ -129,6 +135,8 @@ void NewtonSolver<Real>::approach(const VelocityProblem<Work>& problem) {
       sweep(problem, sweeps);
       sweeps *= 2;
       softness = Work(cold_softness);
+      if (failures == 0) follow_interior();
+      if (least_residual_ <= enough()) softness = Work(warm_softness);
     } else {
       rows_.center_at(best_);
       note_center();
@@ -175,10 +183,53 @@ bool NewtonSolver<Real>::take_kept_step(Work& error) {
 template <Scalar Real>
 bool NewtonSolver<Real>::take_new_step(Work& error) {
   ++systems_;
-  factors_.factorize(rows_);
+  factors_.factorize(rows_, rows_);
   change_ = rows_.value();
   factors_.solve(change_);
   return change_.allFinite() && shorten(change_, error);
+}
+
+/// From the best impulses so far, and from farther inside where bounds are in the way.
+template <Scalar Real>
+void NewtonSolver<Real>::follow_interior() {
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    rows_.center_at(best_);
+    note_center();
+    const Work distance = Work(first_distance * std::pow(10, attempt)) * rows_.error_of_a_row();
+    if (!interior_.begin(rows_, distance)) return;
+    Work share = 1;
+    for (int step = 0; step < steps_of_one_attempt && share > Work(least_share); ++step) {
+      if (least_residual_ <= enough() || systems_ >= settings_.iterations) break;
+      share = take_interior_step();
+    }
+    if (least_residual_ <= enough()) return;
+  }
+}
+
+/// As Mehrotra does: a step for 0 shows how far the products may be asked to fall, and their second order.
+template <Scalar Real>
+typename NewtonSolver<Real>::Work NewtonSolver<Real>::take_interior_step() {
+  interior_.linearize();
+  ++systems_;
+  factors_.factorize(rows_, interior_);
+  const auto aim = [this](Work target) {
+    interior_.find_right_side(target, change_);
+    factors_.solve(change_);
+    interior_.find_direction(target, change_);
+  };
+  aim(0);
+  const Work product = interior_.mean_product(0);
+  const Work left =
+      product > 0 ? interior_.mean_product(std::min(Work(1), interior_.longest_step())) / product : 0;
+  interior_.keep_products();
+  aim(left * left * left * product);
+  const Work share = std::min(Work(1), Work(share_of_way) * interior_.longest_step());
+  if (!change_.allFinite()) return 0;
+  interior_.go(share);
+  interior_.copy_impulses_to(inside_);
+  rows_.center_at(inside_);
+  note_center();
+  return share;
 }
 
 /// Goes a share of the step that makes the error fall: the largest of 1, 1/2, 1/4 ...; false: there is none.
@@ -198,7 +249,7 @@ bool NewtonSolver<Real>::shorten(const Vector<Work>& change, Work& error) {
 template <Scalar Real>
 std::size_t NewtonSolver<Real>::memory() const {
   const Eigen::Index numbers = du_.size() + next_.size() + change_.size();
-  return rows_.memory() + factors_.memory() + best_.bytes() +
+  return rows_.memory() + interior_.memory() + factors_.memory() + best_.bytes() + inside_.bytes() +
          static_cast<std::size_t>(numbers) * sizeof(Work);
 }
 

@@ -3,6 +3,7 @@
 
 #include <type_traits>
 
+#include "solvers/exact/interior_rows.hpp"
 #include "solvers/exact/proximal_rows.hpp"
 #include "solvers/exact/slope_factors.hpp"
 #include "solvers/solver.hpp"
@@ -12,8 +13,10 @@ namespace cairn {
 
 /// Sees the rows, and solves all of them at once, by the proximal steps of newton.hpp: rows a little soft
 /// around the impulses of the moment, each such problem by Newton's method, one sparse linear system after
-/// the other. It differs from newton() in four things. It begins from the warm start, and at a softness from
+/// the other. It differs from newton() in five things. It begins from the warm start, and at a softness from
 /// which a pile at rest needs one or two systems; only where that fails do sweeps of accelerated PGS lead on.
+/// From there it goes through the interior of all bounds (interior_rows.hpp), where they are of that kind:
+/// after an impact, or where friction slides at many points, steps of Newton's method stop at each kink.
 /// It computes in double (for float too), on factors in blocks (block_factors.hpp). It keeps factors from
 /// solve to solve: an old system gives a step for a tenth of what a new one costs, and is asked first, for as
 /// long as each step leaves less than a third of the error (slope_factors.hpp). And it stops by the settings'
@@ -37,7 +40,7 @@ namespace cairn {
 /// relaxation, patience and time_budget mean nothing to it. Cost of a new system: for a stack or a chain that
 /// of 5 sweeps of SequentialImpulse, for 50 x 50 bodies in a grid that of 40. SolveReport::iterations counts
 /// those; extra_sweeps counts sweeps, and two of them for a step by kept factors and three to look at the
-/// warm start, which is what they take. Memory: that of the factors, and some 22 numbers a row. Once it has
+/// warm start, which is what they take. Memory: that of the factors, and some 40 numbers a row. Once it has
 /// been as large, a solve in double without sweeps and a new order allocates nothing. Observers see the end
 /// alone.
 template <Scalar Real = double>
@@ -63,17 +66,21 @@ class NewtonSolver final : public Solver<Real> {
   bool solve_softened();
   bool take_kept_step(Work& error);
   bool take_new_step(Work& error);
+  void follow_interior();
+  Work take_interior_step();
   bool shorten(const Vector<Work>& change, Work& error);
   void note_center();
 
   SolverSettings settings_;
   ProximalRows<Work> rows_;
+  InteriorRows<Work> interior_;
   SlopeFactors<Work> factors_;  // of the last system, in this solve or in an earlier one
   Vector<Work> du_;             // where Newton's method is
   Vector<Work> next_;           // and where it may go
   Vector<Work> change_;         // its step
   Work residual_ = 0;           // R_E at the centre
   Work least_residual_ = 0;
+  PerRow<Work> inside_;          // [N s] impulses on the way through the interior
   VelocityProblem<Work> swept_;  // a copy for sweeps
   PerRow<Work> best_;            // [N s] the impulses with that
   int systems_ = 0;              // solved by factors of their own

@@ -71,7 +71,6 @@ Real ProximalRows<Real>::product(const Row& row, const Vector<Real>& u) const {
   return sum;
 }
 
-/// u + G^T of a row's change.
 template <Scalar Real>
 void ProximalRows<Real>::add_to(Vector<Real>& u, const Row& row, Real change) const {
   for (const Term& term : terms_of(row)) {

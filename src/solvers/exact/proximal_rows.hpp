@@ -1,6 +1,9 @@
 // Floor 4. Rows made a little soft around the impulses of the moment: what Newton's method solves.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "constraints/row.hpp"
 #include "solvers/system_matrix.hpp"
 #include "math/list.hpp"
@@ -26,6 +29,16 @@ class ProximalRows {
     Vec3<Real> value = Vec3<Real>::Zero();  // of G, for each axis
   };
 
+  /// What a row has.
+  struct Row {
+    int first = 0;             // of its terms
+    int count = 0;             // of them
+    Real softness = 0;         // c
+    Real constant = 0;         // s
+    Real unit = 0;             // impulse = unit * x; 0: the row can do nothing
+    Bounds<Real> bounds = {};  // in sqrt(J); those of friction and its disc as they were [N s]
+  };
+
   /// Keeps what it needs of the problem, in memory that is used again; its impulses are not looked at.
   void begin(const VelocityProblem<Real>& problem);
   /// exact_scale of the problem.
@@ -44,10 +57,27 @@ class ProximalRows {
   /// How soft they are.
   Real softness() const { return epsilon_; }
 
+  /// m: all rows of the problem, in its order.
+  int row_count() const { return rows_.size(); }
+  /// What row i has.
+  const Row& row(int i) const { return rows_[i]; }
+  /// What a row of G has.
+  Span<const Term> terms_of(const Row& row) const { return {terms_.data() + row.first, row.count}; }
+  /// A row of G times u.
+  Real product(const Row& row, const Vector<Real>& u) const;
+  /// u + G^T of a row's change.
+  void add_to(Vector<Real>& u, const Row& row, Real change) const;
+  /// x'_i.
+  Real center(int i) const { return center_(i); }
+  /// w'_i.
+  Real center_speed(int i) const { return center_w_(i); }
+
   /// 3 n: the numbers of du.
   Eigen::Index freedoms() const { return freedoms_; }
   /// |x - clamp(x - w)| at the centre: R_E times its scale.
   Real error() const { return error_; }
+  /// The same of one row: the root of the mean of squares.
+  Real error_of_a_row() const { return error_ / std::sqrt(std::max(Real(rows_.size()), Real(1))); }
   /// F(du).
   const Vector<Real>& evaluate(const Vector<Real>& du);
   /// F of the last evaluation.
@@ -69,25 +99,14 @@ class ProximalRows {
   void copy_impulses_to(PerRow<Real>& impulse) const { copy_impulses(x_, impulse); }
 
  private:
-  struct Row {
-    int first = 0;  // of its terms
-    int count = 0;
-    Real softness = 0;         // c
-    Real constant = 0;         // s
-    Real unit = 0;             // impulse = unit * x; 0: the row can do nothing
-    Bounds<Real> bounds = {};  // in sqrt(J); those of friction and its disc as they were [N s]
-  };
   void append(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row);
   void measure_scale(const VelocityProblem<Real>& problem);
   void copy_impulses(const Vector<Real>& x, PerRow<Real>& impulse) const;
   template <typename ImpulseOf>
   void center_on(const ImpulseOf& impulse_of);
-  void add_to(Vector<Real>& u, const Row& row, Real change) const;
-  Real product(const Row& row, const Vector<Real>& u) const;
   Real clamp(int i, Real wish, const Vector<Real>& x) const;
   /// d clamp / d x_other, at the end that `wish` is beyond.
   Real slope_of_limit(int i, int other) const;
-  Span<const Term> terms_of(const Row& row) const { return {terms_.data() + row.first, row.count}; }
   /// Calls visit(i) for all rows, those that limit others first.
   template <typename Visit>
   void for_each_row(const Visit& visit) const {

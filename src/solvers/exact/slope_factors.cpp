@@ -6,20 +6,6 @@
 namespace cairn {
 
 template <Scalar Real>
-void SlopeFactors<Real>::factorize(const ProximalRows<Real>& rows) {
-  if (!has_pairs_) find_pairs(rows);
-  factors_.begin(static_cast<int>(rows.freedoms() / 3), pairs_);
-  factors_.set_identity(rows.has_symmetric_slope());
-  rows.for_each_slope([this](const auto& left, const auto& right, Real factor) {
-    for (const auto& l : left) {
-      for (const auto& r : right) factors_.add(l.body, r.body, factor * l.value * r.value.transpose());
-    }
-  });
-  factors_.factorize();
-  softness_ = rows.softness();
-}
-
-template <Scalar Real>
 void SlopeFactors<Real>::find_pairs(const ProximalRows<Real>& rows) {
   pairs_.clear();
   rows.for_each_terms([this](const auto& terms) {

@@ -18,13 +18,15 @@ class SlopeFactors {
  public:
   /// From here on rows are those of another problem, whose pairs of bodies are not known yet.
   void begin() { has_pairs_ = false; }
-  /// Made anew from the last evaluation. @throws std::length_error as BlockFactors does.
-  void factorize(const ProximalRows<Real>& rows);
+  /// Made anew from slopes between those rows, their own at the last evaluation or InteriorRows.
+  /// @throws std::length_error as BlockFactors does.
+  template <typename Slopes>
+  void factorize(const ProximalRows<Real>& rows, const Slopes& slopes);
   /// Whether there are any, for as many bodies.
   bool are_for(const ProximalRows<Real>& rows) const {
     return factors_.factorized_bodies() > 0 && 3 * factors_.factorized_bodies() == rows.freedoms();
   }
-  /// How soft rows were when they were made.
+  /// How soft rows were when they were made; 0: they are of no proximal problem.
   Real softness() const { return softness_; }
   /// x = matrix^-1 x.
   void solve(Vector<Real>& x) const { factors_.solve(x); }
@@ -39,5 +41,20 @@ class SlopeFactors {
   List<std::pair<int, int>> pairs_;  // of bodies that share a row
   bool has_pairs_ = false;           // of the rows as they are
 };
+
+template <Scalar Real>
+template <typename Slopes>
+void SlopeFactors<Real>::factorize(const ProximalRows<Real>& rows, const Slopes& slopes) {
+  if (!has_pairs_) find_pairs(rows);
+  factors_.begin(static_cast<int>(rows.freedoms() / 3), pairs_);
+  factors_.set_identity(slopes.has_symmetric_slope());
+  slopes.for_each_slope([this](const auto& left, const auto& right, Real factor) {
+    for (const auto& l : left) {
+      for (const auto& r : right) factors_.add(l.body, r.body, factor * l.value * r.value.transpose());
+    }
+  });
+  factors_.factorize();
+  softness_ = slopes.softness();
+}
 
 }  // namespace cairn

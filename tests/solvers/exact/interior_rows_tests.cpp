@@ -1,0 +1,88 @@
+// Rows on the way through the interior of their bounds.
+#include "solvers/exact/interior_rows.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solvers/exact/slope_factors.hpp"
+
+using namespace cairn;
+
+namespace {
+
+constexpr double weight = 10 * 0.02;  // [N s] of 1 kg in a step
+
+/// A box of 1 kg on two feet, with mu = 0.5, that slides at a speed and is pressed down, or pulled up.
+VelocityProblem<double> box_on_feet(double speed, double fall) {
+  VelocityProblem<double> problem;
+  problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 6)};
+  problem.velocity = {Vec3<double>::Zero(), Vec3<double>(speed, -fall, 0)};
+  for (const double foot : {-0.5, 0.5}) {
+    const int normal = problem.row_count();
+    problem.rows.push_back({.b = {1}, .jacobian_b = {0, 1, foot}, .bounds = Bounds<double>::unilateral()});
+    problem.rows.push_back(
+        {.b = {1}, .jacobian_b = {1, 0, 0}, .bounds = Bounds<double>::coulomb(0.5, normal)});
+  }
+  problem.blocks = {{0, 4}};
+  problem.impulse.assign(4, 0);
+  return problem;
+}
+
+/// Impulses after so many steps, each of which asks for a tenth of the product.
+PerRow<double> impulses_after(const VelocityProblem<double>& problem, int steps) {
+  ProximalRows<double> rows;
+  rows.begin(problem);
+  rows.center_at(problem.impulse);
+  InteriorRows<double> interior;
+  REQUIRE(interior.begin(rows, rows.error_of_a_row()));
+  SlopeFactors<double> factors;
+  factors.begin();
+  Vector<double> change;
+  PerRow<double> impulse;
+  for (int step = 0; step < steps; ++step) {
+    interior.linearize();
+    factors.factorize(rows, interior);
+    const double target = interior.mean_product(0) / 10;
+    interior.find_right_side(target, change);
+    factors.solve(change);
+    interior.find_direction(target, change);
+    interior.go(std::min(1.0, 0.9 * interior.longest_step()));
+    interior.copy_impulses_to(impulse);
+    rows.center_at(impulse);
+  }
+  return impulse;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "through the interior a box finds Coulomb's friction, sliding or not, and lets go where it leaves") {
+  for (const double speed : {-3.0, -0.2, 0.02, 0.09, 3.0}) {
+    CAPTURE(speed);
+    const PerRow<double> impulse = impulses_after(box_on_feet(speed, weight), 60);
+    CHECK(impulse[0] + impulse[2] == doctest::Approx(weight).epsilon(1e-7));
+    const double friction = std::min(0.5 * weight, std::abs(speed));
+    CHECK(-(impulse[1] + impulse[3]) == doctest::Approx(std::copysign(friction, speed)).epsilon(1e-7));
+  }
+  for (const double part : impulses_after(box_on_feet(1, -weight), 60)) CHECK(std::abs(part) <= 1e-9);
+}
+
+TEST_CASE("equalities and upper bounds have a way through the interior, rows with two bounds have none") {
+  VelocityProblem<double> problem = box_on_feet(0, weight);
+  problem.rows.resize(1);
+  problem.blocks = {{0, 1}};
+  problem.impulse.assign(1, 0);
+  problem.rows[0].jacobian_b = {0, 1, 0};
+  problem.rows[0].bounds = Bounds<double>::equality();
+  CHECK(impulses_after(problem, 20)[0] == doctest::Approx(weight).epsilon(1e-7));
+  problem.rows[0].bounds = {.upper = 0.1 * weight};
+  CHECK(impulses_after(problem, 60)[0] == doctest::Approx(0.1 * weight).epsilon(1e-7));
+  problem.rows[0].bounds = Bounds<double>::at_most(0.1 * weight);
+  ProximalRows<double> rows;
+  rows.begin(problem);
+  rows.center_at(problem.impulse);
+  InteriorRows<double> interior;
+  CHECK_FALSE(interior.begin(rows, 1e-3));
+}
