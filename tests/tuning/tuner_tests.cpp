@@ -67,6 +67,26 @@ TEST_CASE("the tuner finds what trying every setting finds") {
   }
 }
 
+TEST_CASE("the best settings are tried with manifolds that last, and in single precision") {
+  const TunerOptions options = {.solvers = {"si"}, .starts = 2, .time_limit = 1e9};
+  const Wish wish = {.penetration = 1e-3};
+  const auto cheaper = [](ContactSearch search, Precision scalar) {
+    return [search, scalar](const Setting& setting, std::uint64_t start, double) {
+      TrialResult result = formula_run(setting, start);
+      if (setting.contact_search == search && setting.scalar == scalar) result.step_seconds /= 8;
+      return result;
+    };
+  };
+  for (const ContactSearch search : {ContactSearch::every_substep, ContactSearch::when_moved}) {
+    for (const Precision scalar : {Precision::double_precision, Precision::single_precision}) {
+      const TunerAnswer answer = tune(cheaper(search, scalar), wish, options);
+      REQUIRE(answer.best);
+      CHECK(answer.best->setting.contact_search == search);
+      CHECK(answer.best->setting.scalar == scalar);
+    }
+  }
+}
+
 TEST_CASE("where nothing meets a wish the tuner says so, and what came of the most work") {
   const TunerAnswer answer =
       tune(formula_run, {.penetration = 1e-12}, {.solvers = {"si"}, .starts = 1, .time_limit = 1e9});

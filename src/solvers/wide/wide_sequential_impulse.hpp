@@ -34,8 +34,9 @@ enum class Momentum {
 /// R_E, computed where the steps of a sweep are near those for which R_E was last seen to be too large
 /// (Stopping).
 ///
-/// Cost: 12 multiply-adds a row and sweep, 24 with momentum, 16 rows at a time; filling and emptying lanes
-/// takes as long as two or three sweeps of SequentialImpulse, so one or two sweeps gain nothing. Where a
+/// Cost: 12 multiply-adds a row and sweep, 24 with momentum, 16 rows at a time; filling lanes with
+/// rows and emptying them takes as long as two or three sweeps of SequentialImpulse, so one or two sweeps
+/// gain nothing; with contacts that have no rows (for_contacts()), about as long as one. Where a
 /// colour has many batches (lane_passes.cpp), SolverSettings::threads share them: a second thread halves the
 /// time of sweeps over 10,000 contacts, and is of no use to 1000. Memory linear in m. Colours are kept from
 /// solve to solve while bodies and kinds of rows are the same. Observers: after_row comes when all rows of a

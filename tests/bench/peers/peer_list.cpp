@@ -13,7 +13,7 @@ namespace {
 
 const Stabilization soft = {.policy = StabilizationPolicy::soft};
 
-constexpr ContactSearch every_step = ContactSearch::every_step, when_moved = ContactSearch::when_moved;
+constexpr ContactSearch when_moved = ContactSearch::when_moved;
 
 List<Setting> usual_settings_of_cairn() {
   return {{.solver = "si", .sweeps = {.iterations = 10}},
@@ -21,7 +21,8 @@ List<Setting> usual_settings_of_cairn() {
           {.solver = "newton", .sweeps = {.iterations = 50, .tolerance = 1e-6}},
           {.solver = "newton", .sweeps = {.iterations = 50, .tolerance = 1e-6}, .contact_search = when_moved},
           {.solver = "si", .sweeps = {.iterations = 1}, .substeps = 4, .stabilization = soft},
-          {.solver = "wide", .sweeps = {.iterations = 10}, .contact_search = when_moved},
+          {.solver = "wide", .sweeps = {.iterations = 20}, .contact_search = when_moved},
+          {.solver = "wide", .sweeps = {.iterations = 20, .threads = 2}, .contact_search = when_moved},
           {.solver = "wide", .sweeps = {.iterations = 300, .tolerance = 1e-3}, .contact_search = when_moved},
           {.solver = "wide-accelerated",
            .sweeps = {.iterations = 300, .tolerance = 1e-3},
@@ -29,7 +30,7 @@ List<Setting> usual_settings_of_cairn() {
           {.solver = "wide",
            .sweeps = {.iterations = 1},
            .substeps = 4,
-           .contact_search = every_step,
+           .contact_search = when_moved,
            .stabilization = soft}};
 }
 
@@ -49,7 +50,7 @@ List<List<Setting>> settings_of_cairn() {
     all[5].push_back({.solver = "wide",
                       .sweeps = {.iterations = 1},
                       .substeps = substeps,
-                      .contact_search = every_step,
+                      .contact_search = when_moved,
                       .stabilization = soft});
   }
   for (const int sweeps : {5, 10, 20, 40, 80, 160, 320}) {
@@ -65,8 +66,8 @@ Contestant cairn_with(const Setting& setting) {
   if (setting.sweeps.tolerance > 0)
     name = fmt::format("Cairn {} to {:g}", setting.solver, setting.sweeps.tolerance);
   if (setting.substeps > 1) name += fmt::format(", {} substeps", setting.substeps);
-  if (setting.contact_search == every_step) name += ", one search";
   if (setting.contact_search == when_moved) name += ", moved";
+  if (setting.sweeps.threads > 1) name += fmt::format(", {} threads", setting.sweeps.threads);
   if (setting.stabilization.policy != StabilizationPolicy::baumgarte) {
     name += ", " + stabilization_text(setting.stabilization);
   }
