@@ -236,6 +236,14 @@ void InteriorRows<Real>::copy_impulses_to(PerRow<Real>& impulse) const {
 }
 
 template <Scalar Real>
+void InteriorRows<Real>::clear() {
+  members_.clear();
+  member_of_.clear();
+  x_.resize(0);
+  u_.resize(0);
+}
+
+template <Scalar Real>
 std::size_t InteriorRows<Real>::memory() const {
   return members_.bytes() + member_of_.bytes() +
          static_cast<std::size_t>(x_.size() + u_.size()) * sizeof(Real);

@@ -22,6 +22,8 @@ class InteriorRows {
   /// @returns false for rows of other kinds: two bounds, discs, several normals or frictions a contact.
   bool begin(const ProximalRows<Real>& rows, Real distance);
 
+  /// Holds no rows any more.
+  void clear();
   /// Finds what follows from the impulses and speeds of the moment.
   void linearize();
   /// Calls visit(left, right, factor) as ProximalRows does.

@@ -81,6 +81,8 @@ template <Scalar Real>
 void NewtonSolver<Real>::answer(const VelocityProblem<Work>& problem) {
   rows_.begin(problem);
   factors_.begin();
+  interior_.clear();
+  inside_.clear();
   systems_ = 0;
   sweeps_ = sweeps_of_a_look;
   best_ = problem.impulse;
@@ -135,7 +137,7 @@ void NewtonSolver<Real>::approach(const VelocityProblem<Work>& problem) {
       sweep(problem, sweeps);
       sweeps *= 2;
       softness = Work(cold_softness);
-      if (failures == 0) follow_interior();
+      if (failures == 0 && systems_ < settings_.iterations) follow_interior();
       if (least_residual_ <= enough()) softness = Work(warm_softness);
     } else {
       rows_.center_at(best_);
