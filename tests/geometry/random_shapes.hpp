@@ -75,7 +75,7 @@ Core core(const Shape<Real>& shape, const Pose<Real>& pose) {
     add(line->point2);
   } else {
     const Polygon<Real>& convex = std::get<Polygon<Real>>(shape);
-    for (const Vec2<double>& vertex : convex.vertices) add(vertex);
+    for (const Vec2<Real>& vertex : convex.vertices) add(vertex);
     result.radius = convex.radius;
   }
   return result;
