@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solvers/exact/newton_solver.hpp"
 #include "solvers/exact/slope_factors.hpp"
+#include "world/world.hpp"
 
 using namespace cairn;
 
@@ -85,4 +87,18 @@ TEST_CASE("equalities and upper bounds have a way through the interior, rows wit
   rows.center_at(problem.impulse);
   InteriorRows<double> interior;
   CHECK_FALSE(interior.begin(rows, 1e-3));
+}
+
+TEST_CASE("a ball that hits a pyramid leaves no step of Newton's method without its answer") {
+  Scene scene;
+  scene.add_ground();
+  for (int row = 0; row < 6; ++row) {
+    for (int i = 0; i < 6 - row; ++i) {
+      scene.add({.shapes = {box(1, 1)}, .position = {1.01 * (i - 0.5 * (5 - row)), 0.5 + row}});
+    }
+  }
+  scene.add({.shapes = {circle(1)}, .position = {0.3, 7.5}, .velocity = {0, -10}, .mass = 300});
+  World<double> world(scene);
+  NewtonSolver<double> solver({.iterations = 60, .tolerance = 1e-9});
+  for (int step = 0; step < 30; ++step) CHECK(world.step(solver).solve.converged);
 }

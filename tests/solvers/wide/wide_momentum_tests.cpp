@@ -74,7 +74,7 @@ TEST_CASE_TEMPLATE(
 TEST_CASE("a sweep in lanes that went too far is undone to the last bit") {
   VelocityProblem<double> problem = hand_made_stack<double>(60, 10, 0.02);
   UndoneSweeps undone;
-  WideSequentialImpulse<double> solver({.iterations = 1000}, Momentum::nesterov);
+  WideSequentialImpulse<double> solver({.iterations = 200}, Momentum::nesterov);
   solver.solve(problem, &undone);
   CHECK(solver.restarts() > 0);
   CHECK(undone.count == solver.restarts());
