@@ -143,6 +143,7 @@ void World<Real>::grab(const DragJoint::Spec& grip) {
   auto hand = std::make_shared<const DragJoint>(grip, poses);
   require(scene_->bodies()[grip.body].spec.type == BodyType::dynamic, "World::grab", "body",
           "one that is dynamic", grip.body.index);
+  last_step();  // its rows are without the hand's
   hand_ = std::move(hand);
   joint_impulses_.back() = {};
   hand_inputs_.push_back({.step = steps_, .kind = HandInput::Kind::grab, .grip = grip});

@@ -131,6 +131,7 @@ World<Real>::World(Scene scene)
 template <Scalar Real>
 void World<Real>::set_dt(double dt) {
   require_time_step(dt, "World::set_dt");
+  last_step();  // its rows are of the dt before
   dt_ = dt;
 }
 

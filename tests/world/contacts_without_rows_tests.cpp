@@ -133,6 +133,21 @@ TEST_CASE("the record of a step without rows is that step's, whenever it is aske
   check_same_record(copy.last_step(), observed.last_step());
 }
 
+TEST_CASE("neither another dt nor a hand changes the record of the step before") {
+  World<double> world(leaning_wall({})), observed(leaning_wall({}));
+  WideSequentialImpulse<double> solver({.iterations = 4}), watched({.iterations = 4});
+  Onlooker<double> onlooker;
+  for (int step = 0; step < 40; ++step) {
+    world.step(solver);
+    observed.step(watched, &onlooker);
+  }
+  World<double> with_other_dt = world, with_a_hand = world;
+  with_other_dt.set_dt(0.005);
+  with_a_hand.grab({.body = BodyId{7}, .target = {3, 9}});
+  check_same_record(with_other_dt.last_step(), observed.last_step());
+  check_same_record(with_a_hand.last_step(), observed.last_step());
+}
+
 TEST_CASE("masses that change in mid-run reach the lanes") {
   World<double> world(leaning_wall({})), observed(leaning_wall({}));
   WideSequentialImpulse<double> solver({.iterations = 4}), watched({.iterations = 4});
