@@ -37,16 +37,33 @@ Real correction_at(const VelocityProblem<Real>& problem, int i, Real inverse) {
 }  // namespace
 
 template <Scalar Real>
+Real least_scale(const VelocityProblem<Real>& problem) {
+  return Real(1e-12) * kinetic_norm(problem);
+}
+
+template <Scalar Real>
+Real starting_energy(const VelocityProblem<Real>& problem, int i) {
+  const ConstraintRow<Real>& row = problem.rows[i];
+  const Real inverse = inverse_effective_mass(problem, row);
+  if (row.bounds.is_friction() || !(inverse > 0)) return 0;
+  // Of rows with fixed bounds: no impulse is read.
+  const Real wish = row.bounds.clamp((row.bias - row_velocity(problem, row)) / inverse, problem.impulse);
+  return inverse * wish * wish;
+}
+
+template <Scalar Real>
 Real residual_scale(const VelocityProblem<Real>& problem) {
   Real sum = 0;
-  for (const ConstraintRow<Real>& row : problem.rows) {
-    const Real inverse = inverse_effective_mass(problem, row);
-    if (row.bounds.is_friction() || !(inverse > 0)) continue;
-    // Of rows with fixed bounds: no impulse is read.
-    const Real wish = row.bounds.clamp((row.bias - row_velocity(problem, row)) / inverse, problem.impulse);
-    sum += inverse * wish * wish;
-  }
-  return std::max(std::sqrt(sum), Real(1e-12) * kinetic_norm(problem));
+  for (int i = 0; i < problem.row_count(); ++i) sum += starting_energy(problem, i);
+  return std::max(std::sqrt(sum), least_scale(problem));
+}
+
+template <Scalar Real>
+Real correction_energy(const VelocityProblem<Real>& problem, int i) {
+  const Real inverse = inverse_effective_mass(problem, problem.rows[i]);
+  if (!(inverse > 0)) return 0;
+  const Real e = correction_at(problem, i, inverse);
+  return inverse * e * e;
 }
 
 template <Scalar Real>
@@ -82,6 +99,15 @@ Residual<Real> residual(const VelocityProblem<Real>& problem, Real scale) {
   return result;
 }
 
+template float least_scale(const VelocityProblem<float>&);
+template float starting_energy(const VelocityProblem<float>&, int);
+template float correction_energy(const VelocityProblem<float>&, int);
+template double least_scale(const VelocityProblem<double>&);
+template double starting_energy(const VelocityProblem<double>&, int);
+template double correction_energy(const VelocityProblem<double>&, int);
+template long double least_scale(const VelocityProblem<long double>&);
+template long double starting_energy(const VelocityProblem<long double>&, int);
+template long double correction_energy(const VelocityProblem<long double>&, int);
 template float residual_scale(const VelocityProblem<float>&);
 template double residual_scale(const VelocityProblem<double>&);
 template long double residual_scale(const VelocityProblem<long double>&);

@@ -25,6 +25,19 @@ struct Residual {
 template <Scalar Real>
 Real residual_scale(const VelocityProblem<Real>& problem);
 
+/// What no scale of R_E is below [sqrt(J)].
+template <Scalar Real>
+Real least_scale(const VelocityProblem<Real>& problem);
+
+/// What row i has in the sum of the scale [J]: A_ii e_i^2 at impulse 0; of friction, which has nothing to
+/// lean on there, 0.
+template <Scalar Real>
+Real starting_energy(const VelocityProblem<Real>& problem, int i);
+
+/// What row i has in the sum of R_E [J]: A_ii e_i^2; 0 for a row whose bodies nothing can move.
+template <Scalar Real>
+Real correction_energy(const VelocityProblem<Real>& problem, int i);
+
 /// w_i of row i, at the problem's velocities and impulses [m/s; rad/s for rows on angles].
 template <Scalar Real>
 Real row_velocity_error(const VelocityProblem<Real>& problem, int i);

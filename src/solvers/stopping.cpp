@@ -15,7 +15,8 @@ void Stopping<Real>::begin(const SolverSettings& settings, const VelocityProblem
   looks_ = looks;
   look_below_ = std::numeric_limits<Real>::infinity();
   if (settings.time_budget > 0) began_ = std::chrono::steady_clock::now();
-  scale_ = settings.tolerance > 0 || settings.patience > 0 ? residual_scale(problem) : Real(0);
+  const bool measures = settings.tolerance > 0 || settings.patience > 0;
+  scale_ = measures && looks == Looks::always ? residual_scale(problem) : Real(0);
   next_look_ = 0;
   quiet_sweeps_ = 0;
   moved_ = false;
@@ -48,10 +49,10 @@ Stop Stopping<Real>::judge(const VelocityProblem<Real>& problem, int sweep, Real
 template <Scalar Real>
 bool Stopping<Real>::has_arrived(const VelocityProblem<Real>& problem, int sweep) {
   if (looks_ == Looks::rarely && !looks_now_) return false;
-  const Real energy = residual(problem, scale_).energy;
+  const Real energy = looks_ == Looks::rarely ? energy_ : residual(problem, scale_).energy;
   // A quarter more: the two do not shrink quite alike.
   look_below_ = Real(1.25) * size_ * Real(settings_.tolerance) / energy;
-  next_look_ = sweep + 1 + sweep / 64;
+  next_look_ = sweep + 3 + sweep / 16;  // to look takes as long as two or three sweeps in lanes
   return energy <= Real(settings_.tolerance);
 }
 

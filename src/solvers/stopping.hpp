@@ -9,17 +9,17 @@
 
 namespace cairn {
 
-/// After which sweeps R_E is computed, where there is a tolerance.
+/// After which sweeps R_E is computed, where there is a tolerance, and by whom.
 enum class Looks {
   always,  // after every sweep
   rarely,  // for sweeps that cost less than R_E: the first, then where the changes of a sweep are small
-           // enough
+           // enough. The solver computes it, for it may have no rows, and its scale
 };
 
 /// Judges every sweep of one solve by the solver's settings:
 /// - tolerance: the residual R_E is at most this. O(m) a sweep; with Looks::rarely, a few times in a solve:
 ///   R_E goes with the size of a sweep's steps. What it was, seen last, says at which size it is computed
-///   again, a 64th more sweeps later at the soonest.
+///   again, three sweeps and a 16th of all later at the soonest.
 /// - stalled: for `patience` sweeps no impulse has changed by more than 16 roundings of the largest impulse.
 ///   Slow progress is no stall. O(m) a sweep.
 /// - plateau, where there is a patience: rows contradict each other, so that no impulse satisfies them all.
@@ -40,6 +40,12 @@ class Stopping {
   /// Before the warm start is applied: the scale of R_E needs the velocities as given.
   void begin(const SolverSettings& settings, const VelocityProblem<Real>& problem,
              Looks looks = Looks::always);
+  /// With Looks::rarely, before the first sweep: what R_E is measured by [sqrt(J)].
+  void take_scale(Real scale) { scale_ = scale; }
+  /// With Looks::rarely, after a sweep for which looks() says so.
+  void take_residual(Real energy) { energy_ = energy; }
+  /// What R_E is measured by [sqrt(J)].
+  Real scale() const { return scale_; }
 
   /// Stop::sweeps: nothing speaks against another sweep. `largest_change` [N s] is that of any impulse in
   /// this sweep. problem.velocity must be current where needs_velocity() says so.
@@ -113,6 +119,7 @@ class Stopping {
   SolverSettings settings_;
   std::chrono::steady_clock::time_point began_ = {};  // where there is a time budget
   Real scale_ = 0;                                    // of R_E
+  Real energy_ = 0;                                   // R_E, with Looks::rarely
   Looks looks_ = Looks::always;                       // at R_E
   Real size_ = 0;                                     // [sqrt(J)] of the steps of the last sweep
   Real look_below_ = 0;                               // [sqrt(J)] the size for which R_E is computed

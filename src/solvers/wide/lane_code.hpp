@@ -23,7 +23,8 @@ LaneCode<Real> code_in_registers_of() {
           .measure_contacts = measure_contacts<Real>,
           .push_contacts = push_contacts<Real>,
           .fill_contacts = fill_contacts<Real, Number>,
-          .empty_contacts = empty_contacts<Real, Number>};
+          .empty_contacts = empty_contacts<Real, Number>,
+          .weigh_contacts = weigh_contacts<Real>};
 }
 
 }  // namespace

@@ -22,6 +22,12 @@ struct LaneContactInput {
   Real slop_limit[lane_count];                    // [m]
 };
 
+/// What contacts are weighed for: both sums that R_E is made of (residual.hpp).
+enum class LaneEnergy {
+  at_start,   // with no impulses at all, at the velocities that a step starts from
+  of_answer,  // of what the answer still asks for
+};
+
 /// A batch of contacts in the problem's own precision: what its rows say, in fewer numbers.
 template <typename Real>
 struct alignas(64) LaneContactBatch {
@@ -36,7 +42,8 @@ struct alignas(64) LaneContactBatch {
   Real bias[most_lane_points][lane_count];      // [m/s] of the normal rows
   Real softness[most_lane_points][lane_count];  // [1/kg] of the normal rows
   Real friction[lane_count];                    // mu
-  Real impulse[most_contact_rows][lane_count];  // [N s] of each row
+  Real impulse[most_contact_rows][lane_count];  // [N s] of each row, where the lanes were filled
+  Real answer[most_contact_rows][lane_count];   // [N s] as written back last; before, the warm start
 };
 
 }  // namespace cairn

@@ -101,7 +101,7 @@ inline void push_bodies(const LaneContactBatch<Real>& __restrict batch, int row,
 /// The warm start.
 template <typename Real>
 inline void push_contacts(const LaneContactBatch<Real>& batch, LaneBodyInput<Real>& bodies) {
-  for (int row = 0; row < batch.rows; ++row) push_bodies(batch, row, batch.impulse[row], bodies);
+  for (int row = 0; row < batch.rows; ++row) push_bodies(batch, row, batch.answer[row], bodies);
 }
 
 /// What one row says of all contacts.
@@ -130,16 +130,25 @@ inline void state_row(const LaneContactBatch<Real>& batch, int row, LaneInput<Re
 
 /// The rows of a batch as sweeps read them.
 template <typename Real, typename Number>
-inline void fill_contacts(const LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies,
-                          Real relaxation, LaneRow<Number>* rows, LaneCoupling<Number>* couplings) {
+inline void fill_contacts(LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies, Real relaxation,
+                          LaneRow<Number>* rows, LaneCoupling<Number>* couplings) {
   LaneInput<Real> input;
   for (int i = 0; i < batch.rows; ++i) {
+    for (int lane = 0; lane < lane_count; ++lane) batch.impulse[i][lane] = batch.answer[i][lane];
     state_row(batch, i, input);
     fill_row(bodies, input, rows[i]);
     for (int k = 0; k < i; ++k) {
       couple_rows(rows[i], rows[k], static_cast<Number>(relaxation), *couplings++);
     }
   }
+}
+
+/// Of friction: `wish` [N s], within what the normal impulse beside it gives.
+template <typename Real>
+inline Real within_friction(Real wish, Real friction, Real other) {
+  const Real limit = friction * (other < 0 ? Real(0) : other);
+  const Real below = limit < wish ? limit : wish;
+  return below < -limit ? -limit : below;
 }
 
 /// Impulses with what sweeps have added, inside their bounds, and what that gives to the bodies.
@@ -153,16 +162,105 @@ inline void empty_contacts(const LaneRow<Number>* rows, LaneContactBatch<Real>& 
       const Real old = batch.impulse[i][lane];
       const Real wish =
           old + static_cast<Real>(rows[i].scale[lane]) * static_cast<Real>(rows[i].impulse[lane]);
-      const Real other = is_friction ? batch.impulse[i - 1][lane] : Real(0);
-      const Real limit = batch.friction[lane] * (other < 0 ? Real(0) : other);
-      const Real below = limit < wish ? limit : wish;
-      const Real rubbing = below < -limit ? -limit : below;
+      const Real other = is_friction ? batch.answer[i - 1][lane] : Real(0);
+      const Real rubbing = within_friction(wish, batch.friction[lane], other);
       const Real pushing = wish < 0 ? Real(0) : wish;
       const Real now = is_friction ? rubbing : pushing;
-      batch.impulse[i][lane] = now;
+      batch.answer[i][lane] = now;
       change[lane] = now - old;
     }
     push_bodies(batch, i, change, bodies);
+  }
+}
+
+/// One row of each contact, as it is weighed. Lists of its own, or no compiler could tell that lanes are
+/// apart.
+template <typename Real>
+struct LaneWeights {
+  Real inverse[lane_count];   // A_ii
+  Real speed[lane_count];     // j v
+  Real bias[lane_count];      // zeta
+  Real softness[lane_count];  // gamma
+};
+
+/// A_ii and j v as inverse_effective_mass() and row_velocity() have them.
+template <typename Real>
+[[gnu::noinline]] inline void weigh_row(const LaneContactBatch<Real>& __restrict batch, int row,
+                                        const LaneBodyInput<Real>& __restrict bodies,
+                                        LaneWeights<Real>& __restrict to) {
+  const bool is_friction = batch.has_friction && row % 2 == 1;
+  const int point = batch.has_friction ? row / 2 : row;
+  const Real* const first = batch.normal[is_friction ? 1 : 0];
+  const Real* const second = batch.normal[is_friction ? 0 : 1];
+  const Real sign = is_friction ? Real(-1) : Real(1);
+  const Real zeros[lane_count] = {};
+  const Real* const bias = is_friction ? zeros : batch.bias[point];
+  const Real* const softness = is_friction ? zeros : batch.softness[point];
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const Real x = first[lane], y = sign * second[lane];
+    const Real turn_a = -batch.turn_a[row][lane], turn_b = batch.turn_b[row][lane];
+    const Real speed_a = -x * bodies.velocity_a[0][lane] +
+                         (-y * bodies.velocity_a[1][lane] + turn_a * bodies.velocity_a[2][lane]);
+    const Real speed_b = x * bodies.velocity_b[0][lane] +
+                         (y * bodies.velocity_b[1][lane] + turn_b * bodies.velocity_b[2][lane]);
+    to.speed[lane] = speed_a + speed_b;
+    to.bias[lane] = bias[lane];
+    to.softness[lane] = softness[lane];
+    to.inverse[lane] = inverse_mass_of(-x, -y, turn_a, batch.inverse_a[0][lane], batch.inverse_a[1][lane],
+                                       batch.inverse_a[2][lane]) +
+                       inverse_mass_of(x, y, turn_b, batch.inverse_b[0][lane], batch.inverse_b[1][lane],
+                                       batch.inverse_b[2][lane]) +
+                       to.softness[lane];
+  }
+}
+
+/// Adds to `squares` what starting_energy() is of all rows in each lane.
+template <typename Real>
+inline void weigh_start(const LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies,
+                        Real* __restrict squares) {
+  LaneWeights<Real> row;
+  for (int point = 0; point < batch.points; ++point) {
+    weigh_row(batch, batch.has_friction ? 2 * point : point, bodies, row);
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const Real inverse = row.inverse[lane];
+      const Real wish = (row.bias[lane] - row.speed[lane]) / (inverse > 0 ? inverse : Real(1));
+      const Real pushing = wish < 0 ? Real(0) : wish;
+      const Real energy = inverse * pushing * pushing;
+      squares[lane] += inverse > 0 ? energy : Real(0);
+    }
+  }
+}
+
+/// Adds to `squares` what correction_energy() is of all rows in each lane.
+template <typename Real>
+inline void weigh_answer(const LaneContactBatch<Real>& __restrict batch, const LaneBodyInput<Real>& bodies,
+                         Real* __restrict squares) {
+  LaneWeights<Real> row;
+  for (int i = 0; i < batch.rows; ++i) {
+    weigh_row(batch, i, bodies, row);
+    const bool is_friction = batch.has_friction && i % 2 == 1;
+    const Real* const other = batch.answer[is_friction ? i - 1 : i];
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const Real inverse = row.inverse[lane], impulse = batch.answer[i][lane];
+      const Real error = row.speed[lane] + row.softness[lane] * impulse - row.bias[lane];
+      const Real wish = impulse - error / (inverse > 0 ? inverse : Real(1));
+      const Real pushing = wish < 0 ? Real(0) : wish;
+      const Real rubbing = within_friction(wish, batch.friction[lane], other[lane]);
+      const Real e = impulse - (is_friction ? rubbing : pushing);
+      const Real energy = inverse * e * e;
+      squares[lane] += inverse > 0 ? energy : Real(0);
+    }
+  }
+}
+
+/// One of the two.
+template <typename Real>
+inline void weigh_contacts(const LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies,
+                           LaneEnergy kind, Real* squares) {
+  if (kind == LaneEnergy::at_start) {
+    weigh_start(batch, bodies, squares);
+  } else {
+    weigh_answer(batch, bodies, squares);
   }
 }
 

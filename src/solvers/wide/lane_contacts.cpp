@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 namespace cairn {
 
@@ -91,7 +93,7 @@ void LaneContacts<Real>::gather(const LaneBatch& batch, const ContactProblem<Rea
     }
     input_.slop_limit[lane] = contact.slop_limit;
     to.friction[lane] = contact.friction;
-    for (int i = 0; i < to.rows; ++i) to.impulse[i][lane] = contact.impulse[i];
+    for (int i = 0; i < to.rows; ++i) to.answer[i][lane] = contact.impulse[i];
   }
 }
 
@@ -143,12 +145,23 @@ void LaneContacts<Real>::empty(const LaneCode<Real>& code, const LaneBatches& ba
 }
 
 template <Scalar Real>
+Real LaneContacts<Real>::energy(const LaneCode<Real>& code, const LaneBatches& batches, LaneEnergy kind,
+                                const PerBody<Vec3<Real>>& velocity) {
+  Real squares[lane_count] = {};
+  for (int k = 0; k < contacts_.size(); ++k) {
+    gather_velocities(batches.batches()[k], velocity, bodies_[k]);
+    code.weigh_contacts(contacts_[k], bodies_[k], kind, squares);
+  }
+  return std::accumulate(std::begin(squares), std::end(squares), Real(0));
+}
+
+template <Scalar Real>
 void LaneContacts<Real>::give(const LaneBatches& batches, Span<Contact<Real>> contacts) const {
   for (int k = 0; k < contacts_.size(); ++k) {
     const LaneBatch& batch = batches.batches()[k];
     for (int lane = 0; lane < batch.used; ++lane) {
       for (int i = 0; i < batch.rows; ++i)
-        contacts[batch.block[lane]].impulse[i] = contacts_[k].impulse[i][lane];
+        contacts[batch.block[lane]].impulse[i] = contacts_[k].answer[i][lane];
     }
   }
 }
@@ -158,7 +171,7 @@ Real LaneContacts<Real>::largest_impulse() const {
   Real largest = 0;
   for (const LaneContactBatch<Real>& batch : contacts_) {
     for (int i = 0; i < batch.rows; ++i) {
-      for (const Real impulse : batch.impulse[i]) largest = std::max(largest, std::abs(impulse));
+      for (const Real impulse : batch.answer[i]) largest = std::max(largest, std::abs(impulse));
     }
   }
   return largest;

@@ -31,6 +31,9 @@ class LaneContacts {
   /// Takes over what sweeps have changed since, and gives it to the bodies.
   void empty(const LaneCode<Real>& code, const LaneBatches& batches, const List<LaneRow<Number>>& rows,
              PerBody<Vec3<Real>>& velocity);
+  /// One of the two sums of R_E [J], at these velocities: added up in each lane, then over lanes.
+  Real energy(const LaneCode<Real>& code, const LaneBatches& batches, LaneEnergy kind,
+              const PerBody<Vec3<Real>>& velocity);
   /// Gives their impulses to the contacts.
   void give(const LaneBatches& batches, Span<Contact<Real>> contacts) const;
   /// [N s] of all impulses.

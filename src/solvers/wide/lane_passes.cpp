@@ -1,7 +1,10 @@
 // Floor 4. Passes over the rows in lanes and over those that go one by one.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
+#include "solvers/residual.hpp"
 #include "solvers/wide/lane_system.hpp"
 
 namespace cairn {
@@ -181,6 +184,38 @@ void LaneSystem<Real>::watch_batch(int number, const LaneBatch& batch, VelocityP
                          problem);
     }
   }
+}
+
+/// One of the two sums of R_E [J].
+template <Scalar Real>
+Real LaneSystem<Real>::energy(const VelocityProblem<Real>& problem, LaneEnergy kind) {
+  const auto of_row = [&](int i) {
+    return kind == LaneEnergy::at_start ? starting_energy(problem, i) : correction_energy(problem, i);
+  };
+  Real sum = 0;
+  for (const int i : batches_.single_rows()) sum += of_row(i);
+  if (!has_rows_) return sum + contacts_.energy(code_, batches_, kind, problem.velocity);
+  Real squares[lane_count] = {};
+  for (const LaneBatch& batch : batches_.batches()) {
+    for (int r = 0; r < batch.rows; ++r) {
+      for (int lane = 0; lane < batch.used; ++lane) squares[lane] += of_row(batch.block_row[lane] + r);
+    }
+  }
+  return sum + std::accumulate(std::begin(squares), std::end(squares), Real(0));
+}
+
+template <Scalar Real>
+Real LaneSystem<Real>::residual_scale(VelocityProblem<Real>& problem) {
+  problem.velocity.swap(velocity_);  // to those before the warm start
+  const Real scale = std::max(std::sqrt(energy(problem, LaneEnergy::at_start)), least_scale(problem));
+  problem.velocity.swap(velocity_);
+  return scale;
+}
+
+template <Scalar Real>
+Real LaneSystem<Real>::residual(const VelocityProblem<Real>& problem, Real scale) {
+  const Real sum = energy(problem, LaneEnergy::of_answer);
+  return sum == 0 ? Real(0) : std::sqrt(sum) / scale;
 }
 
 template class LaneSystem<float>;

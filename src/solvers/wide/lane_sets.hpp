@@ -41,11 +41,14 @@ struct LaneCode {
   /// The warm start of a batch of contacts: gives their impulses to their bodies.
   void (*push_contacts)(const LaneContactBatch<Real>& batch, LaneBodyInput<Real>& bodies) = nullptr;
   /// Fills the rows of a batch of contacts, and the couplings between them.
-  void (*fill_contacts)(const LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies,
-                        Real relaxation, LaneRow<Number>* rows, LaneCoupling<Number>* couplings) = nullptr;
+  void (*fill_contacts)(LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies, Real relaxation,
+                        LaneRow<Number>* rows, LaneCoupling<Number>* couplings) = nullptr;
   /// Takes over what sweeps have changed, and gives it to the bodies.
   void (*empty_contacts)(const LaneRow<Number>* rows, LaneContactBatch<Real>& batch,
                          LaneBodyInput<Real>& bodies) = nullptr;
+  /// Adds one of the two sums of R_E [J] to those of each lane.
+  void (*weigh_contacts)(const LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies,
+                         LaneEnergy kind, Real* squares) = nullptr;
 };
 
 /// That of a set that has() knows; for long double there is the baseline only.

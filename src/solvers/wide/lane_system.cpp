@@ -80,6 +80,7 @@ bool LaneSystem<Real>::push_rows(VelocityProblem<Real>& problem) {
 
 template <Scalar Real>
 void LaneSystem<Real>::push_contacts(VelocityProblem<Real>& problem) {
+  velocity_ = problem.velocity;
   apply_impulses(problem);  // of the rows that go one by one
   contacts_.push(code_, batches_, problem.velocity);
 }

@@ -69,6 +69,10 @@ class LaneSystem {
   void write_back(VelocityProblem<Real>& problem);
   /// Gives all contacts their impulses, written back before.
   void give(ContactProblem<Real>& contacts) const;
+  /// The scale of R_E, as residual_scale(), once the problem has begun; but added up in the order of lanes.
+  Real residual_scale(VelocityProblem<Real>& problem);
+  /// R_E of what was written back last, as residual(); but added up in the order of lanes.
+  Real residual(const VelocityProblem<Real>& problem, Real scale);
   /// Whether a change so small [N s], the last of many that add up to `path`, is lost in the rounding of
   /// lanes but would not be in that of the problem.
   bool is_worth_taking(Real change, Real path) const;
@@ -101,6 +105,7 @@ class LaneSystem {
                                SolveObserver<Real>* observer);
   void watch_batch(int number, const LaneBatch& batch, VelocityProblem<Real>& problem,
                    SolveObserver<Real>& observer) const;
+  Real energy(const VelocityProblem<Real>& problem, LaneEnergy kind);
   Real written_back(const VelocityProblem<Real>& problem, const LaneBatch& batch, int row, int lane) const;
   LaneProblem<Number> lane_problem();
 

@@ -36,22 +36,25 @@ SolveReport WideSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
 
 template <Scalar Real>
 ContactSolver<Real>* WideSequentialImpulse<Real>::for_contacts() {
-  return settings_.tolerance > 0 || settings_.patience > 0 ? nullptr : this;
+  return settings_.patience > 0 ? nullptr : this;
 }
 
 template <Scalar Real>
 SolveReport WideSequentialImpulse<Real>::solve(ContactProblem<Real>& contacts) {
-  stopping_.begin(settings_, *contacts.problem);
+  stopping_.begin(settings_, *contacts.problem, Looks::rarely);
   lanes_.begin(contacts);
-  const SolveReport report = solve_begun(*contacts.problem, nullptr);
-  lanes_.give(contacts);
-  return report;
+  return solve_begun(contacts);
 }
 
 template <Scalar Real>
 SolveReport WideSequentialImpulse<Real>::relax(ContactProblem<Real>& contacts) {
-  stopping_.begin(settings_, *contacts.problem);
+  stopping_.begin(settings_, *contacts.problem, Looks::rarely);
   lanes_.begin_relaxed(contacts);
+  return solve_begun(contacts);
+}
+
+template <Scalar Real>
+SolveReport WideSequentialImpulse<Real>::solve_begun(ContactProblem<Real>& contacts) {
   const SolveReport report = solve_begun(*contacts.problem, nullptr);
   lanes_.give(contacts);
   return report;
@@ -60,6 +63,8 @@ SolveReport WideSequentialImpulse<Real>::relax(ContactProblem<Real>& contacts) {
 template <Scalar Real>
 SolveReport WideSequentialImpulse<Real>::solve_begun(VelocityProblem<Real>& problem,
                                                      SolveObserver<Real>* observer) {
+  const bool measures = settings_.tolerance > 0 || settings_.patience > 0;
+  if (measures) stopping_.take_scale(lanes_.residual_scale(problem));
   lanes_.take(problem);
   path_ = 0;
   k_ = 1;
@@ -77,6 +82,8 @@ SolveReport WideSequentialImpulse<Real>::solve_begun(VelocityProblem<Real>& prob
     } else if (is_current) {
       lanes_.write_back(problem);
     }
+    if (looks && settings_.tolerance > 0)
+      stopping_.take_residual(lanes_.residual(problem, stopping_.scale()));
     return swept.largest;
   });
   if (!is_current) lanes_.write_back(problem);

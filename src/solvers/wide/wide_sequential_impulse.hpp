@@ -52,7 +52,7 @@ class WideSequentialImpulse final : public Solver<Real>, private ContactSolver<R
   std::string name() const override { return momentum_ == Momentum::none ? "wide SI" : "wide accelerated"; }
   /// @throws std::invalid_argument unless the problem's blocks follow each other and cover all rows.
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
-  /// Where nothing but the number of sweeps ends a solve: R_E and its like are judged by rows.
+  /// Where there is no patience: standstills and their like are judged by rows.
   ContactSolver<Real>* for_contacts() override;
   /// Rows in lanes, m impulses, and of every body its velocity, its inverse mass and their like.
   std::size_t memory() const override { return lanes_.bytes(); }
@@ -62,6 +62,7 @@ class WideSequentialImpulse final : public Solver<Real>, private ContactSolver<R
  private:
   SolveReport solve(ContactProblem<Real>& contacts) override;
   SolveReport relax(ContactProblem<Real>& contacts) override;
+  SolveReport solve_begun(ContactProblem<Real>& contacts);
   SolveReport solve_begun(VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
   LaneSteps<Real> iterate(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* row_observer);
   void accept_or_undo(VelocityProblem<Real>& problem, const LaneSteps<Real>& gathered,
