@@ -1,4 +1,4 @@
-// What the paper says of speed, memory and code, and what features and constraints cost: ten tables.
+// What the paper says of speed, memory and code, and what features and constraints cost: eleven tables.
 //   bash tests/run bench   all of them, in about two minutes
 //   cairn_bench [solvers|layout|memory|blocks|lines|features|constraints|policies|guards|searches]   some of them
 #include <benchmark/benchmark.h>
@@ -39,7 +39,8 @@ bool print_tables(const cairn::List<std::string>& wanted) {
                                      {"constraints", cairn::bench::print_constraint_table},
                                      {"policies", cairn::bench::print_policy_table},
                                      {"guards", cairn::bench::print_guard_table},
-                                     {"searches", cairn::bench::print_search_table}};
+                                     {"searches", cairn::bench::print_search_table},
+                                     {"growth", cairn::bench::print_growth_table}};
   const auto named = [&](const std::string& name) {
     return [&name](const Table& table) { return table.first == name; };
   };

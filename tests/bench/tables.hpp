@@ -12,6 +12,7 @@ void print_feature_table();     // what a feature costs where it is not used
 void print_policy_table();      // what becomes of errors in positions
 void print_guard_table();       // what it costs that a step is safe
 void print_search_table();      // what it costs that manifolds last
+void print_growth_table();      // what it takes to know who is near whom
 void print_constraint_table();  // what each kind of constraint writes, and what that costs
 
 }  // namespace cairn::bench
