@@ -104,27 +104,25 @@ inline void push_contacts(const LaneContactBatch<Real>& batch, LaneBodyInput<Rea
   for (int row = 0; row < batch.rows; ++row) push_bodies(batch, row, batch.answer[row], bodies);
 }
 
-/// What one row says of all contacts.
-template <typename Real>
-inline void state_row(const LaneContactBatch<Real>& batch, int row, LaneInput<Real>& to) {
-  const bool is_friction = batch.has_friction && row % 2 == 1;
+/// The normal row of a point as sweeps read it, or that of friction.
+template <bool is_friction, typename Real, typename Number>
+inline void fill_contact_row(const LaneContactBatch<Real>& __restrict batch, int row,
+                             const LaneBodyInput<Real>& __restrict bodies, LaneRow<Number>& __restrict to) {
   const int point = batch.has_friction ? row / 2 : row;
   for (int lane = 0; lane < lane_count; ++lane) {
     const Real n_x = batch.normal[0][lane], n_y = batch.normal[1][lane];
     const Real x = is_friction ? n_y : n_x, y = is_friction ? -n_x : n_y;
-    to.jacobian_a[0][lane] = -x;
-    to.jacobian_a[1][lane] = -y;
-    to.jacobian_a[2][lane] = -batch.turn_a[row][lane];
-    to.jacobian_b[0][lane] = x;
-    to.jacobian_b[1][lane] = y;
-    to.jacobian_b[2][lane] = batch.turn_b[row][lane];
-    to.impulse[lane] = batch.impulse[row][lane];
-    to.bias[lane] = is_friction ? Real(0) : batch.bias[point][lane];
-    to.softness[lane] = is_friction ? Real(0) : batch.softness[point][lane];
-    const Real load = is_friction ? batch.impulse[row - 1][lane] : Real(0);
-    to.friction[lane] = is_friction ? batch.friction[lane] : Real(0);
-    to.lower[lane] = is_friction ? -batch.friction[lane] * load : Real(0);
-    to.upper[lane] = is_friction ? batch.friction[lane] * load : static_cast<Real>(__builtin_inf());
+    const Real limit = is_friction ? batch.friction[lane] * batch.impulse[row - 1][lane] : Real(0);
+    fill_lane(bodies,
+              LaneNumbers<Real>{.a = {-x, -y, -batch.turn_a[row][lane]},
+                                .b = {x, y, batch.turn_b[row][lane]},
+                                .bias = is_friction ? Real(0) : batch.bias[point][lane],
+                                .softness = is_friction ? Real(0) : batch.softness[point][lane],
+                                .impulse = batch.impulse[row][lane],
+                                .lower = is_friction ? -limit : Real(0),
+                                .upper = is_friction ? limit : static_cast<Real>(__builtin_inf()),
+                                .friction = is_friction ? batch.friction[lane] : Real(0)},
+              lane, to);
   }
 }
 
@@ -132,11 +130,13 @@ inline void state_row(const LaneContactBatch<Real>& batch, int row, LaneInput<Re
 template <typename Real, typename Number>
 inline void fill_contacts(LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies, Real relaxation,
                           LaneRow<Number>* rows, LaneCoupling<Number>* couplings) {
-  LaneInput<Real> input;
   for (int i = 0; i < batch.rows; ++i) {
     for (int lane = 0; lane < lane_count; ++lane) batch.impulse[i][lane] = batch.answer[i][lane];
-    state_row(batch, i, input);
-    fill_row(bodies, input, rows[i]);
+    if (batch.has_friction && i % 2 == 1) {
+      fill_contact_row<true>(batch, i, bodies, rows[i]);
+    } else {
+      fill_contact_row<false>(batch, i, bodies, rows[i]);
+    }
     for (int k = 0; k < i; ++k) {
       couple_rows(rows[i], rows[k], static_cast<Number>(relaxation), *couplings++);
     }

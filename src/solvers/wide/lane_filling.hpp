@@ -11,40 +11,67 @@ inline float square_root(float x) { return __builtin_sqrtf(x); }
 inline double square_root(double x) { return __builtin_sqrt(x); }
 inline long double square_root(long double x) { return __builtin_sqrtl(x); }
 
-/// What row `from` is in lanes. Between bodies that nothing moves it has nothing to do but to keep its
-/// bounds.
+/// The numbers of a row in one lane.
+template <typename Real>
+struct LaneNumbers {
+  Real a[3];      // its Jacobian of the first body
+  Real b[3];      // of the second body
+  Real bias;      // zeta (7)
+  Real softness;  // gamma [1/kg]
+  Real impulse;   // [N s]
+  Real lower;     // [N s]
+  Real upper;     // [N s]
+  Real friction;  // mu
+};
+
+/// What a row is in one lane. Between bodies that nothing moves it has nothing to do but to keep its bounds.
 template <typename Real, typename Number>
-inline void fill_row(const LaneBodyInput<Real>& bodies, const LaneInput<Real>& from, LaneRow<Number>& to) {
+[[gnu::always_inline]] inline void fill_lane(const LaneBodyInput<Real>& __restrict bodies,
+                                             const LaneNumbers<Real>& from, int lane,
+                                             LaneRow<Number>& __restrict to) {
+  const Real lacking = from.bias -
+                       ((from.a[0] * bodies.velocity_a[0][lane] + from.a[1] * bodies.velocity_a[1][lane] +
+                         from.a[2] * bodies.velocity_a[2][lane]) +
+                        (from.b[0] * bodies.velocity_b[0][lane] + from.b[1] * bodies.velocity_b[1][lane] +
+                         from.b[2] * bodies.velocity_b[2][lane])) -
+                       from.softness * from.impulse;
+  const Real of_a0 = from.a[0] * bodies.root_a[0][lane], of_b0 = from.b[0] * bodies.root_b[0][lane];
+  const Real of_a1 = from.a[1] * bodies.root_a[1][lane], of_b1 = from.b[1] * bodies.root_b[1][lane];
+  const Real of_a2 = from.a[2] * bodies.root_a[2][lane], of_b2 = from.b[2] * bodies.root_b[2][lane];
+  const Real inverse = (of_a0 * of_a0 + of_a1 * of_a1 + of_a2 * of_a2) +
+                       (of_b0 * of_b0 + of_b1 * of_b1 + of_b2 * of_b2) + from.softness;
+  const Real root = square_root(inverse > 0 ? inverse : Real(1));
+  const Real scale = 1 / root;
+  to.jacobian_a[0][lane] = static_cast<Number>(of_a0 * scale);
+  to.jacobian_a[1][lane] = static_cast<Number>(of_a1 * scale);
+  to.jacobian_a[2][lane] = static_cast<Number>(of_a2 * scale);
+  to.jacobian_b[0][lane] = static_cast<Number>(of_b0 * scale);
+  to.jacobian_b[1][lane] = static_cast<Number>(of_b1 * scale);
+  to.jacobian_b[2][lane] = static_cast<Number>(of_b2 * scale);
+  to.lacking[lane] = static_cast<Number>(lacking * (inverse > 0 ? scale : Real(0)));
+  to.impulse[lane] = 0;
+  to.lower[lane] = static_cast<Number>((from.lower - from.impulse) * root);
+  to.upper[lane] = static_cast<Number>((from.upper - from.impulse) * root);
+  to.friction[lane] = static_cast<Number>(from.friction * root);
+  to.softness[lane] = static_cast<Number>(from.softness * scale * scale);
+  to.scale[lane] = static_cast<Number>(scale);
+}
+
+/// What row `from` is in lanes.
+template <typename Real, typename Number>
+inline void fill_row(const LaneBodyInput<Real>& __restrict bodies, const LaneInput<Real>& __restrict from,
+                     LaneRow<Number>& __restrict to) {
   for (int lane = 0; lane < lane_count; ++lane) {
-    const Real a0 = from.jacobian_a[0][lane], a1 = from.jacobian_a[1][lane], a2 = from.jacobian_a[2][lane];
-    const Real b0 = from.jacobian_b[0][lane], b1 = from.jacobian_b[1][lane], b2 = from.jacobian_b[2][lane];
-    const Real impulse = from.impulse[lane], softness = from.softness[lane];
-    const Real lacking = from.bias[lane] -
-                         ((a0 * bodies.velocity_a[0][lane] + a1 * bodies.velocity_a[1][lane] +
-                           a2 * bodies.velocity_a[2][lane]) +
-                          (b0 * bodies.velocity_b[0][lane] + b1 * bodies.velocity_b[1][lane] +
-                           b2 * bodies.velocity_b[2][lane])) -
-                         softness * impulse;
-    const Real of_a0 = a0 * bodies.root_a[0][lane], of_b0 = b0 * bodies.root_b[0][lane];
-    const Real of_a1 = a1 * bodies.root_a[1][lane], of_b1 = b1 * bodies.root_b[1][lane];
-    const Real of_a2 = a2 * bodies.root_a[2][lane], of_b2 = b2 * bodies.root_b[2][lane];
-    const Real inverse = (of_a0 * of_a0 + of_a1 * of_a1 + of_a2 * of_a2) +
-                         (of_b0 * of_b0 + of_b1 * of_b1 + of_b2 * of_b2) + softness;
-    const Real root = square_root(inverse > 0 ? inverse : Real(1));
-    const Real scale = 1 / root;
-    to.jacobian_a[0][lane] = static_cast<Number>(of_a0 * scale);
-    to.jacobian_a[1][lane] = static_cast<Number>(of_a1 * scale);
-    to.jacobian_a[2][lane] = static_cast<Number>(of_a2 * scale);
-    to.jacobian_b[0][lane] = static_cast<Number>(of_b0 * scale);
-    to.jacobian_b[1][lane] = static_cast<Number>(of_b1 * scale);
-    to.jacobian_b[2][lane] = static_cast<Number>(of_b2 * scale);
-    to.lacking[lane] = static_cast<Number>(lacking * (inverse > 0 ? scale : Real(0)));
-    to.impulse[lane] = 0;
-    to.lower[lane] = static_cast<Number>((from.lower[lane] - impulse) * root);
-    to.upper[lane] = static_cast<Number>((from.upper[lane] - impulse) * root);
-    to.friction[lane] = static_cast<Number>(from.friction[lane] * root);
-    to.softness[lane] = static_cast<Number>(softness * scale * scale);
-    to.scale[lane] = static_cast<Number>(scale);
+    const LaneNumbers<Real> row = {
+        .a = {from.jacobian_a[0][lane], from.jacobian_a[1][lane], from.jacobian_a[2][lane]},
+        .b = {from.jacobian_b[0][lane], from.jacobian_b[1][lane], from.jacobian_b[2][lane]},
+        .bias = from.bias[lane],
+        .softness = from.softness[lane],
+        .impulse = from.impulse[lane],
+        .lower = from.lower[lane],
+        .upper = from.upper[lane],
+        .friction = from.friction[lane]};
+    fill_lane(bodies, row, lane, to);
   }
 }
 
