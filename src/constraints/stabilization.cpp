@@ -30,13 +30,6 @@ bool rebounds(const RowSpec<Real>& spec, Real dt, const PerBody<Vec3<Real>>& vel
   return spec.rebound > 0 && spec.error + dt * spec_velocity(spec, velocity) < 0;
 }
 
-/// The policy's spring in steps of dt [s].
-SwingSoftness policy_spring(const Stabilization& stabilization, double dt) {
-  SwingSoftness soft = stabilization.soft;
-  soft.frequency = spring_frequency(stabilization, dt);
-  return soft;
-}
-
 bool policy_has_springs(const Stabilization& stabilization, StabilizationPass pass) {
   return stabilization.policy == StabilizationPolicy::soft && pass == StabilizationPass::velocity;
 }
@@ -48,7 +41,8 @@ std::optional<Softness> spring_of(const RowSpec<Real>& spec, const Stabilization
   if (spec.softness) return spec.softness;
   if (!policy_has_springs(stabilization, pass) || holds_no_position(spec)) return std::nullopt;
   if (spec.bounds.is_unilateral() && (spec.error >= 0 || rebounds(spec, dt, velocity))) return std::nullopt;
-  return policy_spring(stabilization, static_cast<double>(dt));
+  const bool of_contact = spec.gravity.has_value();
+  return spring_in_steps(of_contact ? stabilization.soft : stabilization.joint_soft, static_cast<double>(dt));
 }
 
 /// What the policy's spring of a row carries [1/kg]: its A_ii; or, of a row that holds points of two bodies
@@ -94,12 +88,13 @@ Real slop_of(const Stabilization& stabilization, Real slop_limit) {
 
 }  // namespace
 
-double spring_frequency(const Stabilization& stabilization, double dt) {
-  return std::min(stabilization.soft.frequency, 0.25 / dt);
+SwingSoftness spring_in_steps(SwingSoftness spring, double dt) {
+  spring.frequency = std::min(spring.frequency, 0.25 / dt);
+  return spring;
 }
 
-double spring_sag(const Stabilization& stabilization, double dt, double acceleration) {
-  const double omega = 2 * pi * spring_frequency(stabilization, dt);
+double spring_sag(const SwingSoftness& spring, double dt, double acceleration) {
+  const double omega = 2 * pi * spring_in_steps(spring, dt).frequency;
   return acceleration / (omega * omega);
 }
 
@@ -166,8 +161,9 @@ ContactStabilization<Real>::ContactStabilization(const Stabilization& stabilizat
       dt_(dt),
       on_springs_(policy_has_springs(stabilization, pass)),
       rigid_rate_(recovery_rate(stabilization, pass, dt)),
-      spring_rate_(on_springs_ ? return_rate<Real>(policy_spring(stabilization, static_cast<double>(dt)), dt)
-                               : Real(0)) {}
+      spring_rate_(on_springs_
+                       ? return_rate<Real>(spring_in_steps(stabilization.soft, static_cast<double>(dt)), dt)
+                       : Real(0)) {}
 
 template <Scalar Real>
 void ContactStabilization<Real>::stabilize(const ContactState<Real>& contact,
@@ -189,7 +185,7 @@ void ContactStabilization<Real>::stabilize(const ContactState<Real>& contact,
   if (!corrects && bounces) row.bias = std::max(row.bias, contact.rebound);
   row.softness = 0;
   if (!on_spring) return;
-  const SwingSoftness spring = policy_spring(stabilization_, static_cast<double>(dt_));
+  const SwingSoftness spring = spring_in_steps(stabilization_.soft, static_cast<double>(dt_));
   row.softness = row_softness<Real>(spring, inverse_effective_mass(problem, row), dt_);
 }
 
@@ -197,7 +193,7 @@ template <Scalar Real>
 ContactRule<Real> ContactStabilization<Real>::rule(Real gravity) const {
   const bool keeps_speed =
       stabilization_.policy == StabilizationPolicy::baumgarte && !std::isinf(stabilization_.max_speed);
-  const SwingSoftness spring = policy_spring(stabilization_, static_cast<double>(dt_));
+  const SwingSoftness spring = spring_in_steps(stabilization_.soft, static_cast<double>(dt_));
   return {.dt = dt_,
           .slop = static_cast<Real>(stabilization_.slop),
           .rigid_rate = rigid_rate_,

@@ -34,19 +34,22 @@ struct Stabilization {
   /// half the speed of a fall through it: it lifts a body out and no higher, however short the step.
   /// Infinite: neither holds.
   double max_speed = 4;
-  SwingSoftness soft = {.frequency = 30, .damping_ratio = 10};  // of policy soft; at most 0.25 / dt
+  /// Springs of policy soft: those of contacts, and those of joints, which carry more and rattle less. Both
+  /// swing at most 0.25 / dt often.
+  SwingSoftness soft = {.frequency = 30, .damping_ratio = 10};
+  SwingSoftness joint_soft = {.frequency = 60, .damping_ratio = 5};  // of joints, and their limits
 
   /// Member by member.
   bool operator==(const Stabilization&) const = default;
 };
 
-/// [Hz] How often the springs of policy soft swing in steps of dt [s]: no more often than a quarter of the
-/// steps, which could not follow them.
-double spring_frequency(const Stabilization& stabilization, double dt);
+/// A spring of policy soft in steps of dt [s]: it swings no more often than in a quarter of the steps, which
+/// could not follow it.
+SwingSoftness spring_in_steps(SwingSoftness spring, double dt);
 
-/// [m] By how much these springs give way at rest, g / omega^2, where a load would accelerate what it acts on
-/// by `acceleration` [m/s^2].
-double spring_sag(const Stabilization& stabilization, double dt, double acceleration);
+/// [m] By how much a spring gives way at rest in such steps, g / omega^2, where a load would accelerate what
+/// it acts on by `acceleration` [m/s^2].
+double spring_sag(const SwingSoftness& spring, double dt, double acceleration);
 
 /// zeta (7) of one row: the value that j v should take in a step of dt [s].
 ///   an equality        -beta C / dt

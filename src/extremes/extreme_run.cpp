@@ -84,7 +84,7 @@ ExtremeFinding run_extreme(const Scene& scene, const Setting& setting, const Ext
 
 double spring_sag(const Setting& setting, double load, double inverse_mass) {
   if (setting.stabilization.policy != StabilizationPolicy::soft) return 0;
-  return cairn::spring_sag(setting.stabilization, setting.dt / setting.substeps, load * inverse_mass);
+  return cairn::spring_sag(setting.stabilization.soft, setting.dt / setting.substeps, load * inverse_mass);
 }
 
 ExtremeFinding judged(const std::string& quantity, double value, double limit, double bound) {

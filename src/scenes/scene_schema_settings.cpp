@@ -67,8 +67,10 @@ List<SceneKey> scene_step_keys() {
       {"stabilization", "baumgarte", number, "", "0.2", ">= 0", "share of an error that a step removes"},
       {"stabilization", "slop", number, "m", "0.005", ">= 0", "overlap of contacts that is left alone"},
       {"stabilization", "max_speed", number, "m/s", "4", "> 0 or inf", "overlap of contacts goes no faster"},
-      {"stabilization", "frequency", number, "Hz", "30", "from 1e-6 to 1e6", "of the policy soft"},
-      {"stabilization", "damping_ratio", number, "", "10", "from 0 to 1e30", "of the policy soft"},
+      {"stabilization", "frequency", number, "Hz", "30", "from 1e-6 to 1e6", "of contacts under soft"},
+      {"stabilization", "damping_ratio", number, "", "10", "from 0 to 1e30", "of contacts under soft"},
+      {"stabilization", "joint_frequency", number, "Hz", "60", "from 1e-6 to 1e6", "of joints under soft"},
+      {"stabilization", "joint_damping_ratio", number, "", "5", "from 0 to 1e30", "of joints under soft"},
   };
 }
 

@@ -19,6 +19,8 @@ Stabilization stabilization_of(const SceneTable& table) {
   stabilization.max_speed = table.number("max_speed");
   stabilization.soft = {.frequency = table.number("frequency"),
                         .damping_ratio = table.number("damping_ratio")};
+  stabilization.joint_soft = {.frequency = table.number("joint_frequency"),
+                              .damping_ratio = table.number("joint_damping_ratio")};
   return stabilization;
 }
 

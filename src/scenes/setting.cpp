@@ -40,6 +40,14 @@ std::string precision_text(Precision scalar) {
   return scalar == Precision::double_precision ? "double" : "long double";
 }
 
+/// What differs from the usual spring.
+std::string spring_text(const SwingSoftness& spring, const SwingSoftness& usual) {
+  std::string text;
+  if (spring.frequency != usual.frequency) text += fmt::format(" {:g} Hz", spring.frequency);
+  if (spring.damping_ratio != usual.damping_ratio) text += fmt::format(" zeta {:g}", spring.damping_ratio);
+  return text;
+}
+
 }  // namespace
 
 std::string stabilization_text(const Stabilization& stabilization) {
@@ -58,10 +66,10 @@ std::string stabilization_text(const Stabilization& stabilization) {
       text = "split impulse";
       break;
   }
-  const SwingSoftness& soft = stabilization.soft;
   if (stabilization.policy == StabilizationPolicy::soft) {
-    if (soft.frequency != usual.soft.frequency) text += fmt::format(" {:g} Hz", soft.frequency);
-    if (soft.damping_ratio != usual.soft.damping_ratio) text += fmt::format(" zeta {:g}", soft.damping_ratio);
+    text += spring_text(stabilization.soft, usual.soft);
+    const std::string of_joints = spring_text(stabilization.joint_soft, usual.joint_soft);
+    if (!of_joints.empty()) text += " joints" + of_joints;
   } else if (stabilization.baumgarte != usual.baumgarte) {
     text += fmt::format(" {:g}", stabilization.baumgarte);
   }

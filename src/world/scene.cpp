@@ -120,6 +120,7 @@ void check_settings(const SceneSettings& settings) {
   require(settings.stabilization.max_speed > 0, "Scene", "stabilization.max_speed", "> 0 m/s",
           settings.stabilization.max_speed);
   require_softness(settings.stabilization.soft, "Scene: stabilization.soft");
+  require_softness(settings.stabilization.joint_soft, "Scene: stabilization.joint_soft");
   require_range(settings.speculative_margin, 0, "Scene", "speculative_margin", "m");
   require_range(settings.restitution_threshold, 0, "Scene", "restitution_threshold", "m/s");
   if (settings.sleeping) {

@@ -60,7 +60,7 @@ void require_springs_hold(const SceneSettings& settings, const SceneBody& body, 
   const bool on_springs = settings.guarded && stabilization.policy == StabilizationPolicy::soft;
   if (!on_springs || body.spec.type != BodyType::dynamic) return;
   const double weight = std::abs(body.spec.gravity_scale) * settings.gravity.norm();  // [N/kg]
-  const double sag = spring_sag(stabilization, settings.dt / settings.substeps, weight);
+  const double sag = spring_sag(stabilization.soft, settings.dt / settings.substeps, weight);
   const double smallest = smallest_extent(body.spec);
   require(sag < smallest / 2, "World", "stabilization.soft",
           "stiffer, or substeps shorter, for body " + std::to_string(id.index) + " of " + shortest(smallest) +

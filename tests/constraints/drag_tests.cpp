@@ -99,7 +99,7 @@ TEST_CASE_TEMPLATE("a body hangs below the target of a drag by as much as its sp
   World<Real> world(scene);
   step_often(world, 600,
              10);  // 5 Hz at a damping ratio of 0.7: the swing has lost exp(-0.7 w 10 s) of itself
-  const double sag = spring_sag({.soft = {.frequency = 5}}, joint_dt, joint_gravity);
+  const double sag = spring_sag({.frequency = 5}, joint_dt, joint_gravity);
   const double tolerance = 64 * static_cast<double>(std::numeric_limits<Real>::epsilon());
   // gravity, dt and w are those of double
   CHECK(static_cast<double>(world.bodies().pose[body].position.y()) ==

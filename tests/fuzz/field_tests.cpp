@@ -104,6 +104,10 @@ TEST_CASE("every number of the settings of a scene is refused by name where it c
        with_settings([](S& s, double x) { s.stabilization.soft.frequency = x; }), not_positive},
       {"stabilization.soft: softness damping_ratio",
        with_settings([](S& s, double x) { s.stabilization.soft.damping_ratio = x; }), negative},
+      {"stabilization.joint_soft: softness frequency",
+       with_settings([](S& s, double x) { s.stabilization.joint_soft.frequency = x; }), not_positive},
+      {"stabilization.joint_soft: softness damping_ratio",
+       with_settings([](S& s, double x) { s.stabilization.joint_soft.damping_ratio = x; }), negative},
       {"speculative_margin", with_settings([](S& s, double x) { s.speculative_margin = x; }), negative},
       {"restitution_threshold", with_settings([](S& s, double x) { s.restitution_threshold = x; }), negative},
       {"sleeping.speed", with_settings([](S& s, double x) { s.sleeping->speed = x; }), not_positive},
@@ -247,7 +251,7 @@ TEST_CASE("whoever gives a type another field is reminded of the tables above") 
   // These lines compile for as many fields as there are names.
   const auto& [gravity, dt, substeps, stabilization, warm_start, watches, search, margin, threshold, rows,
                sleeping] = SceneSettings{};
-  const auto& [policy, baumgarte, slop, max_speed, soft] = stabilization;
+  const auto& [policy, baumgarte, slop, max_speed, soft, joint_soft] = stabilization;
   const auto& [iterations, tolerance, budget, order, seed, relaxation, patience, threads] = SolverSettings{};
   const auto& [type, shapes, position, angle, velocity, turning, mass, inertia, density, friction, rebound,
                drag, turning_drag, scale, fixed, sensor, fast, category, collides] = BodySpec{};

@@ -148,6 +148,8 @@ slop = 0.004
 max_speed = 9
 frequency = 20
 damping_ratio = 2
+joint_frequency = 40
+joint_damping_ratio = 3
 [step.sleeping]
 speed = 0.1
 angular_speed = 0.2
@@ -183,6 +185,8 @@ stands = 0.04
   CHECK(settings.stabilization.max_speed == 9);
   CHECK(settings.stabilization.soft.frequency == 20);
   CHECK(settings.stabilization.soft.damping_ratio == 2);
+  CHECK(settings.stabilization.joint_soft.frequency == 40);
+  CHECK(settings.stabilization.joint_soft.damping_ratio == 3);
   REQUIRE(settings.sleeping.has_value());
   CHECK(settings.sleeping->speed == 0.1);
   CHECK(settings.sleeping->angular_speed == 0.2);

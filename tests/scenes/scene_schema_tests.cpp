@@ -137,6 +137,9 @@ TEST_CASE("the defaults of scene files are those of the engine: the scene, its s
   CHECK(schema_default("stabilization", "max_speed") == settings.stabilization.max_speed);
   CHECK(schema_default("stabilization", "frequency") == settings.stabilization.soft.frequency);
   CHECK(schema_default("stabilization", "damping_ratio") == settings.stabilization.soft.damping_ratio);
+  const SwingSoftness& joints = settings.stabilization.joint_soft;
+  CHECK(schema_default("stabilization", "joint_frequency") == joints.frequency);
+  CHECK(schema_default("stabilization", "joint_damping_ratio") == joints.damping_ratio);
   CHECK(schema_default("sleeping", "speed") == Sleeping().speed);
   CHECK(schema_default("sleeping", "angular_speed") == Sleeping().angular_speed);
   CHECK(schema_default("sleeping", "time") == Sleeping().time);

@@ -26,8 +26,9 @@ TEST_CASE("a setting is written as the things that differ from the usual") {
   CHECK(setting_text({.stabilization = {.policy = StabilizationPolicy::soft,
                                         .slop = 0.001,
                                         .max_speed = 3,
-                                        .soft = {.frequency = 60, .damping_ratio = 5}}}) ==
-        "si x10, 60 Hz, soft 60 Hz zeta 5 slop 0.001 m at most 3 m/s, double");
+                                        .soft = {.frequency = 60, .damping_ratio = 5},
+                                        .joint_soft = {.frequency = 90, .damping_ratio = 5}}}) ==
+        "si x10, 60 Hz, soft 60 Hz zeta 5 joints 90 Hz slop 0.001 m at most 3 m/s, double");
   CHECK(setting_text({.substeps = 4, .contact_search = ContactSearch::every_step}) ==
         "si x10, 60 Hz x4, contacts every step, baumgarte, double");
   CHECK(setting_text({.contact_search = ContactSearch::when_moved}) ==

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "constraints/distance_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "geometry/shape.hpp"
 #include "math/list.hpp"
@@ -131,6 +132,21 @@ TEST_CASE("a soft contact moves as its spring does, and the relaxing solve takes
   }
   // It comes to rest where the spring carries it, g / w^2 below the surface.
   CHECK(path.room.back() == doctest::Approx(-pop_gravity / (omega * omega)).epsilon(0.05));
+}
+
+TEST_CASE("under the policy soft joints give way as springs of their own") {
+  const Stabilization soft = {.policy = StabilizationPolicy::soft};
+  const int substeps = 4;
+  Scene scene({.gravity = {0, -pop_gravity}, .dt = pop_dt, .substeps = substeps, .stabilization = soft});
+  const BodyId bob = scene.add({.shapes = {circle(0.1)}, .position = {0, -1}});
+  scene.join<DistanceJoint>({.a = ground, .b = bob, .anchor_a = {0, 0}, .anchor_b = {0, -1}});
+  World<double> world(scene);
+  SequentialImpulse<double> solver;
+  for (int step = 0; step < 400; ++step) world.step(solver);
+  const double below = -1 - world.bodies().pose[bob].position.y();
+  // At rest the row carries m g at k = m w^2; what is left of the way there shrinks by more than half a step.
+  CHECK(below == doctest::Approx(spring_sag(soft.joint_soft, pop_dt / substeps, pop_gravity)).epsilon(1e-9));
+  CHECK(below < spring_sag(soft.soft, pop_dt / substeps, pop_gravity) / 2);
 }
 
 TEST_CASE("n substeps are n steps of dt / n, bit for bit") {
