@@ -98,6 +98,14 @@ void print_standing(const SceneEntry& scene, const SceneRun& run, Console& conso
              missed ? -1 : 1);
 }
 
+void print_failures(const SceneEntry& scene, const SceneRun& run, Console& console) {
+  std::string name = "fails";
+  for (const Failure& failure : run.result.failures) {
+    print_line(console, name, failure_text(failure, scene.body_names));
+    name = "";
+  }
+}
+
 std::string verdict_text(const SceneEntry& scene, const SceneRun& run) {
   if (run.result.status == TrialStatus::refused) return "left out: " + run.result.reason;
   if (run.result.status != TrialStatus::ok) return run.missed.front();
@@ -105,6 +113,7 @@ std::string verdict_text(const SceneEntry& scene, const SceneRun& run) {
     return run.missed.size() == 1 ? "misses an expectation"
                                   : fmt::format("misses {} expectations", run.missed.size());
   }
+  if (!run.result.failures.empty()) return "fails, whatever is expected of it";
   const Expectations& e = scene.expectations;
   if (!e.penetration && !e.drift && !e.energy_gain && !e.stands) return "nothing is expected of it";
   if (run.result.seconds < scene.seconds - run.setting.dt / 2) {
@@ -120,6 +129,12 @@ Json worst_json(const SceneEntry& scene, double value, const TrialWorst& worst) 
   Json json = {{"a", scene.body_names[worst.a]}, {"b", scene.body_names[worst.b]}, {"time_s", worst.time}};
   if (!worst.joint.empty()) json["joint"] = worst.joint;
   return json;
+}
+
+List<std::string> failure_texts(const SceneEntry& scene, const SceneRun& run) {
+  List<std::string> texts;
+  for (const Failure& failure : run.result.failures) texts.push_back(failure_text(failure, scene.body_names));
+  return texts;
 }
 
 /// "si x10": what the runs of a comparison do not have in common.
@@ -142,9 +157,10 @@ void print_row(const SceneEntry& scene, const SceneRun& run, int width, Console&
       static_cast<double>(result.row_updates) / steps, milli(result.worst_penetration),
       milli(result.worst_drift), percent(result.energy_gain), stands);
   const std::string verdict = result.status != TrialStatus::ok ? status_text(result.status)
+                              : !result.failures.empty()       ? "fails"
                               : run.missed.empty()             ? "ok"
                                                                : "misses";
-  console.result(numbers + console.colored(verdict, run.missed.empty() ? Color::good : Color::bad));
+  console.result(numbers + console.colored(verdict, verdict == "ok" ? Color::good : Color::bad));
 }
 
 }  // namespace
@@ -164,9 +180,10 @@ void print_run(const SceneEntry& scene, const SceneRun& run, Console& console) {
     print_measure(console, run, "energy gain", percent(result.energy_gain) + " %",
                   with_unit(scene.expectations.energy_gain, 1, "%"));
     print_standing(scene, run, console);
+    print_failures(scene, run, console);
   }
   const std::string verdict = verdict_text(scene, run);
-  const bool is_good = run.missed.empty();
+  const bool is_good = run.missed.empty() && result.failures.empty();
   console.result("  " + console.colored(console.spelt(verdict), is_good ? Color::good : Color::bad));
 }
 
@@ -180,6 +197,12 @@ void print_runs(const SceneEntry& scene, const List<SceneRun>& runs, Console& co
   heading("solver", {"ms a step", "row updates", "penetration", "drift", "energy", "stands"});
   heading("", {"", "a step", "mm", "mm, mrad", "gain %", "s"});
   for (const SceneRun& run : runs) print_row(scene, run, width, console);
+  for (const SceneRun& run : runs) {
+    for (const Failure& failure : run.result.failures) {
+      const std::string text = failure_text(failure, scene.body_names);
+      console.result(wrapped(contestant_label(run.setting) + ": " + text, run_columns, 2));
+    }
+  }
 }
 
 nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
@@ -208,6 +231,7 @@ nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
                {"farthest_m", result.farthest},
                {"stands_s", scene.expectations.stands ? Json(result.stands_until) : Json(nullptr)},
                {"missed", run.missed},
+               {"failures", failure_texts(scene, run)},
                {"build", build_json()},
                {"state", fmt::format("{:016x}", result.state_hash)}});
   return json;
@@ -216,7 +240,7 @@ nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
 int exit_code(const SceneRun& run) {
   if (run.result.status == TrialStatus::refused) return bad_usage;
   if (run.result.status != TrialStatus::ok) return diverged;
-  return run.missed.empty() ? all_well : check_failed;
+  return run.missed.empty() && run.result.failures.empty() ? all_well : check_failed;
 }
 
 }  // namespace cairn::sandbox

@@ -89,15 +89,18 @@ void print_comparison(const Words& words, const SceneEntry& scene, const List<Sc
   print_runs(scene, runs, console);
 }
 
-/// The worst of those that ran; a comparison is no test of its contestants.
+/// The worst of those that ran. What the scene expects is no matter: a comparison is no test of its
+/// contestants. What no scene should show is.
 int compare_code(const List<SceneRun>& runs) {
-  bool any = false;
+  bool any = false, fails = false;
   for (const SceneRun& run : runs) {
     const TrialStatus status = run.result.status;
     if (status == TrialStatus::diverged || status == TrialStatus::nan) return diverged;
     any = any || status != TrialStatus::refused;
+    fails = fails || !run.result.failures.empty();
   }
-  return any ? all_well : bad_usage;
+  if (!any) return bad_usage;
+  return fails ? check_failed : all_well;
 }
 
 int run_compare(const Words& words, Console& console) {
@@ -137,8 +140,9 @@ Verb compare_verb() {
       .idea =
           "Runs the scene under each solver, everything else alike, and puts what it cost beside what came "
           "out. Box2D 2.4.1 runs with the steps and substeps that are asked for and as many velocity "
-          "iterations as sweeps; where it cannot run the scene it is left out, with the reason. Exit code 4 "
-          "when one diverges.",
+          "iterations as sweeps; where it cannot run the scene it is left out, with the reason. Exit code 1 "
+          "when bodies went through each other, joints came apart or bodies fell out of the scene, 4 when "
+          "one diverges.",
       .flags = compare_flags(),
       .examples = {"compare stack", "compare chain-bob --solvers si:20,block:20,accelerated:20,box2d:20",
                    "compare stack-ratio --solvers si:10,accelerated:10 --frames out/ratio"},

@@ -78,8 +78,9 @@ Verb run_verb() {
           "against what is expected: overlap, drift of joints, energy out of nothing, whether it stands: "
           "nothing is farther from its place, aside or down, than the scene allows. Places are those after "
           "the first second, or half of a shorter run. "
-          "Nothing is written unless a flag names a file. Exit code 1 when an expectation is missed, 4 when "
-          "the run diverges.",
+          "Nothing is written unless a flag names a file. Exit code 1 when an expectation is missed, or when "
+          "bodies went through each other, joints came apart or bodies fell out of the scene; 4 when the run "
+          "diverges.",
       .flags = joined_flags(
           joined_flags(joined_flags(setting_flags(), {{"seconds", "TIME", "to simulate (the scene's own)"}}),
                        film_flags()),

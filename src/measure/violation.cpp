@@ -31,7 +31,7 @@ void keep_deeper(const Snapshot& snapshot, BodyId a, const Shape<double>& shape_
 
 }  // namespace
 
-Overlap deepest_overlap(const Snapshot& snapshot) {
+List<Overlap> overlaps(const Snapshot& snapshot) {
   struct Item {
     BodyId body;
     const Shape<double>* shape;
@@ -49,7 +49,7 @@ Overlap deepest_overlap(const Snapshot& snapshot) {
     }
   }
 
-  Overlap worst;
+  List<Overlap> found;
   Broadphase<double> broadphase(BroadphaseKind::grid);
   for (const auto& [i, j] : broadphase.pairs(boxes, movable)) {
     const Item& a = items[i];
@@ -57,10 +57,22 @@ Overlap deepest_overlap(const Snapshot& snapshot) {
     const SnapshotBody& body_a = snapshot.bodies[a.body];
     const SnapshotBody& body_b = snapshot.bodies[b.body];
     if (a.body == b.body || !may_touch(body_a, body_b) || is_apart(snapshot, a.body, b.body)) continue;
-    keep_deeper(snapshot, a.body, *a.shape, b.body, *b.shape, worst);
+    Overlap overlap;
+    keep_deeper(snapshot, a.body, *a.shape, b.body, *b.shape, overlap);
+    if (overlap.depth > 0) found.push_back(overlap);
+  }
+  return found;
+}
+
+Overlap deepest_of(const List<Overlap>& overlaps) {
+  Overlap worst;
+  for (const Overlap& overlap : overlaps) {
+    if (overlap.depth > worst.depth) worst = overlap;
   }
   return worst;
 }
+
+Overlap deepest_overlap(const Snapshot& snapshot) { return deepest_of(overlaps(snapshot)); }
 
 double worst_penetration(const Snapshot& snapshot) { return deepest_overlap(snapshot).depth; }
 

@@ -1,6 +1,7 @@
 // Floor 6. How far a snapshot violates what must hold.
 #pragma once
 
+#include "math/list.hpp"
 #include "world/snapshot.hpp"
 
 namespace cairn {
@@ -12,9 +13,13 @@ struct Overlap {
   BodyId b = {};     // the other
 };
 
-/// The deepest overlap of any two shapes of different bodies, of which one is dynamic. Measured on the
-/// shapes as they stand now, not on the contacts that a solver saw: it is the same measure for every engine.
-/// Left out are sensors, and pairs that a joint or their categories keep from touching.
+/// Of every two shapes of different bodies that overlap, of which one is dynamic. Measured on the shapes as
+/// they stand now, not on the contacts that a solver saw: it is the same measure for every engine. Left out
+/// are sensors, and pairs that a joint or their categories keep from touching.
+List<Overlap> overlaps(const Snapshot& snapshot);
+/// The deepest of them, and of those the first.
+Overlap deepest_of(const List<Overlap>& overlaps);
+/// The deepest overlap of all.
 Overlap deepest_overlap(const Snapshot& snapshot);
 /// Its depth [m]; 0 when no shapes overlap.
 double worst_penetration(const Snapshot& snapshot);

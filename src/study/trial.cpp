@@ -57,6 +57,7 @@ class Trial {
         options_(options),
         result_(result),
         start_(contestant.snapshot()),
+        watch_(start_),
         standing_(start_, options.stand_distance, std::min(options.settle_seconds, options.seconds / 2)) {
     start_energy_ = total_energy(start_);
     const double scale = energy_scale(start_);
@@ -114,12 +115,16 @@ class Trial {
     result_.farthest = std::max(result_.farthest, farthest_from_start(start_, now));
     if (!standing_.holds(now, result_.seconds)) note_fall();
     note_drift(now);
+    watch_.see(now, result_.seconds);
     const double change = (total_energy(now) - start_energy_) / result_.energy_scale;
     result_.energy_gain = std::max(result_.energy_gain, change);
     result_.energy_loss = -change;
     if (is_last || result_.steps % options_.penetration_every == 0) {
-      note_overlap(deepest_overlap(now));
+      const List<Overlap> all = overlaps(now);
+      note_overlap(deepest_of(all));
+      watch_.see(all, result_.seconds);
     }
+    result_.failures = watch_.failures();
     const bool late = options_.time_limit > 0 && result_.step_seconds > options_.time_limit;
     if (late && !is_last && result_.status == TrialStatus::ok) result_.status = TrialStatus::timeout;
   }
@@ -146,6 +151,7 @@ class Trial {
   const TrialOptions& options_;
   TrialResult& result_;
   Snapshot start_;
+  FailureWatch watch_;
   Standing standing_;
   double start_energy_ = 0;  // [J]
   double residual_sum_ = 0;

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "math/list.hpp"
+#include "measure/failure.hpp"
 #include "scenes/setting.hpp"
 #include "world/snapshot.hpp"
 
@@ -69,6 +71,7 @@ struct TrialResult {
   double worst_drift = 0;                 // [m or rad] of any joint after any step
   TrialWorst penetration_worst = {};      // where worst_penetration is above 0
   TrialWorst drift_worst = {};            // where worst_drift is above 0
+  List<Failure> failures = {};            // the first of each kind, whatever is expected of the scene
   double energy_scale = 0;  // [J] energy_scale() of the start (measure/trajectory.hpp); 1 J where it is 0
   double energy_gain = 0;   // of the scale: how far kinetic and potential energy rose above the start's
   double energy_loss = 0;   // of the scale: how far they are below it at the end; < 0: above it

@@ -44,6 +44,7 @@ TEST_CASE("every scene keeps to its expectations under the setting that comes wi
     CAPTURE(entry.name);
     const TrialResult result = run_trial(entry.make(), entry.setting, trial_options(entry));
     for (const std::string& missed : unmet(entry.expectations, result)) FAIL_CHECK(missed);
+    for (const Failure& failure : result.failures) FAIL_CHECK(failure_text(failure, entry.body_names));
   }
 }
 

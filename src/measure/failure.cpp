@@ -1,0 +1,147 @@
+// Floor 6. What no scene should show, whatever else is expected of it.
+#include "measure/failure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "geometry/aabb.hpp"
+
+namespace cairn {
+
+namespace {
+
+// As a guarded scene has it (world/last_word.hpp): what is deeper has passed half of the way to the middle.
+constexpr double through_share = 0.25;
+constexpr double apart_share = 0.5;
+
+/// From where to where a body reaches along a direction.
+struct Reach {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  bool meets(const Reach& other) const { return low <= other.high && other.low <= high; }
+};
+
+/// By the boxes around its shapes [m].
+Reach reach_of(const SnapshotBody& body, const Vec2<double>& direction) {
+  Reach reach;
+  for (const Shape<double>& shape : body.shapes) {
+    const Aabb<double> box = bounding_box(shape, body.pose);
+    const double middle = direction.dot(box.lower + box.upper) / 2;
+    const double half = direction.cwiseAbs().dot(box.upper - box.lower) / 2;
+    reach.low = std::min(reach.low, middle - half);
+    reach.high = std::max(reach.high, middle + half);
+  }
+  return reach;
+}
+
+bool stands_still(const SnapshotBody& body) {
+  return body.type == BodyType::static_body && !body.sensor && !body.shapes.empty();
+}
+
+bool can_fall(const Snapshot& snapshot, const SnapshotBody& body) {
+  return body.type == BodyType::dynamic && !body.sensor && !body.shapes.empty() && body.gravity_scale > 0 &&
+         !snapshot.gravity.isZero(0);
+}
+
+/// Against gravity.
+Vec2<double> upwards(const Snapshot& snapshot) { return -snapshot.gravity.normalized(); }
+
+bool has_floor(const Snapshot& start, const SnapshotBody& body) {
+  if (!can_fall(start, body)) return false;
+  const Vec2<double> up = upwards(start), along = perpendicular(up);
+  const Reach height = reach_of(body, up), width = reach_of(body, along);
+  return std::any_of(start.bodies.begin(), start.bodies.end(), [&](const SnapshotBody& other) {
+    return stands_still(other) && may_touch(body, other) && reach_of(other, along).meets(width) &&
+           reach_of(other, up).low < height.low;
+  });
+}
+
+std::string name_of(BodyId body, const PerBody<std::string>& names) {
+  return body.index < names.size() ? names[body] : fmt::format("body {}", body.index);
+}
+
+}  // namespace
+
+std::string failure_text(const Failure& failure, const PerBody<std::string>& names) {
+  const std::string a = name_of(failure.a, names), b = name_of(failure.b, names);
+  switch (failure.kind) {
+    case FailureKind::went_through:
+      return fmt::format("{} is {:.3g} m deep in {} after {:.3g} s, more than a quarter of the thinner one",
+                         b, failure.distance, a, failure.time);
+    case FailureKind::came_apart:
+      return fmt::format("{} joint of {} and {} is {:.3g} m apart after {:.3g} s", failure.joint, a, b,
+                         failure.distance, failure.time);
+    case FailureKind::fell_out:
+      break;
+  }
+  return fmt::format("{} has fallen out of the scene after {:.3g} s", a, failure.time);
+}
+
+FailureWatch::FailureWatch(const Snapshot& start) {
+  for (const SnapshotBody& body : start.bodies) {
+    double thickness = std::numeric_limits<double>::infinity(), length = 0;
+    for (const Shape<double>& shape : body.shapes) {
+      const Aabb<double> box = bounding_box(shape, Pose<double>{});
+      const Vec2<double> size = box.upper - box.lower;
+      if (size.minCoeff() > 0) thickness = std::min(thickness, size.minCoeff());
+      length = std::max(length, size.maxCoeff());
+    }
+    thickness_.push_back(thickness);
+    length_.push_back(length > 0 ? length : std::numeric_limits<double>::infinity());
+    has_floor_.push_back(has_floor(start, body) ? 1 : 0);
+    if (!stands_still(body) || start.gravity.isZero(0)) continue;
+    const double low = reach_of(body, upwards(start)).low;
+    lowest_still_ = std::min(lowest_still_.value_or(low), low);
+  }
+}
+
+void FailureWatch::see(const Snapshot& now, double time) {
+  if (!knows(FailureKind::came_apart)) see_joints(now, time);
+  if (!knows(FailureKind::fell_out) && lowest_still_) see_falls(now, time);
+}
+
+void FailureWatch::see(const List<Overlap>& overlaps, double time) {
+  if (knows(FailureKind::went_through)) return;
+  for (const Overlap& overlap : overlaps) {
+    if (!(overlap.depth > through_share * std::min(thickness_[overlap.a], thickness_[overlap.b]))) continue;
+    failures_.push_back({.kind = FailureKind::went_through,
+                         .time = time,
+                         .distance = overlap.depth,
+                         .a = overlap.a,
+                         .b = overlap.b});
+    return;
+  }
+}
+
+bool FailureWatch::knows(FailureKind kind) const {
+  return std::any_of(failures_.begin(), failures_.end(),
+                     [kind](const Failure& failure) { return failure.kind == kind; });
+}
+
+void FailureWatch::see_joints(const Snapshot& now, double time) {
+  for (const SnapshotJoint& joint : now.joints) {
+    if (joint.name == "gear" || joint.name == "differential") continue;
+    if (!(joint.drift > apart_share * std::min(length_[joint.a], length_[joint.b]))) continue;
+    failures_.push_back({.kind = FailureKind::came_apart,
+                         .time = time,
+                         .distance = joint.drift,
+                         .a = joint.a,
+                         .b = joint.b,
+                         .joint = joint.name});
+    return;
+  }
+}
+
+void FailureWatch::see_falls(const Snapshot& now, double time) {
+  const Vec2<double> up = upwards(now);
+  for (const BodyId id : now.bodies.indices()) {
+    if (!has_floor_[id] || !(reach_of(now.bodies[id], up).high < *lowest_still_)) continue;
+    failures_.push_back({.kind = FailureKind::fell_out, .time = time, .a = id});
+    return;
+  }
+}
+
+}  // namespace cairn

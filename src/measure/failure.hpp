@@ -1,0 +1,58 @@
+// Floor 6. What no scene should show, whatever else is expected of it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "math/list.hpp"
+#include "measure/violation.hpp"
+
+namespace cairn {
+
+/// Ways in which a simulation has failed, however its numbers look.
+enum class FailureKind {
+  went_through,  // a body is in another by more than a quarter of the thinner one: it is on its way through
+  came_apart,    // the points that a joint holds together are farther apart than half of the shorter body
+  fell_out,      // a body that had something unmovable under it is below all that cannot be moved
+};
+
+/// One of them.
+struct Failure {
+  FailureKind kind = FailureKind::went_through;  // what happened
+  double time = 0;                               // [s] when it was seen
+  double distance = 0;                           // [m] of overlap, or of a gap
+  BodyId a = {}, b = {};                         // the bodies; of one that fell out, a alone
+  std::string joint = {};                        // what came apart: Constraint::name()
+};
+
+/// "box is 0.3 m deep in ground after 1.2 s, more than a quarter of the thinner one". Bodies without a name
+/// go by their number.
+std::string failure_text(const Failure& failure, const PerBody<std::string>& names = {});
+
+/// Looks at the snapshots of a run, one after the other, and keeps the first failure of each kind. Of
+/// overlaps it sees what is handed to it; gears and differentials hold no points and cannot come apart.
+class FailureWatch {
+ public:
+  /// Of a run that begins so.
+  explicit FailureWatch(const Snapshot& start);
+
+  /// Looks at the bodies as they are after `time` [s].
+  void see(const Snapshot& now, double time);
+  /// The same for overlaps.
+  void see(const List<Overlap>& overlaps, double time);
+  /// In the order in which they happened.
+  const List<Failure>& failures() const { return failures_; }
+
+ private:
+  bool knows(FailureKind kind) const;
+  void see_joints(const Snapshot& now, double time);
+  void see_falls(const Snapshot& now, double time);
+
+  PerBody<double> thickness_;  // [m] the shorter side of the thinnest shape; infinite where there is none
+  PerBody<double> length_;     // [m] the longer side of the longest shape; infinite likewise
+  PerBody<char> has_floor_;    // something unmovable was under it
+  std::optional<double> lowest_still_;  // [m] the height of the lowest point that cannot move
+  List<Failure> failures_;
+};
+
+}  // namespace cairn

@@ -1,0 +1,116 @@
+// What no scene should show: seen where it happens, and nowhere else.
+#include "measure/failure.hpp"
+
+#include <doctest/doctest.h>
+
+#include "constraints/revolute_joint.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
+#include "world/world.hpp"
+
+using namespace cairn;
+
+namespace {
+
+/// Of a run of `seconds` at 60 Hz.
+List<Failure> failures_of(const Scene& scene, double seconds, int sweeps) {
+  World<double> world(scene);
+  SequentialImpulse<double> solver({.iterations = sweeps});
+  FailureWatch watch(snapshot(world));
+  for (int step = 1; step <= 60 * seconds; ++step) {
+    world.step(solver);
+    const Snapshot now = snapshot(world);
+    watch.see(now, step / 60.0);
+    watch.see(overlaps(now), step / 60.0);
+  }
+  return watch.failures();
+}
+
+/// A box of `mass` [kg] on one of 1 kg.
+Scene heavy_on_light(double mass) {
+  Scene scene;
+  scene.add_ground();
+  scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .mass = 1});
+  scene.add({.shapes = {box(1, 1)}, .position = {0, 1.5}, .mass = mass});
+  return scene;
+}
+
+/// Links of 0.5 m that hang from the ground at one end, level at first.
+Scene level_chain(int links) {
+  Scene scene;
+  BodyId last = ground;
+  for (int i = 0; i < links; ++i) {
+    const BodyId link = scene.add({.shapes = {box(0.5, 0.2)}, .position = {0.25 + 0.5 * i, 0}});
+    scene.join<RevoluteJoint>({.a = last, .b = link, .anchor = {0.5 * i, 0}});
+    last = link;
+  }
+  return scene;
+}
+
+/// A box of 1 m over one that cannot move, as far above it as `gap` [m] says.
+Snapshot box_over_box(double gap) {
+  Scene scene;
+  scene.add({.type = BodyType::static_body, .shapes = {box(4, 2)}, .position = {0, -1}});
+  scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + gap}});
+  return snapshot(World<double>(scene));
+}
+
+}  // namespace
+
+TEST_CASE("a body that is in another by a quarter of the thinner one goes through it") {
+  const auto seen = [](double gap) {
+    FailureWatch watch(box_over_box(0));
+    watch.see(overlaps(box_over_box(gap)), 1);
+    return watch.failures();
+  };
+  CHECK(seen(-0.24).empty());
+  const List<Failure> failures = seen(-0.26);
+  REQUIRE(failures.size() == 1);
+  CHECK(failures[0].kind == FailureKind::went_through);
+  CHECK(failures[0].a == BodyId{1});
+  CHECK(failures[0].b == BodyId{2});
+  CHECK(failures[0].distance == doctest::Approx(0.26).epsilon(1e-12));
+  CHECK(failure_text(failures[0], PerBody<std::string>{"ground", "floor", "box"}) ==
+        "box is 0.26 m deep in floor after 1 s, more than a quarter of the thinner one");
+  CHECK(failure_text(failures[0]) ==
+        "body 2 is 0.26 m deep in body 1 after 1 s, more than a quarter of the thinner one");
+}
+
+TEST_CASE("a body that had a floor falls out of the scene below all that cannot be moved") {
+  const auto seen = [](double from, double to) {
+    FailureWatch watch(box_over_box(from));
+    watch.see(box_over_box(to), 2);
+    return watch.failures();
+  };
+  CHECK(seen(0.5, -2.9).empty());  // its upper side is 0.1 m above the lower side of the floor
+  const List<Failure> failures = seen(0.5, -3.1);
+  REQUIRE(failures.size() == 1);
+  CHECK(failures[0].kind == FailureKind::fell_out);
+  CHECK(failure_text(failures[0]) == "body 2 has fallen out of the scene after 2 s");
+  CHECK(seen(-4, -9).empty());  // it began below
+}
+
+TEST_CASE("100 kg press 1 kg into the ground under ten sweeps, and 1 kg does not") {
+  const List<Failure> failures = failures_of(heavy_on_light(100), 1, 10);
+  REQUIRE(failures.size() == 1);
+  CHECK(failures[0].kind == FailureKind::went_through);
+  CHECK(failures_of(heavy_on_light(1), 1, 10).empty());
+}
+
+TEST_CASE("a level chain of 200 links comes apart under ten sweeps, and one of five does not") {
+  const List<Failure> failures = failures_of(level_chain(200), 2, 10);
+  REQUIRE(failures.size() == 1);
+  CHECK(failures[0].kind == FailureKind::came_apart);
+  CHECK(failures[0].joint == "revolute");
+  CHECK(failures_of(level_chain(5), 2, 10).empty());
+}
+
+TEST_CASE("what never had a floor, or feels no gravity, may go anywhere") {
+  Scene scene({.gravity = {0, 0}});
+  scene.add({.type = BodyType::static_body, .shapes = {box(4, 2)}, .position = {0, -1}});
+  scene.add({.shapes = {circle(0.5)}, .position = {5, 1}, .velocity = {0, -10}});
+  CHECK(failures_of(scene, 2, 10).empty());
+  Scene beside;
+  beside.add({.type = BodyType::static_body, .shapes = {box(4, 2)}, .position = {0, -1}});
+  beside.add({.shapes = {circle(0.5)}, .position = {5, 1}});
+  CHECK(failures_of(beside, 2, 10).empty());
+}
