@@ -115,7 +115,8 @@ std::string verdict_text(const SceneEntry& scene, const SceneRun& run) {
   }
   if (!run.result.failures.empty()) return "fails, whatever is expected of it";
   const Expectations& e = scene.expectations;
-  if (!e.penetration && !e.drift && !e.energy_gain && !e.stands) return "nothing is expected of it";
+  if (!e.penetration && !e.drift && !e.energy_gain && !e.energy_loss && !e.stands)
+    return "nothing is expected of it";
   if (run.result.seconds < scene.seconds - run.setting.dt / 2) {
     return fmt::format("meets so far what is expected of {:g} s", scene.seconds);
   }
@@ -152,10 +153,11 @@ void print_row(const SceneEntry& scene, const SceneRun& run, int width, Console&
   }
   const int steps = std::max(1, result.steps);
   const std::string stands = scene.expectations.stands ? fmt::format("{:.3g}", result.stands_until) : "-";
-  const std::string numbers = fmt::format(
-      "{} {:>10.3g} {:>12.0f} {:>12} {:>10} {:>9} {:>8}  ", name, 1e3 * result.step_seconds / steps,
-      static_cast<double>(result.row_updates) / steps, milli(result.worst_penetration),
-      milli(result.worst_drift), percent(result.energy_gain), stands);
+  const std::string numbers =
+      fmt::format("{} {:>10.3g} {:>12.0f} {:>12} {:>10} {:>9} {:>9} {:>8}  ", name,
+                  1e3 * result.step_seconds / steps, static_cast<double>(result.row_updates) / steps,
+                  milli(result.worst_penetration), milli(result.worst_drift), percent(result.energy_gain),
+                  percent(std::max(0.0, result.energy_loss)), stands);
   const std::string verdict = result.status != TrialStatus::ok ? status_text(result.status)
                               : !result.failures.empty()       ? "fails"
                               : run.missed.empty()             ? "ok"
@@ -179,6 +181,8 @@ void print_run(const SceneEntry& scene, const SceneRun& run, Console& console) {
     print_overlap_and_drift(scene, run, console);
     print_measure(console, run, "energy gain", percent(result.energy_gain) + " %",
                   with_unit(scene.expectations.energy_gain, 1, "%"));
+    print_measure(console, run, "energy loss", percent(std::max(0.0, result.energy_loss)) + " %",
+                  with_unit(scene.expectations.energy_loss, 1, "%"));
     print_standing(scene, run, console);
     print_failures(scene, run, console);
   }
@@ -191,11 +195,11 @@ void print_runs(const SceneEntry& scene, const List<SceneRun>& runs, Console& co
   int width = 6;
   for (const SceneRun& run : runs) width = std::max(width, display_width(contestant_label(run.setting)));
   const auto heading = [&](const std::string& first, const List<std::string>& cells) {
-    console.result(fmt::format("{} {:>10} {:>12} {:>12} {:>10} {:>9} {:>8}", padded(first, width), cells[0],
-                               cells[1], cells[2], cells[3], cells[4], cells[5]));
+    console.result(fmt::format("{} {:>10} {:>12} {:>12} {:>10} {:>9} {:>9} {:>8}", padded(first, width),
+                               cells[0], cells[1], cells[2], cells[3], cells[4], cells[5], cells[6]));
   };
-  heading("solver", {"ms a step", "row updates", "penetration", "drift", "energy", "stands"});
-  heading("", {"", "a step", "mm", "mm, mrad", "gain %", "s"});
+  heading("solver", {"ms a step", "row updates", "penetration", "drift", "energy", "energy", "stands"});
+  heading("", {"", "a step", "mm", "mm, mrad", "gain %", "loss %", "s"});
   for (const SceneRun& run : runs) print_row(scene, run, width, console);
   for (const SceneRun& run : runs) {
     for (const Failure& failure : run.result.failures) {
@@ -228,6 +232,7 @@ nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
                {"drift_m_or_rad", result.worst_drift},
                {"drift_worst", worst_json(scene, result.worst_drift, result.drift_worst)},
                {"energy_gain", result.energy_gain},
+               {"energy_loss", result.energy_loss},
                {"farthest_m", result.farthest},
                {"stands_s", scene.expectations.stands ? Json(result.stands_until) : Json(nullptr)},
                {"missed", run.missed},

@@ -75,7 +75,8 @@ Verb run_verb() {
       .summary = "steps a scene and says how well that went; a film if you ask for one",
       .idea =
           "Steps the scene by the setting that is recommended for it, or by yours, and holds what came out "
-          "against what is expected: overlap, drift of joints, energy out of nothing, whether it stands: "
+          "against what is expected: overlap, drift of joints, energy out of nothing and energy lost, "
+          "whether it stands: "
           "nothing is farther from its place, aside or down, than the scene allows. Places are those after "
           "the first second, or half of a shorter run. "
           "Nothing is written unless a flag names a file. Exit code 1 when an expectation is missed, or when "

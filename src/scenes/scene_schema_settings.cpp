@@ -95,6 +95,7 @@ List<SceneKey> scene_recommended_keys() {
       {"expect", "penetration", number, "m", "", "> 0", "no overlap is deeper"},
       {"expect", "drift", number, "m or rad", "", "> 0", "no joint is further off"},
       {"expect", "energy_gain", number, "%", "", "> 0", "energy does not rise by more"},
+      {"expect", "energy_loss", number, "%", "", "> 0", "energy is at the end not lower by more"},
       {"expect", "stands", number, "m", "", "> 0", "once the scene has settled, no body moves further"},
   };
 }

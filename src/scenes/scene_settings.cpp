@@ -127,6 +127,7 @@ Expectations expectations_of(const SceneTable& file) {
     return {.penetration = expected(table, "penetration"),
             .drift = expected(table, "drift"),
             .energy_gain = expected(table, "energy_gain"),
+            .energy_loss = expected(table, "energy_loss"),
             .stands = expected(table, "stands")};
   }
   return {};

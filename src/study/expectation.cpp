@@ -31,6 +31,7 @@ List<std::string> unmet(const Expectations& expectations, const TrialResult& res
   at_most("worst penetration", result.worst_penetration, expectations.penetration, "m");
   at_most("worst drift", result.worst_drift, expectations.drift, "m or rad");
   at_most("energy gain", 100 * result.energy_gain, expectations.energy_gain, "%");
+  at_most("energy loss", 100 * result.energy_loss, expectations.energy_loss, "%");
   if (expectations.stands && result.fell_at) {
     missed.push_back(fmt::format("stands for {:.3g} s of {:.3g} s", result.stands_until, result.seconds));
   }

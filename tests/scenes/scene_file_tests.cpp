@@ -158,6 +158,7 @@ time = 0.3
 penetration = 0.01
 drift = 0.02
 energy_gain = 3
+energy_loss = 8
 stands = 0.04
 )",
                                            "some/folder/whole.toml");
@@ -196,6 +197,7 @@ stands = 0.04
   CHECK(entry.expectations.penetration == 0.01);
   CHECK(entry.expectations.drift == 0.02);
   CHECK(entry.expectations.energy_gain == 3);
+  CHECK(entry.expectations.energy_loss == 8);
   CHECK(entry.expectations.stands == 0.04);
   // What is recommended is as the scene steps, unless it says otherwise.
   CHECK(setting_text(entry.setting) ==

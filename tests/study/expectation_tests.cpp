@@ -72,19 +72,22 @@ TEST_CASE("expectations that were missed are told with both numbers, and met one
                      .worst_penetration = 0.25,
                      .worst_drift = 0.5,
                      .energy_gain = 0.03,
+                     .energy_loss = 0.5,
                      .farthest = 2,
                      .fell_at = 0.5,
                      .stands_until = 0.5};
-  const Expectations all{.penetration = 0.1, .drift = 0.2, .energy_gain = 1, .stands = 1};
+  const Expectations all{.penetration = 0.1, .drift = 0.2, .energy_gain = 1, .energy_loss = 40, .stands = 1};
   const List<std::string> missed = unmet(all, result);
-  REQUIRE(missed.size() == 4);
+  REQUIRE(missed.size() == 5);
   CHECK(missed[0] == "worst penetration 0.25 m, expected at most 0.1 m");
   CHECK(missed[1] == "worst drift 0.5 m or rad, expected at most 0.2 m or rad");
   CHECK(missed[2] == "energy gain 3 %, expected at most 1 %");
-  CHECK(missed[3] == "stands for 0.5 s of 2 s");
+  CHECK(missed[3] == "energy loss 50 %, expected at most 40 %");
+  CHECK(missed[4] == "stands for 0.5 s of 2 s");
   CHECK(unmet({}, result).empty());
   result.fell_at.reset();
-  CHECK(unmet({.penetration = 0.25, .drift = 0.5, .energy_gain = 3, .stands = 2}, result).empty());
+  CHECK(unmet({.penetration = 0.25, .drift = 0.5, .energy_gain = 3, .energy_loss = 50, .stands = 2}, result)
+            .empty());
   result.status = TrialStatus::nan;
   CHECK(unmet({}, result).size() == 1);
 }
