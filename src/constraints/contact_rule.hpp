@@ -8,7 +8,7 @@ namespace cairn {
 template <typename Real>
 struct ContactRule {
   Real dt = 0;               // [s]
-  Real slop = 0;             // [m]
+  Real slop = 0;             // [m] that is left alone; 0 on springs
   Real rigid_rate = 0;       // [1/s] beta / dt of (7)
   bool has_springs = false;  // overlaps are on springs
   Real spring_rate = 0;      // [1/s] of these, what beta / dt is to rigid rows

@@ -105,7 +105,7 @@ Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization
   const Real rate = spring ? return_rate(*spring, dt) : recovery_rate(stabilization, pass, dt);
   if (!spec.bounds.is_unilateral()) return spec.speed - spec.error * rate;
 
-  const bool has_slop = spec.keeps_slop && !spec.softness;
+  const bool has_slop = spec.keeps_slop && !spring;
   const Real slop = has_slop ? slop_of(stabilization, spec.slop_limit) : Real(0);
   Real bias = -spec.error / dt;
   if (spec.error < 0) {
@@ -176,7 +176,7 @@ void ContactStabilization<Real>::stabilize(const ContactState<Real>& contact,
   const bool on_spring = on_springs_ && !(contact.separation >= 0) && !bounces;
   row.bias = -contact.separation / dt_;
   if (contact.separation < 0) {
-    const Real slop = slop_of(stabilization_, contact.slop_limit);
+    const Real slop = on_spring ? Real(0) : slop_of(stabilization_, contact.slop_limit);
     const Real overlap = std::max(Real(0), -contact.separation - slop);
     const Real rate = on_spring ? spring_rate_ : rigid_rate_;
     row.bias = std::min(rate * overlap, speed_limit(stabilization_, contact.gravity, overlap));
@@ -195,7 +195,7 @@ ContactRule<Real> ContactStabilization<Real>::rule(Real gravity) const {
       stabilization_.policy == StabilizationPolicy::baumgarte && !std::isinf(stabilization_.max_speed);
   const SwingSoftness spring = spring_in_steps(stabilization_.soft, static_cast<double>(dt_));
   return {.dt = dt_,
-          .slop = static_cast<Real>(stabilization_.slop),
+          .slop = on_springs_ ? Real(0) : static_cast<Real>(stabilization_.slop),
           .rigid_rate = rigid_rate_,
           .has_springs = on_springs_,
           .spring_rate = spring_rate_,

@@ -23,13 +23,13 @@ enum class StabilizationPass {
   position,  // of the policy split_impulse: those that only correct positions
 };
 
-/// How errors go. Contacts may keep `slop` of overlap, so that they do not flicker. Sources: J. Baumgarte
-/// (1972); E. Catto, Solver2D (2024), for soft rows with a relaxing solve; E. Coumans' Bullet for split
-/// impulses.
+/// How errors go. Rigid contacts may keep `slop` of overlap, so that they do not flicker; the springs of
+/// policy soft give way by themselves and leave none. Sources: J. Baumgarte (1972); E. Catto, Solver2D
+/// (2024), for soft rows with a relaxing solve; E. Coumans' Bullet for split impulses.
 struct Stabilization {
   StabilizationPolicy policy = StabilizationPolicy::baumgarte;  // what becomes of errors
   double baumgarte = 0.2;  // beta: the share of an error that one step removes
-  double slop = 0.005;     // [m] overlap of contacts that is left alone; less between small bodies
+  double slop = 0.005;     // [m] overlap of rigid contacts that is left alone; less of small ones
   /// [m/s] Contacts take overlap back no faster than this, nor under Baumgarte than by sqrt(g depth / 2),
   /// half the speed of a fall through it: it lifts a body out and no higher, however short the step.
   /// Infinite: neither holds.
