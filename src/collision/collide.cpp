@@ -6,252 +6,42 @@
 // the other hull's edge that faces it most is cut to the width of the face, and its two ends are the points.
 #include "collision/collide.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "collision/rounded_hull.hpp"
+#include "collision/collide_beside.hpp"
+#include "collision/hull_contact.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
-namespace {
-
-static_assert(max_polygon_vertices <= 256);  // what feature_id has room for
-
-/// A face of the reference hull, and the vertex of the other hull that is deepest below it.
-template <Scalar Real>
-struct FaceQuery {
-  int face = 0;
-  int vertex = 0;
-  Real separation = -std::numeric_limits<Real>::infinity();  // [m], of the cores, along the face's normal
-};
-
-/// Two hulls, and how exactly their positions are known.
-template <Scalar Real>
-struct Pair {
-  const RoundedHull<Real>& a;
-  const RoundedHull<Real>& b;
-  Real margin = 0;    // [m]
-  Real rounding = 0;  // [m], below it lengths are rounding errors
-
-  Real radii() const { return a.radius + b.radius; }
-};
-
-/// The face of `reference` from which `other` is farthest away. A hull without faces answers -infinity.
-template <Scalar Real>
-FaceQuery<Real> farthest_face(const RoundedHull<Real>& reference, const RoundedHull<Real>& other) {
-  FaceQuery<Real> best;
-  for (int face = 0; face < reference.face_count(); ++face) {
-    const Vec2<Real>& normal = reference.normal(face);
-    int deepest = 0;
-    Real separation = std::numeric_limits<Real>::infinity();
-    for (int i = 0; i < other.count; ++i) {
-      const Real height = normal.dot(other.vertex(i) - reference.vertex(face));
-      if (height < separation) {
-        separation = height;
-        deepest = i;
-      }
-    }
-    if (separation > best.separation) best = {face, deepest, separation};
-  }
-  return best;
-}
-
-/// Of the two faces that end at the vertex, the one that is turned most against the normal. A circle's only
-/// vertex counts as a face without length.
-template <Scalar Real>
-int incident_face(const RoundedHull<Real>& hull, int vertex, const Vec2<Real>& normal) {
-  if (hull.face_count() == 0) return 0;
-  const int before = hull.previous(vertex);
-  return hull.normal(before).dot(normal) < hull.normal(vertex).dot(normal) ? before : vertex;
-}
-
-/// The least distances between two edges that do not cross: of their corners from each other, and of a corner
-/// of one from the inside of the other.
-template <Scalar Real>
-struct EdgeDistances {
-  Real corners = std::numeric_limits<Real>::infinity();  // [m]
-  Real inside = std::numeric_limits<Real>::infinity();   // [m]
-  int corner_a = 0;                                      // the nearest two corners
-  int corner_b = 0;
-};
-
-template <Scalar Real>
-EdgeDistances<Real> edge_distances(const Pair<Real>& pair, int edge_a, int edge_b) {
-  EdgeDistances<Real> result;
-  const auto measure_inside = [&](const Vec2<Real>& corner, const Vec2<Real>& start, const Vec2<Real>& end) {
-    const Vec2<Real> span = end - start;
-    const Real length = span.norm();
-    if (!(length > 0)) return;
-    const Real along = span.dot(corner - start) / length;
-    if (along < -pair.rounding || along > length + pair.rounding) return;
-    result.inside = std::min(result.inside, std::abs(cross<Real>(span, corner - start)) / length);
-  };
-  const int end_a = pair.a.next(edge_a);
-  const int end_b = pair.b.next(edge_b);
-  for (const int i : {edge_a, end_a}) {
-    measure_inside(pair.a.vertex(i), pair.b.vertex(edge_b), pair.b.vertex(end_b));
-    for (const int j : {edge_b, end_b}) {
-      const Real distance = (pair.b.vertex(j) - pair.a.vertex(i)).norm();
-      if (distance < result.corners) {
-        result.corners = distance;
-        result.corner_a = i;
-        result.corner_b = j;
-      }
-    }
-  }
-  for (const int j : {edge_b, end_b}) {
-    measure_inside(pair.b.vertex(j), pair.a.vertex(edge_a), pair.a.vertex(end_a));
-  }
-  return result;
-}
-
-/// One point between two vertices.
-template <Scalar Real>
-Manifold<Real> corner_contact(const Pair<Real>& pair, int vertex_a, int vertex_b) {
-  const Vec2<Real> gap = pair.b.vertex(vertex_b) - pair.a.vertex(vertex_a);
-  const Real distance = std::hypot(gap.x(), gap.y());
-  const Real separation = distance - pair.radii();
-  if (!(separation < pair.margin)) return {};
-  Manifold<Real> manifold;
-  manifold.count = 1;
-  // Centres that coincide have no direction: any will do, as long as it is a direction.
-  manifold.normal = {0, 1};
-  if (distance > pair.rounding) manifold.normal = gap / distance;
-  manifold.points[0].position = pair.a.vertex(vertex_a) + manifold.normal * (pair.a.radius + separation / 2);
-  manifold.points[0].separation = separation;
-  manifold.points[0].feature = feature_id(FeatureKind::corners, vertex_a, vertex_b);
-  return manifold;
-}
-
-/// An end of the incident face, seen from the reference face.
-template <Scalar Real>
-struct IncidentPoint {
-  int vertex = 0;
-  Real along = 0;   // [m], from the start of the reference face
-  Real height = 0;  // [m], above the reference face, of the cores
-};
-
-/// The ends of the incident face, cut to the width of the reference face. An end keeps the name of its vertex
-/// when it is cut: the name then does not flicker where the corners of two boxes are in line. Where the two
-/// ends fall together, or the faces do not face each other, only the deepest vertex is left.
-template <Scalar Real>
-struct Clip {
-  int count = 0;
-  FixedList<IncidentPoint<Real>, 2> points = {};
-};
-
-template <Scalar Real>
-Clip<Real> clip(const RoundedHull<Real>& reference, const FaceQuery<Real>& query,
-                const RoundedHull<Real>& incident, Real rounding) {
-  const Vec2<Real>& normal = reference.normal(query.face);
-  const Vec2<Real> tangent = perpendicular(normal);
-  const Vec2<Real>& start = reference.vertex(query.face);
-  const Real length = tangent.dot(reference.vertex(reference.next(query.face)) - start);
-  const auto seen = [&](int vertex) {
-    const Vec2<Real> arm = incident.vertex(vertex) - start;
-    return IncidentPoint<Real>{vertex, tangent.dot(arm), normal.dot(arm)};
-  };
-  const int face = incident_face(incident, query.vertex, normal);
-  const IncidentPoint<Real> first = seen(face);
-  const IncidentPoint<Real> second = seen(incident.next(face));
-
-  const Real lower = std::max(std::min(first.along, second.along), Real(0));
-  const Real upper = std::min(std::max(first.along, second.along), length);
-  if (!(upper - lower > rounding)) return {1, {seen(query.vertex), {}}};
-  const auto cut = [&](const IncidentPoint<Real>& end, const IncidentPoint<Real>& other) {
-    const Real along = std::clamp(end.along, lower, upper);
-    const Real fraction = (along - end.along) / (other.along - end.along);
-    return IncidentPoint<Real>{end.vertex, along, end.height + fraction * (other.height - end.height)};
-  };
-  return {2, {cut(first, second), cut(second, first)}};
-}
-
-/// Up to two points on a face of `reference`. The normal points away from that face.
-template <Scalar Real>
-Manifold<Real> face_contact(const RoundedHull<Real>& reference, const FaceQuery<Real>& query,
-                            const RoundedHull<Real>& incident, const Pair<Real>& pair, FeatureKind owner) {
-  const Vec2<Real>& normal = reference.normal(query.face);
-  const Vec2<Real> tangent = perpendicular(normal);
-  const Clip<Real> ends = clip(reference, query, incident, pair.rounding);
-  Manifold<Real> manifold;
-  manifold.normal = normal;
-  Real sum = 0;  // [m], of the separations
-  for (int i = 0; i < ends.count; ++i) {
-    const IncidentPoint<Real>& end = ends.points[i];
-    const Real separation = end.height - pair.radii();
-    if (!(separation < pair.margin)) continue;
-    ManifoldPoint<Real>& point = manifold.points[manifold.count++];
-    point.position = reference.vertex(query.face) + tangent * end.along;
-    point.separation = separation;
-    point.feature = feature_id(owner, query.face, end.vertex);
-    sum += separation;
-  }
-  // Midway between the two surfaces, at the same height for both points.
-  for (int i = 0; i < manifold.count; ++i) {
-    const Real half_gap = sum / static_cast<Real>(2 * manifold.count);
-    manifold.points[i].position += normal * (reference.radius + half_gap);
-  }
-  return manifold;
-}
-
-/// Box2D's choice (a tenth of its 5 mm slop, for bodies of 1 m): of two faces that are nearly as far apart,
-/// the one of `a` is the reference, so that noise does not swap the roles of two boxes at rest, whose
-/// features would then change their names. Relative to the smaller body.
-constexpr double reference_bias = 5e-4;
-
-template <Scalar Real>
-Manifold<Real> collide_hulls(const Pair<Real>& pair) {
-  const RoundedHull<Real>& a = pair.a;
-  const RoundedHull<Real>& b = pair.b;
-  if (a.count == 1 && b.count == 1) return corner_contact(pair, 0, 0);
-
-  const FaceQuery<Real> face_a = farthest_face(a, b);
-  const FaceQuery<Real> face_b = farthest_face(b, a);
-  const Real separation = std::max(face_a.separation, face_b.separation);
-  if (separation - pair.radii() >= pair.margin) return {};
-
-  if (separation >= -pair.rounding) {  // The cores are apart.
-    const bool on_a = face_a.separation >= face_b.separation;
-    const int edge_a = on_a ? face_a.face : incident_face(a, face_b.vertex, b.normal(face_b.face));
-    const int edge_b = on_a ? incident_face(b, face_a.vertex, a.normal(face_a.face)) : face_b.face;
-    const EdgeDistances<Real> distances = edge_distances(pair, edge_a, edge_b);
-    // Of boxes stacked in line the corners are as near as the faces: there the faces touch.
-    const bool corners_are_nearer = distances.corners < distances.inside - pair.rounding;
-    if (corners_are_nearer && distances.corners > pair.rounding) {
-      return corner_contact(pair, distances.corner_a, distances.corner_b);
-    }
-  }
-
-  const Real bias = static_cast<Real>(reference_bias) * std::min(a.size, b.size);
-  if (face_a.separation >= face_b.separation - bias) {
-    return face_contact(a, face_a, b, pair, FeatureKind::face_of_a);
-  }
-  Manifold<Real> manifold = face_contact(b, face_b, a, pair, FeatureKind::face_of_b);
-  manifold.normal = -manifold.normal;
-  return manifold;
-}
-
-}  // namespace
 
 template <Scalar Real>
 Manifold<Real> collide(const Shape<Real>& a, const std::type_identity_t<Frame<Real>>& frame_a,
-                       const Shape<Real>& b, const std::type_identity_t<Frame<Real>>& frame_b, Real margin) {
+                       const Shape<Real>& b, const std::type_identity_t<Frame<Real>>& frame_b, Real margin,
+                       const std::type_identity_t<SurroundingsOf<Real>>& around) {
   const Vec2<Real>& origin = frame_a.position;
   const RoundedHull<Real> hull_a = rounded_hull(a, frame_a, origin);
   const RoundedHull<Real> hull_b = rounded_hull(b, frame_b, origin);
   // A few roundings each of a rotation, a difference and a projection.
   const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * (hull_a.extent + hull_b.extent);
-  Manifold<Real> manifold = collide_hulls<Real>({hull_a, hull_b, margin, rounding});
+  const narrowphase::Pair<Real> pair{hull_a, hull_b, margin, rounding};
+  Manifold<Real> manifold;
+  if (around.a != nullptr) {
+    manifold = narrowphase::collide_beside(pair, narrowphase::Side::a, *around.a, frame_a.rotation);
+  } else if (around.b != nullptr) {
+    manifold = narrowphase::collide_beside(pair, narrowphase::Side::b, *around.b, frame_b.rotation);
+  } else {
+    manifold = narrowphase::collide_hulls(pair);
+  }
   for (int i = 0; i < manifold.count; ++i) manifold.points[i].position += origin;
   return manifold;
 }
 
 template Manifold<float> collide(const Shape<float>&, const Frame<float>&, const Shape<float>&,
-                                 const Frame<float>&, float);
+                                 const Frame<float>&, float, const SurroundingsOf<float>&);
 template Manifold<double> collide(const Shape<double>&, const Frame<double>&, const Shape<double>&,
-                                  const Frame<double>&, double);
+                                  const Frame<double>&, double, const SurroundingsOf<double>&);
 template Manifold<long double> collide(const Shape<long double>&, const Frame<long double>&,
-                                       const Shape<long double>&, const Frame<long double>&, long double);
+                                       const Shape<long double>&, const Frame<long double>&, long double,
+                                       const SurroundingsOf<long double>&);
 
 }  // namespace cairn

@@ -2,6 +2,7 @@
 #include "collision/rounded_hull.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace cairn {
@@ -39,6 +40,12 @@ struct HullMaker {
 
   RoundedHull<Real> operator()(const Segment<Real>& shape) const {
     return (*this)(Capsule<Real>{shape.point1, shape.point2, Real(0)});
+  }
+
+  /// A chain is no hull: its links are.
+  RoundedHull<Real> operator()(const Chain<Real>&) const {
+    assert(false);
+    return {};
   }
 
   RoundedHull<Real> operator()(const Polygon<Real>& shape) const {

@@ -31,6 +31,11 @@ Real visit_core(const Segment<Real>& shape, const Use& use) {
   use(shape.point2);
   return 0;
 }
+template <Scalar Real, typename Use>
+Real visit_core(const Chain<Real>& shape, const Use& use) {
+  std::for_each(shape.points.begin(), shape.points.end(), use);
+  return 0;
+}
 
 }  // namespace
 

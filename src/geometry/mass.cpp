@@ -83,6 +83,8 @@ MassProperties of(const Polygon<double>& shape) {
 
 MassProperties of(const Segment<double>& shape) { return {0, (shape.point1 + shape.point2) / 2, 0}; }
 
+MassProperties of(const Chain<double>&) { return {}; }
+
 }  // namespace
 
 MassProperties mass_properties(const Shape<double>& shape) {

@@ -13,8 +13,8 @@ struct MassProperties {
   double inertia = 0;              // [m^4], about the centroid, at density 1
 };
 
-/// A segment has area 0. A rounded polygon counts its core, the strips along its edges and its corner
-/// sectors.
+/// A segment and a chain have area 0. A rounded polygon counts its core, the strips along its edges and its
+/// corner sectors.
 MassProperties mass_properties(const Shape<double>& shape);
 
 /// Of all shapes together (parallel axis theorem). All zero when there is no area.

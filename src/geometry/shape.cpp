@@ -127,6 +127,13 @@ struct Mover {
   Shape<double> operator()(const Segment<double>& shape) const {
     return Segment<double>{transform.world(shape.point1), transform.world(shape.point2)};
   }
+  Shape<double> operator()(const Chain<double>& shape) const {
+    Chain<double> result = shape;
+    for (Vec2<double>& point : result.points) point = transform.world(point);
+    result.before = transform.world(shape.before);
+    result.after = transform.world(shape.after);
+    return result;
+  }
 };
 
 template <Scalar Real>
@@ -149,6 +156,12 @@ struct Caster {
   }
   Shape<Real> operator()(const Segment<double>& shape) const {
     return Segment<Real>{cast(shape.point1), cast(shape.point2)};
+  }
+  Shape<Real> operator()(const Chain<double>& shape) const {
+    List<Vec2<Real>> points;
+    points.reserve(shape.points.size());
+    for (const Vec2<double>& point : shape.points) points.push_back(cast(point));
+    return Chain<Real>{std::move(points), cast(shape.before), cast(shape.after), shape.closed};
   }
 };
 
@@ -220,7 +233,7 @@ Shape<Real> shape_cast(const Shape<double>& shape) {
 }
 
 std::string shape_name(const Shape<double>& shape) {
-  constexpr const char* names[] = {"circle", "capsule", "polygon", "segment"};
+  constexpr const char* names[] = {"circle", "capsule", "polygon", "segment", "chain"};
   static_assert(std::variant_size_v<Shape<double>> == std::size(names));
   return names[shape.index()];
 }

@@ -1,6 +1,7 @@
 // Floor 1. Shapes, given in the frame of the body that carries them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -54,9 +55,33 @@ struct Segment {
   bool operator==(const Segment&) const = default;
 };
 
+/// Ground of any form: links from point to point, without thickness and without mass, for bodies that are not
+/// dynamic. It has one side: walking from point to point, the solid is on the left hand, and bodies touch it
+/// from the right, as they do a polygon whose corners run counter-clockwise. So ground runs from right to
+/// left, and a room clockwise. What comes from the solid side goes through. Its inner points are smooth: a
+/// body that slides over one meets no edge of the next link.
+template <Scalar Real>
+struct Chain {
+  List<Vec2<Real>> points = {};            // [m]
+  Vec2<Real> before = Vec2<Real>::Zero();  // [m] where an open one would come from: a point that is not there
+  Vec2<Real> after = Vec2<Real>::Zero();   // [m] and where it would go on to
+  bool closed = false;                     // the last point is linked to the first
+
+  /// Member by member.
+  bool operator==(const Chain&) const = default;
+  /// Of links.
+  int link_count() const { return points.size() - (closed ? 0 : 1); }
+  /// Of link i, from point(i) to point(i + 1); from -1 to link_count() + 1.
+  const Vec2<Real>& point(int i) const {
+    const int count = points.size();
+    if (closed) return points[(i + count) % count];
+    return i < 0 ? before : i < count ? points[i] : after;
+  }
+};
+
 /// Any of the shapes.
 template <Scalar Real>
-using Shape = std::variant<Circle<Real>, Capsule<Real>, Polygon<Real>, Segment<Real>>;
+using Shape = std::variant<Circle<Real>, Capsule<Real>, Polygon<Real>, Segment<Real>, Chain<Real>>;
 
 // Makers, in double: scenes are written in double and converted once. Each throws std::invalid_argument,
 // naming the maker, the field, the rule, the unit and the value, when a number is not finite or out of range.
@@ -79,6 +104,25 @@ Polygon<double> polygon(const List<Vec2<double>>& points, double radius = 0);
 /// @throws std::invalid_argument when the points coincide.
 Segment<double> segment(const Vec2<double>& point1, const Vec2<double>& point2);
 
+/// How a chain ends. The points before and after an open one are not part of it: they say how it would go on,
+/// so that its ends are as smooth as its inner points. Left out, it goes on straight.
+struct ChainEnds {
+  bool closed = false;                      // the last point is linked to the first
+  std::optional<Vec2<double>> before = {};  // [m]
+  std::optional<Vec2<double>> after = {};   // [m]
+};
+
+/// @throws std::invalid_argument with fewer than 2 points, or 3 of a closed one, for neighbouring points that
+/// are equal, a corner that turns straight back, and points before or after a closed one.
+Chain<double> chain(const List<Vec2<double>>& points, const ChainEnds& ends = {});
+
+/// How many pieces a shape collides in: each link of a chain is one, and every other shape as it is.
+template <Scalar Real>
+int piece_count(const Shape<Real>& shape) {
+  const Chain<Real>* chain = std::get_if<Chain<Real>>(&shape);
+  return chain == nullptr ? 1 : chain->link_count();
+}
+
 /// The same shape moved by `offset`, turned by `angle` around the origin first.
 Shape<double> moved(const Shape<double>& shape, const Vec2<double>& offset, double angle = 0);
 
@@ -86,7 +130,7 @@ Shape<double> moved(const Shape<double>& shape, const Vec2<double>& offset, doub
 template <Scalar Real>
 Shape<Real> shape_cast(const Shape<double>& shape);
 
-/// "circle", "capsule", "polygon" or "segment".
+/// "circle", "capsule", "polygon", "segment" or "chain".
 std::string shape_name(const Shape<double>& shape);
 
 }  // namespace cairn

@@ -20,6 +20,15 @@ int collider(const b2Fixture& fixture) {
   return static_cast<int>(const_cast<b2Fixture&>(fixture).GetUserData().pointer);
 }
 
+/// Of a chain, its links are numbered on from the chain's own number; other shapes have one child, number 0.
+int collider_a(const b2Contact& contact) {
+  return collider(*contact.GetFixtureA()) + contact.GetChildIndexA();
+}
+
+int collider_b(const b2Contact& contact) {
+  return collider(*contact.GetFixtureB()) + contact.GetChildIndexB();
+}
+
 bool in_manifold(const b2Manifold& manifold, uint32 id) {
   const auto* end = manifold.points + manifold.pointCount;
   return std::any_of(manifold.points, end, [id](const b2ManifoldPoint& point) { return point.id.key == id; });
@@ -42,7 +51,7 @@ SnapshotContact contact_point(const b2Contact& contact, const b2WorldManifold& w
 }  // namespace
 
 Box2DContacts::Colliders Box2DContacts::colliders_of(const b2Contact& contact) {
-  return std::minmax({collider(*contact.GetFixtureA()), collider(*contact.GetFixtureB())});
+  return std::minmax({collider_a(contact), collider_b(contact)});
 }
 
 void Box2DContacts::begin_step() {
@@ -62,7 +71,7 @@ void Box2DContacts::PreSolve(b2Contact* contact, const b2Manifold* old_manifold)
   b2WorldManifold world;
   contact->GetWorldManifold(&world);
   const b2Manifold& manifold = *contact->GetManifold();
-  const bool swapped = collider(*contact->GetFixtureA()) > collider(*contact->GetFixtureB());
+  const bool swapped = collider_a(*contact) > collider_b(*contact);
   for (int i = 0; i < manifold.pointCount; ++i) {
     const uint32 id = manifold.points[i].id.key;
     const bool known = std::any_of(touching.points.begin(), touching.points.end(),

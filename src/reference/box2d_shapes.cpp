@@ -4,6 +4,7 @@
 #include <box2d/box2d.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "constraints/distance_joint.hpp"
 #include "constraints/revolute_joint.hpp"
@@ -22,7 +23,7 @@ std::unique_ptr<b2Shape> convert(const Circle<double>& circle) {
 }
 
 std::unique_ptr<b2Shape> convert(const Capsule<double>&) {
-  require(false, "Box2DWorld", "shape", "a circle, polygon or segment, as Box2D 2.4.1 has no capsules",
+  require(false, "Box2DWorld", "shape", "a circle, polygon, segment or chain, as Box2D 2.4.1 has no capsules",
           "a capsule");
   return nullptr;
 }
@@ -50,6 +51,26 @@ std::unique_ptr<b2Shape> convert(const Polygon<double>& polygon) {
 std::unique_ptr<b2Shape> convert(const Segment<double>& segment) {
   auto result = std::make_unique<b2EdgeShape>();
   result->SetTwoSided(to_box2d(segment.point1), to_box2d(segment.point2));
+  return result;
+}
+
+/// Of the same side: Box2D's chains have their normals on the right hand, too.
+std::unique_ptr<b2Shape> convert(const Chain<double>& chain) {
+  std::vector<b2Vec2> points;
+  for (int i = 0; i < chain.points.size(); ++i) {
+    points.push_back(to_box2d(chain.points[i]));
+    const double length =
+        i < chain.link_count() ? (chain.point(i + 1) - chain.point(i)).norm() : b2_linearSlop * 2.0;
+    require(length > b2_linearSlop, "Box2DWorld", "chain link length",
+            "> 0.005 m, the shortest in Box2D 2.4.1", length);
+  }
+  auto result = std::make_unique<b2ChainShape>();
+  const int count = chain.points.size();
+  if (chain.closed) {
+    result->CreateLoop(points.data(), count);
+  } else {
+    result->CreateChain(points.data(), count, to_box2d(chain.before), to_box2d(chain.after));
+  }
   return result;
 }
 

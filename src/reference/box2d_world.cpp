@@ -119,7 +119,9 @@ void Box2DWorld::Simulation::add_bodies() {
   PerBody<int> first_collider;
   for (const BodyId id : scene_bodies.indices()) {
     first_collider.push_back(colliders.size());
-    for (int k = 0; k < scene_bodies[id].spec.shapes.size(); ++k) colliders.push_back(id);
+    for (const Shape<double>& shape : scene_bodies[id].spec.shapes) {
+      colliders.resize(colliders.size() + piece_count(shape), id);
+    }
   }
   bodies.resize(scene_bodies.size());
   for (int count = 0; count < scene_bodies.size(); ++count) {
@@ -127,9 +129,10 @@ void Box2DWorld::Simulation::add_bodies() {
     const BodyId id = {last_first ? scene_bodies.size() - 1 - count : count};
     const BodySpec& spec = scene_bodies[id].spec;
     bodies[id] = create_body(world, scene_bodies[id]);
-    for (int k = 0; k < spec.shapes.size(); ++k) {
-      create_fixture(*bodies[id], spec.shapes[k], spec, scene.settings().restitution_threshold,
-                     first_collider[id] + k);
+    int collider = first_collider[id];
+    for (const Shape<double>& shape : spec.shapes) {
+      create_fixture(*bodies[id], shape, spec, scene.settings().restitution_threshold, collider);
+      collider += piece_count(shape);
     }
     set_mass(*bodies[id], scene_bodies[id]);
   }

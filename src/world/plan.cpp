@@ -30,13 +30,15 @@ Plan make_plan(const Scene& scene) {
     plan.bodies += 1;
     plan.dynamic_bodies += dynamic;
     plan.turning_bodies += dynamic && body.inertia > 0;
-    plan.colliders += spec.shapes.size();
     plan.collision |= dynamic && !spec.shapes.empty();
     plan.gravity |= dynamic && spec.gravity_scale != 0 && !scene.settings().gravity.isZero(0);
     plan.damping |= dynamic && (spec.linear_damping > 0 || spec.angular_damping > 0);
     rubbing_bodies += spec.friction > 0 && !spec.shapes.empty();
     plan.restitution |= spec.restitution > 0 && !spec.shapes.empty();
-    for (const Shape<double>& shape : spec.shapes) kinds.insert(shape_name(shape));
+    for (const Shape<double>& shape : spec.shapes) {
+      plan.colliders += piece_count(shape);
+      kinds.insert(shape_name(shape));
+    }
   }
   plan.collision &= plan.colliders > 1;
   plan.friction = plan.collision && rubbing_bodies > 1;

@@ -65,6 +65,9 @@ void check_shapes(const BodySpec& spec, const char* place) {
     const bool has_size = size.allFinite() && size.minCoeff() >= 0 && size.maxCoeff() > 0;
     require(has_size, place, "size of shapes[" + std::to_string(i) + "]", "> 0 m and finite",
             size.maxCoeff());
+    const bool is_chain = std::holds_alternative<Chain<double>>(spec.shapes[i]);
+    require(!is_chain || spec.type != BodyType::dynamic, place, "shapes[" + std::to_string(i) + "]",
+            "no chain on a dynamic body: chains are for static and kinematic ones", "a chain");
   }
 }
 

@@ -14,7 +14,7 @@ SleepState<Real>::SleepState(const Scene& scene) : settings_(scene.settings().sl
     const BodyId id{type_.size()};
     type_.push_back(body.spec.type);
     sensor_.push_back(body.spec.sensor ? 1 : 0);
-    for (int i = 0; i < body.spec.shapes.size(); ++i) owner_.push_back(id);
+    for (const Shape<double>& shape : body.spec.shapes) owner_.resize(owner_.size() + piece_count(shape), id);
   }
   for (const std::shared_ptr<const Constraint>& joint : scene.joints()) {
     List<BodyId> tied;

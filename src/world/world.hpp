@@ -12,6 +12,7 @@
 #include "dynamics/integrate.hpp"
 #include "constraints/contact_problem.hpp"
 #include "solvers/solver.hpp"
+#include "world/collider.hpp"
 #include "world/contact_graph.hpp"
 #include "world/plan.hpp"
 #include "world/scene.hpp"
@@ -137,12 +138,7 @@ class World {
   double dt() const { return dt_; }  // [s]
 
  private:
-  struct Collider {
-    BodyId body;
-    Shape<Real> shape;
-    Real radius;       // [m] of a circle around it, about the body's centre of mass
-    Real core_radius;  // [m] by which its core is rounded
-  };
+  using Collider = cairn::Collider<Real>;
   using JointImpulses = BlockImpulses<List<RowImpulse<Real>>, Real>;
 
   /// The length of a substep [s].
@@ -194,7 +190,7 @@ class World {
   PerBody<Real> slop_limit_;       // [m] a share of the smallest shape
   PerBody<Real> failed_error_;     // [m] likewise: deeper in another, it is on its way through
   PerBody<double> friction_root_;  // sqrt(mu): a pair's mu is the product of two
-  PerBody<Real> length_;           // [m] of the largest shape
+  PerBody<Real> length_;           // [m] as far as it may go within a step, or else is fast
   PerBody<Real> radius_;           // [m] of a circle around all shapes, about the centre of mass
   BodyState<Real> state_;
   ContactGraph<Real> graph_;

@@ -110,7 +110,8 @@ template <Scalar Real>
 Manifold<Real> World<Real>::collide_slot(const ContactSlot<Real>& slot, Real margin) const {
   const Collider& a = (*colliders_)[slot.collider_a];
   const Collider& b = (*colliders_)[slot.collider_b];
-  Manifold<Real> manifold = collide(a.shape, frames_[slot.a], b.shape, frames_[slot.b], margin);
+  Manifold<Real> manifold =
+      collide(a.shape, frames_[slot.a], b.shape, frames_[slot.b], margin, {a.around.get(), b.around.get()});
   manifold.collider_a = slot.collider_a;
   manifold.collider_b = slot.collider_b;
   return manifold;

@@ -16,16 +16,19 @@ bool same_place(const SceneBody& one, const SceneBody& other) {
   return one.pose.position == other.pose.position && one.pose.angle == other.pose.angle;
 }
 
-/// For each shape of the scene before, its number now; -1 where it is gone or another one. Never descending.
+/// For each collider of the scene before, its number now; -1 where its shape is gone or another one. Never
+/// descending.
 List<int> numbers_now(const Scene& before, const Scene& now) {
   List<int> numbers;
   int next = 0;
   for (const BodyId id : before.bodies().indices()) {
     const List<Shape<double>>&old = before.bodies()[id].spec.shapes, &shapes = now.bodies()[id].spec.shapes;
     for (int i = 0; i < old.size(); ++i) {
-      numbers.push_back(i < shapes.size() && shapes[i] == old[i] ? next + i : -1);
+      const bool is_same = i < shapes.size() && shapes[i] == old[i];
+      for (int piece = 0; piece < piece_count(old[i]); ++piece) numbers.push_back(is_same ? next++ : -1);
+      if (!is_same && i < shapes.size()) next += piece_count(shapes[i]);
     }
-    next += shapes.size();
+    for (int i = old.size(); i < shapes.size(); ++i) next += piece_count(shapes[i]);
   }
   return numbers;
 }
@@ -35,6 +38,13 @@ List<JointId> joint_ids(const Scene& scene) {
   List<JointId> ids;
   for (int i = 0; i < scene.joints().size(); ++i) ids.push_back(scene.joint_id(i));
   return ids;
+}
+
+/// Whether two shapes lie among the same others as before.
+template <Scalar Real>
+bool has_same_surroundings(const Collider<Real>& one, const Collider<Real>& other) {
+  if (!one.around || !other.around) return one.around == other.around;
+  return *one.around == *other.around;
 }
 
 }  // namespace
@@ -95,7 +105,9 @@ void World<Real>::carry_contacts(const World& before) {
     if (!slot) continue;
     slot->impulses = old.impulses;
     slot->manifold = old.manifold;
-    slot->is_found = old.is_found;
+    slot->is_found = old.is_found &&
+                     has_same_surroundings((*before.colliders_)[old.collider_a], (*colliders_)[a]) &&
+                     has_same_surroundings((*before.colliders_)[old.collider_b], (*colliders_)[b]);
     slot->found_at = old.found_at;
     slots.push_back(*slot);
   }

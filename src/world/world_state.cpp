@@ -15,6 +15,8 @@ namespace {
 constexpr double slop_share = 0.05;
 // Likewise: what is deeper in another has passed half of the way to its middle.
 constexpr double failed_share = 0.25;
+// Of the thinnest shape of a body: how far it may go in a step before a chain looks ahead.
+constexpr double chain_share = 0.25;
 
 /// [m] the longer side of the box around a shape.
 double extent(const Shape<double>& shape) {
@@ -68,20 +70,30 @@ void require_springs_hold(const SceneSettings& settings, const SceneBody& body, 
           shortest(sag) + " m");
 }
 
-/// [m] Of what is around the shape's core.
-template <Scalar Real>
-Real core_radius(const Shape<Real>& shape) {
-  const auto radius = [](const auto& held) -> Real {
-    if constexpr (requires { held.radius; }) return held.radius;
-    return 0;
+bool has_chain(const Scene& scene) {
+  const auto is_chain = [](const Shape<double>& shape) {
+    return std::holds_alternative<Chain<double>>(shape);
   };
-  return std::visit(radius, shape);
+  return std::any_of(scene.bodies().begin(), scene.bodies().end(), [&](const SceneBody& body) {
+    return std::any_of(body.spec.shapes.begin(), body.spec.shapes.end(), is_chain);
+  });
 }
 
+/// [m] What goes farther in a step could pass through another of its size.
 double length(const BodySpec& spec) {
   double largest = 0;
   for (const Shape<double>& shape : spec.shapes) largest = std::max(largest, extent(shape));
   return largest;
+}
+
+/// [m] What goes farther in a step could get its middle behind a chain.
+double thickness(const BodySpec& spec) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Shape<double>& shape : spec.shapes) {
+    const Aabb<double> box = bounding_box(shape, Pose<double>{});
+    least = std::min(least, (box.upper - box.lower).minCoeff());
+  }
+  return std::min(length(spec), chain_share * least);
 }
 
 }  // namespace
@@ -91,7 +103,7 @@ World<Real>::World(Scene scene)
     : scene_(std::make_shared<const Scene>(std::move(scene))),
       plan_(std::make_shared<const Plan>(make_plan(*scene_))),
       dt_(scene_->settings().dt) {
-  List<Collider> colliders;
+  const bool has_chains = has_chain(*scene_);
   for (const BodyId id : scene_->bodies().indices()) {
     const SceneBody& body = scene_->bodies()[id];
     const BodySpec& spec = body.spec;
@@ -100,7 +112,7 @@ World<Real>::World(Scene scene)
     slop_limit_.push_back(static_cast<Real>(slop_share * smallest_extent(spec)));
     failed_error_.push_back(static_cast<Real>(failed_share * smallest_extent(spec)));
     friction_root_.push_back(std::sqrt(spec.friction));
-    length_.push_back(static_cast<Real>(length(spec)));
+    length_.push_back(static_cast<Real>(has_chains ? thickness(spec) : length(spec)));
     state_.pose.push_back(
         {.position = body.pose.position.template cast<Real>(), .angle = static_cast<Real>(body.pose.angle)});
     state_.velocity.push_back({static_cast<Real>(spec.velocity.x()), static_cast<Real>(spec.velocity.y()),
@@ -112,12 +124,11 @@ World<Real>::World(Scene scene)
                        .linear_damping = static_cast<Real>(spec.linear_damping),
                        .angular_damping = static_cast<Real>(spec.angular_damping)});
     radius_.push_back(0);
-    for (const Shape<double>& shape : spec.shapes) {
-      const Shape<Real> cast = shape_cast<Real>(shape);
-      colliders.push_back({id, cast, bounding_radius(cast), core_radius(cast)});
-      radius_[id] = std::max(radius_[id], colliders.back().radius);
-      movable_.push_back(spec.type == BodyType::dynamic ? 1 : 0);
-    }
+  }
+  List<Collider> colliders = make_colliders<Real>(*scene_);
+  for (const Collider& collider : colliders) {
+    radius_[collider.body] = std::max(radius_[collider.body], collider.radius);
+    movable_.push_back(scene_->bodies()[collider.body].spec.type == BodyType::dynamic ? 1 : 0);
   }
   if (plan_->sleeping) sleep_.emplace(*scene_);
   frames_.resize(state_.pose.size());

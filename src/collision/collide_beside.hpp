@@ -1,0 +1,19 @@
+// Floor 2. The narrowphase where one of two hulls has neighbours.
+#pragma once
+
+#include "collision/hull_contact.hpp"
+#include "collision/surroundings.hpp"
+
+namespace cairn::narrowphase {
+
+/// Which hull of a pair.
+enum class Side { a, b };
+
+/// The manifold of two hulls of which the one on side `still` has surroundings, given in the frame of a body
+/// turned by `rotation`. The normals on it are those that its surroundings allow; what a neighbour is touched
+/// by gives no contact.
+template <Scalar Real>
+Manifold<Real> collide_beside(const Pair<Real>& pair, Side still, const Surroundings<Real>& around,
+                              const Rotation<Real>& rotation);
+
+}  // namespace cairn::narrowphase

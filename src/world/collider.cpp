@@ -1,0 +1,102 @@
+// Floor 5. The pieces in which a scene's shapes collide.
+#include "world/collider.hpp"
+
+#include <map>
+#include <utility>
+
+#include "geometry/aabb.hpp"
+
+namespace cairn {
+namespace {
+
+/// [m] Of what is around the shape's core.
+template <Scalar Real>
+Real core_radius(const Shape<Real>& shape) {
+  const auto radius = [](const auto& held) -> Real {
+    if constexpr (requires { held.radius; }) return held.radius;
+    return 0;
+  };
+  return std::visit(radius, shape);
+}
+
+template <Scalar Real>
+Collider<Real> make_collider(BodyId body, const Shape<Real>& shape) {
+  return {.body = body, .shape = shape, .radius = bounding_radius(shape), .core_radius = core_radius(shape)};
+}
+
+template <Scalar Real>
+void add_links(BodyId body, const Chain<double>& chain, List<Collider<Real>>& colliders) {
+  const Shape<Real> cast = shape_cast<Real>(chain);
+  const Chain<Real>& points = std::get<Chain<Real>>(cast);
+  for (int i = 0; i < points.link_count(); ++i) {
+    colliders.push_back(make_collider<Real>(body, Segment<Real>{points.point(i), points.point(i + 1)}));
+    const auto around = surroundings_cast<Real>(link_surroundings(chain, i));
+    colliders.back().around = std::make_shared<const Surroundings<Real>>(around);
+  }
+}
+
+/// Numbers for static bodies: those that collide with the same bodies have the same one. Sensors, and bodies
+/// that a joint keeps apart from others, have one of their own.
+class Groups {
+ public:
+  explicit Groups(const Scene& scene) : alone_(scene.bodies().size(), 0) {
+    for (const auto& [a, b] : scene.apart()) alone_[a] = alone_[b] = 1;
+  }
+  int of(BodyId id, const BodySpec& spec) {
+    if (spec.sensor || alone_[id]) return -1 - id.index;
+    return groups_.insert({{spec.category, spec.collides_with}, static_cast<int>(groups_.size())})
+        .first->second;
+  }
+
+ private:
+  PerBody<char> alone_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> groups_;
+};
+
+template <Scalar Real>
+void set_surroundings(const Scene& scene, List<Collider<Real>>& colliders) {
+  Groups groups(scene);
+  List<StillShape> still;
+  List<int> places;  // of their colliders
+  int next = 0;
+  for (const BodyId id : scene.bodies().indices()) {
+    const SceneBody& body = scene.bodies()[id];
+    for (const Shape<double>& shape : body.spec.shapes) {
+      if (body.spec.type == BodyType::static_body && !std::holds_alternative<Chain<double>>(shape)) {
+        still.push_back({&shape, body.pose, groups.of(id, body.spec)});
+        places.push_back(next);
+      }
+      next += piece_count(shape);
+    }
+  }
+  const List<std::optional<Surroundings<double>>> found = find_surroundings(still);
+  for (const int i : found.indices()) {
+    if (!found[i]) continue;
+    colliders[places[i]].around =
+        std::make_shared<const Surroundings<Real>>(surroundings_cast<Real>(*found[i]));
+  }
+}
+
+}  // namespace
+
+template <Scalar Real>
+List<Collider<Real>> make_colliders(const Scene& scene) {
+  List<Collider<Real>> colliders;
+  for (const BodyId id : scene.bodies().indices()) {
+    for (const Shape<double>& shape : scene.bodies()[id].spec.shapes) {
+      if (const auto* chain = std::get_if<Chain<double>>(&shape)) {
+        add_links(id, *chain, colliders);
+      } else {
+        colliders.push_back(make_collider(id, shape_cast<Real>(shape)));
+      }
+    }
+  }
+  set_surroundings(scene, colliders);
+  return colliders;
+}
+
+template List<Collider<float>> make_colliders(const Scene&);
+template List<Collider<double>> make_colliders(const Scene&);
+template List<Collider<long double>> make_colliders(const Scene&);
+
+}  // namespace cairn

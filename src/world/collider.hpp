@@ -1,0 +1,26 @@
+// Floor 5. The pieces in which a scene's shapes collide.
+#pragma once
+
+#include <memory>
+
+#include "collision/surroundings.hpp"
+#include "world/scene.hpp"
+
+namespace cairn {
+
+/// A shape of a body, or a link of one that is a chain.
+template <Scalar Real>
+struct Collider {
+  BodyId body = {};        // whose it is
+  Shape<Real> shape = {};  // in the frame of the body's centre of mass; no chain
+  Real radius = 0;         // [m] of a circle around it, about the body's centre of mass
+  Real core_radius = 0;    // [m] by which its core is rounded
+  std::shared_ptr<const Surroundings<Real>> around = {};  // what lies beside it; null: nothing
+};
+
+/// In the order of bodies, their shapes, and links. Static shapes have the neighbours that collide with the
+/// same bodies as they do; shapes of kinematic bodies have none, but links of their chains have each other.
+template <Scalar Real>
+List<Collider<Real>> make_colliders(const Scene& scene);
+
+}  // namespace cairn
