@@ -107,7 +107,7 @@ void draw_static_body(Page& page, const Camera& camera, const SnapshotBody& body
   if (!has_place(camera, body.pose)) return;
   const Paint line{.outline = page.theme().outline, .outline_width = page.sizes().outline};
   for (const Shape<double>& shape : body.shapes) {
-    if (std::holds_alternative<Segment<double>>(shape)) {
+    if (is_line(shape)) {
       paint_shape(page.canvas(), camera, body.pose, shape, line);
       continue;
     }
@@ -130,8 +130,7 @@ void draw_dynamic_body(Page& page, const Camera& camera, const SnapshotBody& bod
   if (is_compound) {
     const Paint second{.fill = fill, .outline = fill, .outline_width = 1};  // no seam between two pieces
     for (const Shape<double>& shape : body.shapes) {
-      if (!std::holds_alternative<Segment<double>>(shape))
-        paint_shape(canvas, camera, body.pose, shape, second);
+      if (!is_line(shape)) paint_shape(canvas, camera, body.pose, shape, second);
     }
   }
   const std::string name = name_of(look, id);

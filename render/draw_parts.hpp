@@ -18,7 +18,10 @@ bool has_place(const Camera& camera, const Pose<double>& pose);
 /// With a place, and at least near the viewport.
 bool is_seen(const Camera& camera, const SnapshotBody& body);
 
-/// The shape as a polygon that deviates by less than a quarter of a pixel. A segment has no area: 2 points.
+/// Whether it has no inside.
+bool is_line(const Shape<double>& shape);
+/// The shape as a polygon that deviates by less than a quarter of a pixel. A segment has no area: 2 points. A
+/// chain is no polygon: none.
 Outline outline_of(const Camera& camera, const Pose<double>& pose, const Shape<double>& shape);
 /// What of a convex polygon is inside a rectangle, or inside another convex polygon.
 Outline clipped(const Outline& outline, const Rect& rect);
@@ -26,6 +29,10 @@ Outline common_part(const Outline& a, const Outline& b);
 double area(const Outline& outline);  // [px^2]
 
 void paint_shape(Canvas& canvas, const Camera& camera, const Pose<double>& pose, const Shape<double>& shape,
+                 const Paint& paint);
+
+/// Its line, with short strokes on the side of its solid, as ground is marked in drawings of machines.
+void paint_chain(Canvas& canvas, const Camera& camera, const Pose<double>& pose, const Chain<double>& chain,
                  const Paint& paint);
 
 /// How deep inside the shape a point of the body's frame is [m]; negative outside.

@@ -85,6 +85,9 @@ void append(Outline& outline, const Segment<double>& segment, double) {
   outline.push_back(segment.point2);
 }
 
+/// A chain is not convex: it is drawn link by link.
+void append(Outline&, const Chain<double>&, double) {}
+
 /// Keeps the side of the line through `from` and `to` where side() >= 0.
 Outline half(const Outline& outline, const Point& from, const Point& to) {
   const Point run = to - from;
@@ -127,7 +130,19 @@ double depth(const Segment<double>& segment, const Vec2<double>& point) {
   return -distance_to_segment(point, segment.point1, segment.point2);
 }
 
+double depth(const Chain<double>& chain, const Vec2<double>& point) {
+  double least = std::numeric_limits<double>::max();
+  for (int i = 0; i < chain.link_count(); ++i) {
+    least = std::min(least, distance_to_segment(point, chain.point(i), chain.point(i + 1)));
+  }
+  return -least;
+}
+
 }  // namespace
+
+bool is_line(const Shape<double>& shape) {
+  return std::holds_alternative<Segment<double>>(shape) || std::holds_alternative<Chain<double>>(shape);
+}
 
 bool is_drawable(const Camera& camera, const Pose<double>& pose) {
   return is_finite_pose(pose) && is_near(camera.project(pose.position), farthest_point);
@@ -195,7 +210,7 @@ double area(const Outline& outline) {
 
 void paint_shape(Canvas& canvas, const Camera& camera, const Pose<double>& pose, const Shape<double>& shape,
                  const Paint& paint) {
-  if (!std::holds_alternative<Segment<double>>(shape) && is_huge(camera, pose, shape)) {
+  if (!is_line(shape) && is_huge(camera, pose, shape)) {
     const Outline part = clipped(outline_of(camera, pose, shape), inset(camera.viewport, -beyond_view));
     if (part.size() > 2) canvas.polygon(part, paint);
   } else if (const auto* circle = std::get_if<Circle<double>>(&shape)) {
@@ -212,6 +227,8 @@ void paint_shape(Canvas& canvas, const Camera& camera, const Pose<double>& pose,
   } else if (const auto* segment = std::get_if<Segment<double>>(&shape)) {
     canvas.line(camera.project(pose.world(segment->point1)), camera.project(pose.world(segment->point2)),
                 {.width = 1.5 * paint.outline_width, .color = paint.outline});
+  } else if (const auto* chain = std::get_if<Chain<double>>(&shape)) {
+    paint_chain(canvas, camera, pose, *chain, paint);
   }
 }
 

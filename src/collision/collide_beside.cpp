@@ -11,7 +11,7 @@
 namespace cairn::narrowphase {
 namespace {
 
-// Of the size of what touches a chain: so far its middle may sink behind a link, as thin boards do that rest
+// Of the size of what moves: so far its middle may sink behind a face, as that of a thin board does which rests
 // on it within the slop, and not be taken for something that comes from behind.
 constexpr double behind_share = 0.05;
 
@@ -32,17 +32,21 @@ class Beside {
         still_(still == Side::a ? pair.a : pair.b),
         mover_(still == Side::a ? pair.b : pair.a),
         around_(around),
-        rotation_(rotation) {}
+        rotation_(rotation),
+        middle_(middle_of(mover_)),
+        holds_middle_(height_over_all() <= around.slack) {}
 
   Manifold<Real> manifold() const {
     if (still_.face_count() != around_.faces.size()) return {};  // a link that is a point in this scalar
     if (around_.one_sided && height_of_middle(0) < -behind()) return {};
     const FaceQuery<Real> on_still =
         farthest_face(still_, mover_, [this](int face, int) { return is_exposed(face); });
-    const FaceQuery<Real> on_mover = farthest_face(
-        mover_, still_, [this](int face, int vertex) { return may_rest_on(vertex, -mover_.normal(face)); });
+    const FaceQuery<Real> on_mover =
+        farthest_face(mover_, still_, [this](int face, int vertex) { return may_rest_on(vertex, face); });
     const Real separation = std::max(on_still.separation, on_mover.separation);
-    if (!std::isfinite(separation)) return holds_middle() ? collide_hulls(pair_) : Manifold<Real>{};
+    if (!std::isfinite(separation)) {
+      return holds_middle_ && !around_.one_sided ? collide_hulls(pair_) : Manifold<Real>{};
+    }
     if (separation - pair_.radii() >= pair_.margin) return {};
     if (farthest_neighbour() > separation + pair_.rounding) return {};
     if (separation >= -pair_.rounding) {  // The cores are apart.
@@ -57,19 +61,19 @@ class Beside {
 
  private:
   // [m] Over a face of the hull that stays.
-  Real height_of_middle(int face) const {
-    return still_.normal(face).dot(middle_of(mover_) - still_.vertex(face));
+  Real height_of_middle(int face) const { return still_.normal(face).dot(middle_ - still_.vertex(face)); }
+  Real height_over_all() const {
+    Real height = -std::numeric_limits<Real>::infinity();
+    for (int face = 0; face < still_.face_count(); ++face) height = std::max(height, height_of_middle(face));
+    return height;
   }
   Real behind() const { return static_cast<Real>(behind_share) * (mover_.size + 2 * mover_.radius); }
 
-  /// Whether the middle of what moves is in the hull, wherever its surface is: then any way out is better
-  /// than none.
-  bool holds_middle() const {
-    if (around_.one_sided) return false;
-    for (int face = 0; face < still_.face_count(); ++face) {
-      if (height_of_middle(face) > 0) return false;
-    }
-    return true;
+  /// Whether a normal at a point of the surface leads towards the middle of what moves. What has its middle
+  /// in the hull, wherever the surface is, may go any way. What has it beyond a face that is covered belongs
+  /// to the neighbour, and is not to be driven out through the hull.
+  bool leads_out(const Vec2<Real>& normal, const Vec2<Real>& point) const {
+    return holds_middle_ || around_.one_sided || normal.dot(middle_ - point) > -behind();
   }
 
   Vec2<Real> way_along(int face) const { return perpendicular(still_.normal(face)); }
@@ -77,11 +81,16 @@ class Beside {
     return way_along(face).dot(still_.vertex(still_.next(face)) - still_.vertex(face));
   }
 
-  /// Whether the moving hull reaches what is not covered of a face.
+  bool is_partly_covered(int face) const {
+    const auto& known = around_.faces[face];
+    return known.first > around_.slack || known.last < length_of(face) - around_.slack;
+  }
+
+  /// Whether the moving hull reaches what is not covered of a face, from outside.
   bool is_exposed(int face) const {
     const auto& known = around_.faces[face];
-    if (known.is_covered()) return false;
-    if (!(known.first > around_.slack) && !(known.last < length_of(face) - around_.slack)) return true;
+    if (known.is_covered() || !leads_out(still_.normal(face), still_.vertex(face))) return false;
+    if (!is_partly_covered(face)) return true;
     const Vec2<Real> way = way_along(face);
     Real least = std::numeric_limits<Real>::infinity(), most = -least;
     for (int i = 0; i < mover_.count; ++i) {
@@ -105,10 +114,16 @@ class Beside {
   }
 
   /// Whether a face of the moving hull may rest on a vertex. Where its normal is that of a face of the hull
-  /// that stays, up to rounding, it is that face which gives the contact.
-  bool may_rest_on(int vertex, const Vec2<Real>& normal) const {
+  /// that stays, up to rounding, it is that face which gives the contact. A vertex at the far end of what is
+  /// covered of a face counts only where it lies on the moving face itself.
+  bool may_rest_on(int vertex, int face) const {
     const Real rounding = std::max(Real(1e-6), 16 * std::numeric_limits<Real>::epsilon());
-    return may_stand_on(vertex, normal, rounding);
+    const Vec2<Real> normal = -mover_.normal(face);
+    if (!leads_out(normal, still_.vertex(vertex)) || !may_stand_on(vertex, normal, rounding)) return false;
+    if (!is_partly_covered(vertex) && !is_partly_covered(still_.previous(vertex))) return true;
+    const Vec2<Real> arm = mover_.vertex(mover_.next(face)) - mover_.vertex(face);
+    const Real along = arm.dot(still_.vertex(vertex) - mover_.vertex(face));
+    return along > 0 && along < arm.squaredNorm();
   }
 
   /// [m] How far the moving hull is from the planes of the faces that meet the hull at its corners.
@@ -151,7 +166,7 @@ class Beside {
   /// On a face of the hull that stays, unless what touches it there touches a neighbour instead.
   Manifold<Real> on_face(const FaceQuery<Real>& query) const {
     const Clip<Real> ends = clip(still_, query, mover_, pair_.rounding);
-    if (ends.count == 1 && is_answered(query.face, ends.points[0])) return {};
+    if (ends.count == 1 && is_answered(query, ends.points[0])) return {};
     const bool on_a = side_ == Side::a;
     Manifold<Real> manifold =
         face_contact(still_, query, mover_, pair_, on_a ? FeatureKind::face_of_a : FeatureKind::face_of_b);
@@ -159,13 +174,17 @@ class Beside {
     return manifold;
   }
 
-  /// Whether a vertex of the moving hull lies beyond the end of a face, where something else is nearer.
-  bool is_answered(int face, const IncidentPoint<Real>& point) const {
+  /// Whether a vertex of the moving hull lies beyond the end of a face, where something else is nearer. In a
+  /// valley, that is so as well for what is below the plane of the face before it has come there: it has sunk
+  /// in on the other side.
+  bool is_answered(const FaceQuery<Real>& query, const IncidentPoint<Real>& point) const {
+    const int face = query.face;
     const auto& known = around_.faces[face];
     const bool is_before = point.along < -around_.slack;
     if (!is_before && point.along <= length_of(face) + around_.slack) return false;
     const FaceEnd end = is_before ? known.start : known.end;
     if (end != FaceEnd::valley) return end == FaceEnd::neighbour;
+    if (query.separation < pair_.radii()) return true;
     const Vec2<Real>& corner = still_.vertex(is_before ? face : still_.next(face));
     return (mover_.vertex(point.vertex) - corner).norm() > pair_.radii() + pair_.margin;
   }
@@ -176,6 +195,8 @@ class Beside {
   const RoundedHull<Real>& mover_;
   const Surroundings<Real>& around_;
   const Rotation<Real>& rotation_;
+  Vec2<Real> middle_;  // of the moving hull
+  bool holds_middle_;  // the hull that stays has it inside
 };
 
 }  // namespace

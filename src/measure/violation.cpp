@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "collision/broadphase.hpp"
 #include "collision/collide.hpp"
@@ -18,11 +19,29 @@ bool is_apart(const Snapshot& snapshot, BodyId first, BodyId second) {
   return std::binary_search(snapshot.apart.begin(), snapshot.apart.end(), bodies);
 }
 
+/// A shape of a body, or a link of one that is a chain.
+struct Piece {
+  BodyId body = {};
+  Shape<double> shape = {};
+  std::optional<Surroundings<double>> around = {};  // of a link
+};
+
+void add_pieces(BodyId body, const Shape<double>& shape, List<Piece>& pieces) {
+  const auto* chain = std::get_if<Chain<double>>(&shape);
+  if (chain == nullptr) return pieces.push_back({body, shape});
+  for (int i = 0; i < chain->link_count(); ++i) {
+    pieces.push_back(
+        {body, Segment<double>{chain->point(i), chain->point(i + 1)}, link_surroundings(*chain, i)});
+  }
+}
+
 /// The deepest point of two shapes, if it is deeper than `worst`.
-void keep_deeper(const Snapshot& snapshot, BodyId a, const Shape<double>& shape_a, BodyId b,
-                 const Shape<double>& shape_b, Overlap& worst) {
+void keep_deeper(const Snapshot& snapshot, const Piece& one, const Piece& other, Overlap& worst) {
+  const BodyId a = one.body, b = other.body;
+  const SurroundingsOf<double> around = {one.around ? &*one.around : nullptr,
+                                         other.around ? &*other.around : nullptr};
   const Manifold<double> manifold =
-      collide(shape_a, snapshot.bodies[a].pose, shape_b, snapshot.bodies[b].pose, 0.0);
+      collide(one.shape, snapshot.bodies[a].pose, other.shape, snapshot.bodies[b].pose, 0.0, around);
   for (int k = 0; k < manifold.count; ++k) {
     const double depth = -manifold.points[k].separation;
     if (depth > worst.depth) worst = {.depth = depth, .a = a, .b = b};
@@ -32,33 +51,29 @@ void keep_deeper(const Snapshot& snapshot, BodyId a, const Shape<double>& shape_
 }  // namespace
 
 List<Overlap> overlaps(const Snapshot& snapshot) {
-  struct Item {
-    BodyId body;
-    const Shape<double>* shape;
-  };
-  List<Item> items;
+  List<Piece> items;
   List<Aabb<double>> boxes;
   List<char> movable;
   for (const BodyId id : snapshot.bodies.indices()) {
     const SnapshotBody& body = snapshot.bodies[id];
     if (body.sensor) continue;
     for (const Shape<double>& shape : body.shapes) {
-      items.push_back({id, &shape});
-      boxes.push_back(bounding_box(shape, body.pose));
-      movable.push_back(body.type == BodyType::dynamic ? 1 : 0);
+      add_pieces(id, shape, items);
+      movable.resize(items.size(), body.type == BodyType::dynamic ? 1 : 0);
     }
   }
 
+  for (const Piece& item : items) boxes.push_back(bounding_box(item.shape, snapshot.bodies[item.body].pose));
   List<Overlap> found;
   Broadphase<double> broadphase(BroadphaseKind::grid);
   for (const auto& [i, j] : broadphase.pairs(boxes, movable)) {
-    const Item& a = items[i];
-    const Item& b = items[j];
+    const Piece& a = items[i];
+    const Piece& b = items[j];
     const SnapshotBody& body_a = snapshot.bodies[a.body];
     const SnapshotBody& body_b = snapshot.bodies[b.body];
     if (a.body == b.body || !may_touch(body_a, body_b) || is_apart(snapshot, a.body, b.body)) continue;
     Overlap overlap;
-    keep_deeper(snapshot, a.body, *a.shape, b.body, *b.shape, overlap);
+    keep_deeper(snapshot, a, b, overlap);
     if (overlap.depth > 0) found.push_back(overlap);
   }
   return found;
@@ -80,9 +95,11 @@ Overlap deepest_in_ground(const Snapshot& snapshot) {
   Overlap worst;
   for (const auto& [first, second] : snapshot.apart) {
     if (first != ground) break;  // pairs are sorted
-    for (const Shape<double>& surface : snapshot.bodies[ground].shapes) {
-      for (const Shape<double>& shape : snapshot.bodies[second].shapes)
-        keep_deeper(snapshot, ground, surface, second, shape, worst);
+    List<Piece> surfaces, pieces;
+    for (const Shape<double>& surface : snapshot.bodies[ground].shapes) add_pieces(ground, surface, surfaces);
+    for (const Shape<double>& shape : snapshot.bodies[second].shapes) add_pieces(second, shape, pieces);
+    for (const Piece& surface : surfaces) {
+      for (const Piece& piece : pieces) keep_deeper(snapshot, surface, piece, worst);
     }
   }
   return worst;

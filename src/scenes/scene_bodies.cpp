@@ -11,7 +11,7 @@ namespace {
 /// The key of the one shape that a table has; "": none.
 std::string shape_key(const SceneTable& table) {
   std::string found;
-  for (const char* key : {"box", "circle", "capsule", "polygon", "segment"}) {
+  for (const char* key : {"box", "circle", "capsule", "polygon", "segment", "chain"}) {
     if (!table.has(key)) continue;
     if (!found.empty())
       table.refuse(key, "the only shape; for several there is shapes = [{...}, {...}]",
@@ -21,12 +21,23 @@ std::string shape_key(const SceneTable& table) {
   return found;
 }
 
+ChainEnds chain_ends(const SceneTable& table) {
+  ChainEnds ends{.closed = table.flag("closed")};
+  if (!table.has("ghosts")) return ends;
+  const List<Vec2<double>> ghosts = table.points("ghosts");
+  if (ghosts.size() != 2) table.refuse("ghosts", "two points [[x, y], [x, y]], before and after the chain");
+  ends.before = ghosts[0];
+  ends.after = ghosts[1];
+  return ends;
+}
+
 Shape<double> make_scene_shape(const SceneTable& table, const std::string& key) {
   const double radius = table.number("radius");
   if (key == "circle") return circle(table.number("circle"));
   if (key == "box") return box(table.point("box").x(), table.point("box").y(), radius);
   const List<Vec2<double>> points = table.points(key);
   if (key == "polygon") return polygon(points, radius);
+  if (key == "chain") return chain(points, chain_ends(table));
   if (points.size() != 2) table.refuse(key, "two points [[x, y], [x, y]]");
   if (key == "segment") return segment(points[0], points[1]);
   return capsule(points[0], points[1], radius);
@@ -41,7 +52,8 @@ void build_body(SceneBuilder& builder, const SceneTable& table, int number) {
   }
   for (const SceneTable& part : table.tables("shapes")) {
     const List<Shape<double>> shape = shape_of(part);
-    if (shape.empty()) part.refuse("", "a shape: box, circle, capsule, polygon or segment", "none of them");
+    if (shape.empty())
+      part.refuse("", "a shape: box, circle, capsule, polygon, segment or chain", "none of them");
     const bool is_moved = part.has("offset") || part.has("turn");
     spec.shapes.push_back(is_moved ? moved(shape[0], part.point("offset"), part.number("turn")) : shape[0]);
   }
@@ -91,7 +103,10 @@ BodySpec moving_matter_of(const SceneTable& table) {
 
 List<Shape<double>> shape_of(const SceneTable& table) {
   const std::string key = shape_key(table);
-  if (table.has("radius") && (key.empty() || key == "circle" || key == "segment")) {
+  for (const char* of_chain : {"closed", "ghosts"}) {
+    if (table.has(of_chain) && key != "chain") table.refuse(of_chain, "beside a chain");
+  }
+  if (table.has("radius") && (key.empty() || key == "circle" || key == "segment" || key == "chain")) {
     table.refuse("radius", "beside a box, capsule or polygon; a disc is circle = its radius");
   }
   List<Shape<double>> shapes;

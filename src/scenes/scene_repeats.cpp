@@ -19,7 +19,7 @@ struct SceneBlock {
 
 /// @throws std::invalid_argument unless the table has a box or a circle.
 SceneBlock block_of(const SceneTable& table) {
-  for (const char* key : {"capsule", "polygon", "segment"}) {
+  for (const char* key : {"capsule", "polygon", "segment", "chain"}) {
     if (table.has(key)) table.refuse(key, "a box or a circle in a " + table.kind(), key);
   }
   if (shape_of(table).empty())
