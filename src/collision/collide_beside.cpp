@@ -11,8 +11,8 @@
 namespace cairn::narrowphase {
 namespace {
 
-// Of the size of what moves: so far its middle may sink behind a face, as that of a thin board does which rests
-// on it within the slop, and not be taken for something that comes from behind.
+// Of the size of what moves: so far its middle may sink behind a face, as that of a thin board does which
+// rests on it within the slop, and not be taken for something that comes from behind.
 constexpr double behind_share = 0.05;
 
 template <Scalar Real>
@@ -174,18 +174,18 @@ class Beside {
     return manifold;
   }
 
-  /// Whether a vertex of the moving hull lies beyond the end of a face, where something else is nearer. In a
-  /// valley, that is so as well for what is below the plane of the face before it has come there: it has sunk
-  /// in on the other side.
+  /// Whether a vertex of the moving hull lies beyond the end of a face, where something else is nearer.
   bool is_answered(const FaceQuery<Real>& query, const IncidentPoint<Real>& point) const {
-    const int face = query.face;
-    const auto& known = around_.faces[face];
+    using Kind = typename FaceEnd<Real>::Kind;
+    const auto& known = around_.faces[query.face];
     const bool is_before = point.along < -around_.slack;
-    if (!is_before && point.along <= length_of(face) + around_.slack) return false;
-    const FaceEnd end = is_before ? known.start : known.end;
-    if (end != FaceEnd::valley) return end == FaceEnd::neighbour;
-    if (query.separation < pair_.radii()) return true;
-    const Vec2<Real>& corner = still_.vertex(is_before ? face : still_.next(face));
+    if (!is_before && point.along <= length_of(query.face) + around_.slack) return false;
+    const FaceEnd<Real>& end = is_before ? known.start : known.end;
+    if (end.kind != Kind::valley) return end.kind == Kind::neighbour;
+    // What is below the plane before it has come there has sunk in on the other side. And where the valley is
+    // so wide that nothing gets deep in it, a body turns in it best when it has come there.
+    if (query.separation < pair_.radii() || end.rise * pair_.margin < behind()) return true;
+    const Vec2<Real>& corner = still_.vertex(is_before ? query.face : still_.next(query.face));
     return (mover_.vertex(point.vertex) - corner).norm() > pair_.radii() + pair_.margin;
   }
 

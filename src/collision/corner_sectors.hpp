@@ -1,6 +1,7 @@
 // Floor 2. The free sectors around a corner at which solids meet.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -33,8 +34,11 @@ NormalCone<Real> cone_of(const FreeSector& sector) {
 }
 
 /// How a face goes on at a corner beside which the sector is free.
-inline FaceEnd end_of(const FreeSector& sector) {
-  return sector.is_open() ? FaceEnd::neighbour : FaceEnd::valley;
+template <Scalar Real>
+FaceEnd<Real> end_of(const FreeSector& sector) {
+  using Kind = typename FaceEnd<Real>::Kind;
+  if (sector.is_open()) return {.kind = Kind::neighbour};
+  return {.kind = Kind::valley, .rise = static_cast<Real>(std::sin(std::max(sector.width, pi / 2)))};
 }
 
 /// What solids leave free around a corner. Angles are counter-clockwise from the hull's own face that begins

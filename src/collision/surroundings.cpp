@@ -136,12 +136,12 @@ class Neighbourhood {
   }
 
   /// How the surface goes on beside the hull's own sector: clockwise of where it begins, or from its end on.
-  static FaceEnd end_beside(const CornerSectors& corner, bool at_begin) {
+  static FaceEnd<double> end_beside(const CornerSectors& corner, bool at_begin) {
     for (const FreeSector& sector : corner.free()) {
       const bool is_beside = at_begin ? sector.begin + sector.width >= 2 * pi : sector.begin == corner.own();
-      if (is_beside) return end_of(sector);
+      if (is_beside) return end_of<double>(sector);
     }
-    return FaceEnd::neighbour;  // the face is covered there
+    return {.kind = FaceEnd<double>::Kind::neighbour};  // the face is covered there
   }
 
   Surroundings<double>::Corner corner(int i, const Rotation<double>& rotation) const {
@@ -180,15 +180,20 @@ List<std::pair<int, int>> near_pairs_of(Span<const StillShape> shapes, const Lis
 
 /// The corner of a chain between two links, from the solid on the left hand of one to that of the other.
 template <Scalar Real>
-FaceEnd add_corner(const Vec2<Real>& before, const Vec2<Real>& corner, const Vec2<Real>& after,
-                   Surroundings<Real>& link) {
+FaceEnd<Real> add_corner(const Vec2<Real>& before, const Vec2<Real>& corner, const Vec2<Real>& after,
+                         Surroundings<Real>& link) {
   const double back = angle_of_way((before - corner).template cast<double>());
   const double on = angle_of_way((after - corner).template cast<double>());
   const FreeSector sector{back, within_turn(on - back)};
   auto& made = link.corners.emplace_back();
   made.is_alone = false;
   if (sector.is_open()) made.cones[made.count++] = cone_of<Real>(sector);
-  return end_of(sector);
+  return end_of<Real>(sector);
+}
+
+template <Scalar Real>
+FaceEnd<Real> cast_end(const FaceEnd<double>& end) {
+  return {static_cast<typename FaceEnd<Real>::Kind>(end.kind), static_cast<Real>(end.rise)};
 }
 
 }  // namespace
@@ -236,7 +241,7 @@ Surroundings<Real> surroundings_cast(const Surroundings<double>& surroundings) {
   result.one_sided = surroundings.one_sided;
   for (const auto& face : surroundings.faces) {
     const Real first = static_cast<Real>(face.first), last = static_cast<Real>(face.last);
-    result.faces.push_back({first, last, face.start, face.end});
+    result.faces.push_back({first, last, cast_end<Real>(face.start), cast_end<Real>(face.end)});
   }
   for (const auto& corner : surroundings.corners) {
     auto& made = result.corners.emplace_back();

@@ -19,10 +19,19 @@ struct NormalCone {
 };
 
 /// How the surface goes on where a face of a hull ends.
-enum class FaceEnd : char {
-  corner,     // around the hull's own corner
-  neighbour,  // on a neighbour, level or over a ridge: beyond the end it is that which is touched
-  valley,     // on a neighbour that rises from it
+template <Scalar Real>
+struct FaceEnd {
+  /// What lies beyond.
+  enum class Kind : char {
+    corner,     // the hull's own next face
+    neighbour,  // a neighbour, level or over a ridge: beyond the end it is that which is touched
+    valley,     // a neighbour that rises from the face
+  };
+  Kind kind = Kind::corner;  // what lies beyond
+  Real rise = 0;             // of a valley: the sine of the angle by which it rises, 1 from a right angle on
+
+  /// Member by member.
+  bool operator==(const FaceEnd&) const = default;
 };
 
 /// What a hull has to do with where it and its neighbours make one surface: the narrowphase compares two
@@ -36,10 +45,10 @@ template <Scalar Real>
 struct Surroundings {
   /// Of the face from vertex i to the next.
   struct Face {
-    Real first = 0;                   // [m] from its start: what is not covered lies between these
-    Real last = 0;                    // [m]
-    FaceEnd start = FaceEnd::corner;  // at vertex i
-    FaceEnd end = FaceEnd::corner;    // at the next one
+    Real first = 0;            // [m] from its start: what is not covered lies between these
+    Real last = 0;             // [m]
+    FaceEnd<Real> start = {};  // at vertex i
+    FaceEnd<Real> end = {};    // at the next one
 
     /// Whether no part of it can be met.
     bool is_covered() const { return !(last > first); }
