@@ -107,6 +107,26 @@ that stands for many are named after it: `[[chain]]` makes chain.1 to chain.n, a
 all of these, and `ground`. With `b = "row.*"` a joint is made for every body of a row. Bodies and joints
 come in the order of the file, and that is the order in which a solver goes through them.
 
+## Ground
+
+`[ground]` is flat. Ground of any other form is a `chain` of points, a shape of a static or kinematic body:
+
+```toml
+[[body]]
+name = "valley"
+type = "static"
+chain = [[6, 3], [2, 0], [-2, 0], [-6, 3]]
+```
+
+It has one side. Walking from point to point the solid is on the left hand, so ground runs from right to left,
+and a room, with `closed = true`, clockwise; pictures mark the solid by short strokes. Its corners are smooth:
+what slides or rolls over one meets no edge of the next link. Its `ghosts`, a point before it and one behind,
+say how it would go on, and are not part of it; without them it goes on straight. Static boxes, polygons and
+segments that lie level side by side are as smooth, as long as they collide with the same bodies. Dynamic
+ones, and pieces of a kinematic body, keep their edges, and so do rounded boxes whose rounding leaves a groove.
+
+## Limits
+
 A file may have 1 MB, a scene 20000 bodies and 50000 joints. A text is one line of at most 1000 bytes, without
 control characters.
 
