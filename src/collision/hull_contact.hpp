@@ -15,19 +15,20 @@ static_assert(max_polygon_vertices <= 256);  // what feature_id has room for
 /// A face of the reference hull, and the vertex of the other hull that is deepest below it.
 template <Scalar Real>
 struct FaceQuery {
-  int face = 0;
-  int vertex = 0;
+  int face = 0;                                              // of the reference hull
+  int vertex = 0;                                            // of the other hull
   Real separation = -std::numeric_limits<Real>::infinity();  // [m], of the cores, along the face's normal
 };
 
 /// Two hulls, and how exactly their positions are known.
 template <Scalar Real>
 struct Pair {
-  const RoundedHull<Real>& a;
-  const RoundedHull<Real>& b;
-  Real margin = 0;    // [m]
-  Real rounding = 0;  // [m], below it lengths are rounding errors
+  const RoundedHull<Real>& a;  // the first hull
+  const RoundedHull<Real>& b;  // the second one
+  Real margin = 0;             // [m]
+  Real rounding = 0;           // [m], below it lengths are rounding errors
 
+  /// [m] By which the two cores are rounded.
   Real radii() const { return a.radius + b.radius; }
 };
 
@@ -74,10 +75,11 @@ template <Scalar Real>
 struct EdgeDistances {
   Real corners = std::numeric_limits<Real>::infinity();  // [m]
   Real inside = std::numeric_limits<Real>::infinity();   // [m]
-  int corner_a = 0;                                      // the nearest two corners
-  int corner_b = 0;
+  int corner_a = 0;                                      // of the nearest two corners that of a
+  int corner_b = 0;                                      // and that of b
 };
 
+/// Of an edge of a from one of b.
 template <Scalar Real>
 EdgeDistances<Real> edge_distances(const Pair<Real>& pair, int edge_a, int edge_b) {
   EdgeDistances<Real> result;
@@ -129,7 +131,7 @@ Manifold<Real> corner_contact(const Pair<Real>& pair, int vertex_a, int vertex_b
 /// An end of the incident face, seen from the reference face.
 template <Scalar Real>
 struct IncidentPoint {
-  int vertex = 0;
+  int vertex = 0;   // of the incident hull
   Real along = 0;   // [m], from the start of the reference face
   Real height = 0;  // [m], above the reference face, of the cores
 };
@@ -139,10 +141,11 @@ struct IncidentPoint {
 /// ends fall together, or the faces do not face each other, only the deepest vertex is left.
 template <Scalar Real>
 struct Clip {
-  int count = 0;
-  FixedList<IncidentPoint<Real>, 2> points = {};
+  int count = 0;                                  // of points
+  FixedList<IncidentPoint<Real>, 2> points = {};  // the first `count` of them are in use
 };
 
+/// Of the face of `incident` that faces the one that was found.
 template <Scalar Real>
 Clip<Real> clip(const RoundedHull<Real>& reference, const FaceQuery<Real>& query,
                 const RoundedHull<Real>& incident, Real rounding) {

@@ -54,11 +54,11 @@ std::string edit_refusal(const Edit& edit) {
 }
 
 /// A chain of three balls from the ground; balls 1 and 2 are held by two joints.
-struct Chain {
+struct HangingChain {
   Scene scene;
   List<JointId> joints;
 
-  Chain() {
+  HangingChain() {
     for (int i = 1; i <= 3; ++i) scene.add({.shapes = {circle(0.5)}, .position = {1.0 * i, 0}});
     for (const int a : {0, 1, 1, 2}) {
       joints.push_back(scene.join<DistanceJoint>(

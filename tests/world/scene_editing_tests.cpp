@@ -19,7 +19,7 @@ using Pairs = List<std::pair<BodyId, BodyId>>;
 }  // namespace
 
 TEST_CASE("a removed body leaves an empty place: others keep their ids, and the next gets a new one") {
-  Chain chain;
+  HangingChain chain;
   Scene& scene = chain.scene;
   scene.remove(BodyId{2});
   REQUIRE(scene.bodies().size() == 4);
@@ -34,7 +34,7 @@ TEST_CASE("a removed body leaves an empty place: others keep their ids, and the 
 }
 
 TEST_CASE("the joints of a removed body go with it, and what they kept apart may touch") {
-  Chain chain;
+  HangingChain chain;
   chain.scene.remove(BodyId{2});
   CHECK(ids_of(chain.scene) == List<JointId>{chain.joints[0]});
   CHECK(chain.scene.apart() == Pairs{{{0}, {1}}});
@@ -49,7 +49,7 @@ TEST_CASE("a planetary gear goes with its carrier, which it is not fastened to")
 }
 
 TEST_CASE("a world without a body steps as one that never had it, and does not count it") {
-  Chain chain;
+  HangingChain chain;
   chain.scene.add_ground({.height = -0.5});
   chain.scene.remove(BodyId{2});
   Scene never;
@@ -74,7 +74,7 @@ TEST_CASE("a world without a body steps as one that never had it, and does not c
 }
 
 TEST_CASE("a joint keeps its id while others come and go, and the id is not used again") {
-  Chain chain;
+  HangingChain chain;
   Scene& scene = chain.scene;
   CHECK(ids_of(scene) == chain.joints);
   const auto last = scene.joints().back();
@@ -88,7 +88,7 @@ TEST_CASE("a joint keeps its id while others come and go, and the id is not used
 }
 
 TEST_CASE("bodies stay apart until the last joint that keeps them apart is removed") {
-  Chain chain;
+  HangingChain chain;
   Scene& scene = chain.scene;
   scene.join<RevoluteJoint>({.a = {1}, .b = {3}, .anchor = {2, 0}}, JointCollision::on);
   const Pairs all = {{{0}, {1}}, {{1}, {2}}, {{2}, {3}}};
@@ -100,7 +100,7 @@ TEST_CASE("bodies stay apart until the last joint that keeps them apart is remov
 }
 
 TEST_CASE("what cannot be edited is refused by name, and nothing changes") {
-  Chain chain;
+  HangingChain chain;
   Scene& scene = chain.scene;
   const BodyId gone = scene.add({.shapes = {circle(1)}, .position = {9, 9}});
   scene.remove(gone);
