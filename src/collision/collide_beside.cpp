@@ -15,6 +15,11 @@ namespace {
 // rests on it within the slop, and not be taken for something that comes from behind.
 constexpr double behind_share = 0.05;
 
+// Less than the least angle of a ridge, and more than a float rounds off.
+constexpr float same_normal = 5e-7f;
+// Of what neighbours may be apart by: planes at distances that differ by less are at one.
+constexpr float same_plane = 1e-3f;
+
 template <Scalar Real>
 Vec2<Real> middle_of(const RoundedHull<Real>& hull) {
   Vec2<Real> sum = Vec2<Real>::Zero();
@@ -48,7 +53,7 @@ class Beside {
       return holds_middle_ && !around_.one_sided ? collide_hulls(pair_) : Manifold<Real>{};
     }
     if (separation - pair_.radii() >= pair_.margin) return {};
-    if (farthest_neighbour() > separation + pair_.rounding) return {};
+    if (farthest_neighbour() > separation + pair_.rounding + same_plane * around_.slack) return {};
     if (separation >= -pair_.rounding) {  // The cores are apart.
       const EdgeDistances<Real> nearest = nearest_edges_of(on_still, on_mover);
       if (corners_are_nearer(nearest, pair_.rounding)) return between_corners(nearest, on_still);
@@ -126,18 +131,25 @@ class Beside {
     return along > 0 && along < arm.squaredNorm();
   }
 
-  /// [m] How far the moving hull is from the planes of the faces that meet the hull at its corners.
+  /// [m] How far the moving hull is from the planes of the faces that neighbours have beyond a ridge. Over
+  /// one that is level with its own face it is as far as over that, up to a rounding of any size: it says
+  /// nothing.
   Real farthest_neighbour() const {
     Real farthest = -std::numeric_limits<Real>::infinity();
     for (int vertex = 0; vertex < still_.count; ++vertex) {
       const auto& corner = around_.corners[vertex];
       for (int i = 0; i < corner.count; ++i) {
-        for (const Vec2<Real>& normal : {corner.cones[i].from, corner.cones[i].to}) {
-          farthest = std::max(farthest, least_height(rotation_ * normal, still_.vertex(vertex)));
+        for (const Vec2<Real>& side : {corner.cones[i].from, corner.cones[i].to}) {
+          const Vec2<Real> normal = rotation_ * side;
+          if (is_own(normal, vertex) || is_own(normal, still_.previous(vertex))) continue;
+          farthest = std::max(farthest, least_height(normal, still_.vertex(vertex)));
         }
       }
     }
     return farthest;
+  }
+  bool is_own(const Vec2<Real>& normal, int face) const {
+    return (normal - still_.normal(face)).cwiseAbs().maxCoeff() < same_normal;
   }
 
   /// [m] Of the moving hull over a plane.
