@@ -116,6 +116,49 @@ TEST_CASE("tiles side by side and on each other touch what the block that they m
   }
 }
 
+TEST_CASE("a closed chain around a polygon touches what the polygon touches, as deep, on its outer side") {
+  test::Random random(31);
+  const double slop = 0.005;  // [m]
+  int touching = 0;
+  for (const int corners : {5, 12}) {
+    List<Vec2<double>> points;
+    for (int i = 0; i < corners; ++i) {
+      points.push_back({2 * std::cos(2 * pi * i / corners), 2 * std::sin(2 * pi * i / corners)});
+    }
+    const Shape<double> whole = polygon(points);
+    const Chain<double> around = chain(points, {.closed = true});
+    for (const double margin : {0.0, 0.02, 0.3}) {
+      for (int round = 0; round < 3000; ++round) {
+        Visitor visitor = random_visitor(round, margin, random);
+        // Turned about the middle of the polygon, whose corners come nearer to it than its edges.
+        const double turn = random.uniform(-pi, pi), apothem = 2 * std::cos(pi / corners);
+        visitor.pose.position = Rotation<double>(turn) * Vec2<double>(0, visitor.pose.position.y() + apothem);
+        visitor.pose.angle += turn;
+        const Pose<double> origin;
+        Deepest polygon_touch, chain_touch;
+        take_in(collide(whole, origin, visitor.shape, visitor.pose, margin), polygon_touch);
+        for (int i = 0; i < around.link_count(); ++i) {
+          const Surroundings<double> beside = link_surroundings(around, i);
+          const Shape<double> link = Segment<double>{around.point(i), around.point(i + 1)};
+          take_in(collide(link, origin, visitor.shape, visitor.pose, margin, {&beside, nullptr}),
+                  chain_touch);
+        }
+        CAPTURE(corners);
+        CAPTURE(margin);
+        CAPTURE(round);
+        CAPTURE(visitor.pose.position.x());
+        CAPTURE(visitor.pose.position.y());
+        CAPTURE(visitor.pose.angle);
+        if (polygon_touch.separation < -slop) continue;  // what is deep has its middle behind a link
+        const bool both_miss = std::isinf(polygon_touch.separation) && std::isinf(chain_touch.separation);
+        CHECK((both_miss || std::abs(polygon_touch.separation - chain_touch.separation) < 1e-3));
+        touching += both_miss ? 0 : 1;
+      }
+    }
+  }
+  CHECK(touching > 3000);
+}
+
 TEST_CASE("the side between two level tiles is covered, and their common corner has one normal") {
   const List<Around> around = around_of({tile(-1, 0, -1, 0), tile(0, 1, -1, 0)});
   REQUIRE(around[0]);
