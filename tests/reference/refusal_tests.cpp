@@ -57,9 +57,10 @@ TEST_CASE("Box2D has no rounded polygons, no capsules and no polygons of more th
   CHECK(refusal(scene_with(box(1, 1, 0.1))) ==
         "Box2DWorld: polygon radius must be 0 m, as Box2D 2.4.1 does not round the corners of polygons, got "
         "0.1");
-  CHECK(refusal(scene_with(capsule({0, 0}, {1, 0}, 0.5))) ==
-        "Box2DWorld: shape must be a circle, polygon or segment, as Box2D 2.4.1 has no capsules, got a "
-        "capsule");
+  CHECK(
+      refusal(scene_with(capsule({0, 0}, {1, 0}, 0.5))) ==
+      "Box2DWorld: shape must be a circle, polygon, segment or chain, as Box2D 2.4.1 has no capsules, got a "
+      "capsule");
   CHECK(refusal(scene_with(regular_polygon(9))) ==
         "Box2DWorld: polygon vertices must be at most 8, as Box2D 2.4.1 has no room for more, got 9");
   CHECK(refusal(scene_with(regular_polygon(8))).empty());

@@ -41,7 +41,7 @@ double kept_speed(Making making, int rate, int corners, const NamedPolicy& polic
   const Vec2<double> start = bowl_points(corners, angle)[0] + 0.05 * along + radius * perpendicular(along);
   const BodyId body = scene.add({.shapes = {circle(radius)}, .position = start, .friction = 0});
   World<double> world(scene);
-  for (int i = 0; i < 2 * rate; ++i) world.step(solver);
+  for (int i = 0; i < 3 * rate / 2; ++i) world.step(solver);
   CHECK(world.bodies().pose[body].position.x() > 0);
   return world.bodies().velocity[body].x() / std::sqrt(2 * gravity * (start.y() - radius));
 }
@@ -77,17 +77,16 @@ TEST_CASE("a disc that slides down a bowl of links keeps its energy but for its 
   for (const Making making : {Making::segments, Making::chain}) {
     for (const NamedPolicy& policy : seam_policies()) {
       for (const NamedSolver& named : seam_solvers()) {
+        if (making == Making::segments && named.name != "si") continue;
         for (const int rate : {60, 240}) {
-          for (const int corners : {20, 60}) {
-            CAPTURE(name_of(making));
-            CAPTURE(policy.name);
-            CAPTURE(named.name);
-            CAPTURE(rate);
-            CAPTURE(corners);
-            const double kept = kept_speed(making, rate, corners, policy, *named.solver);
-            CHECK(kept > 1 - angle * angle / 2 * (1.0 / corners + 1 / (quarter * rate)));
-            CHECK(kept < 1);
-          }
+          const int corners = rate / 4;
+          CAPTURE(name_of(making));
+          CAPTURE(policy.name);
+          CAPTURE(named.name);
+          CAPTURE(rate);
+          const double kept = kept_speed(making, rate, corners, policy, *named.solver);
+          CHECK(kept > 1 - angle * angle / 2 * (1.0 / corners + 1 / (quarter * rate)));
+          CHECK(kept < 1);
         }
       }
     }
