@@ -9,7 +9,7 @@
 
 namespace cairn {
 
-// Angles that differ by less are one [rad]: what rounding leaves of positions that were meant to be level.
+/// Angles that differ by less are one [rad]: what rounding leaves of positions that were meant to be level.
 inline constexpr double same_angle = 1e-6;
 
 /// The way along one surface, away from a corner, and counter-clockwise around what is free to the next one.
