@@ -86,7 +86,8 @@ FailureWatch::FailureWatch(const Snapshot& start) {
     for (const Shape<double>& shape : body.shapes) {
       const Aabb<double> box = bounding_box(shape, Pose<double>{});
       const Vec2<double> size = box.upper - box.lower;
-      if (size.minCoeff() > 0) thickness = std::min(thickness, size.minCoeff());
+      const bool has_thickness = size.minCoeff() > 0 && !std::holds_alternative<Chain<double>>(shape);
+      if (has_thickness) thickness = std::min(thickness, size.minCoeff());
       length = std::max(length, size.maxCoeff());
     }
     thickness_.push_back(thickness);
