@@ -21,7 +21,8 @@ struct Failure {
   FailureKind kind = FailureKind::went_through;  // what happened
   double time = 0;                               // [s] when it was seen
   double distance = 0;                           // [m] of overlap, or of a gap
-  BodyId a = {}, b = {};                         // the bodies; of one that fell out, a alone
+  BodyId a = {};                                 // of two bodies the first; or the one that fell out
+  BodyId b = {};                                 // the second
   std::string joint = {};                        // what came apart: Constraint::name()
 };
 

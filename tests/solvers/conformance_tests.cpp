@@ -146,12 +146,16 @@ TEST_CASE("a solver stops when the residual asked for is reached, and says so") 
   for (const SolverMaker<double>& make : all_solvers<double>(Iterates::any)) {
     VelocityProblem<double> problem = hand_made_stack<double>(10, 10, 0.02);
     const double scale = residual_scale(problem);
-    const SolveReport report = make({.iterations = 100000, .tolerance = 1e-6})->solve(problem);
+    const std::unique_ptr<Solver<double>> solver = make({.iterations = 100000, .tolerance = 1e-6});
+    const SolveReport report = solver->solve(problem);
     CHECK(report.converged);
     CHECK(residual(problem, scale).energy <= 1e-6);
     VelocityProblem<double> sooner = hand_made_stack<double>(10, 10, 0.02);
-    make({.iterations = report.iterations - 1})->solve(sooner);
-    CHECK(residual(sooner, scale).energy > 1e-6);  // not a sweep too late
+    // Not a sweep too late; lanes look at R_E so much later at the soonest (Stopping).
+    const bool in_lanes = solver->name().starts_with("wide");
+    const int late = in_lanes ? 3 + report.iterations / 16 : 1;
+    make({.iterations = report.iterations - late})->solve(sooner);
+    CHECK(residual(sooner, scale).energy > 1e-6);
   }
 }
 
