@@ -22,6 +22,7 @@ struct Reach {
   double high = -std::numeric_limits<double>::infinity();
 
   bool meets(const Reach& other) const { return low <= other.high && other.low <= high; }
+  double middle() const { return (low + high) / 2; }
 };
 
 /// By the boxes around its shapes [m].
@@ -55,7 +56,7 @@ bool has_floor(const Snapshot& start, const SnapshotBody& body) {
   const Reach height = reach_of(body, up), width = reach_of(body, along);
   return std::any_of(start.bodies.begin(), start.bodies.end(), [&](const SnapshotBody& other) {
     return stands_still(other) && may_touch(body, other) && reach_of(other, along).meets(width) &&
-           reach_of(other, up).low < height.low;
+           reach_of(other, up).low < height.middle();
   });
 }
 
