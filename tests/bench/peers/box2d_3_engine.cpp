@@ -33,7 +33,10 @@ struct AddShape {
     const b2Segment converted = {to_v3(segment.point1), to_v3(segment.point2)};
     b2CreateSegmentShape(body, definition, &converted);
   }
-  void operator()(const Capsule<double>&) const { require(false, "Box2D 3", "shape", "no capsule", "one"); }
+  template <typename Other>
+  void operator()(const Other& other) const {
+    require(false, "Box2D 3", "shape", "a circle, a polygon or a segment", shape_name(other));
+  }
 };
 
 b2BodyId add(b2WorldId world, const SceneBody& body) {

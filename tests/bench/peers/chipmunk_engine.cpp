@@ -40,6 +40,10 @@ struct MakeShape {
   cpShape* operator()(const Capsule<double>& capsule) const {
     return cpSegmentShapeNew(body, to_chipmunk(capsule.point1), to_chipmunk(capsule.point2), capsule.radius);
   }
+  cpShape* operator()(const Chain<double>&) const {
+    require(false, "Chipmunk", "shape", "no chain", "one");
+    return nullptr;
+  }
 };
 
 class ChipmunkEngine final : public Engine {
