@@ -15,6 +15,7 @@
 #include "geometry/shape.hpp"
 #include "measure/csv.hpp"
 #include "measure/energy.hpp"
+#include "measure/failure.hpp"
 #include "measure/recorder.hpp"
 #include "measure/trajectory.hpp"
 #include "measure/truth.hpp"
