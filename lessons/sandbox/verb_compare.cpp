@@ -89,8 +89,8 @@ void print_comparison(const Words& words, const SceneEntry& scene, const List<Sc
   print_runs(scene, runs, console);
 }
 
-/// The worst of those that ran. What the scene expects is no matter: a comparison is no test of its
-/// contestants. What no scene should show is.
+/// The worst of those that ran. What the scene expects does not count, for a comparison is no test of its
+/// contestants; failures that no scene should show do.
 int compare_code(const List<SceneRun>& runs) {
   bool any = false, fails = false;
   for (const SceneRun& run : runs) {

@@ -11,8 +11,8 @@
 namespace cairn::narrowphase {
 namespace {
 
-// Of the size of what moves: so far its middle may sink behind a face, as that of a thin board does which
-// rests on it within the slop, and not be taken for something that comes from behind.
+// Of the size of what moves. A thin board that rests on a face within the slop has its middle behind that
+// face; only what has it farther behind is taken to come from there.
 constexpr double behind_share = 0.05;
 
 // Less than the least angle of a ridge, and more than a float rounds off.
@@ -194,8 +194,8 @@ class Beside {
     if (!is_before && point.along <= length_of(query.face) + around_.slack) return false;
     const FaceEnd<Real>& end = is_before ? known.start : known.end;
     if (end.kind != Kind::valley) return end.kind == Kind::neighbour;
-    // What is below the plane before it has come there has sunk in on the other side. And where the valley is
-    // so wide that nothing gets deep in it, a body turns in it best when it has come there.
+    // What is below the plane before it has reached it has sunk into the other side of the valley. And in a
+    // valley so wide that nothing gets deep in it, a body need not be turned before it is there.
     if (query.separation < pair_.radii() || end.rise * pair_.margin < behind()) return true;
     const Vec2<Real>& corner = still_.vertex(is_before ? query.face : still_.next(query.face));
     return (mover_.vertex(point.vertex) - corner).norm() > pair_.radii() + pair_.margin;

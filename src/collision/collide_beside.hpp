@@ -10,8 +10,8 @@ namespace cairn::narrowphase {
 enum class Side { a, b };
 
 /// The manifold of two hulls of which the one on side `still` has surroundings, given in the frame of a body
-/// turned by `rotation`. The normals on it are those that its surroundings allow; what a neighbour is touched
-/// by gives no contact.
+/// turned by `rotation`. It has only the normals that these allow, and no point that belongs to a
+/// neighbour.
 template <Scalar Real>
 Manifold<Real> collide_beside(const Pair<Real>& pair, Side still, const Surroundings<Real>& around,
                               const Rotation<Real>& rotation);

@@ -34,8 +34,8 @@ struct Stabilization {
   /// half the speed of a fall through it: it lifts a body out and no higher, however short the step.
   /// Infinite: neither holds.
   double max_speed = 4;
-  /// Springs of policy soft: those of contacts, and those of joints, which carry more and rattle less. Both
-  /// swing at most 0.25 / dt often.
+  /// Springs of policy soft: of contacts, and of joints, which carry more and rattle less. Neither swings
+  /// more often than 0.25 / dt.
   SwingSoftness soft = {.frequency = 30, .damping_ratio = 10};
   SwingSoftness joint_soft = {.frequency = 60, .damping_ratio = 5};  // of joints, and their limits
 
@@ -43,8 +43,8 @@ struct Stabilization {
   bool operator==(const Stabilization&) const = default;
 };
 
-/// A spring of policy soft in steps of dt [s]: it swings no more often than in a quarter of the steps, which
-/// could not follow it.
+/// A spring of policy soft in steps of dt [s]: at most one swing in four steps, for steps could not follow a
+/// faster one.
 SwingSoftness spring_in_steps(SwingSoftness spring, double dt);
 
 /// [m] By how much a spring gives way at rest in such steps, g / omega^2, where a load would accelerate what

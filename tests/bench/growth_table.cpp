@@ -93,6 +93,21 @@ Case timed(const std::string& name, const Boxes& scene) {
   return {.name = name, .run = run, .iterations = rounds, .repetitions = 7};
 }
 
+/// The p of time ~ n^p between two sizes.
+std::string growth_cell(double time, double next_time, int count, int next_count) {
+  return fmt::format("n^{:.2f}",
+                     std::log(next_time / time) / std::log(static_cast<double>(next_count) / count));
+}
+
+List<Case> timed_scenes(const List<int>& counts) {
+  List<Case> cases;
+  for (const int count : counts) {
+    cases.push_back(timed(fmt::format("heap {}", count), heap(count)));
+    cases.push_back(timed(fmt::format("pyramid {}", count), pyramid(count)));
+  }
+  return cases;
+}
+
 }  // namespace
 
 void print_growth_table() {
@@ -105,18 +120,9 @@ void print_growth_table() {
       "the line above, and in the last line from first to last.\n\n",
       1000 * pace);
   const List<int> counts = {500, 1000, 2000, 5000, 10'000, 20'000};
-  List<Case> cases;
-  for (const int count : counts) {
-    cases.push_back(timed(fmt::format("heap {}", count), heap(count)));
-    cases.push_back(timed(fmt::format("pyramid {}", count), pyramid(count)));
-  }
-  const std::map<std::string, Outcome> outcomes = measure(cases);
-  const auto step_time = [&](const char* kind, int count) {
+  const std::map<std::string, Outcome> outcomes = measure(timed_scenes(counts));
+  const auto step_time = [&outcomes](const char* kind, int count) {
     return outcomes.at(fmt::format("{} {}", kind, count)).time.median / (2 * steps_one_way);
-  };
-  const auto growth = [&](const char* kind, int from, int to) {
-    return fmt::format("n^{:.2f}", std::log(step_time(kind, to) / step_time(kind, from)) /
-                                       std::log(static_cast<double>(to) / from));
   };
   TextTable table({{"bodies", "n"},
                    {"heap", "ns a body"},
@@ -131,12 +137,16 @@ void print_growth_table() {
     for (const char* kind : {"heap", "pyramid"}) {
       cells.push_back(three_digits(step_time(kind, n) / n));
       cells.push_back(noise_cell(outcomes.at(fmt::format("{} {}", kind, n)).time));
-      cells.push_back(i == 0 ? "" : growth(kind, counts[i - 1], n));
+      cells.push_back(
+          i == 0 ? "" : growth_cell(step_time(kind, counts[i - 1]), step_time(kind, n), counts[i - 1], n));
     }
     table.add(cells);
   }
-  const int last = counts[counts.size() - 1];
-  table.add({"all", "", "", growth("heap", counts[0], last), "", "", growth("pyramid", counts[0], last)});
+  const int first = counts[0], last = counts[counts.size() - 1];
+  const auto over_all = [&](const char* kind) {
+    return growth_cell(step_time(kind, first), step_time(kind, last), first, last);
+  };
+  table.add({"all", "", "", over_all("heap"), "", "", over_all("pyramid")});
   fmt::print("{}\n", table.text());
 }
 
