@@ -51,6 +51,7 @@ StabilizationPolicy policy_of(const Words& words, StabilizationPolicy standard) 
   const std::string name = words.word("stabilization", "baumgarte", stabilization_names());
   if (name == "none") return StabilizationPolicy::none;
   if (name == "baumgarte") return StabilizationPolicy::baumgarte;
+  if (name == "relaxed") return StabilizationPolicy::relaxed;
   return name == "soft" ? StabilizationPolicy::soft : StabilizationPolicy::split_impulse;
 }
 
@@ -84,7 +85,7 @@ List<std::string> solver_names() {
 }
 
 const List<std::string>& stabilization_names() {
-  static const List<std::string> names = {"none", "baumgarte", "soft", "split-impulse"};
+  static const List<std::string> names = {"none", "baumgarte", "relaxed", "soft", "split-impulse"};
   return names;
 }
 
@@ -110,7 +111,8 @@ List<Flag> setting_flags() {
           {"frequency", "HZ", "steps a second"},
           {"dt", "TIME", "the length of a step, such as 1/60 or 2ms, in place of --frequency"},
           {"scalar", "WHICH", "float, double or long-double"},
-          {"stabilization", "WHICH", "none, baumgarte, soft or split-impulse; cairn list stabilizations"},
+          {"stabilization", "WHICH",
+           "none, baumgarte, relaxed, soft or split-impulse; cairn list stabilizations"},
           {"cold", "", "every step begins without the impulses of the last"}};
 }
 

@@ -25,8 +25,10 @@ List<Policy> policies() {
   const List<std::string>& names = stabilization_names();
   return {{names[0], "errors in positions stay, and grow by the error of integration"},
           {names[1], "velocities carry a share of the error for every step, and keep that speed"},
-          {names[2], "stiff springs in the rows; a second solve takes their speed out again"},
-          {names[3], "velocities of their own move the bodies once, and are forgotten"}};
+          {names[2],
+           "as baumgarte; of joints a second solve takes the speed out again, and they follow their arcs"},
+          {names[3], "stiff springs in the rows; a second solve takes their speed out again"},
+          {names[4], "velocities of their own move the bodies once, and are forgotten"}};
 }
 
 Json scenes_json() {

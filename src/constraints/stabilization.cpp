@@ -60,11 +60,18 @@ Real carried_inverse_mass(const VelocityProblem<Real>& problem, const Constraint
   return of_masses > 0 ? of_masses : inverse_effective_mass(problem, row);
 }
 
+/// Whether the velocities of contacts keep the speed that takes overlap back.
+bool contacts_keep_speed(const Stabilization& stabilization) {
+  return stabilization.policy == StabilizationPolicy::baumgarte ||
+         stabilization.policy == StabilizationPolicy::relaxed;
+}
+
 /// By how much of its error a rigid row recovers in a second: what stands for beta / dt in (7).
 template <Scalar Real>
 Real recovery_rate(const Stabilization& stabilization, StabilizationPass pass, Real dt) {
   const bool now =
       stabilization.policy == StabilizationPolicy::baumgarte ||
+      (stabilization.policy == StabilizationPolicy::relaxed && pass == StabilizationPass::velocity) ||
       (stabilization.policy == StabilizationPolicy::split_impulse && pass == StabilizationPass::position);
   return now ? static_cast<Real>(stabilization.baumgarte) / dt : Real(0);
 }
@@ -76,7 +83,7 @@ template <Scalar Real>
 Real speed_limit(const Stabilization& stabilization, Real gravity, Real overlap) {
   if (std::isinf(stabilization.max_speed)) return std::numeric_limits<Real>::infinity();
   const Real limit = static_cast<Real>(stabilization.max_speed);
-  const bool keeps_speed = stabilization.policy == StabilizationPolicy::baumgarte && gravity > 0;
+  const bool keeps_speed = contacts_keep_speed(stabilization) && gravity > 0;
   return keeps_speed ? std::min(limit, std::sqrt(gravity * overlap / 2)) : limit;
 }
 
@@ -115,6 +122,12 @@ Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization
   }
   if (pass == StabilizationPass::position) return bias - spec_velocity(spec, velocity);
   return rebounds(spec, dt, velocity) ? std::max(bias, spec.rebound) : bias;
+}
+
+template <Scalar Real>
+Real left_out_by_jacobian(const RowSpec<Real>& spec, const RowSpec<Real>& ahead, Real dt,
+                          const PerBody<Vec3<Real>>& velocity) {
+  return ahead.error - spec.error - dt * spec_velocity(spec, velocity);
 }
 
 template <Scalar Real>
@@ -191,8 +204,7 @@ void ContactStabilization<Real>::stabilize(const ContactState<Real>& contact,
 
 template <Scalar Real>
 ContactRule<Real> ContactStabilization<Real>::rule(Real gravity) const {
-  const bool keeps_speed =
-      stabilization_.policy == StabilizationPolicy::baumgarte && !std::isinf(stabilization_.max_speed);
+  const bool keeps_speed = contacts_keep_speed(stabilization_) && !std::isinf(stabilization_.max_speed);
   const SwingSoftness spring = spring_in_steps(stabilization_.soft, static_cast<double>(dt_));
   return {.dt = dt_,
           .slop = on_springs_ ? Real(0) : static_cast<Real>(stabilization_.slop),
@@ -210,14 +222,20 @@ template class ContactStabilization<double>;
 template class ContactStabilization<long double>;
 template float bias_velocity(const RowSpec<float>&, const Stabilization&, StabilizationPass, float,
                              const PerBody<Vec3<float>>&);
+template float left_out_by_jacobian(const RowSpec<float>&, const RowSpec<float>&, float,
+                                    const PerBody<Vec3<float>>&);
 template ConstraintRow<float> stabilized_row(const RowSpec<float>&, const Stabilization&, StabilizationPass,
                                              VelocityProblem<float>&, std::uint64_t, int);
 template double bias_velocity(const RowSpec<double>&, const Stabilization&, StabilizationPass, double,
                               const PerBody<Vec3<double>>&);
+template double left_out_by_jacobian(const RowSpec<double>&, const RowSpec<double>&, double,
+                                     const PerBody<Vec3<double>>&);
 template ConstraintRow<double> stabilized_row(const RowSpec<double>&, const Stabilization&, StabilizationPass,
                                               VelocityProblem<double>&, std::uint64_t, int);
 template long double bias_velocity(const RowSpec<long double>&, const Stabilization&, StabilizationPass,
                                    long double, const PerBody<Vec3<long double>>&);
+template long double left_out_by_jacobian(const RowSpec<long double>&, const RowSpec<long double>&,
+                                          long double, const PerBody<Vec3<long double>>&);
 template ConstraintRow<long double> stabilized_row(const RowSpec<long double>&, const Stabilization&,
                                                    StabilizationPass, VelocityProblem<long double>&,
                                                    std::uint64_t, int);

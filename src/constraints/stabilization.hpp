@@ -12,6 +12,7 @@ namespace cairn {
 enum class StabilizationPolicy {
   none,           // nothing: they stay, and grow by the error of integration
   baumgarte,      // (4), (7): velocities carry a share beta / dt of them; they keep that speed afterwards
+  relaxed,        // as baumgarte; of joints a second solve takes the speed out, and they follow their arcs
   soft,           // stiff springs in the rows; a second solve, without springs, takes their speed out again
   split_impulse,  // velocities of their own, which move the bodies once and are forgotten
 };
@@ -19,7 +20,7 @@ enum class StabilizationPolicy {
 /// Which velocities a row is written for.
 enum class StabilizationPass {
   velocity,  // those of the step
-  relax,     // of the policy soft: those that stay once positions have moved
+  relax,     // of the policies relaxed and soft: those that stay once positions have moved
   position,  // of the policy split_impulse: those that only correct positions
 };
 
@@ -30,9 +31,9 @@ struct Stabilization {
   StabilizationPolicy policy = StabilizationPolicy::baumgarte;  // what becomes of errors
   double baumgarte = 0.2;  // beta: the share of an error that one step removes
   double slop = 0.005;     // [m] overlap of rigid contacts that is left alone; less of small ones
-  /// [m/s] Contacts take overlap back no faster than this, nor under Baumgarte than by sqrt(g depth / 2),
-  /// half the speed of a fall through it: it lifts a body out and no higher, however short the step.
-  /// Infinite: neither holds.
+  /// [m/s] Contacts take overlap back no faster than this, nor under baumgarte and relaxed than by sqrt(g
+  /// depth / 2), half the speed of a fall through it: it lifts a body out and no higher, however short the
+  /// step. Infinite: neither holds.
   double max_speed = 4;
   /// Springs of policy soft: of contacts, and of joints, which carry more and rattle less. Neither swings
   /// more often than 0.25 / dt.
@@ -64,6 +65,16 @@ double spring_sag(const SwingSoftness& spring, double dt, double acceleration);
 template <Scalar Real>
 Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization, StabilizationPass pass,
                    Real dt, const PerBody<Vec3<Real>>& velocity);
+
+/// What the Jacobian of an equality leaves out of its error [m or rad] in a step of dt [s] at these
+/// velocities: C(x + dt v) - C(x) - dt j v, which is dt^2 / 2 times the change of j v that turning brings.
+/// `ahead` is the row at x + dt v. A row that asks for this to be taken back holds where the step ends, and
+/// its bodies, which then move along chords of their arcs, keep their speed. Source: R. Weinstein, J. Teran,
+/// R. Fedkiw, Dynamic Simulation of Articulated Rigid Bodies with Contact and Collision (2006), who solve for
+/// joints at the end of the step.
+template <Scalar Real>
+Real left_out_by_jacobian(const RowSpec<Real>& spec, const RowSpec<Real>& ahead, Real dt,
+                          const PerBody<Vec3<Real>>& velocity);
 
 /// The row of `spec` in a step of `problem`, whose dt, inverse masses and velocities are those of the step
 /// without constraints: with the bias above, the softness of its spring, and a motor's force as an impulse.

@@ -28,6 +28,8 @@ std::string policy_text(StabilizationPolicy policy) {
       return "none";
     case StabilizationPolicy::baumgarte:
       return "baumgarte";
+    case StabilizationPolicy::relaxed:
+      return "relaxed";
     case StabilizationPolicy::soft:
       return "soft";
     case StabilizationPolicy::split_impulse:

@@ -62,7 +62,7 @@ List<SceneKey> scene_step_keys() {
        "how long manifolds last"},
       {"pace", "warm_start", flag, "", "true", "", "begin from the last step's impulses"},
       {"pace", "stabilization", table, "", "", "stabilization", "how errors in positions go"},
-      {"stabilization", "policy", word, "", "baumgarte", "none, baumgarte, soft, split impulse",
+      {"stabilization", "policy", word, "", "baumgarte", "none, baumgarte, relaxed, soft, split impulse",
        "what becomes of them"},
       {"stabilization", "baumgarte", number, "", "0.2", ">= 0", "share of an error that a step removes"},
       {"stabilization", "slop", number, "m", "0.005", ">= 0",

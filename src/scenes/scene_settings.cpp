@@ -10,8 +10,8 @@ namespace cairn {
 namespace {
 
 Stabilization stabilization_of(const SceneTable& table) {
-  const StabilizationPolicy policies[] = {StabilizationPolicy::none, StabilizationPolicy::baumgarte,
-                                          StabilizationPolicy::soft, StabilizationPolicy::split_impulse};
+  using enum StabilizationPolicy;
+  const StabilizationPolicy policies[] = {none, baumgarte, relaxed, soft, split_impulse};
   Stabilization stabilization;
   stabilization.policy = policies[table.word("policy")];
   stabilization.baumgarte = table.number("baumgarte");

@@ -59,6 +59,9 @@ std::string stabilization_text(const Stabilization& stabilization) {
     case StabilizationPolicy::baumgarte:
       text = "baumgarte";
       break;
+    case StabilizationPolicy::relaxed:
+      text = "relaxed";
+      break;
     case StabilizationPolicy::soft:
       text = "soft";
       break;

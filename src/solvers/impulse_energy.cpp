@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace cairn {
 
@@ -20,22 +21,70 @@ void velocities_of_impulses(const VelocityProblem<Real>& problem, PerBody<Vec3<R
   }
 }
 
-/// D along the impulses, at all of them.
 template <Scalar Real>
-struct EnergySlope {
-  Real slope = 0;      // [J] D'(1)
-  Real curvature = 0;  // [J] D''
+bool can_move(const VelocityProblem<Real>& problem, BodyId body) {
+  return !problem.inverse_mass[body].isZero(0);
+}
 
-  void add(Real impulse, Real lack, Real own) {
-    slope += impulse * lack;
-    curvature += impulse * own;
+/// The first body of an island: no body names one behind itself.
+BodyId first_of(PerBody<BodyId>& island, BodyId body) {
+  while (island[body] != body) {
+    island[body] = island[island[body]];
+    body = island[body];
   }
-  /// Written so that a NaN leaves things as they are: the step will report it.
-  Real share() const {
-    if (!(slope > 0) || !(curvature > 0)) return 1;
-    return std::max(Real(0), 1 - slope / curvature);
+  return body;
+}
+
+/// Joins the bodies of every row that can be moved.
+template <Scalar Real>
+void find_islands(const VelocityProblem<Real>& problem, PerBody<BodyId>& island) {
+  island.resize(problem.velocity.size());
+  for (const BodyId body : island.indices()) island[body] = body;
+  for (const ConstraintRow<Real>& row : problem.rows) {
+    std::optional<BodyId> known;
+    for_each_term(problem, row, [&](BodyId body, const Vec3<Real>&) {
+      if (!can_move(problem, body)) return;
+      const BodyId other = first_of(island, body), first = known ? first_of(island, *known) : other;
+      island[std::max(first, other)] = std::min(first, other);
+      known = first;
+    });
   }
-};
+  for (const BodyId body : island.indices()) island[body] = first_of(island, body);
+}
+
+/// The island of a row; that of a body that cannot be moved where none of its bodies can.
+template <Scalar Real>
+BodyId island_of(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row,
+                 const PerBody<BodyId>& island) {
+  BodyId found = row.a;
+  for_each_term(problem, row, [&](BodyId body, const Vec3<Real>&) {
+    if (can_move(problem, body)) found = island[body];
+  });
+  return found;
+}
+
+/// The shares of all islands, of which it returns the least. lack(i, row) is what row i lacks of what it asks
+/// for, own(i, row) its row of (A + gamma) p. Written so that a NaN leaves things as they are: the step will
+/// report it.
+template <Scalar Real, typename Lack, typename Own>
+Real find_shares(const VelocityProblem<Real>& problem, EnergyMemory<Real>& memory, const Lack& lack,
+                 const Own& own) {
+  find_islands(problem, memory.island);
+  memory.energy.assign(problem.velocity.size(), {});
+  for (int i = 0; i < problem.row_count(); ++i) {
+    const ConstraintRow<Real>& row = problem.rows[i];
+    EnergySlope<Real>& energy = memory.energy[island_of(problem, row, memory.island)];
+    energy.slope += problem.impulse[i] * lack(i, row);
+    energy.curvature += problem.impulse[i] * own(i, row);
+  }
+  Real least = 1;
+  for (EnergySlope<Real>& energy : memory.energy) {
+    if (energy.slope > 0 && energy.curvature > 0)
+      energy.share = std::max(Real(0), 1 - energy.slope / energy.curvature);
+    least = std::min(least, energy.share);
+  }
+  return least;
+}
 
 /// Whether the energy of any impulse is a number: the squares of smaller ones are 0, or slow to compute with.
 template <Scalar Real>
@@ -45,45 +94,47 @@ bool have_energy(const PerRow<Real>& impulses) {
 }
 
 template <Scalar Real>
-void scale_impulses(VelocityProblem<Real>& problem, Real share) {
-  for (Real& impulse : problem.impulse) impulse *= share;
+void scale_impulses(VelocityProblem<Real>& problem, const EnergyMemory<Real>& memory) {
+  for (int i = 0; i < problem.row_count(); ++i)
+    problem.impulse[i] *= memory.energy[island_of(problem, problem.rows[i], memory.island)].share;
 }
 
 }  // namespace
 
 template <Scalar Real>
-Real limit_warm_start(VelocityProblem<Real>& problem, PerBody<Vec3<Real>>& scratch) {
+Real limit_warm_start(VelocityProblem<Real>& problem, EnergyMemory<Real>& memory) {
   if (!have_energy(problem.impulse)) return 1;
-  velocities_of_impulses(problem, scratch);
-  EnergySlope<Real> energy;
-  for (int i = 0; i < problem.row_count(); ++i) {
-    const ConstraintRow<Real>& row = problem.rows[i];
-    const Real impulse = problem.impulse[i];
-    const Real own = row_velocity(problem, row, scratch) + row.softness * impulse;
+  velocities_of_impulses(problem, memory.solved);
+  const auto own = [&](int i, const ConstraintRow<Real>& row) {
+    return row_velocity(problem, row, memory.solved) + row.softness * problem.impulse[i];
+  };
+  const auto lack = [&](int i, const ConstraintRow<Real>& row) {
     const bool may_push_out = row.bounds.is_unilateral() && row.softness == 0;  // a spring gives in as well
     const Real bias = may_push_out ? std::min(row.bias, Real(0)) : row.bias;
-    energy.add(impulse, row_velocity(problem, row) + own - bias, own);
-  }
-  const Real share = energy.share();
-  if (share < 1) scale_impulses(problem, share);
+    return row_velocity(problem, row) + own(i, row) - bias;
+  };
+  const Real share = find_shares(problem, memory, lack, own);
+  if (share < 1) scale_impulses(problem, memory);
   return share;
 }
 
 template <Scalar Real>
-Real limit_solved(VelocityProblem<Real>& problem, PerBody<Vec3<Real>>& scratch) {
+Real limit_solved(VelocityProblem<Real>& problem, EnergyMemory<Real>& memory) {
   if (!have_energy(problem.impulse)) return 1;
-  velocities_of_impulses(problem, scratch);
-  EnergySlope<Real> energy;
-  for (int i = 0; i < problem.row_count(); ++i) {
-    const ConstraintRow<Real>& row = problem.rows[i];
-    const Real impulse = problem.impulse[i], give = row.softness * impulse;
-    energy.add(impulse, row_velocity(problem, row) + give - row.bias,
-               row_velocity(problem, row, scratch) + give);
-  }
-  const Real share = energy.share();
+  velocities_of_impulses(problem, memory.solved);
+  const auto own = [&](int i, const ConstraintRow<Real>& row) {
+    return row_velocity(problem, row, memory.solved) + row.softness * problem.impulse[i];
+  };
+  const auto lack = [&](int i, const ConstraintRow<Real>& row) {
+    return row_velocity(problem, row) + row.softness * problem.impulse[i] - row.bias;
+  };
+  const Real share = find_shares(problem, memory, lack, own);
   if (!(share < 1)) return share;
-  scale_impulses(problem, share);
-  for (const BodyId body : scratch.indices()) problem.velocity[body] -= (1 - share) * scratch[body];
+  scale_impulses(problem, memory);
+  for (const BodyId body : memory.solved.indices()) {
+    const Real kept = memory.energy[memory.island[body]].share;
+    problem.velocity[body] -= (1 - kept) * memory.solved[body];
+  }
   return share;
 }
 
@@ -139,11 +190,11 @@ template void limit_impulses(VelocityProblem<float>&);
 template void limit_impulses(VelocityProblem<double>&);
 template void limit_impulses(VelocityProblem<long double>&);
 
-template float limit_warm_start(VelocityProblem<float>&, PerBody<Vec3<float>>&);
-template double limit_warm_start(VelocityProblem<double>&, PerBody<Vec3<double>>&);
-template long double limit_warm_start(VelocityProblem<long double>&, PerBody<Vec3<long double>>&);
-template float limit_solved(VelocityProblem<float>&, PerBody<Vec3<float>>&);
-template double limit_solved(VelocityProblem<double>&, PerBody<Vec3<double>>&);
-template long double limit_solved(VelocityProblem<long double>&, PerBody<Vec3<long double>>&);
+template float limit_warm_start(VelocityProblem<float>&, EnergyMemory<float>&);
+template double limit_warm_start(VelocityProblem<double>&, EnergyMemory<double>&);
+template long double limit_warm_start(VelocityProblem<long double>&, EnergyMemory<long double>&);
+template float limit_solved(VelocityProblem<float>&, EnergyMemory<float>&);
+template double limit_solved(VelocityProblem<double>&, EnergyMemory<double>&);
+template long double limit_solved(VelocityProblem<long double>&, EnergyMemory<long double>&);
 
 }  // namespace cairn

@@ -15,16 +15,35 @@ namespace cairn {
 // grow, and what rebounds keeps what restitution leaves it. MuJoCo compares its warm start with none by D
 // (E. Todorov, 2014); this is the exact line search between the two.
 
-/// Leaves of the impulses that a solve is to begin from, which `problem.velocity` does not hold yet, the
-/// share above, and returns it. Pushing out of overlap does not count: what was pushed out in the last step
-/// needs no push in this one. `scratch` is memory for M^-1 J^T p. O(m).
+// Each island has a share of its own: the bodies that rows join through bodies that can be moved. What fails
+// in one changes no bit of another.
+
+/// D along the impulses of an island, at all of them.
 template <Scalar Real>
-Real limit_warm_start(VelocityProblem<Real>& problem, PerBody<Vec3<Real>>& scratch);
+struct EnergySlope {
+  Real slope = 0;      // [J] D'(1)
+  Real curvature = 0;  // [J] D''
+  Real share = 1;      // that has the least D
+};
+
+/// Memory for the two functions below.
+template <Scalar Real>
+struct EnergyMemory {
+  PerBody<Vec3<Real>> solved = {};         // M^-1 J^T p
+  PerBody<BodyId> island = {};             // of each body: the first one of its island
+  PerBody<EnergySlope<Real>> energy = {};  // of each island, at its first body
+};
+
+/// Leaves of the impulses that a solve is to begin from, which `problem.velocity` does not hold yet, the
+/// shares above, and returns the least. Pushing out of overlap does not count: what was pushed out in the
+/// last step needs no push in this one. O(m).
+template <Scalar Real>
+Real limit_warm_start(VelocityProblem<Real>& problem, EnergyMemory<Real>& memory);
 
 /// The same after a solve, for its impulses and the velocities that they led to, by all that the rows ask
 /// for.
 template <Scalar Real>
-Real limit_solved(VelocityProblem<Real>& problem, PerBody<Vec3<Real>>& scratch);
+Real limit_solved(VelocityProblem<Real>& problem, EnergyMemory<Real>& memory);
 
 /// All that there is to stop or to move:
 ///   sum of m |v| + sum of |bias| / A_ii + sum of the impulses of springs and motors   [N s]

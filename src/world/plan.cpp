@@ -53,8 +53,10 @@ Plan make_plan(const Scene& scene) {
   plan.keeps_manifolds = search == ContactSearch::when_moved;
   plan.moves_manifolds =
       search == ContactSearch::when_moved || (search == ContactSearch::every_step && plan.substeps > 1);
-  plan.relaxes = scene.settings().stabilization.policy == StabilizationPolicy::soft;
-  plan.corrects_positions = scene.settings().stabilization.policy == StabilizationPolicy::split_impulse;
+  const StabilizationPolicy policy = scene.settings().stabilization.policy;
+  plan.follows_arcs = policy == StabilizationPolicy::relaxed && plan.joints > 0;
+  plan.relaxes = policy == StabilizationPolicy::soft || plan.follows_arcs;
+  plan.corrects_positions = policy == StabilizationPolicy::split_impulse;
   plan.sleeping = scene.settings().sleeping.has_value();
   const bool friction_per_point = !plan.friction || plan.friction_rows == FrictionRows::per_point;
   plan.contacts_alone = plan.joints == 0 && friction_per_point && !plan.restitution && !plan.guarded &&
@@ -90,7 +92,7 @@ std::string explain(const Plan& plan) {
   text += line("substeps", plan.substeps > 1 ? fmt::format("{} a step", plan.substeps)
                                              : std::string("left out: one solve a step"));
   std::string second = "left out: positions need none of their own";
-  if (plan.relaxes) second = "soft rows: each step is solved again without springs";
+  if (plan.relaxes) second = "each step is solved again without the speed that takes errors back";
   if (plan.corrects_positions) second = "split impulse: errors are taken back apart from the velocities";
   text += line("second solve", second);
   text += line("guards", either(plan.guarded, "solves that fail are looked after",

@@ -63,8 +63,8 @@ void World<Real>::solve_rows(Solver<Real>& solver, SolveObserver<Real>* observer
   if (plan_->relaxes) relax(solver, report);
 }
 
-/// The policy soft: solves again from v_1, without the springs that move the positions, so that their
-/// speed does not stay in the velocities.
+/// The policies relaxed and soft: solves again from v_1, without what moves the positions, so that its speed
+/// does not stay in the velocities.
 template <Scalar Real>
 void World<Real>::relax(Solver<Real>& solver, StepReport& report) {
   second_problem_.impulse = record_.problem.impulse;
@@ -93,6 +93,8 @@ VelocityProblem<Real> World<Real>::velocity_problem() const {
   twin.apply_forces();
   twin.write_rows(StabilizationPass::velocity, twin.record_.problem);
   twin.warm_start();
+  StepReport unread;
+  if (plan_->guarded) twin.guard_warm_start(unread);
   return twin.record_.problem;
 }
 

@@ -11,6 +11,7 @@
 #include "constraints/drag_joint.hpp"
 #include "dynamics/integrate.hpp"
 #include "constraints/contact_problem.hpp"
+#include "solvers/impulse_energy.hpp"
 #include "solvers/solver.hpp"
 #include "world/collider.hpp"
 #include "world/contact_graph.hpp"
@@ -161,6 +162,8 @@ class World {
   void write_rows(StabilizationPass pass, VelocityProblem<Real>& problem);
   void write_relaxing_rows();
   void write_joint_rows(StabilizationPass pass, VelocityProblem<Real>& problem, int& next);
+  void look_along_arcs();
+  void follow_arcs(const Constraint& joint);
   int tie_count() const { return scene_->joints().size() + (hand_ ? 1 : 0); }
   bool tie_asleep(int tie) const;
   void carry_over(const World& before, const Scene& then);
@@ -214,10 +217,12 @@ class World {
   List<int> candidates_;  // slots with a manifold that moves with its bodies
   List<int> touching_;    // slots of the manifolds of record_
   RowSpecs<Real> specs_;
+  RowSpecs<Real> specs_ahead_;            // the same after this substep
+  PerBody<Pose<Real>> poses_ahead_;       // where the velocities of before would take the bodies
   List<Contact<Real>> contacts_;          // of the last substep, where it needed no rows
   VelocityProblem<Real> second_problem_;  // of the policies that solve twice
   PerBody<Vec3<Real>> moving_velocity_;   // what the position moves by in this substep
-  PerBody<Vec3<Real>> solved_velocity_;   // what impulses have given
+  EnergyMemory<Real> energy_;             // of guards
 };
 
 /// `World world(scene);` is one in double.

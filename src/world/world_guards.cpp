@@ -11,9 +11,9 @@ namespace cairn {
 
 namespace {
 
-/// A joint that has come apart by more than a quarter of the smaller of its bodies has failed: what is
-/// further is taken back no faster, for Baumgarte would give the bodies beta C / dt of an error C without
-/// end.
+/// A joint that has come apart by more than a quarter of the smaller of its bodies has failed, unless it is a
+/// spring: what is further is taken back no faster, for Baumgarte would give the bodies beta C / dt of an
+/// error C without end.
 template <Scalar Real>
 void limit_joint_bias(int joints, Real rate, const PerBody<Real>& failed_error,
                       VelocityProblem<Real>& problem) {
@@ -24,7 +24,7 @@ void limit_joint_bias(int joints, Real rate, const PerBody<Real>& failed_error,
       ConstraintRow<Real>& row = problem.rows[k];
       const bool holds_points =
           !row.jacobian_a.template head<2>().isZero(0) || !row.jacobian_b.template head<2>().isZero(0);
-      if (!row.bounds.is_equality() || !holds_points) continue;
+      if (!row.bounds.is_equality() || row.softness > 0 || !holds_points) continue;
       const Real most = rate * std::min(failed_error[row.a], failed_error[row.b]);
       row.bias = std::clamp(row.bias, -most, most);
     }
@@ -39,17 +39,18 @@ template <Scalar Real>
 void World<Real>::guard_warm_start(StepReport& report) {
   const Stabilization& stabilization = scene_->settings().stabilization;
   limit_impulses(record_.problem);
-  if (stabilization.policy == StabilizationPolicy::baumgarte)
+  if (stabilization.policy == StabilizationPolicy::baumgarte ||
+      stabilization.policy == StabilizationPolicy::relaxed)
     limit_joint_bias(scene_->joints().size(), static_cast<Real>(stabilization.baumgarte) / substep_length(),
                      failed_error_, record_.problem);
-  const Real share = limit_warm_start(record_.problem, solved_velocity_);
+  const Real share = limit_warm_start(record_.problem, energy_);
   report.warm_share = std::min(report.warm_share, static_cast<double>(share));
 }
 
 /// Sweeps that were too few, or in which rows quarrel, may leave more energy than any row asks for.
 template <Scalar Real>
 void World<Real>::guard_solve(StepReport& report) {
-  const Real share = limit_solved(record_.problem, solved_velocity_);
+  const Real share = limit_solved(record_.problem, energy_);
   report.solved_share = std::min(report.solved_share, static_cast<double>(share));
 }
 

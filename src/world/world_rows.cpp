@@ -7,29 +7,13 @@ namespace cairn {
 
 namespace {
 
-// Row sources: joints by their ids, the hand, then contacts by their two colliders.
-constexpr std::uint64_t hand_source = std::uint64_t{1} << 62;
+// Rows of joints have sources below this (world_joints.cpp).
 constexpr std::uint64_t contact_source_bit = std::uint64_t{1} << 63;
 
 template <Scalar Real>
 std::uint64_t contact_source(const ContactSlot<Real>& slot) {
   return contact_source_bit | static_cast<std::uint64_t>(slot.collider_a) << 31 |
          static_cast<std::uint64_t>(slot.collider_b);
-}
-
-/// Whether no impulse of a row could change a velocity, as that of a row for the angle between the ground and
-/// a body that never turns: A_ii is 0, so it is not written. No row names one like it for its bounds.
-template <Scalar Real>
-bool moves_nothing(const RowSpec<Real>& spec, const PerBody<Vec3<Real>>& inverse_mass) {
-  const auto is_still = [&](BodyId body, const Vec3<Real>& jacobian) {
-    return inverse_mass[body].cwiseProduct(jacobian).isZero(0);
-  };
-  bool still = is_still(spec.a, spec.jacobian_a) && is_still(spec.b, spec.jacobian_b);
-  for (int k = 0; k < spec.extra_count; ++k) {
-    const RowTerm<Real>& term = spec.extra[k];
-    still = still && is_still(term.body, term.jacobian);
-  }
-  return still;
 }
 
 /// Keeps what the rows of a block have given: row(k) is the k-th. Rows that have vanished are forgotten. What
@@ -182,31 +166,6 @@ void World<Real>::write_relaxing_rows() {
     row = problem.rows[i];
     if (row.softness > 0) row.bias = row.softness = 0;
   }
-}
-
-template <Scalar Real>
-void World<Real>::write_joint_rows(StabilizationPass pass, VelocityProblem<Real>& problem, int& next) {
-  const Stabilization& stabilization = scene_->settings().stabilization;
-  const int joints = scene_->joints().size();
-  for (int i = 0; i < tie_count(); ++i) {
-    specs_.clear();
-    const Constraint& tie = i < joints ? *scene_->joints()[i] : *hand_;
-    if (!tie_asleep(i)) tie.append_rows(state_.pose, problem.velocity, specs_);
-    const auto source = i < joints ? static_cast<std::uint64_t>(scene_->joint_id(i).index) : hand_source;
-    const int first = next;
-    for (const RowSpec<Real>& spec : specs_) {
-      if (moves_nothing(spec, problem.inverse_mass)) continue;
-      if (next == problem.row_count()) problem.rows.emplace_back();
-      problem.rows[next++] = stabilized_row(spec, stabilization, pass, problem, source, first);
-    }
-    problem.blocks.push_back({first, next - first});
-  }
-}
-
-/// A joint whose bodies sleep; the hand holds none that does.
-template <Scalar Real>
-bool World<Real>::tie_asleep(int tie) const {
-  return sleep_ && tie < scene_->joints().size() && sleep_->joint_asleep(tie);
 }
 
 template <Scalar Real>

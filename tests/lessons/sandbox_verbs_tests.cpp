@@ -50,7 +50,7 @@ TEST_CASE("cairn list names scenes, solvers and stabilizations, and each alone")
   const nlohmann::json all = cairn_json({"list"});
   CHECK(all["scenes"].size() >= 20);
   CHECK(all["solvers"].size() >= 11);
-  CHECK(all["stabilizations"].size() == 4);
+  CHECK(all["stabilizations"].size() == 5);
   CHECK(cairn_json({"list", "solvers"}) == all["solvers"]);
   const Ran scenes = run_cairn({"list", "scenes"});
   CHECK(scenes.code == 0);

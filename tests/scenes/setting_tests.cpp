@@ -29,6 +29,8 @@ TEST_CASE("a setting is written as the things that differ from the usual") {
                                         .soft = {.frequency = 60, .damping_ratio = 5},
                                         .joint_soft = {.frequency = 90, .damping_ratio = 5}}}) ==
         "si x10, 60 Hz, soft 60 Hz zeta 5 joints 90 Hz slop 0.001 m at most 3 m/s, double");
+  CHECK(setting_text({.stabilization = {.policy = StabilizationPolicy::relaxed, .baumgarte = 0.3}}) ==
+        "si x10, 60 Hz, relaxed 0.3, double");
   CHECK(setting_text({.substeps = 4, .contact_search = ContactSearch::every_step}) ==
         "si x10, 60 Hz x4, contacts every step, baumgarte, double");
   CHECK(setting_text({.contact_search = ContactSearch::when_moved}) ==

@@ -1,9 +1,11 @@
 // What a guarded step keeps of impulses, and what it does not write, ask for or take.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "constraints/distance_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
 #include "measure/energy.hpp"
@@ -52,36 +54,36 @@ class NoNumberSolver final : public Solver<double> {
 }  // namespace
 
 TEST_CASE("of impulses to begin from the share is kept that makes their energy least") {
-  PerBody<Vec3<double>> scratch;
+  EnergyMemory<double> memory;
   // D = p^2 (1 / m + softness) / 2 - p (3 + bias): least at p = (3 + bias) / (1 / m + softness) = 4.
   VelocityProblem<double> problem = falling_body(0.25, 0.3125, 16);
-  CHECK(limit_warm_start(problem, scratch) == doctest::Approx(0.25).epsilon(1e-15));
+  CHECK(limit_warm_start(problem, memory) == doctest::Approx(0.25).epsilon(1e-15));
   CHECK(problem.impulse[0] == doctest::Approx(4).epsilon(1e-15));
   CHECK(problem.velocity[{1}].y() == -3);  // a warm start is given by the solver
   problem.impulse = {2};                   // too little is no harm
-  CHECK(limit_warm_start(problem, scratch) == 1);
+  CHECK(limit_warm_start(problem, memory) == 1);
   CHECK(problem.impulse[0] == 2);
   problem.impulse = {-2};  // the wrong way round
-  CHECK(limit_warm_start(problem, scratch) == 0);
+  CHECK(limit_warm_start(problem, memory) == 0);
   CHECK(problem.impulse[0] == 0);
 
   // A contact is to stop the body with 6 N s; what it asks for beyond that pushes it out.
   problem = falling_body(5, 0, 16);
   problem.rows[0].bounds = Bounds<double>::unilateral();
-  CHECK(limit_warm_start(problem, scratch) == doctest::Approx(6.0 / 16).epsilon(1e-15));
+  CHECK(limit_warm_start(problem, memory) == doctest::Approx(6.0 / 16).epsilon(1e-15));
   problem.impulse = {std::numeric_limits<double>::quiet_NaN()};
-  CHECK(limit_warm_start(problem, scratch) == 1);  // the step will report it
+  CHECK(limit_warm_start(problem, memory) == 1);  // the step will report it
 }
 
 TEST_CASE("of what a solve has found the share is kept at which its rows do not work") {
-  PerBody<Vec3<double>> scratch;
+  EnergyMemory<double> memory;
   VelocityProblem<double> problem = falling_body(0.25, 0.3125, 16);
   apply_impulses(problem);
   CHECK(problem.velocity[{1}].y() == 5);
-  CHECK(limit_solved(problem, scratch) == doctest::Approx(0.25).epsilon(1e-15));
+  CHECK(limit_solved(problem, memory) == doctest::Approx(0.25).epsilon(1e-15));
   CHECK(problem.impulse[0] == doctest::Approx(4).epsilon(1e-15));
   CHECK(problem.velocity[{1}].y() == doctest::Approx(-1).epsilon(1e-15));  // -3 + 4 / 2
-  CHECK(limit_solved(problem, scratch) == doctest::Approx(1).epsilon(1e-15));
+  CHECK(limit_solved(problem, memory) == doctest::Approx(1).epsilon(1e-15));
 }
 
 TEST_CASE("impulses that hold a box at rest are kept, and dropped once it leaves the ground by itself") {
@@ -136,6 +138,50 @@ TEST_CASE("a guarded joint that has come apart by metres asks for a quarter of i
     const double expected = -0.2 * (watches ? 0.1 : 5) * 60;
     CHECK(world.bodies().velocity[{1}].x() == doctest::Approx(expected).epsilon(1e-12));
   }
+}
+
+TEST_CASE("a spring that is stretched by metres has not failed: guarded, it pulls as it does alone") {
+  const auto after_a_step = [](bool watches) {
+    Scene scene({.gravity = {0, 0}, .guarded = watches});
+    const BodyId ball = scene.add({.shapes = {circle(0.2)}, .mass = 1});
+    scene.join<DistanceJoint>({.a = ground,
+                               .b = ball,
+                               .anchor_a = {-5, 0},
+                               .length = 1,
+                               .kind = DistanceJoint::Kind::spring,
+                               .softness = SpringSoftness{.stiffness = 10, .damping = 0}});
+    World<double> world(scene);
+    SequentialImpulse<double> solver;
+    CHECK(world.step(solver).solved_share == doctest::Approx(1).epsilon(1e-14));
+    return world.bodies().velocity[{1}].x();
+  };
+  CHECK(after_a_step(false) < 0);
+  CHECK(after_a_step(true) == doctest::Approx(after_a_step(false)).epsilon(1e-14));
+}
+
+TEST_CASE("what guards take from a solve that fails changes no bit of what it does not touch") {
+  const auto pendulum_beside = [](int links) {
+    Scene scene({.guarded = true});
+    scene.add_ground({.height = -30});
+    const BodyId bob = scene.add({.shapes = {circle(0.5)}, .position = {1, 0}});
+    scene.join<RevoluteJoint>({.a = ground, .b = bob, .anchor = {0, 0}});
+    BodyId before = ground;
+    for (int i = 0; i < links; ++i) {
+      const BodyId link = scene.add({.shapes = {box(1, 0.05)}, .position = {9.5 + i, 0}});
+      scene.join<RevoluteJoint>({.a = before, .b = link, .anchor = {9.0 + i, 0}});
+      before = link;
+    }
+    for (int i = 0; i < links; ++i) scene.displace({2 + i}, {0.7 * (i + 1), 0});  // it begins open
+    World<double> world(scene);
+    SequentialImpulse<double> solver({.iterations = 2});
+    double least = 1;
+    for (int step = 0; step < 60; ++step) least = std::min(least, world.step(solver).warm_share);
+    CHECK((least < 0.5) == (links > 0));
+    return world;
+  };
+  const World<double> alone = pendulum_beside(0), beside = pendulum_beside(20);
+  CHECK(alone.bodies().pose[{1}].position == beside.bodies().pose[{1}].position);
+  CHECK(alone.bodies().velocity[{1}] == beside.bodies().velocity[{1}]);
 }
 
 TEST_CASE("a row for an angle that nothing can turn is not written") {

@@ -213,6 +213,9 @@ TEST_CASE("each part of a scene switches on its own lines of the plan, and no ot
   Scene joined = scene_of(bare_disc({0, 0}));
   joined.join<DistanceJoint>({.a = ground, .b = {1}, .anchor_a = {0, 2}});
   CHECK(parts_in_use(joined) == Parts{"joints"});
+  joined.set_settings(
+      {.gravity = {0, 0}, .stabilization = {.policy = StabilizationPolicy::relaxed}, .warm_start = false});
+  CHECK(parts_in_use(joined) == Parts{"joints", "second solve"});
 }
 
 TEST_CASE("each setting of a scene switches on its own line of the plan, and no other") {
@@ -249,6 +252,7 @@ TEST_CASE("a step solves once a substep, and twice only where the policy needs i
     };
     CHECK(sweeps(StabilizationPolicy::none) == substeps * iterations);
     CHECK(sweeps(StabilizationPolicy::baumgarte) == substeps * iterations);
+    CHECK(sweeps(StabilizationPolicy::relaxed) == substeps * iterations);  // there are no joints
     CHECK(sweeps(StabilizationPolicy::soft) == 2 * substeps * iterations);
     CHECK(sweeps(StabilizationPolicy::split_impulse) == 2 * substeps * iterations);
   }

@@ -14,8 +14,8 @@ using namespace cairn::testing;
 namespace {
 
 /// A bit of everything: boxes that fall on each other, a ball that bounces, a bar on a pin, a ball on a rod.
-Scene busy_scene() {
-  Scene scene;
+Scene busy_scene(const SceneSettings& settings = {}) {
+  Scene scene(settings);
   scene.add_ground();
   for (int i = 0; i < 4; ++i) {
     scene.add({.shapes = {box(1, 0.8)},
@@ -103,14 +103,16 @@ TEST_CASE_TEMPLATE("a copy of a world steps as the original does, and neither di
 
 TEST_CASE_TEMPLATE("velocity_problem is what the next step hands to its solver, and asking changes nothing",
                    Real, float, double, long double) {
-  World<Real> world(busy_scene());
-  Eavesdropper<Real> solver;
-  for (int step = 0; step < 80; ++step) {
-    const World<Real> before = world;
-    const VelocityProblem<Real> foreseen = world.velocity_problem();
-    CHECK(same_bits(world, before));
-    world.step(solver);
-    CHECK(same_problem(foreseen, solver.heard));
+  for (const bool guarded : {false, true}) {
+    World<Real> world(busy_scene({.guarded = guarded}));
+    Eavesdropper<Real> solver;
+    for (int step = 0; step < 80; ++step) {
+      const World<Real> before = world;
+      const VelocityProblem<Real> foreseen = world.velocity_problem();
+      CHECK(same_bits(world, before));
+      world.step(solver);
+      CHECK(same_problem(foreseen, solver.heard));
+    }
   }
 }
 

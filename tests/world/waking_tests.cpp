@@ -60,8 +60,8 @@ double speed_after_touch(SceneSettings settings, double threshold) {
 TEST_CASE_TEMPLATE(
     "an island that is woken goes on as one that was only stopped: the same bits, impulses too", Real, float,
     double, long double) {
-  for (const StabilizationPolicy policy :
-       {StabilizationPolicy::baumgarte, StabilizationPolicy::soft, StabilizationPolicy::split_impulse}) {
+  for (const StabilizationPolicy policy : {StabilizationPolicy::baumgarte, StabilizationPolicy::relaxed,
+                                           StabilizationPolicy::soft, StabilizationPolicy::split_impulse}) {
     const SceneSettings on{.substeps = 2, .stabilization = {.policy = policy}, .sleeping = usual_sleeping};
     SceneSettings off = on;
     off.sleeping = {};
