@@ -44,6 +44,7 @@ failures() {
   failure failure_far 0002 run "$scenes/far-away.toml" --scalar float --fps 1 --show velocities
   failure failure_jacobi 0001 compare weld-beam --solvers jacobi:30,si:30 --fps 60 --seconds 0.1
   failure failure_cycle 0003 compare painleve --solvers si:20,block-contact:20 --fps 10 --seconds 0.3 --show velocities
+  failure failure_rods 0024 compare "$scenes/shaking-rods.toml" --solvers si:10,newton:10 --fps 10 --seconds 2.4
   failure failure_slot 0004 run "$scenes/slot.toml" --stabilization baumgarte --fps 1 --seconds 4 --show loads
 }
 
