@@ -57,8 +57,9 @@ void build_body(SceneBuilder& builder, const SceneTable& table, int number) {
     const bool is_moved = part.has("offset") || part.has("turn");
     spec.shapes.push_back(is_moved ? moved(shape[0], part.point("offset"), part.number("turn")) : shape[0]);
   }
-  builder.add(table, spec,
-              table.has("name") ? builder.claim_name(table, "") : "body." + std::to_string(number));
+  const BodyId body = builder.add(
+      table, spec, table.has("name") ? builder.claim_name(table, "") : "body." + std::to_string(number));
+  if (table.has("displaced") || table.has("displaced_angle")) builder.displace(table, body);
 }
 
 using SceneRepeat = void (*)(SceneBuilder&, const SceneTable&, const std::string&);

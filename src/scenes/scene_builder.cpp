@@ -112,6 +112,13 @@ void SceneBuilder::require_movable(const SceneTable& table, const Constraint& jo
 void SceneBuilder::finish() {
   for (const SceneBody& each : scene_.bodies()) poses_.push_back(each.pose);
   for (const auto& work : waiting_) work();
+  for (const auto& work : last_) work();
+}
+
+void SceneBuilder::displace(const SceneTable& table, BodyId body) {
+  last_.push_back([this, table, body] {
+    table.guard([&] { scene_.displace(body, table.point("displaced"), table.number("displaced_angle")); });
+  });
 }
 
 }  // namespace cairn

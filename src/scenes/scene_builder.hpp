@@ -34,6 +34,8 @@ class SceneBuilder {
 
   /// Runs `work` once all bodies are there.
   void later(std::function<void()> work) { waiting_.push_back(std::move(work)); }
+  /// Moves a body as its table says once all joints are there, so that they begin with an error.
+  void displace(const SceneTable& table, BodyId body);
   void finish();
   template <typename Joint>
   void join(const SceneTable& table, const typename Joint::Spec& spec,
@@ -63,6 +65,7 @@ class SceneBuilder {
   std::map<std::string, BodyId> ids_ = {{"ground", ground}};
   std::set<std::string> claimed_ = {"ground"};
   List<std::function<void()>> waiting_ = {};
+  List<std::function<void()>> last_ = {};  // behind all joints
   PerBody<Pose<double>> poses_ = {};  // once all bodies are there
 };
 

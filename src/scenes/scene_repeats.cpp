@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "constraints/distance_joint.hpp"
+#include "constraints/revolute_joint.hpp"
+#include "constraints/weld_joint.hpp"
 #include "scenes/scene_builder.hpp"
 #include "math/list.hpp"
 
@@ -34,6 +37,25 @@ Shape<double> larger_block(const SceneTable& table, double more) {
   if (table.has("circle")) return circle(table.number("circle") + more);
   const Vec2<double> size = table.point("box");
   return box(size.x() + more, size.y() + more, table.number("radius"));
+}
+
+/// What joins the bodies of a row, in the order of the key's words.
+enum class RowJoint { none, pin, weld, rod };
+
+void join_neighbours(SceneBuilder& builder, const SceneTable& table, RowJoint kind, BodyId a, BodyId b) {
+  const Vec2<double> from = builder.center(a), to = builder.center(b), halfway = (from + to) / 2;
+  if (kind == RowJoint::pin) return builder.join<RevoluteJoint>(table, {.a = a, .b = b, .anchor = halfway});
+  if (kind == RowJoint::weld) return builder.join<WeldJoint>(table, {.a = a, .b = b, .anchor = halfway});
+  builder.join<DistanceJoint>(table, {.a = a, .b = b, .anchor_a = from, .anchor_b = to});
+}
+
+/// Joins each of `bodies`, n to a row, to the next one of its row, and to that of the next row.
+void join_row(SceneBuilder& builder, const SceneTable& table, const List<BodyId>& bodies, int n) {
+  const auto kind = static_cast<RowJoint>(table.word("joint"));
+  for (int i = 0; i < bodies.size(); ++i) {
+    if ((i + 1) % n != 0) join_neighbours(builder, table, kind, bodies[i], bodies[i + 1]);
+    if (i + n < bodies.size()) join_neighbours(builder, table, kind, bodies[i], bodies[i + n]);
+  }
 }
 
 }  // namespace
@@ -92,15 +114,17 @@ void build_row(SceneBuilder& builder, const SceneTable& table, const std::string
   BodySpec spec = moving_matter_of(table);
   const List<Shape<double>> usual = shape_of(table);
   const List<Shape<double>> rare = other.empty() ? usual : shape_of(other[0]);
-  int count = 0;
+  List<BodyId> bodies;
   for (int row = 0; row < table.integer("rows"); ++row) {
     for (int i = 0; i < n; ++i) {
       spec.position = start + (i - middle) * step + row * row_step;
       if (row % 2 == 1) spec.position += stagger;
       spec.shapes = every > 0 && (row + i) % every == 0 ? rare : usual;
-      builder.add(table, spec, numbered(name, count++));
+      bodies.push_back(builder.add(table, spec, numbered(name, bodies.size())));
     }
   }
+  if (static_cast<RowJoint>(table.word("joint")) == RowJoint::none) return;
+  builder.later([&builder, table, bodies, n] { join_row(builder, table, bodies, n); });
 }
 
 void build_pile(SceneBuilder& builder, const SceneTable& table, const std::string& name) {

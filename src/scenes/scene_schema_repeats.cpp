@@ -46,6 +46,8 @@ List<SceneKey> scene_block_keys() {
       {"row", "every", integer, "", "0", fmt::format("from 0 to {}", most_scene_bodies),
        "so often comes the other shape; 0: never"},
       {"row", "other", table, "", "", "shape", "the other shape"},
+      {"row", "joint", word, "", "none", "none, pin, weld, rod",
+       "joins each body to the next, and to that of the next row: halfway, or by a rod"},
       {"pile", "n", integer, "", "required", count, "how many"},
       {"pile", "columns", integer, "", "required", count, "bodies in a row"},
       {"pile", "first", point, "m", "required", "", "the lowest one on the left"},

@@ -1,6 +1,7 @@
 // Joints from TOML: they do what the same joints do that are made by hand.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 
 #include "constraints/differential_joint.hpp"
@@ -12,8 +13,10 @@
 #include "constraints/pulley_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
+#include "measure/violation.hpp"
 #include "scenes/scene_file.hpp"
 #include "study/trial.hpp"
+#include "world/world.hpp"
 
 using namespace cairn;
 
@@ -173,6 +176,45 @@ TEST_CASE("drags and frictions from a file are those made by hand") {
        .max_force = 2,
        .max_torque = 0.1,
        .shape = FrictionShape::aligned_square});
+}
+
+TEST_CASE(
+    "rows of bodies that are joined to their neighbours have 2 n m - n - m joints, halfway between them") {
+  const std::string net =
+      "[[row]]\nname = \"net\"\nn = 4\nrows = 3\nfirst = [1, 2]\nstep = [2, 0]\nrow_step = [0, -1]\ncircle = "
+      "0.3\n";
+  CHECK(read_scene_text(net, "net.toml").make().joints().empty());
+  for (const std::string kind : {"pin", "weld", "rod"}) {
+    CAPTURE(kind);
+    const Scene scene = read_scene_text(net + "joint = \"" + kind + "\"\n", "net.toml").make();
+    REQUIRE(scene.joints().size() == 2 * 4 * 3 - 4 - 3);
+    int upright = 0;
+    for (const auto& joint : scene.joints()) {
+      const auto& places = joint->attachments();
+      const Vec2<double> a = scene.bodies()[places[0].body].pose.position,
+                         b = scene.bodies()[places[1].body].pose.position;
+      const Vec2<double> way = b - a;
+      CHECK((way == Vec2<double>(2, 0) || way == Vec2<double>(0, -1)));
+      upright += way.x() == 0;
+      // Bodies do not turn yet: anchors are in the axes of the world.
+      CHECK(places[0].anchor == (kind == "rod" ? Vec2<double>(0, 0) : Vec2<double>(way / 2)));
+      CHECK(places[1].anchor == (kind == "rod" ? Vec2<double>(0, 0) : Vec2<double>(-way / 2)));
+    }
+    CHECK(upright == 4 * 2);
+  }
+}
+
+TEST_CASE("a body that is displaced begins where it was put, and its joints with an error") {
+  const Scene scene =
+      read_scene_text(
+          "[[body]]\nname = \"bob\"\ncircle = 0.2\nposition = [1, 0]\ndisplaced = [0.5, -0.25]\n"
+          "displaced_angle = 0.125\n[[joint]]\ntype = \"revolute\"\nb = \"bob\"\nanchor = [1, 0]\n",
+          "open.toml")
+          .make();
+  CHECK(scene.bodies()[{1}].pose.position == Vec2<double>(1.5, -0.25));
+  CHECK(scene.bodies()[{1}].pose.angle == 0.125);
+  CHECK(worst_joint_drift(snapshot(World<double>(scene))) ==
+        doctest::Approx(std::hypot(0.5, 0.25)).epsilon(1e-15));
 }
 
 TEST_CASE("a joint for each of a row is as many joints") {
