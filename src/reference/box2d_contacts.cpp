@@ -1,6 +1,7 @@
 // Floor 7. From Box2D's contacts to Cairn's conventions.
 #include "reference/box2d_contacts.hpp"
 #include "math/list.hpp"
+#include "reference/box2d_shapes.hpp"
 
 #include <box2d/b2_body.h>
 #include <box2d/b2_fixture.h>
@@ -11,22 +12,25 @@ namespace cairn {
 
 namespace {
 
-/// How far Box2D's surface lies outside the scene's [m]: a circle's radius is its own.
-double skin(const b2Fixture& fixture) {
-  return fixture.GetType() == b2Shape::e_circle ? 0 : static_cast<double>(fixture.GetShape()->m_radius);
-}
-
-int collider(const b2Fixture& fixture) {
+int part_number(const b2Fixture& fixture) {
   return static_cast<int>(const_cast<b2Fixture&>(fixture).GetUserData().pointer);
 }
 
-/// Of a chain, its links are numbered on from the chain's own number; other shapes have one child, number 0.
-int collider_a(const b2Contact& contact) {
-  return collider(*contact.GetFixtureA()) + contact.GetChildIndexA();
+/// How far Box2D's surface lies outside the scene's [m]: a circle's radius is its own, and the middle of a
+/// capsule lies inside.
+double skin(const b2Fixture& fixture) {
+  if (fixture.GetType() == b2Shape::e_circle) return 0;
+  const bool is_middle = part_number(fixture) % most_box2d_parts != 0;
+  return is_middle ? -capsule_middle_depth : static_cast<double>(fixture.GetShape()->m_radius);
 }
 
-int collider_b(const b2Contact& contact) {
-  return collider(*contact.GetFixtureB()) + contact.GetChildIndexB();
+/// Of a chain, its links are numbered on from the chain's own number; other shapes have one child, number 0.
+int part_a(const b2Contact& contact) {
+  return part_number(*contact.GetFixtureA()) + most_box2d_parts * contact.GetChildIndexA();
+}
+
+int part_b(const b2Contact& contact) {
+  return part_number(*contact.GetFixtureB()) + most_box2d_parts * contact.GetChildIndexB();
 }
 
 bool in_manifold(const b2Manifold& manifold, uint32 id) {
@@ -50,28 +54,28 @@ SnapshotContact contact_point(const b2Contact& contact, const b2WorldManifold& w
 
 }  // namespace
 
-Box2DContacts::Colliders Box2DContacts::colliders_of(const b2Contact& contact) {
-  return std::minmax({collider_a(contact), collider_b(contact)});
+Box2DContacts::Parts Box2DContacts::parts_of(const b2Contact& contact) {
+  return std::minmax({part_a(contact), part_b(contact)});
 }
 
 void Box2DContacts::begin_step() {
   ++step_;
-  for (auto& [colliders, touching] : touching_) {
+  for (auto& [parts, touching] : touching_) {
     for (Point& point : touching.points) point.contact.is_new = false;
   }
 }
 
-void Box2DContacts::EndContact(b2Contact* contact) { touching_.erase(colliders_of(*contact)); }
+void Box2DContacts::EndContact(b2Contact* contact) { touching_.erase(parts_of(*contact)); }
 
 /// Called once when the step begins, and again where continuous collision stops a body within the step: then
 /// the points that are known already stay where they were.
 void Box2DContacts::PreSolve(b2Contact* contact, const b2Manifold* old_manifold) {
-  Touching& touching = touching_[colliders_of(*contact)];
+  Touching& touching = touching_[parts_of(*contact)];
   if (touching.step != step_) touching = {.step = step_};
   b2WorldManifold world;
   contact->GetWorldManifold(&world);
   const b2Manifold& manifold = *contact->GetManifold();
-  const bool swapped = collider_a(*contact) > collider_b(*contact);
+  const bool swapped = part_a(*contact) > part_b(*contact);
   for (int i = 0; i < manifold.pointCount; ++i) {
     const uint32 id = manifold.points[i].id.key;
     const bool known = std::any_of(touching.points.begin(), touching.points.end(),
@@ -87,7 +91,7 @@ void Box2DContacts::PreSolve(b2Contact* contact, const b2Manifold* old_manifold)
 /// Exchanging a and b turns the normal, the tangent and the impulse around: the two numbers stay.
 void Box2DContacts::PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) {
   const b2Manifold& manifold = *contact->GetManifold();
-  for (Point& point : touching_[colliders_of(*contact)].points) {
+  for (Point& point : touching_[parts_of(*contact)].points) {
     for (int i = 0; i < impulse->count; ++i) {
       if (manifold.points[i].id.key != point.id) continue;
       point.contact.normal_impulse += static_cast<double>(impulse->normalImpulses[i]);
@@ -98,11 +102,11 @@ void Box2DContacts::PostSolve(b2Contact* contact, const b2ContactImpulse* impuls
 
 List<SnapshotContact> Box2DContacts::contacts(const List<BodyId>& colliders) const {
   List<SnapshotContact> result;
-  for (const auto& [pair, touching] : touching_) {
+  for (const auto& [parts, touching] : touching_) {
     for (const Point& point : touching.points) {
       result.push_back(point.contact);
-      result.back().a = colliders[pair.first];
-      result.back().b = colliders[pair.second];
+      result.back().a = colliders[parts.first / most_box2d_parts];
+      result.back().b = colliders[parts.second / most_box2d_parts];
     }
   }
   return result;

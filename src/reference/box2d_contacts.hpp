@@ -40,12 +40,12 @@ class Box2DContacts final : public b2ContactListener {
     int step = 0;
     List<Point> points = {};
   };
-  using Colliders = std::pair<int, int>;
+  using Parts = std::pair<int, int>;  // of shapes: most_box2d_parts numbers for each collider
 
-  static Colliders colliders_of(const b2Contact& contact);
+  static Parts parts_of(const b2Contact& contact);
 
   int step_ = 0;
-  std::map<Colliders, Touching> touching_;
+  std::map<Parts, Touching> touching_;
 };
 
 }  // namespace cairn

@@ -22,10 +22,21 @@ std::unique_ptr<b2Shape> convert(const Circle<double>& circle) {
   return result;
 }
 
-std::unique_ptr<b2Shape> convert(const Capsule<double>&) {
-  require(false, "Box2DWorld", "shape", "a circle, polygon, segment or chain, as Box2D 2.4.1 has no capsules",
-          "a capsule");
-  return nullptr;
+/// Its two ends, and a box between them. That is thinner than the capsule by so much that, with its skin, it
+/// meets only what the ends do not.
+List<std::unique_ptr<b2Shape>> parts_of(const Capsule<double>& capsule) {
+  const double thinner = static_cast<double>(b2_polygonRadius) + capsule_middle_depth;
+  require(capsule.radius > thinner, "Box2DWorld", "capsule radius",
+          "> 0.02 m, as Box2D 2.4.1 has no capsules, and a box in one has a skin", capsule.radius);
+  List<std::unique_ptr<b2Shape>> parts;
+  parts.push_back(convert(Circle<double>{capsule.point1, capsule.radius}));
+  parts.push_back(convert(Circle<double>{capsule.point2, capsule.radius}));
+  const Vec2<double> half = (capsule.point2 - capsule.point1) / 2;
+  auto middle = std::make_unique<b2PolygonShape>();
+  middle->SetAsBox(static_cast<float>(half.norm()), static_cast<float>(capsule.radius - thinner),
+                   to_box2d(capsule.point1 + half), static_cast<float>(std::atan2(half.y(), half.x())));
+  parts.push_back(std::move(middle));
+  return parts;
 }
 
 /// Fills in vertices and normals as they are: b2PolygonShape::Set would weld vertices that lie close
@@ -108,8 +119,15 @@ b2RevoluteJointDef definition(const RevoluteJoint& joint) {
 
 b2Vec2 to_box2d(const Vec2<double>& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
 
-std::unique_ptr<b2Shape> to_box2d(const Shape<double>& shape) {
-  return std::visit([](const auto& held) { return convert(held); }, shape);
+List<std::unique_ptr<b2Shape>> to_box2d(const Shape<double>& shape) {
+  if (const auto* capsule = std::get_if<Capsule<double>>(&shape)) return parts_of(*capsule);
+  List<std::unique_ptr<b2Shape>> parts;
+  std::visit(
+      [&parts]<typename Held>(const Held& held) {
+        if constexpr (!std::is_same_v<Held, Capsule<double>>) parts.push_back(convert(held));
+      },
+      shape);
+  return parts;
 }
 
 b2Joint* create_joint(b2World& world, const Constraint& joint, const PerBody<b2Body*>& bodies,

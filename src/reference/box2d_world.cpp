@@ -19,6 +19,8 @@ b2BodyType body_type(BodyType type) {
   return type == BodyType::kinematic ? b2_kinematicBody : b2_dynamicBody;
 }
 
+constexpr std::uint32_t box2d_filter_bits = 0xFFFF;  // that a category may have
+
 b2Body* create_body(b2World& world, const SceneBody& body) {
   const BodySpec& spec = body.spec;
   b2BodyDef definition;
@@ -34,17 +36,21 @@ b2Body* create_body(b2World& world, const SceneBody& body) {
   return world.CreateBody(&definition);
 }
 
-/// Names the fixture by its number among all colliders: Cairn orders contacts by it.
-void create_fixture(b2Body& body, const Shape<double>& shape, const BodySpec& spec, double threshold,
-                    int collider) {
-  const std::unique_ptr<b2Shape> converted = to_box2d(shape);
+/// Names the fixtures by their number among the parts of all colliders: Cairn orders contacts by it.
+void create_fixtures(b2Body& body, const Shape<double>& shape, const BodySpec& spec, double threshold,
+                     int collider) {
   b2FixtureDef definition;
-  definition.shape = converted.get();
   definition.friction = static_cast<float>(spec.friction);
   definition.restitution = static_cast<float>(spec.restitution);
   definition.restitutionThreshold = static_cast<float>(threshold);
-  definition.userData.pointer = static_cast<std::uintptr_t>(collider);
-  body.CreateFixture(&definition);
+  definition.filter.categoryBits = static_cast<uint16>(spec.category);
+  definition.filter.maskBits = static_cast<uint16>(spec.collides_with & box2d_filter_bits);
+  const List<std::unique_ptr<b2Shape>> parts = to_box2d(shape);
+  for (int i = 0; i < parts.size(); ++i) {
+    definition.shape = parts[i].get();
+    definition.userData.pointer = static_cast<std::uintptr_t>(most_box2d_parts * collider + i);
+    body.CreateFixture(&definition);
+  }
 }
 
 void set_mass(b2Body& body, const SceneBody& scene_body) {
@@ -75,11 +81,9 @@ double drift(const Constraint& joint, const PerBody<Pose<double>>& poses) {
 
 /// What this world of Box2D would ignore, and so must not be given.
 void check_contacts_of(const BodySpec& spec) {
-  const BodySpec usual;
   require(!spec.sensor, "Box2DWorld", "sensor", "false: sensors are not taken over", "true");
-  const bool touches_all = spec.category == usual.category && spec.collides_with == usual.collides_with;
-  require(touches_all, "Box2DWorld", "category and collides_with", "as usual: filters are not taken over",
-          std::to_string(spec.category) + " and " + std::to_string(spec.collides_with));
+  require(spec.category <= box2d_filter_bits, "Box2DWorld", "category",
+          "of the first 16 bits, as Box2D 2.4.1 has no more", spec.category);
 }
 
 }  // namespace
@@ -131,7 +135,7 @@ void Box2DWorld::Simulation::add_bodies() {
     bodies[id] = create_body(world, scene_bodies[id]);
     int collider = first_collider[id];
     for (const Shape<double>& shape : spec.shapes) {
-      create_fixture(*bodies[id], shape, spec, scene.settings().restitution_threshold, collider);
+      create_fixtures(*bodies[id], shape, spec, scene.settings().restitution_threshold, collider);
       collider += piece_count(shape);
     }
     set_mass(*bodies[id], scene_bodies[id]);

@@ -31,7 +31,8 @@ struct Box2DSettings {
 /// mass are Cairn's, friction and restitution mix by the same rules, and damping has the same formula.
 /// Different are:
 /// - Polygons and segments carry a skin of 0.01 m, and shapes may sink 0.005 m into each other's skins: two
-///   polygons rest 0.015 m apart, a circle 0.005 m above a polygon.
+///   polygons rest 0.02 m apart, a circle 0.005 m above a polygon.
+/// - A capsule is two circles and a box between them, which begins 0.01 m below its surface.
 /// - Contact rows exist only where skins overlap; there is no Baumgarte term in the velocities, but a pass
 ///   over the positions of its own.
 /// - Friction rows come before normal rows, and the two normal rows of a manifold are solved together, unless
@@ -41,9 +42,9 @@ struct Box2DSettings {
 class Box2DWorld {
  public:
   /// Copies what it needs of the scene.
-  /// @throws std::invalid_argument for what Box2D 2.4.1 does not have: capsules, rounded polygons, polygons
-  /// of more than 8 vertices, sensors, bodies that not all may touch, joints other than rods and plain pins,
-  /// rods shorter than 0.005 m; and for negative iteration counts.
+  /// @throws std::invalid_argument for what Box2D 2.4.1 does not have: rounded polygons, polygons of more
+  /// than 8 vertices, categories beyond 16 bits; for sensors, joints other than rods and plain pins, rods
+  /// shorter than 0.005 m, capsules of a radius of 0.02 m or less; and for negative iteration counts.
   explicit Box2DWorld(const Scene& scene, const Box2DSettings& settings = {});
   ~Box2DWorld();
   Box2DWorld(const Box2DWorld&) = delete;

@@ -52,13 +52,14 @@ class Box2D2Engine final : public Engine {
     definition.angularVelocity = static_cast<float>(spec.angular_velocity);
     b2Body* result = world_.CreateBody(&definition);
     for (const Shape<double>& shape : spec.shapes) {
-      const std::unique_ptr<b2Shape> converted = to_box2d(shape);
       b2FixtureDef fixture;
-      fixture.shape = converted.get();
       fixture.friction = static_cast<float>(spec.friction);
       fixture.filter.categoryBits = static_cast<std::uint16_t>(spec.category);
       fixture.filter.maskBits = static_cast<std::uint16_t>(spec.collides_with);
-      result->CreateFixture(&fixture);
+      for (const std::unique_ptr<b2Shape>& part : to_box2d(shape)) {
+        fixture.shape = part.get();
+        result->CreateFixture(&fixture);
+      }
     }
     if (spec.type == BodyType::dynamic) {
       b2MassData mass;
