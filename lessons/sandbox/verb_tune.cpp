@@ -189,8 +189,9 @@ int run_tune(const Words& words, Console& console) {
   check_stands(words, entry);
   const double seconds = seconds_to_tune(words, entry, wish);
   const Scene scene = entry.make();
-  Progress bar(words.console, "settings", tuner_settings({"si"}).size());
-  const TunerOptions options = tuner_options(words, bar);
+  Progress bar(words.console, "settings", tuner_settings({"si"}, !scene.joints().empty()).size());
+  TunerOptions options = tuner_options(words, bar);
+  options.has_joints = !scene.joints().empty();
   const TunerRun run = tuner_run(entry, scene, seconds, wish);
   console.narrate(fmt::format("{}: {}, for {:g} s from {}", entry.name, wish_text(wish), seconds,
                               starts_text(options.starts)));

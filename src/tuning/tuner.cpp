@@ -164,7 +164,7 @@ List<Setting> variants_of(const Setting& setting) {
 
 /// All that meet the wish: of the settings until they are too much work, and of the variants of the best.
 List<Candidate> all_that_meet(TunerSearch& search, const TunerOptions& options, TunerAnswer& answer) {
-  const List<Setting> settings = tuner_settings(options.solvers);
+  const List<Setting> settings = tuner_settings(options.solvers, options.has_joints);
   const int total = settings.size();
   List<Candidate> met;
   double least_work = 0;
@@ -248,7 +248,7 @@ TunerAnswer tune(const TunerRun& run, const Wish& wish, const TunerOptions& opti
     const int most = std::min(kinds.size(), most_kinds(options));
     answer.runners_up.assign(kinds.begin() + 1, kinds.begin() + most);
   }
-  const int total = tuner_settings(options.solvers).size();
+  const int total = tuner_settings(options.solvers, options.has_joints).size();
   search.end_at(plain_si_end);
   answer.plain_si = search.first_that_meets(plain_si_settings(), answer.tried, total);
   search.end_at(box2d_end);

@@ -53,9 +53,10 @@ struct Candidate {
 struct TunerOptions {
   List<std::string> solvers = {"si",    "wide", "block", "block-contact", "accelerated", "wide-accelerated",
                                "newton"};
-  int starts = 16;         // of each setting that is to be trusted
-  int runners_up = 4;      // that are to be found beside the best
-  double time_limit = 60;  // [s] of the wall clock; the search may have two thirds, and each rival a sixth
+  bool has_joints = false;  // of the scene: the policy relaxed is tried, which without them is Baumgarte
+  int starts = 16;          // of each setting that is to be trusted
+  int runners_up = 4;       // that are to be found beside the best
+  double time_limit = 60;   // [s] of the wall clock; the search may have two thirds, and each rival a sixth
   /// Told after every setting: how many were tried, and how many there are. False stops the search.
   std::function<bool(int tried, int total)> progress = {};
 };
@@ -74,8 +75,9 @@ struct TunerAnswer {
 };
 
 /// The settings that are tried, from the least work to the most: solvers, 1 to 256 sweeps (of newton 1 to 16
-/// linear systems), 60 to 240 steps a second, 1 to 16 substeps, policies Baumgarte, soft and split impulse.
-List<Setting> tuner_settings(const List<std::string>& solvers);
+/// linear systems), 60 to 240 steps a second, 1 to 16 substeps, policies Baumgarte, soft and split impulse;
+/// for joints, relaxed too.
+List<Setting> tuner_settings(const List<std::string>& solvers, bool has_joints);
 /// SI at 60 steps a second with Baumgarte and no substeps, 1 to 1024 sweeps.
 List<Setting> plain_si_settings();
 /// Box2D 2.4.1: 4 to 64 velocity iterations, 3 or 10 for positions, 60 to 240 steps, 1 or 4 substeps.

@@ -47,22 +47,24 @@ Stabilization with_policy(StabilizationPolicy policy) {
 double expected_work(const Setting& setting) {
   const double steps = setting.substeps / setting.dt;
   if (setting.solver == "reference") return steps * 2000;
-  // Both of these policies solve a second time.
-  const bool twice = setting.stabilization.policy == StabilizationPolicy::soft ||
-                     setting.stabilization.policy == StabilizationPolicy::split_impulse;
+  const StabilizationPolicy policy = setting.stabilization.policy;
+  const bool twice = policy == StabilizationPolicy::relaxed || policy == StabilizationPolicy::soft ||
+                     policy == StabilizationPolicy::split_impulse;
   const double sweeps = (twice ? 2 : 1) * setting.sweeps.iterations * work_of_a_sweep(setting.solver);
   return steps * (work_of_a_step + sweeps);
 }
 
-List<Setting> tuner_settings(const List<std::string>& solvers) {
+List<Setting> tuner_settings(const List<std::string>& solvers, bool has_joints) {
+  List<StabilizationPolicy> policies = {StabilizationPolicy::baumgarte, StabilizationPolicy::soft,
+                                        StabilizationPolicy::split_impulse};
+  if (has_joints) policies.push_back(StabilizationPolicy::relaxed);
   List<Setting> settings;
   for (const std::string& solver : solvers) {
     const int most_sweeps = most_sweeps_of(solver);
     for (const int frequency : {60, 120, 240}) {
       for (const int substeps : {1, 2, 4, 8, 16}) {
         for (int sweeps = 1; sweeps <= most_sweeps; sweeps *= 2) {
-          for (const StabilizationPolicy policy : {StabilizationPolicy::baumgarte, StabilizationPolicy::soft,
-                                                   StabilizationPolicy::split_impulse}) {
+          for (const StabilizationPolicy policy : policies) {
             Setting setting{.solver = solver, .dt = 1.0 / frequency, .substeps = substeps};
             setting.sweeps.iterations = sweeps;
             setting.stabilization = with_policy(policy);

@@ -43,11 +43,11 @@ struct SceneSettings {
   Stabilization stabilization = {};  // how errors in positions are taken back
   bool warm_start = true;            // begin from last step's impulses
   /// Looks after solves that fail. Of the impulses that a solve begins from, and of those that it ends with,
-  /// only the share is kept that has the least energy, and such that are out of all proportion are limited
-  /// (solvers/impulse_energy.hpp); joints that have come apart are asked for no speeds without end, and
-  /// bodies that a solve has left going through each other are kept apart (world/last_word.hpp). StepReport
-  /// says how far. Springs of policy soft that would let a body through are refused. O(m) a substep; off:
-  /// nothing of it is looked at.
+  /// each island keeps only the share that has the least energy, and such that are out of all proportion are
+  /// limited (solvers/impulse_energy.hpp); joints that have come apart are asked for no speeds without end,
+  /// and bodies that a solve has left going through each other are kept apart (world/last_word.hpp).
+  /// StepReport says how far. Springs of policy soft that would let a body through are refused. O(m) a
+  /// substep; off: nothing of it is looked at.
   bool guarded = false;
   ContactSearch contact_search = ContactSearch::every_substep;  // how long manifolds last
   double speculative_margin = 0.02;    // [m] shapes closer than this get contact rows with room to spare

@@ -33,8 +33,9 @@ struct StepReport {
   int rows = 0;                           // scalar constraints
   AwakeCount awake = {};                  // when the step ended; islands are counted where bodies may sleep
   std::optional<BodyId> not_finite = {};  // the first body that would have a NaN or an infinity, if any
-  /// Where SceneSettings::guarded, and of the substep where it was least: the share of last step's impulses
-  /// that its solve began from, and the share of what it solved that was kept (solvers/impulse_energy.hpp).
+  /// Where SceneSettings::guarded, and of the island and substep where it was least: the share of last step's
+  /// impulses that its solve began from, and the share of what it solved that was kept
+  /// (solvers/impulse_energy.hpp).
   double warm_share = 1;    // of what it began from
   double solved_share = 1;  // of what it solved
   /// Substeps, where SceneSettings::guarded, in which the solve had left bodies going through each other, so

@@ -34,7 +34,7 @@ TrialResult formula_run(const Setting& setting, std::uint64_t = 0, double = 0) {
 /// The least cost of all settings that meet the wish by the formula.
 double least_formula_cost(const Wish& wish, const List<std::string>& solvers) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Setting& setting : tuner_settings(solvers)) {
+  for (const Setting& setting : tuner_settings(solvers, false)) {
     const TrialResult result = formula_run(setting, 0);
     if (verdict(result, wish).meets) least = std::min(least, result.cost());
   }
@@ -97,7 +97,7 @@ TEST_CASE("where nothing meets a wish the tuner says so, and what came of the mo
   CHECK(answer.plain_si->list_exhausted);
   CHECK(answer.plain_si->setting.sweeps.iterations == 1024);
   CHECK(answer.complete);
-  CHECK(answer.tried == static_cast<int>(tuner_settings({"si"}).size()));
+  CHECK(answer.tried == static_cast<int>(tuner_settings({"si"}, false).size()));
   REQUIRE(answer.nearest);
   CHECK(answer.nearest->setting.sweeps.iterations == 256);
   CHECK(answer.nearest->verdict.missed.rfind("penetration", 0) == 0);
@@ -194,12 +194,17 @@ TEST_CASE("no setting runs twice, and once it is told to stop none runs at all")
 
 TEST_CASE(
     "the tuner tries Newton's method, with a few systems, among the solvers that are not said otherwise") {
-  int with_newton = 0, most = 0;
-  for (const Setting& setting : tuner_settings(TunerOptions().solvers)) {
-    if (setting.solver != "newton") continue;
-    with_newton += 1;
-    most = std::max(most, setting.sweeps.iterations);
+  for (const bool has_joints : {false, true}) {
+    int with_newton = 0, relaxed = 0, most = 0;
+    for (const Setting& setting : tuner_settings(TunerOptions().solvers, has_joints)) {
+      if (setting.solver != "newton") continue;
+      with_newton += 1;
+      relaxed += setting.stabilization.policy == StabilizationPolicy::relaxed;
+      most = std::max(most, setting.sweeps.iterations);
+    }
+    CHECK(with_newton ==
+          3 * 5 * 5 * (has_joints ? 4 : 3));  // steps a second, substeps, 1 to 16 systems, policies
+    CHECK(relaxed == (has_joints ? 3 * 5 * 5 : 0));
+    CHECK(most == 16);
   }
-  CHECK(with_newton == 3 * 5 * 5 * 3);  // steps a second, substeps, 1 to 16 systems, policies
-  CHECK(most == 16);
 }
