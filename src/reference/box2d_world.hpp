@@ -31,7 +31,7 @@ struct Box2DSettings {
 /// mass are Cairn's, friction and restitution mix by the same rules, and damping has the same formula.
 /// Different are:
 /// - Polygons and segments carry a skin of 0.01 m, and shapes may sink 0.005 m into each other's skins: two
-///   polygons rest 0.02 m apart, a circle 0.005 m above a polygon.
+///   polygons rest 0.015 m apart, a circle 0.005 m above a polygon.
 /// - A capsule is two circles and a box between them, which begins 0.01 m below its surface.
 /// - Contact rows exist only where skins overlap; there is no Baumgarte term in the velocities, but a pass
 ///   over the positions of its own.
