@@ -28,7 +28,7 @@ struct Plan {
   int substeps = 1;                                       // in a step
   bool moves_manifolds = false;                           // manifolds last longer than a substep
   bool keeps_manifolds = false;                           // and longer than a step
-  bool relaxes = false;             // a second solve takes the speed out that moved errors back
+  bool relaxes = false;             // a second solve takes out the speed that moved errors back
   bool follows_arcs = false;        // joints are asked to hold where a substep ends
   bool corrects_positions = false;  // a second solve takes errors back
   bool sleeping = false;            // islands at rest take no part

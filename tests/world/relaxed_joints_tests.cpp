@@ -160,7 +160,7 @@ TEST_CASE("a level chain of a hundred links falls in four substeps without energ
   });
 }
 
-TEST_CASE("joints that begin open are drawn together, which lifts their bodies and makes them no faster") {
+TEST_CASE("joints that begin open are drawn together, and their bodies gain no more than what lifts them") {
   const double open = 0.7;
   const int links = 20;
   // A body is drawn to its place along its joints' gaps, and lifted by them at most.
@@ -197,8 +197,8 @@ TEST_CASE("a rotor's pin stays shut under the policy relaxed, and its centre mov
     for (int step = 0; step < 4 * rate; ++step) world.step(newton);
     // What the first step leaves open goes by a share beta in each: 0.8^240 of it is left.
     CHECK(worst_joint_drift(snapshot(world)) <= 1e-14);
-    // The centre goes v dt along the tangent where a step begins, and then inwards: by tan(w dt / 2) as fast.
-    // That is to be seen in its energy once, of O(dt^2), and in no step again.
+    // The centre moves along chords: beside its speed v along the tangent on which a step begins it has one
+    // of v tan(w dt / 2) inwards. Its energy shows that after the first step, and does not change again.
     const double half_angle = spin / rate / 2, of_centre = 1 / (1 + 0.125);
     const double more = total_energy(snapshot(world)) / before - 1;
     CHECK(more == doctest::Approx(of_centre * half_angle * half_angle).epsilon(4 * half_angle));
