@@ -40,7 +40,7 @@ int run_interrupted(const std::string& folder, const List<std::string>& flags) {
   const pid_t child = started_cairn(flags, "/dev/null");
   int status = 0;
   bool is_sent = false;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 24000; ++i) {
     if (waitpid(child, &status, WNOHANG) == child) return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     if (!is_sent && fs::exists(folder + "/0000.png")) {
       kill(child, SIGINT);
@@ -150,7 +150,7 @@ TEST_CASE("a folder that another run fills is refused, and free once that run is
   const std::string film = folder.path() + "/film";
   const pid_t other =
       started_cairn({"run", "pyramid", "--seconds", "20s", "--size", "large", "--frames", film}, "/dev/null");
-  for (int i = 0; i < 1000 && !fs::exists(film + "/0000.png"); ++i)
+  for (int i = 0; i < 12000 && !fs::exists(film + "/0000.png"); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   const Ran refused = run_cairn(small_film(film));
   CHECK(refused.code == 3);
@@ -167,7 +167,7 @@ TEST_CASE("an APNG that is interrupted leaves nothing, and does not promise to g
   const ScratchFolder folder;
   // Stops it once there is the beginning of a file.
   const std::string script =
-      "\"$0\" run pyramid --seconds 20s --size large --apng \"$1/film.png\" & for i in $(seq 1000); do "
+      "\"$0\" run pyramid --seconds 20s --size large --apng \"$1/film.png\" & for i in $(seq 12000); do "
       "ls \"$1\"/film.png.*.part > /dev/null 2>&1 && break; sleep 0.01; done; kill -TERM $!; wait $!";
   const Ran ran =
       run_program("/bin/sh", {"-c", script, std::string(CAIRN_BIN_DIR) + "/cairn", folder.path()});
