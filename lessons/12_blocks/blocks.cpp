@@ -18,7 +18,10 @@ const double beta = 0.2;  // as Stabilization has it
 /// `links` of 1 kg in a line at `angle` [rad] above the horizontal, each joined to the one before it.
 template <typename Joint>
 Scene line_of(int links, double length, double height, double angle, double dt) {
-  Scene scene({.gravity = {0, -gravity}, .dt = dt});
+  Scene scene({.gravity = {0, -gravity},
+               .dt = dt,
+               .stabilization = {.policy = StabilizationPolicy::baumgarte},
+               .guarded = false});
   const Vec2<double> along = {std::cos(angle), std::sin(angle)};
   BodyId last = ground;
   for (int i = 0; i < links; ++i) {
@@ -162,7 +165,10 @@ void add_formulas(const BlocksSettings& settings, RodRun& run) {
 }
 
 World<double> bob_world(const BlocksSettings& settings) {
-  Scene scene({.gravity = {0, -gravity}, .dt = settings.dt});
+  Scene scene({.gravity = {0, -gravity},
+               .dt = settings.dt,
+               .stabilization = {.policy = StabilizationPolicy::baumgarte},
+               .guarded = false});
   const BodyId bob = scene.add({.shapes = {circle(0.1)},
                                 .position = {std::sin(settings.start_angle), -std::cos(settings.start_angle)},
                                 .mass = 1,

@@ -53,7 +53,10 @@ List<double> by_force(const SoftSettings& settings, int steps) {
 // A weight on the ground's spring or rod. It cannot turn, and stands straight above, so it moves up and
 // down.
 Scene weight_scene(const SoftSettings& settings, DistanceJoint::Kind kind, double beta) {
-  Scene scene({.gravity = {0, -gravity}, .dt = settings.dt, .stabilization = {.baumgarte = beta}});
+  Scene scene({.gravity = {0, -gravity},
+               .dt = settings.dt,
+               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = beta},
+               .guarded = false});
   const Vec2<double> place(0, rest_length - settings.pressed);
   const BodyId weight = scene.add({.shapes = {box(2 * half_height, 2 * half_height)},
                                    .position = place + Vec2<double>(0, half_height),

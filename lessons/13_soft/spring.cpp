@@ -53,7 +53,10 @@ List<StiffRun> run_stiff(const SoftSettings& settings) {
 }
 
 Scene column_scene(const SoftSettings& settings, Kind kind) {
-  Scene scene({.gravity = {0, -gravity}, .dt = settings.dt});
+  Scene scene({.gravity = {0, -gravity},
+               .dt = settings.dt,
+               .stabilization = {.policy = StabilizationPolicy::baumgarte},
+               .guarded = false});
   BodyId below = ground;
   std::optional<Softness> softness;
   if (kind == Kind::spring) softness = SpringSoftness{stiffness(settings), damping_constant(settings)};

@@ -18,7 +18,10 @@ const double wall_thickness = 0.1;  // [m]
 SceneSettings resting() { return {.gravity = {0, -gravity}, .dt = time_step}; }
 
 SceneSettings weightless(double beta) {
-  return {.gravity = {0, 0}, .dt = time_step, .stabilization = {.baumgarte = beta}};
+  return {.gravity = {0, 0},
+          .dt = time_step,
+          .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = beta},
+          .guarded = false};
 }
 
 Vec2<double> place_of(const Snapshot& now) { return now.bodies.back().pose.position; }

@@ -82,7 +82,11 @@ BodyId ball_of(const NeedsSettings&) { return {pyramid_boxes + 1}; }
 
 Scene scene_of(const NeedsSettings& settings, const Switches& switches, const List<Thing>& things) {
   // [switches]
-  SceneSettings rules{.gravity = {0, -10}, .dt = time_step, .friction_rows = switches.friction_rows};
+  SceneSettings rules{.gravity = {0, -10},
+                      .dt = time_step,
+                      .stabilization = {.policy = StabilizationPolicy::baumgarte},
+                      .guarded = false,
+                      .friction_rows = switches.friction_rows};
   if (switches.sleeps) rules.sleeping = Sleeping{};
   Scene scene(rules);
   scene.add_ground({.friction = switches.friction});

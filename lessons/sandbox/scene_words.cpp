@@ -48,7 +48,7 @@ Precision scalar_of(const Words& words, Precision standard) {
 
 StabilizationPolicy policy_of(const Words& words, StabilizationPolicy standard) {
   if (!words.has("stabilization")) return standard;
-  const std::string name = words.word("stabilization", "baumgarte", stabilization_names());
+  const std::string name = words.word("stabilization", "relaxed", stabilization_names());
   if (name == "none") return StabilizationPolicy::none;
   if (name == "baumgarte") return StabilizationPolicy::baumgarte;
   if (name == "relaxed") return StabilizationPolicy::relaxed;
@@ -113,6 +113,7 @@ List<Flag> setting_flags() {
           {"scalar", "WHICH", "float, double or long-double"},
           {"stabilization", "WHICH",
            "none, baumgarte, relaxed, soft or split-impulse; cairn list stabilizations"},
+          {"guards", "WHICH", "on or off: solves that fail are looked after (on where there are joints)"},
           {"cold", "", "every step begins without the impulses of the last"}};
 }
 
@@ -144,6 +145,7 @@ Setting setting_of(const Words& words, const SceneEntry& scene) {
   setting.dt = step_of(words, setting.dt);
   setting.scalar = scalar_of(words, setting.scalar);
   setting.stabilization.policy = policy_of(words, setting.stabilization.policy);
+  if (words.has("guards")) setting.guarded = words.word("guards", "on", {"on", "off"}) == "on";
   if (words.has("cold")) setting.warm_start = false;
   check(setting);
   return setting;

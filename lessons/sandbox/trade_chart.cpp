@@ -34,7 +34,7 @@ render::Places places_of(const List<TradePoint>& points) {
 
 /// The setting without what all of a chart have.
 std::string brief(std::string setting) {
-  for (const std::string common : {", baumgarte", ", double"}) {
+  for (const std::string common : {", relaxed", ", double"}) {
     const std::size_t at = setting.find(common);
     if (at != std::string::npos) setting.erase(at, common.size());
   }

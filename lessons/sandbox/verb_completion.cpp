@@ -37,6 +37,7 @@ std::map<std::string, std::string> value_words() {
           {"--stabilization", joined(stabilization_names(), " ")},
           {"--scalar", joined(scalar_names(), " ")},
           {"--contact-search", joined(contact_search_names(), " ")},
+          {"--guards", "on off"},
           {"--theme", "light dark"},
           {"--size", "small medium large"},
           {"--show", "loads contacts velocities trails overlaps numbers none"},

@@ -28,7 +28,7 @@ enum class StabilizationPass {
 /// policy soft give way by themselves and leave none. Sources: J. Baumgarte (1972); E. Catto, Solver2D
 /// (2024), for soft rows with a relaxing solve; E. Coumans' Bullet for split impulses.
 struct Stabilization {
-  StabilizationPolicy policy = StabilizationPolicy::baumgarte;  // what becomes of errors
+  StabilizationPolicy policy = StabilizationPolicy::relaxed;  // what becomes of errors
   double baumgarte = 0.2;  // beta: the share of an error that one step removes
   double slop = 0.005;     // [m] overlap of rigid contacts that is left alone; less of small ones
   /// [m/s] Contacts take overlap back no faster than this, nor under baumgarte and relaxed than by sqrt(g

@@ -74,6 +74,7 @@ Setting atlas_setting(const std::string& solver, int sweeps) {
   Setting setting;
   setting.solver = solver;
   setting.sweeps.iterations = sweeps;
+  setting.stabilization.policy = StabilizationPolicy::baumgarte;
   return setting;
 }
 

@@ -27,8 +27,8 @@ struct ExtremeSetting {
 
 /// The settings most axes are tried with: si and block under each policy, and one each of the others.
 List<ExtremeSetting> usual_settings();
-Setting setting_of(const std::string& solver, int sweeps,
-                   StabilizationPolicy policy = StabilizationPolicy::baumgarte, int substeps = 1);
+Setting setting_of(const std::string& solver, int sweeps, StabilizationPolicy policy = Stabilization{}.policy,
+                   int substeps = 1);
 
 /// A scene to be stepped, what is measured of it, and what must not happen.
 struct ExtremeRun {

@@ -120,6 +120,7 @@ List<ExtremeCase> stack_cases() {
 
 List<ExtremeCase> chain_cases() {
   const List<ExtremeSetting> settings = {{setting_of("si", 10), true},
+                                         {setting_of("si", 10, Policy::baumgarte), false},
                                          {setting_of("si", 10, Policy::soft), false},
                                          {setting_of("si", 10, Policy::split_impulse), false},
                                          {setting_of("si", 4, Policy::soft, 16), true},

@@ -24,8 +24,13 @@ struct FrozenRun {
   int sweeps = 10;  // in each of them
 };
 
-/// The next problem of a scene after a run of sequential impulses.
-FrozenProblem frozen_after(const Scene& scene, const FrozenRun& run, const std::string& what) {
+/// The next problem of a scene after a run of sequential impulses, of steps as the paper has them: Baumgarte,
+/// and nothing looks after a solve.
+FrozenProblem frozen_after(Scene scene, const FrozenRun& run, const std::string& what) {
+  SceneSettings settings = scene.settings();
+  settings.stabilization.policy = StabilizationPolicy::baumgarte;
+  settings.guarded = false;
+  scene.set_settings(settings);
   World<double> world(scene);
   SequentialImpulse<double> solver({.iterations = run.sweeps});
   for (int step = 0; step < run.steps; ++step) world.step(solver);

@@ -84,7 +84,7 @@ SceneSettings scene_settings_of(const SceneTable& file) {
     set_pace(step, settings);
     settings.speculative_margin = step.number("speculative_margin");
     settings.restitution_threshold = step.number("restitution_threshold");
-    settings.guarded = step.flag("guarded");
+    if (step.has("guarded")) settings.guarded = step.flag("guarded");
     settings.friction_rows =
         step.word("friction_rows") == 0 ? FrictionRows::per_point : FrictionRows::per_manifold;
     for (const SceneTable& sleeping : step.tables("sleeping")) {

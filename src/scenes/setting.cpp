@@ -92,8 +92,10 @@ std::string setting_text(const Setting& setting) {
     return fmt::format("box2d x{}+{}, {}, float{}", setting.sweeps.iterations, setting.position_iterations,
                        rate, cold);
   }
-  return fmt::format("{}{}, {}, {}, {}{}", setting.solver, sweeps_text(setting.sweeps), rate,
-                     stabilization_text(setting.stabilization), precision_text(setting.scalar), cold);
+  std::string guards;
+  if (setting.guarded) guards = *setting.guarded ? ", guarded" : ", unguarded";
+  return fmt::format("{}{}, {}, {}, {}{}{}", setting.solver, sweeps_text(setting.sweeps), rate,
+                     stabilization_text(setting.stabilization), precision_text(setting.scalar), cold, guards);
 }
 
 void check(const Setting& setting) {
@@ -115,6 +117,7 @@ SceneSettings with_setting(SceneSettings settings, const Setting& setting) {
   settings.contact_search = setting.contact_search;
   settings.stabilization = setting.stabilization;
   settings.warm_start = setting.warm_start;
+  if (setting.guarded) settings.guarded = setting.guarded;
   return settings;
 }
 

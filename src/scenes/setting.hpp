@@ -1,6 +1,7 @@
 // Floor 7. A contestant: a solver and all that decides how it does.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "solvers/solver.hpp"
@@ -26,7 +27,8 @@ struct Setting {
   ContactSearch contact_search = ContactSearch::every_substep;
   Stabilization stabilization = {};
   bool warm_start = true;
-  int position_iterations = 3;  // of Box2D alone
+  std::optional<bool> guarded = {};  // left out: as the scene has it
+  int position_iterations = 3;       // of Box2D alone
 };
 
 /// "si x10, 60 Hz x4, soft, double": what differs from the defaults is said, and nothing else.

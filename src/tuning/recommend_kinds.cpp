@@ -109,8 +109,7 @@ RecommendKind far_kind() {
   return kind;
 }
 
-Setting tried_with(const std::string& solver, int sweeps, Policy policy = Policy::baumgarte,
-                   int substeps = 1) {
+Setting tried_with(const std::string& solver, int sweeps, Policy policy = Policy::relaxed, int substeps = 1) {
   Setting setting{.solver = solver, .substeps = substeps};
   setting.sweeps.iterations = sweeps;
   setting.stabilization.policy = policy;
@@ -141,14 +140,14 @@ const List<Setting>& recommend_settings() {
                                          tried_with("si", 100),
                                          tried_with("si", 10, Policy::split_impulse),
                                          tried_with("si", 4, Policy::soft, 8),
-                                         tried_with("si", 4, Policy::baumgarte, 16),
+                                         tried_with("si", 4, Policy::relaxed, 16),
                                          tried_with("block-contact", 10),
                                          tried_with("accelerated", 30),
-                                         tried_with("accelerated", 100, Policy::baumgarte, 8),
+                                         tried_with("accelerated", 100, Policy::relaxed, 8),
                                          tried_with("accelerated", 300),
                                          tried_with("newton", 60),
-                                         tried_with("newton", 60, Policy::baumgarte, 4),
-                                         tried_with("newton", 60, Policy::baumgarte, 8)};
+                                         tried_with("newton", 60, Policy::relaxed, 4),
+                                         tried_with("newton", 60, Policy::relaxed, 8)};
   return settings;
 }
 

@@ -55,9 +55,9 @@ double expected_work(const Setting& setting) {
 }
 
 List<Setting> tuner_settings(const List<std::string>& solvers, bool has_joints) {
-  List<StabilizationPolicy> policies = {StabilizationPolicy::baumgarte, StabilizationPolicy::soft,
+  List<StabilizationPolicy> policies = {StabilizationPolicy::relaxed, StabilizationPolicy::soft,
                                         StabilizationPolicy::split_impulse};
-  if (has_joints) policies.push_back(StabilizationPolicy::relaxed);
+  if (has_joints) policies.push_back(StabilizationPolicy::baumgarte);
   List<Setting> settings;
   for (const std::string& solver : solvers) {
     const int most_sweeps = most_sweeps_of(solver);

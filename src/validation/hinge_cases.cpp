@@ -29,7 +29,7 @@ struct Kick {
 Kick strike(const EngineMaker& make, double share) {
   const double inertia = struck_mass * struck_length * struck_length / 12, angle = in_radians(25);
   const Vec2<double> along(std::cos(angle), std::sin(angle)), across(-std::sin(angle), std::cos(angle));
-  Scene scene({.gravity = {0, 0}});
+  Scene scene({.gravity = {0, 0}, .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   const BodyId rod = scene.add({.shapes = {box(0.2, 0.1)},
                                 .position = struck_length / 2 * along,
                                 .angle = angle,

@@ -36,7 +36,7 @@ double slowest_zero(int n) {
 
 /// n beads of 1 kg on massless rods under the origin, at rest in the shape of the mode of this zero.
 Scene chain_in_mode(int n, double zero, double frequency) {
-  Scene scene({.dt = 1 / frequency});
+  Scene scene({.dt = 1 / frequency, .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   const List<double> shape = laguerre(n, zero);
   const double amplitude = chain_angle * chain_link / zero;  // L_0 - L_1 = x: the lowest link
   BodyId above = ground;

@@ -47,7 +47,7 @@ Plan make_plan(const Scene& scene) {
   plan.joints = scene.joints().size();
   plan.broadphase = plan.colliders > all_pairs_limit ? BroadphaseKind::grid : BroadphaseKind::all_pairs;
   plan.warm_start = scene.settings().warm_start;
-  plan.guarded = scene.settings().guarded;
+  plan.guarded = scene.settings().guarded.value_or(plan.joints > 0);
   plan.substeps = scene.settings().substeps;
   const ContactSearch search = scene.settings().contact_search;
   plan.keeps_manifolds = search == ContactSearch::when_moved;

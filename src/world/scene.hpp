@@ -46,9 +46,9 @@ struct SceneSettings {
   /// each island keeps only the share that has the least energy, and such that are out of all proportion are
   /// limited (solvers/impulse_energy.hpp); joints that have come apart are asked for no speeds without end,
   /// and bodies that a solve has left going through each other are kept apart (world/last_word.hpp).
-  /// StepReport says how far. Springs of policy soft that would let a body through are refused. O(m) a
-  /// substep; off: nothing of it is looked at.
-  bool guarded = false;
+  /// StepReport says how far. O(m) a substep; off: nothing of it is looked at. Left out: on where there are
+  /// joints. Asked for by name, springs of policy soft that would let a body through are refused too.
+  std::optional<bool> guarded = {};
   ContactSearch contact_search = ContactSearch::every_substep;  // how long manifolds last
   double speculative_margin = 0.02;    // [m] shapes closer than this get contact rows with room to spare
   double restitution_threshold = 0.5;  // [m/s] slower approaches do not rebound

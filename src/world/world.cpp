@@ -21,6 +21,7 @@ StepReport World<Real>::step(Solver<Real>& solver, SolveObserver<Real>* observer
   steps_ += 1;
   report.rows = record_.is_new.size();
   for (const Manifold<Real>& manifold : record_.manifolds) report.contacts += manifold.count;
+  count_failures(report);
   return report;
 }
 
@@ -33,6 +34,7 @@ void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>*
     move_manifolds();  //       or those of the step, where they are now
   }
   apply_forces();  // 3     v_1 = v + dt M^-1 f: gravity is in before any constraint is solved
+  if (plan_->guarded) report.work -= static_cast<double>(kinetic_energy(record_.problem.velocity));
   ContactSolver<Real>* const direct = observer == nullptr ? contact_solver(solver) : nullptr;
   if (direct != nullptr) {
     solve_contacts(*direct, report);  // 4, 5  manifolds -> impulses, v_2
@@ -40,6 +42,7 @@ void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>*
     solve_rows(solver, observer, report);  // 4, 5  joints and manifolds -> rows -> impulses, v_2
   }
   if (plan_->guarded) keep_apart(report);
+  if (plan_->guarded) report.work += static_cast<double>(kinetic_energy(record_.problem.velocity));
   report.not_finite = first_not_finite();
   if (report.not_finite) return;  // nothing has moved, and the impulses remembered are those of before
   state_.velocity.swap(moving_velocity_);

@@ -42,6 +42,14 @@ struct StepReport {
   /// that they were kept apart (world/last_word.hpp): more sweeps, substeps or an exact solver are called
   /// for.
   int kept_apart = 0;
+  /// When the last substep began: joints whose points were farther apart than the circle around the smaller
+  /// body reaches, and pairs of shapes of which
+  int joints_apart = 0;
+  int too_deep = 0;  // one was in the other by more than half of the thinner body
+  /// [J] Where SceneSettings::guarded: by how much the impulses have changed the kinetic energy. Contacts and
+  /// rigid joints take from it; what they add comes from nowhere, as where they take errors back. Springs,
+  /// motors, a hand and bodies that move by themselves may add to it.
+  double work = 0;
 };
 
 /// What the last step saw and found. The first blocks of the problem are those of the joints, in the scene's
@@ -183,6 +191,9 @@ class World {
   void guard_warm_start(StepReport& report);
   void guard_solve(StepReport& report);
   void keep_apart(StepReport& report);
+  void count_failures(StepReport& report) const;
+  bool is_apart(const RowSpecs<Real>& specs) const;
+  Real kinetic_energy(const PerBody<Vec3<Real>>& velocity) const;
   void remember_impulses();
   std::optional<BodyId> first_not_finite() const;
   ContactMaterial<Real> material(const ContactSlot<Real>& slot) const;
@@ -224,6 +235,7 @@ class World {
   VelocityProblem<Real> second_problem_;  // of the policies that solve twice
   PerBody<Vec3<Real>> moving_velocity_;   // what the position moves by in this substep
   EnergyMemory<Real> energy_;             // of guards
+  int joints_apart_ = 0;                  // when rows were last written
 };
 
 /// `World world(scene);` is one in double.

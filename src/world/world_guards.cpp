@@ -1,6 +1,7 @@
 // Floor 5. What looks after solves that fail: before the solve, behind it, and before anything moves.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solvers/impulse_energy.hpp"
 #include "world/last_word.hpp"
@@ -10,6 +11,12 @@
 namespace cairn {
 
 namespace {
+
+/// Not angles alone.
+template <Scalar Real>
+bool holds_points(const Vec3<Real>& jacobian_a, const Vec3<Real>& jacobian_b) {
+  return !jacobian_a.template head<2>().isZero(0) || !jacobian_b.template head<2>().isZero(0);
+}
 
 /// A joint that has come apart by more than a quarter of the smaller of its bodies has failed, unless it is a
 /// spring: what is further is taken back no faster, for Baumgarte would give the bodies beta C / dt of an
@@ -22,9 +29,8 @@ void limit_joint_bias(int joints, Real rate, const PerBody<Real>& failed_error,
     const RowBlock& block = problem.blocks[i];
     for (int k = block.first; k < block.first + block.count; ++k) {
       ConstraintRow<Real>& row = problem.rows[k];
-      const bool holds_points =
-          !row.jacobian_a.template head<2>().isZero(0) || !row.jacobian_b.template head<2>().isZero(0);
-      if (!row.bounds.is_equality() || row.softness > 0 || !holds_points) continue;
+      const bool is_rigid = row.bounds.is_equality() && !(row.softness > 0);
+      if (!is_rigid || !holds_points(row.jacobian_a, row.jacobian_b)) continue;
       const Real most = rate * std::min(failed_error[row.a], failed_error[row.b]);
       row.bias = std::clamp(row.bias, -most, most);
     }
@@ -82,6 +88,46 @@ void World<Real>::keep_apart(StepReport& report) {
     limits_of(manifold, [&](const ContactLimit<Real>& limit) { limits.push_back(limit); });
   keep_bodies_apart(problem, limits, moving_velocity_);
   keep_bodies_apart(problem, limits, record_.problem.velocity);
+}
+
+/// Whether rows hold points that are farther apart than the circle around the smaller body reaches.
+template <Scalar Real>
+bool World<Real>::is_apart(const RowSpecs<Real>& specs) const {
+  Real squared = 0, most = std::numeric_limits<Real>::infinity();
+  for (const RowSpec<Real>& spec : specs) {
+    const bool is_rigid = spec.bounds.is_equality() && !spec.softness && !spec.max_force;
+    if (!is_rigid || !holds_points(spec.jacobian_a, spec.jacobian_b)) continue;
+    squared += spec.error * spec.error;
+    for (const BodyId body : {spec.a, spec.b})
+      if (radius_[body] > 0) most = std::min(most, radius_[body]);
+  }
+  return squared > most * most;
+}
+
+template <Scalar Real>
+void World<Real>::count_failures(StepReport& report) const {
+  report.joints_apart = plan_->joints > 0 ? joints_apart_ : 0;
+  for (const Manifold<Real>& manifold : record_.manifolds) {
+    const BodyId a = (*colliders_)[manifold.collider_a].body, b = (*colliders_)[manifold.collider_b].body;
+    // failed_error_ is a quarter.
+    const Real most = 2 * std::min(failed_error_[a], failed_error_[b]);
+    const auto is_deep = [most](const auto& point) { return point.separation < -most; };
+    report.too_deep +=
+        std::any_of(manifold.points.begin(), manifold.points.begin() + manifold.count, is_deep);
+  }
+}
+
+/// [J]
+template <Scalar Real>
+Real World<Real>::kinetic_energy(const PerBody<Vec3<Real>>& velocity) const {
+  Real twice = 0;
+  for (const BodyId body : velocity.indices()) {
+    for (int k = 0; k < 3; ++k) {
+      const Real inverse = state_.inverse_mass[body][k];
+      if (inverse > 0) twice += velocity[body][k] * velocity[body][k] / inverse;
+    }
+  }
+  return twice / 2;
 }
 
 /// Of the bodies as the substep would leave them, the first that can be moved: what solves lose, they hand on

@@ -62,11 +62,13 @@ void World<Real>::write_joint_rows(StabilizationPass pass, VelocityProblem<Real>
   const Stabilization& stabilization = scene_->settings().stabilization;
   const int joints = scene_->joints().size();
   if (plan_->follows_arcs) look_along_arcs();
+  if (pass == StabilizationPass::velocity) joints_apart_ = 0;
   for (int i = 0; i < tie_count(); ++i) {
     specs_.clear();
     const Constraint& tie = i < joints ? *scene_->joints()[i] : *hand_;
     if (!tie_asleep(i)) {
       tie.append_rows(state_.pose, problem.velocity, specs_);
+      joints_apart_ += pass == StabilizationPass::velocity && is_apart(specs_);
       if (plan_->follows_arcs) follow_arcs(tie);
     }
     const auto source = i < joints ? static_cast<std::uint64_t>(scene_->joint_id(i).index) : hand_source;

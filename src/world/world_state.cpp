@@ -59,7 +59,8 @@ double smallest_extent(const BodySpec& spec) {
 /// Springs that give way to a weight by half the length of a body let it through.
 void require_springs_hold(const SceneSettings& settings, const SceneBody& body, BodyId id) {
   const Stabilization& stabilization = settings.stabilization;
-  const bool on_springs = settings.guarded && stabilization.policy == StabilizationPolicy::soft;
+  const bool on_springs =
+      settings.guarded.value_or(false) && stabilization.policy == StabilizationPolicy::soft;
   if (!on_springs || body.spec.type != BodyType::dynamic) return;
   const double weight = std::abs(body.spec.gravity_scale) * settings.gravity.norm();  // [N/kg]
   const double sag = spring_sag(stabilization.soft, settings.dt / settings.substeps, weight);

@@ -23,8 +23,9 @@ struct PolicyLine {
 List<PolicyLine> policy_lines() {
   using Policy = StabilizationPolicy;
   return {{"none", {.policy = Policy::none, .slop = 0}},
-          {"Baumgarte, beta = 0.2", {.slop = 0, .max_speed = std::numeric_limits<double>::infinity()}},
-          {"Baumgarte, at most 0.5 m/s", {.slop = 0, .max_speed = 0.5}},
+          {"Baumgarte, beta = 0.2",
+           {.policy = Policy::baumgarte, .slop = 0, .max_speed = std::numeric_limits<double>::infinity()}},
+          {"Baumgarte, at most 0.5 m/s", {.policy = Policy::baumgarte, .slop = 0, .max_speed = 0.5}},
           {"soft, 30 Hz, with relaxing", {.policy = Policy::soft, .slop = 0}},
           {"soft, 4 substeps", {.policy = Policy::soft, .slop = 0}, 4},
           {"split impulse", {.policy = Policy::split_impulse, .slop = 0}}};

@@ -94,7 +94,7 @@ TEST_CASE("rows come back from the journal as they were found, and from JSON's t
   CHECK(rows.front().axis == "restitution");
   CHECK(rows.front().value == "0");
   CHECK(rows.front().solver == "si x10");
-  CHECK(rows.front().policy == "baumgarte");
+  CHECK(rows.front().policy == "relaxed");
   CHECK(rows.front().verdict == "OK");
   const std::string json = extreme_json(rows);
   int objects = 0;

@@ -9,7 +9,7 @@
 using namespace cairn;
 
 TEST_CASE("a setting is written as the things that differ from the usual") {
-  CHECK(setting_text({}) == "si x10, 60 Hz, baumgarte, double");
+  CHECK(setting_text({}) == "si x10, 60 Hz, relaxed, double");
   CHECK(setting_text({.substeps = 4, .stabilization = {.policy = StabilizationPolicy::soft}}) ==
         "si x10, 60 Hz x4, soft, double");
   CHECK(setting_text({.solver = "accelerated",
@@ -32,9 +32,9 @@ TEST_CASE("a setting is written as the things that differ from the usual") {
   CHECK(setting_text({.stabilization = {.policy = StabilizationPolicy::relaxed, .baumgarte = 0.3}}) ==
         "si x10, 60 Hz, relaxed 0.3, double");
   CHECK(setting_text({.substeps = 4, .contact_search = ContactSearch::every_step}) ==
-        "si x10, 60 Hz x4, contacts every step, baumgarte, double");
+        "si x10, 60 Hz x4, contacts every step, relaxed, double");
   CHECK(setting_text({.contact_search = ContactSearch::when_moved}) ==
-        "si x10, 60 Hz, contacts when moved, baumgarte, double");
+        "si x10, 60 Hz, contacts when moved, relaxed, double");
   CHECK(setting_text({.solver = "box2d", .sweeps = {.iterations = 8}, .position_iterations = 3}) ==
         "box2d x8+3, 60 Hz, float");
 }

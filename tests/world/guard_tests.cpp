@@ -228,3 +228,43 @@ TEST_CASE("a body of a tenth of a millimetre may sink in by a share of itself, n
   CHECK(depth < 0.06 * size);
   CHECK(depth > -0.05 * size);
 }
+
+TEST_CASE("a step tells how many joints are apart by more than a body, and how many bodies are halfway in") {
+  for (const double share : {0.95, 1.05}) {
+    Scene scene({.gravity = {0, 0}});
+    const BodyId pinned = scene.add({.shapes = {circle(0.2)}, .position = {5, 0}});
+    scene.join<RevoluteJoint>({.a = ground, .b = pinned, .anchor = {5, 0}});
+    scene.displace(pinned, {0.2 * share, 0});
+    scene.add({.shapes = {box(1, 1)}});
+    scene.add({.shapes = {box(1, 2)}, .position = {1 - 0.5 * share, 0}});
+    World<double> world(scene);
+    SequentialImpulse<double> solver;
+    const StepReport report = world.step(solver);
+    CHECK(report.joints_apart == (share > 1 ? 1 : 0));
+    CHECK(report.too_deep == (share > 1 ? 1 : 0));
+    for (int step = 0; step < 60; ++step) world.step(solver);
+    CHECK(world.step(solver).joints_apart == 0);
+  }
+}
+
+TEST_CASE("a step tells the work of its impulses: what joints take away, and what Baumgarte gives") {
+  const double mass = 2, speed = 3, gap = 0.1, beta = 0.2, rate = 60;
+  struct Case {
+    StabilizationPolicy policy;
+    double speed, gap, work;
+  };
+  for (const Case& each :
+       {Case{StabilizationPolicy::relaxed, speed, 0, -0.5 * mass * speed * speed},
+        Case{StabilizationPolicy::baumgarte, speed, 0, -0.5 * mass * speed * speed},
+        Case{StabilizationPolicy::baumgarte, 0, gap, 0.5 * mass * (beta * gap * rate) * (beta * gap * rate)},
+        Case{StabilizationPolicy::relaxed, 0, gap, 0}}) {
+    Scene scene({.gravity = {0, 0}, .stabilization = {.policy = each.policy}});
+    const BodyId pinned = scene.add({.shapes = {circle(1)}, .velocity = {0, each.speed}, .mass = mass});
+    scene.join<RevoluteJoint>({.a = ground, .b = pinned, .anchor = {0, 0}});
+    scene.displace(pinned, {each.gap, 0});
+    World<double> world(scene);
+    SequentialImpulse<double> solver;
+    // Roundings of 9 J at most, of a dozen operations.
+    CHECK(std::abs(world.step(solver).work - each.work) <= 9 * 12 * std::numeric_limits<double>::epsilon());
+  }
+}

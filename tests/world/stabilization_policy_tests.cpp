@@ -9,6 +9,7 @@
 #include "geometry/shape.hpp"
 #include "math/list.hpp"
 #include "measure/violation.hpp"
+#include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
@@ -219,4 +220,40 @@ TEST_CASE("a swinging joint drifts without stabilization, and is held by split i
   const double swing = 2 * std::acos(-1.0) * 0.25;  // w h of a spring at a quarter of the steps
   const double share = swing * swing / (1 + 2 * 10 * swing + swing * swing);
   CHECK(drift_after(StabilizationPolicy::soft) <= run_off / share);
+}
+
+/// How many boxes of 1 m and 1 kg may stand on each other on springs of so many Hz. Leaning by the angles
+/// t_i, box by box, they have the energy sum k_i (t_i - t_{i-1})^2 / 2 - sum m g h (n - i + 1/2) t_i^2 / 2,
+/// which must rise in every direction: all pivots of its matrix are above 0. Two points, half a metre from
+/// the middle, have the stiffness w^2 / A each, A = 2 (1 + 6 / 4) / kg between boxes, and half of it on the
+/// ground.
+int tallest_on_springs(double frequency) {
+  const double omega = 2 * std::acos(-1.0) * frequency, between = omega * omega / 5 / 2;  // [N m / rad]
+  for (int n = 1;; ++n) {
+    double pivot = std::numeric_limits<double>::infinity();
+    for (int i = 1; i <= n && pivot > 0; ++i) {
+      const double below = i == 1 ? 2 * between : between, above = i < n ? between : 0;
+      pivot = below + above - pop_gravity * (n - i + 0.5) - between * between / pivot;
+    }
+    if (pivot <= 0) return n - 1;
+  }
+}
+
+TEST_CASE(
+    "a tower on springs buckles above the height that A. G. Greenhill gives a column of their stiffness") {
+  const int tallest = tallest_on_springs(30);
+  const double bending = std::pow(2 * std::acos(-1.0) * 30, 2) / 5 / 2;  // [N m^2] EI of a box of 1 m
+  CHECK(std::abs(tallest - std::cbrt(7.837 * bending / pop_gravity)) < 1.5);
+  // The towers begin with a lean of 1 cm, which takes a box from what a straight one could be.
+  for (const int boxes : {tallest - 2, tallest + 2}) {
+    Scene scene({.substeps = 4, .stabilization = {.policy = StabilizationPolicy::soft}});
+    scene.add_ground();
+    for (int i = 0; i < boxes; ++i)
+      scene.add({.shapes = {box(1, 1)}, .position = {i % 2 == 0 ? 0.01 : -0.01, 0.5 + i}, .mass = 1});
+    World<double> world(scene);
+    AcceleratedProjectedGaussSeidel<double> solver({.iterations = 30});
+    for (int step = 0; step < 180; ++step) world.step(solver);
+    const bool leans = std::abs(world.bodies().pose.back().position.x()) > 0.1;
+    CHECK(leans == (boxes > tallest));
+  }
 }

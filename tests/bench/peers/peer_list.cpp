@@ -68,7 +68,7 @@ Contestant cairn_with(const Setting& setting) {
   if (setting.substeps > 1) name += fmt::format(", {} substeps", setting.substeps);
   if (setting.contact_search == when_moved) name += ", moved";
   if (setting.sweeps.threads > 1) name += fmt::format(", {} threads", setting.sweeps.threads);
-  if (setting.stabilization.policy != StabilizationPolicy::baumgarte) {
+  if (setting.stabilization.policy != Stabilization{}.policy) {
     name += ", " + stabilization_text(setting.stabilization);
   }
   return {name, [setting](const Scene& scene) { return make_cairn(scene, setting); }};
