@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -54,6 +55,12 @@ struct Attachment {
   bool turns = true;             // with the body; false: it keeps its place beside the centre of mass
 };
 
+/// What drives the coordinate of a joint: of b, seen from a.
+struct JointMotor {
+  double speed = 0;      // [rad/s] of an angle, [m/s] of a slide
+  double max_force = 0;  // [N m] or [N], at most
+};
+
 /// A joint: immutable, shared by all worlds of a scene. Derive from ConstraintOf<Derived>, not from this.
 class Constraint {
  public:
@@ -68,6 +75,14 @@ class Constraint {
 
   /// Whether its bodies may touch each other, where the scene does not say.
   virtual bool bodies_collide() const { return false; }
+
+  /// Its motor, if it has one.
+  virtual std::optional<JointMotor> motor() const { return std::nullopt; }
+  /// The same joint with another motor, or with none; null for a kind that can have no motor.
+  /// @throws std::invalid_argument as the constructor.
+  virtual std::shared_ptr<const Constraint> with_motor(const std::optional<JointMotor>&) const {
+    return nullptr;
+  }
 
   /// Appends the rows that hold at these poses. A degenerate one writes none.
   virtual void append_rows(const PerBody<Pose<float>>& poses, RowSpecs<float>& rows) const = 0;

@@ -21,6 +21,13 @@ RowSpec<Real> slide_row(BodyId a, BodyId b, const JointArms<Real>& arms, const V
   return row;
 }
 
+void require_motor(const std::optional<PrismaticJoint::Motor>& motor) {
+  if (!motor) return;
+  require_finite(motor->speed, "PrismaticJoint", "motor speed", "m/s");
+  require(motor->max_force > 0 && std::isfinite(motor->max_force), "PrismaticJoint", "motor max_force",
+          "a finite number > 0 N", motor->max_force);
+}
+
 }  // namespace
 
 PrismaticJoint::PrismaticJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses)
@@ -31,13 +38,22 @@ PrismaticJoint::PrismaticJoint(const Spec& spec, PerBodySpan<const Pose<double>>
   const double length = spec.axis.stableNorm();
   require(length > 0 && std::isfinite(length), "PrismaticJoint", "axis", "of a finite length > 0 m", length);
   require_limits(limits_, "PrismaticJoint", "m");
-  if (motor_) {
-    require_finite(motor_->speed, "PrismaticJoint", "motor speed", "m/s");
-    require(motor_->max_force > 0 && std::isfinite(motor_->max_force), "PrismaticJoint", "motor max_force",
-            "a finite number > 0 N", motor_->max_force);
-  }
+  require_motor(motor_);
   ends_ = {spec.a, spec.b, spec.anchor, spec.anchor, poses};
   local_axis_ = Rotation<double>(poses[spec.a].angle).transposed_times(spec.axis / length);
+}
+
+std::optional<JointMotor> PrismaticJoint::motor() const {
+  if (!motor_) return std::nullopt;
+  return JointMotor{.speed = motor_->speed, .max_force = motor_->max_force};
+}
+
+std::shared_ptr<const Constraint> PrismaticJoint::with_motor(const std::optional<JointMotor>& motor) const {
+  auto other = std::make_shared<PrismaticJoint>(*this);
+  other->motor_.reset();
+  if (motor) other->motor_ = Motor{.speed = motor->speed, .max_force = motor->max_force};
+  require_motor(other->motor_);
+  return other;
 }
 
 template <Scalar Real>

@@ -45,6 +45,8 @@ class PrismaticJoint final : public ConstraintOf<PrismaticJoint> {
 
   std::string name() const override { return "prismatic"; }
   List<Attachment> attachments() const override { return ends_.attachments(); }
+  std::optional<JointMotor> motor() const override;
+  std::shared_ptr<const Constraint> with_motor(const std::optional<JointMotor>& motor) const override;
 
   /// Appends the rows that hold at these poses.
   template <Scalar Real>

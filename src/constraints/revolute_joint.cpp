@@ -6,17 +6,37 @@
 
 namespace cairn {
 
+namespace {
+
+void require_motor(const std::optional<RevoluteJoint::Motor>& motor) {
+  if (!motor) return;
+  require_finite(motor->speed, "RevoluteJoint", "motor speed", "rad/s");
+  require(motor->max_torque > 0 && std::isfinite(motor->max_torque), "RevoluteJoint", "motor max_torque",
+          "a finite number > 0 N m", motor->max_torque);
+}
+
+}  // namespace
+
 RevoluteJoint::RevoluteJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses)
     : limits_{.lower = spec.lower, .upper = spec.upper, .margin = spec.limit_margin}, motor_(spec.motor) {
   require(spec.a != spec.b, "RevoluteJoint", "b", "another body than a", spec.b.index);
   require_finite(spec.anchor, "RevoluteJoint", "anchor", "m");
   require_limits(limits_, "RevoluteJoint", "rad");
-  if (motor_) {
-    require_finite(motor_->speed, "RevoluteJoint", "motor speed", "rad/s");
-    require(motor_->max_torque > 0 && std::isfinite(motor_->max_torque), "RevoluteJoint", "motor max_torque",
-            "a finite number > 0 N m", motor_->max_torque);
-  }
+  require_motor(motor_);
   ends_ = {spec.a, spec.b, spec.anchor, spec.anchor, poses};
+}
+
+std::optional<JointMotor> RevoluteJoint::motor() const {
+  if (!motor_) return std::nullopt;
+  return JointMotor{.speed = motor_->speed, .max_force = motor_->max_torque};
+}
+
+std::shared_ptr<const Constraint> RevoluteJoint::with_motor(const std::optional<JointMotor>& motor) const {
+  auto other = std::make_shared<RevoluteJoint>(*this);
+  other->motor_.reset();
+  if (motor) other->motor_ = Motor{.speed = motor->speed, .max_torque = motor->max_force};
+  require_motor(other->motor_);
+  return other;
 }
 
 template <Scalar Real>

@@ -42,6 +42,8 @@ class RevoluteJoint final : public ConstraintOf<RevoluteJoint> {
 
   std::string name() const override { return "revolute"; }
   List<Attachment> attachments() const override { return ends_.attachments(); }
+  std::optional<JointMotor> motor() const override;
+  std::shared_ptr<const Constraint> with_motor(const std::optional<JointMotor>& motor) const override;
 
   /// Whether it is a pin and nothing else.
   bool is_free() const { return !limits_.lower && !limits_.upper && !motor_; }

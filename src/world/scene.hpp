@@ -1,7 +1,6 @@
 // Floor 5. A scene: what there is, before anything moves.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "geometry/mass.hpp"
 #include "geometry/shape.hpp"
 #include "math/list.hpp"
+#include "world/scene_event.hpp"
 
 namespace cairn {
 
@@ -108,13 +108,6 @@ struct SceneBody {
   bool removed = false;  // an empty place: static, without shapes, and nothing can be fastened to it
 };
 
-/// A joint, for as long as it is in its scene; its number is not used again.
-struct JointId {
-  int index = 0;  // from 0, in the order of adding
-  /// By index.
-  auto operator<=>(const JointId&) const = default;
-};
-
 /// Whether the bodies of a joint may touch each other.
 enum class JointCollision {
   as_usual,  // as the kind of joint says: most keep their bodies apart
@@ -173,6 +166,18 @@ class Scene {
   /// @throws std::invalid_argument for a joint that is not in the scene.
   void remove(JointId joint);
 
+  /// Gives a joint another motor in place of its own; none takes it away.
+  /// @throws std::invalid_argument for a joint that is not in the scene, for one that can have no motor, and
+  /// for what its class refuses.
+  void set_motor(JointId joint, const std::optional<JointMotor>& motor);
+  /// Something that is to happen while the scene runs: a world does it in its steps. It is forgotten where
+  /// its body or joint is removed before.
+  /// @throws std::invalid_argument unless the time is finite and not negative, for what is not in the scene,
+  /// for impulses on the ground and on what cannot move, and for what set_motor() refuses.
+  void add_event(const SceneEvent& event);
+  /// Does all events whose time has come by `until` [s], in their order. Whether there were any.
+  bool do_events(double until);
+
   /// What holds for the whole scene.
   const SceneSettings& settings() const { return settings_; }
   /// In the order of their ids; the ground is the first.
@@ -182,6 +187,8 @@ class Scene {
   /// Of joints()[number], which comes one place forward when one before it is removed.
   /// @throws std::invalid_argument for a number that is not in joints().
   JointId joint_id(int number) const;
+  /// What is still to happen, by time; those of one time in the order in which they were added.
+  const List<SceneEvent>& events() const { return events_; }
   /// Pairs of bodies that a joint keeps from colliding, sorted, the lower id first.
   const List<std::pair<BodyId, BodyId>>& apart() const { return apart_; }
 
@@ -196,6 +203,9 @@ class Scene {
   void find_apart();
   bool holds(int joint, BodyId body, const PerBody<Pose<double>>& start) const;
   bool has_joints(BodyId body) const;
+  int number_of(JointId joint, const char* who) const;
+  std::shared_ptr<const Constraint> with_motor(JointId joint, const std::optional<JointMotor>& motor) const;
+  void forget_events();
   void require_body(BodyId id, const char* field) const;
   void require_changeable(BodyId id, const char* who) const;
   void require_other_movers(BodyId body, BodyType type) const;
@@ -206,6 +216,7 @@ class Scene {
   List<Fastening> fastenings_;  // of joints_
   int joints_made_ = 0;
   List<std::pair<BodyId, BodyId>> apart_;
+  List<SceneEvent> events_;  // by time
 };
 
 /// @throws std::invalid_argument unless dt is from 1e-12 to 1e6 s.

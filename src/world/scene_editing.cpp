@@ -58,14 +58,20 @@ JointId Scene::joint_id(int number) const {
   return fastenings_[number].id;
 }
 
-void Scene::remove(JointId joint) {
+/// Where in joints() a joint is.
+int Scene::number_of(JointId joint, const char* who) const {
   const auto is_it = [joint](const Fastening& one) { return one.id == joint; };
   const auto found = std::find_if(fastenings_.begin(), fastenings_.end(), is_it);
-  require(found != fastenings_.end(), "Scene::remove", "joint", "the id of a joint of this scene",
-          joint.index);
-  joints_.erase(joints_.begin() + (found - fastenings_.begin()));
-  fastenings_.erase(found);
+  require(found != fastenings_.end(), who, "joint", "the id of a joint of this scene", joint.index);
+  return static_cast<int>(found - fastenings_.begin());
+}
+
+void Scene::remove(JointId joint) {
+  const int number = number_of(joint, "Scene::remove");
+  joints_.erase(joints_.begin() + number);
+  fastenings_.erase(fastenings_.begin() + number);
   find_apart();
+  forget_events();
 }
 
 void Scene::remove(BodyId body) {
@@ -78,6 +84,7 @@ void Scene::remove(BodyId body) {
   }
   find_apart();
   bodies_[body] = {.spec = {.type = BodyType::static_body}, .removed = true};
+  forget_events();
 }
 
 void Scene::place(BodyId body, const Pose<double>& pose, const Vec3<double>& velocity) {

@@ -10,6 +10,7 @@ namespace cairn {
 template <Scalar Real>
 StepReport World<Real>::step(Solver<Real>& solver, SolveObserver<Real>* observer) {
   StepReport report;
+  do_events();
   if (sleep_ && hand_) sleep_->wake(hand_->body());
   for (int i = 0; i < plan_->substeps && !report.not_finite; ++i) substep(i, solver, observer, report);
   report.awake.bodies = plan_->dynamic_bodies;
@@ -92,12 +93,13 @@ void World<Real>::correct_positions(Solver<Real>& solver, StepReport& report) {
 template <Scalar Real>
 VelocityProblem<Real> World<Real>::velocity_problem() const {
   World twin = *this;
+  twin.do_events();
   twin.find_contacts();
   twin.apply_forces();
   twin.write_rows(StabilizationPass::velocity, twin.record_.problem);
   twin.warm_start();
   StepReport unread;
-  if (plan_->guarded) twin.guard_warm_start(unread);
+  if (twin.plan_->guarded) twin.guard_warm_start(unread);
   return twin.record_.problem;
 }
 

@@ -79,7 +79,7 @@ struct HandInput {
 template <Scalar Real = double>
 class World {
  public:
-  /// Begins where the scene's bodies stand, at time 0.
+  /// Begins where the scene's bodies stand, at time 0, before its events.
   /// @throws std::invalid_argument for a body that Real has no number for, or which stands so far from the
   /// origin that Real cannot tell positions within it apart; and, in a guarded scene, for one that springs of
   /// policy soft would let through.
@@ -107,6 +107,12 @@ class World {
   /// does what touched or held it. last_step() is empty until the next one.
   /// @throws what `change` throws, and what the constructor refuses: then nothing has changed.
   void edit(const std::function<void(Scene&)>& change);
+
+  /// Does what the scene's events have due before the next step, which begins with it: an event happens
+  /// before the first step that begins at its time or later, and then is no longer in scene(). Whether any
+  /// did.
+  /// @throws as edit().
+  bool do_events();
 
   /// A hand takes hold of a body, in place of what it held before, and pulls it to grip.target.
   /// @throws std::invalid_argument as DragJoint, and for a body that is not dynamic.

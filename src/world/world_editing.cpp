@@ -1,5 +1,6 @@
 // Floor 5. Changing a world while it runs: the scene that it steps, and the hand that drags a body.
 #include <algorithm>
+#include <limits>
 
 #include "math/check.hpp"
 #include "world/world.hpp"
@@ -64,6 +65,16 @@ void World<Real>::edit(const std::function<void(Scene&)>& change) {
   World next(std::move(edited));
   next.carry_over(*this, then);
   *this = std::move(next);
+}
+
+template <Scalar Real>
+bool World<Real>::do_events() {
+  // A sum of n steps is off by fewer than n roundings of itself.
+  const double until = time_ * (1 + steps_ * std::numeric_limits<double>::epsilon());
+  const List<SceneEvent>& events = scene_->events();
+  if (events.empty() || events.front().time > until) return false;
+  edit([until](Scene& scene) { scene.do_events(until); });
+  return true;
 }
 
 /// Takes over what `before`, whose scene was `then`, has that the scene of this world left alone.
@@ -138,7 +149,9 @@ void World<Real>::carry_sleep(const World& before, const Scene& then) {
   const auto wake_ends = [&](const Scene& scene, const Scene& other) {
     const List<JointId> others = joint_ids(other);
     for (int i = 0; i < scene.joints().size(); ++i) {
-      if (std::binary_search(others.begin(), others.end(), scene.joint_id(i))) continue;
+      const auto found = std::lower_bound(others.begin(), others.end(), scene.joint_id(i));
+      const bool is_there = found != others.end() && *found == scene.joint_id(i);
+      if (is_there && other.joints()[static_cast<int>(found - others.begin())] == scene.joints()[i]) continue;
       for (const Attachment& end : scene.joints()[i]->attachments()) sleep_->wake(end.body);
     }
   };
