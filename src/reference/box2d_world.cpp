@@ -3,7 +3,9 @@
 
 #include <box2d/box2d.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "math/check.hpp"
 #include "reference/box2d_contacts.hpp"
@@ -86,11 +88,24 @@ void check_contacts_of(const BodySpec& spec) {
           "of the first 16 bits, as Box2D 2.4.1 has no more", spec.category);
 }
 
+void check_event(const SceneEvent& event) {
+  require(!std::holds_alternative<SwitchMotor>(event.action), "Box2DWorld", "event",
+          "a removal or an impulse, as its joints have no motor", "a motor");
+}
+
+List<JointId> joints_of(const Scene& scene) {
+  List<JointId> ids;
+  for (int i = 0; i < scene.joints().size(); ++i) ids.push_back(scene.joint_id(i));
+  return ids;
+}
+
 }  // namespace
 
 struct Box2DWorld::Simulation {
   Simulation(const Scene& the_scene, const Box2DSettings& the_settings);
   void add_bodies();
+  void do_event(const SceneEvent& event);
+  void drop_joints(const List<JointId>& before);
   SnapshotBody body(BodyId id) const;
   SnapshotJoint joint(int index, const PerBody<Pose<double>>& poses) const;
 
@@ -108,6 +123,7 @@ Box2DWorld::Simulation::Simulation(const Scene& the_scene, const Box2DSettings& 
     : scene(the_scene), settings(the_settings), world(to_box2d(scene.settings().gravity)) {
   check(settings);
   for (const SceneBody& body : scene.bodies()) check_contacts_of(body.spec);
+  for (const SceneEvent& event : scene.events()) check_event(event);
   world.SetContactListener(&contacts);
   world.SetWarmStarting(scene.settings().warm_start);
   world.SetAllowSleeping(settings.sleeping);
@@ -139,6 +155,32 @@ void Box2DWorld::Simulation::add_bodies() {
       collider += piece_count(shape);
     }
     set_mass(*bodies[id], scene_bodies[id]);
+  }
+}
+
+/// Destroys the joints that the scene had before and has no longer.
+void Box2DWorld::Simulation::drop_joints(const List<JointId>& before) {
+  const List<JointId> now = joints_of(scene);
+  List<b2Joint*> kept;
+  for (int i = 0; i < before.size(); ++i) {
+    if (std::binary_search(now.begin(), now.end(), before[i])) {
+      kept.push_back(joints[i]);
+    } else {
+      world.DestroyJoint(joints[i]);
+    }
+  }
+  joints = kept;
+}
+
+/// The scene has done it to itself. A removed body leaves an empty place.
+void Box2DWorld::Simulation::do_event(const SceneEvent& event) {
+  if (const auto* push = std::get_if<PushBody>(&event.action)) {
+    b2Body& body = *bodies[push->body];
+    body.ApplyLinearImpulse(to_box2d(push->impulse), body.GetWorldPoint(to_box2d(push->point)), true);
+  }
+  if (const auto* removal = std::get_if<RemoveBody>(&event.action)) {
+    world.DestroyBody(bodies[removal->body]);
+    bodies[removal->body] = create_body(world, scene.bodies()[removal->body]);
   }
 }
 
@@ -176,7 +218,23 @@ Box2DWorld::Box2DWorld(const Scene& scene, const Box2DSettings& settings)
 
 Box2DWorld::~Box2DWorld() = default;
 
+bool Box2DWorld::do_events() {
+  Simulation& simulation = *simulation_;
+  // The time step and its multiple are rounded, each once.
+  const double rounded = 1 + 2 * std::numeric_limits<double>::epsilon();
+  const double until = rounded * simulation.steps * simulation.scene.settings().dt;
+  const List<SceneEvent> events = simulation.scene.events();
+  const List<JointId> before = joints_of(simulation.scene);
+  if (!simulation.scene.do_events(until)) return false;
+  simulation.drop_joints(before);
+  for (const SceneEvent& event : events) {
+    if (event.time <= until) simulation.do_event(event);
+  }
+  return true;
+}
+
 void Box2DWorld::step() {
+  do_events();
   Simulation& simulation = *simulation_;
   simulation.contacts.begin_step();
   simulation.world.Step(static_cast<float>(simulation.scene.settings().dt),

@@ -44,12 +44,15 @@ class Box2DWorld {
   /// Copies what it needs of the scene.
   /// @throws std::invalid_argument for what Box2D 2.4.1 does not have: rounded polygons, polygons of more
   /// than 8 vertices, categories beyond 16 bits; for sensors, joints other than rods and plain pins, rods
-  /// shorter than 0.005 m, capsules of a radius of 0.02 m or less; and for negative iteration counts.
+  /// shorter than 0.005 m, capsules of a radius of 0.02 m or less; for events that switch a motor; and for
+  /// negative iteration counts.
   explicit Box2DWorld(const Scene& scene, const Box2DSettings& settings = {});
   ~Box2DWorld();
   Box2DWorld(const Box2DWorld&) = delete;
   Box2DWorld& operator=(const Box2DWorld&) = delete;
 
+  /// Does the scene's events that are due before the next step, which begins with it. Whether there were any.
+  bool do_events();
   /// One step of the scene's dt.
   void step();
 

@@ -1,0 +1,84 @@
+// Events of a scene in Box2D: held against Cairn, and against formulas.
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+
+#include "constraints/distance_joint.hpp"
+#include "constraints/revolute_joint.hpp"
+#include "geometry/shape.hpp"
+#include "reference/box2d_world.hpp"
+
+using namespace cairn;
+
+namespace {
+
+constexpr double event_dt = 1.0 / 64;  // [s] exact, so that its multiples are
+
+Snapshot box2d_after(const Scene& scene, int steps) {
+  Box2DWorld world(scene);
+  for (int step = 0; step < steps; ++step) world.step();
+  return world.snapshot();
+}
+
+}  // namespace
+
+TEST_CASE("what loses its support falls in Box2D from the same step on") {
+  for (const bool removes_joint : {true, false}) {
+    Scene scene({.dt = event_dt});
+    const BodyId peg =
+        scene.add({.type = BodyType::static_body, .shapes = {circle(0.25)}, .position = {0, 3}});
+    const BodyId disc = scene.add({.shapes = {circle(1)}});
+    const JointId rod = scene.join<DistanceJoint>({.a = peg, .b = disc, .anchor_a = {0, 3}});
+    const double time = 0.5 - 0.9 * event_dt;  // within a step: it waits for the next
+    if (removes_joint) {
+      scene.add_event({.time = time, .action = RemoveJoint{rod}});
+    } else {
+      scene.add_event({.time = time, .action = RemoveBody{peg}});
+    }
+    const Snapshot held = box2d_after(scene, 32), now = box2d_after(scene, 64);
+    CHECK(held.joints.size() == 1);
+    CHECK(std::abs(held.bodies[disc].pose.position.y()) <= 1e-5);  // single precision at 3 m, and its slop
+    CHECK(now.joints.empty());
+    CHECK(now.bodies[peg].removed == !removes_joint);
+    CHECK(now.bodies[peg].shapes.empty() == !removes_joint);
+    const double fall = 10 * event_dt * event_dt * 32 * 33 / 2;  // semi-implicit Euler
+    CHECK(now.bodies[disc].pose.position.y() == doctest::Approx(-fall).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("an impulse does in Box2D what it does in Cairn") {
+  Scene scene({.gravity = {0, 0}, .dt = event_dt});
+  const BodyId disc = scene.add({.shapes = {circle(1)}, .angle = pi / 2, .mass = 4, .inertia = 0.25});
+  scene.add_event({.time = 0, .action = PushBody{.body = disc, .impulse = {2, -6}, .point = {0.5, 0}}});
+  const Vec3<double> velocity = box2d_after(scene, 1).bodies[disc].velocity;
+  const double single = 1e-6;  // a few roundings
+  CHECK(velocity.x() == doctest::Approx(2.0 / 4).epsilon(single));
+  CHECK(velocity.y() == doctest::Approx(-6.0 / 4).epsilon(single));
+  CHECK(velocity.z() == doctest::Approx(-0.5 * 2 / 0.25).epsilon(single));  // the arm is (0, 0.5)
+}
+
+TEST_CASE(
+    "a box whose neighbour below is removed in Box2D falls to the ground, and its contacts go with it") {
+  Scene scene;
+  scene.add_ground();
+  const BodyId below = scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}});
+  const BodyId above = scene.add({.shapes = {box(1, 1)}, .position = {0, 1.5}});
+  scene.add_event({.time = 0.5, .action = RemoveBody{below}});
+  CHECK(box2d_after(scene, 30).contacts.size() == 4);
+  CHECK(box2d_after(scene, 31).contacts.empty());
+  const Snapshot end = box2d_after(scene, 120);
+  CHECK(end.bodies[above].pose.position.y() == doctest::Approx(0.5).epsilon(0.05));  // and the skins
+  CHECK(end.contacts.size() == 2);
+  CHECK(end.contacts[0].b == above);
+}
+
+TEST_CASE("a motor that is switched is refused for Box2D by name") {
+  Scene scene;
+  const BodyId disc = scene.add({.shapes = {circle(1)}});
+  const JointId axle = scene.join<RevoluteJoint>({.b = disc});
+  scene.add_event({.time = 1, .action = SwitchMotor{axle, JointMotor{.speed = 1, .max_force = 1}}});
+  CHECK_THROWS_WITH_AS(
+      Box2DWorld{scene},
+      "Box2DWorld: event must be a removal or an impulse, as its joints have no motor, got a motor",
+      std::invalid_argument);
+}
