@@ -67,6 +67,11 @@ void print_worst(Console& console, const SceneEntry& scene, const TrialWorst& wo
                          scene.body_names[worst.b], worst.time));
 }
 
+/// Whether the run ended where the scene does.
+bool judges_places(const SceneEntry& scene, const SceneRun& run) {
+  return run.result.status == TrialStatus::ok && run.result.seconds >= scene.seconds - run.setting.dt / 2;
+}
+
 void print_overlap_and_drift(const SceneEntry& scene, const SceneRun& run, Console& console) {
   const TrialResult& result = run.result;
   const Expectations& expected = scene.expectations;
@@ -98,6 +103,17 @@ void print_standing(const SceneEntry& scene, const SceneRun& run, Console& conso
              missed ? -1 : 1);
 }
 
+/// How far each body is from where it should end; nothing of a run that has not come so far.
+void print_places(const SceneEntry& scene, const SceneRun& run, Console& console) {
+  if (!judges_places(scene, run)) return;
+  for (int i = 0; i < scene.expectations.places.size(); ++i) {
+    const ExpectedPlace& place = scene.expectations.places[i];
+    const double distance = run.result.place_distances[i];
+    print_line(console, "place of " + scene.body_names[place.body], "missed by " + milli(distance) + " mm",
+               "expected at most " + milli(place.within) + " mm", distance <= place.within ? 1 : -1);
+  }
+}
+
 void print_failures(const SceneEntry& scene, const SceneRun& run, Console& console) {
   std::string name = "fails";
   for (const Failure& failure : run.result.failures) {
@@ -115,7 +131,7 @@ std::string verdict_text(const SceneEntry& scene, const SceneRun& run) {
   }
   if (!run.result.failures.empty()) return "fails, whatever is expected of it";
   const Expectations& e = scene.expectations;
-  if (!e.penetration && !e.drift && !e.energy_gain && !e.energy_loss && !e.stands)
+  if (!e.penetration && !e.drift && !e.energy_gain && !e.energy_loss && !e.stands && e.places.empty())
     return "nothing is expected of it";
   if (run.result.seconds < scene.seconds - run.setting.dt / 2) {
     return fmt::format("meets so far what is expected of {:g} s", scene.seconds);
@@ -130,6 +146,17 @@ Json worst_json(const SceneEntry& scene, double value, const TrialWorst& worst) 
   Json json = {{"a", scene.body_names[worst.a]}, {"b", scene.body_names[worst.b]}, {"time_s", worst.time}};
   if (!worst.joint.empty()) json["joint"] = worst.joint;
   return json;
+}
+
+Json places_json(const SceneEntry& scene, const SceneRun& run) {
+  Json places = Json::array();
+  for (int i = 0; judges_places(scene, run) && i < scene.expectations.places.size(); ++i) {
+    const ExpectedPlace& place = scene.expectations.places[i];
+    places.push_back({{"body", scene.body_names[place.body]},
+                      {"distance_m", run.result.place_distances[i]},
+                      {"within_m", place.within}});
+  }
+  return places;
 }
 
 List<std::string> failure_texts(const SceneEntry& scene, const SceneRun& run) {
@@ -184,6 +211,7 @@ void print_run(const SceneEntry& scene, const SceneRun& run, Console& console) {
     print_measure(console, run, "energy loss", percent(std::max(0.0, result.energy_loss)) + " %",
                   with_unit(scene.expectations.energy_loss, 1, "%"));
     print_standing(scene, run, console);
+    print_places(scene, run, console);
     print_failures(scene, run, console);
   }
   const std::string verdict = verdict_text(scene, run);
@@ -202,6 +230,12 @@ void print_runs(const SceneEntry& scene, const List<SceneRun>& runs, Console& co
   heading("", {"", "a step", "mm", "mm, mrad", "gain %", "loss %", "s"});
   for (const SceneRun& run : runs) print_row(scene, run, width, console);
   for (const SceneRun& run : runs) {
+    for (int i = 0; judges_places(scene, run) && i < scene.expectations.places.size(); ++i) {
+      const ExpectedPlace& place = scene.expectations.places[i];
+      console.result(console.spelt(fmt::format("{}: place of {} missed by {} mm, expected at most {} mm",
+                                               contestant_label(run.setting), scene.body_names[place.body],
+                                               milli(run.result.place_distances[i]), milli(place.within))));
+    }
     for (const Failure& failure : run.result.failures) {
       const std::string text = failure_text(failure, scene.body_names);
       console.result(wrapped(contestant_label(run.setting) + ": " + text, run_columns, 2));
@@ -235,6 +269,7 @@ nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
                {"energy_loss", result.energy_loss},
                {"farthest_m", result.farthest},
                {"stands_s", scene.expectations.stands ? Json(result.stands_until) : Json(nullptr)},
+               {"places", places_json(scene, run)},
                {"missed", run.missed},
                {"failures", failure_texts(scene, run)},
                {"build", build_json()},

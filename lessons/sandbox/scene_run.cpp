@@ -117,7 +117,10 @@ SceneRun run_scene(const SceneEntry& scene, const Setting& setting, const RunWis
   keeper.end(run.result);
   // A run that was shorter than the scene's own time, or that ended badly, is judged as far as it came.
   if (!judged || run.result.steps <= judged_at) judged = run.result;
-  run.missed = unmet(scene.expectations, *judged, scene.body_names);
+  run.result.place_distances = judged->place_distances;
+  Expectations expected = scene.expectations;
+  if (judged->seconds < scene.seconds - setting.dt / 2) expected.places.clear();  // they are of its end
+  run.missed = unmet(expected, *judged, scene.body_names);
   return run;
 }
 

@@ -141,7 +141,7 @@ StepView view_step(const SceneEntry& entry, const Setting& setting, int step) {
                            .residual_velocity = left.velocity,
                            .impulse = view.solved.impulse});
   }
-  set_rows(view, scene, entry.body_names);
+  set_rows(view, world.scene(), entry.body_names);
   add_reference(view);
   return view;
 }

@@ -148,8 +148,11 @@ double seconds_to_tune(const Words& words, const SceneEntry& entry, const Wish& 
 
 /// Standing needs a distance, which only the scene can say.
 void check_stands(const Words& words, const SceneEntry& entry) {
-  if (!words.has("stands") || entry.expectations.stands) return;
-  words.refuse("stands", "for a scene that says how near its bodies stay ([expect] stands)", entry.name);
+  if (!words.has("stands") || entry.expectations.stands || !entry.expectations.places.empty()) return;
+  words.refuse("stands",
+               "for a scene that says how near its bodies stay ([expect] stands) or where they end "
+               "([[expect.body]])",
+               entry.name);
 }
 
 TunerOptions tuner_options(const Words& words, Progress& bar) {

@@ -81,7 +81,17 @@ std::string failure_text(const Failure& failure, const PerBody<std::string>& nam
   return fmt::format("{} has fallen out of the scene after {:.3g} s", a, failure.time);
 }
 
-FailureWatch::FailureWatch(const Snapshot& start) {
+FailureWatch::FailureWatch(const Snapshot& start) { look_around(start); }
+
+void FailureWatch::scene_changed(const Snapshot& now) {
+  thickness_.clear();
+  length_.clear();
+  has_floor_.clear();
+  lowest_still_.reset();
+  look_around(now);
+}
+
+void FailureWatch::look_around(const Snapshot& start) {
   for (const SnapshotBody& body : start.bodies) {
     double thickness = std::numeric_limits<double>::infinity(), length = 0;
     for (const Shape<double>& shape : body.shapes) {

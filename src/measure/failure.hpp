@@ -37,6 +37,8 @@ class FailureWatch {
   /// Of a run that begins so.
   explicit FailureWatch(const Snapshot& start);
 
+  /// From now on it looks at what is left of the scene, and at where it stands now.
+  void scene_changed(const Snapshot& now);
   /// Looks at the bodies as they are after `time` [s].
   void see(const Snapshot& now, double time);
   /// The same for overlaps.
@@ -45,6 +47,7 @@ class FailureWatch {
   const List<Failure>& failures() const { return failures_; }
 
  private:
+  void look_around(const Snapshot& now);
   bool knows(FailureKind kind) const;
   void see_joints(const Snapshot& now, double time);
   void see_falls(const Snapshot& now, double time);

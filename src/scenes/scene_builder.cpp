@@ -18,11 +18,12 @@ bool is_scene_name(const std::string& name) {
   return !name.empty() && name.size() <= 60 && std::all_of(name.begin(), name.end(), belongs);
 }
 
-std::string body_names_rule(const std::string& word, const List<std::string>& names) {
+/// `what`: "a body".
+std::string names_rule(const std::string& what, const std::string& word, const List<std::string>& names) {
   const std::string near = nearest(word, names);
-  if (!near.empty()) return "the name of a body (" + near + "?)";
+  if (!near.empty()) return "the name of " + what + " (" + near + "?)";
   const int most = 8;  // names that a message lists
-  std::string rule = "the name of a body: ";
+  std::string rule = "the name of " + what + ": ";
   for (int i = 0; i < std::min(most, names.size()); ++i) rule += (i > 0 ? ", " : "") + names[i];
   return rule + (names.size() > most ? " and so on" : "");
 }
@@ -69,8 +70,32 @@ void SceneBuilder::add_ground(const SceneTable& table) {
 BodyId SceneBuilder::body(const SceneTable& table, const std::string& key) const {
   const std::string name = table.text(key);
   const auto found = ids_.find(name);
-  if (found == ids_.end()) table.refuse(key, body_names_rule(name, {names_.begin(), names_.end()}));
+  if (found == ids_.end()) table.refuse(key, names_rule("a body", name, {names_.begin(), names_.end()}));
   return found->second;
+}
+
+JointId SceneBuilder::joint(const SceneTable& table, const std::string& key) const {
+  const std::string name = table.text(key);
+  const auto found = joint_ids_.find(name);
+  if (found != joint_ids_.end()) return found->second;
+  if (joint_ids_.empty()) table.refuse(key, "the name of a joint, and there is none");
+  table.refuse(key, names_rule("a joint", name, joint_names()));
+}
+
+std::variant<BodyId, JointId> SceneBuilder::body_or_joint(const SceneTable& table,
+                                                          const std::string& key) const {
+  const std::string name = table.text(key);
+  if (ids_.contains(name)) return body(table, key);
+  if (joint_ids_.contains(name)) return joint(table, key);
+  List<std::string> names(names_.begin(), names_.end());
+  for (const std::string& each : joint_names()) names.push_back(each);
+  table.refuse(key, names_rule("a body or a joint", name, names));
+}
+
+List<std::string> SceneBuilder::joint_names() const {
+  List<std::string> names;
+  for (const auto& [name, id] : joint_ids_) names.push_back(name);
+  return names;
 }
 
 List<BodyId> SceneBuilder::bodies(const SceneTable& table, const std::string& key) const {
@@ -113,6 +138,12 @@ void SceneBuilder::finish() {
   for (const SceneBody& each : scene_.bodies()) poses_.push_back(each.pose);
   for (const auto& work : waiting_) work();
   for (const auto& work : last_) work();
+}
+
+void SceneBuilder::add_event(const SceneTable& table, const SceneEvent& event) {
+  const int most = 1000;
+  if (scene_.events().size() >= most) table.refuse("", "part of a scene of at most 1000 events", "one more");
+  table.guard([&] { scene_.add_event(event); });
 }
 
 void SceneBuilder::displace(const SceneTable& table, BodyId body) {

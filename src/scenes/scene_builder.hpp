@@ -7,8 +7,10 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <variant>
 
 #include "constraints/softness.hpp"
+#include "scenes/scene_list.hpp"
 #include "scenes/scene_table.hpp"
 #include "world/scene.hpp"
 #include "math/list.hpp"
@@ -28,6 +30,10 @@ class SceneBuilder {
   BodyId body(const SceneTable& table, const std::string& key) const;
   /// The same, or with "row.*" all bodies of a row.
   List<BodyId> bodies(const SceneTable& table, const std::string& key) const;
+  /// The joint that a key names; a refusal names the nearest one.
+  JointId joint(const SceneTable& table, const std::string& key) const;
+  /// Whichever of them a key names.
+  std::variant<BodyId, JointId> body_or_joint(const SceneTable& table, const std::string& key) const;
   Vec2<double> center(BodyId body) const { return scene_.bodies()[body].pose.position; }
   double mass(BodyId body) const { return scene_.bodies()[body].mass; }
   void add_ground(const SceneTable& table);
@@ -37,8 +43,11 @@ class SceneBuilder {
   /// Moves a body as its table says once all joints are there, so that they begin with an error.
   void displace(const SceneTable& table, BodyId body);
   void finish();
+  /// What is to happen, once finish() was called. @throws std::invalid_argument as Scene::add_event.
+  void add_event(const SceneTable& table, const SceneEvent& event);
+  /// Nothing else has the name.
   template <typename Joint>
-  void join(const SceneTable& table, const typename Joint::Spec& spec,
+  void join(const SceneTable& table, const std::string& name, const typename Joint::Spec& spec,
             JointCollision collision = JointCollision::as_usual) {
     require_room_for_joint(table);
     if constexpr (requires { spec.a; }) require_different(table, {spec.a, spec.b});
@@ -46,12 +55,14 @@ class SceneBuilder {
     table.guard([&] {
       const auto joint = std::make_shared<const Joint>(spec, poses_);
       require_movable(table, *joint);
-      scene_.add_joint(joint, collision);
+      joint_ids_.emplace(name, scene_.add_joint(joint, collision));
     });
   }
 
   const Scene& scene() const { return scene_; }
   const PerBody<std::string>& names() const { return names_; }
+  /// Where the bodies were when the joints were made; none before finish().
+  const PerBody<Pose<double>>& poses() const { return poses_; }
 
  private:
   void require_room_for_joint(const SceneTable& table) const;
@@ -59,14 +70,16 @@ class SceneBuilder {
   void require_different(const SceneTable& table, const List<BodyId>& bodies) const;
   void require_movable(const SceneTable& table, const Constraint& joint) const;
   std::string listed(const List<BodyId>& bodies) const;
+  List<std::string> joint_names() const;
 
   Scene scene_;
   PerBody<std::string> names_;
   std::map<std::string, BodyId> ids_ = {{"ground", ground}};
+  std::map<std::string, JointId> joint_ids_ = {};
   std::set<std::string> claimed_ = {"ground"};
   List<std::function<void()>> waiting_ = {};
   List<std::function<void()>> last_ = {};  // behind all joints
-  PerBody<Pose<double>> poses_ = {};  // once all bodies are there
+  PerBody<Pose<double>> poses_ = {};       // once all bodies are there
 };
 
 /// What the keys of the groups matter and motion say.
@@ -80,6 +93,10 @@ std::optional<Softness> softness_of(const SceneTable& table);
 void build_bodies(SceneBuilder& builder, const SceneTable& table, int number);
 /// `number`: which [[joint]] it is.
 void build_joint(SceneBuilder& builder, const SceneContext& context, const SceneValue& value, int number);
+/// Every [[event]] of the file, once all bodies and joints are there.
+void build_events(SceneBuilder& builder, const SceneTable& file);
+/// Every [[expect.body]] of the file, once the events are known.
+List<ExpectedPlace> expected_places(const SceneBuilder& builder, const SceneTable& file);
 
 // One for each kind of table that stands for many bodies; `name` is that of the whole.
 void build_link(SceneBuilder& builder, const SceneTable& table, const std::string& name);

@@ -48,7 +48,7 @@ std::map<std::string, double> numbers_of(const SceneContext& context, const Scen
 /// The kinds of tables that make bodies.
 bool makes_bodies(const SceneTable& file, const std::string& key) {
   const SceneKey* found = find_scene_key(scene_table_kind(file.kind()), key);
-  return found && found->type == SceneType::tables && key != "joint";
+  return found && found->type == SceneType::tables && key != "joint" && key != "event";
 }
 
 /// One table of a list: which one of its kind, and what it says.
@@ -103,6 +103,7 @@ SceneEntry read_scene_text(const std::string& text, const std::string& file) {
   SceneBuilder builder(settings);
   for (const SceneTable& surface : table.tables("ground")) builder.add_ground(surface);
   build_items(builder, context, items_of(table, root));
+  build_events(builder, table);
 
   SceneEntry entry;
   entry.name = stem_of(file);
@@ -111,6 +112,7 @@ SceneEntry read_scene_text(const std::string& text, const std::string& file) {
   entry.order = table.number("order");
   entry.seconds = table.number("seconds");
   entry.expectations = expectations_of(table);
+  entry.expectations.places = expected_places(builder, table);
   entry.setting = recommended_of(table, settings);
   entry.camera = camera_of(table);
   entry.body_names = builder.names();

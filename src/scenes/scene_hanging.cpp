@@ -15,6 +15,7 @@ enum class ChainJoint { pin, weld, rod, rope, spring };
 
 /// Where a chain runs, and what it is made of.
 struct ChainPlan {
+  std::string name = {};
   int n = 0;
   ChainJoint joint = ChainJoint::pin;
   Vec2<double> from = {0, 0};   // [m]
@@ -26,8 +27,9 @@ struct ChainPlan {
   bool meets() const { return joint == ChainJoint::pin || joint == ChainJoint::weld; }
 };
 
-ChainPlan plan_chain(const SceneTable& table) {
-  ChainPlan plan{.n = table.integer("n"), .joint = static_cast<ChainJoint>(table.word("joint"))};
+ChainPlan plan_chain(const SceneTable& table, const std::string& name) {
+  ChainPlan plan{
+      .name = name, .n = table.integer("n"), .joint = static_cast<ChainJoint>(table.word("joint"))};
   plan.from = table.point("from");
   plan.is_fastened = table.has("b");
   if (table.has("to")) {
@@ -62,23 +64,30 @@ Vec2<double> chain_place(const SceneTable& table, const ChainPlan& plan, int i) 
   return place;
 }
 
-void join_chain(SceneBuilder& builder, const SceneTable& table, const ChainPlan& plan, BodyId a, BodyId b,
-                const Vec2<double>& anchor_a, const Vec2<double>& anchor_b) {
+/// Joint `number` of the chain, from 0.
+std::string chain_joint_name(const ChainPlan& plan, int number) {
+  return plan.name + ".joint." + std::to_string(number + 1);
+}
+
+void join_chain(SceneBuilder& builder, const SceneTable& table, const ChainPlan& plan, int number, BodyId a,
+                BodyId b, const Vec2<double>& anchor_a, const Vec2<double>& anchor_b) {
+  const std::string name = chain_joint_name(plan, number);
   if (plan.joint == ChainJoint::pin) {
-    return builder.join<RevoluteJoint>(table, {.a = a, .b = b, .anchor = anchor_a});
+    return builder.join<RevoluteJoint>(table, name, {.a = a, .b = b, .anchor = anchor_a});
   }
   if (plan.joint == ChainJoint::weld) {
-    return builder.join<WeldJoint>(table, {.a = a, .b = b, .anchor = anchor_a});
+    return builder.join<WeldJoint>(table, name, {.a = a, .b = b, .anchor = anchor_a});
   }
   const DistanceJoint::Kind kinds[] = {DistanceJoint::Kind::rod, DistanceJoint::Kind::rope,
                                        DistanceJoint::Kind::spring};
-  builder.join<DistanceJoint>(table, {.a = a,
-                                      .b = b,
-                                      .anchor_a = anchor_a,
-                                      .anchor_b = anchor_b,
-                                      .length = table.has("length") ? table.number("length") : -1,
-                                      .kind = kinds[static_cast<int>(plan.joint) - 2],
-                                      .softness = softness_of(table)});
+  builder.join<DistanceJoint>(table, name,
+                              {.a = a,
+                               .b = b,
+                               .anchor_a = anchor_a,
+                               .anchor_b = anchor_b,
+                               .length = table.has("length") ? table.number("length") : -1,
+                               .kind = kinds[static_cast<int>(plan.joint) - 2],
+                               .softness = softness_of(table)});
 }
 
 /// Joins bodies `links` in a row, and its ends.
@@ -90,14 +99,15 @@ void join_chain_bodies(SceneBuilder& builder, const SceneTable& table, const Cha
     const BodyId next = links[i];
     if (plan.meets()) anchor = plan.from + i * plan.link * plan.along;
     const Vec2<double> place = chain_place(table, plan, i);
-    join_chain(builder, table, plan, before, next, anchor, place);
+    join_chain(builder, table, plan, i, before, next, anchor, place);
     before = next;
     anchor = place;
   }
   if (!plan.is_fastened) return;
   const Vec2<double> end =
       table.has("to") ? table.point("to") : Vec2<double>(plan.from + plan.n * plan.link * plan.along);
-  join_chain(builder, table, plan, before, builder.body(table, "b"), plan.meets() ? end : anchor, end);
+  join_chain(builder, table, plan, plan.n, before, builder.body(table, "b"), plan.meets() ? end : anchor,
+             end);
 }
 
 void build_bob(SceneBuilder& builder, const SceneTable& bob, const ChainPlan& plan, BodyId last,
@@ -110,8 +120,8 @@ void build_bob(SceneBuilder& builder, const SceneTable& bob, const ChainPlan& pl
   spec.angle = plan.angle;
   if (bob.has("ratio")) spec.mass = bob.number("ratio") * builder.mass(last);
   const BodyId body = builder.add(bob, spec, name);
-  builder.later([&builder, bob, last, body, end] {
-    builder.join<RevoluteJoint>(bob, {.a = last, .b = body, .anchor = end});
+  builder.later([&builder, bob, joint = chain_joint_name(plan, plan.n), last, body, end] {
+    builder.join<RevoluteJoint>(bob, joint, {.a = last, .b = body, .anchor = end});
   });
 }
 
@@ -129,14 +139,15 @@ void build_cradle(SceneBuilder& builder, const SceneTable& table, const std::str
     const Vec2<double> place = top + rod * Vec2<double>(std::sin(aside), -std::cos(aside));
     spec.position = place;
     const BodyId ball = builder.add(table, spec, name + "." + std::to_string(i + 1));
-    builder.later([&builder, table, ball, top, place] {
-      builder.join<DistanceJoint>(table, {.a = ground, .b = ball, .anchor_a = top, .anchor_b = place});
+    const std::string joint = name + ".joint." + std::to_string(i + 1);
+    builder.later([&builder, table, joint, ball, top, place] {
+      builder.join<DistanceJoint>(table, joint, {.a = ground, .b = ball, .anchor_a = top, .anchor_b = place});
     });
   }
 }
 
 void build_chain(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
-  const ChainPlan plan = plan_chain(table);
+  const ChainPlan plan = plan_chain(table, name);
   BodySpec spec = matter_of(table);
   spec.shapes = shape_of(table);
   if (spec.shapes.empty() && !plan.meets()) {

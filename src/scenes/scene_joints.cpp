@@ -36,13 +36,14 @@ Vec2<double> anchor_or_center(const SceneBuilder& builder, const SceneTable& tab
 struct ScenePair {
   SceneBuilder& builder;
   const SceneTable& table;
+  std::string name = {};
   BodyId a = ground;
   BodyId b = {};
 
   Vec2<double> anchor() const { return anchor_or_center(builder, table, "anchor", b); }
   template <typename Joint>
   void join(const typename Joint::Spec& spec) const {
-    builder.join<Joint>(table, spec, collision_of(table));
+    builder.join<Joint>(table, name, spec, collision_of(table));
   }
 };
 
@@ -134,7 +135,7 @@ void join_friction(const ScenePair& pair) {
   pair.join<FrictionJoint>(spec);
 }
 
-void join_pulley(SceneBuilder& builder, const SceneTable& table) {
+void join_pulley(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
   PulleyJoint::Spec spec;
   for (const SceneTable& end : table.tables("ends")) {
     const BodyId body = builder.body(end, "body"), carrier = builder.body(end, "carrier");
@@ -151,21 +152,25 @@ void join_pulley(SceneBuilder& builder, const SceneTable& table) {
   spec.length = number_if_given(table, "length").value_or(-1);
   spec.kind = table.word("kind") == 0 ? PulleyJoint::Kind::rope : PulleyJoint::Kind::taut;
   spec.slack_margin = table.number("slack_margin");
-  builder.join<PulleyJoint>(table, spec, collision_of(table));
+  builder.join<PulleyJoint>(table, name, spec, collision_of(table));
 }
 
 using ScenePairJoiner = void (*)(const ScenePair&);
 
-void join_from(SceneBuilder& builder, const SceneTable& table) {
+/// `name`: of the joint, or the beginning of the names of many.
+void join_from(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
   static const std::map<std::string, ScenePairJoiner> joiners = {
       {"rod", join_distance},      {"rope", join_distance}, {"spring", join_distance},
       {"revolute", join_revolute}, {"weld", join_weld},     {"prismatic", join_prismatic},
       {"gear", join_gear},         {"drag", join_drag},     {"differential", join_differential},
       {"friction", join_friction}};
-  if (table.kind() == "pulley") return join_pulley(builder, table);
+  if (table.kind() == "pulley") return join_pulley(builder, table, name);
   const BodyId a = table.kind() == "drag" ? ground : builder.body(table, "a");
+  const bool is_row = table.text("b").ends_with(".*");
+  int count = 0;
   for (const BodyId b : builder.bodies(table, "b")) {
-    joiners.at(table.kind())({.builder = builder, .table = table, .a = a, .b = b});
+    const std::string number = is_row ? "." + std::to_string(++count) : "";
+    joiners.at(table.kind())({.builder = builder, .table = table, .name = name + number, .a = a, .b = b});
   }
 }
 
@@ -199,7 +204,8 @@ std::optional<Softness> softness_of(const SceneTable& table) {
 void build_joint(SceneBuilder& builder, const SceneContext& context, const SceneValue& value, int number) {
   const std::string path = "joint[" + std::to_string(number) + "]";
   const SceneTable table(context, value, joint_kind(context, value, path), path);
-  builder.later([&builder, table] { join_from(builder, table); });
+  const std::string name = builder.claim_name(table, "joint." + std::to_string(number));
+  builder.later([&builder, table, name] { join_from(builder, table, name); });
 }
 
 }  // namespace cairn

@@ -13,6 +13,13 @@
 
 namespace cairn {
 
+/// Where a body should be when the scene's time is over.
+struct ExpectedPlace {
+  BodyId body = {};                // whose centre of mass
+  Vec2<double> position = {0, 0};  // [m] should be here
+  double within = 0;               // [m] or as near
+};
+
 /// What a good run keeps to; what is left out is not expected.
 struct Expectations {
   std::optional<double> penetration = {};  // [m] TrialResult::worst_penetration at most
@@ -22,6 +29,7 @@ struct Expectations {
   /// [m] It stands: once the scene has settled, for at most a second, every dynamic body's centre of mass
   /// stays this near to its place (Standing says how far it may come before).
   std::optional<double> stands = {};
+  List<ExpectedPlace> places = {};  // not beside `stands`
 };
 
 /// What a picture of the scene shows.

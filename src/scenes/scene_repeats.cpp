@@ -42,19 +42,27 @@ Shape<double> larger_block(const SceneTable& table, double more) {
 /// What joins the bodies of a row, in the order of the key's words.
 enum class RowJoint { none, pin, weld, rod };
 
-void join_neighbours(SceneBuilder& builder, const SceneTable& table, RowJoint kind, BodyId a, BodyId b) {
+void join_neighbours(SceneBuilder& builder, const SceneTable& table, const std::string& name, BodyId a,
+                     BodyId b) {
+  const auto kind = static_cast<RowJoint>(table.word("joint"));
   const Vec2<double> from = builder.center(a), to = builder.center(b), halfway = (from + to) / 2;
-  if (kind == RowJoint::pin) return builder.join<RevoluteJoint>(table, {.a = a, .b = b, .anchor = halfway});
-  if (kind == RowJoint::weld) return builder.join<WeldJoint>(table, {.a = a, .b = b, .anchor = halfway});
-  builder.join<DistanceJoint>(table, {.a = a, .b = b, .anchor_a = from, .anchor_b = to});
+  if (kind == RowJoint::pin)
+    return builder.join<RevoluteJoint>(table, name, {.a = a, .b = b, .anchor = halfway});
+  if (kind == RowJoint::weld)
+    return builder.join<WeldJoint>(table, name, {.a = a, .b = b, .anchor = halfway});
+  builder.join<DistanceJoint>(table, name, {.a = a, .b = b, .anchor_a = from, .anchor_b = to});
 }
 
 /// Joins each of `bodies`, n to a row, to the next one of its row, and to that of the next row.
-void join_row(SceneBuilder& builder, const SceneTable& table, const List<BodyId>& bodies, int n) {
-  const auto kind = static_cast<RowJoint>(table.word("joint"));
+void join_row(SceneBuilder& builder, const SceneTable& table, const std::string& name,
+              const List<BodyId>& bodies, int n) {
+  int count = 0;
+  const auto join = [&](BodyId a, BodyId b) {
+    join_neighbours(builder, table, numbered(name + ".joint", count++), a, b);
+  };
   for (int i = 0; i < bodies.size(); ++i) {
-    if ((i + 1) % n != 0) join_neighbours(builder, table, kind, bodies[i], bodies[i + 1]);
-    if (i + n < bodies.size()) join_neighbours(builder, table, kind, bodies[i], bodies[i + n]);
+    if ((i + 1) % n != 0) join(bodies[i], bodies[i + 1]);
+    if (i + n < bodies.size()) join(bodies[i], bodies[i + n]);
   }
 }
 
@@ -124,7 +132,7 @@ void build_row(SceneBuilder& builder, const SceneTable& table, const std::string
     }
   }
   if (static_cast<RowJoint>(table.word("joint")) == RowJoint::none) return;
-  builder.later([&builder, table, bodies, n] { join_row(builder, table, bodies, n); });
+  builder.later([&builder, table, name, bodies, n] { join_row(builder, table, name, bodies, n); });
 }
 
 void build_pile(SceneBuilder& builder, const SceneTable& table, const std::string& name) {

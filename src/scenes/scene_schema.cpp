@@ -15,7 +15,8 @@ namespace cairn {
 const List<SceneKey>& scene_keys() {
   static const List<SceneKey> keys = [] {
     List<SceneKey> all;
-    for (const auto& part : {scene_setting_keys, scene_body_keys, scene_joint_keys, scene_repeat_keys}) {
+    for (const auto& part :
+         {scene_setting_keys, scene_body_keys, scene_joint_keys, scene_event_keys, scene_repeat_keys}) {
       for (SceneKey& key : part()) all.push_back(std::move(key));
     }
     return all;

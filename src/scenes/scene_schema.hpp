@@ -66,6 +66,7 @@ std::string scene_schema_page();
 List<SceneKey> scene_setting_keys();
 List<SceneKey> scene_body_keys();
 List<SceneKey> scene_joint_keys();
+List<SceneKey> scene_event_keys();
 List<SceneKey> scene_repeat_keys();
 
 }  // namespace cairn

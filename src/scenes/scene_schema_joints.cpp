@@ -12,6 +12,7 @@ List<SceneKey> scene_pair_keys() {
       {"joint", "type", word, "", "required",
        "rod, rope, spring, revolute, prismatic, weld, pulley, gear, differential, drag, friction",
        "what joins the bodies"},
+      {"joint", "name", text, "", "Joint.1, joint.2, ...", "", "letters, digits, _ and -"},
       {"joint", "collide", word, "", "as usual", "as usual, on, off",
        "may its bodies touch? As usual: those of a pulley, drag or friction, and no others"},
       {"pair", "a", text, "", "ground", "",

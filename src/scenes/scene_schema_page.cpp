@@ -107,6 +107,28 @@ that stands for many are named after it: `[[chain]]` makes chain.1 to chain.n, a
 all of these, and `ground`. With `b = "row.*"` a joint is made for every body of a row. Bodies and joints
 come in the order of the file, and that is the order in which a solver goes through them.
 
+Joints have names for events: joint.1, joint.2 and so on, or their own. Of a joint with `b = "row.*"` they are
+joint.1.1, joint.1.2, and those of a table that stands for many are chain.joint.1, row.joint.1, cradle.joint.1
+and so on. No body and no joint shares its name with another.
+
+## Events
+
+A scene can change while it runs: a body or a joint is taken out, a body gets an impulse, a motor is switched.
+
+```toml
+[[event]]
+time = 1
+remove = "pin"
+
+[[event]]
+time = 1.5
+push = "ball"
+impulse = [2, 0]
+```
+
+Every program that runs the scene obeys, and so does Box2D where no motor is switched. What an event does to
+the energy counts neither as gain nor as loss; what a motor does later counts, as it always does.
+
 ## Ground
 
 `[ground]` is flat. Ground of any other form is a `chain` of points, a shape of a static or kinematic body:
@@ -127,7 +149,7 @@ ones, and pieces of a kinematic body, keep their edges, and so do rounded boxes 
 
 ## Limits
 
-A file may have 1 MB, a scene 20000 bodies and 50000 joints. A text is one line of at most 1000 bytes, without
+A file may have 1 MB, a scene 20000 bodies, 50000 joints and 1000 events. A text is one line of at most 1000 bytes, without
 control characters.
 
 )";

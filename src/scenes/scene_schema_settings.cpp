@@ -26,6 +26,7 @@ List<SceneKey> scene_top_keys() {
       {"scene", "expect", table, "", "", "expect", "what a good run keeps to"},
       {"scene", "body", tables, "", "", "body", "one body"},
       {"scene", "joint", tables, "", "", "joint", "what joins bodies"},
+      {"scene", "event", tables, "", "", "event", "what happens while it runs"},
       {"scene", "link", tables, "", "", "link", "one body, from point to point"},
       {"scene", "stack", tables, "", "", "stack", "boxes or discs on each other"},
       {"scene", "pyramid", tables, "", "", "pyramid", "boxes in rows that grow shorter"},
@@ -98,6 +99,7 @@ List<SceneKey> scene_recommended_keys() {
       {"expect", "energy_gain", number, "%", "", "> 0", "energy does not rise by more"},
       {"expect", "energy_loss", number, "%", "", "> 0", "energy is at the end not lower by more"},
       {"expect", "stands", number, "m", "", "> 0", "once the scene has settled, no body moves further"},
+      {"expect", "body", tables, "", "", "expected place", "where a body is at the end"},
   };
 }
 

@@ -128,7 +128,8 @@ Expectations expectations_of(const SceneTable& file) {
             .drift = expected(table, "drift"),
             .energy_gain = expected(table, "energy_gain"),
             .energy_loss = expected(table, "energy_loss"),
-            .stands = expected(table, "stands")};
+            .stands = expected(table, "stands"),
+            .places = {}};
   }
   return {};
 }

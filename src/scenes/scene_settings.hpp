@@ -10,6 +10,7 @@ namespace cairn {
 SceneSettings scene_settings_of(const SceneTable& file);
 /// [recommended]; what it leaves out is as in `settings`.
 Setting recommended_of(const SceneTable& file, const SceneSettings& settings);
+/// [expect], but for its bodies.
 Expectations expectations_of(const SceneTable& file);
 std::optional<SceneCamera> camera_of(const SceneTable& file);
 

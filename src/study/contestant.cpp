@@ -50,6 +50,7 @@ class WorldContestant final : public Contestant {
         solver_(setting.solver, setting.sweeps),
         twin_(make_solver<Real>(setting.solver, setting.sweeps)) {}
 
+  bool do_events() override { return world_.do_events(); }
   void step() override {
     updates_before_ = solver_.row_updates();
     not_finite_ = world_.step(solver_).not_finite;
@@ -91,6 +92,7 @@ class Box2DContestant final : public Contestant {
     (void)worst_penetration(world_.snapshot());  // refuses more pairs than a step of Cairn takes
   }
 
+  bool do_events() override { return world_.do_events(); }
   void step() override {
     for (int i = 0; i < setting_.substeps; ++i) world_.step();
     steps_ += 1;

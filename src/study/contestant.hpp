@@ -13,6 +13,9 @@ namespace cairn {
 class Contestant {
  public:
   virtual ~Contestant() = default;
+  /// Does the events of the scene that are due before the next step, which would do them otherwise. Whether
+  /// there were any.
+  virtual bool do_events() = 0;
   /// One step of the setting's dt: all that is to be timed.
   virtual void step() = 0;
   virtual Snapshot snapshot() const = 0;

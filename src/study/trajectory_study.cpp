@@ -68,6 +68,7 @@ TrialOptions run_options(const TrajectoryScene& scene, const Setting& setting, b
   const int every = std::max(1, static_cast<int>(std::lround(1 / (30 * setting.dt))));
   TrialOptions options{.seconds = scene.seconds, .penetration_every = every};
   if (scene.stand_distance > 0) options.stand_distance = scene.stand_distance;
+  options.places = scene.places;
   const double with_steps = 1 + sweeps_of_a_step / setting.sweeps.iterations;
   options.gives_up = [&scene, &too_slow, with_steps](const TrialResult& so_far) {
     const double work = with_steps * static_cast<double>(so_far.row_updates);
@@ -176,11 +177,14 @@ TrajectoryScene trajectory_scene(const std::string& name) {
   }
   if (!names_scene_file(name)) require_known(name, trajectory_names(), "tradeoff", "scene");
   const SceneEntry scene = scene_entry(name);
-  const double stands = scene.expectations.stands.value_or(0);
+  double stands = scene.expectations.stands.value_or(0);
+  for (const ExpectedPlace& place : scene.expectations.places)
+    stands = stands > 0 ? std::min(stands, place.within) : place.within;
   return {.name = scene.name,
           .make = scene.make,
           .seconds = scene.seconds,
           .stand_distance = stands,
+          .places = scene.expectations.places,
           .fingerprint = scene.fingerprint,
           .starts = stands > 0 ? survival_starts : 1};
 }

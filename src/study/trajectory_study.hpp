@@ -16,6 +16,8 @@ struct TrajectoryScene {
   std::function<Scene()> make = {};
   double seconds = 2;
   double stand_distance = 0;  // [m] 0: nothing is said about standing
+  /// Where it should end, if it says so; stand_distance is the nearest that one must come.
+  List<ExpectedPlace> places = {};
   /// What a formula says of the run, where it does: see AnsweredScene.
   std::string error_name = {};
   std::string error_formula = {};

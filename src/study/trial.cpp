@@ -59,9 +59,10 @@ class Trial {
         start_(contestant.snapshot()),
         watch_(start_),
         standing_(start_, options.stand_distance, std::min(options.settle_seconds, options.seconds / 2)) {
-    start_energy_ = total_energy(start_);
+    start_energy_ = energy_ = total_energy(start_);
     const double scale = energy_scale(start_);
     result_.energy_scale = scale > 0 ? scale : 1;
+    note_places(start_);
     if (options_.observer) options_.observer(start_);
   }
 
@@ -73,6 +74,7 @@ class Trial {
       measure(contestant_.snapshot(), result_.steps == steps);
       if (options_.gives_up && options_.gives_up(result_)) break;
     }
+    if (result_.steps == steps && is_out_of_place()) result_.fell_at = result_.stands_until = 0;
     if (!result_.fell_at) result_.stands_until = result_.seconds;
     if (residuals_ > 0) result_.mean_residual = residual_sum_ / residuals_;
     result_.state_hash = contestant_.state_hash();
@@ -82,6 +84,7 @@ class Trial {
   /// False: the solver has refused.
   bool step() {
     try {
+      do_events();
       measure_ahead();
       const double before = options_.clock();
       contestant_.step();
@@ -92,6 +95,16 @@ class Trial {
       return false;
     }
     return true;
+  }
+
+  /// What an event gives or takes is not the solver's doing: from there on, energy is held against what is
+  /// left.
+  void do_events() {
+    if (!contestant_.do_events()) return;
+    const Snapshot now = contestant_.snapshot();
+    start_energy_ += total_energy(now) - energy_;
+    result_.energy_scale = std::max(result_.energy_scale, energy_scale(now));
+    watch_.scene_changed(now);
   }
 
   void measure_ahead() {
@@ -113,10 +126,12 @@ class Trial {
       return note_fall();
     }
     result_.farthest = std::max(result_.farthest, farthest_from_start(start_, now));
-    if (!standing_.holds(now, result_.seconds)) note_fall();
+    if (options_.places.empty() && !standing_.holds(now, result_.seconds)) note_fall();
+    note_places(now);
     note_drift(now);
     watch_.see(now, result_.seconds);
-    const double change = (total_energy(now) - start_energy_) / result_.energy_scale;
+    energy_ = total_energy(now);
+    const double change = (energy_ - start_energy_) / result_.energy_scale;
     result_.energy_gain = std::max(result_.energy_gain, change);
     result_.energy_loss = -change;
     if (is_last || result_.steps % options_.penetration_every == 0) {
@@ -143,6 +158,21 @@ class Trial {
     result_.penetration_worst = {.time = result_.seconds, .a = overlap.a, .b = overlap.b};
   }
 
+  void note_places(const Snapshot& now) {
+    result_.place_distances.clear();
+    for (const ExpectedPlace& place : options_.places) {
+      const Vec2<double> way = now.bodies[place.body].pose.position - place.position;
+      result_.place_distances.push_back(way.norm());
+    }
+  }
+
+  bool is_out_of_place() const {
+    for (int i = 0; i < result_.place_distances.size(); ++i) {
+      if (!(result_.place_distances[i] <= options_.places[i].within)) return true;
+    }
+    return false;
+  }
+
   void note_fall() {
     if (!result_.fell_at) result_.fell_at = result_.stands_until = result_.seconds;
   }
@@ -153,7 +183,8 @@ class Trial {
   Snapshot start_;
   FailureWatch watch_;
   Standing standing_;
-  double start_energy_ = 0;  // [J]
+  double energy_ = 0;        // [J] of the last snapshot
+  double start_energy_ = 0;  // [J] of the start, and what events have given since
   double residual_sum_ = 0;
   int residuals_ = 0;
 };

@@ -9,7 +9,7 @@
 
 #include "math/list.hpp"
 #include "measure/failure.hpp"
-#include "scenes/setting.hpp"
+#include "scenes/scene_list.hpp"
 #include "world/snapshot.hpp"
 
 namespace cairn {
@@ -46,6 +46,9 @@ struct TrialOptions {
   /// [m] The scene stands while every dynamic body's centre of mass is at most as far from its place: where
   /// it is after settle_seconds. Until then half its bounding radius is allowed (see Standing).
   double stand_distance = std::numeric_limits<double>::infinity();
+  /// Where there are any, the scene stands if it ends with these bodies in their places, however they come
+  /// there; stand_distance then means nothing.
+  List<ExpectedPlace> places = {};
   double settle_seconds = 1;  // [s] but at most half of `seconds`; with 0 the places are those of the start
   /// Overlap is measured after every so many steps, and at the end. The other measures, taken after every
   /// step, cost O(bodies + joints); this one looks for pairs and collides them, as a step does.
@@ -72,14 +75,20 @@ struct TrialResult {
   TrialWorst penetration_worst = {};      // where worst_penetration is above 0
   TrialWorst drift_worst = {};            // where worst_drift is above 0
   List<Failure> failures = {};            // the first of each kind, whatever is expected of the scene
-  double energy_scale = 0;  // [J] energy_scale() of the start (measure/trajectory.hpp); 1 J where it is 0
-  double energy_gain = 0;   // of the scale: how far kinetic and potential energy rose above the start's
-  double energy_loss = 0;   // of the scale: how far they are below it at the end; < 0: above it
-  double farthest = 0;      // [m] that a dynamic body's centre of mass was from its start, infinite for nan
-  std::optional<double> fell_at = {};  // [s] after the first step where the scene did not stand; none: it did
-  double stands_until = 0;             // [s] fell_at, or else all of `seconds`
-  double step_seconds = 0;             // [s] of the clock in steps; measuring is not in it
-  std::int64_t row_updates = 0;        // see Contestant::row_updates
+  /// [J] energy_scale() of the start (measure/trajectory.hpp), or of what an event left where that is more;
+  /// 1 J where it is 0.
+  double energy_scale = 0;
+  /// Of the scale: how far kinetic and potential energy rose above those of the start, without what events
+  /// gave and took.
+  double energy_gain = 0;
+  double energy_loss = 0;  // of the scale: how far they are below it at the end; < 0: above it
+  double farthest = 0;     // [m] that a dynamic body's centre of mass was from its start, infinite for nan
+  List<double> place_distances = {};  // [m] how far each body of TrialOptions::places is from its place
+  /// [s] After the first step where the scene did not stand; none: it did; 0: it ended out of place.
+  std::optional<double> fell_at = {};
+  double stands_until = 0;                    // [s] fell_at, or else all of `seconds`
+  double step_seconds = 0;                    // [s] of the clock in steps; measuring is not in it
+  std::int64_t row_updates = 0;               // see Contestant::row_updates
   std::optional<double> worst_residual = {};  // R_E, where it was asked for and can be had
   std::optional<double> mean_residual = {};
   std::uint64_t state_hash = 0;  // see Contestant::state_hash; 0 after a refusal before the first step

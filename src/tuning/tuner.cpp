@@ -36,6 +36,13 @@ Verdict missed_verdict(const std::string& what, const TrialResult& result) {
   return {false, fmt::format("{} after {:.3g} s", what, result.seconds)};
 }
 
+/// How long it stood, or how far it ended from where it should.
+std::string fall_text(const TrialResult& result) {
+  const List<double>& distances = result.place_distances;
+  if (distances.empty()) return fmt::format("stands {:.3g} s", result.stands_until);
+  return "ends " + length_text(*std::max_element(distances.begin(), distances.end())) + " out of place";
+}
+
 void check_wish(const Wish& wish) {
   const std::pair<const char*, std::optional<double>> fields[] = {{"penetration", wish.penetration},
                                                                   {"drift", wish.drift},
@@ -202,7 +209,7 @@ List<Candidate> all_that_meet(TunerSearch& search, const TunerOptions& options, 
 
 Verdict verdict(const TrialResult& result, const Wish& wish) {
   if (wish.stands && result.status == TrialStatus::ok && !(result.stands_until >= *wish.stands)) {
-    return {false, fmt::format("stands {:.3g} s", result.stands_until)};
+    return {false, fall_text(result)};
   }
   return verdict_so_far(result, wish);
 }
@@ -216,7 +223,7 @@ Verdict verdict_so_far(const TrialResult& result, const Wish& wish) {
     return limit && !(value <= *limit);
   };
   if (wish.stands && result.fell_at && !(*result.fell_at >= *wish.stands)) {
-    return {false, fmt::format("stands {:.3g} s", *result.fell_at)};
+    return {false, fall_text(result)};
   }
   if (misses(result.worst_penetration, wish.penetration)) {
     return missed_verdict("penetration " + length_text(result.worst_penetration), result);

@@ -91,3 +91,12 @@ TEST_CASE("expectations that were missed are told with both numbers, and met one
   result.status = TrialStatus::nan;
   CHECK(unmet({}, result).size() == 1);
 }
+
+TEST_CASE("a body that does not end in its place is told with its name and both distances") {
+  const Expectations expectations{
+      .places = {{.body = {1}, .position = {1, 2}, .within = 0.05}, {.body = {2}, .within = 0.2}}};
+  const TrialResult result{.seconds = 2, .place_distances = {0.25, 0.2}};
+  const List<std::string> missed = unmet(expectations, result, {"ground", "ball", "box"});
+  REQUIRE(missed.size() == 1);
+  CHECK(missed[0] == "place of ball missed by 0.25 m, expected at most 0.05 m");
+}
