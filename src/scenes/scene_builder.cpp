@@ -134,6 +134,11 @@ void SceneBuilder::require_movable(const SceneTable& table, const Constraint& jo
     table.refuse("", "on at least one body that can move", listed(bodies));
 }
 
+SwingSoftness SceneBuilder::spring_of(const SceneTable& table) const {
+  if (table.has("softness")) table.refuse("frequency", "left out where there is a softness");
+  return {.frequency = table.number("frequency"), .damping_ratio = table.number("damping_ratio")};
+}
+
 void SceneBuilder::finish() {
   for (const SceneBody& each : scene_.bodies()) poses_.push_back(each.pose);
   for (const auto& work : waiting_) work();

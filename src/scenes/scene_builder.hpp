@@ -55,7 +55,9 @@ class SceneBuilder {
     table.guard([&] {
       const auto joint = std::make_shared<const Joint>(spec, poses_);
       require_movable(table, *joint);
-      joint_ids_.emplace(name, scene_.add_joint(joint, collision));
+      const JointId id = scene_.add_joint(joint, collision);
+      if (table.has("frequency")) scene_.set_joint_soft(id, spring_of(table));
+      joint_ids_.emplace(name, id);
     });
   }
 
@@ -71,6 +73,8 @@ class SceneBuilder {
   void require_movable(const SceneTable& table, const Constraint& joint) const;
   std::string listed(const List<BodyId>& bodies) const;
   List<std::string> joint_names() const;
+  // Of the group give. @throws std::invalid_argument for a softness beside it.
+  SwingSoftness spring_of(const SceneTable& table) const;
 
   Scene scene_;
   PerBody<std::string> names_;

@@ -164,6 +164,8 @@ void join_from(SceneBuilder& builder, const SceneTable& table, const std::string
       {"revolute", join_revolute}, {"weld", join_weld},     {"prismatic", join_prismatic},
       {"gear", join_gear},         {"drag", join_drag},     {"differential", join_differential},
       {"friction", join_friction}};
+  if (table.has("damping_ratio") && !table.has("frequency"))
+    table.refuse("damping_ratio", "left out, or else given beside a frequency");
   if (table.kind() == "pulley") return join_pulley(builder, table, name);
   const BodyId a = table.kind() == "drag" ? ground : builder.body(table, "a");
   const bool is_row = table.text("b").ends_with(".*");

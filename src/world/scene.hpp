@@ -170,6 +170,10 @@ class Scene {
   /// @throws std::invalid_argument for a joint that is not in the scene, for one that can have no motor, and
   /// for what its class refuses.
   void set_motor(JointId joint, const std::optional<JointMotor>& motor);
+  /// Gives a joint a spring of its own under the policy soft, in place of Stabilization::joint_soft. It is of
+  /// the rows that hold positions; under other policies it does nothing.
+  /// @throws std::invalid_argument for a joint that is not in the scene and for a spring out of range.
+  void set_joint_soft(JointId joint, const SwingSoftness& spring);
   /// Something that is to happen while the scene runs: a world does it in its steps. It is forgotten where
   /// its body or joint is removed before.
   /// @throws std::invalid_argument unless the time is finite and not negative, for what is not in the scene,
@@ -187,6 +191,8 @@ class Scene {
   /// Of joints()[number], which comes one place forward when one before it is removed.
   /// @throws std::invalid_argument for a number that is not in joints().
   JointId joint_id(int number) const;
+  /// The spring of joints()[number] under the policy soft: its own, or else that of the settings.
+  const SwingSoftness& joint_soft(int number) const;
   /// What is still to happen, by time; those of one time in the order in which they were added.
   const List<SceneEvent>& events() const { return events_; }
   /// Pairs of bodies that a joint keeps from colliding, sorted, the lower id first.
@@ -195,7 +201,8 @@ class Scene {
  private:
   struct Fastening {
     JointId id = {};
-    bool collide = true;  // its bodies may touch
+    bool collide = true;                     // its bodies may touch
+    std::optional<SwingSoftness> soft = {};  // none: that of the settings
   };
 
   PerBody<Pose<double>> poses() const;

@@ -66,6 +66,17 @@ int Scene::number_of(JointId joint, const char* who) const {
   return static_cast<int>(found - fastenings_.begin());
 }
 
+void Scene::set_joint_soft(JointId joint, const SwingSoftness& spring) {
+  const int number = number_of(joint, "Scene::set_joint_soft");
+  require_softness(spring, "Scene::set_joint_soft");
+  fastenings_[number].soft = spring;
+}
+
+const SwingSoftness& Scene::joint_soft(int number) const {
+  const std::optional<SwingSoftness>& own = fastenings_[number].soft;
+  return own ? *own : settings_.stabilization.joint_soft;
+}
+
 void Scene::remove(JointId joint) {
   const int number = number_of(joint, "Scene::remove");
   joints_.erase(joints_.begin() + number);

@@ -151,7 +151,9 @@ void World<Real>::carry_sleep(const World& before, const Scene& then) {
     for (int i = 0; i < scene.joints().size(); ++i) {
       const auto found = std::lower_bound(others.begin(), others.end(), scene.joint_id(i));
       const bool is_there = found != others.end() && *found == scene.joint_id(i);
-      if (is_there && other.joints()[static_cast<int>(found - others.begin())] == scene.joints()[i]) continue;
+      const int k = static_cast<int>(found - others.begin());
+      const bool is_same = is_there && other.joints()[k] == scene.joints()[i];
+      if (is_same && other.joint_soft(k) == scene.joint_soft(i)) continue;
       for (const Attachment& end : scene.joints()[i]->attachments()) sleep_->wake(end.body);
     }
   };

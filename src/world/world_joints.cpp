@@ -59,7 +59,7 @@ void World<Real>::follow_arcs(const Constraint& joint) {
 
 template <Scalar Real>
 void World<Real>::write_joint_rows(StabilizationPass pass, VelocityProblem<Real>& problem, int& next) {
-  const Stabilization& stabilization = scene_->settings().stabilization;
+  Stabilization stabilization = scene_->settings().stabilization;
   const int joints = scene_->joints().size();
   if (plan_->follows_arcs) look_along_arcs();
   if (pass == StabilizationPass::velocity) joints_apart_ = 0;
@@ -71,6 +71,7 @@ void World<Real>::write_joint_rows(StabilizationPass pass, VelocityProblem<Real>
       joints_apart_ += pass == StabilizationPass::velocity && is_apart(specs_);
       if (plan_->follows_arcs) follow_arcs(tie);
     }
+    if (i < joints) stabilization.joint_soft = scene_->joint_soft(i);  // the hand has a spring of its own
     const auto source = i < joints ? static_cast<std::uint64_t>(scene_->joint_id(i).index) : hand_source;
     const int first = next;
     for (const RowSpec<Real>& spec : specs_) {

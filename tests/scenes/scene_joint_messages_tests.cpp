@@ -29,7 +29,7 @@ const List<JointMistakes> joint_mistakes = {
      "[[body]]\nname = \"ball\"\ncircle = 1\n[[joint]]\ntype = \"rod\"\nb = \"ball\"\nmotor = { speed = 1, "
      "max_torque = 1 }\n",
      "my.toml:7:1: joint[1].motor must be a known key, but type = \"rod\" has none of that name; it may have "
-     "type, name, collide, a, b, anchor_a, anchor_b, length"},
+     "type, name, collide, a, b, anchor_a, anchor_b, length, frequency, damping_ratio"},
     {"a joint without a body", "[[joint]]\ntype = \"weld\"\n",
      "my.toml:1:1: joint[1].b must be given: a text in quotes (name of a body; \"row.*\": a joint for each "
      "of a row)"},

@@ -227,3 +227,23 @@ TEST_CASE("a joint for each of a row is as many joints") {
     CHECK(scene.joints()[i]->attachments()[1].body == BodyId{i + 1});
   }
 }
+
+TEST_CASE("a joint's own frequency is that of the file, and its damping ratio that of the policy") {
+  const auto spring = [](const std::string& text) {
+    return read_scene_text(three_boxes + "[[joint]]\n" + text, "joint.toml").make().joint_soft(0);
+  };
+  const SwingSoftness usual = SceneSettings{}.stabilization.joint_soft;
+  const std::string weld = "type = \"weld\"\nb = \"b\"\n";
+  CHECK(spring(weld) == usual);
+  CHECK(spring(weld + "frequency = 20\n") ==
+        SwingSoftness{.frequency = 20, .damping_ratio = usual.damping_ratio});
+  CHECK(spring(weld + "frequency = 20\ndamping_ratio = 1\n") ==
+        SwingSoftness{.frequency = 20, .damping_ratio = 1});
+  CHECK_THROWS_WITH_AS(spring(weld + "damping_ratio = 1\n"),
+                       "joint.toml:18:17: joint[1].damping_ratio must be left out, or else given beside a "
+                       "frequency, got 1",
+                       std::invalid_argument);
+  CHECK_THROWS_WITH_AS(spring("type = \"rope\"\nb = \"b\"\nfrequency = 5\nsoftness = { frequency = 2 }\n"),
+                       "joint.toml:18:13: joint[1].frequency must be left out where there is a softness, got 5",
+                       std::invalid_argument);
+}
