@@ -233,7 +233,8 @@ Verb tune_verb() {
           "Several wishes must all be met. Exit code 1 when nothing does. A scene stands while no body is "
           "farther from its place, aside or down, than it allows ([expect] stands in its file); places are "
           "those after the first second (or half of a shorter run). Until then, and upwards, a body may "
-          "come as far as half its radius.",
+          "come as far as half its radius. Where the file says in which places bodies should end "
+          "([[expect.body]]), a run that ends with them there stands, and no other.",
       .flags = {{"penetration", "LENGTH", "no two shapes overlap by more, such as 2mm"},
                 {"drift", "LENGTH", "no joint is farther off, such as 1mm"},
                 {"residual", "R_E", "no solve leaves more, such as 0.01"},

@@ -128,6 +128,17 @@ impulse = [2, 0]
 
 Every program that runs the scene obeys, and so does Box2D where no motor is switched. What an event does to
 the energy counts neither as gain nor as loss; what a motor does later counts, as it always does.
+[drawbridge.toml](drawbridge.toml) has two of them.
+
+A scene that begins with a fall does not stand, so `stands` in `[expect]` would miss. Say where bodies should
+be at the end instead:
+
+```toml
+[[expect.body]]
+name = "ball"
+position = [4.6, 0.3]
+within = 0.02
+```
 
 ## Ground
 

@@ -37,6 +37,9 @@ void require_pushable(const Scene& scene, const PushBody& push) {
           push.body.index);
   require_finite(push.impulse, who, "impulse", "N s");
   require_finite(push.point, who, "point", "m");
+  const Vec3<double> velocity = pushed(scene.bodies()[push.body], push);
+  require(velocity.allFinite(), who, "impulse", "one that leaves the body a finite velocity",
+          push.impulse.norm());
 }
 
 }  // namespace
