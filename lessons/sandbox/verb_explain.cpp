@@ -24,6 +24,7 @@ constexpr int most_rows_of_reference = 60;  // above, its exact answer takes too
 /// What is counted in a scene before and after its first step.
 struct SceneCounts {
   Counts bodies = {}, shapes = {}, joints = {};
+  List<SceneEvent> events = {};
   int apart = 0;  // pairs of bodies that a joint keeps from colliding
   int contacts = 0, rows = 0, equalities = 0, normals = 0, frictions = 0;
   std::size_t problem_bytes = 0;
@@ -41,6 +42,13 @@ std::string body_type_name(BodyType type) {
   return type == BodyType::kinematic ? "kinematic" : "static";
 }
 
+/// "2, the first at 0.5 s, the last at 2 s".
+std::string events_text(const List<SceneEvent>& events) {
+  if (events.size() == 1) return fmt::format("1, at {:g} s", events.front().time);
+  return fmt::format("{}, the first at {:g} s, the last at {:g} s", events.size(), events.front().time,
+                     events.back().time);
+}
+
 SceneCounts counts_of(const Scene& scene, const World<double>& after, int contacts) {
   SceneCounts counts;
   for (const SceneBody& body : scene.bodies()) {
@@ -56,6 +64,7 @@ SceneCounts counts_of(const Scene& scene, const World<double>& after, int contac
                                              : counts.equalities;
     kind += 1;
   }
+  counts.events = scene.events();
   counts.apart = scene.apart().size();
   counts.contacts = contacts;
   counts.rows = problem.row_count();
@@ -127,6 +136,7 @@ void print_explanation(const SceneEntry& entry, const Setting& setting, const Pl
   line("bodies", counts_text(counts.bodies));
   line("shapes", counts_text(counts.shapes));
   line("joints", counts_text(counts.joints));
+  if (!counts.events.empty()) line("events", events_text(counts.events));
   if (counts.apart > 0) line("apart", apart_text(entry, counts.apart));
   console.result("Its first step has");
   line("contacts", fmt::format("{} points", counts.contacts));
@@ -151,6 +161,7 @@ Json explanation_json(const SceneEntry& entry, const Setting& setting, const Pla
           {"bodies", counts.bodies},
           {"shapes", counts.shapes},
           {"joints", counts.joints},
+          {"events", counts.events.size()},
           {"pairs_apart", counts.apart},
           {"velocities", 2 * plan.dynamic_bodies + plan.turning_bodies},
           {"collision", plan.collision},

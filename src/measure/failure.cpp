@@ -60,6 +60,11 @@ bool has_floor(const Snapshot& start, const SnapshotBody& body) {
   });
 }
 
+int removed_bodies(const Snapshot& snapshot) {
+  const auto is_removed = [](const SnapshotBody& body) { return body.removed; };
+  return static_cast<int>(std::count_if(snapshot.bodies.begin(), snapshot.bodies.end(), is_removed));
+}
+
 std::string name_of(BodyId body, const PerBody<std::string>& names) {
   return body.index < names.size() ? names[body] : fmt::format("body {}", body.index);
 }
@@ -84,6 +89,7 @@ std::string failure_text(const Failure& failure, const PerBody<std::string>& nam
 FailureWatch::FailureWatch(const Snapshot& start) { look_around(start); }
 
 void FailureWatch::scene_changed(const Snapshot& now) {
+  if (removed_bodies(now) == removed_) return;
   thickness_.clear();
   length_.clear();
   has_floor_.clear();
@@ -92,6 +98,7 @@ void FailureWatch::scene_changed(const Snapshot& now) {
 }
 
 void FailureWatch::look_around(const Snapshot& start) {
+  removed_ = removed_bodies(start);
   for (const SnapshotBody& body : start.bodies) {
     double thickness = std::numeric_limits<double>::infinity(), length = 0;
     for (const Shape<double>& shape : body.shapes) {

@@ -37,7 +37,7 @@ class FailureWatch {
   /// Of a run that begins so.
   explicit FailureWatch(const Snapshot& start);
 
-  /// From now on it looks at what is left of the scene, and at where it stands now.
+  /// Where bodies have been removed from the scene: from now on it looks at what is left, as it stands now.
   void scene_changed(const Snapshot& now);
   /// Looks at the bodies as they are after `time` [s].
   void see(const Snapshot& now, double time);
@@ -55,6 +55,7 @@ class FailureWatch {
   PerBody<double> thickness_;  // [m] the shorter side of the thinnest shape; infinite where there is none
   PerBody<double> length_;     // [m] the longer side of the longest shape; infinite likewise
   PerBody<char> has_floor_;    // something unmovable was under it
+  int removed_ = 0;            // bodies that were
   std::optional<double> lowest_still_;  // [m] the height of the lowest point that cannot move
   List<Failure> failures_;
 };

@@ -9,7 +9,7 @@ namespace cairn {
 
 namespace {
 
-/// What J does to a body that moves at `velocity`: nothing to one without mass.
+/// The velocity of a body after an impulse, which does nothing to one without mass.
 Vec3<double> pushed(const SceneBody& body, const PushBody& push) {
   const Vec2<double> arm = Rotation<double>(body.pose.angle) * push.point;
   Vec3<double> velocity(body.spec.velocity.x(), body.spec.velocity.y(), body.spec.angular_velocity);

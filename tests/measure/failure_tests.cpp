@@ -56,6 +56,15 @@ Snapshot box_over_box(double gap) {
 
 }  // namespace
 
+TEST_CASE("a scene in which nothing was removed has the floors that it had") {
+  FailureWatch watch(box_over_box(0));
+  const Snapshot fallen = box_over_box(-5);  // below the floor, which is 2 m thick
+  watch.scene_changed(fallen);               // by an impulse, say
+  watch.see(fallen, 1);
+  REQUIRE(watch.failures().size() == 1);
+  CHECK(watch.failures()[0].kind == FailureKind::fell_out);
+}
+
 TEST_CASE("a body that is in another by a quarter of the thinner one goes through it") {
   const auto seen = [](double gap) {
     FailureWatch watch(box_over_box(0));
