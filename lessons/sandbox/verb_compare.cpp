@@ -141,7 +141,9 @@ Verb compare_verb() {
           "Runs the scene under each solver, everything else alike, and puts what it cost beside what came "
           "out. Box2D 2.4.1 runs with the steps and substeps that are asked for and as many velocity "
           "iterations as sweeps; where it cannot run the scene it is left out, with the reason. Exit code 1 "
-          "when bodies went through each other, joints came apart or bodies fell out of the scene, 4 when "
+          "when bodies went through each other, joints came apart, bodies fell out of the scene or energy "
+          "came "
+          "from nowhere, 4 when "
           "one diverges.",
       .flags = compare_flags(),
       .examples = {"compare stack", "compare chain-bob --solvers si:20,block:20,accelerated:20,box2d:20",

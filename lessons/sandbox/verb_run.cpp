@@ -80,7 +80,9 @@ Verb run_verb() {
           "nothing is farther from its place, aside or down, than the scene allows. Places are those after "
           "the first second, or half of a shorter run. "
           "Nothing is written unless a flag names a file. Exit code 1 when an expectation is missed, or when "
-          "bodies went through each other, joints came apart or bodies fell out of the scene; 4 when the run "
+          "bodies went through each other, joints came apart, bodies fell out of the scene or energy came "
+          "from "
+          "nowhere; 4 when the run "
           "diverges.",
       .flags = joined_flags(
           joined_flags(joined_flags(setting_flags(), {{"seconds", "TIME", "to simulate (the scene's own)"}}),

@@ -52,13 +52,14 @@ double farthest_from_start(const Snapshot& start, const Snapshot& now) {
 
 class Trial {
  public:
-  Trial(Contestant& contestant, const TrialOptions& options, TrialResult& result)
+  Trial(Contestant& contestant, bool is_driven, const TrialOptions& options, TrialResult& result)
       : contestant_(contestant),
         options_(options),
         result_(result),
         start_(contestant.snapshot()),
         watch_(start_),
-        standing_(start_, options.stand_distance, std::min(options.settle_seconds, options.seconds / 2)) {
+        standing_(start_, options.stand_distance, std::min(options.settle_seconds, options.seconds / 2)),
+        is_driven_(is_driven) {
     start_energy_ = energy_ = total_energy(start_);
     const double scale = energy_scale(start_);
     result_.energy_scale = scale > 0 ? scale : 1;
@@ -134,6 +135,7 @@ class Trial {
     const double change = (energy_ - start_energy_) / result_.energy_scale;
     result_.energy_gain = std::max(result_.energy_gain, change);
     result_.energy_loss = -change;
+    if (!is_driven_) watch_.see_gain(change, result_.seconds);
     if (is_last || result_.steps % options_.penetration_every == 0) {
       const List<Overlap> all = overlaps(now);
       note_overlap(deepest_of(all));
@@ -183,6 +185,7 @@ class Trial {
   Snapshot start_;
   FailureWatch watch_;
   Standing standing_;
+  bool is_driven_ = false;
   double energy_ = 0;        // [J] of the last snapshot
   double start_energy_ = 0;  // [J] of the start, and what events have given since
   double residual_sum_ = 0;
@@ -226,7 +229,7 @@ TrialResult run_trial(const Scene& scene, const Setting& setting, const TrialOpt
     return result;
   }
   const int steps = static_cast<int>(std::lround(options.seconds / setting.dt));
-  Trial(*contestant, options, result).run(steps, setting.dt);
+  Trial(*contestant, is_driven(scene), options, result).run(steps, setting.dt);
   return result;
 }
 

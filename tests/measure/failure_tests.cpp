@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "constraints/distance_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
@@ -132,4 +133,46 @@ TEST_CASE("what never had a floor, or feels no gravity, may go anywhere") {
   beside.add({.type = BodyType::static_body, .shapes = {box(4, 2)}, .position = {0, -1}});
   beside.add({.shapes = {circle(0.5)}, .position = {5, 1}});
   CHECK(failures_of(beside, 2, 10).empty());
+}
+
+TEST_CASE("a rise of energy by a quarter of its scale comes from nowhere, and is told once") {
+  FailureWatch watch(box_over_box(0));
+  watch.see_gain(0.25, 1);
+  CHECK(watch.failures().empty());
+  watch.see_gain(0.5, 2);
+  watch.see_gain(3, 3);
+  REQUIRE(watch.failures().size() == 1);
+  CHECK(watch.failures()[0].kind == FailureKind::gained_energy);
+  CHECK(failure_text(watch.failures()[0]) == "energy has come from nowhere: 50 % of its scale after 2 s");
+}
+
+TEST_CASE("motors, springs, bodies that move by themselves and events that switch motors on drive a scene") {
+  const auto pinned = [](const RevoluteJoint::Spec& joint, BodyType type, double speed) {
+    Scene scene;
+    scene.add({.shapes = {box(1, 1)}});
+    scene.add({.type = type, .shapes = {box(1, 1)}, .position = {3, 0}, .velocity = {speed, 0}});
+    RevoluteJoint::Spec spec = joint;
+    spec.b = {1};
+    scene.join<RevoluteJoint>(spec);
+    return scene;
+  };
+  CHECK_FALSE(is_driven(pinned({}, BodyType::dynamic, 1)));
+  CHECK_FALSE(is_driven(pinned({}, BodyType::kinematic, 0)));
+  CHECK(is_driven(pinned({}, BodyType::kinematic, 1)));
+  CHECK_FALSE(
+      is_driven(pinned({.motor = RevoluteJoint::Motor{.speed = 0, .max_torque = 1}}, BodyType::dynamic, 0)));
+  CHECK(
+      is_driven(pinned({.motor = RevoluteJoint::Motor{.speed = 2, .max_torque = 1}}, BodyType::dynamic, 0)));
+  Scene switched = pinned({}, BodyType::dynamic, 0);
+  switched.add_event({.time = 1, .action = RemoveJoint{{0}}});
+  CHECK_FALSE(is_driven(switched));
+  switched.add_event({.time = 0.5, .action = SwitchMotor{{0}, JointMotor{.speed = 2, .max_force = 1}}});
+  CHECK(is_driven(switched));
+  Scene on_spring = pinned({}, BodyType::dynamic, 0);
+  on_spring.join<DistanceJoint>({.a = ground,
+                                 .b = {1},
+                                 .anchor_b = {0, 1},
+                                 .kind = DistanceJoint::Kind::spring,
+                                 .softness = SwingSoftness{.frequency = 1}});
+  CHECK(is_driven(on_spring));
 }
