@@ -13,34 +13,37 @@ namespace cairn {
 /// that touch, and how a face that is cut to the width of another slides along it: an error of the second
 /// order in how far the bodies have moved beside each other.
 template <Scalar Real>
-class KeptManifold {
- public:
-  KeptManifold() = default;
-  /// Of bodies in these frames; the radii [m] are by how much the shapes' cores are rounded.
-  KeptManifold(const Manifold<Real>& manifold, const Frame<Real>& frame_a, Real radius_a,
-               const Frame<Real>& frame_b, Real radius_b);
-
-  /// The manifold where the bodies are now: points whose separation is below `margin` [m].
-  Manifold<Real> at(const Frame<Real>& frame_a, const Frame<Real>& frame_b, Real margin) const;
-  /// How many points it has, near or not.
-  int count() const { return count_; }
-
- private:
-  /// Which body the normal turns with.
-  enum class Face : std::uint8_t { of_a, of_b, none };
-
+struct KeptManifold {
+  /// Which body's face the points lie on: the normal turns with it.
+  enum class Face : std::uint8_t {
+    of_a,
+    of_b,
+    none,  // the normal goes from core to core
+  };
+  /// A point in the frames of both bodies.
   struct Point {
     Vec2<Real> core_a = Vec2<Real>::Zero();  // [m] in the frame of a
     Vec2<Real> core_b = Vec2<Real>::Zero();  // [m] in the frame of b
-    std::uint32_t feature = 0;
+    std::uint32_t feature = 0;               // as in the manifold
   };
 
-  FixedList<Point, 2> points_ = {};
-  Vec2<Real> normal_ = Vec2<Real>::Zero();  // in the frame of the body whose face it is, else in that of a
-  Real radius_a_ = 0;                       // [m]
-  Real radius_b_ = 0;                       // [m]
-  Face face_ = Face::none;
-  std::uint8_t count_ = 0;
+  FixedList<Point, 2> points = {};         // the first `count` of them are in use
+  Vec2<Real> normal = Vec2<Real>::Zero();  // in the frame of the body whose face it is, else in that of a
+  Real radius_a = 0;                       // [m] by which the core of a is rounded
+  Real radius_b = 0;                       // [m] by which the core of b is rounded
+  Face face = Face::none;                  // that the points lie on
+  std::uint8_t count = 0;                  // of points, near or not
+
+  /// The manifold where the bodies are now: points whose separation is below `margin` [m].
+  Manifold<Real> at(const Frame<Real>& frame_a, const Frame<Real>& frame_b, Real margin) const;
+  /// Whether it lies on a face, and all of its points are near in `now`, which at() gave: then nothing but a
+  /// few sums and products has made `now`, for any margin that is wide enough.
+  bool is_whole(const Manifold<Real>& now) const { return face != Face::none && now.count == count; }
 };
+
+/// A manifold of bodies in these frames; the radii [m] are by how much the shapes' cores are rounded.
+template <Scalar Real>
+KeptManifold<Real> keep(const Manifold<Real>& manifold, const Frame<Real>& frame_a, Real radius_a,
+                        const Frame<Real>& frame_b, Real radius_b);
 
 }  // namespace cairn

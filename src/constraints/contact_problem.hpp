@@ -1,6 +1,7 @@
 // Floor 3. Contacts as they are, for solvers that need no rows of them.
 #pragma once
 
+#include "collision/kept_manifold.hpp"
 #include "constraints/contact.hpp"
 #include "constraints/row.hpp"
 #include "math/list.hpp"
@@ -15,8 +16,12 @@ struct Contact {
   BodyId b = {};                    // the second body
   Real friction = 0;                // mu
   Real slop_limit = 0;              // [m] no slop above this
-  FixedList<Real, 4> impulse = {};  // [N s]; in: warm start; out: the answer
+  FixedList<Real, 4> start = {};    // [N s] the warm start
+  FixedList<Real, 4> impulse = {};  // [N s] the answer
   int count = 0;                    // of rows; 0 between bodies that nothing moves
+  /// What its manifold is wherever the bodies go, as long as all of its points are near; null: nobody but the
+  /// world can tell.
+  const KeptManifold<Real>* kept = nullptr;
 };
 
 /// A step in which contacts are all that is to be solved: with a row of friction for each point, and without
@@ -26,6 +31,9 @@ struct ContactProblem {
   Span<Contact<Real>> contacts = {};           // in the order in which their rows would be written
   Span<const Manifold<Real>> manifolds = {};   // of each contact
   const PerBody<Pose<Real>>* poses = nullptr;  // of all bodies
+  /// The same, where contacts may be followed from substep to substep; else null.
+  const PerBody<Frame<Real>>* frames = nullptr;
+  Real margin = 0;                                            // [m] below which kept points are near
   const ContactStabilization<Real>* stabilization = nullptr;  // how errors go
   Real gravity = 0;  // [m/s^2] that a body in overlap has to rise against
   /// dt, inverse masses and velocities, as in any problem; of rows those that the solver likes to have.

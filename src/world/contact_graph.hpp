@@ -36,6 +36,26 @@ struct BlockImpulses {
   }
 };
 
+/// Keeps what the rows of a block have given: row(k) is the k-th. Rows that have vanished are forgotten. What
+/// a step has added to an impulse made good for errors of the velocities, which do not grow with dt as forces
+/// do. After a shorter step than the last one, only a share of it is kept: as much as it will be again when
+/// it is scaled for a longer one.
+template <typename Impulses, Scalar Real, typename Row>
+void remember(Impulses& impulses, int count, Real dt, const Row& row) {
+  const Real share = impulses.count > 0 ? dt / impulses.dt : Real(1);
+  Impulses before;
+  if (share < 1) before = impulses;
+  impulses.count = count;
+  impulses.dt = dt;
+  if constexpr (requires { impulses.rows.resize(0); }) impulses.rows.resize(count);
+  for (int k = 0; k < count; ++k) {
+    RowImpulse<Real> now = row(k);
+    const RowImpulse<Real>* old = before.find(now.part, k);
+    if (old) now.impulse = share * (old->impulse + now.impulse - share * old->impulse);
+    impulses.rows[k] = now;
+  }
+}
+
 /// Two shapes that are near each other and may touch.
 template <Scalar Real>
 struct ContactSlot {
@@ -55,6 +75,15 @@ struct ContactSlot {
   Real radius = 0;           // [m] of what moves, about its centre of mass
   Real keep_limit = 0;       // [m] no point of it may move by more before the manifold is found anew
   Pose<Real> found_at = {};  // of what moves, beside the other, when the manifold was found
+};
+
+/// A slot whose manifold is not known from its KeptManifold alone: a point of it is not near, or it lies on
+/// no face.
+struct OddContact {
+  static constexpr int none = -1;  // in place of a contact: no point is near
+
+  int slot = 0;     // its number
+  int contact = 0;  // the number of its manifold among those of the step
 };
 
 /// A pair that is near, and its slot.

@@ -29,14 +29,14 @@ StepReport World<Real>::step(Solver<Real>& solver, SolveObserver<Real>* observer
 template <Scalar Real>
 void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>* observer,
                           StepReport& report) {
+  ContactSolver<Real>* const direct = observer == nullptr ? contact_solver(solver) : nullptr;
   if (number == 0 || !plan_->moves_manifolds) {
     find_contacts();  // 1, 2  poses -> pairs -> manifolds
-  } else {
+  } else if (!follow_contacts(direct)) {
     move_manifolds();  //       or those of the step, where they are now
   }
   apply_forces();  // 3     v_1 = v + dt M^-1 f: gravity is in before any constraint is solved
   if (plan_->guarded) report.work -= static_cast<double>(kinetic_energy(record_.problem.velocity));
-  ContactSolver<Real>* const direct = observer == nullptr ? contact_solver(solver) : nullptr;
   if (direct != nullptr) {
     solve_contacts(*direct, report);  // 4, 5  manifolds -> impulses, v_2
   } else {
@@ -45,11 +45,18 @@ void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>*
   if (plan_->guarded) keep_apart(report);
   if (plan_->guarded) report.work += static_cast<double>(kinetic_energy(record_.problem.velocity));
   report.not_finite = first_not_finite();
-  if (report.not_finite) return;  // nothing has moved, and the impulses remembered are those of before
+  if (report.not_finite) {  // nothing has moved, and the impulses remembered are those of before
+    if (direct != nullptr) take_back_contacts(*direct);
+    return;
+  }
   state_.velocity.swap(moving_velocity_);
   integrate_positions(state_, substep_length());  // 6  with the new velocities: semi-implicit Euler
   state_.velocity = record_.problem.velocity;
-  remember_impulses();  // 7
+  if (direct != nullptr) {
+    remember_contacts(*direct, number);  // 7
+  } else {
+    remember_impulses();  // 7
+  }
 }
 
 template <Scalar Real>

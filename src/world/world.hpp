@@ -170,6 +170,7 @@ class World {
   std::optional<ContactSlot<Real>> make_slot(int collider_a, int collider_b) const;
   void meet(NearSlot& near);
   void touch(int slot, const Manifold<Real>& manifold);
+  Manifold<Real> moved_manifold(const ContactSlot<Real>& slot) const;
   Manifold<Real> collide_slot(const ContactSlot<Real>& slot, Real margin) const;
   Pose<Real> relative_pose(const ContactSlot<Real>& slot) const;
   bool has_lasting_manifold(const ContactSlot<Real>& slot, Real reach) const;
@@ -188,6 +189,14 @@ class World {
   void solve_rows(Solver<Real>& solver, SolveObserver<Real>* observer, StepReport& report);
   void solve_contacts(ContactSolver<Real>& solver, StepReport& report);
   void take_contacts();
+  ContactProblem<Real> contact_problem(const ContactStabilization<Real>& stabilization);
+  bool follow_contacts(ContactSolver<Real>* solver);
+  bool follow_odd_manifolds();
+  void catch_up_with_manifolds();
+  void take_impulses(ContactSolver<Real>& solver, FixedList<Real, 4> Contact<Real>::*impulse);
+  void give_contacts(ContactSolver<Real>& solver);
+  void take_back_contacts(ContactSolver<Real>& solver);
+  void remember_contacts(ContactSolver<Real>& solver, int number);
   void write_record() const;
   void relax(Solver<Real>& solver, StepReport& report);
   void correct_positions(Solver<Real>& solver, StepReport& report);
@@ -220,6 +229,7 @@ class World {
   List<HandInput> hand_inputs_;
   mutable StepRecord<Real> record_;
   mutable bool has_rows_ = true;           // the record has all rows
+  bool follows_ = false;                   // the last substep had the contacts of the one before
   PerBody<Pose<Real>> pose_before_;        // the substep, and
   PerBody<Vec3<Real>> velocity_before_;    // v_1 of its solve, where that needed no rows
   std::optional<SleepState<Real>> sleep_;  // where the scene lets bodies sleep
@@ -237,7 +247,10 @@ class World {
   RowSpecs<Real> specs_;
   RowSpecs<Real> specs_ahead_;            // the same after this substep
   PerBody<Pose<Real>> poses_ahead_;       // where the velocities of before would take the bodies
+  List<OddContact> odd_;                  // of the candidates
   List<Contact<Real>> contacts_;          // of the last substep, where it needed no rows
+  bool may_follow_ = false;               // the solver with its contacts, in the next substep
+  bool owes_impulses_ = false;            // the solver, of the last substep
   VelocityProblem<Real> second_problem_;  // of the policies that solve twice
   PerBody<Vec3<Real>> moving_velocity_;   // what the position moves by in this substep
   EnergyMemory<Real> energy_;             // of guards

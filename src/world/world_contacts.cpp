@@ -35,6 +35,7 @@ void World<Real>::find_manifolds() {
   record_.sensed.clear();
   touching_.clear();
   candidates_.clear();
+  follows_ = false;
   if (!plan_->collision) return;
   locate_bodies();
   if (plan_->moves_manifolds && plan_->substeps > 1) look_ahead();
@@ -67,16 +68,26 @@ template <Scalar Real>
 void World<Real>::move_manifolds() {
   record_.manifolds.clear();
   touching_.clear();
+  odd_.clear();
   locate_bodies();
   for (const int number : candidates_) {
-    ContactSlot<Real>& slot = graph_[number];
-    const Real margin =
-        static_cast<Real>(scene_->settings().speculative_margin) + reach_[slot.a] + reach_[slot.b];
-    Manifold<Real> manifold = slot.manifold.at(frames_[slot.a], frames_[slot.b], margin);
-    manifold.collider_a = slot.collider_a;
-    manifold.collider_b = slot.collider_b;
+    const Manifold<Real> manifold = moved_manifold(graph_[number]);
+    if (!graph_[number].manifold.is_whole(manifold)) {
+      odd_.push_back({.slot = number, .contact = manifold.count > 0 ? touching_.size() : OddContact::none});
+    }
     touch(number, manifold);
   }
+}
+
+/// The manifold of a slot where its bodies are now.
+template <Scalar Real>
+Manifold<Real> World<Real>::moved_manifold(const ContactSlot<Real>& slot) const {
+  const Real margin =
+      static_cast<Real>(scene_->settings().speculative_margin) + reach_[slot.a] + reach_[slot.b];
+  Manifold<Real> manifold = slot.manifold.at(frames_[slot.a], frames_[slot.b], margin);
+  manifold.collider_a = slot.collider_a;
+  manifold.collider_b = slot.collider_b;
+  return manifold;
 }
 
 /// The slot of two shapes that have come near each other; none where they never touch.
@@ -175,12 +186,12 @@ void World<Real>::meet(NearSlot& near) {
   }
   if (!has_lasting_manifold(slot, reach)) {
     const Manifold<Real> manifold = collide_slot(slot, margin + reach);
-    slot.manifold = {manifold, frames_[slot.a], (*colliders_)[slot.collider_a].core_radius, frames_[slot.b],
-                     (*colliders_)[slot.collider_b].core_radius};
+    slot.manifold = keep(manifold, frames_[slot.a], (*colliders_)[slot.collider_a].core_radius,
+                         frames_[slot.b], (*colliders_)[slot.collider_b].core_radius);
     slot.found_at = relative_pose(slot);
     slot.is_found = true;
   }
-  if (slot.manifold.count() > 0) {
+  if (slot.manifold.count > 0) {
     candidates_.push_back(number);
   } else {
     slot.impulses.count = 0;

@@ -29,7 +29,7 @@ struct Meeting {
 
   Manifold<double> found() const { return collide(a, pose_a, b, pose_b, far_away); }
   KeptManifold<double> kept() const {
-    return {found(), pose_a, radius_of_rounding(a), pose_b, radius_of_rounding(b)};
+    return keep<double>(found(), pose_a, radius_of_rounding(a), pose_b, radius_of_rounding(b));
   }
 };
 
@@ -136,7 +136,7 @@ TEST_CASE("points beyond the margin are left out, and come back when they are ne
   const Pose<double> still = {{0, 0}, 0};
   const Meeting meeting = {lower, upper, still, {{0, 1.001}, 0.01}};
   const KeptManifold<double> kept = meeting.kept();
-  CHECK(kept.count() == 2);
+  CHECK(kept.count == 2);
   CHECK(kept.at(still, Pose<double>{{0, 1.001}, 0.05}, 0.02).count == 1);
   CHECK(kept.at(still, Pose<double>{{0, 1.2}, 0.0}, 0.02).count == 0);
   CHECK(kept.at(still, Pose<double>{{0, 1.001}, 0.0}, 0.02).count == 2);

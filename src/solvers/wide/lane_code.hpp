@@ -3,6 +3,7 @@
 
 #include "solvers/wide/lane_contact_rows.hpp"
 #include "solvers/wide/lane_filling.hpp"
+#include "solvers/wide/lane_moving.hpp"
 #include "solvers/wide/lane_sets.hpp"
 #include "solvers/wide/lane_sweep.hpp"
 
@@ -20,6 +21,7 @@ LaneCode<Real> code_in_registers_of() {
   using Number = LaneNumber<Real>;
   return {.pass = pass_over<bytes, Number>,
           .fill = fill_lanes<Real, Number>,
+          .move_contacts = move_contacts<Real>,
           .measure_contacts = measure_contacts<Real>,
           .push_contacts = push_contacts<Real>,
           .fill_contacts = fill_contacts<Real, Number>,

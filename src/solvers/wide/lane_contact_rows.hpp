@@ -18,8 +18,8 @@ inline Real inverse_mass_of(Real x, Real y, Real turn, Real mass_x, Real mass_y,
 
 /// Bias and softness of the normal rows of one point.
 template <typename Real>
-inline void stabilize_point(const Real* separation, const Real* slop_limit, const ContactRule<Real>& rule,
-                            int point, LaneContactBatch<Real>& batch) {
+inline void stabilize_point(const Real* separation, const ContactRule<Real>& rule, int point,
+                            LaneContactBatch<Real>& batch) {
   const int row = batch.has_friction ? 2 * point : point;
   for (int lane = 0; lane < lane_count; ++lane) {
     const Real x = batch.normal[0][lane], y = batch.normal[1][lane];
@@ -33,7 +33,7 @@ inline void stabilize_point(const Real* separation, const Real* slop_limit, cons
     const bool on_spring = rule.has_springs && !(separation[lane] >= 0);
     batch.softness[point][lane] = on_spring ? limited : Real(0);
 
-    const Real slop = slop_limit[lane] < rule.slop ? slop_limit[lane] : rule.slop;
+    const Real slop = batch.slop_limit[lane] < rule.slop ? batch.slop_limit[lane] : rule.slop;
     const Real beyond = -separation[lane] - slop;
     const Real overlap = 0 < beyond ? beyond : Real(0);
     const Real fall = square_root(rule.gravity * overlap / 2);
@@ -74,7 +74,7 @@ inline void measure_contacts(const LaneContactInput<Real>& from, const ContactRu
   }
   for (int point = 0; point < to.points; ++point) {
     measure_arms(from, point, to);
-    stabilize_point(from.separation[point], from.slop_limit, rule, point, to);
+    stabilize_point(from.separation[point], rule, point, to);
   }
 }
 

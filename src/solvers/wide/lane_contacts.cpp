@@ -36,12 +36,39 @@ void scatter_velocities(const LaneBatch& batch, const LaneBodyInput<Real>& from,
   }
 }
 
+/// The manifold in one lane.
+template <Scalar Real>
+void keep_in_lane(const KeptManifold<Real>& kept, int lane, LaneKeptBatch<Real>& to) {
+  for (int axis = 0; axis < 2; ++axis) {
+    to.normal[axis][lane] = kept.normal(axis);
+    for (int i = 0; i < most_lane_points; ++i) {
+      to.core_a[i][axis][lane] = kept.points[i].core_a(axis);
+      to.core_b[i][axis][lane] = kept.points[i].core_b(axis);
+    }
+  }
+  to.radius_a[lane] = kept.radius_a;
+  to.radius_b[lane] = kept.radius_b;
+  to.on_b[lane] = kept.face == KeptManifold<Real>::Face::of_b ? Real(1) : Real(0);
+}
+
+/// The manifolds of a batch, as far as they move by themselves.
+template <Scalar Real>
+void keep_batch(const LaneBatch& batch, Span<const Contact<Real>> contacts, LaneKeptBatch<Real>& to) {
+  to.given = 0;
+  for (int lane = 0; lane < batch.used; ++lane) {
+    const KeptManifold<Real>* const kept = contacts[batch.block[lane]].kept;
+    keep_in_lane(kept != nullptr ? *kept : KeptManifold<Real>{}, lane, to);
+    if (kept == nullptr) to.given |= 1u << lane;
+  }
+}
+
 }  // namespace
 
 template <Scalar Real>
 void LaneContacts<Real>::arrange(const LaneBatches& batches, const ContactProblem<Real>& problem,
                                  const PerBody<Vec3<Real>>& root) {
   contacts_.assign(batches.batches().size(), LaneContactBatch<Real>{});
+  kept_.clear();
   bodies_.assign(batches.batches().size(), LaneBodyInput<Real>{});
   for (int k = 0; k < contacts_.size(); ++k) {
     const LaneBatch& batch = batches.batches()[k];
@@ -65,11 +92,13 @@ template <Scalar Real>
 void LaneContacts<Real>::take(const LaneCode<Real>& code, const LaneBatches& batches,
                               const ContactProblem<Real>& problem) {
   const ContactRule<Real> rule = problem.stabilization->rule(problem.gravity);
+  if (problem.frames != nullptr) kept_.resize(contacts_.size());
   for (int k = 0; k < contacts_.size(); ++k) {
     const LaneBatch& batch = batches.batches()[k];
     if (batch.used < lane_count) input_ = {};
     gather(batch, problem, contacts_[k]);
     code.measure_contacts(input_, rule, contacts_[k]);
+    if (problem.frames != nullptr) keep_batch<Real>(batch, problem.contacts, kept_[k]);
   }
 }
 
@@ -79,21 +108,69 @@ void LaneContacts<Real>::gather(const LaneBatch& batch, const ContactProblem<Rea
   const PerBody<Pose<Real>>& poses = *problem.poses;
   for (int lane = 0; lane < batch.used; ++lane) {
     const Contact<Real>& contact = problem.contacts[batch.block[lane]];
-    const Manifold<Real>& manifold = problem.manifolds[batch.block[lane]];
     for (int axis = 0; axis < 2; ++axis) {
       input_.position_a[axis][lane] = poses[contact.a].position(axis);
       input_.position_b[axis][lane] = poses[contact.b].position(axis);
-      input_.normal[axis][lane] = manifold.normal(axis);
     }
-    for (int i = 0; i < to.points; ++i) {
-      const ManifoldPoint<Real>& point = manifold.points[i];
-      input_.point[i][0][lane] = point.position.x();
-      input_.point[i][1][lane] = point.position.y();
-      input_.separation[i][lane] = point.separation;
-    }
-    input_.slop_limit[lane] = contact.slop_limit;
+    gather_manifold(problem.manifolds[batch.block[lane]], lane);
     to.friction[lane] = contact.friction;
-    for (int i = 0; i < to.rows; ++i) to.answer[i][lane] = contact.impulse[i];
+    to.slop_limit[lane] = contact.slop_limit;
+    for (int i = 0; i < to.rows; ++i) to.start[i][lane] = to.answer[i][lane] = contact.start[i];
+  }
+}
+
+template <Scalar Real>
+void LaneContacts<Real>::gather_manifold(const Manifold<Real>& manifold, int lane) {
+  input_.normal[0][lane] = manifold.normal.x();
+  input_.normal[1][lane] = manifold.normal.y();
+  for (int i = 0; i < manifold.count; ++i) {
+    const ManifoldPoint<Real>& point = manifold.points[i];
+    input_.point[i][0][lane] = point.position.x();
+    input_.point[i][1][lane] = point.position.y();
+    input_.separation[i][lane] = point.separation;
+  }
+}
+
+template <Scalar Real>
+bool LaneContacts<Real>::follow(const LaneCode<Real>& code, const LaneBatches& batches,
+                                const ContactProblem<Real>& problem) {
+  const ContactRule<Real> rule = problem.stabilization->rule(problem.gravity);
+  for (int k = 0; k < contacts_.size(); ++k) {
+    const LaneBatch& batch = batches.batches()[k];
+    if (batch.used < lane_count) frames_ = {};
+    gather_frames(batch, *problem.frames);
+    if (!code.move_contacts(kept_[k], frames_, contacts_[k].points, problem.margin, input_)) return false;
+    for (int lane = 0; kept_[k].given >> lane != 0; ++lane) {
+      if ((kept_[k].given >> lane & 1u) != 0) gather_manifold(problem.manifolds[batch.block[lane]], lane);
+    }
+    code.measure_contacts(input_, rule, contacts_[k]);
+  }
+  return true;
+}
+
+template <Scalar Real>
+void LaneContacts<Real>::gather_frames(const LaneBatch& batch, const PerBody<Frame<Real>>& frames) {
+  for (int lane = 0; lane < batch.used; ++lane) {
+    const Frame<Real>&a = frames[BodyId{batch.body_a[lane]}], &b = frames[BodyId{batch.body_b[lane]}];
+    for (int axis = 0; axis < 2; ++axis) {
+      frames_.a[axis][lane] = a.position(axis);
+      frames_.b[axis][lane] = b.position(axis);
+    }
+    frames_.a[2][lane] = a.rotation.c;
+    frames_.a[3][lane] = a.rotation.s;
+    frames_.b[2][lane] = b.rotation.c;
+    frames_.b[3][lane] = b.rotation.s;
+  }
+}
+
+template <Scalar Real>
+void LaneContacts<Real>::go_on() {
+  for (LaneContactBatch<Real>& batch : contacts_) {
+    for (int i = 0; i < batch.rows; ++i) {
+      for (int lane = 0; lane < lane_count; ++lane) {
+        batch.start[i][lane] = batch.answer[i][lane];
+      }
+    }
   }
 }
 
@@ -160,8 +237,11 @@ void LaneContacts<Real>::give(const LaneBatches& batches, Span<Contact<Real>> co
   for (int k = 0; k < contacts_.size(); ++k) {
     const LaneBatch& batch = batches.batches()[k];
     for (int lane = 0; lane < batch.used; ++lane) {
-      for (int i = 0; i < batch.rows; ++i)
-        contacts[batch.block[lane]].impulse[i] = contacts_[k].answer[i][lane];
+      Contact<Real>& contact = contacts[batch.block[lane]];
+      for (int i = 0; i < batch.rows; ++i) {
+        contact.start[i] = contacts_[k].start[i][lane];
+        contact.impulse[i] = contacts_[k].answer[i][lane];
+      }
     }
   }
 }

@@ -20,6 +20,10 @@ class LaneContacts {
                const PerBody<Vec3<Real>>& root);
   /// Takes over manifolds, poses and impulses.
   void take(const LaneCode<Real>& code, const LaneBatches& batches, const ContactProblem<Real>& problem);
+  /// Takes over where the bodies of the same contacts are now; false: a kept point is not near any more.
+  bool follow(const LaneCode<Real>& code, const LaneBatches& batches, const ContactProblem<Real>& problem);
+  /// Begins from the answers of before.
+  void go_on();
   /// Leaves springs out.
   void relax();
   /// The warm start.
@@ -34,19 +38,23 @@ class LaneContacts {
   /// One of the two sums of R_E [J], at these velocities: added up in each lane, then over lanes.
   Real energy(const LaneCode<Real>& code, const LaneBatches& batches, LaneEnergy kind,
               const PerBody<Vec3<Real>>& velocity);
-  /// Gives their impulses to the contacts.
+  /// Gives the contacts their impulses, and those that they began with.
   void give(const LaneBatches& batches, Span<Contact<Real>> contacts) const;
   /// [N s] of all impulses.
   Real largest_impulse() const;
   /// What it takes up [bytes].
-  std::size_t bytes() const { return contacts_.bytes() + bodies_.bytes(); }
+  std::size_t bytes() const { return contacts_.bytes() + kept_.bytes() + bodies_.bytes(); }
 
  private:
   void gather(const LaneBatch& batch, const ContactProblem<Real>& problem, LaneContactBatch<Real>& to);
+  void gather_manifold(const Manifold<Real>& manifold, int lane);
+  void gather_frames(const LaneBatch& batch, const PerBody<Frame<Real>>& frames);
 
   List<LaneContactBatch<Real>> contacts_;  // a batch each
+  List<LaneKeptBatch<Real>> kept_;         // of each batch, where contacts may be followed
   List<LaneBodyInput<Real>> bodies_;       // of each batch
-  LaneContactInput<Real> input_ = {};      // scratch, of one batch
+  LaneFrames<Real> frames_ = {};           // scratch, of one batch
+  LaneContactInput<Real> input_ = {};      // likewise
 };
 
 }  // namespace cairn

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "math/check.hpp"
 
@@ -26,6 +27,7 @@ LaneSystem<Real>::LaneSystem(LaneSet set, Real relaxation, int threads)
 template <Scalar Real>
 void LaneSystem<Real>::begin(VelocityProblem<Real>& problem) {
   has_rows_ = true;
+  follows_ = false;
   take_masses(problem);
   velocity_ = problem.velocity;
   if (batches_.may_be_same(problem) && push_rows(problem)) return;
@@ -37,14 +39,27 @@ void LaneSystem<Real>::begin(VelocityProblem<Real>& problem) {
 
 template <Scalar Real>
 void LaneSystem<Real>::begin(ContactProblem<Real>& contacts) {
+  if (std::exchange(follows_, false)) {
+    contacts_.go_on();
+    push_contacts(*contacts.problem);
+    return;
+  }
   has_rows_ = false;
   const bool new_masses = take_masses(*contacts.problem);
   const bool rearranged = batches_.arrange(contacts);
   if (rearranged) make_room();
   if (rearranged || new_masses) contacts_.arrange(batches_, contacts, root_);
+  single_manifolds_.clear();
+  for (const int k : batches_.single_blocks()) single_manifolds_.push_back(contacts.manifolds[k]);
   write_single_rows(contacts);
   contacts_.take(code_, batches_, contacts);
   push_contacts(*contacts.problem);
+}
+
+template <Scalar Real>
+bool LaneSystem<Real>::follow(ContactProblem<Real>& contacts) {
+  follows_ = contacts_.follow(code_, batches_, contacts) && follow_single_contacts(contacts);
+  return follows_;
 }
 
 template <Scalar Real>
@@ -83,23 +98,6 @@ void LaneSystem<Real>::push_contacts(VelocityProblem<Real>& problem) {
   velocity_ = problem.velocity;
   apply_impulses(problem);  // of the rows that go one by one
   contacts_.push(code_, batches_, problem.velocity);
-}
-
-/// Of the contacts that fit into no lane.
-template <Scalar Real>
-void LaneSystem<Real>::write_single_rows(const ContactProblem<Real>& contacts) {
-  VelocityProblem<Real>& problem = *contacts.problem;
-  problem.impulse.clear();
-  int next = 0;
-  for (const int k : batches_.single_blocks()) {
-    const Contact<Real>& contact = contacts.contacts[k];
-    const ContactMaterial<Real> material = {
-        .friction = contact.friction, .slop_limit = contact.slop_limit, .gravity = contacts.gravity};
-    write_contact_rows(contacts.manifolds[k], contact.a, contact.b, material, *contacts.poses,
-                       problem.velocity, *contacts.stabilization, 0, problem, next);
-    for (int i = 0; i < contact.count; ++i) problem.impulse.push_back(contact.impulse[i]);
-  }
-  problem.rows.resize(next);
 }
 
 template <Scalar Real>
@@ -232,11 +230,7 @@ void LaneSystem<Real>::empty_rows(VelocityProblem<Real>& problem) const {
 template <Scalar Real>
 void LaneSystem<Real>::give(ContactProblem<Real>& contacts) const {
   contacts_.give(batches_, contacts.contacts);
-  int next = 0;
-  for (const int k : batches_.single_blocks()) {
-    Contact<Real>& contact = contacts.contacts[k];
-    for (int i = 0; i < contact.count; ++i) contact.impulse[i] = contacts.problem->impulse[next++];
-  }
+  give_single_contacts(contacts);
 }
 
 template <Scalar Real>

@@ -45,9 +45,11 @@ class LaneSystem {
 
   /// Lays a problem in lanes and gives it its warm start, in the order of a sweep.
   void begin(VelocityProblem<Real>& problem);
-  /// Lays contacts in lanes and gives them their warm start. Those that fit into none get rows, which are all
-  /// that contacts.problem has then: it is the problem for all that follows.
+  /// Lays contacts in lanes, unless follow() has, and gives them their warm start. Those that fit into none
+  /// get rows, which are all that contacts.problem has then: it is the problem for all that follows.
   void begin(ContactProblem<Real>& contacts);
+  /// As ContactSolver.
+  bool follow(ContactProblem<Real>& contacts);
   /// Begins once more with the contacts of before and their impulses, without springs.
   void begin_relaxed(ContactProblem<Real>& contacts);
   /// Takes over a problem that has begun; changes begin at 0.
@@ -67,7 +69,7 @@ class LaneSystem {
   void take_again(VelocityProblem<Real>& problem);
   /// Writes impulses, inside their bounds, and the velocities that they make.
   void write_back(VelocityProblem<Real>& problem);
-  /// Gives all contacts their impulses, written back before.
+  /// Gives all contacts their impulses, written back before, and those that they began with.
   void give(ContactProblem<Real>& contacts) const;
   /// The scale of R_E, as residual_scale(), once the problem has begun; but added up in the order of lanes.
   Real residual_scale(VelocityProblem<Real>& problem);
@@ -88,6 +90,8 @@ class LaneSystem {
   bool push_rows(VelocityProblem<Real>& problem);
   void push_contacts(VelocityProblem<Real>& problem);
   void write_single_rows(const ContactProblem<Real>& contacts);
+  bool follow_single_contacts(ContactProblem<Real>& contacts);
+  void give_single_contacts(ContactProblem<Real>& contacts) const;
   void fill(const VelocityProblem<Real>& problem);
   void empty_rows(VelocityProblem<Real>& problem) const;
   bool take_masses(const VelocityProblem<Real>& problem);
@@ -112,8 +116,10 @@ class LaneSystem {
   LaneCode<Real> code_;
   Real relaxation_;  // omega
   LaneBatches batches_;
-  LaneContacts<Real> contacts_;  // where there are no rows
+  LaneContacts<Real> contacts_;            // where there are no rows
+  List<Manifold<Real>> single_manifolds_;  // of those that fit into no lane
   bool has_rows_ = true;
+  bool follows_ = false;  // the contacts of before have been taken along
   List<LaneRow<Number>> rows_;
   List<LaneCoupling<Number>> couplings_;
   PerBody<LaneBody<Number>> bodies_;  // and one that nothing moves

@@ -43,21 +43,14 @@ template <Scalar Real>
 SolveReport WideSequentialImpulse<Real>::solve(ContactProblem<Real>& contacts) {
   stopping_.begin(settings_, *contacts.problem, Looks::rarely);
   lanes_.begin(contacts);
-  return solve_begun(contacts);
+  return solve_begun(*contacts.problem, nullptr);
 }
 
 template <Scalar Real>
 SolveReport WideSequentialImpulse<Real>::relax(ContactProblem<Real>& contacts) {
   stopping_.begin(settings_, *contacts.problem, Looks::rarely);
   lanes_.begin_relaxed(contacts);
-  return solve_begun(contacts);
-}
-
-template <Scalar Real>
-SolveReport WideSequentialImpulse<Real>::solve_begun(ContactProblem<Real>& contacts) {
-  const SolveReport report = solve_begun(*contacts.problem, nullptr);
-  lanes_.give(contacts);
-  return report;
+  return solve_begun(*contacts.problem, nullptr);
 }
 
 template <Scalar Real>

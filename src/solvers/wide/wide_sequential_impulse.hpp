@@ -36,7 +36,8 @@ enum class Momentum {
 ///
 /// Cost: 12 multiply-adds a row and sweep, 24 with momentum, 16 rows at a time; filling lanes with
 /// rows and emptying them takes as long as two or three sweeps of SequentialImpulse, so one or two sweeps
-/// gain nothing; with contacts that have no rows (for_contacts()), about as long as one. Where a
+/// gain nothing; with contacts that have no rows (for_contacts()), about as long as one, and in substeps that
+/// follow them less than that, for manifolds and impulses are in lanes already. Where a
 /// colour has many batches (lane_passes.cpp), SolverSettings::threads share them: a second thread halves the
 /// time of sweeps over 10,000 contacts, and is of no use to 1000. Memory linear in m. Colours are kept from
 /// solve to solve while bodies and kinds of rows are the same. Observers: after_row comes when all rows of a
@@ -62,7 +63,8 @@ class WideSequentialImpulse final : public Solver<Real>, private ContactSolver<R
  private:
   SolveReport solve(ContactProblem<Real>& contacts) override;
   SolveReport relax(ContactProblem<Real>& contacts) override;
-  SolveReport solve_begun(ContactProblem<Real>& contacts);
+  bool follow(ContactProblem<Real>& contacts) override { return lanes_.follow(contacts); }
+  void give(ContactProblem<Real>& contacts) const override { lanes_.give(contacts); }
   SolveReport solve_begun(VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
   LaneSteps<Real> iterate(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* row_observer);
   void accept_or_undo(VelocityProblem<Real>& problem, const LaneSteps<Real>& gathered,

@@ -1,0 +1,147 @@
+// Contacts that stay with their solver from substep to substep: to the bits of those that do not.
+#include <doctest/doctest.h>
+
+#include "leaning_wall.hpp"
+#include "math/list.hpp"
+
+using namespace cairn;
+using namespace cairn::testing;
+
+namespace {
+
+/// A wide solver that counts how often it is asked to follow contacts, and how often it does.
+class CountingSolver final : public Solver<double>, private ContactSolver<double> {
+ public:
+  int asked = 0;     // times
+  int followed = 0;  // times
+
+  std::string name() const override { return "counting"; }
+  SolveReport solve(VelocityProblem<double>& problem, SolveObserver<double>* observer) override {
+    return wide_.solve(problem, observer);
+  }
+  ContactSolver<double>* for_contacts() override { return this; }
+
+ private:
+  SolveReport solve(ContactProblem<double>& contacts) override { return contacts_->solve(contacts); }
+  SolveReport relax(ContactProblem<double>& contacts) override { return contacts_->relax(contacts); }
+  void give(ContactProblem<double>& contacts) const override { contacts_->give(contacts); }
+  bool follow(ContactProblem<double>& contacts) override {
+    const bool follows = contacts_->follow(contacts);
+    ++asked;
+    followed += follows;
+    return follows;
+  }
+
+  WideSequentialImpulse<double> wide_{{.iterations = 4}};
+  ContactSolver<double>* const contacts_ = wide_.for_contacts();
+};
+
+SceneSettings in_substeps(int substeps, ContactSearch search = ContactSearch::every_step) {
+  SceneSettings settings = {.substeps = substeps, .contact_search = search};
+  settings.stabilization.policy = StabilizationPolicy::soft;
+  return settings;
+}
+
+/// Boxes in a pyramid, and discs between them and at their sides.
+Scene resting_pyramid(const SceneSettings& settings) {
+  Scene scene(settings);
+  scene.add_ground();
+  for (int row = 0; row < 6; ++row) {
+    for (int i = 0; i < 6 - row; ++i) {
+      scene.add({.shapes = {box(1, 1)}, .position = {1.2 * i + 0.6 * row, 0.5 + row}});
+    }
+  }
+  scene.add({.shapes = {circle(0.3)}, .position = {-2, 0.3}});
+  return scene;
+}
+
+/// Steps both, one of them observed, and calls change(world) before every tenth step.
+template <Scalar Real, typename Change>
+void check_same_steps(const Scene& scene, int steps, const Change& change) {
+  World<Real> world(scene), observed(scene);
+  WideSequentialImpulse<Real> solver({.iterations = 4}), watched({.iterations = 4});
+  Onlooker<Real> onlooker;
+  for (int step = 0; step < steps; ++step) {
+    if (step % 10 == 9) {
+      change(world);
+      change(observed);
+    }
+    world.step(solver);
+    observed.step(watched, &onlooker);
+  }
+  check_same_record(world.last_step(), observed.last_step());
+  check_same(world, observed);
+}
+
+}  // namespace
+
+TEST_CASE("contacts at rest stay with their solver in all substeps but the first") {
+  World<double> world(resting_pyramid(in_substeps(4)));
+  CountingSolver solver;
+  for (int step = 0; step < 30; ++step) world.step(solver);
+  CHECK(solver.asked == 30 * 3);
+  CHECK(solver.followed == solver.asked);
+}
+
+TEST_CASE("contacts that come and go are given to their solver anew") {
+  World<double> world(leaning_wall(in_substeps(3)));
+  CountingSolver solver;
+  for (int step = 0; step < 90; ++step) world.step(solver);
+  CHECK(solver.followed > 20);
+  CHECK(solver.followed < 2 * 90 - 20);
+}
+
+TEST_CASE("contacts are not followed where every substep looks for them, and without a warm start") {
+  CountingSolver solver;
+  SceneSettings cold = in_substeps(3);
+  cold.warm_start = false;
+  for (const SceneSettings& settings : {in_substeps(3, ContactSearch::every_substep), cold}) {
+    World<double> world(resting_pyramid(settings));
+    for (int step = 0; step < 10; ++step) world.step(solver);
+  }
+  CHECK(solver.asked == 0);
+}
+
+TEST_CASE_TEMPLATE("contacts that are followed have the bits of those that are found again", Real, float,
+                   double, long double) {
+  const auto nothing = [](World<Real>&) {};
+  for (const ContactSearch search : {ContactSearch::every_step, ContactSearch::when_moved}) {
+    check_same_steps<Real>(resting_pyramid(in_substeps(4, search)), 25, nothing);
+    check_same_steps<Real>(leaning_wall(in_substeps(4, search)), 50, nothing);
+  }
+  SceneSettings cold = in_substeps(3);
+  cold.warm_start = false;
+  check_same_steps<Real>(resting_pyramid(cold), 10, nothing);
+}
+
+TEST_CASE("another dt, and bodies that are put to sleep, change nothing of that") {
+  const auto change_dt = [](World<double>& world) { world.set_dt(world.dt() < 0.01 ? 1.0 / 60 : 0.008); };
+  check_same_steps<double>(leaning_wall(in_substeps(3)), 60, change_dt);
+  SceneSettings drowsy = in_substeps(3);
+  drowsy.sleeping = Sleeping{.speed = 0.3, .angular_speed = 0.3, .time = 0.1};
+  check_same_steps<double>(leaning_wall(drowsy), 60, [](World<double>&) {});
+}
+
+TEST_CASE("a substep that ends in no number leaves the impulses of the substep before it") {
+  // Nothing stops this body, or touches it. In a substep of 100 s it goes 1e308 m, and two of them are more
+  // than there is a number for.
+  Scene scene = resting_pyramid(in_substeps(3));
+  const BodyId lost = scene.add({.shapes = {circle(0.1)}, .position = {-9, 9}, .collides_with = 0});
+  World<double> world(scene), observed(scene);
+  WideSequentialImpulse<double> solver({.iterations = 4}), watched({.iterations = 4});
+  Onlooker<double> onlooker;
+  for (int step = 0; step < 20; ++step) {
+    if (step == 19) {
+      world.set_dt(300);
+      observed.set_dt(300);
+      world.set_velocity(lost, {1e306, 0, 0});
+      observed.set_velocity(lost, {1e306, 0, 0});
+    }
+    CHECK(world.step(solver).not_finite == observed.step(watched, &onlooker).not_finite);
+  }
+  CHECK(world.bodies().pose[lost].position.x() > 9e307);  // one substep was done
+  CHECK(world.bodies().pose[lost].position.x() < 1.1e308);
+  check_same(world, observed);
+  CHECK(world.velocity_problem().impulse == observed.velocity_problem().impulse);
+  check_same_record(world.last_step(), observed.last_step());
+}
