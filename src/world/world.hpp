@@ -165,6 +165,7 @@ class World {
   void move_manifolds();
   void look_ahead();
   void locate_bodies();
+  void measure_reach();
   Real way(BodyId body, Real time) const;
   Real reach(BodyId body) const;
   std::optional<ContactSlot<Real>> make_slot(int collider_a, int collider_b) const;

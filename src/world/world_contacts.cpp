@@ -20,13 +20,10 @@ void World<Real>::find_contacts() {
   while (sleep_->wake_touched(record_.manifolds, state_.velocity)) find_manifolds();
 }
 
-/// Where every body is, and how far it may come.
+/// Where every body is.
 template <Scalar Real>
 void World<Real>::locate_bodies() {
-  for (const BodyId body : state_.pose.indices()) {
-    frames_[body] = state_.pose[body];
-    reach_[body] = reach(body);
-  }
+  for (const BodyId body : state_.pose.indices()) frames_[body] = state_.pose[body];
 }
 
 template <Scalar Real>
@@ -38,6 +35,7 @@ void World<Real>::find_manifolds() {
   follows_ = false;
   if (!plan_->collision) return;
   locate_bodies();
+  measure_reach();
   if (plan_->moves_manifolds && plan_->substeps > 1) look_ahead();
   const Real margin = static_cast<Real>(scene_->settings().speculative_margin);
   const List<Collider>& colliders = *colliders_;
@@ -70,6 +68,7 @@ void World<Real>::move_manifolds() {
   touching_.clear();
   odd_.clear();
   locate_bodies();
+  measure_reach();
   for (const int number : candidates_) {
     const Manifold<Real> manifold = moved_manifold(graph_[number]);
     if (!graph_[number].manifold.is_whole(manifold)) {
@@ -88,6 +87,12 @@ Manifold<Real> World<Real>::moved_manifold(const ContactSlot<Real>& slot) const 
   manifold.collider_a = slot.collider_a;
   manifold.collider_b = slot.collider_b;
   return manifold;
+}
+
+/// How far every body may come.
+template <Scalar Real>
+void World<Real>::measure_reach() {
+  for (const BodyId body : reach_.indices()) reach_[body] = reach(body);
 }
 
 /// The slot of two shapes that have come near each other; none where they never touch.

@@ -81,7 +81,9 @@ bool World<Real>::follow_contacts(ContactSolver<Real>* solver) {
 template <Scalar Real>
 bool World<Real>::follow_odd_manifolds() {
   for (const OddContact& odd : odd_) {
-    const Manifold<Real> manifold = moved_manifold(graph_[odd.slot]);
+    const ContactSlot<Real>& slot = graph_[odd.slot];
+    for (const BodyId body : {slot.a, slot.b}) reach_[body] = reach(body);
+    const Manifold<Real> manifold = moved_manifold(slot);
     if (odd.contact == OddContact::none) {
       if (manifold.count > 0) return false;
       continue;

@@ -23,6 +23,7 @@ LaneCode<Real> code_in_registers_of() {
           .fill = fill_lanes<Real, Number>,
           .move_contacts = move_contacts<Real>,
           .measure_contacts = measure_contacts<Real>,
+          .relax_contacts = relax_contacts<Real>,
           .push_contacts = push_contacts<Real>,
           .fill_contacts = fill_contacts<Real, Number>,
           .empty_contacts = empty_contacts<Real, Number>,

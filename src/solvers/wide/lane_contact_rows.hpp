@@ -104,16 +104,29 @@ inline void push_contacts(const LaneContactBatch<Real>& batch, LaneBodyInput<Rea
   for (int row = 0; row < batch.rows; ++row) push_bodies(batch, row, batch.answer[row], bodies);
 }
 
+/// Leaves springs out.
+template <typename Real>
+inline void relax_contacts(LaneContactBatch<Real>& batch) {
+  for (int i = 0; i < batch.points; ++i) {
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const bool on_spring = batch.softness[i][lane] > 0;
+      batch.bias[i][lane] = on_spring ? Real(0) : batch.bias[i][lane];
+      batch.softness[i][lane] = on_spring ? Real(0) : batch.softness[i][lane];
+    }
+  }
+}
+
 /// The normal row of a point as sweeps read it, or that of friction.
 template <bool is_friction, typename Real, typename Number>
 inline void fill_contact_row(const LaneContactBatch<Real>& __restrict batch, int row,
-                             const LaneBodyInput<Real>& __restrict bodies, LaneRow<Number>& __restrict to) {
+                             const LaneBodyInput<Real>& __restrict bodies,
+                             const LaneRoots<Real>& __restrict roots, LaneRow<Number>& __restrict to) {
   const int point = batch.has_friction ? row / 2 : row;
   for (int lane = 0; lane < lane_count; ++lane) {
     const Real n_x = batch.normal[0][lane], n_y = batch.normal[1][lane];
     const Real x = is_friction ? n_y : n_x, y = is_friction ? -n_x : n_y;
     const Real limit = is_friction ? batch.friction[lane] * batch.impulse[row - 1][lane] : Real(0);
-    fill_lane(bodies,
+    fill_lane(bodies, roots,
               LaneNumbers<Real>{.a = {-x, -y, -batch.turn_a[row][lane]},
                                 .b = {x, y, batch.turn_b[row][lane]},
                                 .bias = is_friction ? Real(0) : batch.bias[point][lane],
@@ -128,14 +141,15 @@ inline void fill_contact_row(const LaneContactBatch<Real>& __restrict batch, int
 
 /// The rows of a batch as sweeps read them.
 template <typename Real, typename Number>
-inline void fill_contacts(LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies, Real relaxation,
-                          LaneRow<Number>* rows, LaneCoupling<Number>* couplings) {
+inline void fill_contacts(LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies,
+                          const LaneRoots<Real>& roots, Real relaxation, LaneRow<Number>* rows,
+                          LaneCoupling<Number>* couplings) {
   for (int i = 0; i < batch.rows; ++i) {
     for (int lane = 0; lane < lane_count; ++lane) batch.impulse[i][lane] = batch.answer[i][lane];
     if (batch.has_friction && i % 2 == 1) {
-      fill_contact_row<true>(batch, i, bodies, rows[i]);
+      fill_contact_row<true>(batch, i, bodies, roots, rows[i]);
     } else {
-      fill_contact_row<false>(batch, i, bodies, rows[i]);
+      fill_contact_row<false>(batch, i, bodies, roots, rows[i]);
     }
     for (int k = 0; k < i; ++k) {
       couple_rows(rows[i], rows[k], static_cast<Number>(relaxation), *couplings++);

@@ -13,6 +13,7 @@ namespace {
 /// The velocities of the bodies of a batch.
 template <Scalar Real>
 void gather_velocities(const LaneBatch& batch, const PerBody<Vec3<Real>>& velocity, LaneBodyInput<Real>& to) {
+  if (batch.used < lane_count) to = {};
   for (int lane = 0; lane < batch.used; ++lane) {
     const Vec3<Real>& a = velocity[BodyId{batch.body_a[lane]}];
     const Vec3<Real>& b = velocity[BodyId{batch.body_b[lane]}];
@@ -69,7 +70,7 @@ void LaneContacts<Real>::arrange(const LaneBatches& batches, const ContactProble
                                  const PerBody<Vec3<Real>>& root) {
   contacts_.assign(batches.batches().size(), LaneContactBatch<Real>{});
   kept_.clear();
-  bodies_.assign(batches.batches().size(), LaneBodyInput<Real>{});
+  roots_.assign(batches.batches().size(), LaneRoots<Real>{});
   for (int k = 0; k < contacts_.size(); ++k) {
     const LaneBatch& batch = batches.batches()[k];
     LaneContactBatch<Real>& to = contacts_[k];
@@ -81,8 +82,8 @@ void LaneContacts<Real>::arrange(const LaneBatches& batches, const ContactProble
       for (int axis = 0; axis < 3; ++axis) {
         to.inverse_a[axis][lane] = problem.problem->inverse_mass[a](axis);
         to.inverse_b[axis][lane] = problem.problem->inverse_mass[b](axis);
-        bodies_[k].root_a[axis][lane] = root[a](axis);
-        bodies_[k].root_b[axis][lane] = root[b](axis);
+        roots_[k].a[axis][lane] = root[a](axis);
+        roots_[k].b[axis][lane] = root[b](axis);
       }
     }
   }
@@ -175,16 +176,8 @@ void LaneContacts<Real>::go_on() {
 }
 
 template <Scalar Real>
-void LaneContacts<Real>::relax() {
-  for (LaneContactBatch<Real>& batch : contacts_) {
-    for (int i = 0; i < batch.points; ++i) {
-      for (int lane = 0; lane < lane_count; ++lane) {
-        const bool on_spring = batch.softness[i][lane] > 0;
-        batch.bias[i][lane] = on_spring ? Real(0) : batch.bias[i][lane];
-        batch.softness[i][lane] = on_spring ? Real(0) : batch.softness[i][lane];
-      }
-    }
-  }
+void LaneContacts<Real>::relax(const LaneCode<Real>& code) {
+  for (LaneContactBatch<Real>& batch : contacts_) code.relax_contacts(batch);
 }
 
 template <Scalar Real>
@@ -192,9 +185,9 @@ void LaneContacts<Real>::push(const LaneCode<Real>& code, const LaneBatches& bat
                               PerBody<Vec3<Real>>& velocity) {
   for (int k = 0; k < contacts_.size(); ++k) {
     const LaneBatch& batch = batches.batches()[k];
-    gather_velocities(batch, velocity, bodies_[k]);
-    code.push_contacts(contacts_[k], bodies_[k]);
-    scatter_velocities(batch, bodies_[k], velocity);
+    gather_velocities(batch, velocity, bodies_);
+    code.push_contacts(contacts_[k], bodies_);
+    scatter_velocities(batch, bodies_, velocity);
   }
 }
 
@@ -204,8 +197,8 @@ void LaneContacts<Real>::fill(const LaneCode<Real>& code, const LaneBatches& bat
                               List<LaneCoupling<Number>>& couplings) {
   for (int k = 0; k < contacts_.size(); ++k) {
     const LaneBatch& batch = batches.batches()[k];
-    gather_velocities(batch, velocity, bodies_[k]);
-    code.fill_contacts(contacts_[k], bodies_[k], relaxation, &rows[batch.first_row],
+    gather_velocities(batch, velocity, bodies_);
+    code.fill_contacts(contacts_[k], bodies_, roots_[k], relaxation, &rows[batch.first_row],
                        couplings.data() + batch.first_coupling);
   }
 }
@@ -215,10 +208,34 @@ void LaneContacts<Real>::empty(const LaneCode<Real>& code, const LaneBatches& ba
                                const List<LaneRow<Number>>& rows, PerBody<Vec3<Real>>& velocity) {
   for (int k = 0; k < contacts_.size(); ++k) {
     const LaneBatch& batch = batches.batches()[k];
-    gather_velocities(batch, velocity, bodies_[k]);
-    code.empty_contacts(&rows[batch.first_row], contacts_[k], bodies_[k]);
-    scatter_velocities(batch, bodies_[k], velocity);
+    gather_velocities(batch, velocity, bodies_);
+    code.empty_contacts(&rows[batch.first_row], contacts_[k], bodies_);
+    scatter_velocities(batch, bodies_, velocity);
   }
+}
+
+template <Scalar Real>
+Real LaneContacts<Real>::sweep_once(const LaneCode<Real>& code, const LaneBatches& batches,
+                                    const PerBody<Vec3<Real>>& before, LaneProblem<Number> lanes,
+                                    PerBody<Vec3<Real>>& velocity) {
+  rows_.resize(most_contact_rows);
+  couplings_.resize(most_contact_rows * (most_contact_rows - 1) / 2);
+  lanes.rows = rows_.data();
+  lanes.couplings = couplings_.data();
+  for (int k = 0; k < contacts_.size(); ++k) {
+    LaneBatch batch = batches.batches()[k];
+    batch.first_row = batch.first_coupling = 0;
+    lanes.batches = &batch;
+    gather_velocities(batch, before, bodies_);
+    code.fill_contacts(contacts_[k], bodies_, roots_[k], static_cast<Real>(lanes.relaxation), rows_.data(),
+                       couplings_.data());
+    code.pass(lanes, LanePass::sweep, 0, 1);
+    gather_velocities(batch, velocity, bodies_);
+    code.empty_contacts(rows_.data(), contacts_[k], bodies_);
+    scatter_velocities(batch, bodies_, velocity);
+  }
+  return static_cast<Real>(
+      *std::max_element(std::begin(lanes.largest_change), std::end(lanes.largest_change)));
 }
 
 template <Scalar Real>
@@ -226,8 +243,8 @@ Real LaneContacts<Real>::energy(const LaneCode<Real>& code, const LaneBatches& b
                                 const PerBody<Vec3<Real>>& velocity) {
   Real squares[lane_count] = {};
   for (int k = 0; k < contacts_.size(); ++k) {
-    gather_velocities(batches.batches()[k], velocity, bodies_[k]);
-    code.weigh_contacts(contacts_[k], bodies_[k], kind, squares);
+    gather_velocities(batches.batches()[k], velocity, bodies_);
+    code.weigh_contacts(contacts_[k], bodies_, kind, squares);
   }
   return std::accumulate(std::begin(squares), std::end(squares), Real(0));
 }

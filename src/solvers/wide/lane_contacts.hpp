@@ -25,7 +25,7 @@ class LaneContacts {
   /// Begins from the answers of before.
   void go_on();
   /// Leaves springs out.
-  void relax();
+  void relax(const LaneCode<Real>& code);
   /// The warm start.
   void push(const LaneCode<Real>& code, const LaneBatches& batches, PerBody<Vec3<Real>>& velocity);
   /// Fills the rows of all batches, from `velocity` on.
@@ -35,6 +35,11 @@ class LaneContacts {
   /// Takes over what sweeps have changed since, and gives it to the bodies.
   void empty(const LaneCode<Real>& code, const LaneBatches& batches, const List<LaneRow<Number>>& rows,
              PerBody<Vec3<Real>>& velocity);
+  /// Fills the rows of one batch after the other, sweeps over them and empties them: what fill(), a pass over
+  /// all batches and empty() do, for numbers that stay in the cache. `before` is what lanes are filled from,
+  /// `lanes` has bodies and kinds; returns the largest step of an impulse [N s].
+  Real sweep_once(const LaneCode<Real>& code, const LaneBatches& batches, const PerBody<Vec3<Real>>& before,
+                  LaneProblem<Number> lanes, PerBody<Vec3<Real>>& velocity);
   /// One of the two sums of R_E [J], at these velocities: added up in each lane, then over lanes.
   Real energy(const LaneCode<Real>& code, const LaneBatches& batches, LaneEnergy kind,
               const PerBody<Vec3<Real>>& velocity);
@@ -43,7 +48,7 @@ class LaneContacts {
   /// [N s] of all impulses.
   Real largest_impulse() const;
   /// What it takes up [bytes].
-  std::size_t bytes() const { return contacts_.bytes() + kept_.bytes() + bodies_.bytes(); }
+  std::size_t bytes() const { return contacts_.bytes() + kept_.bytes() + roots_.bytes(); }
 
  private:
   void gather(const LaneBatch& batch, const ContactProblem<Real>& problem, LaneContactBatch<Real>& to);
@@ -52,9 +57,12 @@ class LaneContacts {
 
   List<LaneContactBatch<Real>> contacts_;  // a batch each
   List<LaneKeptBatch<Real>> kept_;         // of each batch, where contacts may be followed
-  List<LaneBodyInput<Real>> bodies_;       // of each batch
-  LaneFrames<Real> frames_ = {};           // scratch, of one batch
+  List<LaneRoots<Real>> roots_;            // of each batch
+  LaneBodyInput<Real> bodies_ = {};        // scratch, of one batch
+  LaneFrames<Real> frames_ = {};           // likewise
   LaneContactInput<Real> input_ = {};      // likewise
+  List<LaneRow<Number>> rows_;             // likewise, of sweep_once()
+  List<LaneCoupling<Number>> couplings_;   // likewise
 };
 
 }  // namespace cairn

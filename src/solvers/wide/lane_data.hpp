@@ -115,14 +115,20 @@ template <typename Real>
 struct LaneBodyInput {
   Real velocity_a[3][lane_count];  // of the first bodies
   Real velocity_b[3][lane_count];  // of the second bodies
-  Real root_a[3][lane_count];      // of the inverse masses of the first bodies
-  Real root_b[3][lane_count];      // of those of the second bodies
+};
+
+/// The roots of the inverse masses of the bodies of a batch.
+template <typename Real>
+struct LaneRoots {
+  Real a[3][lane_count];  // of the first bodies
+  Real b[3][lane_count];  // of the second bodies
 };
 
 /// What filling the lanes of a batch reads.
 template <typename Real>
 struct LaneFilling {
   LaneBodyInput<Real> bodies;            // of the blocks
+  LaneRoots<Real> roots;                 // of the same
   LaneInput<Real> rows[most_lane_rows];  // the first row_count are in use
   int row_count = 0;                     // in each block
   Real relaxation = 1;                   // omega

@@ -27,6 +27,7 @@ struct LaneNumbers {
 /// What a row is in one lane. Between bodies that nothing moves it has nothing to do but to keep its bounds.
 template <typename Real, typename Number>
 [[gnu::always_inline]] inline void fill_lane(const LaneBodyInput<Real>& __restrict bodies,
+                                             const LaneRoots<Real>& __restrict roots,
                                              const LaneNumbers<Real>& from, int lane,
                                              LaneRow<Number>& __restrict to) {
   const Real lacking = from.bias -
@@ -35,9 +36,9 @@ template <typename Real, typename Number>
                         (from.b[0] * bodies.velocity_b[0][lane] + from.b[1] * bodies.velocity_b[1][lane] +
                          from.b[2] * bodies.velocity_b[2][lane])) -
                        from.softness * from.impulse;
-  const Real of_a0 = from.a[0] * bodies.root_a[0][lane], of_b0 = from.b[0] * bodies.root_b[0][lane];
-  const Real of_a1 = from.a[1] * bodies.root_a[1][lane], of_b1 = from.b[1] * bodies.root_b[1][lane];
-  const Real of_a2 = from.a[2] * bodies.root_a[2][lane], of_b2 = from.b[2] * bodies.root_b[2][lane];
+  const Real of_a0 = from.a[0] * roots.a[0][lane], of_b0 = from.b[0] * roots.b[0][lane];
+  const Real of_a1 = from.a[1] * roots.a[1][lane], of_b1 = from.b[1] * roots.b[1][lane];
+  const Real of_a2 = from.a[2] * roots.a[2][lane], of_b2 = from.b[2] * roots.b[2][lane];
   const Real inverse = (of_a0 * of_a0 + of_a1 * of_a1 + of_a2 * of_a2) +
                        (of_b0 * of_b0 + of_b1 * of_b1 + of_b2 * of_b2) + from.softness;
   const Real root = square_root(inverse > 0 ? inverse : Real(1));
@@ -59,8 +60,8 @@ template <typename Real, typename Number>
 
 /// What row `from` is in lanes.
 template <typename Real, typename Number>
-inline void fill_row(const LaneBodyInput<Real>& __restrict bodies, const LaneInput<Real>& __restrict from,
-                     LaneRow<Number>& __restrict to) {
+inline void fill_row(const LaneBodyInput<Real>& __restrict bodies, const LaneRoots<Real>& __restrict roots,
+                     const LaneInput<Real>& __restrict from, LaneRow<Number>& __restrict to) {
   for (int lane = 0; lane < lane_count; ++lane) {
     const LaneNumbers<Real> row = {
         .a = {from.jacobian_a[0][lane], from.jacobian_a[1][lane], from.jacobian_a[2][lane]},
@@ -71,7 +72,7 @@ inline void fill_row(const LaneBodyInput<Real>& __restrict bodies, const LaneInp
         .lower = from.lower[lane],
         .upper = from.upper[lane],
         .friction = from.friction[lane]};
-    fill_lane(bodies, row, lane, to);
+    fill_lane(bodies, roots, row, lane, to);
   }
 }
 
@@ -93,7 +94,7 @@ template <typename Real, typename Number>
 inline void fill_lanes(const LaneFilling<Real>& from, LaneRow<Number>* rows,
                        LaneCoupling<Number>* couplings) {
   for (int i = 0; i < from.row_count; ++i) {
-    fill_row(from.bodies, from.rows[i], rows[i]);
+    fill_row(from.bodies, from.roots, from.rows[i], rows[i]);
     for (int k = 0; k < i; ++k) {
       couple_rows(rows[i], rows[k], static_cast<Number>(from.relaxation), *couplings++);
     }

@@ -15,6 +15,15 @@ LaneSteps<Real> LaneSystem<Real>::sweep(VelocityProblem<Real>& problem) {
 }
 
 template <Scalar Real>
+Real LaneSystem<Real>::sweep_once(VelocityProblem<Real>& problem) {
+  begin_changes(problem);
+  const LaneSteps<Real> singles = pass_single_rows<LanePass::sweep, false>(problem, 0, nullptr);
+  empty_single_rows(problem);
+  return std::max(singles.largest,
+                  contacts_.sweep_once(code_, batches_, velocity_, lane_problem(), problem.velocity));
+}
+
+template <Scalar Real>
 LaneSteps<Real> LaneSystem<Real>::watched_sweep(int number, VelocityProblem<Real>& problem,
                                                 SolveObserver<Real>& observer) {
   return pass<LanePass::sweep, true>(problem, number, &observer);

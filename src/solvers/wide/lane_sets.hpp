@@ -41,11 +41,14 @@ struct LaneCode {
   /// Arms, bias and softness of a batch of contacts, from what was gathered.
   void (*measure_contacts)(const LaneContactInput<Real>& from, const ContactRule<Real>& rule,
                            LaneContactBatch<Real>& to) = nullptr;
+  /// Leaves the springs of a batch of contacts out.
+  void (*relax_contacts)(LaneContactBatch<Real>& batch) = nullptr;
   /// The warm start of a batch of contacts: gives their impulses to their bodies.
   void (*push_contacts)(const LaneContactBatch<Real>& batch, LaneBodyInput<Real>& bodies) = nullptr;
   /// Fills the rows of a batch of contacts, and the couplings between them.
-  void (*fill_contacts)(LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies, Real relaxation,
-                        LaneRow<Number>* rows, LaneCoupling<Number>* couplings) = nullptr;
+  void (*fill_contacts)(LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies,
+                        const LaneRoots<Real>& roots, Real relaxation, LaneRow<Number>* rows,
+                        LaneCoupling<Number>* couplings) = nullptr;
   /// Takes over what sweeps have changed, and gives it to the bodies.
   void (*empty_contacts)(const LaneRow<Number>* rows, LaneContactBatch<Real>& batch,
                          LaneBodyInput<Real>& bodies) = nullptr;

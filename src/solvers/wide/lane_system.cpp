@@ -67,7 +67,7 @@ void LaneSystem<Real>::begin_relaxed(ContactProblem<Real>& contacts) {
   for (ConstraintRow<Real>& row : contacts.problem->rows) {
     if (row.softness > 0) row.bias = row.softness = 0;
   }
-  contacts_.relax();
+  contacts_.relax(code_);
   push_contacts(*contacts.problem);
 }
 
@@ -102,14 +102,20 @@ void LaneSystem<Real>::push_contacts(VelocityProblem<Real>& problem) {
 
 template <Scalar Real>
 void LaneSystem<Real>::take(const VelocityProblem<Real>& problem) {
-  velocity_ = problem.velocity;
-  bodies_.assign(problem.velocity.size() + 1, LaneBody<Number>{});
-  impulse_ = problem.impulse;
+  begin_changes(problem);
   if (has_rows_) {
     fill(problem);
   } else {
     contacts_.fill(code_, batches_, relaxation_, velocity_, rows_, couplings_);
   }
+}
+
+/// Changes begin at 0; and so do rows that go one by one.
+template <Scalar Real>
+void LaneSystem<Real>::begin_changes(const VelocityProblem<Real>& problem) {
+  velocity_ = problem.velocity;
+  bodies_.assign(problem.velocity.size() + 1, LaneBody<Number>{});
+  impulse_ = problem.impulse;
   take_single_rows(problem);
 }
 
@@ -117,7 +123,8 @@ template <Scalar Real>
 void LaneSystem<Real>::fill(const VelocityProblem<Real>& problem) {
   filling_.relaxation = relaxation_;
   for (const LaneBatch& batch : batches_.batches()) {
-    if (batch.used < lane_count) filling_ = {.bodies = {}, .rows = {}, .relaxation = relaxation_};
+    if (batch.used < lane_count)
+      filling_ = {.bodies = {}, .roots = {}, .rows = {}, .relaxation = relaxation_};
     filling_.row_count = batch.rows;
     take_batch_bodies(batch);
     for (int lane = 0; lane < batch.used; ++lane) {  // block after block, as they lie in memory
@@ -153,13 +160,14 @@ void LaneSystem<Real>::take_single_rows(const VelocityProblem<Real>& problem) {
 template <Scalar Real>
 void LaneSystem<Real>::take_batch_bodies(const LaneBatch& batch) {
   LaneBodyInput<Real>& to = filling_.bodies;
+  LaneRoots<Real>& roots = filling_.roots;
   for (int lane = 0; lane < batch.used; ++lane) {
     const BodyId a = {batch.body_a[lane]}, b = {batch.body_b[lane]};
     for (int axis = 0; axis < 3; ++axis) {
       to.velocity_a[axis][lane] = velocity_[a](axis);
       to.velocity_b[axis][lane] = velocity_[b](axis);
-      to.root_a[axis][lane] = root_[a](axis);
-      to.root_b[axis][lane] = root_[b](axis);
+      roots.a[axis][lane] = root_[a](axis);
+      roots.b[axis][lane] = root_[b](axis);
     }
   }
 }
@@ -204,13 +212,18 @@ Real LaneSystem<Real>::written_back(const VelocityProblem<Real>& problem, const 
 template <Scalar Real>
 void LaneSystem<Real>::write_back(VelocityProblem<Real>& problem) {
   problem.velocity = velocity_;
-  for (const int i : batches_.single_rows()) {
-    apply_impulse(problem, problem.rows[i], problem.impulse[i] - impulse_[i]);
-  }
+  empty_single_rows(problem);
   if (has_rows_) {
     empty_rows(problem);
   } else {
     contacts_.empty(code_, batches_, rows_, problem.velocity);
+  }
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::empty_single_rows(VelocityProblem<Real>& problem) const {
+  for (const int i : batches_.single_rows()) {
+    apply_impulse(problem, problem.rows[i], problem.impulse[i] - impulse_[i]);
   }
 }
 

@@ -56,6 +56,9 @@ class LaneSystem {
   void take(const VelocityProblem<Real>& problem);
   /// One sweep.
   LaneSteps<Real> sweep(VelocityProblem<Real>& problem);
+  /// take(), one sweep() and write_back() of contacts: a batch at a time, which then stays in the cache.
+  /// Returns the largest step of an impulse [N s].
+  Real sweep_once(VelocityProblem<Real>& problem);
   /// The same numbers, and an observer sees the problem after each row. Rows of a batch have all been updated
   /// when the observer hears of the first.
   LaneSteps<Real> watched_sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>& observer);
@@ -92,8 +95,10 @@ class LaneSystem {
   void write_single_rows(const ContactProblem<Real>& contacts);
   bool follow_single_contacts(ContactProblem<Real>& contacts);
   void give_single_contacts(ContactProblem<Real>& contacts) const;
+  void begin_changes(const VelocityProblem<Real>& problem);
   void fill(const VelocityProblem<Real>& problem);
   void empty_rows(VelocityProblem<Real>& problem) const;
+  void empty_single_rows(VelocityProblem<Real>& problem) const;
   bool take_masses(const VelocityProblem<Real>& problem);
   void take_single_rows(const VelocityProblem<Real>& problem);
   void take_batch_bodies(const LaneBatch& batch);

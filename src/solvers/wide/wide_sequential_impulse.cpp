@@ -43,14 +43,22 @@ template <Scalar Real>
 SolveReport WideSequentialImpulse<Real>::solve(ContactProblem<Real>& contacts) {
   stopping_.begin(settings_, *contacts.problem, Looks::rarely);
   lanes_.begin(contacts);
-  return solve_begun(*contacts.problem, nullptr);
+  return solve_begun(contacts);
 }
 
 template <Scalar Real>
 SolveReport WideSequentialImpulse<Real>::relax(ContactProblem<Real>& contacts) {
   stopping_.begin(settings_, *contacts.problem, Looks::rarely);
   lanes_.begin_relaxed(contacts);
-  return solve_begun(*contacts.problem, nullptr);
+  return solve_begun(contacts);
+}
+
+template <Scalar Real>
+SolveReport WideSequentialImpulse<Real>::solve_begun(ContactProblem<Real>& contacts) {
+  // Where one sweep is all, nothing of it is needed in a second one.
+  if (settings_.iterations != 1 || settings_.tolerance > 0) return solve_begun(*contacts.problem, nullptr);
+  return stopping_.repeat(*contacts.problem, nullptr,
+                          [&](int, auto) { return lanes_.sweep_once(*contacts.problem); });
 }
 
 template <Scalar Real>
