@@ -120,13 +120,13 @@ inline void relax_contacts(LaneContactBatch<Real>& batch) {
 template <bool is_friction, typename Real, typename Number>
 inline void fill_contact_row(const LaneContactBatch<Real>& __restrict batch, int row,
                              const LaneBodyInput<Real>& __restrict bodies,
-                             const LaneRoots<Real>& __restrict roots, LaneRow<Number>& __restrict to) {
+                             const LaneRoots<Number>& __restrict roots, LaneRow<Number>& __restrict to) {
   const int point = batch.has_friction ? row / 2 : row;
   for (int lane = 0; lane < lane_count; ++lane) {
     const Real n_x = batch.normal[0][lane], n_y = batch.normal[1][lane];
     const Real x = is_friction ? n_y : n_x, y = is_friction ? -n_x : n_y;
     const Real limit = is_friction ? batch.friction[lane] * batch.impulse[row - 1][lane] : Real(0);
-    fill_lane(bodies, roots,
+    fill_lane(bodies,
               LaneNumbers<Real>{.a = {-x, -y, -batch.turn_a[row][lane]},
                                 .b = {x, y, batch.turn_b[row][lane]},
                                 .bias = is_friction ? Real(0) : batch.bias[point][lane],
@@ -137,12 +137,13 @@ inline void fill_contact_row(const LaneContactBatch<Real>& __restrict batch, int
                                 .friction = is_friction ? batch.friction[lane] : Real(0)},
               lane, to);
   }
+  scale_row(roots, to);
 }
 
 /// The rows of a batch as sweeps read them.
 template <typename Real, typename Number>
 inline void fill_contacts(LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies,
-                          const LaneRoots<Real>& roots, Real relaxation, LaneRow<Number>* rows,
+                          const LaneRoots<Number>& roots, Real relaxation, LaneRow<Number>* rows,
                           LaneCoupling<Number>* couplings) {
   for (int i = 0; i < batch.rows; ++i) {
     for (int lane = 0; lane < lane_count; ++lane) batch.impulse[i][lane] = batch.answer[i][lane];

@@ -70,7 +70,7 @@ void LaneContacts<Real>::arrange(const LaneBatches& batches, const ContactProble
                                  const PerBody<Vec3<Real>>& root) {
   contacts_.assign(batches.batches().size(), LaneContactBatch<Real>{});
   kept_.clear();
-  roots_.assign(batches.batches().size(), LaneRoots<Real>{});
+  roots_.assign(batches.batches().size(), LaneRoots<Number>{});
   for (int k = 0; k < contacts_.size(); ++k) {
     const LaneBatch& batch = batches.batches()[k];
     LaneContactBatch<Real>& to = contacts_[k];
@@ -82,8 +82,8 @@ void LaneContacts<Real>::arrange(const LaneBatches& batches, const ContactProble
       for (int axis = 0; axis < 3; ++axis) {
         to.inverse_a[axis][lane] = problem.problem->inverse_mass[a](axis);
         to.inverse_b[axis][lane] = problem.problem->inverse_mass[b](axis);
-        roots_[k].a[axis][lane] = root[a](axis);
-        roots_[k].b[axis][lane] = root[b](axis);
+        roots_[k].a[axis][lane] = static_cast<Number>(root[a](axis));
+        roots_[k].b[axis][lane] = static_cast<Number>(root[b](axis));
       }
     }
   }

@@ -57,7 +57,7 @@ class LaneContacts {
 
   List<LaneContactBatch<Real>> contacts_;  // a batch each
   List<LaneKeptBatch<Real>> kept_;         // of each batch, where contacts may be followed
-  List<LaneRoots<Real>> roots_;            // of each batch
+  List<LaneRoots<Number>> roots_;          // of each batch
   LaneBodyInput<Real> bodies_ = {};        // scratch, of one batch
   LaneFrames<Real> frames_ = {};           // likewise
   LaneContactInput<Real> input_ = {};      // likewise

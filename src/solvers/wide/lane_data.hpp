@@ -118,17 +118,17 @@ struct LaneBodyInput {
 };
 
 /// The roots of the inverse masses of the bodies of a batch.
-template <typename Real>
+template <typename Number>
 struct LaneRoots {
-  Real a[3][lane_count];  // of the first bodies
-  Real b[3][lane_count];  // of the second bodies
+  Number a[3][lane_count];  // of the first bodies
+  Number b[3][lane_count];  // of the second bodies
 };
 
 /// What filling the lanes of a batch reads.
-template <typename Real>
+template <typename Real, typename Number>
 struct LaneFilling {
   LaneBodyInput<Real> bodies;            // of the blocks
-  LaneRoots<Real> roots;                 // of the same
+  LaneRoots<Number> roots;               // of the same
   LaneInput<Real> rows[most_lane_rows];  // the first row_count are in use
   int row_count = 0;                     // in each block
   Real relaxation = 1;                   // omega

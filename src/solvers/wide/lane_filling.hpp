@@ -11,6 +11,9 @@ inline float square_root(float x) { return __builtin_sqrtf(x); }
 inline double square_root(double x) { return __builtin_sqrt(x); }
 inline long double square_root(long double x) { return __builtin_sqrtl(x); }
 
+inline float largest_number(float) { return __FLT_MAX__; }
+inline double largest_number(double) { return __DBL_MAX__; }
+
 /// The numbers of a row in one lane.
 template <typename Real>
 struct LaneNumbers {
@@ -24,10 +27,9 @@ struct LaneNumbers {
   Real friction;  // mu
 };
 
-/// What a row is in one lane. Between bodies that nothing moves it has nothing to do but to keep its bounds.
+/// What a row is in one lane, before it is scaled.
 template <typename Real, typename Number>
 [[gnu::always_inline]] inline void fill_lane(const LaneBodyInput<Real>& __restrict bodies,
-                                             const LaneRoots<Real>& __restrict roots,
                                              const LaneNumbers<Real>& from, int lane,
                                              LaneRow<Number>& __restrict to) {
   const Real lacking = from.bias -
@@ -36,31 +38,55 @@ template <typename Real, typename Number>
                         (from.b[0] * bodies.velocity_b[0][lane] + from.b[1] * bodies.velocity_b[1][lane] +
                          from.b[2] * bodies.velocity_b[2][lane])) -
                        from.softness * from.impulse;
-  const Real of_a0 = from.a[0] * roots.a[0][lane], of_b0 = from.b[0] * roots.b[0][lane];
-  const Real of_a1 = from.a[1] * roots.a[1][lane], of_b1 = from.b[1] * roots.b[1][lane];
-  const Real of_a2 = from.a[2] * roots.a[2][lane], of_b2 = from.b[2] * roots.b[2][lane];
-  const Real inverse = (of_a0 * of_a0 + of_a1 * of_a1 + of_a2 * of_a2) +
-                       (of_b0 * of_b0 + of_b1 * of_b1 + of_b2 * of_b2) + from.softness;
-  const Real root = square_root(inverse > 0 ? inverse : Real(1));
-  const Real scale = 1 / root;
-  to.jacobian_a[0][lane] = static_cast<Number>(of_a0 * scale);
-  to.jacobian_a[1][lane] = static_cast<Number>(of_a1 * scale);
-  to.jacobian_a[2][lane] = static_cast<Number>(of_a2 * scale);
-  to.jacobian_b[0][lane] = static_cast<Number>(of_b0 * scale);
-  to.jacobian_b[1][lane] = static_cast<Number>(of_b1 * scale);
-  to.jacobian_b[2][lane] = static_cast<Number>(of_b2 * scale);
-  to.lacking[lane] = static_cast<Number>(lacking * (inverse > 0 ? scale : Real(0)));
+  to.jacobian_a[0][lane] = static_cast<Number>(from.a[0]);
+  to.jacobian_a[1][lane] = static_cast<Number>(from.a[1]);
+  to.jacobian_a[2][lane] = static_cast<Number>(from.a[2]);
+  to.jacobian_b[0][lane] = static_cast<Number>(from.b[0]);
+  to.jacobian_b[1][lane] = static_cast<Number>(from.b[1]);
+  to.jacobian_b[2][lane] = static_cast<Number>(from.b[2]);
+  to.lacking[lane] = static_cast<Number>(lacking);
   to.impulse[lane] = 0;
-  to.lower[lane] = static_cast<Number>((from.lower - from.impulse) * root);
-  to.upper[lane] = static_cast<Number>((from.upper - from.impulse) * root);
-  to.friction[lane] = static_cast<Number>(from.friction * root);
-  to.softness[lane] = static_cast<Number>(from.softness * scale * scale);
-  to.scale[lane] = static_cast<Number>(scale);
+  to.lower[lane] = static_cast<Number>(from.lower - from.impulse);
+  to.upper[lane] = static_cast<Number>(from.upper - from.impulse);
+  to.friction[lane] = static_cast<Number>(from.friction);
+  // Of a spring that is weaker than lanes can tell, a quarter of their largest number.
+  const Number most = largest_number(Number()) / 4;
+  to.softness[lane] = from.softness < static_cast<Real>(most) ? static_cast<Number>(from.softness) : most;
+}
+
+/// Scales a row to A_ii = 1, in the precision of lanes: all that it holds are changes. Between bodies that
+/// nothing moves it has nothing to do but to keep its bounds.
+template <typename Number>
+inline void scale_row(const LaneRoots<Number>& __restrict roots, LaneRow<Number>& __restrict row) {
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const Number of_a0 = row.jacobian_a[0][lane] * roots.a[0][lane];
+    const Number of_a1 = row.jacobian_a[1][lane] * roots.a[1][lane];
+    const Number of_a2 = row.jacobian_a[2][lane] * roots.a[2][lane];
+    const Number of_b0 = row.jacobian_b[0][lane] * roots.b[0][lane];
+    const Number of_b1 = row.jacobian_b[1][lane] * roots.b[1][lane];
+    const Number of_b2 = row.jacobian_b[2][lane] * roots.b[2][lane];
+    const Number inverse = (of_a0 * of_a0 + of_a1 * of_a1 + of_a2 * of_a2) +
+                           (of_b0 * of_b0 + of_b1 * of_b1 + of_b2 * of_b2) + row.softness[lane];
+    const Number root = square_root(inverse > 0 ? inverse : Number(1));
+    const Number scale = 1 / root;
+    row.jacobian_a[0][lane] = of_a0 * scale;
+    row.jacobian_a[1][lane] = of_a1 * scale;
+    row.jacobian_a[2][lane] = of_a2 * scale;
+    row.jacobian_b[0][lane] = of_b0 * scale;
+    row.jacobian_b[1][lane] = of_b1 * scale;
+    row.jacobian_b[2][lane] = of_b2 * scale;
+    row.lacking[lane] *= inverse > 0 ? scale : Number(0);
+    row.lower[lane] *= root;
+    row.upper[lane] *= root;
+    row.friction[lane] *= root;
+    row.softness[lane] = row.softness[lane] * scale * scale;
+    row.scale[lane] = scale;
+  }
 }
 
 /// What row `from` is in lanes.
 template <typename Real, typename Number>
-inline void fill_row(const LaneBodyInput<Real>& __restrict bodies, const LaneRoots<Real>& __restrict roots,
+inline void fill_row(const LaneBodyInput<Real>& __restrict bodies, const LaneRoots<Number>& __restrict roots,
                      const LaneInput<Real>& __restrict from, LaneRow<Number>& __restrict to) {
   for (int lane = 0; lane < lane_count; ++lane) {
     const LaneNumbers<Real> row = {
@@ -72,8 +98,9 @@ inline void fill_row(const LaneBodyInput<Real>& __restrict bodies, const LaneRoo
         .lower = from.lower[lane],
         .upper = from.upper[lane],
         .friction = from.friction[lane]};
-    fill_lane(bodies, roots, row, lane, to);
+    fill_lane(bodies, row, lane, to);
   }
+  scale_row(roots, to);
 }
 
 template <typename Number>
@@ -91,7 +118,7 @@ inline void couple_rows(const LaneRow<Number>& row, const LaneRow<Number>& other
 }
 
 template <typename Real, typename Number>
-inline void fill_lanes(const LaneFilling<Real>& from, LaneRow<Number>* rows,
+inline void fill_lanes(const LaneFilling<Real, Number>& from, LaneRow<Number>* rows,
                        LaneCoupling<Number>* couplings) {
   for (int i = 0; i < from.row_count; ++i) {
     fill_row(from.bodies, from.roots, from.rows[i], rows[i]);

@@ -33,7 +33,7 @@ struct LaneCode {
   /// A pass over batches `first` to `last` - 1.
   void (*pass)(LaneProblem<Number>& problem, LanePass pass, int first, int last) = nullptr;
   /// Fills the rows of one batch, and the couplings between them.
-  void (*fill)(const LaneFilling<Real>& from, LaneRow<Number>* rows,
+  void (*fill)(const LaneFilling<Real, Number>& from, LaneRow<Number>* rows,
                LaneCoupling<Number>* couplings) = nullptr;
   /// Manifolds of so many points where their bodies are; false: a separation is not below the margin [m].
   bool (*move_contacts)(const LaneKeptBatch<Real>& kept, const LaneFrames<Real>& at, int points, Real margin,
@@ -47,7 +47,7 @@ struct LaneCode {
   void (*push_contacts)(const LaneContactBatch<Real>& batch, LaneBodyInput<Real>& bodies) = nullptr;
   /// Fills the rows of a batch of contacts, and the couplings between them.
   void (*fill_contacts)(LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies,
-                        const LaneRoots<Real>& roots, Real relaxation, LaneRow<Number>* rows,
+                        const LaneRoots<Number>& roots, Real relaxation, LaneRow<Number>* rows,
                         LaneCoupling<Number>* couplings) = nullptr;
   /// Takes over what sweeps have changed, and gives it to the bodies.
   void (*empty_contacts)(const LaneRow<Number>* rows, LaneContactBatch<Real>& batch,

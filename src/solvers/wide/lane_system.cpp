@@ -160,14 +160,14 @@ void LaneSystem<Real>::take_single_rows(const VelocityProblem<Real>& problem) {
 template <Scalar Real>
 void LaneSystem<Real>::take_batch_bodies(const LaneBatch& batch) {
   LaneBodyInput<Real>& to = filling_.bodies;
-  LaneRoots<Real>& roots = filling_.roots;
+  LaneRoots<Number>& roots = filling_.roots;
   for (int lane = 0; lane < batch.used; ++lane) {
     const BodyId a = {batch.body_a[lane]}, b = {batch.body_b[lane]};
     for (int axis = 0; axis < 3; ++axis) {
       to.velocity_a[axis][lane] = velocity_[a](axis);
       to.velocity_b[axis][lane] = velocity_[b](axis);
-      roots.a[axis][lane] = root_[a](axis);
-      roots.b[axis][lane] = root_[b](axis);
+      roots.a[axis][lane] = static_cast<Number>(root_[a](axis));
+      roots.b[axis][lane] = static_cast<Number>(root_[b](axis));
     }
   }
 }

@@ -136,8 +136,8 @@ class LaneSystem {
   Real momentum_ = 0;                 // of the pass that gathers it
   List<LaneImpulse<Number>> before_;  // of each of rows_, where the sweep began
   PerBody<LaneBody<Number>> bodies_before_;
-  List<Real> single_before_;        // [N s] of the rows that go one by one
-  LaneFilling<Real> filling_ = {};  // scratch, for one batch
+  List<Real> single_before_;                // [N s] of the rows that go one by one
+  LaneFilling<Real, Number> filling_ = {};  // scratch, for one batch
   LaneThreads threads_;
   List<LaneSteps<Real>> sums_;  // scratch, of batches_in_a_sum each
 };
