@@ -42,10 +42,11 @@ struct StepReport {
   /// that they were kept apart (world/last_word.hpp): more sweeps, substeps or an exact solver are called
   /// for.
   int kept_apart = 0;
-  /// When the last substep began: joints whose points were farther apart than the circle around the smaller
-  /// body reaches, and pairs of shapes of which
+  /// Joints whose points were, when the last substep began, farther apart than the circle around the smaller
+  /// body reaches.
   int joints_apart = 0;
-  int too_deep = 0;  // one was in the other by more than half of the thinner body
+  /// Pairs of shapes that were found in each other by more than half of the thinner body.
+  int too_deep = 0;
   /// [J] Where SceneSettings::guarded: by how much the impulses have changed the kinetic energy. Contacts and
   /// rigid joints take from it; what they add comes from nowhere, as where they take errors back. Springs,
   /// motors, a hand and bodies that move by themselves may add to it.
