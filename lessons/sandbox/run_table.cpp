@@ -103,13 +103,16 @@ void print_standing(const SceneEntry& scene, const SceneRun& run, Console& conso
              missed ? -1 : 1);
 }
 
+/// Below a micrometre there is only rounding.
+std::string off_text(double distance) { return "off by " + milli(distance < 1e-6 ? 0 : distance) + " mm"; }
+
 /// How far each body is from where it should end; nothing of a run that has not come so far.
 void print_places(const SceneEntry& scene, const SceneRun& run, Console& console) {
   if (!judges_places(scene, run)) return;
   for (int i = 0; i < scene.expectations.places.size(); ++i) {
     const ExpectedPlace& place = scene.expectations.places[i];
     const double distance = run.result.place_distances[i];
-    print_line(console, "place of " + scene.body_names[place.body], "missed by " + milli(distance) + " mm",
+    print_line(console, "place of " + scene.body_names[place.body], off_text(distance),
                "expected at most " + milli(place.within) + " mm", distance <= place.within ? 1 : -1);
   }
 }
@@ -232,9 +235,9 @@ void print_runs(const SceneEntry& scene, const List<SceneRun>& runs, Console& co
   for (const SceneRun& run : runs) {
     for (int i = 0; judges_places(scene, run) && i < scene.expectations.places.size(); ++i) {
       const ExpectedPlace& place = scene.expectations.places[i];
-      console.result(console.spelt(fmt::format("{}: place of {} missed by {} mm, expected at most {} mm",
-                                               contestant_label(run.setting), scene.body_names[place.body],
-                                               milli(run.result.place_distances[i]), milli(place.within))));
+      console.result(console.spelt(fmt::format(
+          "{}: place of {} {}, expected at most {} mm", contestant_label(run.setting),
+          scene.body_names[place.body], off_text(run.result.place_distances[i]), milli(place.within))));
     }
     for (const Failure& failure : run.result.failures) {
       const std::string text = failure_text(failure, scene.body_names);

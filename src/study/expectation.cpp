@@ -46,7 +46,7 @@ List<std::string> unmet(const Expectations& expectations, const TrialResult& res
     const ExpectedPlace& place = expectations.places[i];
     const double distance = result.place_distances[i];
     if (distance <= place.within) continue;
-    missed.push_back(fmt::format("place of {} missed by {:.3g} m, expected at most {:g} m",
+    missed.push_back(fmt::format("place of {} off by {:.3g} m, expected at most {:g} m",
                                  body_name(place.body, names), distance, place.within));
   }
   return missed;

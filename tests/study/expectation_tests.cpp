@@ -98,5 +98,5 @@ TEST_CASE("a body that does not end in its place is told with its name and both 
   const TrialResult result{.seconds = 2, .place_distances = {0.25, 0.2}};
   const List<std::string> missed = unmet(expectations, result, {"ground", "ball", "box"});
   REQUIRE(missed.size() == 1);
-  CHECK(missed[0] == "place of ball missed by 0.25 m, expected at most 0.05 m");
+  CHECK(missed[0] == "place of ball off by 0.25 m, expected at most 0.05 m");
 }
