@@ -29,7 +29,7 @@ KeptManifold<Real> keep(const Manifold<Real>& manifold, const Frame<Real>& frame
     const Vec2<Real> core_b = point.position + normal * (point.separation - below + radius_b);
     kept.points[i].core_a = frame_a.rotation.transposed_times(core_a - frame_a.position);
     kept.points[i].core_b = frame_b.rotation.transposed_times(core_b - frame_b.position);
-    kept.points[i].feature = point.feature;
+    kept.feature[i] = point.feature;
   }
   return kept;
 }
@@ -62,7 +62,7 @@ Manifold<Real> KeptManifold<Real>::at(const Frame<Real>& frame_a, const Frame<Re
       point.position = core_b - manifold.normal * (radius_b + separation / 2);
     }
     point.separation = separation;
-    point.feature = points[i].feature;
+    point.feature = feature[i];
     height += manifold.normal.dot(point.position);
   }
   for (int i = 0; i < manifold.count; ++i) {

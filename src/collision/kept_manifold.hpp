@@ -24,15 +24,15 @@ struct KeptManifold {
   struct Point {
     Vec2<Real> core_a = Vec2<Real>::Zero();  // [m] in the frame of a
     Vec2<Real> core_b = Vec2<Real>::Zero();  // [m] in the frame of b
-    std::uint32_t feature = 0;               // as in the manifold
   };
 
-  FixedList<Point, 2> points = {};         // the first `count` of them are in use
-  Vec2<Real> normal = Vec2<Real>::Zero();  // in the frame of the body whose face it is, else in that of a
-  Real radius_a = 0;                       // [m] by which the core of a is rounded
-  Real radius_b = 0;                       // [m] by which the core of b is rounded
-  Face face = Face::none;                  // that the points lie on
-  std::uint8_t count = 0;                  // of points, near or not
+  FixedList<Point, 2> points = {};           // the first `count` of them are in use
+  Vec2<Real> normal = Vec2<Real>::Zero();    // in the frame of the body whose face it is, else in that of a
+  Real radius_a = 0;                         // [m] by which the core of a is rounded
+  Real radius_b = 0;                         // [m] by which the core of b is rounded
+  FixedList<std::uint32_t, 2> feature = {};  // of each point, as in the manifold
+  Face face = Face::none;                    // that the points lie on
+  std::uint8_t count = 0;                    // of points, near or not
 
   /// The manifold where the bodies are now: points whose separation is below `margin` [m].
   Manifold<Real> at(const Frame<Real>& frame_a, const Frame<Real>& frame_b, Real margin) const;

@@ -59,22 +59,22 @@ void remember(Impulses& impulses, int count, Real dt, const Row& row) {
 /// Two shapes that are near each other and may touch.
 template <Scalar Real>
 struct ContactSlot {
-  int collider_a = 0;    // the lower one
-  int collider_b = 0;    // the higher one
-  BodyId a = {};         // whose shape collider_a is
-  BodyId b = {};         // whose shape collider_b is
-  bool sensed = false;   // one is a sensor: they are seen to touch, and no more
-  Real friction = 0;     // mu
-  Real restitution = 0;  // e
-  Real slop_limit = 0;   // [m]
+  int collider_a = 0;     // the lower one
+  int collider_b = 0;     // the higher one
+  BodyId a = {};          // whose shape collider_a is
+  BodyId b = {};          // whose shape collider_b is
+  bool sensed = false;    // one is a sensor: they are seen to touch, and no more
+  bool is_found = false;  // there is a manifold, or it is known that they do not touch
+  bool a_moves = false;   // motion is that of a beside b, because a is smaller; else that of b beside a
+  Real friction = 0;      // mu
+  Real restitution = 0;   // e
+  Real slop_limit = 0;    // [m]
   BlockImpulses<FixedList<RowImpulse<Real>, 4>, Real> impulses = {};  // of its rows
 
   KeptManifold<Real> manifold = {};  // where manifolds last longer than a substep
-  bool is_found = false;             // there is one, or it is known that they do not touch
-  bool a_moves = false;      // motion is that of a beside b, because a is smaller; else that of b beside a
-  Real radius = 0;           // [m] of what moves, about its centre of mass
-  Real keep_limit = 0;       // [m] no point of it may move by more before the manifold is found anew
-  Pose<Real> found_at = {};  // of what moves, beside the other, when the manifold was found
+  Real radius = 0;                   // [m] of what moves, about its centre of mass
+  Real keep_limit = 0;               // [m] no point of it may move by more before the manifold is found anew
+  Pose<Real> found_at = {};          // of what moves, beside the other, when the manifold was found
 };
 
 /// A slot whose manifold is not known from its KeptManifold alone: a point of it is not near, or it lies on

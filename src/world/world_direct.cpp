@@ -59,7 +59,8 @@ void World<Real>::solve_contacts(ContactSolver<Real>& solver, StepReport& report
   report.sweeps += solver.relax(contacts).iterations;
 }
 
-/// Whether the solver can go on with the contacts of the substep before, for they have the same points.
+/// Whether the solver goes on with the contacts of the substep before, for they have the same points. Where
+/// it has them and cannot, slots get what it owes them.
 template <Scalar Real>
 bool World<Real>::follow_contacts(ContactSolver<Real>* solver) {
   follows_ = false;
@@ -120,7 +121,7 @@ void World<Real>::give_contacts(ContactSolver<Real>& solver) {
   solver.give(contacts);
 }
 
-/// Of a substep that is not done, after others of its step that slots have not heard of.
+/// Of a substep that is not done: slots go back to what they would have had before it.
 template <Scalar Real>
 void World<Real>::take_back_contacts(ContactSolver<Real>& solver) {
   if (owes_impulses_) {
@@ -130,7 +131,7 @@ void World<Real>::take_back_contacts(ContactSolver<Real>& solver) {
   }
 }
 
-/// Now; or, where the solver may go on with its contacts in the next substep, once it does not.
+/// Gives slots the answers now; or, where the solver may go on in the next substep, once it does not.
 template <Scalar Real>
 void World<Real>::remember_contacts(ContactSolver<Real>& solver, int number) {
   if (may_follow_ && number + 1 < plan_->substeps) {
@@ -139,6 +140,7 @@ void World<Real>::remember_contacts(ContactSolver<Real>& solver, int number) {
     take_impulses(solver, &Contact<Real>::impulse);
   }
 }
+
 /// Contacts with last step's impulses, as warm_start() gives them to rows.
 template <Scalar Real>
 void World<Real>::take_contacts() {

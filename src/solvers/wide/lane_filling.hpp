@@ -11,8 +11,9 @@ inline float square_root(float x) { return __builtin_sqrtf(x); }
 inline double square_root(double x) { return __builtin_sqrt(x); }
 inline long double square_root(long double x) { return __builtin_sqrtl(x); }
 
-inline float largest_number(float) { return __FLT_MAX__; }
-inline double largest_number(double) { return __DBL_MAX__; }
+/// [1/kg] Weaker springs are taken for one of this softness, 1e15 times A_ii of the lightest bodies: neither
+/// does anything, and lanes have numbers for this one.
+constexpr float most_lane_softness = 1e30f;
 
 /// The numbers of a row in one lane.
 template <typename Real>
@@ -32,12 +33,14 @@ template <typename Real, typename Number>
 [[gnu::always_inline]] inline void fill_lane(const LaneBodyInput<Real>& __restrict bodies,
                                              const LaneNumbers<Real>& from, int lane,
                                              LaneRow<Number>& __restrict to) {
+  const Real most = static_cast<Real>(most_lane_softness);
+  const Real softness = from.softness < most ? from.softness : most;
   const Real lacking = from.bias -
                        ((from.a[0] * bodies.velocity_a[0][lane] + from.a[1] * bodies.velocity_a[1][lane] +
                          from.a[2] * bodies.velocity_a[2][lane]) +
                         (from.b[0] * bodies.velocity_b[0][lane] + from.b[1] * bodies.velocity_b[1][lane] +
                          from.b[2] * bodies.velocity_b[2][lane])) -
-                       from.softness * from.impulse;
+                       softness * from.impulse;
   to.jacobian_a[0][lane] = static_cast<Number>(from.a[0]);
   to.jacobian_a[1][lane] = static_cast<Number>(from.a[1]);
   to.jacobian_a[2][lane] = static_cast<Number>(from.a[2]);
@@ -49,9 +52,7 @@ template <typename Real, typename Number>
   to.lower[lane] = static_cast<Number>(from.lower - from.impulse);
   to.upper[lane] = static_cast<Number>(from.upper - from.impulse);
   to.friction[lane] = static_cast<Number>(from.friction);
-  // Of a spring that is weaker than lanes can tell, a quarter of their largest number.
-  const Number most = largest_number(Number()) / 4;
-  to.softness[lane] = from.softness < static_cast<Real>(most) ? static_cast<Number>(from.softness) : most;
+  to.softness[lane] = static_cast<Number>(softness);
 }
 
 /// Scales a row to A_ii = 1, in the precision of lanes: all that it holds are changes. Between bodies that

@@ -139,6 +139,18 @@ TEST_CASE("what a solver kept is made anew when a body is fixed, a row goes soft
   }
 }
 
+TEST_CASE("springs too weak for a number of a lane give nothing, and nothing that is no number") {
+  VelocityProblem<double> problem = lane_grid(8, 2);
+  for (ConstraintRow<double>& row : problem.rows) row.softness = 1e300;
+  problem.impulse.assign(problem.rows.size(), 0.0);
+  const VelocityProblem<double> start = problem;
+  WideSequentialImpulse<double>({.iterations = 5}).solve(problem);
+  // (bias - j v) / softness: at most 1 + 6, for all of it is made of numbers below 1; over 1e30.
+  const double most = 7e-30;
+  for (const double impulse : problem.impulse) CHECK(std::abs(impulse) <= most);
+  CHECK(largest_lane_gap(problem, start) == 0);  // so little is lost in any velocity
+}
+
 TEST_CASE("velocities that are not numbers end no solve early, and blocks that leave rows out are refused") {
   VelocityProblem<double> problem = lane_grid(10, 2);
   problem.velocity[{33}].y() = std::numeric_limits<double>::quiet_NaN();
