@@ -1,6 +1,7 @@
 // cairn tune: the cheapest setting that meets a wish.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
@@ -63,39 +64,60 @@ std::string found_text(const Candidate& candidate, const Wish& wish) {
 
 std::string starts_text(int starts) { return starts == 1 ? "1 start" : fmt::format("{} starts", starts); }
 
-/// One line of the table: who, with which setting, at what cost, and how well.
-std::string candidate_line(const std::string& who, const Candidate& candidate, double best_cost,
-                           const Wish& wish) {
-  return fmt::format("{:<12} {:<57} {:>7.3g} {:>11.3g} {:>7.2f}  {}", who, setting_text(candidate.setting),
-                     1e3 * candidate.cost, candidate.row_updates, candidate.cost / best_cost,
-                     found_text(candidate, wish));
-}
+/// The table: who, with which setting, at what cost, and how well.
+class TuneTable {
+ public:
+  TuneTable(const TunerAnswer& answer, const Wish& wish, Console& console) : wish_(wish), console_(console) {
+    best_cost_ = answer.best ? answer.best->cost : answer.plain_si ? answer.plain_si->cost : 1;
+    for (const auto* one : {&answer.best, &answer.plain_si, &answer.box2d, &answer.nearest})
+      if (*one) make_room(**one);
+    for (const Candidate& one : answer.runners_up) make_room(one);
+  }
 
-void print_rival(const std::string& who, const std::optional<Candidate>& rival, double best_cost,
-                 const Wish& wish, Console& console) {
-  if (!rival) return;
-  const char* others = rival->list_exhausted ? "; with less work it misses, too" : "";
-  const std::string line = rival->verdict.meets
-                               ? candidate_line(who, *rival, best_cost, wish)
-                               : fmt::format("{:<12} {:<57} misses it: {}{}", who,
-                                             setting_text(rival->setting), rival->verdict.missed, others);
-  console.result(console.spelt(line));
-}
+  void print_head() {
+    console_.result(fmt::format("{:<12} {:<{}} {:>7} {:>11} {:>7}  {}", "", "for a second of the scene",
+                                width_, "ms", "row updates", "x best", "the worst of all starts"));
+  }
+  void print_best(const Candidate& best) {
+    console_.result(console_.colored(console_.spelt(line("best", best)), Color::good));
+  }
+  void print(const std::string& who, const std::optional<Candidate>& rival) {
+    if (!rival) return;
+    const char* others = rival->list_exhausted ? "; with less work it misses, too" : "";
+    console_.result(console_.spelt(rival->verdict.meets ? line(who, *rival)
+                                                        : fmt::format("{:<12} {:<{}} misses it: {}{}", who,
+                                                                      setting_text(rival->setting), width_,
+                                                                      rival->verdict.missed, others)));
+  }
+
+ private:
+  void make_room(const Candidate& candidate) {
+    width_ = std::max(width_, setting_text(candidate.setting).size());
+  }
+  std::string line(const std::string& who, const Candidate& candidate) const {
+    return fmt::format("{:<12} {:<{}} {:>7.3g} {:>11.3g} {:>7.2f}  {}", who, setting_text(candidate.setting),
+                       width_, 1e3 * candidate.cost, candidate.row_updates, candidate.cost / best_cost_,
+                       found_text(candidate, wish_));
+  }
+
+  const Wish& wish_;
+  Console& console_;
+  double best_cost_ = 1;  // [s] of a second of the scene
+  std::size_t width_ = std::string("for a second of the scene").size();
+};
 
 void print_answer(const TunerAnswer& answer, const Wish& wish, Console& console) {
-  console.result(fmt::format("{:<12} {:<57} {:>7} {:>11} {:>7}  {}", "", "for a second of the scene", "ms",
-                             "row updates", "x best", "the worst of all starts"));
-  const double best_cost = answer.best ? answer.best->cost : answer.plain_si ? answer.plain_si->cost : 1;
+  TuneTable table(answer, wish, console);
+  table.print_head();
   if (answer.best) {
-    console.result(
-        console.colored(console.spelt(candidate_line("best", *answer.best, best_cost, wish)), Color::good));
-    for (const Candidate& next : answer.runners_up) print_rival("runner-up", next, best_cost, wish, console);
+    table.print_best(*answer.best);
+    for (const Candidate& next : answer.runners_up) table.print("runner-up", next);
   } else {
     console.result(console.colored("Nothing that was tried meets the wish.", Color::bad));
-    print_rival("most work", answer.nearest, best_cost, wish, console);
+    table.print("most work", answer.nearest);
   }
-  print_rival("plain SI", answer.plain_si, best_cost, wish, console);
-  print_rival("Box2D 2.4.1", answer.box2d, best_cost, wish, console);
+  table.print("plain SI", answer.plain_si);
+  table.print("Box2D 2.4.1", answer.box2d);
 }
 
 Json candidate_json(const std::optional<Candidate>& candidate) {

@@ -65,8 +65,8 @@ struct TunerAnswer {
   std::optional<Candidate> best = {};  // the cheapest that meets the wish from every start
   List<Candidate> runners_up = {};     // further ones that do, cheapest first, no two alike in solver
                                        // and policy
-  /// The cheapest SI at 60 Hz with Baumgarte and no substeps, and the cheapest Box2D; the one with the most
-  /// work where none meets the wish, as its verdict says.
+  /// The cheapest SI at 60 Hz without substeps, all else as where nothing is said, and the cheapest Box2D;
+  /// the one with the most work where none meets the wish, as its verdict says.
   std::optional<Candidate> plain_si = {};
   std::optional<Candidate> box2d = {};
   std::optional<Candidate> nearest = {};  // where nothing meets the wish: what came from the most work
