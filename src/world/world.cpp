@@ -78,6 +78,7 @@ void World<Real>::solve_rows(Solver<Real>& solver, SolveObserver<Real>* observer
 /// does not stay in the velocities.
 template <Scalar Real>
 void World<Real>::relax(Solver<Real>& solver, StepReport& report) {
+  if (plan_->follows_arcs) leave_lost_arcs();
   second_problem_.impulse = record_.problem.impulse;
   report.sweeps += solver.solve(second_problem_).iterations;
   std::swap(record_.problem, second_problem_);

@@ -182,6 +182,7 @@ class World {
   void write_joint_rows(StabilizationPass pass, VelocityProblem<Real>& problem, int& next);
   void look_along_arcs();
   void follow_arcs(const Constraint& joint);
+  void leave_lost_arcs();
   int tie_count() const { return scene_->joints().size() + (hand_ ? 1 : 0); }
   bool tie_asleep(int tie) const;
   void carry_over(const World& before, const Scene& then);
