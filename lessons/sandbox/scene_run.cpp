@@ -36,8 +36,9 @@ class RunKeeper {
   RunKeeper(const Setting& setting, const RunWish& wish, SceneRun& run)
       : dt_(setting.dt), wish_(wish), run_(run) {
     if (wish_.series) {
-      run_.series.header = {"step",  "time_s",   "kinetic_J",         "potential_J", "penetration_m",
-                            "drift", "contacts", "normal_impulse_Ns", "fastest_m_s", "row_updates"};
+      run_.series.header = {"step",          "time_s",      "kinetic_J",   "potential_J",
+                            "penetration_m", "drift",       "contacts",    "normal_impulse_Ns",
+                            "fastest_m_s",   "energy_gain", "energy_loss", "row_updates"};
     }
   }
 
@@ -63,8 +64,14 @@ class RunKeeper {
     if (run_.frames.empty() || run_.frames.back().step != latest_->step) run_.frames.push_back(*latest_);
   }
 
+  /// What only the trial knows of the step that was seen last.
   void count(const TrialResult& so_far) {
-    if (!run_.series.rows.empty()) run_.series.rows.back().back() = so_far.row_updates - updates_before_;
+    if (!run_.series.rows.empty()) {
+      List<CsvCell>& row = run_.series.rows.back();
+      row[row.size() - 3] = so_far.energy_gain;
+      row[row.size() - 2] = so_far.energy_loss;
+      row.back() = so_far.row_updates - updates_before_;
+    }
     updates_before_ = so_far.row_updates;
   }
 
@@ -76,7 +83,7 @@ class RunKeeper {
     run_.series.rows.push_back({step, time, kinetic_energy(snapshot), potential_energy(snapshot),
                                 worst_penetration(snapshot), worst_joint_drift(snapshot),
                                 static_cast<long long>(snapshot.contacts.size()),
-                                sum_of_normal_impulses(snapshot), fastest, 0LL});
+                                sum_of_normal_impulses(snapshot), fastest, 0.0, 0.0, 0LL});
   }
 
   double dt_;

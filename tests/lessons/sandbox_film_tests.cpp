@@ -94,6 +94,8 @@ TEST_CASE(
   // 17 digits read back bit for bit.
   CHECK(worst_drift == run["drift_m_or_rad"].get<double>());
   CHECK(updates == run["row_updates"].get<double>());
+  CHECK(number(table.rows.back()[column("energy_gain")]) == run["energy_gain"].get<double>());
+  CHECK(number(table.rows.back()[column("energy_loss")]) == run["energy_loss"].get<double>());
   const Ran piped = run_cairn({"run", "double-pendulum", "--seconds", "0.5s", "--csv", "-"});
   CHECK(piped.out == folder.text("made/for/it/series.csv"));
   CHECK(text_has(piped.err, "meets"));
