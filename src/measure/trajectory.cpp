@@ -88,8 +88,12 @@ double energy_scale(const Snapshot& snapshot) {
       upper = upper.cwiseMax(around.upper);
     }
   }
-  const double diagonal = lower.x() <= upper.x() ? (upper - lower).norm() : 0;
-  return kinetic_energy(snapshot) + weight * diagonal;
+  if (!(lower.x() <= upper.x())) return kinetic_energy(snapshot);
+  for (const SnapshotJoint& joint : snapshot.joints) {
+    lower = lower.cwiseMin(joint.anchor_a).cwiseMin(joint.anchor_b);
+    upper = upper.cwiseMax(joint.anchor_a).cwiseMax(joint.anchor_b);
+  }
+  return kinetic_energy(snapshot) + weight * (upper - lower).norm();
 }
 
 void TrajectoryMeasure::add(const Snapshot& snapshot, double work) {

@@ -40,8 +40,8 @@ struct Trajectory {
 };
 
 /// A size for the energies of a scene [J]: its kinetic energy, and what its dynamic bodies would gain by
-/// falling through the diagonal of the box around them all. Unlike the potential energy itself it does not
-/// depend on where the origin is.
+/// falling through the diagonal of the box around them all and the anchors of their joints. Unlike the
+/// potential energy itself it does not depend on where the origin is.
 double energy_scale(const Snapshot& snapshot);
 
 /// Sees the start and then every step, and adds up a Trajectory. O(n log n + m) a snapshot, for n bodies with

@@ -57,6 +57,13 @@ TEST_CASE(
   CHECK(measure.result().relative_energy_change() == -9 / measure.result().energy_scale);
 }
 
+TEST_CASE("a body that hangs from a joint can fall as far as the joint is away") {
+  Snapshot hung = ball_at(0, 0, {0, 0});
+  hung.joints.push_back({.b = {1}, .anchor_a = {3, 4}, .anchor_b = {3, 4}});
+  // 20 N through the diagonal from the far corner around the disc to the anchor.
+  CHECK(energy_scale(hung) == doctest::Approx(20 * std::hypot(3.5, 4.5)).epsilon(4 * path_epsilon));
+}
+
 TEST_CASE("work that the caller knows of is no gain") {
   TrajectoryMeasure measure;
   measure.add(ball_at(0, 1, {0, 0}));
