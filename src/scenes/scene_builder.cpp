@@ -35,8 +35,10 @@ std::string SceneBuilder::claim_name(const SceneTable& table, const std::string&
   if (table.has("name") && !is_scene_name(name)) {
     table.refuse("name", "1 to 60 letters, digits, _ and -");
   }
-  if (!claimed_.insert(name).second)
+  if (!claimed_.insert(name).second) {
+    if (name == "ground") table.refuse("name", "another name: \"ground\" is what cannot move");
     table.refuse("name", "a name that nothing else has", '"' + name + "\" once more");
+  }
   return name;
 }
 

@@ -65,6 +65,8 @@ const List<BodyMistakes> body_mistakes = {
      "my.toml:1:1: stack[1].n must be given: a whole number from 1 to 20000 (how many)"},
     {"a name twice", "[[body]]\nname = \"ball\"\ncircle = 1\n[[body]]\nname = \"ball\"\ncircle = 1\n",
      "my.toml:5:8: body[2].name must be a name that nothing else has, got \"ball\" once more"},
+    {"the name of the world", "[[body]]\nname = \"ground\"\ncircle = 1\n",
+     "my.toml:2:8: body[1].name must be another name: \"ground\" is what cannot move, got \"ground\""},
     {"two stacks without a name", "[[stack]]\nn = 1\nbox = [1, 1]\n[[stack]]\nn = 1\nbox = [1, 1]\n",
      "my.toml:4:1: stack[2].name must be a name that nothing else has, got \"stack\" once more"},
     {"a name with a space", "[[body]]\nname = \"my ball\"\ncircle = 1\n",
