@@ -99,8 +99,7 @@ SceneEntry read_scene_text(const std::string& text, const std::string& file) {
   SceneContext context{.file = file};
   context.numbers = numbers_of(context, root);
   const SceneTable table(context, root, "scene", "");
-  const SceneSettings settings = scene_settings_of(table);
-  SceneBuilder builder(settings);
+  SceneBuilder builder(scene_settings_of(table));
   for (const SceneTable& surface : table.tables("ground")) builder.add_ground(surface);
   build_items(builder, context, items_of(table, root));
   build_events(builder, table);
@@ -113,7 +112,7 @@ SceneEntry read_scene_text(const std::string& text, const std::string& file) {
   entry.seconds = table.number("seconds");
   entry.expectations = expectations_of(table);
   entry.expectations.places = expected_places(builder, table);
-  entry.setting = recommended_of(table, settings);
+  entry.setting = recommended_of(table, builder.scene());
   entry.camera = camera_of(table);
   entry.body_names = builder.names();
   entry.make = [scene = builder.scene()] { return scene; };

@@ -58,7 +58,8 @@ List<SceneKey> scene_step_keys() {
       {"sleeping", "angular_speed", number, "rad/s", "0.05", "> 0", "of its turning"},
       {"sleeping", "time", number, "s", "0.5", "> 0", "slower than both for so long"},
       {"pace", "dt", number, "s", "1 / 60", "from 1e-12 to 1e6", "one step"},
-      {"pace", "substeps", integer, "", "1", "from 1 to 1000000", "solves in a step, each of dt / substeps"},
+      {"pace", "substeps", integer, "", "Where there are joints 4, else 1", "from 1 to 1000000",
+       "solves in a step, each of dt / substeps"},
       {"pace", "contact_search", word, "", "every substep", "every substep, every step, when moved",
        "how long manifolds last"},
       {"pace", "warm_start", flag, "", "true", "", "begin from the last step's impulses"},
@@ -79,7 +80,8 @@ List<SceneKey> scene_step_keys() {
 List<SceneKey> scene_recommended_keys() {
   using enum SceneType;
   return {
-      {"recommended", "solver", text, "", "si", "", "a name of `cairn list`, or box2d"},
+      {"recommended", "solver", text, "", "Where there are joints block, else si", "",
+       "a name of `cairn list`, or box2d"},
       {"recommended", "iterations", integer, "", "10", "from 0 to " + std::to_string(Setting::most_sweeps),
        "sweeps, at most"},
       {"recommended", "tolerance", number, "", "0", ">= 0", "stop once the residual is so small; 0: never"},

@@ -39,7 +39,8 @@ void set_pace(const SceneTable& table, SceneSettings& settings) {
   }
 }
 
-std::string solver_of(const SceneTable& table) {
+std::string solver_of(const SceneTable& table, const std::string& fallback) {
+  if (!table.has("solver")) return fallback;
   List<std::string> known = {"box2d"};
   for (const SolverEntry& entry : solver_entries()) known.push_back(entry.name);
   const std::string name = table.text("solver");
@@ -51,6 +52,11 @@ std::string solver_of(const SceneTable& table) {
   if (!near.empty()) rule += " (" + near + "?)";
   for (int i = 0; near.empty() && i < known.size(); ++i) rule += (i > 0 ? ", " : ": ") + known[i];
   table.refuse("solver", rule);
+}
+
+bool says_substeps(const SceneTable& file) {
+  for (const SceneTable& step : file.tables("step")) return step.has("substeps");
+  return false;
 }
 
 SolverSettings sweeps_of(const SceneTable& table) {
@@ -97,8 +103,12 @@ SceneSettings scene_settings_of(const SceneTable& file) {
   return settings;
 }
 
-Setting recommended_of(const SceneTable& file, const SceneSettings& settings) {
-  Setting setting{.dt = settings.dt,
+Setting recommended_of(const SceneTable& file, const Scene& scene) {
+  SceneSettings settings = scene.settings();
+  const bool has_joints = !scene.joints().empty();
+  if (has_joints && !says_substeps(file)) settings.substeps = 4;
+  Setting setting{.solver = has_joints ? "block" : "si",
+                  .dt = settings.dt,
                   .substeps = settings.substeps,
                   .contact_search = settings.contact_search,
                   .stabilization = settings.stabilization,
@@ -108,7 +118,7 @@ Setting recommended_of(const SceneTable& file, const SceneSettings& settings) {
                                  Precision::long_double};
     SceneSettings pace = settings;
     set_pace(table, pace);
-    setting.solver = solver_of(table);
+    setting.solver = solver_of(table, setting.solver);
     setting.sweeps = sweeps_of(table);
     setting.scalar = scalars[table.word("scalar")];
     setting.dt = pace.dt;

@@ -8,7 +8,7 @@ namespace {
 /// A disc that hangs on a rod for half a second, and then falls; it should end at the height `place`.
 std::string falling_disc(const std::string& place) {
   return "seconds = 1\n"
-         "step = { dt = \"1 / 64\" }\n"
+         "step = { dt = \"1 / 64\", substeps = 1 }\n"
          "[[body]]\nname = \"disc\"\ncircle = 0.5\n"
          "[[joint]]\nname = \"rod\"\ntype = \"rod\"\nb = \"disc\"\nanchor_a = [0, 2]\n"
          "[[event]]\ntime = 0.5\nremove = \"rod\"\n"

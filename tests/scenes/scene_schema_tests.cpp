@@ -129,7 +129,7 @@ TEST_CASE("a range holds what it says") {
 TEST_CASE("the defaults of scene files are those of the engine: the scene, its steps and its ground") {
   const SceneSettings settings;
   CHECK(schema_default("step", "dt") == settings.dt);
-  CHECK(schema_default("step", "substeps") == settings.substeps);
+  CHECK(read_scene_text("[[body]]\ncircle = 1\n", "my.toml").setting.substeps == settings.substeps);
   CHECK(schema_default("step", "speculative_margin") == settings.speculative_margin);
   CHECK(schema_default("step", "restitution_threshold") == settings.restitution_threshold);
   CHECK(schema_default("stabilization", "baumgarte") == settings.stabilization.baumgarte);

@@ -8,6 +8,7 @@
 
 #include "constraints/revolute_joint.hpp"
 #include "geometry/shape.hpp"
+#include "scenes/scene_file.hpp"
 #include "scenes/scene_list.hpp"
 #include "scenes/solver_list.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
@@ -245,4 +246,21 @@ TEST_CASE("a trial steps as a world does that is stepped by hand") {
     CHECK(last.bodies[body].velocity == world.bodies().velocity[body]);
     CHECK(last.bodies[body].pose.position == world.bodies().pose[body].position);
   }
+}
+
+TEST_CASE(
+    "a small weight on a far pin: where a scene file names no solver the pin holds, under SI it does not") {
+  const SceneEntry hung = read_scene_text(
+      "[[body]]\nname = \"bob\"\nbox = [0.1, 0.1]\nmass = 1\nposition = [1, 0]\n"
+      "[[joint]]\ntype = \"revolute\"\nb = \"bob\"\nanchor = [0, 0]\n",
+      "pendulum.toml");
+  Setting setting = hung.setting;
+  CHECK(setting.substeps == 4);
+  setting.substeps = 1;
+  const TrialResult result = run_trial(hung.make(), setting, {.seconds = 2});
+  CHECK(result.failures.empty());
+  // A step along the tangent at the lowest point, at sqrt(2 g r), leaves the arc by (v dt)^2 / (2 r).
+  CHECK(result.worst_drift <= 10 * setting.dt * setting.dt);
+  setting.solver = "si";
+  CHECK_FALSE(run_trial(hung.make(), setting, {.seconds = 2}).failures.empty());
 }
