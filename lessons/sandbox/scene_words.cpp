@@ -55,13 +55,6 @@ StabilizationPolicy policy_of(const Words& words, StabilizationPolicy standard) 
   return name == "soft" ? StabilizationPolicy::soft : StabilizationPolicy::split_impulse;
 }
 
-ContactSearch contact_search_of(const Words& words, ContactSearch standard) {
-  if (!words.has("contact-search")) return standard;
-  const std::string name = words.word("contact-search", "every-substep", contact_search_names());
-  if (name == "every-substep") return ContactSearch::every_substep;
-  return name == "every-step" ? ContactSearch::every_step : ContactSearch::when_moved;
-}
-
 }  // namespace
 
 SceneEntry scene_of(const Words& words, const std::string& name, List<std::string> others) {
@@ -99,22 +92,37 @@ const List<std::string>& contact_search_names() {
   return names;
 }
 
-List<Flag> setting_flags() {
-  return {{"solver", "NAME",
-           "or NAME:SWEEPS, such as si:10; cairn list solvers (the scene's own, as all of these)"},
-          {"sweeps", "N", fmt::format("over all rows, at most; from 0 to {}", Setting::most_sweeps)},
-          {"substeps", "N", "of which a step is made"},
-          {"threads", "N",
+List<Flag> search_and_thread_flags() {
+  return {{"threads", "N",
            fmt::format("of the solvers wide and wide-accelerated: the same numbers, sooner; from 1 to {}",
                        SolverSettings::most_threads)},
-          {"contact-search", "WHICH", "every-substep, every-step or when-moved"},
-          {"frequency", "HZ", "steps a second"},
-          {"dt", "TIME", "the length of a step, such as 1/60 or 2ms, in place of --frequency"},
-          {"scalar", "WHICH", "float, double or long-double"},
-          {"stabilization", "WHICH",
-           "none, baumgarte, relaxed, soft or split-impulse; cairn list stabilizations"},
-          {"guards", "WHICH", "on or off: solves that fail are looked after (on where there are joints)"},
-          {"cold", "", "every step begins without the impulses of the last"}};
+          {"contact-search", "WHICH", "every-substep, every-step or when-moved"}};
+}
+
+void set_search_and_threads(const Words& words, Setting& setting) {
+  setting.sweeps.threads = words.whole("threads", setting.sweeps.threads, 1, SolverSettings::most_threads);
+  if (!words.has("contact-search")) return;
+  const std::string name = words.word("contact-search", "every-substep", contact_search_names());
+  setting.contact_search = name == "every-substep" ? ContactSearch::every_substep
+                           : name == "every-step"  ? ContactSearch::every_step
+                                                   : ContactSearch::when_moved;
+}
+
+List<Flag> setting_flags() {
+  List<Flag> flags = {
+      {"solver", "NAME",
+       "or NAME:SWEEPS, such as si:10; cairn list solvers (the scene's own, as all of these)"},
+      {"sweeps", "N", fmt::format("over all rows, at most; from 0 to {}", Setting::most_sweeps)},
+      {"substeps", "N", "of which a step is made"}};
+  flags = joined_flags(flags, search_and_thread_flags());
+  return joined_flags(
+      flags, {{"frequency", "HZ", "steps a second"},
+              {"dt", "TIME", "the length of a step, such as 1/60 or 2ms, in place of --frequency"},
+              {"scalar", "WHICH", "float, double or long-double"},
+              {"stabilization", "WHICH",
+               "none, baumgarte, relaxed, soft or split-impulse; cairn list stabilizations"},
+              {"guards", "WHICH", "on or off: solves that fail are looked after (on where there are joints)"},
+              {"cold", "", "every step begins without the impulses of the last"}});
 }
 
 Setting with_solver(const Words& words, std::string_view flag, Setting setting, const std::string& text) {
@@ -140,8 +148,7 @@ Setting setting_of(const Words& words, const SceneEntry& scene) {
   }
   setting.sweeps.iterations = words.whole("sweeps", setting.sweeps.iterations, 0, Setting::most_sweeps);
   setting.substeps = words.whole("substeps", setting.substeps, 1, most_substeps);
-  setting.sweeps.threads = words.whole("threads", setting.sweeps.threads, 1, SolverSettings::most_threads);
-  setting.contact_search = contact_search_of(words, setting.contact_search);
+  set_search_and_threads(words, setting);
   setting.dt = step_of(words, setting.dt);
   setting.scalar = scalar_of(words, setting.scalar);
   setting.stabilization.policy = policy_of(words, setting.stabilization.policy);

@@ -18,6 +18,11 @@ SceneEntry scene_of(const Words& words, const std::string& name, List<std::strin
 /// --cold.
 List<Flag> setting_flags();
 
+/// --threads and --contact-search, which studies of whole runs take too.
+List<Flag> search_and_thread_flags();
+/// What the two ask for. @throws UsageError.
+void set_search_and_threads(const Words& words, Setting& setting);
+
 /// The scene's recommended setting, with what the words ask for in its place.
 /// @throws UsageError, std::invalid_argument for a setting that nobody can step by.
 Setting setting_of(const Words& words, const SceneEntry& scene);

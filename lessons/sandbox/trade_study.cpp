@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "frozen/frozen_set.hpp"
+#include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/trade_chart.hpp"
 #include "scenes/scene_list.hpp"
 #include "scenes/solver_list.hpp"
@@ -64,6 +65,7 @@ List<std::string> first_four(List<std::string> solvers) {
 
 /// Level 1: frozen problems.
 TradeStudy solve_trade(const Words& words, const List<std::string>& names) {
+  for (const char* flag : {"contact-search", "threads"}) words.refuse_beside(flag, "for one step (level 1)");
   SolveGrid grid;
   const bool by_time = words.word("work", "updates", {"updates", "time"}) == "time";
   grid.solvers = solvers_of(words, grid.solvers, {});
@@ -98,6 +100,7 @@ TrajectoryGrid trajectory_grid(const Words& words) {
   if (!has_box2d()) {
     grid.solvers.erase(std::remove(grid.solvers.begin(), grid.solvers.end(), "box2d"), grid.solvers.end());
   }
+  set_search_and_threads(words, grid.base);
   grid.solvers =
       solvers_of(words, grid.solvers, has_box2d() ? List<std::string>{"box2d"} : List<std::string>{});
   if (!words.has("quick")) return grid;

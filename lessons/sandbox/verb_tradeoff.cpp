@@ -7,6 +7,7 @@
 #include "frozen/frozen_set.hpp"
 #include "lessons/records.hpp"
 #include "lessons/sandbox/interrupt.hpp"
+#include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/study_words.hpp"
 #include "lessons/sandbox/trade_report.hpp"
 #include "lessons/sandbox/verbs.hpp"
@@ -124,22 +125,25 @@ Verb tradeoff_verb() {
           "as one more contestant; the error is a formula's where one knows the motion, else the worst "
           "overlap. Settings under which a scene falls, or that take more than about half of real time, are "
           "not followed further. It can be stopped and taken up again.",
-      .flags = {{"level", "1|2", "one step, or whole runs (as the scene asks for; --all: both)"},
-                {"all", "", "the whole study: all scenes of the level, or of both; no chart"},
-                {"quick", "", "a coarse grid: a minute instead of many"},
-                {"solvers", "NAME,NAME", "the first four get a curve", true},
-                {"work", "WHAT",
-                 "updates or time (level 1: updates, and of times the steady ones; level 2: time)"},
-                {"error", "WHAT", "level 1: R_E or E_M; level 2: formula, penetration, drift or energy"},
-                {"start", "WHICH", "level 1: cold or warm, in the chart (cold)"},
-                {"scalar", "WHICH", "level 1: double or float, in the chart (double)"},
-                {"labels", "", "writes the settings beside the points that nothing beats"},
-                {"theme", "WHICH", "light or dark (light)"},
-                {"out", "DIR", "for SCENE.csv, .json, .png (or profile.png) and the journal (out/tradeoff)"},
-                {"shard", "k/n", "does the k-th of n parts only"},
-                {"merge", "FILE,FILE", "puts the journals of parts together instead of running", true},
-                {"list", "", "what can be compared"}},
+      .flags = joined_flags(
+          {{"level", "1|2", "one step, or whole runs (as the scene asks for; --all: both)"},
+           {"all", "", "the whole study: all scenes of the level, or of both; no chart"},
+           {"quick", "", "a coarse grid: a minute instead of many"},
+           {"solvers", "NAME,NAME", "the first four get a curve", true},
+           {"work", "WHAT",
+            "updates or time (level 1: updates, and of times the steady ones; level 2: time)"},
+           {"error", "WHAT", "level 1: R_E or E_M; level 2: formula, penetration, drift or energy"},
+           {"start", "WHICH", "level 1: cold or warm, in the chart (cold)"},
+           {"scalar", "WHICH", "level 1: double or float, in the chart (double)"},
+           {"labels", "", "writes the settings beside the points that nothing beats"},
+           {"theme", "WHICH", "light or dark (light)"},
+           {"out", "DIR", "for SCENE.csv, .json, .png (or profile.png) and the journal (out/tradeoff)"},
+           {"shard", "k/n", "does the k-th of n parts only"},
+           {"merge", "FILE,FILE", "puts the journals of parts together instead of running", true},
+           {"list", "", "what can be compared"}},
+          search_and_thread_flags()),
       .examples = {"tradeoff stack10 --quick", "tradeoff pendulum-150 --labels",
+                   "tradeoff pyramid --solvers si,wide,wide-accelerated --contact-search when-moved",
                    "tradeoff --all --level 1 --shard 1/4"},
       .run = run_tradeoff};
 }

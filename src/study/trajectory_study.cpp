@@ -204,9 +204,11 @@ Study trajectory_study(const List<TrajectoryScene>& scenes, const TrajectoryGrid
       for (const int frequency : grid.frequencies) {
         for (const int substeps : grid.substeps) {
           for (const int sweeps : grid.sweeps) {
-            Setting setting{.solver = solver, .dt = 1.0 / frequency, .substeps = substeps};
+            Setting setting = grid.base;
+            setting.solver = solver;
+            setting.dt = 1.0 / frequency;
+            setting.substeps = substeps;
             setting.sweeps.iterations = sweeps;
-            setting.stabilization = grid.stabilization;
             study.tasks.push_back({.name = scene.name + ", " + setting_text(setting),
                                    .run = [scene, setting] { return trajectory_row(scene, setting); }});
           }
@@ -218,6 +220,7 @@ Study trajectory_study(const List<TrajectoryScene>& scenes, const TrajectoryGrid
   for (const std::string& solver : grid.solvers) study.name += " " + solver;
   study.name += fmt::format("; Hz {}; substeps {}; sweeps {}", fmt::join(grid.frequencies, " "),
                             fmt::join(grid.substeps, " "), fmt::join(grid.sweeps, " "));
+  study.name += "; as " + setting_text(grid.base);
   return study;
 }
 

@@ -207,11 +207,12 @@ TEST_CASE("two studies of runs give the same answers, but for their times") {
 TEST_CASE("the name of a study of runs tells every grid and every number of starts from every other") {
   const TrajectoryScene stack = trajectory_scene("stack");
   const std::string usual = trajectory_study({stack}, one_setting("si")).name;
-  List<TrajectoryGrid> others(4, one_setting("si"));
+  List<TrajectoryGrid> others(5, one_setting("si"));
   others[0].solvers = {"block"};
   others[1].frequencies = {120};
   others[2].substeps = {2};
   others[3].sweeps = {16};
+  others[4].base.contact_search = ContactSearch::when_moved;
   for (const TrajectoryGrid& other : others) CHECK(trajectory_study({stack}, other).name != usual);
   TrajectoryScene twice = stack;
   twice.starts = 2;
