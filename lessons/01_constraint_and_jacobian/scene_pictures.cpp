@@ -34,7 +34,7 @@ void draw_circles(Page& page, const render::Camera& camera, const Rod& rod) {
     render::Stroke stroke{.width = page.sizes().axis, .color = page.theme().inactive, .dash = {6, 5}};
     if (c == 0) stroke = {.width = page.sizes().curve, .color = page.theme().joint, .dash = {}};
     page.canvas().polyline(points, stroke);
-    page.avoid(points);
+    if (c == 0) page.avoid(points);
     render::TextStyle style = page.value();
     const std::string name = c == 0 ? "c = 0" : "c = " + render::fixed(c, 0, render::Sign::always) + " m";
     const Point at = camera.project({0, -radius});
@@ -149,6 +149,8 @@ void draw_velocity_arrows(Page& page, const render::Camera& camera, const Rod& r
     const Vec2<double> value = of_anchor ? at_anchor : Vec2<double>(v.head<2>());
     draw_arrow(page, camera, scale,
                {.kind = render::ArrowKind::velocity, .tail = tail, .value = value, .active = of_anchor});
+    const Vec2<double> way = value * scale.pixels_per_unit / camera.scale;  // [m] to the tip
+    page.avoid({camera.project(tail), camera.project(tail + way)});
   }
   const std::string text = fmt::format("{} m/s", significant(at_anchor.norm(), 3));
   write_at_tip(page, camera, rod.settings.anchor + at_anchor * scale.pixels_per_unit / camera.scale,

@@ -17,6 +17,7 @@ constexpr ContactSearch when_moved = ContactSearch::when_moved;
 
 List<Setting> usual_settings_of_cairn() {
   return {{.solver = "si", .sweeps = {.iterations = 10}},
+          {.solver = "block", .sweeps = {.iterations = 10}, .substeps = 4},
           {.solver = "accelerated", .sweeps = {.iterations = 20}},
           {.solver = "newton", .sweeps = {.iterations = 50, .tolerance = 1e-6}},
           {.solver = "newton", .sweeps = {.iterations = 50, .tolerance = 1e-6}, .contact_search = when_moved},
