@@ -25,21 +25,21 @@ JointEnds::JointEnds(BodyId first, BodyId second, const Vec2<double>& anchor_a, 
 
 template <Scalar Real>
 void append_pin_rows(BodyId a, BodyId b, const JointArms<Real>& arms, RowSpecs<Real>& rows) {
-  RowSpec<Real> x;
+  RowSpec<Real>& x = rows.emplace_back();
   x.a = a;
   x.b = b;
   x.error = arms.d.x();
   x.jacobian_a = {-1, 0, arms.r_a.y()};
   x.jacobian_b = {1, 0, -arms.r_b.y()};
   x.part = static_cast<std::uint64_t>(JointPart::x);
-  rows.push_back(x);
 
-  RowSpec<Real> y = x;
+  RowSpec<Real>& y = rows.emplace_back();
+  y.a = a;
+  y.b = b;
   y.error = arms.d.y();
   y.jacobian_a = {0, -1, -arms.r_a.x()};
   y.jacobian_b = {0, 1, arms.r_b.x()};
   y.part = static_cast<std::uint64_t>(JointPart::y);
-  rows.push_back(y);
 }
 
 template <Scalar Real>

@@ -131,19 +131,19 @@ Real left_out_by_jacobian(const RowSpec<Real>& spec, const RowSpec<Real>& ahead,
 }
 
 template <Scalar Real>
-ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilization& stabilization,
-                                   StabilizationPass pass, VelocityProblem<Real>& problem,
-                                   std::uint64_t source, int first_row) {
-  ConstraintRow<Real> row{.a = spec.a,
-                          .b = spec.b,
-                          .jacobian_a = spec.jacobian_a,
-                          .jacobian_b = spec.jacobian_b,
-                          .bias = bias_velocity(spec, stabilization, pass, problem.dt, problem.velocity),
-                          .softness = 0,
-                          .bounds = spec.bounds,
-                          .key = {.source = source, .part = spec.part},
-                          .first_extra = problem.extra_terms.size(),
-                          .extra_count = spec.extra_count};
+void stabilize_row(const RowSpec<Real>& spec, const Stabilization& stabilization, StabilizationPass pass,
+                   VelocityProblem<Real>& problem, std::uint64_t source, int first_row,
+                   ConstraintRow<Real>& row) {
+  row.a = spec.a;
+  row.b = spec.b;
+  row.jacobian_a = spec.jacobian_a;
+  row.jacobian_b = spec.jacobian_b;
+  row.bias = bias_velocity(spec, stabilization, pass, problem.dt, problem.velocity);
+  row.softness = 0;
+  row.bounds = spec.bounds;
+  row.key = {.source = source, .part = spec.part};
+  row.first_extra = problem.extra_terms.size();
+  row.extra_count = spec.extra_count;
   for (int k = 0; k < spec.extra_count; ++k) {
     problem.extra_terms.push_back(spec.extra[k]);
   }
@@ -155,7 +155,7 @@ ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilizatio
   }
   if (pass == StabilizationPass::position && holds_no_position(spec)) {
     row.bounds = Bounds<Real>::at_most(0);
-    return row;
+    return;
   }
   if (const auto spring = spring_of(spec, stabilization, pass, problem.dt, problem.velocity)) {
     // The row is still rigid here: this is j M^-1 j^T alone.
@@ -163,7 +163,6 @@ ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilizatio
         spec.softness ? inverse_effective_mass(problem, row) : carried_inverse_mass(problem, row);
     row.softness = row_softness(*spring, inverse_mass, problem.dt);
   }
-  return row;
 }
 
 template <Scalar Real>
@@ -224,20 +223,19 @@ template float bias_velocity(const RowSpec<float>&, const Stabilization&, Stabil
                              const PerBody<Vec3<float>>&);
 template float left_out_by_jacobian(const RowSpec<float>&, const RowSpec<float>&, float,
                                     const PerBody<Vec3<float>>&);
-template ConstraintRow<float> stabilized_row(const RowSpec<float>&, const Stabilization&, StabilizationPass,
-                                             VelocityProblem<float>&, std::uint64_t, int);
+template void stabilize_row(const RowSpec<float>&, const Stabilization&, StabilizationPass,
+                            VelocityProblem<float>&, std::uint64_t, int, ConstraintRow<float>&);
 template double bias_velocity(const RowSpec<double>&, const Stabilization&, StabilizationPass, double,
                               const PerBody<Vec3<double>>&);
 template double left_out_by_jacobian(const RowSpec<double>&, const RowSpec<double>&, double,
                                      const PerBody<Vec3<double>>&);
-template ConstraintRow<double> stabilized_row(const RowSpec<double>&, const Stabilization&, StabilizationPass,
-                                              VelocityProblem<double>&, std::uint64_t, int);
+template void stabilize_row(const RowSpec<double>&, const Stabilization&, StabilizationPass,
+                            VelocityProblem<double>&, std::uint64_t, int, ConstraintRow<double>&);
 template long double bias_velocity(const RowSpec<long double>&, const Stabilization&, StabilizationPass,
                                    long double, const PerBody<Vec3<long double>>&);
 template long double left_out_by_jacobian(const RowSpec<long double>&, const RowSpec<long double>&,
                                           long double, const PerBody<Vec3<long double>>&);
-template ConstraintRow<long double> stabilized_row(const RowSpec<long double>&, const Stabilization&,
-                                                   StabilizationPass, VelocityProblem<long double>&,
-                                                   std::uint64_t, int);
+template void stabilize_row(const RowSpec<long double>&, const Stabilization&, StabilizationPass,
+                            VelocityProblem<long double>&, std::uint64_t, int, ConstraintRow<long double>&);
 
 }  // namespace cairn

@@ -76,14 +76,15 @@ template <Scalar Real>
 Real left_out_by_jacobian(const RowSpec<Real>& spec, const RowSpec<Real>& ahead, Real dt,
                           const PerBody<Vec3<Real>>& velocity);
 
-/// The row of `spec` in a step of `problem`, whose dt, inverse masses and velocities are those of the step
-/// without constraints: with the bias above, the softness of its spring, and a motor's force as an impulse.
-/// The block of the row begins at row `first_row`. Terms of further bodies go to the problem's extra terms.
-/// In the position pass friction, motors and springs do nothing.
+/// Writes the row of `spec` in a step of `problem`, whose dt, inverse masses and velocities are those of the
+/// step without constraints: with the bias above, the softness of its spring, and a motor's force as an
+/// impulse. The block of the row begins at row `first_row`. Terms of further bodies go to the problem's extra
+/// terms. In the position pass friction, motors and springs do nothing. `row` may be an old one: every member
+/// is set.
 template <Scalar Real>
-ConstraintRow<Real> stabilized_row(const RowSpec<Real>& spec, const Stabilization& stabilization,
-                                   StabilizationPass pass, VelocityProblem<Real>& problem,
-                                   std::uint64_t source, int first_row);
+void stabilize_row(const RowSpec<Real>& spec, const Stabilization& stabilization, StabilizationPass pass,
+                   VelocityProblem<Real>& problem, std::uint64_t source, int first_row,
+                   ConstraintRow<Real>& row);
 
 /// The normal row of a contact point, as far as stabilization needs to know it.
 template <Scalar Real>

@@ -69,7 +69,7 @@ BodyId island_of(const VelocityProblem<Real>& problem, const ConstraintRow<Real>
 template <Scalar Real, typename Lack, typename Own>
 Real find_shares(const VelocityProblem<Real>& problem, EnergyMemory<Real>& memory, const Lack& lack,
                  const Own& own) {
-  find_islands(problem, memory.island);
+  if (memory.island.empty()) find_islands(problem, memory.island);
   memory.energy.assign(problem.velocity.size(), {});
   for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<Real>& row = problem.rows[i];
@@ -103,6 +103,7 @@ void scale_impulses(VelocityProblem<Real>& problem, const EnergyMemory<Real>& me
 
 template <Scalar Real>
 Real limit_warm_start(VelocityProblem<Real>& problem, EnergyMemory<Real>& memory) {
+  memory.island.clear();
   if (!have_energy(problem.impulse)) return 1;
   velocities_of_impulses(problem, memory.solved);
   const auto own = [&](int i, const ConstraintRow<Real>& row) {

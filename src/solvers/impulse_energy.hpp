@@ -41,7 +41,7 @@ template <Scalar Real>
 Real limit_warm_start(VelocityProblem<Real>& problem, EnergyMemory<Real>& memory);
 
 /// The same after a solve, for its impulses and the velocities that they led to, by all that the rows ask
-/// for.
+/// for. With the memory of the warm start, if there was one: rows hold the same bodies still.
 template <Scalar Real>
 Real limit_solved(VelocityProblem<Real>& problem, EnergyMemory<Real>& memory);
 

@@ -65,7 +65,7 @@ void World<Real>::solve_rows(Solver<Real>& solver, SolveObserver<Real>* observer
   write_rows(StabilizationPass::velocity, record_.problem);
   warm_start();  // with last step's impulses
   if (plan_->guarded) guard_warm_start(report);
-  if (plan_->relaxes) write_relaxing_rows();
+  if (plan_->relaxes) velocity_before_ = record_.problem.velocity;
   report.solve = solver.solve(record_.problem, observer);
   report.sweeps += report.solve.iterations;
   if (plan_->guarded) guard_solve(report);
@@ -78,10 +78,10 @@ void World<Real>::solve_rows(Solver<Real>& solver, SolveObserver<Real>* observer
 /// does not stay in the velocities.
 template <Scalar Real>
 void World<Real>::relax(Solver<Real>& solver, StepReport& report) {
+  record_.problem.velocity = velocity_before_;
+  relax_rows();
   if (plan_->follows_arcs) leave_lost_arcs();
-  second_problem_.impulse = record_.problem.impulse;
-  report.sweeps += solver.solve(second_problem_).iterations;
-  std::swap(record_.problem, second_problem_);
+  report.sweeps += solver.solve(record_.problem).iterations;
   if (plan_->guarded) guard_solve(report);
 }
 

@@ -157,6 +157,11 @@ class World {
  private:
   using Collider = cairn::Collider<Real>;
   using JointImpulses = BlockImpulses<List<RowImpulse<Real>>, Real>;
+  /// What a row of a joint is in the second solve of the policies relaxed and soft.
+  struct RelaxedRow {
+    Real bias = 0;
+    Real softness = 0;
+  };
 
   /// The length of a substep [s].
   Real substep_length() const { return static_cast<Real>(dt_ / scene_->settings().substeps); }
@@ -178,7 +183,7 @@ class World {
   bool has_lasting_manifold(const ContactSlot<Real>& slot, Real reach) const;
   void apply_forces();
   void write_rows(StabilizationPass pass, VelocityProblem<Real>& problem);
-  void write_relaxing_rows();
+  void relax_rows();
   void write_joint_rows(StabilizationPass pass, VelocityProblem<Real>& problem, int& next);
   void look_along_arcs();
   void follow_arcs(const Constraint& joint);
@@ -234,7 +239,7 @@ class World {
   mutable bool has_rows_ = true;           // the record has all rows
   bool follows_ = false;                   // the last substep had the contacts of the one before
   PerBody<Pose<Real>> pose_before_;        // the substep, and
-  PerBody<Vec3<Real>> velocity_before_;    // v_1 of its solve, where that needed no rows
+  PerBody<Vec3<Real>> velocity_before_;    // v_1 of its solve, where that is done twice or needed no rows
   std::optional<SleepState<Real>> sleep_;  // where the scene lets bodies sleep
   double dt_ = 0;                          // [s]
   double time_ = 0;
@@ -254,7 +259,8 @@ class World {
   List<Contact<Real>> contacts_;          // of the last substep, where it needed no rows
   bool may_follow_ = false;               // the solver with its contacts, in the next substep
   bool owes_impulses_ = false;            // the solver, of the last substep
-  VelocityProblem<Real> second_problem_;  // of the policies that solve twice
+  List<RelaxedRow> relaxed_rows_;         // of joints
+  VelocityProblem<Real> second_problem_;  // of positions
   PerBody<Vec3<Real>> moving_velocity_;   // what the position moves by in this substep
   EnergyMemory<Real> energy_;             // of guards
   int joints_apart_ = 0;                  // when rows were last written

@@ -195,10 +195,7 @@ void World<Real>::write_record() const {
   VelocityProblem<Real>& problem = twin.record_.problem;
   problem.velocity = velocity_before_;
   twin.write_rows(StabilizationPass::velocity, problem);
-  if (plan_->relaxes) {
-    twin.write_relaxing_rows();
-    std::swap(problem, twin.second_problem_);
-  }
+  if (plan_->relaxes) twin.relax_rows();
   problem.velocity = record_.problem.velocity;
   problem.impulse.clear();
   for (const Contact<Real>& contact : contacts_) {

@@ -56,23 +56,18 @@ void World<Real>::write_rows(StabilizationPass pass, VelocityProblem<Real>& prob
   problem.rows.resize(next);
 }
 
-/// The rows of record_.problem for the relaxing solve: contacts are those of the velocities, without their
-/// springs and what these ask for.
+/// For the second solve: without springs and what these ask for, and without what takes errors of joints
+/// back.
 template <Scalar Real>
-void World<Real>::write_relaxing_rows() {
-  const VelocityProblem<Real>& problem = record_.problem;
-  second_problem_.velocity = problem.velocity;
-  second_problem_.inverse_mass = problem.inverse_mass;
-  second_problem_.dt = problem.dt;
-  second_problem_.blocks.clear();
-  second_problem_.extra_terms.clear();
-  int next = 0;
-  write_joint_rows(StabilizationPass::relax, second_problem_, next);
-  second_problem_.blocks = problem.blocks;
-  second_problem_.rows.resize(problem.rows.size());
-  for (int i = next; i < problem.row_count(); ++i) {
-    ConstraintRow<Real>& row = second_problem_.rows[i];
-    row = problem.rows[i];
+void World<Real>::relax_rows() {
+  VelocityProblem<Real>& problem = record_.problem;
+  const int of_joints = relaxed_rows_.size();
+  for (int i = 0; i < of_joints; ++i) {
+    problem.rows[i].bias = relaxed_rows_[i].bias;
+    problem.rows[i].softness = relaxed_rows_[i].softness;
+  }
+  for (int i = of_joints; i < problem.row_count(); ++i) {
+    ConstraintRow<Real>& row = problem.rows[i];
     if (row.softness > 0) row.bias = row.softness = 0;
   }
 }
@@ -154,10 +149,11 @@ void World<Real>::follow_arcs(const Constraint& joint) {
     for (const RowSpec<Real>& ahead : specs_ahead_) {
       if (ahead.part != spec.part) continue;
       const Real left_out = left_out_by_jacobian(spec, ahead, dt, state_.velocity);
-      const Real speed = std::max(state_.velocity[spec.a].template head<2>().norm(),
-                                  state_.velocity[spec.b].template head<2>().norm());
-      const Real most = std::min({failed_error_[spec.a], failed_error_[spec.b], dt * speed / 4});
-      if (std::abs(left_out) <= most) spec.speed -= left_out / dt;
+      const Real speed_squared = std::max(state_.velocity[spec.a].template head<2>().squaredNorm(),
+                                          state_.velocity[spec.b].template head<2>().squaredNorm());
+      const bool is_short = 16 * left_out * left_out <= dt * dt * speed_squared;
+      const Real most = std::min(failed_error_[spec.a], failed_error_[spec.b]);
+      if (is_short && std::abs(left_out) <= most) spec.speed -= left_out / dt;
     }
   }
 }
@@ -174,10 +170,11 @@ void World<Real>::leave_lost_arcs() {
     return is_other(now.template head<2>(), before.template head<2>()) ||
            is_other(now.template tail<1>(), before.template tail<1>());
   };
+  VelocityProblem<Real>& problem = record_.problem;
   for (int i = 0; i < scene_->joints().size(); ++i) {
-    const RowBlock& block = second_problem_.blocks[i];
+    const RowBlock& block = problem.blocks[i];
     for (int k = block.first; k < block.first + block.count; ++k) {
-      ConstraintRow<Real>& row = second_problem_.rows[k];
+      ConstraintRow<Real>& row = problem.rows[k];
       if (!row.bounds.is_equality() || row.softness > 0) continue;
       if (turns_off(row.a) || turns_off(row.b)) row.bias = 0;
     }
@@ -188,8 +185,10 @@ template <Scalar Real>
 void World<Real>::write_joint_rows(StabilizationPass pass, VelocityProblem<Real>& problem, int& next) {
   Stabilization stabilization = scene_->settings().stabilization;
   const int joints = scene_->joints().size();
+  const bool relaxes = plan_->relaxes && pass == StabilizationPass::velocity;
   if (plan_->follows_arcs) look_along_arcs();
   if (pass == StabilizationPass::velocity) joints_apart_ = 0;
+  relaxed_rows_.clear();
   for (int i = 0; i < tie_count(); ++i) {
     specs_.clear();
     const Constraint& tie = i < joints ? *scene_->joints()[i] : *hand_;
@@ -204,7 +203,12 @@ void World<Real>::write_joint_rows(StabilizationPass pass, VelocityProblem<Real>
     for (const RowSpec<Real>& spec : specs_) {
       if (moves_nothing(spec, problem.inverse_mass)) continue;
       if (next == problem.row_count()) problem.rows.emplace_back();
-      problem.rows[next++] = stabilized_row(spec, stabilization, pass, problem, source, first);
+      ConstraintRow<Real>& row = problem.rows[next++];
+      stabilize_row(spec, stabilization, pass, problem, source, first, row);
+      if (!relaxes) continue;
+      const Real bias =
+          bias_velocity(spec, stabilization, StabilizationPass::relax, problem.dt, problem.velocity);
+      relaxed_rows_.push_back({bias, spec.softness ? row.softness : Real(0)});
     }
     problem.blocks.push_back({first, next - first});
   }

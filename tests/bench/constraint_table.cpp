@@ -138,7 +138,7 @@ void write_problem(const ConstraintKind& kind, RowSpecs<double>& specs, Velocity
   problem.extra_terms.clear();
   kind.write(specs);
   for (const RowSpec<double>& spec : specs) {
-    problem.rows.push_back(stabilized_row(spec, {}, StabilizationPass::velocity, problem, 0, 0));
+    stabilize_row(spec, {}, StabilizationPass::velocity, problem, 0, 0, problem.rows.emplace_back());
   }
 }
 

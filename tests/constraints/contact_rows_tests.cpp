@@ -84,7 +84,7 @@ TEST_CASE_TEMPLATE("contact rows written at once have the bits of those that are
                             touching.velocity_before, specs);
         List<ConstraintRow<Real>> expected;
         for (const RowSpec<Real>& spec : specs) {
-          expected.push_back(stabilized_row(spec, stabilization, pass, problem, 77, before));
+          stabilize_row(spec, stabilization, pass, problem, 77, before, expected.emplace_back());
         }
         problem.rows.resize(random.below(10) + before);  // longer or shorter than what will be written
         int next = before;

@@ -74,8 +74,8 @@ TEST_CASE("a stabilized row is its spec with a bias, a key, and its normal row f
   problem.dt = half_second;
   problem.velocity = moving_at(0);
   problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 1)};
-  const ConstraintRow<double> row =
-      stabilized_row(spec, quarter_and_eighth, StabilizationPass::velocity, problem, 17, 10);
+  ConstraintRow<double> row;
+  stabilize_row(spec, quarter_and_eighth, StabilizationPass::velocity, problem, 17, 10, row);
   CHECK(row.bounds.normal_row == 12);
   CHECK(row.bounds.friction == 0.5);
   CHECK(row.key == RowKey{17, spec.part});
