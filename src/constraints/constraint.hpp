@@ -15,6 +15,9 @@ namespace cairn {
 /// One scalar condition as a constraint states it, before anybody decided how fast errors go.
 template <Scalar Real>
 struct RowSpec {
+  /// With a body: without one, every new row would be cleared as a whole before its members are set.
+  RowSpec() {}
+
   BodyId a = {};                               // the first body
   BodyId b = {};                               // the second body
   Real error = 0;                              // C (3) [m or rad]; for an inequality: the room left

@@ -63,19 +63,19 @@ BodyId island_of(const VelocityProblem<Real>& problem, const ConstraintRow<Real>
   return found;
 }
 
-/// The shares of all islands, of which it returns the least. lack(i, row) is what row i lacks of what it asks
-/// for, own(i, row) its row of (A + gamma) p. Written so that a NaN leaves things as they are: the step will
-/// report it.
-template <Scalar Real, typename Lack, typename Own>
-Real find_shares(const VelocityProblem<Real>& problem, EnergyMemory<Real>& memory, const Lack& lack,
-                 const Own& own) {
+/// The shares of all islands, of which it returns the least, from M^-1 J^T p. lack(i, row, of_impulses) is
+/// what row i lacks of what it asks for; of_impulses is its row of (A + gamma) p. Written so that a NaN
+/// leaves things as they are: the step will report it.
+template <Scalar Real, typename Lack>
+Real find_shares(const VelocityProblem<Real>& problem, EnergyMemory<Real>& memory, const Lack& lack) {
   if (memory.island.empty()) find_islands(problem, memory.island);
   memory.energy.assign(problem.velocity.size(), {});
   for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<Real>& row = problem.rows[i];
     EnergySlope<Real>& energy = memory.energy[island_of(problem, row, memory.island)];
-    energy.slope += problem.impulse[i] * lack(i, row);
-    energy.curvature += problem.impulse[i] * own(i, row);
+    const Real of_impulses = row_velocity(problem, row, memory.solved) + row.softness * problem.impulse[i];
+    energy.slope += problem.impulse[i] * lack(i, row, of_impulses);
+    energy.curvature += problem.impulse[i] * of_impulses;
   }
   Real least = 1;
   for (EnergySlope<Real>& energy : memory.energy) {
@@ -106,15 +106,12 @@ Real limit_warm_start(VelocityProblem<Real>& problem, EnergyMemory<Real>& memory
   memory.island.clear();
   if (!have_energy(problem.impulse)) return 1;
   velocities_of_impulses(problem, memory.solved);
-  const auto own = [&](int i, const ConstraintRow<Real>& row) {
-    return row_velocity(problem, row, memory.solved) + row.softness * problem.impulse[i];
-  };
-  const auto lack = [&](int i, const ConstraintRow<Real>& row) {
+  const auto lack = [&](int, const ConstraintRow<Real>& row, Real of_impulses) {
     const bool may_push_out = row.bounds.is_unilateral() && row.softness == 0;  // a spring gives in as well
     const Real bias = may_push_out ? std::min(row.bias, Real(0)) : row.bias;
-    return row_velocity(problem, row) + own(i, row) - bias;
+    return row_velocity(problem, row) + of_impulses - bias;
   };
-  const Real share = find_shares(problem, memory, lack, own);
+  const Real share = find_shares(problem, memory, lack);
   if (share < 1) scale_impulses(problem, memory);
   return share;
 }
@@ -123,13 +120,10 @@ template <Scalar Real>
 Real limit_solved(VelocityProblem<Real>& problem, EnergyMemory<Real>& memory) {
   if (!have_energy(problem.impulse)) return 1;
   velocities_of_impulses(problem, memory.solved);
-  const auto own = [&](int i, const ConstraintRow<Real>& row) {
-    return row_velocity(problem, row, memory.solved) + row.softness * problem.impulse[i];
-  };
-  const auto lack = [&](int i, const ConstraintRow<Real>& row) {
+  const auto lack = [&](int i, const ConstraintRow<Real>& row, Real) {
     return row_velocity(problem, row) + row.softness * problem.impulse[i] - row.bias;
   };
-  const Real share = find_shares(problem, memory, lack, own);
+  const Real share = find_shares(problem, memory, lack);
   if (!(share < 1)) return share;
   scale_impulses(problem, memory);
   for (const BodyId body : memory.solved.indices()) {

@@ -103,6 +103,9 @@ class Solver {
   virtual std::string name() const = 0;
   /// Changes problem.velocity and problem.impulse, from the impulses that it finds there.
   virtual SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) = 0;
+  /// Solves once more what it solved last, where since then nothing but biases, softness, velocities and
+  /// impulses has changed.
+  virtual SolveReport solve_again(VelocityProblem<Real>& problem) { return solve(problem); }
   /// This solver, where it can take contacts without rows; null where it cannot, as most.
   virtual ContactSolver<Real>* for_contacts() { return nullptr; }
   /// Bytes that the last solve kept beside the problem: the numbers stored, not what the allocator has set

@@ -165,18 +165,19 @@ void World<Real>::leave_lost_arcs() {
   const auto is_other = [](const auto& now, const auto& before) {
     return (now - before).squaredNorm() > std::max(now.squaredNorm(), before.squaredNorm()) / 4;
   };
-  const auto turns_off = [&](BodyId body) {
+  is_lost_.resize(state_.velocity.size());
+  for (const BodyId body : is_lost_.indices()) {
     const Vec3<Real>&now = moving_velocity_[body], &before = state_.velocity[body];
-    return is_other(now.template head<2>(), before.template head<2>()) ||
-           is_other(now.template tail<1>(), before.template tail<1>());
-  };
+    is_lost_[body] = is_other(now.template head<2>(), before.template head<2>()) ||
+                     is_other(now.template tail<1>(), before.template tail<1>());
+  }
   VelocityProblem<Real>& problem = record_.problem;
   for (int i = 0; i < scene_->joints().size(); ++i) {
     const RowBlock& block = problem.blocks[i];
     for (int k = block.first; k < block.first + block.count; ++k) {
       ConstraintRow<Real>& row = problem.rows[k];
       if (!row.bounds.is_equality() || row.softness > 0) continue;
-      if (turns_off(row.a) || turns_off(row.b)) row.bias = 0;
+      if (is_lost_[row.a] || is_lost_[row.b]) row.bias = 0;
     }
   }
 }

@@ -84,11 +84,20 @@ void BlockFactors<Real>::solve(Vector<Real>& x) const {
     for (int pair = elimination_.first(place); pair < elimination_.first(place + 1); ++pair)
       part(elimination_.later(pair)).noalias() -= lower_[pair] * known;
   }
+  // Back through memory as well. L^T of a symmetric matrix has been read just now.
   for (int place = count; place-- > 0;) {
     Vec3<Real> rest = part(place);
-    for (int pair = elimination_.first(place); pair < elimination_.first(place + 1); ++pair)
-      rest.noalias() -= upper_[pair] * part(elimination_.later(pair));
-    part(place).noalias() = diagonal_[place] * rest;
+    if (is_symmetric_) rest = (diagonal_[place] * rest).eval();
+    for (int pair = elimination_.first(place + 1); pair-- > elimination_.first(place);) {
+      const Vec3<Real> later = part(elimination_.later(pair));
+      if (is_symmetric_) {
+        rest.noalias() -= lower_[pair].transpose() * later;
+      } else {
+        rest.noalias() -= upper_[pair] * later;
+      }
+    }
+    if (!is_symmetric_) rest = (diagonal_[place] * rest).eval();
+    part(place) = rest;
   }
 }
 

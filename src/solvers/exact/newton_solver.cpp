@@ -49,18 +49,39 @@ NewtonSolver<Real>::NewtonSolver(const SolverSettings& settings) : settings_(set
 template <Scalar Real>
 SolveReport NewtonSolver<Real>::solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer) {
   if (observer != nullptr) observer->before_solve(problem);
-  if constexpr (std::is_same_v<Real, Work>) {
-    answer(problem);
-  } else {
-    answer(converted<Work>(problem));
-  }
-  SolveReport report{.iterations = systems_, .extra_sweeps = sweeps_};
-  for (int i = 0; i < problem.row_count(); ++i) problem.impulse[i] = static_cast<Real>(best_[i]);
-  apply_impulses(problem);
-  report.converged = least_residual_ <= enough();
-  if (report.converged) report.stop = Stop::tolerance;
+  const SolveReport report = solve_unobserved(problem, false);
   if (observer != nullptr) observer->after_sweep(systems_, problem);
   return report;
+}
+
+template <Scalar Real>
+SolveReport NewtonSolver<Real>::solve_again(VelocityProblem<Real>& problem) {
+  return solve_unobserved(problem, true);
+}
+
+template <Scalar Real>
+SolveReport NewtonSolver<Real>::solve_unobserved(VelocityProblem<Real>& problem, bool again) {
+  if constexpr (std::is_same_v<Real, Work>) {
+    answer(problem, again);
+  } else {
+    answer(converted<Work>(problem), again);
+  }
+  give_answer(problem);
+  SolveReport report{.iterations = systems_, .extra_sweeps = sweeps_};
+  report.converged = least_residual_ <= enough();
+  if (report.converged) report.stop = Stop::tolerance;
+  return report;
+}
+
+template <Scalar Real>
+void NewtonSolver<Real>::give_answer(VelocityProblem<Real>& problem) {
+  for (int i = 0; i < problem.row_count(); ++i) problem.impulse[i] = static_cast<Real>(best_[i]);
+  if (!std::isfinite(least_residual_)) return apply_impulses(problem);
+  if (residual_ != least_residual_) rows_.center_at(best_);
+  for (const BodyId body : problem.velocity.indices()) {
+    const Vec3<Work> before = problem.velocity[body].template cast<Work>();
+    problem.velocity[body] = rows_.center_velocity(body, before).template cast<Real>();
+  }
 }
 
 template <Scalar Real>
@@ -78,15 +99,23 @@ typename NewtonSolver<Real>::Work NewtonSolver<Real>::goal() const {
 }
 
 template <Scalar Real>
-void NewtonSolver<Real>::answer(const VelocityProblem<Work>& problem) {
-  rows_.begin(problem);
-  factors_.begin();
+void NewtonSolver<Real>::answer(const VelocityProblem<Work>& problem, bool again) {
+  const bool keeps_rows = again && rows_.begin_again(problem);
+  const bool keeps_center = keeps_rows && problem.impulse == best_;
+  if (!keeps_rows) {
+    rows_.begin(problem);
+    factors_.begin();
+  }
   interior_.clear();
   inside_.clear();
   systems_ = 0;
   sweeps_ = sweeps_of_a_look;
   best_ = problem.impulse;
-  rows_.center_at(best_);
+  if (keeps_center) {
+    rows_.keep_center();
+  } else {
+    rows_.center_at(best_);
+  }
   residual_ = least_residual_ = std::numeric_limits<Work>::infinity();
   note_center();
   // Nothing can be said of what is no number.
@@ -154,7 +183,7 @@ template <Scalar Real>
 bool NewtonSolver<Real>::solve_softened() {
   const Work small = std::max(Work(1e-2) * residual_, Work(1e-1) * goal()) * rows_.scale();
   du_ = Vector<Work>::Zero(rows_.freedoms());
-  Work error = rows_.evaluate(du_).norm();
+  Work error = rows_.evaluate_at_center().norm();
   for (int step = 0; step < steps_of_one_problem && error > small; ++step) {
     if (take_kept_step(error)) continue;
     if (systems_ >= settings_.iterations || !take_new_step(error)) return false;

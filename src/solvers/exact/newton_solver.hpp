@@ -52,13 +52,16 @@ class NewtonSolver final : public Solver<Real> {
   std::string name() const override { return "Newton"; }
   /// @throws std::length_error for more pairs of bodies than BlockFactors holds: before anything is changed.
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
+  SolveReport solve_again(VelocityProblem<Real>& problem) override;
   std::size_t memory() const override;
 
  private:
   /// What it computes in.
   using Work = std::conditional_t<std::is_same_v<Real, long double>, long double, double>;
 
-  void answer(const VelocityProblem<Work>& problem);
+  void answer(const VelocityProblem<Work>& problem, bool again);
+  SolveReport solve_unobserved(VelocityProblem<Real>& problem, bool again);
+  void give_answer(VelocityProblem<Real>& problem);
   void approach(const VelocityProblem<Work>& problem);
   void sweep(const VelocityProblem<Work>& problem, int sweeps);
   Work enough() const;

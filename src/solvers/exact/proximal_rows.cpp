@@ -10,36 +10,54 @@ template <Scalar Real>
 void ProximalRows<Real>::begin(const VelocityProblem<Real>& problem) {
   freedoms_ = 3 * problem.body_count();
   epsilon_ = 1;
+  has_friction_ = false;
   root_.clear();
   for (const Vec3<Real>& mass : problem.inverse_mass) root_.push_back(mass.cwiseSqrt());
   terms_.clear();
   rows_.clear();
   for (const ConstraintRow<Real>& row : problem.rows) append(problem, row);
-  const int m = rows_.size();
-  x_ = wish_ = center_ = center_w_ = Vector<Real>::Zero(m);
-  value_ = center_u_ = Vector<Real>::Zero(freedoms_);
+  for (Vector<Real>* one : {&x_, &wish_, &center_, &center_w_}) one->resize(rows_.size());
+  for (Vector<Real>* one : {&value_, &response_, &center_u_}) one->resize(freedoms_);
   measure_scale(problem);
 }
 
 template <Scalar Real>
-void ProximalRows<Real>::append(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
-  const Real inverse = inverse_effective_mass(problem, row);
-  const Real unit = inverse > 0 ? 1 / std::sqrt(inverse) : Real(0);
-  Row scaled{.first = terms_.size(),
-             .softness = unit * unit * row.softness,
-             .constant = unit * (row_velocity(problem, row) - row.bias),
-             .unit = unit,
-             .bounds = row.bounds};
-  if (!row.bounds.is_friction() && unit > 0) {
-    scaled.bounds.lower /= unit;
-    scaled.bounds.upper /= unit;
+bool ProximalRows<Real>::begin_again(const VelocityProblem<Real>& problem) {
+  if (rows_.size() != problem.row_count() || root_.size() != problem.body_count()) return false;
+  epsilon_ = 1;
+  for (int i = 0; i < rows_.size(); ++i) {
+    Row& row = rows_[i];
+    if (row.unit * row.unit * problem.rows[i].softness != row.softness) return false;
+    row.constant = row.unit * (row_velocity(problem, problem.rows[i]) - problem.rows[i].bias);
   }
+  measure_scale(problem);
+  return true;
+}
+
+template <Scalar Real>
+void ProximalRows<Real>::append(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
+  const int first = terms_.size();
+  Real inverse = row.softness, jv = 0;  // A_ii, and j v
   for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-    const Vec3<Real> value = (unit * root_[body]).cwiseProduct(jacobian);
-    if (!value.isZero(0)) terms_.push_back({body.index, value});
+    const Vec3<Real> value = root_[body].cwiseProduct(jacobian);
+    jv += jacobian.dot(problem.velocity[body]);
+    if (value.isZero(0)) return;
+    inverse += value.squaredNorm();
+    terms_.push_back({body.index, value});
   });
-  scaled.count = terms_.size() - scaled.first;
-  rows_.push_back(scaled);
+  const Real unit = inverse > 0 ? 1 / std::sqrt(inverse) : Real(0);
+  for (int k = first; k < terms_.size(); ++k) terms_[k].value *= unit;
+  Row& scaled = rows_.emplace_back();
+  scaled.first = first;
+  scaled.count = terms_.size() - first;
+  scaled.softness = unit * unit * row.softness;
+  scaled.constant = unit * (jv - row.bias);
+  scaled.unit = unit;
+  scaled.bounds = row.bounds;
+  has_friction_ = has_friction_ || row.bounds.is_friction();
+  if (row.bounds.is_equality() || row.bounds.is_friction() || !(unit > 0)) return;
+  scaled.bounds.lower /= unit;
+  scaled.bounds.upper /= unit;
 }
 
 /// As exact_scale, from the rows as they are here.
@@ -63,27 +81,8 @@ void ProximalRows<Real>::measure_scale(const VelocityProblem<Real>& problem) {
 }
 
 template <Scalar Real>
-Real ProximalRows<Real>::product(const Row& row, const Vector<Real>& u) const {
-  Real sum = 0;
-  for (const Term& term : terms_of(row)) {
-    for (int axis = 0; axis < 3; ++axis) sum += term.value(axis) * u(3 * term.body + axis);
-  }
-  return sum;
-}
-
-template <Scalar Real>
-void ProximalRows<Real>::add_to(Vector<Real>& u, const Row& row, Real change) const {
-  for (const Term& term : terms_of(row)) {
-    for (int axis = 0; axis < 3; ++axis) u(3 * term.body + axis) += term.value(axis) * change;
-  }
-}
-
-template <Scalar Real>
-Real ProximalRows<Real>::clamp(int i, Real wish, const Vector<Real>& x) const {
-  const Row& row = rows_[i];
-  if (row.unit == 0) return 0;
+Real ProximalRows<Real>::clamp_friction(const Row& row, Real wish, const Vector<Real>& x) const {
   const Bounds<Real>& bounds = row.bounds;
-  if (!bounds.is_friction()) return std::max(std::min(wish, bounds.upper), bounds.lower);
   const auto impulse_of = [&](int other) {
     return other == Bounds<Real>::none ? Real(0) : rows_[other].unit * x(other);
   };
@@ -97,23 +96,25 @@ Real ProximalRows<Real>::clamp(int i, Real wish, const Vector<Real>& x) const {
 
 template <Scalar Real>
 void ProximalRows<Real>::center_at(const PerRow<Real>& impulse) {
-  center_on([&](int i) { return impulse[i]; });
+  center_u_.setZero();
+  for_each_row([&](int i) {
+    const Row& row = rows_[i];
+    center_(i) = clamp(i, row.unit > 0 ? impulse[i] / row.unit : Real(0), center_);
+    add_to(center_u_, row, center_(i));
+  });
+  look_around();
 }
 
 template <Scalar Real>
 void ProximalRows<Real>::center_at_last() {
-  center_on([&](int i) { return rows_[i].unit * x_(i); });
+  center_ = x_;
+  center_u_ += response_;
+  look_around();
 }
 
+/// w' and the error at x'.
 template <Scalar Real>
-template <typename ImpulseOf>
-void ProximalRows<Real>::center_on(const ImpulseOf& impulse_of) {
-  center_u_.setZero();
-  for_each_row([&](int i) {
-    const Row& row = rows_[i];
-    center_(i) = clamp(i, row.unit > 0 ? impulse_of(i) / row.unit : Real(0), center_);
-    add_to(center_u_, row, center_(i));
-  });
+void ProximalRows<Real>::look_around() {
   Real sum = 0;
   for (int i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
@@ -126,15 +127,30 @@ void ProximalRows<Real>::center_on(const ImpulseOf& impulse_of) {
 
 template <Scalar Real>
 const Vector<Real>& ProximalRows<Real>::evaluate(const Vector<Real>& du) {
-  value_ = du;
+  respond([&](const Row& row) { return product(row, du); });
+  value_ = du - response_;
+  return value_;
+}
+
+template <Scalar Real>
+const Vector<Real>& ProximalRows<Real>::evaluate_at_center() {
+  respond([](const Row&) { return Real(0); });
+  value_ = -response_;
+  return value_;
+}
+
+/// x(du), and the velocities that come with it. product_of(row) is G du.
+template <Scalar Real>
+template <typename ProductOf>
+void ProximalRows<Real>::respond(const ProductOf& product_of) {
+  response_.setZero();
   for_each_row([&](int i) {
     const Row& row = rows_[i];
-    wish_(i) = center_(i) - (center_w_(i) + product(row, du)) / (epsilon_ + row.softness);
+    wish_(i) = center_(i) - (center_w_(i) + product_of(row)) / (epsilon_ + row.softness);
     x_(i) = clamp(i, wish_(i), x_);
     const Real change = x_(i) - center_(i);
-    if (change != 0) add_to(value_, row, -change);
+    if (change != 0) add_to(response_, row, change);
   });
-  return value_;
 }
 
 template <Scalar Real>
@@ -167,8 +183,8 @@ void ProximalRows<Real>::copy_impulses(const Vector<Real>& x, PerRow<Real>& impu
 
 template <Scalar Real>
 std::size_t ProximalRows<Real>::memory() const {
-  const Eigen::Index numbers =
-      center_.size() + center_u_.size() + center_w_.size() + x_.size() + wish_.size() + value_.size();
+  const Eigen::Index numbers = center_.size() + center_u_.size() + center_w_.size() + x_.size() +
+                               wish_.size() + response_.size() + value_.size();
   return terms_.bytes() + rows_.bytes() + root_.bytes() + static_cast<std::size_t>(numbers) * sizeof(Real);
 }
 

@@ -41,15 +41,23 @@ class ProximalRows {
 
   /// Keeps what it needs of the problem, in memory that is used again; its impulses are not looked at.
   void begin(const VelocityProblem<Real>& problem);
+  /// The same where biases and velocities alone have changed; false: softness has, and begin() is needed.
+  bool begin_again(const VelocityProblem<Real>& problem);
   /// exact_scale of the problem.
   Real scale() const { return scale_; }
 
   /// Takes x' from impulses [N s], brought inside their bounds.
   void center_at(const PerRow<Real>& impulse);
-  /// Takes x' from the last evaluation.
+  /// Takes x' from the last evaluation, and the velocities that come with it.
   void center_at_last();
+  /// Keeps x' where begin_again() has changed the rows.
+  void keep_center() { look_around(); }
   /// x' [N s].
   void copy_center_to(PerRow<Real>& impulse) const { copy_impulses(center_, impulse); }
+  /// v [m/s, m/s, rad/s] of a body after the impulses x', if it was `before` without them.
+  Vec3<Real> center_velocity(BodyId body, const Vec3<Real>& before) const {
+    return before + root_[body].cwiseProduct(center_u_.template segment<3>(3 * body.index));
+  }
   /// |x'|: error() cannot fall below its roundings.
   Real center_size() const { return center_.norm(); }
   /// How soft the rows are from now on.
@@ -64,9 +72,19 @@ class ProximalRows {
   /// What a row of G has.
   Span<const Term> terms_of(const Row& row) const { return {terms_.data() + row.first, row.count}; }
   /// A row of G times u.
-  Real product(const Row& row, const Vector<Real>& u) const;
+  Real product(const Row& row, const Vector<Real>& u) const {
+    Real sum = 0;
+    for (const Term& term : terms_of(row)) {
+      for (int axis = 0; axis < 3; ++axis) sum += term.value(axis) * u(3 * term.body + axis);
+    }
+    return sum;
+  }
   /// u + G^T of a row's change.
-  void add_to(Vector<Real>& u, const Row& row, Real change) const;
+  void add_to(Vector<Real>& u, const Row& row, Real change) const {
+    for (const Term& term : terms_of(row)) {
+      for (int axis = 0; axis < 3; ++axis) u(3 * term.body + axis) += term.value(axis) * change;
+    }
+  }
   /// x'_i.
   Real center(int i) const { return center_(i); }
   /// w'_i.
@@ -80,6 +98,8 @@ class ProximalRows {
   Real error_of_a_row() const { return error_ / std::sqrt(std::max(Real(rows_.size()), Real(1))); }
   /// F(du).
   const Vector<Real>& evaluate(const Vector<Real>& du);
+  /// F(0).
+  const Vector<Real>& evaluate_at_center();
   /// F of the last evaluation.
   const Vector<Real>& value() const { return value_; }
   /// Calls visit(left, right, factor), each side the terms of a row: dF/du at the last evaluation is the
@@ -101,10 +121,17 @@ class ProximalRows {
  private:
   void append(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row);
   void measure_scale(const VelocityProblem<Real>& problem);
+  template <typename ProductOf>
+  void respond(const ProductOf& product_of);
   void copy_impulses(const Vector<Real>& x, PerRow<Real>& impulse) const;
-  template <typename ImpulseOf>
-  void center_on(const ImpulseOf& impulse_of);
-  Real clamp(int i, Real wish, const Vector<Real>& x) const;
+  void look_around();
+  Real clamp(int i, Real wish, const Vector<Real>& x) const {
+    const Row& row = rows_[i];
+    if (row.unit == 0) return 0;
+    if (row.bounds.is_friction()) return clamp_friction(row, wish, x);
+    return std::max(std::min(wish, row.bounds.upper), row.bounds.lower);
+  }
+  Real clamp_friction(const Row& row, Real wish, const Vector<Real>& x) const;
   /// d clamp / d x_other, at the end that `wish` is beyond.
   Real slope_of_limit(int i, int other) const;
   /// Calls visit(i) for all rows, those that limit others first.
@@ -112,6 +139,7 @@ class ProximalRows {
   void for_each_row(const Visit& visit) const {
     for (int i = 0; i < rows_.size(); ++i)
       if (!rows_[i].bounds.is_friction()) visit(i);
+    if (!has_friction_) return;
     for (int i = 0; i < rows_.size(); ++i)
       if (rows_[i].bounds.is_friction()) visit(i);
   }
@@ -120,6 +148,7 @@ class ProximalRows {
   Real epsilon_ = 1;
   Real scale_ = 0;
   Real error_ = 0;  // at the centre
+  bool has_friction_ = false;
   List<Term> terms_;
   PerRow<Row> rows_;
   PerBody<Vec3<Real>> root_;  // of each body's inverse mass
@@ -128,6 +157,7 @@ class ProximalRows {
   Vector<Real> center_w_;     // w'
   Vector<Real> x_;            // of the last evaluation
   Vector<Real> wish_;         // the same before clamping
+  Vector<Real> response_;     // G^T (x - x')
   Vector<Real> value_;        // F
 };
 
