@@ -40,7 +40,11 @@ template <Scalar Real>
 void find_islands(const VelocityProblem<Real>& problem, PerBody<BodyId>& island) {
   island.resize(problem.velocity.size());
   for (const BodyId body : island.indices()) island[body] = body;
+  const ConstraintRow<Real>* last = nullptr;
   for (const ConstraintRow<Real>& row : problem.rows) {
+    const bool joins_the_same = last != nullptr && row.a == last->a && row.b == last->b;
+    last = &row;
+    if (joins_the_same && row.extra_count == 0) continue;
     std::optional<BodyId> known;
     for_each_term(problem, row, [&](BodyId body, const Vec3<Real>&) {
       if (!can_move(problem, body)) return;

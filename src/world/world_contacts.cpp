@@ -67,6 +67,7 @@ void World<Real>::move_manifolds() {
   record_.manifolds.clear();
   touching_.clear();
   odd_.clear();
+  if (candidates_.empty()) return;
   locate_bodies();
   measure_reach();
   for (const int number : candidates_) {

@@ -123,6 +123,33 @@ TEST_CASE("factors are kept: a problem like the last one needs steps by them, an
   }
 }
 
+TEST_CASE("a stack that is solved again rises as its lowest row asks, soft or not, from whatever impulses") {
+  const int boxes = 10;
+  const double top = 50, mass = boxes - 1 + top, bias = 0.05;  // [kg], [kg], [m/s]
+  for (const double softness : {0.0, 0.01}) {
+    for (const double share : {1.0, 0.5}) {
+      CAPTURE(softness);
+      CAPTURE(share);
+      const VelocityProblem<double> start = loaded_stack(boxes, top);
+      VelocityProblem<double> problem = start;
+      NewtonSolver<double> solver({.iterations = 30, .tolerance = 1e-12});
+      solver.solve(problem);
+      problem.velocity = start.velocity;
+      problem.rows[0].bias = bias;
+      problem.rows[0].softness = softness;
+      for (double& impulse : problem.impulse) impulse *= share;
+      CHECK(solver.solve_again(problem).converged);
+      // v + gamma p = bias in the lowest row, for v = p / m - g dt of all boxes: the other rows are rigid.
+      const double p = (speed_of_a_step + bias) * mass / (1 + softness * mass);
+      for (int j = 0; j < boxes; ++j) {
+        const double above = boxes - 1 - j + top;
+        CHECK(problem.impulse[j] == doctest::Approx(above * p / mass).epsilon(1e-9));
+        CHECK(problem.velocity[{j + 1}].y() == doctest::Approx(p / mass - speed_of_a_step).epsilon(1e-9));
+      }
+    }
+  }
+}
+
 TEST_CASE("Newton's method goes on to a hundredth of the tolerance, where it has to solve at all") {
   VelocityProblem<double> solved = loaded_stack(50, 100);
   const VelocityProblem<double> start = solved;
