@@ -30,13 +30,19 @@ class CountingSolver final : public Solver<Real> {
 
   std::string name() const override { return solver_->name(); }
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override {
-    const SolveReport report = solver_->solve(problem, observer);
-    row_updates_ += counted_updates(entry_, report, problem.row_count());
-    return report;
+    return counted(solver_->solve(problem, observer), problem);
+  }
+  SolveReport solve_again(VelocityProblem<Real>& problem) override {
+    return counted(solver_->solve_again(problem), problem);
   }
   std::int64_t row_updates() const { return row_updates_; }
 
  private:
+  SolveReport counted(const SolveReport& report, const VelocityProblem<Real>& problem) {
+    row_updates_ += counted_updates(entry_, report, problem.row_count());
+    return report;
+  }
+
   std::unique_ptr<Solver<Real>> solver_;
   const SolverEntry& entry_;
   std::int64_t row_updates_ = 0;  // since it was made

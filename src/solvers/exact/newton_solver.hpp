@@ -32,6 +32,8 @@ namespace cairn {
 /// guaranteed. Where it has not converged it gives the impulses with the least R_E that it has seen, those of
 /// the warm start among them.
 ///
+/// What it solves again has the rows of before, scaled already, and most often the impulses that it gave.
+///
 /// The factors that it has kept change the way to the answer: a solver that has solved other problems may
 /// differ from a new one within the tolerance, and by anything where neither has converged. The same sequence
 /// of problems gives the same bits.

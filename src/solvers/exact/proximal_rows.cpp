@@ -38,13 +38,14 @@ template <Scalar Real>
 void ProximalRows<Real>::append(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
   const int first = terms_.size();
   Real inverse = row.softness, jv = 0;  // A_ii, and j v
-  for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
+  const auto take_term = [&](BodyId body, const Vec3<Real>& jacobian) __attribute__((always_inline)) {
     const Vec3<Real> value = root_[body].cwiseProduct(jacobian);
     jv += jacobian.dot(problem.velocity[body]);
     if (value.isZero(0)) return;
     inverse += value.squaredNorm();
     terms_.push_back({body.index, value});
-  });
+  };
+  for_each_term(problem, row, take_term);
   const Real unit = inverse > 0 ? 1 / std::sqrt(inverse) : Real(0);
   for (int k = first; k < terms_.size(); ++k) terms_[k].value *= unit;
   Row& scaled = rows_.emplace_back();

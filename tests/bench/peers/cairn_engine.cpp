@@ -39,14 +39,22 @@ class TimedSolver final : public Solver<double> {
   explicit TimedSolver(std::unique_ptr<Solver<double>> solver) : solver_(std::move(solver)) {}
   std::string name() const override { return solver_->name(); }
   SolveReport solve(VelocityProblem<double>& problem, SolveObserver<double>* observer = nullptr) override {
-    const Stopwatch watch;
-    const SolveReport report = solver_->solve(problem, observer);
-    seconds_ += watch.seconds();
-    return report;
+    return timed([&] { return solver_->solve(problem, observer); });
+  }
+  SolveReport solve_again(VelocityProblem<double>& problem) override {
+    return timed([&] { return solver_->solve_again(problem); });
   }
   double seconds() const { return seconds_; }
 
  private:
+  template <typename Solve>
+  SolveReport timed(const Solve& solve) {
+    const Stopwatch watch;
+    const SolveReport report = solve();
+    seconds_ += watch.seconds();
+    return report;
+  }
+
   std::unique_ptr<Solver<double>> solver_;
   double seconds_ = 0;
 };
