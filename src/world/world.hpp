@@ -255,6 +255,7 @@ class World {
   RowSpecs<Real> specs_;
   RowSpecs<Real> specs_ahead_;            // the same after this substep
   PerBody<Pose<Real>> poses_ahead_;       // where the velocities of before would take the bodies
+  PerBody<char> goes_along_arc_;          // and whether they would take it anywhere
   PerBody<char> is_lost_;                 // whether a body goes elsewhere
   List<OddContact> odd_;                  // of the candidates
   List<Contact<Real>> contacts_;          // of the last substep, where it needed no rows

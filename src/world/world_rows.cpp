@@ -11,6 +11,8 @@ namespace {
 // Row sources: joints by their ids, then the hand, then contacts.
 constexpr std::uint64_t hand_source = std::uint64_t{1} << 62;
 constexpr std::uint64_t contact_source_bit = std::uint64_t{1} << 63;
+// [m, rad] In a substep: the arc of a shorter way, the square of this, is lost in rounding.
+constexpr double still_way = 1e-9;
 
 template <Scalar Real>
 std::uint64_t contact_source(const ContactSlot<Real>& slot) {
@@ -128,19 +130,25 @@ void World<Real>::remember_impulses() {
 template <Scalar Real>
 void World<Real>::look_along_arcs() {
   poses_ahead_ = state_.pose;
+  goes_along_arc_.resize(state_.pose.size());
   for (const BodyId body : poses_ahead_.indices()) {
     const Vec3<Real> way = substep_length() * state_.velocity[body];
     poses_ahead_[body].position += way.template head<2>();
     poses_ahead_[body].angle += way.z();
+    goes_along_arc_[body] = !(way.squaredNorm() < Real(still_way * still_way));
   }
 }
 
 /// Asks the rows of a joint, in specs_, to hold where the substep ends. Not where its bodies leave the
 /// tangents of their arcs by so much that the joint would have failed, or by more than a quarter of their
 /// way: a substep in which they turn by more than half a radian is too long to follow them. A chord's speed
-/// is 1 / cos(w dt / 2) that of its arc, 3 % more at most.
+/// is 1 / cos(w dt / 2) that of its arc, 3 % more at most. Nor where bodies are all but still.
 template <Scalar Real>
 void World<Real>::follow_arcs(const Constraint& joint) {
+  const auto goes = [this](const RowSpec<Real>& spec) {
+    return spec.extra_count > 0 || goes_along_arc_[spec.a] || goes_along_arc_[spec.b];
+  };
+  if (std::none_of(specs_.begin(), specs_.end(), goes)) return;
   const Real dt = substep_length();
   specs_ahead_.clear();
   joint.append_rows(poses_ahead_, state_.velocity, specs_ahead_);
