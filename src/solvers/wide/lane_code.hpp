@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solvers/wide/lane_contact_rows.hpp"
+#include "solvers/wide/lane_contact_sweep.hpp"
 #include "solvers/wide/lane_filling.hpp"
 #include "solvers/wide/lane_moving.hpp"
 #include "solvers/wide/lane_sets.hpp"
@@ -24,10 +25,11 @@ LaneCode<Real> code_in_registers_of() {
           .move_contacts = move_contacts<Real>,
           .measure_contacts = measure_contacts<Real>,
           .relax_contacts = relax_contacts<Real>,
-          .push_contacts = push_contacts<Real>,
-          .fill_contacts = fill_contacts<Real, Number>,
-          .empty_contacts = empty_contacts<Real, Number>,
-          .weigh_contacts = weigh_contacts<Real>};
+          .push_contacts = push_contacts<bytes, Real>,
+          .sweep_contacts = sweep_contacts<bytes, Real>,
+          .fill_contacts = fill_contacts<bytes, Real, Number>,
+          .empty_contacts = empty_contacts<bytes, Real, Number>,
+          .weigh_contacts = weigh_contacts<bytes, Real>};
 }
 
 }  // namespace

@@ -57,6 +57,7 @@ struct alignas(64) LaneContactBatch {
   Real normal[2][lane_count];                   // n
   Real turn_a[most_contact_rows][lane_count];   // [m] r_a x direction of each row
   Real turn_b[most_contact_rows][lane_count];   // [m] r_b x direction of each row
+  Real inverse[most_contact_rows][lane_count];  // [1/kg] A_ii of each row, without softness
   Real bias[most_lane_points][lane_count];      // [m/s] of the normal rows
   Real softness[most_lane_points][lane_count];  // [1/kg] of the normal rows
   Real friction[lane_count];                    // mu

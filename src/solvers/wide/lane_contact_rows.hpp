@@ -3,6 +3,7 @@
 // Bounds::clamp() do for one row.
 #pragma once
 
+#include "solvers/wide/lane_bodies.hpp"
 #include "solvers/wide/lane_contact_data.hpp"
 #include "solvers/wide/lane_filling.hpp"
 
@@ -22,12 +23,7 @@ inline void stabilize_point(const Real* separation, const ContactRule<Real>& rul
                             LaneContactBatch<Real>& batch) {
   const int row = batch.has_friction ? 2 * point : point;
   for (int lane = 0; lane < lane_count; ++lane) {
-    const Real x = batch.normal[0][lane], y = batch.normal[1][lane];
-    const Real inverse_mass = inverse_mass_of(-x, -y, -batch.turn_a[row][lane], batch.inverse_a[0][lane],
-                                              batch.inverse_a[1][lane], batch.inverse_a[2][lane]) +
-                              inverse_mass_of(x, y, batch.turn_b[row][lane], batch.inverse_b[0][lane],
-                                              batch.inverse_b[1][lane], batch.inverse_b[2][lane]);
-    const Real gamma = inverse_mass / rule.spring_divisor;
+    const Real gamma = batch.inverse[row][lane] / rule.spring_divisor;
     const Real limited = rule.most_softness < gamma ? rule.most_softness : gamma;
     const bool overlaps = separation[lane] < 0;
     const bool on_spring = rule.has_springs && !(separation[lane] >= 0);
@@ -42,6 +38,19 @@ inline void stabilize_point(const Real* separation, const ContactRule<Real>& rul
     const Real wish = (on_spring ? rule.spring_rate : rule.rigid_rate) * overlap;
     batch.bias[point][lane] =
         overlaps ? (most_speed < wish ? most_speed : wish) : -separation[lane] / rule.dt;
+  }
+}
+
+/// A_ii of a row, as inverse_effective_mass() has it.
+template <typename Real>
+inline void measure_inverse(int row, bool is_friction, LaneContactBatch<Real>& __restrict batch) {
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const Real n_x = batch.normal[0][lane], n_y = batch.normal[1][lane];
+    const Real x = is_friction ? n_y : n_x, y = is_friction ? -n_x : n_y;
+    batch.inverse[row][lane] = inverse_mass_of(-x, -y, -batch.turn_a[row][lane], batch.inverse_a[0][lane],
+                                               batch.inverse_a[1][lane], batch.inverse_a[2][lane]) +
+                               inverse_mass_of(x, y, batch.turn_b[row][lane], batch.inverse_b[0][lane],
+                                               batch.inverse_b[1][lane], batch.inverse_b[2][lane]);
   }
 }
 
@@ -62,6 +71,8 @@ inline void measure_arms(const LaneContactInput<Real>& from, int point, LaneCont
       to.turn_b[row + 1][lane] = b_x * -x - b_y * y;
     }
   }
+  measure_inverse(row, false, to);
+  if (to.has_friction) measure_inverse(row + 1, true, to);
 }
 
 /// Everything but the impulses.
@@ -96,12 +107,6 @@ inline void push_bodies(const LaneContactBatch<Real>& __restrict batch, int row,
     bodies.velocity_b[1][lane] += batch.inverse_b[1][lane] * y * p;
     bodies.velocity_b[2][lane] += batch.inverse_b[2][lane] * batch.turn_b[row][lane] * p;
   }
-}
-
-/// The warm start.
-template <typename Real>
-inline void push_contacts(const LaneContactBatch<Real>& batch, LaneBodyInput<Real>& bodies) {
-  for (int row = 0; row < batch.rows; ++row) push_bodies(batch, row, batch.answer[row], bodies);
 }
 
 /// Leaves springs out.
@@ -141,10 +146,12 @@ inline void fill_contact_row(const LaneContactBatch<Real>& __restrict batch, int
 }
 
 /// The rows of a batch as sweeps read them.
-template <typename Real, typename Number>
-inline void fill_contacts(LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies,
+template <int bytes, typename Real, typename Number>
+inline void fill_contacts(LaneContactBatch<Real>& batch, const LaneBatch& at, const LaneBody<Real>* velocity,
                           const LaneRoots<Number>& roots, Real relaxation, LaneRow<Number>* rows,
                           LaneCoupling<Number>* couplings) {
+  LaneBodyInput<Real> bodies;
+  gather_bodies<bytes>(at, velocity, bodies);
   for (int i = 0; i < batch.rows; ++i) {
     for (int lane = 0; lane < lane_count; ++lane) batch.impulse[i][lane] = batch.answer[i][lane];
     if (batch.has_friction && i % 2 == 1) {
@@ -167,9 +174,11 @@ inline Real within_friction(Real wish, Real friction, Real other) {
 }
 
 /// Impulses with what sweeps have added, inside their bounds, and what that gives to the bodies.
-template <typename Real, typename Number>
-inline void empty_contacts(const LaneRow<Number>* rows, LaneContactBatch<Real>& batch,
-                           LaneBodyInput<Real>& bodies) {
+template <int bytes, typename Real, typename Number>
+inline void empty_contacts(const LaneRow<Number>* rows, LaneContactBatch<Real>& batch, const LaneBatch& at,
+                           LaneBody<Real>* velocity) {
+  LaneBodyInput<Real> bodies;
+  gather_bodies<bytes>(at, velocity, bodies);
   Real change[lane_count];
   for (int i = 0; i < batch.rows; ++i) {
     const bool is_friction = batch.has_friction && i % 2 == 1;
@@ -186,6 +195,7 @@ inline void empty_contacts(const LaneRow<Number>* rows, LaneContactBatch<Real>& 
     }
     push_bodies(batch, i, change, bodies);
   }
+  scatter_bodies<bytes>(at, bodies, velocity);
 }
 
 /// One row of each contact, as it is weighed. Lists of its own, or no compiler could tell that lanes are
@@ -221,11 +231,7 @@ template <typename Real>
     to.speed[lane] = speed_a + speed_b;
     to.bias[lane] = bias[lane];
     to.softness[lane] = softness[lane];
-    to.inverse[lane] = inverse_mass_of(-x, -y, turn_a, batch.inverse_a[0][lane], batch.inverse_a[1][lane],
-                                       batch.inverse_a[2][lane]) +
-                       inverse_mass_of(x, y, turn_b, batch.inverse_b[0][lane], batch.inverse_b[1][lane],
-                                       batch.inverse_b[2][lane]) +
-                       to.softness[lane];
+    to.inverse[lane] = batch.inverse[row][lane] + to.softness[lane];
   }
 }
 
@@ -269,9 +275,11 @@ inline void weigh_answer(const LaneContactBatch<Real>& __restrict batch, const L
 }
 
 /// One of the two.
-template <typename Real>
-inline void weigh_contacts(const LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies,
-                           LaneEnergy kind, Real* squares) {
+template <int bytes, typename Real>
+inline void weigh_contacts(const LaneContactBatch<Real>& batch, const LaneBatch& at,
+                           const LaneBody<Real>* velocity, LaneEnergy kind, Real* squares) {
+  LaneBodyInput<Real> bodies;
+  gather_bodies<bytes>(at, velocity, bodies);
   if (kind == LaneEnergy::at_start) {
     weigh_start(batch, bodies, squares);
   } else {

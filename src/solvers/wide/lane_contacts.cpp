@@ -10,33 +10,6 @@ namespace cairn {
 
 namespace {
 
-/// The velocities of the bodies of a batch.
-template <Scalar Real>
-void gather_velocities(const LaneBatch& batch, const PerBody<Vec3<Real>>& velocity, LaneBodyInput<Real>& to) {
-  if (batch.used < lane_count) to = {};
-  for (int lane = 0; lane < batch.used; ++lane) {
-    const Vec3<Real>& a = velocity[BodyId{batch.body_a[lane]}];
-    const Vec3<Real>& b = velocity[BodyId{batch.body_b[lane]}];
-    for (int axis = 0; axis < 3; ++axis) {
-      to.velocity_a[axis][lane] = a(axis);
-      to.velocity_b[axis][lane] = b(axis);
-    }
-  }
-}
-
-template <Scalar Real>
-void scatter_velocities(const LaneBatch& batch, const LaneBodyInput<Real>& from,
-                        PerBody<Vec3<Real>>& velocity) {
-  for (int lane = 0; lane < batch.used; ++lane) {
-    Vec3<Real>& a = velocity[BodyId{batch.body_a[lane]}];
-    Vec3<Real>& b = velocity[BodyId{batch.body_b[lane]}];
-    for (int axis = 0; axis < 3; ++axis) {
-      a(axis) = from.velocity_a[axis][lane];
-      b(axis) = from.velocity_b[axis][lane];
-    }
-  }
-}
-
 /// The manifold in one lane.
 template <Scalar Real>
 void keep_in_lane(const KeptManifold<Real>& kept, int lane, LaneKeptBatch<Real>& to) {
@@ -180,25 +153,56 @@ void LaneContacts<Real>::relax(const LaneCode<Real>& code) {
   for (LaneContactBatch<Real>& batch : contacts_) code.relax_contacts(batch);
 }
 
+/// Velocities as lanes read them, and those of a body that nothing moves.
+template <Scalar Real>
+void LaneContacts<Real>::take_velocities(const PerBody<Vec3<Real>>& velocity) {
+  bodies_.resize(velocity.size() + 1);
+  for (const BodyId body : velocity.indices()) {
+    const Vec3<Real>& v = velocity[body];
+    bodies_[body] = {{v.x(), v.y(), v.z(), Real(0)}};
+  }
+  bodies_[BodyId{velocity.size()}] = {};
+}
+
+template <Scalar Real>
+void LaneContacts<Real>::give_velocities(PerBody<Vec3<Real>>& velocity) const {
+  for (const BodyId body : velocity.indices()) {
+    const Real(&v)[4] = bodies_[body].velocity;
+    velocity[body] = {v[0], v[1], v[2]};
+  }
+}
+
 template <Scalar Real>
 void LaneContacts<Real>::push(const LaneCode<Real>& code, const LaneBatches& batches,
                               PerBody<Vec3<Real>>& velocity) {
+  take_velocities(velocity);
   for (int k = 0; k < contacts_.size(); ++k) {
-    const LaneBatch& batch = batches.batches()[k];
-    gather_velocities(batch, velocity, bodies_);
-    code.push_contacts(contacts_[k], bodies_);
-    scatter_velocities(batch, bodies_, velocity);
+    code.push_contacts(contacts_[k], batches.batches()[k], bodies_.data());
   }
+  give_velocities(velocity);
+}
+
+template <Scalar Real>
+Real LaneContacts<Real>::sweep_once(const LaneCode<Real>& code, const LaneBatches& batches, Real relaxation,
+                                    PerBody<Vec3<Real>>& velocity) {
+  take_velocities(velocity);
+  Real largest = 0;
+  for (int k = 0; k < contacts_.size(); ++k) {
+    largest = std::max(largest,
+                       code.sweep_contacts(contacts_[k], batches.batches()[k], relaxation, bodies_.data()));
+  }
+  give_velocities(velocity);
+  return largest;
 }
 
 template <Scalar Real>
 void LaneContacts<Real>::fill(const LaneCode<Real>& code, const LaneBatches& batches, Real relaxation,
                               const PerBody<Vec3<Real>>& velocity, List<LaneRow<Number>>& rows,
                               List<LaneCoupling<Number>>& couplings) {
+  take_velocities(velocity);
   for (int k = 0; k < contacts_.size(); ++k) {
     const LaneBatch& batch = batches.batches()[k];
-    gather_velocities(batch, velocity, bodies_);
-    code.fill_contacts(contacts_[k], bodies_, roots_[k], relaxation, &rows[batch.first_row],
+    code.fill_contacts(contacts_[k], batch, bodies_.data(), roots_[k], relaxation, &rows[batch.first_row],
                        couplings.data() + batch.first_coupling);
   }
 }
@@ -206,45 +210,21 @@ void LaneContacts<Real>::fill(const LaneCode<Real>& code, const LaneBatches& bat
 template <Scalar Real>
 void LaneContacts<Real>::empty(const LaneCode<Real>& code, const LaneBatches& batches,
                                const List<LaneRow<Number>>& rows, PerBody<Vec3<Real>>& velocity) {
+  take_velocities(velocity);
   for (int k = 0; k < contacts_.size(); ++k) {
     const LaneBatch& batch = batches.batches()[k];
-    gather_velocities(batch, velocity, bodies_);
-    code.empty_contacts(&rows[batch.first_row], contacts_[k], bodies_);
-    scatter_velocities(batch, bodies_, velocity);
+    code.empty_contacts(&rows[batch.first_row], contacts_[k], batch, bodies_.data());
   }
-}
-
-template <Scalar Real>
-Real LaneContacts<Real>::sweep_once(const LaneCode<Real>& code, const LaneBatches& batches,
-                                    const PerBody<Vec3<Real>>& before, LaneProblem<Number> lanes,
-                                    PerBody<Vec3<Real>>& velocity) {
-  rows_.resize(most_contact_rows);
-  couplings_.resize(most_contact_rows * (most_contact_rows - 1) / 2);
-  lanes.rows = rows_.data();
-  lanes.couplings = couplings_.data();
-  for (int k = 0; k < contacts_.size(); ++k) {
-    LaneBatch batch = batches.batches()[k];
-    batch.first_row = batch.first_coupling = 0;
-    lanes.batches = &batch;
-    gather_velocities(batch, before, bodies_);
-    code.fill_contacts(contacts_[k], bodies_, roots_[k], static_cast<Real>(lanes.relaxation), rows_.data(),
-                       couplings_.data());
-    code.pass(lanes, LanePass::sweep, 0, 1);
-    gather_velocities(batch, velocity, bodies_);
-    code.empty_contacts(rows_.data(), contacts_[k], bodies_);
-    scatter_velocities(batch, bodies_, velocity);
-  }
-  return static_cast<Real>(
-      *std::max_element(std::begin(lanes.largest_change), std::end(lanes.largest_change)));
+  give_velocities(velocity);
 }
 
 template <Scalar Real>
 Real LaneContacts<Real>::energy(const LaneCode<Real>& code, const LaneBatches& batches, LaneEnergy kind,
                                 const PerBody<Vec3<Real>>& velocity) {
+  take_velocities(velocity);
   Real squares[lane_count] = {};
   for (int k = 0; k < contacts_.size(); ++k) {
-    gather_velocities(batches.batches()[k], velocity, bodies_);
-    code.weigh_contacts(contacts_[k], bodies_, kind, squares);
+    code.weigh_contacts(contacts_[k], batches.batches()[k], bodies_.data(), kind, squares);
   }
   return std::accumulate(std::begin(squares), std::end(squares), Real(0));
 }

@@ -35,11 +35,9 @@ class LaneContacts {
   /// Takes over what sweeps have changed since, and gives it to the bodies.
   void empty(const LaneCode<Real>& code, const LaneBatches& batches, const List<LaneRow<Number>>& rows,
              PerBody<Vec3<Real>>& velocity);
-  /// Fills the rows of one batch after the other, sweeps over them and empties them: what fill(), a pass over
-  /// all batches and empty() do, for numbers that stay in the cache. `before` is what lanes are filled from,
-  /// `lanes` has bodies and kinds; returns the largest step of an impulse [N s].
-  Real sweep_once(const LaneCode<Real>& code, const LaneBatches& batches, const PerBody<Vec3<Real>>& before,
-                  LaneProblem<Number> lanes, PerBody<Vec3<Real>>& velocity);
+  /// One sweep in the problem's own precision; returns the largest step of an impulse [N s].
+  Real sweep_once(const LaneCode<Real>& code, const LaneBatches& batches, Real relaxation,
+                  PerBody<Vec3<Real>>& velocity);
   /// One of the two sums of R_E [J], at these velocities: added up in each lane, then over lanes.
   Real energy(const LaneCode<Real>& code, const LaneBatches& batches, LaneEnergy kind,
               const PerBody<Vec3<Real>>& velocity);
@@ -48,21 +46,21 @@ class LaneContacts {
   /// [N s] of all impulses.
   Real largest_impulse() const;
   /// What it takes up [bytes].
-  std::size_t bytes() const { return contacts_.bytes() + kept_.bytes() + roots_.bytes(); }
+  std::size_t bytes() const { return contacts_.bytes() + kept_.bytes() + roots_.bytes() + bodies_.bytes(); }
 
  private:
   void gather(const LaneBatch& batch, const ContactProblem<Real>& problem, LaneContactBatch<Real>& to);
   void gather_manifold(const Manifold<Real>& manifold, int lane);
   void gather_frames(const LaneBatch& batch, const PerBody<Frame<Real>>& frames);
+  void take_velocities(const PerBody<Vec3<Real>>& velocity);
+  void give_velocities(PerBody<Vec3<Real>>& velocity) const;
 
   List<LaneContactBatch<Real>> contacts_;  // a batch each
   List<LaneKeptBatch<Real>> kept_;         // of each batch, where contacts may be followed
   List<LaneRoots<Number>> roots_;          // of each batch
-  LaneBodyInput<Real> bodies_ = {};        // scratch, of one batch
-  LaneFrames<Real> frames_ = {};           // likewise
+  PerBody<LaneBody<Real>> bodies_;         // as fast as they are, and one that nothing moves
+  LaneFrames<Real> frames_ = {};           // scratch, of one batch
   LaneContactInput<Real> input_ = {};      // likewise
-  List<LaneRow<Number>> rows_;             // likewise, of sweep_once()
-  List<LaneCoupling<Number>> couplings_;   // likewise
 };
 
 }  // namespace cairn

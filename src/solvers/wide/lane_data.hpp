@@ -69,10 +69,10 @@ struct LaneBatch {
   std::int32_t block[lane_count];      // its number
 };
 
-/// A body's change of velocity over the root of its inverse mass, and a number that is always 0.
+/// A body's velocity; or its change over the root of the inverse mass, where rows are in lanes.
 template <typename Number>
 struct alignas(4 * sizeof(Number)) LaneBody {
-  Number velocity[4];  // x, y, rotation, 0
+  Number velocity[4];  // x, y, rotation, and a number that is always 0
 };
 
 /// What a sweep over batches works on.

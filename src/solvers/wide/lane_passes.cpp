@@ -15,12 +15,28 @@ LaneSteps<Real> LaneSystem<Real>::sweep(VelocityProblem<Real>& problem) {
 }
 
 template <Scalar Real>
-Real LaneSystem<Real>::sweep_once(VelocityProblem<Real>& problem) {
-  begin_changes(problem);
-  const LaneSteps<Real> singles = pass_single_rows<LanePass::sweep, false>(problem, 0, nullptr);
-  empty_single_rows(problem);
-  return std::max(singles.largest,
-                  contacts_.sweep_once(code_, batches_, velocity_, lane_problem(), problem.velocity));
+Real LaneSystem<Real>::sweep_once(VelocityProblem<Real>& problem, int number, SolveObserver<Real>* observer) {
+  Real largest = 0;
+  const auto update = [&](int i) {
+    const ConstraintRow<Real>& row = problem.rows[i];
+    const Real old = problem.impulse[i], jv = row_velocity(problem, row), mass = effective_mass(problem, row);
+    const Real corrective = relaxation_ * ((row.bias - jv - row.softness * old) * mass);
+    const Real now = problem.impulse[i] = row.bounds.clamp(old + corrective, problem.impulse);
+    apply_impulse(problem, row, now - old);
+    largest = std::max(largest, std::abs(now - old));
+    if (observer == nullptr) return;
+    observer->after_row({number, i, jv, mass > 0 ? 1 / mass : Real(0), corrective, old, now}, problem);
+  };
+  for (const int i : batches_.single_rows()) update(i);
+  if (!has_rows_) {
+    return std::max(largest, contacts_.sweep_once(code_, batches_, relaxation_, problem.velocity));
+  }
+  for (const LaneBatch& batch : batches_.batches()) {
+    for (int lane = 0; lane < batch.used; ++lane) {
+      for (int r = 0; r < batch.rows; ++r) update(batch.block_row[lane] + r);
+    }
+  }
+  return largest;
 }
 
 template <Scalar Real>

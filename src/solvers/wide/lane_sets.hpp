@@ -43,18 +43,22 @@ struct LaneCode {
                            LaneContactBatch<Real>& to) = nullptr;
   /// Leaves the springs of a batch of contacts out.
   void (*relax_contacts)(LaneContactBatch<Real>& batch) = nullptr;
-  /// The warm start of a batch of contacts: gives their impulses to their bodies.
-  void (*push_contacts)(const LaneContactBatch<Real>& batch, LaneBodyInput<Real>& bodies) = nullptr;
+  /// The warm start of a batch of contacts: gives their impulses to their bodies, which are so fast.
+  void (*push_contacts)(LaneContactBatch<Real>& batch, const LaneBatch& at, LaneBody<Real>* bodies) = nullptr;
+  /// One sweep over a batch of contacts in the problem's own precision. Returns the largest step of an
+  /// impulse [N s].
+  Real (*sweep_contacts)(LaneContactBatch<Real>& batch, const LaneBatch& at, Real relaxation,
+                         LaneBody<Real>* bodies) = nullptr;
   /// Fills the rows of a batch of contacts, and the couplings between them.
-  void (*fill_contacts)(LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies,
+  void (*fill_contacts)(LaneContactBatch<Real>& batch, const LaneBatch& at, const LaneBody<Real>* bodies,
                         const LaneRoots<Number>& roots, Real relaxation, LaneRow<Number>* rows,
                         LaneCoupling<Number>* couplings) = nullptr;
   /// Takes over what sweeps have changed, and gives it to the bodies.
-  void (*empty_contacts)(const LaneRow<Number>* rows, LaneContactBatch<Real>& batch,
-                         LaneBodyInput<Real>& bodies) = nullptr;
+  void (*empty_contacts)(const LaneRow<Number>* rows, LaneContactBatch<Real>& batch, const LaneBatch& at,
+                         LaneBody<Real>* bodies) = nullptr;
   /// Adds one of the two sums of R_E [J] to those of each lane.
-  void (*weigh_contacts)(const LaneContactBatch<Real>& batch, const LaneBodyInput<Real>& bodies,
-                         LaneEnergy kind, Real* squares) = nullptr;
+  void (*weigh_contacts)(const LaneContactBatch<Real>& batch, const LaneBatch& at,
+                         const LaneBody<Real>* bodies, LaneEnergy kind, Real* squares) = nullptr;
 };
 
 /// That of a set that has() knows; for long double there is the baseline only.

@@ -56,11 +56,12 @@ class LaneSystem {
   void take(const VelocityProblem<Real>& problem);
   /// One sweep.
   LaneSteps<Real> sweep(VelocityProblem<Real>& problem);
-  /// take(), one sweep() and write_back() of contacts: a batch at a time, which then stays in the cache.
-  /// Returns the largest step of an impulse [N s].
-  Real sweep_once(VelocityProblem<Real>& problem);
-  /// The same numbers, and an observer sees the problem after each row. Rows of a batch have all been updated
-  /// when the observer hears of the first.
+  /// The only sweep over a problem that has begun: nothing is taken to lanes for the next one. In the
+  /// problem's own precision, row by row, and contacts that have none a batch at a time. An observer sees the
+  /// problem after each row; null: nobody does. Returns the largest step of an impulse [N s].
+  Real sweep_once(VelocityProblem<Real>& problem, int number, SolveObserver<Real>* observer);
+  /// The numbers of sweep(), and an observer sees the problem after each row. Rows of a batch have all been
+  /// updated when the observer hears of the first.
   LaneSteps<Real> watched_sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>& observer);
   /// Remembers where impulses and velocities are, and takes impulses another `momentum` times the way that
   /// they went since remembered last, inside their bounds. After take() and undo() there is no such way:

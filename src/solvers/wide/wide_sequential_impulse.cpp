@@ -43,33 +43,30 @@ template <Scalar Real>
 SolveReport WideSequentialImpulse<Real>::solve(ContactProblem<Real>& contacts) {
   stopping_.begin(settings_, *contacts.problem, Looks::rarely);
   lanes_.begin(contacts);
-  return solve_begun(contacts);
+  return solve_begun(*contacts.problem, nullptr);
 }
 
 template <Scalar Real>
 SolveReport WideSequentialImpulse<Real>::relax(ContactProblem<Real>& contacts) {
   stopping_.begin(settings_, *contacts.problem, Looks::rarely);
   lanes_.begin_relaxed(contacts);
-  return solve_begun(contacts);
-}
-
-template <Scalar Real>
-SolveReport WideSequentialImpulse<Real>::solve_begun(ContactProblem<Real>& contacts) {
-  // Where one sweep is all, nothing of it is needed in a second one.
-  if (settings_.iterations != 1 || settings_.tolerance > 0) return solve_begun(*contacts.problem, nullptr);
-  return stopping_.repeat(*contacts.problem, nullptr,
-                          [&](int, auto) { return lanes_.sweep_once(*contacts.problem); });
+  return solve_begun(*contacts.problem, nullptr);
 }
 
 template <Scalar Real>
 SolveReport WideSequentialImpulse<Real>::solve_begun(VelocityProblem<Real>& problem,
                                                      SolveObserver<Real>* observer) {
+  restarts_ = 0;
+  if (settings_.iterations == 1 && !(settings_.tolerance > 0)) {
+    return stopping_.repeat(problem, observer, [&](int number, auto watched) {
+      return lanes_.sweep_once(problem, number, decltype(watched)::value ? observer : nullptr);
+    });
+  }
   const bool measures = settings_.tolerance > 0 || settings_.patience > 0;
   if (measures) stopping_.take_scale(lanes_.residual_scale(problem));
   lanes_.take(problem);
   path_ = 0;
   k_ = 1;
-  restarts_ = 0;
 
   bool is_current = true;
   const SolveReport report = stopping_.repeat(problem, observer, [&](int number, auto watched) {

@@ -23,7 +23,9 @@ enum class Momentum {
 /// since the warm start (lane_system.hpp). Where what is left to change is small beside what has changed,
 /// impulses go back into the problem, velocities are computed from them in its own precision, and lanes begin
 /// again: as iterative refinement does (J. H. Wilkinson, Rounding Errors in Algebraic Processes, 1963). So
-/// any R_E that the problem's precision allows is reached.
+/// any R_E that the problem's precision allows is reached. Where one sweep is all that is asked for, changes
+/// have nothing to be kept for: it is made in the problem's own precision, to the bits of SequentialImpulse
+/// in this order.
 ///
 /// With Momentum::nesterov it is AcceleratedProjectedGaussSeidel in that order: y, the energy f and the rule
 /// by which a sweep is undone are explained there; f is added up in the precision of lanes.
@@ -36,8 +38,8 @@ enum class Momentum {
 ///
 /// Cost: 12 multiply-adds a row and sweep, 24 with momentum, 16 rows at a time; filling lanes with
 /// rows and emptying them takes as long as two or three sweeps of SequentialImpulse, so one or two sweeps
-/// gain nothing; with contacts that have no rows (for_contacts()), about as long as one, and in substeps that
-/// follow them less than that, for manifolds and impulses are in lanes already. Where a
+/// gain nothing; with contacts that have no rows (for_contacts()), about as long as one, and a single sweep
+/// over them, 16 at a time in the problem's precision, a third of that. Where a
 /// colour has many batches (lane_passes.cpp), SolverSettings::threads share them: a second thread halves the
 /// time of sweeps over 10,000 contacts, and is of no use to 1000. Memory linear in m. Colours are kept from
 /// solve to solve while bodies and kinds of rows are the same. Observers: after_row comes when all rows of a
@@ -65,7 +67,6 @@ class WideSequentialImpulse final : public Solver<Real>, private ContactSolver<R
   SolveReport relax(ContactProblem<Real>& contacts) override;
   bool follow(ContactProblem<Real>& contacts) override { return lanes_.follow(contacts); }
   void give(ContactProblem<Real>& contacts) const override { lanes_.give(contacts); }
-  SolveReport solve_begun(ContactProblem<Real>& contacts);
   SolveReport solve_begun(VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
   LaneSteps<Real> iterate(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* row_observer);
   void accept_or_undo(VelocityProblem<Real>& problem, const LaneSteps<Real>& gathered,
