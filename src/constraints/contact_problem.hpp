@@ -1,6 +1,9 @@
 // Floor 3. Contacts as they are, for solvers that need no rows of them.
 #pragma once
 
+#include <cstdint>
+#include <memory>
+
 #include "collision/kept_manifold.hpp"
 #include "constraints/contact.hpp"
 #include "constraints/row.hpp"
@@ -19,25 +22,34 @@ struct Contact {
   FixedList<Real, 4> start = {};    // [N s] the warm start
   FixedList<Real, 4> impulse = {};  // [N s] the answer
   int count = 0;                    // of rows; 0 between bodies that nothing moves
+  Real deepest = 0;                 // [m] of overlap in which it may be followed
   /// What its manifold is wherever the bodies go, as long as all of its points are near; null: nobody but the
   /// world can tell.
   const KeptManifold<Real>* kept = nullptr;
+};
+
+/// Says which solve of which solver contacts were in last.
+struct ContactTicket {
+  std::shared_ptr<const char> holder = {};  // the solver's own; null: there was none
+  std::int64_t solve = 0;                   // its number
+
+  bool operator==(const ContactTicket&) const = default;
 };
 
 /// A step in which contacts are all that is to be solved: with a row of friction for each point, and without
 /// restitution.
 template <Scalar Real>
 struct ContactProblem {
-  Span<Contact<Real>> contacts = {};           // in the order in which their rows would be written
-  Span<const Manifold<Real>> manifolds = {};   // of each contact
-  const PerBody<Pose<Real>>* poses = nullptr;  // of all bodies
-  /// The same, where contacts may be followed from substep to substep; else null.
-  const PerBody<Frame<Real>>* frames = nullptr;
-  Real margin = 0;                                            // [m] below which kept points are near
+  Span<Contact<Real>> contacts = {};             // in the order in which their rows would be written
+  Span<const Manifold<Real>> manifolds = {};     // of each contact
+  const PerBody<Pose<Real>>* poses = nullptr;    // of all bodies
+  const PerBody<Frame<Real>>* frames = nullptr;  // the same, for those who follow contacts
+  Real margin = 0;                               // [m] below which kept points are near
   const ContactStabilization<Real>* stabilization = nullptr;  // how errors go
   Real gravity = 0;  // [m/s^2] that a body in overlap has to rise against
   /// dt, inverse masses and velocities, as in any problem; of rows those that the solver likes to have.
   VelocityProblem<Real>* problem = nullptr;
+  ContactTicket ticket = {};  // of these contacts
 };
 
 }  // namespace cairn

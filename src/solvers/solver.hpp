@@ -81,13 +81,14 @@ class ContactSolver {
   virtual ~ContactSolver() = default;
   /// Changes velocities, to the same bits as Solver::solve() does with the rows of the contacts, and has the
   /// impulses for give(). Begins from what follow() has taken over, if that was called before; or else from
-  /// the contacts as they are given.
+  /// the contacts as they are given. Gives them another ticket.
   virtual SolveReport solve(ContactProblem<Real>& contacts) = 0;
   /// Solves once more what solve() has just solved, from its impulses and from the velocities that the
   /// problem is given now, without springs: contacts on springs ask for 0, and do not give way.
   virtual SolveReport relax(ContactProblem<Real>& contacts) = 0;
   /// Takes over where the bodies of the contacts that were solved last are now. Their answers are
-  /// the warm start. False if a kept point is not near any more: then nothing is taken over.
+  /// the warm start. False if these contacts are others, by their ticket, or a kept point is not near any
+  /// more, or deeper than may be followed: then nothing is taken over.
   virtual bool follow(ContactProblem<Real>& contacts) = 0;
   /// Gives the contacts that were solved last their answers, and what these have begun from.
   virtual void give(ContactProblem<Real>& contacts) const = 0;

@@ -31,7 +31,7 @@ void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>*
                           StepReport& report) {
   ContactSolver<Real>* const direct = observer == nullptr ? contact_solver(solver) : nullptr;
   if (number == 0 || !plan_->moves_manifolds) {
-    find_contacts();  // 1, 2  poses -> pairs -> manifolds
+    find_contacts(direct);  // 1, 2  poses -> pairs -> manifolds
   } else if (!follow_contacts(direct)) {
     move_manifolds();  //       or those of the step, where they are now
   }
@@ -62,6 +62,7 @@ void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>*
 template <Scalar Real>
 void World<Real>::solve_rows(Solver<Real>& solver, SolveObserver<Real>* observer, StepReport& report) {
   has_rows_ = true;
+  ticket_ = {};
   write_rows(StabilizationPass::velocity, record_.problem);
   warm_start();  // with last step's impulses
   if (plan_->guarded) guard_warm_start(report);
@@ -103,7 +104,7 @@ template <Scalar Real>
 VelocityProblem<Real> World<Real>::velocity_problem() const {
   World twin = *this;
   twin.do_events();
-  twin.find_contacts();
+  twin.find_contacts(nullptr);
   twin.apply_forces();
   twin.write_rows(StabilizationPass::velocity, twin.record_.problem);
   twin.warm_start();

@@ -166,8 +166,8 @@ class World {
   /// The length of a substep [s].
   Real substep_length() const { return static_cast<Real>(dt_ / scene_->settings().substeps); }
   void substep(int number, Solver<Real>& solver, SolveObserver<Real>* observer, StepReport& report);
-  void find_contacts();
-  void find_manifolds();
+  void find_contacts(ContactSolver<Real>* solver);
+  void find_manifolds(ContactSolver<Real>* solver);
   void move_manifolds();
   void look_ahead();
   void locate_bodies();
@@ -199,6 +199,7 @@ class World {
   void take_contacts();
   ContactProblem<Real> contact_problem(const ContactStabilization<Real>& stabilization);
   bool follow_contacts(ContactSolver<Real>* solver);
+  bool follow_last_step(ContactSolver<Real>* solver);
   bool follow_odd_manifolds();
   void catch_up_with_manifolds();
   void take_impulses(ContactSolver<Real>& solver, FixedList<Real, 4> Contact<Real>::*impulse);
@@ -215,6 +216,8 @@ class World {
   void guard_solve(StepReport& report);
   void keep_apart(StepReport& report);
   void count_failures(StepReport& report) const;
+  Real too_deep(const ContactSlot<Real>& slot) const;
+  bool is_too_deep(int contact) const;
   bool is_apart(const RowSpecs<Real>& specs) const;
   Real kinetic_energy(const PerBody<Vec3<Real>>& velocity) const;
   void remember_impulses();
@@ -249,9 +252,11 @@ class World {
   PerBody<Frame<Real>> frames_;  // where contacts were sought
   PerBody<Real> reach_;          // [m]
   List<Aabb<Real>> boxes_;
-  List<char> movable_;    // of each collider: not of a pair where neither is
-  List<int> candidates_;  // slots with a manifold that moves with its bodies
-  List<int> touching_;    // slots of the manifolds of record_
+  List<char> movable_;           // of each collider: not of a pair where neither is
+  List<int> candidates_;         // slots with a manifold that moves with its bodies
+  List<int> candidates_before_;  // in the step before
+  bool found_anew_ = false;      // one of them
+  List<int> touching_;           // slots of the manifolds of record_
   RowSpecs<Real> specs_;
   RowSpecs<Real> specs_ahead_;            // the same after this substep
   PerBody<Pose<Real>> poses_ahead_;       // where the velocities of before would take the bodies
@@ -260,6 +265,7 @@ class World {
   List<OddContact> odd_;                  // of the candidates
   List<Contact<Real>> contacts_;          // of the last substep, where it needed no rows
   bool may_follow_ = false;               // the solver with its contacts, in the next substep
+  ContactTicket ticket_;                  // of these; none where the last substep needed rows
   bool owes_impulses_ = false;            // the solver, of the last substep
   List<RelaxedRow> relaxed_rows_;         // of joints
   VelocityProblem<Real> second_problem_;  // of positions

@@ -13,11 +13,11 @@ namespace cairn {
 constexpr double keep_share = 0.1;
 
 template <Scalar Real>
-void World<Real>::find_contacts() {
-  find_manifolds();
+void World<Real>::find_contacts(ContactSolver<Real>* solver) {
+  find_manifolds(solver);
   if (!sleep_) return;
   // What wakes may touch, or hold, what else sleeps.
-  while (sleep_->wake_touched(record_.manifolds, state_.velocity)) find_manifolds();
+  while (sleep_->wake_touched(record_.manifolds, state_.velocity)) find_manifolds(solver);
 }
 
 /// Where every body is.
@@ -26,14 +26,18 @@ void World<Real>::locate_bodies() {
   for (const BodyId body : state_.pose.indices()) frames_[body] = state_.pose[body];
 }
 
+/// Those of the solver's last contacts, if it can go on with them, stay as they are.
 template <Scalar Real>
-void World<Real>::find_manifolds() {
-  record_.manifolds.clear();
+void World<Real>::find_manifolds(ContactSolver<Real>* solver) {
   record_.sensed.clear();
-  touching_.clear();
+  candidates_.swap(candidates_before_);
   candidates_.clear();
-  follows_ = false;
+  found_anew_ = follows_ = false;
   if (!plan_->collision) return;
+  if (!plan_->moves_manifolds) {
+    record_.manifolds.clear();
+    touching_.clear();
+  }
   locate_bodies();
   measure_reach();
   if (plan_->moves_manifolds && plan_->substeps > 1) look_ahead();
@@ -48,7 +52,7 @@ void World<Real>::find_manifolds() {
   for (NearSlot& near : graph_.order()) meet(near);
   std::sort(record_.sensed.begin(), record_.sensed.end());
   record_.sensed.erase(std::unique(record_.sensed.begin(), record_.sensed.end()), record_.sensed.end());
-  if (plan_->moves_manifolds) move_manifolds();
+  if (plan_->moves_manifolds && !follow_last_step(solver)) move_manifolds();
 }
 
 /// Contacts are sought for all substeps: a body, and what is at its rim, may come as far as in a step.
@@ -196,6 +200,7 @@ void World<Real>::meet(NearSlot& near) {
                          frames_[slot.b], (*colliders_)[slot.collider_b].core_radius);
     slot.found_at = relative_pose(slot);
     slot.is_found = true;
+    found_anew_ = found_anew_ || slot.manifold.count > 0;
   }
   if (slot.manifold.count > 0) {
     candidates_.push_back(number);

@@ -24,19 +24,19 @@ ContactSolver<Real>* World<Real>::contact_solver(Solver<Real>& solver) const {
   return plan_->contacts_alone && !hand_ ? solver.for_contacts() : nullptr;
 }
 
-/// What a solver is told of contacts. They may be followed from one substep to the next where every one of
-/// them is kept, or is looked after by follow_odd_manifolds().
+/// What a solver is told of contacts.
 template <Scalar Real>
 ContactProblem<Real> World<Real>::contact_problem(const ContactStabilization<Real>& stabilization) {
   const SceneSettings& settings = scene_->settings();
   return {.contacts = contacts_,
           .manifolds = record_.manifolds,
           .poses = &state_.pose,
-          .frames = plan_->moves_manifolds && plan_->substeps > 1 ? &frames_ : nullptr,
+          .frames = &frames_,
           .margin = static_cast<Real>(settings.speculative_margin),
           .stabilization = &stabilization,
           .gravity = static_cast<Real>(settings.gravity.norm()),
-          .problem = &record_.problem};
+          .problem = &record_.problem,
+          .ticket = ticket_};
 }
 
 template <Scalar Real>
@@ -53,6 +53,7 @@ void World<Real>::solve_contacts(ContactSolver<Real>& solver, StepReport& report
   ContactProblem<Real> contacts = contact_problem(stabilization);
   report.solve = solver.solve(contacts);
   report.sweeps += report.solve.iterations;
+  ticket_ = contacts.ticket;
   moving_velocity_ = problem.velocity;
   if (!plan_->relaxes) return;
   problem.velocity = velocity_before_;
@@ -64,7 +65,7 @@ void World<Real>::solve_contacts(ContactSolver<Real>& solver, StepReport& report
 template <Scalar Real>
 bool World<Real>::follow_contacts(ContactSolver<Real>* solver) {
   follows_ = false;
-  if (!owes_impulses_) return false;
+  if (solver == nullptr || !may_follow_ || !ticket_.holder) return false;
   locate_bodies();
   const ContactStabilization<Real> stabilization(scene_->settings().stabilization,
                                                  StabilizationPass::velocity, substep_length());
@@ -72,10 +73,22 @@ bool World<Real>::follow_contacts(ContactSolver<Real>* solver) {
   follows_ = follow_odd_manifolds() && solver->follow(contacts);
   if (follows_) {
     std::fill(record_.is_new.begin(), record_.is_new.end(), char{0});
-  } else {
+  } else if (owes_impulses_) {
     take_impulses(*solver, &Contact<Real>::impulse);
   }
   return follows_;
+}
+
+/// The same with those of the step before, where every manifold has outlived it: slots have their impulses,
+/// and may lie elsewhere in memory.
+template <Scalar Real>
+bool World<Real>::follow_last_step(ContactSolver<Real>* solver) {
+  const bool is_other = found_anew_ || candidates_ != candidates_before_;
+  if (!plan_->keeps_manifolds || sleep_ || is_other || record_.problem.dt != substep_length()) return false;
+  for (int i = 0; i < contacts_.size(); ++i) {
+    if (contacts_[i].kept != nullptr) contacts_[i].kept = &graph_[touching_[i]].manifold;
+  }
+  return follow_contacts(solver);
 }
 
 /// Manifolds that solvers do not move; false where one has other points now.
@@ -156,6 +169,7 @@ void World<Real>::take_contacts() {
     contact.friction = slot.friction;
     contact.slop_limit = slot.slop_limit;
     contact.kept = slot.manifold.is_whole(record_.manifolds[i]) ? &slot.manifold : nullptr;
+    contact.deepest = too_deep(slot);
     const bool still = state_.inverse_mass[slot.a].isZero(0) && state_.inverse_mass[slot.b].isZero(0);
     contact.count = still ? 0 : record_.manifolds[i].count * (slot.friction > 0 ? 2 : 1);
     rows += contact.count;

@@ -108,14 +108,27 @@ bool World<Real>::is_apart(const RowSpecs<Real>& specs) const {
 template <Scalar Real>
 void World<Real>::count_failures(StepReport& report) const {
   report.joints_apart = plan_->joints > 0 ? joints_apart_ : 0;
-  for (const Manifold<Real>& manifold : record_.manifolds) {
-    const BodyId a = (*colliders_)[manifold.collider_a].body, b = (*colliders_)[manifold.collider_b].body;
-    // failed_error_ is a quarter.
-    const Real most = 2 * std::min(failed_error_[a], failed_error_[b]);
-    const auto is_deep = [most](const auto& point) { return point.separation < -most; };
-    report.too_deep +=
-        std::any_of(manifold.points.begin(), manifold.points.begin() + manifold.count, is_deep);
+  if (follows_) {  // no other has been followed
+    for (const OddContact& odd : odd_) {
+      report.too_deep += odd.contact != OddContact::none && is_too_deep(odd.contact);
+    }
+  } else {
+    for (int i = 0; i < record_.manifolds.size(); ++i) report.too_deep += is_too_deep(i);
   }
+}
+
+/// [m] Overlap of two shapes by half of the thinner body.
+template <Scalar Real>
+Real World<Real>::too_deep(const ContactSlot<Real>& slot) const {
+  return 2 * std::min(failed_error_[slot.a], failed_error_[slot.b]);  // each is a quarter
+}
+
+template <Scalar Real>
+bool World<Real>::is_too_deep(int contact) const {
+  const Manifold<Real>& manifold = record_.manifolds[contact];
+  const Real most = too_deep(graph_[touching_[contact]]);
+  const auto is_deep = [most](const auto& point) { return point.separation < -most; };
+  return std::any_of(manifold.points.begin(), manifold.points.begin() + manifold.count, is_deep);
 }
 
 /// [J]

@@ -37,6 +37,7 @@ struct alignas(64) LaneKeptBatch {
   Real radius_a[lane_count];                     // [m]
   Real radius_b[lane_count];                     // [m]
   Real on_b[lane_count];                         // 1: the face is that of the second body; else 0
+  Real deepest[lane_count];                      // [m] of overlap in which it may be followed
   unsigned given = 0;                            // the lanes whose manifolds are given, a bit each
 };
 

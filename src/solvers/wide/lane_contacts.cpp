@@ -25,17 +25,6 @@ void keep_in_lane(const KeptManifold<Real>& kept, int lane, LaneKeptBatch<Real>&
   to.on_b[lane] = kept.face == KeptManifold<Real>::Face::of_b ? Real(1) : Real(0);
 }
 
-/// The manifolds of a batch, as far as they move by themselves.
-template <Scalar Real>
-void keep_batch(const LaneBatch& batch, Span<const Contact<Real>> contacts, LaneKeptBatch<Real>& to) {
-  to.given = 0;
-  for (int lane = 0; lane < batch.used; ++lane) {
-    const KeptManifold<Real>* const kept = contacts[batch.block[lane]].kept;
-    keep_in_lane(kept != nullptr ? *kept : KeptManifold<Real>{}, lane, to);
-    if (kept == nullptr) to.given |= 1u << lane;
-  }
-}
-
 }  // namespace
 
 template <Scalar Real>
@@ -66,13 +55,12 @@ template <Scalar Real>
 void LaneContacts<Real>::take(const LaneCode<Real>& code, const LaneBatches& batches,
                               const ContactProblem<Real>& problem) {
   const ContactRule<Real> rule = problem.stabilization->rule(problem.gravity);
-  if (problem.frames != nullptr) kept_.resize(contacts_.size());
+  kept_.clear();
   for (int k = 0; k < contacts_.size(); ++k) {
     const LaneBatch& batch = batches.batches()[k];
     if (batch.used < lane_count) input_ = {};
     gather(batch, problem, contacts_[k]);
     code.measure_contacts(input_, rule, contacts_[k]);
-    if (problem.frames != nullptr) keep_batch<Real>(batch, problem.contacts, kept_[k]);
   }
 }
 
@@ -109,6 +97,7 @@ template <Scalar Real>
 bool LaneContacts<Real>::follow(const LaneCode<Real>& code, const LaneBatches& batches,
                                 const ContactProblem<Real>& problem) {
   const ContactRule<Real> rule = problem.stabilization->rule(problem.gravity);
+  if (kept_.size() < contacts_.size()) keep(batches, problem.contacts);
   for (int k = 0; k < contacts_.size(); ++k) {
     const LaneBatch& batch = batches.batches()[k];
     if (batch.used < lane_count) frames_ = {};
@@ -120,6 +109,24 @@ bool LaneContacts<Real>::follow(const LaneCode<Real>& code, const LaneBatches& b
     code.measure_contacts(input_, rule, contacts_[k]);
   }
   return true;
+}
+
+/// Manifolds, as far as they move by themselves.
+template <Scalar Real>
+void LaneContacts<Real>::keep(const LaneBatches& batches, Span<const Contact<Real>> contacts) {
+  kept_.assign(contacts_.size(), LaneKeptBatch<Real>{});
+  for (int k = 0; k < contacts_.size(); ++k) {
+    const LaneBatch& batch = batches.batches()[k];
+    for (int lane = 0; lane < batch.used; ++lane) {
+      const Contact<Real>& contact = contacts[batch.block[lane]];
+      kept_[k].deepest[lane] = contact.deepest;
+      if (contact.kept != nullptr) {
+        keep_in_lane(*contact.kept, lane, kept_[k]);
+      } else {
+        kept_[k].given |= 1u << lane;
+      }
+    }
+  }
 }
 
 template <Scalar Real>

@@ -51,12 +51,13 @@ class LaneContacts {
  private:
   void gather(const LaneBatch& batch, const ContactProblem<Real>& problem, LaneContactBatch<Real>& to);
   void gather_manifold(const Manifold<Real>& manifold, int lane);
+  void keep(const LaneBatches& batches, Span<const Contact<Real>> contacts);
   void gather_frames(const LaneBatch& batch, const PerBody<Frame<Real>>& frames);
   void take_velocities(const PerBody<Vec3<Real>>& velocity);
   void give_velocities(PerBody<Vec3<Real>>& velocity) const;
 
   List<LaneContactBatch<Real>> contacts_;  // a batch each
-  List<LaneKeptBatch<Real>> kept_;         // of each batch, where contacts may be followed
+  List<LaneKeptBatch<Real>> kept_;         // of each batch, once contacts have been followed
   List<LaneRoots<Number>> roots_;          // of each batch
   PerBody<LaneBody<Real>> bodies_;         // as fast as they are, and one that nothing moves
   LaneFrames<Real> frames_ = {};           // scratch, of one batch

@@ -10,7 +10,7 @@ namespace cairn {
 namespace {
 
 /// Separations of one point, and where it is beside the first body. Adds up in `height` how far the points
-/// are along the normal, and in `far` how many are not below the margin.
+/// are along the normal, and in `far` how many are not below the margin, or too deep.
 template <typename Real>
 inline void move_point(const LaneKeptBatch<Real>& __restrict kept, const LaneFrames<Real>& __restrict at,
                        int point, Real margin, LaneContactInput<Real>& __restrict to, Real* __restrict height,
@@ -34,6 +34,7 @@ inline void move_point(const LaneKeptBatch<Real>& __restrict kept, const LaneFra
     to.separation[point][lane] = separation;
     height[lane] += x * p_x + y * p_y;
     far[lane] += separation < margin ? Real(0) : Real(1);
+    far[lane] += separation < -kept.deepest[lane] ? Real(1) : Real(0);
   }
 }
 
@@ -50,7 +51,8 @@ inline void level_point(const LaneFrames<Real>& __restrict at, int point, const 
   }
 }
 
-/// Manifolds of so many points where the bodies are now. False if a separation is not below `margin` [m].
+/// Manifolds of so many points where the bodies are now. False if a separation is not below `margin` [m],
+/// or an overlap too deep.
 template <typename Real>
 inline bool move_contacts(const LaneKeptBatch<Real>& __restrict kept, const LaneFrames<Real>& __restrict at,
                           int points, Real margin, LaneContactInput<Real>& __restrict to) {

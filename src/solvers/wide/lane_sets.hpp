@@ -35,7 +35,8 @@ struct LaneCode {
   /// Fills the rows of one batch, and the couplings between them.
   void (*fill)(const LaneFilling<Real, Number>& from, LaneRow<Number>* rows,
                LaneCoupling<Number>* couplings) = nullptr;
-  /// Manifolds of so many points where their bodies are; false: a separation is not below the margin [m].
+  /// Manifolds of so many points where their bodies are; false: a separation is not below the margin [m], or
+  /// an overlap too deep.
   bool (*move_contacts)(const LaneKeptBatch<Real>& kept, const LaneFrames<Real>& at, int points, Real margin,
                         LaneContactInput<Real>& to) = nullptr;
   /// Arms, bias and softness of a batch of contacts, from what was gathered.

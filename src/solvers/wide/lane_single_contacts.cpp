@@ -31,8 +31,10 @@ bool LaneSystem<Real>::follow_single_contacts(ContactProblem<Real>& contacts) {
     if (contact.kept == nullptr) continue;
     manifold = contact.kept->at(frames[contact.a], frames[contact.b], contacts.margin);
     if (manifold.count < contact.kept->count) return false;
+    for (int i = 0; i < manifold.count; ++i) {
+      if (manifold.points[i].separation < -contact.deepest) return false;
+    }
   }
-  give_single_contacts(contacts);
   for (const int k : batches_.single_blocks()) contacts.contacts[k].start = contacts.contacts[k].impulse;
   write_single_rows(contacts);
   return true;

@@ -28,6 +28,7 @@ template <Scalar Real>
 void LaneSystem<Real>::begin(VelocityProblem<Real>& problem) {
   has_rows_ = true;
   follows_ = false;
+  tickets_.next();
   take_masses(problem);
   velocity_ = problem.velocity;
   if (batches_.may_be_same(problem) && push_rows(problem)) return;
@@ -39,6 +40,7 @@ void LaneSystem<Real>::begin(VelocityProblem<Real>& problem) {
 
 template <Scalar Real>
 void LaneSystem<Real>::begin(ContactProblem<Real>& contacts) {
+  contacts.ticket = tickets_.next();
   if (std::exchange(follows_, false)) {
     contacts_.go_on();
     push_contacts(*contacts.problem);
@@ -58,7 +60,8 @@ void LaneSystem<Real>::begin(ContactProblem<Real>& contacts) {
 
 template <Scalar Real>
 bool LaneSystem<Real>::follow(ContactProblem<Real>& contacts) {
-  follows_ = contacts_.follow(code_, batches_, contacts) && follow_single_contacts(contacts);
+  follows_ = tickets_.is_last(contacts.ticket) && contacts_.follow(code_, batches_, contacts) &&
+             follow_single_contacts(contacts);
   return follows_;
 }
 
@@ -243,7 +246,6 @@ void LaneSystem<Real>::empty_rows(VelocityProblem<Real>& problem) const {
 template <Scalar Real>
 void LaneSystem<Real>::give(ContactProblem<Real>& contacts) const {
   contacts_.give(batches_, contacts.contacts);
-  give_single_contacts(contacts);
 }
 
 template <Scalar Real>

@@ -1,6 +1,8 @@
 // Floor 4. A velocity problem in lanes, and back.
 #pragma once
 
+#include <memory>
+
 #include "math/list.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/wide/lane_batches.hpp"
@@ -23,6 +25,30 @@ struct LaneSteps {
     squares += other.squares;
     work += other.work;
   }
+};
+
+/// Numbers the solves of one solver. A copy is another solver, whose contacts are its own.
+class LaneTickets {
+ public:
+  LaneTickets() = default;
+  LaneTickets(const LaneTickets&) {}
+  LaneTickets& operator=(const LaneTickets&) {
+    last_ = {};
+    return *this;
+  }
+  ~LaneTickets() = default;
+
+  /// Of a solve that begins.
+  const ContactTicket& next() {
+    if (!last_.holder) last_.holder = std::make_shared<const char>();
+    ++last_.solve;
+    return last_;
+  }
+  /// Whether it is that of the last solve.
+  bool is_last(const ContactTicket& ticket) const { return ticket.holder && ticket == last_; }
+
+ private:
+  ContactTicket last_;
 };
 
 /// The rows of a problem in lanes, and those that fit into none. Lanes compute in single precision, those of
@@ -73,8 +99,10 @@ class LaneSystem {
   void take_again(VelocityProblem<Real>& problem);
   /// Writes impulses, inside their bounds, and the velocities that they make.
   void write_back(VelocityProblem<Real>& problem);
-  /// Gives all contacts their impulses, written back before, and those that they began with.
+  /// Gives all contacts in lanes their impulses, written back before, and those that they began with.
   void give(ContactProblem<Real>& contacts) const;
+  /// Gives those that fit into none their impulses.
+  void give_single_contacts(ContactProblem<Real>& contacts) const;
   /// The scale of R_E, as residual_scale(), once the problem has begun; but added up in the order of lanes.
   Real residual_scale(VelocityProblem<Real>& problem);
   /// R_E of what was written back last, as residual(); but added up in the order of lanes.
@@ -95,7 +123,6 @@ class LaneSystem {
   void push_contacts(VelocityProblem<Real>& problem);
   void write_single_rows(const ContactProblem<Real>& contacts);
   bool follow_single_contacts(ContactProblem<Real>& contacts);
-  void give_single_contacts(ContactProblem<Real>& contacts) const;
   void begin_changes(const VelocityProblem<Real>& problem);
   void fill(const VelocityProblem<Real>& problem);
   void empty_rows(VelocityProblem<Real>& problem) const;
@@ -121,6 +148,7 @@ class LaneSystem {
 
   LaneCode<Real> code_;
   Real relaxation_;  // omega
+  LaneTickets tickets_;
   LaneBatches batches_;
   LaneContacts<Real> contacts_;            // where there are no rows
   List<Manifold<Real>> single_manifolds_;  // of those that fit into no lane

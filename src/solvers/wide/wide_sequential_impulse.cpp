@@ -43,14 +43,18 @@ template <Scalar Real>
 SolveReport WideSequentialImpulse<Real>::solve(ContactProblem<Real>& contacts) {
   stopping_.begin(settings_, *contacts.problem, Looks::rarely);
   lanes_.begin(contacts);
-  return solve_begun(*contacts.problem, nullptr);
+  const SolveReport report = solve_begun(*contacts.problem, nullptr);
+  lanes_.give_single_contacts(contacts);
+  return report;
 }
 
 template <Scalar Real>
 SolveReport WideSequentialImpulse<Real>::relax(ContactProblem<Real>& contacts) {
   stopping_.begin(settings_, *contacts.problem, Looks::rarely);
   lanes_.begin_relaxed(contacts);
-  return solve_begun(*contacts.problem, nullptr);
+  const SolveReport report = solve_begun(*contacts.problem, nullptr);
+  lanes_.give_single_contacts(contacts);
+  return report;
 }
 
 template <Scalar Real>
