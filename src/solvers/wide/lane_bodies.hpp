@@ -81,7 +81,7 @@ struct Shuffle {
   /// Every fourth body of a list, side by side.
   static Floats joined(const LaneBody<float>* bodies, const std::int32_t* body) {
     if constexpr (bytes == 16) {
-      return load<Floats>(bodies[body[0]].velocity);
+      return load<Floats>(bodies[body[0]].numbers);
     } else {
       using Half = Shuffle<bytes / 2>;
       const auto first = Half::joined(bodies, body), second = Half::joined(bodies, body + bytes / 8);
@@ -95,7 +95,7 @@ struct Shuffle {
   /// The reverse of joined().
   static void part(Floats numbers, LaneBody<float>* bodies, const std::int32_t* body) {
     if constexpr (bytes == 16) {
-      store(numbers, bodies[body[0]].velocity);
+      store(numbers, bodies[body[0]].numbers);
     } else if constexpr (bytes == 32) {
       Shuffle<16>::part(__builtin_shufflevector(numbers, numbers, 0, 1, 2, 3), bodies, body);
       Shuffle<16>::part(__builtin_shufflevector(numbers, numbers, 4, 5, 6, 7), bodies, body + 4);
@@ -107,17 +107,19 @@ struct Shuffle {
   }
 };
 
-/// x, y and turning of so many bodies, a register each: four lists of four numbers become three registers.
+/// The four numbers of so many bodies, a register each.
 template <int bytes, typename Numbers>
 [[gnu::always_inline]] inline void read_bodies(const LaneBody<float>* bodies, const std::int32_t* body,
-                                               Numbers* velocity) {
+                                               Numbers* numbers) {
   using Of = Shuffle<bytes>;
   const Numbers body0 = Of::joined(bodies, body), body1 = Of::joined(bodies, body + 1);
   const Numbers body2 = Of::joined(bodies, body + 2), body3 = Of::joined(bodies, body + 3);
   const Numbers low01 = Of::low(body0, body1), low23 = Of::low(body2, body3);
-  velocity[0] = Of::front(low01, low23);
-  velocity[1] = Of::back(low01, low23);
-  velocity[2] = Of::front(Of::high(body0, body1), Of::high(body2, body3));
+  numbers[0] = Of::front(low01, low23);
+  numbers[1] = Of::back(low01, low23);
+  const Numbers high01 = Of::high(body0, body1), high23 = Of::high(body2, body3);
+  numbers[2] = Of::front(high01, high23);
+  numbers[3] = Of::back(high01, high23);
 }
 
 /// All of them can move.
@@ -138,30 +140,31 @@ template <int bytes, typename Numbers>
 template <int bytes, typename Numbers>
 requires(bytes == 32)
     [[gnu::always_inline]] inline void read_bodies(const LaneBody<double>* bodies, const std::int32_t* body,
-                                                   Numbers* velocity) {
-  const Numbers body0 = load<Numbers>(bodies[body[0]].velocity),
-                body1 = load<Numbers>(bodies[body[1]].velocity);
-  const Numbers body2 = load<Numbers>(bodies[body[2]].velocity),
-                body3 = load<Numbers>(bodies[body[3]].velocity);
+                                                   Numbers* numbers) {
+  const Numbers body0 = load<Numbers>(bodies[body[0]].numbers),
+                body1 = load<Numbers>(bodies[body[1]].numbers);
+  const Numbers body2 = load<Numbers>(bodies[body[2]].numbers),
+                body3 = load<Numbers>(bodies[body[3]].numbers);
   const Numbers xz01 = __builtin_shufflevector(body0, body1, 0, 4, 2, 6);
   const Numbers xz23 = __builtin_shufflevector(body2, body3, 0, 4, 2, 6);
-  const Numbers y01 = __builtin_shufflevector(body0, body1, 1, 5, 3, 7);
-  const Numbers y23 = __builtin_shufflevector(body2, body3, 1, 5, 3, 7);
-  velocity[0] = __builtin_shufflevector(xz01, xz23, 0, 1, 4, 5);
-  velocity[1] = __builtin_shufflevector(y01, y23, 0, 1, 4, 5);
-  velocity[2] = __builtin_shufflevector(xz01, xz23, 2, 3, 6, 7);
+  const Numbers yw01 = __builtin_shufflevector(body0, body1, 1, 5, 3, 7);
+  const Numbers yw23 = __builtin_shufflevector(body2, body3, 1, 5, 3, 7);
+  numbers[0] = __builtin_shufflevector(xz01, xz23, 0, 1, 4, 5);
+  numbers[1] = __builtin_shufflevector(yw01, yw23, 0, 1, 4, 5);
+  numbers[2] = __builtin_shufflevector(xz01, xz23, 2, 3, 6, 7);
+  numbers[3] = __builtin_shufflevector(yw01, yw23, 2, 3, 6, 7);
 }
 
 /// Any other numbers, one by one.
 template <int bytes, typename Number, typename Numbers>
 [[gnu::always_inline]] inline void read_bodies(const LaneBody<Number>* bodies, const std::int32_t* body,
-                                               Numbers* velocity) {
-  for (int axis = 0; axis < 3; ++axis) {
+                                               Numbers* numbers) {
+  for (int axis = 0; axis < 4; ++axis) {
     Number of_axis[Register<Number, bytes>::count];
     for (int lane = 0; lane < Register<Number, bytes>::count; ++lane) {
-      of_axis[lane] = bodies[body[lane]].velocity[axis];
+      of_axis[lane] = bodies[body[lane]].numbers[axis];
     }
-    velocity[axis] = load<Numbers>(of_axis);
+    numbers[axis] = load<Numbers>(of_axis);
   }
 }
 
@@ -172,7 +175,7 @@ template <int bytes, typename Number, typename Numbers>
     Number of_axis[Register<Number, bytes>::count];
     store(velocity[axis], of_axis);
     for (int lane = 0; lane < Register<Number, bytes>::count; ++lane) {
-      bodies[body[lane]].velocity[axis] = of_axis[lane];
+      bodies[body[lane]].numbers[axis] = of_axis[lane];
     }
   }
 }
@@ -191,7 +194,7 @@ template <int bytes, typename Number, typename Numbers>
     Number of_axis[count];
     store(velocity[axis], of_axis);
     for (int lane = 0; lane < count; ++lane) {
-      if ((moves >> lane & 1u) != 0) bodies[body[lane]].velocity[axis] = of_axis[lane];
+      if ((moves >> lane & 1u) != 0) bodies[body[lane]].numbers[axis] = of_axis[lane];
     }
   }
 }
@@ -210,7 +213,7 @@ requires(bytes == 32)
       __builtin_shufflevector(xy02, z02, 0, 1, 4, 5), __builtin_shufflevector(xy13, z13, 0, 1, 4, 5),
       __builtin_shufflevector(xy02, z02, 2, 3, 6, 7), __builtin_shufflevector(xy13, z13, 2, 3, 6, 7)};
   for (int lane = 0; lane < 4; ++lane) {
-    if ((moves >> lane & 1u) != 0) store(of_body[lane], bodies[body[lane]].velocity);
+    if ((moves >> lane & 1u) != 0) store(of_body[lane], bodies[body[lane]].numbers);
   }
 }
 
@@ -219,20 +222,24 @@ requires(bytes == 32)
 template <typename Real, int bytes>
 constexpr int body_bytes = sizeof(Real) == 8 && bytes > 32 ? 32 : bytes;
 
-/// The velocities of the bodies of a batch.
-template <int bytes, typename Real>
-inline void gather_bodies(const LaneBatch& batch, const LaneBody<Real>* bodies, LaneBodyInput<Real>& to) {
+/// The first so many numbers of the bodies of a batch.
+template <int bytes, int count, typename Real>
+[[gnu::always_inline]] inline void gather_numbers(const std::int32_t* body, const LaneBody<Real>* bodies,
+                                                  Real (&to)[count][lane_count]) {
   constexpr int width = body_bytes<Real, bytes>;
   typedef typename Register<Real, width>::Numbers Numbers;
   for (int lane = 0; lane < lane_count; lane += Register<Real, width>::count) {
-    Numbers a[3], b[3];
-    read_bodies<width>(bodies, batch.body_a + lane, a);
-    read_bodies<width>(bodies, batch.body_b + lane, b);
-    for (int axis = 0; axis < 3; ++axis) {
-      store(a[axis], to.velocity_a[axis] + lane);
-      store(b[axis], to.velocity_b[axis] + lane);
-    }
+    Numbers of_bodies[4];
+    read_bodies<width>(bodies, body + lane, of_bodies);
+    for (int i = 0; i < count; ++i) store(of_bodies[i], to[i] + lane);
   }
+}
+
+/// The velocities of the bodies of a batch.
+template <int bytes, typename Real>
+inline void gather_bodies(const LaneBatch& batch, const LaneBody<Real>* bodies, LaneBodyInput<Real>& to) {
+  gather_numbers<bytes>(batch.body_a, bodies, to.velocity_a);
+  gather_numbers<bytes>(batch.body_b, bodies, to.velocity_b);
 }
 
 /// The reverse, for those that can move.

@@ -22,7 +22,7 @@ LaneCode<Real> code_in_registers_of() {
   using Number = LaneNumber<Real>;
   return {.pass = pass_over<bytes, Number>,
           .fill = fill_lanes<Real, Number>,
-          .move_contacts = move_contacts<Real>,
+          .move_contacts = move_contacts<bytes, Real>,
           .measure_contacts = measure_contacts<Real>,
           .relax_contacts = relax_contacts<Real>,
           .push_contacts = push_contacts<bytes, Real>,

@@ -50,8 +50,8 @@ struct LaneWarmStart {
 /// Algorithm 1.
 template <typename Real>
 struct LaneUpdate {
-  Real relaxation = 1;            // omega
-  Real largest[lane_count] = {};  // [N s] step of an impulse in each lane
+  Real relaxation;  // omega
+  Real* largest;    // [N s] step of an impulse in each lane
 
   template <bool is_friction, typename Numbers>
   [[gnu::always_inline]] void at(LaneContactBatch<Real>& batch, int row, int lane, Numbers* a, Numbers* b) {
@@ -83,23 +83,34 @@ struct LaneUpdate {
   }
 };
 
-/// Something for all rows of a batch, as many lanes at a time as fit into a register.
+/// Something for all rows of a batch, as many lanes at a time as fit into two registers: what is done to one
+/// of them need not wait for the other.
 template <int bytes, typename Real, typename Work>
 inline void work_on_contacts(LaneContactBatch<Real>& batch, const LaneBatch& at, LaneBody<Real>* bodies,
                              Work& work) {
   constexpr int width = body_bytes<Real, bytes>;
   typedef typename Register<Real, width>::Numbers Numbers;
-  for (int lane = 0; lane < at.used; lane += Register<Real, width>::count) {
-    Numbers a[3], b[3];
-    read_bodies<width>(bodies, at.body_a + lane, a);
-    read_bodies<width>(bodies, at.body_b + lane, b);
+  constexpr int count = Register<Real, width>::count, side_by_side = 2;
+  for (int first = 0; first < at.used; first += side_by_side * count) {
+    Numbers a[side_by_side][4], b[side_by_side][4];
+    for (int i = 0; i < side_by_side; ++i) {
+      read_bodies<width>(bodies, at.body_a + first + i * count, a[i]);
+      read_bodies<width>(bodies, at.body_b + first + i * count, b[i]);
+    }
     for (int point = 0; point < batch.points; ++point) {
       const int row = batch.has_friction ? 2 * point : point;
-      work.template at<false>(batch, row, lane, a, b);
-      if (batch.has_friction) work.template at<true>(batch, row + 1, lane, a, b);
+      for (int i = 0; i < side_by_side; ++i) {
+        work.template at<false>(batch, row, first + i * count, a[i], b[i]);
+      }
+      for (int i = 0; i < side_by_side && batch.has_friction; ++i) {
+        work.template at<true>(batch, row + 1, first + i * count, a[i], b[i]);
+      }
     }
-    write_moving_bodies<width>(a, bodies, at.body_a + lane, at.moves_a >> lane);
-    write_moving_bodies<width>(b, bodies, at.body_b + lane, at.moves_b >> lane);
+    for (int i = 0; i < side_by_side; ++i) {
+      const int lane = first + i * count;
+      write_moving_bodies<width>(a[i], bodies, at.body_a + lane, at.moves_a >> lane);
+      write_moving_bodies<width>(b[i], bodies, at.body_b + lane, at.moves_b >> lane);
+    }
   }
 }
 
@@ -110,15 +121,12 @@ inline void push_contacts(LaneContactBatch<Real>& batch, const LaneBatch& at, La
   work_on_contacts<bytes>(batch, at, bodies, warm_start);
 }
 
-/// One sweep, in the problem's own precision. Returns the largest step of an impulse [N s].
+/// One sweep, in the problem's own precision.
 template <int bytes, typename Real>
-inline Real sweep_contacts(LaneContactBatch<Real>& batch, const LaneBatch& at, Real relaxation,
-                           LaneBody<Real>* bodies) {
-  LaneUpdate<Real> update = {.relaxation = relaxation};
+inline void sweep_contacts(LaneContactBatch<Real>& batch, const LaneBatch& at, Real relaxation,
+                           LaneBody<Real>* bodies, Real* largest) {
+  LaneUpdate<Real> update = {relaxation, largest};
   work_on_contacts<bytes>(batch, at, bodies, update);
-  Real largest = 0;
-  for (const Real step : update.largest) largest = largest < step ? step : largest;
-  return largest;
 }
 
 }  // namespace

@@ -98,11 +98,11 @@ bool LaneContacts<Real>::follow(const LaneCode<Real>& code, const LaneBatches& b
                                 const ContactProblem<Real>& problem) {
   const ContactRule<Real> rule = problem.stabilization->rule(problem.gravity);
   if (kept_.size() < contacts_.size()) keep(batches, problem.contacts);
+  take_frames(*problem.frames);
   for (int k = 0; k < contacts_.size(); ++k) {
     const LaneBatch& batch = batches.batches()[k];
-    if (batch.used < lane_count) frames_ = {};
-    gather_frames(batch, *problem.frames);
-    if (!code.move_contacts(kept_[k], frames_, contacts_[k].points, problem.margin, input_)) return false;
+    const int points = contacts_[k].points;
+    if (!code.move_contacts(kept_[k], batch, frames_.data(), points, problem.margin, input_)) return false;
     for (int lane = 0; kept_[k].given >> lane != 0; ++lane) {
       if ((kept_[k].given >> lane & 1u) != 0) gather_manifold(problem.manifolds[batch.block[lane]], lane);
     }
@@ -129,19 +129,15 @@ void LaneContacts<Real>::keep(const LaneBatches& batches, Span<const Contact<Rea
   }
 }
 
+/// Where bodies are, as lanes read it.
 template <Scalar Real>
-void LaneContacts<Real>::gather_frames(const LaneBatch& batch, const PerBody<Frame<Real>>& frames) {
-  for (int lane = 0; lane < batch.used; ++lane) {
-    const Frame<Real>&a = frames[BodyId{batch.body_a[lane]}], &b = frames[BodyId{batch.body_b[lane]}];
-    for (int axis = 0; axis < 2; ++axis) {
-      frames_.a[axis][lane] = a.position(axis);
-      frames_.b[axis][lane] = b.position(axis);
-    }
-    frames_.a[2][lane] = a.rotation.c;
-    frames_.a[3][lane] = a.rotation.s;
-    frames_.b[2][lane] = b.rotation.c;
-    frames_.b[3][lane] = b.rotation.s;
+void LaneContacts<Real>::take_frames(const PerBody<Frame<Real>>& frames) {
+  frames_.resize(frames.size() + 1);
+  for (const BodyId body : frames.indices()) {
+    const Frame<Real>& frame = frames[body];
+    frames_[body] = {{frame.position.x(), frame.position.y(), frame.rotation.c, frame.rotation.s}};
   }
+  frames_[BodyId{frames.size()}] = {};
 }
 
 template <Scalar Real>
@@ -174,7 +170,7 @@ void LaneContacts<Real>::take_velocities(const PerBody<Vec3<Real>>& velocity) {
 template <Scalar Real>
 void LaneContacts<Real>::give_velocities(PerBody<Vec3<Real>>& velocity) const {
   for (const BodyId body : velocity.indices()) {
-    const Real(&v)[4] = bodies_[body].velocity;
+    const Real(&v)[4] = bodies_[body].numbers;
     velocity[body] = {v[0], v[1], v[2]};
   }
 }
@@ -193,13 +189,12 @@ template <Scalar Real>
 Real LaneContacts<Real>::sweep_once(const LaneCode<Real>& code, const LaneBatches& batches, Real relaxation,
                                     PerBody<Vec3<Real>>& velocity) {
   take_velocities(velocity);
-  Real largest = 0;
+  Real largest[lane_count] = {};
   for (int k = 0; k < contacts_.size(); ++k) {
-    largest = std::max(largest,
-                       code.sweep_contacts(contacts_[k], batches.batches()[k], relaxation, bodies_.data()));
+    code.sweep_contacts(contacts_[k], batches.batches()[k], relaxation, bodies_.data(), largest);
   }
   give_velocities(velocity);
-  return largest;
+  return *std::max_element(std::begin(largest), std::end(largest));
 }
 
 template <Scalar Real>

@@ -46,13 +46,15 @@ class LaneContacts {
   /// [N s] of all impulses.
   Real largest_impulse() const;
   /// What it takes up [bytes].
-  std::size_t bytes() const { return contacts_.bytes() + kept_.bytes() + roots_.bytes() + bodies_.bytes(); }
+  std::size_t bytes() const {
+    return contacts_.bytes() + kept_.bytes() + roots_.bytes() + bodies_.bytes() + frames_.bytes();
+  }
 
  private:
   void gather(const LaneBatch& batch, const ContactProblem<Real>& problem, LaneContactBatch<Real>& to);
   void gather_manifold(const Manifold<Real>& manifold, int lane);
   void keep(const LaneBatches& batches, Span<const Contact<Real>> contacts);
-  void gather_frames(const LaneBatch& batch, const PerBody<Frame<Real>>& frames);
+  void take_frames(const PerBody<Frame<Real>>& frames);
   void take_velocities(const PerBody<Vec3<Real>>& velocity);
   void give_velocities(PerBody<Vec3<Real>>& velocity) const;
 
@@ -60,8 +62,8 @@ class LaneContacts {
   List<LaneKeptBatch<Real>> kept_;         // of each batch, once contacts have been followed
   List<LaneRoots<Number>> roots_;          // of each batch
   PerBody<LaneBody<Real>> bodies_;         // as fast as they are, and one that nothing moves
-  LaneFrames<Real> frames_ = {};           // scratch, of one batch
-  LaneContactInput<Real> input_ = {};      // likewise
+  PerBody<LaneBody<Real>> frames_;         // where they are: x, y [m], cosine and sine of the angle
+  LaneContactInput<Real> input_ = {};      // scratch, of one batch
 };
 
 }  // namespace cairn

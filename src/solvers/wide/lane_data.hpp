@@ -69,10 +69,11 @@ struct LaneBatch {
   std::int32_t block[lane_count];      // its number
 };
 
-/// A body's velocity; or its change over the root of the inverse mass, where rows are in lanes.
+/// A body's velocity, or its change over the root of the inverse mass: x, y, rotation and a number that is
+/// always 0. Or where it is: x, y, and the cosine and the sine of its angle.
 template <typename Number>
 struct alignas(4 * sizeof(Number)) LaneBody {
-  Number velocity[4];  // x, y, rotation, and a number that is always 0
+  Number numbers[4];  // side by side
 };
 
 /// What a sweep over batches works on.

@@ -3,6 +3,7 @@
 // face.
 #pragma once
 
+#include "solvers/wide/lane_bodies.hpp"
 #include "solvers/wide/lane_contact_data.hpp"
 
 namespace cairn {
@@ -53,9 +54,13 @@ inline void level_point(const LaneFrames<Real>& __restrict at, int point, const 
 
 /// Manifolds of so many points where the bodies are now. False if a separation is not below `margin` [m],
 /// or an overlap too deep.
-template <typename Real>
-inline bool move_contacts(const LaneKeptBatch<Real>& __restrict kept, const LaneFrames<Real>& __restrict at,
-                          int points, Real margin, LaneContactInput<Real>& __restrict to) {
+template <int bytes, typename Real>
+inline bool move_contacts(const LaneKeptBatch<Real>& __restrict kept, const LaneBatch& batch,
+                          const LaneBody<Real>* frames, int points, Real margin,
+                          LaneContactInput<Real>& __restrict to) {
+  LaneFrames<Real> at;
+  gather_numbers<bytes>(batch.body_a, frames, at.a);
+  gather_numbers<bytes>(batch.body_b, frames, at.b);
   Real height[lane_count] = {}, far[lane_count] = {};
   for (int lane = 0; lane < lane_count; ++lane) {
     const bool on_b = kept.on_b[lane] > 0;

@@ -171,7 +171,7 @@ Real LaneSystem<Real>::single_row_velocity(const VelocityProblem<Real>& problem,
                                            const ConstraintRow<Real>& row) const {
   Real jv = 0;
   for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-    const Number(&change)[4] = bodies_[body].velocity;
+    const Number(&change)[4] = bodies_[body].numbers;
     for (int axis = 0; axis < 3; ++axis) {
       jv += jacobian(axis) * (velocity_[body](axis) + root_[body](axis) * static_cast<Real>(change[axis]));
     }
@@ -183,7 +183,7 @@ template <Scalar Real>
 void LaneSystem<Real>::apply_single_row(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row,
                                         Real step) {
   for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-    Number(&change)[4] = bodies_[body].velocity;
+    Number(&change)[4] = bodies_[body].numbers;
     for (int axis = 0; axis < 3; ++axis) {
       change[axis] =
           static_cast<Number>(static_cast<Real>(change[axis]) + root_[body](axis) * jacobian(axis) * step);

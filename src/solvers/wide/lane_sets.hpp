@@ -37,8 +37,8 @@ struct LaneCode {
                LaneCoupling<Number>* couplings) = nullptr;
   /// Manifolds of so many points where their bodies are; false: a separation is not below the margin [m], or
   /// an overlap too deep.
-  bool (*move_contacts)(const LaneKeptBatch<Real>& kept, const LaneFrames<Real>& at, int points, Real margin,
-                        LaneContactInput<Real>& to) = nullptr;
+  bool (*move_contacts)(const LaneKeptBatch<Real>& kept, const LaneBatch& batch, const LaneBody<Real>* frames,
+                        int points, Real margin, LaneContactInput<Real>& to) = nullptr;
   /// Arms, bias and softness of a batch of contacts, from what was gathered.
   void (*measure_contacts)(const LaneContactInput<Real>& from, const ContactRule<Real>& rule,
                            LaneContactBatch<Real>& to) = nullptr;
@@ -46,10 +46,10 @@ struct LaneCode {
   void (*relax_contacts)(LaneContactBatch<Real>& batch) = nullptr;
   /// The warm start of a batch of contacts: gives their impulses to their bodies, which are so fast.
   void (*push_contacts)(LaneContactBatch<Real>& batch, const LaneBatch& at, LaneBody<Real>* bodies) = nullptr;
-  /// One sweep over a batch of contacts in the problem's own precision. Returns the largest step of an
-  /// impulse [N s].
-  Real (*sweep_contacts)(LaneContactBatch<Real>& batch, const LaneBatch& at, Real relaxation,
-                         LaneBody<Real>* bodies) = nullptr;
+  /// One sweep over a batch of contacts in the problem's own precision. Raises the largest step of an
+  /// impulse [N s] in each lane.
+  void (*sweep_contacts)(LaneContactBatch<Real>& batch, const LaneBatch& at, Real relaxation,
+                         LaneBody<Real>* bodies, Real* largest) = nullptr;
   /// Fills the rows of a batch of contacts, and the couplings between them.
   void (*fill_contacts)(LaneContactBatch<Real>& batch, const LaneBatch& at, const LaneBody<Real>* bodies,
                         const LaneRoots<Number>& roots, Real relaxation, LaneRow<Number>* rows,

@@ -48,7 +48,7 @@ inline Numbers lane_velocity(const LaneRow<Number>& row, int lane, const Numbers
 template <int bytes, int rows, LanePass pass, typename Number>
 inline void update_lanes(LaneProblem<Number>& problem, const LaneBatch& batch, int lane) {
   typedef typename Register<Number, bytes>::Numbers Numbers;
-  Numbers a[3], b[3], corrective[rows], change[rows];
+  Numbers a[4], b[4], corrective[rows], change[rows];
   read_bodies<bytes>(problem.bodies, batch.body_a + lane, a);
   read_bodies<bytes>(problem.bodies, batch.body_b + lane, b);
   LaneRow<Number>* const block = problem.rows + batch.first_row;
