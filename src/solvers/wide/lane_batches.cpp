@@ -177,13 +177,9 @@ void LaneBatches::colour() {
     const std::uint64_t bit = std::uint64_t{1} << colour;
     taken_[block.a] |= bit;
     taken_[block.b] |= bit;
-    coloured_.push_back({colour, k});
+    coloured_.push_back({colour, block.kinds, k});
   }
-  std::sort(coloured_.begin(), coloured_.end(), [&](const Coloured& one, const Coloured& other) {
-    if (one.colour != other.colour) return one.colour < other.colour;
-    const std::uint64_t kinds = blocks_[one.block].kinds, others = blocks_[other.block].kinds;
-    return kinds != others ? kinds < others : one.block < other.block;
-  });
+  std::sort(coloured_.begin(), coloured_.end());
 }
 
 void LaneBatches::make_batches() {
@@ -201,7 +197,7 @@ void LaneBatches::make_batches() {
     if (first == 0 || begin.colour != coloured_[first - 1].colour) colours_.push_back(batches_.size());
     int last = first + 1;
     while (last < coloured_.size() && last < first + lane_count && coloured_[last].colour == begin.colour &&
-           blocks_[coloured_[last].block].kinds == blocks_[begin.block].kinds) {
+           coloured_[last].kinds == begin.kinds) {
       ++last;
     }
     if (last > first + 1) add_batch(first, last);  // one block is solved as fast without lanes

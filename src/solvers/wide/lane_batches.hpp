@@ -76,7 +76,9 @@ class LaneBatches {
   /// A block that is to lie in a lane.
   struct Coloured {
     int colour = 0;
+    std::uint64_t kinds = 0;  // as in its block
     int block = 0;
+    auto operator<=>(const Coloured&) const = default;
   };
 
   template <Scalar Real>

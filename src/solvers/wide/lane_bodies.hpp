@@ -231,7 +231,8 @@ template <int bytes, int count, typename Real>
   for (int lane = 0; lane < lane_count; lane += Register<Real, width>::count) {
     Numbers of_bodies[4];
     read_bodies<width>(bodies, body + lane, of_bodies);
-    for (int i = 0; i < count; ++i) store(of_bodies[i], to[i] + lane);
+    for (int i = 0; i < 3; ++i) store(of_bodies[i], to[i] + lane);
+    if constexpr (count > 3) store(of_bodies[3], to[3] + lane);
   }
 }
 

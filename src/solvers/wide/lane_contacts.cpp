@@ -30,12 +30,15 @@ void keep_in_lane(const KeptManifold<Real>& kept, int lane, LaneKeptBatch<Real>&
 template <Scalar Real>
 void LaneContacts<Real>::arrange(const LaneBatches& batches, const ContactProblem<Real>& problem,
                                  const PerBody<Vec3<Real>>& root) {
-  contacts_.assign(batches.batches().size(), LaneContactBatch<Real>{});
-  kept_.clear();
-  roots_.assign(batches.batches().size(), LaneRoots<Number>{});
+  contacts_.resize(batches.batches().size());
+  roots_.resize(batches.batches().size());
   for (int k = 0; k < contacts_.size(); ++k) {
     const LaneBatch& batch = batches.batches()[k];
     LaneContactBatch<Real>& to = contacts_[k];
+    if (batch.used < lane_count) {  // in all others, everything is set that is ever looked at
+      to = {};
+      roots_[k] = {};
+    }
     to.rows = batch.rows;
     to.points = problem.manifolds[batch.block[0]].count;
     to.has_friction = to.rows > to.points;

@@ -11,11 +11,12 @@ namespace cairn {
 namespace {
 
 /// Separations of one point, and where it is beside the first body. Adds up in `height` how far the points
-/// are along the normal, and in `far` how many are not below the margin, or too deep.
-template <typename Real>
-inline void move_point(const LaneKeptBatch<Real>& __restrict kept, const LaneFrames<Real>& __restrict at,
-                       int point, Real margin, LaneContactInput<Real>& __restrict to, Real* __restrict height,
-                       Real* __restrict far) {
+/// are along the normal. False if a separation is not below the margin, or an overlap too deep.
+template <bool is_first, typename Real>
+inline bool move_point(const LaneKeptBatch<Real>& __restrict kept, const LaneFrames<Real>& __restrict at,
+                       int point, Real margin, LaneContactInput<Real>& __restrict to,
+                       Real* __restrict height) {
+  int lost = 0;
   for (int lane = 0; lane < lane_count; ++lane) {
     const Real x = to.normal[0][lane], y = to.normal[1][lane];
     const Real of_a_x = kept.core_a[point][0][lane], of_a_y = kept.core_a[point][1][lane];
@@ -33,10 +34,11 @@ inline void move_point(const LaneKeptBatch<Real>& __restrict kept, const LaneFra
     to.point[point][0][lane] = p_x;
     to.point[point][1][lane] = p_y;
     to.separation[point][lane] = separation;
-    height[lane] += x * p_x + y * p_y;
-    far[lane] += separation < margin ? Real(0) : Real(1);
-    far[lane] += separation < -kept.deepest[lane] ? Real(1) : Real(0);
+    height[lane] = (is_first ? Real(0) : height[lane]) + (x * p_x + y * p_y);
+    lost |= separation < margin ? 0 : 1;
+    lost |= separation < -kept.deepest[lane] ? 1 : 0;
   }
+  return lost == 0;
 }
 
 /// All points of a manifold at one height, and in the world.
@@ -61,7 +63,7 @@ inline bool move_contacts(const LaneKeptBatch<Real>& __restrict kept, const Lane
   LaneFrames<Real> at;
   gather_numbers<bytes>(batch.body_a, frames, at.a);
   gather_numbers<bytes>(batch.body_b, frames, at.b);
-  Real height[lane_count] = {}, far[lane_count] = {};
+  Real height[lane_count];
   for (int lane = 0; lane < lane_count; ++lane) {
     const bool on_b = kept.on_b[lane] > 0;
     const Real cosine = on_b ? at.b[2][lane] : at.a[2][lane];
@@ -73,11 +75,10 @@ inline bool move_contacts(const LaneKeptBatch<Real>& __restrict kept, const Lane
       to.position_b[axis][lane] = at.b[axis][lane];
     }
   }
-  for (int i = 0; i < points; ++i) move_point(kept, at, i, margin, to, height, far);
+  bool is_near = move_point<true>(kept, at, 0, margin, to, height);
+  if (points > 1) is_near = move_point<false>(kept, at, 1, margin, to, height) && is_near;
   for (int i = 0; i < points; ++i) level_point(at, i, height, static_cast<Real>(points), to);
-  Real count = 0;
-  for (int lane = 0; lane < lane_count; ++lane) count += far[lane];
-  return count == 0;
+  return is_near;
 }
 
 }  // namespace

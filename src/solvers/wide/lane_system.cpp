@@ -34,7 +34,6 @@ void LaneSystem<Real>::begin(VelocityProblem<Real>& problem) {
   if (batches_.may_be_same(problem) && push_rows(problem)) return;
   problem.velocity = velocity_;
   batches_.arrange(problem);
-  make_room();
   push_rows(problem);
 }
 
@@ -49,7 +48,6 @@ void LaneSystem<Real>::begin(ContactProblem<Real>& contacts) {
   has_rows_ = false;
   const bool new_masses = take_masses(*contacts.problem);
   const bool rearranged = batches_.arrange(contacts);
-  if (rearranged) make_room();
   if (rearranged || new_masses) contacts_.arrange(batches_, contacts, root_);
   single_manifolds_.clear();
   for (const int k : batches_.single_blocks()) single_manifolds_.push_back(contacts.manifolds[k]);
@@ -72,12 +70,6 @@ void LaneSystem<Real>::begin_relaxed(ContactProblem<Real>& contacts) {
   }
   contacts_.relax(code_);
   push_contacts(*contacts.problem);
-}
-
-template <Scalar Real>
-void LaneSystem<Real>::make_room() {
-  rows_.assign(batches_.lane_rows(), LaneRow<Number>{});
-  couplings_.resize(batches_.couplings());
 }
 
 /// False where a lane is not made for its row any more: velocities are of no use then.
@@ -106,6 +98,8 @@ void LaneSystem<Real>::push_contacts(VelocityProblem<Real>& problem) {
 template <Scalar Real>
 void LaneSystem<Real>::take(const VelocityProblem<Real>& problem) {
   begin_changes(problem);
+  rows_.resize(batches_.lane_rows());
+  couplings_.resize(batches_.couplings());
   if (has_rows_) {
     fill(problem);
   } else {

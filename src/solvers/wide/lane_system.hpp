@@ -118,7 +118,6 @@ class LaneSystem {
   // more would lose their small terms, and are added in the order of batches, whoever made them.
   static constexpr int batches_in_a_sum = 16;
 
-  void make_room();
   bool push_rows(VelocityProblem<Real>& problem);
   void push_contacts(VelocityProblem<Real>& problem);
   void write_single_rows(const ContactProblem<Real>& contacts);
