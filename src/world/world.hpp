@@ -267,6 +267,7 @@ class World {
   bool may_follow_ = false;               // the solver with its contacts, in the next substep
   ContactTicket ticket_;                  // of these; none where the last substep needed rows
   bool owes_impulses_ = false;            // the solver, of the last substep
+  bool has_slots_ = false;                // for their impulses: the slots are of the same rows
   List<RelaxedRow> relaxed_rows_;         // of joints
   VelocityProblem<Real> second_problem_;  // of positions
   PerBody<Vec3<Real>> moving_velocity_;   // what the position moves by in this substep

@@ -119,10 +119,16 @@ void World<Real>::take_impulses(ContactSolver<Real>& solver, FixedList<Real, 4> 
   owes_impulses_ = false;
   for (int i = 0; i < touching_.size(); ++i) {
     const Contact<Real>& contact = contacts_[i];
+    if (has_slots_) {  // of these rows, and of substeps of this length
+      FixedList<RowImpulse<Real>, 4>& rows = graph_[touching_[i]].impulses.rows;
+      for (int k = 0; k < contact.count; ++k) rows[k].impulse = (contact.*impulse)[k];
+      continue;
+    }
     remember(graph_[touching_[i]].impulses, contact.count, record_.problem.dt, [&](int k) {
       return RowImpulse<Real>{part_of(record_.manifolds[i], contact, k), (contact.*impulse)[k]};
     });
   }
+  has_slots_ = true;
 }
 
 /// What the solver has found out about the contacts of the last substep.
@@ -158,6 +164,7 @@ void World<Real>::remember_contacts(ContactSolver<Real>& solver, int number) {
 template <Scalar Real>
 void World<Real>::take_contacts() {
   contacts_.resize(touching_.size());
+  has_slots_ = false;
   int rows = 0;
   const Real dt = record_.problem.dt;
   may_follow_ = plan_->moves_manifolds && plan_->warm_start;

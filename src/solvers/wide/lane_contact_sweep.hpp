@@ -10,40 +10,56 @@ namespace cairn {
 
 namespace {
 
-/// The Jacobian of one row of each contact.
+/// A direction of each contact, in which it has a row at every point: the normal, or that of friction.
 template <typename Numbers>
-struct LaneJacobian {
-  Numbers x, y, turn_a, turn_b;
+struct LaneDirection {
+  Numbers x, y;            // from the first body to the second
+  Numbers a_x, a_y;        // [1/kg] what an impulse of 1 N s does to the first bodies
+  Numbers b_x, b_y;        // [1/kg] and to the second bodies
+  Numbers a_turn, b_turn;  // [1/(kg m^2)] inverse inertias
 };
 
-template <typename Numbers, bool is_friction, typename Real>
-inline LaneJacobian<Numbers> jacobian_of(const LaneContactBatch<Real>& batch, int row, int lane) {
+template <bool is_friction, typename Numbers, typename Real>
+[[gnu::always_inline]] inline void take_direction(const LaneContactBatch<Real>& batch, int lane,
+                                                  LaneDirection<Numbers>& to) {
   const Numbers n_x = load<Numbers>(batch.normal[0] + lane), n_y = load<Numbers>(batch.normal[1] + lane);
-  const Numbers turn_a = -load<Numbers>(batch.turn_a[row] + lane);
-  const Numbers turn_b = load<Numbers>(batch.turn_b[row] + lane);
-  if constexpr (is_friction) return {n_y, -n_x, turn_a, turn_b};
-  return {n_x, n_y, turn_a, turn_b};
+  to.x = is_friction ? n_y : n_x;
+  to.y = is_friction ? -n_x : n_y;
+  to.a_x = load<Numbers>(batch.inverse_a[0] + lane) * -to.x;
+  to.a_y = load<Numbers>(batch.inverse_a[1] + lane) * -to.y;
+  to.b_x = load<Numbers>(batch.inverse_b[0] + lane) * to.x;
+  to.b_y = load<Numbers>(batch.inverse_b[1] + lane) * to.y;
+  to.a_turn = load<Numbers>(batch.inverse_a[2] + lane);
+  to.b_turn = load<Numbers>(batch.inverse_b[2] + lane);
 }
 
+/// Velocities of the bodies of so many contacts.
+template <typename Numbers>
+struct LaneVelocities {
+  Numbers a[4], b[4];  // x, y, rotation, 0
+};
+
 /// Gives the bodies the impulse p [N s] of one row.
-template <typename Numbers, typename Real>
-[[gnu::always_inline]] inline void push_lanes(const LaneContactBatch<Real>& batch, int lane,
-                                              const LaneJacobian<Numbers>& j, const Numbers& p, Numbers* a,
-                                              Numbers* b) {
-  a[0] = a[0] + load<Numbers>(batch.inverse_a[0] + lane) * -j.x * p;
-  a[1] = a[1] + load<Numbers>(batch.inverse_a[1] + lane) * -j.y * p;
-  a[2] = a[2] + load<Numbers>(batch.inverse_a[2] + lane) * j.turn_a * p;
-  b[0] = b[0] + load<Numbers>(batch.inverse_b[0] + lane) * j.x * p;
-  b[1] = b[1] + load<Numbers>(batch.inverse_b[1] + lane) * j.y * p;
-  b[2] = b[2] + load<Numbers>(batch.inverse_b[2] + lane) * j.turn_b * p;
+template <typename Numbers>
+[[gnu::always_inline]] inline void push_lanes(const LaneDirection<Numbers>& n, const Numbers& turn_a,
+                                              const Numbers& turn_b, const Numbers& p,
+                                              LaneVelocities<Numbers>& v) {
+  v.a[0] = v.a[0] + n.a_x * p;
+  v.a[1] = v.a[1] + n.a_y * p;
+  v.a[2] = v.a[2] + n.a_turn * turn_a * p;
+  v.b[0] = v.b[0] + n.b_x * p;
+  v.b[1] = v.b[1] + n.b_y * p;
+  v.b[2] = v.b[2] + n.b_turn * turn_b * p;
 }
 
 /// What is done to one row of each contact: its warm start.
 struct LaneWarmStart {
   template <bool is_friction, typename Numbers, typename Real>
-  [[gnu::always_inline]] void at(LaneContactBatch<Real>& batch, int row, int lane, Numbers* a, Numbers* b) {
-    const LaneJacobian<Numbers> j = jacobian_of<Numbers, is_friction>(batch, row, lane);
-    push_lanes(batch, lane, j, load<Numbers>(batch.answer[row] + lane), a, b);
+  [[gnu::always_inline]] void at(LaneContactBatch<Real>& batch, int row, int lane,
+                                 const LaneDirection<Numbers>& n, LaneVelocities<Numbers>& v) {
+    const Numbers turn_a = -load<Numbers>(batch.turn_a[row] + lane);
+    const Numbers turn_b = load<Numbers>(batch.turn_b[row] + lane);
+    push_lanes(n, turn_a, turn_b, load<Numbers>(batch.answer[row] + lane), v);
   }
 };
 
@@ -54,10 +70,12 @@ struct LaneUpdate {
   Real* largest;    // [N s] step of an impulse in each lane
 
   template <bool is_friction, typename Numbers>
-  [[gnu::always_inline]] void at(LaneContactBatch<Real>& batch, int row, int lane, Numbers* a, Numbers* b) {
-    const LaneJacobian<Numbers> j = jacobian_of<Numbers, is_friction>(batch, row, lane);
-    const Numbers jv =
-        (-j.x * a[0] + (-j.y * a[1] + j.turn_a * a[2])) + (j.x * b[0] + (j.y * b[1] + j.turn_b * b[2]));
+  [[gnu::always_inline]] void at(LaneContactBatch<Real>& batch, int row, int lane,
+                                 const LaneDirection<Numbers>& n, LaneVelocities<Numbers>& v) {
+    const Numbers turn_a = -load<Numbers>(batch.turn_a[row] + lane);
+    const Numbers turn_b = load<Numbers>(batch.turn_b[row] + lane);
+    const Numbers jv = (-n.x * v.a[0] + (-n.y * v.a[1] + turn_a * v.a[2])) +
+                       (n.x * v.b[0] + (n.y * v.b[1] + turn_b * v.b[2]));
     const Numbers zero = {}, one = zero + Real(1), old = load<Numbers>(batch.answer[row] + lane);
     Numbers inverse = load<Numbers>(batch.inverse[row] + lane), lacking = zero - jv;
     if constexpr (!is_friction) {
@@ -79,38 +97,30 @@ struct LaneUpdate {
     const Numbers step = now - old, size = step < 0 ? -step : step;
     const Numbers most = load<Numbers>(largest + lane);
     store(Numbers(most < size ? size : most), largest + lane);
-    push_lanes(batch, lane, j, step, a, b);
+    push_lanes(n, turn_a, turn_b, step, v);
   }
 };
 
-/// Something for all rows of a batch, as many lanes at a time as fit into two registers: what is done to one
-/// of them need not wait for the other.
+/// Something for all rows of a batch, as many lanes at a time as fit into a register.
 template <int bytes, typename Real, typename Work>
 inline void work_on_contacts(LaneContactBatch<Real>& batch, const LaneBatch& at, LaneBody<Real>* bodies,
                              Work& work) {
   constexpr int width = body_bytes<Real, bytes>;
   typedef typename Register<Real, width>::Numbers Numbers;
-  constexpr int count = Register<Real, width>::count, side_by_side = 2;
-  for (int first = 0; first < at.used; first += side_by_side * count) {
-    Numbers a[side_by_side][4], b[side_by_side][4];
-    for (int i = 0; i < side_by_side; ++i) {
-      read_bodies<width>(bodies, at.body_a + first + i * count, a[i]);
-      read_bodies<width>(bodies, at.body_b + first + i * count, b[i]);
-    }
+  for (int lane = 0; lane < at.used; lane += Register<Real, width>::count) {
+    LaneVelocities<Numbers> v;
+    read_bodies<width>(bodies, at.body_a + lane, v.a);
+    read_bodies<width>(bodies, at.body_b + lane, v.b);
+    LaneDirection<Numbers> normal, friction;
+    take_direction<false>(batch, lane, normal);
+    take_direction<true>(batch, lane, friction);
     for (int point = 0; point < batch.points; ++point) {
       const int row = batch.has_friction ? 2 * point : point;
-      for (int i = 0; i < side_by_side; ++i) {
-        work.template at<false>(batch, row, first + i * count, a[i], b[i]);
-      }
-      for (int i = 0; i < side_by_side && batch.has_friction; ++i) {
-        work.template at<true>(batch, row + 1, first + i * count, a[i], b[i]);
-      }
+      work.template at<false>(batch, row, lane, normal, v);
+      if (batch.has_friction) work.template at<true>(batch, row + 1, lane, friction, v);
     }
-    for (int i = 0; i < side_by_side; ++i) {
-      const int lane = first + i * count;
-      write_moving_bodies<width>(a[i], bodies, at.body_a + lane, at.moves_a >> lane);
-      write_moving_bodies<width>(b[i], bodies, at.body_b + lane, at.moves_b >> lane);
-    }
+    write_moving_bodies<width>(v.a, bodies, at.body_a + lane, at.moves_a >> lane);
+    write_moving_bodies<width>(v.b, bodies, at.body_b + lane, at.moves_b >> lane);
   }
 }
 

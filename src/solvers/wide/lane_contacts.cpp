@@ -154,11 +154,6 @@ void LaneContacts<Real>::go_on() {
   }
 }
 
-template <Scalar Real>
-void LaneContacts<Real>::relax(const LaneCode<Real>& code) {
-  for (LaneContactBatch<Real>& batch : contacts_) code.relax_contacts(batch);
-}
-
 /// Velocities as lanes read them, and those of a body that nothing moves.
 template <Scalar Real>
 void LaneContacts<Real>::take_velocities(const PerBody<Vec3<Real>>& velocity) {
@@ -179,10 +174,11 @@ void LaneContacts<Real>::give_velocities(PerBody<Vec3<Real>>& velocity) const {
 }
 
 template <Scalar Real>
-void LaneContacts<Real>::push(const LaneCode<Real>& code, const LaneBatches& batches,
+void LaneContacts<Real>::push(const LaneCode<Real>& code, const LaneBatches& batches, LaneSprings springs,
                               PerBody<Vec3<Real>>& velocity) {
   take_velocities(velocity);
   for (int k = 0; k < contacts_.size(); ++k) {
+    if (springs == LaneSprings::left_out) code.relax_contacts(contacts_[k]);
     code.push_contacts(contacts_[k], batches.batches()[k], bodies_.data());
   }
   give_velocities(velocity);

@@ -119,7 +119,7 @@ class LaneSystem {
   static constexpr int batches_in_a_sum = 16;
 
   bool push_rows(VelocityProblem<Real>& problem);
-  void push_contacts(VelocityProblem<Real>& problem);
+  void push_contacts(VelocityProblem<Real>& problem, LaneSprings springs);
   void write_single_rows(const ContactProblem<Real>& contacts);
   bool follow_single_contacts(ContactProblem<Real>& contacts);
   void begin_changes(const VelocityProblem<Real>& problem);
