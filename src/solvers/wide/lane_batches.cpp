@@ -72,8 +72,8 @@ bool LaneBatches::may_be_same(const VelocityProblem<Real>& problem) {
 
 std::size_t LaneBatches::bytes() const {
   return blocks_.bytes() + moves_.bytes() + batches_.bytes() + colours_.bytes() + kinds_.bytes() +
-         single_blocks_.bytes() + single_rows_.bytes() + coloured_.bytes() + taken_.bytes() +
-         in_lane_.bytes();
+         single_blocks_.bytes() + single_rows_.bytes() + coloured_.bytes() + sorted_.bytes() +
+         taken_.bytes() + in_lane_.bytes();
 }
 
 template <Scalar Real>
@@ -167,6 +167,7 @@ void LaneBatches::colour() {
   single_out_what_is_leant_on();
   taken_.assign(moves_.size(), 0);
   coloured_.clear();
+  sorted_.clear();
   for (int k = 0; k < blocks_.size(); ++k) {
     const Block& block = blocks_[k];
     if (block.kinds == 0 || in_lane_[k] == 0) continue;
@@ -179,7 +180,15 @@ void LaneBatches::colour() {
     taken_[block.b] |= bit;
     coloured_.push_back({colour, block.kinds, k});
   }
-  std::sort(coloured_.begin(), coloured_.end());
+  // Colour by colour: what is of one colour mostly is in order.
+  for (int colour = 0; sorted_.size() < coloured_.size(); ++colour) {
+    const int first = sorted_.size();
+    for (const Coloured& each : coloured_) {
+      if (each.colour == colour) sorted_.push_back(each);
+    }
+    std::sort(sorted_.begin() + first, sorted_.end());
+  }
+  coloured_.swap(sorted_);
 }
 
 void LaneBatches::make_batches() {

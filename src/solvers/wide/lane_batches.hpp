@@ -110,6 +110,7 @@ class LaneBatches {
   int couplings_ = 0;
   List<int> leant_on_before_;     // scratch
   List<Coloured> coloured_;       // scratch
+  List<Coloured> sorted_;         // scratch
   List<char> in_lane_;            // scratch, for each block
   PerBody<std::uint64_t> taken_;  // scratch: the colours at a body, a bit each
 };
