@@ -30,8 +30,11 @@ struct LaneSteps {
 /// Numbers the solves of one solver. A copy is another solver, whose contacts are its own.
 class LaneTickets {
  public:
+  /// Of a solver that has solved nothing.
   LaneTickets() = default;
+  /// Of another solver, which has solved nothing that anybody could go on with.
   LaneTickets(const LaneTickets&) {}
+  /// Likewise.
   LaneTickets& operator=(const LaneTickets&) {
     last_ = {};
     return *this;
