@@ -24,8 +24,9 @@ render::Camera rod_camera(const Rect& inside, const Rod& rod) {
                               {std::max(anchor.x() + 2.6, 4.0), 0.5}});
 }
 
-/// Where c is −1, 0 and +1 m, were the anchor there.
-void draw_circles(Page& page, const render::Camera& camera, const Rod& rod) {
+/// Where c is −1, 0 and +1 m, were the anchor there. The label of a velocity may cross the dashed ones:
+/// between two arrows there is no other place.
+void draw_circles(Page& page, const render::Camera& camera, const Rod& rod, const RodLook& look) {
   for (const double c : {-1.0, 0.0, 1.0}) {
     const double radius = rod.length + c;
     List<Point> points;
@@ -34,7 +35,7 @@ void draw_circles(Page& page, const render::Camera& camera, const Rod& rod) {
     render::Stroke stroke{.width = page.sizes().axis, .color = page.theme().inactive, .dash = {6, 5}};
     if (c == 0) stroke = {.width = page.sizes().curve, .color = page.theme().joint, .dash = {}};
     page.canvas().polyline(points, stroke);
-    if (c == 0) page.avoid(points);
+    if (c == 0 || !look.velocity) page.avoid(points);
     render::TextStyle style = page.value();
     const std::string name = c == 0 ? "c = 0" : "c = " + render::fixed(c, 0, render::Sign::always) + " m";
     const Point at = camera.project({0, -radius});
@@ -163,7 +164,7 @@ void draw_rod(Page& page, const Rect& rect, const Rod& rod, const RodLook& look)
   const Rect inside = page.panel(rect, "");
   const render::Camera camera = rod_camera(inside, rod);
   page.canvas().push_clip(inside);
-  if (look.circles) draw_circles(page, camera, rod);
+  if (look.circles) draw_circles(page, camera, rod, look);
   const FixedList<Snapshot, 1> before = {rod.snapshot};
   if (look.ghost) draw_ghosts(page, camera, before);
   draw_world(page, camera, moved_to(rod, look.pose), {.names = {"", ""}, .contacts = false});
