@@ -37,13 +37,18 @@ List<Setting> usual_settings_of_cairn() {
 
 /// Of rising cost, for each method.
 List<List<Setting>> settings_of_cairn() {
-  List<List<Setting>> all(7);
+  List<List<Setting>> all(9);
   for (const int sweeps : {5, 10, 20, 40, 80, 160}) {
     all[0].push_back({.solver = "si", .sweeps = {.iterations = sweeps}});
     all[1].push_back({.solver = "accelerated", .sweeps = {.iterations = sweeps}});
   }
   for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
     all[2].push_back({.solver = "newton", .sweeps = {.iterations = 50, .tolerance = tolerance}});
+  }
+  for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+    const SolverSettings sweeps = {.iterations = 300, .tolerance = tolerance};
+    all[7].push_back({.solver = "wide", .sweeps = sweeps, .contact_search = when_moved});
+    all[8].push_back({.solver = "wide-accelerated", .sweeps = sweeps, .contact_search = when_moved});
   }
   for (const int substeps : {2, 4, 8, 16}) {
     all[3].push_back(
