@@ -33,7 +33,7 @@ struct ContactTicket {
   std::shared_ptr<const char> holder = {};  // the solver's own; null: there was none
   std::int64_t solve = 0;                   // its number
 
-  bool operator==(const ContactTicket&) const = default;
+  bool operator==(const ContactTicket&) const = default;  // whether both are of one solve
 };
 
 /// A step in which contacts are all that is to be solved: with a row of friction for each point, and without
