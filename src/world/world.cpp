@@ -69,7 +69,7 @@ void World<Real>::solve_rows(Solver<Real>& solver, SolveObserver<Real>* observer
   if (plan_->relaxes) velocity_before_ = record_.problem.velocity;
   report.solve = solver.solve(record_.problem, observer);
   report.sweeps += report.solve.iterations;
-  if (plan_->guarded && !report.solve.converged) guard_solve(report);
+  if (plan_->guarded) guard_solve(report);
   moving_velocity_ = record_.problem.velocity;
   if (plan_->corrects_positions) correct_positions(solver, report);
   if (plan_->relaxes) relax(solver, report);
@@ -82,9 +82,8 @@ void World<Real>::relax(Solver<Real>& solver, StepReport& report) {
   record_.problem.velocity = velocity_before_;
   relax_rows();
   if (plan_->follows_arcs) leave_lost_arcs();
-  const SolveReport again = solver.solve_again(record_.problem);
-  report.sweeps += again.iterations;
-  if (plan_->guarded && !again.converged) guard_solve(report);
+  report.sweeps += solver.solve_again(record_.problem).iterations;
+  if (plan_->guarded) guard_solve(report);
 }
 
 /// The policy split_impulse: adds velocities that take errors back. The velocities of the step come back once

@@ -53,8 +53,8 @@ void World<Real>::guard_warm_start(StepReport& report) {
   report.warm_share = std::min(report.warm_share, static_cast<double>(share));
 }
 
-/// Sweeps that were too few, or in which rows quarrel, may leave more energy than any row asks for. A solve
-/// that has come to its tolerance leaves none.
+/// Sweeps that were too few, or in which rows quarrel, may leave more energy than any row asks for; so may
+/// those that end at a wide tolerance.
 template <Scalar Real>
 void World<Real>::guard_solve(StepReport& report) {
   const Real share = limit_solved(record_.problem, energy_);
