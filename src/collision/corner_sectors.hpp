@@ -28,7 +28,7 @@ NormalCone<Real> cone_of(const FreeSector& sector) {
   const double from = sector.begin + (is_level ? sector.width / 2 : pi / 2);
   const double to = is_level ? from : sector.begin + sector.width - pi / 2;
   const auto direction = [](double angle) {
-    return Vec2<Real>(static_cast<Real>(std::cos(angle)), static_cast<Real>(std::sin(angle)));
+    return Vec2<Real>(static_cast<Real>(cosine(angle)), static_cast<Real>(sine(angle)));
   };
   return {direction(from), direction(to)};
 }
@@ -38,7 +38,7 @@ template <Scalar Real>
 FaceEnd<Real> end_of(const FreeSector& sector) {
   using Kind = typename FaceEnd<Real>::Kind;
   if (sector.is_open()) return {.kind = Kind::neighbour};
-  return {.kind = Kind::valley, .rise = static_cast<Real>(std::sin(std::max(sector.width, pi / 2)))};
+  return {.kind = Kind::valley, .rise = static_cast<Real>(sine(std::max(sector.width, pi / 2)))};
 }
 
 /// What solids leave free around a corner. Angles are counter-clockwise from the hull's own face that begins

@@ -114,7 +114,7 @@ EdgeDistances<Real> edge_distances(const Pair<Real>& pair, int edge_a, int edge_
 template <Scalar Real>
 Manifold<Real> corner_contact(const Pair<Real>& pair, int vertex_a, int vertex_b) {
   const Vec2<Real> gap = pair.b.vertex(vertex_b) - pair.a.vertex(vertex_a);
-  const Real distance = std::hypot(gap.x(), gap.y());
+  const Real distance = hypotenuse(gap.x(), gap.y());
   const Real separation = distance - pair.radii();
   if (!(separation < pair.margin)) return {};
   Manifold<Real> manifold;

@@ -47,7 +47,7 @@ Manifold<Real> KeptManifold<Real>::at(const Frame<Real>& frame_a, const Frame<Re
     const Vec2<Real> gap = core_b - core_a;
     Real distance = manifold.normal.dot(gap);
     if (face == Face::none) {
-      distance = std::hypot(gap.x(), gap.y());
+      distance = hypotenuse(gap.x(), gap.y());
       const Real rounding = 8 * std::numeric_limits<Real>::epsilon() *
                             (core_a.cwiseAbs().maxCoeff() + core_b.cwiseAbs().maxCoeff());
       if (distance > rounding) manifold.normal = gap / distance;

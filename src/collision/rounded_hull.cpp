@@ -25,7 +25,7 @@ struct HullMaker {
 
   RoundedHull<Real> operator()(const Capsule<Real>& shape) const {
     const Vec2<Real> edge = shape.point2 - shape.point1;
-    const Real length = std::hypot(edge.x(), edge.y());
+    const Real length = hypotenuse(edge.x(), edge.y());
     // Two points of a shape given in double can be one point in float.
     if (!(length > 0)) return (*this)(Circle<Real>{shape.point1, shape.radius});
     RoundedHull<Real> hull;

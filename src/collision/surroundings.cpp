@@ -16,7 +16,7 @@ namespace {
 using Hull = RoundedHull<double>;
 using Interval = std::pair<double, double>;
 
-double angle_of_way(const Vec2<double>& way) { return std::atan2(way.y(), way.x()); }
+double angle_of_way(const Vec2<double>& way) { return arc_tangent(way.y(), way.x()); }
 
 /// The way from a vertex to the next one, of length 1.
 Vec2<double> way_along(const Hull& hull, int face) { return perpendicular(hull.normal(face)); }

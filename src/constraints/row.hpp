@@ -197,9 +197,9 @@ void for_each_term(const VelocityProblem<Real>& problem, const ConstraintRow<Rea
 template <Scalar Real>
 Real row_velocity(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row,
                   const PerBody<Vec3<Real>>& velocity) {
-  Real jv = row.jacobian_a.dot(velocity[row.a]) + row.jacobian_b.dot(velocity[row.b]);
+  Real jv = dot(row.jacobian_a, velocity[row.a]) + dot(row.jacobian_b, velocity[row.b]);
   for_each_extra_term(problem, row,
-                      [&](BodyId body, const Vec3<Real>& jacobian) { jv += jacobian.dot(velocity[body]); });
+                      [&](BodyId body, const Vec3<Real>& jacobian) { jv += dot(jacobian, velocity[body]); });
   return jv;
 }
 
@@ -233,7 +233,7 @@ template <Scalar Real>
 Real inverse_effective_mass(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
   Real sum = 0;
   for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-    sum += jacobian.dot(problem.inverse_mass[body].cwiseProduct(jacobian));
+    sum += dot<Real>(jacobian, problem.inverse_mass[body].cwiseProduct(jacobian));
   });
   return sum + row.softness;
 }

@@ -10,10 +10,10 @@ namespace {
 
 template <Scalar Real>
 Real spec_velocity(const RowSpec<Real>& spec, const PerBody<Vec3<Real>>& velocity) {
-  Real jv = spec.jacobian_a.dot(velocity[spec.a]) + spec.jacobian_b.dot(velocity[spec.b]);
+  Real jv = dot(spec.jacobian_a, velocity[spec.a]) + dot(spec.jacobian_b, velocity[spec.b]);
   for (int k = 0; k < spec.extra_count; ++k) {
     const RowTerm<Real>& term = spec.extra[k];
-    jv += term.jacobian.dot(velocity[term.body]);
+    jv += dot(term.jacobian, velocity[term.body]);
   }
   return jv;
 }

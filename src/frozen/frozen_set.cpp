@@ -114,7 +114,7 @@ FrozenProblem freeze_bridge() {
     const Vec2<double> from = bridge_pin(i, planks), along = bridge_pin(i + 1, planks) - from;
     const BodyId plank = scene.add({.shapes = {box(along.norm(), 0.2)},
                                     .position = from + along / 2,
-                                    .angle = std::atan2(along.y(), along.x()),
+                                    .angle = arc_tangent(along.y(), along.x()),
                                     .density = 5});
     scene.join<RevoluteJoint>({.a = last, .b = plank, .anchor = from});
     last = plank;

@@ -41,7 +41,7 @@ MassProperties strip(const Vec2<double>& p, const Vec2<double>& q, const Vec2<do
 /// The circular sector around `apex` between the unit vectors `from` and `to` (less than half a turn).
 MassProperties sector(const Vec2<double>& apex, const Vec2<double>& from, const Vec2<double>& to,
                       double radius) {
-  const double angle = std::atan2(cross<double>(from, to), from.dot(to));
+  const double angle = arc_tangent(cross<double>(from, to), from.dot(to));
   const double area = radius * radius * angle / 2;
   if (!(area > 0)) return {};
   // The integral of the unit vector over the angle is (to - from) turned by -90 degrees; the integral of the

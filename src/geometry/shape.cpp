@@ -43,7 +43,7 @@ double bounding_size(const List<Vec2<double>>& points) {
     lower = lower.cwiseMin(point);
     upper = upper.cwiseMax(point);
   }
-  return std::hypot(upper.x() - lower.x(), upper.y() - lower.y());
+  return hypotenuse(upper.x() - lower.x(), upper.y() - lower.y());
 }
 
 /// Positive when the points turn counter-clockwise.
@@ -77,23 +77,24 @@ void require_convex(const List<Vec2<double>>& points, const List<int>& order) {
     const std::string field = fmt::format("points[{}]", order[i]);
     require(sine >= -finest_detail, "polygon", field, "a corner that turns outwards (convex)", text(corner));
     require(sine > finest_detail, "polygon", field, "out of line with its neighbours", text(corner));
-    turned += std::atan2(sine, before.dot(after));
+    turned += arc_tangent(sine, before.dot(after));
   }
   const double rounds = std::round(turned / (2 * pi));
   require(rounds == 1, "polygon", "number of turns around the inside", "1 (the edges cross)", rounds);
 }
 
-/// Outward unit normals of the edges. In long double and from the double vertices, so that they are as good
-/// as the scalar allows even where rounding the vertices to float bends a short edge.
+/// Outward unit normals of the edges. From the double vertices, so that they are as good as the scalar allows
+/// even where rounding the vertices to float bends a short edge.
 /// @throws std::invalid_argument where an edge has no length, because the polygon was moved too far away.
 template <Scalar Real>
 void set_normals(const Polygon<double>& source, Polygon<Real>& target) {
+  using Work = std::conditional_t<std::is_same_v<Real, long double>, long double, double>;
   const int count = source.vertices.size();
   for (int i = 0; i < count; ++i) {
     const int next = (i + 1) % count;
-    const Vec2<long double> start = source.vertices[i].cast<long double>();
-    const Vec2<long double> edge = source.vertices[next].cast<long double>() - start;
-    const long double length = std::hypot(edge.x(), edge.y());
+    const Vec2<Work> start = source.vertices[i].cast<Work>();
+    const Vec2<Work> edge = source.vertices[next].cast<Work>() - start;
+    const Work length = hypotenuse(edge.x(), edge.y());
     require(length > 0, "polygon", fmt::format("vertices[{}]", i), "another point than the next, as rounded",
             text(source.vertices[i]));
     target.normals[i] = {static_cast<Real>(edge.y() / length), static_cast<Real>(-edge.x() / length)};

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
 #include <concepts>
 #include <numbers>
+
+#include "math/elementary.hpp"
 
 namespace cairn {
 
@@ -22,6 +23,13 @@ using Vec3 = Eigen::Matrix<Real, 3, 1>;
 
 /// The ratio of a circle's circumference to its diameter.
 inline constexpr double pi = std::numbers::pi;
+
+/// The sum of products of three pairs, from the first to the last: Eigen's order depends on the instruction
+/// set.
+template <Scalar Real>
+Real dot(const Vec3<Real>& a, const Vec3<Real>& b) {
+  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
 
 /// The z component of a x b.
 template <Scalar Real>
@@ -49,7 +57,9 @@ struct Rotation {
 
   Rotation() = default;
   /// By an angle [rad], counter-clockwise.
-  explicit Rotation(Real angle) : c(std::cos(angle)), s(std::sin(angle)) {}
+  explicit Rotation(Real angle) : Rotation(cosine_and_sine(angle)) {}
+  /// By the angle that has this cosine and this sine.
+  explicit Rotation(const CosineAndSine<Real>& of) : c(of.cosine), s(of.sine) {}
 
   /// The rotation applied to v.
   Vec2<Real> operator*(const Vec2<Real>& v) const { return {c * v.x() - s * v.y(), s * v.x() + c * v.y()}; }

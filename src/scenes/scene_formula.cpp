@@ -19,10 +19,14 @@ using FormulaFunction = double (*)(double);
 
 const std::map<std::string, FormulaFunction>& formula_functions() {
   static const std::map<std::string, FormulaFunction> functions = {
-      {"sqrt", [](double x) { return std::sqrt(x); }}, {"abs", [](double x) { return std::abs(x); }},
-      {"sin", [](double x) { return std::sin(x); }},   {"cos", [](double x) { return std::cos(x); }},
-      {"tan", [](double x) { return std::tan(x); }},   {"asin", [](double x) { return std::asin(x); }},
-      {"acos", [](double x) { return std::acos(x); }}, {"atan", [](double x) { return std::atan(x); }}};
+      {"sqrt", [](double x) { return std::sqrt(x); }},
+      {"abs", [](double x) { return std::abs(x); }},
+      {"sin", sine},
+      {"cos", cosine},
+      {"tan", tangent},
+      {"asin", arc_sine},
+      {"acos", arc_cosine},
+      {"atan", [](double x) { return arc_tangent(x, 1); }}};
   return functions;
 }
 

@@ -39,13 +39,13 @@ ChainPlan plan_chain(const SceneTable& table, const std::string& name) {
     const Vec2<double> way = table.point("to") - plan.from;
     if (!(way.norm() > 0)) table.refuse("to", "a point other than from", "the same");
     plan.along = way / way.norm();
-    plan.angle = std::atan2(plan.along.y(), plan.along.x());
+    plan.angle = arc_tangent(plan.along.y(), plan.along.x());
     plan.link = way.norm() / (plan.meets() || !plan.is_fastened ? plan.n : plan.n + 1);
   } else {
     if (!table.has("link"))
       table.refuse("link", "given, or else to, so that the chain has a length", "neither");
     plan.angle = table.number("angle");
-    plan.along = {std::sin(plan.angle), -std::cos(plan.angle)};
+    plan.along = {sine(plan.angle), -cosine(plan.angle)};
     plan.link = table.number("link");
   }
   return plan;
@@ -136,7 +136,7 @@ void build_cradle(SceneBuilder& builder, const SceneTable& table, const std::str
   for (int i = 0; i < n; ++i) {
     const Vec2<double> top(middle.x() + (2 * radius + table.number("gap")) * (i - 0.5 * (n - 1)), middle.y());
     const double aside = i == 0 ? table.number("aside") : 0;  // [rad]
-    const Vec2<double> place = top + rod * Vec2<double>(std::sin(aside), -std::cos(aside));
+    const Vec2<double> place = top + rod * Vec2<double>(sine(aside), -cosine(aside));
     spec.position = place;
     const BodyId ball = builder.add(table, spec, name + "." + std::to_string(i + 1));
     const std::string joint = name + ".joint." + std::to_string(i + 1);

@@ -14,7 +14,7 @@ void build_arch(SceneBuilder& builder, const SceneTable& table, const std::strin
   spec.position = table.point("position");
   for (int i = 0; i < stones; ++i) {
     const double from = i * pi / stones, to = (i + 1) * pi / stones;  // [rad]
-    const Vec2<double> start(std::cos(from), std::sin(from)), end(std::cos(to), std::sin(to));
+    const Vec2<double> start(cosine(from), sine(from)), end(cosine(to), sine(to));
     table.guard([&] { spec.shapes = {polygon({inner * start, outer * start, outer * end, inner * end})}; });
     builder.add(table, spec, name + "." + std::to_string(i + 1));
   }
@@ -41,7 +41,7 @@ void build_dominoes(SceneBuilder& builder, const SceneTable& table, const std::s
 void build_cards(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
   const Vec2<double> foot = table.point("position"), card = table.point("card");
   const double lean = table.number("lean"), board = table.number("board");
-  const double thick = card.x(), height = card.y(), c = std::cos(lean), s = std::sin(lean);
+  const double thick = card.x(), height = card.y(), c = cosine(lean), s = sine(lean);
   const double half_pair = height * s + thick * c;  // [m] from the middle of a pair to its outermost point
   const double pitch = 2 * half_pair + 0.1;
   const int storeys = table.integer("n");

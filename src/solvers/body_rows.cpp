@@ -15,7 +15,7 @@ Real coupling(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& f
     const Vec3<Real> weighted = weight[body].cwiseProduct(jacobian);
     Real of_body = 0;
     for_each_term(problem, second, [&](BodyId other, const Vec3<Real>& other_jacobian) {
-      if (other == body) of_body += weighted.dot(other_jacobian);
+      if (other == body) of_body += dot(weighted, other_jacobian);
     });
     sum += of_body;
   });

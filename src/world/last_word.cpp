@@ -55,8 +55,8 @@ struct RowSide {
   const Vec3<Real>& inverse_mass;
   Vec3<Real>& velocity;
 
-  Real speed() const { return jacobian.dot(velocity); }
-  Real inverse_effective_mass() const { return jacobian.dot(inverse_mass.cwiseProduct(jacobian)); }
+  Real speed() const { return dot(jacobian, velocity); }
+  Real inverse_effective_mass() const { return dot<Real>(jacobian, inverse_mass.cwiseProduct(jacobian)); }
   void push(Real impulse) { velocity += inverse_mass.cwiseProduct(jacobian) * impulse; }
   /// Gives this side of the row another speed, as if the other one could not be moved.
   void set_speed(Real wanted) {

@@ -1,7 +1,6 @@
 // Which runs are hashed, and what of them.
 #include "determinism/hash_list.hpp"
 
-#include <cmath>
 #include <sstream>
 
 #include "frozen/frozen_set.hpp"
@@ -88,23 +87,8 @@ List<std::string> frozen_lines(const List<FrozenProblem>& problems) {
   return lines;
 }
 
-std::string library_line() {
-  Fingerprint all;
-  for (int i = -500; i <= 500; ++i) {
-    // Volatile: the compiler, which knows these functions too, is not asked.
-    volatile double wide = i * 0.0137;
-    volatile float narrow = static_cast<float>(wide);
-    for (const double value :
-         {std::sin(wide), std::cos(wide), std::tan(wide), std::atan2(wide, 0.7), std::hypot(wide, 0.3)}) {
-      all.add(value);
-    }
-    for (const float value : {std::sin(narrow), std::cos(narrow), std::hypot(narrow, 0.3f)}) all.add(value);
-  }
-  return "libm " + hexadecimal(all.value());
-}
-
 List<std::string> all_lines() {
-  List<std::string> lines = {library_line()};
+  List<std::string> lines;
   for (int run = 0; run < run_count(); ++run) lines.push_back(run_line(run));
   List<FrozenProblem> problems;
   for (const std::string& name : frozen_names()) problems.push_back(make_frozen(name));

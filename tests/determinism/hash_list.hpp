@@ -16,10 +16,7 @@ std::string run_line(int run);
 List<std::string> frozen_lines(const List<FrozenProblem>& problems);
 /// What comes back once the problem is written and read.
 FrozenProblem written_and_read(const FrozenProblem& frozen);
-/// "libm HASH": sines, cosines and other functions of the C library, which Cairn calls and cannot answer for.
-/// Libraries with another hash may give other bits to all of the above.
-std::string library_line();
-/// All lines: the library's, the runs', those of the frozen set, made anew.
+/// All lines: the runs', those of the frozen set, made anew.
 List<std::string> all_lines();
 
 }  // namespace cairn::determinism

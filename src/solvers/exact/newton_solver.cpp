@@ -223,10 +223,11 @@ bool NewtonSolver<Real>::take_new_step(Work& error) {
 /// From the best impulses so far, and from farther inside where bounds are in the way.
 template <Scalar Real>
 void NewtonSolver<Real>::follow_interior() {
-  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+  double factor = 1;
+  for (int attempt = 0; attempt < most_attempts; ++attempt, factor *= 10) {
     rows_.center_at(best_);
     note_center();
-    const Work distance = Work(first_distance * std::pow(10, attempt)) * rows_.error_of_a_row();
+    const Work distance = Work(first_distance * factor) * rows_.error_of_a_row();
     if (!interior_.begin(rows_, distance)) return;
     Work share = 1;
     for (int step = 0; step < steps_of_one_attempt && share > Work(least_share); ++step) {

@@ -40,9 +40,9 @@ void ProximalRows<Real>::append(const VelocityProblem<Real>& problem, const Cons
   Real inverse = row.softness, jv = 0;  // A_ii, and j v
   const auto take_term = [&](BodyId body, const Vec3<Real>& jacobian) __attribute__((always_inline)) {
     const Vec3<Real> value = root_[body].cwiseProduct(jacobian);
-    jv += jacobian.dot(problem.velocity[body]);
+    jv += dot(jacobian, problem.velocity[body]);
     if (value.isZero(0)) return;
-    inverse += value.squaredNorm();
+    inverse += dot(value, value);
     terms_.push_back({body.index, value});
   };
   for_each_term(problem, row, take_term);

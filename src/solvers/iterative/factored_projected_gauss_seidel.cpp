@@ -71,9 +71,9 @@ Real FactoredProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>
     FactoredRow& row = rows_[i];
 
     // (28) rearranged as in (29), with j a for the sums over J M^-1 J^T.
-    Real ja = row.jacobian_a.dot(acceleration_[row.body_a]) + row.jacobian_b.dot(acceleration_[row.body_b]);
+    Real ja = dot(row.jacobian_a, acceleration_[row.body_a]) + dot(row.jacobian_b, acceleration_[row.body_b]);
     for_each_extra_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-      ja += jacobian.dot(acceleration_[body]);
+      ja += dot(jacobian, acceleration_[body]);
     });
     const Real row_error = row.b - ja - row.softness * row.lambda;
     const Real corrective = omega * (row_error * row.effective_mass);

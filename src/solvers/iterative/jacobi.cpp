@@ -38,7 +38,8 @@ void Jacobi<Real>::prepare(const VelocityProblem<Real>& problem) {
     const ConstraintRow<Real>& row = problem.rows[i];
     Real inverse = row.softness;
     for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-      inverse += Real(rows_on_body_[body]) * jacobian.dot(problem.inverse_mass[body].cwiseProduct(jacobian));
+      inverse +=
+          Real(rows_on_body_[body]) * dot<Real>(jacobian, problem.inverse_mass[body].cwiseProduct(jacobian));
     });
     // Between two immovable bodies nothing can be done.
     step_[i] = inverse > 0 ? Real(settings_.relaxation) / inverse : Real(0);
