@@ -122,13 +122,18 @@ void draw_axis(BarSheet& sheet) {
 
 }  // namespace
 
-void draw_bars(Page& page, const Rect& rect, const BarChart& chart) {
+BarPlaces draw_bars(Page& page, const Rect& rect, const BarChart& chart) {
   BarSheet sheet = lay_out_bars(page, rect, chart);
-  if (chart.bars.empty()) return;
+  if (chart.bars.empty()) return {};
   for (int row = 0; row < chart.bars.size(); ++row) draw_bar(sheet, row);
   draw_axis(sheet);
   for (int row = 0; row < chart.bars.size(); ++row) draw_exact(sheet, row);
   write_bar_texts(sheet);
+  return {.rows = {sheet.room.x, sheet.plot.y, sheet.room.width, sheet.plot.height},
+          .plot = sheet.plot,
+          .low = sheet.range.low,
+          .high = sheet.range.high,
+          .pitch = sheet.pitch};
 }
 
 }  // namespace cairn::render

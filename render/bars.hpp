@@ -27,9 +27,18 @@ struct BarChart {
   int decimals = 2;
 };
 
+/// Where the bars of a chart are, for those who point at them.
+struct BarPlaces {
+  Rect rows = {};    // [px] all of them from top to bottom, with their names
+  Rect plot = {};    // [px] between the two ends of the range
+  double low = 0;    // the value at its left end
+  double high = 0;   // and at its right end
+  double pitch = 0;  // [px] from row to row
+};
+
 /// A panel with horizontal bars from top to bottom. A bar beyond the range is cut, marked "//" and has its
 /// value at the cut. In rows less high than text only so many names and values are written as fit, the active
 /// row's first.
-void draw_bars(Page& page, const Rect& rect, const BarChart& chart);
+BarPlaces draw_bars(Page& page, const Rect& rect, const BarChart& chart);
 
 }  // namespace cairn::render

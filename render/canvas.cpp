@@ -257,6 +257,11 @@ Image Canvas::read() {
   return impl_->surface.read();
 }
 
+void Canvas::show() {
+  impl_->flush();
+  impl_->surface.show();
+}
+
 std::string Canvas::backend() const { return impl_->surface.backend(); }
 
 }  // namespace cairn::render

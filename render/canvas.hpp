@@ -117,7 +117,10 @@ class Canvas {
   /// Draws what is pending and reads the frame back.
   Image read();
 
-  /// "osmesa" or "egl".
+  /// Draws what is pending and puts the frame on the page of a browser.
+  void show();
+
+  /// "osmesa", "egl" or "webgl".
   std::string backend() const;
 
  private:

@@ -21,6 +21,9 @@ std::unique_ptr<Context> make_egl_context() {
 }
 #endif
 
+#ifdef CAIRN_HAVE_WEBGL
+std::unique_ptr<Context> make_context() { return make_webgl_context(); }
+#else
 std::unique_ptr<Context> make_context() {
   const char* variable = std::getenv("CAIRN_RENDER_BACKEND");
   const std::string_view wanted = variable == nullptr ? "" : variable;
@@ -45,5 +48,6 @@ std::unique_ptr<Context> make_context() {
     throw RenderError("no way to draw; OSMesa: " + why + "; EGL: " + error.what());
   }
 }
+#endif
 
 }  // namespace cairn::render

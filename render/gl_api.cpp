@@ -27,6 +27,7 @@ void load_first_half(const Context& context, GlApi& gl) {
   load(context, "glBindTexture", gl.bind_texture);
   load(context, "glBindVertexArray", gl.bind_vertex_array);
   load(context, "glBlendFunc", gl.blend_func);
+  load(context, "glBlitFramebuffer", gl.blit_framebuffer);
   load(context, "glBufferData", gl.buffer_data);
   load(context, "glCheckFramebufferStatus", gl.check_framebuffer_status);
   load(context, "glClear", gl.clear);

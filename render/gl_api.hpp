@@ -17,6 +17,7 @@ struct GlApi {
   PFNGLBINDTEXTUREPROC bind_texture = nullptr;
   PFNGLBINDVERTEXARRAYPROC bind_vertex_array = nullptr;
   PFNGLBLENDFUNCPROC blend_func = nullptr;
+  PFNGLBLITFRAMEBUFFERPROC blit_framebuffer = nullptr;
   PFNGLBUFFERDATAPROC buffer_data = nullptr;
   PFNGLCHECKFRAMEBUFFERSTATUSPROC check_framebuffer_status = nullptr;
   PFNGLCLEARPROC clear = nullptr;

@@ -6,8 +6,7 @@ namespace cairn::render {
 
 // y = 0 is the bottom row to OpenGL and the first row in memory: read back, the picture's top row comes
 // first.
-const char* const vertex_shader = R"(#version 330 core
-layout(location = 0) in vec2 position;
+const char* const vertex_shader = R"(layout(location = 0) in vec2 position;
 layout(location = 1) in vec4 local_in;
 layout(location = 2) in vec4 first_in;
 layout(location = 3) in vec4 second_in;
@@ -32,8 +31,7 @@ void main() {
 }
 )";
 
-const char* const fragment_shader = R"(#version 330 core
-in vec4 local;
+const char* const fragment_shader = R"(in vec4 local;
 flat in vec4 first;   // w: kind
 flat in vec4 second;  // w: half the outline width
 flat in vec4 shape;

@@ -82,7 +82,8 @@ void Surface::make_target() {
 
 GLuint Surface::compile(GLenum stage, const char* source) const {
   const GLuint shader = gl_.create_shader(stage);
-  gl_.shader_source(shader, 1, &source, nullptr);
+  const FixedList<const char*, 2> sources = {context_->shader_head(), source};
+  gl_.shader_source(shader, sources.size(), sources.data(), nullptr);
   gl_.compile_shader(shader);
   GLint compiled = GL_FALSE;
   gl_.get_shaderiv(shader, GL_COMPILE_STATUS, &compiled);
@@ -208,6 +209,14 @@ Image Surface::read() {
     image.pixels[3 * i + 2] = pixels[4 * i + 2];
   }
   return image;
+}
+
+void Surface::show() {
+  const Current current(*context_);
+  gl_.disable(GL_SCISSOR_TEST);
+  gl_.bind_framebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  gl_.blit_framebuffer(0, 0, width_, height_, 0, height_, width_, 0, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl_.bind_framebuffer(GL_FRAMEBUFFER, framebuffer_);
 }
 
 }  // namespace cairn::render

@@ -23,6 +23,8 @@ class Surface {
   void clear(const Color& background);
   void draw(const Batch& batch, const GlyphAtlas& atlas);
   Image read();
+  /// Puts the frame on what the context shows, upright.
+  void show();
   std::string backend() const { return context_->backend(); }
 
  private:
