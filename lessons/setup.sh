@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Set-up and build, shared by lessons/run and tests/run.
-#   bash lessons/setup.sh [clang|bench|peers|docs|book]   installs what is missing (alone: nothing is built)
-# When sourced it only defines: cairn_set_up [clang|bench|peers|docs|book], cairn_build PRESET TARGET..., cairn_watch.
+#   bash lessons/setup.sh [clang|bench|peers|docs|book|playground|web]   installs what is missing (alone: nothing is built)
+# When sourced it only defines: cairn_set_up [the same], cairn_build PRESET TARGET..., cairn_watch.
 
 unset CDPATH
 cairn_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -17,6 +17,9 @@ cairn_clang_packages=(clang clang-tidy clang-format libclang-rt-dev)
 # A browser for the test of the lesson book. Node.js comes in packages of other makers too, npm within it.
 cairn_book_packages=(chromium)
 if ! command -v npm >/dev/null; then cairn_book_packages+=(nodejs npm); fi
+# What compiles the core for browsers, bundles the page and cuts its fonts.
+cairn_playground_packages=(emscripten esbuild fonttools)
+if ! command -v node >/dev/null; then cairn_playground_packages+=(nodejs); fi
 # Packages that some releases do not have. Without OSMesa the pictures are drawn through EGL; engines to compare with may
 # be missing.
 cairn_dispensable=" libosmesa6-dev libclang-rt-dev libchipmunk-dev libbullet-dev "
@@ -107,6 +110,8 @@ cairn_set_up() {
   local -a needed=("${cairn_packages[@]}")
   if [[ ${1:-} == clang ]]; then needed+=("${cairn_clang_packages[@]}"); fi
   if [[ ${1:-} == book ]]; then needed+=("${cairn_book_packages[@]}"); fi
+  if [[ ${1:-} == playground || ${1:-} == web ]]; then needed+=("${cairn_playground_packages[@]}"); fi
+  if [[ ${1:-} == web ]]; then needed+=("${cairn_book_packages[@]}"); fi
   if [[ ${1:-} == docs ]]; then needed+=("${cairn_docs_packages[@]}"); fi
   if [[ ${1:-} == bench ]]; then needed+=("${cairn_bench_packages[@]}"); fi
   if [[ ${1:-} == peers ]]; then needed+=("${cairn_peer_packages[@]}"); fi

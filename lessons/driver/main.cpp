@@ -29,6 +29,7 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
   bash lessons/run check 6     its checks and your exercise; a pass is noted in lessons-progress.txt
   bash lessons/run check --all the checks of every lesson, without the exercises
   bash lessons/run book        every lesson as a page for the browser, in out/book/
+  bash lessons/run playground  the core in a browser: one page, in out/playground/; installs emscripten
   bash lessons/run cairn       the program for scenes of your own: cairn run FILE.toml
 
   run [N] [flags]   list   next   check N|--all   hint N [1-3]   solution N   progress

@@ -1,0 +1,32 @@
+// The settings that a student may change, in words.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scenes/setting.hpp"
+
+namespace cairn::playground {
+
+/// All that can be set.
+struct Controls {
+  Setting setting = {};                   // of the world that is looked at
+  std::optional<std::string> other = {};  // a second solver beside it
+  std::optional<double> friction = {};    // mu of all bodies; none: as the scene has it
+  double mass_ratio = 1;                  // by which the uppermost body is heavier than in the scene
+};
+
+/// Gives the control of that name a value.
+/// @throws std::invalid_argument for an unknown control, with the nearest known one, and for a value that it
+/// does not take.
+void set_control(Controls& controls, const std::string& name, const std::string& value);
+
+/// All controls as JSON, with what the scene recommends: an array of objects with name, title, value,
+/// recommended, unit, least, most and choices.
+std::string controls_text(const Controls& controls, const Controls& recommended);
+
+/// Whether both need the same scene, and computations in the same number: then a world goes on from one to
+/// the other.
+bool can_go_on(const Controls& from, const Controls& to);
+
+}  // namespace cairn::playground

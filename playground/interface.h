@@ -1,0 +1,106 @@
+/* The playground in plain C: what a page, or any other language, calls. One playground a process, used from one thread.
+ *
+ * Functions that can refuse return 1 where they did what was asked and 0 where nothing has changed: then cairn_refusal()
+ * says why, in the words that the command line uses. Texts are UTF-8, ended by a zero; those that are returned stay as
+ * they are until the next call. Lengths are metres, masses kilograms, times seconds, angles radians, places on the picture
+ * pixels from its top left corner. */
+#ifndef CAIRN_PLAYGROUND_INTERFACE_H
+#define CAIRN_PLAYGROUND_INTERFACE_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Why the last call refused; "" where it did not. */
+const char* cairn_refusal(void);
+
+/** Begins anew with the text of a scene file, under the settings that it recommends. `file` is the name that messages
+ *  give it: "scene:3:1: ...". */
+int cairn_open(const char* text, const char* file);
+/** The scene as text: as it was opened, with what a student has put in and taken out since. */
+const char* cairn_scene_text(void);
+/** From the scene's start once more, under the settings of now. */
+int cairn_restart(void);
+
+/** Gives a setting another value, in words: "10", "soft", "newton", "off". The world goes on as it is, where the setting
+ *  allows it. The settings are those that cairn_settings() lists. */
+int cairn_set(const char* setting, const char* value);
+/** All settings as JSON: [{"name": "sweeps", "title": "Sweeps", "value": "10", "recommended": "10", "unit": "",
+ *  "least": 0, "most": 100, "choices": []}, ...]. Choices are the words that it takes; without any it takes numbers. */
+const char* cairn_settings(void);
+
+/** So many steps, to the end of the one under way first. Refuses once a body is no longer at a finite place. */
+int cairn_step(int count);
+/** So many row updates on, within the first solve of the next step; past its end that step is done. */
+int cairn_row(int count);
+/** To the end of the sweep under way. */
+int cairn_sweep(void);
+/** Back to before the step under way, or before the last one: as far back as 600 steps. */
+int cairn_back(void);
+
+/** A hand takes hold of the body at a point of the world [m], until it lets go; 0 where there is none that can move. */
+int cairn_grab(double x, double y);
+/** The hand pulls to another point [m]. */
+int cairn_drag(double x, double y);
+/** The hand lets go. */
+void cairn_let_go(void);
+
+/** Puts a box of this width and height [m] there. */
+int cairn_add_box(double x, double y, double width, double height);
+/** Takes a body out, with all that is fastened to it. */
+int cairn_remove(int body);
+/** Pins two bodies to each other at a point [m]; body 0 is the ground. */
+int cairn_pin(int body_a, int body_b, double x, double y);
+/** Takes the last of these changes back, and brings the world to where it was before it. */
+int cairn_undo(void);
+
+/** What a body is doing: x, y, angle, vx, vy, angular velocity, mass, and whether it can be taken hold of (1 or 0), for
+ *  each body, the ground first. */
+const double* cairn_bodies(void);
+/** Their number. */
+int cairn_body_count(void);
+/** What a body is called. */
+const char* cairn_body_name(int body);
+
+/** Of each row of the step under way, or else of the next one: its impulse now over the step, lambda [N] (or N m); where
+ *  the sweeps would end if they went on; what the second solver gives; kind (0 joint, 1 normal, 2 friction); body a; body
+ *  b. */
+const double* cairn_rows(void);
+/** Their number. */
+int cairn_row_count(void);
+/** Lights up a row and its two bodies; -1: none. */
+void cairn_light_row(int row);
+/** Where a student thinks that a row ends [N]. Its end is hidden until cairn_reveal(). */
+int cairn_predict(int row, double newtons);
+/** Shows where the predicted row ends. */
+void cairn_reveal(void);
+
+/** Numbers of now: time [s], steps done, rows, contact points, row updates done in the step under way, all of its row
+ *  updates, its sweep, residual R_E left there, ms of the last step's computation, the row lit (-1: none), whether the
+ *  world has diverged (1 or 0), steps that can be taken back, the row predicted (-1: none), its prediction [N], whether it
+ *  is revealed. */
+const double* cairn_numbers(void);
+/** What has changed, in a sentence, for those who hear the page. */
+const char* cairn_words(void);
+/** What the scene requires, and what is left out and why: a line each. */
+const char* cairn_plan(void);
+/** 16 hexadecimal digits of all that the world is: the same on every machine. */
+const char* cairn_fingerprint(void);
+
+/** The size of the picture [px], at least 320 x 180. */
+int cairn_resize(int width, int height);
+/** Which picture: "light" or "dark". */
+int cairn_theme(const char* theme);
+/** Draws the picture of now. In a browser: on the canvas with the id "cairn". */
+int cairn_draw(void);
+/** What is at a place of the picture: kind (0 nothing, 1 the scene, 2 a row's bar), number (body, -1 for none; or row), x
+ *  and y there (in m; on a bar x in N). */
+const double* cairn_at(double x, double y);
+/** Where a point of the scene is on the picture: x, y [px]. */
+const double* cairn_place(double x, double y);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,202 @@
+// Lays the picture out, draws the scene, and finds what is at a place.
+#include "playground/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/nearest.hpp"
+#include "playground/pointing.hpp"
+#include "render/arrow.hpp"
+#include "render/draw.hpp"
+
+namespace cairn::playground {
+
+namespace {
+
+using render::Page;
+using render::Point;
+using render::Rect;
+
+constexpr double narrow =
+    1.1;  // a picture no wider than so many times its height has the rows below the scene
+constexpr double arrow_share = 0.5;
+constexpr double finger = 8;  // [px] by which it may miss
+
+/// What a scene shows at first, wherever its bodies go later.
+Aabb<double> view_of(const Playground& playground, const Snapshot& snapshot) {
+  const std::optional<SceneCamera>& camera = playground.entry().camera;
+  if (!camera) {
+    const FixedList<Snapshot, 1> snapshots = {snapshot};
+    return render::bounds_of(snapshots);
+  }
+  const Vec2<double> half(camera->height * 0.6, camera->height / 2);
+  return {camera->center - half, camera->center + half};
+}
+
+}  // namespace
+
+Picture::Picture() { begin(width_, height_, is_dark_); }
+
+void Picture::begin(int width, int height, bool is_dark) {
+  page_ = std::make_unique<Page>(width, height, is_dark ? render::dark_theme() : render::light_theme());
+  width_ = width;
+  height_ = height;
+  is_dark_ = is_dark;
+}
+
+void Picture::resize(int width, int height) {
+  if (width != width_ || height != height_) begin(width, height, is_dark_);
+}
+
+void Picture::choose_theme(const std::string& theme) {
+  require_known(theme, {"light", "dark"}, "picture", "theme");
+  if (is_dark_ != (theme == "dark")) begin(width_, height_, theme == "dark");
+}
+
+Picture::Panels Picture::panels(const Playground& playground) const {
+  const Rect area = page_->area();
+  const double gap = page_->sizes().gap;
+  const bool is_narrow = area.width < narrow * area.height;
+  const List<Rect> halves =
+      is_narrow ? render::rows(area, {1, 1}, gap) : render::columns(area, {1.25, 1}, gap);
+  const int count = playground.bench_count();
+  Panels panels;
+  panels.scenes = is_narrow ? render::columns(halves[0], List<double>(count, 1), gap)
+                            : render::rows(halves[0], List<double>(count, 1), gap);
+  const bool is_short = page_->compact();
+  const List<Rect> right =
+      render::rows(halves[1], is_short ? List<double>{1, 0.75} : List<double>{1.25, 0.8, 0.7}, gap);
+  panels.bars = right[0];
+  const bool is_lit = playground.lit_row() >= 0;
+  if (!is_short || !is_lit) panels.curve = right[1];
+  if (!is_short || is_lit) panels.equation = right.back();
+  return panels;
+}
+
+void Picture::draw(const Playground& playground) {
+  const Bench& bench = playground.bench(0);
+  const SolveLook& look = playground.look(0);
+  std::string state = fmt::format("step {} · t = {:.3f} s", bench.steps(), bench.snapshot().time);
+  if (playground.cursor() && look.last) {
+    state += fmt::format(" · sweep {} · row {} of {}", look.last->sweep, look.last->row + 1,
+                         look.given.row_count());
+  }
+  page_->begin({.title = playground.entry().title, .state = state});
+  const Panels panels = this->panels(playground);
+  cameras_.clear();
+  for (int i = 0; i < panels.scenes.size(); ++i) draw_scene(playground, i, panels.scenes[i]);
+  draw_rows(playground, panels.bars);
+  if (panels.curve.width > 0) draw_residuals(playground, panels.curve);
+  if (panels.equation.width > 0) draw_equation(playground, panels.equation);
+}
+
+void Picture::draw_scene(const Playground& playground, int number, const Rect& rect) {
+  const bool is_alone = playground.bench_count() == 1;
+  const std::string solver =
+      number == 0 ? playground.controls().setting.solver : *playground.controls().other;
+  const Rect inside = page_->panel(rect, is_alone ? "" : solver);
+  const Snapshot snapshot = playground.bench(number).snapshot();
+  const render::Camera camera = render::fit(inside, view_of(playground, snapshot));
+  cameras_.push_back(camera);
+  render::WorldLook look{.numbers = false};
+  const SolveLook& solve = playground.look(number);
+  const int lit = playground.lit_row();
+  if (lit >= 0 && lit < solve.given.row_count()) {
+    look.active_a = solve.given.rows[lit].a;
+    look.active_b = solve.given.rows[lit].b;
+  }
+  render::draw_world(*page_, camera, snapshot, look);
+  draw_forces(playground, number, camera);
+  if (lit >= 0 && lit < solve.given.row_count() && number == 0) draw_jacobian(playground, camera);
+  draw_hand(playground.bench(number), camera);
+  render::draw_unseen(*page_, camera, snapshot, {.names = playground.names()});
+}
+
+/// The impulses of contacts, as they are in the solve, where they push. A row's j of body b is a direction
+/// and the moment of its arm; that of friction, a quarter turn aside, has the other part of the arm.
+void Picture::draw_forces(const Playground& playground, int number, const render::Camera& camera) {
+  const SolveLook& look = playground.look(number);
+  const Snapshot snapshot = playground.bench(number).snapshot();
+  const double largest = std::max(playground.largest_force(), 1e-9);
+  render::ArrowScale scale = render::arrow_scale(largest, "N", camera);
+  scale.pixels_per_unit *= arrow_share;
+  for (int i = 0; i < look.given.row_count(); ++i) {
+    const ConstraintRow<double>& row = look.given.rows[i];
+    if (!row.bounds.is_friction() || row.bounds.second_normal_row >= 0 || row.bounds.disc > 0) continue;
+    const int of = row.bounds.normal_row;
+    const Vec3<double>&normal = look.given.rows[of].jacobian_b, &tangent = row.jacobian_b;
+    const Vec2<double> n = normal.head<2>(), t = tangent.head<2>();
+    const double turn = cross<double>(n, t) < 0 ? 1 : -1;  // t is n turned by a quarter, one way or the other
+    const Vec2<double> at = snapshot.bodies[row.b].pose.position + turn * (normal.z() * t - tangent.z() * n);
+    const bool is_lit = playground.lit_row() < 0 || playground.lit_row() == of || playground.lit_row() == i;
+    const double push = look.impulse[of] / look.given.dt, rub = look.impulse[i] / look.given.dt;
+    render::draw_arrow(*page_, camera, scale,
+                       {.kind = render::ArrowKind::normal, .tail = at, .value = push * n, .active = is_lit});
+    render::draw_arrow(*page_, camera, scale,
+                       {.kind = render::ArrowKind::friction, .tail = at, .value = rub * t, .active = is_lit});
+  }
+}
+
+void Picture::draw_hand(const Bench& bench, const render::Camera& camera) {
+  if (!bench.hand()) return;
+  const List<Attachment> ends = bench.hand()->attachments();
+  const Point target = camera.project(ends[0].anchor);
+  const Point held = camera.project(bench.snapshot().bodies[ends[1].body].pose.world(ends[1].anchor));
+  const render::Color color = page_->theme().external;
+  page_->canvas().line(held, target, {.width = page_->sizes().arrow, .color = color});
+  page_->canvas().circle(held, page_->sizes().contact, {.fill = color});
+  page_->canvas().circle(target, 2 * page_->sizes().contact,
+                         {.outline = color, .outline_width = page_->sizes().outline});
+}
+
+/// j of the lit row: a direction on each of its bodies.
+void Picture::draw_jacobian(const Playground& playground, const render::Camera& camera) {
+  const SolveLook& look = playground.look(0);
+  const ConstraintRow<double>& row = look.given.rows[playground.lit_row()];
+  const Snapshot snapshot = playground.bench(0).snapshot();
+  const render::ArrowScale scale{.pixels_per_unit = 0.1 * camera.viewport.height,
+                                 .longest = 0.2 * camera.viewport.height};
+  for (const auto& [body, jacobian] : {std::pair(row.a, row.jacobian_a), std::pair(row.b, row.jacobian_b)}) {
+    if (!(snapshot.bodies[body].mass > 0)) continue;
+    const Vec2<double> direction = jacobian.head<2>();
+    const std::string text =
+        fmt::format("j = ({}, {}, {})", render::significant(jacobian.x(), 2),
+                    render::significant(jacobian.y(), 2), render::significant(jacobian.z(), 2));
+    render::draw_arrow(*page_, camera, scale,
+                       {.kind = render::ArrowKind::joint,
+                        .tail = snapshot.bodies[body].pose.position,
+                        .value = direction,
+                        .label = text});
+  }
+}
+
+PictureSpot Picture::at(const Playground& playground, const Point& place) const {
+  const Rect& bars = bar_places_.rows;
+  const int line =
+      bar_places_.pitch > 0 ? static_cast<int>(std::floor((place.y() - bars.y) / bar_places_.pitch)) : -1;
+  if (line >= 0 && line < bar_count_ && place.x() >= bars.x && place.x() <= bars.x + bars.width) {
+    const Rect& plot = bar_places_.plot;
+    const double share = std::clamp((place.x() - plot.x) / plot.width, 0.0, 1.0);
+    const double force = bar_places_.low + share * (bar_places_.high - bar_places_.low);
+    return {.kind = PictureSpot::Kind::bar, .number = first_bar_ + line, .point = {force, 0}};
+  }
+  for (int i = 0; i < cameras_.size(); ++i) {
+    const Rect& view = cameras_[i].viewport;
+    if (place.x() < view.x || place.x() > view.x + view.width) continue;
+    if (place.y() < view.y || place.y() > view.y + view.height) continue;
+    const Vec2<double> point = cameras_[i].unproject(place);
+    // A finger misses thin bodies.
+    const std::optional<BodyId> body =
+        movable_body_at(playground.bench(i).snapshot(), point, finger / cameras_[i].scale);
+    return {.kind = PictureSpot::Kind::scene, .number = body ? body->index : -1, .point = point};
+  }
+  return {};
+}
+
+Point Picture::place(const Vec2<double>& point) const {
+  return cameras_.empty() ? Point(0, 0) : cameras_[0].project(point);
+}
+
+}  // namespace cairn::playground

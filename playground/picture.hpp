@@ -1,0 +1,68 @@
+// The playground's picture: the scene beside its rows.
+#pragma once
+
+#include <memory>
+
+#include "math/list.hpp"
+#include "playground/playground.hpp"
+#include "render/bars.hpp"
+#include "render/camera.hpp"
+#include "render/page.hpp"
+
+namespace cairn::playground {
+
+/// What is at a place of the picture.
+struct PictureSpot {
+  enum class Kind { nothing, scene, bar };
+
+  Kind kind = Kind::nothing;
+  int number = -1;              // of the body there, -1: none; or of the row
+  Vec2<double> point = {0, 0};  // [m] in the scene; on a bar x is a force [N]
+};
+
+class Picture {
+ public:
+  /// @throws render::RenderError where nothing can be drawn on.
+  Picture();
+
+  /// [px]. @throws std::invalid_argument unless at least 320 x 180.
+  void resize(int width, int height);
+  /// "light" or "dark". @throws std::invalid_argument for another word.
+  void choose_theme(const std::string& theme);
+
+  void draw(const Playground& playground);
+  /// Of the picture that was drawn last.
+  PictureSpot at(const Playground& playground, const render::Point& place) const;
+  /// Where a point of the scene [m] is on it.
+  render::Point place(const Vec2<double>& point) const;
+  /// What was drawn.
+  render::Page& page() { return *page_; }
+
+ private:
+  /// The panels of a frame.
+  struct Panels {
+    List<render::Rect> scenes = {};  // one for each world
+    render::Rect bars = {}, curve = {}, equation = {};
+  };
+
+  void begin(int width, int height, bool is_dark);
+  Panels panels(const Playground& playground) const;
+  void draw_scene(const Playground& playground, int number, const render::Rect& rect);
+  void draw_forces(const Playground& playground, int number, const render::Camera& camera);
+  void draw_hand(const Bench& bench, const render::Camera& camera);
+  void draw_jacobian(const Playground& playground, const render::Camera& camera);
+  void draw_rows(const Playground& playground, const render::Rect& rect);
+  void draw_residuals(const Playground& playground, const render::Rect& rect);
+  void draw_equation(const Playground& playground, const render::Rect& rect);
+
+  int width_ = 1280;
+  int height_ = 720;
+  bool is_dark_ = false;
+  std::unique_ptr<render::Page> page_;
+  List<render::Camera> cameras_;
+  render::BarPlaces bar_places_;
+  int first_bar_ = 0;  // the row of the first bar
+  int bar_count_ = 0;
+};
+
+}  // namespace cairn::playground

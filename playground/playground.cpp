@@ -1,0 +1,231 @@
+// Running: steps, rows, sweeps and the way back.
+#include "playground/playground.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "math/check.hpp"
+#include "render/page.hpp"
+#include "scenes/scene_file.hpp"
+
+namespace cairn::playground {
+
+namespace {
+
+constexpr int steps_a_checkpoint = 30;
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Playground::Playground() { open("title = \"an empty scene\"\n\n[ground]\nhalf_width = 8\n", "empty"); }
+
+void Playground::open(const std::string& text, const std::string& file) {
+  const SceneEntry entry = read_scene_text(text, file);
+  Controls controls{.setting = entry.setting};
+  controls.other = controls_.other;
+  begin(entry, controls);
+  recommended_ = {.setting = entry.setting};
+  text_ = text;
+  file_ = file;
+  words_ = fmt::format("{}. {}", entry_.title, entry_.look);
+}
+
+void Playground::restart() {
+  begin(entry_, controls_);
+  words_ = "At the start.";
+}
+
+/// All anew; or, where the scene or the setting is refused, nothing.
+void Playground::begin(const SceneEntry& entry, const Controls& controls) {
+  const Scene start = entry.make();
+  Scene scene = start;
+  give_materials(scene, start, entry.body_names, entry.body_names, controls);
+  List<std::unique_ptr<Bench>> benches;
+  benches.push_back(make_bench(scene, controls.setting));
+  if (controls.other) {
+    Setting setting = controls.setting;
+    setting.solver = *controls.other;
+    benches.push_back(make_bench(scene, setting));
+  }
+  entry_ = entry;
+  start_ = start;
+  controls_ = controls;
+  benches_ = std::move(benches);
+  names_ = entry.body_names;
+  changes_.clear();
+  prediction_.reset();
+  lit_row_ = -1;
+  has_diverged_ = false;
+  largest_force_ = 0;
+  step_seconds_ = 0;
+  forget_way_back();
+}
+
+void Playground::set(const std::string& control, const std::string& value) {
+  Controls next = controls_;
+  set_control(next, control, value);
+  if (!can_go_on(controls_, next)) {
+    begin(entry_, next);
+    words_ = "From the start, for this cannot change while the scene runs.";
+    return;
+  }
+  List<std::unique_ptr<Bench>> benches = copies();
+  for (int i = 0; i < benches.size(); ++i) {
+    Setting setting = next.setting;
+    if (i == 1) setting.solver = *next.other;
+    benches[i]->set(setting);
+    benches[i]->edit([&](Scene& scene) { give_materials(scene, start_, names_, entry_.body_names, next); });
+  }
+  benches_ = std::move(benches);
+  controls_ = next;
+  forget_way_back();
+  words_ = setting_text(controls_.setting);
+}
+
+void Playground::step(int count) {
+  require(count >= 1 && count <= 100000, "step", "count", "from 1 to 100000", count);
+  for (int i = 0; i < count; ++i) {
+    if (has_diverged_)
+      throw std::invalid_argument("There is no next step: a body would be at no finite place.");
+    take_step();
+  }
+  words_ = step_words();
+}
+
+void Playground::take_step() {
+  if (benches_[0]->steps() % steps_a_checkpoint == 0 || checkpoints_.empty()) {
+    checkpoints_.push_back({copies(), benches_[0]->hand_inputs().size()});
+    if (checkpoints_.size() > most_steps_back / steps_a_checkpoint) checkpoints_.pop_front();
+  }
+  for (int i = 0; i < benches_.size(); ++i) {
+    const double begun = seconds_now();
+    const StepReport report = benches_[i]->step();
+    if (i > 0) continue;
+    step_seconds_ = seconds_now() - begun;
+    has_diverged_ = report.not_finite.has_value();
+  }
+  cursor_.reset();
+  forget_look();
+}
+
+void Playground::advance_rows(int count) {
+  require(count >= 1 && count <= 100000, "row", "count", "from 1 to 100000", count);
+  const int all = look(0).all_updates;
+  if (all == 0 && look(0).given.row_count() > 0) {
+    throw std::invalid_argument(controls_.setting.solver +
+                                " has no updates of single rows: take a whole step");
+  }
+  const int next = cursor_.value_or(0) + count;
+  if (next > all) return step(1);
+  cursor_ = next;
+  forget_look();
+  const RowUpdate<double>& update = *look(0).last;
+  lit_row_ = update.row;
+  const double dt = look(0).given.dt;
+  words_ = fmt::format("Sweep {}, row {}: from {} to {} newtons.", update.sweep, update.row + 1,
+                       render::readable(update.impulse_before / dt, 2),
+                       render::readable(update.impulse_after / dt, 2));
+}
+
+void Playground::advance_sweep() {
+  const SolveLook& now = look(0);
+  const int sweeps = now.residuals.size() - 1;
+  const int a_sweep = std::max(1, now.all_updates / std::max(1, sweeps));
+  advance_rows(a_sweep - cursor_.value_or(0) % a_sweep);
+  const SolveLook& then = look(0);
+  if (!then.last) return;
+  lit_row_ = -1;
+  words_ = fmt::format("After sweep {}: the residual is {:.2g}.", then.last->sweep,
+                       then.residuals[then.last->sweep]);
+}
+
+void Playground::back() {
+  if (cursor_) {
+    cursor_.reset();
+    lit_row_ = -1;
+    forget_look();
+    words_ = "Before the step.";
+    return;
+  }
+  const int target = benches_[0]->steps() - 1;
+  if (steps_back() == 0) throw std::invalid_argument("There is no step before this one to go back to.");
+  while (checkpoints_.back().benches[0]->steps() > target) checkpoints_.pop_back();
+  const Checkpoint& from = checkpoints_.back();
+  const List<HandInput> inputs = benches_[0]->hand_inputs();
+  for (int i = 0; i < benches_.size(); ++i) {
+    benches_[i] = from.benches[i]->copy();
+    int next = from.inputs;
+    while (benches_[i]->steps() < target) {
+      for (; next < inputs.size() && inputs[next].step == benches_[i]->steps(); ++next)
+        benches_[i]->repeat(inputs[next]);
+      benches_[i]->step();
+    }
+    if (benches_[i]->hand()) benches_[i]->repeat({.kind = HandInput::Kind::let_go});
+  }
+  has_diverged_ = false;
+  forget_look();
+  words_ = step_words();
+}
+
+int Playground::steps_back() const {
+  return checkpoints_.empty() ? 0 : benches_[0]->steps() - checkpoints_.front().benches[0]->steps();
+}
+
+void Playground::forget_way_back() {
+  checkpoints_.clear();
+  cursor_.reset();
+  forget_look();
+}
+
+List<std::unique_ptr<Bench>> Playground::copies() const {
+  List<std::unique_ptr<Bench>> copies;
+  for (const auto& bench : benches_) copies.push_back(bench->copy());
+  return copies;
+}
+
+const SolveLook& Playground::look(int number) const {
+  if (looks_.empty()) {
+    for (const auto& bench : benches_) looks_.push_back(bench->look(cursor_.value_or(-1)));
+    const SolveLook& first = looks_[0];
+    for (int i = 0; i < first.impulse.size(); ++i) {
+      if (first.given.rows[i].bounds.is_friction()) continue;
+      const double largest = std::max(std::abs(first.impulse[i]), std::abs(first.end[i])) / first.given.dt;
+      if (std::isfinite(largest)) largest_force_ = std::max(largest_force_, largest);
+    }
+  }
+  return looks_[number];
+}
+
+void Playground::predict(int row, double force) {
+  const SolveLook& now = look(0);
+  require(row >= 0 && row < now.given.row_count(), "predict", "row", "a row of the next step", row);
+  require(std::isfinite(force), "predict", "force", "finite", force);
+  prediction_ = {.row = row, .force = force};
+  words_ = fmt::format("You think that row {} ends at {} newtons.", row + 1, render::readable(force, 2));
+}
+
+void Playground::reveal() {
+  if (!prediction_) throw std::invalid_argument("There is no prediction to compare with.");
+  prediction_->is_revealed = true;
+  const SolveLook& now = look(0);
+  const double end = prediction_->row < now.end.size() ? now.end[prediction_->row] / now.given.dt : 0;
+  words_ = fmt::format("Row {} ends at {} newtons: you are {} off.", prediction_->row + 1,
+                       render::readable(end, 2), render::readable(std::abs(end - prediction_->force), 2));
+}
+
+std::string Playground::step_words() const {
+  if (has_diverged_) return "The world has diverged: a body would be at no finite place. Go back by a step.";
+  const SolveLook& now = look(0);
+  return fmt::format("Step {}, {:.3f} seconds: {} rows, residual {:.2g}.", benches_[0]->steps(),
+                     benches_[0]->snapshot().time, now.given.row_count(), now.residuals.back());
+}
+
+}  // namespace cairn::playground

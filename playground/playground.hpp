@@ -1,0 +1,134 @@
+// A scene in a student's hand: the text it comes from, one or two worlds that run it, and the way back.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "math/list.hpp"
+#include "playground/bench.hpp"
+#include "playground/controls.hpp"
+#include "scenes/scene_list.hpp"
+
+namespace cairn::playground {
+
+/// Where a student thinks that a row ends.
+struct Prediction {
+  int row = 0;
+  double force = 0;          // [N] lambda
+  bool is_revealed = false;  // where it does end may be seen
+};
+
+/// Every function refuses with std::invalid_argument, or what a World throws, and then has changed nothing.
+class Playground {
+ public:
+  static constexpr int most_steps_back = 600;
+
+  /// Begins with an empty scene.
+  Playground();
+
+  /// From the text of a scene file; `file` is the name that messages give it.
+  void open(const std::string& text, const std::string& file);
+  /// From the scene's start, under the settings of now.
+  void restart();
+  /// As set_control().
+  void set(const std::string& control, const std::string& value);
+
+  /// To the end of the step under way, and so many in all.
+  void step(int count);
+  /// So many row updates on within the next step's first solve.
+  void advance_rows(int count);
+  /// To the end of the sweep under way.
+  void advance_sweep();
+  /// Before the step under way, or else before the last one.
+  void back();
+
+  /// The hand takes hold of the body at a point [m], or as near as `near` [m].
+  void grab(const Vec2<double>& point, double near);
+  /// And pulls to another [m].
+  void drag(const Vec2<double>& target);
+  void let_go();
+
+  /// A box of this size with its middle there [m].
+  void add_box(const Vec2<double>& middle, const Vec2<double>& size);
+  void remove(BodyId body);
+  /// Pins b to a at a point [m].
+  void pin(BodyId a, BodyId b, const Vec2<double>& point);
+  /// Takes the last of the three changes above back.
+  void undo();
+
+  void light_row(int row) { lit_row_ = row; }
+  void predict(int row, double force);
+  void reveal();
+
+  /// The file as it stands with what was changed since it was opened.
+  const std::string& text() const { return text_; }
+  const SceneEntry& entry() const { return entry_; }
+  const Controls& controls() const { return controls_; }
+  const Controls& recommended() const { return recommended_; }
+  /// The worlds, one for each solver.
+  int bench_count() const { return benches_.size(); }
+  const Bench& bench(int number) const { return *benches_[number]; }
+  /// The next solve of a world: up to where the student is in the step under way, or all of it.
+  const SolveLook& look(int number) const;
+  const PerBody<std::string>& names() const { return names_; }
+  /// Row updates done in the step under way; none where there is no such step.
+  std::optional<int> cursor() const { return cursor_; }
+  int steps_back() const;
+  int lit_row() const { return lit_row_; }
+  const std::optional<Prediction>& prediction() const { return prediction_; }
+  /// [s] the first world's last step.
+  double step_seconds() const { return step_seconds_; }
+  /// The first world has no next step: a body would be at no finite place.
+  bool has_diverged() const { return has_diverged_; }
+  /// The largest lambda of any row since the start [N]: for a scale that stands still.
+  double largest_force() const { return largest_force_; }
+  /// What has changed, in a sentence.
+  const std::string& words() const { return words_; }
+
+ private:
+  using Benches = List<std::unique_ptr<Bench>>;
+  struct Checkpoint {
+    Benches benches = {};
+    int inputs = 0;  // of the hand, that are in them
+  };
+  struct Change {
+    std::string text = {};
+    Benches benches = {};
+    PerBody<std::string> names = {};
+    std::string words = {};
+  };
+
+  Benches copies() const;
+  void begin(const SceneEntry& entry, const Controls& controls);
+  static void give_materials(Scene& scene, const Scene& start, const PerBody<std::string>& names,
+                             const PerBody<std::string>& start_names, const Controls& controls);
+  void edit(const std::string& addition, const std::string& words, const std::function<void(Scene&)>& change);
+  void take_step();
+  void forget_way_back();
+  void forget_look() const { looks_.clear(); }
+  std::string unused_name() const;
+  std::string step_words() const;
+
+  std::string text_;
+  std::string file_ = "scene";
+  SceneEntry entry_;
+  Scene start_;
+  Controls controls_;
+  Controls recommended_;
+  Benches benches_;
+  PerBody<std::string> names_;
+  std::deque<Checkpoint> checkpoints_;
+  List<Change> changes_;
+  mutable List<SolveLook> looks_;
+  std::optional<int> cursor_;
+  int lit_row_ = -1;
+  std::optional<Prediction> prediction_;
+  double step_seconds_ = 0;
+  bool has_diverged_ = false;
+  mutable double largest_force_ = 0;
+  std::string words_;
+};
+
+}  // namespace cairn::playground
