@@ -21,6 +21,7 @@ using render::Rect;
 
 constexpr double narrow =
     1.1;  // a picture no wider than so many times its height has the rows below the scene
+constexpr double equation_height = 150;  // [px]
 constexpr double arrow_share = 0.5;
 constexpr double finger = 8;  // [px] by which it may miss
 
@@ -33,6 +34,15 @@ Aabb<double> view_of(const Playground& playground, const Snapshot& snapshot) {
   }
   const Vec2<double> half(camera->height * 0.6, camera->height / 2);
   return {camera->center - half, camera->center + half};
+}
+
+/// How far the body is aside that is farthest from where the other world has it.
+std::string gap_text(const Snapshot& one, const Snapshot& other) {
+  double largest = 0;  // [m]
+  for (const BodyId body : one.bodies.indices()) {
+    largest = std::max(largest, (one.bodies[body].pose.position - other.bodies[body].pose.position).norm());
+  }
+  return render::significant(1000 * largest, 2) + " mm";
 }
 
 }  // namespace
@@ -55,23 +65,34 @@ void Picture::choose_theme(const std::string& theme) {
   if (is_dark_ != (theme == "dark")) begin(width_, height_, theme == "dark");
 }
 
+/// Wide: the scene above the equation, bars above the curve. Narrow, or too low for four panels: one of
+/// equation and curve.
 Picture::Panels Picture::panels(const Playground& playground) const {
   const Rect area = page_->area();
   const double gap = page_->sizes().gap;
   const bool is_narrow = area.width < narrow * area.height;
-  const List<Rect> halves =
-      is_narrow ? render::rows(area, {1, 1}, gap) : render::columns(area, {1.25, 1}, gap);
-  const int count = playground.bench_count();
-  Panels panels;
-  panels.scenes = is_narrow ? render::columns(halves[0], List<double>(count, 1), gap)
-                            : render::rows(halves[0], List<double>(count, 1), gap);
-  const bool is_short = page_->compact();
-  const List<Rect> right =
-      render::rows(halves[1], is_short ? List<double>{1, 0.75} : List<double>{1.25, 0.8, 0.7}, gap);
-  panels.bars = right[0];
   const bool is_lit = playground.lit_row() >= 0;
-  if (!is_short || !is_lit) panels.curve = right[1];
-  if (!is_short || is_lit) panels.equation = right.back();
+  const double rest = area.height - equation_height - gap;
+  Panels panels;
+  Rect scenes;
+  if (is_narrow) {
+    const List<Rect> parts = render::rows(area, {0.55 * rest, 0.45 * rest, equation_height + gap}, gap);
+    scenes = parts[0];
+    panels.bars = parts[1];
+    (is_lit ? panels.equation : panels.curve) = parts[2];
+  } else {
+    const List<Rect> halves = render::columns(area, {1.1, 1}, gap);
+    const List<Rect> left = render::rows(halves[0], {rest, equation_height}, gap);
+    const List<Rect> right = render::rows(halves[1], {1.5, 1}, gap);
+    const bool is_low = page_->compact();
+    scenes = is_low ? halves[0] : left[0];
+    panels.bars = right[0];
+    if (!is_low || !is_lit) panels.curve = right[1];
+    if (!is_low || is_lit) panels.equation = is_low ? right[1] : left[1];
+  }
+  const List<double> equal(playground.bench_count(), 1);
+  const bool are_beside = scenes.width > scenes.height;
+  panels.scenes = are_beside ? render::columns(scenes, equal, gap) : render::rows(scenes, equal, gap);
   return panels;
 }
 
@@ -96,8 +117,10 @@ void Picture::draw_scene(const Playground& playground, int number, const Rect& r
   const bool is_alone = playground.bench_count() == 1;
   const std::string solver =
       number == 0 ? playground.controls().setting.solver : *playground.controls().other;
-  const Rect inside = page_->panel(rect, is_alone ? "" : solver);
   const Snapshot snapshot = playground.bench(number).snapshot();
+  std::string title = is_alone ? "" : solver;
+  if (number == 1) title += ", " + gap_text(playground.bench(0).snapshot(), snapshot) + " apart";
+  const Rect inside = page_->panel(rect, title);
   const render::Camera camera = render::fit(inside, view_of(playground, snapshot));
   cameras_.push_back(camera);
   render::WorldLook look{.numbers = false};
@@ -161,14 +184,11 @@ void Picture::draw_jacobian(const Playground& playground, const render::Camera& 
   for (const auto& [body, jacobian] : {std::pair(row.a, row.jacobian_a), std::pair(row.b, row.jacobian_b)}) {
     if (!(snapshot.bodies[body].mass > 0)) continue;
     const Vec2<double> direction = jacobian.head<2>();
-    const std::string text =
-        fmt::format("j = ({}, {}, {})", render::significant(jacobian.x(), 2),
-                    render::significant(jacobian.y(), 2), render::significant(jacobian.z(), 2));
     render::draw_arrow(*page_, camera, scale,
                        {.kind = render::ArrowKind::joint,
                         .tail = snapshot.bodies[body].pose.position,
                         .value = direction,
-                        .label = text});
+                        .label = body == row.a ? "j_{a}" : "j_{b}"});
   }
 }
 

@@ -15,12 +15,18 @@ namespace {
 
 using render::Rect;
 
-constexpr double least_pitch = 24;  // [px] of a bar that can be read and pointed at
-constexpr double bars_above = 90;   // [px] for the panel's title and key
+constexpr double least_pitch = 22;         // [px] of a bar that can be read and pointed at
+constexpr double room_for_jacobian = 560;  // [px]
+constexpr double bars_above = 70;          // [px] for the panel's title and key
 
 std::string kind_of(const ConstraintRow<double>& row) {
   if (row.bounds.is_friction()) return "friction";
   return row.bounds.is_unilateral() ? "normal" : "joint";
+}
+
+std::string jacobian_text(const Vec3<double>& j) {
+  return fmt::format("({}, {}, {})", render::significant(j.x(), 2), render::significant(j.y(), 2),
+                     render::significant(j.z(), 2));
 }
 
 /// Negative numbers in brackets, where they follow an operator.
@@ -42,7 +48,8 @@ void Picture::draw_rows(const Playground& playground, const Rect& rect) {
   if (shown < first_bar_ || shown >= first_bar_ + bar_count_) first_bar_ = shown - bar_count_ / 2;
   first_bar_ = std::clamp(first_bar_, 0, rows - bar_count_);
   const double dt = look.given.dt;
-  render::BarChart chart{.title = fmt::format("accumulated λ (N), {} rows", rows)};
+  render::BarChart chart{.title = fmt::format("accumulated λ (N), {} rows", rows),
+                         .exact = "where sweeps end"};
   if (rows > bar_count_ && bar_count_ > 0) {
     chart.title =
         fmt::format("accumulated λ (N), rows {} to {} of {}", first_bar_ + 1, first_bar_ + bar_count_, rows);
@@ -115,6 +122,10 @@ void Picture::draw_equation(const Playground& playground, const Rect& rect) {
   const bool is_soft = row.softness > 0;
   render::Equation equation;
   equation.number = fmt::format("row {}, {} · eq (22)", lit + 1, kind_of(row));
+  if (rect.width > room_for_jacobian) {
+    equation.number += fmt::format(" · j_{{a}} = {}, j_{{b}} = {}", jacobian_text(row.jacobian_a),
+                                   jacobian_text(row.jacobian_b));
+  }
   equation.symbols =
       is_soft ? "λ = (ζ − j·v − γ λ Δt) / ((j M^{−1} j^{T} + γ) Δt)" : "λ = (ζ − j·v) / (j M^{−1} j^{T} Δt)";
   const std::string soft = is_soft ? " − " + operand(row.softness * before, 3) : "";

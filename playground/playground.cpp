@@ -197,8 +197,8 @@ const SolveLook& Playground::look(int number) const {
     const SolveLook& first = looks_[0];
     for (int i = 0; i < first.impulse.size(); ++i) {
       if (first.given.rows[i].bounds.is_friction()) continue;
-      const double largest = std::max(std::abs(first.impulse[i]), std::abs(first.end[i])) / first.given.dt;
-      if (std::isfinite(largest)) largest_force_ = std::max(largest_force_, largest);
+      const double force = std::abs(first.impulse[i]) / first.given.dt;
+      if (std::isfinite(force)) largest_force_ = std::max(largest_force_, force);
     }
   }
   return looks_[number];

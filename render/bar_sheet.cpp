@@ -48,7 +48,7 @@ void write_key(const BarSheet& sheet, const Rect& rect, Rect& room) {
   Page& page = sheet.page;
   Canvas& canvas = page.canvas();
   TextStyle style = page.secondary();
-  const double width = canvas.text_width("exact", style) + text_gap;
+  const double width = canvas.text_width(sheet.chart.exact, style) + text_gap;
   const bool beside =
       !sheet.chart.title.empty() &&
       canvas.text_width(sheet.chart.title, page.secondary()) + width + 3 * text_gap < room.width;
@@ -57,7 +57,7 @@ void write_key(const BarSheet& sheet, const Rect& rect, Rect& room) {
   const double baseline = std::round(top + 0.85 * style.size);
   const double right = room.x + room.width;
   style.align = Align::right;
-  canvas.text({right, baseline}, "exact", style);
+  canvas.text({right, baseline}, sheet.chart.exact, style);
   const double x = std::round(right - width);
   canvas.line({x, baseline + 0.15 * style.size}, {x, baseline - 0.85 * style.size},
               {.width = page.compact() ? 2.0 : 3.0, .color = page.theme().exact.color});

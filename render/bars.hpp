@@ -19,7 +19,8 @@ struct Bar {
 };
 
 struct BarChart {
-  std::string title = {};  // with the unit: "accumulated λ (N)"
+  std::string title = {};       // with the unit: "accumulated λ (N)"
+  std::string exact = "exact";  // what the black ticks are
   List<Bar> bars = {};
   double largest = 0;         // the value at the right end; 0: from the data
   double smallest = 0;        // the value at the left end, not above 0; 0: from the data
