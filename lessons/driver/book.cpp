@@ -22,6 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 using Words = List<std::string>;
 
+constexpr const char* playground_file =
+    "out/playground/index.html";  // where `lessons/run playground` puts it
 constexpr int lesson_skipped = 77;
 constexpr int cannot_make = 3;
 
@@ -154,6 +156,7 @@ void write_pages(const fs::path& folder, const Book& book) {
   for (int i = 0; i < book.size(); ++i) {
     write_whole_file(folder / page_name(book[i].program), lesson_page(book, i));
   }
+  if (book.has_playground) write_whole_file(folder / "playground.html", text_of(playground_file));
   for (const char* name : {"book.css", "book.js"}) write_whole_file(folder / name, text_of(source / name));
   write_whole_file(folder / "index.html", index_page(book, text_of(source / "book.md")));
   remove_old_pictures(folder / "frames", book);
@@ -171,6 +174,7 @@ int make_book(const Context& context, const Workshop& shop) {
   Console console(context.settings);
   fs::create_directories(shop.book / "frames");
   Book book;
+  book.has_playground = fs::exists(playground_file);
   bool all_held = true;
   {
     const WorkFolder folder(shop.work);

@@ -35,7 +35,9 @@ struct BookLesson {
   List<BookSource> exercise = {};
 };
 
-using Book = List<BookLesson>;
+struct Book : List<BookLesson> {
+  bool has_playground = false;  // beside the pages: playground.html
+};
 
 /// "lesson06.html".
 std::string page_name(const Program& program);

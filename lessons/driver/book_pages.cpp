@@ -124,7 +124,7 @@ std::string exercise_figures(const BookLesson& lesson) {
 }
 
 TextPlaces places_for(const Book& book, const BookLesson& lesson) {
-  TextPlaces places = {.cover = cover_figure(lesson)};
+  TextPlaces places = {.cover = cover_figure(lesson), .has_playground = book.has_playground};
   for (const BookLesson& other : book) {
     places.pages[lesson_folder(other.program).filename().string()] = page_name(other.program);
   }
@@ -201,11 +201,22 @@ std::string book_cover(const Book& book) {
   return book.empty() ? "" : cover_figure(book.front());
 }
 
+std::string playground_words(const Book& book) {
+  if (book.has_playground) {
+    return "<p><a href=\"playground.html\">Open the playground</a>: the lessons lead to it with scenes of "
+           "their own.</p>\n";
+  }
+  return "<p><code>bash lessons/run playground</code> makes it; then <code>bash lessons/run book</code> puts "
+         "it into this "
+         "book.</p>\n";
+}
+
 /// What a line such as <!-- contents --> of book.md stands for.
 std::string filled_in(const Book& book, const std::string& mark) {
   const std::string order = "order: ";
   if (mark == "cover") return book_cover(book);
   if (mark == "contents") return contents(book);
+  if (mark == "playground") return playground_words(book);
   return mark.rfind(order, 0) == 0 ? order_links(book, mark.substr(order.size())) : "";
 }
 

@@ -55,12 +55,34 @@ std::string anchor_of(const std::string& title) {
 /// Where a link of a lesson's text leads in the book; "" for nowhere.
 std::string led_on(const std::string& target, const TextPlaces& places) {
   if (target.rfind("http", 0) == 0 || target.rfind("#", 0) == 0) return target;
+  if (target.rfind("playground.html", 0) == 0) return target;
   const auto file = places.files.find(target);
   if (file != places.files.end()) return file->second;
   for (const auto& [folder, page] : places.pages) {
     if (target == "../" + folder + "/README.md") return page;
   }
   return "";
+}
+
+/// A paragraph that is a link to the playground, with a scene and settings as its title, is the playground
+/// itself; or, where there is none, says how to have it.
+std::string with_playgrounds(const std::string& html, const TextPlaces& places) {
+  const std::string open = "<p><a href=\"../../playground/README.md\" title=\"";
+  return replaced(html, open, "</a></p>", [&places](const std::string& link) {
+    const std::string address = link.substr(0, link.find('"'));
+    if (!places.has_playground) {
+      return std::string(
+          "<p class=\"note\">The playground would stand here: <code>bash lessons/run playground</code> makes "
+          "it, and then "
+          "<code>bash lessons/run book</code> puts it into the book.</p>");
+    }
+    return fmt::format(
+        "<figure class=\"playground\">\n<iframe src=\"playground.html{0}&amp;embed=1\" title=\"Playground\" "
+        "loading=\"lazy\"></iframe>\n<figcaption><a href=\"playground.html{0}\">On a page of its "
+        "own</a></figcaption>\n"
+        "</figure>",
+        address);
+  });
 }
 
 /// A link that leads nowhere in the book, to a source file that is not on this page, is its text alone.
@@ -199,7 +221,7 @@ std::string code_figure(const std::string& anchor, const std::string& caption, s
 
 List<Section> sections_of(const std::string& markdown, const TextPlaces& places) {
   const std::string plain = html_of(markdown);
-  const std::string linked = with_links(plain, with_quotes(places, plain));
+  const std::string linked = with_links(with_playgrounds(plain, places), with_quotes(places, plain));
   const std::string html = with_pictures_and_tables(with_code(linked), places);
   List<Section> sections;
   for (std::size_t begin = 0; begin < html.size();) {

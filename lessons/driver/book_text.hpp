@@ -20,6 +20,7 @@ struct TextPlaces {
   std::map<std::string, std::string> pages = {};  // "06_sequential_impulses" -> "lesson06.html"
   std::map<std::string, std::string> files = {};  // shown on this page: "exercise.cpp" -> "#exercise.cpp"
   std::string cover = {};                         // HTML that stands for every picture of the text
+  bool has_playground = false;                    // beside the page: playground.html
 };
 
 /// A heading of the second level and what follows it; the first has none, and begins with the title.
