@@ -12,22 +12,23 @@
 namespace cairn {
 namespace {
 
-constexpr int finest_level = -40;    // smaller boxes share its cells
-constexpr int coarsest_level = 120;  // larger boxes lie in no cell
+constexpr int finest_exponent = -40;    // smaller boxes share its cells
+constexpr int coarsest_exponent = 120;  // larger boxes lie in no cell
+constexpr int boundless = 0;            // the level of boxes that no cell holds
 
-/// The level whose cells are larger than the box, and at most twice as large; one more than the coarsest
-/// where there is none.
+/// Of the cells that are larger than the box, and at most twice as large.
 template <Scalar Real>
-int level_of(const Aabb<Real>& box) {
+int exponent_of(const Aabb<Real>& box) {
   const Real side = (box.upper - box.lower).maxCoeff();
-  return side > 0 ? std::clamp(std::ilogb(side), finest_level - 1, coarsest_level) + 1 : finest_level;
+  return side > 0 ? std::clamp(std::ilogb(side), finest_exponent - 1, coarsest_exponent) + 1
+                  : finest_exponent;
 }
 
 /// Whether a box lies so far out that Real cannot tell a sixteenth of its cell apart.
 template <Scalar Real>
-bool is_far_out(const Aabb<Real>& box, int level) {
+bool is_far_out(const Aabb<Real>& box, Real cells_per_metre) {
   const Real reach = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
-  return !(reach * std::ldexp(Real(1), -level) < 1 / (16 * std::numeric_limits<Real>::epsilon()));
+  return !(reach * cells_per_metre < 1 / (16 * std::numeric_limits<Real>::epsilon()));
 }
 
 /// A box that is not a number overlaps nothing.
@@ -47,152 +48,137 @@ void Broadphase<Real>::require_few(int pairs) {
 }
 
 template <Scalar Real>
-auto Broadphase<Real>::cell_at(const Vec2<Real>& point, int level) -> Cell {
-  const Real scale = std::ldexp(Real(1), -level);
-  const auto number = [scale](Real x) {
-    const auto toward_zero = static_cast<std::int64_t>(x * scale);
-    return toward_zero - (x * scale < static_cast<Real>(toward_zero) ? 1 : 0);
+void Broadphase<Real>::reset(int count) {
+  places_.assign(count, {});
+  if (kind_ == BroadphaseKind::all_pairs) return;
+  buckets_.assign(std::bit_ceil(static_cast<unsigned>(2 * count + 1)), nowhere);
+  levels_.assign(1, {.exponent = coarsest_exponent + 1});
+}
+
+template <Scalar Real>
+auto Broadphase<Real>::cell_at(const Vec2<Real>& point, const Level& level) -> Cell {
+  const auto number = [&level](Real x) {
+    const auto toward_zero = static_cast<std::int64_t>(x * level.per_metre);
+    return toward_zero - (x * level.per_metre < static_cast<Real>(toward_zero) ? 1 : 0);
   };
-  return {number(point.x()), number(point.y()), level};
+  return {number(point.x()), number(point.y())};
 }
 
 /// Neighbours in x lie in neighbouring buckets, so that they are near in memory too.
 template <Scalar Real>
-int Broadphase<Real>::bucket(const Cell& cell) const {
-  const auto mixed = static_cast<std::uint64_t>(cell.x) +
-                     static_cast<std::uint64_t>(cell.y) * 0x9E3779B97F4A7C15u +
-                     static_cast<std::uint64_t>(cell.level) * 0xC2B2AE3D27D4EB4Fu;
-  return static_cast<int>(mixed & static_cast<std::uint64_t>(first_.size() - 2));
+std::uint64_t Broadphase<Real>::hash(std::int64_t x, std::int64_t y, int level) const {
+  return static_cast<std::uint64_t>(x) + static_cast<std::uint64_t>(y) * 0x9E3779B97F4A7C15u +
+         static_cast<std::uint64_t>(levels_[level].exponent) * 0xC2B2AE3D27D4EB4Fu;
+}
+
+template <Scalar Real>
+int& Broadphase<Real>::bucket(std::uint64_t cell) {
+  return buckets_[static_cast<int>(cell & static_cast<std::uint64_t>(buckets_.size() - 1))];
+}
+
+/// Its number in levels_; a new one, or that of an empty one, where there is none.
+template <Scalar Real>
+int Broadphase<Real>::level_of(const Aabb<Real>& box) {
+  const int exponent = exponent_of(box);
+  const Real size = std::ldexp(Real(1), exponent);
+  if (exponent > coarsest_exponent || is_far_out(box, 1 / size)) return boundless;
+  int free = levels_.size();
+  for (int i = levels_.size() - 1; i > boundless; --i) {
+    if (levels_[i].exponent == exponent) return i;
+    if (levels_[i].count == 0) free = i;
+  }
+  if (free == levels_.size()) levels_.emplace_back();
+  levels_[free] = {.exponent = exponent, .size = size, .per_metre = 1 / size};
+  return free;
+}
+
+template <Scalar Real>
+void Broadphase<Real>::put(int i, const Aabb<Real>& box) {
+  Place& place = places_[i];
+  if (place.level != nowhere) take_out(i);
+  place = {.box = box};
+  if (kind_ == BroadphaseKind::all_pairs || !is_number(box)) return;
+  place.level = level_of(box);
+  const Level& level = levels_[place.level];
+  const Cell cell = place.level == boundless ? Cell() : cell_at(box.lower, level);
+  place.cell = hash(cell.x, cell.y, place.level);
+  place.next = std::exchange(bucket(place.cell), i);
+  ++levels_[place.level].count;
+}
+
+template <Scalar Real>
+void Broadphase<Real>::take_out(int i) {
+  --levels_[places_[i].level].count;
+  int* link = &bucket(places_[i].cell);
+  while (*link != i) link = &places_[*link].next;
+  *link = places_[i].next;
+}
+
+template <Scalar Real>
+const List<int>& Broadphase<Real>::overlapping(int i) {
+  found_.clear();
+  if (kind_ == BroadphaseKind::all_pairs || places_[i].level == boundless) {
+    for (int j = 0; j < places_.size(); ++j) look_at(i, j);
+  } else if (places_[i].level != nowhere) {
+    for (int level = 0; level < levels_.size(); ++level) {
+      if (levels_[level].count > 0) look_around(i, level);
+    }
+  }
+  return found_;
+}
+
+/// What it overlaps on that level: in the cells that it may lie in; or among all boxes, where they are fewer.
+template <Scalar Real>
+void Broadphase<Real>::look_around(int i, int number) {
+  const Level& level = levels_[number];
+  const Aabb<Real>& box = places_[i].box;
+  const Vec2<Real> cells = (box.upper - box.lower) * level.per_metre;
+  const bool are_few = (cells.x() + 3) * (cells.y() + 3) < static_cast<Real>(places_.size() + 9);
+  if (!are_few || is_far_out(box, level.per_metre)) {
+    for (int j = 0; j < places_.size(); ++j) {
+      if (places_[j].level == number) look_at(i, j);
+    }
+    return;
+  }
+  Cell from, to;
+  if (number != boundless) {
+    // What rounding may take from the difference, and from the side that the level was chosen by.
+    const Vec2<Real> slack =
+        4 * std::numeric_limits<Real>::epsilon() * (box.lower.array().abs() + level.size).matrix();
+    from = cell_at(box.lower - slack - Vec2<Real>(level.size, level.size), level);
+    to = cell_at(box.upper, level);
+  }
+  for (std::int64_t y = from.y; y <= to.y; ++y) {
+    for (std::int64_t x = from.x; x <= to.x; ++x) {
+      const std::uint64_t cell = hash(x, y, number);
+      for (int j = bucket(cell); j != nowhere; j = places_[j].next) {
+        if (places_[j].cell == cell) look_at(i, j);
+      }
+    }
+  }
+}
+
+template <Scalar Real>
+void Broadphase<Real>::look_at(int i, int other) {
+  if (other != i && places_[i].box.overlaps(places_[other].box)) found_.push_back(other);
 }
 
 template <Scalar Real>
 const List<std::pair<int, int>>& Broadphase<Real>::pairs(Span<const Aabb<Real>> boxes,
                                                          Span<const char> movable) {
   assert(boxes.size() == movable.size());
+  reset(boxes.size());
+  for (int i = 0; i < boxes.size(); ++i) put(i, boxes[i]);
   pairs_.clear();
-  if (kind_ == BroadphaseKind::all_pairs) {
-    compare_all(boxes, movable);
-    return pairs_;
-  }
-  fill_cells(boxes, movable);
-  put_in_buckets();
-  for (int i = 0; i < ordered_.size(); ++i) {
-    look_ahead(i);
-    for (const int level : levels_) {
-      if (level > ordered_[i].cell.level) look_around(ordered_[i], level);
+  for (int i = 0; i < boxes.size(); ++i) {
+    const int first = pairs_.size();
+    for (const int j : overlapping(i)) {
+      if (i < j && (movable[i] || movable[j])) pairs_.push_back({i, j});
     }
+    require_few(pairs_.size());
+    std::sort(pairs_.begin() + first, pairs_.end());
   }
-  for (int i = 0; i < boundless_.size(); ++i) {
-    for (const Entry& other : ordered_) compare(boundless_[i], other);
-    for (int j = i + 1; j < boundless_.size(); ++j) compare(boundless_[i], boundless_[j]);
-  }
-  sort_pairs(boxes.size());
   return pairs_;
-}
-
-template <Scalar Real>
-void Broadphase<Real>::compare_all(Span<const Aabb<Real>> boxes, Span<const char> movable) {
-  for (int i = 0; i < boxes.size(); ++i) {
-    for (int j = i + 1; j < boxes.size(); ++j) {
-      if (!(movable[i] || movable[j]) || !boxes[i].overlaps(boxes[j])) continue;
-      require_few(pairs_.size() + 1);
-      pairs_.push_back({i, j});
-    }
-  }
-}
-
-template <Scalar Real>
-void Broadphase<Real>::fill_cells(Span<const Aabb<Real>> boxes, Span<const char> movable) {
-  entries_.clear();
-  boundless_.clear();
-  levels_.clear();
-  for (int i = 0; i < boxes.size(); ++i) {
-    const Aabb<Real>& box = boxes[i];
-    if (!is_number(box)) continue;
-    const int level = level_of(box);
-    if (level > coarsest_level || is_far_out(box, level)) {
-      boundless_.push_back({box, {}, i, movable[i]});
-      continue;
-    }
-    entries_.push_back({box, cell_at(box.lower, level), i, movable[i]});
-    const auto place = std::lower_bound(levels_.begin(), levels_.end(), level);
-    if (place == levels_.end() || *place != level) levels_.insert(place, level);
-  }
-}
-
-/// Boxes by their bucket, those of one bucket by their index.
-template <Scalar Real>
-void Broadphase<Real>::put_in_buckets() {
-  const auto buckets = std::bit_ceil(static_cast<unsigned>(2 * entries_.size() + 2));
-  first_.assign(static_cast<int>(buckets) + 1, 0);
-  for (const Entry& entry : entries_) ++first_[bucket(entry.cell)];
-  int end = 0;
-  for (int& first : first_) end += std::exchange(first, end);
-  ordered_.resize(entries_.size());
-  for (const Entry& entry : entries_) ordered_[first_[bucket(entry.cell)]++] = entry;
-  std::copy_backward(first_.begin(), first_.end() - 1, first_.end());
-  first_[0] = 0;
-}
-
-template <Scalar Real>
-void Broadphase<Real>::compare(const Entry& entry, const Entry& other) {
-  if (!(entry.movable || other.movable) || !entry.box.overlaps(other.box)) return;
-  require_few(pairs_.size() + 1);
-  pairs_.push_back(std::minmax(entry.index, other.index));
-}
-
-/// What a box overlaps on its own level: of the neighbouring cells only those that come after its own, as the
-/// others look at this one, and only as far as the box reaches.
-template <Scalar Real>
-void Broadphase<Real>::look_ahead(int place) {
-  const Entry& entry = ordered_[place];
-  const Cell& own = entry.cell;
-  const Cell reached = cell_at(entry.box.upper, own.level);
-  for (int k = place + 1; k < first_[bucket(own) + 1]; ++k) {
-    if (ordered_[k].cell == own) compare(entry, ordered_[k]);
-  }
-  if (reached.x > own.x) look_into({own.x + 1, own.y, own.level}, entry);
-  if (reached.y == own.y) return;
-  for (std::int64_t x = own.x - 1; x <= reached.x; ++x) look_into({x, own.y + 1, own.level}, entry);
-}
-
-/// What it overlaps on a coarser level.
-template <Scalar Real>
-void Broadphase<Real>::look_around(const Entry& entry, int level) {
-  // What rounding may take from the difference, and from the side that the level was chosen by.
-  const Real size = std::ldexp(Real(1), level);
-  const Vec2<Real> slack =
-      4 * std::numeric_limits<Real>::epsilon() * (entry.box.lower.array().abs() + size).matrix();
-  const Cell from = cell_at(entry.box.lower - slack - Vec2<Real>(size, size), level);
-  const Cell to = cell_at(entry.box.upper, level);
-  for (std::int64_t y = from.y; y <= to.y; ++y) {
-    for (std::int64_t x = from.x; x <= to.x; ++x) look_into({x, y, level}, entry);
-  }
-}
-
-template <Scalar Real>
-void Broadphase<Real>::look_into(const Cell& cell, const Entry& entry) {
-  const int number = bucket(cell);
-  for (int k = first_[number]; k < first_[number + 1]; ++k) {
-    if (ordered_[k].cell == cell) compare(entry, ordered_[k]);
-  }
-}
-
-/// By the first of each pair in one pass, then each run by the second: runs are short.
-template <Scalar Real>
-void Broadphase<Real>::sort_pairs(int count) {
-  first_.assign(count + 1, 0);
-  for (const auto& [i, j] : pairs_) ++first_[i];
-  int end = 0;
-  for (int& first : first_) end += std::exchange(first, end);
-  unsorted_.swap(pairs_);
-  pairs_.resize(unsorted_.size());
-  for (const auto& pair : unsorted_) pairs_[first_[pair.first]++] = pair;
-  int begin = 0;
-  for (int i = 0; i < count; ++i) {
-    std::sort(pairs_.begin() + begin, pairs_.begin() + first_[i]);
-    begin = first_[i];
-  }
 }
 
 template class Broadphase<float>;

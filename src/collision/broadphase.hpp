@@ -13,11 +13,12 @@ namespace cairn {
 /// grows as the number of boxes does, wherever they lie.
 enum class BroadphaseKind { all_pairs, grid };
 
-/// Finds overlapping pairs. Holds scratch memory only, so that a steady step allocates nothing.
+/// Boxes that may be moved one by one, and what overlaps each. Takes no memory but where their number
+/// changes.
 ///
 /// The grid has a level for each power of two: a box lies in the cell of its lower corner, on the level whose
-/// cells are just larger than it is. What it may overlap on a level as coarse as its own, or coarser, then
-/// has its lower corner at most one cell before the box. Cells are found by a hash of their level and place
+/// cells are just larger than it is. What it may overlap on a level then has its lower corner at most one
+/// cell before the box. Cells are found by a hash of their level and place
 /// (M. Teschner and others, 2003; C. Ericson, Real-Time Collision Detection, 2005, 7.2).
 template <Scalar Real>
 class Broadphase {
@@ -29,6 +30,15 @@ class Broadphase {
   /// Finds pairs in the given way.
   explicit Broadphase(BroadphaseKind kind = BroadphaseKind::all_pairs) : kind_(kind) {}
 
+  /// So many boxes, which overlap nothing until they are put somewhere.
+  void reset(int count);
+  /// Puts box number i there.
+  void put(int i, const Aabb<Real>& box);
+  /// Where box i is.
+  const Aabb<Real>& box(int i) const { return places_[i].box; }
+  /// The other boxes that overlap box i, in no order: until this is called again.
+  const List<int>& overlapping(int i);
+
   /// All (i, j), i < j, whose boxes overlap, in ascending order: the same list for every kind. Pairs for
   /// which both `movable[i]` and `movable[j]` are false are left out.
   /// @throws std::length_error for more than max_pairs pairs.
@@ -38,39 +48,40 @@ class Broadphase {
   static void require_few(int pairs);
 
  private:
+  static constexpr int nowhere = -1;  // no box, no level
+
+  struct Place {
+    Aabb<Real> box = {};
+    std::uint64_t cell = 0;  // the hash of its cell
+    int next = nowhere;      // another box with a cell in the same bucket
+    int level = nowhere;     // in levels_
+  };
+  /// Cells of one size; the first level is of boxes that no cell holds.
+  struct Level {
+    int exponent = 0;    // cells of 2^exponent m
+    Real size = 0;       // [m]
+    Real per_metre = 0;  // cells
+    int count = 0;       // of boxes
+  };
   struct Cell {
     std::int64_t x = 0;
     std::int64_t y = 0;
-    int level = 0;  // cells of 2^level m
-    bool operator==(const Cell&) const = default;
-  };
-  struct Entry {
-    Aabb<Real> box = {};
-    Cell cell = {};
-    int index = 0;
-    char movable = 0;
   };
 
-  static Cell cell_at(const Vec2<Real>& point, int level);
-  int bucket(const Cell& cell) const;
-  void compare_all(Span<const Aabb<Real>> boxes, Span<const char> movable);
-  void fill_cells(Span<const Aabb<Real>> boxes, Span<const char> movable);
-  void put_in_buckets();
-  void look_ahead(int place);
-  void look_around(const Entry& entry, int level);
-  void look_into(const Cell& cell, const Entry& entry);
-  void compare(const Entry& entry, const Entry& other);
-  void sort_pairs(int count);
+  static Cell cell_at(const Vec2<Real>& point, const Level& level);
+  std::uint64_t hash(std::int64_t x, std::int64_t y, int level) const;
+  int& bucket(std::uint64_t cell);
+  int level_of(const Aabb<Real>& box);
+  void take_out(int i);
+  void look_around(int i, int level);
+  void look_at(int i, int other);
 
   BroadphaseKind kind_;
+  List<Place> places_;
+  List<int> buckets_;  // the first box of each
+  List<Level> levels_;
+  List<int> found_;
   List<std::pair<int, int>> pairs_;
-  // Of the grid.
-  List<Entry> entries_;    // by index
-  List<Entry> ordered_;    // by bucket
-  List<int> first_;        // of each bucket, in ordered_; at the end their number
-  List<int> levels_;       // in use, ascending
-  List<Entry> boundless_;  // boxes that no cell holds: compared with all others
-  List<std::pair<int, int>> unsorted_;
 };
 
 }  // namespace cairn

@@ -10,7 +10,8 @@ namespace cairn {
 
 /// Keeps the pairs of boxes that are near each other while the boxes move.
 ///
-/// Each box lies in a proxy, a box that is larger by a tenth of its longer side all around. The pairs are
+/// Each box lies in a proxy, a box that is larger by a tenth of its longer side all around; or no larger, as
+/// long as the box has not moved: scenery may be so long that a tenth of it holds everything. The pairs are
 /// those whose proxies overlap, so that the list stays as it is until a box leaves its proxy: a new proxy is
 /// put around that box, and its pairs are found anew. Every two boxes that overlap are in the list; which
 /// others are depends on where the boxes were before. Source: the fat boxes of E. Catto's Box2D (2007).
@@ -36,16 +37,15 @@ class NearPairs {
  private:
   void find_pairs_of_moved();
 
-  Broadphase<Real> broadphase_;
+  Broadphase<Real> proxies_;
   List<char> movable_;
-  List<Aabb<Real>> proxies_;
   List<std::pair<int, int>> pairs_;
   bool is_current_ = false;  // pairs_ are those of proxies_
 
   // Scratch memory.
   List<int> moved_;      // boxes that have left their proxies, ascending
   List<char> is_moved_;  // of each box
-  List<std::pair<int, int>> unmoved_pairs_, found_, next_;
+  List<std::pair<int, int>> found_, next_;
 };
 
 }  // namespace cairn

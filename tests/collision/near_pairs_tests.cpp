@@ -72,8 +72,15 @@ TEST_CASE("the list of near pairs stays while boxes stay in their proxies") {
   NearPairs<double> near(BroadphaseKind::grid, crowd.movable);
   CHECK(near.update(crowd.boxes));
   CHECK(!near.update(crowd.boxes));
+  // What has not moved has a proxy without room, so that only what overlaps is near.
+  for (const auto& [i, j] : near.pairs()) CHECK(crowd.boxes[i].overlaps(crowd.boxes[j]));
+  const auto move_all = [&crowd](double way) {
+    for (int i = 0; i < 50; ++i) crowd.move(i, {way, -way});
+  };
+  move_all(0.001);  // all leave their proxies
+  near.update(crowd.boxes);
   const Pairs before = near.pairs();
-  for (int i = 0; i < 50; ++i) crowd.move(i, {0.015, -0.015});  // of at least 0.2 m: a proxy is 0.02 m larger
+  move_all(0.015);  // of at least 0.2 m: a proxy is 0.02 m larger
   CHECK(!near.update(crowd.boxes));
   CHECK(near.pairs() == before);
 }
