@@ -19,21 +19,38 @@ Real core_radius(const Shape<Real>& shape) {
   return std::visit(radius, shape);
 }
 
+/// Makes colliders, and one shape for all that have the same.
 template <Scalar Real>
-Collider<Real> make_collider(BodyId body, const Shape<Real>& shape) {
-  return {.body = body, .shape = shape, .radius = bounding_radius(shape), .core_radius = core_radius(shape)};
-}
-
-template <Scalar Real>
-void add_links(BodyId body, const Chain<double>& chain, List<Collider<Real>>& colliders) {
-  const Shape<Real> cast = shape_cast<Real>(chain);
-  const Chain<Real>& points = std::get<Chain<Real>>(cast);
-  for (int i = 0; i < points.link_count(); ++i) {
-    colliders.push_back(make_collider<Real>(body, Segment<Real>{points.point(i), points.point(i + 1)}));
-    const auto around = surroundings_cast<Real>(link_surroundings(chain, i));
-    colliders.back().around = std::make_shared<const Surroundings<Real>>(around);
+class ColliderMaker {
+ public:
+  void add(BodyId body, const Shape<Real>& shape) {
+    const Real radius = bounding_radius(shape);
+    colliders.push_back(
+        {.body = body, .radius = radius, .core_radius = core_radius(shape), .shape = shared(radius, shape)});
   }
-}
+  void add_links(BodyId body, const Chain<double>& chain) {
+    const Shape<Real> cast = shape_cast<Real>(chain);
+    const Chain<Real>& points = std::get<Chain<Real>>(cast);
+    for (int i = 0; i < points.link_count(); ++i) {
+      add(body, Segment<Real>{points.point(i), points.point(i + 1)});
+      const auto around = surroundings_cast<Real>(link_surroundings(chain, i));
+      colliders.back().around = std::make_shared<const Surroundings<Real>>(around);
+    }
+  }
+
+  List<Collider<Real>> colliders = {};
+
+ private:
+  std::shared_ptr<const Shape<Real>> shared(Real radius, const Shape<Real>& shape) {
+    auto [next, end] = known_.equal_range(radius);
+    for (; next != end; ++next) {
+      if (*next->second == shape) return next->second;
+    }
+    return known_.emplace(radius, std::make_shared<const Shape<Real>>(shape))->second;
+  }
+
+  std::multimap<Real, std::shared_ptr<const Shape<Real>>> known_;  // by the radius around them
+};
 
 /// Numbers for static bodies: those that collide with the same bodies have the same one. Sensors, and bodies
 /// that a joint keeps apart from others, have one of their own.
@@ -81,18 +98,18 @@ void set_surroundings(const Scene& scene, List<Collider<Real>>& colliders) {
 
 template <Scalar Real>
 List<Collider<Real>> make_colliders(const Scene& scene) {
-  List<Collider<Real>> colliders;
+  ColliderMaker<Real> maker;
   for (const BodyId id : scene.bodies().indices()) {
     for (const Shape<double>& shape : scene.bodies()[id].spec.shapes) {
       if (const auto* chain = std::get_if<Chain<double>>(&shape)) {
-        add_links(id, *chain, colliders);
+        maker.add_links(id, *chain);
       } else {
-        colliders.push_back(make_collider(id, shape_cast<Real>(shape)));
+        maker.add(id, shape_cast<Real>(shape));
       }
     }
   }
-  set_surroundings(scene, colliders);
-  return colliders;
+  set_surroundings(scene, maker.colliders);
+  return std::move(maker.colliders);
 }
 
 template List<Collider<float>> make_colliders(const Scene&);

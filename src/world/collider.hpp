@@ -11,10 +11,11 @@ namespace cairn {
 /// A shape of a body, or a link of one that is a chain.
 template <Scalar Real>
 struct Collider {
-  BodyId body = {};        // whose it is
-  Shape<Real> shape = {};  // in the frame of the body's centre of mass; no chain
-  Real radius = 0;         // [m] of a circle around it, about the body's centre of mass
-  Real core_radius = 0;    // [m] by which its core is rounded
+  BodyId body = {};      // whose it is
+  Real radius = 0;       // [m] of a circle around it, about the body's centre of mass
+  Real core_radius = 0;  // [m] by which its core is rounded
+  /// In the frame of the body's centre of mass; no chain. Colliders whose shapes are equal share one.
+  std::shared_ptr<const Shape<Real>> shape = {};
   std::shared_ptr<const Surroundings<Real>> around = {};  // what lies beside it; null: nothing
 };
 

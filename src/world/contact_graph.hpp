@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <utility>
 
 #include "collision/kept_manifold.hpp"
@@ -56,7 +55,7 @@ void remember(Impulses& impulses, int count, Real dt, const Row& row) {
   }
 }
 
-/// Two shapes that are near each other and may touch.
+/// Two shapes that may touch, for the boxes around them do.
 template <Scalar Real>
 struct ContactSlot {
   int collider_a = 0;     // the lower one
@@ -88,13 +87,14 @@ struct OddContact {
 
 /// A pair that is near, and its slot.
 struct NearSlot {
+  static constexpr int none = -1;  // in place of a slot: nothing is known of a touch
+
   std::pair<int, int> shapes = {};  // the lower one first
-  int slot = 0;                     // its number
-  bool is_blank = true;             // the slot knows of no touch
+  int slot = none;                  // its number
 };
 
-/// The slots of all pairs that are near, in the order of their shapes: an order that depends on who is near
-/// whom now, and not on since when. A slot keeps its place in memory as long as its pair is near.
+/// All pairs that are near, in the order of their shapes: an order that depends on who is near whom now, and
+/// not on since when. Some have slots, which keep their place in memory.
 template <Scalar Real>
 class ContactGraph {
  public:
@@ -103,25 +103,42 @@ class ContactGraph {
   /// As NearPairs.
   ContactGraph(BroadphaseKind kind, List<char> movable) : near_(kind, std::move(movable)) {}
 
-  /// Takes in where the shapes are. make(i, j) is asked for the slot of every pair that has come near: a
-  /// std::optional<ContactSlot<Real>>, without a value where the two never touch.
+  /// Takes in where the shapes are. Pairs for which may_meet(i, j) is false are left out: it is asked of
+  /// every pair that has come near.
   /// @throws std::length_error as NearPairs.
-  template <typename Make>
-  void update(Span<const Aabb<Real>> boxes, const Make& make) {
+  template <typename MayMeet>
+  void update(Span<const Aabb<Real>> boxes, const MayMeet& may_meet) {
     if (!near_.update(boxes)) return;
     next_.clear();
     auto old = order_.begin();
     for (const std::pair<int, int>& pair : near_.pairs()) {
-      for (; old != order_.end() && old->shapes < pair; ++old) free_.push_back(old->slot);
+      for (; old != order_.end() && old->shapes < pair; ++old) remove_slot(*old);
       if (old != order_.end() && old->shapes == pair) {
         next_.push_back(*old++);
-      } else if (const std::optional<ContactSlot<Real>> slot = make(pair.first, pair.second)) {
-        next_.push_back({.shapes = pair, .slot = place(*slot)});
+      } else if (may_meet(pair.first, pair.second)) {
+        next_.push_back({.shapes = pair});
       }
     }
-    for (; old != order_.end(); ++old) free_.push_back(old->slot);
+    for (; old != order_.end(); ++old) remove_slot(*old);
     order_.swap(next_);
     next_.reserve(order_.size());  // now, not when a shape next leaves its proxy
+  }
+
+  /// Gives a pair without a slot that one.
+  void add_slot(NearSlot& near, const ContactSlot<Real>& slot) {
+    if (free_.empty()) {
+      near.slot = slots_.size();
+      slots_.push_back(slot);
+      free_.reserve(static_cast<int>(slots_.as_vector().capacity()));  // now, not when a pair goes apart
+      return;
+    }
+    near.slot = free_.back();
+    free_.pop_back();
+    slots_[near.slot] = slot;
+  }
+  /// Of a pair of which nothing is known any more.
+  void remove_slot(NearSlot& near) {
+    if (near.slot != NearSlot::none) free_.push_back(std::exchange(near.slot, NearSlot::none));
   }
 
   /// Begins with slots of another graph, in the order of their shapes.
@@ -132,7 +149,7 @@ class ContactGraph {
     List<std::pair<int, int>> pairs;
     for (int i = 0; i < slots_.size(); ++i) {
       pairs.push_back({slots_[i].collider_a, slots_[i].collider_b});
-      order_.push_back({.shapes = pairs.back(), .slot = i, .is_blank = false});
+      order_.push_back({.shapes = pairs.back(), .slot = i});
     }
     near_.begin_with(std::move(pairs));
   }
@@ -147,17 +164,6 @@ class ContactGraph {
   const ContactSlot<Real>& operator[](int slot) const { return slots_[slot]; }
 
  private:
-  int place(const ContactSlot<Real>& slot) {
-    if (free_.empty()) {
-      slots_.push_back(slot);
-      return slots_.size() - 1;
-    }
-    const int number = free_.back();
-    free_.pop_back();
-    slots_[number] = slot;
-    return number;
-  }
-
   NearPairs<Real> near_;
   List<ContactSlot<Real>> slots_;  // in no order
   List<NearSlot> order_;

@@ -174,7 +174,8 @@ class World {
   void measure_reach();
   Real way(BodyId body, Real time) const;
   Real reach(BodyId body) const;
-  std::optional<ContactSlot<Real>> make_slot(int collider_a, int collider_b) const;
+  bool may_meet(int collider_a, int collider_b) const;
+  ContactSlot<Real> make_slot(int collider_a, int collider_b) const;
   void meet(NearSlot& near);
   void touch(int slot, const Manifold<Real>& manifold);
   Manifold<Real> moved_manifold(const ContactSlot<Real>& slot) const;
@@ -231,7 +232,8 @@ class World {
   PerBody<Real> slop_limit_;       // [m] a share of the smallest shape
   PerBody<Real> failed_error_;     // [m] likewise: deeper in another, it is on its way through
   PerBody<double> friction_root_;  // sqrt(mu): a pair's mu is the product of two
-  PerBody<Real> length_;           // [m] as far as it may go within a step, or else is fast
+  PerBody<Real> length_;           // [m] as far as it may go within a step, or else is fast; below 0: is fast
+  PerBody<Real> gravity_;          // [m/s^2] that it feels
   PerBody<Real> radius_;           // [m] of a circle around all shapes, about the centre of mass
   BodyState<Real> state_;
   ContactGraph<Real> graph_;

@@ -45,10 +45,10 @@ void World<Real>::find_manifolds(ContactSolver<Real>* solver) {
   const List<Collider>& colliders = *colliders_;
   for (int i = 0; i < colliders.size(); ++i) {
     const BodyId body = colliders[i].body;
-    boxes_[i] = bounding_box(colliders[i].shape, frames_[body], margin / 2 + reach_[body]);
+    boxes_[i] = bounding_box(*colliders[i].shape, frames_[body], margin / 2 + reach_[body]);
   }
   if (sleep_) sleep_->mark_movable(state_.velocity, movable_);
-  graph_.update(boxes_, [this](int i, int j) { return make_slot(i, j); });
+  graph_.update(boxes_, [this](int i, int j) { return may_meet(i, j); });
   for (NearSlot& near : graph_.order()) meet(near);
   std::sort(record_.sensed.begin(), record_.sensed.end());
   record_.sensed.erase(std::unique(record_.sensed.begin(), record_.sensed.end()), record_.sensed.end());
@@ -100,20 +100,23 @@ void World<Real>::measure_reach() {
   for (const BodyId body : reach_.indices()) reach_[body] = reach(body);
 }
 
-/// The slot of two shapes that have come near each other; none where they never touch.
+/// Whether two shapes ever touch.
 template <Scalar Real>
-std::optional<ContactSlot<Real>> World<Real>::make_slot(int collider_a, int collider_b) const {
+bool World<Real>::may_meet(int collider_a, int collider_b) const {
+  const BodyId a = (*colliders_)[collider_a].body, b = (*colliders_)[collider_b].body;
+  const BodySpec &spec_a = scene_->bodies()[a].spec, &spec_b = scene_->bodies()[b].spec;
+  if (a == b || !may_touch(spec_a, spec_b)) return false;
+  if (spec_a.type != BodyType::dynamic && spec_b.type != BodyType::dynamic) return false;
+  const List<std::pair<BodyId, BodyId>>& apart = scene_->apart();
+  return !std::binary_search(apart.begin(), apart.end(), std::pair<BodyId, BodyId>(std::minmax(a, b)));
+}
+
+/// The slot of two shapes that may meet.
+template <Scalar Real>
+ContactSlot<Real> World<Real>::make_slot(int collider_a, int collider_b) const {
   const Collider& a = (*colliders_)[collider_a];
   const Collider& b = (*colliders_)[collider_b];
-  if (a.body == b.body) return std::nullopt;
-  const BodySpec& spec_a = scene_->bodies()[a.body].spec;
-  const BodySpec& spec_b = scene_->bodies()[b.body].spec;
-  if (spec_a.type != BodyType::dynamic && spec_b.type != BodyType::dynamic) return std::nullopt;
-  const std::pair<BodyId, BodyId> bodies = std::minmax(a.body, b.body);
-  const auto& apart = scene_->apart();
-  if (!may_touch(spec_a, spec_b) || std::binary_search(apart.begin(), apart.end(), bodies))
-    return std::nullopt;
-
+  const BodySpec &spec_a = scene_->bodies()[a.body].spec, &spec_b = scene_->bodies()[b.body].spec;
   ContactSlot<Real> slot{.collider_a = collider_a, .collider_b = collider_b, .a = a.body, .b = b.body};
   slot.sensed = spec_a.sensor || spec_b.sensor;
   slot.friction = static_cast<Real>(friction_root_[a.body] * friction_root_[b.body]);
@@ -132,7 +135,7 @@ Manifold<Real> World<Real>::collide_slot(const ContactSlot<Real>& slot, Real mar
   const Collider& a = (*colliders_)[slot.collider_a];
   const Collider& b = (*colliders_)[slot.collider_b];
   Manifold<Real> manifold =
-      collide(a.shape, frames_[slot.a], b.shape, frames_[slot.b], margin, {a.around.get(), b.around.get()});
+      collide(*a.shape, frames_[slot.a], *b.shape, frames_[slot.b], margin, {a.around.get(), b.around.get()});
   manifold.collider_a = slot.collider_a;
   manifold.collider_b = slot.collider_b;
   return manifold;
@@ -174,16 +177,10 @@ template <Scalar Real>
 void World<Real>::meet(NearSlot& near) {
   const auto [shape_a, shape_b] = near.shapes;
   if (sleep_ && !movable_[shape_a] && !movable_[shape_b]) return;  // as they fell asleep
-  const bool overlap = boxes_[shape_a].overlaps(boxes_[shape_b]);
-  if (!overlap && near.is_blank) return;
-  near.is_blank = !overlap;
+  if (!boxes_[shape_a].overlaps(boxes_[shape_b])) return graph_.remove_slot(near);
+  if (near.slot == NearSlot::none) graph_.add_slot(near, make_slot(shape_a, shape_b));
   const int number = near.slot;
   ContactSlot<Real>& slot = graph_[number];
-  if (!overlap) {
-    slot.is_found = false;
-    slot.impulses.count = 0;
-    return;
-  }
   if (slot.sensed) {
     if (collide_slot(slot, 0).count > 0) record_.sensed.push_back(std::minmax(slot.a, slot.b));
     return;
@@ -212,10 +209,7 @@ void World<Real>::meet(NearSlot& near) {
 /// [m] How far a body can come within `time` [s].
 template <Scalar Real>
 Real World<Real>::way(BodyId body, Real time) const {
-  const BodySpec& spec = scene_->bodies()[body].spec;
-  if (spec.type == BodyType::static_body) return 0;
-  const Real gravity = static_cast<Real>(spec.gravity_scale * scene_->settings().gravity.norm());
-  return time * (state_.velocity[body].template head<2>().norm() + time * std::abs(gravity));
+  return time * (state_.velocity[body].template head<2>().norm() + time * gravity_[body]);
 }
 
 /// [m] How far a fast body can come within a substep; 0 for every other body, unless it comes farther than
@@ -223,7 +217,7 @@ Real World<Real>::way(BodyId body, Real time) const {
 template <Scalar Real>
 Real World<Real>::reach(BodyId body) const {
   const Real far = way(body, substep_length());
-  return scene_->bodies()[body].spec.fast || far > length_[body] ? far : Real(0);
+  return far > length_[body] ? far : Real(0);
 }
 
 template class World<float>;

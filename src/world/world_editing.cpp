@@ -109,18 +109,18 @@ void World<Real>::carry_contacts(const World& before) {
   const List<int> numbers = numbers_now(*before.scene_, *scene_);
   List<ContactSlot<Real>> slots;
   for (const NearSlot& near : before.graph_.order()) {
+    if (near.slot == NearSlot::none) continue;
     const ContactSlot<Real>& old = before.graph_[near.slot];
     const int a = numbers[old.collider_a], b = numbers[old.collider_b];
-    if (a < 0 || b < 0) continue;
-    std::optional<ContactSlot<Real>> slot = make_slot(a, b);
-    if (!slot) continue;
-    slot->impulses = old.impulses;
-    slot->manifold = old.manifold;
-    slot->is_found = old.is_found &&
-                     has_same_surroundings((*before.colliders_)[old.collider_a], (*colliders_)[a]) &&
-                     has_same_surroundings((*before.colliders_)[old.collider_b], (*colliders_)[b]);
-    slot->found_at = old.found_at;
-    slots.push_back(*slot);
+    if (a < 0 || b < 0 || !may_meet(a, b)) continue;
+    ContactSlot<Real> slot = make_slot(a, b);
+    slot.impulses = old.impulses;
+    slot.manifold = old.manifold;
+    slot.is_found = old.is_found &&
+                    has_same_surroundings((*before.colliders_)[old.collider_a], (*colliders_)[a]) &&
+                    has_same_surroundings((*before.colliders_)[old.collider_b], (*colliders_)[b]);
+    slot.found_at = old.found_at;
+    slots.push_back(slot);
   }
   graph_.begin_with(std::move(slots));
 }
@@ -141,6 +141,7 @@ void World<Real>::carry_sleep(const World& before, const Scene& then) {
     if (has_changed(body)) sleep_->wake(body);
   }
   for (const NearSlot& near : before.graph_.order()) {
+    if (near.slot == NearSlot::none) continue;
     const ContactSlot<Real>& slot = before.graph_[near.slot];
     if (slot.impulses.count == 0) continue;
     if (has_changed(slot.a)) sleep_->wake(slot.b);

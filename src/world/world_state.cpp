@@ -113,7 +113,10 @@ World<Real>::World(Scene scene)
     slop_limit_.push_back(static_cast<Real>(slop_share * smallest_extent(spec)));
     failed_error_.push_back(static_cast<Real>(failed_share * smallest_extent(spec)));
     friction_root_.push_back(std::sqrt(spec.friction));
-    length_.push_back(static_cast<Real>(has_chains ? thickness(spec) : length(spec)));
+    length_.push_back(static_cast<Real>(spec.fast ? -1 : has_chains ? thickness(spec) : length(spec)));
+    const bool is_still = spec.type == BodyType::static_body;
+    const Real gravity = static_cast<Real>(spec.gravity_scale * scene_->settings().gravity.norm());
+    gravity_.push_back(is_still ? Real(0) : std::abs(gravity));
     state_.pose.push_back(
         {.position = body.pose.position.template cast<Real>(), .angle = static_cast<Real>(body.pose.angle)});
     state_.velocity.push_back({static_cast<Real>(spec.velocity.x()), static_cast<Real>(spec.velocity.y()),
