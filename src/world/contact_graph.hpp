@@ -94,7 +94,7 @@ struct NearSlot {
 };
 
 /// All pairs that are near, in the order of their shapes: an order that depends on who is near whom now, and
-/// not on since when. Some have slots, which keep their place in memory.
+/// not on since when. Some have slots.
 template <Scalar Real>
 class ContactGraph {
  public:
@@ -104,11 +104,11 @@ class ContactGraph {
   ContactGraph(BroadphaseKind kind, List<char> movable) : near_(kind, std::move(movable)) {}
 
   /// Takes in where the shapes are. Pairs for which may_meet(i, j) is false are left out: it is asked of
-  /// every pair that has come near.
+  /// every pair that has come near. Whether slots have got other numbers.
   /// @throws std::length_error as NearPairs.
   template <typename MayMeet>
-  void update(Span<const Aabb<Real>> boxes, const MayMeet& may_meet) {
-    if (!near_.update(boxes)) return;
+  bool update(Span<const Aabb<Real>> boxes, const MayMeet& may_meet) {
+    if (!near_.update(boxes)) return false;
     next_.clear();
     auto old = order_.begin();
     for (const std::pair<int, int>& pair : near_.pairs()) {
@@ -122,10 +122,14 @@ class ContactGraph {
     for (; old != order_.end(); ++old) remove_slot(*old);
     order_.swap(next_);
     next_.reserve(order_.size());  // now, not when a shape next leaves its proxy
+    const bool are_many = added_ > few_added + slots_.size() / 4;
+    if (are_many) sort_slots();
+    return are_many;
   }
 
   /// Gives a pair without a slot that one.
   void add_slot(NearSlot& near, const ContactSlot<Real>& slot) {
+    ++added_;
     if (free_.empty()) {
       near.slot = slots_.size();
       slots_.push_back(slot);
@@ -146,6 +150,7 @@ class ContactGraph {
     slots_ = std::move(slots);
     order_.clear();
     free_.clear();
+    added_ = 0;
     List<std::pair<int, int>> pairs;
     for (int i = 0; i < slots_.size(); ++i) {
       pairs.push_back({slots_[i].collider_a, slots_[i].collider_b});
@@ -164,10 +169,27 @@ class ContactGraph {
   const ContactSlot<Real>& operator[](int slot) const { return slots_[slot]; }
 
  private:
+  static constexpr int few_added = 256;  // as many fit into the nearest memory in any order
+
+  /// A step goes through all slots several times: that is fastest where they lie one behind the other.
+  void sort_slots() {
+    List<ContactSlot<Real>> sorted;
+    sorted.reserve(slots_.size());
+    for (NearSlot& near : order_) {
+      if (near.slot == NearSlot::none) continue;
+      sorted.push_back(slots_[near.slot]);
+      near.slot = sorted.size() - 1;
+    }
+    slots_.swap(sorted);
+    free_.clear();
+    added_ = 0;
+  }
+
   NearPairs<Real> near_;
-  List<ContactSlot<Real>> slots_;  // in no order
+  List<ContactSlot<Real>> slots_;  // mostly in the order of their pairs
   List<NearSlot> order_;
   List<int> free_;
+  int added_ = 0;        // slots, since they were in order
   List<NearSlot> next_;  // scratch
 };
 

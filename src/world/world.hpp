@@ -257,7 +257,7 @@ class World {
   List<char> movable_;           // of each collider: not of a pair where neither is
   List<int> candidates_;         // slots with a manifold that moves with its bodies
   List<int> candidates_before_;  // in the step before
-  bool found_anew_ = false;      // one of them
+  bool found_anew_ = false;      // one of them, or it has another number
   List<int> touching_;           // slots of the manifolds of record_
   RowSpecs<Real> specs_;
   RowSpecs<Real> specs_ahead_;            // the same after this substep

@@ -32,7 +32,7 @@ void World<Real>::find_manifolds(ContactSolver<Real>* solver) {
   record_.sensed.clear();
   candidates_.swap(candidates_before_);
   candidates_.clear();
-  found_anew_ = follows_ = false;
+  follows_ = false;
   if (!plan_->collision) return;
   if (!plan_->moves_manifolds) {
     record_.manifolds.clear();
@@ -48,7 +48,7 @@ void World<Real>::find_manifolds(ContactSolver<Real>* solver) {
     boxes_[i] = bounding_box(*colliders[i].shape, frames_[body], margin / 2 + reach_[body]);
   }
   if (sleep_) sleep_->mark_movable(state_.velocity, movable_);
-  graph_.update(boxes_, [this](int i, int j) { return may_meet(i, j); });
+  found_anew_ = graph_.update(boxes_, [this](int i, int j) { return may_meet(i, j); });
   for (NearSlot& near : graph_.order()) meet(near);
   std::sort(record_.sensed.begin(), record_.sensed.end());
   record_.sensed.erase(std::unique(record_.sensed.begin(), record_.sensed.end()), record_.sensed.end());
