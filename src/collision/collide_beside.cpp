@@ -58,7 +58,7 @@ class Beside {
       const EdgeDistances<Real> nearest = nearest_edges_of(on_still, on_mover);
       if (corners_are_nearer(nearest, pair_.rounding)) return between_corners(nearest, on_still);
     }
-    const Real bias = static_cast<Real>(reference_bias) * std::min(still_.size, mover_.size);
+    const Real bias = static_cast<Real>(reference_bias) * std::min(still_.size(), mover_.size());
     if (on_still.separation >= on_mover.separation - bias) return on_face(on_still);
     return better_face_contact(pair_, side_ == Side::a ? FaceQuery<Real>{} : on_mover,
                                side_ == Side::a ? on_mover : FaceQuery<Real>{});
@@ -72,7 +72,7 @@ class Beside {
     for (int face = 0; face < still_.face_count(); ++face) height = std::max(height, height_of_middle(face));
     return height;
   }
-  Real behind() const { return static_cast<Real>(behind_share) * (mover_.size + 2 * mover_.radius); }
+  Real behind() const { return static_cast<Real>(behind_share) * (mover_.size() + 2 * mover_.radius); }
 
   /// Whether a normal at a point of the surface leads towards the middle of what moves. What has its middle
   /// in the hull, wherever the surface is, may go any way. What has it beyond a face that is covered belongs

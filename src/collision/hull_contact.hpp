@@ -225,7 +225,7 @@ bool corners_are_nearer(const EdgeDistances<Real>& distances, Real rounding) {
 template <Scalar Real>
 Manifold<Real> better_face_contact(const Pair<Real>& pair, const FaceQuery<Real>& face_a,
                                    const FaceQuery<Real>& face_b) {
-  const Real bias = static_cast<Real>(reference_bias) * std::min(pair.a.size, pair.b.size);
+  const Real bias = static_cast<Real>(reference_bias) * std::min(pair.a.size(), pair.b.size());
   if (face_a.separation >= face_b.separation - bias) {
     return face_contact(pair.a, face_a, pair.b, pair, FeatureKind::face_of_a);
   }
@@ -239,6 +239,7 @@ template <Scalar Real>
 Manifold<Real> collide_hulls(const Pair<Real>& pair) {
   if (pair.a.count == 1 && pair.b.count == 1) return corner_contact(pair, 0, 0);
   const FaceQuery<Real> face_a = farthest_face(pair.a, pair.b);
+  if (face_a.separation - pair.radii() >= pair.margin) return {};
   const FaceQuery<Real> face_b = farthest_face(pair.b, pair.a);
   const Real separation = std::max(face_a.separation, face_b.separation);
   if (separation - pair.radii() >= pair.margin) return {};

@@ -13,7 +13,11 @@ struct HullMaker {
   Vec2<Real> position;      // [m], of the body, relative to the origin of the hull
   Rotation<Real> rotation;  // from the body's frame to the world's
 
-  Vec2<Real> placed(const Vec2<Real>& local) const { return position + rotation * local; }
+  /// Number by number: what has just been written as two numbers is slow to read as a vector.
+  Vec2<Real> placed(const Vec2<Real>& local) const {
+    const Vec2<Real> arm = rotation * local;
+    return {position.x() + arm.x(), position.y() + arm.y()};
+  }
 
   RoundedHull<Real> operator()(const Circle<Real>& shape) const {
     RoundedHull<Real> hull;
@@ -66,12 +70,13 @@ template <Scalar Real>
 RoundedHull<Real> rounded_hull(const Shape<Real>& shape, const Frame<Real>& frame, const Vec2<Real>& origin) {
   const HullMaker<Real> maker = {frame.position - origin, frame.rotation};
   RoundedHull<Real> hull = std::visit(maker, shape);
-  Real size_squared = 0;
+  const Vec2<Real>& first = hull.vertex(0);
   for (int i = 0; i < hull.count; ++i) {
-    size_squared = std::max(size_squared, (hull.vertex(i) - hull.vertex(0)).squaredNorm());
-    hull.extent = std::max(hull.extent, hull.vertex(i).cwiseAbs().maxCoeff());
+    const Vec2<Real>& vertex = hull.vertex(i);
+    const Real x = vertex.x() - first.x(), y = vertex.y() - first.y();
+    hull.size_squared = std::max(hull.size_squared, x * x + y * y);
+    hull.extent = std::max({hull.extent, std::abs(vertex.x()), std::abs(vertex.y())});
   }
-  hull.size = std::sqrt(size_squared);
   return hull;
 }
 

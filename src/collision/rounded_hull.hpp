@@ -1,7 +1,7 @@
 // Floor 2. One form for every shape in the narrowphase: the convex hull of a few points, rounded by a radius.
 #pragma once
 
-#include <cstddef>
+#include <cmath>
 
 #include "geometry/shape.hpp"
 #include "math/list.hpp"
@@ -16,8 +16,11 @@ struct RoundedHull {
   FixedList<Vec2<Real>, max_polygon_vertices> normals;   // normals[i]: outward unit, of the face i -> i + 1
   int count = 0;                                         // of vertices
   Real radius = 0;                                       // [m]
-  Real size = 0;    // [m], the largest distance of a vertex from vertex 0
+  Real size_squared = 0;                                 // [m^2], see size()
   Real extent = 0;  // [m], the largest coordinate: rounding errors are proportional to it
+
+  /// [m] The largest distance of a vertex from vertex 0.
+  Real size() const { return std::sqrt(size_squared); }
 
   /// Faces: none of a circle, otherwise as many as vertices.
   int face_count() const { return count == 1 ? 0 : count; }

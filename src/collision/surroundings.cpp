@@ -40,7 +40,7 @@ class Neighbourhood {
   }
 
   void add(const Hull& other) {
-    const double near = level_share * std::min(hull_.size, other.size);
+    const double near = level_share * std::min(hull_.size(), other.size());
     slack_ = std::max(slack_, near);
     for (int i = 0; i < hull_.count; ++i) {
       other.count == 2 ? meet_line(other, i, near) : meet_polygon(other, i, near);
@@ -167,7 +167,7 @@ class Neighbourhood {
 List<std::pair<int, int>> near_pairs_of(Span<const StillShape> shapes, const List<Hull>& hulls) {
   List<Aabb<double>> boxes;
   for (const int i : shapes.indices()) {
-    const double near = level_share * hulls[i].size;
+    const double near = level_share * hulls[i].size();
     boxes.push_back(bounding_box(*shapes[i].shape, Frame<double>(shapes[i].pose), near));
   }
   Broadphase<double> broadphase(BroadphaseKind::grid);

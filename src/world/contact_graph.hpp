@@ -70,10 +70,10 @@ struct ContactSlot {
   Real slop_limit = 0;    // [m]
   BlockImpulses<FixedList<RowImpulse<Real>, 4>, Real> impulses = {};  // of its rows
 
-  KeptManifold<Real> manifold = {};  // where manifolds last longer than a substep
-  Real radius = 0;                   // [m] of what moves, about its centre of mass
-  Real keep_limit = 0;               // [m] no point of it may move by more before the manifold is found anew
-  Pose<Real> found_at = {};          // of what moves, beside the other, when the manifold was found
+  KeptManifold<Real> manifold = {};                // where manifolds last longer than a substep
+  Vec2<Real> found_position = Vec2<Real>::Zero();  // [m] of what moves, beside the other, when it was found
+  Real found_angle = 0;                            // [rad] likewise
+  Real radius = 0;                                 // [m] of what moves, about its centre of mass
 };
 
 /// A slot whose manifold is not known from its KeptManifold alone: a point of it is not near, or it lies on

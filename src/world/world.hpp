@@ -169,6 +169,7 @@ class World {
   void find_contacts(ContactSolver<Real>* solver);
   void find_manifolds(ContactSolver<Real>* solver);
   void move_manifolds();
+  void put_manifolds();
   void look_ahead();
   void locate_bodies();
   void measure_reach();

@@ -52,7 +52,9 @@ void World<Real>::find_manifolds(ContactSolver<Real>* solver) {
   for (NearSlot& near : graph_.order()) meet(near);
   std::sort(record_.sensed.begin(), record_.sensed.end());
   record_.sensed.erase(std::unique(record_.sensed.begin(), record_.sensed.end()), record_.sensed.end());
-  if (plan_->moves_manifolds && !follow_last_step(solver)) move_manifolds();
+  if (!plan_->moves_manifolds || follow_last_step(solver)) return;
+  if (plan_->substeps > 1) measure_reach();
+  put_manifolds();
 }
 
 /// Contacts are sought for all substeps: a body, and what is at its rim, may come as far as in a step.
@@ -68,12 +70,19 @@ void World<Real>::look_ahead() {
 /// The manifolds that were found, where the bodies are now.
 template <Scalar Real>
 void World<Real>::move_manifolds() {
+  if (!candidates_.empty()) {
+    locate_bodies();
+    measure_reach();
+  }
+  put_manifolds();
+}
+
+/// The same once it is known where the bodies are.
+template <Scalar Real>
+void World<Real>::put_manifolds() {
   record_.manifolds.clear();
   touching_.clear();
   odd_.clear();
-  if (candidates_.empty()) return;
-  locate_bodies();
-  measure_reach();
   for (const int number : candidates_) {
     const Manifold<Real> manifold = moved_manifold(graph_[number]);
     if (!graph_[number].manifold.is_whole(manifold)) {
@@ -124,9 +133,6 @@ ContactSlot<Real> World<Real>::make_slot(int collider_a, int collider_b) const {
   slot.slop_limit = std::min(slop_limit_[a.body], slop_limit_[b.body]);
   slot.a_moves = a.radius < b.radius;
   slot.radius = std::min(a.radius, b.radius);
-  // What was beyond the margin has not come in by more than a quarter of it.
-  const Real margin = static_cast<Real>(scene_->settings().speculative_margin);
-  slot.keep_limit = std::min(margin / 4, static_cast<Real>(keep_share) * slot.slop_limit);
   return slot;
 }
 
@@ -154,10 +160,13 @@ Pose<Real> World<Real>::relative_pose(const ContactSlot<Real>& slot) const {
 template <Scalar Real>
 bool World<Real>::has_lasting_manifold(const ContactSlot<Real>& slot, Real reach) const {
   if (!plan_->keeps_manifolds || !slot.is_found) return false;
-  if (reach > static_cast<Real>(scene_->settings().speculative_margin) / 2) return false;
+  const Real margin = static_cast<Real>(scene_->settings().speculative_margin);
+  if (reach > margin / 2) return false;
   const Pose<Real> now = relative_pose(slot);
-  const Real way = (now.position - slot.found_at.position).norm();
-  return way + slot.radius * std::abs(now.angle - slot.found_at.angle) <= slot.keep_limit;
+  const Real way = (now.position - slot.found_position).norm();
+  // What was beyond the margin has not come in by more than a quarter of it.
+  const Real most = std::min(margin / 4, static_cast<Real>(keep_share) * slot.slop_limit);
+  return way + slot.radius * std::abs(now.angle - slot.found_angle) <= most;
 }
 
 /// Takes a manifold into the step, if it has any point.
@@ -195,7 +204,9 @@ void World<Real>::meet(NearSlot& near) {
     const Manifold<Real> manifold = collide_slot(slot, margin + reach);
     slot.manifold = keep(manifold, frames_[slot.a], (*colliders_)[slot.collider_a].core_radius,
                          frames_[slot.b], (*colliders_)[slot.collider_b].core_radius);
-    slot.found_at = relative_pose(slot);
+    const Pose<Real> now = relative_pose(slot);
+    slot.found_position = now.position;
+    slot.found_angle = now.angle;
     slot.is_found = true;
     found_anew_ = found_anew_ || slot.manifold.count > 0;
   }

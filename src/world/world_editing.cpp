@@ -119,7 +119,8 @@ void World<Real>::carry_contacts(const World& before) {
     slot.is_found = old.is_found &&
                     has_same_surroundings((*before.colliders_)[old.collider_a], (*colliders_)[a]) &&
                     has_same_surroundings((*before.colliders_)[old.collider_b], (*colliders_)[b]);
-    slot.found_at = old.found_at;
+    slot.found_position = old.found_position;
+    slot.found_angle = old.found_angle;
     slots.push_back(slot);
   }
   graph_.begin_with(std::move(slots));
