@@ -30,7 +30,7 @@ class Broadphase {
   /// Finds pairs in the given way.
   explicit Broadphase(BroadphaseKind kind = BroadphaseKind::all_pairs) : kind_(kind) {}
 
-  /// So many boxes, which overlap nothing until they are put somewhere.
+  /// So many boxes, all of which are then to be put somewhere.
   void reset(int count);
   /// Puts box number i there.
   void put(int i, const Aabb<Real>& box);

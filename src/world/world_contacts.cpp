@@ -109,13 +109,12 @@ void World<Real>::measure_reach() {
   for (const BodyId body : reach_.indices()) reach_[body] = reach(body);
 }
 
-/// Whether two shapes ever touch.
+/// Whether two shapes that are near, so that one can move, ever touch.
 template <Scalar Real>
 bool World<Real>::may_meet(int collider_a, int collider_b) const {
   const BodyId a = (*colliders_)[collider_a].body, b = (*colliders_)[collider_b].body;
   const BodySpec &spec_a = scene_->bodies()[a].spec, &spec_b = scene_->bodies()[b].spec;
   if (a == b || !may_touch(spec_a, spec_b)) return false;
-  if (spec_a.type != BodyType::dynamic && spec_b.type != BodyType::dynamic) return false;
   const List<std::pair<BodyId, BodyId>>& apart = scene_->apart();
   return !std::binary_search(apart.begin(), apart.end(), std::pair<BodyId, BodyId>(std::minmax(a, b)));
 }

@@ -138,6 +138,34 @@ TEST_CASE_TEMPLATE("boxes that are not numbers overlap nothing and disturb nobod
   }
 }
 
+TEST_CASE_TEMPLATE("boxes that are put elsewhere overlap what they would had they always been there", Real,
+                   float, double, long double) {
+  test::Random random(11);
+  const auto random_box = [&random] {
+    const double side = std::pow(10.0, random.uniform(-3, 3));
+    const double far = std::pow(10.0, random.below(8) == 0 ? random.uniform(0, 30) : 1);
+    const Vec2<double> lower = {random.uniform(-far, far), random.uniform(-far, far)};
+    const Vec2<double> upper = lower + Vec2<double>(side, random.uniform(0, 1) * side);
+    return Aabb<Real>{lower.cast<Real>(), upper.cast<Real>()};
+  };
+  const int count = 60;
+  List<Aabb<Real>> boxes(count);
+  Broadphase<Real> grid(BroadphaseKind::grid);
+  grid.reset(count);
+  for (int round = 0; round < 200; ++round) {
+    for (int i = 0; i < count; ++i) {
+      if (round == 0 || random.below(4) == 0) grid.put(i, boxes[i] = random_box());
+    }
+    const int i = random.below(count);
+    List<int> overlapping = grid.overlapping(i), expected;
+    std::sort(overlapping.begin(), overlapping.end());
+    for (int j = 0; j < count; ++j) {
+      if (j != i && boxes[i].overlaps(boxes[j])) expected.push_back(j);
+    }
+    CHECK(overlapping == expected);
+  }
+}
+
 TEST_CASE("a broadphase that is used again remembers nothing") {
   test::Random random(8);
   Broadphase<double> grid(BroadphaseKind::grid);
