@@ -42,8 +42,10 @@ class Stopping {
              Looks looks = Looks::always);
   /// With Looks::rarely, before the first sweep: what R_E is measured by [sqrt(J)].
   void take_scale(Real scale) { scale_ = scale; }
-  /// With Looks::rarely, after a sweep for which looks() says so.
+  /// With Looks::rarely, after a sweep for which looks() says so: R_E, or something near it.
   void take_residual(Real energy) { energy_ = energy; }
+  /// Whether what was taken is so near the tolerance that R_E itself may be there.
+  bool is_near() const { return !(energy_ > Real(1.02) * Real(settings_.tolerance)); }
   /// What R_E is measured by [sqrt(J)].
   Real scale() const { return scale_; }
 

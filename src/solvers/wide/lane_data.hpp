@@ -96,6 +96,7 @@ struct LaneProblem {
 enum class LanePass {
   sweep,     // corrects them
   momentum,  // takes them further the way that they went since `before`, which they become
+  weigh,     // nothing: the sum of squares is that of the corrections they all ask for now, as in R_E
 };
 
 /// The problem's numbers of one row of each block of a batch.

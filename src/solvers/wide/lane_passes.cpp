@@ -46,6 +46,11 @@ LaneSteps<Real> LaneSystem<Real>::watched_sweep(int number, VelocityProblem<Real
 }
 
 template <Scalar Real>
+Real LaneSystem<Real>::rough_residual(VelocityProblem<Real>& problem, Real scale) {
+  return std::sqrt(pass<LanePass::weigh, false>(problem, 0, nullptr).squares) / scale;
+}
+
+template <Scalar Real>
 LaneSteps<Real> LaneSystem<Real>::gather_momentum(VelocityProblem<Real>& problem, Real momentum) {
   bodies_before_ = bodies_;
   momentum_ = momentum;
@@ -145,18 +150,20 @@ LaneSteps<Real> LaneSystem<Real>::pass_single_rows(VelocityProblem<Real>& proble
     const int i = batches_.single_rows()[k];
     const ConstraintRow<Real>& row = problem.rows[i];
     const Real jv = single_row_velocity(problem, row), old = problem.impulse[i];
-    const Real corrective = relaxation_ * ((row.bias - jv - row.softness * old) * single_mass_[k]);
-    Real wish = corrective;
+    const Real wanted = (row.bias - jv - row.softness * old) * single_mass_[k];
+    const Real corrective = relaxation_ * wanted;
+    Real wish = kind == LanePass::weigh ? wanted : corrective;
     if constexpr (kind == LanePass::momentum) {
       wish = momentum_ * (old - single_before_[k]);
       single_before_[k] = old;
     }
-    problem.impulse[i] = row.bounds.clamp(old + wish, problem.impulse);
-    const Real step = problem.impulse[i] - old;
-    apply_single_row(problem, row, step);
+    const Real now = row.bounds.clamp(old + wish, problem.impulse), step = now - old;
     const Real inverse = single_mass_[k] > 0 ? 1 / single_mass_[k] : Real(0);
-    steps.largest = std::max(steps.largest, std::abs(step));
     steps.squares += step * step * inverse;
+    if constexpr (kind == LanePass::weigh) continue;
+    problem.impulse[i] = now;
+    apply_single_row(problem, row, step);
+    steps.largest = std::max(steps.largest, std::abs(step));
     steps.work += corrective * step * inverse;
     if constexpr (watched) {
       apply_impulse(problem, row, step);

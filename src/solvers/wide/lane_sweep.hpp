@@ -42,9 +42,9 @@ inline Numbers lane_velocity(const LaneRow<Number>& row, int lane, const Numbers
   return of_a + of_b;
 }
 
-/// Algorithm 1, or the momentum before it, for one batch, from `lane` on, as many lanes as fit into a
-/// register. A row does not wait for velocities: what rows of its block before it have done to them comes by
-/// way of A.
+/// Algorithm 1, the momentum before it, or what R_E sums up, for one batch, from `lane` on, as many lanes as
+/// fit into a register. A row does not wait for velocities: what rows of its block before it have done to
+/// them comes by way of A.
 template <int bytes, int rows, LanePass pass, typename Number>
 inline void update_lanes(LaneProblem<Number>& problem, const LaneBatch& batch, int lane) {
   typedef typename Register<Number, bytes>::Numbers Numbers;
@@ -57,10 +57,19 @@ inline void update_lanes(LaneProblem<Number>& problem, const LaneBatch& batch, i
     const Numbers old = load<Numbers>(block[i].impulse + lane);
     const Numbers lacking = load<Numbers>(block[i].lacking + lane) - lane_velocity(block[i], lane, a, b) -
                             load<Numbers>(block[i].softness + lane) * old;
-    corrective[i] = problem.relaxation * lacking;
+    corrective[i] = pass == LanePass::weigh ? lacking : problem.relaxation * lacking;
   }
-  Numbers largest = load<Numbers>(problem.largest_change + lane);
-  Numbers squares = load<Numbers>(problem.squares + lane), work = load<Numbers>(problem.work + lane);
+  Numbers squares = load<Numbers>(problem.squares + lane);
+  if constexpr (pass == LanePass::weigh) {
+    for (int i = 0; i < rows; ++i) {
+      const Numbers old = load<Numbers>(block[i].impulse + lane);
+      const Numbers error = clamped<bytes>(old + corrective[i], block[i], kinds[i], block, lane) - old;
+      squares = squares + error * error;
+    }
+    store(squares, problem.squares + lane);
+    return;
+  }
+  Numbers largest = load<Numbers>(problem.largest_change + lane), work = load<Numbers>(problem.work + lane);
   const LaneCoupling<Number>* coupling = problem.couplings + batch.first_coupling;
   for (int i = 0; i < rows; ++i) {
     LaneRow<Number>& row = block[i];
@@ -121,6 +130,8 @@ template <int bytes, typename Number>
 inline void pass_batches(LaneProblem<Number>& problem, LanePass pass, int first, int last) {
   if (pass == LanePass::momentum) {
     pass_batches<bytes, LanePass::momentum>(problem, first, last);
+  } else if (pass == LanePass::weigh) {
+    pass_batches<bytes, LanePass::weigh>(problem, first, last);
   } else {
     pass_batches<bytes, LanePass::sweep>(problem, first, last);
   }

@@ -108,6 +108,8 @@ class LaneSystem {
   void give_single_contacts(ContactProblem<Real>& contacts) const;
   /// The scale of R_E, as residual_scale(), once the problem has begun; but added up in the order of lanes.
   Real residual_scale(VelocityProblem<Real>& problem);
+  /// R_E of what lanes hold now, with their roundings: it reads less than write_back() and residual() do.
+  Real rough_residual(VelocityProblem<Real>& problem, Real scale);
   /// R_E of what was written back last, as residual(); but added up in the order of lanes.
   Real residual(const VelocityProblem<Real>& problem, Real scale);
   /// Whether a change so small [N s], the last of many that add up to `path`, is lost in the rounding of

@@ -75,17 +75,18 @@ SolveReport WideSequentialImpulse<Real>::solve_begun(VelocityProblem<Real>& prob
   bool is_current = true;
   const SolveReport report = stopping_.repeat(problem, observer, [&](int number, auto watched) {
     const LaneSteps<Real> swept = iterate(number, problem, decltype(watched)::value ? observer : nullptr);
-    const bool looks = stopping_.looks(number, std::sqrt(swept.squares));
     const bool again = lanes_.is_worth_taking(swept.largest, path_);
-    is_current = again || looks || observer != nullptr;
+    const bool looks = stopping_.looks(number, std::sqrt(swept.squares)) && settings_.tolerance > 0;
+    if (looks) stopping_.take_residual(lanes_.rough_residual(problem, stopping_.scale()));
+    const bool may_have_arrived = looks && stopping_.is_near();
+    is_current = again || may_have_arrived || observer != nullptr || settings_.patience > 0;
     if (again) {
       lanes_.take_again(problem);
       path_ = 0;
     } else if (is_current) {
       lanes_.write_back(problem);
     }
-    if (looks && settings_.tolerance > 0)
-      stopping_.take_residual(lanes_.residual(problem, stopping_.scale()));
+    if (may_have_arrived) stopping_.take_residual(lanes_.residual(problem, stopping_.scale()));
     return swept.largest;
   });
   if (!is_current) lanes_.write_back(problem);
