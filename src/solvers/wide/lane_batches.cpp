@@ -24,6 +24,17 @@ LaneKind kind_of(std::uint64_t code) {
           .second_normal = static_cast<std::uint8_t>((code >> 6) & 7)};
 }
 
+/// Of a contact with friction: a normal row and one of friction for each point.
+std::uint64_t kinds_of_contact(int rows) {
+  std::uint64_t kinds = 0;
+  for (int i = 0; i + 1 < rows; i += 2) {
+    const LaneKind friction = {.bounds = LaneBounds::friction, .normal = static_cast<std::uint8_t>(i)};
+    kinds = kinds << bits_of_a_kind | code_of({.bounds = LaneBounds::lower});
+    kinds = kinds << bits_of_a_kind | code_of(friction);
+  }
+  return kinds;
+}
+
 }  // namespace
 
 template <Scalar Real>
@@ -122,12 +133,12 @@ LaneBatches::Block LaneBatches::seen(const Contact<Real>& contact, int points, i
   if (contact.count == 0) return result;
   result.a = contact.a;
   result.b = contact.b;
-  const int rows_of_a_point = contact.friction > 0 ? 2 : 1;
-  for (int i = 0; i < points; ++i) {
-    result.kinds = result.kinds << bits_of_a_kind | code_of({.bounds = LaneBounds::lower});
-    if (rows_of_a_point == 1) continue;
-    const LaneKind friction = {.bounds = LaneBounds::friction, .normal = static_cast<std::uint8_t>(2 * i)};
-    result.kinds = result.kinds << bits_of_a_kind | code_of(friction);
+  if (contact.friction > 0) {
+    result.kinds = kinds_of_contact(2 * points);
+  } else {
+    for (int i = 0; i < points; ++i) {
+      result.kinds = result.kinds << bits_of_a_kind | code_of({.bounds = LaneBounds::lower});
+    }
   }
   return result;
 }
@@ -235,6 +246,7 @@ void LaneBatches::add_batch(int first, int last) {
   const Block& model = blocks_[coloured_[first].block];
   LaneBatch batch = {.first_row = lane_rows_,
                      .rows = model.rows,
+                     .is_contact = model.kinds == kinds_of_contact(model.rows),
                      .first_kind = kinds_.size(),
                      .first_coupling = couplings_,
                      .used = last - first,

@@ -56,13 +56,14 @@ struct LaneKind {
 
 /// Blocks of the same kinds of rows of which no two share a body that can move: one in each lane.
 struct LaneBatch {
-  int first_row = 0;       // in the list of LaneRow
-  int rows = 0;            // in each of the blocks
-  int first_kind = 0;      // in the list of LaneKind
-  int first_coupling = 0;  // in the list of LaneCoupling: of row 1 with row 0, of row 2 with 0, 1 ...
-  int used = 0;            // lanes with a block; in the others nothing acts
-  unsigned moves_a = 0;    // the lanes whose first body can move, a bit each: others may be in any batch
-  unsigned moves_b = 0;    // and those whose second body can
+  int first_row = 0;        // in the list of LaneRow
+  int rows = 0;             // in each of the blocks
+  bool is_contact = false;  // with friction: one row after the other normal and friction that leans on it
+  int first_kind = 0;       // in the list of LaneKind
+  int first_coupling = 0;   // in the list of LaneCoupling: of row 1 with row 0, of row 2 with 0, 1 ...
+  int used = 0;             // lanes with a block; in the others nothing acts
+  unsigned moves_a = 0;     // the lanes whose first body can move, a bit each: others may be in any batch
+  unsigned moves_b = 0;     // and those whose second body can
   std::int32_t body_a[lane_count];     // the first body of each block; of none, one that nothing moves
   std::int32_t body_b[lane_count];     // the second body
   std::int32_t block_row[lane_count];  // the problem's row that is the block's first

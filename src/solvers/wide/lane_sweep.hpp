@@ -42,72 +42,100 @@ inline Numbers lane_velocity(const LaneRow<Number>& row, int lane, const Numbers
   return of_a + of_b;
 }
 
-/// Algorithm 1, the momentum before it, or what R_E sums up, for one batch, from `lane` on, as many lanes as
-/// fit into a register. A row does not wait for velocities: what rows of its block before it have done to
-/// them comes by way of A.
-template <int bytes, int rows, LanePass pass, typename Number>
-inline void update_lanes(LaneProblem<Number>& problem, const LaneBatch& batch, int lane) {
-  typedef typename Register<Number, bytes>::Numbers Numbers;
-  Numbers a[4], b[4], corrective[rows], change[rows];
-  read_bodies<bytes>(problem.bodies, batch.body_a + lane, a);
-  read_bodies<bytes>(problem.bodies, batch.body_b + lane, b);
-  LaneRow<Number>* const block = problem.rows + batch.first_row;
-  const LaneKind* const kinds = problem.kinds + batch.first_kind;
-  for (int i = 0; i < rows; ++i) {
-    const Numbers old = load<Numbers>(block[i].impulse + lane);
-    const Numbers lacking = load<Numbers>(block[i].lacking + lane) - lane_velocity(block[i], lane, a, b) -
-                            load<Numbers>(block[i].softness + lane) * old;
-    corrective[i] = pass == LanePass::weigh ? lacking : problem.relaxation * lacking;
-  }
-  Numbers squares = load<Numbers>(problem.squares + lane);
-  if constexpr (pass == LanePass::weigh) {
-    for (int i = 0; i < rows; ++i) {
-      const Numbers old = load<Numbers>(block[i].impulse + lane);
-      const Numbers error = clamped<bytes>(old + corrective[i], block[i], kinds[i], block, lane) - old;
-      squares = squares + error * error;
-    }
-    store(squares, problem.squares + lane);
-    return;
-  }
-  Numbers largest = load<Numbers>(problem.largest_change + lane), work = load<Numbers>(problem.work + lane);
-  const LaneCoupling<Number>* coupling = problem.couplings + batch.first_coupling;
-  for (int i = 0; i < rows; ++i) {
-    LaneRow<Number>& row = block[i];
-    for (int k = 0; k < i; ++k, ++coupling) {
-      corrective[i] = corrective[i] - load<Numbers>(coupling->entry + lane) * change[k];
-    }
-    const Numbers old = load<Numbers>(row.impulse + lane);
-    Numbers step = corrective[i];
-    if constexpr (pass == LanePass::momentum) {
-      Number* const before = problem.before[batch.first_row + i].impulse + lane;
-      step = problem.momentum * (old - load<Numbers>(before));
-      store(old, before);
-    }
-    const Numbers impulse = clamped<bytes>(old + step, row, kinds[i], block, lane);
-    change[i] = impulse - old;
-    store(impulse, row.impulse + lane);
-    squares = squares + change[i] * change[i];
-    work = work + corrective[i] * change[i];
-    const Numbers size = load<Numbers>(row.scale + lane) * (change[i] < 0 ? -change[i] : change[i]);
-    largest = largest < size ? size : largest;
-  }
-  store(largest, problem.largest_change + lane);
-  store(squares, problem.squares + lane);
-  store(work, problem.work + lane);
-  for (int i = 0; i < rows; ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      a[axis] = a[axis] + load<Numbers>(block[i].jacobian_a[axis] + lane) * change[i];
-      b[axis] = b[axis] + load<Numbers>(block[i].jacobian_b[axis] + lane) * change[i];
-    }
-  }
-  write_moving_bodies<bytes>(a, problem.bodies, batch.body_a + lane, batch.moves_a >> lane);
-  write_moving_bodies<bytes>(b, problem.bodies, batch.body_b + lane, batch.moves_b >> lane);
+/// What a batch is on its way to, in registers.
+template <int rows, typename Numbers>
+struct LaneWork {
+  Numbers a[4], b[4];                      // velocities of the bodies
+  Numbers corrective[rows], change[rows];  // of the impulses
+  Numbers largest, squares, work;          // as in LaneProblem
+};
+
+/// The kind of a row: of contacts with friction, nobody needs to look.
+template <bool is_contact>
+inline LaneKind kind_of_row(const LaneKind* kinds, int row) {
+  if constexpr (!is_contact) return kinds[row];
+  return {.bounds = row % 2 == 0 ? LaneBounds::lower : LaneBounds::friction,
+          .normal = static_cast<std::uint8_t>(row - row % 2)};
 }
 
-template <int bytes, int rows, LanePass pass, typename Number>
+/// A row of each block in its turn. It does not wait for velocities: what rows of its block before it have
+/// done to them comes by way of A.
+template <int bytes, LanePass pass, bool is_contact, int i, int rows, typename Number, typename Numbers>
+[[gnu::always_inline]] inline void update_row(LaneProblem<Number>& problem, const LaneBatch& batch, int lane,
+                                              LaneWork<rows, Numbers>& at) {
+  LaneRow<Number>* const block = problem.rows + batch.first_row;
+  LaneRow<Number>& row = block[i];
+  const LaneKind kind = kind_of_row<is_contact>(problem.kinds + batch.first_kind, i);
+  const Numbers old = load<Numbers>(row.impulse + lane);
+  if constexpr (pass == LanePass::weigh) {
+    const Numbers error = clamped<bytes>(old + at.corrective[i], row, kind, block, lane) - old;
+    at.squares = at.squares + error * error;
+    return;
+  }
+  const LaneCoupling<Number>* const coupling = problem.couplings + batch.first_coupling + i * (i - 1) / 2;
+  for (int k = 0; k < i; ++k) {
+    at.corrective[i] = at.corrective[i] - load<Numbers>(coupling[k].entry + lane) * at.change[k];
+  }
+  Numbers step = at.corrective[i];
+  if constexpr (pass == LanePass::momentum) {
+    Number* const before = problem.before[batch.first_row + i].impulse + lane;
+    step = problem.momentum * (old - load<Numbers>(before));
+    store(old, before);
+  }
+  const Numbers impulse = clamped<bytes>(old + step, row, kind, block, lane);
+  const Numbers change = at.change[i] = impulse - old;
+  store(impulse, row.impulse + lane);
+  at.squares = at.squares + change * change;
+  at.work = at.work + at.corrective[i] * change;
+  const Numbers size = load<Numbers>(row.scale + lane) * (change < 0 ? -change : change);
+  at.largest = at.largest < size ? size : at.largest;
+}
+
+/// Row after row, from i on.
+template <int bytes, LanePass pass, bool is_contact, int i, int rows, typename Number, typename Numbers>
+[[gnu::always_inline]] inline void update_rows(LaneProblem<Number>& problem, const LaneBatch& batch, int lane,
+                                               LaneWork<rows, Numbers>& at) {
+  update_row<bytes, pass, is_contact, i>(problem, batch, lane, at);
+  if constexpr (i + 1 < rows) update_rows<bytes, pass, is_contact, i + 1>(problem, batch, lane, at);
+}
+
+/// Algorithm 1, the momentum before it, or what R_E sums up, for one batch, from `lane` on, as many lanes as
+/// fit into a register.
+template <int bytes, int rows, LanePass pass, bool is_contact, typename Number>
+inline void update_lanes(LaneProblem<Number>& problem, const LaneBatch& batch, int lane) {
+  typedef typename Register<Number, bytes>::Numbers Numbers;
+  LaneWork<rows, Numbers> at;
+  read_bodies<bytes>(problem.bodies, batch.body_a + lane, at.a);
+  read_bodies<bytes>(problem.bodies, batch.body_b + lane, at.b);
+  const LaneRow<Number>* const block = problem.rows + batch.first_row;
+  for (int i = 0; i < rows; ++i) {
+    const Numbers lacking = load<Numbers>(block[i].lacking + lane) -
+                            lane_velocity(block[i], lane, at.a, at.b) -
+                            load<Numbers>(block[i].softness + lane) * load<Numbers>(block[i].impulse + lane);
+    at.corrective[i] = pass == LanePass::weigh ? lacking : problem.relaxation * lacking;
+  }
+  at.largest = load<Numbers>(problem.largest_change + lane);
+  at.squares = load<Numbers>(problem.squares + lane);
+  at.work = load<Numbers>(problem.work + lane);
+  update_rows<bytes, pass, is_contact, 0>(problem, batch, lane, at);
+  store(at.squares, problem.squares + lane);
+  if constexpr (pass == LanePass::weigh) return;
+  store(at.largest, problem.largest_change + lane);
+  store(at.work, problem.work + lane);
+  for (int i = 0; i < rows; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      at.a[axis] = at.a[axis] + load<Numbers>(block[i].jacobian_a[axis] + lane) * at.change[i];
+      at.b[axis] = at.b[axis] + load<Numbers>(block[i].jacobian_b[axis] + lane) * at.change[i];
+    }
+  }
+  write_moving_bodies<bytes>(at.a, problem.bodies, batch.body_a + lane, batch.moves_a >> lane);
+  write_moving_bodies<bytes>(at.b, problem.bodies, batch.body_b + lane, batch.moves_b >> lane);
+}
+
+template <int bytes, int rows, LanePass pass, bool is_contact, typename Number>
 inline void update_batch(LaneProblem<Number>& problem, const LaneBatch& batch) {
   for (int lane = 0; lane < batch.used; lane += Register<Number, bytes>::count) {
-    update_lanes<bytes, rows, pass>(problem, batch, lane);
+    update_lanes<bytes, rows, pass, is_contact>(problem, batch, lane);
   }
 }
 
@@ -116,12 +144,18 @@ inline void pass_batches(LaneProblem<Number>& problem, int first, int last) {
   static_assert(most_lane_rows == 6);
   for (int i = first; i < last; ++i) {
     const LaneBatch& batch = problem.batches[i];
-    if (batch.rows == 4) update_batch<bytes, 4, pass>(problem, batch);
-    if (batch.rows == 2) update_batch<bytes, 2, pass>(problem, batch);
-    if (batch.rows == 1) update_batch<bytes, 1, pass>(problem, batch);
-    if (batch.rows == 3) update_batch<bytes, 3, pass>(problem, batch);
-    if (batch.rows == 5) update_batch<bytes, 5, pass>(problem, batch);
-    if (batch.rows == 6) update_batch<bytes, 6, pass>(problem, batch);
+    if (batch.is_contact && batch.rows == 4) {
+      update_batch<bytes, 4, pass, true>(problem, batch);
+    } else if (batch.is_contact && batch.rows == 2) {
+      update_batch<bytes, 2, pass, true>(problem, batch);
+    } else {
+      if (batch.rows == 1) update_batch<bytes, 1, pass, false>(problem, batch);
+      if (batch.rows == 2) update_batch<bytes, 2, pass, false>(problem, batch);
+      if (batch.rows == 3) update_batch<bytes, 3, pass, false>(problem, batch);
+      if (batch.rows == 4) update_batch<bytes, 4, pass, false>(problem, batch);
+      if (batch.rows == 5) update_batch<bytes, 5, pass, false>(problem, batch);
+      if (batch.rows == 6) update_batch<bytes, 6, pass, false>(problem, batch);
+    }
   }
 }
 
