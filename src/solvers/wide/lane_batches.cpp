@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <numeric>
 
 #include "solvers/solver.hpp"
 
@@ -84,7 +85,7 @@ bool LaneBatches::may_be_same(const VelocityProblem<Real>& problem) {
 std::size_t LaneBatches::bytes() const {
   return blocks_.bytes() + moves_.bytes() + batches_.bytes() + colours_.bytes() + kinds_.bytes() +
          single_blocks_.bytes() + single_rows_.bytes() + coloured_.bytes() + sorted_.bytes() +
-         taken_.bytes() + in_lane_.bytes();
+         known_kinds_.bytes() + next_of_group_.bytes() + taken_.bytes() + in_lane_.bytes();
 }
 
 template <Scalar Real>
@@ -178,7 +179,6 @@ void LaneBatches::colour() {
   single_out_what_is_leant_on();
   taken_.assign(moves_.size(), 0);
   coloured_.clear();
-  sorted_.clear();
   for (int k = 0; k < blocks_.size(); ++k) {
     const Block& block = blocks_[k];
     if (block.kinds == 0 || in_lane_[k] == 0) continue;
@@ -191,14 +191,25 @@ void LaneBatches::colour() {
     taken_[block.b] |= bit;
     coloured_.push_back({colour, block.kinds, k});
   }
-  // Colour by colour: what is of one colour mostly is in order.
-  for (int colour = 0; sorted_.size() < coloured_.size(); ++colour) {
-    const int first = sorted_.size();
-    for (const Coloured& each : coloured_) {
-      if (each.colour == colour) sorted_.push_back(each);
-    }
-    std::sort(sorted_.begin() + first, sorted_.end());
+  sort_by_colour();
+}
+
+/// Colour by colour, and there kinds by kinds; what is of the same lies in the order of blocks as it is.
+void LaneBatches::sort_by_colour() {
+  known_kinds_.clear();
+  for (const Coloured& each : coloured_) {
+    const auto place = std::lower_bound(known_kinds_.begin(), known_kinds_.end(), each.kinds);
+    if (place == known_kinds_.end() || *place != each.kinds) known_kinds_.insert(place, each.kinds);
   }
+  const auto group_of = [&](const Coloured& each) {
+    const auto place = std::lower_bound(known_kinds_.begin(), known_kinds_.end(), each.kinds);
+    return each.colour * known_kinds_.size() + static_cast<int>(place - known_kinds_.begin());
+  };
+  next_of_group_.assign(64 * known_kinds_.size() + 1, 0);
+  for (const Coloured& each : coloured_) ++next_of_group_[group_of(each) + 1];
+  std::partial_sum(next_of_group_.begin(), next_of_group_.end(), next_of_group_.begin());
+  sorted_.resize(coloured_.size());
+  for (const Coloured& each : coloured_) sorted_[next_of_group_[group_of(each)]++] = each;
   coloured_.swap(sorted_);
 }
 

@@ -78,7 +78,6 @@ class LaneBatches {
     int colour = 0;
     std::uint64_t kinds = 0;  // as in its block
     int block = 0;
-    auto operator<=>(const Coloured&) const = default;
   };
 
   template <Scalar Real>
@@ -93,6 +92,7 @@ class LaneBatches {
   bool has_same_blocks(const VelocityProblem<Real>& problem) const;
   void single_out_what_is_leant_on();
   void colour();
+  void sort_by_colour();
   void make_batches();
   void order_by_place();
   void add_batch(int first, int last);
@@ -108,11 +108,13 @@ class LaneBatches {
   List<int> single_rows_;
   int lane_rows_ = 0;
   int couplings_ = 0;
-  List<int> leant_on_before_;     // scratch
-  List<Coloured> coloured_;       // scratch
-  List<Coloured> sorted_;         // scratch
-  List<char> in_lane_;            // scratch, for each block
-  PerBody<std::uint64_t> taken_;  // scratch: the colours at a body, a bit each
+  List<int> leant_on_before_;        // scratch
+  List<Coloured> coloured_;          // scratch
+  List<Coloured> sorted_;            // scratch
+  List<std::uint64_t> known_kinds_;  // scratch, ascending
+  List<int> next_of_group_;          // scratch: where the next block of a colour and of these kinds goes
+  List<char> in_lane_;               // scratch, for each block
+  PerBody<std::uint64_t> taken_;     // scratch: the colours at a body, a bit each
 };
 
 // Here, so that filling lanes need not call it for every row.
