@@ -1,0 +1,53 @@
+// Makes one file of the playground that needs no other:
+//   node bundle.mjs WASM-FOLDER SCENES-FOLDER OUT-FILE
+// The first folder has cairn_playground.js and cairn_playground.wasm. It calls esbuild, and nothing else.
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { basename, dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const [built, scenes, out] = process.argv.slice(2);
+if (!out) {
+  console.error("node bundle.mjs WASM-FOLDER SCENES-FOLDER OUT-FILE");
+  process.exit(2);
+}
+
+const page = (name) => readFileSync(join(here, name), "utf8");
+const esbuild = (file, ...options) =>
+  execFileSync(
+    "esbuild",
+    [join(here, file), "--minify", "--charset=utf8", "--log-level=warning", ...options],
+    {
+      encoding: "utf8",
+      maxBuffer: 1 << 26,
+    },
+  );
+
+// Nothing in an element may look like its end.
+const script = (content, attributes = "") =>
+  `<script${attributes}>${content.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--")}</script>`;
+
+const texts = Object.fromEntries(
+  readdirSync(scenes)
+    .filter((name) => name.endsWith(".toml"))
+    .sort()
+    .map((name) => [basename(name, ".toml"), readFileSync(join(scenes, name), "utf8")]),
+);
+const wasm = gzipSync(readFileSync(join(built, "cairn_playground.wasm")), { level: 9 }).toString("base64");
+const parts = {
+  style: `<style>${esbuild("style.css")}</style>`,
+  scripts: [
+    script(JSON.stringify(texts).replaceAll("<", "\\u003c"), ' type="application/json" id="scenes"'),
+    script(wasm, ' type="text/plain" id="wasm"'),
+    script(readFileSync(join(built, "cairn_playground.js"), "utf8")),
+    script(esbuild("main.js", "--bundle", "--format=iife", "--target=es2022")),
+  ].join("\n"),
+};
+const html = page("index.html").replace(/<!-- (style|scripts) -->/g, (_, name) => parts[name]);
+mkdirSync(dirname(out), { recursive: true });
+writeFileSync(out, html);
+console.log(
+  `${out}: ${(Buffer.byteLength(html) / 1e6).toFixed(2)} MB, of which the core ${(wasm.length / 1e6).toFixed(2)} MB`,
+);

@@ -1,0 +1,67 @@
+// Keys for everything that has a button, and the dialog that names them.
+import { button, find, keep, kept, make, takesKeys } from "./dom.js";
+import { lightNext } from "./cursor.js";
+
+/** @typedef {import("./app.js").App} App */
+
+/** The keys, the buttons that they press, and what the dialog says of them. */
+const keys = [
+  { key: " ", shown: "Space", button: "run", says: "run, or pause" },
+  { key: "r", shown: "R", button: "row", says: "one row update" },
+  { key: "s", shown: "S", button: "sweep", says: "to the end of the sweep" },
+  { key: "ArrowRight", shown: "→", button: "step", says: "one step" },
+  { key: "ArrowLeft", shown: "←", button: "back", says: "back by a step" },
+  { key: "Home", shown: "Home", button: "restart", says: "from the start once more" },
+  { key: "m", shown: "M", button: "slow", says: "slow motion" },
+  { key: "z", shown: "Z", button: "undo", says: "undo a change of the scene" },
+  { key: "h", shown: "H", button: "tool-hand", says: "hand" },
+  { key: "b", shown: "B", button: "tool-box", says: "box" },
+  { key: "x", shown: "X", button: "tool-remove", says: "remove" },
+  { key: "p", shown: "P", button: "tool-pin", says: "pin" },
+  { key: "d", shown: "D", button: "theme", says: "dark or light" },
+  { key: "?", shown: "?", button: "keys", says: "these keys" },
+];
+
+/** What has no button. */
+const others = [
+  { shown: "J, K", says: "light up the next row, or the one before" },
+  { shown: "Tab", says: "to the next control; the picture is one of them" },
+  { shown: "arrows, on the picture", says: "choose a body, or pull what is held" },
+  { shown: "Enter, on the picture", says: "use the tool on the body; the hand lets go at the second Enter" },
+  { shown: "Delete, on the picture", says: "remove the body" },
+  { shown: "G, on the picture", says: "pin the body to the ground, with the tool Pin" },
+  { shown: "Escape", says: "let go" },
+  { shown: "Ctrl+Enter, in the scene file", says: "run the text" },
+];
+
+/** @param {KeyboardEvent} event */
+function isForElement(event) {
+  if (takesKeys(event.target)) return true;
+  const onButton = event.target instanceof Element && event.target.closest("button, summary, a") !== null;
+  return onButton && (event.key === " " || event.key === "Enter");
+}
+
+/** @param {App} app */
+export function setUpKeys(app) {
+  const dialog = find("keys-dialog", HTMLDialogElement);
+  const isOn = find("letters", HTMLInputElement);
+  isOn.checked = kept("cairn-letters") !== "off";
+  isOn.addEventListener("change", () => keep("cairn-letters", isOn.checked ? "on" : "off"));
+  const list = find("keys-list", HTMLElement);
+  for (const { shown, says } of [...keys, ...others]) {
+    list.append(make("dt", {}, make("kbd", { textContent: shown })), make("dd", { textContent: says }));
+  }
+  button("keys").addEventListener("click", () => dialog.showModal());
+  button("keys-close").addEventListener("click", () => dialog.close());
+  document.addEventListener("keydown", (event) => {
+    const isUndo = event.key === "z" && (event.ctrlKey || event.metaKey) && !takesKeys(event.target);
+    if (!isUndo && (event.altKey || event.ctrlKey || event.metaKey)) return;
+    if (event.defaultPrevented || isForElement(event) || (event.key.length === 1 && !isOn.checked)) return;
+    const letter = event.key.toLowerCase();
+    const found = keys.find(({ key }) => key === event.key || key === letter);
+    if (found) document.getElementById(found.button)?.click();
+    else if (letter === "j" || letter === "k") lightNext(app, letter === "j" ? 1 : -1);
+    else return;
+    event.preventDefault();
+  });
+}

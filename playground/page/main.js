@@ -1,0 +1,154 @@
+// The playground begins here: takes the core out of the page, opens what the address asks for, and sets up all parts.
+import { App } from "./app.js";
+import { bytesOf, readAddress, through } from "./address.js";
+import { Core } from "./core.js";
+import { Tools } from "./tools.js";
+import { button, find, show } from "./dom.js";
+import { number, say, sayRefusal } from "./words.js";
+import { sceneFiles, setUpScenes } from "./scenes.js";
+import { setUpControls } from "./controls.js";
+import { setUpCursor } from "./cursor.js";
+import { setUpKeys } from "./keys.js";
+import { setUpPointer } from "./pointer.js";
+import { setUpQuiz } from "./quiz.js";
+import { setUpSaving } from "./save.js";
+import { setUpTheme } from "./theme.js";
+
+/** @typedef {import("./address.js").Address} Address */
+
+/** Emscripten's; bundle.mjs puts it before this script. */
+const makeCairn =
+  /** @type {(options: {wasmBinary: Uint8Array}) => Promise<import("./core.js").CairnModule>} */ (
+    Reflect.get(globalThis, "makeCairn")
+  );
+
+/** What the bundler has put into the page. @param {string} id */
+const packed = (id) => find(id, HTMLScriptElement).textContent ?? "";
+
+async function loadCore() {
+  const wasmBinary = await through(bytesOf(packed("wasm")), new DecompressionStream("gzip"));
+  return new Core(await makeCairn({ wasmBinary }));
+}
+
+/** The picture has the size that the page has for it, one above the other where that is narrow. @param {App} app */
+function setUpSize(app) {
+  const canvas = find("cairn", HTMLCanvasElement);
+  const frame = find("frame", HTMLElement);
+  const resize = () => {
+    const width = Math.max(320, Math.round(frame.clientWidth));
+    const height = Math.round(width < 600 ? width * 1.6 : (width * 9) / 16);
+    if (canvas.width === width && canvas.height === height) return;
+    canvas.width = width;
+    canvas.height = height;
+    app.core.resize(width, height);
+    app.core.draw();
+    app.player.wake();
+  };
+  new ResizeObserver(resize).observe(frame);
+  resize();
+}
+
+/** @param {App} app */
+function setUpButtons(app) {
+  const { core } = app;
+  /** @type {Record<string, () => void>} */
+  const acts = {
+    run: () => app.toggleRunning(),
+    slow: () => app.toggleSlow(),
+    row: () => app.actPaused(() => core.row(1)),
+    sweep: () => app.actPaused(() => core.sweep()),
+    step: () => app.actPaused(() => core.step(1)),
+    back: () => app.actPaused(() => core.back()),
+    "diverged-back": () => app.actPaused(() => core.back()),
+    restart: () => app.act(() => core.restart()),
+    undo: () => app.act(() => core.undo()),
+  };
+  const plan = find("plan-part", HTMLDetailsElement);
+  const writePlan = () => plan.open && (find("plan", HTMLElement).textContent = core.plan());
+  plan.addEventListener("toggle", writePlan);
+  for (const [id, act] of Object.entries(acts)) button(id).addEventListener("click", act);
+  app.follow(() => {
+    const { player } = app;
+    button("run").textContent = player.isRunning ? "Pause" : "Run";
+    button("slow").ariaPressed = String(player.isSlow);
+    const isDiverged = core.numbers().diverged === 1;
+    show(find("diverged", HTMLElement), isDiverged);
+    writePlan();
+  });
+  app.followPictures(() => {
+    const { time, steps, milliseconds } = core.numbers();
+    const words = `Step ${steps} · ${number(time)} s · ${milliseconds.toFixed(2)} ms to compute a step`;
+    find("numbers", HTMLElement).textContent = words;
+  });
+}
+
+/** Opens what the address asks for. @param {App} app @param {Address} address */
+function openAddress(app, address) {
+  const isKnown = address.scene === "" || app.scenes.some(({ name }) => name === address.scene);
+  let words = isKnown ? "" : `There is no scene "${address.scene}" in the list.`;
+  const file = isKnown && address.scene ? address.scene : app.scenes[0].name;
+  if (!app.open(file, address.text ?? undefined)) {
+    words = app.core.refusal();
+    app.open(file);
+  }
+  for (const [name, value] of address.settings) {
+    if (!app.core.set(name, value)) words = app.core.refusal();
+  }
+  if (address.at > 0 && !app.core.step(address.at)) words = app.core.refusal();
+  const isStill = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+  if (address.at > 0 || isStill) app.player.pause();
+  else app.player.run();
+  if (words) sayRefusal(words);
+  else say(app.core.words() || app.file.look);
+  app.changed();
+}
+
+/** In a lesson only the picture, the buttons and the settings that its address names. @param {App} app @param {Address} address */
+function embed(app, address) {
+  document.body.classList.add("embedded");
+  for (const field of document.querySelectorAll(".field")) {
+    if (!(field instanceof HTMLElement)) continue;
+    find("settings-first", HTMLElement).append(field);
+    show(field, address.settings.has(field.dataset.setting ?? ""));
+  }
+  const seen = new IntersectionObserver(([entry]) => app.player.setInView(entry.isIntersecting));
+  seen.observe(find("frame", HTMLElement));
+}
+
+/** @returns {Promise<Address>} */
+async function addressNow() {
+  try {
+    return await readAddress(location.hash);
+  } catch {
+    sayRefusal("The text in the address is damaged.");
+    return readAddress("");
+  }
+}
+
+async function begin() {
+  const core = await loadCore();
+  const app = new App(core, sceneFiles(JSON.parse(packed("scenes"))));
+  const address = await addressNow();
+  const tools = new Tools(app);
+  setUpTheme(app);
+  setUpScenes(app);
+  setUpControls(app);
+  setUpPointer(app, tools);
+  setUpCursor(app, tools);
+  setUpKeys(app);
+  setUpQuiz(app);
+  setUpSaving(app, address.isEmbedded);
+  setUpButtons(app);
+  openAddress(app, address);
+  if (address.isEmbedded) embed(app, address);
+  setUpSize(app);
+  window.addEventListener("hashchange", async () => openAddress(app, await addressNow()));
+  Object.assign(globalThis, { cairn: core }); // for those who look under the bonnet
+  document.body.dataset.state = "ready";
+}
+
+begin().catch((error) => {
+  const trouble = find("trouble", HTMLElement);
+  trouble.textContent = `The playground cannot begin: ${error.message ?? error}`;
+  show(trouble, true);
+});
