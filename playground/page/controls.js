@@ -111,7 +111,7 @@ function makeField(setting, apply) {
   const row = make("div", { className: "inputs" }, ...inputs);
   if (setting.unit) row.append(make("span", { className: "unit", textContent: setting.unit }));
   const head = make("div", { className: "head" }, label, again);
-  const element = make("div", { className: "field" }, head, row);
+  const element = make("div", { className: isSwitch(setting) ? "field switch" : "field" }, head, row);
   element.dataset.setting = setting.name;
   let recommended = setting.recommended;
   again.addEventListener("click", () => {

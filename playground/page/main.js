@@ -66,6 +66,10 @@ function setUpButtons(app) {
   const plan = find("plan-part", HTMLDetailsElement);
   const writePlan = () => plan.open && (find("plan", HTMLElement).textContent = core.plan());
   plan.addEventListener("toggle", writePlan);
+  find("skip", HTMLAnchorElement).addEventListener("click", (event) => {
+    event.preventDefault(); // the address holds the scene
+    find("cairn", HTMLCanvasElement).focus();
+  });
   for (const [id, act] of Object.entries(acts)) button(id).addEventListener("click", act);
   app.follow(() => {
     const { player } = app;
@@ -115,20 +119,23 @@ function embed(app, address) {
   seen.observe(find("frame", HTMLElement));
 }
 
-/** @returns {Promise<Address>} */
-async function addressNow() {
+/** Opens what the address asks for, or the first scene where it is damaged. @param {App} app */
+async function followAddress(app) {
   try {
-    return await readAddress(location.hash);
+    const address = await readAddress(location.hash);
+    openAddress(app, address);
+    return address;
   } catch {
-    sayRefusal("The text in the address is damaged.");
-    return readAddress("");
+    const address = await readAddress("");
+    openAddress(app, address);
+    sayRefusal("The text of the scene in this address is damaged.");
+    return address;
   }
 }
 
 async function begin() {
   const core = await loadCore();
   const app = new App(core, sceneFiles(JSON.parse(packed("scenes"))));
-  const address = await addressNow();
   const tools = new Tools(app);
   setUpTheme(app);
   setUpScenes(app);
@@ -137,12 +144,12 @@ async function begin() {
   setUpCursor(app, tools);
   setUpKeys(app);
   setUpQuiz(app);
-  setUpSaving(app, address.isEmbedded);
   setUpButtons(app);
-  openAddress(app, address);
+  const address = await followAddress(app);
+  setUpSaving(app, address.isEmbedded);
   if (address.isEmbedded) embed(app, address);
   setUpSize(app);
-  window.addEventListener("hashchange", async () => openAddress(app, await addressNow()));
+  window.addEventListener("hashchange", () => followAddress(app));
   Object.assign(globalThis, { cairn: core }); // for those who look under the bonnet
   document.body.dataset.state = "ready";
 }

@@ -1,7 +1,7 @@
 // Time: how many steps a frame, and when to draw. A page that nobody sees computes nothing.
 
 const longestFrame = 0.1; // [s] what a slow frame owes at most
-const mostSteps = 5; // a frame
+const mostSteps = 8; // a frame
 const budget = 12; // [ms] of computing a frame: the rest is dropped, and the world runs slower
 const slowStep = 240; // frames that a step takes at least in slow motion
 

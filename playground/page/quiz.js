@@ -38,6 +38,7 @@ class Quiz {
     const asked = this.#row >= 0;
     if (!asked) this.#offer();
     else if (!this.#isRevealed && document.activeElement !== answer) answer.value = number(prediction);
+    document.body.classList.toggle("asking", asked);
     show(find("question-form", HTMLElement), asked && !this.#isRevealed);
     show(button("question-try"), !asked);
     show(button("question-next"), !asked || this.#isRevealed);
@@ -106,6 +107,9 @@ class Quiz {
     this.#write(asks);
     say(`Pull the bar of row ${row + 1} to where you think it ends, or type the number. Then press See.`);
     this.#app.changed();
+    find("frame", HTMLElement).scrollIntoView({ block: "nearest" });
+    // On a phone the field would bring up a keyboard over the picture.
+    if (window.matchMedia("(pointer: fine)").matches) answer.focus({ preventScroll: true });
     answer.select();
   }
 
@@ -136,7 +140,7 @@ class Quiz {
     this.#isRevealed = true;
     const off = offWords(prediction, core.rows()[this.#row].end);
     this.#write(`${off} ${this.#because}`.trim());
-    say(off);
+    say(`${off} ${this.#because}`.trim());
     this.#app.changed();
     button("question-next").focus();
   }
