@@ -29,7 +29,7 @@ class Cursor {
     if (direction) this.#go(direction);
     else if (event.key === "Enter") this.#use();
     else if (event.key === "g" && this.#tools.pin) this.#tools.press(0, 0, 0);
-    else if (event.key === "Delete" && this.#chosen > 0) this.#remove();
+    else if (event.key === "Delete") this.#remove();
     else if (event.key === "Escape") return this.#tools.cancel();
     else return false;
     this.#app.player.wake();
@@ -45,29 +45,27 @@ class Cursor {
       this.#tools.drag(this.#hand.x, this.#hand.y);
       return;
     }
-    const bodies = this.#app.core.bodies();
-    const next = this.#nearest(bodies, x, y);
+    const next = this.#nearest(this.#app.core.bodies(), x, y);
     if (next > 0) this.#chosen = next;
-    if (this.#chosen > 0)
-      say(this.#app.core.bodyName(this.#chosen) + (bodies[this.#chosen].canMove ? "" : ", fixed"));
+    if (this.#chosen > 0) say(this.#app.core.bodyName(this.#chosen));
   }
 
   /**
-   * The next body in that direction, from the chosen one or from the first.
+   * The next body that can move in that direction, from the chosen one; the first where none is chosen.
    * @param {import("./core.js").Body[]} bodies
    * @param {number} x
    * @param {number} y
    */
   #nearest(bodies, x, y) {
     const from = bodies[this.#chosen];
-    if (this.#chosen === 0 || !from) return bodies.findIndex((body, i) => i > 0 && body.canMove);
+    if (!from?.canMove) return bodies.findIndex((body) => body.canMove);
     let best = -1;
     let least = Infinity;
     bodies.forEach((body, i) => {
       const along = (body.x - from.x) * x + (body.y - from.y) * y;
       const across = Math.abs((body.x - from.x) * y) + Math.abs((body.y - from.y) * x);
       const far = along + 2 * across;
-      if (i === 0 || i === this.#chosen || along <= 1e-6 || across > 2 * along || far >= least) return;
+      if (!body.canMove || i === this.#chosen || along <= 1e-6 || across > 2 * along || far >= least) return;
       [best, least] = [i, far];
     });
     return best;
@@ -76,7 +74,7 @@ class Cursor {
   #use() {
     const body = this.#app.core.bodies()[this.#chosen];
     if (this.#tools.isHolding) return this.#tools.letGo();
-    if (this.#chosen <= 0 || !body) return say("Choose a body first, with the arrow keys.");
+    if (!body?.canMove) return say("Choose a body first, with the arrow keys.");
     if (this.#tools.tool === "box") {
       const over = { x: body.x, y: body.y + 90 / this.#app.core.scale() };
       return this.#tools.box(over, over);
@@ -86,6 +84,8 @@ class Cursor {
   }
 
   #remove() {
+    if (!this.#app.core.bodies()[this.#chosen]?.canMove)
+      return say("Choose a body first, with the arrow keys.");
     const tool = this.#tools.tool;
     this.#tools.tool = "remove";
     this.#tools.press(this.#chosen, 0, 0);
@@ -95,13 +95,12 @@ class Cursor {
   /** Puts the ring around the chosen body, or the pin to be. */
   mark() {
     const { core } = this.#app;
-    const bodies = core.bodies();
-    if (this.#chosen >= bodies.length) this.#chosen = 0;
-    const pin = this.#tools.pin;
-    const isShown = pin !== null || (this.#chosen > 0 && document.activeElement === canvas);
-    show(marker, isShown);
-    if (!isShown) return;
-    const point = pin && document.activeElement !== canvas ? pin : bodies[this.#chosen || (pin?.body ?? 0)];
+    const { pin } = this.#tools;
+    const hasFocus = document.activeElement === canvas;
+    const body = hasFocus && this.#chosen > 0 ? core.bodies()[this.#chosen] : undefined;
+    const point = body?.canMove ? body : pin;
+    show(marker, point !== null);
+    if (point === null) return;
     const place = core.place(point.x, point.y);
     const scale = canvas.clientWidth / canvas.width;
     marker.style.transform = `translate(${place.x * scale}px, ${place.y * scale}px)`;

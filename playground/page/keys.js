@@ -26,12 +26,12 @@ const keys = [
 const others = [
   { shown: "J, K", says: "light up the next row, or the one before" },
   { shown: "Tab", says: "to the next control; the picture is one of them" },
-  { shown: "arrows, on the picture", says: "choose a body, or pull what is held" },
-  { shown: "Enter, on the picture", says: "use the tool on the body; the hand lets go at the second Enter" },
-  { shown: "Delete, on the picture", says: "remove the body" },
-  { shown: "G, on the picture", says: "pin the body to the ground, with the tool Pin" },
+  { shown: "← ↑ → ↓", says: "on the picture: choose a body, or pull what the hand holds" },
+  { shown: "Enter", says: "on the picture: use the tool on that body; a second Enter lets go" },
+  { shown: "Delete", says: "on the picture: remove that body" },
+  { shown: "G", says: "on the picture, with the tool Pin: pin the body to the ground" },
   { shown: "Escape", says: "let go" },
-  { shown: "Ctrl+Enter, in the scene file", says: "run the text" },
+  { shown: "Ctrl+Enter", says: "in the scene file: run the text" },
 ];
 
 /** @param {KeyboardEvent} event */

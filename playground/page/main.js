@@ -79,8 +79,16 @@ function setUpButtons(app) {
     show(find("diverged", HTMLElement), isDiverged);
     writePlan();
   });
+}
+
+/** Writes the numbers of now, as often as they can be read. @param {App} app */
+function setUpNumbers(app) {
+  const pause = 200; // [ms]
+  let written = 0;
   app.followPictures(() => {
-    const { time, steps, milliseconds } = core.numbers();
+    if (app.player.isRunning && performance.now() - written < pause) return;
+    written = performance.now();
+    const { time, steps, milliseconds } = app.core.numbers();
     const words = `Step ${steps} · ${number(time)} s · ${milliseconds.toFixed(2)} ms to compute a step`;
     find("numbers", HTMLElement).textContent = words;
   });
@@ -145,6 +153,7 @@ async function begin() {
   setUpKeys(app);
   setUpQuiz(app);
   setUpButtons(app);
+  setUpNumbers(app);
   const address = await followAddress(app);
   setUpSaving(app, address.isEmbedded);
   if (address.isEmbedded) embed(app, address);
