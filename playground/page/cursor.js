@@ -1,6 +1,6 @@
 // The keyboard on the picture: arrows choose a body, Enter uses the tool on it, arrows then pull.
 import { find, show } from "./dom.js";
-import { rowWords, say } from "./words.js";
+import { litWords, say } from "./words.js";
 
 /** @typedef {import("./app.js").App} App */
 /** @typedef {import("./tools.js").Tools} Tools */
@@ -116,7 +116,7 @@ export function lightNext(app, by) {
   const { lit, rows } = app.core.numbers();
   if (rows === 0) return say("There are no rows now.");
   const next = ((((lit < 0 && by < 0 ? 0 : lit) + by) % rows) + rows) % rows;
-  app.act(() => (app.core.lightRow(next), true), `Lit: ${rowWords(app.core, next)}.`);
+  app.act(() => (app.core.lightRow(next), true), litWords(app.core, next));
 }
 
 /** @param {App} app @param {Tools} tools */

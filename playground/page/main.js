@@ -103,6 +103,7 @@ function openAddress(app, address) {
     words = app.core.refusal();
     app.open(file);
   }
+  const opened = app.core.words();
   for (const [name, value] of address.settings) {
     if (!app.core.set(name, value)) words = app.core.refusal();
   }
@@ -111,7 +112,7 @@ function openAddress(app, address) {
   if (address.at > 0 || isStill) app.player.pause();
   else app.player.run();
   if (words) sayRefusal(words);
-  else say(app.core.words() || app.file.look);
+  else say(opened);
   app.changed();
 }
 

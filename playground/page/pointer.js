@@ -1,6 +1,6 @@
 // What a mouse, a pen or a finger does on the picture.
 import { find, show } from "./dom.js";
-import { rowWords } from "./words.js";
+import { litWords } from "./words.js";
 
 /** @typedef {import("./app.js").App} App */
 /** @typedef {import("./tools.js").Tools} Tools */
@@ -21,7 +21,7 @@ function placeOf(event) {
 class Pointer {
   #app;
   #tools;
-  /** What is under way. @type {"" | "hand" | "bar" | "box"} */
+  /** What is under way. @type {"" | "hand" | "press" | "bar" | "box"} */
   #drag = "";
   #row = -1;
   #from = { x: 0, y: 0 };
@@ -59,16 +59,22 @@ class Pointer {
 
   /** @param {import("./core.js").Place} under */
   #pressBar(under) {
-    const { core, act } = { core: this.#app.core, act: this.#app.act.bind(this.#app) };
-    if (this.#isPredicted(under.number)) {
-      this.#drag = "bar";
-      this.#row = under.number;
-      act(() => core.predict(this.#row, under.x));
-      return;
-    }
-    const isLit = core.numbers().lit === under.number;
-    const words = isLit ? "No row is lit." : `Lit: ${rowWords(core, under.number)}.`;
-    act(() => (core.lightRow(isLit ? -1 : under.number), true), words);
+    this.#row = under.number;
+    this.#drag = this.#isPredicted(under.number) ? "bar" : "press";
+    if (this.#drag === "bar") this.#pullBar(under.x);
+  }
+
+  /** @param {number} newtons */
+  #pullBar(newtons) {
+    if (this.#app.core.predict(this.#row, newtons)) this.#app.changed();
+  }
+
+  /** Lights a row, or puts it out; not where a finger only scrolls the page. */
+  #light() {
+    const { core } = this.#app;
+    const isLit = core.numbers().lit === this.#row;
+    const words = isLit ? "No row is lit." : litWords(core, this.#row);
+    this.#app.act(() => (core.lightRow(isLit ? -1 : this.#row), true), words);
   }
 
   /** @param {import("./core.js").Place} under */
@@ -89,7 +95,7 @@ class Pointer {
     if (this.#drag === "box") this.#stretch(x, y);
     if (this.#drag === "bar") {
       const under = core.at(x, this.#from.y);
-      if (under.kind === "row") this.#app.act(() => core.predict(this.#row, under.x), "");
+      if (under.kind === "row") this.#pullBar(under.x);
     }
     if (this.#drag === "") canvas.style.cursor = this.#cursor(x, y);
   }
@@ -103,6 +109,7 @@ class Pointer {
       this.#tools.box(core.point(this.#from.x, this.#from.y), core.point(x, y));
     }
     if (this.#drag === "bar") this.#app.act(() => true);
+    if (this.#drag === "press" && core.at(x, y).number === this.#row) this.#light();
     this.#drag = "";
   }
 

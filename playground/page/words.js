@@ -57,6 +57,18 @@ export function rowWords(core, index) {
 }
 
 /**
+ * What is said of a row that lights up; where it ends is not said to those who are asked.
+ * @param {import("./core.js").Core} core
+ * @param {number} index from 0
+ */
+export function litWords(core, index) {
+  const row = core.rows()[index];
+  const { predicted, revealed } = core.numbers();
+  const end = predicted === index && revealed === 0 ? "" : `, and ends at ${number(row.end)} N`;
+  return `Lit: ${rowWords(core, index)}. It gives ${number(row.now)} N${end}.`;
+}
+
+/**
  * How far off a prediction was.
  * @param {number} said [N]
  * @param {number} end [N]
