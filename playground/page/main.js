@@ -30,13 +30,26 @@ async function loadCore() {
   return new Core(await makeCairn({ wasmBinary }));
 }
 
-/** The picture has the size that the page has for it, one above the other where that is narrow. @param {App} app */
+/**
+ * The height of a picture of that width [px]: a narrow one has its rows below the scene; a wide one leaves room for the
+ * buttons, but has all of its panels, which takes 540.
+ * @param {number} width
+ */
+function heightFor(width) {
+  if (width < 600) return Math.round(1.6 * width);
+  if (width < 900) return Math.round(0.75 * width);
+  return Math.round(Math.max(Math.min(0.625 * width, window.innerHeight - 220), 540));
+}
+
+/** The picture has the size that the page has for it. @param {App} app */
 function setUpSize(app) {
   const canvas = find("cairn", HTMLCanvasElement);
   const frame = find("frame", HTMLElement);
+  const pause = 80; // [ms] while a window is pulled
+  let timer = 0;
   const resize = () => {
     const width = Math.max(320, Math.round(frame.clientWidth));
-    const height = Math.round(width < 600 ? width * 1.6 : (width * 9) / 16);
+    const height = heightFor(width);
     if (canvas.width === width && canvas.height === height) return;
     canvas.width = width;
     canvas.height = height;
@@ -44,7 +57,11 @@ function setUpSize(app) {
     app.core.draw();
     app.player.wake();
   };
-  new ResizeObserver(resize).observe(frame);
+  const observer = new ResizeObserver(() => {
+    clearTimeout(timer);
+    timer = setTimeout(resize, pause);
+  });
+  observer.observe(frame);
   resize();
 }
 

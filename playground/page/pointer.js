@@ -109,7 +109,8 @@ class Pointer {
       this.#tools.box(core.point(this.#from.x, this.#from.y), core.point(x, y));
     }
     if (this.#drag === "bar") this.#app.act(() => true);
-    if (this.#drag === "press" && core.at(x, y).number === this.#row) this.#light();
+    const under = core.at(x, y);
+    if (this.#drag === "press" && under.kind === "row" && under.number === this.#row) this.#light();
     this.#drag = "";
   }
 
