@@ -36,7 +36,7 @@ async function loadCore() {
  * @param {number} width
  */
 function heightFor(width) {
-  if (width < 600) return Math.round(1.6 * width);
+  if (width < 600) return Math.round(1.7 * width);
   if (width < 900) return Math.round(0.75 * width);
   return Math.round(Math.max(Math.min(0.625 * width, window.innerHeight - 220), 540));
 }
@@ -100,14 +100,19 @@ function setUpButtons(app) {
 
 /** Writes the numbers of now, as often as they can be read. @param {App} app */
 function setUpNumbers(app) {
-  const pause = 200; // [ms]
+  const pause = 300; // [ms], for which the time of a step is averaged: browsers measure coarsely
   let written = 0;
+  let sum = 0;
+  let count = 0;
   app.followPictures(() => {
-    if (app.player.isRunning && performance.now() - written < pause) return;
-    written = performance.now();
     const { time, steps, milliseconds } = app.core.numbers();
-    const words = `Step ${steps} · ${number(time)} s · ${milliseconds.toFixed(2)} ms to compute a step`;
-    find("numbers", HTMLElement).textContent = words;
+    sum += milliseconds;
+    ++count;
+    if (app.player.isRunning && performance.now() - written < pause) return;
+    const cost = steps > 0 ? ` · ${(sum / count).toFixed(2)} ms to compute a step` : "";
+    find("numbers", HTMLElement).textContent = `Step ${steps} · ${number(time)} s${cost}`;
+    written = performance.now();
+    [sum, count] = [0, 0];
   });
 }
 
@@ -120,7 +125,6 @@ function openAddress(app, address) {
     words = app.core.refusal();
     app.open(file);
   }
-  const opened = app.core.words();
   for (const [name, value] of address.settings) {
     if (!app.core.set(name, value)) words = app.core.refusal();
   }
@@ -129,7 +133,8 @@ function openAddress(app, address) {
   if (address.at > 0 || isStill) app.player.pause();
   else app.player.run();
   if (words) sayRefusal(words);
-  else say(opened);
+  else if (app.player.isRunning) say("It runs. Pull a body, or press Pause and go row by row.");
+  else say("It stands still. Press Run, or go row by row.");
   app.changed();
 }
 

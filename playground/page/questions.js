@@ -33,18 +33,8 @@ export const questions = [
     because: "It carries half of one box, 5 N. The top of a stack is right after few sweeps, its foot last.",
   },
   {
-    scene: "stack",
-    settings: { warm: "off", sweeps: "10" },
-    kind: 2,
-    bodies: ["ground", "stack.1"],
-    which: 0,
-    asks: "A friction row may give up to μ times what its normal row gives. The stack stands upright. Where will this friction row end?",
-    because:
-      "Nothing pulls sideways, so friction has nothing to hold. It gives what is needed, up to its bound, and not the bound itself (lesson 11).",
-  },
-  {
     scene: "stack-ratio",
-    settings: { warm: "off", sweeps: "10" },
+    settings: { solver: "si", warm: "off", sweeps: "10" },
     kind: 1,
     bodies: ["ground", "light"],
     which: 0,
@@ -60,16 +50,26 @@ export const questions = [
     which: 0,
     asks: "The boxes stand 16 cm to the left and to the right by turns. All ten weigh 100 N, and the middle of their weight is not over the middle of the lowest box. Where will the row of the left point end?",
     because:
-      "The middle of the weight is 16 cm nearer to one of the two points, so they carry 66 N and 34 N: forces and moments balance (lesson 05).",
+      "The lowest box stands on the left, so the middle of the weight is nearer to its right point: 66 cm from the left one, 34 cm from the right one. Forces and moments balance at 34 N and 66 N (lesson 05).",
   },
   {
     scene: "stack-5-100",
-    settings: { warm: "off", sweeps: "20" },
+    settings: { solver: "si", warm: "off", sweeps: "20" },
     kind: 1,
     bodies: ["ground", "stack.1"],
     which: 0,
     asks: "Five boxes of 1 kg carry one of 100 kg. After twenty sweeps from nothing the lowest row has hardly begun. Where will it end?",
     because:
       "All of it weighs 1050 N, and the left point carries half. The weight has to find its way down through five light boxes (lesson 17).",
+  },
+  {
+    scene: "stack",
+    settings: { warm: "off", sweeps: "10" },
+    kind: 1,
+    bodies: ["stack.2", "stack.3"],
+    which: 1,
+    asks: "Look at the third box of the stack. Where will the row of the right point under it end?",
+    because:
+      "Eight boxes stand on this contact, the third one among them: 80 N for two points. Each row carries what is above it.",
   },
 ];
