@@ -17,6 +17,8 @@ class Quiz {
   /** What is said once the end is shown. */
   #because = "";
   #isRevealed = false;
+  /** The scene for which a question was chosen: once, so that a student can turn to others. */
+  #offeredFor = "";
 
   /** @param {App} app */
   constructor(app) {
@@ -46,14 +48,13 @@ class Quiz {
   }
 
   #offer() {
-    if (questions[this.#at].scene !== this.#app.scene && this.#offeredFor !== this.#app.scene) {
+    if (this.#offeredFor !== this.#app.scene && questions[this.#at].scene !== this.#app.scene) {
       const found = questions.findIndex(({ scene }) => scene === this.#app.scene);
       if (found >= 0) this.#at = found;
     }
     this.#offeredFor = this.#app.scene;
     this.#write(questions[this.#at].asks);
   }
-  #offeredFor = "";
 
   /** @param {string} words */
   #write(words) {
@@ -101,6 +102,7 @@ class Quiz {
     const { core } = this.#app;
     core.lightRow(row);
     if (!core.predict(row, core.rows()[row].now)) return sayRefusal(core.refusal());
+    this.#offeredFor = this.#app.scene;
     this.#row = row;
     this.#because = because;
     this.#isRevealed = false;
