@@ -54,6 +54,9 @@ async function checkAddress(tab) {
   check(edited.includes("text="), "an edited text goes into the address", edited);
   await goTo(tab, edited);
   check((await tab.evaluate(() => cairn.sceneText())) === text, "and comes out of it as it was");
+}
+
+async function checkGivenAddress(tab) {
   await goTo(tab, "#scene=stack&at=12&sweeps=3");
   check(
     (await numbers(tab)).steps === 12 && (await tab.textContent("#run")) === "Run",
@@ -170,6 +173,7 @@ export async function checkLife(browser) {
   const scene = { hash: "#scene=stack" };
   await inTab(browser, "bits", scene, checkBits);
   await inTab(browser, "address", scene, checkAddress);
+  await inTab(browser, "given address", scene, checkGivenAddress);
   await inTab(browser, "embedded", { hash: "#scene=stack&sweeps=4&warm=on&embed=1" }, checkEmbedded);
   await inTab(browser, "hidden", { ...scene, context: { reducedMotion: "no-preference" } }, checkHidden);
   await inTab(browser, "saving", scene, checkSaving);

@@ -59,21 +59,23 @@ const unnamed = () =>
     .map((each) => each.outerHTML.slice(0, 60))
     .join(" ");
 
+async function checkText(tab, where, what) {
+  check(
+    (await tab.evaluate(overflow)) === "",
+    `${where}: nothing overflows, ${what}`,
+    await tab.evaluate(overflow),
+  );
+  const bad = await tab.evaluate(badText);
+  check(bad === "", `${where}: text is readable, ${what}`, bad);
+}
+
 async function look(tab, width, theme) {
   const where = `${width} px, ${theme}`;
   const shoot = async (name, fullPage = true) => {
     if (screenshots)
       await tab.screenshot({ path: join(screenshots, `${name}_${width}_${theme}.png`), fullPage });
   };
-  const good = async (what) => {
-    check(
-      (await tab.evaluate(overflow)) === "",
-      `${where}: nothing overflows, ${what}`,
-      await tab.evaluate(overflow),
-    );
-    const bad = await tab.evaluate(badText);
-    check(bad === "", `${where}: text is readable, ${what}`, bad);
-  };
+  const good = (what) => checkText(tab, where, what);
   const scroll = await tab.evaluate(
     () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
   );

@@ -160,7 +160,9 @@ async function checkTools(tab) {
     (await tab.textContent("#status.refused")).length > 0,
     "when there is nothing left to undo, words say so",
   );
-  await tab.check("#tool-hand", { force: true });
+}
+
+async function checkBars(tab) {
   await drawn(tab);
   const bar = await placeOf(tab, "row", 2);
   await tab.mouse.click(bar.x, bar.y);
@@ -261,6 +263,7 @@ export async function checkMouse(browser) {
   await inTab(browser, "settings", scene, checkSettings);
   await inTab(browser, "hand", scene, checkHand);
   await inTab(browser, "tools", scene, checkTools);
+  await inTab(browser, "bars", scene, checkBars);
   await inTab(browser, "text", scene, checkText);
   await inTab(browser, "question", scene, checkQuestion);
   await inTab(browser, "answers", scene, checkAnswers);

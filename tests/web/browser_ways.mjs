@@ -56,6 +56,12 @@ async function checkCursor(tab) {
   check(moved > 0.05, "arrows then pull it", String(moved));
   await tab.keyboard.press("Escape");
   check(/let go/.test(await status(tab)), "Escape lets go", await status(tab));
+  await checkToolsByKeys(tab);
+}
+
+/** With a body chosen. */
+async function checkToolsByKeys(tab) {
+  const before = await bodies(tab);
   await tab.keyboard.press("b");
   await tab.keyboard.press("Enter");
   check(
@@ -136,6 +142,18 @@ async function swipe(tab, from, to) {
   await session.detach();
 }
 
+/** Targets that a finger may miss. */
+const smallTargets = () => {
+  document.querySelectorAll("details").forEach((each) => (each.open = true));
+  const targets = [...document.querySelectorAll("button, select, summary, input, .tools label")];
+  return targets
+    .filter((each) => each.getClientRects().length > 0 && !each.matches("[type=checkbox]"))
+    .map((each) => ({ id: each.id || each.className || each.tagName, box: each.getBoundingClientRect() }))
+    .filter(({ box }) => box.height < 40 || box.width < 40)
+    .map(({ id, box }) => `${id} ${box.width.toFixed(0)} x ${box.height.toFixed(0)}`)
+    .join(", ");
+};
+
 async function checkTouch(tab) {
   await tab.tap("#step");
   check((await numbers(tab)).steps === 1, "a tap on One step takes one");
@@ -166,16 +184,7 @@ async function checkTouch(tab) {
     "a tap removes a body, with that tool",
     await status(tab),
   );
-  const small = await tab.evaluate(() => {
-    document.querySelectorAll("details").forEach((each) => (each.open = true));
-    const targets = [...document.querySelectorAll("button, select, summary, input, .tools label")];
-    return targets
-      .filter((each) => each.getClientRects().length > 0 && !each.matches("[type=checkbox]"))
-      .map((each) => ({ id: each.id || each.className || each.tagName, box: each.getBoundingClientRect() }))
-      .filter(({ box }) => box.height < 40 || box.width < 40)
-      .map(({ id, box }) => `${id} ${box.width.toFixed(0)} x ${box.height.toFixed(0)}`)
-      .join(", ");
-  });
+  const small = await tab.evaluate(smallTargets);
   check(small === "", "every target has at least 40 px", small);
 }
 
