@@ -156,9 +156,10 @@ double number_in(const Control& control, const std::string& text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool is_number = error == std::errc{} && end == text.data() + text.size();
-  const std::string rule = fmt::format("a number from {:g} to {:g}", control.least, control.most);
-  require(is_number && number >= control.least && number <= control.most, "setting", control.name, rule,
-          text);
+  const bool is_right = is_number && (!control.is_whole || number == std::floor(number));
+  const std::string rule = fmt::format("a {} from {:g} to {:g}", control.is_whole ? "whole number" : "number",
+                                       control.least, control.most);
+  require(is_right && number >= control.least && number <= control.most, "setting", control.name, rule, text);
   return number;
 }
 

@@ -20,7 +20,8 @@ using render::Point;
 using render::Rect;
 
 constexpr double narrow =
-    1.1;  // a picture no wider than so many times its height has the rows below the scene
+    1.1;                      // a picture no wider than so many times its height has the rows below the scene
+constexpr double high = 680;  // [px] a narrow picture this high has room for a curve
 constexpr double equation_height = 150;  // [px]
 constexpr double arrow_share = 0.5;
 constexpr double finger = 8;  // [px] by which it may miss
@@ -76,10 +77,12 @@ Picture::Panels Picture::panels(const Playground& playground) const {
   Panels panels;
   Rect scenes;
   if (is_narrow) {
-    const List<Rect> parts = render::rows(area, {0.55 * rest, 0.45 * rest, equation_height + gap}, gap);
+    const bool has_third = is_lit || area.height > high;
+    const List<double> two = {0.55, 0.45}, three = {0.55 * rest, 0.45 * rest, equation_height + gap};
+    const List<Rect> parts = render::rows(area, has_third ? three : two, gap);
     scenes = parts[0];
     panels.bars = parts[1];
-    (is_lit ? panels.equation : panels.curve) = parts[2];
+    if (has_third) (is_lit ? panels.equation : panels.curve) = parts[2];
   } else {
     const List<Rect> halves = render::columns(area, {1.1, 1}, gap);
     const List<Rect> left = render::rows(halves[0], {rest, equation_height}, gap);

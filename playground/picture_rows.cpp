@@ -54,6 +54,8 @@ void Picture::draw_rows(const Playground& playground, const Rect& rect) {
     chart.title =
         fmt::format("accumulated λ (N), rows {} to {} of {}", first_bar_ + 1, first_bar_ + bar_count_, rows);
   }
+  const std::optional<Prediction>& prediction = playground.prediction();
+  const bool is_predicting = prediction && !prediction->is_revealed;
   for (int i = first_bar_; i < first_bar_ + bar_count_; ++i) {
     render::Bar bar{.name = fmt::format("{} {}", i + 1, kind_of(look.given.rows[i])),
                     .before = look.impulse[i] / dt,
@@ -63,16 +65,18 @@ void Picture::draw_rows(const Playground& playground, const Rect& rect) {
       bar.before = look.last->impulse_before / dt;
       bar.added = (look.last->impulse_after - look.last->impulse_before) / dt;
     }
-    const std::optional<Prediction>& prediction = playground.prediction();
-    if (prediction && prediction->row == i && !prediction->is_revealed) {
+    if (is_predicting) bar.exact.reset();
+    if (is_predicting && prediction->row == i) {
       bar.before = 0;
       bar.added = prediction->force;
-      bar.exact.reset();
       bar.active = true;
     }
     chart.bars.push_back(bar);
   }
-  const double largest = 1.12 * std::max(playground.largest_force(), 1e-6);
+  // Beyond its end there is room to be wrong, and the scale does not give the end away: it stays when that is
+  // seen.
+  const double predicted = prediction ? 1.5 * std::abs(look.end[prediction->row]) / dt : 0;
+  const double largest = 1.12 * std::max({playground.largest_force(), predicted, 1e-6});
   const bool has_negative = std::any_of(look.given.rows.begin(), look.given.rows.end(),
                                         [](const auto& row) { return !row.bounds.is_unilateral(); });
   chart.largest = largest;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -18,6 +19,7 @@ namespace cairn::playground {
 namespace {
 
 constexpr int steps_a_checkpoint = 30;
+constexpr double far_end = 5;  // times the largest force: an end further off is not waited for
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -65,6 +67,7 @@ void Playground::begin(const SceneEntry& entry, const Controls& controls) {
   lit_row_ = -1;
   has_diverged_ = false;
   largest_force_ = 0;
+  largest_end_ = 0;
   step_seconds_ = 0;
   forget_way_back();
 }
@@ -194,14 +197,21 @@ List<std::unique_ptr<Bench>> Playground::copies() const {
 const SolveLook& Playground::look(int number) const {
   if (looks_.empty()) {
     for (const auto& bench : benches_) looks_.push_back(bench->look(cursor_.value_or(-1)));
-    const SolveLook& first = looks_[0];
-    for (int i = 0; i < first.impulse.size(); ++i) {
-      if (first.given.rows[i].bounds.is_friction()) continue;
-      const double force = std::abs(first.impulse[i]) / first.given.dt;
-      if (std::isfinite(force)) largest_force_ = std::max(largest_force_, force);
-    }
+    measure_forces(looks_[0]);
   }
   return looks_[number];
+}
+
+/// Rows that contradict each other end where they leave no room for anything else: such ends are left out.
+void Playground::measure_forces(const SolveLook& look) const {
+  const auto raise = [&](double& largest, const PerRow<double>& impulse, double most) {
+    for (int i = 0; i < impulse.size(); ++i) {
+      const double force = std::abs(impulse[i]) / look.given.dt;
+      if (!look.given.rows[i].bounds.is_friction() && force <= most) largest = std::max(largest, force);
+    }
+  };
+  raise(largest_force_, look.impulse, std::numeric_limits<double>::max());
+  raise(largest_end_, look.end, far_end * largest_force_);
 }
 
 void Playground::predict(int row, double force) {

@@ -1,6 +1,7 @@
 // A scene in a student's hand: the text it comes from, one or two worlds that run it, and the way back.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -83,7 +84,7 @@ class Playground {
   /// The first world has no next step: a body would be at no finite place.
   bool has_diverged() const { return has_diverged_; }
   /// The largest lambda of any row since the start [N]: for a scale that stands still.
-  double largest_force() const { return largest_force_; }
+  double largest_force() const { return std::max(largest_force_, largest_end_); }
   /// What has changed, in a sentence.
   const std::string& words() const { return words_; }
 
@@ -106,6 +107,7 @@ class Playground {
                              const PerBody<std::string>& start_names, const Controls& controls);
   void edit(const std::string& addition, const std::string& words, const std::function<void(Scene&)>& change);
   void take_step();
+  void measure_forces(const SolveLook& look) const;
   void forget_way_back();
   void forget_look() const { looks_.clear(); }
   std::string unused_name() const;
@@ -127,7 +129,8 @@ class Playground {
   std::optional<Prediction> prediction_;
   double step_seconds_ = 0;
   bool has_diverged_ = false;
-  mutable double largest_force_ = 0;
+  mutable double largest_force_ = 0;  // [N]
+  mutable double largest_end_ = 0;    // [N]
   std::string words_;
 };
 
