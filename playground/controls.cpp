@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "math/check.hpp"
@@ -22,6 +23,7 @@ struct Control {
   std::string unit = {};
   double least = 0;
   double most = 0;
+  bool is_whole = false;
   List<std::string> choices = {};
   std::function<std::string(const Controls&)> value = {};
   std::function<void(Controls&, const std::string&, double)> set = {};  // the word, or the number
@@ -63,6 +65,7 @@ List<Control> solver_controls() {
           {.name = "sweeps",
            .title = "Sweeps",
            .most = 100,
+           .is_whole = true,
            .value = [](const Controls& c) { return number_text(c.setting.sweeps.iterations); },
            .set = [](Controls& c, const std::string&,
                      double x) { c.setting.sweeps.iterations = static_cast<int>(x); }},
@@ -118,6 +121,7 @@ List<Control> step_controls() {
        .title = "Substeps",
        .least = 1,
        .most = 16,
+       .is_whole = true,
        .value = [](const Controls& c) { return number_text(c.setting.substeps); },
        .set = [](Controls& c, const std::string&, double x) { c.setting.substeps = static_cast<int>(x); }},
       {.name = "search",

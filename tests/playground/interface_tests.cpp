@@ -181,6 +181,8 @@ TEST_CASE("each setting takes what it lists, and refuses the rest in words") {
     CHECK(cairn_set(name.c_str(), value.c_str()) == 1);
   }
   CHECK(cairn_set("sweeps", "101") == 0);
+  CHECK(cairn_set("sweeps", "2.5") == 0);
+  CHECK(refusal().find("a whole number from 0 to 100") != std::string::npos);
   CHECK(cairn_set("sweps", "1") == 0);
   CHECK(refusal().find("sweeps") != std::string::npos);
 }
