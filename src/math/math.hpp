@@ -24,11 +24,12 @@ using Vec3 = Eigen::Matrix<Real, 3, 1>;
 /// The ratio of a circle's circumference to its diameter.
 inline constexpr double pi = std::numbers::pi;
 
-/// The sum of products of three pairs, from the first to the last: Eigen's order depends on the instruction
-/// set.
+/// The sum of three products in an order that is the same everywhere: Eigen's depends on the instruction set.
+/// It is the order of Eigen with SSE2, which takes doubles two at a time.
 template <Scalar Real>
 Real dot(const Vec3<Real>& a, const Vec3<Real>& b) {
-  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+  const Real x = a.x() * b.x(), y = a.y() * b.y(), z = a.z() * b.z();
+  return std::same_as<Real, double> ? (x + y) + z : x + (y + z);
 }
 
 /// The z component of a x b.

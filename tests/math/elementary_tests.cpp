@@ -124,9 +124,12 @@ TEST_CASE("The arc tangent's signs and ends are those of IEEE 754's atan2") {
   }
 }
 
-TEST_CASE("A dot product of three adds from the first to the last") {
-  // 2^-53 vanishes beside 1, but not where the two small ones are added first.
+TEST_CASE("A dot product of three adds in the same order everywhere") {
+  // Half a unit in the last place vanishes beside 1, but not where the two small ones are added first.
   const Vec3<double> ones = Vec3<double>::Ones();
   CHECK(dot<double>(ones, {1, 0x1p-53, 0x1p-53}) == 1);
   CHECK(dot<double>(ones, {0x1p-53, 0x1p-53, 1}) == 1 + 0x1p-52);
+  const Vec3<float> wide = Vec3<float>::Ones();
+  CHECK(dot<float>(wide, {1, 0x1p-24f, 0x1p-24f}) == 1 + 0x1p-23f);
+  CHECK(dot<float>(wide, {0x1p-24f, 0x1p-24f, 1}) == 1);
 }
