@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Draws the pictures of the documents: the cover of every lesson, small, in both themes, one larger picture, a chart of
-# work against error, and the failures of sandbox/FAILURES.md.
+# work against error, the failures of sandbox/FAILURES.md, and the film of the playground.
 #   bash lessons/images.sh PROGRAMS SCRATCH IMAGES
 set -eu
 programs=$1
@@ -61,5 +61,8 @@ for theme in light dark; do
     "$programs/cairn" tradeoff stack10 --quick --theme "$theme" --out "$scratch/tradeoff_$theme" --quiet >/dev/null
     cp "$scratch/tradeoff_$theme/stack10.png" "$images/tradeoff_$theme.png"
     failures
+  fi
+  if [[ -x $programs/cairn_playground_film ]]; then
+    "$programs/cairn_playground_film" "$theme" "$images/playground_$theme.png"
   fi
 done

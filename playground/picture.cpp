@@ -46,6 +46,21 @@ std::string gap_text(const Snapshot& one, const Snapshot& other) {
   return render::significant(1000 * largest, 2) + " mm";
 }
 
+/// Where a contact is [m]. The j of its normal row on body b is a direction n and the moment of n about b's
+/// middle, which says how far aside the point is; that of its friction, a quarter turn aside, says how far
+/// along n. Without friction it is taken to be on the side of b.
+Vec2<double> point_of(const Vec3<double>& normal, const Vec3<double>* tangent, const SnapshotBody& b) {
+  const Vec2<double> n = normal.head<2>(), left = perpendicular<double>(n);
+  const Vec2<double> aside = b.pose.position - normal.z() * left;
+  if (tangent) return aside + cross<double>(n, tangent->head<2>()) * tangent->z() * n;
+  double reach = 0;
+  for (const Shape<double>& shape : b.shapes) {
+    const Aabb<double> box = bounding_box<double>(shape, b.pose);
+    reach = std::max(reach, n.cwiseAbs().dot(box.upper - box.lower) / 2);
+  }
+  return aside - reach * n;
+}
+
 }  // namespace
 
 Picture::Picture() { begin(width_, height_, is_dark_); }
@@ -140,28 +155,33 @@ void Picture::draw_scene(const Playground& playground, int number, const Rect& r
   render::draw_unseen(*page_, camera, snapshot, {.names = playground.names()});
 }
 
-/// The impulses of contacts, as they are in the solve, where they push. A row's j of body b is a direction
-/// and the moment of its arm; that of friction, a quarter turn aside, has the other part of the arm.
+/// The impulses of contacts, as they are in the solve, where they push.
 void Picture::draw_forces(const Playground& playground, int number, const render::Camera& camera) {
   const SolveLook& look = playground.look(number);
   const Snapshot snapshot = playground.bench(number).snapshot();
-  const double largest = std::max(playground.largest_force(), 1e-9);
-  render::ArrowScale scale = render::arrow_scale(largest, "N", camera);
+  render::ArrowScale scale = render::arrow_scale(std::max(playground.largest_force(), 1e-9), "N", camera);
   scale.pixels_per_unit *= arrow_share;
-  for (int i = 0; i < look.given.row_count(); ++i) {
+  const int rows = look.given.row_count(), lit = playground.lit_row();
+  List<int> friction_of(rows, -1);
+  for (int i = 0; i < rows; ++i) {
+    const Bounds<double>& bounds = look.given.rows[i].bounds;
+    const bool is_of_a_point = bounds.is_friction() && bounds.second_normal_row < 0 && !(bounds.disc > 0);
+    if (is_of_a_point) friction_of[bounds.normal_row] = i;
+  }
+  for (int i = 0; i < rows; ++i) {
     const ConstraintRow<double>& row = look.given.rows[i];
-    if (!row.bounds.is_friction() || row.bounds.second_normal_row >= 0 || row.bounds.disc > 0) continue;
-    const int of = row.bounds.normal_row;
-    const Vec3<double>&normal = look.given.rows[of].jacobian_b, &tangent = row.jacobian_b;
-    const Vec2<double> n = normal.head<2>(), t = tangent.head<2>();
-    const double turn = cross<double>(n, t) < 0 ? 1 : -1;  // t is n turned by a quarter, one way or the other
-    const Vec2<double> at = snapshot.bodies[row.b].pose.position + turn * (normal.z() * t - tangent.z() * n);
-    const bool is_lit = playground.lit_row() < 0 || playground.lit_row() == of || playground.lit_row() == i;
-    const double push = look.impulse[of] / look.given.dt, rub = look.impulse[i] / look.given.dt;
-    render::draw_arrow(*page_, camera, scale,
-                       {.kind = render::ArrowKind::normal, .tail = at, .value = push * n, .active = is_lit});
-    render::draw_arrow(*page_, camera, scale,
-                       {.kind = render::ArrowKind::friction, .tail = at, .value = rub * t, .active = is_lit});
+    if (!row.bounds.is_unilateral() || std::abs(row.jacobian_b.head<2>().norm() - 1) > 1e-6) continue;
+    const int friction = friction_of[i];
+    const Vec3<double>* tangent = friction < 0 ? nullptr : &look.given.rows[friction].jacobian_b;
+    const Vec2<double> tail = point_of(row.jacobian_b, tangent, snapshot.bodies[row.b]);
+    const auto draw = [&](render::ArrowKind kind, int of) {
+      const Vec2<double> value = look.impulse[of] / look.given.dt * look.given.rows[of].jacobian_b.head<2>();
+      const bool is_active = lit < 0 || lit == i || lit == friction;
+      render::draw_arrow(*page_, camera, scale,
+                         {.kind = kind, .tail = tail, .value = value, .active = is_active});
+    };
+    draw(render::ArrowKind::normal, i);
+    if (friction >= 0) draw(render::ArrowKind::friction, friction);
   }
 }
 
