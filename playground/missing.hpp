@@ -1,5 +1,5 @@
-// What the C++ library of Debian 12's emscripten lacks of C++20. Included before every file of the build for
-// browsers.
+// What the C++ library of Debian 12's emscripten lacks of C++20, and later ones have. Included before every
+// file of the build for browsers.
 #pragma once
 
 #include <charconv>
@@ -11,13 +11,16 @@
 #include <thread>
 #include <type_traits>
 #include <utility>
+#include <version>
 
 namespace std {
 
+#ifndef __cpp_lib_bit_cast
 template <typename To, typename From>
 constexpr To bit_cast(const From& from) noexcept {
   return __builtin_bit_cast(To, from);
 }
+#endif
 
 template <typename Number, enable_if_t<is_floating_point_v<Number>, int> = 0>
 from_chars_result from_chars(const char* first, const char* last, Number& value) {
@@ -31,6 +34,7 @@ from_chars_result from_chars(const char* first, const char* last, Number& value)
   return {first + (end - text.c_str()), errc{}};
 }
 
+#ifndef __cpp_lib_jthread
 class jthread : public thread {
  public:
   using thread::thread;
@@ -39,7 +43,9 @@ class jthread : public thread {
     if (joinable()) join();
   }
 };
+#endif
 
+#if _LIBCPP_VERSION < 14000
 inline to_chars_result to_chars(char* first, char* last, double value, chars_format format, int precision) {
   char text[400];
   const char* pattern = format == chars_format::fixed        ? "%.*f"
@@ -50,5 +56,6 @@ inline to_chars_result to_chars(char* first, char* last, double value, chars_for
   memcpy(first, text, static_cast<size_t>(length));
   return {first + length, errc{}};
 }
+#endif
 
 }  // namespace std
