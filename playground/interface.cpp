@@ -28,9 +28,10 @@ struct Session {
   List<double> numbers;
 };
 
+/// It lasts as long as the process: at its end, what pictures are drawn with may be gone before them.
 Session& session() {
-  static Session session;
-  return session;
+  static Session* const session = new Session;
+  return *session;
 }
 
 template <typename Act>
