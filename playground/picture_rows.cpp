@@ -73,10 +73,8 @@ void Picture::draw_rows(const Playground& playground, const Rect& rect) {
     }
     chart.bars.push_back(bar);
   }
-  // Beyond its end there is room to be wrong, and the scale does not give the end away: it stays when that is
-  // seen.
-  const double predicted = prediction ? 1.5 * std::abs(look.end[prediction->row]) / dt : 0;
-  const double largest = 1.12 * std::max({playground.largest_force(), predicted, 1e-6});
+  // Whether or not a row is predicted, so that a bar stays where it is pulled to: with room to be wrong.
+  const double largest = 1.12 * std::max(playground.largest_force(), 1e-6);
   const bool has_negative = std::any_of(look.given.rows.begin(), look.given.rows.end(),
                                         [](const auto& row) { return !row.bounds.is_unilateral(); });
   chart.largest = largest;

@@ -83,8 +83,9 @@ class Playground {
   double step_seconds() const { return step_seconds_; }
   /// The first world has no next step: a body would be at no finite place.
   bool has_diverged() const { return has_diverged_; }
-  /// The largest lambda of any row since the start [N]: for a scale that stands still.
-  double largest_force() const { return std::max(largest_force_, largest_end_); }
+  /// Since the start, the largest lambda of any row, or a quarter more than the largest end [N]: for a scale
+  /// that stands still.
+  double largest_force() const { return std::max(largest_force_, 1.25 * largest_end_); }
   /// What has changed, in a sentence.
   const std::string& words() const { return words_; }
 
