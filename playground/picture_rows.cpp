@@ -69,7 +69,8 @@ void Picture::draw_rows(const Playground& playground, const Rect& rect) {
     if (is_predicting && prediction->row == i) {
       bar.before = 0;
       bar.added = prediction->force;
-      bar.active = true;
+      bar.active =
+          false;  // a number beside it would take room from all bars, and move this one under the pointer
     }
     chart.bars.push_back(bar);
   }
