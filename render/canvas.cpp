@@ -15,7 +15,7 @@ namespace cairn::render {
 namespace {
 
 constexpr double least_text = 1;       // [px]
-constexpr double greatest_text = 400;  // [px], so that every glyph fits the atlas
+constexpr double greatest_text = 400;  // [px]
 constexpr int enough = 200000;         // vertices; then they are drawn before more are gathered
 
 Face face_of(const TextStyle& style) {
@@ -27,10 +27,34 @@ Face face_of(const TextStyle& style) {
 
 bool drawable(const TextStyle& style) { return style.size >= least_text && style.size <= greatest_text; }
 
-/// How far the halo reaches beyond the glyphs [px].
-int halo_reach(const TextStyle& style) {
-  return style.halo.a > 0 ? static_cast<int>(std::lround(std::clamp(0.16 * style.size, 2.0, 5.0))) : 0;
+/// How far the halo reaches beyond the glyphs [px of the image].
+int halo_reach(const TextStyle& style, double scale) {
+  return style.halo.a > 0 ? static_cast<int>(std::lround(scale * std::clamp(0.16 * style.size, 2.0, 5.0)))
+                          : 0;
 }
+
+Rect scaled(const Rect& rect, double by) {
+  return {by * rect.x, by * rect.y, by * rect.width, by * rect.height};
+}
+
+Paint scaled(Paint paint, double by) {
+  paint.outline_width *= by;
+  return paint;
+}
+
+Stroke scaled(Stroke stroke, double by) {
+  stroke.width *= by;
+  for (double& length : stroke.dash) length *= by;
+  return stroke;
+}
+
+List<Point> scaled(Span<const Point> points, double by) {
+  List<Point> scaled;
+  for (const Point& point : points) scaled.push_back(by * point);
+  return scaled;
+}
+
+int image_pixels(int pixels, double scale) { return static_cast<int>(std::lround(scale * pixels)); }
 
 int edge_pixel(double at, int end) {
   return static_cast<int>(std::lround(std::clamp(at, 0.0, double{1} * end)));
@@ -83,13 +107,22 @@ Color faded(Color color, double opacity) {
 }
 
 struct Canvas::Impl {
-  Impl(int w, int h) : width(w), height(h), surface(w, h), batch(w, h) {}
+  Impl(int w, int h, double s)
+      : width(w),
+        height(h),
+        scale(s),
+        frame{0, 0, image_pixels(w, s), image_pixels(h, s)},
+        atlas(s),
+        surface(frame.right, frame.bottom, atlas.side()),
+        batch(frame.right, frame.bottom) {}
 
   int width;
   int height;
+  double scale;     // px of the image to one of the canvas
+  PixelRect frame;  // the image
+  GlyphAtlas atlas;
   Surface surface;
   Batch batch;
-  GlyphAtlas atlas = {};
   List<PixelRect> clips = {};
   List<TextBox> boxes = {};
   Color background = {1, 1, 1, 1};
@@ -108,7 +141,7 @@ struct Canvas::Impl {
       flush();
     }
   }
-  void use_clip() { batch.set_clip(clips.empty() ? PixelRect{0, 0, width, height} : clips.back()); }
+  void use_clip() { batch.set_clip(clips.empty() ? frame : clips.back()); }
 
   const Glyph& glyph(const GlyphKey& key) {
     const Glyph* found = atlas.find(key);
@@ -121,7 +154,8 @@ struct Canvas::Impl {
     return found == nullptr ? nothing : *found;
   }
 
-  /// Draws one layer of a line, glyphs or halos, and returns the rectangle that its bitmaps cover.
+  /// Draws one layer of a line, glyphs or halos, and returns the rectangle that its bitmaps cover: all in px
+  /// of the image.
   Rect write(const GlyphLine& line, const Point& start, int rim, const Color& color) {
     Rect covered = {start.x(), start.y(), line.width, 0};
     bool first = true;
@@ -146,16 +180,18 @@ struct Canvas::Impl {
   }
 };
 
-Canvas::Canvas(int width, int height) {
+Canvas::Canvas(int width, int height, double scale) {
   require(width > 0, "Canvas", "width", "positive px", width);
   require(height > 0, "Canvas", "height", "positive px", height);
-  impl_ = std::make_unique<Impl>(width, height);
+  require(scale >= 0.5 && scale <= 4, "Canvas", "scale", "from 0.5 to 4", scale);
+  impl_ = std::make_unique<Impl>(width, height, scale);
 }
 
 Canvas::~Canvas() = default;
 
 int Canvas::width() const { return impl_->width; }
 int Canvas::height() const { return impl_->height; }
+double Canvas::scale() const { return impl_->scale; }
 
 void Canvas::clear(Color background) {
   impl_->background = background;
@@ -171,17 +207,18 @@ void Canvas::line(const Point& from, const Point& to, const Stroke& stroke) {
 }
 
 void Canvas::polyline(Span<const Point> points, const Stroke& stroke) {
-  add_polyline(impl_->batch, points, stroke);
+  const double scale = impl_->scale;
+  add_polyline(impl_->batch, scaled(points, scale), scaled(stroke, scale));
   impl_->flush_if_full();
 }
 
 void Canvas::circle(const Point& center, double radius, const Paint& paint) {
-  add_box(impl_->batch, {.center = center, .radius = radius}, paint);
-  impl_->flush_if_full();
+  capsule(center, center, radius, paint);
 }
 
 void Canvas::polygon(Span<const Point> points, const Paint& paint, double rounding) {
-  add_polygon(impl_->batch, points, paint, rounding);
+  const double scale = impl_->scale;
+  add_polygon(impl_->batch, scaled(points, scale), scaled(paint, scale), scale * rounding);
   impl_->flush_if_full();
 }
 
@@ -190,27 +227,30 @@ void Canvas::rect(const Rect& rect, const Paint& paint, double corner_radius) {
   const Point center(rect.x + 0.5 * rect.width, rect.y + 0.5 * rect.height);
   const Point half(0.5 * rect.width, 0.5 * rect.height);
   if (radius > 0) {
+    const double scale = impl_->scale;
     add_box(impl_->batch,
-            {.center = center,
-             .half_length = half.x() - radius,
-             .half_width = half.y() - radius,
-             .radius = radius},
-            paint);
+            {.center = scale * center,
+             .half_length = scale * (half.x() - radius),
+             .half_width = scale * (half.y() - radius),
+             .radius = scale * radius},
+            scaled(paint, scale));
+    impl_->flush_if_full();
   } else if (rect.width > 0 && rect.height > 0) {
-    const FixedList<Point, 4> corners = {center - half, center + Point(half.x(), -half.y()), center + half,
-                                         center + Point(-half.x(), half.y())};
-    add_polygon(impl_->batch, corners, paint, 0);
+    polygon(FixedList<Point, 4>{center - half, center + Point(half.x(), -half.y()), center + half,
+                                center + Point(-half.x(), half.y())},
+            paint);
   }
-  impl_->flush_if_full();
 }
 
 void Canvas::capsule(const Point& from, const Point& to, double radius, const Paint& paint) {
-  add_box(impl_->batch, capsule_box(from, to, radius), paint);
+  const double scale = impl_->scale;
+  add_box(impl_->batch, capsule_box(scale * from, scale * to, scale * radius), scaled(paint, scale));
   impl_->flush_if_full();
 }
 
 void Canvas::hatch(Span<const Point> points, const Stroke& stroke, double pitch) {
-  add_hatch(impl_->batch, points, stroke, pitch);
+  const double scale = impl_->scale;
+  add_hatch(impl_->batch, scaled(points, scale), scaled(stroke, scale), scale * pitch);
   impl_->flush_if_full();
 }
 
@@ -218,15 +258,16 @@ void Canvas::text(const Point& at, std::string_view markup, const TextStyle& sty
   if (!usable(at) || !drawable(style)) {
     return;
   }
-  const GlyphLine line = lay_out(markup, style.size, face_of(style));
-  Point start = at;
+  const double scale = impl_->scale;
+  const GlyphLine line = lay_out(markup, scale * style.size, face_of(style));
+  Point start = scale * at;
   if (style.align != Align::left) {
     start.x() -= style.align == Align::center ? 0.5 * line.width : line.width;
   }
-  if (const int rim = halo_reach(style); rim > 0) {
+  if (const int rim = halo_reach(style, scale); rim > 0) {
     impl_->write(line, start, rim, style.halo);
   }
-  const Rect covered = impl_->write(line, start, 0, style.color);
+  const Rect covered = scaled(impl_->write(line, start, 0, style.color), 1 / scale);
   impl_->boxes.push_back({.text = std::string(markup), .rect = covered, .style = style});
   impl_->flush_if_full();
 }
@@ -236,8 +277,8 @@ double Canvas::text_width(std::string_view markup, const TextStyle& style) const
 }
 
 void Canvas::push_clip(const Rect& rect) {
-  const PixelRect frame = {0, 0, impl_->width, impl_->height};
-  const PixelRect pushed = pixels_of(rect, impl_->width, impl_->height);
+  const PixelRect& frame = impl_->frame;
+  const PixelRect pushed = pixels_of(scaled(rect, impl_->scale), frame.right, frame.bottom);
   impl_->clips.push_back(intersection(impl_->clips.empty() ? frame : impl_->clips.back(), pushed));
   impl_->use_clip();
 }

@@ -1,4 +1,6 @@
-// Draws anti-aliased shapes and text, offscreen. Coordinates are pixels, x right, y DOWN, in double.
+// Draws anti-aliased shapes and text, offscreen. Coordinates are pixels, x right, y DOWN, in double. On a
+// sharp canvas each is `scale` pixels of the image wide: lengths, widths and sizes of type stay what they
+// are.
 #pragma once
 
 #include <cstdint>
@@ -79,14 +81,17 @@ struct RenderError : std::runtime_error {
 /// Coordinates that are not finite or absurdly large draw nothing and harm nothing else.
 class Canvas {
  public:
-  /// @throws RenderError when no OSMesa or EGL context can be made.
-  Canvas(int width, int height);
+  /// An image of width * scale by height * scale, to the nearest pixel.
+  /// @throws RenderError when no OSMesa or EGL context can be made, std::invalid_argument for sizes that are
+  /// not positive or a scale that is not between 0.5 and 4.
+  Canvas(int width, int height, double scale = 1);
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
   int width() const;
   int height() const;
+  double scale() const;
 
   /// Begins a new frame: forgets everything drawn, clips and text boxes.
   void clear(Color background);

@@ -28,6 +28,7 @@ namespace cairn::render {
 namespace {
 
 constexpr int phases = 4;
+constexpr int side_at_one = 1024;  // [px] of the atlas at scale 1
 
 using Fonts = FixedList<stbtt_fontinfo, 4>;
 
@@ -140,7 +141,8 @@ double advance(const GlyphName& glyph, double size) {
   return units * static_cast<double>(scale_of(font, 1)) * size;
 }
 
-GlyphAtlas::GlyphAtlas() : texels_(side * side) {}
+GlyphAtlas::GlyphAtlas(double scale)
+    : side_(side_at_one * std::max(1, static_cast<int>(std::ceil(scale)))), texels_(side_ * side_) {}
 
 void GlyphAtlas::clear() {
   glyphs_.clear();
@@ -150,12 +152,12 @@ void GlyphAtlas::clear() {
 }
 
 bool GlyphAtlas::place(Glyph& glyph) {
-  if (shelf_x_ + glyph.width > side) {
+  if (shelf_x_ + glyph.width > side_) {
     shelf_y_ += shelf_height_;
     shelf_x_ = 0;
     shelf_height_ = 0;
   }
-  if (glyph.width > side || shelf_y_ + glyph.height > side) {
+  if (glyph.width > side_ || shelf_y_ + glyph.height > side_) {
     return false;
   }
   glyph.texel_x = shelf_x_;
@@ -181,7 +183,7 @@ const Glyph* GlyphAtlas::find(const GlyphKey& key) {
       return nullptr;
     }
     for (int y = 0; y < glyph.height; ++y) {
-      const int target = (glyph.texel_y + y) * side + glyph.texel_x;
+      const int target = (glyph.texel_y + y) * side_ + glyph.texel_x;
       std::copy_n(bitmap.texels.begin() + y * glyph.width, glyph.width, texels_.begin() + target);
     }
     ++version_;

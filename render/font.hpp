@@ -40,14 +40,15 @@ struct Glyph {
 /// Bitmaps side by side in one 8-bit square, made when first asked for.
 class GlyphAtlas {
  public:
-  static constexpr int side = 1024;
-
-  GlyphAtlas();
+  /// For pictures of so many pixels to one of theirs: large enough for the glyphs of a frame.
+  explicit GlyphAtlas(double scale);
 
   /// Null when the atlas is full: draw what is pending, call clear() and ask again.
   const Glyph* find(const GlyphKey& key);
   void clear();
 
+  /// [px]
+  int side() const { return side_; }
   const List<std::uint8_t>& texels() const { return texels_; }
   /// Counts the changes of the texels.
   int version() const { return version_; }
@@ -55,6 +56,7 @@ class GlyphAtlas {
  private:
   bool place(Glyph& glyph);
 
+  int side_;
   List<std::uint8_t> texels_;
   std::unordered_map<std::uint64_t, Glyph> glyphs_ = {};
   int shelf_x_ = 0;  // the next free texel of the lowest shelf

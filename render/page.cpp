@@ -85,8 +85,8 @@ void draw_header(Canvas& canvas, const Theme& theme, const Sizes& sizes, const H
 
 }  // namespace
 
-Page::Page(int width, int height, const Theme& theme)
-    : canvas_(checked(width, 320, "width"), checked(height, 180, "height")),
+Page::Page(int width, int height, const Theme& theme, double scale)
+    : canvas_(checked(width, 320, "width"), checked(height, 180, "height"), scale),
       theme_(theme),
       sizes_(sizes_for(height)) {
   canvas_.clear(theme_.background);

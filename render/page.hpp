@@ -38,8 +38,10 @@ struct TableView {
 /// A frame being drawn. Everything that draws takes a Page: canvas, theme and sizes in one hand.
 class Page {
  public:
-  /// @throws RenderError when no context can be made, std::invalid_argument unless at least 320 x 180 px.
-  Page(int width, int height, const Theme& theme);
+  /// An image of width * scale by height * scale: the same frame, sharper.
+  /// @throws RenderError when no context can be made, std::invalid_argument unless at least 320 x 180 px, or
+  /// for a scale that Canvas refuses.
+  Page(int width, int height, const Theme& theme, double scale = 1);
 
   /// Begins a new frame with its header, and the footer's scrubber when there is more than one frame.
   void begin(const Header& header);

@@ -28,7 +28,8 @@ const void* at_offset(std::ptrdiff_t offset) {
 
 }  // namespace
 
-Surface::Surface(int width, int height) : width_(width), height_(height), context_(make_context()) {
+Surface::Surface(int width, int height, int atlas_side)
+    : width_(width), height_(height), context_(make_context()) {
   const Current current(*context_);
   gl_ = load_gl(*context_);
   try {
@@ -36,7 +37,7 @@ Surface::Surface(int width, int height) : width_(width), height_(height), contex
     make_target();
     make_program();
     make_buffers();
-    make_texture();
+    make_texture(atlas_side);
   } catch (...) {
     delete_objects();
     throw;
@@ -143,14 +144,13 @@ void Surface::make_buffers() {
   color(6, offsetof(Vertex, outline));
 }
 
-void Surface::make_texture() {
+void Surface::make_texture(int side) {
   gl_.gen_textures(1, &texture_);
   gl_.active_texture(GL_TEXTURE0);
   gl_.bind_texture(GL_TEXTURE_2D, texture_);
   gl_.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   gl_.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl_.tex_image_2d(GL_TEXTURE_2D, 0, GL_R8, GlyphAtlas::side, GlyphAtlas::side, 0, GL_RED, GL_UNSIGNED_BYTE,
-                   nullptr);
+  gl_.tex_image_2d(GL_TEXTURE_2D, 0, GL_R8, side, side, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
   gl_.viewport(0, 0, width_, height_);
   gl_.enable(GL_BLEND);
   gl_.blend_func(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -162,7 +162,7 @@ void Surface::upload(const GlyphAtlas& atlas) {
   if (atlas.version() == uploaded_version_) {
     return;
   }
-  gl_.tex_sub_image_2d(GL_TEXTURE_2D, 0, 0, 0, GlyphAtlas::side, GlyphAtlas::side, GL_RED, GL_UNSIGNED_BYTE,
+  gl_.tex_sub_image_2d(GL_TEXTURE_2D, 0, 0, 0, atlas.side(), atlas.side(), GL_RED, GL_UNSIGNED_BYTE,
                        atlas.texels().data());
   uploaded_version_ = atlas.version();
 }

@@ -14,8 +14,8 @@ namespace cairn::render {
 
 class Surface {
  public:
-  /// @throws RenderError
-  Surface(int width, int height);
+  /// For frames of this size [px], and glyphs of an atlas with this side [px]. @throws RenderError
+  Surface(int width, int height, int atlas_side);
   ~Surface();
   Surface(const Surface&) = delete;
   Surface& operator=(const Surface&) = delete;
@@ -32,7 +32,7 @@ class Surface {
   void make_target();
   void make_program();
   void make_buffers();
-  void make_texture();
+  void make_texture(int side);
   void upload(const GlyphAtlas& atlas);
   void delete_objects();
   GLuint compile(GLenum stage, const char* source) const;

@@ -158,3 +158,35 @@ TEST_CASE("colours are straight sRGB and mix by opacity") {
   CHECK(std::abs(image.pixels[5] - 0.75 * 255) <= 1);
   CHECK(image.pixels[6] == 255);
 }
+
+TEST_CASE("a sharp canvas draws what a larger one does of everything enlarged") {
+  for (const double scale : {0.5, 2.0, 2.75}) {
+    List<Rect> boxes;
+    const auto draw = [&](Canvas& canvas, double by) {
+      canvas.clear(canvas_white);
+      const Paint paint{.fill = rgb(0x3366AA), .outline = canvas_black, .outline_width = 3 * by};
+      canvas.circle(by * Point(20, 20), 10 * by, paint);
+      canvas.rect({40 * by, 8 * by, 20 * by, 16 * by}, paint, 4 * by);
+      canvas.push_clip({0, 4 * by, 96 * by, 56 * by});
+      canvas.polygon(FixedList<Point, 3>{by * Point(70, 5), by * Point(92, 9), by * Point(80, 30)}, paint,
+                     by);
+      canvas.hatch(FixedList<Point, 3>{by * Point(5, 40), by * Point(30, 40), by * Point(5, 62)},
+                   {.width = by}, 5 * by);
+      canvas.line(by * Point(35, 50), by * Point(90, 40), {.width = 2 * by, .dash = {6 * by, 3 * by}});
+      canvas.text(by * Point(92, 58), "v_{rel}", {.size = 14 * by, .align = Align::right});
+      for (const TextBox& box : canvas.text_boxes()) boxes.push_back(box.rect);
+      CHECK(canvas.text_width("v_{rel}", {.size = 14 * by}) ==
+            doctest::Approx(by * canvas.text_width("v_{rel}", {.size = 14})).epsilon(1e-6));
+      return canvas.read();
+    };
+    Canvas sharp(96, 64, scale), large(static_cast<int>(96 * scale), static_cast<int>(64 * scale));
+    const Image image = draw(sharp, 1);
+    CAPTURE(scale);
+    CHECK(image.pixels == draw(large, scale).pixels);
+    CHECK(boxes[0].x * scale == doctest::Approx(boxes[1].x));
+    CHECK(boxes[0].width * scale == doctest::Approx(boxes[1].width));
+    CHECK(sharp.width() == 96);
+  }
+  CHECK_THROWS_AS(Canvas(96, 64, 0.1), std::invalid_argument);
+  CHECK_THROWS_AS(Canvas(96, 64, 9), std::invalid_argument);
+}
