@@ -1,6 +1,7 @@
 // A world with its solver, and an observer that stops looking at a row update.
 #include "playground/bench.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "scenes/solver_list.hpp"
@@ -11,7 +12,7 @@ namespace cairn::playground {
 namespace {
 
 constexpr double end_tolerance = 1e-12;  // R_E of where sweeps end
-constexpr int end_sweeps = 2000;
+constexpr int most_end_sweeps = 2000;
 
 /// Keeps the problem as it is after so many row updates.
 template <Scalar Real>
@@ -100,10 +101,6 @@ class BenchOf final : public Bench {
     Looker<Real> looker(look, updates);
     make_solver<Real>(setting_.solver, setting_.sweeps)->solve(problem, &looker);
     looker.end(problem);
-    VelocityProblem<double> end = look.given;
-    make_solver<double>("accelerated", {.iterations = end_sweeps, .tolerance = end_tolerance, .patience = 3})
-        ->solve(end);
-    look.end = end.impulse;
     return look;
   }
 
@@ -116,6 +113,13 @@ class BenchOf final : public Bench {
 };
 
 }  // namespace
+
+PerRow<double> where_sweeps_end(VelocityProblem<double> problem, int row_updates) {
+  const int sweeps = std::clamp(row_updates / std::max(1, problem.row_count()), 1, most_end_sweeps);
+  make_solver<double>("accelerated", {.iterations = sweeps, .tolerance = end_tolerance, .patience = 3})
+      ->solve(problem);
+  return problem.impulse;
+}
 
 std::unique_ptr<Bench> make_bench(const Scene& scene, const Setting& setting) {
   check(setting);

@@ -15,12 +15,15 @@ struct SolveLook {
   VelocityProblem<double> given = {};          // with the warm start, which is not applied yet
   PerBody<Vec3<double>> velocity = {};         // n [m/s, m/s, rad/s] after those updates
   PerRow<double> impulse = {};                 // m [N s] after them
-  PerRow<double> end = {};                     // m [N s] where sweeps would end if they went on
   int updates = 0;                             // done
   int all_updates = 0;                         // of the whole solve; 0 for solvers that have none
   std::optional<RowUpdate<double>> last = {};  // of those that are done
   List<double> residuals = {};  // R_E before the first sweep and after each: of the whole solve
 };
+
+/// Where sweeps would end if they went on from a problem's warm start: m impulses [N s]. Sought for about so
+/// many row updates at most.
+PerRow<double> where_sweeps_end(VelocityProblem<double> problem, int row_updates);
 
 /// A scene under a setting, as it runs.
 class Bench {

@@ -94,6 +94,7 @@ const char* cairn_settings(void) {
 int cairn_step(int count) {
   return done([&](Playground& p) { p.step(count); });
 }
+void cairn_move(int is_moving) { session().playground.set_moving(is_moving != 0); }
 int cairn_row(int count) {
   return done([&](Playground& p) { p.advance_rows(count); });
 }
@@ -149,13 +150,14 @@ const double* cairn_rows(void) {
   const Playground& p = session().playground;
   const SolveLook& look = p.look(0);
   const SolveLook* other = p.bench_count() > 1 ? &p.look(1) : nullptr;
+  const auto& ends = p.ends();
   const double dt = look.given.dt;
   List<double> numbers;
   for (int i = 0; i < look.given.row_count(); ++i) {
     const cairn::ConstraintRow<double>& row = look.given.rows[i];
     const bool has_other = other && i < other->impulse.size();
     const List<double> one = {look.impulse[i] / dt,
-                              look.end[i] / dt,
+                              ends[i] / dt,
                               has_other ? other->impulse[i] / dt : 0,
                               kind_of(row),
                               static_cast<double>(row.a.index),
@@ -193,8 +195,8 @@ const char* cairn_fingerprint(void) {
   return returned(cairn::hexadecimal(fingerprint_of(session().playground.bench(0).snapshot())));
 }
 
-int cairn_resize(int width, int height) {
-  return done([&](Playground&) { picture().resize(width, height); });
+int cairn_resize(int width, int height, double scale) {
+  return done([&](Playground&) { picture().resize(width, height, scale); });
 }
 int cairn_theme(const char* theme) {
   return done([&](Playground&) { picture().choose_theme(theme); });

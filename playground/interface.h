@@ -31,11 +31,14 @@ const char* cairn_settings(void);
 
 /** So many steps, to the end of the one under way first. Refuses once a body is no longer at a finite place. */
 int cairn_step(int count);
+/** Whether the picture moves (1 or 0): then the ends of rows are sought only as far as a frame has time for. */
+void cairn_move(int is_moving);
 /** So many row updates on, within the first solve of the next step; past its end that step is done. */
 int cairn_row(int count);
 /** To the end of the sweep under way. */
 int cairn_sweep(void);
-/** Back to before the step under way, or before the last one: as far back as 600 steps. */
+/** Back to before the step under way, or before the last one, with the bodies and the settings of then: as far back as
+ *  600 steps. */
 int cairn_back(void);
 
 /** A hand takes hold of the body at a point of the world [m], until it lets go; 0 where there is none that can move. */
@@ -87,8 +90,8 @@ const char* cairn_plan(void);
 /** 16 hexadecimal digits of all that the world is: the same on every machine. */
 const char* cairn_fingerprint(void);
 
-/** The size of the picture [px], at least 320 x 180. */
-int cairn_resize(int width, int height);
+/** The size of the picture [px], at least 320 x 180, and how many pixels of the screen one of these is wide, 0.5 to 4. */
+int cairn_resize(int width, int height, double scale);
 /** Which picture: "light" or "dark". */
 int cairn_theme(const char* theme);
 /** Draws the picture of now. In a browser: on the canvas with the id "cairn". */

@@ -63,22 +63,24 @@ Vec2<double> point_of(const Vec3<double>& normal, const Vec3<double>* tangent, c
 
 }  // namespace
 
-Picture::Picture() { begin(width_, height_, is_dark_); }
+Picture::Picture() { begin(1280, 720, 1, false); }
 
-void Picture::begin(int width, int height, bool is_dark) {
-  page_ = std::make_unique<Page>(width, height, is_dark ? render::dark_theme() : render::light_theme());
-  width_ = width;
-  height_ = height;
+void Picture::begin(int width, int height, double scale, bool is_dark) {
+  page_ =
+      std::make_unique<Page>(width, height, is_dark ? render::dark_theme() : render::light_theme(), scale);
   is_dark_ = is_dark;
 }
 
-void Picture::resize(int width, int height) {
-  if (width != width_ || height != height_) begin(width, height, is_dark_);
+void Picture::resize(int width, int height, double scale) {
+  const render::Canvas& now = page_->canvas();
+  const bool is_same = width == now.width() && height == now.height() && scale == now.scale();
+  if (!is_same) begin(width, height, scale, is_dark_);
 }
 
 void Picture::choose_theme(const std::string& theme) {
   require_known(theme, {"light", "dark"}, "picture", "theme");
-  if (is_dark_ != (theme == "dark")) begin(width_, height_, theme == "dark");
+  const render::Canvas& now = page_->canvas();
+  if (is_dark_ != (theme == "dark")) begin(now.width(), now.height(), now.scale(), theme == "dark");
 }
 
 /// Wide: the scene above the equation, bars above the curve. Narrow, or too low for four panels: one of

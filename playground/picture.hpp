@@ -25,8 +25,9 @@ class Picture {
   /// @throws render::RenderError where nothing can be drawn on.
   Picture();
 
-  /// [px]. @throws std::invalid_argument unless at least 320 x 180.
-  void resize(int width, int height);
+  /// [px], each of them `scale` pixels of the screen wide. @throws std::invalid_argument unless at least 320
+  /// x 180, or for a scale that Canvas refuses.
+  void resize(int width, int height, double scale);
   /// "light" or "dark". @throws std::invalid_argument for another word.
   void choose_theme(const std::string& theme);
 
@@ -45,7 +46,7 @@ class Picture {
     render::Rect bars = {}, curve = {}, equation = {};
   };
 
-  void begin(int width, int height, bool is_dark);
+  void begin(int width, int height, double scale, bool is_dark);
   Panels panels(const Playground& playground) const;
   void draw_scene(const Playground& playground, int number, const render::Rect& rect);
   void draw_forces(const Playground& playground, int number, const render::Camera& camera);
@@ -55,8 +56,6 @@ class Picture {
   void draw_residuals(const Playground& playground, const render::Rect& rect);
   void draw_equation(const Playground& playground, const render::Rect& rect);
 
-  int width_ = 1280;
-  int height_ = 720;
   bool is_dark_ = false;
   std::unique_ptr<render::Page> page_;
   List<render::Camera> cameras_;

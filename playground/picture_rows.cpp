@@ -40,6 +40,7 @@ std::string operand(double value, int digits) {
 /// As many rows as have room, with that of the student among them.
 void Picture::draw_rows(const Playground& playground, const Rect& rect) {
   const SolveLook& look = playground.look(0);
+  const PerRow<double>& ends = playground.ends();
   const int rows = look.given.row_count();
   bar_count_ = std::clamp(static_cast<int>((rect.height - bars_above) / least_pitch), 1, std::max(1, rows));
   bar_count_ = std::min(bar_count_, rows);
@@ -59,7 +60,7 @@ void Picture::draw_rows(const Playground& playground, const Rect& rect) {
   for (int i = first_bar_; i < first_bar_ + bar_count_; ++i) {
     render::Bar bar{.name = fmt::format("{} {}", i + 1, kind_of(look.given.rows[i])),
                     .before = look.impulse[i] / dt,
-                    .exact = look.end[i] / dt,
+                    .exact = ends[i] / dt,
                     .active = i == playground.lit_row()};
     if (look.last && i == look.last->row) {
       bar.before = look.last->impulse_before / dt;

@@ -19,10 +19,21 @@ namespace cairn::playground {
 namespace {
 
 constexpr int steps_a_checkpoint = 30;
-constexpr double far_end = 5;  // times the largest force: an end further off is not waited for
+constexpr int most_checkpoints = 40;
+constexpr int updates_a_frame = 50000;  // of rows, in search of their ends
+constexpr double far_end = 5;           // times the largest force: an end further off is not waited for
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// To the largest force of a row that is no friction [N], unless it is above `most`.
+void raise(double& largest, const VelocityProblem<double>& problem, const PerRow<double>& impulse,
+           double most) {
+  for (int i = 0; i < impulse.size(); ++i) {
+    const double force = std::abs(impulse[i]) / problem.dt;
+    if (!problem.rows[i].bounds.is_friction() && force <= most) largest = std::max(largest, force);
+  }
 }
 
 }  // namespace
@@ -69,7 +80,8 @@ void Playground::begin(const SceneEntry& entry, const Controls& controls) {
   largest_force_ = 0;
   largest_end_ = 0;
   step_seconds_ = 0;
-  forget_way_back();
+  checkpoints_.clear();
+  forget_solve();
 }
 
 void Playground::set(const std::string& control, const std::string& value) {
@@ -80,7 +92,7 @@ void Playground::set(const std::string& control, const std::string& value) {
     words_ = "From the start, for this cannot change while the scene runs.";
     return;
   }
-  List<std::unique_ptr<Bench>> benches = copies();
+  Benches benches = copies(benches_);
   for (int i = 0; i < benches.size(); ++i) {
     Setting setting = next.setting;
     if (i == 1) setting.solver = *next.other;
@@ -89,7 +101,8 @@ void Playground::set(const std::string& control, const std::string& value) {
   }
   benches_ = std::move(benches);
   controls_ = next;
-  forget_way_back();
+  forget_solve();
+  keep_now();
   words_ = setting_text(controls_.setting);
 }
 
@@ -104,9 +117,9 @@ void Playground::step(int count) {
 }
 
 void Playground::take_step() {
-  if (benches_[0]->steps() % steps_a_checkpoint == 0 || checkpoints_.empty()) {
-    checkpoints_.push_back({copies(), benches_[0]->hand_inputs().size()});
-    if (checkpoints_.size() > most_steps_back / steps_a_checkpoint) checkpoints_.pop_front();
+  if (checkpoints_.empty() ||
+      benches_[0]->steps() - checkpoints_.back().benches[0]->steps() >= steps_a_checkpoint) {
+    keep_now();
   }
   for (int i = 0; i < benches_.size(); ++i) {
     const double begun = seconds_now();
@@ -115,8 +128,7 @@ void Playground::take_step() {
     step_seconds_ = seconds_now() - begun;
     has_diverged_ = report.not_finite.has_value();
   }
-  cursor_.reset();
-  forget_look();
+  forget_solve();
 }
 
 void Playground::advance_rows(int count) {
@@ -161,20 +173,16 @@ void Playground::back() {
   const int target = benches_[0]->steps() - 1;
   if (steps_back() == 0) throw std::invalid_argument("There is no step before this one to go back to.");
   while (checkpoints_.back().benches[0]->steps() > target) checkpoints_.pop_back();
-  const Checkpoint& from = checkpoints_.back();
   const List<HandInput> inputs = benches_[0]->hand_inputs();
-  for (int i = 0; i < benches_.size(); ++i) {
-    benches_[i] = from.benches[i]->copy();
-    int next = from.inputs;
-    while (benches_[i]->steps() < target) {
-      for (; next < inputs.size() && inputs[next].step == benches_[i]->steps(); ++next)
-        benches_[i]->repeat(inputs[next]);
-      benches_[i]->step();
+  return_to(checkpoints_.back());
+  for (const auto& bench : benches_) {
+    int next = bench->hand_inputs().size();
+    while (bench->steps() < target) {
+      for (; next < inputs.size() && inputs[next].step == bench->steps(); ++next) bench->repeat(inputs[next]);
+      bench->step();
     }
-    if (benches_[i]->hand()) benches_[i]->repeat({.kind = HandInput::Kind::let_go});
+    if (bench->hand()) bench->repeat({.kind = HandInput::Kind::let_go});
   }
-  has_diverged_ = false;
-  forget_look();
   words_ = step_words();
 }
 
@@ -182,36 +190,72 @@ int Playground::steps_back() const {
   return checkpoints_.empty() ? 0 : benches_[0]->steps() - checkpoints_.front().benches[0]->steps();
 }
 
-void Playground::forget_way_back() {
-  checkpoints_.clear();
+void Playground::forget_solve() {
   cursor_.reset();
+  ends_.reset();
   forget_look();
 }
 
-List<std::unique_ptr<Bench>> Playground::copies() const {
-  List<std::unique_ptr<Bench>> copies;
-  for (const auto& bench : benches_) copies.push_back(bench->copy());
+Playground::Benches Playground::copies(const Benches& benches) {
+  Benches copies;
+  for (const auto& bench : benches) copies.push_back(bench->copy());
   return copies;
+}
+
+Playground::Moment Playground::now() const {
+  return {copies(benches_), text_, names_, controls_, changes_.size()};
+}
+
+void Playground::return_to(const Moment& moment) {
+  if (moment.text != text_) {
+    entry_ = read_scene_text(moment.text, file_);
+    start_ = entry_.make();
+    lit_row_ = -1;
+    prediction_.reset();
+  }
+  benches_ = copies(moment.benches);
+  text_ = moment.text;
+  names_ = moment.names;
+  controls_ = moment.controls;
+  has_diverged_ = false;
+  forget_solve();
+  while (changes_.size() > moment.changes) changes_.pop_back();
+}
+
+/// The way back begins here, or leads through here: one moment a step, the last of it.
+void Playground::keep_now() {
+  const int step = benches_[0]->steps();
+  const auto step_of = [](const Moment& moment) { return moment.benches[0]->steps(); };
+  if (!checkpoints_.empty() && step_of(checkpoints_.back()) == step) checkpoints_.pop_back();
+  checkpoints_.push_back(now());
+  while (checkpoints_.size() > 1 && step_of(checkpoints_[1]) <= step - most_steps_back)
+    checkpoints_.pop_front();
+  if (checkpoints_.size() > most_checkpoints) checkpoints_.pop_front();
 }
 
 const SolveLook& Playground::look(int number) const {
   if (looks_.empty()) {
     for (const auto& bench : benches_) looks_.push_back(bench->look(cursor_.value_or(-1)));
-    measure_forces(looks_[0]);
+    raise(largest_force_, looks_[0].given, looks_[0].impulse, std::numeric_limits<double>::max());
   }
   return looks_[number];
 }
 
-/// Rows that contradict each other end where they leave no room for anything else: such ends are left out.
-void Playground::measure_forces(const SolveLook& look) const {
-  const auto raise = [&](double& largest, const PerRow<double>& impulse, double most) {
-    for (int i = 0; i < impulse.size(); ++i) {
-      const double force = std::abs(impulse[i]) / look.given.dt;
-      if (!look.given.rows[i].bounds.is_friction() && force <= most) largest = std::max(largest, force);
-    }
-  };
-  raise(largest_force_, look.impulse, std::numeric_limits<double>::max());
-  raise(largest_end_, look.end, far_end * largest_force_);
+const PerRow<double>& Playground::ends() const {
+  const bool is_rough = is_moving_ && !cursor_;
+  if (!ends_ || (are_ends_rough_ && !is_rough)) {
+    const VelocityProblem<double>& given = look(0).given;
+    ends_ = where_sweeps_end(given, is_rough ? updates_a_frame : std::numeric_limits<int>::max());
+    are_ends_rough_ = is_rough;
+    // Rows that contradict each other end where they leave no room for anything else: such ends are left out.
+    raise(largest_end_, given, *ends_, far_end * largest_force_);
+  }
+  return *ends_;
+}
+
+double Playground::largest_force() const {
+  ends();
+  return std::max(largest_force_, 1.25 * largest_end_);
 }
 
 void Playground::predict(int row, double force) {
@@ -226,7 +270,7 @@ void Playground::reveal() {
   if (!prediction_) throw std::invalid_argument("There is no prediction to compare with.");
   prediction_->is_revealed = true;
   const SolveLook& now = look(0);
-  const double end = prediction_->row < now.end.size() ? now.end[prediction_->row] / now.given.dt : 0;
+  const double end = prediction_->row < ends().size() ? ends()[prediction_->row] / now.given.dt : 0;
   words_ = fmt::format("Row {} ends at {} newtons: you are {} off.", prediction_->row + 1,
                        render::readable(end, 2), render::readable(std::abs(end - prediction_->force), 2));
 }

@@ -1,7 +1,6 @@
 // A scene in a student's hand: the text it comes from, one or two worlds that run it, and the way back.
 #pragma once
 
-#include <algorithm>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -36,13 +35,15 @@ class Playground {
   /// As set_control().
   void set(const std::string& control, const std::string& value);
 
+  /// While the picture moves, the ends of rows are sought only as far as a frame has time for.
+  void set_moving(bool is_moving) { is_moving_ = is_moving; }
   /// To the end of the step under way, and so many in all.
   void step(int count);
   /// So many row updates on within the next step's first solve.
   void advance_rows(int count);
   /// To the end of the sweep under way.
   void advance_sweep();
-  /// Before the step under way, or else before the last one.
+  /// Before the step under way, or else before the last one, with the bodies and the settings of then.
   void back();
 
   /// The hand takes hold of the body at a point [m], or as near as `near` [m].
@@ -73,6 +74,8 @@ class Playground {
   const Bench& bench(int number) const { return *benches_[number]; }
   /// The next solve of a world: up to where the student is in the step under way, or all of it.
   const SolveLook& look(int number) const;
+  /// Where the first world's next solve would end [N s], an impulse a row.
+  const PerRow<double>& ends() const;
   const PerBody<std::string>& names() const { return names_; }
   /// Row updates done in the step under way; none where there is no such step.
   std::optional<int> cursor() const { return cursor_; }
@@ -85,32 +88,37 @@ class Playground {
   bool has_diverged() const { return has_diverged_; }
   /// Since the start, the largest lambda of any row, or a quarter more than the largest end [N]: for a scale
   /// that stands still.
-  double largest_force() const { return std::max(largest_force_, 1.25 * largest_end_); }
+  double largest_force() const;
   /// What has changed, in a sentence.
   const std::string& words() const { return words_; }
 
  private:
   using Benches = List<std::unique_ptr<Bench>>;
-  struct Checkpoint {
+  /// All that a way back leads to.
+  struct Moment {
     Benches benches = {};
-    int inputs = 0;  // of the hand, that are in them
+    std::string text = {};
+    PerBody<std::string> names = {};
+    Controls controls = {};
+    int changes = 0;  // that undo() can take back
   };
   struct Change {
-    std::string text = {};
-    Benches benches = {};
-    PerBody<std::string> names = {};
+    Moment before = {};
     std::string words = {};
   };
 
-  Benches copies() const;
+  static Benches copies(const Benches& benches);
+  Moment now() const;
+  void return_to(const Moment& moment);
+  void keep_now();
   void begin(const SceneEntry& entry, const Controls& controls);
   static void give_materials(Scene& scene, const Scene& start, const PerBody<std::string>& names,
                              const PerBody<std::string>& start_names, const Controls& controls);
-  void edit(const std::string& addition, const std::string& words, const std::function<void(Scene&)>& change);
+  void edit(const std::string& addition, const std::string& words, const PerBody<std::string>& names,
+            const std::function<void(Scene&)>& change);
   void take_step();
-  void measure_forces(const SolveLook& look) const;
-  void forget_way_back();
   void forget_look() const { looks_.clear(); }
+  void forget_solve();
   std::string unused_name() const;
   std::string step_words() const;
 
@@ -122,14 +130,17 @@ class Playground {
   Controls recommended_;
   Benches benches_;
   PerBody<std::string> names_;
-  std::deque<Checkpoint> checkpoints_;
+  std::deque<Moment> checkpoints_;
   List<Change> changes_;
   mutable List<SolveLook> looks_;
+  mutable std::optional<PerRow<double>> ends_;
+  mutable bool are_ends_rough_ = false;
   std::optional<int> cursor_;
   int lit_row_ = -1;
   std::optional<Prediction> prediction_;
   double step_seconds_ = 0;
   bool has_diverged_ = false;
+  bool is_moving_ = false;
   mutable double largest_force_ = 0;  // [N]
   mutable double largest_end_ = 0;    // [N]
   std::string words_;

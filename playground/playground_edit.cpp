@@ -63,20 +63,22 @@ void Playground::give_materials(Scene& scene, const Scene& start, const PerBody<
 }
 
 void Playground::edit(const std::string& addition, const std::string& words,
-                      const std::function<void(Scene&)>& change) {
+                      const PerBody<std::string>& names, const std::function<void(Scene&)>& change) {
   const std::string text = text_ + addition;
   const SceneEntry entry = read_scene_text(text, file_);
   const Scene start = entry.make();
-  List<std::unique_ptr<Bench>> benches = copies();
-  for (const auto& bench : benches) bench->edit(change);
-  changes_.push_back({text_, std::move(benches_), names_, words});
-  benches_ = std::move(benches);
+  Moment before = now();
+  for (const auto& bench : before.benches) bench->edit(change);
+  before.benches.swap(benches_);
+  changes_.push_back({std::move(before), words});
   text_ = text;
   entry_ = entry;
   start_ = start;
+  names_ = names;
   lit_row_ = -1;
   prediction_.reset();
-  forget_way_back();
+  forget_solve();
+  keep_now();
   words_ = words;
 }
 
@@ -93,15 +95,16 @@ void Playground::add_box(const Vec2<double>& middle, const Vec2<double>& size) {
                                         point_text(size), point_text(middle));
   const SceneEntry with_box = read_scene_text(text_ + table, file_);
   const BodySpec spec = with_box.make().bodies()[body_named(with_box.body_names, name).value()].spec;
-  edit(table, "A box more: " + name + ".", [&](Scene& scene) { scene.add(spec); });
-  names_.push_back(name);
+  PerBody<std::string> names = names_;
+  names.push_back(name);
+  edit(table, "A box more: " + name + ".", names, [&](Scene& scene) { scene.add(spec); });
 }
 
 void Playground::remove(BodyId body) {
   require(body.index >= 0 && body.index < names_.size(), "remove", "body", "one of the scene", body.index);
   const std::string name = names_[body];
   const std::string table = fmt::format("\n[[event]]\ntime = 0\nremove = \"{}\"\n", name);
-  edit(table, "Taken out: " + name + ".", [&](Scene& scene) { scene.remove(body); });
+  edit(table, "Taken out: " + name + ".", names_, [&](Scene& scene) { scene.remove(body); });
 }
 
 void Playground::pin(BodyId a, BodyId b, const Vec2<double>& point) {
@@ -114,25 +117,16 @@ void Playground::pin(BodyId a, BodyId b, const Vec2<double>& point) {
   std::string table = "\n[[joint]]\ntype = \"revolute\"\n";
   if (a != ground) table += fmt::format("a = \"{}\"\n", names_[a]);
   table += fmt::format("b = \"{}\"\nanchor = {}\n", names_[b], point_text(in_file));
-  edit(table, fmt::format("{} is pinned to {}.", names_[b], a == ground ? "the ground" : names_[a]),
+  edit(table, fmt::format("{} is pinned to {}.", names_[b], a == ground ? "the ground" : names_[a]), names_,
        [&](Scene& scene) { scene.join<RevoluteJoint>({.a = a, .b = b, .anchor = point}); });
 }
 
 void Playground::undo() {
   if (changes_.empty()) throw std::invalid_argument("There is nothing to undo.");
-  Change& last = changes_.back();
-  const SceneEntry entry = read_scene_text(last.text, file_);
-  start_ = entry.make();
-  entry_ = entry;
-  text_ = last.text;
-  benches_ = std::move(last.benches);
-  names_ = last.names;
+  const Change last = std::move(changes_.back());
+  return_to(last.before);
+  while (!checkpoints_.empty() && checkpoints_.back().changes > changes_.size()) checkpoints_.pop_back();
   words_ = "Undone: " + last.words;
-  lit_row_ = -1;
-  prediction_.reset();
-  has_diverged_ = false;
-  changes_.pop_back();
-  forget_way_back();
 }
 
 void Playground::grab(const Vec2<double>& point, double near) {
@@ -146,20 +140,18 @@ void Playground::grab(const Vec2<double>& point, double near) {
                              .target = point,
                              .max_force = hand_pull * now.bodies[body].mass * gravity};
   for (const auto& bench : benches_) bench->repeat({.kind = HandInput::Kind::grab, .grip = grip});
-  cursor_.reset();
-  forget_look();
+  forget_solve();
   words_ = "You hold " + names_[body] + ".";
 }
 
 void Playground::drag(const Vec2<double>& target) {
   for (const auto& bench : benches_) bench->repeat({.kind = HandInput::Kind::drag_to, .target = target});
-  cursor_.reset();
-  forget_look();
+  forget_solve();
 }
 
 void Playground::let_go() {
   for (const auto& bench : benches_) bench->repeat({.kind = HandInput::Kind::let_go});
-  forget_look();
+  forget_solve();
   words_ = "You have let go.";
 }
 

@@ -31,7 +31,7 @@ class Film {
  public:
   Film(const std::string& theme, const std::string& file)
       : film_(file, rows + sweeps + steps + 2 * still, frames_per_second) {
-    picture_.resize(width, height);
+    picture_.resize(width, height, 1);
     picture_.choose_theme(theme);
     playground_.open(scene, "film");
     for (const auto& [name, value] : {std::pair("warm", "off"), std::pair("sweeps", "7")})

@@ -145,8 +145,15 @@ export class Core {
   lightRow = (row) => this.#call("light_row", null, row);
   /** @type {(row: number, newtons: number) => boolean} */
   predict = (row, newtons) => this.#try("predict", row, newtons);
-  /** @type {(width: number, height: number) => boolean} */
-  resize = (width, height) => this.#try("resize", width, height);
+  /** Of the picture [px]. */
+  width = 0;
+  /** @type {(width: number, height: number, scale: number) => boolean} */
+  resize = (width, height, scale) => {
+    this.width = width;
+    return this.#try("resize", width, height, scale);
+  };
+  /** @type {(isMoving: boolean) => void} */
+  move = (isMoving) => this.#call("move", null, Number(isMoving));
   /** @type {(theme: string) => boolean} */
   theme = (theme) => this.#try("theme", theme);
 

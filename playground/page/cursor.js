@@ -102,7 +102,7 @@ class Cursor {
     show(marker, point !== null);
     if (point === null) return;
     const place = core.place(point.x, point.y);
-    const scale = canvas.clientWidth / canvas.width;
+    const scale = canvas.clientWidth / core.width;
     marker.style.transform = `translate(${place.x * scale}px, ${place.y * scale}px)`;
   }
 }

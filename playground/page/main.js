@@ -50,18 +50,20 @@ function setUpSize(app) {
   const resize = () => {
     const width = Math.max(320, Math.round(frame.clientWidth));
     const height = heightFor(width);
-    if (canvas.width === width && canvas.height === height) return;
-    canvas.width = width;
-    canvas.height = height;
-    app.core.resize(width, height);
+    const scale = Math.min(Math.max(window.devicePixelRatio, 1), 3);
+    const pixels = [Math.round(scale * width), Math.round(scale * height)];
+    if (canvas.width === pixels[0] && canvas.height === pixels[1]) return;
+    [canvas.width, canvas.height] = pixels;
+    app.core.resize(width, height, scale);
     app.core.draw();
     app.player.wake();
   };
-  const observer = new ResizeObserver(() => {
+  const resizeSoon = () => {
     clearTimeout(timer);
     timer = setTimeout(resize, pause);
-  });
-  observer.observe(frame);
+  };
+  new ResizeObserver(resizeSoon).observe(frame);
+  window.addEventListener("resize", resizeSoon); // also when the page is zoomed
   resize();
 }
 

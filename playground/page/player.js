@@ -37,6 +37,7 @@ export class Player {
 
   run() {
     this.isRunning = true;
+    this.#core.move(true);
     this.#last = 0;
     this.#owed = 0;
     this.#request();
@@ -44,6 +45,8 @@ export class Player {
 
   pause() {
     this.isRunning = false;
+    this.#core.move(false);
+    this.wake();
   }
 
   /** The picture is no longer what it should be: draws it with the next frame. */

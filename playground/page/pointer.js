@@ -10,11 +10,12 @@ const rubber = find("rubber", HTMLElement);
 
 /**
  * Where an event is on the picture [px].
+ * @param {App} app
  * @param {{clientX: number, clientY: number}} event
  */
-function placeOf(event) {
+function placeOf(app, event) {
   const box = canvas.getBoundingClientRect();
-  const scale = canvas.width / box.width;
+  const scale = app.core.width / box.width;
   return { x: (event.clientX - box.left) * scale, y: (event.clientY - box.top) * scale };
 }
 
@@ -34,7 +35,7 @@ class Pointer {
 
   /** Whether a press there does something, so that a finger there must not scroll the page. */
   wants(/** @type {{clientX: number, clientY: number}} */ event) {
-    const { x, y } = placeOf(event);
+    const { x, y } = placeOf(this.#app, event);
     const under = this.#app.core.at(x, y);
     if (under.kind === "row") return this.#isPredicted(under.number);
     return under.kind === "scene" && (this.#tools.tool === "box" || under.number > 0);
@@ -48,7 +49,7 @@ class Pointer {
 
   down(/** @type {PointerEvent} */ event) {
     if (!event.isPrimary || event.button !== 0) return;
-    const { x, y } = placeOf(event);
+    const { x, y } = placeOf(this.#app, event);
     const { core } = this.#app;
     const under = core.at(x, y);
     this.#from = { x, y };
@@ -85,7 +86,7 @@ class Pointer {
   }
 
   move(/** @type {PointerEvent} */ event) {
-    const { x, y } = placeOf(event);
+    const { x, y } = placeOf(this.#app, event);
     const { core } = this.#app;
     if (this.#drag === "hand") {
       const under = core.at(x, y);
@@ -101,7 +102,7 @@ class Pointer {
   }
 
   up(/** @type {PointerEvent} */ event) {
-    const { x, y } = placeOf(event);
+    const { x, y } = placeOf(this.#app, event);
     const { core } = this.#app;
     if (this.#drag === "hand") this.#tools.letGo();
     if (this.#drag === "box") {
@@ -133,7 +134,7 @@ class Pointer {
 
   /** Draws the box that is pulled out. @param {number} x @param {number} y */
   #stretch(x, y) {
-    const scale = canvas.clientWidth / canvas.width;
+    const scale = canvas.clientWidth / this.#app.core.width;
     rubber.style.left = Math.min(x, this.#from.x) * scale + "px";
     rubber.style.top = Math.min(y, this.#from.y) * scale + "px";
     rubber.style.width = Math.abs(x - this.#from.x) * scale + "px";

@@ -9,6 +9,10 @@
 #include <sstream>
 #include <string>
 
+#include "math/list.hpp"
+
+using cairn::List;
+
 namespace {
 
 const char* const two_boxes = R"(title = "two boxes"
@@ -118,6 +122,35 @@ TEST_CASE("steps are taken back to the last bit, with what a hand did in them") 
   for (int i = 0; i < 40; ++i) REQUIRE(cairn_back() == 1);
   CHECK(cairn_back() == 0);
   CHECK(refusal() == "There is no step before this one to go back to.");
+}
+
+TEST_CASE("the way back leads through changes of settings and bodies, and undoes them") {
+  begin(two_boxes);
+  List<std::string> trail;
+  const auto step = [&](int count) {
+    for (int i = 0; i < count; ++i) {
+      trail.push_back(fingerprint() + cairn_scene_text() + setting("sweeps").at("value").get<std::string>());
+      REQUIRE(cairn_step(1) == 1);
+    }
+  };
+  const std::string text = cairn_scene_text(), sweeps = setting("sweeps").at("value");
+  step(12);
+  REQUIRE(cairn_add_box(0.2, 2.6, 1, 1) == 1);
+  step(40);
+  REQUIRE(cairn_set("sweeps", "3") == 1);
+  step(5);
+  REQUIRE(cairn_remove(3) == 1);
+  step(2);
+  CHECK(number(11) == 59);
+  for (int i = trail.size() - 1; i >= 0; --i) {
+    REQUIRE(cairn_back() == 1);
+    CAPTURE(i);
+    CHECK(fingerprint() + cairn_scene_text() + setting("sweeps").at("value").get<std::string>() == trail[i]);
+  }
+  CHECK(cairn_scene_text() == text);
+  CHECK(setting("sweeps").at("value") == sweeps);
+  // What was taken back so cannot be undone once more.
+  CHECK(cairn_undo() == 0);
 }
 
 TEST_CASE("a hand takes hold of what can move, and of nothing else") {
@@ -240,7 +273,7 @@ TEST_CASE("the picture is drawn at each size, and what is drawn is found again")
   begin(two_boxes);
   REQUIRE(cairn_step(1) == 1);
   for (const auto& [width, height] : {std::pair(1280, 720), std::pair(390, 700), std::pair(640, 360)}) {
-    REQUIRE(cairn_resize(width, height) == 1);
+    REQUIRE(cairn_resize(width, height, 1) == 1);
     REQUIRE(cairn_draw() == 1);
     const double *place = cairn_place(0, 1.5), x = place[0], y = place[1];
     const double* spot = cairn_at(x, y);
@@ -249,7 +282,7 @@ TEST_CASE("the picture is drawn at each size, and what is drawn is found again")
     CHECK(spot[2] == doctest::Approx(0).epsilon(1e-9));
     CHECK(spot[3] == doctest::Approx(1.5));
   }
-  CHECK(cairn_resize(100, 100) == 0);
+  CHECK(cairn_resize(100, 100, 1) == 0);
   CHECK(refusal().find("at least") != std::string::npos);
   CHECK(cairn_theme("dark") == 1);
   CHECK(cairn_theme("drak") == 0);

@@ -1,5 +1,5 @@
 // cairn_web_pictures FOLDER: draws the playground here, for the browser's pictures to be held against. It
-// prints for each: file, width, height, theme, steps, row updates, and the path of the scene.
+// prints for each: file, width, height, scale, theme, steps, row updates, and the path of the scene.
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -18,14 +18,15 @@ struct Case {
   const char* theme = "light";
   int width = 0;
   int height = 0;
+  int scale = 1;
   int steps = 0;
   int rows = 0;
 };
 
-constexpr Case cases[] = {{"stack", "light", 1280, 720, 30, 3},
-                          {"pyramid", "dark", 820, 600, 20, 0},
-                          {"bridge", "light", 390, 700, 30, 5},
-                          {"silo", "dark", 1280, 720, 60, 0}};
+constexpr Case cases[] = {{"stack", "light", 1280, 720, 1, 30, 3},
+                          {"pyramid", "dark", 820, 600, 1, 20, 0},
+                          {"bridge", "light", 390, 700, 2, 30, 5},
+                          {"silo", "dark", 1280, 720, 1, 60, 0}};
 
 void draw(const Case& one, const std::string& folder) {
   const std::string scene = std::string(CAIRN_SOURCE_DIR) + "/lessons/scenes/" + one.scene + ".toml";
@@ -36,13 +37,13 @@ void draw(const Case& one, const std::string& folder) {
   playground.step(one.steps);
   if (one.rows > 0) playground.advance_rows(one.rows);
   Picture picture;
-  picture.resize(one.width, one.height);
+  picture.resize(one.width, one.height, one.scale);
   picture.choose_theme(one.theme);
   picture.draw(playground);
   const std::string file = folder + "/" + one.scene + ".png";
   cairn::render::write_png(file, picture.page().canvas().read());
-  std::printf("%s %d %d %s %d %d %s\n", file.c_str(), one.width, one.height, one.theme, one.steps, one.rows,
-              scene.c_str());
+  std::printf("%s %d %d %d %s %d %d %s\n", file.c_str(), one.width, one.height, one.scale, one.theme,
+              one.steps, one.rows, scene.c_str());
 }
 
 }  // namespace

@@ -14,12 +14,12 @@ const mostPixels = 0.01;
 const difference = 4;
 
 /** What the page does: draws with the core, and counts where it differs from the picture. */
-const compare = async ({ wasm, text, png, width, height, theme, steps, rows, difference }) => {
+const compare = async ({ wasm, text, png, width, height, scale, theme, steps, rows, difference }) => {
   const bytes = Uint8Array.from(atob(wasm), (letter) => letter.charCodeAt(0));
   const canvas = document.createElement("canvas");
   canvas.id = "cairn";
-  canvas.width = width;
-  canvas.height = height;
+  canvas.width = scale * width;
+  canvas.height = scale * height;
   document.body.replaceChildren(canvas);
   // eslint-disable-next-line no-undef
   const core = await makeCairn({ wasmBinary: bytes.buffer });
@@ -28,7 +28,7 @@ const compare = async ({ wasm, text, png, width, height, theme, steps, rows, dif
     done("cairn_open", ["string", "string"], [text, "scene"]),
     done("cairn_step", ["number"], [steps]),
     rows === 0 || done("cairn_row", ["number"], [rows]),
-    done("cairn_resize", ["number", "number"], [width, height]),
+    done("cairn_resize", ["number", "number", "number"], [width, height, scale]),
     done("cairn_theme", ["string"], [theme]),
     done("cairn_draw", [], []),
   ].filter((was) => !was).length;
@@ -38,11 +38,11 @@ const compare = async ({ wasm, text, png, width, height, theme, steps, rows, dif
   await image.decode();
   const pixels = (source) => {
     const copy = document.createElement("canvas");
-    copy.width = width;
-    copy.height = height;
+    copy.width = canvas.width;
+    copy.height = canvas.height;
     const context = copy.getContext("2d");
     context.drawImage(source, 0, 0);
-    return context.getImageData(0, 0, width, height).data;
+    return context.getImageData(0, 0, copy.width, copy.height).data;
   };
   const here = pixels(canvas);
   const there = pixels(image);
@@ -57,7 +57,7 @@ const compare = async ({ wasm, text, png, width, height, theme, steps, rows, dif
     if (most > difference) ++far;
     largest = Math.max(largest, most);
   }
-  return { far: far / (width * height), largest };
+  return { far: far / (canvas.width * canvas.height), largest };
 };
 
 const browser = await chromium.launch({
@@ -68,7 +68,7 @@ const wasm = readFileSync(join(built, "cairn_playground.wasm")).toString("base64
 let passed = 0;
 let failed = 0;
 for (const line of readFileSync(list, "utf8").trim().split("\n")) {
-  const [file, width, height, theme, steps, rows, scene] = line.split(" ");
+  const [file, width, height, scale, theme, steps, rows, scene] = line.split(" ");
   const tab = await browser.newPage();
   await tab.setContent("<!doctype html><title>picture</title>");
   await tab.addScriptTag({ path: join(built, "cairn_playground.js") });
@@ -78,6 +78,7 @@ for (const line of readFileSync(list, "utf8").trim().split("\n")) {
     png: readFileSync(file).toString("base64"),
     width: Number(width),
     height: Number(height),
+    scale: Number(scale),
     theme,
     steps: Number(steps),
     rows: Number(rows),
