@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "math/list.hpp"
 #include "playground/playground.hpp"
@@ -47,6 +48,7 @@ class Picture {
   };
 
   void begin(int width, int height, double scale, bool is_dark);
+  std::string state(const Playground& playground) const;
   Panels panels(const Playground& playground) const;
   void draw_scene(const Playground& playground, int number, const render::Rect& rect);
   void draw_forces(const Playground& playground, int number, const render::Camera& camera);

@@ -76,11 +76,12 @@ void Picture::draw_rows(const Playground& playground, const Rect& rect) {
     chart.bars.push_back(bar);
   }
   // Whether or not a row is predicted, so that a bar stays where it is pulled to: with room to be wrong.
-  const double largest = 1.12 * std::max(playground.largest_force(), 1e-6);
+  const ForceRange forces = playground.forces();
+  const double most = std::max(1.12 * forces.most, 0.25 * forces.largest());
   const bool has_negative = std::any_of(look.given.rows.begin(), look.given.rows.end(),
                                         [](const auto& row) { return !row.bounds.is_unilateral(); });
-  chart.largest = largest;
-  chart.smallest = has_negative ? -largest : 0;
+  chart.largest = std::max(most, 1e-6);
+  chart.smallest = has_negative ? std::min(1.12 * forces.least, -0.25 * chart.largest) : 0;
   bar_places_ = render::draw_bars(*page_, rect, chart);
 }
 

@@ -27,12 +27,12 @@ double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// To the largest force of a row that is no friction [N], unless it is above `most`.
-void raise(double& largest, const VelocityProblem<double>& problem, const PerRow<double>& impulse,
-           double most) {
+/// So that it has the forces of all rows, but those that are larger than `largest` [N].
+void widen(ForceRange& range, const VelocityProblem<double>& problem, const PerRow<double>& impulse,
+           double largest) {
   for (int i = 0; i < impulse.size(); ++i) {
-    const double force = std::abs(impulse[i]) / problem.dt;
-    if (!problem.rows[i].bounds.is_friction() && force <= most) largest = std::max(largest, force);
+    const double force = impulse[i] / problem.dt;
+    if (std::abs(force) <= largest) range = {std::min(range.least, force), std::max(range.most, force)};
   }
 }
 
@@ -77,8 +77,8 @@ void Playground::begin(const SceneEntry& entry, const Controls& controls) {
   prediction_.reset();
   lit_row_ = -1;
   has_diverged_ = false;
-  largest_force_ = 0;
-  largest_end_ = 0;
+  forces_ = {};
+  end_forces_ = {};
   step_seconds_ = 0;
   checkpoints_.clear();
   forget_solve();
@@ -236,7 +236,7 @@ void Playground::keep_now() {
 const SolveLook& Playground::look(int number) const {
   if (looks_.empty()) {
     for (const auto& bench : benches_) looks_.push_back(bench->look(cursor_.value_or(-1)));
-    raise(largest_force_, looks_[0].given, looks_[0].impulse, std::numeric_limits<double>::max());
+    widen(forces_, looks_[0].given, looks_[0].impulse, std::numeric_limits<double>::max());
   }
   return looks_[number];
 }
@@ -248,14 +248,14 @@ const PerRow<double>& Playground::ends() const {
     ends_ = where_sweeps_end(given, is_rough ? updates_a_frame : std::numeric_limits<int>::max());
     are_ends_rough_ = is_rough;
     // Rows that contradict each other end where they leave no room for anything else: such ends are left out.
-    raise(largest_end_, given, *ends_, far_end * largest_force_);
+    widen(end_forces_, given, *ends_, far_end * forces_.largest());
   }
   return *ends_;
 }
 
-double Playground::largest_force() const {
+ForceRange Playground::forces() const {
   ends();
-  return std::max(largest_force_, 1.25 * largest_end_);
+  return {std::min(forces_.least, 1.25 * end_forces_.least), std::max(forces_.most, 1.25 * end_forces_.most)};
 }
 
 void Playground::predict(int row, double force) {

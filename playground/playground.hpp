@@ -1,6 +1,7 @@
 // A scene in a student's hand: the text it comes from, one or two worlds that run it, and the way back.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -18,6 +19,14 @@ struct Prediction {
   int row = 0;
   double force = 0;          // [N] lambda
   bool is_revealed = false;  // where it does end may be seen
+};
+
+/// Of impulses over the step, lambda.
+struct ForceRange {
+  double least = 0;  // [N] not above zero
+  double most = 0;   // [N] not below zero
+
+  double largest() const { return std::max(-least, most); }
 };
 
 /// Every function refuses with std::invalid_argument, or what a World throws, and then has changed nothing.
@@ -86,9 +95,8 @@ class Playground {
   double step_seconds() const { return step_seconds_; }
   /// The first world has no next step: a body would be at no finite place.
   bool has_diverged() const { return has_diverged_; }
-  /// Since the start, the largest lambda of any row, or a quarter more than the largest end [N]: for a scale
-  /// that stands still.
-  double largest_force() const;
+  /// Since the start, of all rows, and a quarter more than that of their ends: for a scale that stands still.
+  ForceRange forces() const;
   /// What has changed, in a sentence.
   const std::string& words() const { return words_; }
 
@@ -141,8 +149,8 @@ class Playground {
   double step_seconds_ = 0;
   bool has_diverged_ = false;
   bool is_moving_ = false;
-  mutable double largest_force_ = 0;  // [N]
-  mutable double largest_end_ = 0;    // [N]
+  mutable ForceRange forces_;      // of impulses
+  mutable ForceRange end_forces_;  // of their ends
   std::string words_;
 };
 
