@@ -27,14 +27,17 @@ constexpr double room_for_time = 560;    // [px] of width
 constexpr double arrow_share = 0.5;
 constexpr double finger = 8;  // [px] by which it may miss
 
-/// What a scene shows at first, wherever its bodies go later.
-Aabb<double> view_of(const Playground& playground, const Snapshot& snapshot) {
+/// What a scene shows at first, wherever its bodies go later: the height that its file asks for, as wide as
+/// its bodies need.
+Aabb<double> view_of(const Playground& playground) {
+  const Aabb<double> bodies = render::bounds_of(FixedList<Snapshot, 1>{playground.first()});
   const std::optional<SceneCamera>& camera = playground.entry().camera;
-  if (!camera) {
-    const FixedList<Snapshot, 1> snapshots = {snapshot};
-    return render::bounds_of(snapshots);
-  }
-  const Vec2<double> half(camera->height * 0.6, camera->height / 2);
+  if (!camera) return bodies;
+  const double middle = camera->center.x();
+  const double reach = std::max(bodies.upper.x() - middle, middle - bodies.lower.x());
+  const double half_width =
+      std::clamp(reach + 0.05 * camera->height, 0.6 * camera->height, 0.9 * camera->height);
+  const Vec2<double> half(half_width, camera->height / 2);
   return {camera->center - half, camera->center + half};
 }
 
@@ -149,7 +152,7 @@ void Picture::draw_scene(const Playground& playground, int number, const Rect& r
   std::string title = is_alone ? "" : solver;
   if (number == 1) title += ", " + gap_text(playground.bench(0).snapshot(), snapshot) + " apart";
   const Rect inside = page_->panel(rect, title);
-  const render::Camera camera = render::fit(inside, view_of(playground, snapshot));
+  const render::Camera camera = render::fit(inside, view_of(playground));
   cameras_.push_back(camera);
   render::WorldLook look{.numbers = false};
   const SolveLook& solve = playground.look(number);
@@ -159,9 +162,11 @@ void Picture::draw_scene(const Playground& playground, int number, const Rect& r
     look.active_b = solve.given.rows[lit].b;
   }
   render::draw_world(*page_, camera, snapshot, look);
+  page_->canvas().push_clip(camera.viewport);
   draw_forces(playground, number, camera);
   if (lit >= 0 && lit < solve.given.row_count() && number == 0) draw_jacobian(playground, camera);
   draw_hand(playground.bench(number), camera);
+  page_->canvas().pop_clip();
   render::draw_unseen(*page_, camera, snapshot, {.names = playground.names()});
 }
 

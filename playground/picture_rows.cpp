@@ -138,8 +138,11 @@ void Picture::draw_equation(const Playground& playground, const Rect& rect) {
       fmt::format("  = ({} − {}{}) / ({} × {})", render::significant(row.bias, 3), operand(jv, 3), soft,
                   render::significant(mass, 3), render::significant(dt, 3));
   equation.result = fmt::format("  = {} N", render::significant(corrective / dt, 4));
-  equation.algorithm = fmt::format("clamped:  λ_{{{}}}: {} → {} N", lit + 1, render::readable(before / dt, 2),
-                                   render::readable(after / dt, 2));
+  const bool is_of_a_block =
+      is_last && std::abs(look.last->corrective - corrective) > 1e-6 * std::abs(corrective);
+  equation.algorithm =
+      fmt::format("{}:  λ_{{{}}}: {} → {} N", is_of_a_block ? "solved in its block" : "clamped", lit + 1,
+                  render::readable(before / dt, 2), render::readable(after / dt, 2));
   equation.color = page_->theme().normal;
   page_->equation(rect, equation);
 }

@@ -72,13 +72,13 @@ void Playground::begin(const SceneEntry& entry, const Controls& controls) {
   start_ = start;
   controls_ = controls;
   benches_ = std::move(benches);
+  first_ = benches_[0]->snapshot();
   names_ = entry.body_names;
   changes_.clear();
   prediction_.reset();
   lit_row_ = -1;
   has_diverged_ = false;
   forces_ = {};
-  end_forces_ = {};
   step_seconds_ = 0;
   checkpoints_.clear();
   forget_solve();
@@ -138,6 +138,7 @@ void Playground::advance_rows(int count) {
     throw std::invalid_argument(controls_.setting.solver +
                                 " has no updates of single rows: take a whole step");
   }
+  forces();  // of the whole solve
   const int next = cursor_.value_or(0) + count;
   if (next > all) return step(1);
   cursor_ = next;
@@ -236,7 +237,6 @@ void Playground::keep_now() {
 const SolveLook& Playground::look(int number) const {
   if (looks_.empty()) {
     for (const auto& bench : benches_) looks_.push_back(bench->look(cursor_.value_or(-1)));
-    widen(forces_, looks_[0].given, looks_[0].impulse, std::numeric_limits<double>::max());
   }
   return looks_[number];
 }
@@ -244,18 +244,24 @@ const SolveLook& Playground::look(int number) const {
 const PerRow<double>& Playground::ends() const {
   const bool is_rough = is_moving_ && !cursor_;
   if (!ends_ || (are_ends_rough_ && !is_rough)) {
-    const VelocityProblem<double>& given = look(0).given;
-    ends_ = where_sweeps_end(given, is_rough ? updates_a_frame : std::numeric_limits<int>::max());
+    ends_ = where_sweeps_end(look(0).given, is_rough ? updates_a_frame : std::numeric_limits<int>::max());
     are_ends_rough_ = is_rough;
-    // Rows that contradict each other end where they leave no room for anything else: such ends are left out.
-    widen(end_forces_, given, *ends_, far_end * forces_.largest());
   }
   return *ends_;
 }
 
 ForceRange Playground::forces() const {
-  ends();
-  return {std::min(forces_.least, 1.25 * end_forces_.least), std::max(forces_.most, 1.25 * end_forces_.most)};
+  const SolveLook& now = look(0);
+  ForceRange needed = cursor_ ? forces_ : ForceRange{}, of_ends;
+  widen(needed, now.given, now.impulse, std::numeric_limits<double>::max());
+  // Rows that contradict each other end where they leave no room for anything else: such ends are left out.
+  widen(of_ends, now.given, ends(), far_end * needed.largest());
+  needed = {std::min(needed.least, 1.25 * of_ends.least), std::max(needed.most, 1.25 * of_ends.most)};
+  const bool is_too_wide = forces_.largest() > 4 * needed.largest();
+  forces_ = is_too_wide
+                ? needed
+                : ForceRange{std::min(forces_.least, needed.least), std::max(forces_.most, needed.most)};
+  return forces_;
 }
 
 void Playground::predict(int row, double force) {

@@ -78,6 +78,8 @@ class Playground {
   const SceneEntry& entry() const { return entry_; }
   const Controls& controls() const { return controls_; }
   const Controls& recommended() const { return recommended_; }
+  /// The first world at its start.
+  const Snapshot& first() const { return first_; }
   /// The worlds, one for each solver.
   int bench_count() const { return benches_.size(); }
   const Bench& bench(int number) const { return *benches_[number]; }
@@ -95,7 +97,8 @@ class Playground {
   double step_seconds() const { return step_seconds_; }
   /// The first world has no next step: a body would be at no finite place.
   bool has_diverged() const { return has_diverged_; }
-  /// Since the start, of all rows, and a quarter more than that of their ends: for a scale that stands still.
+  /// Of all rows, and a quarter more than that of their ends: now, or since the start unless that was more
+  /// than four times as much. For a scale that stands still.
   ForceRange forces() const;
   /// What has changed, in a sentence.
   const std::string& words() const { return words_; }
@@ -137,6 +140,7 @@ class Playground {
   Controls controls_;
   Controls recommended_;
   Benches benches_;
+  Snapshot first_;
   PerBody<std::string> names_;
   std::deque<Moment> checkpoints_;
   List<Change> changes_;
@@ -149,8 +153,7 @@ class Playground {
   double step_seconds_ = 0;
   bool has_diverged_ = false;
   bool is_moving_ = false;
-  mutable ForceRange forces_;      // of impulses
-  mutable ForceRange end_forces_;  // of their ends
+  mutable ForceRange forces_;
   std::string words_;
 };
 

@@ -10,7 +10,6 @@ namespace cairn::render {
 
 namespace {
 
-
 struct PlacedLine {
   Point at = {0, 0};
   std::string text = {};
@@ -91,6 +90,7 @@ class EquationSetter {
     if (equation_.algorithm.empty()) return;
     TextStyle small = page_.secondary();
     small.mono = true;
+    small.size = std::min(small.size, type_.size);
     small = shrunk(page_.canvas(), equation_.algorithm, inner_.width, small);
     const List<std::string> lines = wrapped(page_.canvas(), equation_.algorithm, inner_.width, small);
     const double pitch = std::round(1.35 * small.size);
