@@ -58,22 +58,26 @@ void remember(Impulses& impulses, int count, Real dt, const Row& row) {
 /// Two shapes that may touch, for the boxes around them do.
 template <Scalar Real>
 struct ContactSlot {
-  int collider_a = 0;     // the lower one
-  int collider_b = 0;     // the higher one
-  BodyId a = {};          // whose shape collider_a is
-  BodyId b = {};          // whose shape collider_b is
-  bool sensed = false;    // one is a sensor: they are seen to touch, and no more
-  bool is_found = false;  // there is a manifold, or it is known that they do not touch
-  bool a_moves = false;   // motion is that of a beside b, because a is smaller; else that of b beside a
-  Real friction = 0;      // mu
-  Real restitution = 0;   // e
-  Real slop_limit = 0;    // [m]
+  int collider_a = 0;    // the lower one
+  int collider_b = 0;    // the higher one
+  BodyId a = {};         // whose shape collider_a is
+  BodyId b = {};         // whose shape collider_b is
+  bool sensed = false;   // one is a sensor: they are seen to touch, and no more
+  Real friction = 0;     // mu
+  Real restitution = 0;  // e
+  Real slop_limit = 0;   // [m]
   BlockImpulses<FixedList<RowImpulse<Real>, 4>, Real> impulses = {};  // of its rows
+};
 
-  KeptManifold<Real> manifold = {};                // where manifolds last longer than a substep
-  Vec2<Real> found_position = Vec2<Real>::Zero();  // [m] of what moves, beside the other, when it was found
-  Real found_angle = 0;                            // [rad] likewise
-  Real radius = 0;                                 // [m] of what moves, about its centre of mass
+/// What is known of the two shapes of a slot where manifolds last longer than a substep.
+template <Scalar Real>
+struct LastingManifold {
+  KeptManifold<Real> manifold = {};
+  Vec2<Real> position = Vec2<Real>::Zero();  // [m] of what moves, beside the other, when it was found
+  Real angle = 0;                            // [rad] likewise
+  Real radius = 0;                           // [m] of what moves, about its centre of mass
+  bool a_moves = false;   // motion is that of a beside b, because a is smaller; else that of b beside a
+  bool is_found = false;  // there is a manifold, or it is known that they do not touch
 };
 
 /// A slot whose manifold is not known from its KeptManifold alone: a point of it is not near, or it lies on
@@ -93,6 +97,13 @@ struct NearSlot {
   int slot = none;                  // its number
 };
 
+/// Room for so many elements in a list that lives as long as its world: where it has to grow, for an eighth
+/// more, and not for twice as many as there are.
+template <typename Array>
+void make_room(Array& list, int count) {
+  if (static_cast<int>(list.as_vector().capacity()) < count) list.reserve(count + count / 8);
+}
+
 /// All pairs that are near, in the order of their shapes: an order that depends on who is near whom now, and
 /// not on since when. Some have slots.
 template <Scalar Real>
@@ -100,8 +111,9 @@ class ContactGraph {
  public:
   /// Of no shapes.
   ContactGraph() = default;
-  /// As NearPairs.
-  ContactGraph(BroadphaseKind kind, List<char> movable) : near_(kind, std::move(movable)) {}
+  /// As NearPairs. Slots have lasting manifolds only if asked for.
+  ContactGraph(BroadphaseKind kind, List<char> movable, bool lasts)
+      : near_(kind, std::move(movable)), lasts_(lasts) {}
 
   /// Takes in where the shapes are. Pairs for which may_meet(i, j) is false are left out: it is asked of
   /// every pair that has come near. Whether slots have got other numbers.
@@ -110,6 +122,7 @@ class ContactGraph {
   bool update(Span<const Aabb<Real>> boxes, const MayMeet& may_meet) {
     if (!near_.update(boxes)) return false;
     next_.clear();
+    make_room(next_, near_.pairs().size());
     auto old = order_.begin();
     for (const std::pair<int, int>& pair : near_.pairs()) {
       for (; old != order_.end() && old->shapes < pair; ++old) remove_slot(*old);
@@ -132,22 +145,32 @@ class ContactGraph {
     ++added_;
     if (free_.empty()) {
       near.slot = slots_.size();
+      make_room(slots_, near.slot + 1);
       slots_.push_back(slot);
+      if (lasts_) {
+        make_room(lasting_, near.slot + 1);
+        lasting_.push_back({});
+      }
       free_.reserve(static_cast<int>(slots_.as_vector().capacity()));  // now, not when a pair goes apart
       return;
     }
     near.slot = free_.back();
     free_.pop_back();
     slots_[near.slot] = slot;
+    if (lasts_) lasting_[near.slot] = {};
   }
   /// Of a pair of which nothing is known any more.
   void remove_slot(NearSlot& near) {
     if (near.slot != NearSlot::none) free_.push_back(std::exchange(near.slot, NearSlot::none));
   }
 
-  /// Begins with slots of another graph, in the order of their shapes.
-  void begin_with(List<ContactSlot<Real>> slots) {
+  /// Begins with slots of another graph, in the order of their shapes, and their lasting manifolds, if they
+  /// had any.
+  void begin_with(List<ContactSlot<Real>> slots, List<LastingManifold<Real>> lasting) {
     slots_ = std::move(slots);
+    lasting_ = std::move(lasting);
+    lasts_ = lasts_ || !lasting_.empty();
+    if (lasts_) lasting_.resize(slots_.size());
     order_.clear();
     free_.clear();
     added_ = 0;
@@ -167,6 +190,12 @@ class ContactGraph {
   ContactSlot<Real>& operator[](int slot) { return slots_[slot]; }
   /// The slot of that number.
   const ContactSlot<Real>& operator[](int slot) const { return slots_[slot]; }
+  /// Whether slots have them.
+  bool lasts() const { return lasts_; }
+  /// That of a slot, if slots have them.
+  LastingManifold<Real>& lasting(int slot) { return lasting_[slot]; }
+  /// That of a slot, if slots have them.
+  const LastingManifold<Real>& lasting(int slot) const { return lasting_[slot]; }
 
  private:
   static constexpr int few_added = 256;  // as many fit into the nearest memory in any order
@@ -174,21 +203,27 @@ class ContactGraph {
   /// A step goes through all slots several times: that is fastest where they lie one behind the other.
   void sort_slots() {
     List<ContactSlot<Real>> sorted;
+    List<LastingManifold<Real>> lasting;
     sorted.reserve(slots_.size());
+    lasting.reserve(lasting_.size());
     for (NearSlot& near : order_) {
       if (near.slot == NearSlot::none) continue;
       sorted.push_back(slots_[near.slot]);
+      if (lasts_) lasting.push_back(lasting_[near.slot]);
       near.slot = sorted.size() - 1;
     }
     slots_.swap(sorted);
+    lasting_.swap(lasting);
     free_.clear();
     added_ = 0;
   }
 
   NearPairs<Real> near_;
-  List<ContactSlot<Real>> slots_;  // mostly in the order of their pairs
+  List<ContactSlot<Real>> slots_;        // mostly in the order of their pairs
+  List<LastingManifold<Real>> lasting_;  // of slots_, or none
   List<NearSlot> order_;
   List<int> free_;
+  bool lasts_ = false;   // lasting_ is kept
   int added_ = 0;        // slots, since they were in order
   List<NearSlot> next_;  // scratch
 };

@@ -179,10 +179,11 @@ class World {
   ContactSlot<Real> make_slot(int collider_a, int collider_b) const;
   void meet(NearSlot& near);
   void touch(int slot, const Manifold<Real>& manifold);
-  Manifold<Real> moved_manifold(const ContactSlot<Real>& slot) const;
+  Manifold<Real> moved_manifold(int slot) const;
   Manifold<Real> collide_slot(const ContactSlot<Real>& slot, Real margin) const;
-  Pose<Real> relative_pose(const ContactSlot<Real>& slot) const;
-  bool has_lasting_manifold(const ContactSlot<Real>& slot, Real reach) const;
+  Pose<Real> relative_pose(const ContactSlot<Real>& slot, bool a_moves) const;
+  bool has_lasting_manifold(int slot, Real reach) const;
+  void find_lasting_manifold(int slot, Real margin);
   void apply_forces();
   void write_rows(StabilizationPass pass, VelocityProblem<Real>& problem);
   void relax_rows();

@@ -84,8 +84,8 @@ void World<Real>::put_manifolds() {
   touching_.clear();
   odd_.clear();
   for (const int number : candidates_) {
-    const Manifold<Real> manifold = moved_manifold(graph_[number]);
-    if (!graph_[number].manifold.is_whole(manifold)) {
+    const Manifold<Real> manifold = moved_manifold(number);
+    if (!graph_.lasting(number).manifold.is_whole(manifold)) {
       odd_.push_back({.slot = number, .contact = manifold.count > 0 ? touching_.size() : OddContact::none});
     }
     touch(number, manifold);
@@ -94,10 +94,11 @@ void World<Real>::put_manifolds() {
 
 /// The manifold of a slot where its bodies are now.
 template <Scalar Real>
-Manifold<Real> World<Real>::moved_manifold(const ContactSlot<Real>& slot) const {
+Manifold<Real> World<Real>::moved_manifold(int number) const {
+  const ContactSlot<Real>& slot = graph_[number];
   const Real margin =
       static_cast<Real>(scene_->settings().speculative_margin) + reach_[slot.a] + reach_[slot.b];
-  Manifold<Real> manifold = slot.manifold.at(frames_[slot.a], frames_[slot.b], margin);
+  Manifold<Real> manifold = graph_.lasting(number).manifold.at(frames_[slot.a], frames_[slot.b], margin);
   manifold.collider_a = slot.collider_a;
   manifold.collider_b = slot.collider_b;
   return manifold;
@@ -130,8 +131,6 @@ ContactSlot<Real> World<Real>::make_slot(int collider_a, int collider_b) const {
   slot.friction = static_cast<Real>(friction_root_[a.body] * friction_root_[b.body]);
   slot.restitution = static_cast<Real>(std::max(spec_a.restitution, spec_b.restitution));
   slot.slop_limit = std::min(slop_limit_[a.body], slop_limit_[b.body]);
-  slot.a_moves = a.radius < b.radius;
-  slot.radius = std::min(a.radius, b.radius);
   return slot;
 }
 
@@ -148,8 +147,8 @@ Manifold<Real> World<Real>::collide_slot(const ContactSlot<Real>& slot, Real mar
 
 /// Of the smaller of the two bodies, beside the other.
 template <Scalar Real>
-Pose<Real> World<Real>::relative_pose(const ContactSlot<Real>& slot) const {
-  const BodyId still = slot.a_moves ? slot.b : slot.a, moving = slot.a_moves ? slot.a : slot.b;
+Pose<Real> World<Real>::relative_pose(const ContactSlot<Real>& slot, bool a_moves) const {
+  const BodyId still = a_moves ? slot.b : slot.a, moving = a_moves ? slot.a : slot.b;
   const Vec2<Real> arm = frames_[moving].position - frames_[still].position;
   return {frames_[still].rotation.transposed_times(arm),
           state_.pose[moving].angle - state_.pose[still].angle};
@@ -157,15 +156,32 @@ Pose<Real> World<Real>::relative_pose(const ContactSlot<Real>& slot) const {
 
 /// Whether the manifold of before does for this step, in which the bodies come no farther than `reach` [m].
 template <Scalar Real>
-bool World<Real>::has_lasting_manifold(const ContactSlot<Real>& slot, Real reach) const {
-  if (!plan_->keeps_manifolds || !slot.is_found) return false;
+bool World<Real>::has_lasting_manifold(int number, Real reach) const {
+  const LastingManifold<Real>& found = graph_.lasting(number);
+  if (!plan_->keeps_manifolds || !found.is_found) return false;
   const Real margin = static_cast<Real>(scene_->settings().speculative_margin);
   if (reach > margin / 2) return false;
-  const Pose<Real> now = relative_pose(slot);
-  const Real way = (now.position - slot.found_position).norm();
+  const ContactSlot<Real>& slot = graph_[number];
+  const Pose<Real> now = relative_pose(slot, found.a_moves);
+  const Real way = (now.position - found.position).norm();
   // What was beyond the margin has not come in by more than a quarter of it.
   const Real most = std::min(margin / 4, static_cast<Real>(keep_share) * slot.slop_limit);
-  return way + slot.radius * std::abs(now.angle - slot.found_angle) <= most;
+  return way + found.radius * std::abs(now.angle - found.angle) <= most;
+}
+
+template <Scalar Real>
+void World<Real>::find_lasting_manifold(int number, Real margin) {
+  const ContactSlot<Real>& slot = graph_[number];
+  const Collider &a = (*colliders_)[slot.collider_a], &b = (*colliders_)[slot.collider_b];
+  LastingManifold<Real>& found = graph_.lasting(number);
+  found.manifold =
+      keep(collide_slot(slot, margin), frames_[slot.a], a.core_radius, frames_[slot.b], b.core_radius);
+  found.a_moves = a.radius < b.radius;
+  found.radius = std::min(a.radius, b.radius);
+  const Pose<Real> now = relative_pose(slot, found.a_moves);
+  found.position = now.position;
+  found.angle = now.angle;
+  found.is_found = true;
 }
 
 /// Takes a manifold into the step, if it has any point.
@@ -176,6 +192,7 @@ void World<Real>::touch(int number, const Manifold<Real>& manifold) {
     slot.impulses.count = 0;
     return;
   }
+  make_room(record_.manifolds, record_.manifolds.size() + 1);
   record_.manifolds.push_back(manifold);
   touching_.push_back(number);
 }
@@ -199,17 +216,12 @@ void World<Real>::meet(NearSlot& near) {
     touch(number, collide_slot(slot, margin + reach));
     return;
   }
-  if (!has_lasting_manifold(slot, reach)) {
-    const Manifold<Real> manifold = collide_slot(slot, margin + reach);
-    slot.manifold = keep(manifold, frames_[slot.a], (*colliders_)[slot.collider_a].core_radius,
-                         frames_[slot.b], (*colliders_)[slot.collider_b].core_radius);
-    const Pose<Real> now = relative_pose(slot);
-    slot.found_position = now.position;
-    slot.found_angle = now.angle;
-    slot.is_found = true;
-    found_anew_ = found_anew_ || slot.manifold.count > 0;
+  const LastingManifold<Real>& lasting = graph_.lasting(number);
+  if (!has_lasting_manifold(number, reach)) {
+    find_lasting_manifold(number, margin + reach);
+    found_anew_ = found_anew_ || lasting.manifold.count > 0;
   }
-  if (slot.manifold.count > 0) {
+  if (lasting.manifold.count > 0) {
     candidates_.push_back(number);
   } else {
     slot.impulses.count = 0;

@@ -86,7 +86,7 @@ bool World<Real>::follow_last_step(ContactSolver<Real>* solver) {
   const bool is_other = found_anew_ || candidates_ != candidates_before_;
   if (!plan_->keeps_manifolds || sleep_ || is_other || record_.problem.dt != substep_length()) return false;
   for (int i = 0; i < contacts_.size(); ++i) {
-    if (contacts_[i].kept != nullptr) contacts_[i].kept = &graph_[touching_[i]].manifold;
+    if (contacts_[i].kept != nullptr) contacts_[i].kept = &graph_.lasting(touching_[i]).manifold;
   }
   return follow_contacts(solver);
 }
@@ -97,7 +97,7 @@ bool World<Real>::follow_odd_manifolds() {
   for (const OddContact& odd : odd_) {
     const ContactSlot<Real>& slot = graph_[odd.slot];
     for (const BodyId body : {slot.a, slot.b}) reach_[body] = reach(body);
-    const Manifold<Real> manifold = moved_manifold(slot);
+    const Manifold<Real> manifold = moved_manifold(odd.slot);
     if (odd.contact == OddContact::none) {
       if (manifold.count > 0) return false;
       continue;
@@ -175,7 +175,8 @@ void World<Real>::take_contacts() {
     contact.b = slot.b;
     contact.friction = slot.friction;
     contact.slop_limit = slot.slop_limit;
-    contact.kept = slot.manifold.is_whole(record_.manifolds[i]) ? &slot.manifold : nullptr;
+    const KeptManifold<Real>* kept = graph_.lasts() ? &graph_.lasting(touching_[i]).manifold : nullptr;
+    contact.kept = kept && kept->is_whole(record_.manifolds[i]) ? kept : nullptr;
     contact.deepest = too_deep(slot);
     const bool still = state_.inverse_mass[slot.a].isZero(0) && state_.inverse_mass[slot.b].isZero(0);
     contact.count = still ? 0 : record_.manifolds[i].count * (slot.friction > 0 ? 2 : 1);
@@ -197,10 +198,10 @@ template <Scalar Real>
 void World<Real>::catch_up_with_manifolds() {
   for (int i = 0; i < touching_.size(); ++i) {
     const ContactSlot<Real>& slot = graph_[touching_[i]];
+    const KeptManifold<Real>& kept = graph_.lasting(touching_[i]).manifold;
     Manifold<Real>& manifold = record_.manifolds[i];
-    if (!slot.manifold.is_whole(manifold)) continue;
-    manifold =
-        slot.manifold.at(state_.pose[slot.a], state_.pose[slot.b], std::numeric_limits<Real>::infinity());
+    if (!kept.is_whole(manifold)) continue;
+    manifold = kept.at(state_.pose[slot.a], state_.pose[slot.b], std::numeric_limits<Real>::infinity());
     manifold.collider_a = slot.collider_a;
     manifold.collider_b = slot.collider_b;
   }

@@ -108,6 +108,7 @@ template <Scalar Real>
 void World<Real>::carry_contacts(const World& before) {
   const List<int> numbers = numbers_now(*before.scene_, *scene_);
   List<ContactSlot<Real>> slots;
+  List<LastingManifold<Real>> lasting;
   for (const NearSlot& near : before.graph_.order()) {
     if (near.slot == NearSlot::none) continue;
     const ContactSlot<Real>& old = before.graph_[near.slot];
@@ -115,15 +116,14 @@ void World<Real>::carry_contacts(const World& before) {
     if (a < 0 || b < 0 || !may_meet(a, b)) continue;
     ContactSlot<Real> slot = make_slot(a, b);
     slot.impulses = old.impulses;
-    slot.manifold = old.manifold;
-    slot.is_found = old.is_found &&
-                    has_same_surroundings((*before.colliders_)[old.collider_a], (*colliders_)[a]) &&
-                    has_same_surroundings((*before.colliders_)[old.collider_b], (*colliders_)[b]);
-    slot.found_position = old.found_position;
-    slot.found_angle = old.found_angle;
     slots.push_back(slot);
+    if (!before.graph_.lasts()) continue;
+    lasting.push_back(before.graph_.lasting(near.slot));
+    lasting.back().is_found = lasting.back().is_found &&
+                              has_same_surroundings((*before.colliders_)[old.collider_a], (*colliders_)[a]) &&
+                              has_same_surroundings((*before.colliders_)[old.collider_b], (*colliders_)[b]);
   }
-  graph_.begin_with(std::move(slots));
+  graph_.begin_with(std::move(slots), std::move(lasting));
 }
 
 /// Everything sleeps on but for what has changed, and what touched it or was held by it.

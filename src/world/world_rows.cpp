@@ -48,6 +48,9 @@ void World<Real>::write_rows(StabilizationPass pass, VelocityProblem<Real>& prob
   write_joint_rows(pass, problem, next);
   record_.first_contact_block = problem.blocks.size();
   const ContactStabilization<Real> stabilization(scene_->settings().stabilization, pass, problem.dt);
+  int most = next;
+  for (const Manifold<Real>& manifold : record_.manifolds) most += 2 * manifold.count;
+  make_room(problem.rows, most);
   for (int i = 0; i < touching_.size(); ++i) {
     const ContactSlot<Real>& slot = graph_[touching_[i]];
     const int first = next;

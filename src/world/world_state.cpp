@@ -139,7 +139,7 @@ World<Real>::World(Scene scene)
   reach_.resize(state_.pose.size());
   boxes_.resize(colliders.size());
   joint_impulses_.resize(scene_->joints().size() + 1);
-  graph_ = ContactGraph<Real>(plan_->broadphase, movable_);
+  graph_ = ContactGraph<Real>(plan_->broadphase, movable_, plan_->moves_manifolds);
   colliders_ = std::make_shared<const List<Collider>>(std::move(colliders));
 }
 
