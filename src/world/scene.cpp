@@ -80,26 +80,38 @@ void check_body(const BodySpec& spec, const char* place) {
 /// Mass and inertia of a dynamic body from its shapes, unless they are given.
 void set_mass(SceneBody& body, const char* place) {
   const BodySpec& spec = body.spec;
-  const MassProperties& shapes = body.at_unit_density;
   if (spec.type != BodyType::dynamic) return;
-  require(shapes.area > 0 || spec.mass.has_value(), place, "shapes",
-          "of some area for a dynamic body without a mass of its own", shapes.area);
-  body.mass = spec.mass.value_or(spec.density * shapes.area);
+  require(body.area > 0 || spec.mass.has_value(), place, "shapes",
+          "of some area for a dynamic body without a mass of its own", body.area);
+  body.mass = spec.mass.value_or(spec.density * body.area);
   require_weight(body.mass, place, "mass", "kg");
-  require(shapes.inertia > 0 || spec.inertia.has_value() || spec.fixed_rotation, place, "inertia",
-          "given for a dynamic body whose shapes have no area, unless its rotation is fixed", shapes.inertia);
+  require(body.area_inertia > 0 || spec.inertia.has_value() || spec.fixed_rotation, place, "inertia",
+          "given for a dynamic body whose shapes have no area, unless its rotation is fixed",
+          body.area_inertia);
   if (spec.fixed_rotation) return;
-  body.inertia = spec.inertia ? *spec.inertia : body.mass * shapes.inertia / shapes.area;
+  body.inertia = spec.inertia ? *spec.inertia : body.mass * body.area_inertia / body.area;
   require_weight(body.inertia, place, "inertia", "kg m^2");
 }
 
 /// Moves the frame of a body to its centre of mass; in the world, its shapes stay where they are.
-void center(SceneBody& body) {
-  if (!(body.at_unit_density.area > 0)) return;
-  const Vec2<double> centroid = body.at_unit_density.centroid;
+void center(SceneBody& body, const Vec2<double>& centroid) {
+  if (!(body.area > 0)) return;
   body.pose.position = body.pose.world(centroid);
-  for (Shape<double>& shape : body.spec.shapes) shape = moved(shape, -centroid);
-  body.at_unit_density.centroid = {0, 0};
+  List<Shape<double>> shapes;
+  for (const Shape<double>& shape : body.spec.shapes) shapes.push_back(moved(shape, -centroid));
+  body.spec.shapes = std::move(shapes);
+}
+
+/// A body with the shapes of one of the last few shares them.
+void share_shapes(SceneBody& body, const PerBody<SceneBody>& bodies) {
+  const int few = 16;
+  for (int i = bodies.size() - 1; i > 0 && i >= bodies.size() - few; --i) {
+    const SharedList<Shape<double>>& shapes = bodies[{i}].spec.shapes;
+    if (shapes == body.spec.shapes) {
+      body.spec.shapes = shapes;
+      return;
+    }
+  }
 }
 
 /// Whether shapes with these properties need no new mass and no new centre.
@@ -148,11 +160,14 @@ void Scene::set_settings(const SceneSettings& settings) {
 BodyId Scene::add(const BodySpec& spec) {
   const char* const who = "Scene::add";
   check_body(spec, who);
+  const MassProperties shapes = mass_properties(spec.shapes);
   SceneBody body{.spec = spec,
                  .pose = {.position = spec.position, .angle = spec.angle},
-                 .at_unit_density = mass_properties(spec.shapes)};
+                 .area = shapes.area,
+                 .area_inertia = shapes.inertia};
   set_mass(body, who);
-  center(body);
+  center(body, shapes.centroid);
+  share_shapes(body, bodies_);
   bodies_.push_back(body);
   return {bodies_.size() - 1};
 }
@@ -169,16 +184,19 @@ void Scene::change(BodyId body, const BodySpec& spec) {
           "that of the body, " + shortest(before.spec.angle) + " rad (place and displace turn it)",
           spec.angle);
   if (spec.type != BodyType::dynamic) require_other_movers(body, spec.type);
-  SceneBody now{.spec = spec, .pose = before.pose, .at_unit_density = before.at_unit_density};
+  SceneBody now{.spec = spec, .pose = before.pose, .area = before.area, .area_inertia = before.area_inertia};
   const MassProperties given = mass_properties(spec.shapes);
   const bool is_reweighed = !weigh_the_same(given, mass_properties(before.spec.shapes));
-  if (is_reweighed) now.at_unit_density = given;
+  if (is_reweighed) {
+    now.area = given.area;
+    now.area_inertia = given.inertia;
+  }
   set_mass(now, who);
   if (is_reweighed) {
     const double rounding = 1e-9 * std::sqrt(given.area);  // [m]
     require(given.centroid.norm() <= rounding || !has_joints(body), who, "shapes",
             "around the body's centre of mass, (0, 0) m, while it has joints", text(given.centroid));
-    center(now);
+    center(now, given.centroid);
   }
   bodies_[body] = now;
 }

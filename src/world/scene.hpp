@@ -13,6 +13,7 @@
 #include "geometry/mass.hpp"
 #include "geometry/shape.hpp"
 #include "math/list.hpp"
+#include "math/shared_list.hpp"
 #include "world/scene_event.hpp"
 
 namespace cairn {
@@ -63,21 +64,21 @@ struct SceneSettings {
 /// One body. Its mass is `mass`, or else density times area; its inertia follows from the shapes.
 /// Where two bodies touch, friction is sqrt(mu_a mu_b) and restitution max(e_a, e_b), as in Box2D.
 struct BodySpec {
-  BodyType type = BodyType::dynamic;   // static, kinematic or dynamic
-  List<Shape<double>> shapes = {};     // in the frame of `position` and `angle`; may be none
-  Vec2<double> position = {0, 0};      // [m] of the frame that the shapes are given in
-  double angle = 0;                    // [rad]
-  Vec2<double> velocity = {0, 0};      // [m/s] of the centre of mass
-  double angular_velocity = 0;         // [rad/s]
-  std::optional<double> mass = {};     // [kg]
-  std::optional<double> inertia = {};  // [kg m^2] about the centre of mass
-  double density = 1;                  // [kg/m^2]
-  double friction = 0.6;               // mu
-  double restitution = 0;              // e, in [0, 1]
-  double linear_damping = 0;           // [1/s]
-  double angular_damping = 0;          // [1/s]
-  double gravity_scale = 1;            // how many times the gravity of the scene it feels
-  bool fixed_rotation = false;         // never turns: 1/I is 0
+  BodyType type = BodyType::dynamic;      // static, kinematic or dynamic
+  SharedList<Shape<double>> shapes = {};  // in the frame of `position` and `angle`; may be none
+  Vec2<double> position = {0, 0};         // [m] of the frame that the shapes are given in
+  double angle = 0;                       // [rad]
+  Vec2<double> velocity = {0, 0};         // [m/s] of the centre of mass
+  double angular_velocity = 0;            // [rad/s]
+  std::optional<double> mass = {};        // [kg]
+  std::optional<double> inertia = {};     // [kg m^2] about the centre of mass
+  double density = 1;                     // [kg/m^2]
+  double friction = 0.6;                  // mu
+  double restitution = 0;                 // e, in [0, 1]
+  double linear_damping = 0;              // [1/s]
+  double angular_damping = 0;             // [1/s]
+  double gravity_scale = 1;               // how many times the gravity of the scene it feels
+  bool fixed_rotation = false;            // never turns: 1/I is 0
   bool sensor = false;  // is seen to touch (StepRecord::sensed), and neither pushes nor is pushed
   /// Never passes through what it could reach within a step: it gets contact rows with the room in between.
   /// May be stopped by what it would have passed at the side, and then rebounds before it arrives. So does
@@ -100,12 +101,13 @@ struct GroundSpec {
 
 /// A body as the scene keeps it: its frame is at the centre of mass, and its shapes are moved accordingly.
 struct SceneBody {
-  BodySpec spec = {};                   // with its shapes in the frame of `pose`
-  Pose<double> pose = {};               // [m, rad] of the centre of mass
-  double mass = 0;                      // [kg]; 0 unless dynamic
-  double inertia = 0;                   // [kg m^2]; 0 unless it can turn
-  MassProperties at_unit_density = {};  // of its shapes, about the centre of mass
-  bool removed = false;  // an empty place: static, without shapes, and nothing can be fastened to it
+  BodySpec spec = {};       // with its shapes in the frame of `pose`
+  Pose<double> pose = {};   // [m, rad] of the centre of mass
+  double mass = 0;          // [kg]; 0 unless dynamic
+  double inertia = 0;       // [kg m^2]; 0 unless it can turn
+  double area = 0;          // [m^2] of its shapes: their mass at density 1
+  double area_inertia = 0;  // [m^4] likewise, about the centre of mass
+  bool removed = false;     // an empty place: static, without shapes, and nothing can be fastened to it
 };
 
 /// Whether the bodies of a joint may touch each other.

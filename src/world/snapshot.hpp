@@ -8,6 +8,7 @@
 #include "dynamics/body.hpp"
 #include "geometry/shape.hpp"
 #include "math/list.hpp"
+#include "math/shared_list.hpp"
 
 namespace cairn {
 
@@ -24,7 +25,7 @@ struct SnapshotBody {
   bool sensor = false;                    // is seen to touch, and neither pushes nor is pushed
   std::uint32_t category = 1;             // bits: what it is
   std::uint32_t collides_with = ~0u;      // bits: of which categories both must accept the other's
-  List<Shape<double>> shapes = {};        // in the frame of `pose`
+  SharedList<Shape<double>> shapes = {};  // in the frame of `pose`
 };
 
 /// One contact point.
