@@ -6,20 +6,21 @@ namespace cairn {
 
 template <Scalar Real>
 void apply_gravity(PerBody<Vec3<Real>>& velocity, const PerBody<Vec3<Real>>& inverse_mass,
-                   const PerBody<BodyForces<Real>>& forces, const Vec2<Real>& gravity, Real dt) {
+                   const PerBody<int>& kind, const List<BodyForces<Real>>& forces, const Vec2<Real>& gravity,
+                   Real dt) {
   for (const BodyId body : velocity.indices()) {
     if (inverse_mass[body].x() > 0)
-      velocity[body].template head<2>() += dt * forces[body].gravity_scale * gravity;
+      velocity[body].template head<2>() += dt * forces[kind[body]].gravity_scale * gravity;
   }
 }
 
 template <Scalar Real>
 void apply_damping(PerBody<Vec3<Real>>& velocity, const PerBody<Vec3<Real>>& inverse_mass,
-                   const PerBody<BodyForces<Real>>& forces, Real dt) {
+                   const PerBody<int>& kind, const List<BodyForces<Real>>& forces, Real dt) {
   for (const BodyId body : velocity.indices()) {
     if (!(inverse_mass[body].x() > 0)) continue;
-    velocity[body].template head<2>() /= 1 + dt * forces[body].linear_damping;
-    velocity[body].z() /= 1 + dt * forces[body].angular_damping;
+    velocity[body].template head<2>() /= 1 + dt * forces[kind[body]].linear_damping;
+    velocity[body].z() /= 1 + dt * forces[kind[body]].angular_damping;
   }
 }
 
@@ -31,20 +32,21 @@ void integrate_positions(BodyState<Real>& state, Real dt) {
   }
 }
 
-template void apply_gravity(PerBody<Vec3<float>>&, const PerBody<Vec3<float>>&,
-                            const PerBody<BodyForces<float>>&, const Vec2<float>&, float);
-template void apply_damping(PerBody<Vec3<float>>&, const PerBody<Vec3<float>>&,
-                            const PerBody<BodyForces<float>>&, float);
+template void apply_gravity(PerBody<Vec3<float>>&, const PerBody<Vec3<float>>&, const PerBody<int>&,
+                            const List<BodyForces<float>>&, const Vec2<float>&, float);
+template void apply_damping(PerBody<Vec3<float>>&, const PerBody<Vec3<float>>&, const PerBody<int>&,
+                            const List<BodyForces<float>>&, float);
 template void integrate_positions(BodyState<float>&, float);
-template void apply_gravity(PerBody<Vec3<double>>&, const PerBody<Vec3<double>>&,
-                            const PerBody<BodyForces<double>>&, const Vec2<double>&, double);
-template void apply_damping(PerBody<Vec3<double>>&, const PerBody<Vec3<double>>&,
-                            const PerBody<BodyForces<double>>&, double);
+template void apply_gravity(PerBody<Vec3<double>>&, const PerBody<Vec3<double>>&, const PerBody<int>&,
+                            const List<BodyForces<double>>&, const Vec2<double>&, double);
+template void apply_damping(PerBody<Vec3<double>>&, const PerBody<Vec3<double>>&, const PerBody<int>&,
+                            const List<BodyForces<double>>&, double);
 template void integrate_positions(BodyState<double>&, double);
 template void apply_gravity(PerBody<Vec3<long double>>&, const PerBody<Vec3<long double>>&,
-                            const PerBody<BodyForces<long double>>&, const Vec2<long double>&, long double);
+                            const PerBody<int>&, const List<BodyForces<long double>>&,
+                            const Vec2<long double>&, long double);
 template void apply_damping(PerBody<Vec3<long double>>&, const PerBody<Vec3<long double>>&,
-                            const PerBody<BodyForces<long double>>&, long double);
+                            const PerBody<int>&, const List<BodyForces<long double>>&, long double);
 template void integrate_positions(BodyState<long double>&, long double);
 
 }  // namespace cairn

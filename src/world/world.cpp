@@ -118,9 +118,9 @@ void World<Real>::apply_forces() {
   record_.problem.velocity = state_.velocity;
   if (plan_->gravity) {
     const Vec2<Real> gravity = scene_->settings().gravity.template cast<Real>();
-    apply_gravity(record_.problem.velocity, state_.inverse_mass, forces_, gravity, dt);
+    apply_gravity(record_.problem.velocity, state_.inverse_mass, kind_, forces_, gravity, dt);
   }
-  if (plan_->damping) apply_damping(record_.problem.velocity, state_.inverse_mass, forces_, dt);
+  if (plan_->damping) apply_damping(record_.problem.velocity, state_.inverse_mass, kind_, forces_, dt);
   if (sleep_) sleep_->hold(record_.problem.velocity);
 }
 

@@ -13,6 +13,7 @@
 #include "constraints/contact_problem.hpp"
 #include "solvers/impulse_energy.hpp"
 #include "solvers/solver.hpp"
+#include "world/body_traits.hpp"
 #include "world/collider.hpp"
 #include "world/contact_graph.hpp"
 #include "world/plan.hpp"
@@ -226,17 +227,15 @@ class World {
   void remember_impulses();
   std::optional<BodyId> first_not_finite() const;
   ContactMaterial<Real> material(const ContactSlot<Real>& slot) const;
+  const BodyTraits<Real>& traits(BodyId body) const { return traits_[kind_[body]]; }
+  int kind_of(const BodyForces<Real>& forces, const BodyTraits<Real>& traits);
 
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Plan> plan_;
   std::shared_ptr<const List<Collider>> colliders_;
-  PerBody<BodyForces<Real>> forces_;
-  PerBody<Real> slop_limit_;       // [m] a share of the smallest shape
-  PerBody<Real> failed_error_;     // [m] likewise: deeper in another, it is on its way through
-  PerBody<double> friction_root_;  // sqrt(mu): a pair's mu is the product of two
-  PerBody<Real> length_;           // [m] as far as it may go within a step, or else is fast; below 0: is fast
-  PerBody<Real> gravity_;          // [m/s^2] that it feels
-  PerBody<Real> radius_;           // [m] of a circle around all shapes, about the centre of mass
+  PerBody<int> kind_;  // of a body: its place in the next two
+  List<BodyForces<Real>> forces_;
+  List<BodyTraits<Real>> traits_;
   BodyState<Real> state_;
   ContactGraph<Real> graph_;
   List<JointImpulses> joint_impulses_;  // the last ones are those of the hand

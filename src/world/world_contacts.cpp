@@ -62,7 +62,7 @@ template <Scalar Real>
 void World<Real>::look_ahead() {
   const Real dt = static_cast<Real>(dt_);
   for (const BodyId body : reach_.indices()) {
-    const Real turning = std::abs(state_.velocity[body].z()) * radius_[body];
+    const Real turning = std::abs(state_.velocity[body].z()) * traits(body).radius;
     reach_[body] = std::max(reach_[body], way(body, dt) + dt * turning);
   }
 }
@@ -128,9 +128,9 @@ ContactSlot<Real> World<Real>::make_slot(int collider_a, int collider_b) const {
   const BodySpec &spec_a = scene_->bodies()[a.body].spec, &spec_b = scene_->bodies()[b.body].spec;
   ContactSlot<Real> slot{.collider_a = collider_a, .collider_b = collider_b, .a = a.body, .b = b.body};
   slot.sensed = spec_a.sensor || spec_b.sensor;
-  slot.friction = static_cast<Real>(friction_root_[a.body] * friction_root_[b.body]);
+  slot.friction = static_cast<Real>(traits(a.body).friction_root * traits(b.body).friction_root);
   slot.restitution = static_cast<Real>(std::max(spec_a.restitution, spec_b.restitution));
-  slot.slop_limit = std::min(slop_limit_[a.body], slop_limit_[b.body]);
+  slot.slop_limit = std::min(traits(a.body).slop_limit, traits(b.body).slop_limit);
   return slot;
 }
 
@@ -231,7 +231,7 @@ void World<Real>::meet(NearSlot& near) {
 /// [m] How far a body can come within `time` [s].
 template <Scalar Real>
 Real World<Real>::way(BodyId body, Real time) const {
-  return time * (state_.velocity[body].template head<2>().norm() + time * gravity_[body]);
+  return time * (state_.velocity[body].template head<2>().norm() + time * traits(body).gravity);
 }
 
 /// [m] How far a fast body can come within a substep; 0 for every other body, unless it comes farther than
@@ -239,7 +239,7 @@ Real World<Real>::way(BodyId body, Real time) const {
 template <Scalar Real>
 Real World<Real>::reach(BodyId body) const {
   const Real far = way(body, substep_length());
-  return far > length_[body] ? far : Real(0);
+  return far > traits(body).length ? far : Real(0);
 }
 
 template class World<float>;

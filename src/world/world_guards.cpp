@@ -21,8 +21,8 @@ bool holds_points(const Vec3<Real>& jacobian_a, const Vec3<Real>& jacobian_b) {
 /// A joint that has come apart by more than a quarter of the smaller of its bodies has failed, unless it is a
 /// spring: what is further is taken back no faster, for Baumgarte would give the bodies beta C / dt of an
 /// error C without end.
-template <Scalar Real>
-void limit_joint_bias(int joints, Real rate, const PerBody<Real>& failed_error,
+template <Scalar Real, typename FailedError>
+void limit_joint_bias(int joints, Real rate, const FailedError& failed_error,
                       VelocityProblem<Real>& problem) {
   if (!(rate > 0)) return;
   for (int i = 0; i < joints; ++i) {
@@ -31,7 +31,7 @@ void limit_joint_bias(int joints, Real rate, const PerBody<Real>& failed_error,
       ConstraintRow<Real>& row = problem.rows[k];
       const bool is_rigid = row.bounds.is_equality() && !(row.softness > 0);
       if (!is_rigid || !holds_points(row.jacobian_a, row.jacobian_b)) continue;
-      const Real most = rate * std::min(failed_error[row.a], failed_error[row.b]);
+      const Real most = rate * std::min(failed_error(row.a), failed_error(row.b));
       row.bias = std::clamp(row.bias, -most, most);
     }
   }
@@ -47,8 +47,9 @@ void World<Real>::guard_warm_start(StepReport& report) {
   limit_impulses(record_.problem);
   if (stabilization.policy == StabilizationPolicy::baumgarte ||
       stabilization.policy == StabilizationPolicy::relaxed)
-    limit_joint_bias(scene_->joints().size(), static_cast<Real>(stabilization.baumgarte) / substep_length(),
-                     failed_error_, record_.problem);
+    limit_joint_bias(
+        scene_->joints().size(), static_cast<Real>(stabilization.baumgarte) / substep_length(),
+        [this](BodyId body) { return traits(body).failed_error; }, record_.problem);
   const Real share = limit_warm_start(record_.problem, energy_);
   report.warm_share = std::min(report.warm_share, static_cast<double>(share));
 }
@@ -69,7 +70,7 @@ void World<Real>::keep_apart(StepReport& report) {
   int block = record_.first_contact_block;
   const auto limits_of = [&](const Manifold<Real>& manifold, const auto& visit) {
     const BodyId a = (*colliders_)[manifold.collider_a].body, b = (*colliders_)[manifold.collider_b].body;
-    const Real depth = std::min(failed_error_[a], failed_error_[b]);
+    const Real depth = std::min(traits(a).failed_error, traits(b).failed_error);
     int row = problem.blocks[block++].first;
     for (int i = 0; i < manifold.count; ++i, ++row) {
       while (!problem.rows[row].bounds.is_unilateral()) ++row;
@@ -100,7 +101,7 @@ bool World<Real>::is_apart(const RowSpecs<Real>& specs) const {
     if (!is_rigid || !holds_points(spec.jacobian_a, spec.jacobian_b)) continue;
     squared += spec.error * spec.error;
     for (const BodyId body : {spec.a, spec.b})
-      if (radius_[body] > 0) most = std::min(most, radius_[body]);
+      if (traits(body).radius > 0) most = std::min(most, traits(body).radius);
   }
   return squared > most * most;
 }
@@ -120,7 +121,7 @@ void World<Real>::count_failures(StepReport& report) const {
 /// [m] Overlap of two shapes by half of the thinner body.
 template <Scalar Real>
 Real World<Real>::too_deep(const ContactSlot<Real>& slot) const {
-  return 2 * std::min(failed_error_[slot.a], failed_error_[slot.b]);  // each is a quarter
+  return 2 * std::min(traits(slot.a).failed_error, traits(slot.b).failed_error);  // each is a quarter
 }
 
 template <Scalar Real>

@@ -163,7 +163,7 @@ void World<Real>::follow_arcs(const Constraint& joint) {
       const Real speed_squared = std::max(state_.velocity[spec.a].template head<2>().squaredNorm(),
                                           state_.velocity[spec.b].template head<2>().squaredNorm());
       const bool is_short = 16 * left_out * left_out <= dt * dt * speed_squared;
-      const Real most = std::min(failed_error_[spec.a], failed_error_[spec.b]);
+      const Real most = std::min(traits(spec.a).failed_error, traits(spec.b).failed_error);
       if (is_short && std::abs(left_out) <= most) spec.speed -= left_out / dt;
     }
   }

@@ -97,7 +97,40 @@ double thickness(const BodySpec& spec) {
   return std::min(length(spec), chain_share * least);
 }
 
+template <Scalar Real>
+BodyForces<Real> forces_on(const BodySpec& spec) {
+  return {.gravity_scale = static_cast<Real>(spec.gravity_scale),
+          .linear_damping = static_cast<Real>(spec.linear_damping),
+          .angular_damping = static_cast<Real>(spec.angular_damping)};
+}
+
+template <Scalar Real>
+BodyTraits<Real> traits_of(const BodySpec& spec, bool has_chains, double scene_gravity, Real radius) {
+  const double smallest = smallest_extent(spec);
+  const Real gravity = static_cast<Real>(spec.gravity_scale * scene_gravity);
+  return {.slop_limit = static_cast<Real>(slop_share * smallest),
+          .failed_error = static_cast<Real>(failed_share * smallest),
+          .friction_root = std::sqrt(spec.friction),
+          .length = static_cast<Real>(spec.fast    ? -1
+                                      : has_chains ? thickness(spec)
+                                                   : length(spec)),
+          .gravity = spec.type == BodyType::static_body ? Real(0) : std::abs(gravity),
+          .radius = radius};
+}
+
 }  // namespace
+
+/// That of one of the last few kinds, if it is the same; else of a new one.
+template <Scalar Real>
+int World<Real>::kind_of(const BodyForces<Real>& forces, const BodyTraits<Real>& traits) {
+  const int few = 16;
+  for (int i = traits_.size() - 1; i >= 0 && i >= traits_.size() - few; --i) {
+    if (forces_[i] == forces && traits_[i] == traits) return i;
+  }
+  forces_.push_back(forces);
+  traits_.push_back(traits);
+  return traits_.size() - 1;
+}
 
 template <Scalar Real>
 World<Real>::World(Scene scene)
@@ -105,18 +138,20 @@ World<Real>::World(Scene scene)
       plan_(std::make_shared<const Plan>(make_plan(*scene_))),
       dt_(scene_->settings().dt) {
   const bool has_chains = has_chain(*scene_);
+  List<Collider> colliders = make_colliders<Real>(*scene_);
+  PerBody<Real> radius(scene_->bodies().size());
+  for (const Collider& collider : colliders) {
+    radius[collider.body] = std::max(radius[collider.body], collider.radius);
+    movable_.push_back(scene_->bodies()[collider.body].spec.type == BodyType::dynamic ? 1 : 0);
+  }
+  for (PerBody<Vec3<Real>>* each : {&state_.velocity, &state_.inverse_mass}) each->reserve(radius.size());
+  state_.pose.reserve(radius.size());
+  kind_.reserve(radius.size());
   for (const BodyId id : scene_->bodies().indices()) {
     const SceneBody& body = scene_->bodies()[id];
     const BodySpec& spec = body.spec;
     require_place<Real>(body, id);
     require_springs_hold(scene_->settings(), body, id);
-    slop_limit_.push_back(static_cast<Real>(slop_share * smallest_extent(spec)));
-    failed_error_.push_back(static_cast<Real>(failed_share * smallest_extent(spec)));
-    friction_root_.push_back(std::sqrt(spec.friction));
-    length_.push_back(static_cast<Real>(spec.fast ? -1 : has_chains ? thickness(spec) : length(spec)));
-    const bool is_still = spec.type == BodyType::static_body;
-    const Real gravity = static_cast<Real>(spec.gravity_scale * scene_->settings().gravity.norm());
-    gravity_.push_back(is_still ? Real(0) : std::abs(gravity));
     state_.pose.push_back(
         {.position = body.pose.position.template cast<Real>(), .angle = static_cast<Real>(body.pose.angle)});
     state_.velocity.push_back({static_cast<Real>(spec.velocity.x()), static_cast<Real>(spec.velocity.y()),
@@ -124,15 +159,8 @@ World<Real>::World(Scene scene)
     const Real inverse_mass = body.mass > 0 ? static_cast<Real>(1 / body.mass) : Real(0);
     const Real inverse_inertia = body.inertia > 0 ? static_cast<Real>(1 / body.inertia) : Real(0);
     state_.inverse_mass.push_back({inverse_mass, inverse_mass, inverse_inertia});
-    forces_.push_back({.gravity_scale = static_cast<Real>(spec.gravity_scale),
-                       .linear_damping = static_cast<Real>(spec.linear_damping),
-                       .angular_damping = static_cast<Real>(spec.angular_damping)});
-    radius_.push_back(0);
-  }
-  List<Collider> colliders = make_colliders<Real>(*scene_);
-  for (const Collider& collider : colliders) {
-    radius_[collider.body] = std::max(radius_[collider.body], collider.radius);
-    movable_.push_back(scene_->bodies()[collider.body].spec.type == BodyType::dynamic ? 1 : 0);
+    kind_.push_back(kind_of(forces_on<Real>(spec),
+                            traits_of(spec, has_chains, scene_->settings().gravity.norm(), radius[id])));
   }
   if (plan_->sleeping) sleep_.emplace(*scene_);
   frames_.resize(state_.pose.size());
