@@ -34,8 +34,8 @@ template <Scalar Real>
 struct Manifold {
   int collider_a = 0;                      // indices into the world's colliders, collider_a < collider_b
   int collider_b = 0;                      // the higher one
-  Vec2<Real> normal = Vec2<Real>::Zero();  // unit, from a to b
   int count = 0;                           // 0: apart by more than the margin
+  Vec2<Real> normal = Vec2<Real>::Zero();  // unit, from a to b
   FixedList<ManifoldPoint<Real>, 2> points = {};  // the first `count` of them are in use
 };
 
