@@ -19,37 +19,45 @@ Real core_radius(const Shape<Real>& shape) {
   return std::visit(radius, shape);
 }
 
-/// Makes colliders, and one shape for all that have the same.
+template <Scalar Real>
+void set_around(Collider<Real>& collider, const Surroundings<double>& around) {
+  ColliderForm<Real> form = *collider.form;
+  form.around = std::make_shared<const Surroundings<Real>>(surroundings_cast<Real>(around));
+  collider.form = std::make_shared<const ColliderForm<Real>>(form);
+}
+
+/// Makes colliders, and one form for all that have the same shape.
 template <Scalar Real>
 class ColliderMaker {
  public:
   void add(BodyId body, const Shape<Real>& shape) {
-    const Real radius = bounding_radius(shape);
-    colliders.push_back(
-        {.body = body, .radius = radius, .core_radius = core_radius(shape), .shape = shared(radius, shape)});
+    colliders.push_back({.body = body, .form = shared(shape)});
   }
   void add_links(BodyId body, const Chain<double>& chain) {
     const Shape<Real> cast = shape_cast<Real>(chain);
     const Chain<Real>& points = std::get<Chain<Real>>(cast);
     for (int i = 0; i < points.link_count(); ++i) {
       add(body, Segment<Real>{points.point(i), points.point(i + 1)});
-      const auto around = surroundings_cast<Real>(link_surroundings(chain, i));
-      colliders.back().around = std::make_shared<const Surroundings<Real>>(around);
+      set_around(colliders.back(), link_surroundings(chain, i));
     }
   }
 
   List<Collider<Real>> colliders = {};
 
  private:
-  std::shared_ptr<const Shape<Real>> shared(Real radius, const Shape<Real>& shape) {
+  using Form = ColliderForm<Real>;
+
+  std::shared_ptr<const Form> shared(const Shape<Real>& shape) {
+    const Real radius = bounding_radius(shape);
     auto [next, end] = known_.equal_range(radius);
     for (; next != end; ++next) {
-      if (*next->second == shape) return next->second;
+      if (*next->second->shape == shape) return next->second;
     }
-    return known_.emplace(radius, std::make_shared<const Shape<Real>>(shape))->second;
+    const Form form = {radius, core_radius(shape), std::make_shared<const Shape<Real>>(shape)};
+    return known_.emplace(radius, std::make_shared<const Form>(form))->second;
   }
 
-  std::multimap<Real, std::shared_ptr<const Shape<Real>>> known_;  // by the radius around them
+  std::multimap<Real, std::shared_ptr<const Form>> known_;  // by the radius around them
 };
 
 /// Numbers for static bodies: those that collide with the same bodies have the same one. Sensors, and bodies
@@ -88,9 +96,7 @@ void set_surroundings(const Scene& scene, List<Collider<Real>>& colliders) {
   }
   const List<std::optional<Surroundings<double>>> found = find_surroundings(still);
   for (const int i : found.indices()) {
-    if (!found[i]) continue;
-    colliders[places[i]].around =
-        std::make_shared<const Surroundings<Real>>(surroundings_cast<Real>(*found[i]));
+    if (found[i]) set_around(colliders[places[i]], *found[i]);
   }
 }
 
@@ -99,6 +105,7 @@ void set_surroundings(const Scene& scene, List<Collider<Real>>& colliders) {
 template <Scalar Real>
 List<Collider<Real>> make_colliders(const Scene& scene) {
   ColliderMaker<Real> maker;
+  maker.colliders.reserve(scene.bodies().size());  // mostly of a shape each
   for (const BodyId id : scene.bodies().indices()) {
     for (const Shape<double>& shape : scene.bodies()[id].spec.shapes) {
       if (const auto* chain = std::get_if<Chain<double>>(&shape)) {

@@ -45,7 +45,7 @@ void World<Real>::find_manifolds(ContactSolver<Real>* solver) {
   const List<Collider>& colliders = *colliders_;
   for (int i = 0; i < colliders.size(); ++i) {
     const BodyId body = colliders[i].body;
-    boxes_[i] = bounding_box(*colliders[i].shape, frames_[body], margin / 2 + reach_[body]);
+    boxes_[i] = bounding_box(*colliders[i].form->shape, frames_[body], margin / 2 + reach_[body]);
   }
   if (sleep_) sleep_->mark_movable(state_.velocity, movable_);
   found_anew_ = graph_.update(boxes_, [this](int i, int j) { return may_meet(i, j); });
@@ -136,8 +136,8 @@ ContactSlot<Real> World<Real>::make_slot(int collider_a, int collider_b) const {
 
 template <Scalar Real>
 Manifold<Real> World<Real>::collide_slot(const ContactSlot<Real>& slot, Real margin) const {
-  const Collider& a = (*colliders_)[slot.collider_a];
-  const Collider& b = (*colliders_)[slot.collider_b];
+  const ColliderForm<Real>& a = *(*colliders_)[slot.collider_a].form;
+  const ColliderForm<Real>& b = *(*colliders_)[slot.collider_b].form;
   Manifold<Real> manifold =
       collide(*a.shape, frames_[slot.a], *b.shape, frames_[slot.b], margin, {a.around.get(), b.around.get()});
   manifold.collider_a = slot.collider_a;
@@ -172,7 +172,8 @@ bool World<Real>::has_lasting_manifold(int number, Real reach) const {
 template <Scalar Real>
 void World<Real>::find_lasting_manifold(int number, Real margin) {
   const ContactSlot<Real>& slot = graph_[number];
-  const Collider &a = (*colliders_)[slot.collider_a], &b = (*colliders_)[slot.collider_b];
+  const ColliderForm<Real>& a = *(*colliders_)[slot.collider_a].form;
+  const ColliderForm<Real>& b = *(*colliders_)[slot.collider_b].form;
   LastingManifold<Real>& found = graph_.lasting(number);
   found.manifold =
       keep(collide_slot(slot, margin), frames_[slot.a], a.core_radius, frames_[slot.b], b.core_radius);

@@ -44,8 +44,9 @@ List<JointId> joint_ids(const Scene& scene) {
 /// Whether two shapes lie among the same others as before.
 template <Scalar Real>
 bool has_same_surroundings(const Collider<Real>& one, const Collider<Real>& other) {
-  if (!one.around || !other.around) return one.around == other.around;
-  return *one.around == *other.around;
+  const auto &around = one.form->around, &around_other = other.form->around;
+  if (!around || !around_other) return around == around_other;
+  return *around == *around_other;
 }
 
 }  // namespace

@@ -141,7 +141,7 @@ World<Real>::World(Scene scene)
   List<Collider> colliders = make_colliders<Real>(*scene_);
   PerBody<Real> radius(scene_->bodies().size());
   for (const Collider& collider : colliders) {
-    radius[collider.body] = std::max(radius[collider.body], collider.radius);
+    radius[collider.body] = std::max(radius[collider.body], collider.form->radius);
     movable_.push_back(scene_->bodies()[collider.body].spec.type == BodyType::dynamic ? 1 : 0);
   }
   for (PerBody<Vec3<Real>>* each : {&state_.velocity, &state_.inverse_mass}) each->reserve(radius.size());
