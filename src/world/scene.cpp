@@ -2,6 +2,7 @@
 #include "world/scene.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include "geometry/aabb.hpp"
 #include "math/check.hpp"
@@ -147,9 +148,17 @@ void check_settings(const SceneSettings& settings) {
 
 }  // namespace
 
-Scene::Scene(const SceneSettings& settings) : settings_(settings), bodies_(1) {
+Scene::Scene(const SceneSettings& settings)
+    : settings_(settings), bodies_(std::make_shared<PerBody<SceneBody>>(1)) {
   check_settings(settings);
-  bodies_[ground].spec.type = BodyType::static_body;
+  own_bodies()[ground].spec.type = BodyType::static_body;
+}
+
+/// To be changed: no other scene sees it.
+PerBody<SceneBody>& Scene::own_bodies() {
+  if (bodies_.use_count() > 1) bodies_ = std::make_shared<PerBody<SceneBody>>(*bodies_);
+  std::atomic_thread_fence(std::memory_order_acquire);  // after what another thread read that had a copy
+  return *bodies_;
 }
 
 void Scene::set_settings(const SceneSettings& settings) {
@@ -167,16 +176,16 @@ BodyId Scene::add(const BodySpec& spec) {
                  .area_inertia = shapes.inertia};
   set_mass(body, who);
   center(body, shapes.centroid);
-  share_shapes(body, bodies_);
-  bodies_.push_back(body);
-  return {bodies_.size() - 1};
+  share_shapes(body, bodies());
+  own_bodies().push_back(body);
+  return {bodies().size() - 1};
 }
 
 void Scene::change(BodyId body, const BodySpec& spec) {
   const char* const who = "Scene::change";
   require_changeable(body, who);
   check_body(spec, who);
-  const SceneBody& before = bodies_[body];
+  const SceneBody& before = bodies()[body];
   require(spec.position == before.spec.position, who, "position",
           "that of the body, " + text(before.spec.position) + " m (place and displace move it)",
           text(spec.position));
@@ -198,7 +207,7 @@ void Scene::change(BodyId body, const BodySpec& spec) {
             "around the body's centre of mass, (0, 0) m, while it has joints", text(given.centroid));
     center(now, given.centroid);
   }
-  bodies_[body] = now;
+  own_bodies()[body] = now;
 }
 
 BodyId Scene::add_ground(const GroundSpec& spec) {
@@ -208,7 +217,7 @@ BodyId Scene::add_ground(const GroundSpec& spec) {
   require_friction(spec.friction, "Scene::add_ground");
   require_unit_interval(spec.restitution, "Scene::add_ground", "restitution");
   const double thickness = 1;  // [m]
-  SceneBody& body = bodies_[ground];
+  SceneBody& body = own_bodies()[ground];
   body.spec.friction = spec.friction;
   body.spec.restitution = spec.restitution;
   body.spec.shapes.push_back(moved(box(2 * spec.half_width, thickness), {0, spec.height - thickness / 2}));

@@ -187,7 +187,7 @@ class Scene {
   /// What holds for the whole scene.
   const SceneSettings& settings() const { return settings_; }
   /// In the order of their ids; the ground is the first.
-  const PerBody<SceneBody>& bodies() const { return bodies_; }
+  const PerBody<SceneBody>& bodies() const { return *bodies_; }
   /// In the order in which they were added.
   const List<std::shared_ptr<const Constraint>>& joints() const { return joints_; }
   /// Of joints()[number], which comes one place forward when one before it is removed.
@@ -207,6 +207,7 @@ class Scene {
     std::optional<SwingSoftness> soft = {};  // none: that of the settings
   };
 
+  PerBody<SceneBody>& own_bodies();
   PerBody<Pose<double>> poses() const;
   void keep_apart(const Constraint& joint);
   void find_apart();
@@ -220,7 +221,7 @@ class Scene {
   void require_other_movers(BodyId body, BodyType type) const;
 
   SceneSettings settings_;
-  PerBody<SceneBody> bodies_;
+  std::shared_ptr<PerBody<SceneBody>> bodies_;  // copies of the scene have the same until one is changed
   List<std::shared_ptr<const Constraint>> joints_;
   List<Fastening> fastenings_;  // of joints_
   int joints_made_ = 0;

@@ -38,7 +38,7 @@ JointId Scene::add_joint(std::shared_ptr<const Constraint> joint, JointCollision
   bool can_move = false;
   for (const Attachment& place : joint->attachments()) {
     require_body(place.body, "attachment");
-    can_move |= bodies_[place.body].spec.type == BodyType::dynamic;
+    can_move |= bodies()[place.body].spec.type == BodyType::dynamic;
     named += (named.empty() ? "" : ", ") + std::to_string(place.body.index);
   }
   require(can_move, "Scene::add_joint", "bodies", "at least one that can move", named);
@@ -94,7 +94,7 @@ void Scene::remove(BodyId body) {
     fastenings_.erase(fastenings_.begin() + i);
   }
   find_apart();
-  bodies_[body] = {.spec = {.type = BodyType::static_body}, .removed = true};
+  own_bodies()[body] = {.spec = {.type = BodyType::static_body}, .removed = true};
   forget_events();
 }
 
@@ -106,7 +106,7 @@ void Scene::place(BodyId body, const Pose<double>& pose, const Vec3<double>& vel
   const Vec2<double> linear = velocity.head<2>();
   require_finite(linear, who, "velocity", "m/s");
   require_finite(velocity.z(), who, "angular velocity", "rad/s");
-  SceneBody& placed = bodies_[body];
+  SceneBody& placed = own_bodies()[body];
   require(placed.spec.type != BodyType::static_body || velocity.isZero(0), who, "velocity",
           "0 for a static body", velocity.norm());
   set_pose(placed, pose);
@@ -118,7 +118,7 @@ void Scene::displace(BodyId body, const Vec2<double>& offset, double angle) {
   require_changeable(body, "Scene::displace");
   require_finite(offset, "Scene::displace", "offset", "m");
   require_finite(angle, "Scene::displace", "angle", "rad");
-  SceneBody& moved_body = bodies_[body];
+  SceneBody& moved_body = own_bodies()[body];
   const Pose<double> pose = {moved_body.pose.position + offset, moved_body.pose.angle + angle};
   require_finite(pose.position, "Scene::displace", "position", "m");
   set_pose(moved_body, pose);
@@ -126,7 +126,7 @@ void Scene::displace(BodyId body, const Vec2<double>& offset, double angle) {
 
 PerBody<Pose<double>> Scene::poses() const {
   PerBody<Pose<double>> result;
-  for (const SceneBody& body : bodies_) result.push_back(body.pose);
+  for (const SceneBody& body : bodies()) result.push_back(body.pose);
   return result;
 }
 
@@ -163,15 +163,15 @@ bool Scene::has_joints(BodyId body) const {
 }
 
 void Scene::require_body(BodyId id, const char* field) const {
-  require(id.index >= 0 && id.index < bodies_.size(), "Scene::join", field, "the id of a body of this scene",
+  require(id.index >= 0 && id.index < bodies().size(), "Scene::join", field, "the id of a body of this scene",
           id.index);
-  require(!bodies_[id].removed, "Scene::join", field, "a body that was not removed", id.index);
+  require(!bodies()[id].removed, "Scene::join", field, "a body that was not removed", id.index);
 }
 
 void Scene::require_changeable(BodyId id, const char* who) const {
-  require(id.index > 0 && id.index < bodies_.size(), who, "body", "the id of a body other than the ground",
+  require(id.index > 0 && id.index < bodies().size(), who, "body", "the id of a body other than the ground",
           id.index);
-  require(!bodies_[id].removed, who, "body", "one that was not removed", id.index);
+  require(!bodies()[id].removed, who, "body", "one that was not removed", id.index);
 }
 
 /// A joint needs a body that can move besides this one.
@@ -180,7 +180,7 @@ void Scene::require_other_movers(BodyId body, BodyType type) const {
     bool is_fastened = false, others_move = false;
     for (const Attachment& place : joints_[i]->attachments()) {
       is_fastened |= place.body == body;
-      others_move |= place.body != body && bodies_[place.body].spec.type == BodyType::dynamic;
+      others_move |= place.body != body && bodies()[place.body].spec.type == BodyType::dynamic;
     }
     require(!is_fastened || others_move, "Scene::change", "type",
             "dynamic, as nothing else that joint " + std::to_string(fastenings_[i].id.index) +

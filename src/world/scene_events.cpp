@@ -90,7 +90,7 @@ void Scene::forget_events() {
   for (const Fastening& fastening : fastenings_) joints.push_back(fastening.id);
   const auto is_there = [&]<typename Action>(const Action& action) {
     if constexpr (requires { action.body; })
-      return !bodies_[action.body].removed;
+      return !bodies()[action.body].removed;
     else
       return std::binary_search(joints.begin(), joints.end(), action.joint);
   };
