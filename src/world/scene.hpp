@@ -186,7 +186,7 @@ class Scene {
 
   /// What holds for the whole scene.
   const SceneSettings& settings() const { return settings_; }
-  /// In the order of their ids; the ground is the first.
+  /// In the order of their ids; the ground is the first. As long as the scene lives and is left alone.
   const PerBody<SceneBody>& bodies() const { return *bodies_; }
   /// In the order in which they were added.
   const List<std::shared_ptr<const Constraint>>& joints() const { return joints_; }

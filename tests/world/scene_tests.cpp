@@ -136,3 +136,29 @@ TEST_CASE("gravity acts on dynamic bodies by their gravity scale, and on no othe
   CHECK(world.bodies().velocity[{3}] == Vec3<double>(0, 2, 0));
   CHECK(world.bodies().pose[{3}].position.y() == doctest::Approx(2.0 / 60));
 }
+
+TEST_CASE("copies of a scene have the same bodies until one of them is changed") {
+  Scene scene;
+  scene.add({.shapes = {box(1, 1)}});
+  const World world(scene);
+  CHECK(&world.scene().bodies() == &scene.bodies());
+  scene.displace({1}, {3, 0});
+  CHECK(scene.bodies()[{1}].pose.position == Vec2<double>(3, 0));
+  CHECK(world.scene().bodies()[{1}].pose.position == Vec2<double>(0, 0));
+}
+
+TEST_CASE("bodies with equal shapes share them, and part when one gets others") {
+  Scene scene;
+  for (const double x : {0, 2, 4}) scene.add({.shapes = {box(1, 1)}, .position = {x, 0}});
+  scene.add({.shapes = {box(1, 2)}, .position = {6, 0}});
+  const auto place = [&](int body) { return scene.bodies()[{body}].spec.shapes.data(); };
+  CHECK(place(1) == place(2));
+  CHECK(place(1) == place(3));
+  CHECK(place(1) != place(4));
+  BodySpec spec = scene.bodies()[{2}].spec;
+  spec.shapes.push_back(circle(0.1));
+  scene.change({2}, spec);
+  CHECK(scene.bodies()[{2}].spec.shapes.size() == 2);
+  CHECK(scene.bodies()[{3}].spec.shapes.size() == 1);
+  CHECK(place(1) == place(3));
+}
