@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "geometry/aabb.hpp"
+#include "geometry/mass.hpp"
 #include "math/check.hpp"
 #include "math/list.hpp"
 

@@ -10,7 +10,6 @@
 #include "constraints/contact.hpp"
 #include "constraints/stabilization.hpp"
 #include "dynamics/body.hpp"
-#include "geometry/mass.hpp"
 #include "geometry/shape.hpp"
 #include "math/list.hpp"
 #include "math/shared_list.hpp"
