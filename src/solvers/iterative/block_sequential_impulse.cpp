@@ -62,8 +62,8 @@ SolveReport BlockSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
 
 template <Scalar Real>
 std::size_t BlockSequentialImpulse<Real>::memory() const {
-  return parts_.bytes() + turns_.bytes() + effective_mass_.bytes() + pairs_.bytes() + factors_.bytes() +
-         partner_.bytes();
+  return parts_.bytes() + turns_.bytes() + effective_mass_.bytes() + pairs_.bytes() +
+         equality_pairs_.bytes() + factors_.bytes() + partner_.bytes();
 }
 
 template <Scalar Real>
@@ -71,6 +71,7 @@ void BlockSequentialImpulse<Real>::prepare(const VelocityProblem<Real>& problem)
   parts_.clear();
   effective_mass_.clear();
   pairs_.clear();
+  equality_pairs_.clear();
   factors_.clear();
   turns_.assign(problem.rows.size(), Turn{});
   partner_.assign(problem.rows.size(), -1);
@@ -164,11 +165,16 @@ bool BlockSequentialImpulse<Real>::add_equalities(const VelocityProblem<Real>& p
                                                   const List<int>& rows) {
   const int count = rows.size();
   if (count < 2 || count > max_block_rows) return false;
+  if (EqualityPair<Real> pair; count == 2 && pair.begin(problem, rows[0], rows[1])) {
+    parts_.push_back({Kind::equality_pair, count, equality_pairs_.size(), {rows[0], rows[1]}});
+    equality_pairs_.push_back(pair);
+    return true;
+  }
   Part part{Kind::equalities, count, factors_.size(), {}};
   BlockMatrix<Real> A = {};
   for (int i = 0; i < rows.size(); ++i) {
     part.rows[i] = rows[i];
-    for (int k = 0; k < rows.size(); ++k) A[i][k] = block_entry(problem, rows[i], rows[k]);
+    for (int k = 0; k <= i; ++k) A[i][k] = block_entry(problem, rows[i], rows[k]);
   }
   BlockFactor<Real> factor;
   if (!factor.factorize(A, count)) return false;
@@ -182,6 +188,9 @@ template <Scalar Real>
 template <bool watched>
 Real BlockSequentialImpulse<Real>::update(int number, const Part& part, VelocityProblem<Real>& problem,
                                           [[maybe_unused]] SolveObserver<Real>* observer) {
+  if (!watched && part.kind == Kind::equality_pair) {
+    return equality_pairs_[part.matrix].update(problem, Real(settings_.relaxation));
+  }
   const auto count = part.count;
   BlockVector<Real> jv, corrective, old;
   for (int k = 0; k < count; ++k) {
@@ -219,6 +228,10 @@ void BlockSequentialImpulse<Real>::correct(const Part& part, const VelocityProbl
   const auto matrix = part.matrix;
   if (part.kind == Kind::row) {
     error[0] *= effective_mass_[matrix];
+    return;
+  }
+  if (part.kind == Kind::equality_pair) {
+    equality_pairs_[matrix].solve(error[0], error[1]);
     return;
   }
   if (part.kind == Kind::equalities) {

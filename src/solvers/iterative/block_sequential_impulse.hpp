@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solvers/iterative/block_solve.hpp"
+#include "solvers/iterative/equality_pair.hpp"
 #include "solvers/row_order.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/stopping.hpp"
@@ -52,7 +53,7 @@ class BlockSequentialImpulse final : public Solver<Real> {
   std::size_t memory() const override;
 
  private:
-  enum class Kind { row, equalities, contact, two_normals };
+  enum class Kind { row, equality_pair, equalities, contact, two_normals };
   /// Rows that are solved together: a part of a block, or all of it.
   struct Part {
     Kind kind = Kind::row;
@@ -78,11 +79,12 @@ class BlockSequentialImpulse final : public Solver<Real> {
 
   SolverSettings settings_;
   ContactBlock contact_;
-  List<Part> parts_;                 // in the order of their turns
-  List<Turn> turns_;                 // for each row: the parts of the block that begins with it
-  PerRow<Real> effective_mass_;      // [kg] of rows that are alone
-  List<PairMatrix<Real>> pairs_;     // of contacts
-  List<BlockFactor<Real>> factors_;  // of equality rows
+  List<Part> parts_;              // in the order of their turns
+  List<Turn> turns_;              // for each row: the parts of the block that begins with it
+  PerRow<Real> effective_mass_;   // [kg] of rows that are alone
+  List<PairMatrix<Real>> pairs_;  // of contacts
+  List<EqualityPair<Real>> equality_pairs_;
+  List<BlockFactor<Real>> factors_;  // of other equality rows
   PerRow<int> partner_;              // scratch, for each row: whom it is solved with, or -1
   List<int> equalities_;             // scratch: equality rows of one block
   RowSequence sequence_;

@@ -11,11 +11,6 @@ namespace {
 /// Where row `row` of a strictly lower triangle begins when its rows stand one after the other.
 constexpr int lower_row(int row) { return row * (row - 1) / 2; }
 
-template <Scalar Real>
-constexpr Real singular_below(int count) {
-  return Real(8 * count) * std::numeric_limits<Real>::epsilon();
-}
-
 /// A x + q = 0, by elimination of the first unknown: small residuals even where A is nearly singular.
 template <Scalar Real>
 Vec2<Real> solve_both_rows(const PairMatrix<Real>& A, const Vec2<Real>& q) {
@@ -40,7 +35,7 @@ bool BlockFactor<Real>::factorize(const BlockMatrix<Real>& A, int n) {
       lower_[lower_row(i) + k] = entry * inverse_pivot_[k];
       pivot[i] -= lower_[lower_row(i) + k] * entry;
     }
-    if (!(pivot[i] > singular_below<Real>(n) * A[i][i])) return false;
+    if (!(pivot[i] > singular_share(n) * A[i][i])) return false;
     inverse_pivot_[i] = 1 / pivot[i];
   }
   return true;
@@ -61,7 +56,7 @@ void BlockFactor<Real>::solve(BlockVector<Real>& x) const {
 template <Scalar Real>
 bool is_regular(const PairMatrix<Real>& A) {
   if (!(A.first > 0 && A.second > 0)) return false;
-  return A.second - A.cross / A.first * A.cross > singular_below<Real>(2) * A.second;
+  return A.second - A.cross / A.first * A.cross > BlockFactor<Real>::singular_share(2) * A.second;
 }
 
 template <Scalar Real>

@@ -1,6 +1,8 @@
 // Floor 4. The small systems inside a block of rows, each solved exactly.
 #pragma once
 
+#include <limits>
+
 #include "math/math.hpp"
 #include "math/list.hpp"
 
@@ -28,6 +30,11 @@ class BlockFactor {
 
   /// x becomes A^-1 x.
   void solve(BlockVector<Real>& x) const;
+
+  /// Of its diagonal entry: where a pivot of `count` rows is no larger, the matrix counts as singular.
+  static constexpr Real singular_share(int count) {
+    return Real(8 * count) * std::numeric_limits<Real>::epsilon();
+  }
 
  private:
   int count_ = 0;

@@ -1,0 +1,109 @@
+// Floor 4. Two equality rows between two bodies, laid out for sweeps.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "constraints/row.hpp"
+#include "math/list.hpp"
+#include "solvers/iterative/block_solve.hpp"
+
+namespace cairn {
+
+/// The two rows of a pin, or any other two equality rows of a block without further bodies, side by side: all
+/// that a sweep needs of them lies in one place, and what is done for both rows is done at once. What
+/// BlockFactor and BlockSequentialImpulse do for such a block, in the same order: the same numbers to the
+/// last bit.
+template <Scalar Real>
+class EqualityPair {
+ public:
+  /// False where the rows do not share two bodies, hold a further one, or cannot be told apart.
+  bool begin(const VelocityProblem<Real>& problem, int first, int second);
+  /// (22) for both rows; returns the larger change of their impulses [N s].
+  Real update(VelocityProblem<Real>& problem, Real relaxation) const;
+  /// From the velocity errors of the rows to the changes of their impulses.
+  void solve(Real& first, Real& second) const {
+    second -= lower_ * first;
+    first *= inverse_pivot_(0);
+    second *= inverse_pivot_(1);
+    first -= lower_ * second;
+  }
+
+ private:
+  using Two = Vec2<Real>;
+  /// Of both rows, for each axis of a body.
+  using Columns = FixedList<Two, 3>;
+
+  /// In the order of dot().
+  static Two product(const Columns& jacobian, const Vec3<Real>& v) {
+    const Two x = jacobian[0] * v.x(), y = jacobian[1] * v.y(), z = jacobian[2] * v.z();
+    if constexpr (std::same_as<Real, double>) return (x + y) + z;
+    return x + (y + z);
+  }
+  static void push(const Columns& jacobian, const Vec3<Real>& inverse_mass, const Two& p, Vec3<Real>& v) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Two change = (inverse_mass(axis) * jacobian[axis]).cwiseProduct(p);
+      v(axis) = (v(axis) + change(0)) + change(1);
+    }
+  }
+
+  BodyId a_ = {};
+  BodyId b_ = {};
+  int first_ = 0;
+  int second_ = 0;
+  Columns jacobian_a_ = {};
+  Columns jacobian_b_ = {};
+  Two bias_ = Two::Zero();
+  Two softness_ = Two::Zero();
+  Two inverse_pivot_ = Two::Zero();  // of D, in A_BB = L D L^T
+  Real lower_ = 0;                   // of L
+};
+
+template <Scalar Real>
+bool EqualityPair<Real>::begin(const VelocityProblem<Real>& problem, int first, int second) {
+  const ConstraintRow<Real>&one = problem.rows[first], &other = problem.rows[second];
+  if (one.a != other.a || one.b != other.b || one.a == one.b) return false;
+  if (one.extra_count > 0 || other.extra_count > 0) return false;
+  a_ = one.a;
+  b_ = one.b;
+  first_ = first;
+  second_ = second;
+  for (int axis = 0; axis < 3; ++axis) {
+    jacobian_a_[axis] = {one.jacobian_a(axis), other.jacobian_a(axis)};
+    jacobian_b_[axis] = {one.jacobian_b(axis), other.jacobian_b(axis)};
+  }
+  bias_ = {one.bias, other.bias};
+  softness_ = {one.softness, other.softness};
+  const auto entry = [&](const ConstraintRow<Real>& row, const ConstraintRow<Real>& column) {
+    const Vec3<Real> of_a = problem.inverse_mass[a_].cwiseProduct(row.jacobian_a);
+    const Vec3<Real> of_b = problem.inverse_mass[b_].cwiseProduct(row.jacobian_b);
+    return dot(of_a, column.jacobian_a) + dot(of_b, column.jacobian_b);
+  };
+  const Real A_11 = entry(one, one) + one.softness, A_22 = entry(other, other) + other.softness;
+  const Real A_21 = entry(other, one);
+  if (!(A_11 > BlockFactor<Real>::singular_share(2) * A_11)) return false;
+  inverse_pivot_(0) = 1 / A_11;
+  lower_ = A_21 * inverse_pivot_(0);
+  const Real pivot = A_22 - lower_ * A_21;
+  if (!(pivot > BlockFactor<Real>::singular_share(2) * A_22)) return false;
+  inverse_pivot_(1) = 1 / pivot;
+  return true;
+}
+
+template <Scalar Real>
+inline Real EqualityPair<Real>::update(VelocityProblem<Real>& problem, Real relaxation) const {
+  Vec3<Real>&v_a = problem.velocity[a_], &v_b = problem.velocity[b_];
+  const Two old = {problem.impulse[first_], problem.impulse[second_]};
+  const Two jv = product(jacobian_a_, v_a) + product(jacobian_b_, v_b);
+  Two change = bias_ - jv - softness_.cwiseProduct(old);
+  solve(change(0), change(1));
+  const Two now = old + change * relaxation;
+  const Two given = now - old;
+  problem.impulse[first_] = now(0);
+  problem.impulse[second_] = now(1);
+  push(jacobian_a_, problem.inverse_mass[a_], given, v_a);  // (19), (21)
+  push(jacobian_b_, problem.inverse_mass[b_], given, v_b);
+  return std::max(std::max(Real(0), std::abs(given(0))), std::abs(given(1)));
+}
+
+}  // namespace cairn
