@@ -29,7 +29,7 @@ template <Scalar Real>
 void DragJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
   const int first = rows.size();
   // A pin between the target, a point of the ground, and the anchor ...
-  append_pin_rows(ground, body_, joint_arms(poses[ground], poses[body_], target_, local_), rows);
+  append_pin_rows(ground, body_, joint_arms<Real>(poses[ground], poses[body_], target_, local_), rows);
   for (int i = first; i < rows.size(); ++i) {  // ... that gives way
     rows[i].softness = softness_;
     rows[i].max_force = static_cast<Real>(max_force_);

@@ -5,16 +5,6 @@
 
 namespace cairn {
 
-template <Scalar Real>
-JointArms<Real> joint_arms(const Pose<Real>& a, const Pose<Real>& b, const Vec2<double>& local_a,
-                           const Vec2<double>& local_b) {
-  JointArms<Real> arms;
-  arms.r_a = Rotation<Real>(a.angle) * local_a.template cast<Real>();
-  arms.r_b = Rotation<Real>(b.angle) * local_b.template cast<Real>();
-  arms.d = b.position + arms.r_b - a.position - arms.r_a;
-  return arms;
-}
-
 JointEnds::JointEnds(BodyId first, BodyId second, const Vec2<double>& anchor_a, const Vec2<double>& anchor_b,
                      PerBodySpan<const Pose<double>> poses)
     : a(first),
@@ -94,12 +84,6 @@ void require_limits(const JointLimits& limits, const std::string& place, const s
           "a finite number >= 0 " + unit, limits.margin);
 }
 
-template JointArms<float> joint_arms(const Pose<float>&, const Pose<float>&, const Vec2<double>&,
-                                     const Vec2<double>&);
-template JointArms<double> joint_arms(const Pose<double>&, const Pose<double>&, const Vec2<double>&,
-                                      const Vec2<double>&);
-template JointArms<long double> joint_arms(const Pose<long double>&, const Pose<long double>&,
-                                           const Vec2<double>&, const Vec2<double>&);
 template void append_pin_rows(BodyId, BodyId, const JointArms<float>&, RowSpecs<float>&);
 template void append_pin_rows(BodyId, BodyId, const JointArms<double>&, RowSpecs<double>&);
 template void append_pin_rows(BodyId, BodyId, const JointArms<long double>&, RowSpecs<long double>&);

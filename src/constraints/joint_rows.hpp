@@ -28,8 +28,14 @@ struct JointArms {
 
 /// The arms of a joint whose anchors are given in the frames of its bodies [m].
 template <Scalar Real>
-JointArms<Real> joint_arms(const Pose<Real>& a, const Pose<Real>& b, const Vec2<double>& local_a,
-                           const Vec2<double>& local_b);
+JointArms<Real> joint_arms(const Frame<Real>& a, const Frame<Real>& b, const Vec2<double>& local_a,
+                           const Vec2<double>& local_b) {
+  JointArms<Real> arms;
+  arms.r_a = a.rotation * local_a.template cast<Real>();
+  arms.r_b = b.rotation * local_b.template cast<Real>();
+  arms.d = b.position + arms.r_b - a.position - arms.r_a;
+  return arms;
+}
 
 /// Two bodies, where a joint is fastened to each, and how they stood when it was made.
 struct JointEnds {
@@ -49,7 +55,7 @@ struct JointEnds {
   /// The arms at these poses.
   template <Scalar Real>
   JointArms<Real> arms(const PerBody<Pose<Real>>& poses) const {
-    return joint_arms(poses[a], poses[b], local_a, local_b);
+    return joint_arms<Real>(poses[a], poses[b], local_a, local_b);
   }
   /// [rad] q: by how much b has turned against a since the joint was made.
   template <Scalar Real>

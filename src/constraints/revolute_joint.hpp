@@ -47,6 +47,8 @@ class RevoluteJoint final : public ConstraintOf<RevoluteJoint> {
 
   /// Whether it is a pin and nothing else.
   bool is_free() const { return !limits_.lower && !limits_.upper && !motor_; }
+  /// What it holds together.
+  const JointEnds& ends() const { return ends_; }
 
   /// Appends the rows that hold at these poses.
   template <Scalar Real>

@@ -166,6 +166,15 @@ void stabilize_row(const RowSpec<Real>& spec, const Stabilization& stabilization
 }
 
 template <Scalar Real>
+JointRule<Real> joint_rule(const Stabilization& stabilization, StabilizationPass pass, Real dt) {
+  if (!policy_has_springs(stabilization, pass)) return {.rate = recovery_rate(stabilization, pass, dt)};
+  const SwingSoftness spring = spring_in_steps(stabilization.joint_soft, static_cast<double>(dt));
+  return {.rate = return_rate<Real>(spring, dt),
+          .has_spring = true,
+          .spring_divisor = softness_divisor(spring, dt)};
+}
+
+template <Scalar Real>
 ContactStabilization<Real>::ContactStabilization(const Stabilization& stabilization, StabilizationPass pass,
                                                  Real dt)
     : stabilization_(stabilization),
@@ -216,6 +225,9 @@ ContactRule<Real> ContactStabilization<Real>::rule(Real gravity) const {
           .gravity = keeps_speed ? gravity : Real(0)};
 }
 
+template JointRule<float> joint_rule(const Stabilization&, StabilizationPass, float);
+template JointRule<double> joint_rule(const Stabilization&, StabilizationPass, double);
+template JointRule<long double> joint_rule(const Stabilization&, StabilizationPass, long double);
 template class ContactStabilization<float>;
 template class ContactStabilization<double>;
 template class ContactStabilization<long double>;

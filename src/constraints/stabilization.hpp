@@ -1,6 +1,7 @@
 // Floor 3. How fast errors go: from what a constraint states to what a solver is given.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include "constraints/constraint.hpp"
@@ -85,6 +86,23 @@ template <Scalar Real>
 void stabilize_row(const RowSpec<Real>& spec, const Stabilization& stabilization, StabilizationPass pass,
                    VelocityProblem<Real>& problem, std::uint64_t source, int first_row,
                    ConstraintRow<Real>& row);
+
+/// What the two functions above do for a rigid equality of a joint, in numbers that all joints on the same
+/// spring share. The numbers of rows are the same to the last bit.
+template <Scalar Real>
+struct JointRule {
+  Real rate = 0;            // [1/s] at which an error goes
+  bool has_spring = false;  // of the policy soft
+  Real spring_divisor = 1;  // what the row carries [1/kg], divided by this, is its softness
+
+  /// [1/kg] Of a row that carries this [1/kg].
+  Real softness(Real carried) const {
+    return has_spring ? std::min(carried / spring_divisor, most_softness<Real>()) : Real(0);
+  }
+};
+/// In a step of dt [s].
+template <Scalar Real>
+JointRule<Real> joint_rule(const Stabilization& stabilization, StabilizationPass pass, Real dt);
 
 /// The normal row of a contact point, as far as stabilization needs to know it.
 template <Scalar Real>

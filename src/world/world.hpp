@@ -16,6 +16,7 @@
 #include "world/body_traits.hpp"
 #include "world/collider.hpp"
 #include "world/contact_graph.hpp"
+#include "world/pins.hpp"
 #include "world/plan.hpp"
 #include "world/scene.hpp"
 #include "world/sleeping.hpp"
@@ -189,7 +190,13 @@ class World {
   void write_rows(StabilizationPass pass, VelocityProblem<Real>& problem);
   void relax_rows();
   void write_joint_rows(StabilizationPass pass, VelocityProblem<Real>& problem, int& next);
+  bool write_tie(int number, const Stabilization& stabilization, StabilizationPass pass,
+                 VelocityProblem<Real>& problem, int& next);
+  PinRules<Real> pin_rules(const Stabilization& stabilization, StabilizationPass pass) const;
+  bool write_pin(const Pin& pin, const PinRules<Real>& rules, VelocityProblem<Real>& problem, int& next);
+  void locate_pins();
   void look_along_arcs();
+  Real speed_of_arc(BodyId a, BodyId b, Real left_out) const;
   void follow_arcs(const Constraint& joint);
   void leave_lost_arcs();
   int tie_count() const { return scene_->joints().size() + (hand_ ? 1 : 0); }
@@ -233,6 +240,7 @@ class World {
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Plan> plan_;
   std::shared_ptr<const List<Collider>> colliders_;
+  std::shared_ptr<const Pins> pins_;
   PerBody<int> kind_;  // of a body: its place in the next two
   List<BodyForces<Real>> forces_;
   List<BodyTraits<Real>> traits_;
@@ -255,11 +263,13 @@ class World {
   PerBody<Frame<Real>> frames_;  // where contacts were sought
   PerBody<Real> reach_;          // [m]
   List<Aabb<Real>> boxes_;
-  List<char> movable_;           // of each collider: not of a pair where neither is
-  List<int> candidates_;         // slots with a manifold that moves with its bodies
-  List<int> candidates_before_;  // in the step before
-  bool found_anew_ = false;      // one of them, or it has another number
-  List<int> touching_;           // slots of the manifolds of record_
+  List<char> movable_;                     // of each collider: not of a pair where neither is
+  List<int> candidates_;                   // slots with a manifold that moves with its bodies
+  List<int> candidates_before_;            // in the step before
+  bool found_anew_ = false;                // one of them, or it has another number
+  List<int> touching_;                     // slots of the manifolds of record_
+  PerBody<Frame<Real>> pin_frames_;        // of bodies that pins hold
+  PerBody<Frame<Real>> pin_frames_ahead_;  // the same at poses_ahead_
   RowSpecs<Real> specs_;
   RowSpecs<Real> specs_ahead_;            // the same after this substep
   PerBody<Pose<Real>> poses_ahead_;       // where the velocities of before would take the bodies

@@ -152,21 +152,27 @@ void World<Real>::follow_arcs(const Constraint& joint) {
     return spec.extra_count > 0 || goes_along_arc_[spec.a] || goes_along_arc_[spec.b];
   };
   if (std::none_of(specs_.begin(), specs_.end(), goes)) return;
-  const Real dt = substep_length();
   specs_ahead_.clear();
   joint.append_rows(poses_ahead_, state_.velocity, specs_ahead_);
   for (RowSpec<Real>& spec : specs_) {
     if (!spec.bounds.is_equality() || spec.softness || spec.max_force) continue;
     for (const RowSpec<Real>& ahead : specs_ahead_) {
       if (ahead.part != spec.part) continue;
-      const Real left_out = left_out_by_jacobian(spec, ahead, dt, state_.velocity);
-      const Real speed_squared = std::max(state_.velocity[spec.a].template head<2>().squaredNorm(),
-                                          state_.velocity[spec.b].template head<2>().squaredNorm());
-      const bool is_short = 16 * left_out * left_out <= dt * dt * speed_squared;
-      const Real most = std::min(traits(spec.a).failed_error, traits(spec.b).failed_error);
-      if (is_short && std::abs(left_out) <= most) spec.speed -= left_out / dt;
+      const Real left_out = left_out_by_jacobian(spec, ahead, substep_length(), state_.velocity);
+      spec.speed -= speed_of_arc(spec.a, spec.b, left_out);
     }
   }
+}
+
+/// Where bodies leave the tangent of their arc by `left_out` [m] in a substep; 0 where that is too much.
+template <Scalar Real>
+Real World<Real>::speed_of_arc(BodyId a, BodyId b, Real left_out) const {
+  const Real dt = substep_length();
+  const Real speed_squared = std::max(state_.velocity[a].template head<2>().squaredNorm(),
+                                      state_.velocity[b].template head<2>().squaredNorm());
+  const bool is_short = 16 * left_out * left_out <= dt * dt * speed_squared;
+  const Real most = std::min(traits(a).failed_error, traits(b).failed_error);
+  return is_short && std::abs(left_out) <= most ? left_out / dt : Real(0);
 }
 
 /// Of a joint whose bodies go elsewhere than they went before, by half of their speed or turning: the arcs
@@ -197,33 +203,53 @@ template <Scalar Real>
 void World<Real>::write_joint_rows(StabilizationPass pass, VelocityProblem<Real>& problem, int& next) {
   Stabilization stabilization = scene_->settings().stabilization;
   const int joints = scene_->joints().size();
-  const bool relaxes = plan_->relaxes && pass == StabilizationPass::velocity;
   if (plan_->follows_arcs) look_along_arcs();
+  locate_pins();
+  PinRules<Real> rules = pin_rules(stabilization, pass);
+  const auto has_mass = [&](const Pin& pin) {
+    return problem.inverse_mass[pin.a].x() + problem.inverse_mass[pin.b].x() > 0;
+  };
   if (pass == StabilizationPass::velocity) joints_apart_ = 0;
   relaxed_rows_.clear();
   for (int i = 0; i < tie_count(); ++i) {
-    specs_.clear();
-    const Constraint& tie = i < joints ? *scene_->joints()[i] : *hand_;
-    if (!tie_asleep(i)) {
-      tie.append_rows(state_.pose, problem.velocity, specs_);
-      joints_apart_ += pass == StabilizationPass::velocity && is_apart(specs_);
-      if (plan_->follows_arcs) follow_arcs(tie);
-    }
-    if (i < joints) stabilization.joint_soft = scene_->joint_soft(i);  // the hand has a spring of its own
-    const auto source = i < joints ? static_cast<std::uint64_t>(scene_->joint_id(i).index) : hand_source;
     const int first = next;
-    for (const RowSpec<Real>& spec : specs_) {
-      if (moves_nothing(spec, problem.inverse_mass)) continue;
-      if (next == problem.row_count()) problem.rows.emplace_back();
-      ConstraintRow<Real>& row = problem.rows[next++];
-      stabilize_row(spec, stabilization, pass, problem, source, first, row);
-      if (!relaxes) continue;
-      const Real bias =
-          bias_velocity(spec, stabilization, StabilizationPass::relax, problem.dt, problem.velocity);
-      relaxed_rows_.push_back({bias, spec.softness ? row.softness : Real(0)});
+    if (i < joints && !(stabilization.joint_soft == scene_->joint_soft(i))) {
+      stabilization.joint_soft = scene_->joint_soft(i);  // the hand has a spring of its own
+      rules = pin_rules(stabilization, pass);
+    }
+    if (!tie_asleep(i)) {
+      const std::optional<Pin>* const pin = i < joints ? &pins_->of_joint[i] : nullptr;
+      const bool is_apart = pin && *pin && has_mass(**pin) ? write_pin(**pin, rules, problem, next)
+                                                           : write_tie(i, stabilization, pass, problem, next);
+      joints_apart_ += pass == StabilizationPass::velocity && is_apart;
     }
     problem.blocks.push_back({first, next - first});
   }
+}
+
+/// The rows of any joint, or of the hand; whether they hold points that are too far apart.
+template <Scalar Real>
+bool World<Real>::write_tie(int number, const Stabilization& stabilization, StabilizationPass pass,
+                            VelocityProblem<Real>& problem, int& next) {
+  const bool is_joint = number < scene_->joints().size();
+  const Constraint& tie = is_joint ? *scene_->joints()[number] : *hand_;
+  specs_.clear();
+  tie.append_rows(state_.pose, problem.velocity, specs_);
+  const bool apart = is_apart(specs_);
+  if (plan_->follows_arcs) follow_arcs(tie);
+  const auto source = is_joint ? static_cast<std::uint64_t>(scene_->joint_id(number).index) : hand_source;
+  const int first = next;
+  for (const RowSpec<Real>& spec : specs_) {
+    if (moves_nothing(spec, problem.inverse_mass)) continue;
+    if (next == problem.row_count()) problem.rows.emplace_back();
+    ConstraintRow<Real>& row = problem.rows[next++];
+    stabilize_row(spec, stabilization, pass, problem, source, first, row);
+    if (!plan_->relaxes || pass != StabilizationPass::velocity) continue;
+    const Real bias =
+        bias_velocity(spec, stabilization, StabilizationPass::relax, problem.dt, problem.velocity);
+    relaxed_rows_.push_back({bias, spec.softness ? row.softness : Real(0)});
+  }
+  return apart;
 }
 
 /// A joint whose bodies sleep; the hand holds none that does.

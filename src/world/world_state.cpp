@@ -136,6 +136,7 @@ template <Scalar Real>
 World<Real>::World(Scene scene)
     : scene_(std::make_shared<const Scene>(std::move(scene))),
       plan_(std::make_shared<const Plan>(make_plan(*scene_))),
+      pins_(std::make_shared<const Pins>(find_pins(*scene_))),
       dt_(scene_->settings().dt) {
   const bool has_chains = has_chain(*scene_);
   List<Collider> colliders = make_colliders<Real>(*scene_);
