@@ -12,12 +12,25 @@ namespace {
 
 /// M^-1 J^T p.
 template <Scalar Real>
-void velocities_of_impulses(const VelocityProblem<Real>& problem, PerBody<Vec3<Real>>& velocity) {
+void velocities_of_impulses(const VelocityProblem<Real>& problem, const List<RowRun>& runs,
+                            PerBody<Vec3<Real>>& velocity) {
   velocity.assign(problem.velocity.size(), Vec3<Real>::Zero());
-  for (int i = 0; i < problem.row_count(); ++i) {
-    for_each_term(problem, problem.rows[i], [&](BodyId body, const Vec3<Real>& jacobian) {
-      velocity[body] += problem.inverse_mass[body].cwiseProduct(jacobian) * problem.impulse[i];
-    });
+  for (const RowRun& run : runs) {
+    const ConstraintRow<Real>& one = problem.rows[run.first];
+    if (!run.has_two_bodies) {
+      for_each_term(problem, one, [&](BodyId body, const Vec3<Real>& jacobian) {
+        velocity[body] += problem.inverse_mass[body].cwiseProduct(jacobian) * problem.impulse[run.first];
+      });
+      continue;
+    }
+    const Vec3<Real>&mass_a = problem.inverse_mass[one.a], &mass_b = problem.inverse_mass[one.b];
+    Vec3<Real> v_a = velocity[one.a], v_b = velocity[one.b];
+    for (int i = run.first; i <= run.last; ++i) {
+      v_a += mass_a.cwiseProduct(problem.rows[i].jacobian_a) * problem.impulse[i];
+      v_b += mass_b.cwiseProduct(problem.rows[i].jacobian_b) * problem.impulse[i];
+    }
+    velocity[one.a] = v_a;
+    velocity[one.b] = v_b;
   }
 }
 
@@ -35,18 +48,33 @@ BodyId first_of(PerBody<BodyId>& island, BodyId body) {
   return body;
 }
 
+template <Scalar Real>
+void find_runs(const VelocityProblem<Real>& problem, List<RowRun>& runs) {
+  runs.clear();
+  for (int i = 0; i < problem.row_count(); ++i) {
+    const ConstraintRow<Real>& row = problem.rows[i];
+    const bool has_two_bodies = row.extra_count == 0 && row.a != row.b;
+    if (has_two_bodies && !runs.empty() && runs.back().has_two_bodies) {
+      const ConstraintRow<Real>& before = problem.rows[i - 1];
+      if (row.a == before.a && row.b == before.b) {
+        runs.back().last = i;
+        continue;
+      }
+    }
+    runs.push_back({.first = i, .last = i, .has_two_bodies = has_two_bodies});
+  }
+}
+
 /// Joins the bodies of every row that can be moved.
 template <Scalar Real>
-void find_islands(const VelocityProblem<Real>& problem, PerBody<BodyId>& island) {
+void find_islands(const VelocityProblem<Real>& problem, EnergyMemory<Real>& memory) {
+  PerBody<BodyId>& island = memory.island;
   island.resize(problem.velocity.size());
   for (const BodyId body : island.indices()) island[body] = body;
-  const ConstraintRow<Real>* last = nullptr;
-  for (const ConstraintRow<Real>& row : problem.rows) {
-    const bool joins_the_same = last != nullptr && row.a == last->a && row.b == last->b;
-    last = &row;
-    if (joins_the_same && row.extra_count == 0) continue;
+  find_runs(problem, memory.runs);
+  for (const RowRun& run : memory.runs) {
     std::optional<BodyId> known;
-    for_each_term(problem, row, [&](BodyId body, const Vec3<Real>&) {
+    for_each_term(problem, problem.rows[run.first], [&](BodyId body, const Vec3<Real>&) {
       if (!can_move(problem, body)) return;
       const BodyId other = first_of(island, body), first = known ? first_of(island, *known) : other;
       island[std::max(first, other)] = std::min(first, other);
@@ -54,32 +82,41 @@ void find_islands(const VelocityProblem<Real>& problem, PerBody<BodyId>& island)
     });
   }
   for (const BodyId body : island.indices()) island[body] = first_of(island, body);
+  for (RowRun& run : memory.runs) {
+    run.island = problem.rows[run.first].a;
+    for_each_term(problem, problem.rows[run.first], [&](BodyId body, const Vec3<Real>&) {
+      if (can_move(problem, body)) run.island = island[body];
+    });
+  }
 }
 
-/// The island of a row; that of a body that cannot be moved where none of its bodies can.
-template <Scalar Real>
-BodyId island_of(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row,
-                 const PerBody<BodyId>& island) {
-  BodyId found = row.a;
-  for_each_term(problem, row, [&](BodyId body, const Vec3<Real>&) {
-    if (can_move(problem, body)) found = island[body];
-  });
-  return found;
-}
-
-/// The shares of all islands, of which it returns the least, from M^-1 J^T p. lack(i, row, of_impulses) is
-/// what row i lacks of what it asks for; of_impulses is its row of (A + gamma) p. Written so that a NaN
-/// leaves things as they are: the step will report it.
+/// The shares of all islands, of which it returns the least, from M^-1 J^T p. lack(row, impulse, jv,
+/// of_impulses) is what a row lacks of what it asks for; of_impulses is its row of (A + gamma) p. Written so
+/// that a NaN leaves things as they are: the step will report it.
 template <Scalar Real, typename Lack>
 Real find_shares(const VelocityProblem<Real>& problem, EnergyMemory<Real>& memory, const Lack& lack) {
-  if (memory.island.empty()) find_islands(problem, memory.island);
   memory.energy.assign(problem.velocity.size(), {});
-  for (int i = 0; i < problem.row_count(); ++i) {
-    const ConstraintRow<Real>& row = problem.rows[i];
-    EnergySlope<Real>& energy = memory.energy[island_of(problem, row, memory.island)];
-    const Real of_impulses = row_velocity(problem, row, memory.solved) + row.softness * problem.impulse[i];
-    energy.slope += problem.impulse[i] * lack(i, row, of_impulses);
-    energy.curvature += problem.impulse[i] * of_impulses;
+  for (const RowRun& run : memory.runs) {
+    const ConstraintRow<Real>& one = problem.rows[run.first];
+    EnergySlope<Real> energy = memory.energy[run.island];
+    const auto add = [&](const ConstraintRow<Real>& row, Real impulse, Real jv, Real jv_solved) {
+      const Real of_impulses = jv_solved + row.softness * impulse;
+      energy.slope += impulse * lack(row, impulse, jv, of_impulses);
+      energy.curvature += impulse * of_impulses;
+    };
+    if (run.has_two_bodies) {
+      const Vec3<Real>&v_a = problem.velocity[one.a], &v_b = problem.velocity[one.b];
+      const Vec3<Real>&solved_a = memory.solved[one.a], &solved_b = memory.solved[one.b];
+      for (int i = run.first; i <= run.last; ++i) {
+        const ConstraintRow<Real>& row = problem.rows[i];
+        add(row, problem.impulse[i], dot(row.jacobian_a, v_a) + dot(row.jacobian_b, v_b),
+            dot(row.jacobian_a, solved_a) + dot(row.jacobian_b, solved_b));
+      }
+    } else {
+      add(one, problem.impulse[run.first], row_velocity(problem, one),
+          row_velocity(problem, one, memory.solved));
+    }
+    memory.energy[run.island] = energy;
   }
   Real least = 1;
   for (EnergySlope<Real>& energy : memory.energy) {
@@ -99,8 +136,9 @@ bool have_energy(const PerRow<Real>& impulses) {
 
 template <Scalar Real>
 void scale_impulses(VelocityProblem<Real>& problem, const EnergyMemory<Real>& memory) {
-  for (int i = 0; i < problem.row_count(); ++i)
-    problem.impulse[i] *= memory.energy[island_of(problem, problem.rows[i], memory.island)].share;
+  for (const RowRun& run : memory.runs) {
+    for (int i = run.first; i <= run.last; ++i) problem.impulse[i] *= memory.energy[run.island].share;
+  }
 }
 
 }  // namespace
@@ -109,11 +147,12 @@ template <Scalar Real>
 Real limit_warm_start(VelocityProblem<Real>& problem, EnergyMemory<Real>& memory) {
   memory.island.clear();
   if (!have_energy(problem.impulse)) return 1;
-  velocities_of_impulses(problem, memory.solved);
-  const auto lack = [&](int, const ConstraintRow<Real>& row, Real of_impulses) {
+  find_islands(problem, memory);
+  velocities_of_impulses(problem, memory.runs, memory.solved);
+  const auto lack = [](const ConstraintRow<Real>& row, Real, Real jv, Real of_impulses) {
     const bool may_push_out = row.bounds.is_unilateral() && row.softness == 0;  // a spring gives in as well
     const Real bias = may_push_out ? std::min(row.bias, Real(0)) : row.bias;
-    return row_velocity(problem, row) + of_impulses - bias;
+    return jv + of_impulses - bias;
   };
   const Real share = find_shares(problem, memory, lack);
   if (share < 1) scale_impulses(problem, memory);
@@ -123,9 +162,10 @@ Real limit_warm_start(VelocityProblem<Real>& problem, EnergyMemory<Real>& memory
 template <Scalar Real>
 Real limit_solved(VelocityProblem<Real>& problem, EnergyMemory<Real>& memory) {
   if (!have_energy(problem.impulse)) return 1;
-  velocities_of_impulses(problem, memory.solved);
-  const auto lack = [&](int i, const ConstraintRow<Real>& row, Real) {
-    return row_velocity(problem, row) + row.softness * problem.impulse[i] - row.bias;
+  if (memory.island.empty()) find_islands(problem, memory);
+  velocities_of_impulses(problem, memory.runs, memory.solved);
+  const auto lack = [](const ConstraintRow<Real>& row, Real impulse, Real jv, Real) {
+    return jv + row.softness * impulse - row.bias;
   };
   const Real share = find_shares(problem, memory, lack);
   if (!(share < 1)) return share;

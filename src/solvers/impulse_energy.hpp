@@ -26,11 +26,21 @@ struct EnergySlope {
   Real share = 1;      // that has the least D
 };
 
+/// Rows that follow each other and act on the same two bodies, as those of a pin or a contact do; or one row
+/// by itself.
+struct RowRun {
+  int first = 0;               // its first row
+  int last = 0;                // its last row
+  bool has_two_bodies = true;  // and no other
+  BodyId island = {};          // of its bodies that can be moved; one that cannot where none can
+};
+
 /// Memory for the two functions below.
 template <Scalar Real>
 struct EnergyMemory {
   PerBody<Vec3<Real>> solved = {};         // M^-1 J^T p
   PerBody<BodyId> island = {};             // of each body: the first one of its island
+  List<RowRun> runs = {};                  // all rows
   PerBody<EnergySlope<Real>> energy = {};  // of each island, at its first body
 };
 

@@ -45,7 +45,9 @@ void ProximalRows<Real>::append(const VelocityProblem<Real>& problem, const Cons
     inverse += dot(value, value);
     terms_.push_back({body.index, value});
   };
-  for_each_term(problem, row, take_term);
+  take_term(row.a, row.jacobian_a);
+  take_term(row.b, row.jacobian_b);
+  for_each_extra_term(problem, row, take_term);
   const Real unit = inverse > 0 ? 1 / std::sqrt(inverse) : Real(0);
   for (int k = first; k < terms_.size(); ++k) terms_[k].value *= unit;
   Row& scaled = rows_.emplace_back();

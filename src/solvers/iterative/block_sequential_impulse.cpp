@@ -1,6 +1,7 @@
 // Floor 4. Algorithm 1 of the paper, block by block.
 #include "solvers/iterative/block_sequential_impulse.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -42,8 +43,28 @@ SolveReport BlockSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
                                                 SolveObserver<Real>* observer) {
   check_blocks(problem, "BlockSequentialImpulse");
   if (observer != nullptr) observer->before_solve(problem);
-  stopping_.begin(settings_, problem);
   prepare(problem);
+  return solve_prepared(problem, observer);
+}
+
+/// Matrices are those of before where only biases are others.
+template <Scalar Real>
+SolveReport BlockSequentialImpulse<Real>::solve_again(VelocityProblem<Real>& problem) {
+  if (!has_same_softness(problem)) return solve(problem);
+  for (EqualityPair<Real>& pair : equality_pairs_) pair.take_bias(problem);
+  return solve_prepared(problem, nullptr);
+}
+
+template <Scalar Real>
+bool BlockSequentialImpulse<Real>::has_same_softness(const VelocityProblem<Real>& problem) const {
+  const auto same = [](const ConstraintRow<Real>& row, Real softness) { return row.softness == softness; };
+  return std::equal(problem.rows.begin(), problem.rows.end(), softness_.begin(), softness_.end(), same);
+}
+
+template <Scalar Real>
+SolveReport BlockSequentialImpulse<Real>::solve_prepared(VelocityProblem<Real>& problem,
+                                                         SolveObserver<Real>* observer) {
+  stopping_.begin(settings_, problem);
   apply_impulses(problem);  // warm start: those of last step act before the first sweep
 
   return stopping_.repeat_rows(problem, observer, sequence_, [&](int number, auto watched) {
@@ -63,7 +84,7 @@ SolveReport BlockSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
 template <Scalar Real>
 std::size_t BlockSequentialImpulse<Real>::memory() const {
   return parts_.bytes() + turns_.bytes() + effective_mass_.bytes() + pairs_.bytes() +
-         equality_pairs_.bytes() + factors_.bytes() + partner_.bytes();
+         equality_pairs_.bytes() + factors_.bytes() + softness_.bytes() + partner_.bytes();
 }
 
 template <Scalar Real>
@@ -74,6 +95,8 @@ void BlockSequentialImpulse<Real>::prepare(const VelocityProblem<Real>& problem)
   equality_pairs_.clear();
   factors_.clear();
   turns_.assign(problem.rows.size(), Turn{});
+  softness_.clear();
+  for (const ConstraintRow<Real>& row : problem.rows) softness_.push_back(row.softness);
   partner_.assign(problem.rows.size(), -1);
   for (const RowBlock& block : problem.blocks) {
     if (block.count == 0) continue;  // a degenerate joint

@@ -19,6 +19,10 @@ class EqualityPair {
  public:
   /// False where the rows do not share two bodies, hold a further one, or cannot be told apart.
   bool begin(const VelocityProblem<Real>& problem, int first, int second);
+  /// Where nothing but the biases of the rows has changed.
+  void take_bias(const VelocityProblem<Real>& problem) {
+    bias_ = {problem.rows[first_].bias, problem.rows[second_].bias};
+  }
   /// (22) for both rows; returns the larger change of their impulses [N s].
   Real update(VelocityProblem<Real>& problem, Real relaxation) const;
   /// From the velocity errors of the rows to the changes of their impulses.
@@ -41,10 +45,10 @@ class EqualityPair {
     return x + (y + z);
   }
   static void push(const Columns& jacobian, const Vec3<Real>& inverse_mass, const Two& p, Vec3<Real>& v) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const Two change = (inverse_mass(axis) * jacobian[axis]).cwiseProduct(p);
-      v(axis) = (v(axis) + change(0)) + change(1);
-    }
+    const Two x = (inverse_mass(0) * jacobian[0]).cwiseProduct(p);
+    const Two y = (inverse_mass(1) * jacobian[1]).cwiseProduct(p);
+    const Two z = (inverse_mass(2) * jacobian[2]).cwiseProduct(p);
+    v = {(v(0) + x(0)) + x(1), (v(1) + y(0)) + y(1), (v(2) + z(0)) + z(1)};
   }
 
   BodyId a_ = {};
