@@ -9,6 +9,7 @@
 #include "measure/energy.hpp"
 #include "measure/recorder.hpp"
 #include "../solver_list.hpp"
+#include "solvers/body_rows.hpp"
 #include "solvers/iterative/block_sequential_impulse.hpp"
 #include "solvers/residual.hpp"
 #include "solvers/system_matrix.hpp"
@@ -111,6 +112,44 @@ TEST_CASE_TEMPLATE("one pin, one weld and one soft weld are satisfied after one 
         CHECK(std::abs(left) <= 16 * std::numeric_limits<Real>::epsilon() * 32);
       }
     }
+  }
+}
+
+TEST_CASE_TEMPLATE("two equality rows side by side are solved to the bits of a block of any size", Real,
+                   float, double, long double) {
+  for (const Real softness : {Real(0), Real(0.5)}) {
+    VelocityProblem<Real> problem = two_joined_bodies<Real>(2);
+    for (ConstraintRow<Real>& row : problem.rows) row.softness = softness;
+    BlockMatrix<Real> A = {};
+    for (int i = 0; i < 2; ++i) {
+      for (int k = 0; k < 2; ++k) {
+        const Real entry = coupling(problem, problem.rows[i], problem.rows[k], problem.inverse_mass);
+        A[i][k] = i == k ? entry + softness : entry;
+      }
+    }
+    BlockFactor<Real> block;
+    EqualityPair<Real> pair;
+    REQUIRE(block.factorize(A, 2));
+    REQUIRE(pair.begin(problem, 0, 1));
+    BlockVector<Real> x = {Real(0.7), Real(-1.3)}, y = x;
+    block.solve(x);
+    pair.solve(y[0], y[1]);
+    CHECK(x == y);
+  }
+}
+
+TEST_CASE_TEMPLATE("whoever watches the rows of pins sees what they are without him", Real, float, double,
+                   long double) {
+  struct Watcher final : SolveObserver<Real> {
+    bool watches_rows() const override { return true; }
+  } watcher;
+  for (const double relaxation : {1.0, 1.3}) {
+    VelocityProblem<Real> watched = converted<Real>(line_of<RevoluteJoint>(7, 0.4)), alone = watched;
+    BlockSequentialImpulse<Real> solver({.iterations = 5, .relaxation = relaxation});
+    solver.solve(watched, &watcher);
+    solver.solve(alone);
+    CHECK(watched.impulse == alone.impulse);
+    CHECK(watched.velocity == alone.velocity);
   }
 }
 
