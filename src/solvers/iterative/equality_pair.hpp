@@ -44,11 +44,12 @@ class EqualityPair {
     if constexpr (std::same_as<Real, double>) return (x + y) + z;
     return x + (y + z);
   }
-  static void push(const Columns& jacobian, const Vec3<Real>& inverse_mass, const Two& p, Vec3<Real>& v) {
+  [[gnu::always_inline]] static Vec3<Real> pushed(const Columns& jacobian, const Vec3<Real>& inverse_mass,
+                                                  const Two& p, const Vec3<Real>& v) {
     const Two x = (inverse_mass(0) * jacobian[0]).cwiseProduct(p);
     const Two y = (inverse_mass(1) * jacobian[1]).cwiseProduct(p);
     const Two z = (inverse_mass(2) * jacobian[2]).cwiseProduct(p);
-    v = {(v(0) + x(0)) + x(1), (v(1) + y(0)) + y(1), (v(2) + z(0)) + z(1)};
+    return {(v(0) + x(0)) + x(1), (v(1) + y(0)) + y(1), (v(2) + z(0)) + z(1)};
   }
 
   BodyId a_ = {};
@@ -95,8 +96,9 @@ bool EqualityPair<Real>::begin(const VelocityProblem<Real>& problem, int first, 
 }
 
 template <Scalar Real>
-inline Real EqualityPair<Real>::update(VelocityProblem<Real>& problem, Real relaxation) const {
-  Vec3<Real>&v_a = problem.velocity[a_], &v_b = problem.velocity[b_];
+[[gnu::always_inline]] inline Real EqualityPair<Real>::update(VelocityProblem<Real>& problem,
+                                                              Real relaxation) const {
+  const Vec3<Real> v_a = problem.velocity[a_], v_b = problem.velocity[b_];
   const Two old = {problem.impulse[first_], problem.impulse[second_]};
   const Two jv = product(jacobian_a_, v_a) + product(jacobian_b_, v_b);
   Two change = bias_ - jv - softness_.cwiseProduct(old);
@@ -105,8 +107,8 @@ inline Real EqualityPair<Real>::update(VelocityProblem<Real>& problem, Real rela
   const Two given = now - old;
   problem.impulse[first_] = now(0);
   problem.impulse[second_] = now(1);
-  push(jacobian_a_, problem.inverse_mass[a_], given, v_a);  // (19), (21)
-  push(jacobian_b_, problem.inverse_mass[b_], given, v_b);
+  problem.velocity[a_] = pushed(jacobian_a_, problem.inverse_mass[a_], given, v_a);  // (19), (21)
+  problem.velocity[b_] = pushed(jacobian_b_, problem.inverse_mass[b_], given, v_b);
   return std::max(std::max(Real(0), std::abs(given(0))), std::abs(given(1)));
 }
 
