@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
 #include <set>
 
 namespace cairn {
@@ -16,6 +17,31 @@ constexpr int all_pairs_limit = 32;
 std::string line(const char* what, const std::string& how) { return fmt::format("  {:<14}{}\n", what, how); }
 
 std::string either(bool used, const char* yes, const char* no) { return used ? yes : no; }
+
+/// Whether two bodies with shapes, one of them dynamic, may ever touch each other: bodies of the same
+/// categories are looked at once.
+bool any_may_meet(const Scene& scene) {
+  struct Kind {
+    const BodySpec* spec = nullptr;
+    bool has_two = false;  // bodies
+    bool has_dynamic = false;
+  };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Kind> kinds;
+  for (const SceneBody& body : scene.bodies()) {
+    if (body.removed || body.spec.shapes.empty()) continue;
+    Kind& kind = kinds[{body.spec.category, body.spec.collides_with}];
+    kind.has_two = kind.spec != nullptr;
+    kind.spec = &body.spec;
+    kind.has_dynamic |= body.spec.type == BodyType::dynamic;
+  }
+  for (const auto& [one_name, one] : kinds) {
+    for (const auto& [other_name, other] : kinds) {
+      const bool are_two = one_name != other_name || one.has_two;
+      if (are_two && (one.has_dynamic || other.has_dynamic) && may_touch(*one.spec, *other.spec)) return true;
+    }
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -40,7 +66,7 @@ Plan make_plan(const Scene& scene) {
       kinds.insert(shape_name(shape));
     }
   }
-  plan.collision &= plan.colliders > 1;
+  plan.collision = plan.collision && plan.colliders > 1 && any_may_meet(scene);
   plan.friction = plan.collision && rubbing_bodies > 1;
   plan.friction_rows = scene.settings().friction_rows;
   plan.restitution &= plan.collision;
