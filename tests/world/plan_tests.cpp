@@ -136,3 +136,22 @@ TEST_CASE("bodies whose rotation is fixed are counted, and never turn") {
   CHECK(says(world.plan(), "left out for 1 of 2 dynamic bodies: 1/I is 0"));
   CHECK(says(world.plan(), "2 dynamic of 3; 5 velocities a step"));
 }
+
+TEST_CASE("collision is left out where the categories of all bodies that could meet exclude each other") {
+  const auto collides = [](const BodySpec& one, const BodySpec& other) {
+    Scene scene;
+    scene.add(one);
+    scene.add(other);
+    return World(scene).plan().collision;
+  };
+  const BodySpec any = {.shapes = {circle(0.5)}};
+  const BodySpec link = {.shapes = {circle(0.5)}, .category = 2, .collides_with = ~2u};
+  BodySpec wall = any, post = link;
+  wall.type = post.type = BodyType::static_body;
+  CHECK(collides(any, any));
+  CHECK(collides(any, link));
+  CHECK(collides(wall, link));
+  CHECK_FALSE(collides(link, link));
+  CHECK_FALSE(collides(post, link));
+  CHECK_FALSE(collides(wall, post));
+}
