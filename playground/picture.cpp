@@ -23,7 +23,6 @@ constexpr double narrow =
     1.1;                      // a picture no wider than so many times its height has the rows below the scene
 constexpr double high = 680;  // [px] a narrow picture this high has room for a curve
 constexpr double equation_height = 150;  // [px]
-constexpr double room_for_time = 560;    // [px] of width
 constexpr double arrow_share = 0.5;
 constexpr double finger = 8;  // [px] by which it may miss
 
@@ -90,8 +89,8 @@ void Picture::choose_theme(const std::string& theme) {
 /// Wide: the scene above the equation, bars above the curve. Narrow, or too low for four panels: one of
 /// equation and curve.
 Picture::Panels Picture::panels(const Playground& playground) const {
-  Rect area = page_->area();
-  area.height += page_->sizes().footer;  // which has a scrubber only where there are frames
+  const render::Canvas& canvas = page_->canvas();
+  const Rect area = {0, 0, static_cast<double>(canvas.width()), static_cast<double>(canvas.height())};
   const double gap = page_->sizes().gap;
   const bool is_narrow = area.width < narrow * area.height;
   const bool is_lit = playground.lit_row() >= 0;
@@ -121,21 +120,8 @@ Picture::Panels Picture::panels(const Playground& playground) const {
   return panels;
 }
 
-/// Where the student is: in the scene's time, and in the step under way.
-std::string Picture::state(const Playground& playground) const {
-  const Bench& bench = playground.bench(0);
-  const SolveLook& look = playground.look(0);
-  const bool is_within = playground.cursor() && look.last;
-  const std::string within =
-      is_within ? fmt::format("sweep {} · row {}", look.last->sweep, look.last->row + 1) : "";
-  const std::string steps = fmt::format("step {}", bench.steps());
-  if (page_->area().width < room_for_time) return is_within ? within : steps;
-  const std::string time = fmt::format("{} · t = {:.3f} s", steps, bench.snapshot().time);
-  return is_within ? fmt::format("{} · {} of {}", time, within, look.given.row_count()) : time;
-}
-
 void Picture::draw(const Playground& playground) {
-  page_->begin({.title = playground.entry().title, .state = state(playground)});
+  page_->begin({});
   const Panels panels = this->panels(playground);
   cameras_.clear();
   for (int i = 0; i < panels.scenes.size(); ++i) draw_scene(playground, i, panels.scenes[i]);

@@ -48,7 +48,6 @@ class Picture {
   };
 
   void begin(int width, int height, double scale, bool is_dark);
-  std::string state(const Playground& playground) const;
   Panels panels(const Playground& playground) const;
   void draw_scene(const Playground& playground, int number, const render::Rect& rect);
   void draw_forces(const Playground& playground, int number, const render::Camera& camera);
