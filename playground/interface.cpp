@@ -66,6 +66,12 @@ constexpr double finger = 0.1;  // [m] by which it may miss a body
 
 double as_number(bool flag) { return flag ? 1 : 0; }
 
+/// As cairn_bodies() tells it.
+double state_of(const cairn::SnapshotBody& body) {
+  if (body.removed) return 0;
+  return body.type == cairn::BodyType::dynamic ? 2 : 1;
+}
+
 double kind_of(const cairn::ConstraintRow<double>& row) {
   if (row.bounds.is_friction()) return 2;
   return row.bounds.is_unilateral() ? 1 : 0;
@@ -132,10 +138,9 @@ const double* cairn_bodies(void) {
   const cairn::Snapshot snapshot = session().playground.bench(0).snapshot();
   List<double> numbers;
   for (const cairn::SnapshotBody& body : snapshot.bodies) {
-    const bool can_be_held = body.type == cairn::BodyType::dynamic && !body.removed;
     const List<double> one = {
         body.pose.position.x(), body.pose.position.y(), body.pose.angle, body.velocity.x(),
-        body.velocity.y(),      body.velocity.z(),      body.mass,       as_number(can_be_held)};
+        body.velocity.y(),      body.velocity.z(),      body.mass,       state_of(body)};
     numbers.insert(numbers.end(), one.begin(), one.end());
   }
   return returned(std::move(numbers));

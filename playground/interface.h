@@ -26,7 +26,8 @@ int cairn_restart(void);
  *  allows it. The settings are those that cairn_settings() lists. */
 int cairn_set(const char* setting, const char* value);
 /** All settings as JSON: [{"name": "sweeps", "title": "Sweeps", "value": "10", "recommended": "10", "unit": "",
- *  "least": 0, "most": 100, "choices": []}, ...]. Choices are the words that it takes; without any it takes numbers. */
+ *  "least": 0, "most": 100, "choices": [], "meanings": []}, ...]. Choices are the words that it takes; without any it
+ *  takes numbers. Meanings say each of them in more words, where there are any. */
 const char* cairn_settings(void);
 
 /** So many steps, to the end of the one under way first. Refuses once a body is no longer at a finite place. */
@@ -57,8 +58,8 @@ int cairn_pin(int body_a, int body_b, double x, double y);
 /** Takes the last of these changes back, and brings the world to where it was before it. */
 int cairn_undo(void);
 
-/** What a body is doing: x, y, angle, vx, vy, angular velocity, mass, and whether it can be taken hold of (1 or 0), for
- *  each body, the ground first. */
+/** What a body is doing: x, y, angle, vx, vy, angular velocity, mass, and what can be done with it (0: it was removed;
+ *  1: something can be pinned to it; 2: it can be taken hold of, too), for each body, the ground first. */
 const double* cairn_bodies(void);
 /** Their number. */
 int cairn_body_count(void);

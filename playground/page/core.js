@@ -15,10 +15,12 @@
  * @property {number} least
  * @property {number} most
  * @property {string[]} choices the words that it takes; without any it takes numbers
+ * @property {string[]} meanings of the choices, in more words; none where they are clear
  *
  * @typedef {object} Body
  * @property {number} x [m]
  * @property {number} y [m]
+ * @property {boolean} isThere it was not removed
  * @property {boolean} canMove
  *
  * @typedef {object} Row
@@ -168,7 +170,7 @@ export class Core {
     const all = this.#array(this.#call("bodies", "number"), count * bodyWidth);
     return Array.from({ length: count }, (_, i) => {
       const at = i * bodyWidth;
-      return { x: all[at], y: all[at + 1], canMove: all[at + 7] === 1 };
+      return { x: all[at], y: all[at + 1], isThere: all[at + 7] > 0, canMove: all[at + 7] === 2 };
     });
   }
 

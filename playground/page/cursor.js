@@ -50,22 +50,35 @@ class Cursor {
     if (this.#chosen > 0) say(this.#app.core.bodyName(this.#chosen));
   }
 
+  /** Bodies that can move; and for the second end of a pin all that are there. @param {import("./core.js").Body} [body] */
+  #canChoose(body) {
+    return body !== undefined && (body.canMove || (body.isThere && this.#tools.pin !== null));
+  }
+
   /**
-   * The next body that can move in that direction, from the chosen one; the first where none is chosen.
+   * The next body in that direction, from the chosen one; the first where none is chosen.
    * @param {import("./core.js").Body[]} bodies
    * @param {number} x
    * @param {number} y
    */
   #nearest(bodies, x, y) {
     const from = bodies[this.#chosen];
-    if (!from?.canMove) return bodies.findIndex((body) => body.canMove);
+    if (!this.#canChoose(from)) return bodies.findIndex((body) => body.canMove);
     let best = -1;
     let least = Infinity;
     bodies.forEach((body, i) => {
       const along = (body.x - from.x) * x + (body.y - from.y) * y;
       const across = Math.abs((body.x - from.x) * y) + Math.abs((body.y - from.y) * x);
       const far = along + 2 * across;
-      if (!body.canMove || i === this.#chosen || along <= 1e-6 || across > 2 * along || far >= least) return;
+      if (
+        i === 0 ||
+        i === this.#chosen ||
+        !this.#canChoose(body) ||
+        along <= 1e-6 ||
+        across > 2 * along ||
+        far >= least
+      )
+        return;
       [best, least] = [i, far];
     });
     return best;
@@ -74,7 +87,7 @@ class Cursor {
   #use() {
     const body = this.#app.core.bodies()[this.#chosen];
     if (this.#tools.isHolding) return this.#tools.letGo();
-    if (!body?.canMove) return say("Choose a body first, with the arrow keys.");
+    if (!this.#canChoose(body)) return say("Choose a body first, with the arrow keys.");
     if (this.#tools.tool === "box") {
       const over = { x: body.x, y: body.y + 90 / this.#app.core.scale() };
       return this.#tools.box(over, over);
@@ -98,7 +111,7 @@ class Cursor {
     const { pin } = this.#tools;
     const hasFocus = document.activeElement === canvas;
     const body = hasFocus && this.#chosen > 0 ? core.bodies()[this.#chosen] : undefined;
-    const point = body?.canMove ? body : pin;
+    const point = body && this.#canChoose(body) ? body : pin;
     show(marker, point !== null);
     if (point === null) return;
     const place = core.place(point.x, point.y);

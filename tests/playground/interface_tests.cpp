@@ -173,7 +173,9 @@ TEST_CASE("boxes and pins are put in and taken out, in the world and in its text
   CHECK(number(1) == 30);
   REQUIRE(cairn_pin(0, 3, 3, 0.5) == 1);
   REQUIRE(cairn_remove(1) == 1);
+  CHECK(cairn_bodies()[8 * 0 + 7] == 1);
   CHECK(cairn_bodies()[8 * 1 + 7] == 0);
+  CHECK(cairn_bodies()[8 * 2 + 7] == 2);
   const std::string changed = cairn_scene_text();
   CHECK(changed.find("[[joint]]\ntype = \"revolute\"\nb = \"box-1\"") != std::string::npos);
   REQUIRE(cairn_step(60) == 1);
