@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "math/check.hpp"
 #include "math/list.hpp"
@@ -25,6 +27,7 @@ struct Control {
   double most = 0;
   bool is_whole = false;
   List<std::string> choices = {};
+  List<std::string> meanings = {};  // of the choices, where they are no words of English
   std::function<std::string(const Controls&)> value = {};
   std::function<void(Controls&, const std::string&, double)> set = {};  // the word, or the number
 };
@@ -34,10 +37,9 @@ const List<std::string> policy_words = {"none", "baumgarte", "relaxed", "soft",
                                         "split-impulse"};                              // as enumerated
 const List<std::string> search_words = {"every-substep", "every-step", "when-moved"};  // as enumerated
 
-List<std::string> solver_words() {
-  List<std::string> words;
+List<std::string> solver_words(std::string SolverEntry::*which, List<std::string> words = {}) {
   for (const SolverEntry& entry : solver_entries()) {
-    if (entry.name != "box2d") words.push_back(entry.name);
+    if (entry.name != "box2d") words.push_back(entry.*which);
   }
   return words;
 }
@@ -49,16 +51,16 @@ int number_of(const List<std::string>& words, const std::string& word) {
 std::string number_text(double number) { return fmt::format("{:g}", number); }
 
 List<Control> solver_controls() {
-  List<std::string> others = {"none"};
-  for (const std::string& word : solver_words()) others.push_back(word);
   return {{.name = "solver",
            .title = "Solver",
-           .choices = solver_words(),
+           .choices = solver_words(&SolverEntry::name),
+           .meanings = solver_words(&SolverEntry::title),
            .value = [](const Controls& c) { return c.setting.solver; },
            .set = [](Controls& c, const std::string& word, double) { c.setting.solver = word; }},
           {.name = "other",
            .title = "Second solver",
-           .choices = others,
+           .choices = solver_words(&SolverEntry::name, {"none"}),
+           .meanings = solver_words(&SolverEntry::title, {""}),
            .value = [](const Controls& c) { return c.other.value_or("none"); },
            .set = [](Controls& c, const std::string& word,
                      double) { c.other = word == "none" ? std::nullopt : std::optional(word); }},
@@ -78,7 +80,7 @@ List<Control> solver_controls() {
 
 List<Control> scene_controls() {
   return {{.name = "friction",
-           .title = "Friction of all bodies",
+           .title = "Friction, all bodies",
            .choices = {"as-in-scene", "0", "0.1", "0.2", "0.3", "0.4", "0.6", "0.8", "1", "1.5"},
            .value = [](const Controls& c) { return c.friction ? number_text(*c.friction) : "as-in-scene"; },
            .set =
@@ -86,8 +88,8 @@ List<Control> scene_controls() {
                  c.friction = word == "as-in-scene" ? std::nullopt : std::optional(std::stod(word));
                }},
           {.name = "mass-ratio",
-           .title = "Uppermost body heavier by",
-           .unit = "times",
+           .title = "Mass of the uppermost body",
+           .unit = "×",
            .least = 0.01,
            .most = 1000,
            .value = [](const Controls& c) { return number_text(c.mass_ratio); },
@@ -97,7 +99,7 @@ List<Control> scene_controls() {
 List<Control> step_controls() {
   return {
       {.name = "policy",
-       .title = "Errors are taken back by",
+       .title = "Stabilization",
        .choices = policy_words,
        .value =
            [](const Controls& c) { return policy_words[static_cast<int>(c.setting.stabilization.policy)]; },
@@ -106,7 +108,7 @@ List<Control> step_controls() {
              c.setting.stabilization.policy = static_cast<StabilizationPolicy>(number_of(policy_words, word));
            }},
       {.name = "beta",
-       .title = "Share of an error taken back a step, β",
+       .title = "Baumgarte factor β",
        .most = 1,
        .value = [](const Controls& c) { return number_text(c.setting.stabilization.baumgarte); },
        .set = [](Controls& c, const std::string&, double x) { c.setting.stabilization.baumgarte = x; }},
@@ -125,7 +127,7 @@ List<Control> step_controls() {
        .value = [](const Controls& c) { return number_text(c.setting.substeps); },
        .set = [](Controls& c, const std::string&, double x) { c.setting.substeps = static_cast<int>(x); }},
       {.name = "search",
-       .title = "Contacts are looked for",
+       .title = "Contact search",
        .choices = search_words,
        .value = [](const Controls& c) { return search_words[static_cast<int>(c.setting.contact_search)]; },
        .set =
@@ -133,7 +135,7 @@ List<Control> step_controls() {
              c.setting.contact_search = static_cast<ContactSearch>(number_of(search_words, word));
            }},
       {.name = "numbers",
-       .title = "Numbers",
+       .title = "Precision",
        .choices = {"float", "double"},
        .value =
            [](const Controls& c) {
@@ -156,20 +158,34 @@ const List<Control>& all_controls() {
   return controls;
 }
 
-double number_in(const Control& control, const std::string& text) {
+/// The least and the most that a control takes: what the scene recommends is among it.
+std::pair<double, double> limits_of(const Control& control, const Controls& recommended) {
+  const double wanted = std::stod(control.value(recommended));
+  return {std::min(control.least, wanted), std::max(control.most, wanted)};
+}
+
+double number_in(const Control& control, const std::string& text, const Controls& recommended) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool is_number = error == std::errc{} && end == text.data() + text.size();
   const bool is_right = is_number && (!control.is_whole || number == std::floor(number));
-  const std::string rule = fmt::format("a {} from {:g} to {:g}", control.is_whole ? "whole number" : "number",
-                                       control.least, control.most);
-  require(is_right && number >= control.least && number <= control.most, "setting", control.name, rule, text);
+  const auto [least, most] = limits_of(control, recommended);
+  const std::string rule =
+      fmt::format("a {} from {:g} to {:g}", control.is_whole ? "whole number" : "number", least, most);
+  require(is_right && number >= least && number <= most, "setting", control.name, rule, text);
   return number;
+}
+
+nlohmann::ordered_json array_of(const List<std::string>& words) {
+  nlohmann::ordered_json array = nlohmann::ordered_json::array();
+  for (const std::string& word : words) array.push_back(word);
+  return array;
 }
 
 }  // namespace
 
-void set_control(Controls& controls, const std::string& name, const std::string& value) {
+void set_control(Controls& controls, const Controls& recommended, const std::string& name,
+                 const std::string& value) {
   List<std::string> known;
   for (const Control& control : all_controls()) known.push_back(control.name);
   require_known(name, known, "playground", "setting");
@@ -178,22 +194,23 @@ void set_control(Controls& controls, const std::string& name, const std::string&
     require_known(value, control.choices, control.name, "choice");
     return control.set(controls, value, 0);
   }
-  control.set(controls, value, number_in(control, value));
+  control.set(controls, value, number_in(control, value, recommended));
 }
 
 std::string controls_text(const Controls& controls, const Controls& recommended) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const Control& control : all_controls()) {
-    nlohmann::ordered_json choices = nlohmann::ordered_json::array();
-    for (const std::string& choice : control.choices) choices.push_back(choice);
+    const bool is_number = control.choices.empty();
+    const auto [least, most] = is_number ? limits_of(control, recommended) : std::pair(0.0, 0.0);
     all.push_back({{"name", control.name},
                    {"title", control.title},
                    {"value", control.value(controls)},
                    {"recommended", control.value(recommended)},
                    {"unit", control.unit},
-                   {"least", control.least},
-                   {"most", control.most},
-                   {"choices", choices}});
+                   {"least", least},
+                   {"most", most},
+                   {"choices", array_of(control.choices)},
+                   {"meanings", array_of(control.meanings)}});
   }
   return all.dump();
 }

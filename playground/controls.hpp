@@ -16,13 +16,15 @@ struct Controls {
   double mass_ratio = 1;                  // by which the uppermost body is heavier than in the scene
 };
 
-/// Gives the control of that name a value.
+/// Gives the control of that name a value. Its limits hold what the scene recommends, also where that is
+/// beyond the usual ones.
 /// @throws std::invalid_argument for an unknown control, with the nearest known one, and for a value that it
 /// does not take.
-void set_control(Controls& controls, const std::string& name, const std::string& value);
+void set_control(Controls& controls, const Controls& recommended, const std::string& name,
+                 const std::string& value);
 
 /// All controls as JSON, with what the scene recommends: an array of objects with name, title, value,
-/// recommended, unit, least, most and choices.
+/// recommended, unit, least, most, choices and what these mean.
 std::string controls_text(const Controls& controls, const Controls& recommended);
 
 /// Whether both need the same scene, and computations in the same number: then a world goes on from one to

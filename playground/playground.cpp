@@ -86,7 +86,7 @@ void Playground::begin(const SceneEntry& entry, const Controls& controls) {
 
 void Playground::set(const std::string& control, const std::string& value) {
   Controls next = controls_;
-  set_control(next, control, value);
+  set_control(next, recommended_, control, value);
   if (!can_go_on(controls_, next)) {
     begin(entry_, next);
     words_ = "From the start, for this cannot change while the scene runs.";

@@ -40,8 +40,8 @@ function placeOf(setting, value) {
 }
 
 /** @param {string} word @param {Setting} setting */
-function choiceWords(word, setting) {
-  return setting.name === "solver" || setting.name === "other" ? word : word.replaceAll("-", " ");
+function choiceWords(word, { meanings }) {
+  return meanings.length > 0 ? word : word.replaceAll("-", " ");
 }
 
 /** @param {Setting} setting @param {Apply} apply */
@@ -53,9 +53,10 @@ function makeSwitch(setting, apply) {
 
 /** @param {Setting} setting @param {Apply} apply */
 function makeChoice(setting, apply) {
-  const options = setting.choices.map((word) =>
-    make("option", { value: word, textContent: choiceWords(word, setting) }),
-  );
+  const options = setting.choices.map((word, i) => {
+    const meaning = setting.meanings[i] ? `: ${setting.meanings[i]}` : "";
+    return make("option", { value: word, textContent: choiceWords(word, setting) + meaning });
+  });
   const list = make("select", { id: "set-" + setting.name }, ...options);
   list.addEventListener("change", () => apply(list.value, true));
   return { inputs: [list], update: (/** @type {Setting} */ { value }) => void (list.value = value) };
@@ -64,12 +65,11 @@ function makeChoice(setting, apply) {
 /** @param {Setting} setting @param {Apply} apply */
 function makeNumber(setting, apply) {
   const slider = make("input", { type: "range", min: "0", max: String(sliderEnd), step: "any" });
-  slider.ariaLabel = setting.title + ", slider";
+  slider.ariaLabel = setting.title;
   const text = make("input", { type: "text", inputMode: "decimal", autocomplete: "off" });
   text.id = "set-" + setting.name;
-  let now = Number(setting.value);
-  const pull = (/** @type {boolean} */ isDone) =>
-    apply(String(valueAt(setting, Number(slider.value))), isDone);
+  let now = setting; // its limits, too, are those of the scene
+  const pull = (/** @type {boolean} */ isDone) => apply(String(valueAt(now, Number(slider.value))), isDone);
   slider.addEventListener("input", () => pull(false));
   slider.addEventListener("change", () => pull(true));
   // One tick of the slider is the next value, not a thousandth of its way.
@@ -77,24 +77,24 @@ function makeNumber(setting, apply) {
     const up = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
     if (!up) return;
     event.preventDefault();
-    let place = placeOf(setting, now);
-    const begun = valueAt(setting, place);
-    while (place >= 0 && place <= sliderEnd && valueAt(setting, place) === begun) place += up;
-    apply(String(valueAt(setting, Math.min(Math.max(place, 0), sliderEnd))), true);
+    let place = placeOf(now, Number(now.value));
+    const begun = valueAt(now, place);
+    while (place >= 0 && place <= sliderEnd && valueAt(now, place) === begun) place += up;
+    apply(String(valueAt(now, Math.min(Math.max(place, 0), sliderEnd))), true);
   });
   text.addEventListener("change", () => {
     const value = numberIn(text.value);
     const isTaken = apply(Number.isNaN(value) ? text.value : String(value), true);
     text.ariaInvalid = String(!isTaken);
   });
-  const update = (/** @type {Setting} */ { value }) => {
-    now = Number(value);
-    text.value = value.replaceAll("-", "\u2212");
+  const update = (/** @type {Setting} */ changed) => {
+    now = changed;
+    text.value = now.value.replaceAll("-", "\u2212");
     text.ariaInvalid = "false";
-    slider.value = String(placeOf(setting, now));
-    slider.ariaValueText = `${value} ${setting.unit}`.trim();
+    slider.value = String(placeOf(now, Number(now.value)));
+    slider.ariaValueText = `${now.value} ${now.unit}`.trim();
   };
-  text.addEventListener("blur", () => update({ ...setting, value: String(now) }));
+  text.addEventListener("blur", () => update(now));
   return { inputs: [slider, text], update };
 }
 
@@ -125,6 +125,7 @@ function makeField(setting, apply) {
       const differs = now.value !== recommended;
       element.classList.toggle("differs", differs);
       again.textContent = `Back to ${choiceWords(recommended, now)}`;
+      again.ariaLabel = `${now.title}: ${again.textContent}`;
       again.title = "What the scene recommends";
       show(again, differs);
       update(now);

@@ -222,6 +222,17 @@ TEST_CASE("each setting takes what it lists, and refuses the rest in words") {
   CHECK(refusal().find("sweeps") != std::string::npos);
 }
 
+TEST_CASE("limits of a setting hold what the scene recommends") {
+  const std::string text = std::string(two_boxes) + "\n[step]\ndt = 0.001\n[recommended]\niterations = 300\n";
+  begin(text.c_str());
+  CHECK(setting("rate").at("most") == 1000);
+  CHECK(setting("sweeps").at("most") == 300);
+  CHECK(cairn_set("sweeps", "301") == 0);
+  REQUIRE(cairn_set("sweeps", "10") == 1);
+  CHECK(cairn_set("sweeps", "300") == 1);
+  CHECK(setting("sweeps").at("least") == 0);
+}
+
 TEST_CASE("a world goes on under another setting") {
   begin(two_boxes);
   REQUIRE(cairn_step(10) == 1);
