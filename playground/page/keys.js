@@ -25,13 +25,16 @@ const keys = [
 /** What has no button. */
 const others = [
   { shown: "J, K", says: "light up the next row, or the one before" },
-  { shown: "Tab", says: "to the next control; the picture is one of them" },
-  { shown: "← ↑ → ↓", says: "on the picture: choose a body, or pull what the hand holds" },
-  { shown: "Enter", says: "on the picture: use the tool on that body; a second Enter lets go" },
-  { shown: "Delete", says: "on the picture: remove that body" },
-  { shown: "G", says: "on the picture, with the tool Pin: pin the body to the ground" },
-  { shown: "Escape", says: "let go" },
+  { shown: "Tab", says: "to the next control; the picture is one" },
   { shown: "Ctrl+Enter", says: "in the scene file: run the text" },
+];
+
+const onPicture = [
+  { shown: "← ↑ → ↓", says: "choose a body, or pull what the hand holds" },
+  { shown: "Enter", says: "use the tool on that body; once more lets go" },
+  { shown: "Delete", says: "remove that body" },
+  { shown: "G", says: "with the tool Pin: pin the body to the ground" },
+  { shown: "Escape", says: "let go" },
 ];
 
 /** @param {KeyboardEvent} event */
@@ -48,8 +51,15 @@ export function setUpKeys(app) {
   isOn.checked = kept("cairn-letters") !== "off";
   isOn.addEventListener("change", () => keep("cairn-letters", isOn.checked ? "on" : "off"));
   const list = find("keys-list", HTMLElement);
-  for (const { shown, says } of [...keys, ...others]) {
-    list.append(make("dt", {}, make("kbd", { textContent: shown })), make("dd", { textContent: says }));
+  for (const [title, some] of /** @type {const} */ ([
+    ["Everywhere", [...keys, ...others]],
+    ["While the picture has the focus", onPicture],
+  ])) {
+    const lines = some.flatMap(({ shown, says }) => [
+      make("dt", {}, make("kbd", { textContent: shown })),
+      make("dd", { textContent: says }),
+    ]);
+    list.append(make("section", {}, make("h3", { textContent: title }), make("dl", {}, ...lines)));
   }
   button("keys").addEventListener("click", () => dialog.showModal());
   button("keys-close").addEventListener("click", () => dialog.close());

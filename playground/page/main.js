@@ -32,13 +32,13 @@ async function loadCore() {
 
 /**
  * The height of a picture of that width [px]: a narrow one has its rows below the scene; a wide one leaves room for the
- * buttons, but has all of its panels, which takes 540.
+ * buttons.
  * @param {number} width
  */
 function heightFor(width) {
-  if (width < 600) return Math.round(1.7 * width);
-  if (width < 900) return Math.round(0.75 * width);
-  return Math.round(Math.max(Math.min(0.625 * width, window.innerHeight - 220), 540));
+  if (width < 600) return Math.round(1.6 * width);
+  if (width < 900) return Math.round(0.7 * width);
+  return Math.round(Math.max(Math.min(0.6 * width, window.innerHeight - 250), 440));
 }
 
 /** The picture has the size that the page has for it. @param {App} app */
@@ -94,8 +94,11 @@ function setUpButtons(app) {
     const { player } = app;
     button("run").textContent = player.isRunning ? "Pause" : "Run";
     button("slow").ariaPressed = String(player.isSlow);
-    const isDiverged = core.numbers().diverged === 1;
-    show(find("diverged", HTMLElement), isDiverged);
+    const { diverged, contacts, rows } = core.numbers();
+    show(find("diverged", HTMLElement), diverged === 1);
+    const bodies = core.bodies().filter(({ isThere }) => isThere).length;
+    const now = `${app.file.title}: ${bodies} bodies with the ground, ${contacts} contact points, ${rows} rows.`;
+    find("canvas-now", HTMLElement).textContent = now;
     writePlan();
   });
 }
@@ -107,12 +110,15 @@ function setUpNumbers(app) {
   let sum = 0;
   let count = 0;
   app.followPictures(() => {
-    const { time, steps, milliseconds } = app.core.numbers();
+    const { time, steps, updates, sweep, rows, lit, residual, milliseconds } = app.core.numbers();
     sum += milliseconds;
     ++count;
     if (app.player.isRunning && performance.now() - written < pause) return;
-    const cost = steps > 0 ? ` · ${(sum / count).toFixed(2)} ms to compute a step` : "";
-    find("numbers", HTMLElement).textContent = `Step ${steps} · ${number(time)} s${cost}`;
+    const parts = [`Step ${steps}`, `${time.toFixed(3)} s`];
+    if (updates > 0)
+      parts.push(`sweep ${sweep}`, `row ${lit + 1} of ${rows}`, `residual ${number(residual)}`);
+    else if (steps > 0) parts.push(`${(sum / count).toFixed(2)} ms to compute a step`);
+    find("numbers", HTMLElement).textContent = parts.join(" · ");
     written = performance.now();
     [sum, count] = [0, 0];
   });

@@ -1,7 +1,7 @@
 // A question at work: it is asked, the student pulls the bar or types a number, then sees.
 import { button, find, show } from "./dom.js";
 import { number, numberIn, offWords, rowWords, say, sayRefusal } from "./words.js";
-import { questions } from "./questions.js";
+import { begun, questions } from "./questions.js";
 
 /** @typedef {import("./app.js").App} App */
 /** @typedef {import("./questions.js").Question} Question */
@@ -78,9 +78,7 @@ class Quiz {
     const { core, player } = this.#app;
     player.pause();
     const isSet =
-      this.#app.open(question.scene) &&
-      Object.entries(question.settings).every(([name, value]) => core.set(name, value)) &&
-      core.sweep();
+      this.#app.open(question.scene) && begun.every(([name, value]) => core.set(name, value)) && core.sweep();
     const row = isSet ? this.#find(question) : -1;
     if (row < 0) {
       sayRefusal(core.refusal() || "The scene has no such row now.");
@@ -116,13 +114,12 @@ class Quiz {
   }
 
   /** @param {Question} question */
-  #find({ kind, bodies, which }) {
+  #find({ bodies, isRight }) {
     const { core } = this.#app;
-    const isMeant = (/** @type {import("./core.js").Row} */ row) => {
-      const names = [core.bodyName(row.a), core.bodyName(row.b)];
-      return row.kind === kind && bodies.every((name) => names.includes(name));
-    };
-    return core.rows().flatMap((row, i) => (isMeant(row) ? [i] : []))[which] ?? -1;
+    const isMeant = (/** @type {import("./core.js").Row} */ { kind, a, b }) =>
+      kind === 1 && bodies === `${core.bodyName(a)} ${core.bodyName(b)}`;
+    const both = core.rows().flatMap((row, i) => (isMeant(row) ? [i] : []));
+    return both[isRight ? 1 : 0] ?? -1;
   }
 
   #typed() {
@@ -142,7 +139,7 @@ class Quiz {
     this.#isRevealed = true;
     const off = offWords(prediction, core.rows()[this.#row].end);
     this.#write(`${off} ${this.#because}`.trim());
-    say(`${off} ${this.#because}`.trim());
+    say("");
     this.#app.changed();
     button("question-next").focus();
   }

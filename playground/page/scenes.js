@@ -55,7 +55,6 @@ function followCore(app) {
   const { look } = app.file;
   const isChanged = now !== app.file.text;
   find("look", HTMLElement).textContent = look;
-  show(find("changed", HTMLElement), isChanged);
   show(button("original"), isChanged || Boolean(text.dataset.edited));
 }
 

@@ -4,23 +4,26 @@ import { say } from "./words.js";
 
 const system = window.matchMedia("(prefers-color-scheme: dark)");
 
-const theme = () => document.documentElement.dataset.theme || (system.matches ? "dark" : "light");
+let chosen = kept("cairn-theme");
+
+const theme = () => chosen ?? (system.matches ? "dark" : "light");
+/** The style goes by it. */
+const paint = () => (document.documentElement.dataset.theme = theme());
+paint(); // before anything is seen
 
 /** @param {import("./app.js").App} app */
 export function setUpTheme(app) {
   const apply = () => {
+    paint();
     app.core.theme(theme());
     button("theme").textContent = theme() === "dark" ? "Light" : "Dark";
     app.player.wake();
   };
-  const chosen = kept("cairn-theme");
-  if (chosen === "light" || chosen === "dark") document.documentElement.dataset.theme = chosen;
   button("theme").addEventListener("click", () => {
-    const other = theme() === "dark" ? "light" : "dark";
-    document.documentElement.dataset.theme = other;
-    keep("cairn-theme", other);
+    chosen = theme() === "dark" ? "light" : "dark";
+    keep("cairn-theme", chosen);
     apply();
-    say(`The page is ${other}.`);
+    say(`The page is ${chosen}.`);
   });
   system.addEventListener("change", apply);
   apply();

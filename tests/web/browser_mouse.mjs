@@ -134,7 +134,7 @@ async function checkTools(tab) {
   check(await tab.isVisible("#rubber"), "a box that is drawn out is shown");
   await tab.mouse.up();
   check((await bodies(tab)).length === length + 1, "and then is there");
-  check(await tab.isVisible("#changed"), "the scene counts as changed");
+  check(await tab.isVisible("#original"), "a way back to the original is offered");
   check((await tab.inputValue("#text")) !== text, "and its text says so");
   await tab.click("#undo");
   check((await tab.evaluate(() => cairn.sceneText())) === text, "undo takes it out again");
