@@ -6,6 +6,7 @@ import { existsSync, mkdirSync, statSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { check, count, file, screenshots } from "./browser_tab.mjs";
+import { checkAllControls } from "./browser_controls.mjs";
 import { checkLife } from "./browser_life.mjs";
 import { checkLooks } from "./browser_looks.mjs";
 import { checkMouse } from "./browser_mouse.mjs";
@@ -28,6 +29,7 @@ const browser = await chromium.launch({
 });
 try {
   check(statSync(file).size <= largest, `the file has at most ${largest} bytes`, String(statSync(file).size));
+  await checkAllControls(browser);
   await checkLife(browser);
   await checkMouse(browser);
   await checkWays(browser);
