@@ -94,10 +94,10 @@ function setUpButtons(app) {
     const { player } = app;
     button("run").textContent = player.isRunning ? "Pause" : "Run";
     button("slow").ariaPressed = String(player.isSlow);
-    const { diverged, contacts, rows } = core.numbers();
+    const { diverged, rows } = core.numbers();
     show(find("diverged", HTMLElement), diverged === 1);
     const bodies = core.bodies().filter(({ isThere }) => isThere).length;
-    const now = `${app.file.title}: ${bodies} bodies with the ground, ${contacts} contact points, ${rows} rows.`;
+    const now = `${app.file.title}: ${bodies} bodies with the ground, ${rows} rows.`;
     find("canvas-now", HTMLElement).textContent = now;
     writePlan();
   });
@@ -110,13 +110,13 @@ function setUpNumbers(app) {
   let sum = 0;
   let count = 0;
   app.followPictures(() => {
-    const { time, steps, updates, sweep, rows, lit, residual, milliseconds } = app.core.numbers();
+    const { time, steps, updates, allUpdates, sweep, residual, milliseconds } = app.core.numbers();
     sum += milliseconds;
     ++count;
     if (app.player.isRunning && performance.now() - written < pause) return;
     const parts = [`Step ${steps}`, `${time.toFixed(3)} s`];
     if (updates > 0)
-      parts.push(`sweep ${sweep}`, `row ${lit + 1} of ${rows}`, `residual ${number(residual)}`);
+      parts.push(`sweep ${sweep}`, `row update ${updates} of ${allUpdates}`, `residual ${number(residual)}`);
     else if (steps > 0) parts.push(`${(sum / count).toFixed(2)} ms to compute a step`);
     find("numbers", HTMLElement).textContent = parts.join(" · ");
     written = performance.now();

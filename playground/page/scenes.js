@@ -1,6 +1,6 @@
 // The list of scenes, and the text of the one that is open, edited and run in place.
 import { button, find, make, show } from "./dom.js";
-import { say } from "./words.js";
+import { say, sayRefusal } from "./words.js";
 
 /** @typedef {import("./app.js").App} App */
 /** @typedef {import("./app.js").SceneFile} SceneFile */
@@ -44,7 +44,10 @@ function runText(app) {
   refusal.textContent = isDone ? "" : app.core.refusal();
   show(refusal, !isDone);
   if (isDone) text.dataset.edited = "";
-  else goToRefusedLine();
+  else {
+    sayRefusal("The text was not run.");
+    goToRefusedLine();
+  }
 }
 
 /** @param {App} app */

@@ -224,16 +224,15 @@ async function checkLimits(tab) {
   check((await setting(tab, "sweeps")).value === "300", "and there is a way back");
 }
 
+/** Beside each other: most of the time is for loading the page anew. */
 export async function checkAllControls(browser) {
-  for (const [name, way] of [
-    ["mouse", mouse],
-    ["keyboard", keyboard],
-  ]) {
-    const hash = "#scene=stack";
-    await inTab(browser, `controls by ${name}`, { hash, context: { colorScheme: "light" } }, (tab) =>
-      checkControls(tab, way),
-    );
-    await inTab(browser, `settings by ${name}`, { hash }, (tab) => checkSettings(tab, way));
-  }
+  const hash = "#scene=stack";
+  const light = { hash, context: { colorScheme: "light" } };
+  await Promise.all([
+    inTab(browser, "controls by mouse", light, (tab) => checkControls(tab, mouse)),
+    inTab(browser, "controls by keyboard", light, (tab) => checkControls(tab, keyboard)),
+  ]);
+  await inTab(browser, "settings by mouse", { hash }, (tab) => checkSettings(tab, mouse));
+  await inTab(browser, "settings by keyboard", { hash }, (tab) => checkSettings(tab, keyboard));
   await inTab(browser, "limits", { hash: "#scene=painleve" }, checkLimits);
 }

@@ -59,6 +59,17 @@ const unnamed = () =>
     .map((each) => each.outerHTML.slice(0, 60))
     .join(" ");
 
+/** Where Run is on the screen, and where it would be without the window's edge. */
+const placesOfRun = () => {
+  const bars = document.querySelector(".bars");
+  const { top, bottom } = document.getElementById("run").getBoundingClientRect();
+  const isSeen = top >= 0 && bottom <= window.innerHeight;
+  bars.style.position = "static";
+  const inPage = Math.round(document.getElementById("run").getBoundingClientRect().top);
+  bars.style.position = "";
+  return { isSeen, inPage };
+};
+
 async function checkText(tab, where, what) {
   check(
     (await tab.evaluate(overflow)) === "",
@@ -81,12 +92,18 @@ async function look(tab, width, theme) {
   );
   check(scroll <= 0, `${where}: the page does not scroll sideways`, String(scroll));
   await good("as it begins");
+  const runs = await tab.evaluate(placesOfRun);
+  check(runs.isSeen, `${where}: Run is in sight as the page begins`);
   await shoot("start");
   for (let i = 0; i < 12; ++i) await tab.click("#row");
   await tab.selectOption("#set-other", "pgs");
   await tab.fill("#set-sweeps", "5");
   await tab.press("#set-sweeps", "Enter");
   await tab.click("#row");
+  await tab.click("#question-next");
+  await tab.evaluate(() => window.scrollTo(0, 0));
+  const then = await tab.evaluate(placesOfRun);
+  check(then.inPage === runs.inPage, `${where}: and stays where it is`, `${runs.inPage}, ${then.inPage}`);
   for (const part of ["#settings-rest", "#scene-file", "#plan-part"]) await tab.click(part + " > summary");
   await tab.evaluate(() => document.activeElement.blur());
   await drawn(tab);

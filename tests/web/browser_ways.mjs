@@ -84,6 +84,69 @@ async function checkToolsByKeys(tab) {
   check((await tab.evaluate(() => cairn.sceneText())) !== text, "Delete removes the body");
 }
 
+const withShelf = `[ground]
+half_width = 5
+[[body]]
+name = "shelf"
+type = "static"
+box = [1, 0.2]
+position = [2, 3]
+[[body]]
+name = "lamp"
+box = [1, 1]
+position = [2, 1]
+`;
+
+/** The second end of a pin may be a body that stands still; and nothing may be pinned to one that was removed. */
+async function checkPin(tab) {
+  await tab.click("#scene-file summary");
+  await tab.fill("#text", withShelf);
+  await tab.click("#run-text");
+  await focusCanvas(tab);
+  await tab.keyboard.press("ArrowUp");
+  check((await status(tab)) === "lamp", "arrows choose what can move first", await status(tab));
+  await tab.keyboard.press("p");
+  await tab.keyboard.press("Enter");
+  await tab.keyboard.press("ArrowUp");
+  check((await status(tab)) === "shelf", "and for a pin also what stands still", await status(tab));
+  await tab.keyboard.press("Enter");
+  const text = await tab.evaluate(() => cairn.sceneText());
+  check(/a = "shelf"\nb = "lamp"/.test(text), "to which Enter pins it", await status(tab));
+  await tab.keyboard.press("Escape");
+  await tab.keyboard.press("ArrowUp");
+  check((await status(tab)) === "lamp", "and no hand takes hold of", await status(tab));
+}
+
+/** What is read aloud: names, the picture in words, and no more than somebody can listen to. */
+async function checkAloud(tab, context) {
+  await tab.click("#settings-rest summary");
+  const session = await context.newCDPSession(tab);
+  const { nodes } = await session.send("Accessibility.getFullAXTree");
+  const is = (node, name) => node.properties?.some((one) => one.name === name && one.value.value === true);
+  const nameless = nodes.filter((node) => is(node, "focusable") && !node.name?.value);
+  check(
+    nameless.every(({ role }) => role.value === "RootWebArea"),
+    "what can have the focus has a name",
+    nameless.map(({ role }) => role.value).join(),
+  );
+  const picture = nodes.find(({ role }) => role?.value === "application");
+  const description = picture?.description?.value ?? "";
+  check(/impulse/.test(picture?.name?.value), "the picture has a name");
+  check(/ten boxes: 11 bodies.* 40 rows.*Arrow keys/.test(description), "and a description", description);
+  const slider = await tab.getAttribute('[data-setting="rate"] input[type=range]', "aria-valuetext");
+  check(slider === "60 Hz", "a slider says its value, not its place", slider);
+  const changes = await tab.evaluate(async () => {
+    let count = 0;
+    const observer = new MutationObserver((all) => (count += all.length));
+    const options = { childList: true, characterData: true, subtree: true };
+    document.querySelectorAll("[aria-live], [role=alert]").forEach((each) => observer.observe(each, options));
+    document.getElementById("run").click();
+    await new Promise((done) => setTimeout(done, 1000));
+    return count;
+  });
+  check(changes <= 2, "while it runs nothing is read aloud again and again", String(changes));
+}
+
 async function checkKeys(tab) {
   await tab.keyboard.press("ArrowRight");
   check((await numbers(tab)).steps === 1, "the right arrow takes a step");
@@ -192,6 +255,8 @@ export async function checkWays(browser) {
   const scene = { hash: "#scene=stack" };
   await inTab(browser, "focus", scene, checkFocus);
   await inTab(browser, "picture by keyboard", scene, checkCursor);
+  await inTab(browser, "pin by keyboard", scene, checkPin);
+  await inTab(browser, "aloud", scene, checkAloud);
   await inTab(browser, "keys", scene, checkKeys);
   const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
   await inTab(browser, "touch", { ...scene, context: phone }, checkTouch);
