@@ -174,6 +174,7 @@ async function followAddress(app) {
 
 async function begin() {
   const core = await loadCore();
+  if (!core.draw()) throw new Error(core.refusal()); // a browser without WebGL2
   const app = new App(core, sceneFiles(JSON.parse(packed("scenes"))));
   const tools = new Tools(app);
   setUpTheme(app);

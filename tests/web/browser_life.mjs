@@ -169,6 +169,15 @@ async function checkTheme(tab) {
   check((await paper()) !== light, "and the choice holds");
 }
 
+/** A browser that cannot draw says so, instead of an empty page. */
+async function checkWithoutDrawing(tab) {
+  await tab.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null));
+  await tab.reload();
+  await tab.waitForSelector("#trouble:not([hidden])");
+  const words = await tab.textContent("#trouble");
+  check(/cannot begin.*WebGL2.*hardware acceleration/.test(words), "without WebGL2 the page says why", words);
+}
+
 export async function checkLife(browser) {
   const scene = { hash: "#scene=stack" };
   await inTab(browser, "bits", scene, checkBits);
@@ -178,6 +187,7 @@ export async function checkLife(browser) {
   await inTab(browser, "hidden", { ...scene, context: { reducedMotion: "no-preference" } }, checkHidden);
   await inTab(browser, "saving", scene, checkSaving);
   await inTab(browser, "diverged", scene, checkDiverged);
+  await inTab(browser, "without drawing", scene, checkWithoutDrawing);
   await inTab(browser, "theme", { ...scene, context: { colorScheme: "light" } }, checkTheme);
   const { context, tab } = await open(browser, "#scene=stack");
   check((await tab.textContent("#run")) === "Run", "who wishes for less motion finds a world at rest");
