@@ -107,7 +107,7 @@ class Quiz {
     this.#write(asks);
     say(`Pull the bar of row ${row + 1} to where you think it ends, or type the number. Then press See.`);
     this.#app.changed();
-    find("frame", HTMLElement).scrollIntoView({ block: "nearest" });
+    find("question", HTMLElement).scrollIntoView({ block: "nearest" });
     // On a phone the field would bring up a keyboard over the picture.
     if (window.matchMedia("(pointer: fine)").matches) answer.focus({ preventScroll: true });
     answer.select();
