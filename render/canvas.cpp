@@ -8,6 +8,7 @@
 #include "render/batch.hpp"
 #include "render/font.hpp"
 #include "render/markup.hpp"
+#include "render/rects.hpp"
 #include "render/shapes.hpp"
 #include "render/surface.hpp"
 
@@ -31,10 +32,6 @@ bool drawable(const TextStyle& style) { return style.size >= least_text && style
 int halo_reach(const TextStyle& style, double scale) {
   return style.halo.a > 0 ? static_cast<int>(std::lround(scale * std::clamp(0.16 * style.size, 2.0, 5.0)))
                           : 0;
-}
-
-Rect scaled(const Rect& rect, double by) {
-  return {by * rect.x, by * rect.y, by * rect.width, by * rect.height};
 }
 
 Paint scaled(Paint paint, double by) {
@@ -74,13 +71,6 @@ PixelRect pixels_of(const Rect& rect, int width, int height) {
 PixelRect intersection(const PixelRect& a, const PixelRect& b) {
   return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
           std::min(a.bottom, b.bottom)};
-}
-
-/// The rectangle around both.
-Rect united(const Rect& a, const Rect& b) {
-  const double x = std::min(a.x, b.x);
-  const double y = std::min(a.y, b.y);
-  return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
 }
 
 /// Box of a capsule; a point gives a disk.

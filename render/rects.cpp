@@ -1,4 +1,4 @@
-// Rectangles in pixels: what meets what.
+// Rectangles in pixels: what meets what, and others made of them.
 #include "render/rects.hpp"
 
 #include <algorithm>
@@ -40,6 +40,16 @@ bool clip(LineSegment& segment, const Rect& rect) {
   if (enter > 0) segment.from = from + enter * run;
   if (leave < 1) segment.to = from + leave * run;
   return true;
+}
+
+Rect united(const Rect& a, const Rect& b) {
+  const double x = std::min(a.x, b.x);
+  const double y = std::min(a.y, b.y);
+  return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
+}
+
+Rect scaled(const Rect& rect, double by) {
+  return {by * rect.x, by * rect.y, by * rect.width, by * rect.height};
 }
 
 }  // namespace cairn::render

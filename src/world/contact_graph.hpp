@@ -72,7 +72,7 @@ struct ContactSlot {
 /// What is known of the two shapes of a slot where manifolds last longer than a substep.
 template <Scalar Real>
 struct LastingManifold {
-  KeptManifold<Real> manifold = {};
+  KeptManifold<Real> manifold = {};          // in the frames of both bodies
   Vec2<Real> position = Vec2<Real>::Zero();  // [m] of what moves, beside the other, when it was found
   Real angle = 0;                            // [rad] likewise
   Real radius = 0;                           // [m] of what moves, about its centre of mass
