@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "math/list.hpp"
 #include "measure.hpp"
@@ -102,54 +103,65 @@ void print_family(const std::string& name, const std::function<VelocityProblem<d
 /// What a world keeps after some steps, with the scene that it was made from.
 struct WorldMemory {
   int bodies = 0;
-  int points = 0;  // of contacts
-  double bytes = 0;
+  int points = 0;       // of contacts
+  double of_scene = 0;  // [bytes]
+  double bytes = 0;     // with the scene
 };
 
 template <typename SolverType = SequentialImpulse<double>>
-WorldMemory world_memory(const Scene& scene) {
+WorldMemory world_memory(const std::function<Scene()>& make) {
   const double before = heap_in_use();
-  World<double> world(scene);
+  Scene scene = make();
+  const double of_scene = heap_in_use() - before;
+  World<double> world(std::move(scene));
   StepReport report;
   {
     SolverType solver;  // the memory of solvers is in the tables above
     for (int step = 0; step < 10; ++step) report = world.step(solver);
   }
-  return {scene.bodies().size() - 1, report.contacts, heap_in_use() - before};
+  return {world.scene().bodies().size() - 1, report.contacts, of_scene, heap_in_use() - before};
 }
 
-Scene boxes_in_the_air(int boxes) {
+Scene boxes_in_the_air() {
   Scene scene;
-  for (int i = 0; i < boxes; ++i) scene.add({.shapes = {box(1, 1)}, .position = {2.0 * i, 0}});
+  for (int i = 0; i < 1000; ++i) scene.add({.shapes = {box(1, 1)}, .position = {2.0 * i, 0}});
   return scene;
 }
 
 /// What a body costs is seen where nothing touches; what a pyramid keeps beyond that is its contacts'.
 void print_world_memory() {
-  const WorldMemory air = world_memory(boxes_in_the_air(1000));
+  const WorldMemory air = world_memory(boxes_in_the_air);
   const double of_body = air.bytes / air.bodies;
   TextTable table({{"world", ""},
                    {"bodies", ""},
                    {"contact points", ""},
                    {"kept", "kB"},
+                   {"its scene", "kB"},
                    {"of a body", "bytes"},
                    {"of a contact point", "bytes"}});
   table.add({"boxes in the air", grouped(air.bodies), "0", grouped(std::lround(air.bytes / 1024)),
-             grouped(std::lround(of_body)), "-"});
+             grouped(std::lround(air.of_scene / 1024)), grouped(std::lround(of_body)), "-"});
   const auto add = [&](const std::string& name, const WorldMemory& pyramid) {
     const double of_point = (pyramid.bytes - of_body * pyramid.bodies) / pyramid.points;
     table.add({name, grouped(pyramid.bodies), grouped(pyramid.points),
-               grouped(std::lround(pyramid.bytes / 1024)), "", grouped(std::lround(of_point))});
+               grouped(std::lround(pyramid.bytes / 1024)), grouped(std::lround(pyramid.of_scene / 1024)), "",
+               grouped(std::lround(of_point))});
   };
-  Scene scene;
+  const auto pyramid = [](int base) {
+    return [base] {
+      Scene scene;
+      cases::add_pyramid(scene, base);
+      return scene;
+    };
+  };
   for (const int base : {10, 20, 40}) {
-    scene = Scene();
-    cases::add_pyramid(scene, base);
-    add(fmt::format("pyramid of base {}", base), world_memory(scene));
+    add(fmt::format("pyramid of base {}", base), world_memory(pyramid(base)));
   }
-  add("the same in lanes", world_memory<WideSequentialImpulse<double>>(scene));  // which need no rows
-  fmt::print("What a World keeps, its scene included, with what the allocator has set aside for more:\n{}\n",
-             table.text());
+  add("the same in lanes", world_memory<WideSequentialImpulse<double>>(pyramid(40)));  // which need no rows
+  fmt::print(
+      "What a World keeps, with its scene, which worlds made of the same one share, and with what the\n"
+      "allocator has set aside for more:\n{}\n",
+      table.text());
 }
 
 }  // namespace
