@@ -233,7 +233,7 @@ PictureSpot Picture::at(const Playground& playground, const Point& place) const 
     const Vec2<double> point = cameras_[i].unproject(place);
     // A finger misses thin bodies.
     const std::optional<BodyId> body =
-        movable_body_at(playground.bench(i).snapshot(), point, finger / cameras_[i].scale);
+        body_at(playground.bench(i).snapshot(), point, finger / cameras_[i].scale);
     return {.kind = PictureSpot::Kind::scene, .number = body ? body->index : -1, .point = point};
   }
   return {};

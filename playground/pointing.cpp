@@ -17,7 +17,7 @@ double distance_to_line(const Vec2<double>& point, const Vec2<double>& from, con
   return (point - from - share * way).norm();
 }
 
-/// From a point to a shape of a body that can move, below 0 within it [m]. Segments and chains never do.
+/// From a point to a shape, below 0 within it [m].
 struct DistanceTo {
   Vec2<double> point = {0, 0};
 
@@ -36,18 +36,26 @@ struct DistanceTo {
     }
     return (within <= 0 ? within : outside) - polygon.radius;
   }
-  double operator()(const Segment<double>&) const { return std::numeric_limits<double>::infinity(); }
-  double operator()(const Chain<double>&) const { return std::numeric_limits<double>::infinity(); }
+  double operator()(const Segment<double>& segment) const {
+    return distance_to_line(point, segment.point1, segment.point2);
+  }
+  double operator()(const Chain<double>& chain) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < chain.link_count(); ++i)
+      least = std::min(least, distance_to_line(point, chain.point(i), chain.point(i + 1)));
+    return least;
+  }
 };
 
-}  // namespace
-
-std::optional<BodyId> movable_body_at(const Snapshot& snapshot, const Vec2<double>& point, double near) {
+/// The nearest of those that are wanted.
+template <typename Wanted>
+std::optional<BodyId> nearest_body(const Snapshot& snapshot, const Vec2<double>& point, double near,
+                                   const Wanted& wanted) {
   std::optional<BodyId> found;
   double least = near;
   for (const BodyId id : snapshot.bodies.indices()) {
     const SnapshotBody& body = snapshot.bodies[id];
-    if (body.type != BodyType::dynamic || body.removed) continue;
+    if (id == ground || body.removed || !wanted(body)) continue;
     for (const Shape<double>& shape : body.shapes) {
       const double distance = std::max(0.0, std::visit(DistanceTo{body.pose.local(point)}, shape));
       if (distance > least || (found && distance == least)) continue;
@@ -56,6 +64,18 @@ std::optional<BodyId> movable_body_at(const Snapshot& snapshot, const Vec2<doubl
     }
   }
   return found;
+}
+
+}  // namespace
+
+std::optional<BodyId> movable_body_at(const Snapshot& snapshot, const Vec2<double>& point, double near) {
+  return nearest_body(snapshot, point, near,
+                      [](const SnapshotBody& body) { return body.type == BodyType::dynamic; });
+}
+
+std::optional<BodyId> body_at(const Snapshot& snapshot, const Vec2<double>& point, double near) {
+  const std::optional<BodyId> movable = movable_body_at(snapshot, point, near);
+  return movable ? movable : nearest_body(snapshot, point, near, [](const SnapshotBody&) { return true; });
 }
 
 }  // namespace cairn::playground

@@ -33,12 +33,18 @@ class Pointer {
     this.#tools = tools;
   }
 
+  /** Whether the tool can do something with the body there. @param {import("./core.js").Place} under */
+  #isOfUse(under) {
+    if (under.number <= 0) return false;
+    return this.#tools.tool !== "hand" || this.#app.core.bodies()[under.number].canMove;
+  }
+
   /** Whether a press there does something, so that a finger there must not scroll the page. */
   wants(/** @type {{clientX: number, clientY: number}} */ event) {
     const { x, y } = placeOf(this.#app, event);
     const under = this.#app.core.at(x, y);
     if (under.kind === "row") return this.#isPredicted(under.number);
-    return under.kind === "scene" && (this.#tools.tool === "box" || under.number > 0);
+    return under.kind === "scene" && (this.#tools.tool === "box" || this.#isOfUse(under));
   }
 
   /** @param {number} row */
@@ -128,7 +134,7 @@ class Pointer {
     if (under.kind === "row") return this.#isPredicted(under.number) ? "ew-resize" : "pointer";
     if (under.kind !== "scene") return "default";
     if (this.#tools.tool === "box") return "crosshair";
-    if (under.number > 0) return this.#tools.tool === "hand" ? "grab" : "pointer";
+    if (this.#isOfUse(under)) return this.#tools.tool === "hand" ? "grab" : "pointer";
     return "default";
   }
 

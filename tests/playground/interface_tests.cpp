@@ -278,23 +278,3 @@ TEST_CASE("a prediction is kept, and revealed with how far it is off") {
   CHECK(std::string(cairn_words()).find("Row 1 ends at 10") == 0);
   CHECK(cairn_predict(99, 1) == 0);
 }
-
-TEST_CASE("the picture is drawn at each size, and what is drawn is found again") {
-  begin(two_boxes);
-  REQUIRE(cairn_step(1) == 1);
-  for (const auto& [width, height] : {std::pair(1280, 720), std::pair(390, 700), std::pair(640, 360)}) {
-    REQUIRE(cairn_resize(width, height, 1) == 1);
-    REQUIRE(cairn_draw() == 1);
-    const double *place = cairn_place(0, 1.5), x = place[0], y = place[1];
-    const double* spot = cairn_at(x, y);
-    CHECK(spot[0] == 1);
-    CHECK(spot[1] == 2);
-    CHECK(spot[2] == doctest::Approx(0).epsilon(1e-9));
-    CHECK(spot[3] == doctest::Approx(1.5));
-  }
-  CHECK(cairn_resize(100, 100, 1) == 0);
-  CHECK(refusal().find("at least") != std::string::npos);
-  CHECK(cairn_theme("dark") == 1);
-  CHECK(cairn_theme("drak") == 0);
-  CHECK(cairn_draw() == 1);
-}
