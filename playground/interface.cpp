@@ -2,7 +2,6 @@
 #include "playground/interface.h"
 
 #include <exception>
-#include <optional>
 #include <string>
 
 #include "measure/fingerprint.hpp"
@@ -22,16 +21,14 @@ using cairn::playground::SolveLook;
 /// All that a page shows, and what was returned last.
 struct Session {
   Playground playground;
-  std::optional<Picture> picture;  // once it is asked for
   std::string refusal;
   std::string text;
   List<double> numbers;
 };
 
-/// It lasts as long as the process: at its end, what pictures are drawn with may be gone before them.
 Session& session() {
-  static Session* const session = new Session;
-  return *session;
+  static Session session;
+  return session;
 }
 
 template <typename Act>
@@ -56,10 +53,11 @@ const double* returned(List<double> numbers) {
   return session().numbers.data();
 }
 
+/// Made once it is asked for. At the end of the process it goes before OpenGL, which began within its
+/// constructor.
 Picture& picture() {
-  std::optional<Picture>& picture = session().picture;
-  if (!picture) picture.emplace();
-  return *picture;
+  static Picture picture;
+  return picture;
 }
 
 constexpr double finger = 0.1;  // [m] by which it may miss a body
