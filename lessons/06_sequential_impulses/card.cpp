@@ -9,10 +9,10 @@ LessonInfo card() {
       .name = "sequential_impulses",
       .title = "Sequential impulses",
       .idea =
-          "Do not build the matrix. Visit each contact, cancel its own error, repeat: the pushes find each "
-          "other.",
+          "Do not build the matrix. Visit each contact, cancel its error, apply the impulse at once, and "
+          "repeat.",
       .paper = "paper 3.2, Algorithm 1, eq (19)-(23)",
-      .equations = {"(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)     what this row asks for [N]",
+      .equations = {"(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)     the force that this row needs [N]",
                     "(23)  p = jᵀ λ Δt                        the impulse it gives [N s]",
                     "(21)  v ← v + M⁻¹ p                      to its two bodies, at once"},
       .needs = {"lesson 02", "lesson 05"},
@@ -21,14 +21,14 @@ LessonInfo card() {
       .hints =
           {"A push acts on both boxes of a contact: it stops the upper one and speeds up the lower one.",
            "Two boxes of 1 kg that close in at 0.2 m/s share the push: each changes by 0.1 m/s.",
-           "Row 1 stops box 1. Row 2 shares 0.2 m/s between boxes 1 and 2. Row 3 shares what then is left."},
+           "Row 1 stops box 1. Row 2 shares 0.2 m/s between boxes 1 and 2. Row 3 shares what is left."},
       .parameters = {{"bodies", 3, 1, 10, "", "boxes", Parameter::Kind::whole},
                      {"dt", 0.02, 0.0001, 1, "s", "time step"},
                      {"gravity", 10, 0.01, 1000, "m/s^2", "gravity, downwards"},
                      {"sweeps", 10, 1, 100, "", "sweeps", Parameter::Kind::whole},
                      {"seed", 1, 0, 1e9, "", "of --order shuffle", Parameter::Kind::whole}},
       .choices = {{"order", {"up", "down", "shuffle"}, "in which rows are visited"}},
-      .cover = 6,
+      .cover = 1,
       .next = "bash lessons/run 7   (why a contact may take back what it gave)"};
 }
 

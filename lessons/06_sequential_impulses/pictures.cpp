@@ -146,7 +146,7 @@ render::Equation equation_22(const Page& page, const StackRun& run, const Moment
       fmt::format("  = (0 − {}) / ({:g} × {:g})", operand(update.row_velocity, 4), update.inverse_mass, dt);
   equation.result = fmt::format("  = {} N", fixed(update.corrective / dt, 3));
   equation.algorithm =
-      fmt::format("{} 14–16:  λ_{{{}}}: {} → {} N", page.compact() ? "lines" : "Algorithm 1, lines", row,
+      fmt::format("{} 11–13:  λ_{{{}}}: {} → {} N", page.compact() ? "lines" : "Algorithm 1, lines", row,
                   fixed(update.impulse_before / dt, 2), fixed(update.impulse_after / dt, 2));
   equation.color = page.theme().normal;
   return equation;

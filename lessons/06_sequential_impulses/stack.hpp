@@ -38,8 +38,7 @@ List<double> lambda_after(const StackRun& run, int sweep);
 /// Gauss-Seidel on A lambda = b in plain loops: lambda [N] of each row after every sweep, [sweep][row].
 List<PerRow<double>> gauss_seidel(const VelocityProblem<double>& problem, int sweeps);
 
-/// How much of the error one sweep leaves. The scaled matrix of a stack of n boxes has the eigenvalues of a
-/// Chebyshev matrix, 1 - cos((2k - 1) pi / 2n), and Gauss-Seidel squares what Jacobi leaves: cos^2(pi / 2n).
+/// What one sweep leaves of the error: rho = cos^2(pi / 2n), derived in README.md.
 double error_factor(int boxes);
 
 /// The same, measured: the ratio of two successive errors, once the others have died out; 0 if no error is
