@@ -9,9 +9,9 @@ LessonInfo card() {
       .name = "sweep_and_bounds",
       .title = "Sweep, and clamp",
       .idea =
-          "Guess all λ. Put one row right, then the next, round and round: that is Gauss-Seidel. Cut each λ "
-          "off where its interval ends, and contacts that may only push are solved too: projected "
-          "Gauss-Seidel.",
+          "Guess all λ. Put one row right, then the next, and sweep again: that is Gauss-Seidel. Clamp each "
+          "λ "
+          "to its interval, and it solves contacts that only push, too: projected Gauss-Seidel.",
       .paper = "paper 2.2, eq (14), (28), and the interval at its end",
       .equations =
           {"(14)  A λ = b                                     all rows at once: lesson 04",
@@ -21,16 +21,16 @@ LessonInfo card() {
       .reads = {"src/solvers/iterative/projected_gauss_seidel.cpp", "src/constraints/row.hpp"},
       .question =
           "A rod of 4 kg and 3 m lies with its left end on one support; the other stands 1 m from there. "
-          "A λ = b says: the left one pulls with 20 N, the right one pushes with 60 N. But the left one "
+          "A λ = b says: the left support pulls with 20 N, the right one pushes with 60 N. But the left one "
           "cannot pull. How hard does the right one push then, in N?",
-      .hints = {"Without the pull, does the right support have more to hold or less?",
+      .hints = {"Without the pull, does the right support have more to push against, or less?",
                 "Only one point of the rod is held. The rest of it may fall.",
                 "λ₂ = b₂ / A₂₂, with A₂₂ = 1/4 + 0.5²/3 and b₂ = 10 m/s²."},
       .parameters = {{"boxes", 3, 2, 6, "", "boxes in the stack", Parameter::Kind::whole},
                      {"dt", 0.02, 0.005, 0.1, "s", "time step"},
                      {"sweeps", 10, 3, 100, "", "sweeps", Parameter::Kind::whole},
                      {"support", 1, 0.5, 3, "m", "from the left end of the rod to the right support"}},
-      .cover = -3,
+      .cover = 1,
       .next = "bash lessons/run 6   (the same answer without the matrices)"};
 }
 

@@ -1,8 +1,8 @@
-// Lesson 05. A λ = b without elimination: guess all λ, put one row right, then the next, and again from the
-// beginning. That is Gauss-Seidel (28). Where a row may only push, its λ is cut off at 0 at once: projected
-// Gauss-Seidel, which finds who pushes and who lets go while it sweeps. A stack of boxes shows how fast it
-// comes, a rod on two supports what the clamp does. The loop stands here; the library's solver runs beside it
-// and is recorded.
+// Lesson 05. A λ = b without elimination: guess all λ, put one row right, then the next, and sweep again.
+// That is Gauss-Seidel (28). Where a row only pushes, its λ is clamped to 0 at once: projected Gauss-Seidel,
+// which finds out which contacts push and which let go. A stack of boxes shows how fast it converges, a rod
+// on two supports what the clamp does. The loop stands here; the library's solver runs beside it and is
+// recorded.
 #include <algorithm>
 #include <numeric>
 
@@ -99,11 +99,12 @@ void run(Lesson& lesson) {
   print_stack(lesson, all);
   print_rod(lesson, all);
   print_intervals(lesson);
-  lesson.answer({all.rod.formula[1]}, 1e-6,
-                all.rod.tips()
-                    ? "Less than the unclamped answer. What pulls the left end down also loads the right "
-                      "support; without it the rod turns, and only one point of it has to be held."
-                    : "Here both supports push, and the clamp has nothing to do.");
+  lesson.answer(
+      {all.rod.formula[1]}, 1e-6,
+      all.rod.tips()
+          ? "Less than the unclamped answer: the right support had to push against the pull as well. "
+            "Without it the rod tips, and only one point of it is held."
+          : "Here both supports push, and the clamp has nothing to do.");
   check_stack(lesson, all);
   check_rod(lesson, all);
   lesson.film(sweep_shots(all));

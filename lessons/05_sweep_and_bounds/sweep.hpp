@@ -77,8 +77,7 @@ SweepRun run_sweeps(const SweepSettings& settings);
 /// takes the half of a sum, so that after few sweeps each is a whole number of 2^-30 b_1.
 PerRow<double> counted_lambda(const SweepRun& run, int sweep);
 
-/// What a sweep leaves of the error of a stack of n boxes: cos^2(pi / 2n). (The scaled matrix has the
-/// eigenvalues 1 - cos((2k - 1) pi / 2n), and Gauss-Seidel squares what Jacobi leaves: D. M. Young, 1954.)
+/// What a sweep leaves of the error of a stack of n boxes: rho = cos^2(pi / 2n), derived in lesson 06.
 double error_factor(int boxes);
 /// The same, measured after so many sweeps that the other errors have died out.
 double measured_error_factor(const SweepSettings& settings);

@@ -9,13 +9,14 @@ LessonInfo card() {
       .name = "clamp_the_sum",
       .title = "Clamp the sum",
       .idea =
-          "A contact must not pull, so its λ must not be negative. Its total λ, that is. A single push may "
-          "be: a contact takes back what was too much. Who clamps each push forbids that.",
+          "A contact must not pull, so some λ has to be clamped at 0: each push, or the sum of them? Only "
+          "one "
+          "of the two lets a box stand.",
       .paper = "paper 3.2, second paragraph, and Algorithm 1",
       .equations =
-          {"(22)  p_corr = (ζ − j·v) / (j M⁻¹ jᵀ)          what this visit asks for [N s]; here ζ = 0",
-           "3.2   p ← max(0, p + p_corr)                  right: what has been given in total",
-           "      p ← p + max(0, p_corr)                  wrong: what is given now"},
+          {"(22)  p_corr = (ζ − j·v) / (j M⁻¹ jᵀ)          the correction of this visit [N s]; here ζ = 0",
+           "3.2   p ← max(0, p + p_corr)                  clamps the sum",
+           "      p ← p + max(0, p_corr)                  clamps each push"},
       .needs = {"lesson 06"},
       .reads = {"src/solvers/iterative/sequential_impulse.cpp",
                 "src/solvers/iterative/sequential_impulse.hpp"},
@@ -29,7 +30,7 @@ LessonInfo card() {
       .parameters = {{"foot", 0.25, 0.05, 0.5, "m", "from the middle of the box to each foot"},
                      {"speed", 10, 0.5, 50, "m/s", "how fast it lands"},
                      {"sweeps", 10, 2, 100, "", "sweeps", Parameter::Kind::whole}},
-      .cover = 4,
+      .cover = 1,
       .next = "bash lessons/run 8   (the same pushes, out of a large matrix)"};
 }
 

@@ -86,10 +86,9 @@ void run(Lesson& lesson) {
   tell_motion(lesson, all);
   const double second = all.middle.by(Clamped::sum).visits[2].given();
   lesson.answer({second}, 0.01 * std::abs(second) + 1e-9,
-                second < 0
-                    ? "It takes back: it gave more than its share before the other foot had its turn. "
-                      "The sum stays positive, and nobody pulls."
-                    : "It gives more: with feet this far out, what one gives the other has to give too.");
+                second < 0 ? "It takes back: it gave too much before the other foot had its turn. "
+                             "The sum stays positive, so the foot does not pull."
+                           : "It gives more: with feet this far out, each push makes the other foot sink.");
   check_claims(lesson, all);
   lesson.film(feet_shots(all));
   lesson.data(table_of(all));

@@ -9,26 +9,26 @@ LessonInfo card() {
       .name = "same_thing_twice",
       .title = "The same thing twice",
       .idea =
-          "PGS solves A λ = b and never looks at a velocity; SI looks at velocities and never builds A. They "
-          "are one algorithm in two costumes.",
+          "PGS solves A λ = b and looks at no velocity; SI looks at velocities and builds no A. They are one "
+          "algorithm in two forms.",
       .paper = "paper 4.1, eq (24)-(29)",
       .equations = {"(26)  v = v̄ + M⁻¹ Jᵀ η Δt                          what SI keeps up to date",
                     "(27)  η_i ← η_i + (ζ − j·v) / (j M⁻¹ jᵀ Δt)        one update of SI",
                     "(28)  η_i ← (b_i − Σ_{j≠i} A_ij η_j) / A_ii        one update of PGS",
-                    "(29)  put A = J M⁻¹ Jᵀ, b = (ζ − J v̄)/Δt and (26) into (28), and (27) is left"},
+                    "(29)  insert A = J M⁻¹ Jᵀ, b = (ζ − J v̄)/Δt and (26) into (28): (27) is left"},
       .needs = {"lesson 05", "lesson 06"},
       .reads = {"src/solvers/iterative/projected_gauss_seidel.cpp",
                 "src/solvers/iterative/sequential_impulse.cpp"},
       .question =
           "After 50 sweeps in single precision: will the impulses of PGS and SI be equal to the last bit? "
           "(1: yes, 0: no)",
-      .hints = {"Write v of (27) as (26) says, and look for a row of A.",
+      .hints = {"Insert (26) into (27), and look for a row of A.",
                 "(a + b) + c and a + (b + c) are the same number, but not the same float.",
-                "Each row adds up about twenty numbers, in another order in each solver."},
+                "Each row adds up about twenty numbers, and each solver in another order."},
       .parameters = {{"dt", 0.02, 0.0001, 1, "s", "time step"},
                      {"sweeps", 50, 2, 1000, "", "sweeps", Parameter::Kind::whole},
                      {"seed", 1, 0, 1e9, "", "of the random problem", Parameter::Kind::whole}},
-      .cover = 16,
+      .cover = 1,
       .next = "bash lessons/run 9   (yesterday's answer is today's first guess)"};
 }
 

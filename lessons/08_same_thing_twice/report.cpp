@@ -42,7 +42,7 @@ void tell_first_sweep(Lesson& lesson, const TwiceRun& run) {
 }
 
 void tell_precisions(Lesson& lesson, const TwiceRun& run) {
-  lesson.print(fmt::format("max |λ_PGS − λ_SI| after {} sweeps, {} of {} rows at their bound:",
+  lesson.print(fmt::format("largest |λ_PGS − λ_SI| over {} sweeps, {} of {} rows at their bound:",
                            run.settings.sweeps, run.at_bound, run.problem.row_count()));
   for (const PrecisionRun& precision : run.precisions) {
     const double worst = *std::max_element(precision.difference.begin(), precision.difference.end());

@@ -1,9 +1,9 @@
 // Lesson 09. Warm start: the first part of Algorithm 1, which lesson 06 left out.
 // A tower that stood a moment ago still stands, and its contacts push as hard as before. So the sweeps of a
 // step begin with the impulses of the last one, and each impulse has to find its own row again: it is kept
-// under the row's name. Three towers show what that is worth: one begins every step from nothing, one from
-// its own impulses, one from those of the contact below. Two more runs mistake the number of a row for its
-// name.
+// under the row's key. Three towers show what that is worth: one begins every step from nothing, one from
+// its own impulses, one from those of the contact below. Two more runs go by the number of a row, not its
+// key.
 #include "lessons/lesson.hpp"
 
 #include "parts.hpp"
@@ -88,8 +88,8 @@ void run(Lesson& lesson) {
   tell_order(lesson, all);
   // A guess within a tenth is as good as the formula.
   lesson.answer({static_cast<double>(all.own.needed)}, 0.1 * all.own.needed,
-                "It grows with the square of the height. A warm start does the same work, a few sweeps in "
-                "each step, while the tower stands.");
+                "It grows with the square of the height. A warm start spreads the same work over many steps, "
+                "and the tower stands.");
   check_claims(lesson, all);
   lesson.film(start_shots(all));
   lesson.data(table_of(all));

@@ -34,17 +34,17 @@ render::Series error_series(const List<List<double>>& loads, double weight, doub
 void draw_errors(Page& page, const WarmStart& all) {
   const List<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
   const StartSettings& settings = all.settings;
-  const double g = share_left(settings.boxes, settings.sweeps);
-  render::Series cold = error_series(all.cold.loads, settings.weight(), g);
+  const double share = share_left(settings.boxes, settings.sweeps);
+  render::Series cold = error_series(all.cold.loads, settings.weight(), share);
   cold.name = "cold";
   cold.style = start_styles(page.theme())[0];
-  render::Series warm = error_series(all.warm.loads, settings.weight(), std::sqrt(g));
+  render::Series warm = error_series(all.warm.loads, settings.weight(), std::sqrt(share));
   warm.name = "warm";
   warm.style = start_styles(page.theme())[1];
-  render::Series bound{.name = "√g per step", .style = page.theme().exact, .markers = false};
+  render::Series bound{.name = "√ρˢ per step", .style = page.theme().exact, .markers = false};
   for (const double k : warm.x) {
     bound.x.push_back(k);
-    bound.y.push_back(std::pow(g, 0.5 * k));
+    bound.y.push_back(std::pow(share, 0.5 * k));
   }
   render::Plot plot{.title = "|λ_{1}/W − 1| after each step"};
   plot.x = {.title = "step", .min = 0, .max = settings.steps};
@@ -54,15 +54,15 @@ void draw_errors(Page& page, const WarmStart& all) {
   page.note(
       parts[1], "The price of memory",
       page.compact()
-          ? fmt::format("Sweeps leave g = {:.3f} of a cold error. Warm, velocities remember too: √g, and "
+          ? fmt::format("Sweeps leave ρˢ = {:.3f} of a cold error. Warm, velocities remember too: √ρˢ, and "
                         "it swings.",
-                        g)
-          : fmt::format("The sweeps of a step ({}) leave g = {:.3f} of what they find. Cold, the loads "
+                        share)
+          : fmt::format("The sweeps of a step ({}) leave ρˢ = {:.3f} of what they find. Cold, the loads "
                         "become right at that rate, but each step falls short of its own answer by the "
                         "same amount again, and that is a speed: the tower sinks. Warm, what is missing "
                         "comes back twice, in the first guess and in the velocities. So the error swings, "
-                        "and a step leaves √g = {:.3f} of it.",
-                        settings.sweeps, g, std::sqrt(g)));
+                        "and a step leaves √ρˢ = {:.3f} of it.",
+                        settings.sweeps, share, std::sqrt(share)));
 }
 
 void draw_cold_sweeps(Page& page, const WarmStart& all) {
@@ -200,7 +200,7 @@ List<Shot> order_shots(const All& all) {
   return {
       {.state = "error against steps",
        .alt = "The error of the lowest load against steps, logarithmic: cold falls fast and smoothly, warm "
-              "swings below a line of slope √g.",
+              "swings below a line of slope √ρˢ.",
        .draw = [all](Page& page) { draw_errors(page, *all); },
        .key = true},
       {.state = "one step from nothing",

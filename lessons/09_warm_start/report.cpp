@@ -107,7 +107,7 @@ void check_order(Lesson& lesson, const WarmStart& all) {
 
 void tell_scene(Lesson& lesson, const StartSettings& settings) {
   lesson.print(
-      fmt::format("Scene: {} boxes of 1 kg upon each other, W = {:g} N, g = {:g} m/s², Δt = {:.4g} s, {} "
+      fmt::format("Scene: {} boxes of 1 kg on each other, W = {:g} N, g = {:g} m/s², Δt = {:.4g} s, {} "
                   "sweeps in each step, β = 0",
                   settings.boxes, settings.weight(), gravity, settings.dt, settings.sweeps));
 }
@@ -115,7 +115,7 @@ void tell_scene(Lesson& lesson, const StartSettings& settings) {
 void tell_loads(Lesson& lesson, const WarmStart& all) {
   lesson.print();
   lesson.print("load on the lowest box (N), λ₁ of its contact");
-  lesson.print("step          cold        warm   one row off      W (1 − 8/π² g^(k/2) cos θk)");
+  lesson.print("step          cold        warm   one row off      W (1 − 8/π² ρ^(sk/2) cos kφ)");
   for (const int step : {1, 2, 3, 5, 10, 20, 40, 80, 120, 200, 300}) {
     if (step > all.settings.steps) break;
     lesson.print(fmt::format("{:>4} {:>13.2f} {:>11.2f} {:>13.2f} {:>30.2f}", step, all.cold.loads[step][0],
@@ -129,11 +129,11 @@ void tell_loads(Lesson& lesson, const WarmStart& all) {
   lesson.print(fmt::format("|λ₁ − W| in the last quarter: at most {:.2g} N, {:.2g} N and {:.2g} N",
                            unrest(all.cold.loads, weight), unrest(all.warm.loads, weight),
                            unrest(all.shifted.loads, weight)));
-  const double g = share_left(n, all.settings.sweeps);
+  const double share = share_left(n, all.settings.sweeps);
   lesson.print(
-      fmt::format("g = cos²(π/2n)^{} = {:.4f}: what the sweeps of a step leave of an error; "
-                  "a warm step leaves √g = {:.4f}, and swings",
-                  all.settings.sweeps, g, std::sqrt(g)));
+      fmt::format("ρ = cos²(π/2n) is what a sweep leaves of an error, and ρ^{} = {:.4f} what a step leaves; "
+                  "a warm step leaves √{:.4f} = {:.4f}, and swings",
+                  all.settings.sweeps, share, share, std::sqrt(share)));
   lesson.print();
 }
 

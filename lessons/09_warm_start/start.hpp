@@ -110,12 +110,12 @@ struct ColdTheory {
 };
 ColdTheory cold_by_matrix(const StartSettings& settings);
 
-/// What of an error `sweeps` sweeps over n boxes leave in the long run: g = cos^2(pi / 2n) to that power.
+/// What `sweeps` sweeps over n boxes leave of an error in the long run: rho^sweeps, rho = cos^2(pi / 2n).
 double share_left(int boxes, double sweeps);
 /// A cold start's sweeps to `wanted_error`: what is left of the slowest mode, which is 8/pi^2 of the error.
 double needed_by_formula(int boxes);
-/// 1 - 8/pi^2 g^(k/2) cos(theta k), cos theta = sqrt(g): the warm load on the lowest contact after k steps
-/// over the weight, if there were no mode but the slowest.
+/// 1 - 8/pi^2 rho^(s k/2) cos(k phi), cos phi = rho^(s/2), s sweeps: the warm load on the lowest contact
+/// after k steps over the weight, if there were no mode but the slowest.
 double warm_mode(const StartSettings& settings, int step);
 
 /// The largest |load - weight| of the lowest contact in the last quarter of the steps [N].

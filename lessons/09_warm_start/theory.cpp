@@ -95,8 +95,8 @@ double needed_by_formula(int boxes) {
 }
 
 double warm_mode(const StartSettings& settings, int step) {
-  const double g = share_left(settings.boxes, settings.sweeps);
-  return 1 - 8 / (pi * pi) * std::pow(g, 0.5 * step) * std::cos(std::acos(std::sqrt(g)) * step);
+  const double share = share_left(settings.boxes, settings.sweeps);
+  return 1 - 8 / (pi * pi) * std::pow(share, 0.5 * step) * std::cos(std::acos(std::sqrt(share)) * step);
 }
 
 double unrest(const List<List<double>>& loads, double weight) {
