@@ -36,10 +36,11 @@ struct LessonInfo {
   List<std::string> needs = {};      // what to know first: "lesson 06" ...
   List<std::string> reads = {};      // files of the project to read next
   std::string question = {};         // to predict before the lesson shows it
+  List<std::string> spoilers = {};   // words and numbers of the answer: none stands before a page's fold
   List<std::string> hints = {};      // up to three, from vague to plain
   List<Parameter> parameters = {};
   List<Choice> choices = {};
-  int cover = -1;  // the frame that stands for the lesson, from 1; negative: from the end
+  int cover = -1;         // the frame that stands for the lesson, from 1; negative: from the end
   std::string next = {};  // "bash lessons/run 8   (what it is about)"; "" after the last
 };
 

@@ -104,8 +104,11 @@ class FilmMaker {
       draw(shot, wanted[done], shots.size());
       const std::string file = writer.add(page_.canvas().read()).filename().string();
       written_.insert(file);
-      index_["frames"].push_back(
-          {{"file", file}, {"frame", wanted[done] + 1}, {"state", shot.state}, {"alt", shot.alt}});
+      index_["frames"].push_back({{"file", file},
+                                  {"frame", wanted[done] + 1},
+                                  {"state", shot.state},
+                                  {"alt", shot.alt},
+                                  {"words", words_drawn()}});
       progress.advance(done + 1);
       pause_after(shot, file);
     }
@@ -122,6 +125,15 @@ class FilmMaker {
     for (const std::string& finding : render::lint(page_)) {
       report_.findings.push_back("frame " + std::to_string(index + 1) + ": " + finding);
     }
+  }
+
+  /// The texts of the page with their markup, in the order in which they were drawn.
+  Json words_drawn() const {
+    Json words = Json::array();
+    for (const render::TextBox& box : page_.canvas().text_boxes()) {
+      if (box.text.find_first_not_of(' ') != std::string::npos) words.push_back(box.text);
+    }
+    return words;
   }
 
   void pause_after(const Shot& shot, const std::string& file) {

@@ -47,6 +47,7 @@ TEST_CASE("a run leaves its pictures in order, their index, its rows and an acco
   CHECK(index["frames"][1]["file"] == "l42_0002.png");
   CHECK(index["frames"][1]["frame"] == 2);
   CHECK(index["frames"][1]["alt"] == "The word two.");
+  CHECK(index["frames"][1]["words"].back() == "two");
   const auto run = nlohmann::json::parse(folder.text("out/run.json"));
   CHECK(run["flags"]["dt"] == 0.02);
   CHECK(run["flags"]["steps"].dump() == "3");
