@@ -8,18 +8,18 @@ scratch=$2
 images=$3
 rm -rf "$scratch"  # what was begun by another build is not gone on with
 
-# cover PROGRAM SIZE THEME NAME: draws one cover and puts it into the folder of images.
+# cover PROGRAM SIZE THEME NAME [FRAME]: draws one cover, or that frame, and puts it into the folder of images.
 cover() {
   local out=$scratch/$4 code=0
   mkdir -p "$out"
-  "$1" --frames cover --size "$2" --theme "$3" -o "$out" -q -v >"$out/log" 2>&1 || code=$?
+  "$1" --frames "${5:-cover}" --size "$2" --theme "$3" -o "$out" -q -v >"$out/log" 2>&1 || code=$?
   if [[ $code == 77 ]]; then return 0; fi
   if [[ $code != 0 ]]; then
     cat "$out/log" >&2
     printf '%s failed with code %s\n' "$(basename "$1")" "$code" >&2
     return 1
   fi
-  cp "$out"/l[0-9][0-9]_0001.png "$images/$4.png"
+  cp "$out"/l[0-9][0-9]_*.png "$images/$4.png"
 }
 
 # failure NAME FRAME WORDS...: one frame of the film that `cairn WORDS` writes.
@@ -55,7 +55,7 @@ for theme in light dark; do
     [[ -x $program && -f $program ]] || continue
     name=$(basename "$program")
     cover "$program" small "$theme" "${name#lesson}_$theme"
-    if [[ $name == lesson17_* ]]; then cover "$program" medium "$theme" "cairn_$theme"; fi
+    if [[ $name == lesson17_* ]]; then cover "$program" medium "$theme" "cairn_$theme" 51; fi
   done
   if [[ -x $programs/cairn ]]; then
     "$programs/cairn" tradeoff stack10 --quick --theme "$theme" --out "$scratch/tradeoff_$theme" --quiet >/dev/null
