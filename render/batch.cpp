@@ -42,10 +42,29 @@ Vertex constant_part(const Measure& measure) {
   return vertex;
 }
 
+int edge_pixel(double at, int end) {
+  return static_cast<int>(std::lround(std::clamp(at, 0.0, double{1} * end)));
+}
+
 }  // namespace
 
 bool usable(double value) { return std::abs(value) <= farthest_pixel; }
 bool usable(const Point& point) { return usable(point.x()) && usable(point.y()); }
+
+PixelRect pixels_of(const Rect& rect, int width, int height) {
+  const double right = rect.x + rect.width;
+  const double bottom = rect.y + rect.height;
+  if (!(rect.width > 0) || !(rect.height > 0) || std::isnan(right) || std::isnan(bottom)) {
+    return {};
+  }
+  return {edge_pixel(rect.x, width), edge_pixel(rect.y, height), edge_pixel(right, width),
+          edge_pixel(bottom, height)};
+}
+
+PixelRect intersection(const PixelRect& a, const PixelRect& b) {
+  return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
+          std::min(a.bottom, b.bottom)};
+}
 
 Batch::Batch(int width, int height)
     : bounds_{-border, -border, width + 2 * border, height + 2 * border}, clip_{0, 0, width, height} {}

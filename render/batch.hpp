@@ -52,6 +52,10 @@ struct PixelRect {
   friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
+/// Whole pixels of a frame of that size, the nearest; nothing if the rectangle is not a number.
+PixelRect pixels_of(const Rect& rect, int width, int height);
+PixelRect intersection(const PixelRect& a, const PixelRect& b);
+
 /// Triangles under one clip: a range of the batch's indices.
 struct Draw {
   PixelRect clip = {};

@@ -11,6 +11,7 @@
 #include "render/rects.hpp"
 #include "render/shapes.hpp"
 #include "render/surface.hpp"
+#include "render/svg.hpp"
 
 namespace cairn::render {
 namespace {
@@ -52,26 +53,6 @@ List<Point> scaled(Span<const Point> points, double by) {
 }
 
 int image_pixels(int pixels, double scale) { return static_cast<int>(std::lround(scale * pixels)); }
-
-int edge_pixel(double at, int end) {
-  return static_cast<int>(std::lround(std::clamp(at, 0.0, double{1} * end)));
-}
-
-/// Whole pixels, the nearest; nothing if the rectangle is not a number.
-PixelRect pixels_of(const Rect& rect, int width, int height) {
-  const double right = rect.x + rect.width;
-  const double bottom = rect.y + rect.height;
-  if (!(rect.width > 0) || !(rect.height > 0) || std::isnan(right) || std::isnan(bottom)) {
-    return {};
-  }
-  return {edge_pixel(rect.x, width), edge_pixel(rect.y, height), edge_pixel(right, width),
-          edge_pixel(bottom, height)};
-}
-
-PixelRect intersection(const PixelRect& a, const PixelRect& b) {
-  return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
-          std::min(a.bottom, b.bottom)};
-}
 
 /// Box of a capsule; a point gives a disk.
 Box capsule_box(const Point& from, const Point& to, double radius) {
@@ -115,6 +96,7 @@ struct Canvas::Impl {
   Batch batch;
   List<PixelRect> clips = {};
   List<TextBox> boxes = {};
+  SvgDrawing* drawing = nullptr;  // that takes every shape, too
   Color background = {1, 1, 1, 1};
   bool begun = false;  // whether the frame's background has been drawn
 
@@ -190,13 +172,17 @@ void Canvas::clear(Color background) {
   impl_->clips.clear();
   impl_->boxes.clear();
   impl_->use_clip();
+  if (impl_->drawing != nullptr) impl_->drawing->clear();
 }
 
 void Canvas::line(const Point& from, const Point& to, const Stroke& stroke) {
   polyline(FixedList<Point, 2>{from, to}, stroke);
 }
 
+void Canvas::record(SvgDrawing* drawing) { impl_->drawing = drawing; }
+
 void Canvas::polyline(Span<const Point> points, const Stroke& stroke) {
+  if (impl_->drawing != nullptr) impl_->drawing->polyline(points, stroke);
   const double scale = impl_->scale;
   add_polyline(impl_->batch, scaled(points, scale), scaled(stroke, scale));
   impl_->flush_if_full();
@@ -207,6 +193,7 @@ void Canvas::circle(const Point& center, double radius, const Paint& paint) {
 }
 
 void Canvas::polygon(Span<const Point> points, const Paint& paint, double rounding) {
+  if (impl_->drawing != nullptr) impl_->drawing->polygon(points, paint, rounding);
   const double scale = impl_->scale;
   add_polygon(impl_->batch, scaled(points, scale), scaled(paint, scale), scale * rounding);
   impl_->flush_if_full();
@@ -218,6 +205,7 @@ void Canvas::rect(const Rect& rect, const Paint& paint, double corner_radius) {
   const Point half(0.5 * rect.width, 0.5 * rect.height);
   if (radius > 0) {
     const double scale = impl_->scale;
+    if (impl_->drawing != nullptr) impl_->drawing->rect(rect, paint, radius);
     add_box(impl_->batch,
             {.center = scale * center,
              .half_length = scale * (half.x() - radius),
@@ -233,12 +221,14 @@ void Canvas::rect(const Rect& rect, const Paint& paint, double corner_radius) {
 }
 
 void Canvas::capsule(const Point& from, const Point& to, double radius, const Paint& paint) {
+  if (impl_->drawing != nullptr) impl_->drawing->capsule(from, to, radius, paint);
   const double scale = impl_->scale;
   add_box(impl_->batch, capsule_box(scale * from, scale * to, scale * radius), scaled(paint, scale));
   impl_->flush_if_full();
 }
 
 void Canvas::hatch(Span<const Point> points, const Stroke& stroke, double pitch) {
+  if (impl_->drawing != nullptr) impl_->drawing->hatch(points, stroke, pitch);
   const double scale = impl_->scale;
   add_hatch(impl_->batch, scaled(points, scale), scaled(stroke, scale), scale * pitch);
   impl_->flush_if_full();
@@ -254,9 +244,10 @@ void Canvas::text(const Point& at, std::string_view markup, const TextStyle& sty
   if (style.align != Align::left) {
     start.x() -= style.align == Align::center ? 0.5 * line.width : line.width;
   }
-  if (const int rim = halo_reach(style, scale); rim > 0) {
-    impl_->write(line, start, rim, style.halo);
-  }
+  const int rim = halo_reach(style, scale);
+  if (impl_->drawing != nullptr)
+    impl_->drawing->text(start / scale, lay_out(markup, style.size, face_of(style)), rim / scale, style);
+  if (rim > 0) impl_->write(line, start, rim, style.halo);
   const Rect covered = scaled(impl_->write(line, start, 0, style.color), 1 / scale);
   impl_->boxes.push_back({.text = std::string(markup), .rect = covered, .style = style});
   impl_->flush_if_full();
@@ -271,6 +262,7 @@ void Canvas::push_clip(const Rect& rect) {
   const PixelRect pushed = pixels_of(scaled(rect, impl_->scale), frame.right, frame.bottom);
   impl_->clips.push_back(intersection(impl_->clips.empty() ? frame : impl_->clips.back(), pushed));
   impl_->use_clip();
+  if (impl_->drawing != nullptr) impl_->drawing->push_clip(rect);
 }
 
 void Canvas::pop_clip() {
@@ -279,6 +271,7 @@ void Canvas::pop_clip() {
   }
   impl_->clips.pop_back();
   impl_->use_clip();
+  if (impl_->drawing != nullptr) impl_->drawing->pop_clip();
 }
 
 Span<const TextBox> Canvas::text_boxes() const { return impl_->boxes; }

@@ -77,6 +77,8 @@ struct RenderError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+class SvgDrawing;
+
 /// One drawing surface with a GL context of its own, used from one thread.
 /// Coordinates that are not finite or absurdly large draw nothing and harm nothing else.
 class Canvas {
@@ -115,6 +117,9 @@ class Canvas {
   /// Nothing is drawn outside the clip (the intersection of all that are pushed).
   void push_clip(const Rect& rect);
   void pop_clip();
+
+  /// From now on `drawing` takes every shape as well, and is cleared with the canvas; null: none does.
+  void record(SvgDrawing* drawing);
 
   /// Everything written since clear().
   Span<const TextBox> text_boxes() const;

@@ -1,8 +1,12 @@
 // Glyph bitmaps by stb_truetype: exact area coverage, no hinting, four horizontal phases.
 #include "render/font.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <memory>
 
 #define STBTT_STATIC
 #define STB_TRUETYPE_IMPLEMENTATION
@@ -139,6 +143,25 @@ double advance(const GlyphName& glyph, double size) {
   int bearing = 0;
   stbtt_GetGlyphHMetrics(&font, glyph.index, &units, &bearing);
   return units * static_cast<double>(scale_of(font, 1)) * size;
+}
+
+double units_to_pixels(const GlyphName& glyph, double size) {
+  return static_cast<double>(scale_of(font_of(glyph.face), 1)) * size;
+}
+
+std::string glyph_outline(const GlyphName& glyph) {
+  stbtt_vertex* vertices = nullptr;
+  const int count = stbtt_GetGlyphShape(&font_of(glyph.face), glyph.index, &vertices);
+  const std::unique_ptr<stbtt_vertex, decltype(&std::free)> owner(vertices, &std::free);
+  std::string path;
+  for (int i = 0; i < count; ++i) {
+    const stbtt_vertex& vertex = vertices[i];
+    if (vertex.type == STBTT_vmove) path += fmt::format("{}M{} {}", i > 0 ? "Z" : "", vertex.x, vertex.y);
+    if (vertex.type == STBTT_vline) path += fmt::format("L{} {}", vertex.x, vertex.y);
+    if (vertex.type == STBTT_vcurve)
+      path += fmt::format("Q{} {} {} {}", vertex.cx, vertex.cy, vertex.x, vertex.y);
+  }
+  return path.empty() ? path : path + "Z";
 }
 
 GlyphAtlas::GlyphAtlas(double scale)

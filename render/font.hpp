@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 
 #include "math/list.hpp"
@@ -21,6 +22,10 @@ GlyphName find_glyph(Face face, char32_t code_point);
 
 /// How far the pen moves [px] at an em of `size` px.
 double advance(const GlyphName& glyph, double size);
+/// Its outline as the path of an SVG file, in units of the font, y up; "" for a sign without ink.
+std::string glyph_outline(const GlyphName& glyph);
+/// The length of one unit of the font at an em of `size` px [px].
+double units_to_pixels(const GlyphName& glyph, double size);
 
 /// What one bitmap is of.
 struct GlyphKey {
