@@ -1,4 +1,10 @@
-// The exercises: what is asked, and how an answer is graded.
+// The exercises: what is asked, and how an answer is graded. A lesson's folder has three files for its
+// exercise: exercise.cpp, which the reader edits: what the code needs, and one gap between the lines
+//     // Your code begins here: about five lines.
+//     // Your code ends here.
+// grade.cpp, which includes exercise.cpp, calls what stands in it and returns exercise(); and answers.txt,
+// which has the model answer and the wrong ones (lessons/answers.hpp shows its form). A test fills the gap
+// with each of them: the model passes, and every other fails with the words that answers.txt names.
 #pragma once
 
 #include <functional>
@@ -55,6 +61,10 @@ struct Exercise {
 /// A program that grades one exercise: shows the marks, or a hint with --hint K. Exit code 0: passed, 1: not
 /// yet, 2: bad usage.
 int exercise_program(const Exercise& exercise, int argument_count, const char* const* arguments);
+
+/// For each lesson: its exercise as it comes, then with each answer of its answers.txt. Made when the project
+/// is built.
+List<List<Exercise>> all_answers();
 
 /// A program that grades many, a line each: "05 passed" or "05 failed". Exit code 0.
 int exercise_list_program(const List<Exercise>& exercises);

@@ -1,10 +1,19 @@
 // Exercise 00. Write one step of semi-implicit Euler. Then: bash lessons/run check 0
-#include "exercise.hpp"
+#include "lessons/exercise.hpp"
 
 namespace cairn::exercise00 {
 
+/// A body that moves up and down.
+struct Falling {
+  double height = 0;    // [m]
+  double velocity = 0;  // [m/s] upwards
+};
+
+// One step of dt [s]. The acceleration [m/s^2] is upwards: it is negative for a body that falls.
 void integrate(Falling& body, double acceleration, double dt) {
-  (void)body, (void)acceleration, (void)dt;  // <- your code: two lines
+  // Your code begins here: two lines.
+
+  // Your code ends here.
 }
 
 }  // namespace cairn::exercise00

@@ -1,8 +1,7 @@
 // Exercise 06, graded: three boxes that fall onto each other, and a contact that takes back what it gave.
 #include <cmath>
 
-#include "exercise.hpp"
-#include "math/list.hpp"
+#include "exercise.cpp"
 
 namespace cairn::exercise06 {
 namespace {
@@ -15,83 +14,95 @@ struct Swept {
   List<Contact> contacts = {};
 };
 
-Swept swept(Answer answer, List<Box> boxes, int sweeps) {
+Swept swept(List<Box> boxes, int sweeps) {
   Swept result{.boxes = std::move(boxes)};
   const int count = result.boxes.size();
   for (int i = 1; i < count; ++i) result.contacts.push_back({.below = i - 1, .above = i});
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (Contact& contact : result.contacts) answer(contact, result.boxes);
+    for (Contact& contact : result.contacts) update(contact, result.boxes);
   }
   return result;
 }
 
-/// Ground, and three boxes of 1 kg with the speed of one step of falling: g dt = 0.2 m/s.
-List<Box> tower() { return {{0, 0}, {1, -0.2}, {1, -0.2}, {1, -0.2}}; }
+/// Ground, and boxes of 2, 0.5 and 2 kg with the speed of one step of falling: g dt = 0.2 m/s.
+List<Box> tower() { return {{0, 0}, {0.5, -0.2}, {2, -0.2}, {0.5, -0.2}}; }
 
-void grade_tower(Grade& grade, Answer answer) {
-  const Swept one = swept(answer, tower(), 1), two = swept(answer, tower(), 2);
-  // Gauss-Seidel on A = [1 -1 0; -1 2 -1; 0 -1 2], b = (0.2, 0, 0), by hand.
+// The numbers below are Gauss-Seidel on A = [0.5 -0.5 0; -0.5 2.5 -2; 0 -2 2.5], b = (0.2, 0, 0), by hand.
+void grade_impulses(Grade& grade, const Swept& one) {
   grade.number({.what = "1 sweep: impulse of the ground (N s)",
-                .value = 0.2,
+                .value = 0.4,
                 .tolerance = push_rounding,
-                .misconceptions = {{-0.2, "The sign: boxes that approach have to be pushed apart."},
-                                   {0, "Nothing was given to the contact's impulse."}}},
+                .misconceptions = {{-0.4, "The sign: boxes that approach have to be pushed apart."},
+                                   {0, "Nothing was given to the contact's impulse."},
+                                   {0.1, "A heavy box needs more impulse, not less: divide by j M⁻¹ jᵀ."},
+                                   {0.2, "(22): a speed is no impulse; divide it by j M⁻¹ jᵀ."}}},
                one.contacts[0].impulse);
   grade.number(
       {.what = "1 sweep: impulse between boxes 1 and 2 (N s)",
-       .value = 0.1,
+       .value = 0.08,
        .tolerance = push_rounding,
        .misconceptions = {{0, "The velocities have not changed: apply the impulse at once, to both bodies."},
-                          {0.2, "Two bodies give way here: the effective mass has both in it."},
-                          {0.4, "Two bodies that give way need less, not more: divide by j M⁻¹ jᵀ."}}},
+                          {0.1, "Two bodies give way here: the effective mass has both in it."},
+                          {0.4, "Two bodies give way here: the effective mass has both in it."}}},
       one.contacts[1].impulse);
+}
+
+void grade_tower(Grade& grade) {
+  const Swept one = swept(tower(), 1), two = swept(tower(), 2), ground = swept({{0, 0}, {0.5, -0.2}}, 1);
+  grade_impulses(grade, one);
+  grade.number({.what = "1 sweep, one box: velocity of the box (m/s)",
+                .value = 0,
+                .tolerance = push_rounding,
+                .misconceptions = {{0.2, "(23): an impulse is no change of velocity; multiply it by 1/m."}}},
+               ground.boxes[1].velocity);
+  grade.number({.what = "1 sweep, one box: velocity of the ground (m/s)",
+                .value = 0,
+                .tolerance = push_rounding,
+                .misconceptions = {{-0.2, "The ground has moved: each body has its own inverse mass."}}},
+               ground.boxes[0].velocity);
   grade.number({.what = "1 sweep: velocity of box 1 (m/s)",
-                .value = -0.1,
+                .value = -0.04,
                 .tolerance = push_rounding,
                 .misconceptions = {{0, "Action and reaction: contact 2 pushes box 1 down."},
-                                   {0.1, "Action and reaction: contact 2 pushes box 1 down, not up."}}},
+                                   {0.04, "Action and reaction: contact 2 pushes box 1 down, not up."}}},
                one.boxes[1].velocity);
   grade.number({.what = "2 sweeps: impulse of the ground (N s)",
-                .value = 0.3,
+                .value = 0.48,
                 .tolerance = push_rounding,
-                .misconceptions = {{0.1, "The second correction has replaced the first: add it."}}},
+                .misconceptions = {{0.08, "The second correction has replaced the first: add it."}}},
                two.contacts[0].impulse);
 }
 
-/// A box comes down on another at 1 m/s, and is pulled up afterwards: the contact first gives 0.5 N s, and
-/// then has to take back some of it, and at last the rest.
-void grade_taking_back(Grade& grade, Answer answer) {
-  List<Box> boxes = {{1, 0}, {1, -1}};
+/// A box of 0.5 kg comes down on one of 2 kg at 1 m/s, and is pulled up afterwards: the contact first gives
+/// 0.4 N s, and then has to take back some of it, and at last the rest.
+void grade_taking_back(Grade& grade) {
+  List<Box> boxes = {{0.5, 0}, {2, -1}};
   Contact contact{.below = 0, .above = 1};
-  answer(contact, boxes);
+  update(contact, boxes);
   boxes[1].velocity += 0.6;
-  answer(contact, boxes);
+  update(contact, boxes);
   grade.number(
       {.what = "pulled up by 0.6 m/s afterwards: impulse (N s)",
-       .value = 0.2,
+       .value = 0.16,
        .tolerance = push_rounding,
-       .misconceptions = {{0.5, "A correction may be negative: only the sum may not. Clamp the sum."}}},
+       .misconceptions = {{0.4, "A correction may be negative: only the sum may not. Clamp the sum."}}},
       contact.impulse);
   boxes[1].velocity += 2;
-  answer(contact, boxes);
+  update(contact, boxes);
   grade.number({.what = "pulled up by 2 m/s more: impulse (N s)",
                 .value = 0,
                 .tolerance = push_rounding,
-                .misconceptions = {{-0.8, "A contact cannot pull: its impulse is never below 0."}}},
+                .misconceptions = {{-0.64, "A contact cannot pull: its impulse is never below 0."}}},
                contact.impulse);
-  grade.number({.what = "and what the box below keeps of it (m/s)",
-                .value = 0,
-                .tolerance = push_rounding,
-                .misconceptions = {{0.8, "Apply what the clamp has left of the correction, not all of it."}}},
-               boxes[0].velocity);
+  grade.number(
+      {.what = "and what the box below keeps of it (m/s)",
+       .value = 0,
+       .tolerance = push_rounding,
+       .misconceptions = {{0.32, "Apply what the clamp has left of the correction, not all of it."}}},
+      boxes[0].velocity);
 }
 
 }  // namespace
-
-void grade(Grade& grade, Answer answer) {
-  grade_tower(grade, answer);
-  grade_taking_back(grade, answer);
-}
 
 Exercise exercise() {
   return {
@@ -99,10 +110,13 @@ Exercise exercise() {
       .task = "One row update of Algorithm 1: the correction, the sum and its clamp, and both velocities.",
       .file = "lessons/06_sequential_impulses/exercise.cpp",
       .hints =
-          {"What is j v of this contact, and how much impulse makes it 0?",
+          {"What is j·v of this contact, and how much impulse makes it 0?",
            "j = (-1, 1), so j M⁻¹ jᵀ = 1/m_below + 1/m_above. Add the correction to what was given so far.",
            "new sum = max(old sum + correction, 0); what is applied is new sum - old sum, to both boxes."},
-      .grade = [](Grade& marks) { grade(marks, update); }};
+      .grade = [](Grade& grade) {
+        grade_tower(grade);
+        grade_taking_back(grade);
+      }};
 }
 
 }  // namespace cairn::exercise06

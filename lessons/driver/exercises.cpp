@@ -7,6 +7,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "lessons/answers.hpp"
 #include "lessons/driver/process.hpp"
 
 namespace cairn::driver {
@@ -28,8 +29,9 @@ std::optional<ExerciseFiles> exercise_of(const Program& lesson) {
   const std::string number = two_digits(lesson.number);
   const fs::path folder = lesson_folder(lesson);
   if (!fs::exists(folder / "exercise.cpp")) return std::nullopt;
-  return ExerciseFiles{.program = lesson.path.parent_path() / ("exercise" + number),
-                       .solution = folder / "solution.cpp"};
+  return ExerciseFiles{
+      .program = lesson.path.parent_path() / ("exercise" + number),
+      .solution = folder / (fs::exists(folder / "answers.txt") ? "answers.txt" : "solution.cpp")};
 }
 
 int grade_exercise(const Program& lesson, const ExerciseFiles& files) {
@@ -49,7 +51,8 @@ int show_solution(const Program& lesson, const ExerciseFiles& files) {
                lesson.number);
     return not_built;
   }
-  fmt::print("{}", text);
+  const bool is_source = files.solution.extension() == ".cpp";
+  fmt::print("{}", is_source ? text : read_answers(text).front().code);
   return 0;
 }
 

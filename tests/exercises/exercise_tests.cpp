@@ -18,7 +18,7 @@ namespace {
 List<std::string> lessons_with_exercises() {
   List<std::string> numbers;
   for (const auto& entry : std::filesystem::directory_iterator(CAIRN_SOURCE_DIR "/lessons")) {
-    if (std::filesystem::exists(entry.path() / "exercise.cpp"))
+    if (std::filesystem::exists(entry.path() / "solution.cpp"))
       numbers.push_back(entry.path().filename().string().substr(0, 2));
   }
   std::sort(numbers.begin(), numbers.end());
