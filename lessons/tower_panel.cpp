@@ -23,6 +23,11 @@ void draw_load_bars(Page& page, const render::Camera& camera, double right, cons
   for (int i = 0; i < boxes; ++i) {
     const double y = camera.project({0, tower.bodies[{i + 1}].pose.position.y()}).y();
     const double length = std::max(0.0, loads[i] * per_newton);
+    if (!bars.least.empty()) {
+      const double from = bars.least[i] * per_newton, to = bars.most[i] * per_newton;
+      page.canvas().rect({left + from, y - 0.8 * thickness, to - from, 1.6 * thickness},
+                         {.fill = render::faded(bars.color, 0.25)});
+    }
     page.canvas().rect({left, y - thickness / 2, length, thickness},
                        {.fill = bars.color, .outline = page.theme().outline, .outline_width = 1});
     const double tick = left + static_cast<double>(boxes - i) * bars.box_weight * per_newton;

@@ -15,6 +15,8 @@ struct LoadBars {
   double box_weight = 0;     // [N] of one box: a tick shows the weight above each place
   double largest = 0;        // [N] that fills the width
   render::Color color = {};  // of the bars
+  List<double> least = {};   // [N] of each load lately, drawn as a pale band up to `most`; empty: no bands
+  List<double> most = {};
 };
 
 /// The tower at the left of `view`, and a bar beside each box, which follows it when it sinks. loads[i] [N]

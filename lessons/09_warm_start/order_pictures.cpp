@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/tower_panel.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
-#include "render/bars.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
 
@@ -57,11 +57,10 @@ void draw_errors(Page& page, const WarmStart& all) {
           ? fmt::format("Sweeps leave ρˢ = {:.3f} of a cold error. Warm, velocities remember too: √ρˢ, and "
                         "it swings.",
                         share)
-          : fmt::format("The sweeps of a step ({}) leave ρˢ = {:.3f} of what they find. Cold, the loads "
-                        "become right at that rate, but each step falls short of its own answer by the "
-                        "same amount again, and that is a speed: the tower sinks. Warm, what is missing "
-                        "comes back twice, in the first guess and in the velocities. So the error swings, "
-                        "and a step leaves √ρˢ = {:.3f} of it.",
+          : fmt::format("The {} sweeps of a step leave ρˢ = {:.3f} of what they find. Cold, the loads "
+                        "converge at that rate, but what is missing stays as a speed: the tower sinks. "
+                        "Warm, it is missing in the first guess as well. So the error swings, and a step "
+                        "leaves √ρˢ = {:.3f} of it.",
                         settings.sweeps, share, std::sqrt(share)));
 }
 
@@ -94,62 +93,64 @@ void draw_cold_sweeps(Page& page, const WarmStart& all) {
   }
   page.table(right[0], "", table);
   page.note(right[1], "",
-            page.compact() ? "Twice as high: four times as many."
-                           : "A sweep from the ground up hands weight on by one contact at a time, and back. "
-                             "That is how heat spreads along a rod: twice as long, four times the time.");
+            page.compact() ? "Twice the height takes four times the sweeps."
+                           : "The error spreads like heat along a rod: twice the length takes four times the "
+                             "time. So twice the height takes four times the sweeps.");
 }
 
-/// The tower, with the velocity that the first guess gives to each box.
-void draw_thrown(Page& page, const Rect& rect, const WarmStart& all) {
-  const Rect inside = page.panel(rect, page.compact() ? "by number" : "by number, before a sweep");
-  const double n = all.settings.boxes;
-  const render::Camera camera = render::fit(inside, {{-1.5, -0.5}, {2.2, n + 1.2}});
-  render::WorldLook look;
-  look.contacts = false;
-  look.penetration = false;
-  look.numbers = camera.scale >= 20;
-  draw_world(page, camera, all.warm.frames.front(), look);
-  const List<double>& velocity = all.reversed.velocity_by_number;
-  const render::ArrowScale scale{
-      .pixels_per_unit = 1.2 * camera.scale / velocity.back(), .longest = 2 * camera.scale, .unit = "m/s"};
+/// The tower with a first guess as bars, and the velocities that this guess gives to the boxes.
+void draw_guess(Page& page, const Rect& rect, const WarmStart& all, const render::SeriesStyle& style,
+                const List<double>& guess, const List<double>& velocity) {
+  const bool is_right = velocity.back() < 0.01;
+  const Rect view = draw_solver_panel(page, rect, style, is_right ? "by key" : "by number", "");
+  const render::Camera camera =
+      draw_tower_loads(page, view, all.warm.frames.front(), guess,
+                       {.box_weight = gravity, .largest = 1.5 * all.settings.weight(), .color = style.color});
+  render::TextStyle text = page.value();
+  text.align = render::Align::right;
   for (int i = 0; i < velocity.size(); ++i) {
-    draw_arrow(page, camera, scale,
-               {.kind = render::ArrowKind::velocity, .tail = {0.75, i + 0.5}, .value = {0, velocity[i]}});
-  }
-  for (const int i : {0, velocity.size() - 1}) {
-    const render::Point at = camera.project({0.95, i + 0.4});
-    page.canvas().text({at.x() + 6, at.y()}, fixed(velocity[i], 2), page.value());
+    const double y = camera.project({0, i + 0.5}).y();
+    const std::string moves =
+        std::abs(velocity[i]) < 0.005 ? "0" : fixed(velocity[i], 1, render::Sign::always);
+    page.canvas().text({view.x + view.width, y + text.size / 3}, moves + (page.compact() ? "" : " m/s"),
+                       text);
   }
 }
 
-render::BarChart guess_bars(const List<double>& guess, const std::string& title, double weight) {
-  render::BarChart chart{.title = title, .largest = 1.2 * weight, .decimals = 0};
-  const int n = guess.size();
-  for (int i = n - 1; i >= 0; --i) {
-    chart.bars.push_back(
-        {.name = fmt::format("λ_{{{}}}", i + 1), .added = guess[i], .exact = (n - i) * gravity});
+/// Which row is which contact now, and what its number and its key find among the impulses that were kept.
+void draw_found(Page& page, const Rect& rect, const WarmStart& all) {
+  const int n = all.settings.boxes;
+  render::TableView table{.header = {"row", "contact", "by number", "by key"}};
+  for (int row = 1; row <= n; ++row) {
+    const int contact = n + 1 - row;
+    table.rows.push_back({fmt::format("{}", row), fmt::format("{}", contact),
+                          fixed(all.reversed.by_number[contact - 1], 0) + " N",
+                          fixed(all.reversed.by_key[contact - 1], 0) + " N"});
   }
-  return chart;
+  page.table(rect, page.compact() ? "first guess" : "the rows of this step, and their first guess", table);
 }
 
 void draw_reversed(Page& page, const WarmStart& all) {
-  const List<Rect> parts = rows(page.area(), {0.72, 0.28}, page.sizes().gap);
-  const List<Rect> panels = columns(parts[0], {0.3, 0.35, 0.35}, page.sizes().gap);
-  const double weight = all.settings.weight();
-  draw_thrown(page, panels[0], all);
-  draw_bars(page, panels[1], guess_bars(all.reversed.by_number, "first guess by number (N)", weight));
-  draw_bars(page, panels[2], guess_bars(all.reversed.by_key, "first guess by key (N)", weight));
+  const List<Rect> parts = rows(page.area(), {0.74, 0.26}, page.sizes().gap);
+  const List<Rect> panels = columns(parts[0], {0.36, 0.32, 0.32}, page.sizes().gap);
+  const FixedList<render::SeriesStyle, 3> styles = start_styles(page.theme());
+  const ReversedStep& step = all.reversed;
+  draw_found(page, panels[0], all);
+  draw_guess(page, panels[1], all, styles[2], step.by_number, step.velocity_by_number);
+  draw_guess(page, panels[2], all, styles[1], step.by_key, step.velocity_by_key);
   double after = 0;
-  for (const double v : all.reversed.velocity_after) after = std::max(after, std::abs(v));
+  for (const double v : step.velocity_after) after = std::max(after, std::abs(v));
   page.note(
       parts[1], "",
       page.compact()
-          ? fmt::format("Contacts found from the top down. By number the top box is thrown at {:.1f} m/s.",
-                        all.reversed.velocity_by_number.back())
-          : fmt::format("The tower stands, and this step finds its contacts from the top down. Kept by "
-                        "number, each impulse comes to the wrong contact: {:.1f} m/s for the top box, and "
-                        "{:.2f} m/s somewhere when all sweeps are done. Kept by key, nothing moves.",
-                        all.reversed.velocity_by_number.back(), after));
+          ? fmt::format("Contacts found from the top down. By number the top box is thrown up at {:.1f} "
+                        "m/s; by key nothing moves.",
+                        step.velocity_by_number.back())
+          : fmt::format("The last step found the contacts from the ground up, this one from the top "
+                        "down. By number, every contact gets the impulse of another one: the top box "
+                        "is thrown up at {:.1f} m/s, and {:.2f} m/s are left after the sweeps. By "
+                        "key, nothing moves.",
+                        step.velocity_by_number.back(), after));
 }
 
 /// The step in which loads by number are most wrong, once the tower has come to rest.
@@ -189,9 +190,9 @@ void draw_guest(Page& page, const WarmStart& all) {
   page.note(right[1], "",
             page.compact()
                 ? "A ball bounces; its contact comes first. By number, the tower feels it."
-                : "A ball bounces beside the tower and touches nothing of it. Whenever its contact "
-                  "is there, it is the first row, and all others move on by one. By number the tower "
-                  "is shaken; by key not one bit of its loads changes.");
+                : "A ball bounces beside the tower and never touches it. While the ball touches the "
+                  "ground, its contact is the first row, and all others move on by one. By number, "
+                  "this shakes the tower; by key, not one bit of its loads changes.");
 }
 
 }  // namespace
@@ -208,8 +209,9 @@ List<Shot> order_shots(const All& all) {
        .draw = [all](Page& page) { draw_cold_sweeps(page, *all); },
        .key = true},
       {.state = "rows in another order",
-       .alt = "First guesses by number and by key when rows come from the top down: by number all but one "
-              "box fall, and the top box is thrown upwards.",
+       .alt = "First guesses by number and by key when rows come from the top down: by number the lowest "
+              "contact "
+              "has the smallest guess, all boxes but one fall, and the top box is thrown up.",
        .draw = [all](Page& page) { draw_reversed(page, *all); },
        .key = true},
       {.state = "a ball bounces beside it",

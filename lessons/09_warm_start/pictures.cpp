@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 
@@ -35,22 +36,61 @@ double top_of(const StartRun& run, int frame) {
   return run.frames[frame].bodies.back().pose.position.y() + 0.5;
 }
 
+constexpr int lately = 15;  // steps: a little more than one swing of the warm load
+
+/// The least and the most that each contact has carried lately [N].
+struct Range {
+  List<double> least = {};
+  List<double> most = {};
+};
+
+Range lately_carried(const StartRun& run, int frame) {
+  Range range{.least = run.loads[frame], .most = run.loads[frame]};
+  for (int k = std::max(1, frame - lately + 1); k < frame; ++k) {
+    for (int i = 0; i < range.least.size(); ++i) {
+      range.least[i] = std::min(range.least[i], run.loads[k][i]);
+      range.most[i] = std::max(range.most[i], run.loads[k][i]);
+    }
+  }
+  return range;
+}
+
 /// Where the top of the tower was at the start.
 void draw_start_line(Page& page, const render::Camera& camera, double boxes) {
   page.canvas().line(camera.project({-1, boxes}), camera.project({1, boxes}),
                      {.width = 1.5, .color = page.theme().secondary_text, .dash = {6, 4}});
 }
 
-/// One start: its tower and its loads.
+/// What the top of the tower does, and not only where it is.
+std::string motion_of(const StartRun& run, int frame) {
+  const double speed = run.frames[frame].bodies.back().velocity.y();
+  return std::abs(speed) < 0.005 ? "stands still" : fixed(speed, 2, render::Sign::always) + " m/s";
+}
+
+/// One start: its tower, its loads, and within which bounds the loads have been lately.
 void draw_start(Page& page, const Rect& rect, const WarmStart& all, const StartRun& run, int frame,
                 const SeriesStyle& style) {
   const double moved = 1000 * (top_of(run, frame) - all.settings.boxes);
   const std::string top = (page.compact() ? "" : "top ") + fixed(moved, 0, render::Sign::always) + " mm";
   const Rect view = draw_solver_panel(page, rect, style, run.name, top);
-  const render::Camera camera =
-      draw_tower_loads(page, view, run.frames[frame], run.loads[frame],
-                       {.box_weight = gravity, .largest = largest_load(all), .color = style.color});
+  const Range range = lately_carried(run, frame);
+  const render::Camera camera = draw_tower_loads(page, view, run.frames[frame], run.loads[frame],
+                                                 {.box_weight = gravity,
+                                                  .largest = largest_load(all),
+                                                  .color = style.color,
+                                                  .least = range.least,
+                                                  .most = range.most});
   draw_start_line(page, camera, all.settings.boxes);
+  if (frame == 0) return;
+  render::TextStyle text = page.value();
+  text.align = render::Align::right;
+  const double right = view.x + view.width, line = 1.5 * text.size;
+  page.canvas().text({right, view.y + line}, motion_of(run, frame), text);
+  page.canvas().text({right, view.y + 2 * line},
+                     range.most[0] - range.least[0] < 1
+                         ? fmt::format("λ_{{1}} {:.0f} N", range.most[0])
+                         : fmt::format("λ_{{1}} {:.0f} to {:.0f} N", range.least[0], range.most[0]),
+                     text);
 }
 
 void draw_towers(Page& page, const Rect& rect, const WarmStart& all, int frame) {
@@ -61,7 +101,7 @@ void draw_towers(Page& page, const Rect& rect, const WarmStart& all, int frame) 
 }
 
 void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int frame) {
-  render::Plot plot{.title = fmt::format("load λ_{{1}} on the lowest box, step by step; its weight: {:g} N",
+  render::Plot plot{.title = fmt::format("load λ_{{1}} on the lowest box, step by step; to carry: {:g} N",
                                          all.settings.weight())};
   constexpr int near = 30;  // steps that the first frames show
   plot.x = {.min = 0, .max = frame <= near ? near : all.settings.steps};
@@ -110,10 +150,10 @@ Shot question_shot(const All& all) {
       .draw =
           [all](Page& page) {
             draw_note(page, *all, 0, "Predict",
-                      fmt::format("Three towers, sweeps in each step: {}. One begins each step from nothing, "
-                                  "one from last step's impulses, one from those of the contact below. "
-                                  "From nothing, how many sweeps would ONE step need until the lowest "
-                                  "contact carries 99 % of the {:g} N?",
+                      fmt::format("Each of these towers gets {} sweeps in a step. One begins every step from "
+                                  "nothing, one from its last impulses, one from those of the contact "
+                                  "below. From nothing, how many sweeps would one step need until the "
+                                  "lowest contact carries 99 % of the {:g} N?",
                                   all->settings.sweeps, all->settings.weight()));
           },
       .key = true};
@@ -122,13 +162,13 @@ Shot question_shot(const All& all) {
 std::string answer_text(const WarmStart& all) {
   const double weight = all.settings.weight();
   std::string text =
-      fmt::format("{} sweeps in one step. Warm, the {} of each step go on where those of the last one ended.",
+      fmt::format("{} sweeps in one step. Warm, the {} sweeps of a step go on where the last ones ended.",
                   all.own.needed, all.settings.sweeps);
   text += unrest(all.cold.loads, weight) > wanted_error * weight
-              ? " From nothing the tower falls into itself."
-              : " From nothing the loads come out right in the end, and the tower sinks for ever.";
+              ? " Cold, the tower sinks into itself."
+              : " Cold, the loads come out right in the end, but the tower sinks for ever.";
   if (unrest(all.shifted.loads, weight) > wanted_error * weight) {
-    text += " From a neighbour's impulses nothing ever comes to rest.";
+    text += " One row off, it never comes to rest: its loads keep swinging (pale: the last 15 steps).";
   }
   return text;
 }
