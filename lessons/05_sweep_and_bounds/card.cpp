@@ -23,6 +23,7 @@ LessonInfo card() {
           "A rod of 4 kg and 3 m lies with its left end on one support; the other stands 1 m from there. "
           "A λ = b says: the left support pulls with 20 N, the right one pushes with 60 N. But the left one "
           "cannot pull. How hard does the right one push then, in N?",
+      .spoilers = {"30 N", "tips"},
       .hints = {"Without the pull, does the right support have more to push against, or less?",
                 "Only one point of the rod is held. The rest of it may fall.",
                 "λ₂ = b₂ / A₂₂, with A₂₂ = 1/4 + 0.5²/3 and b₂ = 10 m/s²."},

@@ -24,6 +24,7 @@ LessonInfo card() {
           "A box of 6 kg lands at 10 m/s on two feet, 0.25 m left and right of its middle. The left foot "
           "stops itself with 43.64 N s, then the right one itself with 23.80 N s. That turns the box, and "
           "the left foot rises at 2.48 m/s. How much does it give on its second visit, in N s?",
+      .spoilers = {"10.82", "32.82"},
       .hints = {"Was the first push of the left foot too small, right, or too large?",
                 "p_corr = −j·v / A₁₁, and nothing in it asks for a sign.",
                 "A₁₁ = 1/6 + 0.25² = 11/48 per kg; p_corr = −2.48 × 48/11."},

@@ -20,6 +20,7 @@ LessonInfo card() {
       .question =
           "The lowest contact has to carry the whole tower. Beginning from nothing, how many sweeps does one "
           "step need until that contact carries 99 % of it?",
+      .spoilers = {"178", "0.9755"},
       .hints = {"A sweep carries weight from box to box. Ten sweeps give the lowest of ten contacts a third "
                 "of it.",
                 "In the long run a sweep leaves cos²(π/2n) of the error: 0.9755 for ten boxes.",
