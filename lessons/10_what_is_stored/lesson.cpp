@@ -85,9 +85,10 @@ void run(Lesson& lesson) {
   tell_counts(lesson, stored);
   tell_kept(lesson, stored);
   tell_cases(lesson, stored);
-  lesson.answer({stored.pyramids.back().rows}, 0.5,
-                "That many rows, and so many times more. But most of those numbers are zero: what is left "
-                "grows like m too.");
+  const Count& largest = stored.pyramids.back();
+  lesson.answer({largest.non_zeros / largest.rows}, 1.5,
+                "At most 8 rows act on a box and 14 on the two boxes of a row, however high the pyramid: "
+                "without its zeros, A grows like m too.");
   check_claims(lesson, stored);
   lesson.film(stored_shots(stored));
   lesson.data(table_of(stored));

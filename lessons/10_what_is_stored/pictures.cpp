@@ -181,14 +181,13 @@ void draw_question(Page& page, const StoredRun& run) {
   const List<Rect> right = rows(halves[1], {0.6, 0.4}, page.sizes().gap);
   page.note(
       right[0], "Predict",
-      fmt::format("{} boxes, two rows for each overlap: two for every box on the ground, four for every "
-                  "other. A full A has an entry for each pair of rows; SI keeps one number for each "
-                  "row. How many times more is that?",
-                  count.bodies));
+      fmt::format("{} boxes, two rows for each overlap: m = {:.0f} rows. A full A has m × m entries, and SI "
+                  "keeps m numbers. How many entries in an average row of A are not zero?",
+                  count.bodies, count.rows));
   page.equation(right[1], {.number = "numbers to keep",
-                           .symbols = "full A: m × m",
-                           .numbers = "SI: m",
-                           .result = "= ? times more"});
+                           .symbols = fmt::format("SI: m = {:.0f}", count.rows),
+                           .numbers = fmt::format("full A: m × m = {:.0f}", count.dense),
+                           .result = "A without its zeros: m × ?"});
 }
 
 void draw_answer(Page& page, const StoredRun& run) {
@@ -206,14 +205,12 @@ void draw_answer(Page& page, const StoredRun& run) {
   page.note(
       parts[1], "Answer",
       page.compact()
-          ? fmt::format("{:.0f} times: m² against m. Of these numbers {:.1f} a row are not zero, and a "
-                        "sparse sweep does what SI does.",
-                        count.rows, count.non_zeros / count.rows)
-          : fmt::format("{:.0f} times, m² against m. But only {:.1f} numbers a row are not zero. PGS that "
-                        "leaves the zeros out grows like m, as SI does, and works about as hard in a "
-                        "sweep: {:.0f} multiply-adds against {:.0f}. What is left between them is "
-                        "memory, and the work of building A in every step.",
-                        count.rows, count.non_zeros / count.rows, work_of(count).sparse, work_of(count).si));
+          ? fmt::format("{:.1f} of {:.0f}: a sweep of PGS without the zeros does the work of SI.",
+                        count.non_zeros / count.rows, count.rows)
+          : fmt::format("{:.1f} of {:.0f}, and never more than 14. PGS without the zeros grows like m, as SI "
+                        "does, and does the same work in a sweep: {:.0f} multiply-adds against {:.0f}. "
+                        "Memory remains, and the work of building A in every step.",
+                        count.non_zeros / count.rows, count.rows, work_of(count).sparse, work_of(count).si));
 }
 
 Shot row_shot(const Run& run, int row) {
@@ -230,10 +227,11 @@ Shot row_shot(const Run& run, int row) {
 List<Shot> stored_shots(const StoredRun& recorded) {
   const Run run = std::make_shared<const StoredRun>(recorded);
   List<Shot> shots;
-  shots.push_back({.state = "count first",
-                   .alt = "A large pyramid of boxes, and the question.",
-                   .draw = [run](Page& page) { draw_question(page, *run); },
-                   .key = true});
+  shots.push_back(
+      {.state = "count first",
+       .alt = "A large pyramid of boxes, the count of a full A and of what SI keeps, and the question.",
+       .draw = [run](Page& page) { draw_question(page, *run); },
+       .key = true});
   for (int row = 0; row < run->problems[smallest].row_count(); ++row) shots.push_back(row_shot(run, row));
   shots.push_back({.state = "base 3 and 5",
                    .alt =

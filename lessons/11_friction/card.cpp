@@ -9,18 +9,19 @@ LessonInfo card() {
   info.name = "friction";
   info.title = "Friction";
   info.idea =
-      "Friction is a row like any other, but its bounds lean on its neighbour: what the normal row gives.";
+      "Friction is a row like any other, but its bounds depend on what the normal row beside it gives.";
   info.paper = "paper 2.2, \"interval of valid values\"; 4.4, contact and friction";
-  info.equations = {"j_n v ≥ 0,  λ_n ≥ 0            normal row: the contact may push, never pull",
-                    "j_t v = 0,  |λ_t| ≤ μ λ_n      tangent row: Coulomb's law as bounds",
-                    "holds while tan θ ≤ μ; else slides with a = g (sin θ − μ cos θ)"};
+  info.equations = {"j_n·v ≥ 0,  λ_n ≥ 0            normal row: the contact may push, never pull",
+                    "j_t·v = 0,  |λ_t| ≤ μ λ_n      tangent row: Coulomb's law as bounds"};
   info.needs = {"lesson 06"};
   info.reads = {"src/constraints/contact.cpp", "src/constraints/row.hpp",
                 "src/solvers/iterative/sequential_impulse.cpp"};
-  info.question = "The rough block just holds. Double its mass: does it start to slide?";
+  info.question =
+      "A block of 1 kg with μ = 0.6 just holds on a slope of 30°. Double its mass: does it start to slide? "
+      "(0: it holds, 1: it slides)";
   info.hints = {"What pulls the block down the slope, and what does that depend on?",
                 "Write down the limit of friction, and look for the mass in it.",
-                "Needed: m g sin θ. Limit: μ m g cos θ. Divide one by the other."};
+                "Needed: m g sin α. Limit: μ m g cos α. Divide one by the other."};
   using Kind = Parameter::Kind;
   info.parameters = {{"angle", 30, 5, 35, "°", "angle of the slope"},
                      {"mu", 0.5, 0.05, 0.8, "", "friction of the slippery block"},
@@ -30,7 +31,7 @@ LessonInfo card() {
                      {"dt", 0.02, 0.001, 0.05, "s", "time step"},
                      {"sweeps", 50, 1, 1000, "", "sweeps per step", Kind::whole},
                      {"steps", 100, 40, 400, "", "steps", Kind::whole}};
-  info.cover = 4;
+  info.cover = 1;
   info.next = "bash lessons/run 12   (rows that belong together, solved together)";
   return info;
 }

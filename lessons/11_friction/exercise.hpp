@@ -1,4 +1,4 @@
-// Exercise 11: a friction row, whose bound leans on its neighbour.
+// Exercise 11: a friction row, whose bound depends on its neighbour.
 #pragma once
 
 #include "lessons/exercise.hpp"

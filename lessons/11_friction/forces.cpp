@@ -105,7 +105,7 @@ void draw_forces(Page& page, const Slide& slide, const Study& study) {
              newtons("λ_{t}", held, page));
   draw_force(page, camera, scale,
              {.kind = ArrowKind::external, .tail = foot, .value = pull * slope.downhill()},
-             newtons(page.compact() ? "pull" : "m g sin θ", pull, page));
+             newtons(page.compact() ? "pull" : "m g sin α", pull, page));
   draw_scale_key(page, scale, {page.area().x, page.area().y + page.area().height});
 }
 

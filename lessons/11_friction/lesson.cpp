@@ -1,4 +1,4 @@
-// Lesson 11. Friction: a row whose bounds lean on the row beside it.
+// Lesson 11. Friction: a row whose bounds depend on the row beside it.
 //
 // A block lies on a slope with two corners, and each corner writes two rows: one along the normal, which only
 // pushes, and one along the surface, which stops the sliding if mu times what the normal row gives is enough.
@@ -94,8 +94,7 @@ void run(Lesson& lesson) {
   tell_law(lesson, study.heavy);
   // The answer as a number: 1 for "it slides", 0 for "it holds".
   const double slides = coulomb(study.heavy.slope, study.heavy.block).acceleration > 0 ? 1 : 0;
-  lesson.answer({slides}, 0,
-                "0 = it holds, 1 = it slides. Needed and limit both grow with the mass; tan θ ≤ μ has none.");
+  lesson.answer({slides}, 0, "Needed and limit both grow with the mass. It cancels, and tan α ≤ μ is left.");
   check_study(lesson, study);
   lesson.data(table_of(study));
   lesson.fingerprint(study.slippery.frames.back());

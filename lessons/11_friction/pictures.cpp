@@ -138,7 +138,9 @@ Shot question_shot(const SharedStudy& study, const std::string& question) {
   Shot shot;
   shot.key = true;
   shot.state = degrees(study->rough.slope) + " · μ = " + fixed(study->rough.block.friction, 2);
-  shot.alt = "A box of 1 kg on a slope, and the question: " + question;
+  shot.alt =
+      "A block of 1 kg that holds on a slope, a table with its numbers and those of a heavier one, and the "
+      "question";
   shot.draw = [study, question](Page& page) {
     const Layout layout = layout_of(page);
     const Camera camera = camera_of(layout.scene, study->rough.slope);
@@ -204,8 +206,8 @@ Shot answer_shot(const SharedStudy& study, const std::string& question) {
   const bool holds = coulomb(study->rough.slope, study->rough.block).acceleration == 0;
   // No-break spaces keep a formula on one line.
   const std::string answer = fmt::format(
-      "No: the mass cancels. Needed: m\u00a0g\u00a0sin\u00a0θ. Allowed: μ\u00a0m\u00a0g\u00a0cos\u00a0θ. "
-      "Only tan\u00a0θ\u00a0≤\u00a0μ counts, here {}\u00a0{}\u00a0{}. {}",
+      "No: the mass cancels. Needed: m\u00a0g\u00a0sin\u00a0α. Allowed: μ\u00a0m\u00a0g\u00a0cos\u00a0α. "
+      "Only tan\u00a0α\u00a0≤\u00a0μ counts, here {}\u00a0{}\u00a0{}. {}",
       fixed(std::tan(study->rough.slope.angle), 3), holds ? "≤" : ">",
       significant(study->rough.block.friction), holds ? "Both hold." : "Both slide.");
   Shot shot;

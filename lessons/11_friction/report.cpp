@@ -51,7 +51,7 @@ void check_motion(Lesson& lesson, const Study& study) {
     // v_k = v_(k-1) + dt a: two speeds, each with the rounding of all steps, over half of the time.
     const double tolerance = 2 * rounding(slope, std::abs(slide->speed.back())) / late;
     lesson.check_equal(
-        fmt::format("μ = {}: a = max(0, g (sin θ − μ cos θ)) (m/s²)", fixed(slide->block.friction, 2)),
+        fmt::format("μ = {}: a = max(0, g (sin α − μ cos α)) (m/s²)", fixed(slide->block.friction, 2)),
         late_acceleration(*slide), formula, tolerance);
   }
   if (coulomb(slope, study.rough.block).acceleration > 0) return;

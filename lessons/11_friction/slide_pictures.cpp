@@ -139,9 +139,9 @@ Series formula_series(const Study& study, const Curve& curve, const SeriesStyle&
 }
 
 Plot curve_plot(const Page& page, const Study& study) {
-  Plot plot = {.title = "acceleration down the slope (m/s²);  line: g (sin θ − μ cos θ)"};
+  Plot plot = {.title = "acceleration down the slope (m/s²);  line: g (sin α − μ cos α)"};
   if (page.compact()) plot.title = "acceleration (m/s²)";
-  plot.x = {.title = "θ (°)"};
+  plot.x = {.title = "α (°)"};
   plot.y = {.title = "", .min = -0.05};
   SeriesStyle thin = page.theme().exact;
   thin.marker = Marker::none;
@@ -223,7 +223,7 @@ Shot curve_shot(const SharedStudy& study) {
     page.table(halves[0], "slides above (°)", threshold_table(*study));
     const std::string points = has_box2d() ? "Squares: Cairn. Triangles: Box2D." : "Squares: Cairn.";
     page.note(halves[1], "what is drawn",
-              points + " Lines: g (sin θ − μ cos θ), and 0 where friction suffices.");
+              points + " Lines: g (sin α − μ cos α), and 0 where friction suffices.");
   };
   return shot;
 }
