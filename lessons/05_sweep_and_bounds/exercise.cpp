@@ -1,19 +1,40 @@
-// Exercise 05. Write the intervals of rows, and the clamp. Then: bash lessons/run check 5
+// Exercise 05. Write one sweep of projected Gauss-Seidel. Then: bash lessons/run check 5
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
-#include "exercise.hpp"
+#include "lessons/exercise.hpp"
 
 namespace cairn::exercise05 {
 
-Interval interval_of(RowKind kind, double strength) {
-  (void)kind, (void)strength;
-  return {std::nan(""), std::nan("")};  // <- your code
-}
+/// What a row may do.
+enum class RowKind {
+  joint,    // pushes and pulls
+  contact,  // j·v is the speed at which the bodies part: it only pushes them apart
+  rope,     // j·v is the speed at which it gets longer: it only pulls the bodies together
+  motor     // pushes and pulls, with at most `strength`
+};
 
-double clamped(double lambda, const Interval& interval) {
-  (void)lambda, (void)interval;
-  return std::nan("");  // <- your code
+struct Row {
+  RowKind kind = RowKind::joint;
+  double strength = 0;  // [N] of a motor; other kinds take no notice of it
+};
+
+/// A λ = b, with the kind of every row.
+struct System {
+  List<List<double>> A = {};  // [1/kg] row by row
+  List<double> b = {};        // [m/s²]
+  List<Row> rows = {};
+};
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// One sweep, from the first row to the last. Each row gets the λ [N] that solves its own equation (28), as
+// far as the interval of its kind allows.
+void sweep(const System& system, List<double>& lambda) {
+  const int count = lambda.size();
+  // Your code begins here: about ten lines.
+
+  // Your code ends here.
 }
 
 }  // namespace cairn::exercise05

@@ -1,86 +1,104 @@
-// Exercise 05, graded: intervals and clamped values.
-#include <limits>
-
-#include "exercise.hpp"
+// Exercise 05, graded: boxes of 2 and 0.5 kg, every kind of row at both ends of its interval, and a rod.
+#include "exercise.cpp"
 
 namespace cairn::exercise05 {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double sweep_rounding = 1e-13;  // a few dozen operations on numbers below 100
 
-/// How an infinite bound is compared, and shown: as a number beyond all forces.
-double shown(double bound) {
-  const double most = 1e99;
-  return bound > most ? most : (bound < -most ? -most : bound);
+List<double> swept(const System& system, int sweeps) {
+  List<double> lambda(system.b.size(), 0);
+  for (int k = 0; k < sweeps; ++k) sweep(system, lambda);
+  return lambda;
 }
 
-ExpectedNumber bound(const char* what, double value, const char* otherwise) {
-  ExpectedNumber expected{.what = what, .value = shown(value), .tolerance = 0};
-  for (const double wrong : {0.0, infinite, -infinite, 50.0, -50.0}) {
-    if (shown(wrong) != shown(value)) expected.misconceptions.push_back({shown(wrong), otherwise});
-  }
-  return expected;
+/// Boxes of 2, 0.5 and 2 kg on each other, held by rows that push and pull.
+void grade_stack(Grade& grade) {
+  const System stack{
+      .A = {{0.5, -0.5, 0}, {-0.5, 2.5, -2}, {0, -2, 2.5}}, .b = {10, 0, 0}, .rows = List<Row>(3, Row{})};
+  const List<double> one = swept(stack, 1), two = swept(stack, 2);
+  grade.number({.what = "1 sweep of 3 joints: λ_1 (N)",
+                .value = 20,
+                .tolerance = sweep_rounding,
+                .misconceptions = {{0, "Row 1 got nothing: the first row has the index 0."},
+                                   {10, "Divide by A_ii: (28)."},
+                                   {5, "Divide by A_ii instead of multiplying: (28)."},
+                                   {-20, "The sign: A λ = b."}}},
+               one[0]);
+  grade.number({.what = "1 sweep of 3 joints: λ_2 (N)",
+                .value = 4,
+                .tolerance = sweep_rounding,
+                .misconceptions = {{0, "Row 2 needs the λ_1 of this sweep: the newest λ, not the old ones."},
+                                   {-4, "The sign: take A_ij λ_j off b_i."}}},
+               one[1]);
+  grade.number({.what = "1 sweep of 3 joints: λ_3 (N)",
+                .value = 3.2,
+                .tolerance = sweep_rounding,
+                .misconceptions = {{0, "The last row had no turn."}}},
+               one[2]);
+  grade.number({.what = "2 sweeps of 3 joints: λ_1 (N)",
+                .value = 24,
+                .tolerance = sweep_rounding,
+                .misconceptions = {{4, "A_ii λ_i belongs on the left: leave j = i out of the sum."},
+                                   {20, "The rows after row i count as well: all j but i."},
+                                   {44, "(28) gives the new λ_i itself: replace the old one."}}},
+               two[0]);
 }
 
-void grade_clamp(Grade& grade, double (*clamped_by)(double, const Interval&)) {
-  const Interval between{.lower = -2, .upper = 5};
-  grade.number({.what = "λ = -20 N in [-2, 5] (N)",
-                .value = -2,
-                .tolerance = 0,
-                .misconceptions = {{0, "What is out of the interval goes to its end, not to 0."},
-                                   {-20, "Nothing was clamped."},
-                                   {5, "That is the other end."}}},
-               clamped_by(-20, between));
-  grade.number({.what = "λ = 60 N in [-2, 5] (N)",
-                .value = 5,
-                .tolerance = 0,
-                .misconceptions = {{0, "What is out of the interval goes to its end, not to 0."},
-                                   {60, "Nothing was clamped."},
-                                   {-2, "That is the other end."}}},
-               clamped_by(60, between));
+/// A row alone, that needs `needed` N: what it gets.
+double alone(RowKind kind, double needed) {
+  return swept({.A = {{2}}, .b = {2 * needed}, .rows = {{.kind = kind, .strength = 2}}}, 1)[0];
+}
+
+void grade_kinds(Grade& grade) {
+  const auto row = [&grade](const char* what, double got, double value, const List<Misconception>& wrong) {
+    grade.number({.what = what, .value = value, .tolerance = sweep_rounding, .misconceptions = wrong}, got);
+  };
+  row("a joint that needs -3 N (N)", alone(RowKind::joint, -3), -3, {{0, "A joint pulls, too."}});
+  row("a contact that needs 3 N (N)", alone(RowKind::contact, 3), 3, {{0, "A contact pushes: λ ≥ 0."}});
+  row("a contact that needs -3 N (N)", alone(RowKind::contact, -3), 0, {{-3, "A contact does not pull."}});
+  row("a rope that needs -3 N (N)", alone(RowKind::rope, -3), -3, {{0, "A rope pulls: here λ ≤ 0."}});
+  row("a rope that needs 3 N (N)", alone(RowKind::rope, 3), 0, {{3, "A rope does not push."}});
+  row("a motor of 2 N that needs 3 N (N)", alone(RowKind::motor, 3), 2,
+      {{3, "A motor has only its strength."}, {0, "What is out of the interval goes to its end, not to 0."}});
+  row("a motor of 2 N that needs -3 N (N)", alone(RowKind::motor, -3), -2,
+      {{-3, "A motor has only its strength, in both directions."},
+       {0, "A motor brakes as well: its interval begins at -strength."}});
+}
+
+/// The rod of this lesson with 2 kg: twice the A, half the forces.
+void grade_rod(Grade& grade) {
+  const System rod{
+      .A = {{2, 1}, {1, 2.0 / 3}}, .b = {10, 10}, .rows = List<Row>(2, {.kind = RowKind::contact})};
+  const List<double> two = swept(rod, 2), three = swept(rod, 3);
   grade.number(
-      {.what = "λ = 3 N in [-2, 5] (N)",
-       .value = 3,
-       .tolerance = 0,
-       .misconceptions = {{5, "What is in the interval stays."}, {-2, "What is in the interval stays."}}},
-      clamped_by(3, between));
+      {.what = "the rod, 2 sweeps: λ_1 (N)",
+       .value = 1.25,
+       .tolerance = sweep_rounding,
+       .misconceptions = {{5, "A contact may give less than before: clamp λ itself, not its change."}}},
+      two[0]);
+  grade.number({.what = "the rod, 3 sweeps: λ_2 (N)",
+                .value = 15,
+                .tolerance = sweep_rounding,
+                .misconceptions = {{17.34375, "Clamp at once: row 2 must see that row 1 cannot pull."}}},
+               three[1]);
 }
 
 }  // namespace
 
-void grade(Grade& grade, Answer answer) {
-  const auto [interval_by, clamped_by] = answer;
-  const Interval joint = interval_by(RowKind::joint, 50), contact = interval_by(RowKind::contact, 50);
-  const Interval rope = interval_by(RowKind::rope, 50), motor = interval_by(RowKind::motor, 50);
-  grade.number(bound("joint: lower bound (N)", -infinite, "A joint pulls as hard as it has to."),
-               shown(joint.lower));
-  grade.number(bound("joint: upper bound (N)", infinite, "A joint pushes as hard as it has to."),
-               shown(joint.upper));
-  grade.number(bound("contact: lower bound (N)", 0, "A contact does not pull."), shown(contact.lower));
-  grade.number(bound("contact: upper bound (N)", infinite, "A contact pushes as hard as it has to."),
-               shown(contact.upper));
-  grade.number(
-      bound("rope: lower bound (N)", -infinite, "A rope pulls as hard as it has to, which is a negative λ."),
-      shown(rope.lower));
-  grade.number(bound("rope: upper bound (N)", 0, "A rope does not push."), shown(rope.upper));
-  grade.number(bound("motor of 50 N: lower bound (N)", -50, "A motor brakes with its strength."),
-               shown(motor.lower));
-  grade.number(bound("motor of 50 N: upper bound (N)", 50, "A motor drives with its strength."),
-               shown(motor.upper));
-  grade_clamp(grade, clamped_by);
-}
-
 Exercise exercise() {
   return {
       .lesson = 5,
-      .task = "The interval of each kind of row (2.2), and the clamp. Infinite is shown as 1e+99.",
+      .task = "One sweep of projected Gauss-Seidel: (28) for every row, and the interval of its kind (2.2).",
       .file = "lessons/05_sweep_and_bounds/exercise.cpp",
-      .hints = {"Which of the four can pull, and which can push?",
-                "Infinite is std::numeric_limits<double>::infinity(). A contact: 0 to infinity; a rope the "
-                "other way round.",
-                "clamped: the smaller of the upper bound and (the larger of the lower bound and lambda)."},
-      .grade = [](Grade& marks) {
-        grade(marks, {interval_of, clamped});
+      .hints = {"Solve row i for λ_i with all other λ as they are, and clamp it before you go on.",
+                "rest = b_i less A_ij λ_j for all j but i; then rest / A_ii.",
+                "A contact: 0 to infinite; a rope: -infinite to 0; a motor: -strength to strength. "
+                "std::clamp(value, lower, upper)."},
+      .grade = [](Grade& grade) {
+        grade_stack(grade);
+        grade_kinds(grade);
+        grade_rod(grade);
       }};
 }
 

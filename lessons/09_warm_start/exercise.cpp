@@ -1,16 +1,38 @@
 // Exercise 09. Give every row its own impulse to begin with. Then: bash lessons/run check 9
-// Return one impulse for each of `keys`, in their order: what the row of that key had in `kept`, 0 for a row
-// that is new. The force is what stays when the step changes from dt_before to dt_now; the impulse is not.
 #include <algorithm>
-#include <cmath>
 
-#include "exercise.hpp"
+#include "lessons/exercise.hpp"
 
 namespace cairn::exercise09 {
 
-List<double> first_guess(const List<int>& keys, const List<Kept>& kept, double dt_now, double dt_before) {
-  (void)keys, (void)kept, (void)dt_now, (void)dt_before;
-  return {};  // <- your code
+/// A row's impulse, as it was kept from the last step.
+struct Kept {
+  int key = 0;         // names the row from step to step
+  double impulse = 0;  // [N s]
+};
+
+/// A body that moves up and down.
+struct Body {
+  double inverse_mass = 0;  // [1/kg]; 0: the ground
+  double velocity = 0;      // [m/s] upwards
+};
+
+/// A contact: it pushes the body `above` up and the body `below` down.
+struct Row {
+  int key = 0;
+  int below = 0;  // places in the list of bodies
+  int above = 0;
+  double impulse = 0;  // [N s]
+};
+
+// Lines 1 to 6 of Algorithm 1. Each row begins with what the row of its key had in `kept`, and with 0 if that
+// has none; its bodies get that impulse at once. The force is what stays when the step changes from
+// dt_before [s] to dt_now [s]; the impulse is not.
+void begin_step(List<Row>& rows, List<Body>& bodies, const List<Kept>& kept, double dt_now,
+                double dt_before) {
+  // Your code begins here: about eight lines.
+
+  // Your code ends here.
 }
 
 }  // namespace cairn::exercise09

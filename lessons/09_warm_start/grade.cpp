@@ -1,69 +1,114 @@
-// Exercise 09, graded: rows that stay, change places, come and go, and a shorter step.
-#include <cmath>
-#include <limits>
-
-#include "exercise.hpp"
-#include "math/list.hpp"
+// Exercise 09, graded: rows that stay, change places, come and go, bodies that feel them, and a shorter step.
+#include "exercise.cpp"
 
 namespace cairn::exercise09 {
 namespace {
 
-constexpr double guess_rounding = 1e-15;  // two operations on numbers near 1
+constexpr double begin_rounding = 1e-14;  // a few operations on numbers near 1
 
-/// A row of the guess; not a number where there is none.
-double at(const List<double>& guess, int row) {
-  return row < guess.size() ? guess[row] : std::numeric_limits<double>::quiet_NaN();
+/// The impulse that each row of these keys begins with, all of them between the ground and one body of 2 kg.
+struct Begun {
+  List<Row> rows = {};
+  List<Body> bodies = {{.inverse_mass = 0}, {.inverse_mass = 0.5, .velocity = -4}};
+};
+
+Begun begun(const List<int>& keys, double dt_now) {
+  const List<Kept> kept = {{.key = 7, .impulse = 3}, {.key = 4, .impulse = 2}, {.key = 9, .impulse = 1}};
+  Begun result;
+  for (const int key : keys) result.rows.push_back({.key = key, .below = 0, .above = 1});
+  begin_step(result.rows, result.bodies, kept, dt_now, 0.02);
+  return result;
+}
+
+void grade_keys(Grade& grade) {
+  const Begun same = begun({7, 4, 9}, 0.02), other = begun({9, 7, 4}, 0.02), changed = begun({5, 4}, 0.02);
+  grade.number({.what = "rows 7, 4, 9 as before: impulse of row 7 (N s)",
+                .value = 3,
+                .tolerance = begin_rounding,
+                .misconceptions = {{0, "A row that was there before begins with what it had."},
+                                   {0.06, "What is kept is an impulse already: no further dt."}}},
+               same.rows[0].impulse);
+  grade.number(
+      {.what = "in the order 9, 7, 4: impulse of row 9 (N s)",
+       .value = 1,
+       .tolerance = begin_rounding,
+       .misconceptions = {{3, "That belongs to row 7: rows are known by their key, not by their place."},
+                          {0, "Row 9 is the last of `kept`: look at all of them."}}},
+      other.rows[0].impulse);
+  grade.number({.what = "row 5 is new: its impulse (N s)",
+                .value = 0,
+                .tolerance = begin_rounding,
+                .misconceptions = {{3, "That belongs to row 7: a new row begins with 0."},
+                                   {1, "That belongs to row 9: a new row begins with 0."},
+                                   {2, "That belongs to row 4: a new row begins with 0."}}},
+               changed.rows[0].impulse);
+  grade.number({.what = "row 4 after it: its impulse (N s)",
+                .value = 2,
+                .tolerance = begin_rounding,
+                .misconceptions = {{0, "A new row must not end the loop: row 4 was there before."}}},
+               changed.rows[1].impulse);
+  Begun again = changed;
+  begin_step(again.rows, again.bodies, {}, 0.02, 0.02);
+  grade.number({.what = "nothing is kept: impulse of row 4 (N s)",
+                .value = 0,
+                .tolerance = begin_rounding,
+                .misconceptions = {{2, "A row that was not there begins with 0: set it."}}},
+               again.rows[1].impulse);
+}
+
+/// A body of 2 kg on the ground and one of 0.5 kg on top: rows 7 and 4 of the last step.
+void grade_bodies(Grade& grade) {
+  List<Row> rows = {{.key = 4, .below = 1, .above = 2}, {.key = 7, .below = 0, .above = 1}};
+  List<Body> bodies = {{.inverse_mass = 0}, {.inverse_mass = 0.5}, {.inverse_mass = 2, .velocity = -0.2}};
+  begin_step(rows, bodies, {{.key = 7, .impulse = 0.5}, {.key = 4, .impulse = 0.1}}, 0.02, 0.02);
+  grade.number({.what = "0.1 N s upon 0.5 kg: velocity of the upper body (m/s)",
+                .value = 0,
+                .tolerance = begin_rounding,
+                .misconceptions = {{-0.2, "The guess has to act: give the impulse to both bodies (line 4)."},
+                                   {-0.1, "An impulse changes a velocity by 1/m."},
+                                   {-0.4, "The row pushes the body above up, not down."},
+                                   {-0.15, "Each body has its own inverse mass."},
+                                   {0.8, "That is the impulse of row 7: by key, not by place."}}},
+               bodies[2].velocity);
+  grade.number({.what = "0.5 - 0.1 N s upon 2 kg: velocity of the lower body (m/s)",
+                .value = 0.2,
+                .tolerance = begin_rounding,
+                .misconceptions = {{0.25, "Action and reaction: row 4 pushes the lower body down."},
+                                   {0.3, "Action and reaction: row 4 pushes the lower body down, not up."}}},
+               bodies[1].velocity);
+}
+
+void grade_shorter(Grade& grade) {
+  const Begun shorter = begun({7}, 0.01);
+  grade.number({.what = "half the step: impulse of row 7 (N s)",
+                .value = 1.5,
+                .tolerance = begin_rounding,
+                .misconceptions = {{3, "The force stays, and the impulse is force times dt: half of it."},
+                                   {6, "A shorter step needs less, not more."}}},
+               shorter.rows[0].impulse);
+  grade.number({.what = "half the step: velocity of its body of 2 kg (m/s)",
+                .value = -4 + 0.75,
+                .tolerance = begin_rounding,
+                .misconceptions = {{-2.5, "The bodies get the scaled impulse too."}}},
+               shorter.bodies[1].velocity);
 }
 
 }  // namespace
 
-void grade(Grade& grade, Answer answer) {
-  const List<Kept> kept = {{.key = 7, .impulse = 3}, {.key = 4, .impulse = 2}, {.key = 9, .impulse = 1}};
-  const double dt = 0.02;
-  const List<double> same = answer({7, 4, 9}, kept, dt, dt), other = answer({9, 7, 4}, kept, dt, dt);
-  const List<double> changed = answer({5, 4}, kept, dt, dt), shorter = answer({7}, kept, dt / 2, dt);
-  grade.number({.what = "rows 7, 4, 9 as before: guess of row 7 (N s)",
-                .value = 3,
-                .tolerance = guess_rounding,
-                .misconceptions = {{0, "A row that was there before begins with what it had."}}},
-               at(same, 0));
-  grade.number(
-      {.what = "in the order 9, 7, 4: guess of row 9 (N s)",
-       .value = 1,
-       .tolerance = guess_rounding,
-       .misconceptions = {{3, "That belongs to row 7: rows are known by their key, not by their place."}}},
-      at(other, 0));
-  grade.number({.what = "row 5 is new: its guess (N s)",
-                .value = 0,
-                .tolerance = guess_rounding,
-                .misconceptions = {{3, "That belongs to row 7: a new row begins with 0."}}},
-               at(changed, 0));
-  grade.number({.what = "row 4 behind it: its guess (N s)", .value = 2, .tolerance = guess_rounding},
-               at(changed, 1));
-  grade.number({.what = "how many guesses for the rows 5 and 4",
-                .value = 2,
-                .tolerance = 0,
-                .misconceptions = {{3, "One for each row of today: what has vanished is forgotten."},
-                                   {1, "A new row needs a guess as well: 0."}}},
-               changed.size());
-  grade.number({.what = "half the step: guess of row 7 (N s)",
-                .value = 1.5,
-                .tolerance = guess_rounding,
-                .misconceptions = {{3, "The force stays, and the impulse is force times dt: half of it."},
-                                   {6, "A shorter step needs less, not more."}}},
-               at(shorter, 0));
-}
-
 Exercise exercise() {
   return {
       .lesson = 9,
-      .task = "The first guess of a step: by key, 0 for what is new, and scaled with dt.",
+      .task = "Lines 1 to 6 of Algorithm 1: each row's impulse by its key, scaled with dt, and applied.",
       .file = "lessons/09_warm_start/exercise.cpp",
-      .hints =
-          {"Where in `kept` is the row of this key, if it is there at all?",
-           "A row that is not there begins with 0. One that is there begins with the same force as before.",
-           "impulse dt_now / dt_before."},
-      .grade = [](Grade& marks) { grade(marks, first_guess); }};
+      .hints = {"Where in `kept` is the row of this key, if it is there at all?",
+                "A row that is not there begins with 0, the others with the same force as before; then the "
+                "impulse acts on both bodies.",
+                "impulse dt_now / dt_before; velocity -= 1/m impulse below, += 1/m impulse above."},
+      .grade = [](Grade& grade) {
+        grade_keys(grade);
+        grade_bodies(grade);
+        grade_shorter(grade);
+      }};
 }
 
 }  // namespace cairn::exercise09
