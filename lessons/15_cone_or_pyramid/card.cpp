@@ -21,6 +21,7 @@ LessonInfo card() {
       .question =
           "A puck slides off at v = (3, 4) m/s. With the length of λ clamped to μN it stops after 2.45 m. "
           "How far from its start does it stop, in metres, if λ_x and λ_y are each clamped to μN?",
+      .spoilers = {"1.79", "0.87", "diamond"},
       .hints = {"Does the friction of the square point against v? Draw the corner that it ends in.",
                 "No axis knows of the other: think of two pucks on two rails, at 3 and at 4 m/s.",
                 "Each stops after v²/2μg, and half a step less: 0.87 m along x, 1.56 m along y."},

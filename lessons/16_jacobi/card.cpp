@@ -23,6 +23,7 @@ LessonInfo card() {
       .question =
           "A box that weighs 60 N comes down on three feet (--feet). Each pushes as if it were alone, and "
           "all push at once. How much do they push together in the first sweep, in newtons?",
+      .spoilers = {"147.3", "0.291", "27/11"},
       .hints = {"The foot in the middle, alone, stops the whole fall: 60 N.",
                 "A foot at the side also turns the box, so it stops its own point with less.",
                 "A_ii = 1/6 + r²/1, for three feet with r = −0.25, 0, 0.25 m; each gives 10 / A_ii newtons."},

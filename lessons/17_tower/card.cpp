@@ -19,6 +19,7 @@ LessonInfo card() {
       .question =
           "With ten sweeps a step all loads are wrong at first. By how many newtons does a load under "
           "Box2D differ from the same load under SI, at most, over all steps? (The ground carries 100 N.)",
+      .spoilers = {"0.00005", "fingerprint"},
       .hints = {"Lesson 08 says what PGS and SI have in common.",
                 "Box2D visits one row after the other, too. What matters is the order of its visits.",
                 "Box2D computes in single precision: about 7 digits of 100 N."},

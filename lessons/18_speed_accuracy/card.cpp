@@ -8,26 +8,27 @@ LessonInfo card() {
           .name = "speed_accuracy",
           .title = "What does one more digit cost?",
           .idea =
-              "Each sweep leaves the same share of the error, so each further digit costs as many sweeps as "
-              "the one before. How many, the scene decides; then the solver; then the machine.",
+              "Accuracy is bought with sweeps. The price of a digit depends on the scene first, then on the "
+              "solver, and last on the machine.",
           .paper = "paper 4.4, eq (22), (28)",
           .equations =
               {"      error after k sweeps ≈ constant × ρᵏ          one digit: ln 10 / −ln ρ sweeps",
-               "(28)  Gauss-Seidel, PGS or SI:  ρ = cos²(π / 2n)   for a tower of n boxes",
-               "      Jacobi, half steps:       ρ = cos²(π / 4n)",
-               "      SOR, Δλ times ω:          ρ = ω − 1          at the best ω = 2 / (1 + sin(π / 2n))"},
+               "(28)  Gauss-Seidel, PGS or SI:  ρ = cos²(π/2n)     for a tower of n boxes",
+               "      Jacobi, half steps:       ρ = cos²(π/4n)",
+               "      SOR, Δλ times ω:          ρ = ω − 1            at the best ω = 2 / (1 + sin(π/2n))"},
           .needs = {"lesson 06", "lesson 16"},
           .reads = {"src/solvers/solver.hpp", "lessons/sandbox/CHOOSING.md"},
           .question =
-              "Ten boxes: 10 sweeps of SI leave 65 % of the error, 20 leave 50 %. Is twice the work half the "
-              "error? How many sweeps leave 1 % (with --bodies boxes)?",
+              "Ten boxes: 10 sweeps of SI leave 65 % of the error, 20 leave 50 %. Does twice the work halve "
+              "the error? How many sweeps leave 1 % (with --bodies boxes)?",
+          .spoilers = {"178", "0.9755", "same share"},
           .hints = {"From 10 to 20 sweeps the error shrinks by some factor. What do the next ten do?",
-                    "In the end each sweep leaves cos²(π / 2n) of the error.", "About 1.78 n² sweeps."},
+                    "In the end each sweep leaves cos²(π/2n) of the error.", "About 1.78 n² sweeps."},
           .parameters = {{"bodies", 10, 2, 30, "", "boxes", Parameter::Kind::whole},
                          {"omega", 0, 0, 1.99, "", "relaxation of SOR; 0: the best"},
                          {"sweeps", 10, 1, 100, "", "sweeps in each step of the warm run",
                           Parameter::Kind::whole}},
-          .cover = 9,
+          .cover = 1,
           .next = "bash lessons/run 19   (where it breaks, and how you notice)"};
 }
 

@@ -9,12 +9,12 @@ LessonInfo card() {
       .name = "extremes",
       .title = "Extremes",
       .idea =
-          "Every method has an edge. Where it lies can be computed beforehand, and what has gone over it can "
-          "be seen by somebody who knows where to look.",
+          "Every method has limits. You can often compute where they lie; to notice that something has "
+          "passed one, you need to know where to look.",
       .paper = "paper 4.5, eq (7), (14), (22)",
       .equations = {"(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)         two boxes, R = mass above / mass below:",
                     "      error after k sweeps = (R / (1 + R))ᵏ  about 4.6 R sweeps to 1 %",
-                    "(7)   ζ = −β C / Δt                          C ← (1 − β) C: grows if β > 2",
+                    "(7)   ζ = −β c / Δt                          c ← (1 − β) c: grows if β > 2",
                     "      L √(1 + φ²)                            a rod after a step in which it turns by φ",
                     "(14)  A λ = b                                two rows that contradict: no λ at all"},
       .needs = {"lesson 03", "lesson 05", "lesson 06"},
@@ -22,16 +22,17 @@ LessonInfo card() {
       .question =
           "A box of 1 kg carries one of 100 kg (--ratio). How many sweeps until the load on the ground is "
           "right to 1 %? And with the light box above?",
-      .hints = {"Look at what the first sweep finds: the ground sees the light box and knows of no other.",
+      .spoilers = {"463", "99 %"},
+      .hints = {"Which boxes does the ground see in the first sweep? Only the light one.",
                 "One sweep leaves R / (1 + R) of the error: here 100 / 101.",
                 "(100 / 101)ᵏ ≤ 1 / 100: take logarithms."},
       .parameters = {{"ratio", 100, 2, 5000, "", "mass of the heavy box over that of the light one"},
                      {"sweeps", 10, 1, 200, "", "sweeps of SI in every step", Parameter::Kind::whole},
                      {"bodies", 50, 2, 80, "", "boxes in the tower", Parameter::Kind::whole},
-                     {"speed", 45, 1, 300, "m/s", "of the balls that are shot at a wall"},
-                     {"beta", 2.1, 0, 2.5, "", "share of the pin's error that a step takes back"},
-                     {"turn", 0.5, 0.001, 3, "rad", "by which the sling turns in a step"}},
-      .cover = -3,
+                     {"speed", 45, 1, 300, "m/s", "of the balls that fly at a wall"},
+                     {"beta", 2.1, 0, 2.5, "", "share of the pin's error that a step removes"},
+                     {"turn", 0.5, 0.001, 3, "rad", "angle by which the sling turns in a step"}},
+      .cover = 1,
       .next = "bash lessons/run 20   (the fastest row is the one you do not have)"};
 }
 

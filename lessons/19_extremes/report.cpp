@@ -70,8 +70,8 @@ void check_wall(Lesson& lesson, const ExtremesRun& run) {
     largest = std::max(largest, formula);
     gap = std::max(gap, std::abs(pulled.off_by_step[k] - formula));
   }
-  // Some eight roundings of C in each step, and each grows as C does.
-  lesson.check_small("pin: C is |1 − β|ᵏ of the first (share of the largest)", gap / largest,
+  // Some eight roundings of c in each step, and each grows as c does.
+  lesson.check_small("pin: c is |1 − β|ᵏ of the first (share of the largest)", gap / largest,
                      16 * epsilon * run.settings.steps);
   const double turn = run.settings.turn;
   lesson.check_equal("sling: after one step the rod is L √(1 + φ²) (m)", run.wall[sling].off_by_step[1],
@@ -86,7 +86,7 @@ void check_wall(Lesson& lesson, const ExtremesRun& run) {
   const double visits = 2.0 * run.settings.sweeps * run.settings.steps;
   lesson.check_small("two pins: λ grows by m β d / Δt² a sweep (share of the last)",
                      pins / std::abs(quarrel_by_formula(run.settings, run.settings.steps)), visits * epsilon);
-  lesson.check_that("two pins, one long solve: told as a plateau", try_long_quarrel() == Stop::plateau,
+  lesson.check_that("two pins, one long solve: it stops at a plateau", try_long_quarrel() == Stop::plateau,
                     "rows contradict each other");
 }
 
