@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "lessons/stack_panel.hpp"
 #include "math/list.hpp"
 #include "render/bars.hpp"
-#include "render/draw.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
 
@@ -24,34 +24,6 @@ using render::Rect;
 
 std::string with_brackets(const std::string& number) {
   return number.starts_with("−") ? "(" + number + ")" : number;
-}
-
-/// The stack with what each contact pushes by now; the pair of the active row is lit.
-void draw_stack(Page& page, const Rect& rect, const SweepRun& run, const PerRow<double>& lambda, int active) {
-  const Rect inside = page.panel(rect, "");
-  const double n = run.settings.boxes;
-  const render::Camera camera = render::fit(inside, {{-2.3, -0.35}, {1.2, n + 0.2}});
-  render::WorldLook look;
-  look.penetration = false;
-  look.active_contact = active;
-  if (active >= 0) {
-    look.active_a = {active};
-    look.active_b = {active + 1};
-  }
-  draw_world(page, camera, run.stack.snapshot, look);
-  const render::ArrowScale scale{
-      .pixels_per_unit = 0.9 * camera.scale / run.stack.exact[0], .longest = camera.scale, .unit = "N"};
-  for (int i = 0; i < run.settings.boxes; ++i) {
-    const double value = lambda[i];
-    draw_arrow(page, camera, scale, {.tail = {-0.8, i}, .value = {0, value}, .active = i == active});
-    render::TextStyle style = page.value();
-    style.align = render::Align::right;
-    style.bold = i == active;
-    if (i != active) style.color = page.theme().secondary_text;
-    const Point at = camera.project({-0.8, i + 0.25});
-    page.canvas().text({at.x() - 14, at.y() + style.size / 3},
-                       page.compact() ? fixed(value, 2) : fmt::format("{} N", fixed(value, 2)), style);
-  }
 }
 
 void draw_system(Page& page, const Rect& rect, const SystemMatrices<double>& system, int active) {
@@ -84,7 +56,12 @@ void draw_lambda(Page& page, const Rect& rect, const SweepRun& run, int k) {
 Rect draw_moment(Page& page, const SweepRun& run, int k) {
   const List<Rect> halves = columns(page.area(), {0.34, 0.66}, page.sizes().gap);
   const int active = run.stack.up.updates[k].row;
-  draw_stack(page, halves[0], run, run.stack.up.after[k], active);
+  const PerRow<double>& lambda = run.stack.up.after[k];
+  draw_stack_panel(page, page.panel(halves[0], "pushes up and down (N)"),
+                   {.stack = run.stack.snapshot,
+                    .lambda = {lambda.begin(), lambda.end()},
+                    .active = active,
+                    .largest_lambda = run.stack.exact[0]});
   const List<Rect> right = rows(halves[1], {0.58, 0.42}, page.sizes().gap);
   const List<Rect> top = columns(right[0], {0.4, 0.6}, page.sizes().gap);
   draw_system(page, top[0], run.stack.system, active);

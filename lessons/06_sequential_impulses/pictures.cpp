@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <memory>
 
+#include "lessons/stack_panel.hpp"
 #include "math/list.hpp"
 #include "render/bars.hpp"
-#include "render/draw.hpp"
 
 namespace cairn::stack {
 
@@ -16,7 +16,6 @@ namespace {
 
 using render::fixed;
 using render::Page;
-using render::Point;
 using render::Rect;
 
 using Run = std::shared_ptr<const StackRun>;
@@ -45,70 +44,23 @@ int active_interface(const StackRun& run, const Moment& moment) {
   return run.interface_of_row[run.updates[moment.update].update.row];
 }
 
-/// The contacts of the stack: one point in the middle of each interface.
-Snapshot with_contacts(const StackRun& run, const Moment& moment) {
-  Snapshot snapshot = run.snapshot;
-  for (int i = 0; i < run.settings.boxes; ++i) {
-    SnapshotContact contact{.a = {i}, .b = {i + 1}, .position = {0, double(i)}, .normal = {0, 1}};
-    contact.normal_impulse = moment.lambda[i] * run.settings.dt;
-    snapshot.contacts.push_back(contact);
+List<double> speeds(const PerBody<Vec3<double>>& velocity) {
+  List<double> result;
+  for (const BodyId body : velocity.indices()) {
+    if (body != ground) result.push_back(velocity[body].y());
   }
-  return snapshot;
-}
-
-/// Pushes at the left of the stack, each upon the box above its interface; no two of them may touch.
-void draw_pushes(Page& page, const render::Camera& camera, const StackRun& run, const Moment& moment) {
-  const double largest = run.exact[0];
-  const render::ArrowScale scale{
-      .pixels_per_unit = 0.9 * camera.scale / largest, .longest = camera.scale, .unit = "N"};
-  const int active = active_interface(run, moment);
-  for (int i = 0; i < run.settings.boxes; ++i) {
-    const double lambda = moment.lambda[i];
-    const Vec2<double> tail(-0.8, i);
-    draw_arrow(
-        page, camera, scale,
-        {.kind = render::ArrowKind::normal, .tail = tail, .value = {0, lambda}, .active = i == active});
-    render::TextStyle style = page.value();
-    style.align = render::Align::right;
-    style.bold = i == active;
-    if (i != active) style.color = page.theme().secondary_text;
-    const Point at = camera.project({-0.8, i + 0.25});
-    const std::string value = fixed(lambda, 2);
-    page.canvas().text({at.x() - 16, at.y() + style.size / 3},
-                       page.compact() ? value : fmt::format("λ_{{{}}} = {} N", i + 1, value), style);
-  }
-}
-
-void draw_falls(Page& page, const render::Camera& camera, const StackRun& run, const Moment& moment) {
-  const double largest = run.settings.gravity * run.settings.dt;
-  const render::ArrowScale scale{
-      .pixels_per_unit = 0.5 * camera.scale / largest, .longest = camera.scale, .unit = "m/s"};
-  for (int i = 1; i <= run.settings.boxes; ++i) {
-    const double v = moment.velocity[{i}].y();
-    draw_arrow(page, camera, scale,
-               {.kind = render::ArrowKind::velocity, .tail = {0.75, i - 0.5}, .value = {0, v}});
-    render::TextStyle style = page.value();
-    style.color = page.theme().secondary_text;
-    const Point at = camera.project({0.75, i - 0.5});
-    const std::string value = fixed(v, 3);
-    page.canvas().text({at.x() + 16, at.y() + style.size / 3},
-                       page.compact() ? value : fmt::format("v_{{{}}} = {} m/s", i, value), style);
-  }
+  return result;
 }
 
 void draw_stack(Page& page, const Rect& rect, const StackRun& run, const Moment& moment) {
-  const double n = run.settings.boxes;
-  const render::Camera camera = render::fit(rect, {{-2.15, -0.4}, {2.15, n + 0.3}});
-  const int active = active_interface(run, moment);
-  render::WorldLook look;
-  look.active_contact = active;
-  if (active >= 0) {
-    look.active_a = {active};
-    look.active_b = {active + 1};
-  }
-  draw_world(page, camera, with_contacts(run, moment), look);
-  draw_pushes(page, camera, run, moment);
-  draw_falls(page, camera, run, moment);
+  StackMoment shown{.stack = run.snapshot,
+                    .lambda = moment.lambda,
+                    .velocity = speeds(moment.velocity),
+                    .active = active_interface(run, moment),
+                    .largest_lambda = run.exact[0],
+                    .largest_velocity = run.settings.gravity * run.settings.dt};
+  if (moment.update >= 0) shown.earlier = speeds(moment_after(run, moment.update - 1).velocity);
+  draw_stack_panel(page, rect, shown);
 }
 
 render::BarChart lambda_bars(const StackRun& run, const Moment& moment) {
