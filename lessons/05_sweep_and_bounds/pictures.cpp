@@ -85,9 +85,9 @@ render::Series missing(const std::string& name, const Swept& swept, const StackR
 }
 
 /// A table of what a sweep leaves, and of how many sweeps a digit takes.
-render::TableView patience(int boxes) {
+render::TableView shares_left(int boxes) {
   render::TableView table;
-  table.header = {"boxes", "a sweep leaves", "sweeps a digit"};
+  table.header = {"boxes n", "ρ", "sweeps a digit"};
   for (const int n : {2, 3, 5, 10, 20}) {
     const double factor = error_factor(n);
     table.rows.push_back(
@@ -102,7 +102,7 @@ void draw_errors(Page& page, const SweepRun& run) {
   const StackRun& stack = run.stack;
   const int top = stack.exact.size() - 1;
   const std::string name = fmt::format("λ_{{{}}}", top + 1);
-  render::Plot plot{.title = "what is missing of λ, over its exact value"};
+  render::Plot plot{.title = "error of λ, over its exact value"};
   plot.x = {.title = "sweep"};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic};
   plot.series = {missing(name + " top down", stack.down, stack, top),
@@ -114,15 +114,15 @@ void draw_errors(Page& page, const SweepRun& run) {
   plot.series[2].style = page.theme().pgs;
   draw_plot(page, parts[0], plot);
   const List<Rect> right = rows(parts[1], {0.52, 0.48}, page.sizes().gap);
-  page.note(right[0], page.compact() ? "" : "News travels with the sweep",
-            page.compact() ? "Bottom up, one sweep brings news of the ground to the top. Top down, it climbs "
-                             "one contact a sweep."
-                           : "In b is news of the ground only. Bottom up, one sweep brings it to the top. "
-                             "Top down, it climbs one contact a sweep. Then all shrink alike, by "
-                             "cos²(π/2n) for n boxes.");
-  render::TableView table = patience(run.settings.boxes);
-  if (page.compact()) table.header = {"n", "leaves", "a digit"};
-  page.table(right[1], page.compact() ? "" : "patience", table);
+  page.note(right[0], page.compact() ? "" : "How the error shrinks",
+            page.compact() ? "From the ground up, one sweep carries b_{1} to the top. From the top down, it "
+                             "climbs one contact a sweep."
+                           : "Only row 1 has b ≠ 0. From the ground up, the first sweep carries that to the "
+                             "top; from the top down, it climbs one contact a sweep. Then a sweep leaves "
+                             "ρ = cos²(π/2n) of every error.");
+  render::TableView table = shares_left(run.settings.boxes);
+  if (page.compact()) table.header = {"n", "ρ", "a digit"};
+  page.table(right[1], page.compact() ? "" : "what a sweep leaves", table);
 }
 
 render::Color color_of(const render::Theme& theme, const Bounds<double>& bounds) {
@@ -168,8 +168,8 @@ void draw_interval(Page& page, const Rect& rect, const Interval& kind) {
 }
 
 void draw_intervals(Page& page) {
-  const Rect inside = page.panel(
-      page.area(), page.compact() ? "where an impulse may be" : "where the impulse of a row may be (○ is 0)");
+  const Rect inside =
+      page.panel(page.area(), page.compact() ? "intervals" : "the interval of a row's impulse (○ is 0)");
   const List<Interval> kinds = kinds_of_rows();
   const List<double> weights(kinds.size(), 1.0);
   const List<Rect> lines = rows(inside, weights, page.sizes().gap / 2);
@@ -216,7 +216,7 @@ std::string sources(const Page& page, const SystemMatrices<double>& system, int 
   for (int j = 0; j < system.b.size(); ++j) {
     if (j == i || system.A(i, j) == 0) continue;
     text += fmt::format("{}λ_{{{}}} {}", text.empty() ? "" : ", ", j + 1,
-                        j < i ? "of this sweep" : "of the last");
+                        j < i ? "of this sweep" : "of the last sweep");
   }
   if (text.empty()) return "no other λ in this row";
   return page.compact() ? text : "with " + text;

@@ -155,9 +155,10 @@ void draw_complement(Page& page, const SweepRun& run) {
   page.table(page.compact() ? rest : parts[0],
              page.compact() ? "λ ≥ 0, w ≥ 0, λ w = 0" : "A contact pushes, or it opens; never both", table);
   if (page.compact()) return;
-  page.note(parts[1], "",
-            "λ ≥ 0, w ≥ 0, λ w = 0. The ellipses are levels of ½ λ·A λ − b·λ; the answer is the lowest point "
-            "where λ may be.");
+  page.note(
+      parts[1], "",
+      "The ellipses are level curves of ½ λ·A λ − b·λ. The answer is its lowest point that is not behind "
+      "the wall.");
 }
 
 void draw_question(Page& page, const SweepRun& run) {
@@ -183,11 +184,10 @@ void draw_answer(Page& page, const SweepRun& run) {
   const std::string text =
       !rod.tips() ? "Nothing. Both push anyway, so the clamp never acts."
       : page.compact()
-          ? much + "The clamp takes the pull away at every visit, and the other row sees it: the rod tips."
+          ? much + "The right support had to push against the pull, too. Without it the rod tips."
           : much +
-                "The pull held the rod level, and the right support had to carry it as well. The clamp takes "
-                "it away at every visit, and the other row sees that at once: the rod tips about the right "
-                "support.";
+                "The right support had to push against the pull as well as against the weight. Without the "
+                "pull, the rod tips about the right support.";
   page.note(rest, "Answer", text);
 }
 

@@ -147,7 +147,7 @@ List<Interval> kinds_of_rows() {
   return {
       {"contact, rope", "a contact only pushes, a rope only pulls", "0", "∞", Bounds<double>::unilateral()},
       {"rod, pin, weld", "holds in both directions", "−∞", "∞", Bounds<double>::equality()},
-      {"motor", "as strong as it is, both ways", "−F Δt", "F Δt", Bounds<double>::at_most(6)},
+      {"motor", "up to its strength, in both directions", "−F Δt", "F Δt", Bounds<double>::at_most(6)},
       {"friction", "up to μ times the normal impulse", "−μ λ_{n} Δt", "μ λ_{n} Δt",
        Bounds<double>::coulomb(0.6, 0)}};
 }

@@ -66,7 +66,7 @@ void draw_spread(Page& page, const FeetRun& run) {
   render::Series foot{.name = "foot 1 rises", .style = style_of(page.theme(), Clamped::increment)};
   render::Series box{.name = "box rises", .style = style_of(page.theme(), Clamped::afterwards)};
   box.style.marker = render::Marker::circle;
-  render::Series sum{.name = "as it should", .style = page.theme().exact, .markers = false};
+  render::Series sum{.name = "the sum clamped", .style = page.theme().exact, .markers = false};
   for (const Spread& spread : run.spreads) {
     for (render::Series* series : {&foot, &box, &sum}) series->x.push_back(spread.foot);
     foot.y.push_back(std::max(spread.formula_speed - spread.foot * spread.formula_spin, 0.0));
@@ -80,11 +80,11 @@ void draw_spread(Page& page, const FeetRun& run) {
   plot.cursor = harmless_distance();
   draw_plot(page, parts[0], plot);
   const List<Rect> right = rows(parts[1], {0.55, 0.45}, page.sizes().gap);
-  page.note(right[0], "When it goes well",
+  page.note(right[0], "Where the mistake does not show",
             page.compact()
-                ? "With A_{12} ≤ 0 nobody ever takes back."
-                : "Beyond the vertical line A_{12} ≤ 0: a push at one foot makes the other sink. Nobody "
-                  "ever has to take back, and both clamps do the same.");
+                ? "With A_{12} ≤ 0 no foot takes anything back."
+                : "Right of the vertical line A_{12} ≤ 0: a push at one foot makes the other one sink. "
+                  "No foot has to take anything back, and both clamps do the same.");
   page.equation(right[1], {.number = page.compact() ? "A_{12} = 0" : "A_{12} = 1/m − r²/I = 0",
                            .symbols = "r = √(I/m)",
                            .numbers = fmt::format("= √({:g}/{:g})", box_inertia, box_mass),
@@ -116,11 +116,10 @@ void draw_side(Page& page, const FeetRun& run) {
   table.active_row = 2;
   const List<Rect> below = columns(parts[1], {0.55, 0.45}, page.sizes().gap);
   page.table(below[0], "", table);
-  page.note(below[1], page.compact() ? "" : "Too late",
+  page.note(below[1], page.compact() ? "" : "Clamped too late",
             page.compact() ? "At the end, foot 1 still pushes against a pull that is gone."
-                           : "Unclamped, foot 2 would pull, and foot 1 push against that. Cut off the pull "
-                             "at the end, and foot 1 "
-                             "still pushes against it: the box is thrown up.");
+                           : "Without a clamp, foot 2 pulls, and foot 1 pushes against that. When the pull "
+                             "is cut off at the end, foot 1 still pushes: the box is thrown up.");
 }
 
 Shot motion_shot(const Run& run, int step) {

@@ -63,7 +63,7 @@ void label_sum(Page& page, const render::Camera& camera, const Vec2<double>& tip
 render::BarChart sums_of(const Page& page, const FeetRun& run, const Landing& landing, int k) {
   const Visit& visit = landing.visits[k];
   const double largest = std::max(run.middle.exact[0], visit.after[0]);
-  render::BarChart chart{.title = "p, in total (N s)",
+  render::BarChart chart{.title = "sum of the pushes p (N s)",
                          .largest = 1.3 * std::max(largest, run.middle.exact[0] * 1.45)};
   chart.color = style_of(page.theme(), landing.clamped).color;
   for (int i = 0; i < 2; ++i) {
@@ -85,7 +85,7 @@ render::Equation equation_of(const Page& page, const Landing& landing, int k) {
   const char* sign = cleaned(visit.asked) < 0 ? "−" : "+";
   const std::string p = fmt::format("p_{{{}}}", foot + 1);
   render::Equation equation;
-  equation.number = fmt::format("(22) asks for {} N s", fixed(cleaned(visit.asked), 2, Sign::always));
+  equation.number = fmt::format("(22): p_{{corr}} = {} N s", fixed(cleaned(visit.asked), 2, Sign::always));
   if (landing.clamped == Clamped::increment) {
     equation.symbols = fmt::format("{} ← {} + max(0, p_{{corr}})", p, p);
     equation.numbers = fmt::format("= {} + max(0, {}{})", before, cleaned(visit.asked) < 0 ? "−" : "", asked);
@@ -134,12 +134,15 @@ void draw_question(Page& page, const FeetRun& run) {
            run.middle, largest_of(run), view);
   const double left = cleaned(view.foot_velocity[0]);
   page.note(top[1], "Predict",
-            fmt::format("The box has landed at {} m/s. Foot 1 stopped itself with {} N s, then foot 2 itself "
-                        "with {} N s. Now foot 1 {} at {} m/s. How much does it give on its second visit?",
+            fmt::format("The box has landed at {} m/s. Foot 1 was stopped with {} N s, then foot 2 with {} "
+                        "N s. Now foot 1 {} at {} m/s. A foot cannot pull. How much does it give on its "
+                        "second visit?",
                         fixed(run.settings.speed, 1), fixed(view.impulse[0], 2), fixed(view.impulse[1], 2),
                         left > 0 ? "rises" : "sinks", fixed(std::abs(left), 2)));
   const List<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
-  draw_bars(page, below[0], sums_of(page, run, landing, 1));
+  render::BarChart sums = sums_of(page, run, landing, 1);
+  for (render::Bar& bar : sums.bars) bar.exact = {};  // it would answer the question
+  draw_bars(page, below[0], sums);
   const std::string speed = fixed(left, 2);
   page.equation(below[1], {.number = "eq (22), foot 1",
                            .symbols = "p_{corr} = −j·v / A_{11}",
@@ -168,11 +171,12 @@ void draw_answer(Page& page, const FeetRun& run) {
   const double second = run.middle.by(Clamped::sum).visits[2].given();
   const std::string given = fixed(second, 2, Sign::always);
   page.note(below[0], "Answer",
-            second >= 0      ? given + " N s: more. The feet are so far out that both clamps do the same."
-            : page.compact() ? given + " N s. Each push may be negative, the sum may not."
-                             : given +
-                                   " N s: it takes back what it gave before the other foot had its turn. A "
-                                   "push may be negative; the sum may not.");
+            second >= 0 ? given + " N s: more. The feet are so far out that both clamps do the same."
+            : page.compact()
+                ? given + " N s. Each push may be negative, the sum may not."
+                : given +
+                      " N s: it takes back a part of its first push, which was too large. A push "
+                      "may be negative; the sum may not.");
 }
 
 Shot visit_shot(const Run& run, int k) {

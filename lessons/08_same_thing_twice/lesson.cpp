@@ -75,8 +75,8 @@ void run(Lesson& lesson) {
   tell_precisions(lesson, twice);
   const double parted = twice.precisions.front().difference.back();
   lesson.answer({parted == 0 ? 1.0 : 0.0}, 0.5,
-                fmt::format("In float the largest difference is {:.1e} N after the last sweep. The algorithm "
-                            "is one; the sums are taken in another order, and each rounds in its own way.",
+                fmt::format("In float the largest difference is {:.1e} N after the last sweep. They are one "
+                            "algorithm, but each adds its terms in another order, and each addition rounds.",
                             parted));
   check_claims(lesson, twice);
   lesson.film(twice_shots(twice));

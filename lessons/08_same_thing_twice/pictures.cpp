@@ -160,7 +160,7 @@ void draw_row(Page& page, const TwiceRun& run, int row) {
 void draw_sweep(Page& page, const TwiceRun& run, int sweep) {
   const Rect panel = draw_moment(page, run, after_sweep(run, sweep));
   render::TableView table;
-  table.header = {"precision", "max |λ_{PGS} − λ_{SI}|", "of the largest λ"};
+  table.header = {"precision", "largest |λ_{PGS} − λ_{SI}|", "of the largest λ"};
   for (const PrecisionRun& precision : run.precisions) {
     const double difference = precision.difference[sweep];
     table.rows.push_back({precision.name, power(difference) + " N", power(difference / precision.scale)});
@@ -228,8 +228,8 @@ List<Shot> twice_shots(const TwiceRun& recorded) {
        .draw =
            [run](Page& page) {
              draw_note(page, *run, after_sweep(*run, 0), "Predict",
-                       "PGS looks at a row of A. SI never builds A and looks at two bodies. After fifty "
-                       "sweeps in single precision: will their impulses be equal to the last bit?");
+                       "PGS reads a row of A. SI builds no A and reads two bodies. After fifty sweeps in "
+                       "single precision: will their impulses be equal to the last bit?");
            },
        .key = true});
   for (int row = 0; row < run->problem.row_count(); ++row) shots.push_back(row_shot(run, row));
@@ -248,9 +248,9 @@ List<Shot> twice_shots(const TwiceRun& recorded) {
              const PrecisionRun& single = run->precisions[0];
              draw_note(
                  page, *run, after_sweep(*run, last), "Answer",
-                 fmt::format("Hardly ever. It is one algorithm, but the sums are taken in another order, and "
-                             "each rounds in its own way. In single precision they differ by {} of the "
-                             "largest λ, in double precision by {}.",
+                 fmt::format("Hardly ever. They are one algorithm, but each solver adds its terms in another "
+                             "order, and each addition is rounded. In single precision they differ by {} "
+                             "of the largest λ, in double precision by {}.",
                              power(single.difference.back() / single.scale),
                              power(run->precisions[1].difference.back() / run->precisions[1].scale)));
            },
