@@ -114,15 +114,11 @@ void draw_errors(Page& page, const SweepRun& run) {
   plot.series[2].style = page.theme().pgs;
   draw_plot(page, parts[0], plot);
   const List<Rect> right = rows(parts[1], {0.52, 0.48}, page.sizes().gap);
-  page.note(right[0], page.compact() ? "" : "How the error shrinks",
-            page.compact() ? "From the ground up, one sweep carries b_{1} to the top. From the top down, it "
-                             "climbs one contact a sweep."
-                           : "Only row 1 has b ≠ 0. From the ground up, the first sweep carries that to the "
-                             "top; from the top down, it climbs one contact a sweep. Then a sweep leaves "
-                             "ρ = cos²(π/2n) of every error.");
-  render::TableView table = shares_left(run.settings.boxes);
-  if (page.compact()) table.header = {"n", "ρ", "a digit"};
-  page.table(right[1], page.compact() ? "" : "what a sweep leaves", table);
+  page.note(right[0], "How the error shrinks",
+            "Only row 1 has b ≠ 0. From the ground up, the first sweep carries that to the "
+            "top; from the top down, it climbs one contact a sweep. Then a sweep leaves "
+            "ρ = cos²(π/2n) of every error.");
+  page.table(right[1], "what a sweep leaves", shares_left(run.settings.boxes));
 }
 
 render::Color color_of(const render::Theme& theme, const Bounds<double>& bounds) {
@@ -140,8 +136,7 @@ void draw_interval(Page& page, const Rect& rect, const Interval& kind) {
   const double zero = rect.x + rect.width / 2;
   render::Canvas& canvas = page.canvas();
   canvas.line({rect.x, y}, {rect.x + rect.width, y}, {.width = 1.5, .color = page.theme().frame_line});
-  const double thick = page.compact() ? 4 : 7;
-  const double tall = page.compact() ? 7 : 12;
+  const double thick = 7, tall = 12;
   const double from = std::max(zero + low * scale, rect.x + tall);
   const double to = std::min(zero + high * scale, rect.x + rect.width - tall);
   const render::Color color = color_of(page.theme(), kind.bounds);
@@ -168,8 +163,7 @@ void draw_interval(Page& page, const Rect& rect, const Interval& kind) {
 }
 
 void draw_intervals(Page& page) {
-  const Rect inside =
-      page.panel(page.area(), page.compact() ? "intervals" : "the interval of a row's impulse (○ is 0)");
+  const Rect inside = page.panel(page.area(), "the interval of a row's impulse (○ is 0)");
   const List<Interval> kinds = kinds_of_rows();
   const List<double> weights(kinds.size(), 1.0);
   const List<Rect> lines = rows(inside, weights, page.sizes().gap / 2);
@@ -211,7 +205,7 @@ List<Shot> stack_shots(const Run& run) {
 }
 
 /// Which of the other lambda are new already: rows before this one have had their turn.
-std::string sources(const Page& page, const SystemMatrices<double>& system, int i) {
+std::string sources(const SystemMatrices<double>& system, int i) {
   std::string text;
   for (int j = 0; j < system.b.size(); ++j) {
     if (j == i || system.A(i, j) == 0) continue;
@@ -219,7 +213,7 @@ std::string sources(const Page& page, const SystemMatrices<double>& system, int 
                         j < i ? "of this sweep" : "of the last sweep");
   }
   if (text.empty()) return "no other λ in this row";
-  return page.compact() ? text : "with " + text;
+  return "with " + text;
 }
 
 }  // namespace
@@ -253,7 +247,7 @@ render::Equation equation_28(const Page& page, const SystemMatrices<double>& sys
           .symbols = fmt::format("λ_{{{0}}} = {1} / A_{{{0}{0}}}", i + 1, symbols),
           .numbers = fmt::format("= {} / {}", numbers, brief(system.A(i, i))),
           .result = fmt::format("= {} N", brief(value)),
-          .algorithm = cut ? fmt::format("λ ≥ 0:  clamped to {}", brief(after)) : sources(page, system, i),
+          .algorithm = cut ? fmt::format("λ ≥ 0:  clamped to {}", brief(after)) : sources(system, i),
           .color = page.theme().normal};
 }
 

@@ -153,7 +153,7 @@ void draw_asked(Page& page, const render::Camera& camera, const PlaneView& view)
 void name_pull(Page& page, const render::Camera& camera) {
   const render::TextStyle style = plane_text(page);
   const Point origin = camera.project({0, 0});
-  const std::string text = page.compact() ? "λ_{1} < 0" : "λ_{1} < 0: a pull";
+  const std::string text = "λ_{1} < 0: a pull";
   const double width = page.canvas().text_width(text, style);
   if (camera.viewport.x + width + 24 > origin.x()) return;
   page.canvas().text({camera.viewport.x + 12, origin.y() - 12}, text, style);
@@ -171,8 +171,7 @@ render::Camera plane_camera(const Rect& rect, const RodRun& rod) {
 
 void draw_plane(Page& page, const Rect& rect, const SweepRun& run, const PlaneView& view) {
   const RodRun& rod = run.rod;
-  Rect inside =
-      page.panel(rect, page.compact() ? "λ_{1} →, λ_{2} ↑ (N)" : "λ_{1} to the right, λ_{2} up (N)");
+  Rect inside = page.panel(rect, "λ_{1} to the right, λ_{2} up (N)");
   const render::Camera camera = plane_camera(inside, rod);
   page.canvas().push_clip(inside);
   draw_forbidden(page, camera);

@@ -57,7 +57,7 @@ void label_weight(Page& page, const render::Camera& camera, const Vec2<double>& 
 /// The rod, what its supports give, its weight; behind it where it goes, if wanted.
 void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const Pair& lambda,
               Span<const Snapshot> motion = {}) {
-  const Rect inside = page.panel(rect, page.compact() ? "" : "forces (N)");
+  const Rect inside = page.panel(rect, "forces (N)");
   const render::Camera camera = render::fit(inside, {{-0.75, -0.8}, {rod_length + 0.5, 1.6}});
   page.canvas().push_clip(inside);
   render::WorldLook look;
@@ -88,7 +88,7 @@ void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const Pair& lam
     label_force(page, camera, {place[i], lambda[i] < 0 ? top + 0.2 : top},
                 fmt::format("λ_{{{}}} = {}", i + 1, brief(lambda[i], 2)));
   }
-  label_weight(page, camera, tail, page.compact() ? "m g" : fmt::format("m g = {}", brief(weight)));
+  label_weight(page, camera, tail, fmt::format("m g = {}", brief(weight)));
   page.canvas().pop_clip();
 }
 
@@ -143,18 +143,14 @@ void draw_complement(Page& page, const SweepRun& run) {
   view.asked = {rod.formula[0] - rod.leaving[0] / rod.system.A(0, 0), rod.formula[1]};
   const Rect rest = draw_rod_moment(page, run, pair_of(rod.settled.after.back()), view);
   render::TableView table;
-  table.header = {"row", "λ (N)", page.compact() ? "w" : "w = A λ − b (m/s²)", page.compact() ? "" : "λ w"};
+  table.header = {"row", "λ (N)", "w = A λ − b (m/s²)", "λ w"};
   for (int i = 0; i < 2; ++i) {
     const double lambda = rod.settled.after.back()[i];
-    const bool leaves = rod.leaving[i] > 1e-9;
-    table.rows.push_back({fmt::format("{}", i + 1), brief(lambda), brief(rod.leaving[i]),
-                          page.compact() ? (leaves ? "leaves" : "holds") : "0"});
+    table.rows.push_back({fmt::format("{}", i + 1), brief(lambda), brief(rod.leaving[i]), "0"});
   }
   table.active_row = rod.tips() ? 0 : -1;
   const List<Rect> parts = rows(rest, {0.56, 0.44}, page.sizes().gap);
-  page.table(page.compact() ? rest : parts[0],
-             page.compact() ? "λ ≥ 0, w ≥ 0, λ w = 0" : "A contact pushes, or it opens; never both", table);
-  if (page.compact()) return;
+  page.table(parts[0], "A contact pushes, or it opens; never both", table);
   page.note(
       parts[1], "",
       "The ellipses are level curves of ½ λ·A λ − b·λ. The answer is its lowest point that is not behind "
@@ -182,9 +178,8 @@ void draw_answer(Page& page, const SweepRun& run) {
       draw_rod_moment(page, run, rod.formula, {.way = way_of(rod.bounded, rod.bounded.after.size())}, motion);
   const std::string much = fmt::format("{} N, not {}. ", brief(rod.formula[1], 2), brief(rod.statics[1], 2));
   const std::string text =
-      !rod.tips() ? "Nothing. Both push anyway, so the clamp never acts."
-      : page.compact()
-          ? much + "The right support had to push against the pull, too. Without it the rod tips."
+      !rod.tips()
+          ? "Nothing. Both push anyway, so the clamp never acts."
           : much +
                 "The right support had to push against the pull as well as against the weight. Without the "
                 "pull, the rod tips about the right support.";

@@ -97,9 +97,8 @@ render::Equation equation_22(const Page& page, const StackRun& run, const Moment
   equation.numbers =
       fmt::format("  = (0 − {}) / ({:g} × {:g})", operand(update.row_velocity, 4), update.inverse_mass, dt);
   equation.result = fmt::format("  = {} N", fixed(update.corrective / dt, 3));
-  equation.algorithm =
-      fmt::format("{} 11–13:  λ_{{{}}}: {} → {} N", page.compact() ? "lines" : "Algorithm 1, lines", row,
-                  fixed(update.impulse_before / dt, 2), fixed(update.impulse_after / dt, 2));
+  equation.algorithm = fmt::format("Algorithm 1, lines 11–13:  λ_{{{}}}: {} → {} N", row,
+                                   fixed(update.impulse_before / dt, 2), fixed(update.impulse_after / dt, 2));
   equation.color = page.theme().normal;
   return equation;
 }

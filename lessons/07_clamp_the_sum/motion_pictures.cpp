@@ -81,11 +81,9 @@ void draw_spread(Page& page, const FeetRun& run) {
   draw_plot(page, parts[0], plot);
   const List<Rect> right = rows(parts[1], {0.55, 0.45}, page.sizes().gap);
   page.note(right[0], "Where the mistake does not show",
-            page.compact()
-                ? "With A_{12} ≤ 0 no foot takes anything back."
-                : "Right of the vertical line A_{12} ≤ 0: a push at one foot makes the other one sink. "
-                  "No foot has to take anything back, and both clamps do the same.");
-  page.equation(right[1], {.number = page.compact() ? "A_{12} = 0" : "A_{12} = 1/m − r²/I = 0",
+            "Right of the vertical line A_{12} ≤ 0: a push at one foot makes the other one sink. "
+            "No foot has to take anything back, and both clamps do the same.");
+  page.equation(right[1], {.number = "A_{12} = 1/m − r²/I = 0",
                            .symbols = "r = √(I/m)",
                            .numbers = fmt::format("= √({:g}/{:g})", box_inertia, box_mass),
                            .result = fmt::format("= {} m", fixed(harmless_distance(), 3))});
@@ -99,7 +97,6 @@ void draw_side(Page& page, const FeetRun& run) {
   int at = 0;
   render::TableView table;
   table.header = {"clamped", "p_{1} (N s)", "p_{2} (N s)", "foot 1 (m/s)", "energy (J)"};
-  if (page.compact()) table.header = {"clamped", "p_{1}", "p_{2}", "foot 1", "J"};
   for (const Landing& landing : run.side.landings) {
     draw_box(page, clamp_panel(page, top[at++], landing.clamped), run.side, largest,
              {.impulse = landing.impulse,
@@ -116,10 +113,9 @@ void draw_side(Page& page, const FeetRun& run) {
   table.active_row = 2;
   const List<Rect> below = columns(parts[1], {0.55, 0.45}, page.sizes().gap);
   page.table(below[0], "", table);
-  page.note(below[1], page.compact() ? "" : "Clamped too late",
-            page.compact() ? "At the end, foot 1 still pushes against a pull that is gone."
-                           : "Without a clamp, foot 2 pulls, and foot 1 pushes against that. When the pull "
-                             "is cut off at the end, foot 1 still pushes: the box is thrown up.");
+  page.note(below[1], "Clamped too late",
+            "Without a clamp, foot 2 pulls, and foot 1 pushes against that. When the pull "
+            "is cut off at the end, foot 1 still pushes: the box is thrown up.");
 }
 
 Shot motion_shot(const Run& run, int step) {

@@ -34,9 +34,7 @@ void draw_foot_velocity(Page& page, const render::Camera& camera, double fastest
   render::TextStyle style = page.value();
   style.align = render::Align::center;
   style.color = page.theme().secondary_text;
-  const bool has_room = camera.viewport.width > 450;
-  page.canvas().text(camera.project({x, 0.2}),
-                     fixed(cleaned(velocity), 2, Sign::always) + (has_room ? " m/s" : ""), style);
+  page.canvas().text(camera.project({x, 0.2}), fixed(cleaned(velocity), 2, Sign::always) + " m/s", style);
 }
 
 /// The sum of a foot at the tip of its arrow, where there is room.
@@ -116,35 +114,28 @@ void draw_visit(Page& page, const FeetRun& run, int k) {
   int at = 0;
   for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
     const Landing& landing = run.middle.by(clamped);
-    const List<double> weights = page.compact() ? List<double>{0.56, 0.44} : List<double>{0.44, 0.24, 0.32};
-    const List<Rect> parts = rows(halves[at++], weights, page.sizes().gap);
+    const List<Rect> parts = rows(halves[at++], {0.44, 0.24, 0.32}, page.sizes().gap);
     draw_box(page, clamp_panel(page, parts[0], clamped), run.middle, largest_of(run),
              view_after(run.middle, run.settings.speed, landing, k));
-    if (!page.compact()) draw_bars(page, parts[1], sums_of(page, run, landing, k));
-    page.equation(parts.back(), equation_of(page, landing, k));
+    draw_bars(page, parts[1], sums_of(page, run, landing, k));
+    page.equation(parts[2], equation_of(page, landing, k));
   }
 }
 
 void draw_question(Page& page, const FeetRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
-  const Landing& landing = run.middle.by(Clamped::sum);
-  const BoxView view = view_after(run.middle, run.settings.speed, landing, 1);
-  draw_box(page, page.panel(top[0], page.compact() ? "after one sweep" : "after one sweep: p (N s)"),
-           run.middle, largest_of(run), view);
+  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.56, 0.44}, page.sizes().gap);
+  const BoxView view = view_after(run.middle, run.settings.speed, run.middle.by(Clamped::sum), 1);
+  draw_box(page, page.panel(halves[0], "after one sweep: pushes (N s)"), run.middle, largest_of(run), view);
   const double left = cleaned(view.foot_velocity[0]);
-  page.note(top[1], "Predict",
+  page.note(right[0], "Predict",
             fmt::format("The box has landed at {} m/s. Foot 1 was stopped with {} N s, then foot 2 with {} "
                         "N s. Now foot 1 {} at {} m/s. A foot cannot pull. How much does it give on its "
                         "second visit?",
                         fixed(run.settings.speed, 1), fixed(view.impulse[0], 2), fixed(view.impulse[1], 2),
                         left > 0 ? "rises" : "sinks", fixed(std::abs(left), 2)));
-  const List<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
-  render::BarChart sums = sums_of(page, run, landing, 1);
-  for (render::Bar& bar : sums.bars) bar.exact = {};  // it would answer the question
-  draw_bars(page, below[0], sums);
   const std::string speed = fixed(left, 2);
-  page.equation(below[1], {.number = "eq (22), foot 1",
+  page.equation(right[1], {.number = "eq (22), foot 1",
                            .symbols = "p_{corr} = −j·v / A_{11}",
                            .numbers = fmt::format("= −{} / {}", left < 0 ? "(" + speed + ")" : speed,
                                                   fixed(run.middle.A11, 4)),
@@ -152,31 +143,21 @@ void draw_question(Page& page, const FeetRun& run) {
 }
 
 void draw_answer(Page& page, const FeetRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.58, 0.42}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.7, 0.3}, page.sizes().gap);
   const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
-  render::TableView table;
-  table.header = {"clamped", page.compact() ? "p_{1}" : "p_{1} (N s)",
-                  page.compact() ? "p_{2}" : "p_{2} (N s)", page.compact() ? "v" : "v (m/s)"};
   int at = 0;
   for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
     const Landing& each = run.middle.by(clamped);
     draw_box(page, clamp_panel(page, top[at++], clamped), run.middle, largest_of(run),
              view_after(run.middle, run.settings.speed, each, each.visits.size() - 1));
-    table.rows.push_back({clamped == Clamped::sum ? "sum" : "push", fixed(each.impulse[0], 2),
-                          fixed(each.impulse[1], 2), fixed(cleaned(each.velocity.y()), 2, Sign::always)});
   }
-  table.active_row = 1;
-  page.table(below[1], "", table);
   const double second = run.middle.by(Clamped::sum).visits[2].given();
-  const std::string given = fixed(second, 2, Sign::always);
-  page.note(below[0], "Answer",
-            second >= 0 ? given + " N s: more. The feet are so far out that both clamps do the same."
-            : page.compact()
-                ? given + " N s. Each push may be negative, the sum may not."
-                : given +
-                      " N s: it takes back a part of its first push, which was too large. A push "
-                      "may be negative; the sum may not.");
+  page.note(
+      parts[1], "Answer",
+      fixed(second, 2, Sign::always) +
+          (second >= 0 ? " N s: more. The feet are so far out that both clamps do the same."
+                       : " N s: it takes back a part of its first push, which was too large. A push may "
+                         "be negative; the sum may not."));
 }
 
 Shot visit_shot(const Run& run, int k) {
@@ -209,10 +190,7 @@ Rect clamp_panel(Page& page, const Rect& rect, Clamped clamped) {
   const char* name = clamped == Clamped::sum         ? "the sum is clamped"
                      : clamped == Clamped::increment ? "each push is clamped"
                                                      : "clamped once, at the end";
-  const char* brief = clamped == Clamped::sum         ? "the sum"
-                      : clamped == Clamped::increment ? "each push"
-                                                      : "once, at the end";
-  const Rect inside = page.panel(rect, rect.width < 300 ? brief : name);
+  const Rect inside = page.panel(rect, name);
   page.canvas().rect({rect.x, rect.y, rect.width, 5}, {.fill = style_of(page.theme(), clamped).color});
   return inside;
 }
@@ -264,10 +242,11 @@ List<Shot> feet_shots(const FeetRun& recorded) {
     shots.insert(shots.end(), part.begin(), part.end());
   shots.push_back(spread_shot(run));
   shots.push_back(side_shot(run));
-  shots.push_back({.state = "answer",
-                   .alt = "The box at rest, with equal impulses, the answer, and a table of both clamps.",
-                   .draw = [run](Page& page) { draw_answer(page, *run); },
-                   .key = true});
+  shots.push_back(
+      {.state = "answer",
+       .alt = "The box thrown up with each push clamped, at rest with the sum clamped, and the answer.",
+       .draw = [run](Page& page) { draw_answer(page, *run); },
+       .key = true});
   return shots;
 }
 

@@ -128,8 +128,7 @@ void draw_system(Page& page, const Rect& rect, const TwiceRun& run, int active) 
 Rect draw_moment(Page& page, const TwiceRun& run, const Moment& moment) {
   const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   draw_system(page, halves[0], run, moment.active);
-  const List<Rect> panels =
-      rows(halves[1], {page.compact() ? 0.45 : 0.56, page.compact() ? 0.55 : 0.44}, page.sizes().gap);
+  const List<Rect> panels = rows(halves[1], {0.56, 0.44}, page.sizes().gap);
   draw_pairs(page, panels[0], moment);
   return panels[1];
 }

@@ -51,13 +51,8 @@ void draw_errors(Page& page, const WarmStart& all) {
   plot.y = {.scale = render::AxisScale::logarithmic, .min = smallest_error, .max = 2};
   plot.series = {cold, warm, bound};
   draw_plot(page, parts[0], plot);
-  page.note(
-      parts[1], "The price of memory",
-      page.compact()
-          ? fmt::format("Sweeps leave ρˢ = {:.3f} of a cold error. Warm, velocities remember too: √ρˢ, and "
-                        "it swings.",
-                        share)
-          : fmt::format("The {} sweeps of a step leave ρˢ = {:.3f} of what they find. Cold, the loads "
+  page.note(parts[1], "The price of memory",
+            fmt::format("The {} sweeps of a step leave ρˢ = {:.3f} of what they find. Cold, the loads "
                         "converge at that rate, but what is missing stays as a speed: the tower sinks. "
                         "Warm, it is missing in the first guess as well. So the error swings, and a step "
                         "leaves √ρˢ = {:.3f} of it.",
@@ -93,9 +88,8 @@ void draw_cold_sweeps(Page& page, const WarmStart& all) {
   }
   page.table(right[0], "", table);
   page.note(right[1], "",
-            page.compact() ? "Twice the height takes four times the sweeps."
-                           : "The error spreads like heat along a rod: twice the length takes four times the "
-                             "time. So twice the height takes four times the sweeps.");
+            "The error spreads like heat along a rod: twice the length takes four times the "
+            "time. So twice the height takes four times the sweeps.");
 }
 
 /// The tower with a first guess as bars, and the velocities that this guess gives to the boxes.
@@ -112,8 +106,7 @@ void draw_guess(Page& page, const Rect& rect, const WarmStart& all, const render
     const double y = camera.project({0, i + 0.5}).y();
     const std::string moves =
         std::abs(velocity[i]) < 0.005 ? "0" : fixed(velocity[i], 1, render::Sign::always);
-    page.canvas().text({view.x + view.width, y + text.size / 3}, moves + (page.compact() ? "" : " m/s"),
-                       text);
+    page.canvas().text({view.x + view.width, y + text.size / 3}, moves + " m/s", text);
   }
 }
 
@@ -127,7 +120,7 @@ void draw_found(Page& page, const Rect& rect, const WarmStart& all) {
                           fixed(all.reversed.by_number[contact - 1], 0) + " N",
                           fixed(all.reversed.by_key[contact - 1], 0) + " N"});
   }
-  page.table(rect, page.compact() ? "first guess" : "the rows of this step, and their first guess", table);
+  page.table(rect, "the rows of this step, and their first guess", table);
 }
 
 void draw_reversed(Page& page, const WarmStart& all) {
@@ -140,13 +133,8 @@ void draw_reversed(Page& page, const WarmStart& all) {
   draw_guess(page, panels[2], all, styles[1], step.by_key, step.velocity_by_key);
   double after = 0;
   for (const double v : step.velocity_after) after = std::max(after, std::abs(v));
-  page.note(
-      parts[1], "",
-      page.compact()
-          ? fmt::format("Contacts found from the top down. By number the top box is thrown up at {:.1f} "
-                        "m/s; by key nothing moves.",
-                        step.velocity_by_number.back())
-          : fmt::format("The last step found the contacts from the ground up, this one from the top "
+  page.note(parts[1], "",
+            fmt::format("The last step found the contacts from the ground up, this one from the top "
                         "down. By number, every contact gets the impulse of another one: the top box "
                         "is thrown up at {:.1f} m/s, and {:.2f} m/s are left after the sweeps. By "
                         "key, nothing moves.",
@@ -188,11 +176,9 @@ void draw_guest(Page& page, const WarmStart& all) {
   plot.cursor = step;
   draw_plot(page, right[0], plot);
   page.note(right[1], "",
-            page.compact()
-                ? "A ball bounces; its contact comes first. By number, the tower feels it."
-                : "A ball bounces beside the tower and never touches it. While the ball touches the "
-                  "ground, its contact is the first row, and all others move on by one. By number, "
-                  "this shakes the tower; by key, not one bit of its loads changes.");
+            "A ball bounces beside the tower and never touches it. While the ball touches the "
+            "ground, its contact is the first row, and all others move on by one. By number, "
+            "this shakes the tower; by key, not one bit of its loads changes.");
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ std::string motion_of(const StartRun& run, int frame) {
 void draw_start(Page& page, const Rect& rect, const WarmStart& all, const StartRun& run, int frame,
                 const SeriesStyle& style) {
   const double moved = 1000 * (top_of(run, frame) - all.settings.boxes);
-  const std::string top = (page.compact() ? "" : "top ") + fixed(moved, 0, render::Sign::always) + " mm";
+  const std::string top = "top " + fixed(moved, 0, render::Sign::always) + " mm";
   const Rect view = draw_solver_panel(page, rect, style, run.name, top);
   const Range range = lately_carried(run, frame);
   const render::Camera camera = draw_tower_loads(page, view, run.frames[frame], run.loads[frame],
