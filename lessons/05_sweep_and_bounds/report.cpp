@@ -144,7 +144,7 @@ void print_rod(Lesson& lesson, const SweepRun& run) {
 }
 
 void print_intervals(Lesson& lesson) {
-  lesson.print("The interval is data of the row (N s). What comes of −8, +4 and +8, μ λ Δt being 6:");
+  lesson.print("The interval is data of the row. Clamped, −8, +4 and +8 N s become, with μ λ Δt = 6 N s:");
   for (const Interval& kind : kinds_of_rows()) {
     const PerRow<double> impulse = {10.0};
     std::string line = fmt::format("  {:<15}", kind.name);

@@ -89,16 +89,13 @@ std::string operand(double value, int decimals) {
 
 render::Equation equation_22(const Page& page, const StackRun& run, const Moment& moment) {
   const RowUpdate<double>& update = run.updates[moment.update].update;
-  const int row = run.interface_of_row[update.row] + 1;
   const double dt = run.settings.dt;
   render::Equation equation;
-  equation.number = "eq (22)";
-  equation.symbols = "λ = (ζ − j·v) / (j M^{−1} j^{T} Δt)";
+  equation.number = "line 9 of Algorithm 1: eq (22)";
+  equation.symbols = "λ_{corrective} = (ζ − j·v) / (j M^{−1} j^{T} Δt)";
   equation.numbers =
-      fmt::format("  = (0 − {}) / ({:g} × {:g})", operand(update.row_velocity, 4), update.inverse_mass, dt);
-  equation.result = fmt::format("  = {} N", fixed(update.corrective / dt, 3));
-  equation.algorithm = fmt::format("Algorithm 1, lines 11–13:  λ_{{{}}}: {} → {} N", row,
-                                   fixed(update.impulse_before / dt, 2), fixed(update.impulse_after / dt, 2));
+      fmt::format("= (0 − {}) / ({:g} × {:g})", operand(update.row_velocity, 4), update.inverse_mass, dt);
+  equation.result = fmt::format("= {} N", fixed(update.corrective / dt, 3));
   equation.color = page.theme().normal;
   return equation;
 }
@@ -110,11 +107,26 @@ Rect draw_left(Page& page, const StackRun& run, const Moment& moment) {
   return parts[1];
 }
 
+/// Lines 10 to 13 of Algorithm 1 with what they have done.
+render::TableView algorithm_1(const StackRun& run, const Moment& moment) {
+  const RowUpdate<double>& update = run.updates[moment.update].update;
+  const int row = run.interface_of_row[update.row] + 1;
+  const double dt = run.settings.dt, before = update.impulse_before / dt, after = update.impulse_after / dt;
+  const std::string bodies =
+      row == 1 ? "to the ground and box 1" : fmt::format("to boxes {} and {}", row - 1, row);
+  return {.header = {"lines 10 to 13", fmt::format("λ_{{{}}} (N)", row)},
+          .rows = {{"10  λ_{old} ← λ", fixed(before, 2)},
+                   {"11  λ ← λ + λ_{corrective}", fixed(before + update.corrective / dt, 2)},
+                   {"12  clamp λ: at least 0", fixed(after, 2)},
+                   {"13  λ − λ_{old} " + bodies, fixed(after - before, 2)}}};
+}
+
 void draw_update(Page& page, const StackRun& run, int update) {
   const Moment moment = moment_after(run, update);
-  const List<Rect> panels = rows(draw_left(page, run, moment), {0.55, 0.45}, page.sizes().gap);
+  const List<Rect> panels = rows(draw_left(page, run, moment), {0.38, 0.29, 0.33}, page.sizes().gap);
   draw_bars(page, panels[0], lambda_bars(run, moment));
   page.equation(panels[1], equation_22(page, run, moment));
+  page.table(panels[2], "", algorithm_1(run, moment));
 }
 
 void draw_note(Page& page, const StackRun& run, int update, std::string_view title, std::string_view text) {

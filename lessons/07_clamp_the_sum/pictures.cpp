@@ -123,23 +123,23 @@ void draw_visit(Page& page, const FeetRun& run, int k) {
 }
 
 void draw_question(Page& page, const FeetRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.7, 0.3}, page.sizes().gap);
+  const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
   const BoxView view = view_after(run.middle, run.settings.speed, run.middle.by(Clamped::sum), 1);
-  draw_box(page, page.panel(halves[0], "after one sweep: pushes (N s)"), run.middle, largest_of(run), view);
+  draw_box(page, page.panel(top[0], "after one sweep: pushes (N s)"), run.middle, largest_of(run), view);
   const double left = cleaned(view.foot_velocity[0]);
-  page.note(right[0], "Predict",
+  page.note(parts[1], "Predict",
             fmt::format("The box has landed at {} m/s. Foot 1 was stopped with {} N s, then foot 2 with {} "
                         "N s. Now foot 1 {} at {} m/s. A foot cannot pull. How much does it give on its "
                         "second visit?",
                         fixed(run.settings.speed, 1), fixed(view.impulse[0], 2), fixed(view.impulse[1], 2),
                         left > 0 ? "rises" : "sinks", fixed(std::abs(left), 2)));
   const std::string speed = fixed(left, 2);
-  page.equation(right[1], {.number = "eq (22), foot 1",
-                           .symbols = "p_{corr} = −j·v / A_{11}",
-                           .numbers = fmt::format("= −{} / {}", left < 0 ? "(" + speed + ")" : speed,
-                                                  fixed(run.middle.A11, 4)),
-                           .result = "= ? N s"});
+  page.equation(top[1], {.number = "eq (22), foot 1",
+                         .symbols = "p_{corr} = −j·v / A_{11}",
+                         .numbers = fmt::format("= −{} / {}", left < 0 ? "(" + speed + ")" : speed,
+                                                fixed(run.middle.A11, 4)),
+                         .result = "= ? N s"});
 }
 
 void draw_answer(Page& page, const FeetRun& run) {

@@ -149,7 +149,7 @@ void tell_sweeps(Lesson& lesson, const WarmStart& all) {
 void tell_order(Lesson& lesson, const WarmStart& all) {
   const ReversedStep& step = all.reversed;
   lesson.print(
-      "At rest, contacts are found from the top down this time. First guess (N), from the ground up:");
+      "The tower at rest, its contacts found from the top down. First guess (N), from the ground up:");
   lesson.print("  by key   " + listed(step.by_key));
   lesson.print("  by number" + listed(step.by_number));
   lesson.print("and the velocities that it gives the boxes (m/s):");
