@@ -63,8 +63,8 @@ void draw_step(Page& page, const FeetRun& run, int step) {
 
 void draw_spread(Page& page, const FeetRun& run) {
   const List<Rect> parts = columns(page.area(), {0.64, 0.36}, page.sizes().gap);
-  render::Series foot{.name = "foot 1 rises", .style = style_of(page.theme(), Clamped::increment)};
-  render::Series box{.name = "box rises", .style = style_of(page.theme(), Clamped::afterwards)};
+  render::Series foot{.style = style_of(page.theme(), Clamped::increment)};
+  render::Series box{.style = style_of(page.theme(), Clamped::afterwards)};
   box.style.marker = render::Marker::circle;
   render::Series sum{.name = "the sum clamped", .style = page.theme().exact, .markers = false};
   for (const Spread& spread : run.spreads) {
@@ -77,6 +77,9 @@ void draw_spread(Page& page, const FeetRun& run) {
   plot.x = {.title = "feet at ± (m)", .min = 0, .max = 0.5};
   plot.y = {.title = "", .min = 0};
   plot.series = {foot, box, sum};
+  const auto peak = static_cast<int>(std::max_element(foot.y.begin(), foot.y.end()) - foot.y.begin());
+  plot.labels = {{foot.x[peak + 4], foot.y[peak + 4], "foot 1 rises"},
+                 {box.x[peak], box.y[peak], "the box rises"}};
   plot.cursor = harmless_distance();
   draw_plot(page, parts[0], plot);
   const List<Rect> right = rows(parts[1], {0.55, 0.45}, page.sizes().gap);

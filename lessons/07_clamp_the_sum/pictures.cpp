@@ -123,8 +123,8 @@ void draw_visit(Page& page, const FeetRun& run, int k) {
 }
 
 void draw_question(Page& page, const FeetRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.7, 0.3}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.72, 0.28}, page.sizes().gap);
+  const List<Rect> top = columns(parts[0], {0.62, 0.38}, page.sizes().gap);
   const BoxView view = view_after(run.middle, run.settings.speed, run.middle.by(Clamped::sum), 1);
   draw_box(page, page.panel(top[0], "after one sweep: pushes (N s)"), run.middle, largest_of(run), view);
   const double left = cleaned(view.foot_velocity[0]);

@@ -67,8 +67,8 @@ void draw_cold_sweeps(Page& page, const WarmStart& all) {
                                                      {color, {10, 6}, render::Marker::square},
                                                      {color, {}, render::Marker::circle}}};
   render::Plot plot{.title = "what the lowest contact lacks, in one step from nothing"};
-  plot.x = {.title = "sweeps", .scale = render::AxisScale::logarithmic, .min = 1, .max = 2000};
-  plot.y = {.scale = render::AxisScale::logarithmic, .min = 0.005, .max = 1};
+  plot.x = {.title = "sweeps", .scale = render::AxisScale::logarithmic, .min = 1, .max = 8000};
+  plot.y = {.scale = render::AxisScale::logarithmic, .min = 0.002, .max = 1};
   for (int s = 0; s < all.sweeps.size(); ++s) {
     const ColdSweeps& cold = all.sweeps[s];
     render::Series series{.name = fmt::format("{} boxes", cold.boxes), .style = styles[s]};
