@@ -14,7 +14,9 @@ LessonInfo card() {
                     "(12)  v₂ = v₁ + M⁻¹ f Δt,  here f = m g;  then x₂ = x₁ + v₂ Δt"};
   info.reads = {"src/dynamics/body.hpp", "src/dynamics/integrate.cpp", "src/geometry/mass.cpp"};
   info.question =
-      "When it comes down, is the simulated box above or below the exact parabola, and by how many metres?";
+      "When the exact parabola is back at its first height, is the simulated box above it or below, and by "
+      "how many metres (negative: below)?";
+  info.spoilers = {"0.12", "g Δt t"};
   info.hints = {
       "Which velocity does a step use: the one at its beginning or the one at its end?",
       "While the box slows down on its way up, the velocity at the end of a step is the smaller one.",
@@ -34,7 +36,7 @@ LessonInfo card() {
        .max = 2000,
        .what = "steps",
        .kind = Parameter::Kind::whole}};
-  info.cover = -3;
+  info.cover = 1;
   info.next = "bash lessons/run 1   (what takes some of this freedom away)";
   return info;
 }

@@ -72,7 +72,7 @@ void run(Lesson& lesson) {
   tell_steps(lesson, flight);
   tell_convergence(lesson, convergence);
   lesson.answer({final_error(flight, flight.semi_implicit)}, 0.005,
-                "Below, by g Δt t / 2: every step already uses the velocity of its end.");
+                "Below, by g Δt t/2: every step moves with the velocity of its end, which is too low.");
   check_claims(lesson, flight, convergence);
   lesson.data(table_of(flight));
   lesson.fingerprint(flight.cairn.back());

@@ -9,24 +9,26 @@ LessonInfo card() {
       .name = "constraint_and_jacobian",
       .title = "Where, and which way",
       .idea =
-          "A constraint is a number c that has to be 0. Its derivative j has three numbers a body: with a "
-          "velocity j tells how fast c changes, and with a strength λ the force that keeps it.",
+          "A constraint is a number c that must be 0. Its derivative j says how fast a velocity changes c, "
+          "and "
+          "in which direction the constraint pushes or pulls.",
       .paper = "paper 2.1, eq (3)-(5), (9), (10)",
       .equations = {"(3)   c(x, y, θ) = |p| − length = 0        p: the anchor on the box",
-                    "(4)   dc/dt = 0                            with β = 0: c is to stay as it is",
-                    "(5)   dc/dt = j v,  j = (u_x, u_y, r × u)  u = p / |p|, r: from the centre to p",
+                    "(4)   dc/dt = 0                            with β = 0: c must not change",
+                    "(5)   dc/dt = j·v,  j = (u_x, u_y, r × u) u = p / |p|, r: from the centre to p",
                     "(10)  f = jᵀ λ                             (9): f has a force and a torque"},
       .needs = {"lesson 00"},
       .reads = {"src/constraints/distance_joint.cpp", "src/constraints/constraint.hpp",
                 "tests/constraints/jacobian_tests.cpp"},
       .question =
-          "A box hangs on a rod of 5 m, which goes from (0, 0) to (3, −4) on its left side, unless --x, --y "
-          "and --turn say otherwise. Its velocity "
-          "(v_x, v_y, ω) is (0.8, 0.6, 0), or (0.6, −0.8, 0), or (1, 0.5, −0.5). How fast does each make "
-          "the rod longer, in m/s? Which of them does a rod allow?",
+          "A box hangs on a rod of 5 m from (0, 0) to (3, −4), the middle of its left side (--x, --y and "
+          "--turn "
+          "change that). How fast does each of these velocities (v_x, v_y, ω) make the rod longer, in m/s: "
+          "(0.8, 0.6, 0), (0.6, −0.8, 0) and (1, 0.5, −0.5)? Which of them does a rod allow?",
+      .spoilers = {"0, 1 and 0", "the first and the third", "0.6 − 0.4 − 0.2"},
       .hints = {"Only what the anchor does along the rod makes it longer. Across the rod it may move.",
                 "The rod points along u = (0.6, −0.8). When the box turns, the anchor moves too: up for a "
-                "negative ω, as it is on the left.",
+                "negative ω, because it is left of the centre.",
                 "j = (0.6, −0.8, 0.4), and the third is 0.6 − 0.4 − 0.2."},
       .parameters = {{"x", 3, 1, 6, "m", "anchor, to the right of the pivot"},
                      {"y", -4, -6, -1, "m", "anchor, above the pivot"},
@@ -36,7 +38,7 @@ LessonInfo card() {
                      {"omega", 0.5, -5, 5, "rad/s", "how fast it turns"},
                      {"lambda", -10, -1000, 1000, "N", "strength of the rod; negative: it pulls"},
                      {"seed", 1, 0, 1e6, "", "of the random poses", Parameter::Kind::whole}},
-      .cover = 3,
+      .cover = 1,
       .next = "bash lessons/run 2   (how large λ has to be)"};
 }
 

@@ -14,7 +14,7 @@ struct Rail {
 };
 
 /// j = (j_x, j_y, j_theta) of c, the distance of the point from the rail, positive on the upper side:
-/// dc/dt = j v with v = (v_x, v_y, omega).
+/// dc/dt = j . v with v = (v_x, v_y, omega).
 FixedList<double, 3> jacobian(const Rail& rail);
 
 using Answer = FixedList<double, 3> (*)(const Rail&);

@@ -1,6 +1,6 @@
 // Lesson 01. To a solver a constraint is a number c that has to be 0, and its derivative j: (3) and (5). A
 // box hangs on a rod. We write down c and j by hand, hold j against differences of c, and use it in both ways
-// that solvers do: j v says how fast a velocity v breaks the rod, and jᵀ λ is the force with which the rod
+// that solvers do: j·v says how fast a velocity v breaks the rod, and jᵀ λ is the force with which the rod
 // resists (10). The library says the same of its own rod.
 #include <cmath>
 
@@ -92,7 +92,7 @@ void run(Lesson& lesson) {
   List<double> rates;
   for (const Motion& motion : rod.asked) rates.push_back(motion.rate);
   lesson.answer(rates, 0.01,
-                "It is j v. Where that is 0 the rod allows the motion: of three freedoms one row takes one, "
+                "It is j·v. Where that is 0 the rod allows the motion: one row takes one of three freedoms, "
                 "and two are left, swinging and turning about the anchor.");
   check_derivative(lesson, rod, kinds);
   check_force(lesson, rod);

@@ -1,4 +1,4 @@
-// The frames: c and its level curves, j by small moves, j v for several motions, f, and the answer.
+// The frames: c and its level curves, j by small moves, j·v for several motions, f, and the answer.
 #include "parts.hpp"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ void draw_note(Page& page, const Rod& rod, const RodLook& look, std::string_view
   const List<Rect> parts = draw_scene(page, rod, look, page.compact() ? 0.56 : 0.6);
   page.note(parts[0], title, text);
   const bool answered = look.direction;
-  render::TableView table{.header = {"v (m/s, m/s, rad/s)", "j v (m/s)", ""}};
+  render::TableView table{.header = {"v (m/s, m/s, rad/s)", "j·v (m/s)", ""}};
   for (const Motion& motion : rod.asked) {
     const Vec3<double>& v = motion.velocity;
     table.rows.push_back(
@@ -114,12 +114,12 @@ void draw_nudge(Page& page, const Rod& rod, int k) {
   page.table(parts[1], "the slope of c, and j", table);
 }
 
-/// c while the box moves on at this velocity, and what j v makes of it.
+/// c while the box moves on at this velocity, and what j·v makes of it.
 void draw_course(Page& page, const Rect& rect, const Rod& rod, const Motion& motion) {
   render::Plot plot{.title = page.compact() ? "c (m)" : "c while the box keeps this velocity (m)"};
   render::Series course{.name = "c", .style = {}, .markers = false};
   course.style = {page.theme().outline, {}, render::Marker::none};
-  render::Series tangent{.name = "j v t", .style = {}, .markers = false};
+  render::Series tangent{.name = "j·v t", .style = {}, .markers = false};
   tangent.style = {page.theme().velocity, {8, 6}, render::Marker::none};
   double largest = 0.5;
   for (int k = -20; k <= 20; ++k) {
@@ -152,7 +152,7 @@ void draw_motion(Page& page, const Rod& rod, const Motion& motion) {
   page.equation(
       parts[0],
       {.number = "eq (5)",
-       .symbols = fmt::format("dc/dt = j v,   v = ({}, {}, {})", significant(v.x()), significant(v.y()),
+       .symbols = fmt::format("dc/dt = j·v,   v = ({}, {}, {})", significant(v.x()), significant(v.y()),
                               significant(v.z())),
        .numbers =
            fmt::format("= {} + {} + {}", product(j.x(), v.x()), product(j.y(), v.y()), product(j.z(), v.z())),
@@ -216,7 +216,7 @@ Shot shot(const std::string& state, const std::string& alt, std::function<void(P
 Shot motion_shot(const Shared& story, const Motion& motion, const std::string& state) {
   return shot(
       state,
-      fmt::format("The velocities of the box and of its anchor as arrows; j v = {:.3f} m/s, the slope "
+      fmt::format("The velocities of the box and of its anchor as arrows; j·v = {:.3f} m/s, the slope "
                   "of c at this moment.",
                   motion.rate),
       [story, motion](Page& page) { draw_motion(page, story->rod, motion); });
@@ -257,9 +257,9 @@ List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
   for (Shot& next : derivative_shots(story)) shots.push_back(std::move(next));
   const Motion own{
       .name = "", .velocity = rod.settings.velocity, .rate = rod.jacobian.dot(rod.settings.velocity)};
-  shots.push_back(motion_shot(story, own, "j v: how fast"));
+  shots.push_back(motion_shot(story, own, "j·v: how fast"));
   for (int i = 0; i < rod.asked.size(); ++i)
-    shots.push_back(motion_shot(story, rod.asked[i], fmt::format("j v: velocity {} of 3", i + 1)));
+    shots.push_back(motion_shot(story, rod.asked[i], fmt::format("j·v: velocity {} of 3", i + 1)));
   shots.push_back(shot("j^Tλ: how strong",
                        "The pull of the rod as an arrow at the anchor and its torque as an arc.",
                        [story](Page& page) { draw_force(page, story->rod); }));
@@ -271,7 +271,7 @@ List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
   shots.push_back(
       shot("after the lesson", "The box with j as an arrow and an arc, and the answer.", [story](Page& page) {
         draw_note(page, story->rod, {.pose = story->rod.pose, .circles = true, .direction = true}, "Answer",
-                  "By j v. Where that is 0 the rod allows the motion: along the circle, or turning about the "
+                  "By j·v. Where that is 0 the rod allows the motion: along the circle, or turning about the "
                   "anchor, or both at once. Along j it allows none, and along j it pulls.");
       }));
   return shots;

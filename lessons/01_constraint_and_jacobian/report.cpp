@@ -71,10 +71,10 @@ void print_derivative(Lesson& lesson, const Rod& rod) {
 void print_motions(Lesson& lesson, const Rod& rod) {
   const Vec3<double>& j = rod.jacobian;
   const Vec3<double>& v = rod.settings.velocity;
-  lesson.print(fmt::format("(5)   dc/dt = j v = {} + {} + {} = {} m/s", term(j.x(), v.x()),
+  lesson.print(fmt::format("(5)   dc/dt = j·v = {} + {} + {} = {} m/s", term(j.x(), v.x()),
                            term(j.y(), v.y()), term(j.z(), v.z()), fixed(j.dot(v), 4)));
   for (const Motion& motion : rod.asked) {
-    lesson.print(fmt::format("  v = {:<18} j v = {:>7} m/s   {}", triple(motion.velocity),
+    lesson.print(fmt::format("  v = {:<18} j·v = {:>7} m/s   {}", triple(motion.velocity),
                              fixed(motion.rate, 4), verdict(motion.rate)));
   }
   lesson.print();
@@ -119,7 +119,7 @@ void check_derivative(Lesson& lesson, const Rod& rod, const List<KindOfRows>& ki
   const double t = speed > 0 ? small_step / speed : 1;
   const double change =
       (error_at(rod, carried(rod.pose, v, t)) - error_at(rod, carried(rod.pose, v, -t))) / (2 * t);
-  lesson.check_equal("j v is how fast c changes while the box moves, eq (5) (m/s)", change,
+  lesson.check_equal("j·v is how fast c changes while the box moves, eq (5) (m/s)", change,
                      rod.jacobian.dot(v), speed * quotient_tolerance(small_step));
   double largest = 0;
   for (const KindOfRows& kind : kinds) largest = std::max(largest, kind.error);

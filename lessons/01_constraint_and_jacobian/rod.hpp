@@ -23,7 +23,7 @@ struct RodSettings {
 struct Motion {
   std::string name = {};
   Vec3<double> velocity = {0, 0, 0};  // [m/s, m/s, rad/s]
-  double rate = 0;                    // j v [m/s]; 0 where only rounding is left of it
+  double rate = 0;                    // j·v [m/s]; 0 where only rounding is left of it
 };
 
 /// dc by central differences of step h, and the largest distance from j.

@@ -10,8 +10,8 @@ struct Meeting {
   double inverse_mass = 0;     // [1/kg]
   double inverse_inertia = 0;  // [1/(kg m^2)]
   double arm = 0;              // [m] of the peg, right of the centre of mass
-  double speed = 0;            // [m/s] j v1: of the point above the peg, upwards
-  double wanted = 0;           // [m/s] zeta: what j v2 is to be
+  double speed = 0;            // [m/s] j . v1: of the point above the peg, upwards
+  double wanted = 0;           // [m/s] zeta: what j . v2 is to be
 };
 
 /// The impulse lambda dt [N s] after which the point moves as wanted: equation (22), times dt.

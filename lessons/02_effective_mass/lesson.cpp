@@ -1,13 +1,13 @@
-// Lesson 02. One row, one push. A row knows in which direction it may push, j, and what it wants, j v = ζ.
-// How hard it has to push depends on how heavy the bodies are for it: 1 / (j M⁻¹ jᵀ), which is not simply a
-// mass, because a body that is pushed beside its centre also turns. With that number one push puts the row
-// right: (19)-(23). A box falls on a peg at three places; we push by hand, and let the library's solver push.
+// Lesson 02. One row, one push. A row knows in which direction it may push, j, and what it wants, j·v = ζ.
+// How hard it has to push depends on the effective mass, 1 / (j M⁻¹ jᵀ). That is not simply a mass, because a
+// body that is pushed beside its centre also turns. With that number one push puts the row right: (19)-(23).
+// A box falls on a peg at three places; we push by hand, and let the library's solver push.
 #include "parts.hpp"
 
 namespace {
 
 using namespace cairn;
-using namespace cairn::felt_mass;
+using namespace cairn::one_push;
 
 constexpr double peg_radius = 0.1;  // [m]
 
@@ -94,9 +94,8 @@ void run(Lesson& lesson) {
   print_pair(lesson, all);
   print_places(lesson, all);
   const double right = all.at.back().impulse;
-  lesson.answer(
-      {right}, 0.02 * right,
-      "Less: away from the middle the box can give way by turning, so the peg meets less of its mass.");
+  lesson.answer({right}, 0.02 * right,
+                "Less: a push beside the middle also turns the box, so the effective mass there is smaller.");
   check_row(lesson, all);
   check_motion(lesson, all);
   check_others(lesson, all);

@@ -5,7 +5,7 @@
 #include "math/list.hpp"
 #include "peg.hpp"
 
-namespace cairn::felt_mass {
+namespace cairn::one_push {
 
 void print_scene(Lesson& lesson, const PegSettings& settings);
 /// The push at the last place, for both bodies.
@@ -23,12 +23,12 @@ List<Shot> peg_shots(const Pushes& all);
 struct PegLook {
   bool push = false;        // the impulse as an arrow
   bool after = false;       // the velocities after it, and where they lead
-  bool masses = false;      // bars under the underside: what is felt there
-  bool directions = false;  // the curve of what is felt in all directions
+  bool masses = false;      // bars under the underside: the effective mass there
+  bool directions = false;  // the curve of the effective mass in all directions
 };
 
 /// The box, the peg and arrows, in a panel.
 void draw_push(render::Page& page, const render::Rect& rect, const Pushes& all, const Push& push,
                const PegLook& look);
 
-}  // namespace cairn::felt_mass
+}  // namespace cairn::one_push

@@ -1,13 +1,13 @@
 // What (22) divides by, by hand.
 #include "peg.hpp"
 
-namespace cairn::felt_mass {
+namespace cairn::one_push {
 
 double inertia_of(double mass) { return mass / 6; }
 
-double felt(double mass, const Vec2<double>& arm, const Vec2<double>& direction) {
+double mass_at(double mass, const Vec2<double>& arm, const Vec2<double>& direction) {
   const double lever = cross(arm, direction);
   return 1 / (1 / mass + lever * lever / inertia_of(mass));
 }
 
-}  // namespace cairn::felt_mass
+}  // namespace cairn::one_push

@@ -6,7 +6,7 @@
 #include "cairn.hpp"
 #include "math/list.hpp"
 
-namespace cairn::felt_mass {
+namespace cairn::one_push {
 
 struct PegSettings {
   double mass = 6;   // [kg] of the unit box
@@ -33,7 +33,7 @@ struct Push {
   double by_matrices = 0;                   // the same entry of A = J M^-1 J^T (15)
   double impulse = 0;                       // lambda dt [N s], as the solver found it
   HandPush by_hand = {};
-  double rate_before = 0, rate_after = 0;  // j v_1, j v_2 [m/s]
+  double rate_before = 0, rate_after = 0;  // j·v_1, j·v_2 [m/s]
 };
 
 /// The peg held by something of finite mass.
@@ -50,9 +50,9 @@ struct Pushes {
   double sideways = 0;  // [kg] of the friction row in the middle of the underside
 };
 
-/// 1 / (1/m + (r x d)^2 / I) [kg]: what is felt at the arm r in the direction d, by hand.
-double felt(double mass, const Vec2<double>& arm, const Vec2<double>& direction);
+/// 1 / (1/m + (r x d)^2 / I) [kg]: the effective mass at the arm r in the direction d, by hand.
+double mass_at(double mass, const Vec2<double>& arm, const Vec2<double>& direction);
 /// I of the unit box [kg m^2].
 double inertia_of(double mass);
 
-}  // namespace cairn::felt_mass
+}  // namespace cairn::one_push

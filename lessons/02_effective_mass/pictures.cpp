@@ -1,5 +1,5 @@
-// The frames: the row, three pushes and what they leave, the felt mass here, this way, and against another
-// body.
+// The frames: the row, three pushes and what they leave, the effective mass here, this way, and against
+// another body.
 #include "parts.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
 
-namespace cairn::felt_mass {
+namespace cairn::one_push {
 
 namespace {
 
@@ -31,7 +31,7 @@ List<Rect> draw_left(Page& page, const Pushes& all, const Push& push, const PegL
 
 /// The places and their pushes, as far as they are known.
 render::TableView push_table(const Pushes& all, int known) {
-  render::TableView table{.header = {"x (m)", "felt mass (kg)", "λΔt (N s)", "λ (N)"},
+  render::TableView table{.header = {"x (m)", "effective mass (kg)", "λΔt (N s)", "λ (N)"},
                           .active_row = known - 1};
   for (int i = 0; i < all.at.size(); ++i) {
     const Push& push = all.at[i];
@@ -58,14 +58,14 @@ void draw_row(Page& page, const Pushes& all) {
   const Push& push = all.at.back();
   const List<Rect> parts = draw_left(page, all, push, {}, page.compact() ? 0.62 : 0.46);
   const List<Rect> halves = rows(parts[0], {0.5, 0.5}, page.compact() ? 6 : page.sizes().gap);
-  render::MatrixView j{.title = "j: the peg (a) and the box (b)", .column_group = 3};
+  render::MatrixView j{.title = "j: the peg (1) and the box (2)", .column_group = 3};
   j.values.resize(1, 6);
   j.values << push.row.jacobian_a.transpose(), push.row.jacobian_b.transpose();
   render::MatrixView masses{.title = "the diagonal of M⁻¹, eq (17)", .column_group = 3};
   masses.values.resize(1, 6);
   masses.values << push.inverse_mass[{1}].transpose(), push.inverse_mass[{2}].transpose();
   masses.colors = render::MatrixColors::magnitude;
-  for (const char* name : {"x_{a}", "y_{a}", "θ_{a}", "x_{b}", "y_{b}", "θ_{b}"}) {
+  for (const char* name : {"x_{1}", "y_{1}", "θ_{1}", "x_{2}", "y_{2}", "θ_{2}"}) {
     j.column_names.emplace_back(name);
     masses.column_names.emplace_back(name);
   }
@@ -85,7 +85,7 @@ void draw_step(Page& page, const Pushes& all, int i) {
   const Push& push = all.at[i];
   const List<Rect> parts = draw_left(page, all, push, {.push = true}, page.compact() ? 0.5 : 0.46);
   page.equation(parts[0], {.number = "eq (22)",
-                           .symbols = "λ = (ζ − j v_{1}) / (j M⁻¹ j^{T} Δt)",
+                           .symbols = "λ = (ζ − j·v_{1}) / (j M⁻¹ j^{T} Δt)",
                            .numbers = fmt::format("= (0 − ({})) / ({} × {})", significant(push.rate_before),
                                                   fixed(push.inverse, 4), significant(all.settings.dt)),
                            .result = fmt::format("= {} N,   λΔt = {} N s",
@@ -120,7 +120,7 @@ void draw_after(Page& page, const Pushes& all, int i) {
                               significant(push.impulse), significant(all.settings.mass), fixed(v.y(), 3)),
        .numbers = fmt::format("ω = {} × {}/{} = {} rad/s", significant(push.x), significant(push.impulse),
                               significant(inertia_of(all.settings.mass)), fixed(v.z(), 3)),
-       .result = fmt::format("j v_{{2}} = {} + {} × {} = {} m/s", fixed(v.y(), 3), significant(push.x),
+       .result = fmt::format("j·v_{{2}} = {} + {} × {} = {} m/s", fixed(v.y(), 3), significant(push.x),
                              fixed(v.z(), 3), fixed(push.rate_after, 3))});
   page.table(
       parts[1],
@@ -133,7 +133,7 @@ render::Series curve_of_places(const Page& page, const Pushes& all) {
       .name = "", .style = {page.theme().normal, {}, render::Marker::none}, .markers = false};
   for (int k = -50; k <= 50; ++k) {
     curve.x.push_back(0.01 * k);
-    curve.y.push_back(felt(all.settings.mass, {0.01 * k, -0.5}, {0, 1}));
+    curve.y.push_back(mass_at(all.settings.mass, {0.01 * k, -0.5}, {0, 1}));
   }
   return curve;
 }
@@ -141,7 +141,8 @@ render::Series curve_of_places(const Page& page, const Pushes& all) {
 void draw_here(Page& page, const Pushes& all) {
   const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
   draw_push(page, halves[0], all, all.at[0], {.masses = true});
-  render::Plot plot{.title = page.compact() ? "felt mass (kg)" : "felt mass 1 / (j M⁻¹ jᵀ), upwards (kg)"};
+  render::Plot plot{.title = page.compact() ? "effective mass (kg)"
+                                            : "effective mass 1 / (j M⁻¹ jᵀ), upwards (kg)"};
   render::Series found{
       .name = "", .style = {page.theme().outline, {}, render::Marker::circle}, .line = false};
   for (const Push& push : {all.mirrored, all.at[0], all.at[1], all.at[2]}) {
@@ -164,8 +165,8 @@ void draw_this_way(Page& page, const Pushes& all) {
 void draw_others(Page& page, const Pushes& all) {
   const List<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
   const double m = all.settings.mass;
-  render::Plot plot{.title =
-                        page.compact() ? "felt mass (kg)" : "felt mass in the middle, of box and peg (kg)"};
+  render::Plot plot{.title = page.compact() ? "effective mass (kg)"
+                                            : "effective mass in the middle, of box and peg (kg)"};
   render::Series curve{
       .name = "", .style = {page.theme().normal, {}, render::Marker::none}, .markers = false};
   render::Series found{
@@ -175,7 +176,7 @@ void draw_others(Page& page, const Pushes& all) {
     curve.x.push_back(other);
     curve.y.push_back(1 / (1 / m + 1 / other));
   }
-  render::TableView table{.header = {"peg (kg)", "1/m of both", "felt (kg)"}};
+  render::TableView table{.header = {"peg (kg)", "1/m of both", "effective (kg)"}};
   for (const OtherMass& other : all.others) {
     const bool fixed_peg = !(other.mass > 0);
     table.rows.push_back({fixed_peg ? "fixed" : significant(other.mass), significant(1 / other.effective, 4),
@@ -192,7 +193,7 @@ void draw_others(Page& page, const Pushes& all) {
   const List<Rect> parts = rows(halves[1], {0.48, 0.52}, page.sizes().gap);
   page.equation(parts[0],
                 {.number = "two bodies that can move",
-                 .symbols = "j M⁻¹ j^{T} = 1/m_{a} + 1/m_{b}",
+                 .symbols = "j M⁻¹ j^{T} = 1/m_{1} + 1/m_{2}",
                  .numbers = fmt::format("= 1/{} + 1/{}", significant(m), significant(all.others[2].mass)),
                  .result = fmt::format("= 1 / ({} kg)", significant(all.others[2].effective, 4))});
   page.table(parts[1], page.compact() ? "" : "whom the box meets", table);
@@ -236,14 +237,16 @@ List<Shot> peg_shots(const Pushes& recorded) {
                        "The row j and the diagonal of M⁻¹ for peg and box, and j M⁻¹ jᵀ from both.",
                        [all](Page& page) { draw_row(page, *all); }));
   append_pushes(all, shots);
-  shots.push_back(shot("here", "Bars along the underside of the box: the felt mass is largest in the middle.",
+  shots.push_back(shot("here",
+                       "Bars along the underside of the box: the effective mass is largest in the middle.",
                        [all](Page& page) { draw_here(page, *all); }));
-  shots.push_back(shot("this way",
-                       "Under the middle and beside it a closed curve: its distance from the contact is "
-                       "the felt mass in that direction, all of the box towards its centre and less across.",
-                       [all](Page& page) { draw_this_way(page, *all); }));
+  shots.push_back(
+      shot("this way",
+           "Under the middle and beside it a closed curve: its distance from the contact is "
+           "the effective mass in that direction, all of the box towards its centre and less across.",
+           [all](Page& page) { draw_this_way(page, *all); }));
   shots.push_back(shot("against whom",
-                       "The felt mass against the mass of the peg: never more than the box alone.",
+                       "The effective mass against the mass of the peg: never more than the box alone.",
                        [all](Page& page) { draw_others(page, *all); }));
   shots.push_back(shot("after the lesson", "The push beside the middle, and the answer.", [all](Page& page) {
     draw_note(page, *all, {.push = true}, "Answer",
@@ -256,4 +259,4 @@ List<Shot> peg_shots(const Pushes& recorded) {
   return shots;
 }
 
-}  // namespace cairn::felt_mass
+}  // namespace cairn::one_push

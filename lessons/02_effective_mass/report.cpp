@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cairn::felt_mass {
+namespace cairn::one_push {
 
 namespace {
 
@@ -34,7 +34,7 @@ void print_pair(Lesson& lesson, const Pushes& all) {
   const Vec3<double>& v = push.before.bodies[{2}].velocity;
   const Vec3<double>& w = push.inverse_mass[{2}];
   lesson.print(fmt::format("The peg at x = {:g} m:", push.x));
-  lesson.print("              peg (a): x, y, θ            box (b): x, y, θ");
+  lesson.print("              peg (1): x, y, θ            box (2): x, y, θ");
   const auto line = [&](const char* name, const Vec3<double>& of_a, const Vec3<double>& of_b) {
     lesson.print(fmt::format("  {:<8}{:>8}{:>8}{:>8}    {:>8}{:>8}{:>8}", name, fixed(of_a.x(), 3),
                              fixed(of_a.y(), 3), fixed(of_a.z(), 3), fixed(of_b.x(), 3), fixed(of_b.y(), 3),
@@ -63,10 +63,10 @@ void print_places(Lesson& lesson, const Pushes& all) {
         fixed(v.z(), 4), kinetic_energy(push.before), kinetic_energy(push.after)));
   }
   lesson.print();
-  lesson.print(fmt::format("This way: under the middle the box is {:.4f} kg upwards and {:.4f} kg sideways.",
+  lesson.print(fmt::format("This way: below the middle the box is {:.4f} kg upwards and {:.4f} kg sideways.",
                            1 / all.at[0].inverse, all.sideways));
-  std::string pegs = "Whom it meets, in the middle: peg (kg)";
-  std::string masses = "                              felt (kg)";
+  std::string pegs = "Against whom, in the middle: peg (kg) ";
+  std::string masses = "                    effective mass (kg)";
   for (const OtherMass& other : all.others) {
     pegs += fmt::format("{:>9}", other.mass > 0 ? fmt::format("{:g}", other.mass) : "fixed");
     masses += fmt::format("{:>9.4g}", other.effective);
@@ -74,8 +74,8 @@ void print_places(Lesson& lesson, const Pushes& all) {
   lesson.print(pegs);
   lesson.print(masses);
   lesson.print(
-      "Words: the paper calls j M⁻¹ jᵀ, and A with it, the effective mass; most texts, and the code");
-  lesson.print("here, use that name for its inverse, which is a mass.");
+      "Words: the paper uses \"effective mass\" for j M⁻¹ jᵀ and for A; most texts, and the code here,");
+  lesson.print("use it for the inverse, which is a mass.");
   lesson.print();
 }
 
@@ -99,7 +99,7 @@ void check_row(Lesson& lesson, const Pushes& all) {
   lesson.check_small("λ Δt = the effective mass times the speed, eq (23), relative", impulse,
                      16 * epsilon + 2 * gap / settings.speed);
   lesson.check_small("the library's solver: the same push, the same v₂, relative", by_hand, 16 * epsilon);
-  lesson.check_small("the contact stands still after one push, j v₂ = 0, eq (20) (m/s)", contact,
+  lesson.check_small("the contact stands still after one push, j·v₂ = 0, eq (20) (m/s)", contact,
                      16 * epsilon * settings.speed + 2 * gap);
 }
 
@@ -112,7 +112,7 @@ void check_motion(Lesson& lesson, const Pushes& all) {
     const Vec3<double> change = velocity_after(push) - push.before.bodies[{2}].velocity;
     momentum = std::max({momentum, std::abs(change.y() - push.impulse / settings.mass), std::abs(change.x()),
                          std::abs(change.z() - push.x * push.impulse / inertia_of(settings.mass))});
-    // What the push takes is the kinetic energy of the felt mass.
+    // What the push takes is the kinetic energy of the effective mass.
     const double lost = kinetic_energy(push.before) - kinetic_energy(push.after);
     loss = std::max(loss, std::abs(lost - 0.5 / push.inverse * settings.speed * settings.speed));
   }
@@ -149,4 +149,4 @@ CsvTable places_table(const Pushes& all) {
   return table;
 }
 
-}  // namespace cairn::felt_mass
+}  // namespace cairn::one_push

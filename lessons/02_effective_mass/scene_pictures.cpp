@@ -1,4 +1,4 @@
-// The box on its peg: velocities, the push, and curves of the mass that is felt.
+// The box on its peg: velocities, the push, and curves of the effective mass.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include "parts.hpp"
 #include "render/draw.hpp"
 
-namespace cairn::felt_mass {
+namespace cairn::one_push {
 
 namespace {
 
@@ -78,7 +78,7 @@ void draw_impulse(Page& page, const render::Camera& camera, const Pushes& all, c
 void draw_bars(Page& page, const render::Camera& camera, const Pushes& all) {
   for (int k = -4; k <= 4; ++k) {
     const double x = 0.125 * k;
-    const double mass = felt(all.settings.mass, {x, -0.5}, {0, 1});
+    const double mass = mass_at(all.settings.mass, {x, -0.5}, {0, 1});
     const double length = longest_bar * mass / all.settings.mass;
     const Point top = camera.project({x - 0.04, -0.02});
     page.canvas().rect({top.x(), top.y(), 0.08 * camera.scale, length * camera.scale},
@@ -93,7 +93,7 @@ void draw_bars(Page& page, const render::Camera& camera, const Pushes& all) {
   }
 }
 
-/// What is felt in every direction at one point: as far from it as the mass is large.
+/// The effective mass in every direction at one point: as far from it as the mass is large.
 void draw_directions(Page& page, const render::Camera& camera, const Pushes& all, const Push& push) {
   const Vec2<double> contact(push.x, 0);
   const Vec2<double> arm = contact - push.before.bodies[{2}].pose.position;
@@ -101,13 +101,14 @@ void draw_directions(Page& page, const render::Camera& camera, const Pushes& all
   List<Point> points;
   for (int k = 0; k <= 180; ++k) {
     const Vec2<double> direction = Rotation<double>(pi * k / 90) * Vec2<double>(1, 0);
-    points.push_back(camera.project(contact + direction * (scale * felt(all.settings.mass, arm, direction))));
+    points.push_back(
+        camera.project(contact + direction * (scale * mass_at(all.settings.mass, arm, direction))));
   }
   page.canvas().polyline(points, {.width = page.sizes().curve, .color = page.theme().normal, .dash = {}});
   page.avoid(points);
   const Vec2<double> second = push.x > 0 ? Vec2<double>(-arm.normalized()) : Vec2<double>(1, 0);
   for (const Vec2<double>& ray : {Vec2<double>(0, 1), second}) {
-    const double mass = felt(all.settings.mass, arm, ray);
+    const double mass = mass_at(all.settings.mass, arm, ray);
     draw_arrow(page, camera, {.pixels_per_unit = scale * camera.scale, .longest = 1e4, .unit = "kg"},
                {.kind = render::ArrowKind::normal, .tail = contact, .value = mass * ray});
     // Beside the tip, where the other arrow is not.
@@ -164,4 +165,4 @@ void draw_push(Page& page, const Rect& rect, const Pushes& all, const Push& push
   page.canvas().pop_clip();
 }
 
-}  // namespace cairn::felt_mass
+}  // namespace cairn::one_push

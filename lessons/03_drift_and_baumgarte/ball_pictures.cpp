@@ -141,10 +141,10 @@ void draw_balls(Page& page, const Rect& rect, const DriftRuns& all, int step, in
 
 void draw_ball_table(Page& page, const Rect& rect, const DriftRuns& all, int step) {
   render::TableView table;
-  table.header = {"β", "ζ (m/s)", "λ (N)", "v (m/s)", "C (mm)"};
+  table.header = {"β", "ζ (m/s)", "λ (N)", "v (m/s)", "c (mm)"};
   for (const BallRun& run : all.balls) {
     if (run.beta == all.settings.beta) table.active_row = table.rows.size();
-    // A speed that asks for nothing (C > 0) is of no interest.
+    // A speed that asks for nothing (c > 0) is of no interest.
     table.rows.push_back({fmt::format("{:g}", run.beta), fixed(std::max(run.zeta[step], 0.0), 2),
                           fixed(run.lambda[step] + 0.0, 1), fixed(run.speed[step] + 0.0, 2),
                           fixed(1000 * run.height[step] + 0.0, 0)});
@@ -159,7 +159,7 @@ void draw_heights(Page& page, const Rect& rect, const DriftRuns& all, int step) 
   for (const BallRun& run : all.balls) {
     for (int k = 0; k <= shown; ++k) highest = std::max(highest, run.height[k]);
   }
-  render::Plot plot{.title = "C: height of the lowest point (m)"};
+  render::Plot plot{.title = "c: height of the lowest point (m)"};
   plot.x = {.title = "step", .min = 0, .max = static_cast<double>(shown)};
   plot.y = {.title = "", .min = -1.3 * all.settings.depth, .max = 1.15 * highest + 0.02};
   for (int i = 0; i < all.balls.size(); ++i) {

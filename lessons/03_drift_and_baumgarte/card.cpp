@@ -9,26 +9,28 @@ LessonInfo card() {
       .name = "drift_and_baumgarte",
       .title = "Drift and Baumgarte",
       .idea =
-          "A row asks for velocities, so it does not know where the bodies are: errors in positions stay for "
-          "ever. β asks for a velocity that takes a share of the error back in every step. That velocity is "
-          "real, and some of it may stay.",
+          "A row asks for velocities and does not know where the bodies are, so errors in positions stay. β "
+          "makes "
+          "it ask for a velocity that takes a share of the error back in every step.",
       .paper = "paper 2.1, 3.1, eq (4), (7), (20)-(22)",
-      .equations = {"(4)   dC/dt = −(β / Δt) C             a share β of the error C goes in each step",
-                    "(7)   ζ = −β C / Δt                   the velocity j·v that a row asks for",
-                    "(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)   what it takes to get it",
-                    "      contacts only push: λ ≥ 0, so j·v ≥ ζ, and nothing takes too much speed away"},
-      .needs = {"lesson 00"},
+      .equations = {"(4)   dc/dt = −(β / Δt) c             a share β of the error c goes in each step",
+                    "(7)   ζ = −β c / Δt                   the velocity j·v that a row asks for",
+                    "(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)   the force that gives it; for a contact λ ≥ 0"},
+      .needs = {"lesson 02"},
       .reads = {"src/constraints/stabilization.hpp", "src/constraints/stabilization.cpp"},
       .question =
-          "A ball begins --depth inside the ground. β = 1 takes the whole error back in one step, which "
-          "sounds best. How high above the ground does the ball hop, in metres?",
+          "A ball at rest begins 100 mm (--depth) inside the ground. β = 1 takes the whole error back in one "
+          "step, which sounds best. How high above the ground does its lowest point come, in metres (0: it "
+          "stays "
+          "on the ground)?",
+      .spoilers = {"1.2 m", "5 m/s"},
       .hints = {"To be out within one step of Δt, how fast does it have to move?",
                 "v = depth / Δt. Gravity is the only thing that slows it down afterwards.",
                 "About v² / (2 g), and a little less as time goes in steps."},
       .parameters = {{"dt", 0.02, 0.01, 0.05, "s", "time step"},
                      {"beta", 0.2, 0.05, 1, "", "the share β of an error that a step takes back"},
                      {"depth", 0.1, 0.01, 0.2, "m", "how deep the ball begins inside the ground"}},
-      .cover = -1,
+      .cover = 1,
       .next = "bash lessons/run 4   (all rows at once, in one equation)"};
 }
 

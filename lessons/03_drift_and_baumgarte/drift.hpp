@@ -26,10 +26,10 @@ struct DriftSettings {
 struct RodRun {
   double beta = 0;
   List<Snapshot> steps = {};
-  List<double> error = {};  // C [m]: how much too long the rod is
+  List<double> error = {};  // c [m]: how much too long the rod is
   double energy = 0;        // [J] at the end, above a weight at rest in the height of the pivot
   double fastest = 0;       // [m/s] across the rod, of all steps
-  double gap = 0;           // [m] between C and what geometry makes of the step before; the largest
+  double gap = 0;           // [m] between c and what geometry makes of the step before; the largest
 };
 
 /// A ball of 1 kg that begins inside the ground.
@@ -37,7 +37,7 @@ struct BallRun {
   double beta = 0;
   double slop = 0;  // [m]
   List<Snapshot> steps = {};
-  List<double> height = {};  // C [m] of its lowest point above the ground
+  List<double> height = {};  // c [m] of its lowest point above the ground
   List<double> speed = {};   // [m/s] upwards
   List<double> zeta = {};    // [m/s] of the step
   List<double> lambda = {};  // [N] of the step

@@ -44,7 +44,7 @@ void grade(Grade& grade, Answer answer) {
   grade.number({.what = "0.1 m deep, beta 0.2, dt 0.02 s: zeta (m/s)",
                 .value = 1,
                 .tolerance = few_roundings,
-                .misconceptions = {{-1, "The sign: C is -depth, and zeta = -beta C / dt."},
+                .misconceptions = {{-1, "The sign: C is -depth, and zeta = -beta c / dt."},
                                    {0.02, "A speed: the share of the error, over dt."},
                                    {5, "Only the share beta of it in each step."},
                                    {0.0004, "Divide by dt: a short step has to move fast to get as far."}}},
@@ -68,7 +68,7 @@ Exercise exercise() {
       .lesson = 3,
       .task = "The velocity that a contact's row asks for: equation (7), with a slop and a limit.",
       .file = "lessons/03_drift_and_baumgarte/exercise.cpp",
-      .hints = {"A contact has C = -depth. What is zeta without slop and limit?",
+      .hints = {"A contact has c = -depth. What is zeta without slop and limit?",
                 "beta depth / dt. The slop is taken off the depth first, and nothing below 0 is left of it.",
                 "min(beta max(depth - slop, 0) / dt, max_speed)."},
       .grade = [](Grade& marks) { grade(marks, wanted_speed); }};

@@ -14,7 +14,7 @@ using namespace cairn;
 using namespace cairn::drift;
 
 struct HandBall {
-  double height = 0;  // [m] C: of its lowest point above the ground
+  double height = 0;  // [m] c: of its lowest point above the ground
   double speed = 0;   // [m/s] upwards: j v
   double zeta = 0;    // [m/s]
   double lambda = 0;  // [N]
@@ -60,7 +60,7 @@ RodRun run_rod(double dt, double beta, const Vec2<double>& start, int steps) {
     const Vec2<double> along = world.bodies().pose[{1}].position.normalized();
     world.step(solver);
     const double across = cross(along, Vec2<double>(world.bodies().velocity[{1}].head<2>()));
-    // The weight goes straight on: by ζ Δt = −β C along the rod, and by v Δt across it.
+    // The weight goes straight on: by ζ Δt = −β c along the rod, and by v Δt across it.
     const double expected = std::hypot(rod_length + (1 - beta) * run.error.back(), across * dt) - rod_length;
     run.steps.push_back(snapshot(world));
     run.error.push_back(world.bodies().pose[{1}].position.norm() - rod_length);
@@ -101,9 +101,10 @@ void run(Lesson& lesson) {
   print_balls(lesson, all);
   print_limits(lesson, all);
   const double hop = hop_by_formula(all.settings);
-  lesson.answer({hop}, 0.1 * hop + 0.005,
-                "The speed that takes the error back is still there when the error is gone. A rod takes it "
-                "away again in the next step; the ground can only push, so only gravity does.");
+  lesson.answer(
+      {hop}, 0.1 * hop + 0.005,
+      "The speed that takes the error back is still there when the error is gone. A rod would take it "
+      "away in the next step. The ground cannot pull, so only gravity does.");
   check_rods(lesson, all);
   check_balls(lesson, all);
   check_limits(lesson, all);

@@ -26,7 +26,7 @@ void draw_question(Page& page, const DriftRuns& all) {
                   "error back in one step, which sounds best. How high does that ball hop?",
                   1000 * settings.depth));
   page.equation(right[1], {.number = "eq (7), β = 1",
-                           .symbols = "ζ = −β C / Δt",
+                           .symbols = "ζ = −β c / Δt",
                            .numbers = fmt::format("= −1 × (−{:g}) / {:.4g}", settings.depth, settings.dt),
                            .result = "= ? m/s"});
 }

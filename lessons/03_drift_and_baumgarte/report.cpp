@@ -20,16 +20,16 @@ double cleaned(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
 
 void print_scenes(Lesson& lesson, const DriftRuns& all) {
   lesson.print(
-      "Scenes: a pendulum, a hanging weight, a ball in the ground; one row each, put right by one push a "
-      "step");
-  lesson.print(fmt::format("        1 kg, g = {:g} m/s², Δt = {:.4g} s; β is {:g} where nothing else is said",
-                           gravity, all.settings.dt, all.settings.beta));
+      "Scenes: a pendulum, a hanging weight, a ball in the ground; one row each, and one push a step");
+  lesson.print(
+      fmt::format("        1 kg, g = {:g} m/s², Δt = {:.4g} s; β = {:g} unless a table says otherwise",
+                  gravity, all.settings.dt, all.settings.beta));
 }
 
 void print_swings(Lesson& lesson, const DriftRuns& all) {
   lesson.print(fmt::format("1. A pendulum of {:g} m, let go level with its pivot, after {:g} s:", rod_length,
                            swing_time));
-  lesson.print("   β       error C of the length (m)   largest C     energy (J), 0 if it were exact");
+  lesson.print("   β       error c of the length (m)   largest c     energy (J), 0 if it were exact");
   for (const RodRun& run : all.swings) {
     lesson.print(fmt::format("   {:<7g} {:>20.4f} {:>17.4f} {:>15.3f}", run.beta, run.error.back(),
                              *std::max_element(run.error.begin(), run.error.end()), run.energy));
@@ -38,7 +38,7 @@ void print_swings(Lesson& lesson, const DriftRuns& all) {
 }
 
 void print_hangs(Lesson& lesson, const DriftRuns& all) {
-  lesson.print("2. A weight hangs on a rod, 100 mm too low. C ← C + ζ Δt = (1 − β) C, in mm:");
+  lesson.print("2. A weight hangs on a rod, 100 mm too low. c ← c + ζ Δt = (1 − β) c, in mm:");
   lesson.print("   β     start   step 1   step 2   step 3   step 4   step 5");
   for (const RodRun& run : all.hangs) {
     std::string line = fmt::format("   {:<4g}", run.beta);
@@ -61,7 +61,7 @@ void print_balls(Lesson& lesson, const DriftRuns& all) {
         ball.zeta[k], ball.zeta[k], free, settings.dt, cleaned((ball.zeta[k] - free) / settings.dt),
         ball.zeta[k] < free - 1e-9 ? ": clamped to 0" : ""));
   }
-  lesson.print("   β       λ (N), step 1        2        3        4   fastest (m/s)   hops to (m)");
+  lesson.print("   β       λ (N), step 1        2        3        4   fastest (m/s)   rises to (m)");
   for (const BallRun& run : all.balls) {
     lesson.print(fmt::format("   {:<7g} {:>13.2f} {:>8.2f} {:>8.2f} {:>8.2f} {:>15.3f} {:>13.4f}", run.beta,
                              run.lambda[1], cleaned(run.lambda[2]), cleaned(run.lambda[3]),
@@ -72,7 +72,7 @@ void print_balls(Lesson& lesson, const DriftRuns& all) {
 }
 
 void print_limits(Lesson& lesson, const DriftRuns& all) {
-  lesson.print("   How deep may it begin without being let go in step 2?  g Δt² / β², in mm:");
+  lesson.print("   How deep may it begin so that the ground still pushes in step 2?  g Δt² / β², in mm:");
   std::string names = "   β       ";
   std::string formula = "   formula ";
   std::string measured = "   measured";
@@ -94,17 +94,17 @@ void check_rods(Lesson& lesson, const DriftRuns& all) {
   double gap = 0;
   for (const RodRun& run : all.swings) gap = std::max(gap, run.gap);
   // A step rounds some ten times, at the size of the rod and of what it moves in a step.
-  lesson.check_small("pendulum: C after a step = |(L + (1 − β) C, v Δt)| − L (m)", gap, 64 * epsilon * 4);
+  lesson.check_small("pendulum: c after a step = |(L + (1 − β) c, v Δt)| − L (m)", gap, 64 * epsilon * 4);
   const bool never_shrinks =
       std::is_sorted(free.error.begin(), free.error.end(), [](double newer, double older) {
         return newer < older - 64 * epsilon * 4;  // the same rounding
       });
   lesson.check_that("β = 0: the error never becomes smaller", never_shrinks,
                     fmt::format("{:.4f}", free.error.back()));
-  // C' <= (1 - beta) C + (v dt)^2 / 2 L, as |(x, y)| <= x + y^2 / 2 x: a geometric series.
+  // c' <= (1 - beta) c + (v dt)^2 / 2 L, as |(x, y)| <= x + y^2 / 2 x: a geometric series.
   const double step = held.fastest * all.settings.dt;
   const double bound = step * step / (2 * rod_length * all.settings.beta);
-  lesson.check_small(fmt::format("β = {:g}: C stays below (v Δt)² / (2 L β) (m)", all.settings.beta),
+  lesson.check_small(fmt::format("β = {:g}: c stays below (v Δt)² / (2 L β) (m)", all.settings.beta),
                      *std::max_element(held.error.begin(), held.error.end()), bound * (1 + 1e-9));
   double series = 0;
   double largest = 1;
@@ -116,7 +116,7 @@ void check_rods(Lesson& lesson, const DriftRuns& all) {
     }
   }
   // Each step rounds at the size of the rod, and |1 - beta| carries it on.
-  lesson.check_small("weight: C = 0.1 m × (1 − β)ᵏ, for every β (m)", series,
+  lesson.check_small("weight: c = 0.1 m × (1 − β)ᵏ, for every β (m)", series,
                      64 * epsilon * hang_steps * largest);
 }
 
@@ -140,8 +140,8 @@ void check_balls(Lesson& lesson, const DriftRuns& all) {
                      wanted / settings.dt + gravity, rounding / settings.dt / settings.dt);
   lesson.check_equal("ball: λ of step 2 = max(0, g − β² d / Δt²) m (N)", ball.lambda[2],
                      std::max(0.0, zeta - free) / settings.dt, rounding / settings.dt / settings.dt);
-  lesson.check_equal("β = 1: hops n d − g Δt² n (n + 1) / 2, n = ⌊d / (g Δt²)⌋ (m)", ball_of(all, 1).peak,
-                     hop_by_formula(settings), rounding);
+  lesson.check_equal("β = 1: rises to n d − g Δt² n (n + 1)/2, n = floor(d / (g Δt²)) (m)",
+                     ball_of(all, 1).peak, hop_by_formula(settings), rounding);
 }
 
 void check_limits(Lesson& lesson, const DriftRuns& all) {

@@ -58,7 +58,7 @@ std::string millimetres(double metres) {
 }
 
 void draw_pendulum(Page& page, const Rect& rect, const DriftRuns& all, const RodRun& run, int step) {
-  const Rect field = titled_panel(page, rect, beta_name(run.beta), "C = " + millimetres(run.error[step]));
+  const Rect field = titled_panel(page, rect, beta_name(run.beta), "c = " + millimetres(run.error[step]));
   const render::Camera camera = render::fit(field, {{-1.7, -1.7}, {1.7, 0.15}});
   draw_trail(page, camera, true_circle(), {.color = page.theme().inactive, .dash = {3, 4}});
   const int second = static_cast<int>(std::lround(1 / all.settings.dt));
@@ -69,7 +69,7 @@ void draw_pendulum(Page& page, const Rect& rect, const DriftRuns& all, const Rod
 }
 
 void draw_swing_errors(Page& page, const Rect& rect, const DriftRuns& all, int step) {
-  render::Plot plot{.title = "|C|: how far the rod is from its length (m)"};
+  render::Plot plot{.title = "|c|: how far the rod is from its length (m)"};
   plot.x = {.title = "t (s)", .min = 0, .max = swing_time};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-5, .max = 1e1};
   const int stride = std::max(1, all.swings[0].steps.size() / 250);
@@ -149,7 +149,7 @@ void draw_hang(Page& page, const DriftRuns& all, int step) {
   draw_weights(page, halves[0], all, step);
   const double top = page.compact() ? 0.55 : 0.64;
   const List<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
-  render::Plot plot{.title = "C after each step (mm)"};
+  render::Plot plot{.title = "c after each step (mm)"};
   plot.x = {.title = "step", .min = 0, .max = hang_steps};
   plot.y = {.title = "", .min = -350, .max = 350};
   for (int i = 0; i < all.hangs.size(); ++i) {
@@ -163,7 +163,7 @@ void draw_hang(Page& page, const DriftRuns& all, int step) {
   draw_plot(page, right[0], plot);
   const RodRun& run = hang_of(all, all.settings.beta);
   page.equation(right[1], {.number = "eq (7)",
-                           .symbols = "C ← C + ζ Δt = (1 − β) C",
+                           .symbols = "c ← c + ζ Δt = (1 − β) c",
                            .numbers = fmt::format("= (1 − {:g}) × {} mm", run.beta,
                                                   fixed(1000 * run.error[step - 1], 2)),
                            .result = fmt::format("= {} mm", fixed(1000 * run.error[step], 2))});

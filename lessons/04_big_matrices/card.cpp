@@ -9,26 +9,31 @@ LessonInfo card() {
       .name = "big_matrices",
       .title = "Big matrices",
       .idea =
-          "Write the velocities of all bodies below each other, and all rows below each other: J v = ζ. What "
-          "forces make that true? They solve A λ = b, one equation for each row, all at once.",
+          "Write the velocities of all bodies below each other, and all rows below each other: J v = ζ. The "
+          "forces that make this true solve A λ = b, one equation for each row, all at once.",
       .paper = "paper 2.1, 2.2, eq (1)-(15)",
-      .equations = {"(11)  J v₂ = ζ                         what the step is to achieve",
-                    "(12)  v₂ = v₁ + M⁻¹ Jᵀ λ Δt            how forces in the direction of J's rows do it",
-                    "(14)  A λ = b                          (12) put into (11)",
-                    "(15)  A = J M⁻¹ Jᵀ,  b = ζ/Δt − J v₁/Δt"},
+      .equations =
+          {"(11)  J v₂ = ζ                         what the step has to achieve",
+           "(12)  v₂ = v₁ + M⁻¹ Jᵀ λ Δt            forces along the rows of J, each with a strength λ",
+           "(14)  A λ = b                          (12) put into (11)",
+           "(15)  A = J M⁻¹ Jᵀ,  b = ζ/Δt − J v₁/Δt"},
       .needs = {"lesson 01", "lesson 02"},
       .reads = {"src/solvers/system_matrix.hpp", "src/solvers/system_matrix.cpp"},
       .question =
-          "b has one number for each contact. The uppermost box weighs 10 N per kg and falls like the "
-          "others. What stands in b for the contact below it, in m/s²?",
+          "All boxes of a stack fall at the same speed, because gravity has acted for one step. b has one "
+          "number "
+          "for each contact. The uppermost box weighs 10 N (--top changes it). What is the number in b for "
+          "the "
+          "contact below it, in m/s²?",
+      .spoilers = {"b₃ = 0", "do not close in", "Only the lowest contact"},
       .hints = {"b looks at the two bodies of a contact, not at one.",
                 "b = ζ/Δt − j·v₁/Δt, and j·v₁ says how fast the two close in.",
-                "Both boxes fall at g Δt. How fast do they close in on each other?"},
+                "Both boxes fall at g Δt. How fast do they approach each other?"},
       .parameters = {{"boxes", 3, 2, 5, "", "boxes in the stack", Parameter::Kind::whole},
                      {"dt", 0.02, 0.005, 0.1, "s", "time step"},
                      {"top", 1, 0.01, 100, "kg", "mass of the uppermost box; the others have 1 kg"},
                      {"sunk", 0, 0, 0.02, "m", "how deep the lowest box is inside the ground, β = 0.2"}},
-      .cover = 12,
+      .cover = 1,
       .next = "bash lessons/run 5   (guess, fix one row, repeat; and what may not pull)"};
 }
 
