@@ -27,6 +27,7 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
   bash lessons/run 6           lesson 6 with its text; flags follow: 6 --bodies 10 --predict
   bash lessons/run 6 --help    the flags of lesson 6
   bash lessons/run check 6     its checks and your exercise; a pass is noted in lessons-progress.txt
+  bash lessons/run solver 4    grades stage 4 of a solver of your own, my_solver.cpp; 4 --begin writes its start
   bash lessons/run check --all the checks of every lesson, without the exercises
   bash lessons/run book        every lesson as a page for the browser, in out/book/
   bash lessons/run playground  the core in a browser: one page, in out/playground/; installs emscripten

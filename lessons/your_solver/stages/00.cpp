@@ -1,0 +1,66 @@
+// Stage 00, graded: what a box is, and one step of falling.
+
+static void grade_box(grading::Report& report) {
+  const double mass = 2, width = 2, height = 1;
+  const Body box = make_box(width, height, mass, -4, 1);
+  const double turning = 12 / (mass * (width * width + height * height));  // 1/I
+  report.number(box.position[0],
+                {"make_box(2, 1, 2, -4, 1): x (m)", -4, {{0, "position holds the centre, and is still 0."}}});
+  report.number(box.height, {"its height (m)",
+                             height,
+                             {{width, "Width and height are swapped."},
+                              {0, "width and height of the Body are still 0."}}});
+  report.number(box.inverse_mass[0],
+                {"its inverse_mass[0] (1/kg)",
+                 1 / mass,
+                 {{mass, "That is m. M⁻¹ has 1/m."}, {0, "That is a box that cannot move."}}});
+  report.number(box.inverse_mass[2], {"its inverse_mass[2] (1/(kg m²))",
+                                      turning,
+                                      {{1 / turning, "That is I. M⁻¹ has 1/I."},
+                                       {mass * turning, "I grows with the mass: I = m (w² + h²)/12."},
+                                       {turning / 12, "The 12 is missing: I = m (w² + h²)/12."},
+                                       {1 / mass, "The third number is 1/I, not 1/m."}}});
+  const double infinite = 1.0 / 0.0;
+  report.number(make_box(10, 1, 0, 0, -0.5).inverse_mass[1],
+                {"a box of mass 0: inverse_mass[1] (1/kg)",
+                 0,
+                 {{infinite, "A box of mass 0 cannot move: its inverse masses are 0, not 1/0."}}});
+}
+
+static void grade_falling(grading::Report& report) {
+  const double g = 10, dt = 0.05;
+  std::vector<Body> bodies = {make_box(10, 1, 0, 0, -0.5), make_box(1, 1, 0.5, 0, 3),
+                              make_box(1, 1, 2, 0, 5)};
+  bodies[1].velocity = {4, 3, -2};
+  add_gravity(bodies, g, dt);
+  report.number(bodies[1].velocity[1], {"add_gravity: 0.5 kg that rose at 3 m/s, after 0.05 s (m/s)",
+                                        3 - g * dt,
+                                        {{3 + g * dt, "The sign: gravity acts downwards."},
+                                         {3 - g, "The factor dt is missing: gravity acts for one step only."},
+                                         {3 - 0.5 * g * dt, "The mass cancels: all boxes fall alike."},
+                                         {3 - 2 * g * dt, "The mass cancels: all boxes fall alike."}}});
+  report.number(bodies[2].velocity[1], {"add_gravity: 2 kg that was at rest (m/s)",
+                                        -g * dt,
+                                        {{-2 * g * dt, "The mass cancels: all boxes fall alike."},
+                                         {0, "The last body was left out."}}});
+  report.number(
+      bodies[0].velocity[1],
+      {"add_gravity: the ground (m/s)", 0, {{-g * dt, "The ground falls. What has inverse mass 0 stays."}}});
+  move_bodies(bodies, dt);
+  const double y = 3 + (3 - g * dt) * dt, turn = -2 * dt;
+  report.number(bodies[1].position[1], {"move_bodies: its height (m)",
+                                        y,
+                                        {{3 + (3 - g * dt), "move_bodies forgets the factor dt."},
+                                         {3 - (3 - g * dt) * dt, "The sign: x ← x + v Δt."},
+                                         {3, "The body has not moved."}}});
+  report.number(bodies[1].position[2], {"move_bodies: its angle (rad)",
+                                        turn,
+                                        {{0, "A body has three numbers: the angle moves, too."},
+                                         {-2, "move_bodies forgets the factor dt."}}});
+}
+
+static void stage_00(grading::Report& report) {
+  report.begin(0);
+  grade_box(report);
+  grade_falling(report);
+}

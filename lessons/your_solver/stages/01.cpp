@@ -1,0 +1,107 @@
+// Stage 01, graded: c and j of a rod between two boxes that are turned, and j·v.
+#include "00.cpp"
+
+/// 2 kg and 0.5 kg, both turned and moving; the ground is body 0.
+static std::vector<Body> turned_boxes() {
+  std::vector<Body> bodies = {make_box(10, 1, 0, 0, -0.5), make_box(1, 1, 2, 1, 2),
+                              make_box(1, 2, 0.5, 4, 6)};
+  bodies[1].position[2] = 0.3;
+  bodies[2].position[2] = -0.7;
+  bodies[1].velocity = {1, -0.5, 2};
+  bodies[2].velocity = {-0.25, 3, -1.5};
+  return bodies;
+}
+
+/// The parts of a rod, worked out here: arms r, direction u.
+struct RodParts {
+  double r1x = 0, r1y = 0, r2x = 0, r2y = 0, dx = 0, dy = 0, distance = 0, ux = 0, uy = 0;
+};
+
+static RodParts rod_parts(const Body& one, double x1, double y1, const Body& two, double x2, double y2) {
+  const double a = one.position[2], b = two.position[2];
+  RodParts parts;
+  parts.r1x = std::cos(a) * x1 - std::sin(a) * y1;
+  parts.r1y = std::sin(a) * x1 + std::cos(a) * y1;
+  parts.r2x = std::cos(b) * x2 - std::sin(b) * y2;
+  parts.r2y = std::sin(b) * x2 + std::cos(b) * y2;
+  parts.dx = two.position[0] + parts.r2x - one.position[0] - parts.r1x;
+  parts.dy = two.position[1] + parts.r2y - one.position[1] - parts.r1y;
+  parts.distance = std::sqrt(parts.dx * parts.dx + parts.dy * parts.dy);
+  parts.ux = parts.dx / parts.distance;
+  parts.uy = parts.dy / parts.distance;
+  return parts;
+}
+
+static void grade_rod(grading::Report& report) {
+  const std::vector<Body> bodies = turned_boxes();
+  const Body &one = bodies[1], &two = bodies[2];
+  const double length = 3;
+  const RodParts rod_is = rod_parts(one, 0.5, 0.25, two, -0.5, -1);
+  const double ux = rod_is.ux, uy = rod_is.uy;
+  const double flat =
+      std::hypot(4 - 0.5 - 1 - 0.5, 6 - 1.0 - 2 - 0.25) - length;  // as if nothing were turned
+  const double turn1 = rod_is.r1x * uy - rod_is.r1y * ux, turn2 = rod_is.r2x * uy - rod_is.r2y * ux;
+  const double from_origin = turn2 + two.position[0] * uy - two.position[1] * ux;
+  const Row row = rod(bodies, 1, {0.5, 0.25}, 2, {-0.5, -1}, length);
+
+  report.number(row.c, {"a rod between two turned boxes: c (m)",
+                        rod_is.distance - length,
+                        {{length - rod_is.distance, "The sign: c is positive where the rod is too long."},
+                         {rod_is.distance * rod_is.distance - length * length,
+                          "Those are m²: c is |p2 − p1| − length, without squares."},
+                         {flat, "The points are fixed in their bodies: turn them by the body's angle."},
+                         {rod_is.distance, "c is what is left when the length is taken away."}}});
+  report.number(
+      row.body1,
+      {"its body1", 1, {{2, "The bodies are swapped."}, {0, "body1 and body2 of the row are not set."}}});
+  report.number(row.j2[0], {"its j2[0]",
+                            ux,
+                            {{-ux, "The sign: c grows when body 2 moves along u, from point 1 to point 2."},
+                             {rod_is.dx, "u is a unit vector: divide by the distance."}}});
+  report.number(row.j1[0], {"its j1[0]",
+                            -ux,
+                            {{ux, "The sign: c shrinks when body 1 moves along u. j1 has −u."},
+                             {-rod_is.dx, "u is a unit vector: divide by the distance."}}});
+  report.number(row.j2[2], {"its j2[2] (m)",
+                            turn2,
+                            {{-turn2, "r × u is r_x u_y − r_y u_x: the order is reversed."},
+                             {from_origin, "The arm r begins at the body's centre, not at the origin."},
+                             {0, "A turn about the centre moves the point, too: r × u."}}});
+  report.number(row.j1[2], {"its j1[2] (m)",
+                            -turn1,
+                            {{turn1, "The sign: all of j1 has a minus, its turn as well."},
+                             {-turn2, "j1 needs the arm of body 1."},
+                             {0, "A turn about the centre moves the point, too: r × u."}}});
+}
+
+static void grade_rate(grading::Report& report) {
+  std::vector<Body> bodies = turned_boxes();
+  const Row row = rod(bodies, 1, {0.5, 0.25}, 2, {-0.5, -1}, 3);
+  double part1 = 0, part2 = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    part1 += row.j1[k] * bodies[1].velocity[k];
+    part2 += row.j2[k] * bodies[2].velocity[k];
+  }
+  const double turns = row.j1[2] * bodies[1].velocity[2] + row.j2[2] * bodies[2].velocity[2];
+  report.number(rate(row, bodies),
+                {"j·v of that rod, while both boxes move and turn (m/s)",
+                 part1 + part2,
+                 {{part2, "Body 1 is missing: a row has six numbers."},
+                  {part1, "Body 2 is missing: a row has six numbers."},
+                  {part2 - part1, "Add both parts: the minus is in j1 already."},
+                  {part1 + part2 - turns, "An index too few: the third number belongs to the turn."}}});
+  const double h = 1e-5;
+  move_bodies(bodies, h);
+  const double later = rod(bodies, 1, {0.5, 0.25}, 2, {-0.5, -1}, 3).c;
+  move_bodies(bodies, -2 * h);
+  const double earlier = rod(bodies, 1, {0.5, 0.25}, 2, {-0.5, -1}, 3).c;
+  report.number((later - earlier) / (2 * h),
+                {"dc/dt from two poses, which j·v should be (m/s)", part1 + part2, {}, 1e-6});
+}
+
+static void stage_01(grading::Report& report) {
+  stage_00(report);
+  report.begin(1);
+  grade_rod(report);
+  grade_rate(report);
+}

@@ -1,0 +1,58 @@
+// Stage 03, graded: ζ from c, ζ in the correction, and a weight that comes back to its rod's length.
+#include "02.cpp"
+
+static void grade_bias(grading::Report& report) {
+  const double beta = 0.2, dt = 0.05;
+  report.number(Row().bias, {"bias of a new row (m/s)", 0, {}});
+  std::vector<Row> rows = {slanted_row(1, 2), slanted_row(1, 2)};
+  rows[0].c = 0.1;
+  rows[1].c = -0.03;
+  set_bias(rows, beta, dt);
+  report.number(rows[0].bias,
+                {"c = 0.1 m, β = 0.2, Δt = 0.05 s: bias (m/s)",
+                 -beta * 0.1 / dt,
+                 {{beta * 0.1 / dt, "The sign: j·v has to make c smaller."},
+                  {-beta * 0.1, "The factor 1/Δt is missing: the share is to be gone after one step."},
+                  {-beta * 0.1 * dt, "Divide by Δt: a short step needs a higher speed."},
+                  {-0.1 / dt, "β is missing: a step takes a share of the error."},
+                  {-(1 - beta) * 0.1 / dt, "β is the share that goes, not the share that stays."},
+                  {0, "The bias of the row has not been set: change the rows of the list."}}});
+  report.number(rows[1].bias, {"c = −0.03 m: bias (m/s)",
+                               beta * 0.03 / dt,
+                               {{0, "An error below 0 has to go, too."},
+                                {-beta * 0.03 / dt, "The sign of c counts: the bias is −β c/Δt."}}});
+  Row row = slanted_row(1, 2);
+  row.bias = 0.7;
+  const double mass = 1 / (slanted_part1 + slanted_part2);
+  report.number(correction(row, two_masses()),
+                {"correction with a bias of 0.7 m/s (N s)",
+                 (0.7 - slanted_rate) * mass,
+                 {{-slanted_rate * mass, "correction does not use the bias yet: (ζ − j·v)."},
+                  {(-0.7 - slanted_rate) * mass, "The sign: (22) has ζ − j·v."},
+                  {0.7 - slanted_rate * mass, "The bias is a velocity: (ζ − j·v), then the mass."}}});
+}
+
+/// A weight of 2 kg on a rod that is 0.1 m too long; what is left of the error after three steps.
+static double left_of_the_error(double beta) {
+  const double dt = 0.05;
+  std::vector<Body> bodies = {make_box(1, 1, 0, 0, 0), make_box(1, 1, 2, 0, -2.1)};
+  for (int k = 0; k < 3; ++k) {
+    add_gravity(bodies, 10, dt);
+    std::vector<Row> rows = {rod(bodies, 0, {0, 0}, 1, {0, 0}, 2)};
+    set_bias(rows, beta, dt);
+    apply_impulse(rows[0], correction(rows[0], bodies), bodies);
+    move_bodies(bodies, dt);
+  }
+  return rod(bodies, 0, {0, 0}, 1, {0, 0}, 2).c;
+}
+
+static void stage_03(grading::Report& report) {
+  stage_02(report);
+  report.begin(3);
+  grade_bias(report);
+  report.number(left_of_the_error(0.2),
+                {"a rod 0.1 m too long, three steps, β = 0.2: c (m)",
+                 0.1 * 0.8 * 0.8 * 0.8,
+                 {{0.1, "The error stays: does correction use the bias?"},
+                  {0.1 * 1.2 * 1.2 * 1.2, "The error grows: the sign of the bias."}}});
+}

@@ -1,0 +1,95 @@
+// Stage 04, graded: A and b of four rows between bodies of 2 kg, 0.5 kg and 1 kg, entry by entry.
+#include "03.cpp"
+
+static Row made_row(int body1, Vec3 j1, int body2, Vec3 j2, double bias) {
+  Row row;
+  row.body1 = body1;
+  row.body2 = body2;
+  row.j1 = j1;
+  row.j2 = j2;
+  row.bias = bias;
+  return row;
+}
+
+/// Row 2 has the bodies of row 1 the other way round; row 3 shares nothing but the ground with row 0.
+static std::vector<Row> four_rows() {
+  return {made_row(0, {0, -1, 0.25}, 1, {0, 1, 0.5}, 0.3),
+          made_row(1, {-0.6, 0.8, 0.25}, 2, {0.6, -0.8, 0.5}, 0),
+          made_row(2, {1, 0, -0.5}, 1, {-1, 0, 0.75}, -0.2), made_row(0, {0, -1, 0}, 3, {0, 1, 0.5}, 0)};
+}
+
+static std::vector<Body> four_bodies() {
+  std::vector<Body> bodies = two_masses();
+  bodies.push_back(make_box(1, 1, 1, 5, 1));
+  bodies[3].velocity = {0, -1, 0};
+  return bodies;
+}
+
+/// j_i W j_k over the numbers that two rows have for one body.
+static double coupled(Vec3 first, Vec3 weight, Vec3 second) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += first[k] * weight[k] * second[k];
+  return sum;
+}
+
+static void grade_A(grading::Report& report, const System& system) {
+  const std::vector<Row> rows = four_rows();
+  const Vec3 heavy = {0.5, 0.5, 3}, light = {2, 2, 12}, ones = {1, 1, 1}, none = {};
+  const double diagonal = slanted_part1 + slanted_part2;
+  report.number(static_cast<double>(system.A.size()), {"four rows: rows of A", 4, {}});
+  if (system.A.size() != 4 || system.A[1].size() != 4) return;
+  report.number(system.A[1][1], {"A[1][1], between 2 kg and 0.5 kg (1/kg)",
+                                 diagonal,
+                                 {{1 / diagonal, "That is the effective mass: A_ii is its inverse."},
+                                  {diagonal * 0.05, "A has no Δt: only b has."},
+                                  {diagonal / 0.05, "A has no Δt: only b has."},
+                                  {slanted_part1, "Body 2 is missing: sum over both bodies of the row."},
+                                  {2.5, "An index too few: the turn couples rows, too."},
+                                  {1 + 0.0625 + 1 + 0.25, "The inverse masses are missing: A = J M⁻¹ Jᵀ."}}});
+  const double shared = coupled(rows[0].j2, heavy, rows[1].j1);
+  report.number(
+      system.A[0][1],
+      {"A[0][1]: body 1 is body 2 of one row, body 1 of the other",
+       shared,
+       {{0, "The rows share a body: look for the same body, not for the same place in the row."},
+        {-shared, "The sign: J_i M⁻¹ J_kᵀ, the minus is in j1 already."},
+        {coupled(rows[0].j2, ones, rows[1].j1), "The inverse masses are missing: A = J M⁻¹ Jᵀ."},
+        {coupled(rows[0].j2, light, rows[1].j1), "The inverse mass is that of the body that they share."},
+        {coupled(rows[0].j2, heavy, rows[1].j2) + coupled(rows[0].j1, none, rows[1].j1),
+         "The rows share a body: look for the same body, not for the same place in the row."}}});
+  const double crossed = coupled(rows[1].j1, heavy, rows[2].j2) + coupled(rows[1].j2, light, rows[2].j1);
+  report.number(system.A[1][2],
+                {"A[1][2]: both bodies shared, the other way round (1/kg)",
+                 crossed,
+                 {{coupled(rows[1].j1, heavy, rows[2].j1) + coupled(rows[1].j2, light, rows[2].j2),
+                   "Look for the same body, not for the same place in the row."},
+                  {coupled(rows[1].j1, heavy, rows[2].j2), "Both bodies are shared: add both parts."},
+                  {coupled(rows[1].j2, light, rows[2].j1), "Both bodies are shared: add both parts."}}});
+  report.number(system.A[2][1],
+                {"A[2][1]: A is symmetric (1/kg)", crossed, {{0, "Only one half of A is filled."}}});
+  report.number(system.A[0][3], {"A[0][3]: both stand on the ground (1/kg)",
+                                 0,
+                                 {{1, "The ground couples nothing: its inverse mass is 0."}}});
+}
+
+static void grade_b(grading::Report& report, const System& system) {
+  const double dt = 0.05, ground_rate = 0.5 * 2;  // row 0: v_y is 0, and the box turns with 2 rad/s
+  report.number(static_cast<double>(system.b.size()), {"entries of b", 4, {}});
+  if (system.b.size() != 4) return;
+  report.number(system.b[0], {"b[0], with a bias of 0.3 m/s (m/s²)",
+                              (0.3 - ground_rate) / dt,
+                              {{0.3 - ground_rate, "The factor 1/Δt is missing: λ is a force."},
+                               {(0.3 - ground_rate) * dt, "Divide by Δt: λ is a force."},
+                               {(ground_rate - 0.3) / dt, "The sign: b = (ζ − J v)/Δt."},
+                               {-ground_rate / dt, "ζ is missing: b = (ζ − J v)/Δt."},
+                               {(-0.3 - ground_rate) / dt, "The sign of ζ: b = (ζ − J v)/Δt."},
+                               {0.3 - ground_rate / dt, "Both parts are divided by Δt."}}});
+}
+
+static void stage_04(grading::Report& report) {
+  stage_03(report);
+  report.begin(4);
+  const System system = build(four_rows(), four_bodies(), 0.05);
+  grade_A(report, system);
+  grade_b(report, system);
+}

@@ -1,0 +1,120 @@
+// Stage 05, graded: the row of a contact, bounds in newton, and sweeps over a matrix given here.
+#include "04.cpp"
+
+static void grade_contact(grading::Report& report) {
+  const std::vector<Body> bodies = {make_box(10, 1, 0, 3, -0.5), make_box(1, 1, 2, 0.25, 0.5)};
+  const Row row = contact(bodies, 0, 1, {0.75, 0}, {0, 1}, -0.01);
+  report.number(
+      row.c,
+      {"a contact that overlaps by 10 mm: c (m)", -0.01, {{0.01, "The sign: overlap is a gap below 0."}}});
+  report.number(
+      row.j2[1],
+      {"its j2[1]", 1, {{-1, "The sign: the normal leads from body 1 to body 2, and c grows that way."}}});
+  report.number(row.j2[2], {"its j2[2] (m)",
+                            0.5,
+                            {{0.75, "The arm begins at the body's centre: subtract it from the point."},
+                             {-0.5, "r × n is r_x n_y − r_y n_x: the order is reversed."},
+                             {0, "A push beside the centre turns the box: r × n."}}});
+  report.number(row.j1[2], {"its j1[2] (m)",
+                            2.25,
+                            {{-2.25, "The sign: all of j1 has a minus."},
+                             {-0.75, "The arm begins at the body's centre: subtract it from the point."}}});
+  const double infinite = 1.0 / 0.0;
+  report.number(
+      row.lower,
+      {"its lower bound (N s)", 0, {{-infinite, "A contact cannot pull: its impulse is at least 0."}}});
+  report.number(row.upper,
+                {"its upper bound (N s)", infinite, {{0, "A contact may push as hard as it has to."}}});
+  report.number(Row().lower, {"the lower bound of any other row (N s)",
+                              -infinite,
+                              {{0, "Bounds belong to the row: a rod may pull, so a new Row has none."}}});
+}
+
+static void grade_bounds(grading::Report& report) {
+  std::vector<Row> rows = {slanted_row(1, 2)};
+  rows[0].lower = -0.3;
+  rows[0].upper = 0.2;
+  const System system = build(rows, two_masses(), 0.05);
+  report.number(static_cast<double>(system.lower.size()), {"one row: entries of system.lower", 1, {}});
+  if (system.lower.size() != 1 || system.upper.size() != 1) return;
+  report.number(system.lower[0],
+                {"bounds from −0.3 to 0.2 N s, Δt = 0.05 s: lower (N)",
+                 -0.3 / 0.05,
+                 {{-0.3, "The factor 1/Δt is missing: λ is a force, a row's bounds are impulses."},
+                  {-0.3 * 0.05, "Divide by Δt: λ is a force."}}});
+  report.number(system.upper[0],
+                {"upper (N)", 0.2 / 0.05, {{0.2, "The factor 1/Δt is missing: λ is a force."}}});
+}
+
+static System made_system(std::vector<std::vector<double>> A, std::vector<double> b, double lower,
+                          double upper) {
+  System system;
+  system.A = A;
+  system.b = b;
+  system.lower.assign(b.size(), lower);
+  system.upper.assign(b.size(), upper);
+  return system;
+}
+
+static std::vector<double> swept(const System& system, int sweeps) {
+  std::vector<double> lambda(system.b.size(), 0.0);
+  for (int k = 0; k < sweeps; ++k) sweep_matrix(system, lambda);
+  return lambda;
+}
+
+static void grade_sweeps(grading::Report& report) {
+  const double all = 1e9;
+  const System chain = made_system({{2, -1, 0}, {-1, 2.5, -2}, {0, -2, 4}}, {10, 0, 1}, -all, all);
+  const std::vector<double> once = swept(chain, 1), twice = swept(chain, 2);
+  report.number(once[0], {"three rows, one sweep: λ of the first (N)",
+                          10 / 2.0,
+                          {{10, "Divide by A_ii."},
+                           {0, "The first row was not visited, or lambda is a copy."},
+                           {20, "Divide by A_ii, do not multiply."}}});
+  report.number(once[1], {"of the second (N)",
+                          5 / 2.5,
+                          {{0, "That is Jacobi: use the newest λ, that of row 1 included."},
+                           {-5 / 2.5, "The sign: b − Σ A_ik λ_k."},
+                           {-10 / 2.5 * 0.5, "The sign: b − Σ A_ik λ_k."}}});
+  report.number(once[2], {"of the third (N)",
+                          (1 + 2 * 2) / 4.0,
+                          {{0.25, "That is Jacobi: use the newest λ."},
+                           {0, "An index too few: the last row was not visited."}}});
+  report.number(twice[0], {"two sweeps: of the first (N)",
+                           (10 + 2) / 2.0,
+                           {{(10 + 2 - 2 * 5) / 2.0, "The sum leaves the row's own λ out: k ≠ i."},
+                            {5, "The second sweep begins with what the first has found."},
+                            {5 + 6, "λ_i is replaced, not added to: (28) gives the whole λ."}}});
+}
+
+static void grade_clamp(grading::Report& report) {
+  const double all = 1e9;
+  // The lesson's rod on two supports, with other numbers: without bounds row 1 would pull.
+  const System supports = made_system({{1, 0.75}, {0.75, 1}}, {10, 22.5}, 0, all);
+  const std::vector<double> twice = swept(supports, 2);
+  report.number(twice[0], {"two supports, two sweeps: λ of the first (N)",
+                           0,
+                           {{10 - 0.75 * 15, "A contact cannot pull: clamp λ between its bounds."},
+                            {10, "Clamp λ itself, not what is added to it: it may go down again."}}});
+  report.number(twice[1], {"of the second (N)",
+                           22.5,
+                           {{22.5 + 0.75 * 1.25, "Clamp at once, in row 1's turn: row 2 has to see it."},
+                            {15, "The second row has to see that the first gives nothing."}}});
+  report.number(
+      swept(made_system({{2}}, {10}, -all, 3), 1)[0],
+      {"a motor with at most 3 N, where 5 N are needed (N)", 3, {{5, "The upper bound is not used."}}});
+  report.number(swept(made_system({{2}}, {-10}, -4, all), 1)[0],
+                {"a lower bound of −4 N, where −5 N are needed (N)",
+                 -4,
+                 {{0, "Bounds belong to the row: clamp to system.lower, not to 0."},
+                  {-5, "The lower bound is not used."}}});
+}
+
+static void stage_05(grading::Report& report) {
+  stage_04(report);
+  report.begin(5);
+  grade_contact(report);
+  grade_bounds(report);
+  grade_sweeps(report);
+  grade_clamp(report);
+}

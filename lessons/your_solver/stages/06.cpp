@@ -1,0 +1,123 @@
+// Stage 06, graded: sweeps over a tower of 2, 0.5 and 1 kg, held against plain loops on a line.
+#include "05.cpp"
+
+/// The row of two bodies on a line: j·v is how fast the second rises from the first.
+static Row upright_row(int below, int above) {
+  Row row;
+  row.body1 = below;
+  row.body2 = above;
+  row.j1 = {0, -1, 0};
+  row.j2 = {0, 1, 0};
+  row.lower = 0;
+  return row;
+}
+
+/// The ground and boxes of these masses above each other, which all fall at this speed.
+static std::vector<Body> falling_tower(const std::vector<double>& masses, double speed) {
+  std::vector<Body> bodies = {make_box(10, 1, 0, 0, -0.5)};
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    bodies.push_back(make_box(1, 1, masses[i], 0, 0.5 + static_cast<double>(i)));
+    bodies.back().velocity[1] = -speed;
+  }
+  return bodies;
+}
+
+static std::vector<Row> tower_rows(int boxes) {
+  std::vector<Row> rows;
+  for (int i = 0; i < boxes; ++i) rows.push_back(upright_row(i, i + 1));
+  return rows;
+}
+
+/// Without bodies and rows: masses on a line, swept by hand. v[0] is the ground.
+struct LineTower {
+  std::vector<double> weights = {};  // 1/m, the ground's 0 first
+  std::vector<double> v = {}, impulse = {};
+
+  LineTower(const std::vector<double>& masses, double speed)
+      : weights{0}, v{0}, impulse(masses.size() + 1, 0.0) {
+    for (const double mass : masses) {
+      weights.push_back(1 / mass);
+      v.push_back(-speed);
+    }
+  }
+  void push(std::size_t i, double p) {
+    v[i] += weights[i] * p;
+    v[i - 1] -= weights[i - 1] * p;
+  }
+  void sweep_by_hand() {
+    for (std::size_t i = 1; i < v.size(); ++i) {
+      const double sum = std::max(0.0, impulse[i] + (v[i - 1] - v[i]) / (weights[i] + weights[i - 1]));
+      push(i, sum - impulse[i]);
+      impulse[i] = sum;
+    }
+  }
+};
+
+static void grade_tower(grading::Report& report) {
+  const std::vector<double> masses = {2, 0.5, 1};
+  std::vector<Body> bodies = falling_tower(masses, 0.5);
+  std::vector<Row> rows = tower_rows(3);
+  LineTower line(masses, 0.5);
+  sweep(rows, bodies);
+  line.sweep_by_hand();
+  report.number(rows[0].impulse, {"tower of 2, 0.5 and 1 kg, one sweep: impulse on the ground (N s)",
+                                  line.impulse[1],
+                                  {{0, "row.impulse has not changed: add the push to the rows of the list."},
+                                   {-line.impulse[1], "The sign: boxes that close in are pushed apart."}}});
+  report.number(rows[1].impulse, {"of the second row (N s)",
+                                  line.impulse[2],
+                                  {{0, "No row has changed a velocity: apply each push at once."},
+                                   {2 * line.impulse[2], "Each push has been applied twice."}}});
+  report.number(
+      rows[2].impulse,
+      {"of the third row (N s)",
+       line.impulse[3],
+       {{0, "No row has changed a velocity in time: apply each push at once, not after the sweep."}}});
+  report.number(bodies[1].velocity[1],
+                {"velocity of the lowest box (m/s)",
+                 line.v[1],
+                 {{0, "The second row pushes the lowest box down again: both ends."},
+                  {-0.5, "No push has reached the bodies: apply it, to the bodies of the list."}}});
+  const double first = line.impulse[1];
+  sweep(rows, bodies);
+  line.sweep_by_hand();
+  report.number(
+      rows[0].impulse,
+      {"two sweeps: impulse on the ground (N s)",
+       line.impulse[1],
+       {{line.impulse[1] - first, "The second push has replaced the first: row.impulse is the sum."},
+        {first, "The second sweep has not pushed."}}});
+}
+
+static void grade_one_row(grading::Report& report) {
+  std::vector<Body> bodies = falling_tower({2}, -1);
+  std::vector<Row> rows = {upright_row(0, 1)};
+  sweep(rows, bodies);
+  report.number(rows[0].impulse, {"2 kg that rises at 1 m/s from its contact: impulse (N s)",
+                                  0,
+                                  {{-2, "A contact cannot pull: clamp the push between the bounds."}}});
+  report.number(bodies[1].velocity[1],
+                {"its velocity (m/s)", 1, {{0, "Apply what the clamp has left, not the correction."}}});
+  bodies = falling_tower({2}, 1);
+  rows[0] = upright_row(0, 1);
+  rows[0].upper = 0.5;
+  sweep(rows, bodies);
+  report.number(bodies[1].velocity[1],
+                {"2 kg that falls at 1 m/s, at most 0.5 N s: velocity (m/s)",
+                 -1 + 0.5 / 2,
+                 {{0, "The upper bound is not used: a row is only as strong as its bounds."}}});
+  bodies = falling_tower({0.5}, -1);
+  rows[0] = upright_row(0, 1);
+  rows[0].lower = -rows[0].upper;
+  sweep(rows, bodies);
+  report.number(rows[0].impulse, {"0.5 kg that rises on a rod, which may pull: impulse (N s)",
+                                  -0.5,
+                                  {{0, "Bounds belong to the row: clamp to row.lower, not to 0."}}});
+}
+
+static void stage_06(grading::Report& report) {
+  stage_05(report);
+  report.begin(6);
+  grade_tower(report);
+  grade_one_row(report);
+}

@@ -1,0 +1,120 @@
+// Stage 07, graded: what a landing box's feet give in total, and the contacts of boxes.
+#include "06.cpp"
+
+/// A box of 2 kg with feet 0.25 m to the left and right of its centre comes down at 3 m/s.
+struct Landing {
+  std::vector<Body> bodies = {make_box(10, 1, 0, 0, -0.5), make_box(1, 1, 2, 0, 0.5)};
+  std::vector<Row> rows = {contact(bodies, 0, 1, {-0.25, 0}, {0, 1}, 0),
+                           contact(bodies, 0, 1, {0.25, 0}, {0, 1}, 0)};
+  Landing() { bodies[1].velocity[1] = -3; }
+};
+
+static void grade_landing(grading::Report& report) {
+  const double half = 2 * 3 / 2.0,
+               q = (1 / 2.0 - 0.0625 * 3) / (1 / 2.0 + 0.0625 * 3);  // A₁₂/A₁₁, with 1/I = 3
+  Landing landing;
+  for (int k = 0; k < 3; ++k) sweep(landing.rows, landing.bodies);
+  report.number(landing.rows[0].impulse,
+                {"landing on two feet, three sweeps: impulse of the first (N s)",
+                 half * (1 + std::pow(q, 5)),
+                 {{half * (1 + q), "A later push may be negative: clamp the sum, not the push."}}});
+  report.number(landing.rows[1].impulse,
+                {"of the second (N s)",
+                 half * (1 - std::pow(q, 6)),
+                 {{half * (1 - q * q), "A later push may be negative: clamp the sum, not the push."}}});
+}
+
+static void grade_taking_back(grading::Report& report) {
+  std::vector<Body> bodies = falling_tower({2}, 1);
+  std::vector<Row> rows = {upright_row(0, 1)};
+  sweep(rows, bodies);
+  bodies[1].velocity[1] += 0.25;
+  sweep(rows, bodies);
+  report.number(rows[0].impulse, {"2 kg stopped from 1 m/s, then pulled up by 0.25 m/s: impulse (N s)",
+                                  1.5,
+                                  {{2, "A push may be negative: clamp the sum, not the push."}}});
+  bodies[1].velocity[1] += 4;
+  sweep(rows, bodies);
+  report.number(rows[0].impulse, {"and by 4 m/s more: impulse (N s)",
+                                  0,
+                                  {{1.5 - 8, "A contact cannot pull: the sum stays above its lower bound."},
+                                   {2, "A push may be negative: clamp the sum, not the push."}}});
+  report.number(bodies[1].velocity[1],
+                {"its velocity then (m/s)",
+                 4 - 1.5 / 2,
+                 {{0, "Apply the new sum less the old one, not the whole correction."},
+                  {4.25, "Apply the new sum less the old one: here it is negative."}}});
+}
+
+/// The rows between two bodies, and one of them: the leftmost (k = 0) or rightmost (1) point of the upper
+/// body.
+static std::vector<Row> rows_between(const std::vector<Row>& rows, int body1, int body2) {
+  std::vector<Row> found;
+  for (const Row& row : rows)
+    if (row.body1 == body1 && row.body2 == body2) found.push_back(row);
+  return found;
+}
+
+static double count_of(const std::vector<Row>& rows) { return static_cast<double>(rows.size()); }
+
+static void grade_points(grading::Report& report) {
+  // The small box hangs over the right end of the large one, comes first in the list, and is slightly turned.
+  std::vector<Body> bodies = {make_box(0.75, 0.5, 0.5, 0.5, 1.249), make_box(1, 1, 2, 0.125, 0.5),
+                              make_box(10, 1, 0, 0, -0.5)};
+  bodies[0].position[2] = -0.002;
+  const std::vector<Row> rows = contacts(bodies), upper = rows_between(rows, 1, 0),
+                         lower = rows_between(rows, 2, 1);
+  report.number(count_of(rows),
+                {"a small box on a large one on the ground: contacts",
+                 4,
+                 {{2, "Two boxes touch at two points: both ends of the width that they share."},
+                  {6, "Boxes with another box between them do not touch: look at the gap."}}});
+  report.number(count_of(upper),
+                {"with the large box as body 1, and the small one as body 2",
+                 2,
+                 {{0, "body 1 is the lower one of the two, wherever it stands in the list."}}});
+  if (upper.size() != 2 || lower.size() != 2) return;
+  report.number(lower[0].j2[2],
+                {"large box on the ground, left point: j2[2] (m)",
+                 -0.5,
+                 {{0.5, "Left before right."}, {-5.125, "The points are where both boxes are."}}});
+  report.number(
+      upper[0].j2[2],
+      {"small box on the large one, left point: j2[2] (m)", -0.375, {{0.125, "Left before right."}}});
+  report.number(upper[1].j2[2], {"right point: j2[2] (m)",
+                                 0.125,
+                                 {{0.375, "The large box ends there: the points lie within both widths."}}});
+  const double left = -0.001 - 0.002 * -0.375, right = -0.001 - 0.002 * 0.125;
+  report.number(upper[0].c,
+                {"gap at the left point (m)",
+                 left,
+                 {{-left, "The sign: overlap is a gap below 0."},
+                  {-0.001, "The box is turned: its face is not as high at both ends."},
+                  {-0.001 + 0.002 * -0.375, "The sign of the slope: a face rises by angle · x."}}});
+  report.number(upper[1].c, {"gap at the right point (m)",
+                             right,
+                             {{-0.001, "The box is turned: its face is not as high at both ends."}}});
+}
+
+static void grade_no_contact(grading::Report& report) {
+  const Body ground = make_box(10, 1, 0, 0, -0.5);
+  report.number(count_of(contacts({ground, make_box(1, 1, 2, 0, 0.502)})),
+                {"2 mm above the ground: contacts", 0, {{2, "A gap of more than 1 mm is no contact."}}});
+  report.number(count_of(contacts({ground, make_box(1, 1, 2, 0, 0.5005)})),
+                {"0.5 mm above the ground: contacts", 2, {{0, "A gap of less than 1 mm is a contact."}}});
+  report.number(count_of(contacts({make_box(1, 1, 2, 0, 0.5), make_box(1, 1, 2, 3, 1.499)})),
+                {"boxes that do not share any width: contacts",
+                 0,
+                 {{2, "Boxes side by side do not carry each other."}}});
+  report.number(count_of(contacts({ground, make_box(4, 1, 0, 0, 0.5)})),
+                {"two bodies that cannot move: contacts", 0, {{2, "Neither can move: leave the pair out."}}});
+}
+
+static void stage_07(grading::Report& report) {
+  stage_06(report);
+  report.begin(7);
+  grade_landing(report);
+  grade_taking_back(report);
+  grade_points(report);
+  grade_no_contact(report);
+}

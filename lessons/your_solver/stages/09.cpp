@@ -1,0 +1,156 @@
+// Stage 09, graded: guesses by key, the step, and the loads of the tower of ten boxes by plain loops on a
+// line.
+#include "08.cpp"
+
+static Row keyed_row(std::array<int, 3> key, double impulse) {
+  Row row = upright_row(0, 1);
+  row.key = key;
+  row.impulse = impulse;
+  return row;
+}
+
+static void grade_keys(grading::Report& report) {
+  const std::vector<Body> tower = falling_tower({2, 0.5}, 0);
+  const std::vector<Row> rows = contacts(tower);
+  report.number(count_of(rows), {"two boxes on the ground: contacts", 4, {}});
+  if (rows.size() != 4) return;
+  report.number(rows[0].key == rows[1].key, {"keys of the left and the right point that are equal",
+                                             0,
+                                             {{1, "Two points of one pair need two keys."}}});
+  report.number(rows[0].key == rows[2].key,
+                {"keys of two pairs that are equal", 0, {{1, "Two pairs need two keys."}}});
+  std::vector<Body> lifted = tower;
+  lifted[1].position[1] += 0.01;
+  lifted[2].position[1] += 0.01;
+  const std::vector<Row> fewer = contacts(lifted);
+  if (fewer.size() != 2) return;
+  report.number(fewer[0].key == rows[2].key,
+                {"a row keeps its key when rows before it vanish (1: yes)",
+                 1,
+                 {{0, "A key names the bodies and the point, not the place among the rows."}}});
+}
+
+static void grade_warm_start(grading::Report& report) {
+  std::vector<Body> bodies = falling_tower({2}, 1);
+  const std::vector<Row> last = {keyed_row({8, 8, 0}, 5), keyed_row({0, 1, 1}, 0.75),
+                                 keyed_row({0, 1, 0}, 0.25)};
+  std::vector<Row> rows = {keyed_row({0, 1, 0}, 0), keyed_row({0, 1, 1}, 0), keyed_row({0, 2, 0}, 0)};
+  warm_start(rows, last, bodies);
+  report.number(rows[0].impulse, {"warm_start: impulse of a row that stood third in the last step (N s)",
+                                  0.25,
+                                  {{5, "A row finds its impulse by its key, not by its place."},
+                                   {0, "The rows of the list begin with last step's impulses."},
+                                   {0.25 * 0.02, "λΔt is kept: the step has the same Δt."}}});
+  report.number(rows[1].impulse,
+                {"of the second row (N s)", 0.75, {{0, "All rows begin with last step's impulses."}}});
+  report.number(rows[2].impulse, {"of a row that was not there (N s)",
+                                  0,
+                                  {{0.25, "A row that was not there begins with 0."},
+                                   {5, "A row that was not there begins with 0."}}});
+  report.number(bodies[1].velocity[1], {"2 kg that fell at 1 m/s: velocity after the guess (m/s)",
+                                        -0.5,
+                                        {{-1, "The guess has to act before the first sweep: apply it."},
+                                         {0, "The guess acts once."},
+                                         {-1.5, "The sign: apply the impulse as the row does."}}});
+}
+
+/// Plain loops on a line: the loads [N] on the lowest box after each step, and with one of three mistakes.
+struct LineWorld {
+  double gravity = 10, dt = 0.02;
+  int sweeps = 10;
+  bool is_warm = true, guess_acts = true, sweeps_first = false;
+
+  std::vector<double> loads(const std::vector<double>& masses, int steps) const {
+    LineTower line(masses, 0);
+    std::vector<double> found;
+    for (int k = 0; k < steps; ++k) {
+      for (std::size_t i = 1; !sweeps_first && i < line.v.size(); ++i) line.v[i] -= gravity * dt;
+      for (std::size_t i = 1; i < line.v.size(); ++i) {
+        if (!is_warm) line.impulse[i] = 0;
+        if (guess_acts) line.push(i, line.impulse[i]);
+      }
+      for (int s = 0; s < sweeps; ++s) line.sweep_by_hand();
+      for (std::size_t i = 1; sweeps_first && i < line.v.size(); ++i) line.v[i] -= gravity * dt;
+      found.push_back(line.impulse[1] / dt);
+    }
+    return found;
+  }
+};
+
+/// The same tower in the reader's world. Its boxes cannot turn, so that both points of a contact ask for the
+/// same.
+static World tower_world(const std::vector<double>& masses, const LineWorld& settings) {
+  World world;
+  world.bodies = falling_tower(masses, 0);
+  for (Body& body : world.bodies) body.inverse_mass[2] = 0;
+  world.gravity = settings.gravity;
+  world.dt = settings.dt;
+  world.sweeps = settings.sweeps;
+  world.beta = 0;
+  return world;
+}
+
+static double load_on_the_lowest(const World& world) {
+  double sum = 0;
+  for (const Row& row : world.rows)
+    if (row.body1 == 0) sum += row.impulse;
+  return sum / world.dt;
+}
+
+static void grade_loads(grading::Report& report, const std::string& name, const std::vector<double>& masses,
+                        const LineWorld& settings, const std::vector<int>& frames) {
+  LineWorld cold = settings, silent = settings, late = settings, one_sweep = settings;
+  cold.is_warm = silent.guess_acts = false;
+  late.sweeps_first = true;
+  one_sweep.sweeps = 1;
+  World world = tower_world(masses, settings);
+  const auto load_at = [&masses](const LineWorld& loops, int frame) {
+    return loops.loads(masses, frame).back();
+  };
+  int frame = 0;
+  for (const int wanted : frames) {
+    for (; frame < wanted; ++frame) step(world);
+    report.number(load_on_the_lowest(world),
+                  {name + "load after frame " + std::to_string(wanted) + " (N)",
+                   load_at(settings, wanted),
+                   {{load_at(late, wanted), "Gravity comes before the sweeps, or they do not see it."},
+                    {load_at(one_sweep, wanted), "world.sweeps sweeps in each step, not one."},
+                    {load_at(cold, wanted),
+                     "Every step begins cold: world.rows has to keep the rows of the last step."},
+                    {load_at(silent, wanted), "The guess has to act before the first sweep: apply it."}}});
+  }
+}
+
+static void grade_landing_step(grading::Report& report) {
+  World world;
+  world.bodies = {make_box(10, 1, 0, 0, -0.5), make_box(1, 1, 0.5, 0, 1)};
+  world.gravity = 8;
+  world.dt = 0.05;
+  world.sweeps = 4;
+  step(world);
+  report.number(world.bodies[1].position[1],
+                {"0.5 kg in the air, one step: height (m)",
+                 1 - 8 * 0.05 * 0.05,
+                 {{1, "Positions move with the new velocities: first the velocity, then the position."},
+                  {1 - 10 * 0.05 * 0.05, "Use world.gravity."},
+                  {1 - 8 * 0.02 * 0.02, "Use world.dt."}}});
+  world.bodies[1] = make_box(1, 1, 0.5, 0, 0.45);
+  world.bodies[1].inverse_mass[2] = 0;
+  world.beta = 0.2;
+  step(world);
+  report.number(world.bodies[1].position[1], {"50 mm deep in the ground, β = 0.2: height after one step (m)",
+                                              0.5 - 0.05 * 0.8,
+                                              {{0.45, "The bias is missing: set it before the sweeps."},
+                                               {0.5 - 0.05 * 1.2, "The sign of the bias."}}});
+}
+
+static void stage_09(grading::Report& report) {
+  stage_08(report);
+  report.begin(9);
+  grade_keys(report);
+  grade_warm_start(report);
+  grade_landing_step(report);
+  grade_loads(report, "2 and 0.5 kg, Δt = 0.05 s: ", {2, 0.5}, {.gravity = 8, .dt = 0.05, .sweeps = 2},
+              {1, 2, 4});
+  grade_loads(report, "ten boxes: ", std::vector<double>(10, 1.0), {}, {1, 2, 3, 5, 10});
+}
