@@ -133,14 +133,15 @@ fs::path program_of(int stage, const List<WrongAnswer>& answers) {
   for (const char* header : {"algorithm", "array", "cmath", "cstdlib", "limits", "vector"})
     text << "#include <" << header << ">\n";
   text << "#include \"report.hpp\"\n";
-  const std::string function = "stage_0" + std::to_string(stage);
+  const std::string function = "grade_0" + std::to_string(stage);
   const std::string grader = "stages/0" + std::to_string(stage) + ".cpp";
   std::string choice;
   for (int k = 0; k <= answers.size(); ++k) {
     const std::string name = "answer_" + std::to_string(k);
     const WrongAnswer wrong = k == 0 ? WrongAnswer{} : answers[k - 1];
     INFO(wrong.name);
-    text << "namespace " << name << " {\n" << changed(model, wrong) << "#include \"" << grader << "\"\n}\n";
+    text << "namespace " << name << " {\nnamespace {\n"
+         << changed(model, wrong) << "#include \"" << grader << "\"\n}\n}\n";
     choice += "  if (chosen == " + std::to_string(k) + ") " + name + "::" + function + "(report);\n";
   }
   text
@@ -148,9 +149,11 @@ fs::path program_of(int stage, const List<WrongAnswer>& answers) {
       << stage << ");\n"
       << choice << "  return report.passed() ? 0 : 1;\n}\n";
   write_file(folder / "answers.cpp", text.str());
-  const Ended compiled = run_line("cd " + in_quotes(folder.string()) + " && " + in_quotes(CAIRN_COMPILER) +
-                                  " -std=c++20 -O0 -D_GLIBCXX_ASSERTIONS -I" +
-                                  in_quotes(solver_folder.string()) + " -o answers answers.cpp");
+  const std::string compiler = std::string(CAIRN_LAUNCHER " ") + in_quotes(CAIRN_COMPILER);
+  const Ended compiled =
+      run_line("cd " + in_quotes(folder.string()) + " && " + compiler +
+               " -std=c++20 -O0 -D_GLIBCXX_ASSERTIONS -I" + in_quotes(solver_folder.string()) +
+               " -c answers.cpp && " + in_quotes(CAIRN_COMPILER) + " -o answers answers.o");
   REQUIRE_MESSAGE(compiled.code == 0, compiled.out.substr(0, 2000));
   return folder / "answers";
 }

@@ -99,9 +99,14 @@ static void grade_rate(grading::Report& report) {
                 {"dc/dt from two poses, which j·v should be (m/s)", part1 + part2, {}, 1e-6});
 }
 
+static void grade_01(grading::Report& report) {
+  grade_rod(report);
+  grade_rate(report);
+}
+
+/// With those before it.
 static void stage_01(grading::Report& report) {
   stage_00(report);
   report.begin(1);
-  grade_rod(report);
-  grade_rate(report);
+  grade_01(report);
 }

@@ -83,10 +83,15 @@ static void grade_push(grading::Report& report) {
   report.number(rate(row, stopped), {"j·v after the row's own correction (m/s)", 0, {}});
 }
 
-static void stage_02(grading::Report& report) {
-  stage_01(report);
-  report.begin(2);
+static void grade_02(grading::Report& report) {
   grade_effective_mass(report);
   grade_correction(report);
   grade_push(report);
+}
+
+/// With those before it.
+static void stage_02(grading::Report& report) {
+  stage_01(report);
+  report.begin(2);
+  grade_02(report);
 }

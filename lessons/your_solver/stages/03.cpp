@@ -46,13 +46,18 @@ static double left_of_the_error(double beta) {
   return rod(bodies, 0, {0, 0}, 1, {0, 0}, 2).c;
 }
 
-static void stage_03(grading::Report& report) {
-  stage_02(report);
-  report.begin(3);
+static void grade_03(grading::Report& report) {
   grade_bias(report);
   report.number(left_of_the_error(0.2),
                 {"a rod 0.1 m too long, three steps, β = 0.2: c (m)",
                  0.1 * 0.8 * 0.8 * 0.8,
                  {{0.1, "The error stays: does correction use the bias?"},
                   {0.1 * 1.2 * 1.2 * 1.2, "The error grows: the sign of the bias."}}});
+}
+
+/// With those before it.
+static void stage_03(grading::Report& report) {
+  stage_02(report);
+  report.begin(3);
+  grade_03(report);
 }

@@ -86,10 +86,15 @@ static void grade_b(grading::Report& report, const System& system) {
                                {0.3 - ground_rate / dt, "Both parts are divided by Δt."}}});
 }
 
-static void stage_04(grading::Report& report) {
-  stage_03(report);
-  report.begin(4);
+static void grade_04(grading::Report& report) {
   const System system = build(four_rows(), four_bodies(), 0.05);
   grade_A(report, system);
   grade_b(report, system);
+}
+
+/// With those before it.
+static void stage_04(grading::Report& report) {
+  stage_03(report);
+  report.begin(4);
+  grade_04(report);
 }

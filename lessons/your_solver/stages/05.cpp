@@ -110,11 +110,16 @@ static void grade_clamp(grading::Report& report) {
                   {-5, "The lower bound is not used."}}});
 }
 
-static void stage_05(grading::Report& report) {
-  stage_04(report);
-  report.begin(5);
+static void grade_05(grading::Report& report) {
   grade_contact(report);
   grade_bounds(report);
   grade_sweeps(report);
   grade_clamp(report);
+}
+
+/// With those before it.
+static void stage_05(grading::Report& report) {
+  stage_04(report);
+  report.begin(5);
+  grade_05(report);
 }

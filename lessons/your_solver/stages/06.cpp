@@ -115,9 +115,14 @@ static void grade_one_row(grading::Report& report) {
                                   {{0, "Bounds belong to the row: clamp to row.lower, not to 0."}}});
 }
 
+static void grade_06(grading::Report& report) {
+  grade_tower(report);
+  grade_one_row(report);
+}
+
+/// With those before it.
 static void stage_06(grading::Report& report) {
   stage_05(report);
   report.begin(6);
-  grade_tower(report);
-  grade_one_row(report);
+  grade_06(report);
 }

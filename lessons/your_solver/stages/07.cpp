@@ -110,11 +110,16 @@ static void grade_no_contact(grading::Report& report) {
                 {"two bodies that cannot move: contacts", 0, {{2, "Neither can move: leave the pair out."}}});
 }
 
-static void stage_07(grading::Report& report) {
-  stage_06(report);
-  report.begin(7);
+static void grade_07(grading::Report& report) {
   grade_landing(report);
   grade_taking_back(report);
   grade_points(report);
   grade_no_contact(report);
+}
+
+/// With those before it.
+static void stage_07(grading::Report& report) {
+  stage_06(report);
+  report.begin(7);
+  grade_07(report);
 }

@@ -77,10 +77,15 @@ static void grade_bias_both_ways(grading::Report& report) {
   report.number(record.impulses.back()[0], {"with impulses (N)", force, {}});
 }
 
-static void stage_08(grading::Report& report) {
-  stage_07(report);
-  report.begin(8);
+static void grade_08(grading::Report& report) {
   grade_both_ways(report);
   grade_feet(report);
   grade_bias_both_ways(report);
+}
+
+/// With those before it.
+static void stage_08(grading::Report& report) {
+  stage_07(report);
+  report.begin(8);
+  grade_08(report);
 }
