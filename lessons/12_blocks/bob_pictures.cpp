@@ -100,7 +100,7 @@ std::string answer_text(const BlocksRuns& all, bool compact) {
                        thrown ? "held with a block, lost without" : "held by both");
   }
   return fmt::format(
-      "Three welded beams take {} sweeps with blocks and {} without: the quarrel between joints is left. {}",
+      "Three welded beams take {} sweeps with blocks and {} without: the conflict between joints is left. {}",
       chain.blocks.sweeps, chain.rows.sweeps,
       thrown ? "But where the rows of one joint couple strongly, as in this pin, a block is the difference "
                "between a pendulum and an explosion."

@@ -9,8 +9,8 @@ LessonInfo card() {
       .name = "blocks",
       .title = "What belongs together",
       .idea =
-          "The rows of one joint pull at the same two bodies. Sequential impulses may solve them together, "
-          "as a block, and then they cannot work against each other.",
+          "The rows of one joint act on the same two bodies. Sequential impulses may solve them together, as "
+          "a block, and then they cannot work against each other.",
       .paper = "paper 4.3, 4.4, 4.5",
       .equations = {"(22)  Aᵢᵢ Δλᵢ = (ζᵢ − jᵢ·v) / Δt             one row: a number to divide by",
                     "4.3   A_BB Δλ_B = (ζ_B − J_B v) / Δt          one joint: 2 rows of a pin, 3 of a weld",
@@ -19,18 +19,19 @@ LessonInfo card() {
       .reads = {"src/solvers/iterative/block_sequential_impulse.hpp",
                 "tests/solvers/iterative/block_tests.cpp"},
       .question =
-          "One welded beam: its 3 rows need 16 sweeps to 1 %, its block 1. Three beams, each welded to the "
-          "one "
-          "before: row by row 435 sweeps. How many with blocks?",
-      .hints =
-          {"A block ends the quarrel between the rows of one joint. Are there others?",
-           "To the other joints a block is what a row is: it stops its own error and starts one next door.",
-           "Of the sweeps, three in four remain."},
+          "One beam welded to a wall: row by row its 3 rows need 16 sweeps to 1 %, as a block 1. Three "
+          "beams, "
+          "each welded to the one before, need 435 sweeps row by row. How many with blocks?",
+      .spoilers = {"326", "three in four", "zig-zag"},
+      .hints = {"A block ends the conflict between the rows of one joint. Are there others?",
+                "To the other joints a block acts like a single row: it stops its own error and starts one "
+                "next door.",
+                "Of the sweeps, three in four remain."},
       .parameters = {{"dt", 0.02, 0.005, 0.02, "s", "time step"},
                      {"angle", 45, 5, 85, "°", "of the rod above the horizontal"},
                      {"inertia", 1e-6, 1e-7, 1, "kg m^2", "of the bob: how hard it is to turn"},
                      {"sweeps", 5, 1, 20, "", "a step, for the bob", Parameter::Kind::whole}},
-      .cover = 13,
+      .cover = 1,
       .next = "bash lessons/run 13   (a row that gives way)"};
 }
 

@@ -21,6 +21,38 @@ const PerBody<Vec3<double>>& velocity_after(const ChainSolve& solve, int sweep) 
   return solve.velocity[std::min(sweep, solve.sweeps)];
 }
 
+void draw_wall(Page& page, const render::Camera& camera) {
+  const render::Point wall = camera.project({-0.2, 0.35});
+  const render::Point corner = camera.project({0, -0.35});
+  page.canvas().rect(
+      {wall.x(), wall.y(), corner.x() - wall.x(), corner.y() - wall.y()},
+      {.fill = page.theme().static_body, .outline = page.theme().outline, .outline_width = 1.5});
+}
+
+/// Three beams before the first sweep, and what is known of their sweeps.
+void draw_question(Page& page, const BlocksRuns& all, const std::string& question) {
+  const List<Rect> parts = rows(page.area(), {0.38, 0.62}, page.sizes().gap);
+  const Rect inside = page.panel(parts[0], "each welded to the one before, and the first to a wall");
+  const render::Camera camera = render::fit(inside, {{-0.25, -0.4}, {3.15, 0.4}});
+  draw_wall(page, camera);
+  Snapshot start = all.chains[welded_three].start;
+  start.joints.clear();
+  render::WorldLook look;
+  look.contacts = false;
+  look.penetration = false;
+  draw_world(page, camera, start, look);
+  const List<Rect> below = columns(parts[1], {0.42, 0.58}, page.sizes().gap);
+  render::TableView table{.header = {"sweeps to 1 %", "rows", "blocks"}};
+  for (const int chain : {welded_one, welded_three}) {
+    const ChainRun& run = all.chains[chain];
+    table.rows.push_back({run.name, fmt::format("{}", run.rows.sweeps),
+                          chain == welded_three ? "?" : fmt::format("{}", run.blocks.sweeps)});
+  }
+  table.active_row = 1;
+  page.table(below[0], "", table);
+  page.note(below[1], "Predict", page.compact() ? "Three beams with blocks: how many sweeps?" : question);
+}
+
 /// The beams where their velocities after these sweeps would lead within a second; solved, they stay level.
 void draw_beams(Page& page, const Rect& rect, const ChainRun& chain, const ChainSolve& solve, int sweep,
                 const std::string& name, const render::SeriesStyle& style) {
@@ -32,11 +64,7 @@ void draw_beams(Page& page, const Rect& rect, const ChainRun& chain, const Chain
   page.canvas().rect({rect.x, rect.y, rect.width, 4}, {.fill = style.color});
   const render::Camera camera = render::fit(inside, {{-0.25, -0.62}, {3.15, 0.38}});
   page.canvas().push_clip(inside);
-  const render::Point wall = camera.project({-0.2, 0.35});
-  const render::Point corner = camera.project({0, -0.35});
-  page.canvas().rect(
-      {wall.x(), wall.y(), corner.x() - wall.x(), corner.y() - wall.y()},
-      {.fill = page.theme().static_body, .outline = page.theme().outline, .outline_width = 1.5});
+  draw_wall(page, camera);
   draw_ghosts(page, camera, List<Snapshot>{chain.start});
   Snapshot moved = chain.start;
   moved.joints.clear();
@@ -110,14 +138,25 @@ void draw_table(Page& page, const BlocksRuns& all) {
   page.table(left[0], page.compact() ? "sweeps to 1 %" : "sweeps until no λ is wrong by more than 1 %",
              table);
   page.note(left[1], "Where blocks help",
-            page.compact() ? "Inside the squares on the diagonal, not beside them."
-                           : "A block settles a square on the diagonal at once. In this chain only the first "
-                             "one has rows that couple; the rest stands between the joints and takes its "
-                             "sweeps. Oblique pins couple more, level ones not at all.");
+            page.compact()
+                ? "Inside the squares on the diagonal, not beside them."
+                : "A block settles its square on the diagonal at once. In this chain only the first "
+                  "square has rows that couple; all else is between the joints and takes its "
+                  "sweeps. Oblique pins couple more, level ones not at all.");
   draw_system(page, halves[1], all.chains[welded_three]);
 }
 
 }  // namespace
+
+Shot question_shot(const Runs& all, const std::string& question) {
+  return {
+      .state = "before the first sweep",
+      .alt =
+          "Three beams, each welded to the one before and the first to a wall, a table of sweeps with one "
+          "number missing, and the question.",
+      .draw = [all, question](Page& page) { draw_question(page, *all, question); },
+      .key = true};
+}
 
 List<Shot> chain_shots(const Runs& all) {
   const ChainRun& chain = all->chains[welded_three];

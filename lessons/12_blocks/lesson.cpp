@@ -1,6 +1,6 @@
 // Lesson 12. Blocks: solve what belongs together in one go.
 //
-// A joint writes two or three rows, and all of them pull at the same two bodies: what one row puts right, the
+// A joint writes two or three rows, and all of them act on the same two bodies: what one row corrects, the
 // next one spoils. Instead of dividing by A_ii, row after row, sequential impulses may solve with the small
 // square of A that belongs to the joint. The loop stays as it is; only the step in it grows from a number to
 // a block. Where does that save sweeps, where does it not, and where does it hold what rows cannot?
@@ -96,11 +96,12 @@ void run(Lesson& lesson) {
   lesson.predict();
   print_runs(lesson, all);
   const double right = all.chains[welded_three].blocks.sweeps;
-  lesson.answer({right}, 0.15 * right,
-                "A block settles what its own rows disagree about. What is left is between the joints, and "
-                "that takes as many sweeps as before, or nearly.");
+  lesson.answer(
+      {right}, 0.15 * right,
+      "A block ends the conflict between the rows of one joint. What is left is between the joints, and "
+      "takes nearly as many sweeps as before.");
   check_runs(lesson, all);
-  lesson.film(blocks_shots(all));
+  lesson.film(blocks_shots(all, card().question));
   lesson.data(sweeps_table(all));
   lesson.fingerprint(all.last);
 }

@@ -18,8 +18,10 @@ CsvTable sweeps_table(const BlocksRuns& all);
 
 using Runs = std::shared_ptr<const BlocksRuns>;
 
-/// Every row update of the rod, the chain as sweeps go by, every step of the bob.
-List<Shot> blocks_shots(const BlocksRuns& all);
+/// The question, every row update of the rod, the chain as sweeps go by, every step of the bob.
+List<Shot> blocks_shots(const BlocksRuns& all, const std::string& question);
+
+Shot question_shot(const Runs& all, const std::string& question);
 
 /// The frames of the chain of three welded beams, and the table of all chains.
 List<Shot> chain_shots(const Runs& all);

@@ -211,16 +211,14 @@ void draw_block(Page& page, const BlocksRuns& all) {
 
 List<Shot> rod_shots(const Runs& all) {
   List<Shot> shots;
-  shots.push_back(
-      {.state = "before the first sweep",
-       .alt = "A rod on a pin, about to fall, the plane of the pin's two impulses, and the question.",
-       .draw =
-           [all](Page& page) {
-             page.note(draw_moment(page, all->rod, at_rest(all->rod, all->settings.dt)), "Predict",
-                       "The pin has two rows. A row update moves along one axis until its own "
-                       "dashed line. How many sweeps to the ring? And if both are solved at once?");
-           },
-       .key = true});
+  shots.push_back({.state = "A · before the first sweep",
+                   .alt = "A rod on a pin, about to fall, and the plane of the pin's two impulses.",
+                   .draw = [all](Page& page) {
+                     page.note(
+                         draw_moment(page, all->rod, at_rest(all->rod, all->settings.dt)), "",
+                         "The pin has two rows. On its dashed line a row is satisfied, and a row update "
+                         "moves along one axis to that line. Both are satisfied in the ring.");
+                   }});
   for (int i = 1; i < all->rod.updates.size(); ++i) {
     const RodUpdate& update = all->rod.updates[i];
     shots.push_back({.state = fmt::format("A · rows · sweep {} · row {} of 2", update.sweep, update.row + 1),
@@ -244,10 +242,10 @@ List<Shot> rod_shots(const Runs& all) {
 render::SeriesStyle style_of_rows(const Page& page) { return page.theme().si; }
 render::SeriesStyle style_of_blocks(const Page& page) { return page.theme().jacobi; }
 
-List<Shot> blocks_shots(const BlocksRuns& recorded) {
+List<Shot> blocks_shots(const BlocksRuns& recorded, const std::string& question) {
   const Runs all = std::make_shared<const BlocksRuns>(recorded);
-  List<Shot> shots = rod_shots(all);
-  for (const List<Shot>& more : {chain_shots(all), bob_shots(all)})
+  List<Shot> shots = {question_shot(all, question)};
+  for (const List<Shot>& more : {rod_shots(all), chain_shots(all), bob_shots(all)})
     shots.insert(shots.end(), more.begin(), more.end());
   return shots;
 }
