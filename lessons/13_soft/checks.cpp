@@ -25,13 +25,13 @@ void check_row(Lesson& lesson, const SoftRuns& all) {
   const double h = settings.dt;
   const double resisting = damping_constant(settings) + h * stiffness(settings);
   // Ten roundings each, of the numbers themselves.
-  lesson.check_small("γ = 1 / (Δt (c + Δt k)), of itself", all.spring.gamma * h * resisting - 1,
+  lesson.check_small("γ = 1 / (Δt (d + Δt k)), of itself", all.spring.gamma * h * resisting - 1,
                      16 * epsilon);
-  lesson.check_small("β = Δt k / (c + Δt k), of itself",
+  lesson.check_small("β = Δt k / (d + Δt k), of itself",
                      all.spring.beta * resisting / (h * stiffness(settings)) - 1, 16 * epsilon);
   const int steps = all.spring.error.size();
   // Some ten roundings a step of positions of 1 m; a step never enlarges what it is given.
-  lesson.check_small("soft row: v and C of implicit Euler by hand, every step (m)",
+  lesson.check_small("soft row: v and c of implicit Euler by hand, every step (m)",
                      largest_gap(all.spring.error, by_implicit_euler(settings, steps - 1)),
                      32 * epsilon * steps);
   lesson.check_small("soft row: the loop of lesson.cpp, with γ and β by hand, every step (m)",
@@ -40,7 +40,7 @@ void check_row(Lesson& lesson, const SoftRuns& all) {
   for (int k = 0; k < all.rigid.error.size(); ++k)
     powers.push_back(-settings.pressed * std::pow(1 - all.rigid.beta, k));
   // The same roundings, of which beta forgets the older ones.
-  lesson.check_small("γ = 0: C = C₀ (1 − β)ᵏ, every step (m)", largest_gap(all.rigid.error, powers),
+  lesson.check_small("γ = 0: c = c₀ (1 − β)ᵏ, every step (m)", largest_gap(all.rigid.error, powers),
                      32 * epsilon / all.rigid.beta);
 }
 
@@ -50,10 +50,10 @@ void check_rest(Lesson& lesson, const SoftRuns& all) {
   const double z = angular_frequency(settings.frequency) * settings.dt;
   // The run ends once 1e-13 of less than 0.6 m are left. Near rest a step moves the weight by less than half
   // a rounding of 1 m: speeds below epsilon / (2 dt) go unseen, and stop it where damper and step still carry
-  // v (c + dt k) / k = (epsilon / 2) (1 + 2 zeta / z).
+  // v (d + dt k) / k = (epsilon / 2) (1 + 2 zeta / z).
   const double tolerance = 6e-14 + epsilon * (8 + 2 * settings.damping / z);
-  lesson.check_equal("at rest: C = −m g / k (m)", all.rest_error, -settings.mass * gravity / k, tolerance);
-  // A speed that goes unseen needs dt (c + dt k) of itself, and k times the rounding of C.
+  lesson.check_equal("at rest: c = −m g / k (m)", all.rest_error, -settings.mass * gravity / k, tolerance);
+  // A speed that goes unseen needs dt (d + dt k) of itself, and k times the rounding of c.
   const double unseen = k * tolerance + 16 * epsilon * settings.mass * gravity;
   lesson.check_equal("at rest: λ = m g (N)", all.rest_lambda, settings.mass * gravity, unseen);
   double grown = -1;
@@ -69,11 +69,11 @@ void check_rest(Lesson& lesson, const SoftRuns& all) {
   double left = 0;
   for (int step = 1; step < stiffest.error.size(); ++step)
     left = std::max(left, std::abs(stiffest.error[step]));
-  // C' = (C (1 + 2 zeta y) + dt v - dt^2 g) / (1 + 2 zeta y + y^2), where |dt v| is at most about |C_0|.
+  // c' = (c (1 + 2 zeta y) + dt v - dt^2 g) / (1 + 2 zeta y + y^2), where |dt v| is at most about |c_0|.
   const double held =
       (settings.pressed * (2 + 2 * settings.damping * y) + gravity * settings.dt * settings.dt) /
       (1 + 2 * settings.damping * y + y * y);
-  lesson.check_small("f = 1e6 Hz: C from step 1 on is that of β = 1, γ = 0, which is 0 (m)", left,
+  lesson.check_small("f = 1e6 Hz: c from step 1 on is that of β = 1, γ = 0, which is 0 (m)", left,
                      1.1 * held + 32 * epsilon);
 }
 

@@ -12,7 +12,7 @@ struct Soft {
 };
 
 /// The gamma and beta of a spring that lets `mass` [kg] swing with `frequency` [Hz] and the damping ratio, in
-/// steps of dt [s] of implicit Euler: k = m omega^2, c = 2 m (damping ratio) omega.
+/// steps of dt [s] of implicit Euler: k = m omega^2, d = 2 m (damping ratio) omega.
 Soft soften(double mass, double frequency, double damping_ratio, double dt);
 
 using Answer = Soft (*)(double, double, double, double);

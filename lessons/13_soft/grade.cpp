@@ -26,7 +26,7 @@ double by_row(const Soft& soft) {
   double y = 0.1, v = 0;
   for (int step = 0; step < 50; ++step) {
     v -= 10 * dt;
-    // j v + gamma impulse = -beta C / dt, with C = y.
+    // j v + gamma impulse = -beta c / dt, with c = y.
     const double impulse = (-soft.beta * y / dt - v) / (1 / mass + soft.gamma);
     v += impulse / mass;
     y += dt * v;
@@ -34,7 +34,7 @@ double by_row(const Soft& soft) {
   return y;
 }
 
-/// The same by implicit Euler: v' = v + dt (-g - k y'/m - c v'/m), y' = y + dt v'.
+/// The same by implicit Euler: v' = v + dt (-g - k y'/m - d v'/m), y' = y + dt v'.
 double by_spring(const Spring& s) {
   double y = 0.1, v = 0;
   for (int step = 0; step < 50; ++step) {
@@ -58,7 +58,7 @@ void grade(Grade& grade, Answer answer) {
                 .tolerance = soft_rounding,
                 .misconceptions = {{hertz.gamma, "omega is 2 pi times the frequency."},
                                    {half_damped.gamma, "The damping is 2 m (ratio) omega: where is the 2?"},
-                                   {right.gamma * dt, "An impulse is a force times dt: 1 / (dt (c + dt k))."},
+                                   {right.gamma * dt, "An impulse is a force times dt: 1 / (dt (d + dt k))."},
                                    {1 / right.gamma, "gamma is large for soft springs: the inverse."}}},
                got.gamma);
   grade.number(
@@ -80,10 +80,10 @@ Exercise exercise() {
   return {.lesson = 13,
           .task = "gamma and beta of a spring: what makes a row soft.",
           .file = "lessons/13_soft/exercise.cpp",
-          .hints = {"Implicit Euler: the force is -k (C + dt v') - c v' with the new v'. Write that as j v' "
-                    "+ gamma impulse = -beta C / dt.",
-                    "Divide impulse = -dt k C - dt (c + dt k) v' by dt (c + dt k).",
-                    "gamma = 1 / (dt (c + dt k)), beta = dt k / (c + dt k)."},
+          .hints = {"Implicit Euler: the force is -k (c + dt v') - d v' with the new v'. Write that as j v' "
+                    "+ gamma impulse = -beta c / dt.",
+                    "Divide impulse = -dt k c - dt (d + dt k) v' by dt (d + dt k).",
+                    "gamma = 1 / (dt (d + dt k)), beta = dt k / (d + dt k)."},
           .grade = [](Grade& marks) { grade(marks, soften); }};
 }
 

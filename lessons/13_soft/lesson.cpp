@@ -1,6 +1,6 @@
 // Lesson 13. Soft: a spring is a constraint that gives way.
 //
-// A weight stands on a spring. As a force the spring pushes with -k C - c v, taken at the beginning of the
+// A weight stands on a spring. As a force the spring pushes with -k c - d v, taken at the beginning of the
 // step, and a stiff one blows up. As a row it asks for j v = zeta like any other, but is content with gamma
 // less for every unit of impulse that it takes: that is the same force taken at the end of the step, and it
 // cannot blow up. Both stand below as plain loops; then the library does the second with its own rows.
@@ -17,37 +17,37 @@ namespace cairn::soft {
 List<double> by_row(const SoftSettings& settings, int steps) {
   const double m = settings.mass, dt = settings.dt;
   const double k = stiffness(settings);
-  const double c = damping_constant(settings);
-  List<double> C = {-settings.pressed};
+  const double d = damping_constant(settings);
+  List<double> c = {-settings.pressed};
   double v = 0;
   // [row]
-  const double gamma = 1 / (dt * (c + dt * k));
-  const double beta = dt * k / (c + dt * k);
+  const double gamma = 1 / (dt * (d + dt * k));
+  const double beta = dt * k / (d + dt * k);
   for (int step = 0; step < steps; ++step) {
     v -= dt * gravity;
-    const double zeta = -beta * C.back() / dt;                  // (7), as for a rigid row
+    const double zeta = -beta * c.back() / dt;                  // (7), as for a rigid row
     const double lambda = (zeta - v) / ((1 / m + gamma) * dt);  // (22), with gamma beside j M^-1 j^T
     v += dt * lambda / m;
-    C.push_back(C.back() + dt * v);
+    c.push_back(c.back() + dt * v);
   }
   // [/row]
-  return C;
+  return c;
 }
 
 List<double> by_force(const SoftSettings& settings, int steps) {
   const double m = settings.mass, dt = settings.dt;
   const double k = stiffness(settings);
-  const double c = damping_constant(settings);
-  List<double> C = {-settings.pressed};
+  const double d = damping_constant(settings);
+  List<double> c = {-settings.pressed};
   double v = 0;
   // [force]
   for (int step = 0; step < steps; ++step) {
-    const double force = -k * C.back() - c * v;  // as the spring stands now
+    const double force = -k * c.back() - d * v;  // as the spring stands now
     v += dt * (force / m - gravity);
-    C.push_back(C.back() + dt * v);
+    c.push_back(c.back() + dt * v);
   }
   // [/force]
-  return C;
+  return c;
 }
 
 // A weight on the ground's spring or rod. It cannot turn, and stands straight above, so it moves up and

@@ -21,7 +21,7 @@ using render::Rect;
 const int shown_sweeps = 6;
 
 void draw_stiff_curves(Page& page, const Rect& rect, const SoftRuns& all) {
-  render::Plot plot{.title = "C (mm)"};
+  render::Plot plot{.title = "c (mm)"};
   plot.x = {.title = "t (s)", .min = 0, .max = seconds};
   const render::Color color = style_of_soft(page).color;
   const FixedList<render::SeriesStyle, 4> styles = {{{color, {2, 5}, render::Marker::diamond},
@@ -65,7 +65,7 @@ void draw_stiff(Page& page, const SoftRuns& all) {
   page.note(right[1], "Stiffer",
             page.compact()
                 ? "γ goes to 0 and β to 1: a rod."
-                : "Δt k outgrows c: β goes to 1. The row becomes a rod that takes its error back in "
+                : "Δt k outgrows d: β goes to 1. The row becomes a rod that takes its error back in "
                   "one step.");
 }
 
@@ -207,11 +207,11 @@ void draw_harsh(Page& page, const SoftRuns& all) {
   page.note(
       parts[1], "A force, or a row",
       page.compact()
-          ? fmt::format("A force runs away above {:.3g} Hz at Δt = {:g} s; a row never does.", hertz,
+          ? fmt::format("A force diverges above {:.3g} Hz at Δt = {:g} s; a row never does.", hertz,
                         all.settings.dt)
-          : fmt::format("A force −k C − c v knows where the weight was. Above {:.3g} Hz, at Δt = {:g} s, it "
+          : fmt::format("A force −k c − d v knows where the weight was. Above {:.3g} Hz, at Δt = {:g} s, it "
                         "pushes too far, and further each time. A row knows where the weight is going: it "
-                        "never runs away, but it damps what it cannot follow.",
+                        "never diverges, but it damps what it cannot follow.",
                         hertz, all.settings.dt));
 }
 
@@ -252,7 +252,7 @@ List<Shot> harsh_shots(const Runs& all) {
   return {
       {.state = "100 Hz, Δt = 0.05 s",
        .alt =
-           "Left: the same stiff spring as a force runs away, as a row it comes to rest. Right: by how much "
+           "Left: the same stiff spring as a force diverges, as a row it comes to rest. Right: by how much "
            "a step multiplies a swing, against the frequency; as a row always less than 1.",
        .draw = [all](Page& page) { draw_harsh(page, *all); },
        .key = true}};

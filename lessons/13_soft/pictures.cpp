@@ -106,9 +106,9 @@ void draw_weights(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   draw_weight(page, camera, all, all.rigid, step, rigid_x);
 }
 
-/// C against time, up to `step`; the exact swing all the way.
+/// c against time, up to `step`; the exact swing all the way.
 void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
-  render::Plot plot{.title = page.compact() ? "C (mm) against t (s)" : "C (mm), 0 without load"};
+  render::Plot plot{.title = page.compact() ? "c (mm) against t (s)" : "c (mm), 0 without load"};
   plot.x = {.title = page.compact() ? "" : "t (s)", .min = 0, .max = seconds};
   render::Series exact{.name = "exact", .style = page.theme().exact, .markers = false};
   exact.style.marker = render::Marker::none;
@@ -156,7 +156,7 @@ void draw_step(Page& page, const SoftRuns& all, int step) {
                                                fixed(row.zeta, 3), row.free < 0 ? "(" + free + ")" : free,
                                                1 / all.settings.mass, all.spring.gamma, all.settings.dt),
                         .result = fmt::format("= {} N", fixed(row.lambda, 2)),
-                        .algorithm = fmt::format("ζ = −β C / Δt, β = {:.4f} in both", all.spring.beta),
+                        .algorithm = fmt::format("ζ = −β c / Δt, β = {:.4f} in both", all.spring.beta),
                         .color = style_of_soft(page).color});
 }
 
@@ -186,9 +186,9 @@ void draw_question(Page& page, const SoftRuns& all) {
 void draw_answer(Page& page, const SoftRuns& all) {
   page.note(draw_moment(page, all, last_step(all)), "Answer",
             page.compact()
-                ? "β goes to 1 and the sag to 0: a rod. β = 0.2 alone is no spring, γ makes it one."
+                ? "β goes to 1 and the sag to 0: a rod. β = 0.2 alone is no spring; γ makes it one."
                 : fmt::format("β goes to 1 and the sag to 0: the row becomes a rod. β = {:.3f} alone "
-                              "pulls the weight back to its place; with γ = {:.3g} beside it the row "
+                              "pulls the weight back to its place; together with γ = {:.3g} the row "
                               "is a spring of {:g} Hz.",
                               all.spring.beta, all.spring.gamma, all.settings.frequency));
 }
@@ -202,7 +202,8 @@ List<Shot> soft_shots(const SoftRuns& recorded) {
   const Runs all = std::make_shared<const SoftRuns>(recorded);
   List<Shot> shots;
   shots.push_back({.state = "before the first step",
-                   .alt = "Two weights on a spring and on a rod, both pressed down, and the question.",
+                   .alt = "Two weights, one on a spring and one on a rod, both pressed down; the chart of "
+                          "their motion; and the question.",
                    .draw = [all](Page& page) { draw_question(page, *all); },
                    .key = true});
   const int frames = std::min(last_step(*all), most_frames);

@@ -15,20 +15,20 @@ double cleaned(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
 void print_spring(Lesson& lesson, const SoftRuns& all) {
   const SoftSettings& settings = all.settings;
   const double k = stiffness(settings);
-  const double c = damping_constant(settings);
+  const double d = damping_constant(settings);
   const WeightRun& spring = all.spring;
   lesson.print(fmt::format(
-      "1. The row.  k = m (2π f)² = {:.2f} N/m,  c = 2 m (damping ratio) 2π f = {:.3f} N s/m", k, c));
+      "1. The row.  k = m (2π f)² = {:.2f} N/m,  d = 2 m (damping ratio) 2π f = {:.3f} N s/m", k, d));
   lesson.print(fmt::format(
-      "   γ = 1 / ({:g} × ({:.3f} + {:.3f})) = {:.4g} 1/kg,   β = {:.3f} / {:.3f} = {:.4f}", settings.dt, c,
-      settings.dt * k, spring.gamma, settings.dt * k, c + settings.dt * k, spring.beta));
+      "   γ = 1 / ({:g} × ({:.3f} + {:.3f})) = {:.4g} 1/kg,   β = {:.3f} / {:.3f} = {:.4f}", settings.dt, d,
+      settings.dt * k, spring.gamma, settings.dt * k, d + settings.dt * k, spring.beta));
   for (int step = 1; step <= 3; ++step) {
     const StepRow& row = spring.rows[step];
     lesson.print(fmt::format(
         "   step {}  ζ = {:7.4f}   λ = ({:.4f} − ({:.4f})) / (({:g} + {:.4g}) × {:g}) = {:.4f} N", step,
         row.zeta, row.zeta, row.free, 1 / settings.mass, spring.gamma, settings.dt, row.lambda));
   }
-  lesson.print("   t (s)    C (mm): exact     soft row   γ = 0, same β      λ (N): soft row        γ = 0");
+  lesson.print("   t (s)    c (mm): exact     soft row   γ = 0, same β      λ (N): soft row        γ = 0");
   for (const double time : {0.1, 0.2, 0.5, 1.0}) {
     const int step = static_cast<int>(std::lround(time / settings.dt));
     lesson.print(fmt::format("   {:<6g} {:>16.2f} {:>12.2f} {:>15.3f} {:>20.3f} {:>13.3f}", time,
@@ -36,7 +36,7 @@ void print_spring(Lesson& lesson, const SoftRuns& all) {
                              cleaned(1000 * all.rigid.error[step]), spring.rows[step].lambda,
                              all.rigid.rows[step].lambda));
   }
-  lesson.print(fmt::format("   At rest: C = {:.4f} mm, λ = {:.4f} N. With γ = 0 it rests at 0 mm.",
+  lesson.print(fmt::format("   At rest: c = {:.4f} mm, λ = {:.4f} N. With γ = 0 it rests at 0 mm.",
                            1000 * all.rest_error, all.rest_lambda));
   lesson.print();
 }
@@ -74,7 +74,7 @@ void print_columns(Lesson& lesson, const SoftRuns& all) {
 }
 
 void print_harsh(Lesson& lesson, const SoftRuns& all) {
-  lesson.print(fmt::format("4. {:g} Hz with steps of {:g} s: C (mm) after", harsh_hertz, harsh_dt));
+  lesson.print(fmt::format("4. {:g} Hz with steps of {:g} s: c (mm) after", harsh_hertz, harsh_dt));
   std::string names = "   step           ";
   std::string row = "   as a row       ";
   std::string force = "   as a force     ";

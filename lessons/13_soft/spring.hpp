@@ -39,7 +39,7 @@ struct WeightRun {
   double gamma = 0;  // [1/kg]
   double beta = 0;   // rate times dt
   List<Snapshot> steps = {};
-  List<double> error = {};  // C [m]: length less rest_length, negative where pressed
+  List<double> error = {};  // c [m]: length less rest_length, negative where pressed
   List<double> speed = {};  // [m/s] upwards
   List<StepRow> rows = {};
 };
@@ -50,7 +50,7 @@ struct StiffRun {
   double gamma = 0;      // [1/kg]
   double beta = 0;
   double sag = 0;           // [m] at rest, by m g / k
-  List<double> error = {};  // C [m] after each step
+  List<double> error = {};  // c [m] after each step
 };
 
 /// Three weights, one step, one lambda per spring [N]. Index 0 of lambdas: before the first sweep.
@@ -68,20 +68,20 @@ struct ColumnRun {
 struct Growth {
   double frequency = 0;  // [Hz]
   double row = 0;        // by formula, of a soft row
-  double force = 0;      // by formula, of a force -k C - c v in the step of lesson 00
+  double force = 0;      // by formula, of a force -k c - d v in the step of lesson 00
 };
 
 struct SoftRuns {
   SoftSettings settings = {};
   WeightRun spring = {};   // the soft row
   WeightRun rigid = {};    // a rod with beta of the soft row
-  double rest_error = 0;   // C [m] of the soft row once it has come to rest
+  double rest_error = 0;   // c [m] of the soft row once it has come to rest
   double rest_lambda = 0;  // [N] there
   List<StiffRun> stiff = {};
   ColumnRun rigid_column = {};
   ColumnRun soft_column = {};
   List<Growth> growth = {};
-  List<double> harsh_row = {};    // C [m], harsh_hertz at harsh_dt, step by step, by the engine
+  List<double> harsh_row = {};    // c [m], harsh_hertz at harsh_dt, step by step, by the engine
   List<double> harsh_force = {};  // the same as a force
 };
 
@@ -92,12 +92,12 @@ double angular_frequency(double frequency);
 double stiffness(const SoftSettings& settings);
 double damping_constant(const SoftSettings& settings);
 
-/// C [m] at time t of the same spring with no steps at all, begun at rest and pressed by settings.pressed.
+/// c [m] at time t of the same spring with no steps at all, begun at rest and pressed by settings.pressed.
 double exact_error(const SoftSettings& settings, double t);
 
 // What the lesson is about stands in lesson.cpp.
 
-/// C [m] after each of `steps` steps of a row with gamma and beta, and of a force taken at the beginning of
+/// c [m] after each of `steps` steps of a row with gamma and beta, and of a force taken at the beginning of
 /// the step.
 List<double> by_row(const SoftSettings& settings, int steps);
 List<double> by_force(const SoftSettings& settings, int steps);
@@ -111,7 +111,7 @@ SwingSoftness swing_of(const SoftSettings& settings);
 /// Adds the state of the world as it is now.
 void record(WeightRun& run, const World<double>& world);
 
-/// The energy of swinging about the place of rest [J], from C and speed.
+/// The energy of swinging about the place of rest [J], from c and speed.
 double swing_energy(const SoftSettings& settings, double error, double speed);
 
 }  // namespace cairn::soft

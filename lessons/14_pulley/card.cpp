@@ -13,23 +13,23 @@ LessonInfo card() {
           "row, in a joint that this lesson writes itself; every solver takes it as it is.",
       .paper = "paper 4.2, 4.3",
       .equations =
-          {"(5)   dC/dt = j v,  j = (0, r₁, 0,  0, r₂, 0,  0, r₃, 0)     one row, three bodies",
-           "(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)                          with three terms in each sum",
-           "      T = Σ rᵢ g / Σ (rᵢ² / mᵢ)                              what λ has to be"},
+          {"(5)   dc/dt = j·v,  j = (0, r₁, 0,  0, r₂, 0,  0, r₃, 0)     one row, three bodies",
+           "(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)                          with three terms in each sum"},
       .needs = {"lesson 06"},
       .reads = {"src/constraints/constraint.hpp", "src/constraints/row.hpp"},
       .question =
-          "Masses of 1, 2 and 3 kg hang on one rope, the 2 kg on two parts of it. How hard is it "
-          "pulled, in newtons: more or less than the 30 N that the heaviest weighs?",
+          "Masses of 1, 2 and 3 kg hang on one rope, the 2 kg on two parts of it. What is its tension, in N: "
+          "more or less than the 30 N that the heaviest weighs?",
+      .spoilers = {"12 N", "12.0", "24 N", "heaviest falls", "6 m/s²"},
       .hints = {"What the rope gives on one side it takes on the others: y₁ + 2 y₂ + y₃ stays as it is.",
-                "λ follows from (22) with j v = −4 g Δt: each part of the rope counts.",
+                "λ follows from (22) with j·v = −4 g Δt: each part of the rope counts.",
                 "j M⁻¹ jᵀ = 1/1 + 4/2 + 1/3."},
       .parameters = {{"dt", 0.02, 0.0001, 0.1, "s", "time step"},
                      {"m1", 1, 0.01, 100, "kg", "mass on the left, on one part of the rope"},
                      {"m2", 2, 0.01, 100, "kg", "mass in the middle, on two parts"},
                      {"m3", 3, 0.01, 100, "kg", "mass on the right, on one part"},
                      {"lift", 3, 0, 20, "m/s", "how fast the third mass is thrown up; 0: not at all"}},
-      .cover = 2,
+      .cover = 1,
       .next = "bash lessons/run 15   (two rows of friction that share one limit)"};
 }
 

@@ -3,7 +3,7 @@
 // A rope over wheels holds as many bodies as hang on it. Its row of J has a block for each of them, and both
 // j v and j M^-1 j^T are sums over these blocks: that is all that changes. The joint is this lesson's own and
 // stands in rope.hpp; here it is put into a scene, its equation (22) is worked out by hand, and seven solvers
-// that have never heard of it are asked for the same lambda.
+// that know nothing of it find the same lambda.
 #include "lessons/lesson.hpp"
 
 #include <memory>
@@ -85,10 +85,11 @@ void run(Lesson& lesson) {
   lesson.predict();
   print_runs(lesson, all);
   const double tension = tension_by_hand(settings);
-  lesson.answer({tension}, 0.05 * tension,
-                "λ keeps y₁ + 2 y₂ + y₃ from shrinking. What goes down is what it pulls with less than its "
-                "weight: " +
-                    what_goes_down(settings) + ".");
+  lesson.answer(
+      {tension}, 0.05 * tension,
+      "λ keeps y₁ + 2 y₂ + y₃ from shrinking. A mass goes down where the rope pulls with less than its "
+      "weight: " +
+          what_goes_down(settings) + ".");
   check_runs(lesson, all);
   lesson.film(pulley_shots(all));
   lesson.data(steps_table(all));

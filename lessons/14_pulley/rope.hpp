@@ -10,8 +10,8 @@ namespace cairn::pulley {
 
 /// One rope over fixed wheels, looped under a movable one. At body i hang r_i parts of it, of the length
 /// top_i - y_i each:
-///   C = length - sum r_i (top_i - y_i) >= 0,  j = (0, r_1, 0, 0, r_2, 0, 0, r_3, 0),  lambda >= 0
-/// A rope pulls and never pushes, so its row is one-sided, and slack where C > 0.
+///   c = length - sum r_i (top_i - y_i) >= 0,  j = (0, r_1, 0, 0, r_2, 0, 0, r_3, 0),  lambda >= 0
+/// A rope pulls and never pushes, so its row is one-sided, and slack where c > 0.
 class RopeOverWheels final : public ConstraintOf<RopeOverWheels> {
  public:
   struct End {
