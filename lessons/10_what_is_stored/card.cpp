@@ -21,7 +21,7 @@ LessonInfo card() {
       .question =
           "Boxes in a pyramid, two rows for each overlap. A full A has a row and a column for each of them. "
           "In the largest pyramid, how many entries in an average row of A are not zero?",
-      .spoilers = {"12.8", "12.83", "98.4", "nearly all"},
+      .spoilers = {"12.8", "98.4"},
       .hints =
           {"A_ij is not zero where rows i and j share a body that can move.",
            "A row has two boxes. How many rows has a box in the middle of the pyramid?",

@@ -1,16 +1,22 @@
 // Exercise 10. Count the entries of A. Then: bash lessons/run check 10
-// A has an entry for every pair of rows, first and second, that share a body which can move: count them all,
-// a row with itself too. inverse_mass is 0 for a body that cannot move.
-#include <algorithm>
-#include <cmath>
-
-#include "exercise.hpp"
+#include "lessons/exercise.hpp"
 
 namespace cairn::exercise10 {
 
+/// The two bodies of a row.
+struct RowBodies {
+  int a = 0;
+  int b = 0;
+};
+
+// How many entries has A = J M⁻¹ Jᵀ between rows that share a body which can move? Count the diagonal and
+// both halves. inverse_mass [1/kg] is 0 for a body that cannot move; every row has one that can.
 int entries(const List<RowBodies>& rows, const List<double>& inverse_mass) {
-  (void)rows, (void)inverse_mass;
-  return -1;  // <- your code
+  int count = 0;
+  // Your code begins here: about eight lines.
+
+  // Your code ends here.
+  return count;
 }
 
 }  // namespace cairn::exercise10

@@ -1,6 +1,5 @@
-// Exercise 10, graded: stacks, boxes on the ground and a tray.
-#include "exercise.hpp"
-#include "math/list.hpp"
+// Exercise 10, graded: stacks, boxes on the ground and a tray; boxes of 2 and 0.5 kg in turn.
+#include "exercise.cpp"
 
 namespace cairn::exercise10 {
 namespace {
@@ -22,49 +21,54 @@ List<RowBodies> side_by_side(int boxes) {
 }
 
 List<double> masses(int boxes, double of_ground) {
-  List<double> inverse(boxes + 1, 1);
-  inverse[0] = of_ground;
+  List<double> inverse = {of_ground};
+  for (int box = 0; box < boxes; ++box) inverse.push_back(box % 2 == 0 ? 0.5 : 2);
   return inverse;
 }
 
 }  // namespace
 
-void grade(Grade& grade, Answer answer) {
-  // A stack: n on the diagonal, and 2 (n - 1) beside it.
-  grade.number(
-      {.what = "3 boxes on each other, a row each",
-       .value = 7,
-       .tolerance = 0,
-       .misconceptions = {{4, "The diagonal counts too: a row shares its bodies with itself."},
-                          {9, "Rows 1 and 3 share no body; and a pair with two in common is one pair."},
-                          {5, "A has two halves: A_ij and A_ji."}}},
-      answer(stack_rows(3, 1), masses(3, 0)));
-  // Four times as many with two rows a contact: each entry becomes a block of 2 x 2.
-  grade.number({.what = "3 boxes on each other, two rows each", .value = 28, .tolerance = 0},
-               answer(stack_rows(3, 2), masses(3, 0)));
-  grade.number(
-      {.what = "5 boxes side by side on the ground",
-       .value = 5,
-       .tolerance = 0,
-       .misconceptions = {{25, "They share the ground only, and M⁻¹ of the ground is 0: so is A_ij."}}},
-      answer(side_by_side(5), masses(5, 0)));
-  grade.number({.what = "5 boxes on a tray that can move",
-                .value = 25,
-                .tolerance = 0,
-                .misconceptions = {{5, "The tray can move: what pushes one box is felt by all rows."},
-                                   {30, "A row has two bodies in common with itself, and is one entry."}}},
-               answer(side_by_side(5), masses(5, 1)));
-}
-
 Exercise exercise() {
-  return {.lesson = 10,
-          .task = "How many entries of A are between rows that share a body which can move.",
-          .file = "lessons/10_what_is_stored/exercise.cpp",
-          .hints = {"For which pairs of rows is J_i M⁻¹ J_jᵀ not simply a sum of zeros?",
-                    "Go through all pairs (i, j), also i = j, and look for a common body with an inverse "
-                    "mass above 0.",
-                    "count if (a of i moves and is a or b of j) or (b of i moves and is a or b of j)."},
-          .grade = [](Grade& marks) { grade(marks, entries); }};
+  return {
+      .lesson = 10,
+      .task = "How many entries of A are between rows that share a body which can move.",
+      .file = "lessons/10_what_is_stored/exercise.cpp",
+      .hints = {"For which pairs of rows is J_i M⁻¹ J_jᵀ not simply a sum of zeros?",
+                "Go through all pairs (i, j), also i = j, and look for a common body with an inverse "
+                "mass above 0.",
+                "Count if (a of i moves and is a or b of j) or (b of i moves and is a or b of j)."},
+      .grade = [](Grade& grade) {
+        // A stack: n on the diagonal, and 2 (n - 1) beside it.
+        grade.number(
+            {.what = "4 boxes on each other, a row each",
+             .value = 10,
+             .tolerance = 0,
+             .misconceptions = {{6, "The diagonal counts too: a row shares its bodies with itself."},
+                                {7, "A has two halves: A_ij and A_ji."},
+                                {8, "The first row has entries, too: begin at 0."},
+                                {16, "Rows 1 and 3 share no body: their entry is 0."},
+                                {13, "A pair of rows that shares two bodies is one entry, not two."},
+                                {4,
+                                 "A row meets its neighbours: the first body of one row may be the second of "
+                                 "another."},
+                                {0, "A body can move whatever its mass: the inverse mass is above 0."}}},
+            entries(stack_rows(4, 1), masses(4, 0)));
+        // Each entry becomes a block of 2 x 2.
+        grade.number({.what = "4 boxes on each other, two rows each", .value = 40, .tolerance = 0},
+                     entries(stack_rows(4, 2), masses(4, 0)));
+        grade.number(
+            {.what = "5 boxes side by side on the ground",
+             .value = 5,
+             .tolerance = 0,
+             .misconceptions = {{25, "They share the ground only, and M⁻¹ of the ground is 0: so is A_ij."}}},
+            entries(side_by_side(5), masses(5, 0)));
+        grade.number({.what = "5 boxes on a tray that can move",
+                      .value = 25,
+                      .tolerance = 0,
+                      .misconceptions = {{5, "The tray can move: it couples all rows that act on it."},
+                                         {30, "A row shares two bodies with itself: one entry, not two."}}},
+                     entries(side_by_side(5), masses(5, 0.25)));
+      }};
 }
 
 }  // namespace cairn::exercise10

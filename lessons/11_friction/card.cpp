@@ -22,7 +22,7 @@ LessonInfo card() {
   info.hints = {"What pulls the block down the slope, and what does that depend on?",
                 "Write down the limit of friction, and look for the mass in it.",
                 "Needed: m g sin α. Limit: μ m g cos α. Divide one by the other."};
-  info.spoilers = {"cancel", "tan α", "same angle", "26.57", "30.96"};
+  info.spoilers = {"cancels", "tan α", "same angle", "26.57", "30.96"};
   using Kind = Parameter::Kind;
   info.parameters = {{"angle", 30, 5, 35, "°", "angle of the slope"},
                      {"mu", 0.5, 0.05, 0.8, "", "friction of the slippery block"},

@@ -1,16 +1,29 @@
-// Exercise 11. Write an update of a friction row. Then: bash lessons/run check 11
+// Exercise 11. One update of a friction row. Then: bash lessons/run check 11
 #include <algorithm>
 #include <cmath>
 
-#include "exercise.hpp"
+#include "lessons/exercise.hpp"
 
 namespace cairn::exercise11 {
 
-// block.slide is j v of the row [m/s], block.inverse_mass its j M^-1 j^T [1/kg]. Change
-// contact.tangent_impulse, the sum of what the row has given [N s], and block.slide; contact.normal_impulse
-// is the sum of the row beside it.
+/// A block on a plane.
+struct Block {
+  double inverse_mass = 0;  // [1/kg]
+  double slide = 0;         // [m/s] along the plane: j·v of the friction row
+};
+
+/// What the contact under it has given so far, in total.
+struct Contact {
+  double normal_impulse = 0;   // [N s]
+  double tangent_impulse = 0;  // [N s]
+  double friction = 0;         // mu
+};
+
+// One visit to the friction row: takes the sliding away, as far as ± mu times the normal impulse allows.
 void update(Contact& contact, Block& block) {
-  (void)contact, (void)block;  // <- your code: about five lines
+  // Your code begins here: about four lines.
+
+  // Your code ends here.
 }
 
 }  // namespace cairn::exercise11

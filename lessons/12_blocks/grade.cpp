@@ -1,53 +1,122 @@
-// Exercise 12, graded: the rod of the lesson at 45 degrees, and a block whose rows nearly say the same.
-#include "exercise.hpp"
-#include "math/list.hpp"
+// Exercise 12, graded: a rod of 2 kg on a pin in the ground, and a pin between bodies of 2 and 0.5 kg.
+#include "exercise.cpp"
 
 namespace cairn::exercise12 {
 namespace {
 
-constexpr double block_rounding = 1e-15;  // a few operations on numbers near 1
+constexpr double block_rounding = 1e-13;  // a few dozen operations on numbers up to 20
+
+using Pair = FixedList<double, 2>;
+
+/// A symmetric block of A, right or wrong [1/kg].
+struct Block {
+  double k11 = 0, k12 = 0, k22 = 0;
+};
+
+Pair solved(const Block& k, const Pair& jv, double determinant) {
+  return {-(k.k22 * jv[0] - k.k12 * jv[1]) / determinant, -(k.k11 * jv[1] - k.k12 * jv[0]) / determinant};
+}
+
+Pair solved(const Block& k, const Pair& jv) { return solved(k, jv, k.k11 * k.k22 - k.k12 * k.k12); }
+
+struct Scene {
+  Pin pin = {};
+  Body one = {};
+  Body two = {};
+};
+
+/// k11 = 2.5 + 2.5/4 + 4, k12 = -2.5/2 + 2, k22 = 2.5 + 2.5 + 1, and j·v = -K (1, -2): the pin has to give
+/// 1 and -2 N s.
+Scene two_bodies() {
+  return {.pin = {.r1x = 1, .r1y = 0.5, .r2x = -0.5, .r2y = 1},
+          .one = {.inverse_mass = 0.5, .inverse_inertia = 2.5},
+          .two = {.inverse_mass = 2, .inverse_inertia = 4, .vx = -5.625, .vy = 11.25}};
+}
+
+constexpr Block right = {7.125, 0.75, 6};
+
+struct Wrong {
+  Pair impulse = {};
+  std::string what = {};
+};
+
+List<Wrong> wrong_impulses() {
+  const Pair jv = {-5.625, 11.25};
+  const double x = 5.625 / right.k11;
+  return {{{x, -jv[1] / right.k22}, "Each row for itself: the other row's impulse comes in by k12."},
+          {{x, -(jv[1] + right.k12 * x) / right.k22},
+           "That is one visit to each row, as in a sweep row by row: solve both at once."},
+          {solved({right.k11, -right.k12, right.k22}, jv),
+           "The sign of k12: −r_x r_y/I, and the inverse turns it."},
+          {solved({right.k22, right.k12, right.k11}, jv),
+           "k11 and k22 change places in the inverse; and r_y² belongs to k11, r_x² to k22."},
+          {solved(right, jv, 1), "The determinant: divide by k11 k22 − k12²."},
+          {solved(right, jv, right.k11 * right.k22 + right.k12 * right.k12),
+           "The determinant is k11 k22 − k12²."},
+          {{-1, 2}, "The sign: the pin has to make both row velocities 0."},
+          {solved({6, 2, 3}, jv), "Both bodies give way: sum over both."},
+          {solved({2.5, 0, 2.5}, jv), "A push at an arm turns its body, too: r²/I."},
+          {solved({2.5 + 0.125 + 2, -0.25 + 1, 2.5 + 0.5 + 0.5}, jv),
+           "The turning has the inverse inertia, not the inverse mass."},
+          {solved({2.5 + 6.5 / 4, -6.5 / 2, 2.5 + 6.5}, jv), "Each body has its own arm."}};
+}
+
+void grade_two_bodies(Grade& grade) {
+  Scene scene = two_bodies();
+  visit(scene.pin, scene.one, scene.two);
+  const Pair given = {scene.pin.px, scene.pin.py};
+  for (int i = 0; i < 2; ++i) {
+    ExpectedNumber expected{.what = i == 0 ? "2 and 0.5 kg: impulse along x (N s)" : "and along y (N s)",
+                            .value = i == 0 ? 1.0 : -2.0,
+                            .tolerance = block_rounding};
+    for (const Wrong& wrong : wrong_impulses()) {
+      expected.misconceptions.push_back({wrong.impulse[i], wrong.what});
+    }
+    grade.number(expected, given[i]);
+  }
+  const Pair left = row_velocities(scene.pin, scene.one, scene.two);
+  grade.number({.what = "what is left of j·v along y (m/s)",
+                .value = 0,
+                .tolerance = block_rounding,
+                .misconceptions = {{11.25, "The velocities have not changed: push both bodies."}}},
+               left[1]);
+  visit(scene.pin, scene.one, scene.two);
+  grade.number({.what = "after a second visit: impulse along x (N s)",
+                .value = 1,
+                .tolerance = block_rounding,
+                .misconceptions = {{0, "Add to what the pin has given before."}}},
+               scene.pin.px);
+}
+
+/// The rod of the lesson with twice its mass: K = (1.25 -0.75; -0.75 1.25), and gravity has given (0, -0.2)
+/// m/s.
+void grade_rod(Grade& grade) {
+  const double half = 0.70710678118654752;
+  Scene scene{.pin = {.r2x = -half, .r2y = -half},
+              .two = {.inverse_mass = 0.5, .inverse_inertia = 1.5, .vy = -0.2}};
+  visit(scene.pin, scene.one, scene.two);
+  grade.number({.what = "rod of 2 kg at 45 degrees: impulse along x (N s)",
+                .value = 0.15,
+                .tolerance = block_rounding},
+               scene.pin.px);
+  grade.number({.what = "and along y (N s)", .value = 0.25, .tolerance = block_rounding}, scene.pin.py);
+}
 
 }  // namespace
 
-void grade(Grade& grade, Answer answer) {
-  // The rod: K = (2.5 -1.5; -1.5 2.5), gravity has given its pin (0, -0.2) m/s, so (0, 0.2) is asked for.
-  const FixedList<double, 2> rod = answer(2.5, -1.5, 2.5, {0, 0.2});
-  grade.number({.what = "rod at 45 degrees: impulse along x (N s)",
-                .value = 0.075,
-                .tolerance = block_rounding,
-                .misconceptions = {{0, "Each row for itself: the other row's impulse comes in by k12."},
-                                   {-0.075, "The sign of k12 in the inverse."},
-                                   {0.3, "The determinant: divide by k11 k22 - k12 k12."}}},
-               rod[0]);
-  grade.number({.what = "rod at 45 degrees: impulse along y (N s)",
-                .value = 0.125,
-                .tolerance = block_rounding,
-                .misconceptions = {{0.08, "Each row for itself: the other row's impulse comes in by k12."},
-                                   {0.5, "The determinant: divide by k11 k22 - k12 k12."},
-                                   {-0.125, "The sign: K x is the change that is asked for."}}},
-               rod[1]);
-  // With k11 and k22 that differ: x = (1, -2) by construction.
-  const FixedList<double, 2> other = answer(4, 1, 2, {4 - 2, 1 - 4});
-  grade.number({.what = "K = (4 1; 1 2), change (2, -3): first impulse (N s)",
-                .value = 1,
-                .tolerance = 4 * block_rounding,
-                .misconceptions = {{11.0 / 7, "k11 and k22 change places in the inverse."}}},
-               other[0]);
-  grade.number({.what = "K = (4 1; 1 2), change (2, -3): second impulse (N s)",
-                .value = -2,
-                .tolerance = 4 * block_rounding,
-                .misconceptions = {{-8.0 / 7, "k11 and k22 change places in the inverse."}}},
-               other[1]);
-}
-
 Exercise exercise() {
-  return {.lesson = 12,
-          .task = "Both impulses of a pin at once: a 2 x 2 system.",
-          .file = "lessons/12_blocks/exercise.cpp",
-          .hints = {"Two equations: k11 x + k12 y = change_x and k12 x + k22 y = change_y.",
-                    "The inverse of K is (k22 -k12; -k12 k11) over k11 k22 - k12 k12.",
-                    "x = (k22 change_x - k12 change_y) / det, y = (k11 change_y - k12 change_x) / det."},
-          .grade = [](Grade& marks) { grade(marks, solve_block); }};
+  return {
+      .lesson = 12,
+      .task = "One visit to a pin: its 2 x 2 block, both impulses at once, and both bodies.",
+      .file = "lessons/12_blocks/exercise.cpp",
+      .hints = {"Two equations: k11 x + k12 y = −jv_x and k12 x + k22 y = −jv_y.",
+                "The inverse of K is (k22 −k12; −k12 k11) over k11 k22 − k12².",
+                "x = −(k22 jv_x − k12 jv_y) / det, y = −(k11 jv_y − k12 jv_x) / det; add both to the pin's "
+                "sums, and push."},
+      .grade = [](Grade& grade) {
+        grade_two_bodies(grade);
+        grade_rod(grade);
+      }};
 }
 
 }  // namespace cairn::exercise12

@@ -1,16 +1,27 @@
-// Exercise 13. Find gamma and beta. Then: bash lessons/run check 13
-#include <algorithm>
+// Exercise 13. Make a row soft: γ and β of a spring. Then: bash lessons/run check 13
 #include <cmath>
 
-#include "exercise.hpp"
+#include "lessons/exercise.hpp"
 
 namespace cairn::exercise13 {
 
-// k = m omega^2 and d = 2 m (damping ratio) omega, with omega = 2 pi frequency: returns {gamma, beta} for
-// steps of dt.
+/// What makes a row soft.
+struct Soft {
+  double gamma = 0;  // [1/kg] beside j M⁻¹ jᵀ
+  double beta = 0;   // the share of an error that a step takes back
+};
+
+constexpr double pi = 3.14159265358979323846;
+
+// The γ and β of a spring that lets `mass` [kg] swing with `frequency` [Hz] and the damping ratio, in steps
+// of dt [s] of implicit Euler: force = −k c − d v at the end of the step, where k = m ω², d = 2 m (damping
+// ratio) ω and ω = 2 pi frequency.
 Soft soften(double mass, double frequency, double damping_ratio, double dt) {
-  (void)mass, (void)frequency, (void)damping_ratio, (void)dt;
-  return {std::nan(""), std::nan("")};  // <- your code
+  Soft soft;
+  // Your code begins here: about five lines.
+
+  // Your code ends here.
+  return soft;
 }
 
 }  // namespace cairn::exercise13

@@ -20,7 +20,7 @@ LessonInfo card() {
       .question =
           "Masses of 1, 2 and 3 kg hang on one rope, the 2 kg on two parts of it. What is its tension, in N: "
           "more or less than the 30 N that the heaviest weighs?",
-      .spoilers = {"12 N", "12.0", "24 N", "heaviest falls", "6 m/s²"},
+      .spoilers = {"12 N", "heaviest falls", "6 m/s²"},
       .hints = {"What the rope gives on one side it takes on the others: y₁ + 2 y₂ + y₃ stays as it is.",
                 "λ follows from (22) with j·v = −4 g Δt: each part of the rope counts.",
                 "j M⁻¹ jᵀ = 1/1 + 4/2 + 1/3."},

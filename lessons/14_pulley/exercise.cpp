@@ -1,16 +1,62 @@
-// Exercise 14. Write the row of a pair of gears. Then: bash lessons/run check 14
-#include <algorithm>
-#include <cmath>
+// Exercise 14. Write a joint class: a rope whose end is wound on a drum. Then: bash lessons/run check 14
+#include <limits>
 
-#include "exercise.hpp"
+#include "lessons/exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise14 {
 
-// j v = j_a omega_a + j_b omega_b is 0 where the teeth of both wheels move along together, and the wheels
-// mesh from outside. Returns (j_a, j_b); any length will do.
-FixedList<double, 2> gear_row(double teeth_a, double teeth_b) {
-  (void)teeth_a, (void)teeth_b;
-  return {std::nan(""), std::nan("")};  // <- your code
-}
+struct Pose {
+  double y = 0;      // [m]
+  double angle = 0;  // [rad]
+};
+
+/// One body's block of j: dc/dt is the sum of vy * v_y + omega * (angular velocity) over all terms.
+struct Term {
+  int body = 0;
+  double vy = 0;     // [1]
+  double omega = 0;  // [m]
+};
+
+/// What a joint says of itself. A solver needs nothing else.
+struct Row {
+  double error = 0;                                         // c [m]: how much rope is left over
+  List<Term> terms = {};                                    // j, with as many bodies as there are
+  double lower = -std::numeric_limits<double>::infinity();  // of λ [N]
+  double upper = std::numeric_limits<double>::infinity();
+};
+
+/// A rope over fixed wheels. Masses hang on it, each on `parts` parts of the length top − y; its end is wound
+/// on a drum. A drum that turns by an angle pays out radius * angle of rope:
+///     c = length + radius * angle − Σ parts (top − y)
+class RopeOnDrum {
+ public:
+  struct End {
+    int body = 0;
+    double parts = 1;
+    double top = 0;  // [m]
+  };
+  struct Drum {
+    int body = 0;
+    double radius = 0;  // [m]
+  };
+
+  RopeOnDrum(const List<End>& ends, const Drum& drum, double length)
+      : ends_(ends), drum_(drum), length_(length) {}
+
+  // The row of the rope for these poses: c, j and the interval of λ, which is positive where the rope pulls.
+  Row row(const List<Pose>& poses) const {
+    Row row;
+    // Your code begins here: about eight lines.
+
+    // Your code ends here.
+    return row;
+  }
+
+ private:
+  List<End> ends_;
+  Drum drum_;
+  double length_;
+};
 
 }  // namespace cairn::exercise14
