@@ -1,61 +1,143 @@
-// Exercise 17, graded: sweeps counted on the slowest error of stacks.
-#include <cmath>
+// Exercise 17, graded: the loads of lesson 17's tower, and of one with boxes of 2 and 0.5 kg.
+#include <fmt/format.h>
 
-#include "exercise.hpp"
-#include "math/list.hpp"
+#include "exercise.cpp"
 
 namespace cairn::exercise17 {
 namespace {
 
-/// Gauss-Seidel on A lambda = 0 of so many boxes, from the slowest error: how many sweeps until it has shrunk
-/// so far.
-int counted(int boxes, double share) {
-  const double pi = std::acos(-1.0), root = std::cos(pi / (2.0 * boxes));
-  List<double> error(boxes);
-  // A = tridiag(-1, 2, -1) with A_00 = 1. Jacobi's slowest error is cos(i pi / (2 n)) with the rate `root`,
-  // and that of Gauss-Seidel is the same times root^i, with the rate root^2 (D. M. Young, 1954).
-  for (int i = 0; i < boxes; ++i) error[i] = std::pow(root, i) * std::cos(i * pi / (2.0 * boxes));
-  const double start = error[0];
-  int sweeps = 0;
-  while (std::abs(error[0]) > share * start * (1 + 1e-9) && sweeps < 100000) {
-    for (int i = 0; i < boxes; ++i) {
-      const double below = i > 0 ? error[i - 1] : 0, above = i + 1 < boxes ? error[i + 1] : 0;
-      error[i] = i == 0 ? above : (below + above) / 2;
-    }
-    ++sweeps;
-  }
-  return sweeps;
+constexpr double printed = 6e-5;  // [N] the loads of Box2D are known to four decimals
+
+/// What a wrong step may get wrong.
+enum class Slip {
+  none,
+  forgets_gravity,
+  cold,          // no warm start, and impulses from 0
+  keeps_only,    // keeps the impulses, and does not apply them
+  gravity_last,  // after the sweeps
+  from_the_top,  // sweeps from the top down
+  one_mass,      // the effective mass of the upper box alone
+  clamps_each,   // the correction, not the sum
+  pushes_one,    // the upper box only
+  one_sweep,
+  lacks_a_sweep,
+  replaces  // the sum by the correction
+};
+
+struct Known {
+  Slip slip = Slip::none;
+  std::string what = {};
+};
+
+List<Known> known() {
+  return {{Slip::forgets_gravity, "Without gravity nothing falls: v loses g Δt before anything else."},
+          {Slip::cold, "That is the cold tower: begin with the impulses of the last step."},
+          {Slip::keeps_only, "A warm start keeps the impulses and also applies them to the velocities."},
+          {Slip::gravity_last, "Gravity acts before the sweeps, or they find nothing to do."},
+          {Slip::from_the_top, "Sweep from the ground up: another order leaves other loads."},
+          {Slip::one_mass, "Two boxes give way: the effective mass has both in it."},
+          {Slip::clamps_each, "Clamp the sum, not the correction: a contact may take back what it gave."},
+          {Slip::pushes_one, "Action and reaction: the box below is pushed down."},
+          {Slip::one_sweep, "That is the load after one sweep."},
+          {Slip::lacks_a_sweep, "One sweep is missing."},
+          {Slip::replaces, "Add the correction to the impulse: do not replace it."}};
 }
 
-ExpectedNumber expected(int boxes, double share) {
-  const double pi = std::acos(-1.0), root = std::cos(pi / (2.0 * boxes));
-  const double right = counted(boxes, share);
-  return {.what = std::to_string(boxes) + " boxes, to " + std::to_string(share).substr(0, 5) + ": sweeps",
-          .value = right,
-          .tolerance = 0,
-          .misconceptions = {{std::ceil(std::log(share) / std::log(root)),
-                              "That is Jacobi: Gauss-Seidel squares the cosine."},
-                             {std::floor(std::log(share) / std::log(root * root)), "One too few: round up."},
-                             {std::ceil(std::log(1 / share)), "Where is the height of the tower?"},
-                             {std::ceil(std::log10(1 / share) / (1 - root * root)),
-                              "Mind the logarithms: rate^k = share, so k = log(share) / log(rate)."}}};
+void push(Tower& tower, int i, double p, Slip slip) {
+  tower.velocity[i] += p / tower.mass[i];
+  if (i > 0 && slip != Slip::pushes_one) tower.velocity[i - 1] -= p / tower.mass[i - 1];
+}
+
+void update(Tower& tower, int i, Slip slip) {
+  const double below = i > 0 ? tower.velocity[i - 1] : 0;
+  const double inverse = 1 / tower.mass[i] + (i > 0 && slip != Slip::one_mass ? 1 / tower.mass[i - 1] : 0);
+  double& impulse = tower.impulse[i];
+  const double before = impulse, correction = (below - tower.velocity[i]) / inverse;
+  impulse = std::max(before + correction, 0.0);
+  if (slip == Slip::clamps_each) impulse = before + std::max(correction, 0.0);
+  if (slip == Slip::replaces) impulse = std::max(correction, 0.0);
+  push(tower, i, impulse - before, slip);
+}
+
+void reference(Tower& tower, double gravity, double dt, int sweeps, Slip slip) {
+  const int boxes = tower.mass.size();
+  const double fall = slip == Slip::forgets_gravity ? 0 : gravity * dt;
+  if (slip != Slip::gravity_last) {
+    for (double& v : tower.velocity) v -= fall;
+  }
+  for (int i = 0; i < boxes; ++i) {
+    if (slip == Slip::cold) tower.impulse[i] = 0;
+    if (slip != Slip::keeps_only) push(tower, i, tower.impulse[i], slip);
+  }
+  if (slip == Slip::one_sweep) sweeps = 1;
+  if (slip == Slip::lacks_a_sweep) sweeps -= 1;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (int k = 0; k < boxes; ++k) update(tower, slip == Slip::from_the_top ? boxes - 1 - k : k, slip);
+  }
+  if (slip == Slip::gravity_last) {
+    for (double& v : tower.velocity) v -= fall;
+  }
+}
+
+struct Case {
+  std::string name = {};
+  List<double> mass = {};
+  double gravity = 10;
+  double dt = 0.02;
+  int sweeps = 10;
+
+  Tower start() const {
+    return {
+        .mass = mass, .velocity = List<double>(mass.size(), 0.0), .impulse = List<double>(mass.size(), 0.0)};
+  }
+};
+
+/// The load under a box after so many steps, with one mistake.
+double load(const Case& each, int box, int steps, Slip slip) {
+  Tower tower = each.start();
+  for (int k = 0; k < steps; ++k) reference(tower, each.gravity, each.dt, each.sweeps, slip);
+  return tower.impulse[box] / each.dt;
+}
+
+double answered(const Case& each, int box, int steps) {
+  Tower tower = each.start();
+  for (int k = 0; k < steps; ++k) step(tower, each.gravity, each.dt, each.sweeps);
+  return tower.impulse[box] / each.dt;
+}
+
+void grade_load(Grade& grade, const Case& each, int box, int steps, double value) {
+  ExpectedNumber number{.what = fmt::format("{}, step {}: load under box {} (N)", each.name, steps, box + 1),
+                        .value = value,
+                        .tolerance = printed};
+  for (const Known& wrong : known()) {
+    number.misconceptions.push_back({load(each, box, steps, wrong.slip), wrong.what});
+  }
+  grade.number(number, answered(each, box, steps));
+}
+
+void grade_all(Grade& grade) {
+  const Case ten{.name = "ten boxes of 1 kg", .mass = List<double>(10, 1.0)};
+  const List<double> box2d = {35.2394, 64.9840, 94.1659, 133.5060, 96.1557};  // Box2D 2.4.1
+  const List<int> steps = {1, 2, 3, 5, 10};
+  for (int i = 0; i < steps.size(); ++i) grade_load(grade, ten, 0, steps[i], box2d[i]);
+  const Case mixed{
+      .name = "2, 0.5, 2 and 0.5 kg", .mass = {2, 0.5, 2, 0.5}, .gravity = 9.81, .dt = 0.01, .sweeps = 4};
+  // The load on the ground is the same from the ground up and from the top down; that on top is not.
+  for (const int box : {0, 3}) grade_load(grade, mixed, box, 2, load(mixed, box, 2, Slip::none));
+  grade_load(grade, mixed, 0, 1000, 5 * 9.81);  // at last its weight
 }
 
 }  // namespace
 
-void grade(Grade& grade, Answer answer) {
-  for (const int boxes : {3, 10, 20}) grade.number(expected(boxes, 0.01), answer(boxes, 0.01));
-  grade.number(expected(10, 0.5), answer(10, 0.5));
-}
-
 Exercise exercise() {
   return {.lesson = 17,
-          .task = "How many sweeps the slowest error of a tower takes, from its rate.",
+          .task = "A step of a tower: gravity, warm start, sweeps. Its loads are those of Box2D.",
           .file = "lessons/17_tower/exercise.cpp",
-          .hints = {"After k sweeps the error is rate^k times what it was. For which k is that the share?",
-                    "Take logarithms: k log(rate) = log(share).",
-                    "ceil(log(share) / log(rate)) with rate = cos^2(pi / (2 n))."},
-          .grade = [](Grade& marks) { grade(marks, sweeps_needed); }};
+          .hints = {"Write a lambda push(i, p): box i gets p, and the box below loses it.",
+                    "Gravity for all; push(i, tower.impulse[i]) for all; then the sweeps.",
+                    "In a sweep: correction = (v_below - v_i) / (1/m_i + 1/m_below); clamp the sum, push the "
+                    "difference. The ground has v = 0 and 1/m = 0."},
+          .grade = grade_all};
 }
 
 }  // namespace cairn::exercise17

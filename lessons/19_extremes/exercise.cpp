@@ -1,17 +1,26 @@
-// Exercise 19. How many sweeps does a heavy box on a light one take? Then: bash lessons/run check 19
+// Exercise 19. Predict, then measure. Then: bash lessons/run check 19
 #include <algorithm>
 #include <cmath>
 
-#include "exercise.hpp"
+#include "lessons/exercise.hpp"
 
 namespace cairn::exercise19 {
 
-// A box of `below` kg stands on the ground and carries one of `above` kg. Each sweep leaves R / (1 + R) of
-// the error of the load on the ground, R = above / below. Return after how many sweeps no more than `share`
-// of it is left (0.01: one per cent), rounded up.
-int sweeps_needed(double above, double below, double share) {
-  (void)above, (void)below, (void)share;
-  return -1;  // <- your code
+struct Study {
+  int predicted = 0;         // sweeps, computed before the first one
+  List<double> errors = {};  // of the load on the ground, over the exact load: after each sweep
+};
+
+// A box of `below` kg stands on the ground and carries one of `above` kg. Both begin to fall, at g Δt.
+// Predict after how many sweeps at most `share` of the error of the load on the ground is left. Then measure:
+// sweep from the ground up, from impulses of 0, and note the error after each sweep, until it is at most
+// `share`, or `at_most` are done.
+Study study(double below, double above, double gravity, double dt, double share, int at_most) {
+  Study result;
+  // Your code begins here: about fifteen lines.
+
+  // Your code ends here.
+  return result;
 }
 
 }  // namespace cairn::exercise19

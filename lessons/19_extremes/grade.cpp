@@ -1,71 +1,118 @@
-// Exercise 19, graded: sweeps counted on two boxes.
-#include <cmath>
-#include <string>
+// Exercise 19, graded: what is predicted, and what is measured sweep by sweep, by (R / (1 + R))ᵏ.
+#include <fmt/format.h>
 
-#include "exercise.hpp"
+#include "exercise.cpp"
 
 namespace cairn::exercise19 {
 namespace {
 
-/// Gauss-Seidel on the two rows, with g = 1: how many sweeps until the load
-/// on the ground lacks at most this share.
-int counted(double above, double below, double share) {
-  double low = 0;                             // the load on the ground, over g dt
-  double speed_below = -1, speed_above = -1;  // over g dt: both boxes begin to fall
-  const double weight = above + below;
-  int sweeps = 0;
-  do {
-    const double p = -speed_below * below;  // (22) at the ground
-    low += p;
-    speed_below += p / below;
-    const double q = (speed_below - speed_above) / (1 / below + 1 / above);  // and between the boxes
-    speed_below -= q / below;
-    speed_above += q / above;
-    ++sweeps;
-  } while (1 - low / weight > share * (1 + 1e-9) && sweeps < 100000);
-  return sweeps;
-}
+constexpr double error_rounding = 1e-11;  // of hundreds of sweeps, with a dozen operations each
+constexpr int most_sweeps = 5000;
+constexpr double strength = 9.81, time_step = 0.01;  // [m/s²], [s]
 
-ExpectedNumber expected(double above, double below, double share) {
-  const double ratio = above / below;
-  const double exact = std::log(share) / std::log(ratio / (1 + ratio));
-  const auto text = [](double number) { return std::to_string(number).substr(0, 5); };
-  ExpectedNumber number{.what = text(above) + " kg on " + text(below) + " kg, to " + text(share) + ": sweeps",
-                        .value = static_cast<double>(counted(above, below, share)),
-                        .tolerance = 0};
+struct Case {
+  double below = 1;  // [kg]
+  double above = 1;
+  double share = 0.01;
+
+  double ratio() const { return above / below; }
+  double rate() const { return ratio() / (1 + ratio()); }  // of a sweep
+  double exact() const { return std::log(share) / std::log(rate()); }
+  std::string name() const { return fmt::format("{:g} kg on {:g} kg, to {:g}", above, below, share); }
+};
+
+void grade_prediction(Grade& grade, const Case& each, const Study& got) {
+  const double ratio = each.ratio(), exact = each.exact();
+  ExpectedNumber number{
+      .what = each.name() + ": predicted sweeps", .value = std::ceil(exact), .tolerance = 0};
   number.misconceptions = {
+      {0, "Nothing is predicted."},
       {std::floor(exact), "One too few: round up."},
-      {std::ceil(std::log(share) / std::log(1 / (1 + ratio))), "Mind which box is above: R = above / below."},
+      {std::ceil(std::log(each.share) / std::log(1 / (1 + ratio))),
+       "Mind which box is above: R = above / below."},
       {std::ceil(2 * exact), "That is Jacobi, whose rate is the square root: Gauss-Seidel is twice as fast."},
       {std::ceil(exact / std::log(10.0)),
        "Mind the logarithms: rate^k = share, so k = log(share) / log(rate)."},
       {std::ceil(4.6 * ratio),
        "4.6 R is about right for 1 % and a large R; this asks for the exact number."}};
   if (ratio > 1) {
-    number.misconceptions.push_back({std::ceil(std::log(share) / std::log(1 - 1 / ratio)),
-                                     "A sweep leaves R / (1 + R), not 1 - 1 / R: the light box falls too."});
+    number.misconceptions.push_back({std::ceil(std::log(each.share) / std::log(1 - 1 / ratio)),
+                                     "A sweep leaves R / (1 + R), not 1 - 1 / R: the light box falls, too."});
   }
-  return number;
+  grade.number(number, got.predicted);
+}
+
+double error_after(const Study& got, int sweeps) {
+  return sweeps <= got.errors.size() ? got.errors[sweeps - 1] : std::nan("");
+}
+
+/// With m1 below m2 and T = m1 + m2: the ground gives m1 of T in sweep 1, in units of g Δt, and m1 m2 / T in
+/// sweep 2.
+void grade_errors(Grade& grade, const Case& each, const Study& got) {
+  const double below = each.below, whole = each.below + each.above, rate = each.rate(), first = below / whole;
+  grade.number(
+      {.what = each.name() + ": error after sweep 1",
+       .value = rate,
+       .tolerance = error_rounding,
+       .misconceptions = {{first, "The error is what the load lacks, not what it has."},
+                          {1 - 1 / whole, "A speed is no impulse: multiply it by the effective mass."},
+                          {1 - first * time_step, "A load is a force: the impulse over Δt."},
+                          {1 + first, "The sign: the ground pushes up."},
+                          {1 - below / each.above, "The exact load is that of both boxes."}}},
+      error_after(got, 1));
+  grade.number({.what = each.name() + ": error after sweep 2",
+                .value = rate * rate,
+                .tolerance = error_rounding,
+                .misconceptions =
+                    {{rate, "Action and reaction: the contact between the boxes pushes the lower one down."},
+                     {0, "Two bodies give way between the boxes: the effective mass has both in it."},
+                     {1 - first * rate, "Add up what the ground gives: do not keep the last push alone."}}},
+               error_after(got, 2));
+  grade.number({.what = each.name() + ": error after sweep 3",
+                .value = rate * rate * rate,
+                .tolerance = error_rounding,
+                .misconceptions = {{1 - first - 2 * first * rate,
+                                    "The contact between the boxes slows the upper one down."}}},
+               error_after(got, 3));
+}
+
+void grade_count(Grade& grade, const Case& each, const Study& got) {
+  const double value = std::ceil(each.exact());
+  grade.number(
+      {.what = each.name() + ": measured sweeps",
+       .value = value,
+       .tolerance = 0,
+       .misconceptions = {{0, "Nothing is measured."},
+                          {most_sweeps, "It has not stopped: end where the error is at most the share."},
+                          {value + 1, "One too many: look at the error after the sweep, not before it."},
+                          {1, "It has stopped after one sweep."}}},
+      got.errors.size());
+}
+
+void grade_case(Grade& grade, const Case& each) {
+  const Study got = study(each.below, each.above, strength, time_step, each.share, most_sweeps);
+  grade_prediction(grade, each, got);
+  grade_errors(grade, each, got);
+  grade_count(grade, each, got);
 }
 
 }  // namespace
 
-void grade(Grade& grade, Answer answer) {
-  grade.number(expected(500, 1, 0.01), answer(500, 1, 0.01));
-  grade.number(expected(30, 2, 0.01), answer(30, 2, 0.01));
-  grade.number(expected(1, 4, 0.001), answer(1, 4, 0.001));
-  grade.number(expected(70, 1, 0.5), answer(70, 1, 0.5));
-}
-
 Exercise exercise() {
   return {
       .lesson = 19,
-      .task = "How many sweeps a heavy box on a light one takes, from their masses.",
+      .task = "Predict the sweeps of a heavy box on a light one; then sweep, and count them.",
       .file = "lessons/19_extremes/exercise.cpp",
-      .hints = {"After k sweeps the error is (R / (1 + R))^k of what it was. For which k is that the share?",
-                "Take logarithms: k log(R / (1 + R)) = log(share).",
-                "ceil(log(share) / log(above / (above + below)))."},
-      .grade = [](Grade& marks) { grade(marks, sweeps_needed); }};
+      .hints =
+          {"A sweep leaves R / (1 + R) of the error. For which k is its k-th power the share?",
+           "k = log(share) / log(R / (1 + R)), rounded up. The loop: the ground stops the lower box; then "
+           "both boxes get the same velocity, by an impulse of (v1 - v2) / (1/m1 + 1/m2).",
+           "error = 1 - sum of the ground's impulses / ((m1 + m2) g dt)."},
+      .grade = [](Grade& grade) {
+        grade_case(grade, {.below = 2, .above = 30});
+        grade_case(grade, {.below = 0.5, .above = 2, .share = 0.001});
+        grade_case(grade, {.below = 2, .above = 500, .share = 0.05});
+      }};
 }
 
 }  // namespace cairn::exercise19
