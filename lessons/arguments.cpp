@@ -19,7 +19,9 @@ const List<std::string> shared_vocabulary = {
 /// The texts behind the flags, before they are understood.
 struct Texts {
   std::map<std::string, std::string> scene = {};
-  std::string answer = {}, out = {}, frames = {}, size = {}, theme = {}, palette = {}, csv = {}, json = {};
+  std::string answer = {}, out = {}, frames = {}, size = {}, theme = {}, palette = {}, format = {},
+              panel = {};
+  std::string csv = {}, json = {};
   std::string expect = {}, color = {}, progress = {}, hint = {};
   bool help = false, version = false, about = false, list_params = false, dry_run = false;
 };
@@ -31,6 +33,8 @@ void add_texts(CLI::App& app, Texts& texts) {
   app.add_option("--size", texts.size);
   app.add_option("--theme", texts.theme);
   app.add_option("--palette", texts.palette);
+  app.add_option("--format", texts.format);
+  app.add_option("--panel", texts.panel);
   app.add_option("--csv", texts.csv);
   app.add_option("--json", texts.json);
   app.add_option("--expect", texts.expect);
@@ -45,6 +49,7 @@ void add_flags(CLI::App& app, Texts& texts, Options& options) {
   app.add_flag("--about", texts.about);
   app.add_flag("--list-params", texts.list_params);
   app.add_flag("--dry-run", texts.dry_run);
+  app.add_flag("--transparent", options.transparent);
   app.add_flag("--predict", options.predict);
   app.add_flag("--check", options.check);
   app.add_flag("--step", options.step);
@@ -164,6 +169,17 @@ std::string read_path(const LessonInfo& info, const std::string& flag, const std
                    "; a path that begins with a dash is written ./" + text);
 }
 
+void read_format(const LessonInfo& info, const CLI::App& app, const Texts& texts, Options& options) {
+  const Options::Format formats[] = {Options::Format::png, Options::Format::svg, Options::Format::apng};
+  if (app.count("--format") > 0)
+    options.format = formats[read_word(info, "format", {"png", "svg", "apng"}, texts.format)];
+  if (options.transparent && options.format == Options::Format::apng)
+    refuse(info, "--transparent must come with --format png or svg, got apng");
+  if (app.count("--panel") > 0 && texts.panel.empty()) refuse(info, "--panel must name a panel, got nothing");
+  options.panel = texts.panel;
+  if (options.transparent) options.picture_flags.push_back("--transparent");
+}
+
 void read_pictures(const LessonInfo& info, const CLI::App& app, const Texts& texts, Options& options) {
   options.out = std::filesystem::path("out") / short_name(info);
   if (app.count("--out") > 0) {
@@ -186,11 +202,11 @@ void read_pictures(const LessonInfo& info, const CLI::App& app, const Texts& tex
   if (app.count("--palette") > 0 && read_word(info, "palette", {"color", "gray"}, texts.palette) == 1) {
     options.palette = Options::Palette::gray;
   }
-  const List<std::pair<std::string, std::string>> given = {{"--out", texts.out},
-                                                           {"--frames", texts.frames},
-                                                           {"--size", texts.size},
-                                                           {"--theme", texts.theme},
-                                                           {"--palette", texts.palette}};
+  read_format(info, app, texts, options);
+  const List<std::pair<std::string, std::string>> given = {
+      {"--out", texts.out},     {"--frames", texts.frames},   {"--size", texts.size},
+      {"--theme", texts.theme}, {"--palette", texts.palette}, {"--format", texts.format},
+      {"--panel", texts.panel}};
   for (const auto& [flag, text] : given) {
     if (app.count(flag) == 0) continue;
     options.picture_flags.push_back(flag);
@@ -270,22 +286,6 @@ Options read_arguments(const LessonInfo& info, int argc, const char* const* argv
   read_console(info, app, texts, options);
   options.request = request_of(texts, options.request);
   return options;
-}
-
-std::string two_digits(int number) { return (number < 10 ? "0" : "") + std::to_string(number); }
-std::string short_name(const LessonInfo& info) { return "lesson" + two_digits(info.number); }
-std::string program_name(const LessonInfo& info) { return short_name(info) + "_" + info.name; }
-
-std::string typed_command(const LessonInfo& info) {
-  return "bash lessons/run " + std::to_string(info.number);
-}
-
-const List<std::string>& common_flags() {
-  static const List<std::string> flags = {"help",  "version", "about",   "list-params", "predict", "answer",
-                                          "hint",  "check",   "step",    "out",         "frames",  "dry-run",
-                                          "size",  "theme",   "palette", "csv",         "json",    "expect",
-                                          "quiet", "verbose", "plain",   "color",       "progress"};
-  return flags;
 }
 
 }  // namespace cairn

@@ -20,6 +20,7 @@ struct Options {
   enum class Request { run, help, version, about, list_params, hint };
   enum class Theme { light, dark };
   enum class Palette { color, gray };
+  enum class Format { png, svg, apng };
 
   Request request = Request::run;
   std::map<std::string, double, std::less<>> numbers = {};       // by flag, the standard ones among them
@@ -38,6 +39,9 @@ struct Options {
   int height = 720;  // [px]
   Theme theme = Theme::light;
   Palette palette = Palette::color;
+  Format format = Format::png;
+  std::string panel = {};    // of each frame only the panel with this in its title; "": all
+  bool transparent = false;  // no background
 
   std::string csv = {};     // a path; "-": stdout; "": nowhere
   std::string json = {};    // likewise

@@ -1,15 +1,21 @@
 // From shots to numbered files.
 #include "lessons/film.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "lessons/frames.hpp"
+#include "lessons/picture.hpp"
+#include "lessons/words.hpp"
 #include "measure/whole_file.hpp"
 #include "render/lint.hpp"
 #include "render/sequence.hpp"
@@ -51,9 +57,10 @@ List<std::string> earlier_frames(const fs::path& folder, const std::string& stem
   for (const Json& frame : old["frames"]) {
     if (!frame.is_object() || !frame.contains("file") || !frame["file"].is_string()) continue;
     const std::string file = frame["file"];
-    const bool is_ours = file.rfind(stem + "_", 0) == 0 && file.find('/') == std::string::npos &&
-                         fs::path(file).extension() == ".png";
-    if (is_ours) files.push_back(file);
+    const std::string kind = fs::path(file).extension();
+    const bool is_ours =
+        (file.rfind(stem + "_", 0) == 0 && (kind == ".png" || kind == ".svg")) || file == stem + ".apng";
+    if (is_ours && file.find('/') == std::string::npos) files.push_back(file);
   }
   return files;
 }
@@ -66,6 +73,44 @@ void remove_all_but(const fs::path& folder, const List<std::string>& files,
   }
 }
 
+/// The files of a film: numbered pictures, or one that moves.
+class FrameFiles {
+ public:
+  FrameFiles(const Options& options, render::Page& page, std::string stem, int count)
+      : options_(options), maker_(options, page), stem_(std::move(stem)), pictures_(options.out, stem_) {
+    if (options.format == Options::Format::apng)
+      film_.emplace(options.out / (stem_ + ".apng"), count, frames_per_second);
+  }
+
+  /// Draws the next frame and returns the name of the file that it will be in.
+  std::string add(const std::function<void()>& draw, const std::string& alt) {
+    if (film_) {
+      film_->add(maker_.image(draw));
+      return stem_ + ".apng";
+    }
+    const bool is_svg = options_.format == Options::Format::svg;
+    if (!is_svg && !options_.transparent) return pictures_.add(maker_.image(draw)).filename().string();
+    const std::string name = fmt::format("{}_{:04}.{}", stem_, ++count_, is_svg ? "svg" : "png");
+    write_whole_file(options_.out / name, maker_.file(draw, alt));
+    return name;
+  }
+
+  void finish() {
+    if (film_) film_->finish();
+    pictures_.finish();
+  }
+
+ private:
+  static constexpr double frames_per_second = 1;  // time to read each
+
+  const Options& options_;
+  PictureMaker maker_;
+  std::string stem_;
+  render::FrameWriter pictures_;  // encodes plain pictures while the next is drawn
+  std::optional<render::ApngWriter> film_ = {};
+  int count_ = 0;
+};
+
 /// One film at work.
 class FilmMaker {
  public:
@@ -75,7 +120,8 @@ class FilmMaker {
         console_(console),
         page_(options.width, options.height, theme_of(options)) {}
 
-  FilmReport make(const List<Shot>& shots, const List<int>& wanted) {
+  FilmReport make(const List<Shot>& shots, const List<int>& chosen) {
+    const List<int> wanted = with_panel(shots, chosen);
     // Known before anything is written, so that an old picture is never left among the new.
     const List<std::string> earlier = earlier_frames(options_.out, stem());
     try {
@@ -94,15 +140,32 @@ class FilmMaker {
  private:
   std::string stem() const { return "l" + two_digits(info_.number); }
 
+  /// Those of the frames that have the panel that is asked for.
+  List<int> with_panel(const List<Shot>& shots, const List<int>& wanted) {
+    if (options_.panel.empty()) return wanted;
+    const PictureMaker maker(options_, page_);
+    List<int> found;
+    std::set<std::string> titles;
+    for (const int index : wanted) {
+      draw(shots[index], index, shots.size());
+      for (const render::PanelPlace& panel : page_.panels()) titles.insert('"' + panel.title + '"');
+      if (maker.view()) found.push_back(index);
+    }
+    if (!found.empty()) return found;
+    throw NoSuchFrame("--panel must be in the title of a panel of these frames, which have " +
+                      (titles.empty() ? "none" : joined({titles.begin(), titles.end()}, ", ")) + "; got " +
+                      options_.panel);
+  }
+
   void write_frames(const List<Shot>& shots, const List<int>& wanted) {
     index_ = {{"lesson", info_.number}, {"title", info_.title}, {"frames_of_the_sequence", shots.size()}};
     index_["frames"] = Json::array();
     Progress progress(options_.console, "pictures", wanted.size());
-    render::FrameWriter writer(options_.out, stem());
+    FrameFiles files(options_, page_, stem(), wanted.size());
     for (int done = 0; done < wanted.size(); ++done) {
       const Shot& shot = shots[wanted[done]];
-      draw(shot, wanted[done], shots.size());
-      const std::string file = writer.add(page_.canvas().read()).filename().string();
+      const std::string file = files.add([&] { draw(shot, wanted[done], shots.size()); }, shot.alt);
+      find_faults(wanted[done]);
       written_.insert(file);
       index_["frames"].push_back({{"file", file},
                                   {"frame", wanted[done] + 1},
@@ -112,7 +175,7 @@ class FilmMaker {
       progress.advance(done + 1);
       pause_after(shot, file);
     }
-    writer.finish();
+    files.finish();
   }
 
   void draw(const Shot& shot, int index, int count) {
@@ -122,6 +185,9 @@ class FilmMaker {
                  .frame = index,
                  .frames = count});
     shot.draw(page_);
+  }
+
+  void find_faults(int index) {
     for (const std::string& finding : render::lint(page_)) {
       report_.findings.push_back("frame " + std::to_string(index + 1) + ": " + finding);
     }

@@ -20,6 +20,9 @@ Pictures  -o, --out DIR             the folder ({0})
           --size WHICH              small, medium, large or WIDTHxHEIGHT in px (large)
           --theme light|dark        (light)
           --palette color|gray      gray for black-and-white print (color)
+          --format png|svg|apng     apng: one film of all frames, a second each (png)
+          --panel NAME              only the panel that has NAME in its title
+          --transparent             no background; for png and svg
           --dry-run                 writes no file at all
 Data      --csv FILE|-              the lesson's numbers; - is stdout, and the text goes to stderr
           --json FILE|-             likewise

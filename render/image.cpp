@@ -9,6 +9,8 @@
 #include <string>
 #include <system_error>
 
+#include "math/check.hpp"
+
 namespace cairn::render {
 namespace {
 
@@ -65,6 +67,20 @@ Image read_png(const fs::path& path) {
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(failed + error.what());
   }
+}
+
+Image part_of(const Image& image, int left, int top, int width, int height) {
+  require_image(image, "part_of");
+  require(left >= 0 && width > 0 && left + width <= image.width, "part_of", "width", "inside the picture",
+          width);
+  require(top >= 0 && height > 0 && top + height <= image.height, "part_of", "height", "inside the picture",
+          height);
+  Image part = {.width = width, .height = height};
+  for (int y = top; y < top + height; ++y) {
+    const auto row = image.pixels.begin() + 3 * (y * image.width + left);
+    part.pixels.insert(part.pixels.end(), row, row + 3 * width);
+  }
+  return part;
 }
 
 ImageDifference compare(const Image& expected, const Image& actual) {

@@ -19,6 +19,12 @@ void require_image(const Image& image, std::string_view place);
 /// The bytes of a PNG file. The same image gives the same bytes on every thread.
 /// @throws std::invalid_argument as require_image().
 List<std::uint8_t> encode_png(const Image& image);
+/// The bytes of a PNG file without a background, from the same picture on black and on white.
+/// @throws std::invalid_argument as require_image(), or where the two differ in size.
+List<std::uint8_t> encode_transparent_png(const Image& on_black, const Image& on_white);
+/// The part of a picture inside a rectangle of whole pixels.
+/// @throws std::invalid_argument where it does not lie in the picture.
+Image part_of(const Image& image, int left, int top, int width, int height);
 /// Any PNG; an alpha channel is dropped. @throws std::runtime_error with the reason.
 Image decode_png(Span<const std::uint8_t> bytes);
 

@@ -88,12 +88,14 @@ void draw_header(Canvas& canvas, const Theme& theme, const Sizes& sizes, const H
 Page::Page(int width, int height, const Theme& theme, double scale)
     : canvas_(checked(width, 320, "width"), checked(height, 180, "height"), scale),
       theme_(theme),
-      sizes_(sizes_for(height)) {
-  canvas_.clear(theme_.background);
+      sizes_(sizes_for(height)),
+      paper_(theme.background) {
+  canvas_.clear(paper_);
 }
 
 void Page::begin(const Header& header) {
-  canvas_.clear(theme_.background);
+  canvas_.clear(paper_);
+  panels_.clear();
   curves_.clear();
   avoided_.clear();
   draw_header(canvas_, theme_, sizes_, header);
@@ -122,6 +124,7 @@ Rect Page::panel(const Rect& rect, std::string_view title) {
   canvas_.rect(frame, {.fill = theme_.panel, .outline = theme_.frame_line, .outline_width = 1});
   Rect inner = inset(rect, sizes_.padding);
   if (title.empty()) return inner;
+  panels_.push_back({std::string(title), {frame.x - 0.5, frame.y - 0.5, frame.width + 1, frame.height + 1}});
   const TextStyle style = shrunk(canvas_, title, inner.width, secondary());
   const double baseline = std::round(inner.y + 0.85 * sizes_.label);
   canvas_.text({inner.x, baseline}, ellipsized(canvas_, title, inner.width, style), style);

@@ -28,6 +28,12 @@ struct Equation {
   Color color = transparent;   // of the result; transparent: the text's colour
 };
 
+/// Where a panel was drawn.
+struct PanelPlace {
+  std::string title = {};
+  Rect rect = {};
+};
+
 /// Rows of text in columns, numbers right-aligned in mono.
 struct TableView {
   List<std::string> header = {};
@@ -43,6 +49,8 @@ class Page {
   /// for a scale that Canvas refuses.
   Page(int width, int height, const Theme& theme, double scale = 1);
 
+  /// What frames stand on from now on, in place of the theme's background.
+  void set_paper(Color paper) { paper_ = paper; }
   /// Begins a new frame with its header, and the footer's scrubber when there is more than one frame.
   void begin(const Header& header);
 
@@ -62,6 +70,8 @@ class Page {
 
   /// A framed panel with a title in its top left corner ("" for none). Returns what is free inside.
   Rect panel(const Rect& rect, std::string_view title);
+  /// The panels of this frame that have titles.
+  const List<PanelPlace>& panels() const { return panels_; }
   /// A panel with the lines of an equation; type shrinks (not below 12 px) until the longest line fits.
   void equation(const Rect& rect, const Equation& equation);
   /// A panel with a table; the active row is lit.
@@ -87,6 +97,8 @@ class Page {
   Canvas canvas_;
   Theme theme_;
   Sizes sizes_;
+  Color paper_;
+  List<PanelPlace> panels_;
   List<List<Point>> curves_;
   List<List<Point>> avoided_;
 };

@@ -145,6 +145,7 @@ List<EquationType> equation_types(double largest) {
 
 void Page::equation(const Rect& rect, const Equation& equation) {
   const Rect inner = panel(rect, "");
+  panels_.push_back({equation.number, rect});
   EquationLayout layout;
   for (const EquationType& type : equation_types(sizes_.equation)) {
     layout = EquationSetter(*this, inner, equation, type).set();

@@ -1,6 +1,7 @@
 // PNG bytes from pixels and back. The one place that holds stb_image and stb_image_write.
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 #include <memory>
@@ -62,6 +63,15 @@ void use_no_row_filter() {
   [[maybe_unused]] static const int filter = stbi_write_force_png_filter = 0;
 }
 
+List<std::uint8_t> encoded(const List<std::uint8_t>& pixels, int width, int height, int channels) {
+  use_no_row_filter();
+  int size = 0;
+  const StbBytes bytes(
+      stbi_write_png_to_mem(pixels.data(), width * channels, width, height, channels, &size));
+  if (!bytes) throw std::bad_alloc();  // the only way in which stb and zlib can fail here
+  return {bytes.get(), bytes.get() + size};
+}
+
 }  // namespace
 
 void require_image(const Image& image, std::string_view place) {
@@ -77,12 +87,28 @@ void require_image(const Image& image, std::string_view place) {
 
 List<std::uint8_t> encode_png(const Image& image) {
   require_image(image, "encode_png");
-  use_no_row_filter();
-  int size = 0;
-  const StbBytes bytes(
-      stbi_write_png_to_mem(image.pixels.data(), image.width * 3, image.width, image.height, 3, &size));
-  if (!bytes) throw std::bad_alloc();  // the only way in which stb and zlib can fail here
-  return {bytes.get(), bytes.get() + size};
+  return encoded(image.pixels, image.width, image.height, 3);
+}
+
+List<std::uint8_t> encode_transparent_png(const Image& on_black, const Image& on_white) {
+  require_image(on_black, "encode_transparent_png");
+  require_image(on_white, "encode_transparent_png");
+  require(on_white.width == on_black.width && on_white.height == on_black.height, "encode_transparent_png",
+          "size", "the same of both pictures", on_white.width);
+  List<std::uint8_t> pixels;
+  for (int i = 0; i < on_black.pixels.size(); i += 3) {
+    // White shines through as much as all that covers it lets pass: what covers is opaque in the channel in
+    // which the two pictures differ least.
+    int passes = 255;
+    for (int k = 0; k < 3; ++k) passes = std::min(passes, on_white.pixels[i + k] - on_black.pixels[i + k]);
+    const int alpha = 255 - std::max(0, passes);
+    for (int k = 0; k < 3; ++k) {
+      const int color = alpha == 0 ? 0 : std::min(255, (255 * on_black.pixels[i + k] + alpha / 2) / alpha);
+      pixels.push_back(static_cast<std::uint8_t>(color));
+    }
+    pixels.push_back(static_cast<std::uint8_t>(alpha));
+  }
+  return encoded(pixels, on_black.width, on_black.height, 4);
 }
 
 Image decode_png(Span<const std::uint8_t> bytes) {

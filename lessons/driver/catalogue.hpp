@@ -24,8 +24,12 @@ List<LessonInfo> cards();
 /// All lessons, as they are or would be in a folder of programs.
 List<Program> programs_in(const std::filesystem::path& folder);
 
+/// The driver's exit code where it was not understood.
+inline constexpr int bad_usage = 2;
 /// The driver's exit code where a program has not been built.
 inline constexpr int not_built = 3;
+/// A lesson's exit code where it needs what this build does not have.
+inline constexpr int skipped = 77;
 
 /// Those of them that have been built.
 List<Program> built(const List<Program>& programs);

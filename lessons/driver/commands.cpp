@@ -18,8 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using Color = Console::Color;
 
-constexpr int bad_usage = 2;
-constexpr int skipped = 77;
 constexpr int list_width = 100;
 
 List<std::string> command(const Program& program, const List<std::string>& words,

@@ -36,6 +36,9 @@ int coverage(const Context& context);
 /// The lesson book, as pages that work from a file: book [FOLDER] [flags of the lessons].
 int book(const Context& context, const List<std::string>& words);
 
+/// Pictures for documents, with alt texts beside them: export N|all [flags].
+int export_pictures(const Context& context, const List<std::string>& words);
+
 /// "  00  One body" for every lesson: for complaints about words that are none.
 std::string short_list(const Context& context);
 

@@ -30,6 +30,7 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
   bash lessons/run solver 4    grades stage 4 of a solver of your own, my_solver.cpp; 4 --begin writes its start
   bash lessons/run check --all the checks of every lesson, without the exercises
   bash lessons/run book        every lesson as a page for the browser, in out/book/
+  bash lessons/run export 6    its pictures for documents, with alt texts; export --help has the flags
   bash lessons/run playground  the core in a browser: one page, in out/playground/; installs emscripten
   bash lessons/run cairn       the program for scenes of your own: cairn run FILE.toml
 
@@ -130,7 +131,8 @@ int act(const Context& context, const std::string& word, const Words& rest) {
       {"doctor", [&] { return doctor(context); }},
       {"legend", [&] { return legend(context); }},
       {"coverage", [&] { return coverage(context); }},
-      {"book", [&] { return book(context, rest); }}};
+      {"book", [&] { return book(context, rest); }},
+      {"export", [&] { return export_pictures(context, rest); }}};
   const auto action = actions.find(word);
   if (action != actions.end()) return action->second();
   if (find(context.programs, word) != nullptr)

@@ -1,0 +1,221 @@
+// Pictures for documents: drawn by the lessons, named by lesson, frame and theme.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "lessons/driver/commands.hpp"
+#include "lessons/driver/process.hpp"
+#include "lessons/words.hpp"
+#include "measure/whole_file.hpp"
+
+namespace cairn::driver {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = List<std::string>;
+
+constexpr int cannot_write = 3;
+
+constexpr const char* export_help =
+    R"(lessons export N|all [flags]: pictures for documents, and their alt texts beside them
+
+  -o, --out DIR             the folder (out/export)
+  --frames WHICH            key (at most 12), all, cover, N, A:B or A:B:STEP (cover)
+  --theme light|dark|both   (both)
+  --scale X                 1 is 1280 x 720 px, from 0.75 to 3 (1)
+  --format png|svg|apng|gif apng and gif: one film of all frames; gif needs the program ffmpeg (png)
+  --panel NAME              only the panel that has NAME in its title
+  --transparent             no background; for png and svg
+Other flags are the lesson's own, such as --bodies 10.
+Files: 06_sequential_impulses_0007_light.png is frame 7, and 06_sequential_impulses_0007.txt says what it shows.
+)";
+
+/// What was asked for wrongly: one line for people.
+struct ExportError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A lesson has ended with this exit code.
+struct LessonEnded : std::runtime_error {
+  LessonEnded(const std::string& output, int exit_code) : std::runtime_error(output), code(exit_code) {}
+  int code;
+};
+
+struct Order {
+  fs::path out = "out/export";
+  Words themes = {"light", "dark"};
+  std::string format = "png";
+  Words flags = {"--frames", "cover"};  // of the lessons
+};
+
+double scale_of(const std::string& text) {
+  const std::optional<double> scale = parse_number(text);
+  if (!scale || !(*scale >= 0.75 && *scale <= 3))
+    throw ExportError("export: --scale must be a number from 0.75 to 3, got " + text);
+  return *scale;
+}
+
+std::string one_of(const std::string& flag, const Words& words, const std::string& text) {
+  for (const std::string& word : words)
+    if (word == text) return text;
+  throw ExportError("export: " + flag + " must be " + joined(words, " or ") + ", got " + text);
+}
+
+/// What a lesson that ended early said of it: all but the checks that held.
+std::string complaints_in(const std::string& output) {
+  std::istringstream lines(output);
+  std::string complaints;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line.ends_with(" ok")) continue;
+    complaints += (complaints.empty() ? "" : "\n") + line;
+  }
+  return complaints;
+}
+
+/// Takes the words that concern the export; the others are for the lessons.
+Order order_of(const Words& words) {
+  Order order;
+  const Words known = {"--out", "-o", "--theme", "--scale", "--format"};
+  for (int i = 0; i < words.size(); ++i) {
+    const std::size_t sign = words[i].rfind("--", 0) == 0 ? words[i].find('=') : std::string::npos;
+    const std::string flag = words[i].substr(0, sign);
+    if (joined(known, " ").find(flag) == std::string::npos || flag.size() < 2) {
+      order.flags.push_back(words[i]);
+      continue;
+    }
+    if (sign == std::string::npos && i + 1 == words.size())
+      throw ExportError("export: " + flag + " needs a value");
+    const std::string value = sign == std::string::npos ? words[++i] : words[i].substr(sign + 1);
+    if (flag == "--out" || flag == "-o") order.out = value;
+    if (flag == "--theme" && one_of(flag, {"light", "dark", "both"}, value) != "both") order.themes = {value};
+    if (flag == "--format") order.format = one_of(flag, {"png", "svg", "apng", "gif"}, value);
+    if (flag != "--scale") continue;
+    const double scale = scale_of(value);
+    order.flags.insert(order.flags.end(),
+                       {"--size", fmt::format("{}x{}", std::lround(1280 * scale), std::lround(720 * scale))});
+  }
+  return order;
+}
+
+nlohmann::json draw(const Order& order, const Program& program, const std::string& theme,
+                    const fs::path& work) {
+  Words command = {program.path.string(), "-q", "--color", "never", "--progress", "never"};
+  command.insert(command.end(), order.flags.begin(), order.flags.end());
+  const std::string drawn = order.format == "gif" ? "png" : order.format;
+  command.insert(command.end(), {"--format", drawn, "--theme", theme, "--out", work.string()});
+  const ProcessResult result = run_quietly(command);
+  if (result.code != 0) throw LessonEnded(complaints_in(result.output), result.code);
+  std::ifstream stream(work / "frames.json");
+  return nlohmann::json::parse(stream).at("frames");
+}
+
+void move_to(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error) throw WriteError("cannot write " + to.string() + ": " + error.message());
+}
+
+/// One GIF of the pictures in a folder, with a palette of its own.
+void make_gif(const fs::path& work, const std::string& stem, const fs::path& target) {
+  const fs::path made = work / "film.gif";
+  const ProcessResult result =
+      run_quietly({"ffmpeg", "-y", "-framerate", "1", "-i", (work / (stem + "_%04d.png")).string(), "-vf",
+                   "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=none", "-loop", "0",
+                   made.string()});
+  if (result.code != 0)
+    throw WriteError("cannot write " + target.string() +
+                     ": --format gif needs the program ffmpeg (apt-get install ffmpeg); apng needs none");
+  move_to(made, target);
+}
+
+/// The pictures of one lesson in one theme. Returns how many files there are.
+int export_one(const Order& order, const Program& program, const std::string& theme) {
+  const std::string name = program.name.substr(std::string("lesson").size());
+  const fs::path work = order.out / ("unfinished_" + name + "_" + theme);
+  struct Removal {
+    const fs::path& folder;
+    ~Removal() {
+      std::error_code ignored;
+      fs::remove_all(folder, ignored);
+    }
+  } removal{work};
+  const nlohmann::json frames = draw(order, program, theme, work);
+  const bool is_film = order.format == "apng" || order.format == "gif";
+  std::string alt;
+  for (const auto& frame : frames) {
+    const std::string file = frame.at("file"), text = frame.at("alt");
+    if (is_film) {
+      alt += fmt::format("{}. {}\n", frame.at("frame").get<int>(), text);
+      continue;
+    }
+    const std::string numbered = fmt::format("{}_{:04}", name, frame.at("frame").get<int>());
+    move_to(work / file, order.out / (numbered + "_" + theme + fs::path(file).extension().string()));
+    write_whole_file(order.out / (numbered + ".txt"), text + "\n");
+  }
+  if (!is_film) return static_cast<int>(frames.size());
+  const std::string stem = "l" + two_digits(program.number);
+  const fs::path film = order.out / (name + "_" + theme + "." + order.format);
+  if (order.format == "gif") make_gif(work, stem, film);
+  if (order.format == "apng") move_to(work / (stem + ".apng"), film);
+  write_whole_file(order.out / (name + ".txt"), alt);
+  return 1;
+}
+
+List<Program> wanted_programs(const Context& context, const Words& words) {
+  if (words.empty()) throw ExportError("export needs the number of a lesson, or all");
+  if (words.front() == "all") return built(context.programs);
+  const Program* program = find(context.programs, words.front());
+  if (program == nullptr) throw ExportError("export: there is no lesson " + words.front());
+  require_built(*program);
+  return {*program};
+}
+
+int export_all(const Context& context, const Words& words) {
+  const List<Program> programs = wanted_programs(context, words);
+  const Order order = order_of({words.begin() + 1, words.end()});
+  Progress progress(context.settings, "lessons", programs.size());
+  int files = 0;
+  for (int i = 0; i < programs.size(); ++i) {
+    progress.advance(i);
+    for (const std::string& theme : order.themes) {
+      try {
+        files += export_one(order, programs[i], theme);
+      } catch (const LessonEnded& ended) {
+        if (ended.code != skipped || programs.size() == 1) throw;
+      }
+    }
+  }
+  progress.clear();
+  Console(context.settings)
+      .narrate(fmt::format("{} pictures with their alt texts: {}", files, order.out.string()));
+  return 0;
+}
+
+}  // namespace
+
+int export_pictures(const Context& context, const Words& words) {
+  Console console(context.settings);
+  for (const std::string& word : words) {
+    if (word != "-h" && word != "--help") continue;
+    console.result(export_help);
+    return 0;
+  }
+  try {
+    return export_all(context, words);
+  } catch (const ExportError& error) {
+    console.warn(std::string("lessons: ") + error.what());
+    return bad_usage;
+  } catch (const LessonEnded& ended) {
+    console.warn(ended.what());
+    return ended.code;
+  } catch (const WriteError& error) {
+    console.warn(std::string("lessons: ") + error.what());
+    return cannot_write;
+  }
+}
+
+}  // namespace cairn::driver

@@ -1,0 +1,92 @@
+// Pictures for documents: their names, their alt texts, their forms.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "child_lesson.hpp"
+#include "math/list.hpp"
+#include "render/image.hpp"
+
+using namespace cairn;
+using namespace cairn::testing;
+
+namespace {
+
+using Names = List<std::string>;
+
+/// `lessons export 6` into a folder.
+Ran export_six(const ScratchFolder& folder, Names flags) {
+  Names words = {"export", "6", "--out", folder.path() + "/out"};
+  words.insert(words.end(), flags.begin(), flags.end());
+  return run_program("lessons", words);
+}
+
+bool tells(const Ran& ran, const std::string& part) { return ran.err.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("exported pictures keep the number of their frame, and have their alt text beside them") {
+  const ScratchFolder folder;
+  CHECK(export_six(folder, {"--frames", "2:3", "--scale", "0.75"}).code == 0);
+  CHECK(folder.names("out") ==
+        Names{"06_sequential_impulses_0002.txt", "06_sequential_impulses_0002_dark.png",
+              "06_sequential_impulses_0002_light.png", "06_sequential_impulses_0003.txt",
+              "06_sequential_impulses_0003_dark.png", "06_sequential_impulses_0003_light.png"});
+  CHECK(folder.text("out/06_sequential_impulses_0002.txt").starts_with("Sweep 1, row 1: "));
+  const render::Image image = render::read_png(folder.path() + "/out/06_sequential_impulses_0002_dark.png");
+  CHECK(image.width == 960);
+  CHECK(image.height == 540);
+}
+
+TEST_CASE("a panel alone is exported as PNG and as SVG, with a background or none") {
+  const ScratchFolder folder;
+  for (const char* format : {"png", "svg"}) {
+    CHECK(export_six(folder, {"--frames", "2", "--theme", "light", "--panel", "EQ (22)", "--format", format,
+                              "--transparent"})
+              .code == 0);
+  }
+  const render::Image image = render::read_png(folder.path() + "/out/06_sequential_impulses_0002_light.png");
+  CHECK(image.width < 1280);
+  CHECK(image.height < 720);
+  const std::string png = folder.text("out/06_sequential_impulses_0002_light.png");
+  CHECK(png[25] == 6);  // the colour type of PNG with an alpha channel (ISO/IEC 15948, 11.2.2)
+  const std::string svg = folder.text("out/06_sequential_impulses_0002_light.svg");
+  CHECK(svg.starts_with("<svg "));
+  CHECK(svg.find("<title>Sweep 1, row 1: ") != std::string::npos);
+}
+
+TEST_CASE("a film is one file, and its text names every frame") {
+  const ScratchFolder folder;
+  CHECK(export_six(folder, {"--frames", "2:4", "--theme", "dark", "--format", "apng", "--scale", "0.75"})
+            .code == 0);
+  CHECK(folder.names("out") == Names{"06_sequential_impulses.txt", "06_sequential_impulses_dark.apng"});
+  const std::string text = folder.text("out/06_sequential_impulses.txt");
+  CHECK(text.starts_with("2. Sweep 1, row 1: "));
+  CHECK(text.find("\n4. Sweep 1, row 3: ") != std::string::npos);
+}
+
+TEST_CASE("what cannot be exported is refused, and leaves nothing behind") {
+  const ScratchFolder folder;
+  const struct {
+    Names flags;
+    std::string message;
+  } cases[] = {
+      {{"--scale", "9"}, "--scale must be a number from 0.75 to 3, got 9"},
+      {{"--theme", "blue"}, "--theme must be light or dark or both, got blue"},
+      {{"--format", "jpg"}, "--format must be png or svg or apng or gif, got jpg"},
+      {{"--format"}, "--format needs a value"},
+      {{"--bodiez", "4"}, "did you mean --bodies?"},
+      {{"--frames", "999"}, "there is no frame 999"},
+      {{"--frames", "2", "--panel", "nobody's"}, "--panel must be in the title of a panel of these frames"},
+      {{"--format", "apng", "--transparent"}, "--transparent must come with --format png or svg"}};
+  for (const auto& [flags, message] : cases) {
+    CAPTURE(message);
+    const Ran ran = export_six(folder, flags);
+    CHECK(ran.code == 2);
+    CHECK(tells(ran, message));
+    CHECK(folder.names("out").empty());
+  }
+  CHECK(run_program("lessons", {"export"}).code == 2);
+  CHECK(tells(run_program("lessons", {"export", "99"}), "there is no lesson 99"));
+}
