@@ -50,6 +50,7 @@ struct Order {
   Words themes = {"light", "dark"};
   std::string format = "png";
   Words flags = {"--frames", "cover"};  // of the lessons
+  Words complaints = {};                // of lessons whose own checks failed
 };
 
 double scale_of(const std::string& text) {
@@ -101,14 +102,16 @@ Order order_of(const Words& words) {
   return order;
 }
 
-nlohmann::json draw(const Order& order, const Program& program, const std::string& theme,
-                    const fs::path& work) {
+/// Draws, and says what did not hold: such pictures are delivered all the same.
+nlohmann::json draw(Order& order, const Program& program, const std::string& theme, const fs::path& work) {
   Words command = {program.path.string(), "-q", "--color", "never", "--progress", "never"};
   command.insert(command.end(), order.flags.begin(), order.flags.end());
   const std::string drawn = order.format == "gif" ? "png" : order.format;
   command.insert(command.end(), {"--format", drawn, "--theme", theme, "--out", work.string()});
   const ProcessResult result = run_quietly(command);
-  if (result.code != 0) throw LessonEnded(complaints_in(result.output), result.code);
+  if (result.code > 1) throw LessonEnded(complaints_in(result.output), result.code);
+  if (result.code == 1)
+    order.complaints.push_back(program.name + " " + theme + ":\n" + complaints_in(result.output));
   std::ifstream stream(work / "frames.json");
   return nlohmann::json::parse(stream).at("frames");
 }
@@ -133,7 +136,7 @@ void make_gif(const fs::path& work, const std::string& stem, const fs::path& tar
 }
 
 /// The pictures of one lesson in one theme. Returns how many files there are.
-int export_one(const Order& order, const Program& program, const std::string& theme) {
+int export_one(Order& order, const Program& program, const std::string& theme) {
   const std::string name = program.name.substr(std::string("lesson").size());
   const fs::path work = order.out / ("unfinished_" + name + "_" + theme);
   struct Removal {
@@ -176,7 +179,7 @@ List<Program> wanted_programs(const Context& context, const Words& words) {
 
 int export_all(const Context& context, const Words& words) {
   const List<Program> programs = wanted_programs(context, words);
-  const Order order = order_of({words.begin() + 1, words.end()});
+  Order order = order_of({words.begin() + 1, words.end()});
   Progress progress(context.settings, "lessons", programs.size());
   int files = 0;
   for (int i = 0; i < programs.size(); ++i) {
@@ -190,9 +193,10 @@ int export_all(const Context& context, const Words& words) {
     }
   }
   progress.clear();
-  Console(context.settings)
-      .narrate(fmt::format("{} pictures with their alt texts: {}", files, order.out.string()));
-  return 0;
+  Console console(context.settings);
+  console.narrate(fmt::format("{} pictures with their alt texts: {}", files, order.out.string()));
+  for (const std::string& complaint : order.complaints) console.warn(complaint);
+  return order.complaints.empty() ? 0 : 1;
 }
 
 }  // namespace
