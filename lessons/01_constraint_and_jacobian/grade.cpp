@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exercise.hpp"
-#include "math/list.hpp"
+#include "exercise.cpp"
 
 namespace cairn::exercise01 {
 namespace {
@@ -32,61 +31,68 @@ Rail rail_at(int i) {
 }
 
 /// The largest difference between an entry and its slope.
-double worst_entry(Answer answer, int axis) {
+double worst_entry(int axis) {
   double worst = 0;
   for (int i = 0; i < 20; ++i) {
-    const double off = std::abs(answer(rail_at(i))[axis] - slope_of_distance(rail_at(i), axis));
+    const double off = std::abs(jacobian(rail_at(i))[axis] - slope_of_distance(rail_at(i), axis));
     worst = std::isnan(off) ? off : std::max(worst, off);
   }
   return worst;
 }
 
-}  // namespace
-
-void grade(Grade& grade, Answer answer) {
+void grade_thirty(Grade& grade) {
   const double half = std::sqrt(3.0) / 2;
   const Rail thirty{.slope = std::acos(half), .arm_x = 0.4, .arm_y = 0.2};
   const double turn = 0.4 * half + 0.2 * 0.5;
-  const FixedList<double, 3> j = answer(thirty);
-  grade.number(
-      {.what = "a rail of 30 degrees: j_x",
-       .value = -0.5,
-       .tolerance = difference,
-       .misconceptions = {{half, "That is along the rail: there the point may go. j points across."},
-                          {0.5, "c grows on the upper side: to the right means down into the rail."}}},
-      j[0]);
-  grade.number(
-      {.what = "a rail of 30 degrees: j_y",
-       .value = half,
-       .tolerance = difference,
-       .misconceptions = {{0.5, "That is along the rail: there the point may go. j points across."}}},
-      j[1]);
+  const FixedList<double, 3> j = jacobian(thirty);
+  const char* const level = "That is for a level rail: this one rises by 30 degrees.";
+  grade.number({.what = "a rail of 30 degrees: j_x",
+                .value = -0.5,
+                .tolerance = difference,
+                .misconceptions = {{half, "That is along the rail: there the point may go. j points across."},
+                                   {0.5, "c grows on the upper side: to the right means down into the rail."},
+                                   {0, level}}},
+               j[0]);
+  grade.number({.what = "a rail of 30 degrees: j_y",
+                .value = half,
+                .tolerance = difference,
+                .misconceptions = {{0.5, "That is along the rail: there the point may go. j points across."},
+                                   {-half, "c shrinks on the lower side: upwards it grows."},
+                                   {1, level}}},
+               j[1]);
   grade.number(
       {.what = "with the arm (0.4, 0.2) m: j_theta (m)",
        .value = turn,
        .tolerance = difference,
-       .misconceptions = {{-turn, "The order: r x n, which is r_x n_y - r_y n_x."},
+       .misconceptions = {{-turn, "The order: r × n, with n to the upper side, is r_x n_y − r_y n_x."},
                           {0, "The point moves as well when the body turns: where is the arm?"},
-                          {0.4 * half - 0.2 * 0.5, "A sign: r_x n_y - r_y n_x, and n_x is negative here."},
-                          {0.4 * -0.5 + 0.2 * half, "That is r n. The arm comes in as r x n."}}},
+                          {0.4 * half - 0.2 * 0.5, "A sign: r_x n_y − r_y n_x, and n_x is negative here."},
+                          {0.4 * -0.5 + 0.2 * half, "That is r·n. The arm comes in as r × n."},
+                          {0.4 * 0.5 - 0.2 * half, "That is r × t, with t along the rail: take n across it."},
+                          {0.4 * half, "Both parts of the arm count: r_x n_y − r_y n_x."},
+                          {0.4, level}}},
       j[2]);
-  grade.number({.what = "20 rails: largest difference of j_x from dc/dx", .tolerance = difference},
-               worst_entry(answer, 0));
-  grade.number({.what = "20 rails: largest difference of j_y from dc/dy", .tolerance = difference},
-               worst_entry(answer, 1));
-  grade.number(
-      {.what = "20 rails: largest difference of j_theta from dc/dtheta (m)", .tolerance = difference},
-      worst_entry(answer, 2));
 }
+
+}  // namespace
 
 Exercise exercise() {
   return {.lesson = 1,
           .task = "The row j of a point that slides along a straight rail: equation (5).",
           .file = "lessons/01_constraint_and_jacobian/exercise.cpp",
-          .hints = {"Which unit vector n points across the rail, to its upper side? c = n p.",
-                    "n = (-sin, cos) of the slope. How does the point p move when only the body turns?",
-                    "By omega (-r_y, r_x). So j_theta = n_x (-r_y) + n_y r_x."},
-          .grade = [](Grade& marks) { grade(marks, jacobian); }};
+          .hints = {"Which unit vector n points across the rail, to its upper side? c = n·p.",
+                    "n = (−sin, cos) of the slope. How does the point p move when only the body turns?",
+                    "By ω (−r_y, r_x). So j_θ = n_x (−r_y) + n_y r_x."},
+          .grade = [](Grade& grade) {
+            grade_thirty(grade);
+            grade.number({.what = "20 rails: largest difference of j_x from dc/dx", .tolerance = difference},
+                         worst_entry(0));
+            grade.number({.what = "20 rails: largest difference of j_y from dc/dy", .tolerance = difference},
+                         worst_entry(1));
+            grade.number({.what = "20 rails: largest difference of j_theta from dc/dtheta (m)",
+                          .tolerance = difference},
+                         worst_entry(2));
+          }};
 }
 
 }  // namespace cairn::exercise01

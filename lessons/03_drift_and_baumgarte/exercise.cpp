@@ -2,13 +2,26 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exercise.hpp"
+#include "lessons/exercise.hpp"
 
 namespace cairn::exercise03 {
 
+/// How a contact takes errors back.
+struct Recovery {
+  double beta = 0;       // share of the error that each step takes back
+  double slop = 0;       // [m] an error up to this may stay
+  double max_speed = 0;  // [m/s] zeta is not above this
+  double dt = 0;         // [s]
+};
+
+// zeta [m/s] of a contact that is `depth` m inside, equation (7): the separation speed that its row asks
+// for. 0 where the depth is within the slop, and for bodies that are apart (a depth below 0).
 double wanted_speed(double depth, const Recovery& recovery) {
-  (void)depth, (void)recovery;
-  return std::nan("");  // <- your code
+  double zeta = std::nan("");
+  // Your code begins here: one or two lines.
+
+  // Your code ends here.
+  return zeta;
 }
 
 }  // namespace cairn::exercise03
