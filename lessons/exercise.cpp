@@ -84,13 +84,4 @@ int exercise_program(const Exercise& exercise, int argument_count, const char* c
   return finished(run_exercise(exercise, argument_count, arguments));
 }
 
-int exercise_list_program(const List<Exercise>& exercises) {
-  for (const Exercise& exercise : exercises) {
-    Grade grade;
-    exercise.grade(grade);
-    fmt::print("{:02} {}\n", exercise.lesson, grade.passed() ? "passed" : "failed");
-  }
-  return finished(EXIT_SUCCESS);
-}
-
 }  // namespace cairn

@@ -66,7 +66,4 @@ int exercise_program(const Exercise& exercise, int argument_count, const char* c
 /// is built.
 List<List<Exercise>> all_answers();
 
-/// A program that grades many, a line each: "05 passed" or "05 failed". Exit code 0.
-int exercise_list_program(const List<Exercise>& exercises);
-
 }  // namespace cairn
