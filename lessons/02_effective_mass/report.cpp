@@ -103,11 +103,40 @@ void check_row(Lesson& lesson, const Pushes& all) {
                      16 * epsilon * settings.speed + 2 * gap);
 }
 
+namespace {
+
+/// (16), (18), (21) and (22) of the two bodies, each by itself.
+void check_pair(Lesson& lesson, const Pushes& all) {
+  const PegSettings& settings = all.settings;
+  const double rounding = 32 * epsilon * settings.speed + 2 * epsilon / settings.dt;
+  double rate = 0, action = 0, impulse = 0, lambda = 0;
+  for (const Push& push : all.at) {
+    rate = std::max(rate, std::abs(push.rate_before + settings.speed));
+    const Vec3<double> p_a = push.row.jacobian_a * push.impulse, p_b = push.row.jacobian_b * push.impulse;
+    const double moments = p_a.z() + push.x * p_a.y() + p_b.z();  // about the middle of the underside
+    action = std::max({action, (p_a + p_b).head<2>().norm(), std::abs(moments)});
+    const double inverse = 1 / settings.mass + push.x * push.x / inertia_of(settings.mass);
+    const double by_formula = settings.speed / inverse;
+    impulse = std::max(impulse, (p_b - Vec3<double>(0, by_formula, push.x * by_formula)).norm());
+    lambda = std::max(lambda, std::abs(push.by_hand.impulse / by_formula - 1));
+  }
+  lesson.check_small("(16) v of two bodies: j·v₁ = −speed (m/s)", rate, rounding);
+  lesson.check_small("(18) p_c: what one body gets, the other gives, moments too (N s)", action,
+                     8 * settings.mass * rounding);
+  lesson.check_small("(21) p_c = jᵀ λ Δt: λ Δt upwards and x λ Δt around the centre (N s)", impulse,
+                     8 * settings.mass * rounding);
+  lesson.check_small("(22) λ = speed / ((1/m + x²/I) Δt), relative", lambda,
+                     16 * epsilon + 2 * epsilon / settings.dt / settings.speed);
+}
+
+}  // namespace
+
 void check_motion(Lesson& lesson, const Pushes& all) {
   const PegSettings& settings = all.settings;
   const double gap = epsilon / settings.dt;
   const double rounding = 32 * epsilon * settings.speed + 2 * gap;
   double momentum = 0, loss = 0;
+  check_pair(lesson, all);
   for (const Push& push : all.at) {
     const Vec3<double> change = velocity_after(push) - push.before.bodies[{2}].velocity;
     momentum = std::max({momentum, std::abs(change.y() - push.impulse / settings.mass), std::abs(change.x()),

@@ -136,6 +136,36 @@ void check_matrices(Lesson& lesson, const StackRun& run) {
   }
 }
 
+namespace {
+
+/// (1), (8), (12) and (13), each by itself.
+void check_system(Lesson& lesson, const StackRun& run, double solved, double remainder) {
+  const StackSystem& system = run.system;
+  const double fall = gravity * run.settings.dt;
+  double stacked = std::abs(static_cast<double>(system.velocity.size()) - 3.0 * run.boxes());
+  const double zeta = baumgarte * run.settings.sunk / run.settings.dt;  // of the lowest contact; 0 above
+  double missing = 0, moved = 0;
+  Eigen::VectorXd lambda(run.boxes());
+  for (int i = 0; i < run.boxes(); ++i) {
+    stacked = std::max(stacked, (system.velocity.segment<3>(3 * i) - Eigen::Vector3d(0, -fall, 0)).norm());
+    const double rate = system.J.row(i).dot(system.velocity) - system.zeta(i);
+    missing = std::max(missing, std::abs(rate - (i == 0 ? -fall - zeta : 0)));
+    moved = std::max(moved, std::abs(run.velocity(3 * i + 1) - zeta));
+    lambda(i) = lambda_by_formula(run, i);
+  }
+  lesson.check_small("(1) v: 0, −g Δt and 0 of each box, below each other (m/s)", stacked, 0);
+  lesson.check_small("(8) J v₁ − ζ: −g Δt − ζ₁ at the ground, 0 above (m/s)", missing,
+                     8 * epsilon * (fall + zeta));
+  lesson.check_small("(12) v₂ = v₁ + M⁻¹ Jᵀ λ Δt: every box moves at ζ₁ (m/s)", moved,
+                     remainder * run.boxes() + solved * run.settings.dt);
+  const Eigen::VectorXd left = system.J * system.inverse_mass.asDiagonal() * system.J.transpose() * lambda;
+  const Eigen::VectorXd right = (system.zeta - system.J * system.velocity) / run.settings.dt;
+  lesson.check_small("(13) J M⁻¹ Jᵀ λ = (ζ − J v₁) / Δt, with λ by the formula (m/s²)",
+                     (left - right).cwiseAbs().maxCoeff(), remainder / run.settings.dt);
+}
+
+}  // namespace
+
 void check_solution(Lesson& lesson, const StackRun& run) {
   const StackSystem& system = run.system;
   const int n = run.boxes();
@@ -152,6 +182,7 @@ void check_solution(Lesson& lesson, const StackRun& run) {
   const double remainder = 16 * n * epsilon * run.eigenvalues(n - 1) * largest * dt;
   lesson.check_small("(11) J v₂ = ζ (m/s)", (system.J * run.velocity - system.zeta).cwiseAbs().maxCoeff(),
                      remainder);
+  check_system(lesson, run, solved, remainder);
   // b is then ζ/Δt alone.
   const double without = lambda_by_formula(run, 0) - mass_above(run, 0) * gravity;
   lesson.check_equal("gravity not in v₁: λ₁ holds nothing up (N)", run.lambda_without(0), without, solved);

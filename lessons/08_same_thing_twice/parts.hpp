@@ -10,6 +10,10 @@ namespace cairn::twice {
 void tell_scene(Lesson& lesson, const TwiceSettings& settings);
 void tell_first_sweep(Lesson& lesson, const TwiceRun& run);
 void tell_precisions(Lesson& lesson, const TwiceRun& run);
+/// (24) and (25), in the sweeps of the library's SI.
+void check_eta(Lesson& lesson, const TwiceRun& run);
+/// How many effective masses the sweeps need, computed once or in each update.
+void tell_and_check_masses(Lesson& lesson, const TwiceRun& run);
 void check_claims(Lesson& lesson, const TwiceRun& run);
 CsvTable table_of(const TwiceRun& run);
 

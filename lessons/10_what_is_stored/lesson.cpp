@@ -84,6 +84,7 @@ void run(Lesson& lesson) {
   lesson.predict();
   tell_counts(lesson, stored);
   tell_kept(lesson, stored);
+  tell_building(lesson, stored);
   tell_cases(lesson, stored);
   const Count& largest = stored.pyramids.back();
   lesson.answer({largest.non_zeros / largest.rows}, 1.5,

@@ -13,6 +13,9 @@ void tell_scene(Lesson& lesson, const StoredRun& run);
 void tell_counts(Lesson& lesson, const StoredRun& run);
 void tell_kept(Lesson& lesson, const StoredRun& run);
 void tell_cases(Lesson& lesson, const StoredRun& run);
+/// What A costs before the first sweep, and what a sweep reads.
+void tell_building(Lesson& lesson, const StoredRun& run);
+void check_building(Lesson& lesson, const StoredRun& run);
 void check_claims(Lesson& lesson, const StoredRun& run);
 CsvTable table_of(const StoredRun& run);
 

@@ -152,6 +152,7 @@ void tell_cases(Lesson& lesson, const StoredRun& run) {
 
 void check_claims(Lesson& lesson, const StoredRun& run) {
   check_counts(lesson, run);
+  check_building(lesson, run);
   check_cases(lesson, run);
   check_solvers(lesson, run);
 }

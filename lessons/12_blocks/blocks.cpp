@@ -79,7 +79,7 @@ ChainRun run_chain(const std::string& name, const Scene& scene, int size) {
   const VelocityProblem<double> problem = world.velocity_problem();
   const SystemMatrices<double> system = system_matrices(problem);
   const Vector<double> exact = system.A.ldlt().solve(system.b);
-  ChainRun run{.name = name, .start = snapshot(world), .A = system.A};
+  ChainRun run{.name = name, .start = snapshot(world), .problem = problem, .A = system.A};
   SequentialImpulse<double> rows({.iterations = most_sweeps});
   BlockSequentialImpulse<double> blocks({.iterations = most_sweeps});
   run.rows = solve_chain(problem, exact, rows);

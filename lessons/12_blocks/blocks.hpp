@@ -61,6 +61,7 @@ struct ChainRun {
   int dense_sweeps = -1;  // by Gauss-Seidel on A lambda = b with a dense A; -1: not for rows with bounds
   int dense_block_sweeps = -1;
   Snapshot start = {};
+  VelocityProblem<double> problem = {};
   Matrix<double> A = {};
   ChainSolve rows = {};
   ChainSolve blocks = {};

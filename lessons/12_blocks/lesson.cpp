@@ -101,6 +101,7 @@ void run(Lesson& lesson) {
       "A block ends the conflict between the rows of one joint. What is left is between the joints, and "
       "takes nearly as many sweeps as before.");
   check_runs(lesson, all);
+  report_counted(lesson, all);
   lesson.film(blocks_shots(all, card().question));
   lesson.data(sweeps_table(all));
   lesson.fingerprint(all.last);

@@ -14,6 +14,8 @@ BlocksSettings settings_of(const Lesson& lesson);
 void print_scene(Lesson& lesson, const BlocksSettings& settings);
 void print_runs(Lesson& lesson, const BlocksRuns& all);
 void check_runs(Lesson& lesson, const BlocksRuns& all);
+/// What a block saves in each sweep, counted and checked.
+void report_counted(Lesson& lesson, const BlocksRuns& all);
 CsvTable sweeps_table(const BlocksRuns& all);
 
 using Runs = std::shared_ptr<const BlocksRuns>;

@@ -42,6 +42,8 @@ struct PulleyRuns {
   List<PulleyRun> runs = {};           // SI first, then six others
 };
 
+Scene pulley_scene(const PulleySettings& settings);
+
 PulleyRuns run_pulleys(const PulleySettings& settings);
 
 /// The world as it is now.

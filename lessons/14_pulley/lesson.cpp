@@ -91,6 +91,7 @@ void run(Lesson& lesson) {
       "weight: " +
           what_goes_down(settings) + ".");
   check_runs(lesson, all);
+  report_calls(lesson, settings);
   lesson.film(pulley_shots(all));
   lesson.data(steps_table(all));
   lesson.fingerprint(all.runs[0].steps.back().snapshot);

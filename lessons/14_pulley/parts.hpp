@@ -16,6 +16,8 @@ void print_scene(Lesson& lesson, const PulleySettings& settings);
 std::string what_goes_down(const PulleySettings& settings);
 void print_runs(Lesson& lesson, const PulleyRuns& all);
 void check_runs(Lesson& lesson, const PulleyRuns& all);
+/// Virtual calls of sweeps over a rope and many contacts, counted and checked.
+void report_calls(Lesson& lesson, const PulleySettings& settings);
 CsvTable steps_table(const PulleyRuns& all);
 
 /// The row and its numbers, then every step of the fall.

@@ -24,6 +24,10 @@ void print_row(Lesson& lesson, const PulleyRuns& all) {
   lesson.print(fmt::format("  (22)  λ = ({:g} − ({:.3f})) / ({:.4f} × {:g}) = {:.4f} N, in one sweep",
                            row.bias + 0.0, jv, inverse, all.settings.dt,
                            (row.bias - jv) / inverse / all.settings.dt));
+  const Matrix<double> J = system_matrices(all.first).J;
+  std::string line;
+  for (Eigen::Index k = 0; k < J.cols(); ++k) line += fmt::format(" {:g}", J(0, k));
+  lesson.print("In the big J it is a line of numbers, the ground's first:" + line);
   lesson.print();
 }
 

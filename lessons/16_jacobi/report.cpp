@@ -67,6 +67,11 @@ void print_pile(Lesson& lesson, const PileRun& run) {
     line(method_name(history.method, run.settings.omega), history);
   }
   line("SI, by colours", run.coloured);
+  const double bytes_there = 1.0 * sizeof(ConstraintRow<double>) * run.problem.row_count();
+  const double bytes_back = 1.0 * sizeof(Vec3<double>) * run.problem.body_count();
+  lesson.print(fmt::format(
+      "On another processor: {:.0f} bytes of rows there and {:.0f} of velocities back, each step.",
+      bytes_there, bytes_back));
   lesson.print("A wait: for other rows, if each row had a processor of its own.");
   lesson.print();
   print_colours(lesson, run);

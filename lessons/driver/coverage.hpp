@@ -1,4 +1,4 @@
-// What of the paper is met in which lesson.
+// What of the paper is in which lesson, and how.
 #pragma once
 
 #include <string>
@@ -14,17 +14,23 @@ struct PaperItem {
   std::string what = {};
 };
 
-/// Everything that the paper states and a lesson has to meet.
+/// Everything that the paper states and a lesson has to have.
 const List<PaperItem>& paper_items();
 
-/// Where a lesson meets an item, as its covers.txt says.
+/// How a lesson has an item: a check is named for it alone, a frame or a printed line shows it, or the text
+/// says it.
+enum class Coverage { met, shown, mentioned };
+
+/// Where a lesson has an item, as its covers.txt says.
 struct Covered {
   std::string item = {};
-  int frame = 0;           // of all frames, from 1
-  std::string check = {};  // how the claim begins
+  Coverage how = Coverage::mentioned;
+  int frame = 0;          // of all frames, from 1; 0: none, which leaves the printed lines or the text
+  std::string what = {};  // how the check begins; what is shown; the words of the text
 };
 
-/// @throws std::runtime_error for a line that is not "item | frame | check" or names no item.
+/// @throws std::runtime_error for a line that is not "item | met FRAME | check", "item | shown FRAME | what",
+/// "item | shown | a printed line" or "item | mentioned | words of the text", or that names no item.
 List<Covered> covered_by(const Program& lesson);
 
 }  // namespace cairn::driver

@@ -37,7 +37,7 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
   run [N] [flags]   list   next   check N|--all   hint N [1-3]   solution N   progress
   book [DIR]        text, code, output and pictures of all lessons; flags follow: --frames all
   legend            what colours, dashes and markers mean
-  coverage          where each equation and claim of the paper is met
+  coverage          what of the paper is met, shown or mentioned in which lesson
   doctor            whether pictures can be drawn here
   --plain           ASCII     --color auto|always|never     -h, --help     --version
 Exit: 0 all well, 1 a lesson failed, 2 bad usage; one lesson alone: as that lesson says.

@@ -1,0 +1,150 @@
+// What a block saves in each sweep, counted: velocity updates, inverses, and what contact and friction share.
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "math/list.hpp"
+#include "parts.hpp"
+
+namespace cairn::blocks {
+
+namespace {
+
+constexpr int counted_sweeps = 10;
+constexpr double rounding = 2.3e-16;
+
+struct CountedSweeps {
+  PerRow<double> impulse = {};
+  int updates = 0;   // of the velocities of two bodies
+  int inverses = 0;  // of 3 x 3 matrices
+};
+
+CountedSweeps by_rows(VelocityProblem<double> problem) {
+  CountedSweeps counted;
+  for (int update = 0; update < counted_sweeps * problem.row_count(); ++update) {
+    const int i = update % problem.row_count();
+    const ConstraintRow<double>& row = problem.rows[i];
+    const double p = effective_mass(problem, row) * (row.bias - row_velocity(problem, row));
+    problem.impulse[i] += p;
+    apply_impulse(problem, row, p);
+    ++counted.updates;
+  }
+  counted.impulse = problem.impulse;
+  return counted;
+}
+
+enum class Inverses { once, in_each_sweep };
+
+/// All rows of a weld at once: their impulses are summed before the two bodies are touched.
+void update_block(VelocityProblem<double>& problem, const RowBlock& block, const Eigen::Matrix3d& inverse) {
+  Eigen::Vector3d missing;
+  for (int k = 0; k < 3; ++k) {
+    const ConstraintRow<double>& row = problem.rows[block.first + k];
+    missing(k) = row.bias - row_velocity(problem, row);
+  }
+  const Eigen::Vector3d p = inverse * missing;
+  ConstraintRow<double> together = problem.rows[block.first];
+  together.jacobian_a = together.jacobian_b = Vec3<double>::Zero();
+  for (int k = 0; k < 3; ++k) {
+    problem.impulse[block.first + k] += p(k);
+    together.jacobian_a += problem.rows[block.first + k].jacobian_a * p(k);
+    together.jacobian_b += problem.rows[block.first + k].jacobian_b * p(k);
+  }
+  apply_impulse(problem, together, 1.0);
+}
+
+CountedSweeps by_blocks(VelocityProblem<double> problem, const Matrix<double>& A, Inverses when) {
+  CountedSweeps counted;
+  List<Eigen::Matrix3d> inverses(problem.blocks.size());
+  for (int sweep = 0; sweep < counted_sweeps; ++sweep) {
+    for (int i = 0; i < problem.blocks.size(); ++i) {
+      const RowBlock& block = problem.blocks[i];
+      if (sweep == 0 || when == Inverses::in_each_sweep) {
+        inverses[i] = Eigen::Matrix3d(A.block<3, 3>(block.first, block.first)).inverse();
+        ++counted.inverses;
+      }
+      update_block(problem, block, inverses[i]);
+      ++counted.updates;
+    }
+  }
+  counted.impulse = problem.impulse;
+  return counted;
+}
+
+double largest_gap(const PerRow<double>& a, const PerRow<double>& b) {
+  double gap = 0;
+  for (int i = 0; i < a.size(); ++i) gap = std::max(gap, std::abs(a[i] - b[i]));
+  return gap;
+}
+
+/// j v of a normal and of its friction, from one velocity of the contact point, which both need.
+Vec2<double> from_one_velocity(const VelocityProblem<double>& problem, const ConstraintRow<double>& normal,
+                               const ConstraintRow<double>& friction) {
+  const auto cross = [](const Vec2<double>& a, const Vec2<double>& b) {
+    return a.x() * b.y() - a.y() * b.x();
+  };
+  const auto part = [&](BodyId body, const Vec3<double>& j_n, const Vec3<double>& j_t) {
+    const Vec2<double> n = j_n.head<2>(), t = j_t.head<2>();
+    const Vec2<double> arm = (n * j_t.z() - t * j_n.z()) / cross(n, t);  // j = (n, arm x n)
+    const Vec3<double>& v = problem.velocity[body];
+    const Vec2<double> point = {v.x() - v.z() * arm.y(), v.y() + v.z() * arm.x()};  // 2 multiply-adds
+    return Vec2<double>(n.dot(point), t.dot(point));
+  };
+  return part(normal.a, normal.jacobian_a, friction.jacobian_a) +
+         part(normal.b, normal.jacobian_b, friction.jacobian_b);
+}
+
+/// Two boxes that slide and turn, one on the other.
+double friction_gap() {
+  Scene scene({.gravity = {0, -gravity}, .dt = 0.02});
+  scene.add_ground();
+  scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .velocity = {1, -2}, .mass = 2, .friction = 0.5});
+  scene.add(
+      {.shapes = {box(1, 1)}, .position = {0.2, 1.5}, .velocity = {-3, -1}, .mass = 0.5, .friction = 0.5});
+  VelocityProblem<double> problem = World<double>(scene).velocity_problem();
+  problem.velocity[{problem.body_count() - 1}].z() = 3;
+  double gap = 0;
+  for (const ConstraintRow<double>& row : problem.rows) {
+    if (row.bounds.normal_row < 0) continue;
+    const ConstraintRow<double>& normal = problem.rows[row.bounds.normal_row];
+    const Vec2<double> shared = from_one_velocity(problem, normal, row);
+    gap = std::max({gap, std::abs(shared.x() - row_velocity(problem, normal)),
+                    std::abs(shared.y() - row_velocity(problem, row))});
+  }
+  return gap;
+}
+
+}  // namespace
+
+void report_counted(Lesson& lesson, const BlocksRuns& all) {
+  const ChainRun& chain = all.chains[welded_three];
+  const int welds = chain.problem.blocks.size();
+  const CountedSweeps rows = by_rows(chain.problem);
+  const CountedSweeps blocks = by_blocks(chain.problem, chain.A, Inverses::once);
+  const CountedSweeps again = by_blocks(chain.problem, chain.A, Inverses::in_each_sweep);
+  lesson.print(fmt::format("D: {} welds, {} sweeps, counted.", welds, counted_sweeps));
+  lesson.print(
+      fmt::format("  velocity updates: rows {}, blocks {}; 3 × 3 inverses: {} once a step, {} in each sweep",
+                  rows.updates, blocks.updates, blocks.inverses, again.inverses));
+  lesson.print(
+      "  j·v of a normal and its friction: 12 multiply-adds row by row, 8 from one velocity of the point");
+  lesson.print();
+  VelocityProblem<double> library = chain.problem;
+  BlockSequentialImpulse<double>({.iterations = counted_sweeps}).solve(library);
+  // Sums of a few products in another order, in each sweep; an inverse of a matrix of condition below 100.
+  const double largest = *std::max_element(library.impulse.begin(), library.impulse.end());
+  lesson.check_small("these blocks and the library's: the same impulses (N s)",
+                     largest_gap(blocks.impulse, library.impulse),
+                     64 * rounding * 100 * counted_sweeps * largest);
+  lesson.check_equal("a weld as a block saves so many velocity updates a sweep",
+                     1.0 * (rows.updates - blocks.updates) / (welds * counted_sweeps), 2, 0);
+  lesson.check_small("inverted once a step, not in each sweep: change of the impulses (N s)",
+                     largest_gap(blocks.impulse, again.impulse), 0);
+  // A dozen products of numbers below 4.
+  lesson.check_small("normal and friction from one velocity of the point: change of j·v (m/s)",
+                     friction_gap(), 32 * rounding * 4);
+}
+
+}  // namespace cairn::blocks
