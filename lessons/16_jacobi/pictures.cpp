@@ -133,15 +133,15 @@ void draw_speeds(Page& page, const FeetRun& run) {
   }
   draw_plot(page, parts[0], plot);
   render::TableView table;
-  table.header = {"method", "ω Σ c", "one sweep takes", "left after 5"};
+  table.header = {"method", "q = ω Σ c", "the speed", "left after 5"};
   for (const FeetHistory& history : run.histories) {
     const bool in_turn = history.method == Method::sequential;
     const double taken = taken_at_once(run, history.method);
-    const std::string verdict = taken > 2   ? "too much: for ever"
-                                : taken > 1 ? "too much: settles"
-                                            : "part of it";
+    const std::string verdict = taken > 2   ? "repeats for ever"
+                                : taken > 1 ? "overshoots, converges"
+                                            : "converges";
     table.rows.push_back({method_name(history.method, run.settings.omega), in_turn ? "·" : fixed(taken, 3),
-                          in_turn ? "foot by foot" : verdict,
+                          in_turn ? "converges" : verdict,
                           fixed(100 * std::abs(history.speed[5]) / (gravity * time_step), 2) + " %"});
   }
   if (page.compact()) {
@@ -152,9 +152,9 @@ void draw_speeds(Page& page, const FeetRun& run) {
   page.table(below[0], "", table);
   page.note(below[1], "What decides",
             page.compact()
-                ? "Foot i takes c = 1 / (m A_{ii}) of the error; all, their sum."
-                : "Foot i takes c = 1 / (m A_{ii}) of the error, all of them the sum, times ω. One is "
-                  "right; above two is worse than before.");
+                ? "A sweep removes q = ω Σ c of the speed. q < 2: converges."
+                : "One sweep removes the share q = ω Σ c of the speed. q = 1: done at once; q < 2: "
+                  "converges; q > 2: grows, or never ends.");
 }
 
 List<Shot> feet_shots(const FeetRun& feet) {
@@ -173,7 +173,7 @@ List<Shot> feet_shots(const FeetRun& feet) {
   shots.push_back(
       {.state = fmt::format("four methods, {} sweeps", run->settings.sweeps),
        .alt = "Speed of the box against sweeps: plain Jacobi, damped, with split masses, and SI; below it "
-              "what one sweep of each takes of the error.",
+              "the share q that one sweep of each removes.",
        .draw = [run](Page& page) { draw_speeds(page, *run); },
        .key = true});
   return shots;

@@ -161,11 +161,11 @@ void draw_asymmetry(Page& page, const PileRun& run, int step) {
       series.style.dash = {3, 4};
       series.style.marker = render::Marker::circle;
     }
-    for (int k = 0; k <= step; ++k) {
+    for (int k = 0; k < mirror.asymmetry.size(); ++k) {
       const double value = mirror.asymmetry[k];
       if (!(value >= 1e-18)) continue;  // zero has no place on this axis
-      series.x.push_back(k);
-      series.y.push_back(value);
+      (k <= step ? series.x : plot.cloud.x).push_back(k);
+      (k <= step ? series.y : plot.cloud.y).push_back(value);
     }
     plot.series.push_back(series);
   }

@@ -60,9 +60,9 @@ render::Plot load_plot(const Page& page, const TowerRuns& runs, const List<Engin
   const FixedList<SeriesStyle, 3> styles = engine_styles(page);
   for (int e = 0; e < engines.size(); ++e) {
     render::Series series{.name = e == 2 ? "Box2D" : engines[e].name, .style = styles[e]};
-    for (int k = 0; k <= frame; ++k) {
-      series.x.push_back(k);
-      series.y.push_back(engines[e].loads[k][0]);
+    for (int k = 0; k < engines[e].loads.size(); ++k) {
+      (k <= frame ? series.x : plot.cloud.x).push_back(k);  // what is to come: faint
+      (k <= frame ? series.y : plot.cloud.y).push_back(engines[e].loads[k][0]);
     }
     plot.series.push_back(series);
   }

@@ -85,11 +85,17 @@ void draw_sweep(Page& page, const CostRun& run, int sweep) {
   render::Plot plot{.title = "largest error of λ, over the largest λ"};
   plot.x = {.title = "sweep", .min = 0, .max = sweep <= 20 ? 20.0 : kept_sweeps};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-6, .max = 2};
+  if (sweep <= 20) plot.y = {.title = "", .min = 0, .max = 1.05};  // the first sweeps leave most of it
   for (int which = 0; which < run.curves.size(); ++which) {
     draw_loads(page, panels[which], run, which, sweep);
     plot.series.push_back(series_of(page, run, which, sweep));
+    const render::Series whole = series_of(page, run, which, static_cast<int>(*plot.x.max));
+    for (int k = sweep + 1; k < whole.x.size(); ++k) {  // what is to come: faint
+      plot.cloud.x.push_back(whole.x[k]);
+      plot.cloud.y.push_back(whole.y[k]);
+    }
   }
-  plot.goals.push_back({0.01, "1 %"});
+  if (sweep > 20) plot.goals.push_back({0.01, "1 %"});
   plot.cursor = sweep;
   draw_plot(page, parts[1], plot);
 }
@@ -129,7 +135,7 @@ void draw_question(Page& page, const CostRun& run) {
   const double twenty = error_after(run.curves[si_curve], 20);
   draw_words(
       page, run, 10, 20, "Predict",
-      fmt::format("10 sweeps of SI leave {} of the error, 20 leave {}. Is twice the work half the error? "
+      fmt::format("10 sweeps of SI leave {} of the error, 20 leave {}. Does twice the work halve the error? "
                   "How many sweeps leave 1 %?",
                   whole(ten), whole(twenty)));
 }

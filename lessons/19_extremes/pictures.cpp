@@ -80,11 +80,12 @@ void draw_errors(Page& page, const Rect& rect, const ExtremesRun& run, int sweep
   for (const double ratio : plotted_ratios(run.settings.ratio)) {
     const RatioRun& each = run_of(run.ratios, ratio);
     render::Series series{.name = name_of(ratio), .style = style_of(page, which++)};
-    const int end = std::min(each.error.size() - 1, sweep);
-    for (int k = 1; k <= end; ++k) {
-      if (100 * each.error[k] < 0.1) break;
-      series.x.push_back(k);
-      series.y.push_back(100 * each.error[k]);
+    double next = 1;  // sparsely, as the axis is logarithmic
+    for (int k = 1; k < each.error.size() && 100 * each.error[k] >= 0.1; ++k) {
+      if (k < next && k != sweep) continue;
+      next = 1.05 * k;
+      (k <= sweep ? series.x : plot.cloud.x).push_back(k);  // what is to come: faint
+      (k <= sweep ? series.y : plot.cloud.y).push_back(100 * each.error[k]);
     }
     if (!series.x.empty()) plot.series.push_back(series);
   }

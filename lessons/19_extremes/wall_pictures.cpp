@@ -122,7 +122,7 @@ void draw_quarrel(Page& page, const Rect& rect, const ExtremesRun& run) {
   plot.y = {.title = ""};
   const List<double> given = quarrel(run.wall[two_pins]);
   render::Series measured{.name = "SI", .style = page.theme().si};
-  render::Series formula{.name = "", .style = page.theme().exact, .markers = false};
+  render::Series formula{.name = "formula", .style = page.theme().exact, .markers = false};
   for (int k = 0; k < given.size(); ++k) {
     measured.x.push_back(k);
     measured.y.push_back(std::abs(given[k]) / 1000);
@@ -134,17 +134,16 @@ void draw_quarrel(Page& page, const Rect& rect, const ExtremesRun& run) {
 }
 
 void draw_numbers(Page& page, const ExtremesRun& run) {
-  const List<Rect> lines = rows(page.area(), {0.52, 0.48}, page.sizes().gap);
+  const List<Rect> lines = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
   const List<Rect> top = columns(lines[0], {0.58, 0.42}, page.sizes().gap);
   draw_quarrel(page, top[0], run);
   page.note(top[1], "How you notice",
             page.compact()
                 ? "The body stands still. Each sweep one pin pulls, the other pulls back: λ grows for ever."
-                : "The body stands still, and looks right. In every sweep one pin pulls by "
-                  "m β d / Δt² and the other pulls back. No λ is right, so λ grows for ever: look at "
-                  "impulses, not at the picture.");
+                : "The body stands still, and the picture looks right. But in every sweep one pin pulls by "
+                  "m β d / Δt², and the other pulls back. No λ satisfies both, so λ grows for ever.");
   render::TableView table;
-  table.header = {"asked for", "what the scene answers"};
+  table.header = {"asked for", "what the program answers"};
   for (const Refusal& refusal : run.refusals) {
     const std::size_t cut = refusal.message.find(": ");
     table.rows.push_back({refusal.asked, refusal.message.substr(cut == std::string::npos ? 0 : cut + 2)});

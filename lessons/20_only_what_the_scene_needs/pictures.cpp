@@ -71,9 +71,8 @@ void draw_course(Page& page, const Rect& rect, const NeedsRun& all, int step) {
     for (int k = 1; k <= all.runs[i].steps.size(); ++k) {
       const auto updates = static_cast<double>(all.runs[i].steps[k - 1].updates);
       most = std::max(most, updates);
-      if (k > step) continue;
-      series.x.push_back(k);
-      series.y.push_back(updates);
+      (k <= step ? series.x : plot.cloud.x).push_back(k);  // what is to come: faint
+      (k <= step ? series.y : plot.cloud.y).push_back(updates);
     }
     plot.series.push_back(series);
   }
@@ -133,7 +132,8 @@ void draw_table(Page& page, const NeedsRun& all) {
   page.note(
       below[1], "Off",
       page.compact()
-          ? "From a run with all rows and all sweeps it takes. Friction was not needed, until the ball came."
+          ? "From a run with all rows, swept to R_{E} = 10^{−6}. Friction was not needed, until the ball "
+            "came."
           : "How far any body is from where it is with all rows and as many sweeps as it takes, before the "
             "ball touches the pyramid and after. Friction was not needed by anything, until the ball came.");
 }
@@ -141,12 +141,12 @@ void draw_table(Page& page, const NeedsRun& all) {
 void draw_choice(Page& page, const NeedsRun&) {
   render::TableView table;
   table.header = {"the scene has", "take", "because", "lesson"};
-  table.rows = {{"contacts and joints, as games have", "SI, warm", "it builds nothing", "06, 09"},
-                {"a use for A itself, few rows", "PGS", "A shows who leans on whom", "08, 10"},
-                {"a processor for every row", "Jacobi, split", "nobody waits", "16"},
-                {"joints of two or three rows", "blocks", "at once instead of in turns", "12"},
-                {"springs, or rows that may give", "soft rows", "γ beside j M⁻¹ jᵀ is all", "13"},
-                {"towers, heavy on light", "more sweeps, substeps", "R / (1 + R) a sweep", "18, 19"},
+  table.rows = {{"contacts and joints, as games have", "SI, warm", "no matrix", "06, 09"},
+                {"a use for A itself, few rows", "PGS", "A shows which rows couple", "08, 10"},
+                {"a processor for every row", "Jacobi, split", "no row waits", "16"},
+                {"joints of two or three rows", "blocks", "their rows at once", "12"},
+                {"springs, or rows that may give", "soft rows", "γ is all they add", "13"},
+                {"towers, heavy on light", "more sweeps, substeps", "a sweep removes little", "18, 19"},
                 {"things at rest", "sleep", "no rows at all", "20"}};
   if (page.compact()) {
     table.header.erase(table.header.begin() + 2);
@@ -154,13 +154,14 @@ void draw_choice(Page& page, const NeedsRun&) {
   }
   const List<Rect> parts = rows(page.area(), {0.58, 0.42}, page.sizes().gap);
   page.table(parts[0], "", table);
-  page.note(parts[1], "Section 5",
-            page.compact()
-                ? "\"The SI solver is the better choice in most situations\": its constraints are classes of "
-                  "their own, and it is what is easiest to leave things out of."
-                : "The paper ends with SI as the better choice in most situations: equal in what it "
-                  "computes, easier to keep. This course adds what each of the others is for. Each of them "
-                  "is a lesson; none of them is worth a row that the scene does not need.");
+  page.note(
+      parts[1], "Section 5",
+      page.compact()
+          ? "The paper prefers SI in most situations: the same numbers as PGS, and easier to maintain. The "
+            "lessons add when each of the others pays off."
+          : "The paper ends with SI as the better choice in most situations: the same "
+            "numbers as PGS, and easier to maintain. The lessons add when each of the others pays off. "
+            "The cheapest row is the one that the scene does not need.");
 }
 
 void draw_note(Page& page, const NeedsRun& all, int step, std::string_view title, std::string_view text) {
