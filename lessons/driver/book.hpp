@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "lessons/driver/book_text.hpp"
 #include "lessons/driver/catalogue.hpp"
 #include "math/list.hpp"
 
@@ -33,10 +34,13 @@ struct BookLesson {
   int height = 0;
   List<BookFrame> frames = {};
   List<BookSource> exercise = {};
+  std::string teaching = {};  // teaching.md; "" where there is none
 };
 
 struct Book : List<BookLesson> {
   bool has_playground = false;  // beside the pages: playground.html
+  SymbolPages symbols = {};     // of src/NOTATION.md
+  List<Term> terms = {};        // of lessons/glossary.md
 };
 
 /// "lesson06.html".

@@ -1,5 +1,5 @@
-// The lesson book at work: the choice of light or dark, and the frames one at a time.
-// Without it the pages follow the system's theme and show all frames one below the other.
+// The lesson book at work: the choice of light or dark, the guess, the frames one at a time, the search.
+// Without it the pages follow the system's theme, the answer is folded, and all frames stand one below the other.
 (() => {
   "use strict";
   const root = document.documentElement;
@@ -7,11 +7,11 @@
   const secondsPerFrame = 1.5;
 
   // A browser may refuse to keep anything for a page that is a file.
-  const kept = () => {
-    try { return localStorage.getItem("cairn-theme"); } catch { return null; }
+  const kept = (name) => {
+    try { return localStorage.getItem(name); } catch { return null; }
   };
-  const keep = (theme) => {
-    try { localStorage.setItem("cairn-theme", theme); } catch { /* then it holds for this page */ }
+  const keep = (name, value) => {
+    try { localStorage.setItem(name, value); } catch { /* then it holds for this page */ }
   };
   const isDark = () => (root.dataset.theme ? root.dataset.theme === "dark" : system.matches);
 
@@ -30,13 +30,55 @@
     button.hidden = false;
     button.addEventListener("click", () => {
       const theme = isDark() ? "light" : "dark";
-      keep(theme);
+      keep("cairn-theme", theme);
       applyTheme(theme);
       name();
     });
     system.addEventListener("change", name);
-    applyTheme(kept());
+    applyTheme(kept("cairn-theme"));
     name();
+  }
+
+  // Opens whatever the element is folded into.
+  function reveal(element) {
+    for (let at = element.parentElement; at; at = at.parentElement) {
+      if (at.matches("details")) at.open = true;
+    }
+  }
+  function followAddress() {
+    const element = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    if (!element) return;
+    reveal(element);
+    element.scrollIntoView({ block: "start" });
+  }
+
+  // The page ends at its question until somebody has guessed. The guess stands beside the answer, also next time.
+  function setUpFold(fold) {
+    const form = document.querySelector(".guess");
+    const field = form.querySelector("input");
+    const answer = fold.querySelector("h2");
+    const name = "cairn-guess-" + location.pathname.split("/").pop();
+    const note = document.createElement("p");
+    note.className = "guessed";
+    answer.after(note);
+    const compare = () => {
+      note.textContent = field.value ? "Your guess: " + field.value : "";
+      note.hidden = !field.value;
+    };
+    field.value = kept(name) ?? "";
+    compare();
+    fold.classList.add("works");
+    fold.open = field.value !== "";
+    form.hidden = false;
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      keep(name, field.value);
+      compare();
+      fold.open = true;
+      answer.tabIndex = -1;
+      answer.focus();
+    });
+    window.addEventListener("beforeprint", () => { fold.open = true; });
   }
 
   function setUpPlayer(player) {
@@ -44,7 +86,9 @@
     const slider = player.querySelector("input");
     const play = player.querySelector(".play");
     const enlarge = player.querySelector(".enlarge");
+    const full = player.querySelector(".full");
     const caption = player.querySelector(".caption");
+    const spoken = player.querySelector(".spoken");
     const last = items.length - 1;
     let at = 0;
     let timer = 0;
@@ -70,7 +114,12 @@
     function choose(index) {
       stop();
       show(index);
+      spoken.textContent = items[at].querySelector("img").alt;
       history.replaceState(null, "", "#" + items[at].id);
+    }
+    function fillScreen() {
+      if (document.fullscreenElement) document.exitFullscreen();
+      else player.requestFullscreen();
     }
     function tick() {
       show(at + 1);
@@ -81,7 +130,7 @@
       play.textContent = "Pause";
       timer = window.setInterval(tick, 1000 * secondsPerFrame);
     }
-    function followAddress() {
+    function showAddress() {
       const index = items.findIndex((item) => "#" + item.id === location.hash);
       if (index < 0) return false;
       stop();
@@ -99,20 +148,56 @@
     enlarge.addEventListener("click", () => {
       enlarge.setAttribute("aria-pressed", String(player.classList.toggle("enlarged")));
     });
+    full.hidden = !document.fullscreenEnabled;
+    full.addEventListener("click", fillScreen);
     slider.addEventListener("input", () => choose(Number(slider.value)));
     player.addEventListener("keydown", (event) => {
+      if (event.key === "f" && !full.hidden) fillScreen();
       const steps = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: last };
       if (!(event.key in steps) || event.altKey || event.ctrlKey || event.metaKey) return;
       event.preventDefault();
       choose(steps[event.key]);
     });
-    window.addEventListener("hashchange", followAddress);
-    if (!followAddress()) show(0);
+    window.addEventListener("hashchange", showAddress);
+    if (!showAddress()) show(0);
   }
 
-  applyTheme(kept());
+  // Sections that have every word, those first that have them in their heading.
+  function search(words) {
+    const found = [];
+    for (const [address, title, heading, text] of cairnSections) {
+      const head = (title + " " + heading).toLowerCase();
+      const body = text.toLowerCase();
+      if (!words.every((word) => head.includes(word) || body.includes(word))) continue;
+      const score = words.reduce((sum, word) => sum + (head.includes(word) ? 20 : 0) + body.split(word).length, 0);
+      found.push({ score, address, title: heading ? title + " · " + heading : title, text });
+    }
+    return found.sort((a, b) => b.score - a.score).slice(0, 30);
+  }
+  function setUpSearch(list) {
+    const query = new URLSearchParams(location.search).get("q") ?? "";
+    const words = query.toLowerCase().split(/\s+/).filter(Boolean);
+    const found = words.length > 0 ? search(words) : [];
+    document.querySelector(".search input").value = query;
+    document.querySelector(".found").textContent =
+      words.length === 0 ? "Type what you look for above." : `${found.length} sections with “${query}”`;
+    for (const { address, title, text } of found) {
+      const item = list.appendChild(document.createElement("li"));
+      const link = item.appendChild(document.createElement("a"));
+      link.href = address;
+      link.textContent = title;
+      const at = Math.max(0, text.toLowerCase().indexOf(words[0]) - 80);
+      item.appendChild(document.createElement("p")).textContent = "… " + text.slice(at, at + 220) + " …";
+    }
+  }
+
+  applyTheme(kept("cairn-theme"));
   document.addEventListener("DOMContentLoaded", () => {
     setUpTheme();
+    document.querySelectorAll("details.fold").forEach(setUpFold);
+    window.addEventListener("hashchange", followAddress);
+    followAddress();
     document.querySelectorAll(".player").forEach(setUpPlayer);
+    document.querySelectorAll(".results").forEach(setUpSearch);
   });
 })();

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <functional>
 #include <stdexcept>
 
@@ -13,6 +12,7 @@
 #endif
 
 #include "lessons/driver/book.hpp"
+#include "lessons/driver/book_code.hpp"
 
 namespace cairn::driver {
 namespace {
@@ -20,46 +20,16 @@ namespace {
 constexpr const char* source_mark = "<!-- source: ";
 constexpr const char* output_mark = "<!-- output of: ";
 
-/// Replaces every piece between `open` and `close` by what the function makes of its inside.
-std::string replaced(const std::string& text, const std::string& open, const std::string& close,
-                     const std::function<std::string(const std::string&)>& by) {
-  std::string result;
-  std::size_t at = 0;
-  while (true) {
-    const std::size_t begin = text.find(open, at);
-    const std::size_t end = begin == std::string::npos ? begin : text.find(close, begin + open.size());
-    if (end == std::string::npos) return result + text.substr(at);
-    result += text.substr(at, begin - at);
-    result += by(text.substr(begin + open.size(), end - begin - open.size()));
-    at = end + close.size();
-  }
-}
-
-/// "What to look at" -> "what-to-look-at".
-std::string anchor_of(const std::string& title) {
-  std::string anchor;
-  bool is_in_tag = false;
-  for (const char c : title) {
-    if (c == '<' || c == '>') is_in_tag = c == '<';
-    if (is_in_tag) continue;
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-      anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    } else if (!anchor.empty() && anchor.back() != '-') {
-      anchor += '-';
-    }
-  }
-  while (!anchor.empty() && anchor.back() == '-') anchor.pop_back();
-  return anchor;
-}
-
 /// Where a link of a lesson's text leads in the book; "" for nowhere.
 std::string led_on(const std::string& target, const TextPlaces& places) {
   if (target.rfind("http", 0) == 0 || target.rfind("#", 0) == 0) return target;
   if (target.rfind("playground.html", 0) == 0) return target;
   const auto file = places.files.find(target);
   if (file != places.files.end()) return file->second;
+  if (target.rfind("NOTATION.md") != std::string::npos) return "notation.html";
+  if (target.rfind("glossary.md") != std::string::npos) return "glossary.html";
   for (const auto& [folder, page] : places.pages) {
-    if (target == "../" + folder + "/README.md") return page;
+    if (target == "../" + folder + "/README.md" || target == folder + "/README.md") return page;
   }
   return "";
 }
@@ -132,10 +102,27 @@ std::string quoted_figure(const std::string& anchor, const std::string& caption,
                      caption, piece.substr(piece.find("<pre")));
 }
 
+/// A block of code, in the colours of its language. A fence without one holds commands or what they print.
+std::string block_html(const std::string& block, const TextPlaces& places) {
+  const std::size_t end = block.find('>');
+  const std::string head = block.substr(0, end);
+  const std::string code = unescaped(block.substr(end + 1));
+  if (head.find("language-formula") != std::string::npos) {
+    const std::optional<std::string> formula = formula_block(code, places.symbols);
+    if (formula) return *formula;
+  }
+  const bool is_cpp = head.find("language-cpp") != std::string::npos;
+  const bool is_command = head.find("language") == std::string::npos && code.rfind("bash ", 0) == 0;
+  return "<pre tabindex=\"0\"><code>" +
+         coloured(code, is_cpp       ? "cpp"
+                        : is_command ? "bash"
+                                     : "") +
+         "</code></pre>";
+}
+
 /// Blocks of code that the keyboard can scroll. A block behind a comment that says where it is from gets a
 /// caption.
-std::string with_code(const std::string& html) {
-  const auto block = [](const std::string&) { return std::string("<pre tabindex=\"0\"><code>"); };
+std::string with_code(const std::string& html, const TextPlaces& places) {
   const auto source = [](const std::string& piece) {
     const Quote quote(piece.substr(0, piece.find(" -->")));
     return quoted_figure(quote.anchor(), quote.caption(), piece);
@@ -145,7 +132,9 @@ std::string with_code(const std::string& html) {
     const std::string command = mark.substr(0, mark.find(" (not compared)"));
     return quoted_figure("", "What <code>" + escaped(command) + "</code> prints", piece);
   };
-  const std::string text = replaced(html, "<pre><code", ">", block);
+  const std::string text = replaced(html, "<pre><code", "</code></pre>", [&places](const std::string& block) {
+    return block_html(block, places);
+  });
   return replaced(replaced(text, source_mark, "</pre>", source), output_mark, "</pre>", output);
 }
 
@@ -163,29 +152,6 @@ std::string with_heading_anchor(const std::string& section, const std::string& t
 }
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 #ifdef CAIRN_HAVE_MD4C
 
@@ -216,13 +182,14 @@ std::string code_figure(const std::string& anchor, const std::string& caption, s
   return fmt::format(
       "<figure class=\"code\" id=\"{}\">\n<figcaption>{}</figcaption>\n"
       "<pre tabindex=\"0\"><code>{}</code></pre>\n</figure>\n",
-      anchor, caption, escaped(code));
+      anchor, caption, code);
 }
 
 List<Section> sections_of(const std::string& markdown, const TextPlaces& places) {
-  const std::string plain = html_of(markdown);
+  const std::string plain = html_of(with_formulas_fenced(markdown));
   const std::string linked = with_links(with_playgrounds(plain, places), with_quotes(places, plain));
-  const std::string html = with_pictures_and_tables(with_code(linked), places);
+  const std::string html =
+      with_terms(with_pictures_and_tables(with_code(linked, places), places), places.terms);
   List<Section> sections;
   for (std::size_t begin = 0; begin < html.size();) {
     const std::size_t end = std::min(html.find("<h2>", begin + 1), html.size());

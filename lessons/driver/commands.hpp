@@ -35,6 +35,8 @@ int legend(const Context& context);
 int coverage(const Context& context);
 /// The lesson book, as pages that work from a file: book [FOLDER] [flags of the lessons].
 int book(const Context& context, const List<std::string>& words);
+/// All lessons as one PDF, printed by Chromium: handouts [FILE].
+int handouts(const Context& context, const List<std::string>& words);
 
 /// Pictures for documents, with alt texts beside them: export N|all [flags].
 int export_pictures(const Context& context, const List<std::string>& words);

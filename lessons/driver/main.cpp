@@ -36,6 +36,7 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
 
   run [N] [flags]   list   next   check N|--all   hint N [1-3]   solution N   progress
   book [DIR]        text, code, output and pictures of all lessons; flags follow: --frames all
+  handouts [FILE]   all lessons as one PDF for print, out/handouts.pdf; needs chromium
   legend            what colours, dashes and markers mean
   coverage          what of the paper is met, shown or mentioned in which lesson
   doctor            whether pictures can be drawn here
@@ -132,7 +133,8 @@ int act(const Context& context, const std::string& word, const Words& rest) {
       {"legend", [&] { return legend(context); }},
       {"coverage", [&] { return coverage(context); }},
       {"book", [&] { return book(context, rest); }},
-      {"export", [&] { return export_pictures(context, rest); }}};
+      {"export", [&] { return export_pictures(context, rest); }},
+      {"handouts", [&] { return handouts(context, rest); }}};
   const auto action = actions.find(word);
   if (action != actions.end()) return action->second();
   if (find(context.programs, word) != nullptr)
