@@ -1,7 +1,7 @@
 // The lesson book in a real browser, from files and without a network.
 //   node browser.mjs BOOK [SCREENSHOTS]
 // The last line is "N passed, N failed". With a second folder it leaves screenshots there, to be looked at.
-import { existsSync, mkdirSync, readdirSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -13,6 +13,7 @@ const screenshots = process.argv[3] && resolve(process.argv[3]);
 const widths = [1280, 390];
 const themes = ["light", "dark"];
 const pages = readdirSync(book).filter((name) => name.endsWith(".html")).sort();
+const hasFold = (name) => readFileSync(join(book, name), "utf8").includes('<details class="fold">');
 const lessons = pages.filter((name) => name.startsWith("lesson")); // beside them there may be the playground
 const browserPath = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
 
@@ -40,6 +41,11 @@ async function open(browser, options) {
   });
   return { context, tab, troubles };
 }
+
+// Opens what is folded, as a guess does.
+const unfold = (tab) => tab.evaluate(() => {
+  for (const fold of document.querySelectorAll("details.fold")) fold.open = true;
+});
 
 const overflow = () => {
   const width = document.documentElement.clientWidth;
@@ -90,6 +96,7 @@ async function checkLooks(browser) {
       for (const name of pages) {
         const where = `${name} at ${width} px, ${theme}`;
         await tab.goto(address(name));
+        await unfold(tab);
         const wide = await tab.evaluate(overflow);
         check(wide === "", `${where}: nothing overflows`, wide);
         check(await tab.evaluate(brokenPictures, theme) === 0, `${where}: pictures load, in the theme, with alt text`);
@@ -103,6 +110,41 @@ async function checkLooks(browser) {
       await context.close();
     }
   }
+}
+
+// A page whose answer is folded: the guess opens it, and stands beside the answer, also the next time.
+async function checkFold(browser, name) {
+  const { context, tab, troubles } = await open(browser, {});
+  await tab.goto(address(name));
+  check(!(await tab.isVisible("#the-answer")), `${name}: the answer is folded`);
+  await tab.fill(".guess input", "0.1, 0.2");
+  await tab.click(".guess button");
+  check(await tab.isVisible("#the-answer"), `${name}: a guess opens it`);
+  const guessed = () => tab.textContent(".guessed");
+  check((await guessed()).includes("0.1, 0.2"), `${name}: the guess stands beside the answer`, await guessed());
+  await tab.goto("about:blank");
+  await tab.goto(address(name));
+  check((await guessed()).includes("0.1, 0.2"), `${name}: and is kept`, await guessed());
+  await context.close();
+  const other = await open(browser, {});
+  await other.tab.goto(address(name, "#run-it"));
+  check(await other.tab.isVisible("#run-it"), `${name}: a link to what lies behind the fold opens it`);
+  await other.context.close();
+  check(troubles.length === 0, `${name}: the fold works without an error`, troubles.join("; "));
+}
+
+async function checkSearch(browser) {
+  const { context, tab, troubles } = await open(browser, {});
+  await tab.goto(address("index.html"));
+  await tab.fill(".search input", "effective mass");
+  await tab.press(".search input", "Enter");
+  await tab.waitForSelector(".results a");
+  const first = await tab.getAttribute(".results a", "href");
+  check(first === "glossary.html#effective-mass", "the search finds a term in the glossary first", first);
+  await tab.click(".results a");
+  check(await tab.isVisible("#effective-mass"), "and leads to it");
+  check(troubles.length === 0, "the search works without an error", troubles.join("; "));
+  await context.close();
 }
 
 // What the player of a page says of itself.
@@ -121,6 +163,7 @@ async function checkPlayer(browser, name) {
   const { context, tab, troubles } = await open(browser, {});
   await tab.clock.install();
   await tab.goto(address(name));
+  await unfold(tab);
   const ids = await tab.$$eval(".frames > li", (items) => items.map((item) => item.id));
   const stands = async (index, claim) => {
     const state = await tab.evaluate(playerState);
@@ -168,6 +211,7 @@ async function checkPlayer(browser, name) {
 async function checkEnlarging(browser, name) {
   const { context, tab } = await open(browser, { viewport: { width: 390, height: 844 } });
   await tab.goto(address(name));
+  await unfold(tab);
   const shown = () => tab.evaluate(() => {
     const image = [...document.querySelectorAll(".frames img")].find((each) => each.getClientRects().length > 0);
     return { width: image.clientWidth, whole: image.naturalWidth };
@@ -209,6 +253,7 @@ async function checkTheme(browser) {
 async function checkKeyboard(browser, name) {
   const { context, tab } = await open(browser, {});
   await tab.goto(address(name));
+  await unfold(tab);
   await tab.keyboard.press("Tab");
   check(await tab.evaluate(() => document.activeElement.className) === "skip", `${name}: first comes the skip link`);
   const reached = new Set(["skip"]);
@@ -233,6 +278,8 @@ async function checkKeyboard(browser, name) {
 async function checkWithoutScript(browser, name) {
   const { context, tab } = await open(browser, { javaScriptEnabled: false });
   await tab.goto(address(name));
+  const folds = tab.locator("details.fold > summary");
+  if (await folds.count() > 0) await folds.first().click();
   const items = tab.locator(".frames > li");
   const visible = await Promise.all((await items.all()).map((item) => item.isVisible()));
   check(visible.length > 0 && visible.every(Boolean), `${name}: without its script every frame is shown`);
@@ -251,6 +298,8 @@ try {
   await checkLooks(browser);
   for (const name of new Set([lessons[0], lessons.at(-1)])) await checkPlayer(browser, name);
   await checkEnlarging(browser, lessons.at(-1));
+  for (const name of pages.filter(hasFold).slice(0, 1)) await checkFold(browser, name);
+  await checkSearch(browser);
   await checkTheme(browser);
   await checkKeyboard(browser, lessons.at(-1));
   await checkWithoutScript(browser, lessons.at(-1));
