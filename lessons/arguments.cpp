@@ -139,7 +139,7 @@ void read_scene(const LessonInfo& info, const CLI::App& app, const Texts& texts,
 
 void read_size(const LessonInfo& info, const std::string& text, Options& options) {
   const List<std::pair<std::string, std::pair<int, int>>> names = {
-      {"small", {640, 360}}, {"medium", {960, 540}}, {"large", {1280, 720}}};
+      {"small", {960, 540}}, {"medium", {1280, 720}}, {"large", {1920, 1080}}};
   for (const auto& [name, size] : names) {
     if (text != name) continue;
     options.width = size.first;
@@ -150,11 +150,11 @@ void read_size(const LessonInfo& info, const std::string& text, Options& options
   const std::optional<double> width = parse_number(text.substr(0, cross));
   const std::optional<double> height =
       cross == std::string::npos ? std::optional<double>{} : parse_number(text.substr(cross + 1));
-  const bool fits = width && height && *width >= 320 && *width <= 3840 && *height >= 180 && *height <= 2160 &&
+  const bool fits = width && height && *width >= 960 && *width <= 3840 && *height >= 540 && *height <= 2160 &&
                     std::trunc(*width) == *width && std::trunc(*height) == *height;
   if (!fits) {
     refuse(info,
-           "--size must be small, medium, large or WIDTHxHEIGHT from 320x180 to 3840x2160 px, got " + text);
+           "--size must be small, medium, large or WIDTHxHEIGHT from 960x540 to 3840x2160 px, got " + text);
   }
   options.width = static_cast<int>(*width);
   options.height = static_cast<int>(*height);

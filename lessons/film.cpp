@@ -118,7 +118,7 @@ class FilmMaker {
       : info_(info),
         options_(options),
         console_(console),
-        page_(options.width, options.height, theme_of(options)) {}
+        page_(render::ImageSize{options.width, options.height}, theme_of(options)) {}
 
   FilmReport make(const List<Shot>& shots, const List<int>& chosen) {
     const List<int> wanted = with_panel(shots, chosen);

@@ -17,7 +17,7 @@ constexpr int help_width = 104;
 constexpr const char* common_help = R"(
 Pictures  -o, --out DIR             the folder ({0})
           --frames WHICH            key (at most 12), all, none, cover, N, A:B or A:B:STEP; -1 is the last (key)
-          --size WHICH              small, medium, large or WIDTHxHEIGHT in px (large)
+          --size WHICH              small, medium, large or WIDTHxHEIGHT in px (medium)
           --theme light|dark        (light)
           --palette color|gray      gray for black-and-white print (color)
           --format png|svg|apng     apng: one film of all frames, a second each (png)

@@ -26,7 +26,7 @@ cover() {
 failure() {
   local name=$1_$theme frame=$2 code=0
   shift 2
-  "$programs/cairn" "$@" --size small --theme "$theme" --frames "$scratch/$name" --quiet >/dev/null || code=$?
+  "$programs/cairn" "$@" --size 640x360 --theme "$theme" --frames "$scratch/$name" --quiet >/dev/null || code=$?
   # 1 and 4 say that an expectation was missed, or that it diverged: that is what is shown.
   if [[ $code != 0 && $code != 1 && $code != 4 ]]; then return "$code"; fi
   cp "$scratch/$name/$frame.png" "$images/$name.png"

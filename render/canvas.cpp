@@ -54,6 +54,17 @@ List<Point> scaled(Span<const Point> points, double by) {
 
 int image_pixels(int pixels, double scale) { return static_cast<int>(std::lround(scale * pixels)); }
 
+/// How many pixels of the canvas an image has room for, up to round-off.
+int whole_pixels(int image_pixels, double scale) {
+  return static_cast<int>(std::floor(image_pixels / scale + 1e-6));
+}
+
+void check_size(int width, int height, double scale) {
+  require(width > 0, "Canvas", "width", "positive px", width);
+  require(height > 0, "Canvas", "height", "positive px", height);
+  require(scale >= 0.5 && scale <= 4, "Canvas", "scale", "from 0.5 to 4", scale);
+}
+
 /// Box of a capsule; a point gives a disk.
 Box capsule_box(const Point& from, const Point& to, double radius) {
   const Point span = to - from;
@@ -67,22 +78,12 @@ Box capsule_box(const Point& from, const Point& to, double radius) {
 
 }  // namespace
 
-Color rgb(std::uint32_t hex) {
-  const auto channel = [hex](unsigned shift) { return static_cast<float>(hex >> shift & 0xFFU) / 255.0F; };
-  return {channel(16), channel(8), channel(0), 1};
-}
-
-Color faded(Color color, double opacity) {
-  color.a *= static_cast<float>(opacity);
-  return color;
-}
-
 struct Canvas::Impl {
-  Impl(int w, int h, double s)
+  Impl(int w, int h, const ImageSize& image, double s)
       : width(w),
         height(h),
         scale(s),
-        frame{0, 0, image_pixels(w, s), image_pixels(h, s)},
+        frame{0, 0, image.width, image.height},
         atlas(s),
         surface(frame.right, frame.bottom, atlas.side()),
         batch(frame.right, frame.bottom) {}
@@ -153,10 +154,15 @@ struct Canvas::Impl {
 };
 
 Canvas::Canvas(int width, int height, double scale) {
-  require(width > 0, "Canvas", "width", "positive px", width);
-  require(height > 0, "Canvas", "height", "positive px", height);
-  require(scale >= 0.5 && scale <= 4, "Canvas", "scale", "from 0.5 to 4", scale);
-  impl_ = std::make_unique<Impl>(width, height, scale);
+  check_size(width, height, scale);
+  const ImageSize image = {image_pixels(width, scale), image_pixels(height, scale)};
+  impl_ = std::make_unique<Impl>(width, height, image, scale);
+}
+
+Canvas::Canvas(const ImageSize& image, double scale) {
+  check_size(image.width, image.height, scale);
+  impl_ = std::make_unique<Impl>(whole_pixels(image.width, scale), whole_pixels(image.height, scale), image,
+                                 scale);
 }
 
 Canvas::~Canvas() = default;

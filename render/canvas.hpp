@@ -47,6 +47,12 @@ struct Stroke {
   List<double> dash = {};
 };
 
+/// Whole pixels of an image.
+struct ImageSize {
+  int width = 0;
+  int height = 0;
+};
+
 enum class Align { left, center, right };
 
 struct TextStyle {
@@ -87,6 +93,8 @@ class Canvas {
   /// @throws RenderError when no OSMesa or EGL context can be made, std::invalid_argument for sizes that are
   /// not positive or a scale that is not between 0.5 and 4.
   Canvas(int width, int height, double scale = 1);
+  /// An image of exactly this size, `scale` pixels of it to one of the canvas. @throws as above
+  Canvas(const ImageSize& image, double scale);
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;

@@ -97,10 +97,11 @@ double name_size(const Page& page, const Camera& camera, const SnapshotBody& bod
   const double reach_of_text = text_reach(page, name);
   // The same at every angle, so that it does not flicker while the body turns.
   const double size = std::min(std::floor(0.62 * room / reach_of_text), page.sizes().body_number);
-  if (size >= smallest_text) return size;
-  const double width = page.canvas().text_width(name, {.size = smallest_text, .bold = true});
+  const double smallest = page.sizes().smallest;
+  if (size >= smallest) return size;
+  const double width = page.canvas().text_width(name, {.size = smallest, .bold = true});
   const Point middle = camera.project(body.pose.position);
-  return fits(camera, body, middle, width, cap_height * smallest_text) ? smallest_text : 0;
+  return fits(camera, body, middle, width, cap_height * smallest) ? smallest : 0;
 }
 
 void draw_static_body(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id) {
@@ -155,7 +156,7 @@ void write_name(Page& page, const Camera& camera, const SnapshotBody& body, Body
   // Which of the two it is, not by its colour alone.
   TextStyle letter = style;
   letter.bold = false;
-  letter.size = std::max(smallest_text, std::floor(0.55 * size));
+  letter.size = std::max(page.sizes().smallest, std::floor(0.55 * size));
   const Point below = middle + Point(0, 0.5 * cap_height * size + 0.75 * letter.size);
   if (!fits(camera, body, below, 0.6 * letter.size, 0.8 * letter.size)) return;
   const List<Point> under = {Point(below.x(), baseline_around(below.y(), letter.size))};

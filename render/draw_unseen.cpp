@@ -59,7 +59,7 @@ std::string spoken_name(const WorldLook& look, BodyId id) {
 
 TextStyle unseen_style(const Page& page) {
   TextStyle style = page.label();
-  style.size = std::max(smallest_text, std::round(0.85 * style.size));
+  style.size = std::max(page.sizes().smallest, std::round(0.85 * style.size));
   style.halo = page.theme().panel;
   return style;
 }

@@ -38,10 +38,10 @@ double contrast_upon(const TextBox& box, Color back) {
   return contrast(over(box.style.color, behind), behind);
 }
 
-void check_size(const TextBox& box, List<std::string>& faults) {
-  if (!(box.style.size >= smallest_text)) {
+void check_size(const TextBox& box, double smallest, List<std::string>& faults) {
+  if (!(box.style.size >= smallest)) {
     faults.push_back(
-        fmt::format("{} is {:.3g} px high, less than {} px", named(box), box.style.size, smallest_text));
+        fmt::format("{} is {:.3g} px high, less than {} px", named(box), box.style.size, smallest));
   }
 }
 
@@ -122,7 +122,7 @@ List<std::string> lint(const Page& page) {
   }
   List<std::string> faults;
   for (int i = 0; i < boxes.size(); ++i) {
-    check_size(boxes[i], faults);
+    check_size(boxes[i], page.sizes().smallest, faults);
     check_place(boxes[i], page.canvas(), faults);
     check_contrast(boxes[i], page.theme(), faults);
     check_curves(boxes[i], page, faults);

@@ -75,7 +75,11 @@ void draw_cells(MatrixGrid& grid) {
     for (Eigen::Index column = 0; column < grid.shown.cols(); ++column) {
       const double value = grid.shown(row, column);
       const Rect rect = cell_rect(grid, row, column);
-      if (!is_zero(grid, value)) {
+      if (is_unknown(grid, row, column)) {
+        const Point corner(rect.x, rect.y), right(grid.cell, 0), down(0, grid.cell);
+        canvas.hatch(List<Point>{corner, corner + right, corner + right + down, corner + down},
+                     {.width = 1, .color = theme.frame_line}, 8);
+      } else if (!is_zero(grid, value)) {
         canvas.rect(rect, {.fill = color_of(grid, value)});
       } else if (grid.cell >= 2 * cell_of_lines) {
         canvas.circle(middle_of(rect), grid.cell >= matrix_cell_of_text ? 1.5 : 0.75,
@@ -110,15 +114,23 @@ void draw_lines(MatrixGrid& grid) {
   canvas.rect(inset(cells, -1), {.outline = theme.text, .outline_width = 2});
 }
 
-void frame_active_row(MatrixGrid& grid) {
-  const int row = grid.view.active_row;
-  if (row < 0 || row >= grid.shown.rows() || grid.thinned()) return;
-  const Rect first = cell_rect(grid, row, 0);
-  const Rect frame = {grid.cells.x, first.y, grid.cells.width, grid.cell};
+void frame_cells(MatrixGrid& grid, const Rect& frame, double width) {
   const Theme& theme = grid.page.theme();
-  const double width = grid.page.sizes().active_outline;
   grid.page.canvas().rect(inset(frame, -3), {.outline = theme.background, .outline_width = width + 3}, 2);
   grid.page.canvas().rect(inset(frame, -3), {.outline = theme.text, .outline_width = width}, 2);
+}
+
+void frame_active(MatrixGrid& grid) {
+  if (grid.thinned()) return;
+  const int row = grid.view.active_row;
+  const int column = grid.view.active_column;
+  const bool has_row = row >= 0 && row < grid.shown.rows();
+  const bool has_column = column >= 0 && column < grid.shown.cols();
+  const double width = grid.page.sizes().active_outline;
+  const Rect first = cell_rect(grid, std::max(row, 0), std::max(column, 0));
+  if (has_row) frame_cells(grid, {grid.cells.x, first.y, grid.cells.width, grid.cell}, width);
+  if (has_column) frame_cells(grid, {first.x, grid.cells.y, grid.cell, grid.cells.height}, width);
+  if (has_row && has_column) frame_cells(grid, first, 2 * width);
 }
 
 }  // namespace
@@ -126,6 +138,13 @@ void frame_active_row(MatrixGrid& grid) {
 Rect cell_rect(const MatrixGrid& grid, Eigen::Index row, Eigen::Index column) {
   return {grid.cells.x + grid.cell * static_cast<double>(column),
           grid.cells.y + grid.cell * static_cast<double>(row), grid.cell, grid.cell};
+}
+
+bool is_unknown(const MatrixGrid& grid, Eigen::Index row, Eigen::Index column) {
+  if (grid.thinned()) return false;
+  const auto& unknown = grid.view.unknown;
+  return std::find(unknown.begin(), unknown.end(),
+                   std::pair(static_cast<int>(row), static_cast<int>(column))) != unknown.end();
 }
 
 bool is_zero(const MatrixGrid& grid, double value) {
@@ -147,7 +166,7 @@ void draw_matrix(Page& page, const Rect& rect, const MatrixView& view) {
   MatrixGrid grid = lay_out(page, rect, view);
   draw_cells(grid);
   draw_lines(grid);
-  frame_active_row(grid);
+  frame_active(grid);
   write_matrix_texts(grid, rect);
 }
 

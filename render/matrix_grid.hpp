@@ -26,6 +26,7 @@ struct MatrixGrid {
 };
 
 Rect cell_rect(const MatrixGrid& grid, Eigen::Index row, Eigen::Index column);
+bool is_unknown(const MatrixGrid& grid, Eigen::Index row, Eigen::Index column);
 bool is_zero(const MatrixGrid& grid, double value);
 Color color_of(const MatrixGrid& grid, double value);
 

@@ -19,7 +19,7 @@ std::string number_of(double value, int digits, Sign sign) {
 struct NumberFormat {
   int digits = 3;
   Sign sign = Sign::always;
-  double size = smallest_text;  // [px]
+  double size = 0;  // [px]
 };
 
 // The width of the widest number at the smallest size [px].
@@ -50,15 +50,18 @@ NumberFormat format_of(const MatrixGrid& grid) {
                                                {.digits = 2, .sign = sign},
                                                {.digits = 2, .sign = Sign::negative_only}}};
   const double room = grid.cell - 5;
+  const double smallest = grid.page.sizes().smallest;
   for (NumberFormat format : formats) {
-    const double width = widest_number(grid, format, number_style(grid, smallest_text));
+    const double width = widest_number(grid, format, number_style(grid, smallest));
     if (width > room) continue;
     const double largest = std::min(grid.page.value().size, 0.5 * grid.cell);
-    const double fitting = width > 0 ? std::floor(smallest_text * room / width) : largest;
-    format.size = std::max(smallest_text, std::min(largest, fitting));
+    const double fitting = width > 0 ? std::floor(smallest * room / width) : largest;
+    format.size = std::max(smallest, std::min(largest, fitting));
     return format;
   }
-  return formats.back();
+  NumberFormat last = formats.back();
+  last.size = smallest;
+  return last;
 }
 
 // The halo has the cell's colour: unseen, and it tells lint() what the number stands on.
@@ -66,13 +69,14 @@ void write_numbers(MatrixGrid& grid) {
   if (grid.cell < matrix_cell_of_text) return;
   const NumberFormat format = format_of(grid);
   TextStyle style = number_style(grid, format.size);
+  const bool are_legible = widest_number(grid, format, style) <= grid.cell - 4;
   for (Eigen::Index row = 0; row < grid.shown.rows(); ++row) {
     for (Eigen::Index column = 0; column < grid.shown.cols(); ++column) {
       const double value = grid.shown(row, column);
-      if (is_zero(grid, value)) continue;
-      const std::string text = number_of(value, format.digits, format.sign);
-      if (grid.page.canvas().text_width(text, style) > grid.cell - 2) continue;
-      style.halo = color_of(grid, value);
+      const bool unknown = is_unknown(grid, row, column);
+      if (!unknown && (!are_legible || is_zero(grid, value))) continue;
+      const std::string text = unknown ? "?" : number_of(value, format.digits, format.sign);
+      style.halo = unknown ? grid.page.theme().background : color_of(grid, value);
       style.color = ink_on(style.halo);
       const Point middle = middle_of(cell_rect(grid, row, column));
       grid.page.canvas().text({middle.x(), baseline_around(middle.y(), style.size)}, text, style);
@@ -117,7 +121,8 @@ void write_column_names(MatrixGrid& grid) {
 // Above the cells; further left, smaller or cut where it would leave the rectangle.
 void write_title(MatrixGrid& grid, const Rect& rect) {
   Canvas& canvas = grid.page.canvas();
-  const TextStyle style = shrunk(canvas, grid.view.title, rect.width, matrix_title(grid.page));
+  const TextStyle style =
+      shrunk(canvas, grid.view.title, rect.width, matrix_title(grid.page), grid.page.sizes().smallest);
   const std::string title = ellipsized(canvas, grid.view.title, rect.width, style);
   const double width = canvas.text_width(title, style);
   const double x = std::max(rect.x, std::min(grid.cells.x, rect.x + rect.width - width));

@@ -12,7 +12,7 @@ namespace cairn::render {
 namespace {
 
 int checked(int pixels, int least, const char* field) {
-  require(pixels >= least, "Page", field, least == 320 ? "at least 320 px" : "at least 180 px", pixels);
+  require(pixels >= least, "Page", field, "at least " + std::to_string(least) + " px", pixels);
   return pixels;
 }
 
@@ -67,7 +67,7 @@ void draw_header(Canvas& canvas, const Theme& theme, const Sizes& sizes, const H
   // A long title leaves the state a third of the line, or what its smallest type needs if that is less.
   const double between = 1.5 * sizes.title;
   TextStyle smallest = state;
-  smallest.size = 12;
+  smallest.size = sizes.smallest;
   double kept = 0;
   if (!header.state.empty()) {
     kept = std::min(canvas.text_width(header.state, smallest), (right - sizes.margin) / 3) + between;
@@ -79,11 +79,20 @@ void draw_header(Canvas& canvas, const Theme& theme, const Sizes& sizes, const H
   x += canvas.text_width(shown, title);
   if (header.state.empty()) return;
   const double room = right - x - between;
-  state = shrunk(canvas, header.state, room, state);
+  state = shrunk(canvas, header.state, room, state, sizes.smallest);
   canvas.text({right, baseline}, ellipsized(canvas, header.state, room, state), state);
 }
 
 }  // namespace
+
+Page::Page(const ImageSize& image, const Theme& theme)
+    : canvas_({checked(image.width, 960, "width"), checked(image.height, 540, "height")},
+              std::min(image.width / 1280.0, image.height / 720.0)),
+      theme_(theme),
+      sizes_(sizes_for(canvas_.height())) {
+  sizes_.smallest = 15;  // 11 px and more of the smallest image
+  canvas_.clear(theme_.background);
+}
 
 Page::Page(int width, int height, const Theme& theme, double scale)
     : canvas_(checked(width, 320, "width"), checked(height, 180, "height"), scale),
@@ -125,7 +134,7 @@ Rect Page::panel(const Rect& rect, std::string_view title) {
   Rect inner = inset(rect, sizes_.padding);
   if (title.empty()) return inner;
   panels_.push_back({std::string(title), {frame.x - 0.5, frame.y - 0.5, frame.width + 1, frame.height + 1}});
-  const TextStyle style = shrunk(canvas_, title, inner.width, secondary());
+  const TextStyle style = shrunk(canvas_, title, inner.width, secondary(), sizes_.smallest);
   const double baseline = std::round(inner.y + 0.85 * sizes_.label);
   canvas_.text({inner.x, baseline}, ellipsized(canvas_, title, inner.width, style), style);
   const double used = baseline + 0.9 * sizes_.label - inner.y;

@@ -48,6 +48,9 @@ class Page {
   /// @throws RenderError when no context can be made, std::invalid_argument unless at least 320 x 180 px, or
   /// for a scale that Canvas refuses.
   Page(int width, int height, const Theme& theme, double scale = 1);
+  /// An image of this size that is laid out as one of 1280 x 720 px (wider or higher, where the image is), so
+  /// that type and lines grow and shrink with it. @throws as above unless at least 960 x 540 px
+  Page(const ImageSize& image, const Theme& theme);
 
   /// What frames stand on from now on, in place of the theme's background.
   void set_paper(Color paper) { paper_ = paper; }
@@ -72,7 +75,7 @@ class Page {
   Rect panel(const Rect& rect, std::string_view title);
   /// The panels of this frame that have titles.
   const List<PanelPlace>& panels() const { return panels_; }
-  /// A panel with the lines of an equation; type shrinks (not below 12 px) until the longest line fits.
+  /// A panel with the lines of an equation; type shrinks until the longest line fits.
   void equation(const Rect& rect, const Equation& equation);
   /// A panel with a table; the active row is lit.
   void table(const Rect& rect, std::string_view title, const TableView& table);

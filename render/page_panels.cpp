@@ -91,7 +91,7 @@ class EquationSetter {
     TextStyle small = page_.secondary();
     small.mono = true;
     small.size = std::min(small.size, type_.size);
-    small = shrunk(page_.canvas(), equation_.algorithm, inner_.width, small);
+    small = shrunk(page_.canvas(), equation_.algorithm, inner_.width, small, page_.sizes().smallest);
     const List<std::string> lines = wrapped(page_.canvas(), equation_.algorithm, inner_.width, small);
     const double pitch = std::round(1.35 * small.size);
     double baseline = std::round(bottom_ - 0.2 * small.size) - pitch * (lines.size() - 1);
@@ -107,7 +107,7 @@ class EquationSetter {
     if (text.empty()) return;
     const double width = inner_.width - indent;
     const bool too_wide = page_.canvas().text_width(text, style) > width;
-    if (too_wide && (type_.size > smallest_text || type_.parts == EquationParts::number_beside))
+    if (too_wide && (type_.size > page_.sizes().smallest || type_.parts == EquationParts::number_beside))
       layout_.fits = false;
     List<std::string> lines = {text};
     if (too_wide) lines = wrapped(page_.canvas(), text, width, style);
@@ -125,18 +125,18 @@ class EquationSetter {
   EquationLayout layout_ = {};
 };
 
-/// From the size wanted down to 12 px, first with generous, then with tight lines; then with the number
-/// beside the first line; at last without what is least needed.
-List<EquationType> equation_types(double largest) {
+/// From the largest size down to the smallest, first with generous, then with tight lines; then with the
+/// number beside the first line; at last without what is least needed.
+List<EquationType> equation_types(double largest, double smallest) {
   List<EquationType> types;
-  for (double size = largest; size >= smallest_text; --size) {
+  for (double size = largest; size >= smallest; --size) {
     for (const double pitch : {1.6, 1.35}) types.push_back({.size = size, .pitch = pitch});
   }
-  for (double size = largest; size >= smallest_text; --size) {
+  for (double size = largest; size >= smallest; --size) {
     types.push_back({.size = size, .pitch = 1.35, .parts = EquationParts::number_beside});
   }
   for (const EquationParts parts : {EquationParts::without_remarks, EquationParts::symbols_and_result}) {
-    types.push_back({.size = smallest_text, .pitch = 1.25, .parts = parts});
+    types.push_back({.size = smallest, .pitch = 1.25, .parts = parts});
   }
   return types;
 }
@@ -147,7 +147,7 @@ void Page::equation(const Rect& rect, const Equation& equation) {
   const Rect inner = panel(rect, "");
   panels_.push_back({equation.number, rect});
   EquationLayout layout;
-  for (const EquationType& type : equation_types(sizes_.equation)) {
+  for (const EquationType& type : equation_types(sizes_.equation, sizes_.smallest)) {
     layout = EquationSetter(*this, inner, equation, type).set();
     if (layout.fits) break;
   }
@@ -163,8 +163,8 @@ void Page::note(const Rect& rect, std::string_view title, std::string_view text)
     const double lines = wrapped(canvas_, text, inner.width, style).size();
     return std::round(leading * style.size) * (lines - 1) + style.size;
   };
-  while (style.size > smallest_text && height_of() > inner.height)
-    style.size = std::max(smallest_text, style.size - 1);
+  while (style.size > sizes_.smallest && height_of() > inner.height)
+    style.size = std::max(sizes_.smallest, style.size - 1);
   canvas_.push_clip(rect);
   paragraph({inner.x, std::round(inner.y + 0.85 * style.size)}, inner.width, text, style);
   canvas_.pop_clip();

@@ -75,14 +75,14 @@ TableLayout table_layout(const Page& page, const Rect& room, const TableView& ta
 
 /// Type shrinks before rows are left out.
 TableLayout best_layout(const Page& page, const Rect& room, const TableView& table) {
-  for (double size = page.value().size; size > smallest_text; --size) {
+  for (double size = page.value().size; size > page.sizes().smallest; --size) {
     for (const double pitch : {1.7, 1.4}) {
       const TableLayout layout = table_layout(page, room, table, size, pitch);
       if (layout.fits) return layout;
     }
   }
-  const TableLayout airy = table_layout(page, room, table, smallest_text, 1.6);
-  return airy.fits ? airy : table_layout(page, room, table, smallest_text, 1.3);
+  const TableLayout airy = table_layout(page, room, table, page.sizes().smallest, 1.6);
+  return airy.fits ? airy : table_layout(page, room, table, page.sizes().smallest, 1.3);
 }
 
 void draw_row(Canvas& canvas, const Point& start, const List<std::string>& cells, const TableLayout& layout,

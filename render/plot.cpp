@@ -1,6 +1,7 @@
 // Charts: the order in which a plot is drawn. Curves lie upon the grid, words upon nothing.
 #include "render/plot.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -28,14 +29,23 @@ void check_plot(const Plot& plot) {
   check_places(plot.front, "front");
 }
 
-void draw_cursor(Page& page, const PlotFrame& frame, const Plot& plot) {
-  if (!plot.cursor || !plottable(*plot.cursor, frame.x.scale)) return;
-  const double x = std::round(frame.x.pixel(*plot.cursor)) + 0.5;
+void draw_cursor(Page& page, const PlotFrame& frame, const std::optional<double>& cursor) {
+  if (!cursor || !plottable(*cursor, frame.x.scale)) return;
+  const double x = std::round(frame.x.pixel(*cursor)) + 0.5;
   const Rect& box = frame.box;
   page.canvas().push_clip(box);
   page.canvas().line({x, box.y}, {x, box.y + box.height},
                      {.width = page.sizes().axis, .color = page.theme().secondary_text});
   page.canvas().pop_clip();
+}
+
+/// A veil over everything beyond now: what is to come.
+void draw_future(Page& page, const PlotFrame& frame, const std::optional<double>& now) {
+  if (!now || !plottable(*now, frame.x.scale)) return;
+  const Rect& box = frame.box;
+  const double x = std::max(box.x, std::round(frame.x.pixel(*now)) + 0.5);
+  const double width = box.x + box.width - x - page.sizes().axis;
+  page.canvas().rect({x, box.y + 1, width, box.height - 2}, {.fill = faded(page.theme().panel, 0.7)});
 }
 
 List<Curve> curves_of(const PlotFrame& frame, const Plot& plot) {
@@ -67,8 +77,10 @@ void draw_plot(Page& page, const Rect& rect, const Plot& plot) {
   draw_axes(page, frame, shown);
   draw_background(page, frame, shown);
   draw_goals(page, frame, shown);
-  draw_cursor(page, frame, shown);
+  draw_cursor(page, frame, shown.cursor);
   draw_curves(page, frame, shown, curves);
+  draw_future(page, frame, shown.now);
+  draw_cursor(page, frame, shown.now);
   draw_plot_labels(page, frame, shown, curves);
   if (!is_all_empty(curves) || !shown.goals.empty()) return;
   TextStyle style = page.secondary();

@@ -53,6 +53,7 @@ struct Plot {
   List<Series> series = {};  // at most 4
   List<GoalLine> goals = {};
   std::optional<double> cursor = {};  // a vertical line at this x
+  std::optional<double> now = {};     // the same, and what of the curves is beyond it is pale: their future
   Places cloud = {};                  // small and faint, behind everything: all that was tried
   Places front = {};                  // a wide and faint line behind the curves: what nothing tried beats
   List<PointLabel> labels = {};

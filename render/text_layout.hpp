@@ -30,7 +30,6 @@ List<std::string> wrapped(const Canvas& canvas, std::string_view markup, double 
 std::string ellipsized(const Canvas& canvas, std::string_view markup, double width, const TextStyle& style);
 
 /// The style with a size at which the text fits in `width` px, in steps of 1 px, not below `least`.
-TextStyle shrunk(const Canvas& canvas, std::string_view markup, double width, TextStyle style,
-                 double least = 12);
+TextStyle shrunk(const Canvas& canvas, std::string_view markup, double width, TextStyle style, double least);
 
 }  // namespace cairn::render

@@ -30,6 +30,16 @@ Color gray_of(Color color) {
 
 }  // namespace
 
+Color rgb(std::uint32_t hex) {
+  const auto channel = [hex](unsigned shift) { return static_cast<float>(hex >> shift & 0xFFU) / 255.0F; };
+  return {channel(16), channel(8), channel(0), 1};
+}
+
+Color faded(Color color, double opacity) {
+  color.a *= static_cast<float>(opacity);
+  return color;
+}
+
 Theme light_theme() {
   Theme theme;
   theme.background = rgb(0xFBFBF9);
@@ -52,8 +62,8 @@ Theme light_theme() {
   theme.external = rgb(0x7A7B7B);
   theme.penetration = rgb(0xF0E442);
   theme.inactive = rgb(0x9AA3AE);
-  theme.positive = rgb(0xD55E00);
-  theme.negative = rgb(0x0072B2);
+  theme.positive = rgb(0xB2182B);
+  theme.negative = rgb(0x3F3D9A);
   theme.pgs = {.color = rgb(0x0072B2), .dash = {}, .marker = Marker::circle};
   theme.si = {.color = rgb(0xC2770C), .dash = si_dash(), .marker = Marker::square};
   theme.box2d = {.color = rgb(0x0C5B3B), .dash = box2d_dash(), .marker = Marker::triangle};
@@ -84,8 +94,8 @@ Theme dark_theme() {
   theme.external = rgb(0xA3A3A3);
   theme.penetration = rgb(0xF0E442);
   theme.inactive = rgb(0x7C8794);
-  theme.positive = rgb(0xD55E00);
-  theme.negative = rgb(0x0072B2);
+  theme.positive = rgb(0xE05555);
+  theme.negative = rgb(0x6A6AE0);
   theme.pgs = {.color = rgb(0x56B4E9), .dash = {}, .marker = Marker::circle};
   theme.si = {.color = rgb(0xFFB243), .dash = si_dash(), .marker = Marker::square};
   theme.box2d = {.color = rgb(0x2DFEAB), .dash = box2d_dash(), .marker = Marker::triangle};

@@ -33,8 +33,6 @@ Theme dark_theme();
 /// The same theme without hues, for black-and-white print: dashes, hatches and markers tell things apart.
 Theme without_hues(const Theme& theme);
 
-/// No text is smaller [px].
-inline constexpr double smallest_text = 12;
 /// From here on bold text can be read with less contrast [px] (WCAG 2.1, 1.4.3).
 inline constexpr double large_text = 18;
 
@@ -44,6 +42,7 @@ struct Sizes {
   double outline = 2, active_outline = 3, arrow = 5, inactive_arrow = 3, head_length = 16, head_width = 14;
   double contact = 5, new_contact = 8, joint = 6;  // radii
   double curve = 3, marker = 5, grid = 1, axis = 1.5, hatch_pitch = 10, ghost = 1.5;
+  double smallest = 12;  // no text is smaller
   double margin = 20, header = 48, footer = 28, gap = 16, padding = 16;
 };
 

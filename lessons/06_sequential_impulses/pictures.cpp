@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "lessons/stack_panel.hpp"
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "render/bars.hpp"
 
@@ -100,40 +101,21 @@ render::Equation equation_22(const Page& page, const StackRun& run, const Moment
   return equation;
 }
 
-/// The scene at the left; returns what is right of it.
-Rect draw_left(Page& page, const StackRun& run, const Moment& moment) {
-  const List<Rect> parts = columns(page.area(), {0.48, 0.5}, page.sizes().gap);
-  draw_stack(page, parts[0], run, moment);
-  return parts[1];
-}
-
-/// Lines 10 to 13 of Algorithm 1 with what they have done.
-render::TableView algorithm_1(const StackRun& run, const Moment& moment) {
-  const RowUpdate<double>& update = run.updates[moment.update].update;
-  const int row = run.interface_of_row[update.row] + 1;
-  const double dt = run.settings.dt, before = update.impulse_before / dt, after = update.impulse_after / dt;
-  const std::string bodies =
-      row == 1 ? "to the ground and box 1" : fmt::format("to boxes {} and {}", row - 1, row);
-  return {.header = {"lines 10 to 13", fmt::format("λ_{{{}}} (N)", row)},
-          .rows = {{"10  λ_{old} ← λ", fixed(before, 2)},
-                   {"11  λ ← λ + λ_{corrective}", fixed(before + update.corrective / dt, 2)},
-                   {"12  clamp λ: at least 0", fixed(after, 2)},
-                   {"13  λ − λ_{old} " + bodies, fixed(after - before, 2)}}};
-}
-
 void draw_update(Page& page, const StackRun& run, int update) {
   const Moment moment = moment_after(run, update);
-  const List<Rect> panels = rows(draw_left(page, run, moment), {0.38, 0.29, 0.33}, page.sizes().gap);
+  const List<Rect> parts = columns(page.area(), {0.48, 0.5}, page.sizes().gap);
+  draw_stack(page, parts[0], run, moment);
+  const List<Rect> panels = rows(parts[1], {0.38, 0.29, 0.33}, page.sizes().gap);
   draw_bars(page, panels[0], lambda_bars(run, moment));
   page.equation(panels[1], equation_22(page, run, moment));
   page.table(panels[2], "", algorithm_1(run, moment));
 }
 
-void draw_note(Page& page, const StackRun& run, int update, std::string_view title, std::string_view text) {
-  const Moment moment = moment_after(run, update);
-  const List<Rect> panels = rows(draw_left(page, run, moment), {0.55, 0.45}, page.sizes().gap);
-  draw_bars(page, panels[0], lambda_bars(run, moment));
-  page.note(panels[1], title, text);
+QuestionFrame frame_of(const Run& run, int update, std::string state, std::string alt) {
+  return {
+      .state = std::move(state), .alt = std::move(alt), .scene = [run, update](Page& page, const Rect& rect) {
+        draw_stack(page, rect, *run, moment_after(*run, update));
+      }};
 }
 
 Shot update_shot(const Run& run, int index) {
@@ -158,36 +140,23 @@ List<Shot> stack_shots(const StackRun& recorded) {
   const int n = run->settings.boxes;
   const int updates = run->updates.size();
   List<Shot> shots;
-  shots.push_back({.state = "before the first sweep",
-                   .alt = "A stack of boxes that has begun to fall, all at the same speed, and the question.",
-                   .draw =
-                       [run](Page& page) {
-                         draw_note(
-                             page, *run, -1, "Predict",
-                             "Each contact, from the first row to the last, is pushed once, just hard enough "
-                             "to stop its own two boxes from closing in. How fast does each box fall after "
-                             "that one sweep?");
-                       },
-                   .key = true});
+  shots.push_back(question_shot(
+      card(), frame_of(run, -1, "before the first sweep",
+                       "A stack of boxes that has begun to fall, all at the same speed, and the question.")));
   for (int i = 0; i < updates; ++i) shots.push_back(update_shot(run, i));
   const PerBody<Vec3<double>>& after_one = run->updates[n - 1].velocity;
   std::string speeds;
   for (int i = 1; i <= n; ++i) {
     speeds += (i > 1 ? ", " : "") + fixed(0 - after_one[{i}].y(), 4);
   }
-  shots.push_back(
-      {.state = fmt::format("after {} sweeps", run->settings.sweeps),
-       .alt = fmt::format("The stack after the last sweep, and the answer: {} m/s.", speeds),
-       .draw =
-           [run, updates, speeds](Page& page) {
-             draw_note(
-                 page, *run, updates - 1, "Answer",
-                 fmt::format("After one sweep: {} m/s, from the lowest box up. The pair visited last no "
-                             "longer closes in; the others do again, for each push disturbs its "
-                             "neighbours. Hence the next sweep.",
-                             speeds));
-           },
-       .key = true});
+  shots.push_back(answer_shot(
+      card(),
+      frame_of(run, updates - 1, fmt::format("after {} sweeps", run->settings.sweeps),
+               fmt::format("The stack after the last sweep, and the answer: {} m/s.", speeds)),
+      fmt::format(
+          "After one sweep: {} m/s, from the lowest box up. The two boxes of the last row no longer close "
+          "in. The others do again, because each push disturbs its neighbours. So another sweep follows.",
+          speeds)));
   return shots;
 }
 

@@ -80,14 +80,14 @@ render::ArrowScale many_arrows(double largest, const std::string& unit, const re
 /// A line that is made to fit.
 void write_fitted(render::Page& page, const render::Point& at, double width, const std::string& text,
                   render::TextStyle style) {
-  style = render::shrunk(page.canvas(), text, width, style);
+  style = render::shrunk(page.canvas(), text, width, style, page.sizes().smallest);
   page.canvas().text(at, render::ellipsized(page.canvas(), text, width, style), style);
 }
 
 }  // namespace
 
 List<Flag> look_flags() {
-  return {{"size", "WxH", "of a picture [px], or small, medium, large (medium: 1280x720)"},
+  return {{"size", "WxH", "of a picture [px], or small (960x540), medium (1280x720), large (1920x1080)"},
           {"theme", "WHICH", "light or dark (light)"},
           {"show", "WHAT,WHAT",
            "loads, contacts, velocities, trails, overlaps, numbers or none (contacts, where they are few)",
@@ -97,7 +97,7 @@ List<Flag> look_flags() {
 FilmLook look_of(const Words& words, const std::string& standard) {
   FilmLook look;
   std::string size = words.text("size").value_or(standard);
-  if (size == "small") size = "640x360";
+  if (size == "small") size = "960x540";
   if (size == "medium") size = "1280x720";
   if (size == "large") size = "1920x1080";
   const std::size_t cross = size.find('x');

@@ -62,7 +62,7 @@ void write_compare_film(const Words& words, const SceneEntry& scene, const List<
     if (run.result.status != TrialStatus::refused) shown.push_back(run);
   }
   if (shown.empty()) return;
-  const FilmLook look = look_of(words, files.frames ? "medium" : "small");
+  const FilmLook look = look_of(words, files.frames ? "medium" : "640x360");
   SceneFilm film(scene, shown, look);
   const FilmOutcome outcome = write_film(film, film_identity(scene, shown, look, files.frames_per_second),
                                          files, wish.stops, words.console);
@@ -107,7 +107,7 @@ int run_compare(const Words& words, Console& console) {
   const SceneEntry scene = scene_of(words, words.places.front());
   const List<Setting> settings = compared_settings(words, scene);
   const FilmFiles files = film_files(words);
-  (void)look_of(words, "small");  // refuses before any work is done
+  (void)look_of(words, "medium");  // refuses before any work is done
   if (files.any() && settings.size() > SceneFilm::most_panels)
     words.refuse("solvers", "at most 4 where there are pictures", fmt::format("{}", settings.size()));
   const RunWish wish{.seconds = seconds_of(words, scene),

@@ -33,7 +33,7 @@ int run_run(const Words& words, Console& usual_console) {
   const SceneEntry scene = scene_of(words, words.places.front());
   const Setting setting = setting_of(words, scene);
   const FilmFiles files = film_files(words);
-  const FilmLook look = look_of(words, files.frames ? "medium" : "small");
+  const FilmLook look = look_of(words, files.frames ? "medium" : "640x360");
   const std::string csv = words.text("csv").value_or("");
   if (csv == "-" && words.has("json")) throw UsageError("cairn run: --csv - and --json both want stdout");
   ConsoleSettings settings = words.console;

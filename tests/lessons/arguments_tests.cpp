@@ -100,14 +100,15 @@ TEST_CASE("a flag of other lessons is told from a flag of none, and a near miss 
 
 TEST_CASE("picture flags are checked before anything runs") {
   const Options options =
-      options_from({"--size", "800x450", "--theme", "dark", "--palette=gray", "-o", "here"});
-  CHECK(options.width == 800);
-  CHECK(options.height == 450);
+      options_from({"--size", "1000x600", "--theme", "dark", "--palette=gray", "-o", "here"});
+  CHECK(options.width == 1000);
+  CHECK(options.height == 600);
   CHECK(options.theme == Options::Theme::dark);
   CHECK(options.palette == Options::Palette::gray);
   CHECK(options.out == std::filesystem::path("here"));
-  CHECK(options_from({"--size", "small"}).height == 360);
-  for (const char* size : {"big", "800", "800x", "x450", "100x100", "800x450x2", "1e9x720", "640.5x360"}) {
+  CHECK(options_from({"--size", "small"}).height == 540);
+  for (const char* size :
+       {"big", "1000", "1000x", "x600", "640x360", "1000x600x2", "1e9x720", "1000.5x600"}) {
     CHECK_MESSAGE(mentions(complaint_about({"--size", size}), "--size must be"), std::string(size));
   }
   CHECK(mentions(complaint_about({"--frames", "some"}), "--frames must be"));

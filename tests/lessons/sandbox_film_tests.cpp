@@ -241,5 +241,5 @@ TEST_CASE("a comparison is drawn side by side, with as many frames as its longes
   List<std::string> names = frame_names(4);
   names.push_back("frames.json");
   CHECK(folder.names("film") == names);
-  CHECK(render::read_png(folder.path() + "/film/0003.png").height == 360);
+  CHECK(render::read_png(folder.path() + "/film/0003.png").height == 540);
 }

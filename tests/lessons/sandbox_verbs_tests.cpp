@@ -215,7 +215,7 @@ TEST_CASE("cairn inspect prints a small A as text, and draws a large one") {
       run_cairn({"inspect", "arch", "--step", "1", "--sweeps", "5", "--picture", picture, "--size", "small"});
   CHECK(arch.code == 0);
   CHECK(text_has(arch.out, "88 x 88"));
-  CHECK(render::read_png(picture).width == 640);
+  CHECK(render::read_png(picture).width == 960);
   CHECK(run_cairn({"inspect", "pulley", "--picture", "/dev/null/A.png"}).code == 3);
 }
 

@@ -1,0 +1,25 @@
+// The first and the last frame of a lesson: the question of its card, and the same with the answer.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "lessons/lesson.hpp"
+
+namespace cairn {
+
+/// What both frames show beside the words, drawn anew for each.
+struct QuestionFrame {
+  std::string state = {};  // right of the header
+  std::string alt = {};
+  std::function<void(render::Page&, const render::Rect&)> scene = {};  // in the left part of the page
+};
+
+/// The scene at the left, at the right the question and the command that answers it. A key frame, and the
+/// cover: let `cover` of the card be its number, and let neither scene nor alt give the answer away.
+Shot question_shot(const LessonInfo& info, const QuestionFrame& frame);
+
+/// The scene at the left, at the right the question again and the answer. A key frame.
+Shot answer_shot(const LessonInfo& info, const QuestionFrame& frame, const std::string& answer);
+
+}  // namespace cairn
