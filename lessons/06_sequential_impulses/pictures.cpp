@@ -101,6 +101,20 @@ render::Equation equation_22(const Page& page, const StackRun& run, const Moment
   return equation;
 }
 
+/// Lines 10 to 13 of Algorithm 1 with what they have done.
+render::TableView algorithm_1(const StackRun& run, const Moment& moment) {
+  const RowUpdate<double>& update = run.updates[moment.update].update;
+  const int row = run.interface_of_row[update.row] + 1;
+  const double dt = run.settings.dt, before = update.impulse_before / dt, after = update.impulse_after / dt;
+  const std::string bodies =
+      row == 1 ? "to the ground and box 1" : fmt::format("to boxes {} and {}", row - 1, row);
+  return {.header = {"lines 10 to 13", fmt::format("λ_{{{}}} (N)", row)},
+          .rows = {{"10  λ_{old} ← λ", fixed(before, 2)},
+                   {"11  λ ← λ + λ_{corrective}", fixed(before + update.corrective / dt, 2)},
+                   {"12  clamp λ: at least 0", fixed(after, 2)},
+                   {"13  λ − λ_{old} " + bodies, fixed(after - before, 2)}}};
+}
+
 void draw_update(Page& page, const StackRun& run, int update) {
   const Moment moment = moment_after(run, update);
   const List<Rect> parts = columns(page.area(), {0.48, 0.5}, page.sizes().gap);
