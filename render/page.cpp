@@ -89,9 +89,10 @@ Page::Page(const ImageSize& image, const Theme& theme)
     : canvas_({checked(image.width, 960, "width"), checked(image.height, 540, "height")},
               std::min(image.width / 1280.0, image.height / 720.0)),
       theme_(theme),
-      sizes_(sizes_for(canvas_.height())) {
+      sizes_(sizes_for(canvas_.height())),
+      paper_(theme.background) {
   sizes_.smallest = 15;  // 11 px and more of the smallest image
-  canvas_.clear(theme_.background);
+  canvas_.clear(paper_);
 }
 
 Page::Page(int width, int height, const Theme& theme, double scale)
