@@ -57,7 +57,7 @@ void draw_step(Page& page, const FeetRun& run, int step) {
   plot.x = {.title = "t (s)", .min = 0, .max = motion_steps * time_step};
   plot.y = {.title = ""};
   plot.series = {heights(page, run.hop, Clamped::increment), heights(page, run.still, Clamped::sum)};
-  plot.cursor = step * time_step;
+  plot.now = step * time_step;
   draw_plot(page, parts[1], plot);
 }
 

@@ -164,14 +164,14 @@ void draw_step(Page& page, const PulleyRuns& all, int k) {
   plot.x = {.title = "step", .min = 0, .max = all.settings.steps};
   plot.y = {.title = "", .min = 0, .max = 1.15 * largest};
   render::Series series{.name = "", .style = page.theme().si};
-  for (int i = 1; i <= k; ++i) {
+  for (int i = 1; i < steps.size(); ++i) {
     series.x.push_back(i);
     series.y.push_back(steps[i].tension);
   }
   plot.series.push_back(series);
   const double tension = tension_by_hand(all.settings);
   plot.goals.push_back({tension, fmt::format("by hand: {} N", fixed(tension, 1))});
-  plot.cursor = k;
+  plot.now = k;
   draw_plot(page, rest, plot);
 }
 
