@@ -60,7 +60,7 @@ class Report {
   /// Spaces up to a column: bytes that continue a letter of UTF-8 take no room.
   static std::string padded(std::string words) {
     const auto letters = std::count_if(words.begin(), words.end(), [](char c) { return (c & 0xC0) != 0x80; });
-    words.append(static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, 66 - letters)), ' ');
+    words.append(static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, 70 - letters)), ' ');
     return words;
   }
 

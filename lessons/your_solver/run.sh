@@ -30,7 +30,7 @@ grade() {
   printf '#include "report.hpp"\n#include "stages/0%s.cpp"\nint main() {\n  grading::Report report(%s);\n' "$1" "$1" >"$work/main.cpp"
   printf '  stage_0%s(report);\n  return report.passed() ? 0 : 1;\n}\n' "$1" >>"$work/main.cpp"
   LC_ALL=C "$compiler" "${flags[@]}" -I"$here" -include "./$file" -o "$work/grader" "$work/main.cpp" 2>"$work/errors" || return 3
-  timeout 20 "$work/grader" 2>"$work/errors"
+  timeout 10 "$work/grader" 2>"$work/errors"
 }
 
 # The first error in the reader's file with its line, or else what a stage could not call.
@@ -53,7 +53,7 @@ explain_errors() {
 # explain_end CODE: why the reader's program ended early.
 explain_end() {
   if [[ $1 == 124 ]]; then
-    printf '%s did not end within 20 s: does one of its loops never stop?\n' "$file"
+    printf '%s did not end within 10 s: does one of its loops never stop?\n' "$file"
   elif grep -q "Assertion '__n < " "$work/errors"; then
     printf '%s used an index outside of a list, and was stopped after the last line above.\n' "$file"
   else

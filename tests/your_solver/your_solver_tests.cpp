@@ -49,10 +49,10 @@ fs::path solver_scratch(const std::string& name) {
   return folder;
 }
 
-/// `bash lessons/your_solver/run.sh WORDS` in a folder.
+/// `bash lessons/run solver WORDS` in a folder.
 Ended run_solver(const fs::path& folder, const std::string& words) {
-  const std::string script = (solver_folder / "run.sh").string();
-  return run_line("cd " + in_quotes(folder.string()) + " && bash " + in_quotes(script) + " " + words);
+  const std::string script = CAIRN_SOURCE_DIR "/lessons/run";
+  return run_line("cd " + in_quotes(folder.string()) + " && bash " + in_quotes(script) + " solver " + words);
 }
 
 std::string model_of(int stage) {
@@ -234,7 +234,7 @@ TEST_CASE("a file that does not compile, lacks a function or runs wild is answer
   CHECK(unfinished.out.find("\n  int three() { return 3 }\n") != std::string::npos);
   const Ended lacking = answer(model.substr(0, model.find("// The second half")));
   CHECK(lacking.code == 1);
-  CHECK(lacking.out.find("'move_bodies' was not declared") != std::string::npos);
+  CHECK(lacking.out.find("Stage 00 cannot use my_solver.cpp: ") != std::string::npos);
   CHECK(lacking.out.find("    void move_bodies(") != std::string::npos);
   WrongAnswer wild{.changes = {{"Body box;", "Body box; std::vector<int> none; none[3] = 1;\n"}}};
   const Ended stopped = answer(changed(model, wild));

@@ -6,15 +6,15 @@ static void grade_box(grading::Report& report) {
   const double turning = 12 / (mass * (width * width + height * height));  // 1/I
   report.number(box.position[0],
                 {"make_box(2, 1, 2, -4, 1): x (m)", -4, {{0, "position holds the centre, and is still 0."}}});
-  report.number(box.height, {"its height (m)",
+  report.number(box.height, {"the height of that box (m)",
                              height,
                              {{width, "Width and height are swapped."},
                               {0, "width and height of the Body are still 0."}}});
   report.number(box.inverse_mass[0],
-                {"its inverse_mass[0] (1/kg)",
+                {"that box: inverse_mass[0] (1/kg)",
                  1 / mass,
                  {{mass, "That is m. M⁻¹ has 1/m."}, {0, "That is a box that cannot move."}}});
-  report.number(box.inverse_mass[2], {"its inverse_mass[2] (1/(kg m²))",
+  report.number(box.inverse_mass[2], {"that box: inverse_mass[2] (1/(kg m²))",
                                       turning,
                                       {{1 / turning, "That is I. M⁻¹ has 1/I."},
                                        {mass * turning, "I grows with the mass: I = m (w² + h²)/12."},

@@ -51,23 +51,24 @@ static void grade_rod(grading::Report& report) {
                           "Those are m²: c is |p2 − p1| − length, without squares."},
                          {flat, "The points are fixed in their bodies: turn them by the body's angle."},
                          {rod_is.distance, "c is what is left when the length is taken away."}}});
-  report.number(
-      row.body1,
-      {"its body1", 1, {{2, "The bodies are swapped."}, {0, "body1 and body2 of the row are not set."}}});
-  report.number(row.j2[0], {"its j2[0]",
+  report.number(row.body1,
+                {"the rod: body1",
+                 1,
+                 {{2, "The bodies are swapped."}, {0, "body1 and body2 of the row are not set."}}});
+  report.number(row.j2[0], {"the rod: j2[0]",
                             ux,
                             {{-ux, "The sign: c grows when body 2 moves along u, from point 1 to point 2."},
                              {rod_is.dx, "u is a unit vector: divide by the distance."}}});
-  report.number(row.j1[0], {"its j1[0]",
+  report.number(row.j1[0], {"the rod: j1[0]",
                             -ux,
                             {{ux, "The sign: c shrinks when body 1 moves along u. j1 has −u."},
                              {-rod_is.dx, "u is a unit vector: divide by the distance."}}});
-  report.number(row.j2[2], {"its j2[2] (m)",
+  report.number(row.j2[2], {"the rod: j2[2] (m)",
                             turn2,
                             {{-turn2, "r × u is r_x u_y − r_y u_x: the order is reversed."},
                              {from_origin, "The arm r begins at the body's centre, not at the origin."},
                              {0, "A turn about the centre moves the point, too: r × u."}}});
-  report.number(row.j1[2], {"its j1[2] (m)",
+  report.number(row.j1[2], {"the rod: j1[2] (m)",
                             -turn1,
                             {{turn1, "The sign: all of j1 has a minus, its turn as well."},
                              {-turn2, "j1 needs the arm of body 1."},

@@ -72,8 +72,8 @@ static void grade_push(grading::Report& report) {
                   {-3 - 0.8 * 0.5 / 2, "That is m: multiply by the inverse mass."},
                   {-3, "Body 2 is missing: the push has two ends."}}});
   report.number(bodies[2].velocity[2],
-                {"its ω (rad/s)", turn, {{-1, "The turn is missing: j has three numbers a body."}}});
-  report.number(bodies[1].velocity[0], {"and v_x of body 1 (m/s)",
+                {"ω of body 2 (rad/s)", turn, {{-1, "The turn is missing: j has three numbers a body."}}});
+  report.number(bodies[1].velocity[0], {"v_x of body 1 (m/s)",
                                         other,
                                         {{1, "Body 1 is missing: the push has two ends."},
                                          {1 + 0.5 * 0.6 * 0.5, "The sign: j1 has its minus already."},

@@ -7,24 +7,26 @@ static void grade_contact(grading::Report& report) {
   report.number(
       row.c,
       {"a contact that overlaps by 10 mm: c (m)", -0.01, {{0.01, "The sign: overlap is a gap below 0."}}});
-  report.number(
-      row.j2[1],
-      {"its j2[1]", 1, {{-1, "The sign: the normal leads from body 1 to body 2, and c grows that way."}}});
-  report.number(row.j2[2], {"its j2[2] (m)",
+  report.number(row.j2[1],
+                {"the contact: j2[1]",
+                 1,
+                 {{-1, "The sign: the normal leads from body 1 to body 2, and c grows that way."}}});
+  report.number(row.j2[2], {"the contact: j2[2] (m)",
                             0.5,
                             {{0.75, "The arm begins at the body's centre: subtract it from the point."},
                              {-0.5, "r × n is r_x n_y − r_y n_x: the order is reversed."},
                              {0, "A push beside the centre turns the box: r × n."}}});
-  report.number(row.j1[2], {"its j1[2] (m)",
+  report.number(row.j1[2], {"the contact: j1[2] (m)",
                             2.25,
                             {{-2.25, "The sign: all of j1 has a minus."},
                              {-0.75, "The arm begins at the body's centre: subtract it from the point."}}});
   const double infinite = 1.0 / 0.0;
+  report.number(row.lower, {"the contact: lower bound (N s)",
+                            0,
+                            {{-infinite, "A contact cannot pull: its impulse is at least 0."}}});
   report.number(
-      row.lower,
-      {"its lower bound (N s)", 0, {{-infinite, "A contact cannot pull: its impulse is at least 0."}}});
-  report.number(row.upper,
-                {"its upper bound (N s)", infinite, {{0, "A contact may push as hard as it has to."}}});
+      row.upper,
+      {"the contact: upper bound (N s)", infinite, {{0, "A contact may push as hard as it has to."}}});
   report.number(Row().lower, {"the lower bound of any other row (N s)",
                               -infinite,
                               {{0, "Bounds belong to the row: a rod may pull, so a new Row has none."}}});
