@@ -89,7 +89,7 @@ void draw_case(Page& page, const PairCase& one, const CaseText& text) {
   const List<Rect> halves = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
   const List<Rect> left = rows(halves[0], {0.5, 0.5}, page.sizes().gap);
   draw_case_scene(page, left[0], one);
-  page.note(left[1], "", page.compact() ? text.brief : text.note);
+  page.note(left[1], "", text.note);
   const List<Rect> right = rows(halves[1], {1, 1}, page.sizes().gap);
   page.equation(right[0], text.printed);
   page.equation(right[1], text.coupling);

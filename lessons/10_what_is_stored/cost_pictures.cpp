@@ -55,11 +55,9 @@ void draw_memory(Page& page, const StoredRun& run) {
   for (const Kept& kept : run.kept) table.rows.push_back({kept.name, bytes_text(kept.bytes)});
   page.table(right[0], "", table);
   page.note(right[1], "",
-            page.compact()
-                ? "Full: twice the rows, four times the memory."
-                : "A full A takes four times the memory for twice the rows; the others take twice. "
-                  "An entry of a sparse A has its column beside it, 12 bytes. The table is what each "
-                  "solver really keeps beside the rows, J included.");
+            "A full A takes four times the memory for twice the rows; the others take twice. "
+            "An entry of a sparse A has its column beside it, 12 bytes. The table is what each "
+            "solver really keeps beside the rows, J included.");
 }
 
 void draw_work(Page& page, const StoredRun& run) {
@@ -73,11 +71,8 @@ void draw_work(Page& page, const StoredRun& run) {
       series_of(run, "SI", page.theme().si, [](const Count& count) { return work_of(count).si; })};
   draw_plot(page, parts[0], plot);
   const Work work = work_of(run.pyramids.back());
-  page.note(
-      parts[1], "Work",
-      page.compact()
-          ? fmt::format("SI: 12 for each row. A sparse A: {:.1f}.", work.sparse / run.pyramids.back().rows)
-          : fmt::format("SI reads the velocities of two bodies and changes them: 12 for each row, always. "
+  page.note(parts[1], "Work",
+            fmt::format("SI reads the velocities of two bodies and changes them: 12 for each row, always. "
                         "A sparse row of A has {:.1f} entries here. Naive is section 4.4's warning: all "
                         "velocities anew after every row.",
                         work.sparse / run.pyramids.back().rows));
@@ -100,16 +95,13 @@ void draw_tray(Page& page, const StoredRun& run) {
   line("full A", pyramid.dense, run.tray.dense);
   line("not zero", pyramid.non_zeros, run.tray.non_zeros);
   line("(30)", pyramid.printed, run.tray.printed);
-  line(page.compact() ? "sparse sweep" : "sparse A, a sweep", work_of(pyramid).sparse,
-       work_of(run.tray).sparse);
-  line(page.compact() ? "SI sweep" : "SI, a sweep", work_of(pyramid).si, work_of(run.tray).si);
+  line("sparse A, a sweep", work_of(pyramid).sparse, work_of(run.tray).sparse);
+  line("SI, a sweep", work_of(pyramid).si, work_of(run.tray).si);
   page.table(below[0], "", table);
   page.note(below[1], "All on one body",
-            page.compact()
-                ? "99 boxes on one tray: all rows share it, and A has no zeros."
-                : "99 boxes on one tray that can move, with as many rows as the pyramid of base 10. "
-                  "All of them push the tray, so all rows meet, and no entry of A is zero. SI does "
-                  "not notice: its work is the same for every scene of 200 rows.");
+            "99 boxes on one tray that can move, with as many rows as the pyramid of base 10. "
+            "All of them push the tray, so all rows meet, and no entry of A is zero. SI does "
+            "not notice: its work is the same for every scene of 200 rows.");
 }
 
 }  // namespace

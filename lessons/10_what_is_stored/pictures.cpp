@@ -67,12 +67,18 @@ void draw_met(Page& page, const Rect& rect, const StoredRun& run, const Eigen::M
     const bool is_above = is_left || problem.rows[j].a == ground;
     style.align = is_left ? render::Align::left : render::Align::right;
     const Point beside(at.x() + (is_left ? 8 : -8), at.y() + (is_above ? -7 : 7 + 0.8 * style.size));
-    if (!page.compact()) page.canvas().text(beside, fmt::format("{}", j + 1), style);
+    page.canvas().text(beside, fmt::format("{}", j + 1), style);
   }
 }
 
 std::string body_name(BodyId body) {
   return body == ground ? "the ground" : fmt::format("box {}", body.index);
+}
+
+/// With one decimal, so that a cell has room for it; what would become 0 stays as it is.
+double short_number(double entry) {
+  const double rounded = std::round(10 * entry) / 10;
+  return rounded == 0 ? entry : rounded;
 }
 
 void draw_row(Page& page, const StoredRun& run, int active) {
@@ -85,12 +91,12 @@ void draw_row(Page& page, const StoredRun& run, int active) {
   int met = 0;
   for (int j = 0; j < problem.row_count(); ++j) met += meet(A, active, j);
   page.note(left[1], "",
-            page.compact()
-                ? fmt::format("Row {}: not 0 for {} of {} rows.", active + 1, met, problem.row_count())
-                : fmt::format("Row {}: {} and {}. A push here changes how {} of {} contacts close in, "
-                              "itself among them: those on the same boxes. All else in this row of A is 0.",
-                              active + 1, body_name(row.a), body_name(row.b), met, problem.row_count()));
-  render::MatrixView view{.title = "A (1/kg), base 3", .values = A, .active_row = active};
+            fmt::format("Row {}: {} and {}. A push here changes how {} of {} contacts close in, "
+                        "itself among them: those on the same boxes. All else in this row of A is 0.",
+                        active + 1, body_name(row.a), body_name(row.b), met, problem.row_count()));
+  render::MatrixView view{.title = "A (1/kg), base 3, to one decimal",
+                          .values = A.unaryExpr(&short_number),
+                          .active_row = active};
   for (int j = 1; j <= problem.row_count(); ++j) view.row_names.push_back(fmt::format("{}", j));
   view.column_names = view.row_names;
   draw_matrix(page, halves[1], view);
@@ -129,8 +135,7 @@ void draw_colours(Page& page, const Rect& rect) {
   double y = inside.y + 4;
   const List<std::pair<render::Color, const char*>> meanings = {
       {colour_of(page.theme(), Entry::true_entry), "in A"},
-      {colour_of(page.theme(), Entry::printed_only),
-       page.compact() ? "(30) only" : "counted by (30), 0 in A"}};
+      {colour_of(page.theme(), Entry::printed_only), "counted by (30), 0 in A"}};
   for (const auto& meaning : meanings) {
     page.canvas().rect({inside.x, y, side, side}, {.fill = meaning.first});
     page.canvas().text({inside.x + side + 8, y + 0.85 * side}, meaning.second, page.label());
@@ -141,21 +146,19 @@ void draw_colours(Page& page, const Rect& rect) {
 void draw_pattern(Page& page, const StoredRun& run) {
   const List<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
   draw_entries(page, parts[0], run, middle);
-  const List<double> weights =
-      page.compact() ? List<double>{0.24, 0.42, 0.34} : List<double>{0.16, 0.36, 0.48};
+  const List<double> weights = List<double>{0.16, 0.36, 0.48};
   const List<Rect> right = rows(parts[1], weights, page.sizes().gap);
   draw_colours(page, right[0]);
   const Count& count = run.pyramids[middle];
   render::TableView table{.header = {"base 10", "numbers"}};
   table.rows = {{"full A", fmt::format("{:.0f}", count.dense)},
-                {page.compact() ? "(30)" : "(30) as printed", fmt::format("{:.0f}", count.printed)},
+                {"(30) as printed", fmt::format("{:.0f}", count.printed)},
                 {"not zero", fmt::format("{:.0f}", count.non_zeros)},
                 {"SI", fmt::format("{:.0f}", count.rows)}};
   page.table(right[1], "", table);
   page.note(right[2], "",
-            page.compact() ? "Grey: boxes that share only the ground."
-                           : "Grey: the lowest boxes have only the ground in common. It cannot be moved, so "
-                             "nothing that one does reaches the other. (30) has no M^{−1} and counts them.");
+            "Grey: the lowest boxes have only the ground in common. It cannot be moved, so "
+            "nothing that one does reaches the other. (30) has no M^{−1} and counts them.");
 }
 
 void draw_two_patterns(Page& page, const StoredRun& run) {
@@ -168,10 +171,8 @@ void draw_two_patterns(Page& page, const StoredRun& run) {
     draw_pyramid(page, parts[1], run, which);
   }
   page.note(panels[2], "",
-            page.compact()
-                ? "Dark: not 0. Grey: 0, but counted by (30)."
-                : "Dark: rows that share a box, not 0. Grey: rows that share only the ground, 0 in "
-                  "A, but counted by (30). The larger the pyramid, the emptier is A.");
+            "Dark: rows that share a box, not 0. Grey: rows that share only the ground, 0 in "
+            "A, but counted by (30). The larger the pyramid, the emptier is A.");
 }
 
 void draw_question(Page& page, const StoredRun& run) {
@@ -202,12 +203,8 @@ void draw_answer(Page& page, const StoredRun& run) {
   table.active_row = largest;
   page.table(parts[0], "numbers to keep", table);
   const Count& count = run.pyramids[largest];
-  page.note(
-      parts[1], "Answer",
-      page.compact()
-          ? fmt::format("{:.1f} of {:.0f}: a sweep of PGS without the zeros does the work of SI.",
-                        count.non_zeros / count.rows, count.rows)
-          : fmt::format("{:.1f} of {:.0f}, and never more than 14. PGS without the zeros grows like m, as SI "
+  page.note(parts[1], "Answer",
+            fmt::format("{:.1f} of {:.0f}, and never more than 14. PGS without the zeros grows like m, as SI "
                         "does, and does the same work in a sweep: {:.0f} multiply-adds against {:.0f}. "
                         "Memory remains, and the work of building A in every step.",
                         count.non_zeros / count.rows, count.rows, work_of(count).sparse, work_of(count).si));

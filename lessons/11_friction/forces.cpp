@@ -66,9 +66,7 @@ void draw_force(Page& page, const Camera& camera, const ArrowScale& scale, const
   page.place_text(places, page.area(), text, style);
 }
 
-std::string newtons(const std::string& name, double value, const Page& page) {
-  return name + " " + fixed(value, 2) + (page.compact() ? "" : " N");
-}
+std::string newtons(const std::string& name, double value) { return name + " " + fixed(value, 2) + " N"; }
 
 }  // namespace
 
@@ -99,13 +97,13 @@ void draw_forces(Page& page, const Slide& slide, const Study& study) {
   draw_friction_limit(page, camera, scale, foot, slope.downhill(), slide.block.friction * force.x());
   draw_force(page, camera, scale,
              {.kind = ArrowKind::normal, .tail = foot, .value = force.x() * slope.normal()},
-             newtons("λ_{n}", force.x(), page));
+             newtons("λ_{n}", force.x()));
   draw_force(page, camera, scale,
              {.kind = ArrowKind::friction, .tail = foot, .value = -held * slope.downhill()},
-             newtons("λ_{t}", held, page));
+             newtons("λ_{t}", held));
   draw_force(page, camera, scale,
              {.kind = ArrowKind::external, .tail = foot, .value = pull * slope.downhill()},
-             newtons(page.compact() ? "pull" : "m g sin α", pull, page));
+             newtons("m g sin α", pull));
   draw_scale_key(page, scale, {page.area().x, page.area().y + page.area().height});
 }
 
@@ -121,10 +119,10 @@ void draw_corners(Page& page, const Slide& slide, const Study& study) {
     draw_friction_limit(page, camera, scale, contact.position, downhill, contact.friction * load);
     draw_force(page, camera, scale,
                {.kind = ArrowKind::normal, .tail = contact.position, .value = load * slide.slope.normal()},
-               newtons("λ_{n}", load, page));
+               newtons("λ_{n}", load));
     draw_force(page, camera, scale,
                {.kind = ArrowKind::friction, .tail = contact.position, .value = -held * downhill},
-               newtons("λ_{t}", held, page));
+               newtons("λ_{t}", held));
   }
   draw_scale_key(page, scale, {page.area().x, page.area().y + page.area().height});
 }

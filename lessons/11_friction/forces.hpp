@@ -7,7 +7,7 @@
 
 namespace cairn::friction {
 
-/// Scene on the left, two panels on the right, of which a compact page has room for one.
+/// Scene on the left, two panels on the right.
 struct Layout {
   render::Rect scene, upper, lower, right;
 };

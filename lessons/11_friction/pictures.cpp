@@ -72,14 +72,13 @@ TableView known_table(const Study& study) {
   return table;
 }
 
-TableView sweep_table(const Study& study, bool compact) {
+TableView sweep_table(const Study& study) {
   const Slide& slide = study.slippery;
   const double dt = slide.slope.dt;
   TableView table = {.header = {"sweep"}};
   const List<std::string> points = {"upper", "lower"};
-  const int shown_points = compact ? 1 : 2;
-  for (int point = 0; point < shown_points; ++point) {
-    table.header.push_back(compact ? "λ_{n}" : points[point] + " λ_{n}");
+  for (int point = 0; point < points.size(); ++point) {
+    table.header.push_back(points[point] + " λ_{n}");
     table.header.push_back("± μ λ_{n}");
     table.header.push_back("λ_{t}");
   }
@@ -88,7 +87,7 @@ TableView sweep_table(const Study& study, bool compact) {
     const bool shown = sweep <= 3 || sweep == 5 || sweep == 10 || sweep == slide.slope.sweeps;
     if (!shown) continue;
     List<std::string> row = {std::to_string(sweep)};
-    for (int point = 0; point < std::min(shown_points, record.impulse.size() / 2); ++point) {
+    for (int point = 0; point < std::min(points.size(), record.impulse.size() / 2); ++point) {
       const double load = record.impulse[2 * point] / dt;
       row.push_back(fixed(load, 2));
       row.push_back(fixed(slide.block.friction * load, 2));
@@ -146,10 +145,6 @@ Shot question_shot(const SharedStudy& study, const std::string& question) {
     const Camera camera = camera_of(layout.scene, study->rough.slope);
     draw_world(page, camera, study->rough.frames.front(), {.names = {"", "", "1 kg"}, .contacts = false});
     const std::string title = "What do you expect?";
-    if (page.compact()) {
-      page.note(layout.right, title, question);
-      return;
-    }
     page.note(layout.upper, title, question);
     page.table(layout.lower, "what is given", known_table(*study));
   };
@@ -171,10 +166,6 @@ Shot force_shot(const SharedStudy& study, const Slide& slide) {
     const Slide& shown = rough ? study->rough : study->slippery;
     const Layout layout = layout_of(page);
     draw_forces(page, shown, *study);
-    if (page.compact()) {
-      page.equation(layout.right, limit_equation(shown));
-      return;
-    }
     draw_bars(page, layout.upper, force_bars(page, shown));
     page.equation(layout.lower, limit_equation(shown));
   };
@@ -191,12 +182,7 @@ Shot sweep_shot(const SharedStudy& study) {
   shot.draw = [study](Page& page) {
     const Layout layout = layout_of(page);
     draw_corners(page, study->slippery, *study);
-    if (page.compact()) {
-      page.table(layout.right, "upper corner (N)", sweep_table(*study, true));
-      return;
-    }
-    page.table(layout.upper, "λ of the two corners (N); λ_{t} is negative uphill",
-               sweep_table(*study, false));
+    page.table(layout.upper, "λ of the two corners (N); λ_{t} is negative uphill", sweep_table(*study));
     draw_moving_bound(page, layout.lower, *study);
   };
   return shot;
@@ -219,10 +205,6 @@ Shot answer_shot(const SharedStudy& study, const std::string& question) {
     const Camera camera = camera_of(layout.scene, study->heavy.slope);
     const std::string name = significant(study->heavy.block.mass) + " kg";
     draw_world(page, camera, study->heavy.frames.back(), {.names = {"", "", name}, .contacts = false});
-    if (page.compact()) {
-      page.note(layout.right, "The answer", question + " " + answer);
-      return;
-    }
     draw_bars(page, layout.upper, mass_bars(page, *study));
     page.note(layout.lower, "The answer", question + " " + answer);
   };

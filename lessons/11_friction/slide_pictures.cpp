@@ -76,13 +76,6 @@ void draw_speed(Page& page, const Rect& rect, const Slide& slide, int step) {
 void draw_slide(Page& page, const Slide& slide, int step) {
   const bool both = !slide.box2d_frames.empty();
   const double gap = page.sizes().gap;
-  if (page.compact()) {
-    const List<Rect> halves = columns(page.area(), {50, 50}, gap);
-    draw_engine(page, halves[0], both ? "Cairn (Box2D looks alike)" : "Cairn", page.theme().si, slide.frames,
-                slide, step);
-    draw_speed(page, halves[1], slide, step);
-    return;
-  }
   const List<Rect> halves = rows(page.area(), {56, 44}, gap);
   const List<Rect> engines = columns(halves[0], {50, 50}, gap);
   draw_engine(page, both ? engines[0] : halves[0], "Cairn, sequential impulses", page.theme().si,
@@ -140,7 +133,6 @@ Series formula_series(const Study& study, const Curve& curve, const SeriesStyle&
 
 Plot curve_plot(const Page& page, const Study& study) {
   Plot plot = {.title = "acceleration down the slope (m/s²);  line: g (sin α − μ cos α)"};
-  if (page.compact()) plot.title = "acceleration (m/s²)";
   plot.x = {.title = "α (°)"};
   plot.y = {.title = "", .min = -0.05};
   SeriesStyle thin = page.theme().exact;
@@ -221,9 +213,9 @@ Shot curve_shot(const SharedStudy& study) {
     draw_plot(page, parts[0], curve_plot(page, *study));
     const List<Rect> halves = rows(parts[1], {45, 55}, page.sizes().gap);
     page.table(halves[0], "slides above (°)", threshold_table(*study));
-    const std::string points = has_box2d() ? "Squares: Cairn. Triangles: Box2D." : "Squares: Cairn.";
+    const std::string points = has_box2d() ? "Squares are Cairn, triangles Box2D." : "Squares are Cairn.";
     page.note(halves[1], "what is drawn",
-              points + " Lines: g (sin α − μ cos α), and 0 where friction suffices.");
+              points + " The lines are the formula: g (sin α − μ cos α), and 0 where friction suffices.");
   };
   return shot;
 }

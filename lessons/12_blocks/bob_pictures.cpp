@@ -91,14 +91,9 @@ Rect draw_bobs(Page& page, const BlocksRuns& all, int step) {
 }
 
 /// Says of the bob what has happened to it, with this inertia.
-std::string answer_text(const BlocksRuns& all, bool compact) {
+std::string answer_text(const BlocksRuns& all) {
   const ChainRun& chain = all.chains[welded_three];
   const bool thrown = all.bob_rows.largest_energy > 1000;
-  if (compact) {
-    return fmt::format("Three beams: {} sweeps with blocks, {} without. The pin of the bob: {}.",
-                       chain.blocks.sweeps, chain.rows.sweeps,
-                       thrown ? "held with a block, lost without" : "held by both");
-  }
   return fmt::format(
       "Three welded beams take {} sweeps with blocks and {} without: the conflict between joints is left. {}",
       chain.blocks.sweeps, chain.rows.sweeps,
@@ -129,10 +124,8 @@ List<Shot> bob_shots(const Runs& all) {
   shots.push_back(
       {.state = "answer",
        .alt = "Both bobs after 0.8 s, and the answer: how many sweeps three beams take with blocks.",
-       .draw =
-           [all, last](Page& page) {
-             page.note(draw_bobs(page, *all, last), "Answer", answer_text(*all, page.compact()));
-           },
+       .draw = [all,
+                last](Page& page) { page.note(draw_bobs(page, *all, last), "Answer", answer_text(*all)); },
        .key = true});
   return shots;
 }

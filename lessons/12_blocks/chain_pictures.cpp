@@ -50,7 +50,7 @@ void draw_question(Page& page, const BlocksRuns& all, const std::string& questio
   }
   table.active_row = 1;
   page.table(below[0], "", table);
-  page.note(below[1], "Predict", page.compact() ? "Three beams with blocks: how many sweeps?" : question);
+  page.note(below[1], "Predict", question);
 }
 
 /// The beams where their velocities after these sweeps would lead within a second; solved, they stay level.
@@ -77,7 +77,6 @@ void draw_beams(Page& page, const Rect& rect, const ChainRun& chain, const Chain
   render::WorldLook look;
   look.contacts = false;
   look.penetration = false;
-  look.numbers = !page.compact();
   draw_world(page, camera, moved, look);
   page.canvas().pop_clip();
 }
@@ -111,8 +110,7 @@ void draw_chain(Page& page, const ChainRun& chain, int sweep) {
 
 /// A of three beams: what a block settles stands in the frames on the diagonal, what it cannot beside them.
 void draw_system(Page& page, const Rect& rect, const ChainRun& chain) {
-  render::MatrixView view{.title = page.compact() ? "A, 3 beams" : "A of three welded beams, 3 rows a weld",
-                          .values = chain.A};
+  render::MatrixView view{.title = "A of three welded beams, 3 rows a weld", .values = chain.A};
   for (int weld = 1; weld <= 3; ++weld) {
     for (const char* name : {"x", "y", "θ"}) {
       view.row_names.push_back(fmt::format("{}_{{{}}}", name, weld));
@@ -124,25 +122,20 @@ void draw_system(Page& page, const Rect& rect, const ChainRun& chain) {
 }
 
 void draw_table(Page& page, const BlocksRuns& all) {
-  const List<Rect> halves =
-      columns(page.area(), {page.compact() ? 0.62 : 0.54, page.compact() ? 0.38 : 0.46}, page.sizes().gap);
-  const List<Rect> left =
-      rows(halves[0], {page.compact() ? 0.66 : 0.54, page.compact() ? 0.34 : 0.46}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
+  const List<Rect> left = rows(halves[0], {0.54, 0.46}, page.sizes().gap);
   render::TableView table;
-  table.header = {"scene", "rows", "blocks", page.compact() ? "work" : "work, blocks / rows"};
+  table.header = {"scene", "rows", "blocks", "work, blocks / rows"};
   for (const ChainRun& chain : all.chains) {
     const double ratio = static_cast<double>(chain.blocks.work) / static_cast<double>(chain.rows.work);
     table.rows.push_back({chain.name, fmt::format("{}", chain.rows.sweeps),
                           fmt::format("{}", chain.blocks.sweeps), render::fixed(ratio, 2)});
   }
-  page.table(left[0], page.compact() ? "sweeps to 1 %" : "sweeps until no λ is wrong by more than 1 %",
-             table);
+  page.table(left[0], "sweeps until no λ is wrong by more than 1 %", table);
   page.note(left[1], "Where blocks help",
-            page.compact()
-                ? "Inside the squares on the diagonal, not beside them."
-                : "A block settles its square on the diagonal at once. In this chain only the first "
-                  "square has rows that couple; all else is between the joints and takes its "
-                  "sweeps. Oblique pins couple more, level ones not at all.");
+            "A block settles its square on the diagonal at once. In this chain only the first "
+            "square has rows that couple; all else is between the joints and takes its "
+            "sweeps. Oblique pins couple more, level ones not at all.");
   draw_system(page, halves[1], all.chains[welded_three]);
 }
 

@@ -56,14 +56,13 @@ void draw_pin_force(Page& page, const render::Camera& camera, const Pair& lambda
              {.kind = render::ArrowKind::external,
               .tail = {beside, 1.2},
               .value = {0, -gravity},
-              .label = page.compact() ? "" : "m g = 10"});
+              .label = "m g = 10"});
 }
 
 void draw_rod(Page& page, const Rect& rect, const RodRun& rod, const RodMoment& moment) {
   const std::string speed = moment.slip.norm() < 1e-6 ? "0" : fixed(moment.slip.norm(), 3);
-  const Rect inside = page.panel(
-      rect, page.compact() ? fmt::format("pinned end: {} m/s", speed)
-                           : fmt::format("pull of the pin (N), its end of the rod moves at {} m/s", speed));
+  const Rect inside =
+      page.panel(rect, fmt::format("pull of the pin (N), its end of the rod moves at {} m/s", speed));
   const double angle = rod.start.bodies[{1}].pose.angle;
   const Vec2<double> end = Vec2<double>(std::cos(angle), std::sin(angle)) * rod_length;
   const double beside = std::max(end.x(), 1.0) + 0.5;
@@ -154,7 +153,7 @@ void draw_way(Page& page, const render::Camera& camera, const RodMoment& moment)
 }
 
 void draw_plane(Page& page, const Rect& rect, const RodRun& rod, const RodMoment& moment) {
-  const Rect inside = page.panel(rect, page.compact() ? "(λ_{1}, λ_{2}), N" : "λ of the pin's two rows (N)");
+  const Rect inside = page.panel(rect, "λ of the pin's two rows (N)");
   const render::Camera camera =
       render::fit(inside, {{-1.5, -1.3}, {rod.formula[0] + 1.2, rod.formula[1] + 1.3}});
   page.canvas().push_clip(inside);

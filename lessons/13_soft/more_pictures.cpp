@@ -51,7 +51,6 @@ void draw_stiff(Page& page, const SoftRuns& all) {
   const List<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
   draw_stiff_curves(page, halves[0], all);
   render::TableView table{.header = {"f (Hz)", "γ (1/kg)", "β", "m g / k (mm)"}};
-  if (page.compact()) table.header = {"f (Hz)", "γ", "β", "sag (mm)"};
   for (const StiffRun& run : all.stiff) {
     const double sag = 1000 * run.sag;
     table.rows.push_back({run.frequency < 1e5 ? fmt::format("{:g}", run.frequency) : "10^{6}",
@@ -59,18 +58,16 @@ void draw_stiff(Page& page, const SoftRuns& all) {
                           render::significant(sag, 3)});
     if (run.frequency == all.settings.frequency) table.active_row = table.rows.size() - 1;
   }
-  const double top = page.compact() ? 0.72 : 0.6;
+  const double top = 0.6;
   const List<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
-  page.table(right[0], page.compact() ? "" : "the same Δt and damping ratio", table);
+  page.table(right[0], "the same Δt and damping ratio", table);
   page.note(right[1], "Stiffer",
-            page.compact()
-                ? "γ goes to 0 and β to 1: a rod."
-                : "Δt k outgrows d: β goes to 1. The row becomes a rod that takes its error back in "
-                  "one step.");
+            "Δt k outgrows d: β goes to 1. The row becomes a rod that takes its error back in "
+            "one step.");
 }
 
 void draw_matrices(Page& page, const SoftRuns& all) {
-  const double top = page.compact() ? 0.52 : 0.48;
+  const double top = 0.48;
   const List<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
   const List<Rect> halves = columns(parts[0], {0.8, 0.8, 1.4}, page.sizes().gap);
   const List<std::string> names = {"1", "2", "3"};
@@ -83,11 +80,9 @@ void draw_matrices(Page& page, const SoftRuns& all) {
       page, halves[1],
       {.title = "A + γ, springs", .values = all.soft_column.A, .row_names = names, .column_names = names});
   page.note(halves[2], "Three weights",
-            page.compact()
-                ? "One upon the other, on a rod each, or a spring each. A spring adds γ to its own A_{ii}."
-                : "One upon the other, each on a rod, or each on a spring. All that a spring does to A "
-                  "is to add its γ to its own diagonal entry. The rows lean less on each other: sweeps "
-                  "gain more.");
+            "One upon the other, each on a rod, or each on a spring. A spring only adds its γ to its "
+            "diagonal entry of A. The rows affect each other less, so a sweep "
+            "leaves less of the error.");
   const List<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
   const ColumnRun& soft = all.soft_column;
   page.equation(below[0], {.number = "eq (15), PGS",
@@ -151,8 +146,7 @@ render::SeriesStyle style_of_force(const Page& page) {
 }
 
 void draw_run_away(Page& page, const Rect& rect, const SoftRuns& all) {
-  render::Plot plot{.title = page.compact() ? "distance from rest (m), 100 Hz, Δt = 0.05 s"
-                                            : "distance from the place of rest (m), 100 Hz, Δt = 0.05 s"};
+  render::Plot plot{.title = "distance from the place of rest (m), 100 Hz, Δt = 0.05 s"};
   plot.x = {.title = "step", .min = 0, .max = 6};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-12, .max = 1e20};
   SoftSettings harsh = all.settings;
@@ -172,9 +166,7 @@ void draw_run_away(Page& page, const Rect& rect, const SoftRuns& all) {
 }
 
 void draw_growth(Page& page, const Rect& rect, const SoftRuns& all) {
-  render::Plot plot{.title = page.compact()
-                                 ? "a step multiplies a swing by"
-                                 : "a step multiplies a swing by at most (Δt and damping of the scene)"};
+  render::Plot plot{.title = "a step multiplies a swing by at most (Δt and damping of the scene)"};
   plot.x = {.title = "f (Hz)", .scale = render::AxisScale::logarithmic, .min = 0.1, .max = 100};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-3, .max = 1e3};
   render::Series row{.name = "row", .style = style_of_soft(page)};
@@ -186,7 +178,7 @@ void draw_growth(Page& page, const Rect& rect, const SoftRuns& all) {
     force.y.push_back(growth.force);
   }
   plot.series = {force, row};
-  plot.goals.push_back({1, page.compact() ? "" : "above: grows"});
+  plot.goals.push_back({1, "above: grows"});
   draw_plot(page, rect, plot);
 }
 
@@ -198,18 +190,14 @@ double largest_hertz(const SoftRuns& all) {
 }
 
 void draw_harsh(Page& page, const SoftRuns& all) {
-  const double top = page.compact() ? 0.66 : 0.7;
+  const double top = 0.7;
   const List<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
   const List<Rect> halves = columns(parts[0], {1, 1}, page.sizes().gap);
   draw_run_away(page, halves[0], all);
   draw_growth(page, halves[1], all);
   const double hertz = largest_hertz(all);
-  page.note(
-      parts[1], "A force, or a row",
-      page.compact()
-          ? fmt::format("A force diverges above {:.3g} Hz at Δt = {:g} s; a row never does.", hertz,
-                        all.settings.dt)
-          : fmt::format("A force −k c − d v knows where the weight was. Above {:.3g} Hz, at Δt = {:g} s, it "
+  page.note(parts[1], "A force, or a row",
+            fmt::format("A force −k c − d v knows where the weight was. Above {:.3g} Hz, at Δt = {:g} s, it "
                         "pushes too far, and further each time. A row knows where the weight is going: it "
                         "never diverges, but it damps what it cannot follow.",
                         hertz, all.settings.dt));

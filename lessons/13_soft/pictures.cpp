@@ -99,7 +99,7 @@ void draw_weight(Page& page, const render::Camera& camera, const SoftRuns& all, 
 
 /// Both weights.
 void draw_weights(Page& page, const Rect& rect, const SoftRuns& all, int step) {
-  const Rect inside = page.panel(rect, page.compact() ? "" : "dashed: no load, dotted: at rest");
+  const Rect inside = page.panel(rect, "dashed: no load, dotted: at rest");
   const render::Camera camera = render::fit(inside, {{left_x, -0.2}, {right_x, 1.6}});
   draw_levels(page, camera, all);
   draw_weight(page, camera, all, all.spring, step, soft_x);
@@ -108,8 +108,8 @@ void draw_weights(Page& page, const Rect& rect, const SoftRuns& all, int step) {
 
 /// c against time, up to `step`; the exact swing all the way.
 void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
-  render::Plot plot{.title = page.compact() ? "c (mm) against t (s)" : "c (mm), 0 without load"};
-  plot.x = {.title = page.compact() ? "" : "t (s)", .min = 0, .max = seconds};
+  render::Plot plot{.title = "c (mm), 0 without load"};
+  plot.x = {.title = "t (s)", .min = 0, .max = seconds};
   render::Series exact{.name = "exact", .style = page.theme().exact, .markers = false};
   exact.style.marker = render::Marker::none;
   const int points = std::clamp(static_cast<int>(40 * all.settings.frequency * seconds), 200, 4000);
@@ -139,7 +139,7 @@ void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
 /// Weights left, curves right; returns what is free below the curves.
 Rect draw_moment(Page& page, const SoftRuns& all, int step) {
   const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
-  const double top = page.compact() ? 0.54 : 0.58;
+  const double top = 0.58;
   const List<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
   draw_weights(page, halves[0], all, step);
   draw_errors(page, right[0], all, step);
@@ -176,21 +176,17 @@ Shot step_shot(const Runs& all, int step, bool key) {
 
 void draw_question(Page& page, const SoftRuns& all) {
   page.note(draw_moment(page, all, 0), "Predict",
-            page.compact()
-                ? "Stiffer and stiffer: γ goes to 0. Where does β go, and how far does the weight sag?"
-                : "Both rows take back the same share β of their error; the left one gives way by γ. "
-                  "Its spring gets stiffer and stiffer, and γ goes to 0. Where does β go, and how far "
-                  "does the weight sag then?");
+            "Both rows take back the same share β of their error; the left one gives way by γ. "
+            "Its spring gets stiffer and stiffer, and γ goes to 0. Where does β go, and how far "
+            "does the weight sag then?");
 }
 
 void draw_answer(Page& page, const SoftRuns& all) {
   page.note(draw_moment(page, all, last_step(all)), "Answer",
-            page.compact()
-                ? "β goes to 1 and the sag to 0: a rod. β = 0.2 alone is no spring; γ makes it one."
-                : fmt::format("β goes to 1 and the sag to 0: the row becomes a rod. β = {:.3f} alone "
-                              "pulls the weight back to its place; together with γ = {:.3g} the row "
-                              "is a spring of {:g} Hz.",
-                              all.spring.beta, all.spring.gamma, all.settings.frequency));
+            fmt::format("β goes to 1 and the sag to 0: the row becomes a rod. β = {:.3f} alone "
+                        "pulls the weight back to its place; together with γ = {:.3g} the row "
+                        "is a spring of {:g} Hz.",
+                        all.spring.beta, all.spring.gamma, all.settings.frequency));
 }
 
 }  // namespace

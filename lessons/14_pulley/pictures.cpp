@@ -71,8 +71,8 @@ void draw_pull(Page& page, const render::Camera& camera, const render::ArrowScal
   const double out = i == 0 ? -1 : 1;
   const Point foot = camera.project(tail);
   const Point tip = foot + Point(-0.1 * out * camera.scale, -length - 6);
-  page.place_text({tip, foot + Point(out * style.size, -length / 2)}, camera.viewport,
-                  fixed(pull, page.compact() ? 0 : 1) + " N", style);
+  page.place_text({tip, foot + Point(out * style.size, -length / 2)}, camera.viewport, fixed(pull, 1) + " N",
+                  style);
 }
 
 /// The masses by their weight in kg, with what the rope and gravity do to each.
@@ -104,7 +104,7 @@ void draw_masses(Page& page, const Rect& rect, const PulleyRuns& all, const Pull
                {.kind = render::ArrowKind::external,
                 .tail = middle + Vec2<double>(0, -0.3),
                 .value = {0, -weight},
-                .label = page.compact() ? "" : fixed(weight, 0) + " N"});
+                .label = fixed(weight, 0) + " N"});
     draw_pull(page, camera, scale, i, middle, parts[i] * step.tension);
   }
 }
@@ -128,8 +128,7 @@ void draw_row(Page& page, const Rect& rect, const PulleyRuns& all) {
 Rect draw_moment(Page& page, const PulleyRuns& all, const PulleyStep& step) {
   const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
   draw_masses(page, halves[0], all, step);
-  const List<Rect> right =
-      rows(halves[1], {page.compact() ? 0.36 : 0.21, page.compact() ? 0.64 : 0.79}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.21, 0.79}, page.sizes().gap);
   draw_row(page, right[0], all);
   return right[1];
 }
@@ -151,7 +150,6 @@ void draw_equation(Page& page, const PulleyRuns& all) {
   for (const PulleyRun& run : all.runs) {
     table.rows.push_back({run.solver, fixed(run.steps[1].tension, 9), fmt::format("{}", run.memory)});
   }
-  if (page.compact()) table.rows.resize(3);
   page.table(parts_of_rest[1], "the same row in seven solvers", table);
 }
 
@@ -201,12 +199,17 @@ List<Shot> pulley_shots(const PulleyRuns& recorded) {
   List<Shot> shots;
   shots.push_back(
       {.state = "before the first step",
-       .alt = "Three masses on one rope over two fixed wheels and one movable one, and the question.",
+       .alt = "Three masses of 1, 2 and 3 kg on one rope over two fixed wheels and one movable wheel, the "
+              "row of J "
+              "with a block for each mass, and the question.",
        .draw =
            [all](Page& page) {
-             draw_note(page, *all, 0, "Predict",
-                       "One rope, and the mass in the middle hangs on two parts of it. Which mass goes "
-                       "down? Does the rope pull harder than that mass weighs?");
+             draw_note(
+                 page, *all, 0, "Predict",
+                 fmt::format("{:g}, {:g} and {:g} kg hang on one rope, the second mass on two parts of it. "
+                             "Which mass goes down? And what is the tension of the rope, in N: more or "
+                             "less than the heaviest weighs?",
+                             all->settings.masses[0], all->settings.masses[1], all->settings.masses[2]));
            },
        .key = true});
   shots.push_back(
@@ -216,18 +219,19 @@ List<Shot> pulley_shots(const PulleyRuns& recorded) {
        .key = true});
   for (int k = 2; k <= last; ++k) shots.push_back(step_shot(all, k, keys));
   const double tension = tension_by_hand(all->settings);
-  shots.push_back({.state = fmt::format("after {} steps", last),
-                   .alt = "The masses after the last step, and the answer.",
-                   .draw =
-                       [all, last, tension](Page& page) {
-                         draw_note(
-                             page, *all, last, "Answer",
-                             fmt::format("The rope pulls with {} N. A mass that it pulls with less than its "
-                                         "weight goes down, each part counted. The joint is forty lines in "
-                                         "the lesson's own folder, and no solver knows of it.",
-                                         fixed(tension, 1)));
-                       },
-                   .key = true});
+  shots.push_back(
+      {.state = fmt::format("after {} steps", last),
+       .alt = "The masses after the last step, and the answer.",
+       .draw =
+           [all, last, tension](Page& page) {
+             draw_note(
+                 page, *all, last, "Answer",
+                 fmt::format("The tension is {} N, and each part of the rope pulls with it. A mass goes "
+                             "down where that is less than its weight. The joint is forty lines in "
+                             "the lesson's own folder, and no solver knows of it.",
+                             fixed(tension, 1)));
+           },
+       .key = true});
   return shots;
 }
 
