@@ -75,10 +75,10 @@ std::string body_name(BodyId body) {
   return body == ground ? "the ground" : fmt::format("box {}", body.index);
 }
 
-/// With one decimal, so that a cell has room for it; what would become 0 stays as it is.
-double short_number(double entry) {
-  const double rounded = std::round(10 * entry) / 10;
-  return rounded == 0 ? entry : rounded;
+/// In tenths, so that a cell has room for it; what would become 0 stays as it is.
+double in_tenths(double entry) {
+  const double rounded = std::round(10 * entry);
+  return rounded == 0 ? 10 * entry : rounded;
 }
 
 void draw_row(Page& page, const StoredRun& run, int active) {
@@ -94,9 +94,8 @@ void draw_row(Page& page, const StoredRun& run, int active) {
             fmt::format("Row {}: {} and {}. A push here changes how {} of {} contacts close in, "
                         "itself among them: those on the same boxes. All else in this row of A is 0.",
                         active + 1, body_name(row.a), body_name(row.b), met, problem.row_count()));
-  render::MatrixView view{.title = "A (1/kg), base 3, to one decimal",
-                          .values = A.unaryExpr(&short_number),
-                          .active_row = active};
+  render::MatrixView view{
+      .title = "A in 0.1/kg, base 3, rounded", .values = A.unaryExpr(&in_tenths), .active_row = active};
   for (int j = 1; j <= problem.row_count(); ++j) view.row_names.push_back(fmt::format("{}", j));
   view.column_names = view.row_names;
   draw_matrix(page, halves[1], view);
