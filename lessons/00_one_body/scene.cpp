@@ -50,6 +50,19 @@ void draw_velocity(Page& page, const Camera& camera, const ArrowScale& scale, co
   page.place_text(places, layout_of(page).scene, text, style);
 }
 
+/// How long a metre is, because the answer is a length.
+void draw_metre(Page& page, const Camera& camera) {
+  const Rect scene = layout_of(page).scene;
+  const TextStyle style = page.value();
+  const double y = scene.y + scene.height - style.size / 3;
+  const double width = page.canvas().text_width("1 m", style);
+  const double right = scene.x + scene.width - width - 16, left = right - camera.scale;
+  const render::Stroke stroke = {.width = page.sizes().axis, .color = page.theme().text, .dash = {}};
+  page.canvas().line({left, y}, {right, y}, stroke);
+  for (const double end : {left, right}) page.canvas().line({end, y - 5}, {end, y + 5}, stroke);
+  page.canvas().text({right + 8, y + style.size / 3}, "1 m", style);
+}
+
 void draw_parabola(Page& page, const Camera& camera, const Flight& flight) {
   List<Point> points;
   for (const Vec2<double>& point : flight.exact) points.push_back(camera.project(point));
@@ -99,6 +112,7 @@ void draw_scene(Page& page, const Story& story, int step) {
   const ArrowScale scale = velocity_scale(camera, story);
   draw_velocity(page, camera, scale, now);
   draw_scale_key(page, scale, {page.area().x, page.area().y + page.area().height});
+  draw_metre(page, camera);
 }
 
 void draw_errors(Page& page, const Rect& rect, const Story& story, int step) {

@@ -27,6 +27,7 @@ struct RodLook {
   bool circles = false;                       // level curves of c
   bool direction = false;                     // j: an arrow and an arc
   bool force = false;                         // j^T lambda: an arrow and an arc
+  bool asked = false;                         // the three velocities of the question, at the centre
   std::optional<Vec3<double>> velocity = {};  // arrows at the centre and at the anchor
 };
 

@@ -41,10 +41,11 @@ void draw_note(Page& page, const Rod& rod, const RodLook& look, std::string_view
   page.note(parts[0], title, text);
   const bool answered = look.direction;
   render::TableView table{.header = {"v (m/s, m/s, rad/s)", "j·v (m/s)", ""}};
-  for (const Motion& motion : rod.asked) {
+  for (int i = 0; i < rod.asked.size(); ++i) {
+    const Motion& motion = rod.asked[i];
     const Vec3<double>& v = motion.velocity;
     table.rows.push_back(
-        {fmt::format("({}, {}, {})", significant(v.x()), significant(v.y()), significant(v.z())),
+        {fmt::format("{}: ({}, {}, {})", i + 1, significant(v.x()), significant(v.y()), significant(v.z())),
          answered ? significant(motion.rate) : "?",
          !answered          ? ""
          : motion.rate == 0 ? "allowed"
@@ -248,9 +249,11 @@ List<Shot> derivative_shots(const Shared& story) {
 List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
   const auto story = std::make_shared<const Story>(Story{rod, kinds});
   List<Shot> shots;
-  shots.push_back(
-      shot("before we ask", "A box on a rod that hangs from a pivot, and the question.", [story](Page& page) {
-        draw_note(page, story->rod, {.pose = story->rod.pose}, "Predict",
+  shots.push_back(shot(
+      "before we ask",
+      "A box on a rod that hangs from a pivot, three velocities of the box, and the question.",
+      [story](Page& page) {
+        draw_note(page, story->rod, {.pose = story->rod.pose, .asked = true}, "Predict",
                   "Below are three velocities (v_{x}, v_{y}, ω) of the box. How fast does each make the rod "
                   "longer? Which of them does a rod allow?");
       }));

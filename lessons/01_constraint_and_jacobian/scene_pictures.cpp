@@ -158,6 +158,24 @@ void draw_velocity_arrows(Page& page, const render::Camera& camera, const Rod& r
                at_anchor, text);
 }
 
+/// The velocities of the question, by number: what each does to the anchor is for the reader to find.
+void draw_asked(Page& page, const render::Camera& camera, const Rod& rod) {
+  const Vec2<double>& centre = rod.pose.position;
+  double largest = 1e-9;
+  for (const Motion& motion : rod.asked) largest = std::max(largest, motion.velocity.head<2>().norm());
+  const render::ArrowScale scale{
+      .pixels_per_unit = 1.6 / largest * camera.scale, .longest = 1e4, .unit = "m/s"};
+  for (int i = 0; i < rod.asked.size(); ++i) {
+    const Vec2<double> v = rod.asked[i].velocity.head<2>();
+    draw_arrow(page, camera, scale, {.kind = render::ArrowKind::velocity, .tail = centre, .value = v});
+    render::TextStyle style = page.value();
+    style.halo = page.theme().panel;
+    style.align = render::Align::center;
+    const Vec2<double> tip = centre + v * (1 + 0.13 / v.norm()) * (scale.pixels_per_unit / camera.scale);
+    page.canvas().text(camera.project(tip) + Point(0, 0.35 * style.size), std::to_string(i + 1), style);
+  }
+}
+
 }  // namespace
 
 void draw_rod(Page& page, const Rect& rect, const Rod& rod, const RodLook& look) {
@@ -172,6 +190,7 @@ void draw_rod(Page& page, const Rect& rect, const Rod& rod, const RodLook& look)
                        {.fill = page.theme().panel, .outline = page.theme().outline, .outline_width = 2});
   keep_off_box(page, camera, look.pose);
   if (look.direction || look.force) draw_row_arrows(page, camera, rod, look);
+  if (look.asked) draw_asked(page, camera, rod);
   if (look.velocity) draw_velocity_arrows(page, camera, rod, look);
   page.canvas().pop_clip();
 }

@@ -80,7 +80,7 @@ Shot ball_shot(const Runs& all, int step, bool key) {
 /// The largest depth that is held, by formula and by bisection.
 void draw_limits(Page& page, const DriftRuns& all) {
   const List<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
-  render::Plot plot{.title = "how deep a ball may begin without being let go (m)"};
+  render::Plot plot{.title = "how deep a ball may begin so that the ground still pushes in step 2 (m)"};
   plot.x = {.title = "β", .scale = render::AxisScale::logarithmic, .min = 0.05, .max = 1.1};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 3e-4, .max = 3};
   render::Series formula{.name = "g Δt² / β²", .style = page.theme().exact, .markers = false};
@@ -101,15 +101,15 @@ void draw_limits(Page& page, const DriftRuns& all) {
   draw_plot(page, parts[0], plot);
   const double text = page.compact() ? 0.48 : 0.58;
   const List<Rect> right = rows(parts[1], {text, 1 - text}, page.sizes().gap);
-  page.note(right[0], "Held, or let go",
-            page.compact()
-                ? "Squares: the engine. Below the line the ground holds the ball; above it the ball "
-                  "is let go."
-                : "In step 1 the ball gets the speed βd/Δt. In step 2 the row asks for (1−β) of "
-                  "that only. Gravity takes g Δt away: where that is too little, λ would have to "
-                  "pull, and the ball is let go. Squares: the engine, by bisection.");
+  page.note(
+      right[0], "Held, or let go",
+      page.compact()
+          ? "The line is the formula, the squares are measured. Below the line the ground still pushes."
+          : "In step 1 the ball gets the speed βd/Δt. In step 2 the row asks for (1−β) times as much. If "
+            "gravity takes less than that away, λ would have to pull, and the ground lets the ball go. "
+            "The line is the formula, the squares are measured.");
   render::TableView table;
-  table.header = {"β", "formula (mm)", "engine (mm)"};
+  table.header = {"β", "formula (mm)", "measured (mm)"};
   for (const DepthLimit& limit : all.limits) {
     if (limit.beta == all.settings.beta) table.active_row = table.rows.size();
     table.rows.push_back(
@@ -163,7 +163,8 @@ void draw_heights(Page& page, const Rect& rect, const DriftRuns& all, int step) 
   plot.x = {.title = "step", .min = 0, .max = static_cast<double>(shown)};
   plot.y = {.title = "", .min = -1.3 * all.settings.depth, .max = 1.15 * highest + 0.02};
   for (int i = 0; i < all.balls.size(); ++i) {
-    render::Series series{.name = beta_name(all.balls[i].beta), .style = curve_style(page.theme(), i)};
+    render::Series series{
+        .name = beta_name(all.balls[i].beta), .style = curve_style(page.theme(), i), .markers = false};
     for (int k = 0; k <= step; ++k) {
       series.x.push_back(k);
       series.y.push_back(all.balls[i].height[k]);
@@ -190,7 +191,7 @@ List<Shot> ball_shots(const Runs& all) {
   }
   shots.push_back({.state = "how deep is too deep",
                    .alt = "The largest depth that the ground can hold falls like one over β squared; the "
-                          "engine's own limits lie on the formula.",
+                          "library's own limits lie on the formula.",
                    .draw = [all](Page& page) { draw_limits(page, *all); },
                    .key = true});
   return shots;

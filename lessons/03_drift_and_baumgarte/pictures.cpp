@@ -23,7 +23,7 @@ void draw_question(Page& page, const DriftRuns& all) {
   page.note(
       right[0], "Predict",
       fmt::format("Every ball begins {:g} mm inside the ground, each with its own β. β = 1 takes the whole "
-                  "error back in one step, which sounds best. How high does that ball hop?",
+                  "error back in one step, which sounds best. How high above the ground does that ball come?",
                   1000 * settings.depth));
   page.equation(right[1], {.number = "eq (7), β = 1",
                            .symbols = "ζ = −β c / Δt",
@@ -67,20 +67,18 @@ void draw_answer(Page& page, const DriftRuns& all, int step) {
 std::string beta_name(double beta) { return fmt::format("β = {:g}", beta); }
 
 render::SeriesStyle curve_style(const render::Theme& theme, int k) {
-  static const FixedList<render::SeriesStyle, 4> styles = {{{{}, {}, render::Marker::circle},
-                                                            {{}, {10, 6}, render::Marker::square},
-                                                            {{}, {2, 5}, render::Marker::diamond},
-                                                            {{}, {10, 5, 2, 5}, render::Marker::triangle}}};
-  render::SeriesStyle style = styles[k];
-  style.color = theme.outline;
-  return style;
+  const FixedList<render::SeriesStyle, 4> styles = {{{theme.si.color, {}},
+                                                     {theme.pgs.color, {10, 6}},
+                                                     {theme.jacobi.color, {2, 5}},
+                                                     {theme.box2d.color, {10, 5, 2, 5}}}};
+  return styles[k];
 }
 
 List<Shot> drift_shots(const DriftRuns& recorded) {
   const Runs all = std::make_shared<const DriftRuns>(recorded);
   List<Shot> shots;
   shots.push_back({.state = "before the first step",
-                   .alt = "Balls side by side, each as deep inside the ground, and the question.",
+                   .alt = "Balls side by side, each with its own β and as deep inside the ground, and the question.",
                    .draw = [all](Page& page) { draw_question(page, *all); },
                    .key = true});
   for (const List<Shot>& part : {swing_shots(all), hang_shots(all), ball_shots(all)}) {

@@ -75,7 +75,8 @@ void draw_swing_errors(Page& page, const Rect& rect, const DriftRuns& all, int s
   const int stride = std::max(1, all.swings[0].steps.size() / 250);
   for (int i = 0; i < all.swings.size(); ++i) {
     const RodRun& run = all.swings[i];
-    render::Series series{.name = beta_name(run.beta), .style = curve_style(page.theme(), i)};
+    render::Series series{
+        .name = beta_name(run.beta), .style = curve_style(page.theme(), i), .markers = false};
     for (int k = 1; k <= step; k += stride) {
       series.x.push_back(k * all.settings.dt);
       series.y.push_back(std::max(std::abs(run.error[k]), 1e-5));
@@ -153,7 +154,8 @@ void draw_hang(Page& page, const DriftRuns& all, int step) {
   plot.x = {.title = "step", .min = 0, .max = hang_steps};
   plot.y = {.title = "", .min = -350, .max = 350};
   for (int i = 0; i < all.hangs.size(); ++i) {
-    render::Series series{.name = beta_name(all.hangs[i].beta), .style = curve_style(page.theme(), i)};
+    render::Series series{
+        .name = beta_name(all.hangs[i].beta), .style = curve_style(page.theme(), i), .markers = false};
     for (int j = 0; j <= step; ++j) {
       series.x.push_back(j);
       series.y.push_back(1000 * all.hangs[i].error[j]);

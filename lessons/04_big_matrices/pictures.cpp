@@ -67,7 +67,7 @@ void draw_question(Page& page, const StackRun& run) {
   page.note(
       right[0], "Predict",
       fmt::format("All boxes fall at {} m/s: gravity has acted for one step. b has one number for each "
-                  "contact. What stands in b for the contact below the uppermost box, which weighs {} N?",
+                  "contact. What is the number for the contact below the uppermost box, which weighs {} N?",
                   brief(gravity * run.settings.dt), brief(gravity * run.settings.top)));
   page.equation(right[1],
                 {.number = "eq (15)",
