@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "plane.hpp"
@@ -157,33 +158,13 @@ void draw_complement(Page& page, const SweepRun& run) {
       "the wall.");
 }
 
-void draw_question(Page& page, const SweepRun& run) {
-  const List<Rect> halves = rows(page.area(), {0.73, 0.27}, page.sizes().gap);
-  draw_rod(page, halves[0], run, run.rod.statics);
-  page.note(
-      halves[1], "Predict",
-      run.rod.tips()
-          ? fmt::format("A λ = b says: the left support pulls with {} N, the right one pushes with {} "
-                        "N. But a support cannot pull. How hard does the right one push then?",
-                        brief(-run.rod.statics[0], 2), brief(run.rod.statics[1], 2))
-          : fmt::format("A λ = b says: the left support pushes with {} N, the right one with {} N. What "
-                        "changes when neither can pull?",
-                        brief(run.rod.statics[0], 2), brief(run.rod.statics[1], 2)));
-}
-
-void draw_answer(Page& page, const SweepRun& run) {
-  const RodRun& rod = run.rod;
-  const Span<const Snapshot> motion = rod.tips() ? Span<const Snapshot>(rod.motion) : Span<const Snapshot>();
-  const Rect rest =
-      draw_rod_moment(page, run, rod.formula, {.way = way_of(rod.bounded, rod.bounded.after.size())}, motion);
-  const std::string much = fmt::format("{} N, not {}. ", brief(rod.formula[1], 2), brief(rod.statics[1], 2));
-  const std::string text =
-      !rod.tips()
-          ? "Nothing. Both push anyway, so the clamp never acts."
-          : much +
-                "The right support had to push against the pull as well as against the weight. Without the "
-                "pull, the rod tips about the right support.";
-  page.note(rest, "Answer", text);
+std::string answer_text(const RodRun& rod) {
+  if (!rod.tips()) return "Nothing changes. Both push anyway, so the clamp never acts.";
+  return fmt::format(
+      "{} N, not {}. The right support had to push against the pull as well as against the weight. Without "
+      "the "
+      "pull, the rod tips about the right support.",
+      brief(rod.formula[1], 2), brief(rod.statics[1], 2));
 }
 
 Shot rod_update_shot(const Run& run, int k, int first_cut) {
@@ -224,19 +205,26 @@ List<Shot> rod_shots(const Run& run) {
 }
 
 Shot question_shot(const Run& run) {
-  return {.state = "before the first sweep",
-          .alt =
-              "A rod on two supports, both left of its middle, the forces that hold it, one of them a pull, "
-              "and the question.",
-          .draw = [run](Page& page) { draw_question(page, *run); },
-          .key = true};
+  return cairn::question_shot(
+      card(),
+      {.state = "before the first sweep",
+       .alt = "A rod on two supports, both left of its middle, the forces that "
+              "hold it, one of them a pull, and the question.",
+       .scene = [run](Page& page, const Rect& rect) { draw_rod(page, rect, *run, run->rod.statics); }});
 }
 
 Shot answer_shot(const Run& run) {
-  return {.state = "answer",
-          .alt = "The rod with the push of the right support alone, tipping, and the answer.",
-          .draw = [run](Page& page) { draw_answer(page, *run); },
-          .key = true};
+  return cairn::answer_shot(
+      card(),
+      {.state = "answer",
+       .alt = "The rod with the push of the right support alone, tipping, and the answer.",
+       .scene =
+           [run](Page& page, const Rect& rect) {
+             const RodRun& rod = run->rod;
+             draw_rod(page, rect, *run, rod.formula,
+                      rod.tips() ? Span<const Snapshot>(rod.motion) : Span<const Snapshot>());
+           }},
+      answer_text(run->rod));
 }
 
 }  // namespace cairn::sweeps

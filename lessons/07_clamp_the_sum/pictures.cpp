@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "render/bars.hpp"
 #include "render/draw.hpp"
@@ -122,42 +123,37 @@ void draw_visit(Page& page, const FeetRun& run, int k) {
   }
 }
 
-void draw_question(Page& page, const FeetRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.72, 0.28}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {0.62, 0.38}, page.sizes().gap);
-  const BoxView view = view_after(run.middle, run.settings.speed, run.middle.by(Clamped::sum), 1);
-  draw_box(page, page.panel(top[0], "after one sweep: pushes (N s)"), run.middle, largest_of(run), view);
-  const double left = cleaned(view.foot_velocity[0]);
-  page.note(parts[1], "Predict",
-            fmt::format("The box has landed at {} m/s. Foot 1 was stopped with {} N s, then foot 2 with {} "
-                        "N s. Now foot 1 {} at {} m/s. A foot cannot pull. How much does it give on its "
-                        "second visit?",
-                        fixed(run.settings.speed, 1), fixed(view.impulse[0], 2), fixed(view.impulse[1], 2),
-                        left > 0 ? "rises" : "sinks", fixed(std::abs(left), 2)));
-  const std::string speed = fixed(left, 2);
-  page.equation(top[1], {.number = "eq (22), foot 1",
-                         .symbols = "p_{corr} = −j·v / A_{11}",
-                         .numbers = fmt::format("= −{} / {}", left < 0 ? "(" + speed + ")" : speed,
-                                                fixed(run.middle.A11, 4)),
-                         .result = "= ? N s"});
+QuestionFrame question_frame(const Run& run) {
+  return {.state = "after one sweep",
+          .alt =
+              "A box on two feet after one sweep, with the impulses of its feet and how fast they move, and "
+              "the question.",
+          .scene = [run](Page& page, const Rect& rect) {
+            draw_box(page, page.panel(rect, "after one sweep: pushes (N s)"), run->middle, largest_of(*run),
+                     view_after(run->middle, run->settings.speed, run->middle.by(Clamped::sum), 1));
+          }};
 }
 
-void draw_answer(Page& page, const FeetRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.7, 0.3}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
-  int at = 0;
-  for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
-    const Landing& each = run.middle.by(clamped);
-    draw_box(page, clamp_panel(page, top[at++], clamped), run.middle, largest_of(run),
-             view_after(run.middle, run.settings.speed, each, each.visits.size() - 1));
-  }
+QuestionFrame answer_frame(const Run& run) {
+  return {.state = "answer",
+          .alt = "The box thrown up with each push clamped, at rest with the sum clamped, and the answer.",
+          .scene = [run](Page& page, const Rect& rect) {
+            const List<Rect> parts = rows(rect, {0.5, 0.5}, page.sizes().gap);
+            int at = 0;
+            for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
+              const Landing& each = run->middle.by(clamped);
+              draw_box(page, clamp_panel(page, parts[at++], clamped), run->middle, largest_of(*run),
+                       view_after(run->middle, run->settings.speed, each, each.visits.size() - 1));
+            }
+          }};
+}
+
+std::string answer_text(const FeetRun& run) {
   const double second = run.middle.by(Clamped::sum).visits[2].given();
-  page.note(
-      parts[1], "Answer",
-      fixed(second, 2, Sign::always) +
-          (second >= 0 ? " N s: more. The feet are so far out that both clamps do the same."
-                       : " N s: it takes back a part of its first push, which was too large. A push may "
-                         "be negative; the sum may not."));
+  return fixed(second, 2, Sign::always) +
+         (second >= 0 ? " N s: more. The feet are so far out that both clamps do the same."
+                      : " N s: it takes back a part of its first push, which was too large. A push may be "
+                        "negative; the sum may not.");
 }
 
 Shot visit_shot(const Run& run, int k) {
@@ -231,22 +227,12 @@ void draw_box(Page& page, const Rect& rect, const BoxRun& box, double largest, c
 
 List<Shot> feet_shots(const FeetRun& recorded) {
   const Run run = std::make_shared<const FeetRun>(recorded);
-  List<Shot> shots;
-  shots.push_back({.state = "after one sweep",
-                   .alt =
-                       "A box on two feet after one sweep, with the impulses of its feet and how fast they "
-                       "move, and the question.",
-                   .draw = [run](Page& page) { draw_question(page, *run); },
-                   .key = true});
+  List<Shot> shots = {question_shot(card(), question_frame(run))};
   for (const List<Shot>& part : {visit_shots(run), motion_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
   shots.push_back(spread_shot(run));
   shots.push_back(side_shot(run));
-  shots.push_back(
-      {.state = "answer",
-       .alt = "The box thrown up with each push clamped, at rest with the sum clamped, and the answer.",
-       .draw = [run](Page& page) { draw_answer(page, *run); },
-       .key = true});
+  shots.push_back(answer_shot(card(), answer_frame(run), answer_text(recorded)));
   return shots;
 }
 

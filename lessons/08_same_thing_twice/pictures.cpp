@@ -8,6 +8,7 @@
 #include <memory>
 #include <set>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
@@ -167,7 +168,7 @@ void draw_sweep(Page& page, const TwiceRun& run, int sweep) {
   page.table(panel, fmt::format("after sweep {}", sweep), table);
 }
 
-void draw_differences(Page& page, const TwiceRun& run) {
+void draw_differences(Page& page, const Rect& rect, const TwiceRun& run) {
   const render::Color color = page.theme().outline;
   const List<render::SeriesStyle> styles = {{color, {}, render::Marker::circle},
                                             {color, {10, 6}, render::Marker::square},
@@ -187,12 +188,7 @@ void draw_differences(Page& page, const TwiceRun& run) {
     plot.goals.push_back(
         {precision.epsilon, fmt::format("ε = {}", render::significant(precision.epsilon, 2))});
   }
-  draw_plot(page, page.area(), plot);
-}
-
-void draw_note(Page& page, const TwiceRun& run, const Moment& moment, std::string_view title,
-               std::string_view text) {
-  page.note(draw_moment(page, run, moment), title, text);
+  draw_plot(page, rect, plot);
 }
 
 Shot row_shot(const Run& run, int row) {
@@ -220,40 +216,29 @@ Shot sweep_shot(const Run& run, int sweep) {
 List<Shot> twice_shots(const TwiceRun& recorded) {
   const Run run = std::make_shared<const TwiceRun>(recorded);
   const int last = run->settings.sweeps;
-  List<Shot> shots;
-  shots.push_back(
-      {.state = "before the first sweep",
-       .alt = "The matrix A of a random problem of twenty rows, no impulses yet, and the question.",
-       .draw =
-           [run](Page& page) {
-             draw_note(page, *run, after_sweep(*run, 0), "Predict",
-                       "PGS reads a row of A. SI builds no A and reads two bodies. After fifty sweeps in "
-                       "single precision: will their impulses be equal to the last bit?");
-           },
-       .key = true});
+  List<Shot> shots = {question_shot(
+      card(), {.state = "before the first sweep",
+               .alt = "The matrix A of a random problem of twenty rows, and the question.",
+               .scene = [run](Page& page, const Rect& rect) { draw_system(page, rect, *run, -1); }})};
   for (int row = 0; row < run->problem.row_count(); ++row) shots.push_back(row_shot(run, row));
   for (int sweep = 2; sweep <= last; ++sweep) shots.push_back(sweep_shot(run, sweep));
   shots.push_back(
       {.state = fmt::format("{} sweeps, three precisions", last),
        .alt = "Differences of PGS and SI against sweeps in float, double and long double: each stays near "
               "the spacing of its numbers.",
-       .draw = [run](Page& page) { draw_differences(page, *run); },
+       .draw = [run](Page& page) { draw_differences(page, page.area(), *run); },
        .key = true});
-  shots.push_back(
+  shots.push_back(answer_shot(
+      card(),
       {.state = fmt::format("after sweep {0} of {0}", last),
-       .alt = "The impulses of both solvers in pairs of equal bars, and the answer.",
-       .draw =
-           [run, last](Page& page) {
-             const PrecisionRun& single = run->precisions[0];
-             draw_note(
-                 page, *run, after_sweep(*run, last), "Answer",
-                 fmt::format("Hardly ever. They are one algorithm, but each solver adds its terms in another "
-                             "order, and each addition is rounded. In single precision they differ by {} "
-                             "of the largest λ, in double precision by {}.",
-                             power(single.difference.back() / single.scale),
-                             power(run->precisions[1].difference.back() / run->precisions[1].scale)));
-           },
-       .key = true});
+       .alt = "The differences of both solvers in three precisions, and the answer.",
+       .scene = [run](Page& page, const Rect& rect) { draw_differences(page, rect, *run); }},
+      fmt::format(
+          "Hardly ever. They are one algorithm, but each solver adds its terms in another order, and "
+          "each addition is rounded. In single precision they differ by {} of the largest λ, in double "
+          "precision by {}.",
+          power(run->precisions[0].difference.back() / run->precisions[0].scale),
+          power(run->precisions[1].difference.back() / run->precisions[1].scale))));
   return shots;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 
+#include "lessons/question.hpp"
 #include "lessons/tower_panel.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
@@ -72,7 +73,8 @@ void draw_start(Page& page, const Rect& rect, const WarmStart& all, const StartR
                 const SeriesStyle& style) {
   const double moved = 1000 * (top_of(run, frame) - all.settings.boxes);
   const std::string top = "top " + fixed(moved, 0, render::Sign::always) + " mm";
-  const Rect view = draw_solver_panel(page, rect, style, run.name, top);
+  const bool is_wide = rect.width > 300;  // or there is room for the tower alone
+  const Rect view = draw_solver_panel(page, rect, style, run.name, is_wide ? top : "");
   const Range range = lately_carried(run, frame);
   const render::Camera camera = draw_tower_loads(page, view, run.frames[frame], run.loads[frame],
                                                  {.box_weight = gravity,
@@ -81,7 +83,7 @@ void draw_start(Page& page, const Rect& rect, const WarmStart& all, const StartR
                                                   .least = range.least,
                                                   .most = range.most});
   draw_start_line(page, camera, all.settings.boxes);
-  if (frame == 0) return;
+  if (frame == 0 || !is_wide) return;
   render::TextStyle text = page.value();
   text.align = render::Align::right;
   const double right = view.x + view.width, line = 1.5 * text.size;
@@ -104,20 +106,21 @@ void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int fram
   render::Plot plot{.title = fmt::format("load λ_{{1}} on the lowest box, step by step; to carry: {:g} N",
                                          all.settings.weight())};
   constexpr int near = 30;  // steps that the first frames show
-  plot.x = {.min = 0, .max = frame <= near ? near : all.settings.steps};
+  const int shown = frame <= near ? near : all.settings.steps;
+  plot.x = {.min = 0, .max = shown};
   plot.y = {.min = 0, .max = 1.15 * largest_load(all)};
   const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
   const FixedList<const StartRun*, 3> runs = runs_of(all);
   for (int s = 0; s < runs.size(); ++s) {
     render::Series series{.name = runs[s]->name, .style = styles[s]};
-    for (int k = 0; k <= frame; ++k) {
+    for (int k = 0; k <= shown; ++k) {
       series.x.push_back(k);
       series.y.push_back(runs[s]->loads[k][0]);
     }
     plot.series.push_back(series);
   }
   plot.goals.push_back({all.settings.weight(), ""});
-  plot.cursor = frame;
+  plot.now = frame;
   draw_plot(page, rect, plot);
 }
 
@@ -127,10 +130,10 @@ void draw_step(Page& page, const WarmStart& all, int frame) {
   draw_load_plot(page, parts[1], all, frame);
 }
 
-void draw_note(Page& page, const WarmStart& all, int frame, std::string_view title, std::string_view text) {
-  const List<Rect> parts = rows(page.area(), {0.64, 0.36}, page.sizes().gap);
-  draw_towers(page, parts[0], all, frame);
-  page.note(parts[1], title, text);
+QuestionFrame towers_at(const All& all, int frame, std::string state, std::string alt) {
+  return {.state = std::move(state),
+          .alt = std::move(alt),
+          .scene = [all, frame](Page& page, const Rect& rect) { draw_towers(page, rect, *all, frame); }};
 }
 
 Shot step_shot(const All& all, int frame) {
@@ -141,22 +144,6 @@ Shot step_shot(const All& all, int frame) {
               frame, all->cold.loads[frame][0], all->warm.loads[frame][0], all->shifted.loads[frame][0],
               top_of(all->cold, frame), top_of(all->warm, frame), top_of(all->shifted, frame)),
           .draw = [all, frame](Page& page) { draw_step(page, *all, frame); }};
-}
-
-Shot question_shot(const All& all) {
-  return {
-      .state = "before the first step",
-      .alt = "Three equal towers named cold, warm and one row off, without any load yet, and the question.",
-      .draw =
-          [all](Page& page) {
-            draw_note(page, *all, 0, "Predict",
-                      fmt::format("Each of these towers gets {} sweeps in a step. One begins every step from "
-                                  "nothing, one from its last impulses, one from those of the contact "
-                                  "below. From nothing, how many sweeps would one step need until the "
-                                  "lowest contact carries 99 % of the {:g} N?",
-                                  all->settings.sweeps, all->settings.weight()));
-          },
-      .key = true};
 }
 
 std::string answer_text(const WarmStart& all) {
@@ -173,14 +160,6 @@ std::string answer_text(const WarmStart& all) {
   return text;
 }
 
-Shot answer_shot(const All& all) {
-  return {
-      .state = fmt::format("after {} steps", all->settings.steps),
-      .alt = fmt::format("The three towers at the end, and the answer: {} sweeps.", all->own.needed),
-      .draw = [all](Page& page) { draw_note(page, *all, all->settings.steps, "Answer", answer_text(*all)); },
-      .key = true};
-}
-
 }  // namespace
 
 FixedList<SeriesStyle, 3> start_styles(const render::Theme& theme) {
@@ -193,13 +172,20 @@ List<Shot> start_shots(const WarmStart& recorded) {
   const All all = std::make_shared<const WarmStart>(recorded);
   const int last = all->settings.steps;
   const std::set<int> keys = {1, 2, 5, 10, 20, last};
-  List<Shot> shots = {question_shot(all)};
+  List<Shot> shots = {question_shot(
+      card(), towers_at(all, 0, "before the first step",
+                        "Three equal towers named cold, warm and one row off, without any load yet, and the "
+                        "question."))};
   for (int k = 1; k <= last; ++k) {
     shots.push_back(step_shot(all, k));
     shots.back().key = keys.contains(k);
   }
   for (Shot& shot : order_shots(all)) shots.push_back(std::move(shot));
-  shots.push_back(answer_shot(all));
+  shots.push_back(answer_shot(
+      card(),
+      towers_at(all, last, fmt::format("after {} steps", last),
+                fmt::format("The three towers at the end, and the answer: {} sweeps.", all->own.needed)),
+      answer_text(*all)));
   return shots;
 }
 
