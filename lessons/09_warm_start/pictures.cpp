@@ -125,7 +125,7 @@ void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int fram
 }
 
 void draw_step(Page& page, const WarmStart& all, int frame) {
-  const List<Rect> parts = rows(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
   draw_towers(page, parts[0], all, frame);
   draw_load_plot(page, parts[1], all, frame);
 }
