@@ -87,8 +87,8 @@ void draw_row(Page& page, const Slides& all, int i) {
   }
   const double off = std::abs(std::atan2(parts.y(), parts.x()) - std::atan2(wanted.y(), wanted.x()));
   page.note(panels[2], "Row y",
-            fmt::format("This row sees v_{{y}} alone. The two pull with {} N, which is {} times μN, and {}° "
-                        "away from the dashed line against v.",
+            fmt::format("This row sees v_{{y}} alone. Together the rows brake with {} N, which is {} times "
+                        "μN, {}° off the dashed line against v.",
                         fixed(parts.norm(), 2), fixed(parts.norm() / settings.limit(), 2),
                         fixed(std::min(off, 2 * pi - off) * 180 / pi, 1)));
 }
@@ -109,8 +109,8 @@ void draw_vector(Page& page, const Slides& all) {
                             .color = page.theme().friction});
   draw_clamps(page, panels[1], all, 3);
   page.note(panels[2], "Both rows at once",
-            "One clamp, for the length. The direction stays as it was, against v, and the length is μN in "
-            "every direction: Coulomb's circle.");
+            "One clamp, of the length. λ still points against v, and its length is μN in every direction: "
+            "Coulomb's circle.");
 }
 
 render::Series speed_series(const std::string& name, const render::SeriesStyle& style, const Slides& all,
@@ -202,8 +202,8 @@ std::string answer_text(const Slides& all) {
   const Vec2<double> circle = all.circle.steps.back().place;
   const Vec2<double> square = all.square.steps.back().place;
   return fmt::format(
-      "The vector clamped: {} m, and as far in every direction. Its parts clamped: {} m, as each axis "
-      "stops by itself. Turn the square along v, and there is no difference to see.",
+      "With the vector clamped: {} m, the same in every direction. With its parts clamped: {} m, since each "
+      "axis stops by itself. With the square turned along v there is no difference.",
       fixed(circle.norm(), 2), fixed(square.norm(), 2));
 }
 

@@ -102,8 +102,8 @@ void draw_colours(Page& page, const PileRun& run) {
       right[1], page.compact() ? "" : "Gauss-Seidel in parallel",
       page.compact()
           ? fmt::format("No box has two contacts in a turn: {} turns for {} contacts.", turns, contacts)
-          : fmt::format("In a turn no box has two contacts, so none of them has to wait: {} turns for {} "
-                        "contacts. {} boxes at the bottom: {} turns of {}.",
+          : fmt::format("In a turn no box has two contacts, so no contact waits: {} turns for {} contacts. "
+                        "{} boxes at the bottom: {} turns of {}.",
                         turns, contacts, larger_base, run.larger.count.size(), counts_text(run.larger)));
 }
 

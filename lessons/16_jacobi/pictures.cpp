@@ -151,10 +151,9 @@ void draw_speeds(Page& page, const FeetRun& run) {
   const List<Rect> below = columns(parts[1], {0.6, 0.4}, page.sizes().gap);
   page.table(below[0], "", table);
   page.note(below[1], "What decides",
-            page.compact()
-                ? "A sweep removes q = ω Σ c of the speed. q < 2: converges."
-                : "One sweep removes the share q = ω Σ c of the speed. q = 1: done at once; q < 2: "
-                  "converges; q > 2: grows, or never ends.");
+            page.compact() ? "A sweep removes q = ω Σ c of the speed. q < 2: converges."
+                           : "One sweep leaves 1 − q of the speed. q = 1: done at once; q < 2: "
+                             "converges; q > 2: grows, or never ends.");
 }
 
 List<Shot> feet_shots(const FeetRun& feet) {

@@ -51,18 +51,16 @@ void draw_eigenvalues(Page& page, const PileRun& run) {
   }
   page.table(right[0], "the largest eigenvalue of D^{−1} A", table);
   const int most = *std::max_element(run.rows_on_box.begin() + 1, run.rows_on_box.end());
-  page.note(
-      right[1], "What decides",
-      page.compact()
-          ? fmt::format("Up to {} rows correct one box at the same time. Split masses give each "
-                        "row its share of the box, and the eigenvalue cannot pass 1.",
-                        most)
-          : fmt::format(
-                "Up to {} rows correct one box at the same time. With an eigenvalue above 2 some error "
-                "comes back larger from every sweep. Damping gives a part of each correction: it has to be "
-                "found for each scene. Split masses give each row its share of the box, and no "
-                "eigenvalue passes 1 in any scene.",
-                most));
+  page.note(right[1], "What decides",
+            page.compact()
+                ? fmt::format("Up to {} rows correct one box at the same time. Split masses give each "
+                              "row its share of the box, and the eigenvalue cannot pass 1.",
+                              most)
+                : fmt::format("Up to {} rows correct one box at the same time. With an eigenvalue above 2 a "
+                              "sweep leaves some error larger than before. Damping gives a share of each "
+                              "correction; every scene needs its own. Split masses give each row its share "
+                              "of the box, and no eigenvalue is above 1 in any scene.",
+                              most));
 }
 
 void draw_convergence(Page& page, const PileRun& run) {
@@ -96,10 +94,9 @@ void draw_convergence(Page& page, const PileRun& run) {
   const List<Rect> below = columns(parts[1], {0.6, 0.4}, page.sizes().gap);
   page.table(below[0], "", table);
   page.note(below[1], page.compact() ? "" : "With a processor for each row",
-            page.compact()
-                ? "With a processor for each row, Jacobi waits once a sweep, SI for every row."
-                : "Jacobi waits once a sweep, SI for every row. By colours, rows that share no box "
-                  "go together, and SI can be parallel too.");
+            page.compact() ? "With a processor for each row, Jacobi waits once a sweep, SI for every row."
+                           : "Jacobi waits once a sweep, SI for every row. With colours, rows that share no "
+                             "box run together, so SI can be parallel, too.");
 }
 
 /// The same bodies seen in a mirror at x = 0.
@@ -184,10 +181,9 @@ Shot mirror_shot(const Pile& run, int step, const std::set<int>& keys) {
 
 Shot answer_shot(const Pile& run) {
   const std::string text = fmt::format(
-      "More feet make it worse: each row gives all that is missing. Damped or with split masses Jacobi "
-      "converges, in a pyramid in more sweeps than SI; but none of its rows waits for another, none comes "
-      "first, and a mirror image stays one. SI too forgets its order, with more sweeps: {} of them leave {} "
-      "mm.",
+      "More feet make it worse, since each corrects the whole error. Damped, or with split masses, Jacobi "
+      "converges. In a pyramid it needs more sweeps than SI, but no row waits for another, and the symmetry "
+      "stays. SI loses it by its order; {} sweeps leave {} mm of that.",
       many_sweeps, render::significant(1000 * run->mirrors[2].asymmetry.back(), 1));
   const auto draw = [run, text](Page& page) {
     page.note(draw_mirrors(page, *run, run->settings.steps), "Answer", text);

@@ -129,13 +129,12 @@ Shot answer_shot(const Runs& runs) {
           .alt = "The three towers after the last step, and the answer: they cannot be told apart.",
           .draw =
               [runs, last](Page& page) {
-                draw_words(
-                    page, *runs, "Answer",
-                    fmt::format("No. PGS and SI are one algorithm: they differ by rounding alone. Box2D "
-                                "computes in single precision and differs by {} N at most, of {} N.",
-                                render::significant(gap_to_box2d(*runs), 2),
-                                render::fixed(runs->settings.boxes * runs->settings.gravity, 0)),
-                    last);
+                draw_words(page, *runs, "Answer",
+                           fmt::format("No. PGS and SI are one algorithm and differ by rounding only. Box2D "
+                                       "computes in single precision and differs by at most {} N, of {} N.",
+                                       render::significant(gap_to_box2d(*runs), 2),
+                                       render::fixed(runs->settings.boxes * runs->settings.gravity, 0)),
+                           last);
               },
           .key = true};
 }

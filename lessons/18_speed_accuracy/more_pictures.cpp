@@ -88,11 +88,10 @@ void draw_sizes(Page& page, const CostRun& run) {
   const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
   page.table(right[0], "sweeps until 1 % is left", table);
   page.note(right[1], "The scene decides",
-            page.compact()
-                ? "Twice as many boxes: four times the sweeps for SI, twice with the best ω."
-                : "A sweep hands loads on from box to box. Twice as many boxes take four times the sweeps, "
-                  "and each of these has twice the rows. With the best ω it is twice the sweeps; but who "
-                  "knows the best ω of a pile?");
+            page.compact() ? "Twice as many boxes: four times the sweeps for SI, twice with the best ω."
+                           : "A sweep passes loads on from box to box. Twice as many boxes take four times "
+                             "the sweeps, and each sweep has twice the rows. With the best ω it is only "
+                             "twice the sweeps, but nobody knows the best ω of a pile.");
 }
 
 void draw_precision(Page& page, const CostRun& run) {
@@ -118,8 +117,8 @@ void draw_precision(Page& page, const CostRun& run) {
                 ? fmt::format("In float the digits end at {}, and sweeps after that are lost.", least)
                 : fmt::format(
                       "Both lose the same share of the error in every sweep. In float the digits end at {}: "
-                      "each sweep rounds, and the rounding of a load goes on through the tower as any other "
-                      "error does. That is far below what a game asks for; sweeps after that are lost.",
+                      "each sweep rounds, and a rounding spreads through the tower like any other error. A "
+                      "game needs far fewer digits; sweeps after that are wasted.",
                       least));
 }
 
@@ -147,10 +146,9 @@ void draw_frames(Page& page, const CostRun& run) {
   page.note(halves[1], "Spread over steps",
             page.compact()
                 ? "A warm start pays for a digit in parts. Until then the tower sinks a little."
-                : "Each step begins with what the last one has found, so that a digit is paid for in "
-                  "parts. The price is time: the steps before have left the boxes a speed, and the load "
-                  "swings about the right one.\n\nCold, the load comes right only because the boxes fall "
-                  "fast enough.");
+                : "Each step starts with what the last one found, so a digit is paid in instalments. The "
+                  "price: the first steps leave the boxes a speed, and the loads swing about the exact "
+                  "ones.\n\nCold, the loads become right only because the boxes fall fast enough.");
 }
 
 render::Plot update_plot(const Page& page, const CostRun& run) {

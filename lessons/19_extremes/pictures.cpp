@@ -169,9 +169,10 @@ void draw_map(Page& page, const ExtremesRun& run) {
   const List<Rect> right = rows(halves[1], {0.62, 0.38}, page.sizes().gap);
   draw_needed(page, right[0], run);
   page.note(right[1], "What decides",
-            page.compact() ? "A sweep leaves R / (1 + R) of the error: about 4.6R sweeps to 1 %."
-                           : "A sweep leaves R / (1 + R) of the error, R being the mass above over the mass "
-                             "below. Line: ln 100 / ln(1 + 1/R), about 4.6R. Squares: counted.");
+            page.compact()
+                ? "A sweep leaves R / (1 + R) of the error: about 4.6R sweeps to 1 %."
+                : "A sweep leaves R / (1 + R) of the error, where R is the mass above over the mass below. "
+                  "The line is ln 100 / ln(1 + 1/R), about 4.6R; the squares are counted.");
 }
 
 /// The two stacks, sweep by sweep, and the map of all ratios.
@@ -220,12 +221,11 @@ List<Shot> extremes_shots(const ExtremesRun& recorded) {
            fmt::format("Both stacks with their loads found, and the answer: {} sweeps and {}.", heavy, light),
        .draw =
            [run, heavy, light](Page& page) {
-             page.note(
-                 draw_stacks(page, page.area(), *run, heavy, question_share), "Answer",
-                 fmt::format("{} with the heavy box above, {} with the light one. What the ground gives must "
-                             "go through the light box: a sweep leaves R / (1 + R) of the error. A "
-                             "heavy box below hardly moves, and the first guess is nearly right.",
-                             heavy, light));
+             page.note(draw_stacks(page, page.area(), *run, heavy, question_share), "Answer",
+                       fmt::format("{} with the heavy box above, {} with the light one. The ground acts "
+                                   "through the light box, so a sweep leaves R / (1 + R) of the error. With "
+                                   "the heavy box below, the first guess is nearly right.",
+                                   heavy, light));
            },
        .key = true});
   return shots;

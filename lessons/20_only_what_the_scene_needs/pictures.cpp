@@ -134,8 +134,8 @@ void draw_table(Page& page, const NeedsRun& all) {
       page.compact()
           ? "From a run with all rows, swept to R_{E} = 10^{−6}. Friction was not needed, until the ball "
             "came."
-          : "How far any body is from where it is with all rows and as many sweeps as it takes, before the "
-            "ball touches the pyramid and after. Friction was not needed by anything, until the ball came.");
+          : "How far any body is from its place in a run with all rows, swept to R_{E} = 10^{−6}: before and "
+            "after the ball touches the pyramid. Nothing needed friction until the ball came.");
 }
 
 void draw_choice(Page& page, const NeedsRun&) {
@@ -177,9 +177,8 @@ std::string answer_text(const NeedsRun& all) {
         0);
   };
   return fmt::format(
-      "Sleep leaves {} % of the row updates, an exit of its own for each island {} %, both and shared "
-      "friction {} %. No friction leaves {} %, and is the one that is wrong: by {} mm after the ball has "
-      "come.",
+      "Sleep leaves {} % of the row updates, an exit for each island {} %, both with shared friction {} %. "
+      "No friction leaves {} %, and costs accuracy: it is {} mm off after the ball has hit.",
       share(sleeping), share(by_islands), share(all_free), share(no_friction),
       millimetres(all.runs[no_friction].off_after));
 }
