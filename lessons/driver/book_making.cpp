@@ -88,9 +88,8 @@ BookLesson book_lesson(const Workshop& shop, const Program& program, bool& all_h
   lesson.console = console_text(result.output, lesson_out(program, shop, "light"));
   const fs::path folder = lesson_folder(program);
   lesson.text = text_of(folder / "README.md");
-  for (const char* name : {"exercise.hpp", "exercise.cpp"}) {
-    if (fs::exists(folder / name)) lesson.exercise.push_back({name, text_of(folder / name)});
-  }
+  if (fs::exists(folder / "exercise.cpp"))
+    lesson.exercise.push_back({"exercise.cpp", text_of(folder / "exercise.cpp")});
   lesson.teaching = text_of(folder / "teaching.md");
   take_frames(shop, lesson);
   return lesson;

@@ -29,9 +29,8 @@ std::optional<ExerciseFiles> exercise_of(const Program& lesson) {
   const std::string number = two_digits(lesson.number);
   const fs::path folder = lesson_folder(lesson);
   if (!fs::exists(folder / "exercise.cpp")) return std::nullopt;
-  return ExerciseFiles{
-      .program = lesson.path.parent_path() / ("exercise" + number),
-      .solution = folder / (fs::exists(folder / "answers.txt") ? "answers.txt" : "solution.cpp")};
+  return ExerciseFiles{.program = lesson.path.parent_path() / ("exercise" + number),
+                       .answers = folder / "answers.txt"};
 }
 
 int grade_exercise(const Program& lesson, const ExerciseFiles& files) {
@@ -44,15 +43,14 @@ int grade_exercise(const Program& lesson, const ExerciseFiles& files) {
 }
 
 int show_solution(const Program& lesson, const ExerciseFiles& files) {
-  std::ifstream stream(files.solution);
+  std::ifstream stream(files.answers);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (text.empty()) {
-    fmt::print(stderr, "lessons: cannot read {}, the answer to exercise {}\n", files.solution.string(),
+    fmt::print(stderr, "lessons: cannot read {}, the answer to exercise {}\n", files.answers.string(),
                lesson.number);
     return not_built;
   }
-  const bool is_source = files.solution.extension() == ".cpp";
-  fmt::print("{}", is_source ? text : read_answers(text).front().code);
+  fmt::print("{}", read_answers(text).front().code);
   return 0;
 }
 

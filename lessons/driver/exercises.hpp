@@ -10,8 +10,8 @@ namespace cairn::driver {
 
 /// What a lesson's folder and the folder of the programs have for its exercise.
 struct ExerciseFiles {
-  std::filesystem::path program = {};   // grades; may not have been built
-  std::filesystem::path solution = {};  // answers.txt, or a source file
+  std::filesystem::path program = {};  // grades; may not have been built
+  std::filesystem::path answers = {};  // answers.txt: the model is its first
 };
 
 /// Where the sources of a lesson are.
