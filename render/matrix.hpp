@@ -27,8 +27,7 @@ struct MatrixView {
 
 /// Cells are square, as large as fits up to 64 px, at the top left of `rect`. Values are printed in cells of
 /// at least 28 px where they fit; zero is a dot, and so is what rounding left of a zero (1e-13 of the
-/// largest). Numbers that would touch their neighbours are left out, and a legend beside the title says what
-/// the colours mean. If there are more entries than pixels, a cell shows the largest entry of a block, and
+/// largest). If there are more entries than pixels, a cell shows the largest entry of a block, and
 /// names are left out.
 void draw_matrix(Page& page, const Rect& rect, const MatrixView& view);
 

@@ -69,13 +69,13 @@ void write_numbers(MatrixGrid& grid) {
   if (grid.cell < matrix_cell_of_text) return;
   const NumberFormat format = format_of(grid);
   TextStyle style = number_style(grid, format.size);
-  const bool are_legible = widest_number(grid, format, style) <= grid.cell - 4;
   for (Eigen::Index row = 0; row < grid.shown.rows(); ++row) {
     for (Eigen::Index column = 0; column < grid.shown.cols(); ++column) {
       const double value = grid.shown(row, column);
       const bool unknown = is_unknown(grid, row, column);
-      if (!unknown && (!are_legible || is_zero(grid, value))) continue;
+      if (!unknown && is_zero(grid, value)) continue;
       const std::string text = unknown ? "?" : number_of(value, format.digits, format.sign);
+      if (grid.page.canvas().text_width(text, style) > grid.cell - 2) continue;
       style.halo = unknown ? grid.page.theme().background : color_of(grid, value);
       style.color = ink_on(style.halo);
       const Point middle = middle_of(cell_rect(grid, row, column));
