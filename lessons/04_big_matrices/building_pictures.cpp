@@ -27,7 +27,9 @@ render::MatrixView view_of_J(const StackRun& run, int rows_known, int active) {
                           .column_names = column_names(run.boxes()),
                           .column_group = 3,
                           .active_row = active};
-  view.values.bottomRows(run.boxes() - rows_known).setZero();
+  for (int row = rows_known; row < run.boxes(); ++row) {
+    for (int column = 0; column < 3 * run.boxes(); ++column) view.unknown.push_back({row, column});
+  }
   return view;
 }
 
@@ -70,15 +72,18 @@ void draw_row(Page& page, const StackRun& run, int row) {
                                       : "how fast box 1 leaves the ground"});
 }
 
-/// A as far as it has been computed: up to the given entry of `order`.
-Eigen::MatrixXd known_part(const StackRun& run, const List<Entry>& order, int count) {
-  Eigen::MatrixXd known = Eigen::MatrixXd::Zero(run.boxes(), run.boxes());
-  for (int k = 0; k < count; ++k) {
-    const auto [i, j] = order[k];
-    known(i, j) = run.system.A(i, j);
-    known(j, i) = run.system.A(j, i);
+/// The entries of A that have not been computed after `count` of `order`.
+List<Entry> unknown_part(const StackRun& run, const List<Entry>& order, int count) {
+  List<Entry> unknown;
+  if (count == order.size()) return unknown;  // the last stands for all pairs without a box in common
+  for (int i = 0; i < run.boxes(); ++i) {
+    for (int j = 0; j < run.boxes(); ++j) {
+      const Entry entry = std::minmax(i, j);
+      if (std::find(order.begin(), order.begin() + count, entry) == order.begin() + count)
+        unknown.push_back({i, j});
+    }
   }
-  return known;
+  return unknown;
 }
 
 /// J on top, what is being built below at the left; returns what is free at the right of that.
@@ -105,10 +110,12 @@ std::string entry_in_numbers(const StackRun& run, int i, int j) {
 void draw_entry(Page& page, const StackRun& run, const List<Entry>& order, int k) {
   const auto [i, j] = order[k];
   render::MatrixView view{.title = "A = J M^{−1} J^{T} (kg^{−1})",
-                          .values = known_part(run, order, k + 1),
+                          .values = run.system.A,
                           .row_names = row_names(run.boxes()),
                           .column_names = row_names(run.boxes()),
-                          .active_row = i};
+                          .active_row = i,
+                          .active_column = j,
+                          .unknown = unknown_part(run, order, k + 1)};
   StackView stack;
   std::string reason;
   if (i == j) {
@@ -133,9 +140,8 @@ void draw_right_side(Page& page, const StackRun& run, int row) {
   render::MatrixView view{
       .title = "A, and b (m/s²)", .row_names = row_names(n), .column_group = n, .active_row = row};
   view.values.resize(n, n + 1);
-  Eigen::VectorXd b = run.system.b;
-  b.tail(n - row - 1).setZero();
-  view.values << run.system.A, b;
+  view.values << run.system.A, run.system.b;
+  for (int later = row + 1; later < n; ++later) view.unknown.push_back({later, n});
   view.column_names = row_names(n);
   view.column_names.push_back("b");
   const std::string dt = brief(run.settings.dt);
