@@ -31,7 +31,9 @@ std::string comments_on(const Grade& grade) {
 }
 
 List<GapAnswer> answers_of(const Exercise& exercise) {
-  const auto folder = (std::filesystem::path(CAIRN_SOURCE_DIR) / exercise.file).parent_path();
+  // That of the template is in the build's folder.
+  const char* const root = exercise.lesson == 99 ? CAIRN_MADE_FOLDER : CAIRN_SOURCE_DIR;
+  const auto folder = (std::filesystem::path(root) / exercise.file).parent_path();
   std::ifstream stream(folder / "answers.txt");
   return read_answers({std::istreambuf_iterator<char>(stream), {}});
 }
