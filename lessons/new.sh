@@ -24,10 +24,10 @@ cairn_new_lesson() {
   title=${title^}
   folder=$lessons/${number}_$name
   mkdir "$folder.new" || return 3
-  for file in "$cairn_root"/lessons/template/*; do
+  for file in "$cairn_root"/lessons/template/*.in; do
     sed -e "s/NN_DECIMAL/$((10#$number))/g; s/\.number = NN/.number = $((10#$number))/" \
         -e "s/NUMBER/$((10#$number))/g; s/FOLDER/${number}_$name/g; s/NN/$number/g; s/NAME/$name/g; s/TITLE/$title/g" \
-        "$file" >"$folder.new/$(basename "$file")" || return 3
+        "$file" >"$folder.new/$(basename "$file" .in)" || return 3
   done
   mv "$folder.new" "$folder" || return 3
   cat <<EOF

@@ -154,13 +154,13 @@ void write_name(Page& page, const Camera& camera, const SnapshotBody& body, Body
   const List<Point> place = {Point(middle.x(), baseline_around(middle.y(), size))};
   if (!write_if_free(page, place, camera.viewport, name, style) || !is_active(id, look)) return;
   // Which of the two it is, not by its colour alone.
-  TextStyle letter = style;
-  letter.bold = false;
-  letter.size = std::max(page.sizes().smallest, std::floor(0.55 * size));
-  const Point below = middle + Point(0, 0.5 * cap_height * size + 0.75 * letter.size);
-  if (!fits(camera, body, below, 0.6 * letter.size, 0.8 * letter.size)) return;
-  const List<Point> under = {Point(below.x(), baseline_around(below.y(), letter.size))};
-  write_if_free(page, under, camera.viewport, id == look.active_a ? "a" : "b", letter);
+  TextStyle rank = style;
+  rank.bold = false;
+  rank.size = std::max(page.sizes().smallest, std::floor(0.55 * size));
+  const Point below = middle + Point(0, 0.5 * cap_height * size + 0.75 * rank.size);
+  if (!fits(camera, body, below, 1.2 * rank.size, 0.8 * rank.size)) return;
+  const List<Point> under = {Point(below.x(), baseline_around(below.y(), rank.size))};
+  write_if_free(page, under, camera.viewport, id == look.active_a ? "•" : "••", rank);
 }
 
 bool write_if_free(Page& page, const List<Point>& places, const Rect& within, const std::string& text,

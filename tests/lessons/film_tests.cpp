@@ -56,10 +56,10 @@ TEST_CASE("a run leaves its pictures in order, their index, its rows and an acco
 
 TEST_CASE("a picture has the size that was asked for") {
   const ScratchFolder folder;
-  film_into(folder, {"--frames", "2", "--size", "400x300"});
+  film_into(folder, {"--frames", "2", "--size", "1000x600"});
   const render::Image image = render::read_png(folder.path() + "/out/l42_0001.png");
-  CHECK(image.width == 400);
-  CHECK(image.height == 300);
+  CHECK(image.width == 1000);
+  CHECK(image.height == 600);
 }
 
 TEST_CASE("the same run gives the same files, byte for byte") {

@@ -24,6 +24,11 @@ int make_lesson(const ScratchFolder& scratch, const std::string& name) {
   return WEXITSTATUS(std::system(command.c_str()));
 }
 
+std::string text_of(const std::string& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 }  // namespace
 
 TEST_CASE("a new lesson has the next number, and its name wherever one is needed") {
@@ -69,13 +74,13 @@ TEST_CASE("a new lesson runs, checks itself and draws at every size") {
 }
 
 TEST_CASE("the page of a new lesson quotes its program") {
-  const ScratchFolder scratch;
-  const std::string command = "bash '" CAIRN_SOURCE_DIR "/lessons/documents.sh' '" + scratch.path() +
-                              "' '" CAIRN_MADE_FOLDER "' '" + scratch.path() + "/new' > /dev/null 2>&1";
-  REQUIRE(std::system(command.c_str()) == 0);
-  std::ifstream page(CAIRN_MADE_FOLDER "/lessons/99_made/README.md");
-  CHECK(scratch.text("new/lessons/99_made/README.md") ==
-        std::string(std::istreambuf_iterator<char>(page), {}));
+  const std::string folder = CAIRN_MADE_FOLDER "/lessons/99_made/";
+  const std::string source = text_of(folder + "lesson.cpp");
+  const std::string begin = "// [impulse]\n", end = "// [/impulse]\n";
+  REQUIRE(source.find(begin) < source.find(end));
+  const std::size_t from = source.find(begin) + begin.size();
+  const std::string quoted = source.substr(from, source.find(end) - from);
+  CHECK(text_of(folder + "README.md").find("```cpp\n" + quoted + "```\n") != std::string::npos);
 }
 
 }  // namespace cairn::testing

@@ -91,7 +91,7 @@ TEST_CASE("the ground reaches from end to end of the viewport, and not beyond") 
   CHECK(std::abs(strokes_in_row(image, below, theme.static_body, 25) - 62) <= 3);
 }
 
-TEST_CASE("the active pair is lit and lettered, all other bodies have one fill") {
+TEST_CASE("the active pair is lit and dotted, all other bodies have one fill") {
   Snapshot world = with_ground();
   for (int i = 0; i < 4; ++i) world.bodies.push_back(dynamic_body(box(1.8, 1.8), {2.0 * i - 3, 0}));
   const Theme theme = light_theme();
@@ -102,8 +102,8 @@ TEST_CASE("the active pair is lit and lettered, all other bodies have one fill")
   for (int i = 0; i < 4; ++i) {
     CHECK(distance_at(image, world.bodies[{i + 1}].pose.position, fills[i], -20, -20) <= 2);
   }
-  CHECK(is_written(page, "a"));
-  CHECK(is_written(page, "b"));
+  CHECK(is_written(page, "•"));
+  CHECK(is_written(page, "••"));
   CHECK(lint(page) == List<std::string>{});
 }
 
