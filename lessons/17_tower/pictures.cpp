@@ -73,7 +73,7 @@ render::Plot load_plot(const Page& page, const TowerRuns& runs, const List<Engin
 }
 
 void draw_three(Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
-  const List<Rect> parts = rows(page.area(), {0.54, 0.46}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
   const List<Rect> panels = columns(parts[0], {1, 1, 1}, page.sizes().gap);
   const FixedList<SeriesStyle, 3> styles = engine_styles(page);
   for (int e = 0; e < engines.size(); ++e) draw_engine(page, panels[e], runs, engines[e], frame, styles[e]);
@@ -81,7 +81,7 @@ void draw_three(Page& page, const TowerRuns& runs, const List<EngineRun>& engine
 }
 
 void draw_words(Page& page, const TowerRuns& runs, std::string_view title, std::string_view text, int frame) {
-  const List<Rect> parts = rows(page.area(), {0.54, 0.46}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
   const List<Rect> panels = columns(parts[0], {1, 1, 1}, page.sizes().gap);
   const FixedList<SeriesStyle, 3> styles = engine_styles(page);
   for (int e = 0; e < runs.warm.size(); ++e) {
