@@ -14,7 +14,7 @@ LessonInfo card() {
       .paper = "paper 2.3 (last paragraph), 3.2, Algorithm 1",
       .equations = {"lines 2-6   λ ← λ of the last step, if that row was there; else 0",
                     "(21)        v ← v + M⁻¹ jᵀ λ Δt             that guess acts before the first sweep",
-                    "(22)        λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)   then sweeps as before"},
+                    "(22)        λ_corrective = (ζ − j·v) / (j M⁻¹ jᵀ Δt)   then sweeps as before"},
       .needs = {"lesson 05", "lesson 06"},
       .reads = {"src/world/world.cpp", "src/constraints/row.hpp"},
       .question =

@@ -38,8 +38,10 @@ void tell_building(Lesson& lesson, const StoredRun& run) {
                   "of SI; the effective masses of SI take {:.0f}",
                   largest.base, work, work / (12 * largest.rows), 6 * largest.rows));
   const double rows = largest.rows * sizeof(ConstraintRow<double>);
-  lesson.print(fmt::format("a sweep reads, one number after the other: SI {} of rows; sparse PGS {}; PGS {}",
-                           bytes_text(rows), bytes_text(run.kept[2].bytes), bytes_text(run.kept[3].bytes)));
+  const double sparse = largest.pairs * (sizeof(double) + sizeof(int));  // an entry of A, and its column
+  lesson.print(
+      fmt::format("a sweep reads, one number after the other: SI {} of rows; sparse PGS {} of A; PGS {} of A",
+                  bytes_text(rows), bytes_text(sparse), bytes_text(largest.dense * sizeof(double))));
   lesson.print();
 }
 

@@ -180,7 +180,7 @@ void draw_question(Page& page, const StoredRun& run) {
   const Count& count = run.pyramids[largest];
   const List<Rect> right = rows(halves[1], {0.6, 0.4}, page.sizes().gap);
   page.note(
-      right[0], "Predict",
+      right[0], "The question",
       fmt::format("{} boxes, two rows for each overlap: m = {:.0f} rows. A full A has m × m entries, and SI "
                   "keeps m numbers. How many entries in an average row of A are not zero?",
                   count.bodies, count.rows));
