@@ -66,7 +66,7 @@ NumberFormat format_of(const MatrixGrid& grid) {
 
 // The halo has the cell's colour: unseen, and it tells lint() what the number stands on.
 void write_numbers(MatrixGrid& grid) {
-  if (grid.cell < matrix_cell_of_text) return;
+  if (!grid.view.numbers || grid.cell < matrix_cell_of_text) return;
   const NumberFormat format = format_of(grid);
   TextStyle style = number_style(grid, format.size);
   for (Eigen::Index row = 0; row < grid.shown.rows(); ++row) {

@@ -65,7 +65,7 @@ Shot question_shot(const SharedStory& story) {
   shot.draw = [story](Page& page) {
     const Layout layout = layout_of(page);
     draw_scene(page, *story, 0);
-    const std::string title = "What do you expect?";
+    const std::string title = "The question";
     if (page.compact()) {
       page.note(layout.right, title, story->question);
       return;
@@ -201,8 +201,8 @@ void draw_convergence(Page& page, const Rect& rect, const Story& story) {
   formula.x = {left, right};
   formula.y = {*plot.y.min, *plot.y.max};
   plot.series.push_back(formula);
-  plot.series.push_back(measured("both methods", page.theme().jacobi, c.dt, c.explicit_euler));
-  plot.series.push_back(measured("", page.theme().si, c.dt, c.semi_implicit));
+  plot.series.push_back(measured("explicit", page.theme().jacobi, c.dt, c.explicit_euler));
+  plot.series.push_back(measured("semi-implicit", page.theme().si, c.dt, c.semi_implicit));
   draw_plot(page, rect, plot);
 }
 

@@ -201,7 +201,7 @@ void draw_differences(Page& page, const Story& story) {
     rounding.y.push_back(2.2e-16 * story.rod.length / q->h);
   }
   plot.series = {measured, truncation, rounding};
-  plot.labels.push_back({3e-10, 2.2e-16 * story.rod.length / 3e-10, "∝ ε / h"});
+  plot.labels.push_back({3e-10, 2.2e-16 * story.rod.length / 3e-10, "∝ ε / h, ε: rounding"});
   plot.labels.push_back({1e-3, 1e-6 * factor, "∝ h²"});
   draw_plot(page, parts[0], plot);
   render::TableView table{.header = {"h = 10^{−5}, 20 poses", "rows", "difference"}};
@@ -253,7 +253,7 @@ List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
       "before we ask",
       "A box on a rod that hangs from a pivot, three velocities of the box, and the question.",
       [story](Page& page) {
-        draw_note(page, story->rod, {.pose = story->rod.pose, .asked = true}, "Predict",
+        draw_note(page, story->rod, {.pose = story->rod.pose, .asked = true}, "The question",
                   "Below are three velocities (v_{x}, v_{y}, ω) of the box. How fast does each make the rod "
                   "longer? Which of them does a rod allow?");
       }));

@@ -228,10 +228,12 @@ List<Shot> peg_shots(const Pushes& recorded) {
   List<Shot> shots;
   shots.push_back(
       shot("before the push", "A box falls on a peg beside its middle, and the question.", [all](Page& page) {
-        draw_note(page, *all, {}, "Predict",
-                  "The box falls on a peg. Only the point above the peg has to stop. Does that "
-                  "take more here than under the middle, or less?",
-                  0);
+        draw_note(
+            page, *all, {}, "The question",
+            fmt::format("A box of {:g}\u00a0kg falls on a peg. Only the point above the peg has to stop. "
+                        "Does that take more here than under the middle, or less? How many N\u00a0s?",
+                        all->settings.mass),
+            0);
       }));
   shots.push_back(shot("the row",
                        "The row j and the diagonal of M⁻¹ for peg and box, and j M⁻¹ jᵀ from both.",

@@ -21,7 +21,7 @@ void draw_question(Page& page, const DriftRuns& all) {
   const List<Rect> right = rows(halves[1], {0.6, 0.4}, page.sizes().gap);
   draw_balls(page, halves[0], all, 0, 0);
   page.note(
-      right[0], "Predict",
+      right[0], "The question",
       fmt::format("Every ball begins {:g} mm inside the ground, each with its own β. β = 1 takes the whole "
                   "error back in one step, which sounds best. How high above the ground does that ball come?",
                   1000 * settings.depth));
@@ -77,10 +77,11 @@ render::SeriesStyle curve_style(const render::Theme& theme, int k) {
 List<Shot> drift_shots(const DriftRuns& recorded) {
   const Runs all = std::make_shared<const DriftRuns>(recorded);
   List<Shot> shots;
-  shots.push_back({.state = "before the first step",
-                   .alt = "Balls side by side, each with its own β and as deep inside the ground, and the question.",
-                   .draw = [all](Page& page) { draw_question(page, *all); },
-                   .key = true});
+  shots.push_back(
+      {.state = "before the first step",
+       .alt = "Balls side by side, each with its own β and as deep inside the ground, and the question.",
+       .draw = [all](Page& page) { draw_question(page, *all); },
+       .key = true});
   for (const List<Shot>& part : {swing_shots(all), hang_shots(all), ball_shots(all)}) {
     shots.insert(shots.end(), part.begin(), part.end());
   }

@@ -65,10 +65,11 @@ void draw_question(Page& page, const StackRun& run) {
   draw_stack(page, halves[0], run, {.contact = run.boxes() - 1, .velocity = run.system.velocity});
   const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
   page.note(
-      right[0], "Predict",
-      fmt::format("All boxes fall at {} m/s: gravity has acted for one step. b has one number for each "
-                  "contact. What is the number for the contact below the uppermost box, which weighs {} N?",
-                  brief(gravity * run.settings.dt), brief(gravity * run.settings.top)));
+      right[0], "The question",
+      fmt::format(
+          "All boxes fall at {} m/s: gravity has acted for one step. b has one number for each "
+          "contact. What is the number for the contact below the uppermost box, which weighs {}\u00a0N?",
+          brief(gravity * run.settings.dt), brief(gravity * run.settings.top)));
   page.equation(right[1],
                 {.number = "eq (15)",
                  .symbols = fmt::format("b_{{{}}} = ζ/Δt − j_{{{}}}·v_{{1}}/Δt", run.boxes(), run.boxes()),

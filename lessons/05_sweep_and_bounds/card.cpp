@@ -20,7 +20,8 @@ LessonInfo card() {
       .needs = {"lesson 04"},
       .reads = {"src/solvers/iterative/projected_gauss_seidel.cpp", "src/constraints/row.hpp"},
       .question =
-          "A rod of 4 kg and 3 m lies with its left end on one support; the other stands 1 m from there. "
+          "A rod of 4 kg and 3 m lies with its left end on one support; the other stands 1\u00a0m from "
+          "there. "
           "A λ = b says: the left support pulls with 20 N, the right one pushes with 60 N. But the left one "
           "cannot pull. How hard does the right one push then, in N?",
       .spoilers = {"30 N", "tips"},

@@ -125,8 +125,9 @@ Shot motion_shot(const Run& run, int step) {
   return {.state = fmt::format("t = {} s", fixed(step * time_step, 2)),
           .alt = fmt::format(
               "{:.2f} s after the landing: with each push clamped the middle of the box is {:.1f} mm "
-              "higher and it has turned by {:.0f} degrees, with the sum clamped {:.1f} mm.",
-              step * time_step, height_at(run->hop, step),
+              "{} and it has turned by {:.0f} degrees, with the sum clamped it has risen by {:.1f} mm.",
+              step * time_step, std::abs(height_at(run->hop, step)),
+              height_at(run->hop, step) < 0 ? "lower" : "higher",
               std::abs(run->hop[step].bodies[{1}].pose.angle) * 180 / pi, height_at(run->still, step)),
           .draw = [run, step](Page& page) { draw_step(page, *run, step); },
           .key = step == 8 || step == motion_steps};

@@ -116,7 +116,8 @@ void draw_pairs(Page& page, const Rect& rect, const Moment& moment) {
 }
 
 void draw_system(Page& page, const Rect& rect, const TwiceRun& run, int active) {
-  render::MatrixView view{.title = "A = J M^{−1} J^{T}", .values = run.system.A, .active_row = active};
+  render::MatrixView view{
+      .title = "A = J M^{−1} J^{T}", .values = run.system.A, .active_row = active, .numbers = false};
   for (int i = 1; i <= run.problem.row_count(); ++i) {
     const std::string name = i == 1 || i % 5 == 0 ? fmt::format("{}", i) : "";
     view.row_names.push_back(name);

@@ -163,7 +163,7 @@ std::string answer_text(const WarmStart& all) {
 }  // namespace
 
 FixedList<SeriesStyle, 3> start_styles(const render::Theme& theme) {
-  return {{{theme.si.color, {10, 6}, render::Marker::square},
+  return {{{theme.box2d.color, {10, 6}, render::Marker::square},
            {theme.si.color, {}, render::Marker::circle},
            theme.jacobi}};
 }

@@ -43,9 +43,10 @@ FixedList<CaseText, 3> case_texts() {
          .symbols = "A_{12} = 1/m + r_{1} r_{2}/I",
          .numbers = "= 1/6 − (1/6)/1",
          .result = "= 0"},
-        "6 kg, I = 1 kg m², arms r = 1/2 and −1/3 m: r₁ r₂ = −I/m. Each is the other's centre of percussion, "
+        "6 kg, I = 1 kg m², arms r = 1/2 and −1/3 m: r₁\u00a0r₂\u00a0=\u00a0−I/m. Each is the other's centre "
+        "of percussion, "
         "and a blow at one is not felt at the other.",
-        "r₁ r₂ = −I/m: a blow at 1 is not felt at 2."},
+        "r₁\u00a0r₂\u00a0=\u00a0−I/m: a blow at 1 is not felt at 2."},
        {{.number = "eq (30)",
          .symbols = "J_{1} · J_{2} = 0 + (1 + x_{1} x_{2})",
          .numbers = "= 0 + (1 − 1 × 1.5)",

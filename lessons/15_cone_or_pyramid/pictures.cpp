@@ -163,13 +163,7 @@ void draw_step(Page& page, const Slides& all, int k) {
 
 void draw_question(Page& page, const Slides& all) {
   const List<Rect> right = rows(draw_moment(page, all, 0), {0.42, 0.58}, page.sizes().gap);
-  page.note(right[0], "Predict",
-            page.compact()
-                ? "Clamp λ_{x} and λ_{y} each to μN, or the length of λ? Which puck stops first, and "
-                  "where?"
-                : "Friction is at most μN. Clamp λ_{x} and λ_{y} each, and λ stays in the square; "
-                  "clamp the length of λ, and it stays in the circle. Which puck stops first? Does "
-                  "either leave the straight line?");
+  page.note(right[0], "The question", card().question);
   draw_limits(page, right[1], all, {.velocity = all.settings.velocity});
 }
 

@@ -20,8 +20,8 @@ struct Foot {
 };
 
 // One sweep of Jacobi: all feet look at the same velocities, and then all of them act. Each gives only a
-// share ω of its correction. Choose ω by the number of feet: small enough to converge wherever the feet are,
-// and no smaller.
+// share ω of its correction. Choose ω by the number of feet: so that all feet together never take back more
+// than the whole error, wherever they are, and no smaller.
 void sweep(Box& box, List<Foot>& feet) {
   // Your code begins here: about twelve lines.
 

@@ -14,6 +14,7 @@ enum class Slip {
   in_turn,
   whole,
   half,
+  twice,
   clamps_each,
   pulls,
   no_arm,
@@ -32,6 +33,7 @@ List<Known> known() {
   return {{Slip::in_turn, "All feet look at the same velocities: apply nothing before each has looked."},
           {Slip::whole, "With ω = 1 all feet together take back more than what is wrong."},
           {Slip::half, "ω = 1/2 is not right for any number of feet."},
+          {Slip::twice, "ω = 2/k is the edge: all k feet together may take back twice what is wrong."},
           {Slip::clamps_each, "Clamp the sum, not the correction: a foot may take back what it gave."},
           {Slip::pulls, "A foot cannot pull: its sum is never below 0."},
           {Slip::no_arm, "A foot at the side also turns the box: j M⁻¹ jᵀ has a part x²."},
@@ -64,7 +66,8 @@ struct Stand {
 };
 
 Stand reference(Stand stand, Slip slip) {
-  const double omega = slip == Slip::whole ? 1 : slip == Slip::half ? 0.5 : 1.0 / stand.feet.size();
+  const double share = slip == Slip::twice ? 2.0 / stand.feet.size() : 1.0 / stand.feet.size();
+  const double omega = slip == Slip::whole ? 1 : slip == Slip::half ? 0.5 : share;
   const Box before = stand.box;
   for (Foot& foot : stand.feet) {
     act(stand.box, foot, corrected(slip == Slip::in_turn ? stand.box : before, foot, omega, slip), slip);

@@ -159,15 +159,11 @@ void draw_speeds(Page& page, const FeetRun& run) {
 List<Shot> feet_shots(const FeetRun& feet) {
   const Feet run = std::make_shared<const FeetRun>(feet);
   List<Shot> shots;
-  shots.push_back({.state = "before the first sweep",
-                   .alt = "A box on feet, all of them idle, and the question.",
-                   .draw =
-                       [run](Page& page) {
-                         page.note(draw_moment(page, *run, 0), "Predict",
-                                   "The box weighs 60 N. Each foot pushes as if it were alone, all at once. "
-                                   "How much is that together? Are more feet better or worse?");
-                       },
-                   .key = true});
+  shots.push_back(
+      {.state = "before the first sweep",
+       .alt = "A box on feet, all of them idle, and the question.",
+       .draw = [run](Page& page) { page.note(draw_moment(page, *run, 0), "The question", card().question); },
+       .key = true});
   for (int sweep = 1; sweep <= run->settings.sweeps; ++sweep) shots.push_back(sweep_shot(run, sweep));
   shots.push_back(
       {.state = fmt::format("four methods, {} sweeps", run->settings.sweeps),

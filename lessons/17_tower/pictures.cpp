@@ -55,7 +55,7 @@ render::Plot load_plot(const Page& page, const TowerRuns& runs, const List<Engin
   const TowerSettings& settings = runs.settings;
   render::Plot plot;
   plot.title = "load λ_{1} on the lowest box (N), step by step";
-  plot.x = {.min = 0, .max = settings.steps};
+  plot.x = {.title = "step", .min = 0, .max = settings.steps};
   plot.y = {.min = 0, .max = 1.15 * largest_load(runs)};
   const FixedList<SeriesStyle, 3> styles = engine_styles(page);
   for (int e = 0; e < engines.size(); ++e) {
@@ -113,28 +113,23 @@ Shot step_shot(const Runs& runs, bool warm, int frame) {
 Shot question_shot(const Runs& runs) {
   return {.state = "before the first step",
           .alt = "Three towers of boxes, not yet loaded, named PGS, SI and Box2D, and the question.",
-          .draw =
-              [runs](Page& page) {
-                draw_words(page, *runs, "Predict",
-                           "Three programs push the same boxes, with too few sweeps to get it right. Will "
-                           "you be able to tell their towers apart by eye? And by their numbers?",
-                           0);
-              },
+          .draw = [runs](Page& page) { draw_words(page, *runs, "The question", card().question, 0); },
           .key = true};
 }
 
 Shot answer_shot(const Runs& runs) {
   const int last = runs->settings.steps;
   return {.state = fmt::format("after {} steps", last),
-          .alt = "The three towers after the last step, and the answer: they cannot be told apart.",
+          .alt = "The three towers after the last step, and the answer: how far their loads differ.",
           .draw =
               [runs, last](Page& page) {
-                draw_words(page, *runs, "Answer",
-                           fmt::format("No. PGS and SI are one algorithm and differ by rounding only. Box2D "
-                                       "computes in single precision and differs by at most {} N, of {} N.",
-                                       render::significant(gap_to_box2d(*runs), 2),
-                                       render::fixed(runs->settings.boxes * runs->settings.gravity, 0)),
-                           last);
+                draw_words(
+                    page, *runs, "Answer",
+                    fmt::format("By at most {} N, of {} N: Box2D computes in single precision. PGS and SI "
+                                "differ less still. All three are one algorithm.",
+                                render::significant(gap_to_box2d(*runs), 2),
+                                render::fixed(runs->settings.boxes * runs->settings.gravity, 0)),
+                    last);
               },
           .key = true};
 }

@@ -20,7 +20,7 @@ LessonInfo card() {
       .question =
           "A pyramid and a tower stand, a chain of five links swings, a ball flies: 150 rows, 50 sweeps, "
           "7500 row updates a step. How many are left once everything that stands is asleep? Which switch "
-          "costs accuracy?",
+          "ruins the scene?",
       .spoilers = {"500", "3.9 m"},
       .hints = {"Which rows belong to bodies that move?", "A pin has two rows; a ball in flight has none.",
                 "2 rows × links × sweeps."},

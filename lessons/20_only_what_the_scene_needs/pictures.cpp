@@ -170,6 +170,10 @@ void draw_note(Page& page, const NeedsRun& all, int step, std::string_view title
   page.note(parts[1], title, text);
 }
 
+long long least_updates(const BillRun& run) {
+  return std::ranges::min(run.steps, {}, &StepBill::updates).updates;
+}
+
 std::string answer_text(const NeedsRun& all) {
   const auto share = [&](int i) {
     return fixed(
@@ -177,10 +181,11 @@ std::string answer_text(const NeedsRun& all) {
         0);
   };
   return fmt::format(
-      "Sleep leaves {} % of the row updates, an exit for each island {} %, both with shared friction {} %. "
-      "No friction leaves {} %, and costs accuracy: it is {} mm off after the ball has hit.",
-      share(sleeping), share(by_islands), share(all_free), share(no_friction),
-      millimetres(all.runs[no_friction].off_after));
+      "The cheapest step with sleep takes {} row updates. Over all steps sleep leaves {} % of them, an exit "
+      "for each island {} %, both with shared friction {} %. No friction leaves {} %, and ruins the scene: "
+      "it is {} mm off after the ball has hit.",
+      least_updates(all.runs[sleeping]), share(sleeping), share(by_islands), share(all_free),
+      share(no_friction), millimetres(all.runs[no_friction].off_after));
 }
 
 /// Steps worth a frame of their own: early, asleep, touched, late.
@@ -201,14 +206,10 @@ List<Shot> needs_shots(const NeedsRun& recorded) {
                 .draw = [=](Page& page) { draw_note(page, *all, step, title, text); },
                 .key = true};
   };
-  const StepBill& first = all->runs[everything].steps[0];
   List<Shot> shots;
-  shots.push_back(note_shot(
-      "before the first step", "A pyramid, a tower, a chain and a ball in flight, and the question.", 0,
-      "Predict",
-      fmt::format("{} rows, {} sweeps: {} row updates in each step. The pyramid and the tower only stand "
-                  "there. How many are really needed? And what can be left out at no cost at all?",
-                  first.rows, first.sweeps, first.updates)));
+  shots.push_back(note_shot("before the first step",
+                            "A pyramid, a tower, a chain and a ball in flight, and the question.", 0,
+                            "The question", card().question));
   const std::set<int> keys = key_steps(*all);
   std::set<int> steps = keys;
   for (int step = 2; step < all->settings.steps; step += 2) steps.insert(step);

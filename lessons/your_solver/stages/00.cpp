@@ -18,6 +18,7 @@ static void grade_box(grading::Report& report) {
                                       turning,
                                       {{1 / turning, "That is I. M⁻¹ has 1/I."},
                                        {mass * turning, "I grows with the mass: I = m (w² + h²)/12."},
+                                       {turning / 2, "The divisor is 12: I is m (w² + h²)/12."},
                                        {turning / 12, "The 12 is missing: I = m (w² + h²)/12."},
                                        {1 / mass, "The third number is 1/I, not 1/m."}}});
   const double infinite = 1.0 / 0.0;

@@ -32,6 +32,13 @@ static RodParts rod_parts(const Body& one, double x1, double y1, const Body& two
   return parts;
 }
 
+/// c [m] of a rod between points that are turned by the negative angles.
+static double turned_back(Body one, Body two, double length) {
+  one.position[2] *= -1;
+  two.position[2] *= -1;
+  return rod_parts(one, 0.5, 0.25, two, -0.5, -1).distance - length;
+}
+
 static void grade_rod(grading::Report& report) {
   const std::vector<Body> bodies = turned_boxes();
   const Body &one = bodies[1], &two = bodies[2];
@@ -50,6 +57,7 @@ static void grade_rod(grading::Report& report) {
                          {rod_is.distance * rod_is.distance - length * length,
                           "Those are m²: c is |p2 − p1| − length, without squares."},
                          {flat, "The points are fixed in their bodies: turn them by the body's angle."},
+                         {turned_back(one, two, length), "Turned the other way: (c x − s y, s x + c y)."},
                          {rod_is.distance, "c is what is left when the length is taken away."}}});
   report.number(row.body1,
                 {"the rod: body1",
@@ -85,19 +93,21 @@ static void grade_rate(grading::Report& report) {
   }
   const double turns = row.j1[2] * bodies[1].velocity[2] + row.j2[2] * bodies[2].velocity[2];
   report.number(rate(row, bodies),
-                {"j·v of that rod, while both boxes move and turn (m/s)",
+                {"j·v of your row, while both boxes move and turn (m/s)",
                  part1 + part2,
                  {{part2, "Body 1 is missing: a row has six numbers."},
                   {part1, "Body 2 is missing: a row has six numbers."},
                   {part2 - part1, "Add both parts: the minus is in j1 already."},
                   {part1 + part2 - turns, "An index too few: the third number belongs to the turn."}}});
+  const RodParts rod_is = rod_parts(bodies[1], 0.5, 0.25, bodies[2], -0.5, -1);
+  if (!(std::abs(row.c - (rod_is.distance - 3)) < 1e-9)) return;  // the slope of another c says nothing of j
   const double h = 1e-5;
   move_bodies(bodies, h);
   const double later = rod(bodies, 1, {0.5, 0.25}, 2, {-0.5, -1}, 3).c;
   move_bodies(bodies, -2 * h);
   const double earlier = rod(bodies, 1, {0.5, 0.25}, 2, {-0.5, -1}, 3).c;
-  report.number((later - earlier) / (2 * h),
-                {"dc/dt from two poses, which j·v should be (m/s)", part1 + part2, {}, 1e-6});
+  report.number(part1 + part2,
+                {"that j·v should be dc/dt from two poses (m/s)", (later - earlier) / (2 * h), {}, 1e-6});
 }
 
 static void grade_01(grading::Report& report) {
