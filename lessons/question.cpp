@@ -6,18 +6,24 @@
 namespace cairn {
 namespace {
 
-/// Draws the scene; returns what is free beside it.
-render::Rect draw_scene(render::Page& page, const QuestionFrame& frame) {
-  const List<render::Rect> parts = columns(page.area(), {0.58, 0.42}, page.sizes().gap);
+/// Draws the scene; returns the two parts of what is free, the first of which takes this share.
+List<render::Rect> draw_scene(render::Page& page, const QuestionFrame& frame, double share) {
+  const double gap = page.sizes().gap;
+  if (frame.place == ScenePlace::above) {
+    const List<render::Rect> parts = rows(page.area(), {0.62, 0.38}, gap);
+    frame.scene(page, parts[0]);
+    return columns(parts[1], {share, 1 - share}, gap);
+  }
+  const List<render::Rect> parts = columns(page.area(), {0.58, 0.42}, gap);
   frame.scene(page, parts[0]);
-  return parts[1];
+  return rows(parts[1], {share, 1 - share}, gap);
 }
 
 }  // namespace
 
 Shot question_shot(const LessonInfo& info, const QuestionFrame& frame) {
   const auto draw = [info, frame](render::Page& page) {
-    const List<render::Rect> parts = rows(draw_scene(page, frame), {0.78, 0.22}, page.sizes().gap);
+    const List<render::Rect> parts = draw_scene(page, frame, 0.78);
     page.note(parts[0], "The question", info.question);
     page.note(parts[1], "To answer", typed_command(info) + " --predict");
   };
@@ -26,7 +32,7 @@ Shot question_shot(const LessonInfo& info, const QuestionFrame& frame) {
 
 Shot answer_shot(const LessonInfo& info, const QuestionFrame& frame, const std::string& answer) {
   const auto draw = [info, frame, answer](render::Page& page) {
-    const List<render::Rect> parts = rows(draw_scene(page, frame), {0.4, 0.6}, page.sizes().gap);
+    const List<render::Rect> parts = draw_scene(page, frame, 0.4);
     page.note(parts[0], "The question", info.question);
     page.note(parts[1], "The answer", answer);
   };

@@ -8,18 +8,22 @@
 
 namespace cairn {
 
+/// Where the scene stands: one that is wide goes above the words.
+enum class ScenePlace { left, above };
+
 /// What both frames show beside the words, drawn anew for each.
 struct QuestionFrame {
   std::string state = {};  // right of the header
   std::string alt = {};
-  std::function<void(render::Page&, const render::Rect&)> scene = {};  // in the left part of the page
+  std::function<void(render::Page&, const render::Rect&)> scene = {};
+  ScenePlace place = ScenePlace::left;
 };
 
-/// The scene at the left, at the right the question and the command that answers it. A key frame, and the
+/// The scene, and beside it the question and the command that answers it. A key frame, and the
 /// cover: let `cover` of the card be its number, and let neither scene nor alt give the answer away.
 Shot question_shot(const LessonInfo& info, const QuestionFrame& frame);
 
-/// The scene at the left, at the right the question again and the answer. A key frame.
+/// The scene, and beside it the question again and the answer. A key frame.
 Shot answer_shot(const LessonInfo& info, const QuestionFrame& frame, const std::string& answer);
 
 }  // namespace cairn

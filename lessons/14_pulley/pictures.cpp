@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"
@@ -185,8 +186,12 @@ Shot step_shot(const Runs& all, int k, const std::set<int>& keys) {
           .key = keys.contains(k)};
 }
 
-void draw_note(Page& page, const PulleyRuns& all, int k, std::string_view title, std::string_view text) {
-  page.note(draw_moment(page, all, all.runs[0].steps[k]), title, text);
+/// The masses after step k, for the first and the last frame.
+QuestionFrame moment(const Runs& all, int k, const std::string& state, const std::string& alt) {
+  const auto scene = [all, k](Page& page, const Rect& rect) {
+    draw_masses(page, rect, *all, all->runs[0].steps[k]);
+  };
+  return {.state = state, .alt = alt, .scene = scene};
 }
 
 }  // namespace
@@ -198,40 +203,23 @@ List<Shot> pulley_shots(const PulleyRuns& recorded) {
   const std::set<int> keys = {lift, lift + 1, lift + 10, hardest_pull(*all), last};
   List<Shot> shots;
   shots.push_back(
-      {.state = "before the first step",
-       .alt = "Three masses of 1, 2 and 3 kg on one rope over two fixed wheels and one movable wheel, the "
-              "row of J "
-              "with a block for each mass, and the question.",
-       .draw =
-           [all](Page& page) {
-             draw_note(
-                 page, *all, 0, "Predict",
-                 fmt::format("{:g}, {:g} and {:g} kg hang on one rope, the second mass on two parts of it. "
-                             "Which mass goes down? And what is the tension of the rope, in N: more or "
-                             "less than the heaviest weighs?",
-                             all->settings.masses[0], all->settings.masses[1], all->settings.masses[2]));
-           },
-       .key = true});
+      question_shot(card(), moment(all, 0, "before the first step",
+                                   "Three masses of 1, 2 and 3 kg on one rope over two fixed wheels and one "
+                                   "movable wheel, and the question.")));
   shots.push_back(
       {.state = "step 1 · one row, one sweep",
        .alt = "Equation (22) for the row of the rope, filled in, and the answer of seven solvers.",
        .draw = [all](Page& page) { draw_equation(page, *all); },
        .key = true});
   for (int k = 2; k <= last; ++k) shots.push_back(step_shot(all, k, keys));
-  const double tension = tension_by_hand(all->settings);
-  shots.push_back(
-      {.state = fmt::format("after {} steps", last),
-       .alt = "The masses after the last step, and the answer.",
-       .draw =
-           [all, last, tension](Page& page) {
-             draw_note(
-                 page, *all, last, "Answer",
-                 fmt::format("The tension is {} N, and each part of the rope pulls with it. A mass goes "
-                             "down where that is less than its weight. The joint is forty lines in "
-                             "the lesson's own folder, and no solver knows of it.",
-                             fixed(tension, 1)));
-           },
-       .key = true});
+  shots.push_back(answer_shot(
+      card(),
+      moment(all, last, fmt::format("after {} steps", last),
+             "The masses after the last step, and the answer."),
+      fmt::format("The tension is {} N, and each part of the rope pulls with it. A mass goes down where all "
+                  "its parts together pull with less than its weight. The joint is one class in the "
+                  "lesson's own folder, and no solver knows of it.",
+                  fixed(tension_by_hand(all->settings), 1))));
   return shots;
 }
 

@@ -44,7 +44,7 @@ class RopeOverWheels final : public ConstraintOf<RopeOverWheels> {
     row.extra[0] = {ends_[2].body, {0, static_cast<Real>(ends_[2].parts), 0}};  // the third body
     row.extra_count = 1;
     row.bounds = Bounds<Real>::unilateral();
-    row.keeps_slop = false;
+    row.keeps_slop = false;  // unlike a contact, it may not stay violated by the slop
     rows.push_back(row);
     // [/row]
   }

@@ -17,8 +17,7 @@ using render::Rect;
 
 /// Where all pucks stop that start in one place with one speed.
 void draw_stops(Page& page, const Rect& rect, const Slides& all, int count) {
-  const Rect inside =
-      page.panel(rect, page.compact() ? "where pucks stop" : "where the pucks stop, by direction");
+  const Rect inside = page.panel(rect, "where the pucks stop, by direction");
   const double way = all.settings.way();
   const double reach = 1.12 * way;
   const render::Camera camera = render::fit(inside, {{-reach, -reach}, {reach, reach}});

@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "panels.hpp"
 #include "parts.hpp"
@@ -42,7 +43,6 @@ void draw_clamps(Page& page, const Rect& rect, const Slides& all, int known) {
     return known >= needed ? fixed(force + 0.0, decimals) : "·";
   };
   render::TableView table{.header = {"λ (N)", "asked for", "parts clamped", "vector clamped"}};
-  if (page.compact()) table.header = {"λ (N)", "asked", "parts", "vector"};
   table.rows = {{"λ_{x}", entry(1, wanted.x(), 1), entry(1, parts.x(), 2), entry(3, vector.x(), 2)},
                 {"λ_{y}", entry(2, wanted.y(), 1), entry(2, parts.y(), 2), entry(3, vector.y(), 2)},
                 {"|λ|", entry(2, wanted.norm(), 1), entry(2, parts.norm(), 2), entry(3, vector.norm(), 2)}};
@@ -52,7 +52,6 @@ void draw_clamps(Page& page, const Rect& rect, const Slides& all, int known) {
 
 /// Equation, clamps and a note, from top to bottom.
 List<Rect> beside_limits(const Page& page, const Rect& rest) {
-  if (page.compact()) return rows(rest, {0.33, 0.33, 0.34}, page.sizes().gap);
   return rows(rest, {0.32, 0.34, 0.34}, page.sizes().gap);
 }
 
@@ -147,24 +146,16 @@ void draw_step(Page& page, const Slides& all, int k) {
   const SlideStep& circle = all.circle.steps[k];
   const SlideStep& square = all.square.steps[k];
   draw_limits(page, top[0], all, {.active = {circle.lambda, square.lambda}});
-  const auto entry = [&](double force) { return fixed(force + 0.0, page.compact() ? 1 : 2); };
+  const auto entry = [&](double force) { return fixed(force + 0.0, 2); };
   render::TableView table{.header = {"", "circle", "square"}};
   table.rows = {{"λ_{x}", entry(circle.lambda.x()), entry(square.lambda.x())},
                 {"λ_{y}", entry(circle.lambda.y()), entry(square.lambda.y())},
-                {"|λ|", entry(circle.lambda.norm()), entry(square.lambda.norm())}};
-  if (!page.compact()) {
-    table.rows.push_back({"v_{x}", entry(circle.velocity.x()), entry(square.velocity.x())});
-    table.rows.push_back({"v_{y}", entry(circle.velocity.y()), entry(square.velocity.y())});
-    table.rows.push_back({"|v|", entry(circle.velocity.norm()), entry(square.velocity.norm())});
-  }
-  page.table(top[1], page.compact() ? "λ (N)" : "λ (N) and v (m/s)", table);
+                {"|λ|", entry(circle.lambda.norm()), entry(square.lambda.norm())},
+                {"v_{x}", entry(circle.velocity.x()), entry(square.velocity.x())},
+                {"v_{y}", entry(circle.velocity.y()), entry(square.velocity.y())},
+                {"|v|", entry(circle.velocity.norm()), entry(square.velocity.norm())}};
+  page.table(top[1], "λ (N) and v (m/s)", table);
   draw_speeds(page, right[1], all, k);
-}
-
-void draw_question(Page& page, const Slides& all) {
-  const List<Rect> right = rows(draw_moment(page, all, 0), {0.42, 0.58}, page.sizes().gap);
-  page.note(right[0], "The question", card().question);
-  draw_limits(page, right[1], all, {.velocity = all.settings.velocity});
 }
 
 Shot step_shot(const Recorded& all, int k, bool key) {
@@ -201,24 +192,27 @@ std::string answer_text(const Slides& all) {
       fixed(circle.norm(), 2), fixed(square.norm(), 2));
 }
 
-void draw_answer(Page& page, const Slides& all) {
-  const int last = all.circle.steps.size() - 1;
-  const List<Rect> right = rows(draw_moment(page, all, last), {0.55, 0.45}, page.sizes().gap);
-  page.note(right[0], "Answer", answer_text(all));
+/// The table before the first step, and what limits the friction.
+void draw_question(Page& page, const Rect& rect, const Slides& all) {
+  const List<Rect> halves = columns(rect, {0.5, 0.5}, page.sizes().gap);
+  draw_table(page, halves[0], all, 0);
+  draw_limits(page, halves[1], all, {.velocity = all.settings.velocity});
+}
+
+/// The table with both pucks at rest, and where that is.
+void draw_ends(Page& page, const Rect& rect, const Slides& all) {
+  const List<Rect> parts = rows(rect, {0.7, 0.3}, page.sizes().gap);
+  draw_table(page, parts[0], all, all.circle.steps.size() - 1);
   render::TableView table{.header = {"limit", "x (m)", "y (m)", "way (m)", "heading"}};
   for (const Slide* slide : {&all.circle, &all.aligned, &all.square}) {
     const Vec2<double> place = slide->steps.back().place;
     std::string name = "circle";
     if (slide->shape == FrictionShape::aligned_square) name = "square along v";
-    if (slide->shape == FrictionShape::square) name = page.compact() ? "square" : "square, axes x and y";
+    if (slide->shape == FrictionShape::square) name = "square, axes x and y";
     table.rows.push_back({name, fixed(place.x() + 0.0, 2), fixed(place.y() + 0.0, 2), fixed(place.norm(), 2),
                           fixed(std::atan2(place.y(), place.x()) * 180 / pi, 1) + "°"});
   }
-  if (page.compact()) {
-    table.header = {"limit", "way (m)", "heading"};
-    for (List<std::string>& row : table.rows) row = {row[0], row[3], row[4]};
-  }
-  page.table(right[1], "where it stops", table);
+  page.table(parts[1], "where it stops", table);
 }
 
 }  // namespace
@@ -227,10 +221,12 @@ List<Shot> slide_shots(const Slides& recorded) {
   const Recorded all = std::make_shared<const Slides>(recorded);
   const int last = all->circle.steps.size() - 1;
   List<Shot> shots;
-  shots.push_back({.state = "before the first step",
-                   .alt = "A puck on a table from above with its velocity, and the question.",
-                   .draw = [all](Page& page) { draw_question(page, *all); },
-                   .key = true});
+  shots.push_back(question_shot(
+      card(), {.state = "before the first step",
+               .alt = "A puck on a table from above with its velocity, a square and a circle "
+                      "as limits of the friction force, and the question.",
+               .scene = [all](Page& page, const Rect& rect) { draw_question(page, rect, *all); },
+               .place = ScenePlace::above}));
   for (int i = 0; i < 2; ++i) {
     shots.push_back(
         {.state = fmt::format("step 1 · row {} of 2", i + 1),
@@ -251,10 +247,11 @@ List<Shot> slide_shots(const Slides& recorded) {
   shots.push_back(step_shot(all, last, true));
   const int directions = all->directions.size();
   for (int count = 1; count <= directions; ++count) shots.push_back(direction_shot(all, count));
-  shots.push_back({.state = "all at rest",
-                   .alt = "Both pucks at rest, each at the end of its path, and the answer.",
-                   .draw = [all](Page& page) { draw_answer(page, *all); },
-                   .key = true});
+  shots.push_back(answer_shot(card(),
+                              {.state = "all at rest",
+                               .alt = "Both pucks at rest, each at the end of its path, and the answer.",
+                               .scene = [all](Page& page, const Rect& rect) { draw_ends(page, rect, *all); }},
+                              answer_text(*all)));
   return shots;
 }
 

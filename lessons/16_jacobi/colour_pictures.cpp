@@ -28,7 +28,7 @@ Edge edge_of(const render::Camera& camera, const Snapshot& snapshot, const Colou
 
 /// All contacts, each with the number of its colour.
 void draw_graph(Page& page, const Rect& rect, const PileRun& run) {
-  const Rect inside = page.panel(rect, page.compact() ? "" : "contacts, numbered by colour");
+  const Rect inside = page.panel(rect, "contacts, numbered by colour");
   const render::Camera camera = pyramid_camera(inside, run.settings.base);
   render::WorldLook look;
   look.numbers = false;
@@ -98,11 +98,8 @@ void draw_colours(Page& page, const PileRun& run) {
     draw_turn(page, panels[k % across], run, k);
   }
   const int contacts = run.contacts.contacts.size();
-  page.note(
-      right[1], page.compact() ? "" : "Gauss-Seidel in parallel",
-      page.compact()
-          ? fmt::format("No box has two contacts in a turn: {} turns for {} contacts.", turns, contacts)
-          : fmt::format("In a turn no box has two contacts, so no contact waits: {} turns for {} contacts. "
+  page.note(right[1], "Gauss-Seidel in parallel",
+            fmt::format("In a turn no box has two contacts, so no contact waits: {} turns for {} contacts. "
                         "{} boxes at the bottom: {} turns of {}.",
                         turns, contacts, larger_base, run.larger.count.size(), counts_text(run.larger)));
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/bars.hpp"
@@ -37,13 +38,13 @@ void draw_feet(Page& page, const Rect& rect, const FeetRun& run, int sweep) {
   const render::ArrowScale forces{
       .pixels_per_unit = 0.75 * camera.scale / weight, .longest = 0.9 * camera.scale, .unit = "N"};
   const List<double>& lambda = plain.lambda[sweep];
-  const bool labels = lambda.size() <= (page.compact() ? 3 : 4);
+  const bool labels = lambda.size() <= 4;
   for (int i = 0; i < lambda.size(); ++i) {
     if (!(lambda[i] > 0)) continue;
     draw_arrow(page, camera, forces,
                {.tail = {run.problem.rows[i].jacobian_b.z(), box_middle - 0.5},
                 .value = {0, lambda[i]},
-                .label = labels ? fixed(lambda[i], page.compact() ? 0 : 1) : ""});
+                .label = labels ? fixed(lambda[i], 1) : ""});
   }
   const double fastest = gravity * time_step * std::max(1.0, run.answer - 1);
   const render::ArrowScale speeds{
@@ -144,26 +145,20 @@ void draw_speeds(Page& page, const FeetRun& run) {
                           in_turn ? "converges" : verdict,
                           fixed(100 * std::abs(history.speed[5]) / (gravity * time_step), 2) + " %"});
   }
-  if (page.compact()) {
-    table.header.erase(table.header.begin() + 2);
-    for (List<std::string>& row : table.rows) row.erase(row.begin() + 2);
-  }
   const List<Rect> below = columns(parts[1], {0.6, 0.4}, page.sizes().gap);
   page.table(below[0], "", table);
   page.note(below[1], "What decides",
-            page.compact() ? "A sweep removes q = ω Σ c of the speed. q < 2: converges."
-                           : "One sweep leaves 1 − q of the speed. q = 1: done at once; q < 2: "
-                             "converges; q > 2: grows, or never ends.");
+            "One sweep leaves 1 − q of the speed. q = 1: done at once; q < 2: "
+            "converges; q > 2: grows, or never ends.");
 }
 
 List<Shot> feet_shots(const FeetRun& feet) {
   const Feet run = std::make_shared<const FeetRun>(feet);
   List<Shot> shots;
-  shots.push_back(
-      {.state = "before the first sweep",
-       .alt = "A box on feet, all of them idle, and the question.",
-       .draw = [run](Page& page) { page.note(draw_moment(page, *run, 0), "The question", card().question); },
-       .key = true});
+  shots.push_back(question_shot(
+      card(), {.state = "before the first sweep",
+               .alt = "A box on feet, all of them idle, and the question.",
+               .scene = [run](Page& page, const Rect& rect) { draw_feet(page, rect, *run, 0); }}));
   for (int sweep = 1; sweep <= run->settings.sweeps; ++sweep) shots.push_back(sweep_shot(run, sweep));
   shots.push_back(
       {.state = fmt::format("four methods, {} sweeps", run->settings.sweeps),

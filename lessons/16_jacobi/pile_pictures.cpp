@@ -7,6 +7,7 @@
 #include <memory>
 #include <set>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"
@@ -52,15 +53,11 @@ void draw_eigenvalues(Page& page, const PileRun& run) {
   page.table(right[0], "the largest eigenvalue of D^{−1} A", table);
   const int most = *std::max_element(run.rows_on_box.begin() + 1, run.rows_on_box.end());
   page.note(right[1], "What decides",
-            page.compact()
-                ? fmt::format("Up to {} rows correct one box at the same time. Split masses give each "
-                              "row its share of the box, and the eigenvalue cannot pass 1.",
-                              most)
-                : fmt::format("Up to {} rows correct one box at the same time. With an eigenvalue above 2 a "
-                              "sweep leaves some error larger than before. Damping gives a share of each "
-                              "correction; every scene needs its own. Split masses give each row its share "
-                              "of the box, and no eigenvalue is above 1 in any scene.",
-                              most));
+            fmt::format("Up to {} rows correct one box at the same time. With an eigenvalue above 2 a "
+                        "sweep leaves some error larger than before. Damping gives a share of each "
+                        "correction; every scene needs its own. Split masses give each row its share "
+                        "of the box, and no eigenvalue is above 1 in any scene.",
+                        most));
 }
 
 void draw_convergence(Page& page, const PileRun& run) {
@@ -93,10 +90,9 @@ void draw_convergence(Page& page, const PileRun& run) {
   line("SI, by colours", run.coloured);
   const List<Rect> below = columns(parts[1], {0.6, 0.4}, page.sizes().gap);
   page.table(below[0], "", table);
-  page.note(below[1], page.compact() ? "" : "With a processor for each row",
-            page.compact() ? "With a processor for each row, Jacobi waits once a sweep, SI for every row."
-                           : "Jacobi waits once a sweep, SI for every row. With colours, rows that share no "
-                             "box run together, so SI can be parallel, too.");
+  page.note(below[1], "With a processor for each row",
+            "Jacobi waits once a sweep, SI for every row. With colours, rows that share no "
+            "box run together, so SI can be parallel, too.");
 }
 
 /// The same bodies seen in a mirror at x = 0.
@@ -138,14 +134,11 @@ void draw_mirror(Page& page, const Rect& rect, const PileRun& run, int which, in
                      render::significant(mirror.asymmetry[step], 2) + " m", value);
 }
 
-/// Both worlds side by side; returns what is free below them.
-Rect draw_mirrors(Page& page, const PileRun& run, int step) {
-  const double scene = page.compact() ? 0.52 : 0.6;
-  const List<Rect> parts = rows(page.area(), {scene, 1 - scene}, page.sizes().gap);
-  const List<Rect> halves = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+/// Both worlds side by side.
+void draw_mirrors(Page& page, const Rect& rect, const PileRun& run, int step) {
+  const List<Rect> halves = columns(rect, {0.5, 0.5}, page.sizes().gap);
   draw_mirror(page, halves[0], run, 0, step);
   draw_mirror(page, halves[1], run, 1, step);
-  return parts[1];
 }
 
 void draw_asymmetry(Page& page, const PileRun& run, int step) {
@@ -167,7 +160,9 @@ void draw_asymmetry(Page& page, const PileRun& run, int step) {
     plot.series.push_back(series);
   }
   plot.cursor = step;
-  draw_plot(page, draw_mirrors(page, run, step), plot);
+  const List<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
+  draw_mirrors(page, parts[0], run, step);
+  draw_plot(page, parts[1], plot);
 }
 
 Shot mirror_shot(const Pile& run, int step, const std::set<int>& keys) {
@@ -179,19 +174,21 @@ Shot mirror_shot(const Pile& run, int step, const std::set<int>& keys) {
           .key = keys.contains(step)};
 }
 
-Shot answer_shot(const Pile& run) {
+Shot last_shot(const Pile& run) {
   const std::string text = fmt::format(
       "More feet make it worse, since each corrects the whole error. Damped, or with split masses, Jacobi "
       "converges. In a pyramid it needs more sweeps than SI, but no row waits for another, and the symmetry "
       "stays. SI loses it by its order; {} sweeps leave {} mm of that.",
       many_sweeps, render::significant(1000 * run->mirrors[2].asymmetry.back(), 1));
-  const auto draw = [run, text](Page& page) {
-    page.note(draw_mirrors(page, *run, run->settings.steps), "Answer", text);
+  const auto scene = [run](Page& page, const Rect& rect) {
+    draw_mirrors(page, rect, *run, run->settings.steps);
   };
-  return {.state = "answer",
-          .alt = "Both pyramids after the last step, and the answer.",
-          .draw = draw,
-          .key = true};
+  return answer_shot(card(),
+                     {.state = "answer",
+                      .alt = "Both pyramids after the last step, and the answer.",
+                      .scene = scene,
+                      .place = ScenePlace::above},
+                     text);
 }
 
 }  // namespace
@@ -219,7 +216,7 @@ List<Shot> pile_shots(const PileRun& pile) {
        .draw = [run](Page& page) { draw_colours(page, *run); },
        .key = true});
   for (int step = 1; step <= last; ++step) shots.push_back(mirror_shot(run, step, {5, 15, last}));
-  shots.push_back(answer_shot(run));
+  shots.push_back(last_shot(run));
   return shots;
 }
 

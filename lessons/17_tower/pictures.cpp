@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 
+#include "lessons/question.hpp"
 #include "lessons/tower_panel.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
@@ -72,22 +73,17 @@ render::Plot load_plot(const Page& page, const TowerRuns& runs, const List<Engin
   return plot;
 }
 
-void draw_three(Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
-  const List<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
-  const List<Rect> panels = columns(parts[0], {1, 1, 1}, page.sizes().gap);
+void draw_towers(Page& page, const Rect& rect, const TowerRuns& runs, const List<EngineRun>& engines,
+                 int frame) {
+  const List<Rect> panels = columns(rect, {1, 1, 1}, page.sizes().gap);
   const FixedList<SeriesStyle, 3> styles = engine_styles(page);
   for (int e = 0; e < engines.size(); ++e) draw_engine(page, panels[e], runs, engines[e], frame, styles[e]);
-  draw_plot(page, parts[1], load_plot(page, runs, engines, frame));
 }
 
-void draw_words(Page& page, const TowerRuns& runs, std::string_view title, std::string_view text, int frame) {
+void draw_three(Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
   const List<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
-  const List<Rect> panels = columns(parts[0], {1, 1, 1}, page.sizes().gap);
-  const FixedList<SeriesStyle, 3> styles = engine_styles(page);
-  for (int e = 0; e < runs.warm.size(); ++e) {
-    draw_engine(page, panels[e], runs, runs.warm[e], frame, styles[e]);
-  }
-  page.note(parts[1], title, text);
+  draw_towers(page, parts[0], runs, engines, frame);
+  draw_plot(page, parts[1], load_plot(page, runs, engines, frame));
 }
 
 std::string heights(const EngineRun& run, int frame) {
@@ -110,28 +106,19 @@ Shot step_shot(const Runs& runs, bool warm, int frame) {
       }};
 }
 
-Shot question_shot(const Runs& runs) {
-  return {.state = "before the first step",
-          .alt = "Three towers of boxes, not yet loaded, named PGS, SI and Box2D, and the question.",
-          .draw = [runs](Page& page) { draw_words(page, *runs, "The question", card().question, 0); },
-          .key = true};
+QuestionFrame warm_towers(const Runs& runs, int frame, const std::string& state, const std::string& alt) {
+  const auto scene = [runs, frame](Page& page, const Rect& rect) {
+    draw_towers(page, rect, *runs, runs->warm, frame);
+  };
+  return {.state = state, .alt = alt, .scene = scene, .place = ScenePlace::above};
 }
 
-Shot answer_shot(const Runs& runs) {
-  const int last = runs->settings.steps;
-  return {.state = fmt::format("after {} steps", last),
-          .alt = "The three towers after the last step, and the answer: how far their loads differ.",
-          .draw =
-              [runs, last](Page& page) {
-                draw_words(
-                    page, *runs, "Answer",
-                    fmt::format("By at most {} N, of {} N: Box2D computes in single precision. PGS and SI "
-                                "differ less still. All three are one algorithm.",
-                                render::significant(gap_to_box2d(*runs), 2),
-                                render::fixed(runs->settings.boxes * runs->settings.gravity, 0)),
-                    last);
-              },
-          .key = true};
+std::string answer_text(const TowerRuns& runs) {
+  return fmt::format(
+      "By at most {} N, of {} N: Box2D computes in single precision. PGS and SI differ less still. All three "
+      "are one algorithm.",
+      render::significant(gap_to_box2d(runs), 2),
+      render::fixed(runs.settings.boxes * runs.settings.gravity, 0));
 }
 
 }  // namespace
@@ -141,7 +128,10 @@ List<Shot> tower_shots(const TowerRuns& all) {
   const int last = runs->settings.steps;
   const std::set<int> warm_keys = {1, 2, 5, 10, 20, last};
   const std::set<int> cold_keys = {5, last / 2, last};
-  List<Shot> shots = {question_shot(runs)};
+  List<Shot> shots = {question_shot(
+      card(),
+      warm_towers(runs, 0, "before the first step",
+                  "Three towers of boxes, not yet loaded, named PGS, SI and Box2D, and the question."))};
   for (int k = 1; k <= last; ++k) {
     shots.push_back(step_shot(runs, true, k));
     shots.back().key = warm_keys.contains(k);
@@ -150,7 +140,12 @@ List<Shot> tower_shots(const TowerRuns& all) {
     shots.push_back(step_shot(runs, false, k));
     shots.back().key = cold_keys.contains(k);
   }
-  shots.push_back(answer_shot(runs));
+  shots.push_back(
+      answer_shot(card(),
+                  warm_towers(runs, last, fmt::format("after {} steps", last),
+                              "The three towers after the last step, and the answer: how far their loads "
+                              "differ."),
+                  answer_text(*runs)));
   return shots;
 }
 

@@ -31,11 +31,8 @@ render::Series against(const Page& page, const CostRun& run, int which, double u
   return series;
 }
 
-/// A chart with a note beside it, or below it where there is little room.
-List<Rect> chart_and_note(const Page& page) {
-  if (page.compact()) return rows(page.area(), {0.76, 0.24}, page.sizes().gap);
-  return columns(page.area(), {0.64, 0.36}, page.sizes().gap);
-}
+/// A chart with a note beside it.
+List<Rect> chart_and_note(const Page& page) { return columns(page.area(), {0.64, 0.36}, page.sizes().gap); }
 
 render::Axis error_axis() {
   return {.title = "", .scale = AxisScale::logarithmic, .min = least_error, .max = 2};
@@ -43,11 +40,10 @@ render::Axis error_axis() {
 
 void draw_digits(Page& page, const CostRun& run) {
   const List<Rect> halves = columns(page.area(), {1, 1}, page.sizes().gap);
-  render::Plot sweeps{.title = page.compact() ? "error against sweeps" : "error of λ against sweeps"};
+  render::Plot sweeps{.title = "error of λ against sweeps"};
   sweeps.x = {.title = "sweeps", .scale = AxisScale::logarithmic, .min = 1};
   sweeps.y = error_axis();
-  render::Plot work{.title =
-                        page.compact() ? "error against multiply-adds" : "error of λ against multiply-adds"};
+  render::Plot work{.title = "error of λ against multiply-adds"};
   work.x = {.title = "multiply-adds", .scale = AxisScale::logarithmic, .min = 100};
   work.y = error_axis();
   for (int which = 0; which < run.curves.size(); ++which) {
@@ -88,10 +84,9 @@ void draw_sizes(Page& page, const CostRun& run) {
   const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
   page.table(right[0], "sweeps until 1 % is left", table);
   page.note(right[1], "The scene decides",
-            page.compact() ? "Twice as many boxes: four times the sweeps for SI, twice with the best ω."
-                           : "A sweep passes loads on from box to box. Twice as many boxes take four times "
-                             "the sweeps, and each sweep has twice the rows. With the best ω it is only "
-                             "twice the sweeps, but nobody knows the best ω of a pile.");
+            "A sweep passes loads on from box to box. Twice as many boxes take four times "
+            "the sweeps, and each sweep has twice the rows. With the best ω it is only "
+            "twice the sweeps, but nobody knows the best ω of a pile.");
 }
 
 void draw_precision(Page& page, const CostRun& run) {
@@ -112,14 +107,12 @@ void draw_precision(Page& page, const CostRun& run) {
   add("double", run.pgs, page.theme().pgs);
   draw_plot(page, halves[0], plot);
   const std::string least = render::significant(run.single.error.back(), 2);
-  page.note(halves[1], "The last digits",
-            page.compact()
-                ? fmt::format("In float the digits end at {}, and sweeps after that are lost.", least)
-                : fmt::format(
-                      "Both lose the same share of the error in every sweep. In float the digits end at {}: "
-                      "each sweep rounds, and a rounding spreads through the tower like any other error. A "
-                      "game needs far fewer digits; sweeps after that are wasted.",
-                      least));
+  page.note(
+      halves[1], "The last digits",
+      fmt::format("Both lose the same share of the error in every sweep. In float the digits end at {}: "
+                  "each sweep rounds, and a rounding spreads through the tower like any other error. A "
+                  "game needs far fewer digits; sweeps after that are wasted.",
+                  least));
 }
 
 void draw_frames(Page& page, const CostRun& run) {
@@ -144,16 +137,13 @@ void draw_frames(Page& page, const CostRun& run) {
   plot.goals.push_back({0.01, "1 %"});
   draw_plot(page, halves[0], plot);
   page.note(halves[1], "Spread over steps",
-            page.compact()
-                ? "A warm start pays for a digit in parts. Until then the tower sinks a little."
-                : "Each step starts with what the last one found, so a digit is paid in instalments. The "
-                  "price: the first steps leave the boxes a speed, and the loads swing about the exact "
-                  "ones.\n\nCold, the loads become right only because the boxes fall fast enough.");
+            "Each step starts with what the last one found, so a digit is paid in instalments. The "
+            "price: the first steps leave the boxes a speed, and the loads swing about the exact "
+            "ones.\n\nCold, the loads become right only because the boxes fall fast enough.");
 }
 
 render::Plot update_plot(const Page& page, const CostRun& run) {
-  render::Plot plot{.title =
-                        page.compact() ? "ns for a row update" : "time of one row update (ns), this machine"};
+  render::Plot plot{.title = "time of one row update (ns), this machine"};
   plot.x = {.title = "rows", .scale = AxisScale::logarithmic, .min = 8, .max = 250};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 5};
   const render::Color color = page.theme().pgs.color;
@@ -174,13 +164,11 @@ render::Plot update_plot(const Page& page, const CostRun& run) {
   return plot;
 }
 
-render::TableView update_table(const Page& page, const CostRun& run) {
+render::TableView update_table(const CostRun& run) {
   render::TableView table{.header = {"ns", "10 rows", "50", "200"}};
-  if (page.compact()) table.header = {"ns", "10 rows", "200"};
   for (const SolverTime& time : run.times) {
     table.rows.push_back({time.name});
     for (int k = 0; k < timed_rows.size(); ++k) {
-      if (page.compact() && k == 1) continue;
       const double nanoseconds = time.nanoseconds[k];
       table.rows.back().push_back(fixed(nanoseconds, nanoseconds < 100 ? 1 : 0));
     }
@@ -191,12 +179,8 @@ render::TableView update_table(const Page& page, const CostRun& run) {
 void draw_updates(Page& page, const CostRun& run) {
   const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
   draw_plot(page, halves[0], update_plot(page, run));
-  if (page.compact()) {
-    page.table(halves[1], "", update_table(page, run));
-    return;
-  }
   const List<Rect> right = rows(halves[1], {0.64, 0.36}, page.sizes().gap);
-  page.table(right[0], "one row update of a tower, preparation included", update_table(page, run));
+  page.table(right[0], "one row update of a tower, preparation included", update_table(run));
   page.note(
       right[1], "The machine",
       "A row of a dense A has as many entries as there are rows, and naive PGS computes all velocities "
@@ -204,8 +188,7 @@ void draw_updates(Page& page, const CostRun& run) {
 }
 
 void draw_clock(Page& page, const CostRun& run) {
-  const double top = page.compact() ? 0.7 : 0.74;
-  const List<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.74, 0.26}, page.sizes().gap);
   render::Plot plot{.title = "error of λ against time (µs), this machine"};
   plot.x = {.title = "µs", .scale = AxisScale::logarithmic};
   plot.y = error_axis();
@@ -217,13 +200,11 @@ void draw_clock(Page& page, const CostRun& run) {
   }
   draw_plot(page, parts[0], plot);
   const double factor = run.times[accelerated_time].nanoseconds[size] / run.times[si_time].nanoseconds[size];
-  page.note(parts[1], "Which is the fastest?",
-            page.compact()
-                ? fmt::format("A sweep with momentum takes {} times as long. Does it pay?", fixed(factor, 1))
-                : fmt::format(
-                      "A sweep with momentum takes {} times as long as one of SI. Whether that pays depends "
-                      "on the digits that are asked for, and on the tower: look where curves cross.",
-                      fixed(factor, 1)));
+  page.note(
+      parts[1], "Which is the fastest?",
+      fmt::format("A sweep with momentum takes {} times as long as one of SI. Whether that pays depends "
+                  "on the digits that are asked for, and on the tower: look where curves cross.",
+                  fixed(factor, 1)));
 }
 
 }  // namespace

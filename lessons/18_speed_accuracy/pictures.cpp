@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/question.hpp"
 #include "lessons/tower_panel.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
@@ -111,48 +112,31 @@ Shot sweep_shot(const Runs& run, int sweep, bool key) {
           .key = key};
 }
 
-/// Tower left, SI's error right, a text below it.
-void draw_words(Page& page, const CostRun& run, int sweep, int until, std::string_view title,
-                std::string_view text) {
-  const List<Rect> halves = columns(page.area(), {0.42, 0.58}, page.sizes().gap);
-  const double top = page.compact() ? 0.5 : 0.54;
-  const List<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
-  draw_tower(page, halves[0], run, sweep);
-  render::Plot plot{.title = "largest error of λ, over the largest λ"};
-  plot.x = {.title = "sweep", .min = 0, .max = std::max(until, 20)};
-  plot.y = {.title = "", .min = 0, .max = 1.05};
-  plot.series.push_back(series_of(page, run, si_curve, until));
-  if (until > 20) plot.goals.push_back({0.01, "1 %"});
-  draw_plot(page, right[0], plot);
-  page.note(right[1], title, text);
-}
-
-void draw_question(Page& page, const CostRun& run) {
-  const auto whole = [](double error) {
-    return error > 0.01 ? fixed(100 * error, 0) + " %" : error_text(error);
+/// The tower, and SI's error until so many sweeps.
+QuestionFrame moment(const Runs& run, int sweep, int until, const std::string& state,
+                     const std::string& alt) {
+  const auto scene = [run, sweep, until](Page& page, const Rect& rect) {
+    const List<Rect> parts = columns(rect, {0.44, 0.56}, page.sizes().gap);
+    draw_tower(page, parts[0], *run, sweep);
+    render::Plot plot{.title = "largest error of λ, over the largest λ"};
+    plot.x = {.title = "sweep", .min = 0, .max = std::max(until, 20)};
+    plot.y = {.title = "", .min = 0, .max = 1.05};
+    plot.series.push_back(series_of(page, *run, si_curve, until));
+    if (until > 20) plot.goals.push_back({0.01, "1 %"});
+    draw_plot(page, parts[1], plot);
   };
-  const double ten = error_after(run.curves[si_curve], 10);
-  const double twenty = error_after(run.curves[si_curve], 20);
-  draw_words(
-      page, run, 10, 20, "Predict",
-      fmt::format("10 sweeps of SI leave {} of the error, 20 leave {}. Does twice the work halve the error? "
-                  "How many sweeps leave 1 %?",
-                  whole(ten), whole(twenty)));
+  return {.state = state, .alt = alt, .scene = scene};
 }
 
-void draw_answer(Page& page, const CostRun& run) {
+std::string answer_text(const CostRun& run) {
   const Curve& si = run.curves[si_curve];
   const int sweeps = sweeps_to(si.error, 0.01);
   const int tenth = sweeps_to(si.error, 0.1);
-  draw_words(page, run, sweeps, sweeps, "Answer",
-             page.compact()
-                 ? fmt::format("{} sweeps. Each leaves {} of the error: {} to 10 %, {} more to 1 %.", sweeps,
-                               fixed(si.rate, 3), tenth, sweeps - tenth)
-                 : fmt::format("{} sweeps: each leaves the same {} of the error. {} to 10 %, {} more to "
-                               "1 %, and as many again for every digit after that. With the best ω it "
-                               "is {} for a digit.",
-                               sweeps, fixed(si.rate, 4), tenth, sweeps - tenth,
-                               fixed(std::log(10) / -std::log(run.best_omega - 1), 1)));
+  return fmt::format(
+      "{} sweeps: each leaves the same {} of the error. {} to 10 %, {} more to 1 %, and as many again for "
+      "every digit after that. With the best ω it is {} for a digit.",
+      sweeps, fixed(si.rate, 4), tenth, sweeps - tenth,
+      fixed(std::log(10) / -std::log(run.best_omega - 1), 1));
 }
 
 }  // namespace
@@ -175,20 +159,19 @@ std::string short_name(const CostRun& run, int curve) {
 List<Shot> cost_shots(const CostRun& recorded) {
   const Runs run = std::make_shared<const CostRun>(recorded);
   List<Shot> shots;
-  shots.push_back(
-      {.state = "after 10 sweeps",
-       .alt = "A tower of boxes, what SI has found of its loads after 10 sweeps, and the question.",
-       .draw = [run](Page& page) { draw_question(page, *run); },
-       .key = true});
+  shots.push_back(question_shot(
+      card(), moment(run, 10, 20, "after 10 sweeps",
+                     "A tower of boxes, what SI has found of its loads after 10 sweeps, and the question.")));
   for (const int sweep : shown)
     shots.push_back(sweep_shot(run, sweep, sweep == 1 || sweep == 10 || sweep == 50 || sweep == 200));
   for (const List<Shot>& more : {digit_shots(run), clock_shots(run)})
     shots.insert(shots.end(), more.begin(), more.end());
-  shots.push_back(
-      {.state = "answer",
-       .alt = "The tower's loads when 1 % of the error is left, SI's error until then, and the answer.",
-       .draw = [run](Page& page) { draw_answer(page, *run); },
-       .key = true});
+  const int sweeps = sweeps_to(run->curves[si_curve].error, 0.01);
+  shots.push_back(answer_shot(
+      card(),
+      moment(run, sweeps, sweeps, "answer",
+             "The tower's loads when 1 % of the error is left, SI's error until then, and the answer."),
+      answer_text(*run)));
   return shots;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/bars.hpp"
@@ -20,7 +21,6 @@ using render::fixed;
 using render::Page;
 using render::Rect;
 
-const double question_share = 0.68;  // of the height, above a question
 const FixedList<int, 8> map_sweeps = {1, 3, 10, 30, 100, 300, 1000, 3000};
 
 double load_share(const RatioRun& run, int sweep) { return 1 - run.error[sweep]; }
@@ -49,15 +49,12 @@ void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep) {
   page.canvas().text({inside.x + inside.width, inside.y + text.size}, fixed(100 * share, 1) + " %", text);
 }
 
-/// The two stacks with the load on the ground after a sweep; returns what is free below them. They take this
-/// share of the height.
-Rect draw_stacks(Page& page, const Rect& rect, const ExtremesRun& run, int sweep, double share) {
-  const List<Rect> parts = rows(rect, {share, 1 - share}, page.sizes().gap);
-  const List<Rect> panels = columns(parts[0], {1, 1}, page.sizes().gap);
+/// The two stacks with the load on the ground after a sweep.
+void draw_stacks(Page& page, const Rect& rect, const ExtremesRun& run, int sweep) {
+  const List<Rect> panels = columns(rect, {1, 1}, page.sizes().gap);
   const RatioRun& light = run_of(run.ratios, 1 / run.settings.ratio);
   draw_stack(page, panels[0], run_of(run.ratios, run.settings.ratio), sweep);
   draw_stack(page, panels[1], light, std::min(sweep, light.error.size() - 1));
-  return parts[1];
 }
 
 /// A style for each of a few stacks; all of them are solved by SI, so they share its colour.
@@ -108,9 +105,10 @@ render::Equation equation_of(const Page& page, const ExtremesRun& run, int sweep
 
 void draw_sweep(Page& page, const ExtremesRun& run, int sweep) {
   const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const Rect rest = draw_stacks(page, halves[0], run, sweep, page.compact() ? 0.5 : 0.56);
+  const List<Rect> left = rows(halves[0], {0.56, 0.44}, page.sizes().gap);
+  draw_stacks(page, left[0], run, sweep);
   draw_errors(page, halves[1], run, sweep);
-  page.equation(rest, equation_of(page, run, sweep));
+  page.equation(left[1], equation_of(page, run, sweep));
 }
 
 Shot sweep_shot(const Run& run, int sweep, bool key) {
@@ -126,7 +124,7 @@ Shot sweep_shot(const Run& run, int sweep, bool key) {
 }
 
 render::MatrixView map_of(const ExtremesRun& run) {
-  render::MatrixView view{.title = "error left (%), by masses and sweeps"};
+  render::MatrixView view{.title = "error left (%): each row a stack, each column a number of sweeps"};
   view.colors = render::MatrixColors::magnitude;
   view.values = Eigen::MatrixXd::Zero(run.ratios.size(), map_sweeps.size());
   for (const int sweep : map_sweeps) view.column_names.push_back(fmt::format("{}", sweep));
@@ -169,10 +167,8 @@ void draw_map(Page& page, const ExtremesRun& run) {
   const List<Rect> right = rows(halves[1], {0.62, 0.38}, page.sizes().gap);
   draw_needed(page, right[0], run);
   page.note(right[1], "What decides",
-            page.compact()
-                ? "A sweep leaves R / (1 + R) of the error: about 4.6R sweeps to 1 %."
-                : "A sweep leaves R / (1 + R) of the error, where R is the mass above over the mass below. "
-                  "The line is ln 100 / ln(1 + 1/R), about 4.6R; the squares are counted.");
+            "A sweep leaves R / (1 + R) of the error, where R is the mass above over the mass below. "
+            "The line is ln 100 / ln(1 + 1/R), about 4.6R; the squares are counted.");
 }
 
 /// The two stacks, sweep by sweep, and the map of all ratios.
@@ -199,35 +195,27 @@ std::string name_of(double ratio) {
 
 List<Shot> extremes_shots(const ExtremesRun& recorded) {
   const Run run = std::make_shared<const ExtremesRun>(recorded);
-  const std::string names = name_of(run->settings.ratio) + " and " + name_of(1 / run->settings.ratio);
-  List<Shot> shots;
-  shots.push_back({.state = "before the first sweep",
-                   .alt = "Two stacks of two boxes, " + names + " kilograms, and the question.",
-                   .draw =
-                       [run](Page& page) {
-                         page.note(draw_stacks(page, page.area(), *run, 0, question_share), "Predict",
-                                   "A sweep looks at the ground, then at the contact between the boxes. How "
-                                   "many sweeps until the load on the ground is right to 1 %: with the heavy "
-                                   "box above, and with the light one above?");
-                       },
-                   .key = true});
-  for (const List<Shot>& part : {ratio_shots(run), wall_shots(run)})
-    shots.insert(shots.end(), part.begin(), part.end());
   const int heavy = run_of(run->ratios, run->settings.ratio).counted;
   const int light = run_of(run->ratios, 1 / run->settings.ratio).counted;
-  shots.push_back(
-      {.state = "the answer",
-       .alt =
-           fmt::format("Both stacks with their loads found, and the answer: {} sweeps and {}.", heavy, light),
-       .draw =
-           [run, heavy, light](Page& page) {
-             page.note(draw_stacks(page, page.area(), *run, heavy, question_share), "Answer",
-                       fmt::format("{} with the heavy box above, {} with the light one. The ground acts "
-                                   "through the light box, so a sweep leaves R / (1 + R) of the error. With "
-                                   "the heavy box below, the first guess is nearly right.",
-                                   heavy, light));
-           },
-       .key = true});
+  const auto stacks = [&](int sweep, const std::string& state, const std::string& alt) {
+    const auto scene = [run, sweep](Page& page, const Rect& rect) { draw_stacks(page, rect, *run, sweep); };
+    return QuestionFrame{.state = state, .alt = alt, .scene = scene, .place = ScenePlace::above};
+  };
+  List<Shot> shots = {question_shot(
+      card(), stacks(0, "before the first sweep",
+                     fmt::format("Two stacks of two boxes, {} and {} kilograms, and the question.",
+                                 name_of(run->settings.ratio), name_of(1 / run->settings.ratio))))};
+  for (const List<Shot>& part : {ratio_shots(run), wall_shots(run)})
+    shots.insert(shots.end(), part.begin(), part.end());
+  shots.push_back(answer_shot(
+      card(),
+      stacks(
+          heavy, "the answer",
+          fmt::format("Both stacks with their loads found, and the answer: {} sweeps and {}.", heavy, light)),
+      fmt::format("{} with the heavy box above, {} with the light one. The ground acts through the light "
+                  "box, so a sweep leaves R\u00a0/\u00a0(1\u00a0+\u00a0R) of the error. With the heavy box "
+                  "below, the first guess is nearly right.",
+                  heavy, light)));
   return shots;
 }
 

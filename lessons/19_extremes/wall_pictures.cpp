@@ -85,6 +85,7 @@ void draw_edge(Page& page, const Rect& rect, const EdgeCase& edge, int which, in
   draw_world(page, camera, edge.frames[step], look);
   page.canvas().pop_clip();
   if (which == pin) page.avoid({camera.project({-0.1, 0}), camera.project({edge.view.upper.x(), 0})});
+  if (which == ball) page.avoid({camera.project({0, -1}), camera.project({0, 1})});  // the wall
   if (which == ball || which == pin) draw_unseen(page, camera, edge.frames[step], look);
   const double base = inside.y + inside.height - 0.35 * page.sizes().tick;
   const bool has_room = inside.width > 15 * page.sizes().tick;
@@ -92,7 +93,7 @@ void draw_edge(Page& page, const Rect& rect, const EdgeCase& edge, int which, in
       has_room && step + 1 == edge.frames.size() && edge.energy_gain > 0.01 && edge.off <= 9;
   std::string text = share_text(off_so_far(edge, step));
   if (tells_energy) text += ", energy +" + share_text(edge.energy_gain);
-  if (!tells_energy && !page.compact()) text = "off " + text;
+  if (!tells_energy) text = "off " + text;
   page.canvas().text({inside.x, base}, text, page.tick());
   draw_stamp(page, {inside.x + inside.width, base}, stamp_so_far(edge, step));
 }
@@ -138,10 +139,8 @@ void draw_numbers(Page& page, const ExtremesRun& run) {
   const List<Rect> top = columns(lines[0], {0.58, 0.42}, page.sizes().gap);
   draw_quarrel(page, top[0], run);
   page.note(top[1], "How you notice",
-            page.compact()
-                ? "The body stands still. Each sweep one pin pulls, the other pulls back: λ grows for ever."
-                : "The body stands still, and the picture looks right. But in every sweep one pin pulls by "
-                  "m β d / Δt², and the other pulls back. No λ satisfies both, so λ grows for ever.");
+            "The body stands still, and the picture looks right. But in every sweep one pin pulls by "
+            "m β d / Δt², and the other pulls back. No λ satisfies both, so λ grows for ever.");
   render::TableView table;
   table.header = {"asked for", "what the program answers"};
   for (const Refusal& refusal : run.refusals) {

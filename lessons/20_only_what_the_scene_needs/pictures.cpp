@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"
@@ -63,7 +64,7 @@ render::SeriesStyle style_of(const Page& page, int which) {
 
 void draw_course(Page& page, const Rect& rect, const NeedsRun& all, int step) {
   render::Plot plot{.title = "row updates, step by step"};
-  plot.x = {.min = 0, .max = all.settings.steps};
+  plot.x = {.title = "step", .min = 0, .max = all.settings.steps};
   double most = 1;
   int which = 0;
   for (const int i : {everything, sleeping, all_free}) {
@@ -120,21 +121,12 @@ void draw_table(Page& page, const NeedsRun& all) {
                           fixed(100 * static_cast<double>(run.updates) / of_all, 0) + " %",
                           millimetres(run.off_before), millimetres(run.off_after)});
   }
-  if (page.compact()) {
-    table.header = {"switch", "updates", "of all", "before", "after (mm)"};
-    for (List<std::string>& row : table.rows) row.erase(row.begin() + 1, row.begin() + 3);
-  }
-  const double top = page.compact() ? 0.52 : 0.5;
-  const List<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
   page.table(parts[0], "", table);
   const List<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
   draw_total(page, below[0], all);
-  page.note(
-      below[1], "Off",
-      page.compact()
-          ? "From a run with all rows, swept to R_{E} = 10^{−6}. Friction was not needed, until the ball "
-            "came."
-          : "How far any body is from its place in a run with all rows, swept to R_{E} = 10^{−6}: before and "
+  page.note(below[1], "Off",
+            "How far any body is from its place in a run with all rows, swept to R_{E} = 10^{−6}: before and "
             "after the ball touches the pyramid. Nothing needed friction until the ball came.");
 }
 
@@ -148,26 +140,17 @@ void draw_choice(Page& page, const NeedsRun&) {
                 {"springs, or rows that may give", "soft rows", "γ is all they add", "13"},
                 {"towers, heavy on light", "more sweeps, substeps", "a sweep removes little", "18, 19"},
                 {"things at rest", "sleep", "no rows at all", "20"}};
-  if (page.compact()) {
-    table.header.erase(table.header.begin() + 2);
-    for (List<std::string>& row : table.rows) row.erase(row.begin() + 2);
-  }
   const List<Rect> parts = rows(page.area(), {0.58, 0.42}, page.sizes().gap);
   page.table(parts[0], "", table);
-  page.note(
-      parts[1], "Section 5",
-      page.compact()
-          ? "The paper prefers SI in most situations: the same numbers as PGS, and easier to maintain. The "
-            "lessons add when each of the others pays off."
-          : "The paper ends with SI as the better choice in most situations: the same "
+  page.note(parts[1], "Section 5",
+            "The paper ends with SI as the better choice in most situations: the same "
             "numbers as PGS, and easier to maintain. The lessons add when each of the others pays off. "
             "The cheapest row is the one that the scene does not need.");
 }
 
-void draw_note(Page& page, const NeedsRun& all, int step, std::string_view title, std::string_view text) {
-  const List<Rect> parts = rows(page.area(), {0.66, 0.34}, page.sizes().gap);
-  draw_scene(page, parts[0], all, step);
-  page.note(parts[1], title, text);
+QuestionFrame moment(const Run& all, int step, const std::string& state, const std::string& alt) {
+  const auto scene = [all, step](Page& page, const Rect& rect) { draw_scene(page, rect, *all, step); };
+  return {.state = state, .alt = alt, .scene = scene, .place = ScenePlace::above};
 }
 
 long long least_updates(const BillRun& run) {
@@ -199,17 +182,9 @@ std::set<int> key_steps(const NeedsRun& all) {
 
 List<Shot> needs_shots(const NeedsRun& recorded) {
   const Run all = std::make_shared<const NeedsRun>(recorded);
-  const auto note_shot = [&](std::string state, std::string alt, int step, std::string title,
-                             std::string text) {
-    return Shot{.state = std::move(state),
-                .alt = std::move(alt),
-                .draw = [=](Page& page) { draw_note(page, *all, step, title, text); },
-                .key = true};
-  };
-  List<Shot> shots;
-  shots.push_back(note_shot("before the first step",
-                            "A pyramid, a tower, a chain and a ball in flight, and the question.", 0,
-                            "The question", card().question));
+  List<Shot> shots = {
+      question_shot(card(), moment(all, 0, "before the first step",
+                                   "A pyramid, a tower, a chain and a ball in flight, and the question."))};
   const std::set<int> keys = key_steps(*all);
   std::set<int> steps = keys;
   for (int step = 2; step < all->settings.steps; step += 2) steps.insert(step);
@@ -222,8 +197,11 @@ List<Shot> needs_shots(const NeedsRun& recorded) {
                    .alt = "A table: what a scene may have, and the solver or switch for it.",
                    .draw = [all](Page& page) { draw_choice(page, *all); },
                    .key = true});
-  shots.push_back(note_shot("the answer", "The scene at the end, and the answer: " + answer_text(*all),
-                            all->settings.steps, "Answer", answer_text(*all)));
+  const std::string answer = answer_text(*all);
+  shots.push_back(answer_shot(
+      card(),
+      moment(all, all->settings.steps, "the answer", "The scene at the end, and the answer: " + answer),
+      answer));
   return shots;
 }
 

@@ -79,6 +79,12 @@ void draw_scene(Page& page, const Rect& rect, const NeedsRun& all, int step) {
   look.numbers = false;
   look.penetration = false;
   draw_world(page, camera, now, look);
+  const SnapshotBody& ball = now.bodies[ball_of(all.settings)];
+  if (step < all.touch) {
+    draw_arrow(
+        page, camera, {.pixels_per_unit = 0.3 * camera.scale, .longest = 4 * camera.scale},
+        {.kind = render::ArrowKind::velocity, .tail = ball.pose.position, .value = ball.velocity.head<2>()});
+  }
   draw_island(page, camera, island_of(all, now, Group::pyramid), "pyramid");
   draw_island(page, camera, island_of(all, now, Group::tower), "tower");
   draw_island(page, camera, island_of(all, now, Group::chain), "chain");
