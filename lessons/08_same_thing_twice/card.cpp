@@ -22,7 +22,7 @@ LessonInfo card() {
       .question =
           "After 50 sweeps in single precision: will the impulses of PGS and SI be equal to the last bit? "
           "(1: yes, 0: no)",
-      .spoilers = {"rounded", "rounding", "5.5e-05"},
+      .spoilers = {"rounded", "rounding", "5.5 · 10⁻⁵"},
       .hints = {"Insert (26) into (27), and look for a row of A.",
                 "(a + b) + c and a + (b + c) are the same number, but not the same float.",
                 "Each row adds up about twenty numbers, and each solver in another order."},

@@ -61,7 +61,7 @@ void draw_energy(Page& page, const Rect& rect, const BlocksRuns& all, int step) 
                         soon ? "energy (J), 0 at rest at the pin" : "energy above that of hanging still (J)"};
   plot.x = {.title = "t (s)", .min = 0, .max = soon ? shown_seconds : all.settings.pin_seconds};
   if (soon) {
-    plot.y = {.title = "", .min = -20, .max = 60};
+    plot.y = {.title = "", .min = -25, .max = 25};
   } else {
     const double top = 10 * std::max(100.0, all.bob_rows.largest_energy);
     plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 0.1, .max = top};
