@@ -63,6 +63,12 @@ bool is_all_empty(const List<Curve>& curves) {
 
 }  // namespace
 
+Series over_steps(const std::string& name, const SeriesStyle& style, const List<double>& y) {
+  Series series{.name = name, .style = style, .y = y};
+  for (int k = 0; k < y.size(); ++k) series.x.push_back(k);
+  return series;
+}
+
 void draw_plot(Page& page, const Rect& rect, const Plot& plot) {
   check_plot(plot);
   // Small panels have no room for a line of each.

@@ -59,6 +59,9 @@ struct Plot {
   List<PointLabel> labels = {};
 };
 
+/// A curve over 0, 1, 2, ...: what each step or sweep has left.
+Series over_steps(const std::string& name, const SeriesStyle& style, const List<double>& y);
+
 /// A panel with the plot. Nothing is drawn outside its axes.
 /// @throws std::invalid_argument for more than 4 series, or x and y of different length.
 void draw_plot(Page& page, const Rect& rect, const Plot& plot);

@@ -30,10 +30,7 @@ Edge edge_of(const render::Camera& camera, const Snapshot& snapshot, const Colou
 void draw_graph(Page& page, const Rect& rect, const PileRun& run) {
   const Rect inside = page.panel(rect, "contacts, numbered by colour");
   const render::Camera camera = pyramid_camera(inside, run.settings.base);
-  render::WorldLook look;
-  look.numbers = false;
-  look.contacts = false;
-  draw_world(page, camera, run.snapshot, look);
+  draw_world(page, camera, run.snapshot, {.numbers = false, .contacts = false});
   for (const ColouredContact& contact : run.contacts.contacts) {
     const Edge edge = edge_of(camera, run.snapshot, contact);
     page.canvas().line(edge.from, edge.to, {.width = page.sizes().axis, .color = page.theme().inactive});

@@ -29,10 +29,7 @@ const double box_middle = 0.62;  // [m] as the snapshot has it
 void draw_feet(Page& page, const Rect& rect, const FeetRun& run, int sweep) {
   const Rect inside = page.panel(rect, "");
   const render::Camera camera = render::fit(inside, {{-0.85, -0.1}, {0.85, 1.35}});
-  render::WorldLook look;
-  look.contacts = false;
-  look.numbers = false;
-  draw_world(page, camera, run.snapshot, look);
+  draw_world(page, camera, run.snapshot, {.numbers = false, .contacts = false});
   const FeetHistory& plain = history_of(run, Method::plain);
   const double weight = box_mass * gravity;
   const render::ArrowScale forces{
@@ -124,13 +121,8 @@ void draw_speeds(Page& page, const FeetRun& run) {
   plot.x = {.title = "sweep"};
   plot.y = {.title = ""};
   for (const FeetHistory& history : run.histories) {
-    render::Series series{.name = method_name(history.method, run.settings.omega),
-                          .style = style_of(page.theme(), history.method)};
-    for (int k = 0; k < history.speed.size(); ++k) {
-      series.x.push_back(k);
-      series.y.push_back(history.speed[k]);
-    }
-    plot.series.push_back(series);
+    plot.series.push_back(over_steps(method_name(history.method, run.settings.omega),
+                                     style_of(page.theme(), history.method), history.speed));
   }
   draw_plot(page, parts[0], plot);
   render::TableView table;

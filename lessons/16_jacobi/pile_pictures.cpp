@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <set>
 
@@ -118,11 +117,7 @@ void draw_mirror(Page& page, const Rect& rect, const PileRun& run, int which, in
   const double base = run.settings.base;
   const double half = 0.625 * base + 0.6;
   const render::Camera camera = render::fit(field, {{-half, -0.3}, {half, base + 1.9}});
-  render::WorldLook look;
-  look.numbers = false;
-  look.contacts = false;
-  look.penetration = false;
-  draw_world(page, camera, mirror.frames[step], look);
+  draw_world(page, camera, mirror.frames[step], {.numbers = false, .contacts = false, .penetration = false});
   const Snapshot image = mirrored(mirror.frames[step]);
   draw_ghosts(page, camera, {&image, 1});
   const render::SeriesStyle style = style_of(page.theme(), mirror.method);
@@ -145,21 +140,12 @@ void draw_asymmetry(Page& page, const PileRun& run, int step) {
   render::Plot plot{.title = "how far a body is from its twin's mirror image (m)"};
   plot.x = {.title = "step", .min = 0, .max = run.settings.steps};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-18, .max = 1e2};
-  for (const MirrorRun& mirror : run.mirrors) {
-    render::Series series{.name = mirror_name(mirror), .style = style_of(page.theme(), mirror.method)};
-    if (&mirror == &run.mirrors[2]) {
-      series.style.dash = {3, 4};
-      series.style.marker = render::Marker::circle;
-    }
-    for (int k = 0; k < mirror.asymmetry.size(); ++k) {
-      const double value = mirror.asymmetry[k];
-      if (!(value >= 1e-18)) continue;  // zero has no place on this axis
-      (k <= step ? series.x : plot.cloud.x).push_back(k);
-      (k <= step ? series.y : plot.cloud.y).push_back(value);
-    }
-    plot.series.push_back(series);
-  }
-  plot.cursor = step;
+  for (const MirrorRun& mirror : run.mirrors)
+    plot.series.push_back(
+        over_steps(mirror_name(mirror), style_of(page.theme(), mirror.method), mirror.asymmetry));
+  plot.series[2].style.dash = {3, 4};
+  plot.series[2].style.marker = render::Marker::circle;
+  plot.now = step;
   const List<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
   draw_mirrors(page, parts[0], run, step);
   draw_plot(page, parts[1], plot);

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <set>
 
@@ -60,16 +59,13 @@ render::Plot load_plot(const Page& page, const TowerRuns& runs, const List<Engin
   plot.y = {.min = 0, .max = 1.15 * largest_load(runs)};
   const FixedList<SeriesStyle, 3> styles = engine_styles(page);
   for (int e = 0; e < engines.size(); ++e) {
-    render::Series series{.name = e == 2 ? "Box2D" : engines[e].name, .style = styles[e]};
-    for (int k = 0; k < engines[e].loads.size(); ++k) {
-      (k <= frame ? series.x : plot.cloud.x).push_back(k);  // what is to come: faint
-      (k <= frame ? series.y : plot.cloud.y).push_back(engines[e].loads[k][0]);
-    }
-    plot.series.push_back(series);
+    List<double> lowest;
+    for (const List<double>& loads : engines[e].loads) lowest.push_back(loads[0]);
+    plot.series.push_back(over_steps(e == 2 ? "Box2D" : engines[e].name, styles[e], lowest));
   }
   const double weight = settings.boxes * settings.gravity;
   plot.goals.push_back({weight, fmt::format("the weight: {:g} N", weight)});
-  plot.cursor = frame;
+  plot.now = frame;
   return plot;
 }
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "math/list.hpp"
 #include "parts.hpp"
@@ -94,17 +93,8 @@ void draw_precision(Page& page, const CostRun& run) {
   render::Plot plot{.title = "error of λ, sweep by sweep"};
   plot.x = {.title = "sweep", .min = 0, .max = run.pgs.error.size()};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-15, .max = 2};
-  const auto add = [&](const std::string& name, const Curve& curve, const render::SeriesStyle& style) {
-    render::Series series{.name = name, .style = style};
-    const int stride = std::max(1, curve.error.size() / 400);
-    for (int k = 0; k < curve.error.size(); k += stride) {
-      series.x.push_back(k);
-      series.y.push_back(std::max(curve.error[k], 1e-16));
-    }
-    plot.series.push_back(series);
-  };
-  add("float", run.single, page.theme().si);
-  add("double", run.pgs, page.theme().pgs);
+  plot.series = {over_steps("float", page.theme().si, run.single.error),
+                 over_steps("double", page.theme().pgs, run.pgs.error)};
   draw_plot(page, halves[0], plot);
   const std::string least = render::significant(run.single.error.back(), 2);
   page.note(
@@ -121,19 +111,11 @@ void draw_frames(Page& page, const CostRun& run) {
                                          run.settings.sweeps == 1 ? "" : "s")};
   plot.x = {.title = "step", .min = 0, .max = frames};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-4, .max = 2};
-  const auto add = [&](const std::string& name, const List<double>& error, const render::SeriesStyle& style) {
-    render::Series series{.name = name, .style = style};
-    for (int k = 0; k < error.size(); ++k) {
-      series.x.push_back(k);
-      series.y.push_back(error[k]);
-    }
-    plot.series.push_back(series);
-  };
-  add("warm", run.frames.warm, page.theme().si);
   render::SeriesStyle cold = page.theme().si;
   cold.dash = {2, 5};
   cold.marker = render::Marker::diamond;
-  add("cold", run.frames.cold, cold);
+  plot.series = {over_steps("warm", page.theme().si, run.frames.warm),
+                 over_steps("cold", cold, run.frames.cold)};
   plot.goals.push_back({0.01, "1 %"});
   draw_plot(page, halves[0], plot);
   page.note(halves[1], "Spread over steps",

@@ -70,14 +70,11 @@ void draw_loads(Page& page, const Rect& rect, const CostRun& run, int which, int
 }
 
 render::Series series_of(const Page& page, const CostRun& run, int which, int sweeps) {
-  render::Series series{.name = short_name(run, which), .style = style_of(page, which)};
-  const Curve& curve = run.curves[which];
-  const int end = std::min(sweeps + 1, curve.error.size());
-  for (int k = 0; k < end; ++k) {
-    series.x.push_back(k);
-    series.y.push_back(std::max(curve.error[k], least_error));
-  }
-  return series;
+  const List<double>& error = run.curves[which].error;
+  List<double> shown_errors;
+  for (int k = 0; k <= sweeps && k < error.size(); ++k)
+    shown_errors.push_back(std::max(error[k], least_error));
+  return over_steps(short_name(run, which), style_of(page, which), shown_errors);
 }
 
 void draw_sweep(Page& page, const CostRun& run, int sweep) {
@@ -89,15 +86,10 @@ void draw_sweep(Page& page, const CostRun& run, int sweep) {
   if (sweep <= 20) plot.y = {.title = "", .min = 0, .max = 1.05};  // the first sweeps leave most of it
   for (int which = 0; which < run.curves.size(); ++which) {
     draw_loads(page, panels[which], run, which, sweep);
-    plot.series.push_back(series_of(page, run, which, sweep));
-    const render::Series whole = series_of(page, run, which, static_cast<int>(*plot.x.max));
-    for (int k = sweep + 1; k < whole.x.size(); ++k) {  // what is to come: faint
-      plot.cloud.x.push_back(whole.x[k]);
-      plot.cloud.y.push_back(whole.y[k]);
-    }
+    plot.series.push_back(series_of(page, run, which, static_cast<int>(*plot.x.max)));
   }
   if (sweep > 20) plot.goals.push_back({0.01, "1 %"});
-  plot.cursor = sweep;
+  plot.now = sweep;
   draw_plot(page, parts[1], plot);
 }
 

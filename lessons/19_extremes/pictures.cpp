@@ -81,11 +81,12 @@ void draw_errors(Page& page, const Rect& rect, const ExtremesRun& run, int sweep
     for (int k = 1; k < each.error.size() && 100 * each.error[k] >= 0.1; ++k) {
       if (k < next && k != sweep) continue;
       next = 1.05 * k;
-      (k <= sweep ? series.x : plot.cloud.x).push_back(k);  // what is to come: faint
-      (k <= sweep ? series.y : plot.cloud.y).push_back(100 * each.error[k]);
+      series.x.push_back(k);
+      series.y.push_back(100 * each.error[k]);
     }
-    if (!series.x.empty()) plot.series.push_back(series);
+    plot.series.push_back(series);
   }
+  plot.now = sweep;
   plot.goals.push_back({100 * goal, "1 %"});
   draw_plot(page, rect, plot);
 }

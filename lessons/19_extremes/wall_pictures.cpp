@@ -77,11 +77,10 @@ void draw_edge(Page& page, const Rect& rect, const EdgeCase& edge, int which, in
   const render::Camera camera = render::fit(view, edge.view);
   page.canvas().push_clip(view);
   if (which == ball || which == fast_ball || which == sling) draw_places(page, camera, edge, step);
-  render::WorldLook look;
-  look.contacts = false;
-  look.numbers = false;
-  look.penetration = false;
-  look.names = {"", which == pin ? "body" : "", "ball"};
+  const render::WorldLook look{.numbers = false,
+                               .names = {"", which == pin ? "body" : "", "ball"},
+                               .contacts = false,
+                               .penetration = false};
   draw_world(page, camera, edge.frames[step], look);
   page.canvas().pop_clip();
   if (which == pin) page.avoid({camera.project({-0.1, 0}), camera.project({edge.view.upper.x(), 0})});
@@ -121,16 +120,14 @@ void draw_quarrel(Page& page, const Rect& rect, const ExtremesRun& run) {
   render::Plot plot{.title = "two pins: what each pulls with (kN)"};
   plot.x = {.title = "step", .min = 0, .max = run.settings.steps};
   plot.y = {.title = ""};
-  const List<double> given = quarrel(run.wall[two_pins]);
-  render::Series measured{.name = "SI", .style = page.theme().si};
-  render::Series formula{.name = "formula", .style = page.theme().exact, .markers = false};
-  for (int k = 0; k < given.size(); ++k) {
-    measured.x.push_back(k);
-    measured.y.push_back(std::abs(given[k]) / 1000);
-    formula.x.push_back(k);
-    formula.y.push_back(std::abs(quarrel_by_formula(run.settings, k)) / 1000);
+  List<double> measured, formula;  // [kN]
+  for (const double given : quarrel(run.wall[two_pins])) {
+    formula.push_back(std::abs(quarrel_by_formula(run.settings, measured.size())) / 1000);
+    measured.push_back(std::abs(given) / 1000);
   }
-  plot.series = {formula, measured};
+  plot.series = {over_steps("formula", page.theme().exact, formula),
+                 over_steps("SI", page.theme().si, measured)};
+  plot.series[0].markers = false;
   draw_plot(page, rect, plot);
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <set>
 
@@ -68,17 +69,15 @@ void draw_course(Page& page, const Rect& rect, const NeedsRun& all, int step) {
   double most = 1;
   int which = 0;
   for (const int i : {everything, sleeping, all_free}) {
-    render::Series series{.name = all.runs[i].switches.name, .style = style_of(page, which++)};
-    for (int k = 1; k <= all.runs[i].steps.size(); ++k) {
-      const auto updates = static_cast<double>(all.runs[i].steps[k - 1].updates);
-      most = std::max(most, updates);
-      (k <= step ? series.x : plot.cloud.x).push_back(k);  // what is to come: faint
-      (k <= step ? series.y : plot.cloud.y).push_back(updates);
+    List<double> updates = {std::numeric_limits<double>::quiet_NaN()};  // step 0 is not solved
+    for (const StepBill& bill : all.runs[i].steps) {
+      updates.push_back(static_cast<double>(bill.updates));
+      most = std::max(most, updates.back());
     }
-    plot.series.push_back(series);
+    plot.series.push_back(over_steps(all.runs[i].switches.name, style_of(page, which++), updates));
   }
   plot.y = {.min = 0, .max = 1.15 * most};
-  plot.cursor = step;
+  plot.now = step;
   draw_plot(page, rect, plot);
 }
 

@@ -74,11 +74,7 @@ void draw_scene(Page& page, const Rect& rect, const NeedsRun& all, int step) {
   const render::Camera camera = render::fit(inside, view_of(all.settings));
   const Snapshot& now = all.runs[shown].frames[step];
   page.canvas().push_clip(inside);
-  render::WorldLook look;
-  look.contacts = false;
-  look.numbers = false;
-  look.penetration = false;
-  draw_world(page, camera, now, look);
+  draw_world(page, camera, now, {.numbers = false, .contacts = false, .penetration = false});
   const SnapshotBody& ball = now.bodies[ball_of(all.settings)];
   if (step < all.touch) {
     draw_arrow(
