@@ -20,7 +20,7 @@ LessonInfo card() {
           .reads = {"src/solvers/solver.hpp", "lessons/sandbox/CHOOSING.md"},
           .question =
               "Ten boxes: 10 sweeps of SI leave 65 % of the error, 20 leave 50 %. Does twice the work halve "
-              "the error? How many sweeps leave 1 % (with --bodies boxes)?",
+              "the error? How many sweeps leave 1 %?",
           .spoilers = {"178", "0.9755", "same share"},
           .hints = {"From 10 to 20 sweeps the error shrinks by some factor. What do the next ten do?",
                     "In the end each sweep leaves cos²(π/2n) of the error.", "About 1.78 n² sweeps."},
