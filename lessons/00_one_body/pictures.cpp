@@ -66,10 +66,6 @@ Shot question_shot(const SharedStory& story) {
     const Layout layout = layout_of(page);
     draw_scene(page, *story, 0);
     const std::string title = "The question";
-    if (page.compact()) {
-      page.note(layout.right, title, story->question);
-      return;
-    }
     page.note(layout.upper, title, story->question);
     page.table(layout.lower, "what is given", known_table(*story));
   };
@@ -90,8 +86,8 @@ Shot answer_shot(const SharedStory& story) {
   shot.draw = [story, text](Page& page) {
     const Layout layout = layout_of(page);
     draw_scene(page, *story, story->flight.thrown.steps);
-    if (!page.compact()) draw_errors(page, layout.upper, *story, story->flight.thrown.steps);
-    page.note(page.compact() ? layout.right : layout.lower, "The answer", text);
+    draw_errors(page, layout.upper, *story, story->flight.thrown.steps);
+    page.note(layout.lower, "The answer", text);
   };
   return shot;
 }
@@ -135,10 +131,6 @@ Shot state_shot(const SharedStory& story) {
   shot.draw = [story](Page& page) {
     const Layout layout = layout_of(page);
     draw_scene(page, *story, 0);
-    if (page.compact()) {
-      page.table(layout.right, "where it is, how fast, how light", state_table(*story));
-      return;
-    }
     const List<Rect> parts = columns(layout.upper, {50, 50}, page.sizes().gap);
     draw_matrix(page, parts[0], inverse_mass_view(*story));
     page.equation(parts[1], inertia_equation());
@@ -160,14 +152,6 @@ Shot step_shot(const SharedStory& story, int step) {
   shot.draw = [story, step](Page& page) {
     const Layout layout = layout_of(page);
     draw_scene(page, *story, step);
-    if (page.compact()) {
-      if (step <= 3) {
-        page.equation(layout.right, step_equation(*story, step));
-      } else {
-        draw_errors(page, layout.right, *story, step);
-      }
-      return;
-    }
     draw_errors(page, layout.upper, *story, step);
     page.equation(layout.lower, step_equation(*story, step));
   };
@@ -235,10 +219,6 @@ Shot convergence_shot(const SharedStory& story) {
     const List<Rect> parts = columns(page.area(), {56, 44}, page.sizes().gap);
     draw_convergence(page, parts[0], *story);
     const TableView table = convergence_table(story->convergence);
-    if (page.compact()) {
-      page.table(parts[1], "order one", table);
-      return;
-    }
     const List<Rect> halves = rows(parts[1], {54, 46}, page.sizes().gap);
     page.table(halves[0], "order one: half the step, half the error", table);
     page.equation(halves[1], error_equation(story->flight));

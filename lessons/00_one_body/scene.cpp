@@ -43,7 +43,7 @@ void draw_velocity(Page& page, const Camera& camera, const ArrowScale& scale, co
   TextStyle style = page.value();
   style.halo = page.theme().background;
   const double size = style.size;
-  const std::string text = fixed(velocity.norm(), 2) + (page.compact() ? "" : " m/s");
+  const std::string text = fixed(velocity.norm(), 2) + " m/s";
   const double width = page.canvas().text_width(text, style);
   const List<Point> places = {tip + Point(10, size / 3), tip + Point(-width - 18, size / 3),
                               tip + Point(-width / 2, -14), tip + Point(-width / 2, size + 14)};

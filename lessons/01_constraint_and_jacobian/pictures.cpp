@@ -37,7 +37,7 @@ List<Rect> draw_scene(Page& page, const Rod& rod, const RodLook& look, double up
 /// The question or the answer, over the three velocities.
 void draw_note(Page& page, const Rod& rod, const RodLook& look, std::string_view title,
                std::string_view text) {
-  const List<Rect> parts = draw_scene(page, rod, look, page.compact() ? 0.56 : 0.6);
+  const List<Rect> parts = draw_scene(page, rod, look, 0.6);
   page.note(parts[0], title, text);
   const bool answered = look.direction;
   render::TableView table{.header = {"v (m/s, m/s, rad/s)", "j·v (m/s)", ""}};
@@ -85,14 +85,13 @@ void draw_jacobian(Page& page, const Rod& rod) {
   for (const char* name : coordinate_names) view.column_names.emplace_back(name);
   draw_matrix(page, parts[0], view);
   const Vec3<double>& j = rod.jacobian;
-  page.equation(
-      parts[1],
-      {.number = "eq (5)",
-       .symbols = "j = (u_{x}, u_{y}, r × u)",
-       .numbers = fmt::format("u = ({}, {}), r = ({}, {}) m", significant(j.x()), significant(j.y()),
-                              significant(rod.arm.x()), significant(rod.arm.y())),
-       .result = fmt::format("r × u = {} m", significant(j.z())),
-       .algorithm = page.compact() ? "" : "u: along the rod; r: from the centre to the anchor"});
+  page.equation(parts[1], {.number = "eq (5)",
+                           .symbols = "j = (u_{x}, u_{y}, r × u)",
+                           .numbers = fmt::format("u = ({}, {}), r = ({}, {}) m", significant(j.x()),
+                                                  significant(j.y()), significant(rod.arm.x()),
+                                                  significant(rod.arm.y())),
+                           .result = fmt::format("r × u = {} m", significant(j.z())),
+                           .algorithm = "u: along the rod; r: from the centre to the anchor"});
 }
 
 /// Coordinate k moved both ways; the rows of the table up to it.
@@ -117,7 +116,7 @@ void draw_nudge(Page& page, const Rod& rod, int k) {
 
 /// c while the box moves on at this velocity, and what j·v makes of it.
 void draw_course(Page& page, const Rect& rect, const Rod& rod, const Motion& motion) {
-  render::Plot plot{.title = page.compact() ? "c (m)" : "c while the box keeps this velocity (m)"};
+  render::Plot plot{.title = "c while the box keeps this velocity (m)"};
   render::Series course{.name = "c", .style = {}, .markers = false};
   course.style = {page.theme().outline, {}, render::Marker::none};
   render::Series tangent{.name = "j·v t", .style = {}, .markers = false};
@@ -177,13 +176,12 @@ void draw_force(Page& page, const Rod& rod) {
   for (const Motion& motion : rod.allowed)
     table.rows.push_back({motion.name, fixed(rod.force.dot(motion.velocity), 3) + " W"});
   table.rows.push_back({"forbidden: along it", fixed(rod.settings.lambda, 3) + " W"});
-  page.table(parts[1], page.compact() ? "" : "the force does no work in what it allows", table);
+  page.table(parts[1], "the force does no work in what it allows", table);
 }
 
 void draw_differences(Page& page, const Story& story) {
   const List<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
-  render::Plot plot{.title =
-                        page.compact() ? "|j − difference|" : "largest |j − central difference| of the rod"};
+  render::Plot plot{.title = "largest |j − central difference| of the rod"};
   plot.x = {.title = "h (m or rad)", .scale = render::AxisScale::logarithmic, .min = 3e-12, .max = 1};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-13, .max = 1};
   render::Series measured{
@@ -207,7 +205,7 @@ void draw_differences(Page& page, const Story& story) {
   render::TableView table{.header = {"h = 10^{−5}, 20 poses", "rows", "difference"}};
   for (const KindOfRows& kind : story.kinds)
     table.rows.push_back({kind.name, fmt::format("{}", kind.rows), significant(kind.error, 2)});
-  page.table(parts[1], page.compact() ? "" : "every kind of row in the library", table);
+  page.table(parts[1], "every kind of row in the library", table);
 }
 
 Shot shot(const std::string& state, const std::string& alt, std::function<void(Page&)> draw) {

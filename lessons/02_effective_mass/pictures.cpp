@@ -46,7 +46,7 @@ render::TableView push_table(const Pushes& all, int known) {
 
 void draw_note(Page& page, const Pushes& all, const PegLook& look, std::string_view title,
                std::string_view text, int known) {
-  const List<Rect> parts = draw_left(page, all, all.at.back(), look, page.compact() ? 0.56 : 0.58);
+  const List<Rect> parts = draw_left(page, all, all.at.back(), look, 0.58);
   page.note(parts[0], title, text);
   render::TableView table = push_table(all, known);
   table.active_row = -1;
@@ -56,8 +56,8 @@ void draw_note(Page& page, const Pushes& all, const PegLook& look, std::string_v
 /// j and the diagonal of M^-1 over each other, and what comes of them.
 void draw_row(Page& page, const Pushes& all) {
   const Push& push = all.at.back();
-  const List<Rect> parts = draw_left(page, all, push, {}, page.compact() ? 0.62 : 0.46);
-  const List<Rect> halves = rows(parts[0], {0.5, 0.5}, page.compact() ? 6 : page.sizes().gap);
+  const List<Rect> parts = draw_left(page, all, push, {}, 0.46);
+  const List<Rect> halves = rows(parts[0], {0.5, 0.5}, page.sizes().gap);
   render::MatrixView j{.title = "j: the peg (1) and the box (2)", .column_group = 3};
   j.values.resize(1, 6);
   j.values << push.row.jacobian_a.transpose(), push.row.jacobian_b.transpose();
@@ -83,7 +83,7 @@ void draw_row(Page& page, const Pushes& all) {
 
 void draw_step(Page& page, const Pushes& all, int i) {
   const Push& push = all.at[i];
-  const List<Rect> parts = draw_left(page, all, push, {.push = true}, page.compact() ? 0.5 : 0.46);
+  const List<Rect> parts = draw_left(page, all, push, {.push = true}, 0.46);
   page.equation(parts[0], {.number = "eq (22)",
                            .symbols = "λ = (ζ − j·v_{1}) / (j M⁻¹ j^{T} Δt)",
                            .numbers = fmt::format("= (0 − ({})) / ({} × {})", significant(push.rate_before),
@@ -92,7 +92,7 @@ void draw_step(Page& page, const Pushes& all, int i) {
                                                  significant(push.impulse / all.settings.dt, 4),
                                                  significant(push.impulse, 4)),
                            .color = page.theme().normal});
-  page.table(parts[1], page.compact() ? "" : "the peg, at three places", push_table(all, i + 1));
+  page.table(parts[1], "the peg, at three places", push_table(all, i + 1));
 }
 
 render::TableView motion_table(const Pushes& all, int known) {
@@ -112,7 +112,7 @@ render::TableView motion_table(const Pushes& all, int known) {
 void draw_after(Page& page, const Pushes& all, int i) {
   const Push& push = all.at[i];
   const Vec3<double>& v = push.after.bodies[{2}].velocity;
-  const List<Rect> parts = draw_left(page, all, push, {.after = true}, page.compact() ? 0.5 : 0.46);
+  const List<Rect> parts = draw_left(page, all, push, {.after = true}, 0.46);
   page.equation(
       parts[0],
       {.number = "eq (19) for v_y and ω, then eq (20)",
@@ -122,10 +122,8 @@ void draw_after(Page& page, const Pushes& all, int i) {
                               significant(inertia_of(all.settings.mass)), fixed(v.z(), 3)),
        .result = fmt::format("j·v_{{2}} = {} + {} × {} = {} m/s", fixed(v.y(), 3), significant(push.x),
                              fixed(v.z(), 3), fixed(push.rate_after, 3))});
-  page.table(
-      parts[1],
-      page.compact() ? "" : fmt::format("what is left of {} J", significant(kinetic_energy(push.before))),
-      motion_table(all, i + 1));
+  page.table(parts[1], fmt::format("what is left of {} J", significant(kinetic_energy(push.before))),
+             motion_table(all, i + 1));
 }
 
 render::Series curve_of_places(const Page& page, const Pushes& all) {
@@ -141,8 +139,7 @@ render::Series curve_of_places(const Page& page, const Pushes& all) {
 void draw_here(Page& page, const Pushes& all) {
   const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
   draw_push(page, halves[0], all, all.at[0], {.masses = true});
-  render::Plot plot{.title = page.compact() ? "effective mass (kg)"
-                                            : "effective mass 1 / (j M⁻¹ jᵀ), upwards (kg)"};
+  render::Plot plot{.title = "effective mass 1 / (j M⁻¹ jᵀ), upwards (kg)"};
   render::Series found{
       .name = "", .style = {page.theme().outline, {}, render::Marker::circle}, .line = false};
   for (const Push& push : {all.mirrored, all.at[0], all.at[1], all.at[2]}) {
@@ -151,7 +148,7 @@ void draw_here(Page& page, const Pushes& all) {
   }
   plot.series = {curve_of_places(page, all), found};
   plot.goals.push_back({all.settings.mass, "all of the box"});
-  plot.x = {.title = page.compact() ? "x (m)" : "place of the peg, x (m)", .min = -0.55, .max = 0.55};
+  plot.x = {.title = "place of the peg, x (m)", .min = -0.55, .max = 0.55};
   plot.y = {.title = "", .min = 0, .max = 1.2 * all.settings.mass};
   draw_plot(page, halves[1], plot);
 }
@@ -165,8 +162,7 @@ void draw_this_way(Page& page, const Pushes& all) {
 void draw_others(Page& page, const Pushes& all) {
   const List<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
   const double m = all.settings.mass;
-  render::Plot plot{.title = page.compact() ? "effective mass (kg)"
-                                            : "effective mass in the middle, of box and peg (kg)"};
+  render::Plot plot{.title = "effective mass in the middle, of box and peg (kg)"};
   render::Series curve{
       .name = "", .style = {page.theme().normal, {}, render::Marker::none}, .markers = false};
   render::Series found{
@@ -196,7 +192,7 @@ void draw_others(Page& page, const Pushes& all) {
                  .symbols = "j M⁻¹ j^{T} = 1/m_{1} + 1/m_{2}",
                  .numbers = fmt::format("= 1/{} + 1/{}", significant(m), significant(all.others[2].mass)),
                  .result = fmt::format("= 1 / ({} kg)", significant(all.others[2].effective, 4))});
-  page.table(parts[1], page.compact() ? "" : "whom the box meets", table);
+  page.table(parts[1], "whom the box meets", table);
 }
 
 Shot shot(const std::string& state, const std::string& alt, std::function<void(Page&)> draw) {

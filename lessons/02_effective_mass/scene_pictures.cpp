@@ -35,7 +35,7 @@ void draw_fall(Page& page, const render::Camera& camera, const Pushes& all, cons
                {.kind = render::ArrowKind::velocity,
                 .tail = tail,
                 .value = v.head<2>(),
-                .label = significant(std::abs(v.y()), 3) + (page.compact() ? "" : " m/s")});
+                .label = significant(std::abs(v.y()), 3) + " m/s"});
 }
 
 /// A turning sense around the middle of the box, above it.
@@ -71,7 +71,7 @@ void draw_impulse(Page& page, const render::Camera& camera, const Pushes& all, c
              {.kind = render::ArrowKind::normal,
               .tail = tail,
               .value = {0, push.impulse},
-              .label = significant(push.impulse, 3) + (page.compact() ? "" : " N s")});
+              .label = significant(push.impulse, 3) + " N s"});
 }
 
 /// How heavy the box is for a push upwards, all along its underside.
@@ -85,7 +85,7 @@ void draw_bars(Page& page, const render::Camera& camera, const Pushes& all) {
                        {.fill = page.theme().normal, .outline = page.theme().outline, .outline_width = 1});
     if (k % 4 != 0) continue;
     render::TextStyle style = page.value();
-    const std::string text = significant(mass, 3) + (page.compact() ? "" : " kg");
+    const std::string text = significant(mass, 3) + " kg";
     style.align = k == 0 ? render::Align::center : k > 0 ? render::Align::left : render::Align::right;
     const Point aside = k == 0 ? Point(0, style.size + 8) : Point(k > 0 ? 8 : -8, 0);
     const Vec2<double> end(x + 0.01 * k, -0.02 - length);
@@ -114,7 +114,7 @@ void draw_directions(Page& page, const render::Camera& camera, const Pushes& all
     // Beside the tip, where the other arrow is not.
     render::TextStyle style = page.value();
     style.halo = page.theme().background;
-    const std::string text = significant(mass, 3) + (page.compact() ? "" : " kg");
+    const std::string text = significant(mass, 3) + " kg";
     const double width = page.canvas().text_width(text, style);
     const Point aside = ray.x() < 0   ? Point(-width - 8, -6)
                         : ray.x() > 0 ? Point(8, style.size + 6)

@@ -55,9 +55,8 @@ render::Equation equation_of(const Page& page, const DriftRuns& all, int step) {
 
 void draw_ball_step(Page& page, const DriftRuns& all, int step) {
   const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const double top = page.compact() ? 0.56 : 0.64;
-  const List<Rect> left = rows(halves[0], {top, 1 - top}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
+  const List<Rect> left = rows(halves[0], {0.64, 0.36}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.64, 0.36}, page.sizes().gap);
   draw_balls(page, left[0], all, step, step);
   draw_ball_table(page, left[1], all, step);
   draw_heights(page, right[0], all, step);
@@ -99,13 +98,9 @@ void draw_limits(Page& page, const DriftRuns& all) {
   plot.series = {formula, measured};
   plot.goals.push_back({all.settings.depth, fmt::format("d = {:g} m", all.settings.depth)});
   draw_plot(page, parts[0], plot);
-  const double text = page.compact() ? 0.48 : 0.58;
-  const List<Rect> right = rows(parts[1], {text, 1 - text}, page.sizes().gap);
-  page.note(
-      right[0], "Held, or let go",
-      page.compact()
-          ? "The line is the formula, the squares are measured. Below the line the ground still pushes."
-          : "In step 1 the ball gets the speed βd/Δt. In step 2 the row asks for (1−β) times as much. If "
+  const List<Rect> right = rows(parts[1], {0.58, 0.42}, page.sizes().gap);
+  page.note(right[0], "Held, or let go",
+            "In step 1 the ball gets the speed βd/Δt. In step 2 the row asks for (1−β) times as much. If "
             "gravity takes less than that away, λ would have to pull, and the ground lets the ball go. "
             "The line is the formula, the squares are measured.");
   render::TableView table;
@@ -149,7 +144,7 @@ void draw_ball_table(Page& page, const Rect& rect, const DriftRuns& all, int ste
                           fixed(run.lambda[step] + 0.0, 1), fixed(run.speed[step] + 0.0, 2),
                           fixed(1000 * run.height[step] + 0.0, 0)});
   }
-  page.table(rect, page.compact() ? "" : fmt::format("step {}", step), table);
+  page.table(rect, fmt::format("step {}", step), table);
 }
 
 void draw_heights(Page& page, const Rect& rect, const DriftRuns& all, int step) {

@@ -31,23 +31,15 @@ void draw_question(Page& page, const DriftRuns& all) {
                            .result = "= ? m/s"});
 }
 
-std::string answer_text(const Page& page, const DriftRuns& all) {
+std::string answer_text(const DriftRuns& all) {
   const DriftSettings& settings = all.settings;
   const std::string hop = fixed(ball_of(all, 1).peak, 2);
   const std::string speed = fixed(settings.depth / settings.dt, 1);
   const std::string limit = fixed(1000 * limit_by_formula(settings.dt, settings.beta), 0);
-  if (page.compact()) {
-    return fmt::format(
-        "{} m: it leaves at {} m/s. A contact can only push, so it holds the ball only up to a "
-        "depth of g Δt² / β²: {} mm with β = {:g}.",
-        hop, speed, limit, settings.beta);
-  }
   return fmt::format(
       "{} m. To be out in one step it needs {} m/s, and keeps that speed when it is out. A joint takes it "
-      "away "
-      "again in the next step. A contact can only push: it holds the ball if it is no deeper than g Δt² / "
-      "β², "
-      "with β = {:g} that is {} mm. So β = 1 is fine for a pendulum and bad for a contact, and 0.2 is a "
+      "away again in the next step. A contact can only push: it holds the ball if it is no deeper than "
+      "g Δt² / β², with β = {:g} that is {} mm. So β = 1 is fine for a pendulum and bad for a contact, and 0.2 is a "
       "common choice.",
       hop, speed, settings.beta, limit);
 }
@@ -58,7 +50,7 @@ void draw_answer(Page& page, const DriftRuns& all, int step) {
   const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
   draw_balls(page, left[0], all, step, step);
   draw_ball_table(page, left[1], all, step);
-  page.note(right[0], "Answer", answer_text(page, all));
+  page.note(right[0], "Answer", answer_text(all));
   draw_heights(page, right[1], all, all.balls[0].steps.size() - 1);
 }
 

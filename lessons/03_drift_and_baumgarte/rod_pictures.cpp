@@ -87,8 +87,7 @@ void draw_swing_errors(Page& page, const Rect& rect, const DriftRuns& all, int s
 }
 
 void draw_swing(Page& page, const DriftRuns& all, int step) {
-  const double scene = page.compact() ? 0.5 : 0.48;
-  const List<Rect> parts = rows(page.area(), {scene, 1 - scene}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.48, 0.52}, page.sizes().gap);
   const List<double> weights(all.swings.size(), 1.0);
   const List<Rect> panels = columns(parts[0], weights, page.sizes().gap);
   for (int i = 0; i < all.swings.size(); ++i) draw_pendulum(page, panels[i], all, all.swings[i], step);
@@ -148,8 +147,7 @@ void draw_weights(Page& page, const Rect& rect, const DriftRuns& all, int step) 
 void draw_hang(Page& page, const DriftRuns& all, int step) {
   const List<Rect> halves = columns(page.area(), {0.42, 0.58}, page.sizes().gap);
   draw_weights(page, halves[0], all, step);
-  const double top = page.compact() ? 0.55 : 0.64;
-  const List<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.64, 0.36}, page.sizes().gap);
   render::Plot plot{.title = "c after each step (mm)"};
   plot.x = {.title = "step", .min = 0, .max = hang_steps};
   plot.y = {.title = "", .min = -350, .max = 350};

@@ -48,11 +48,9 @@ void draw_masses(Page& page, const StackRun& run) {
   velocity.column_names = {""};
   draw_matrix(page, matrices[0], velocity);
   draw_matrix(page, matrices[1], masses);
-  page.note(right[1], page.compact() ? "" : "(1) and (2)",
-            page.compact()
-                ? "Three numbers a box: x, y and its turning."
-                : "Three numbers a box: how fast it moves to the right, up, and how fast it turns. "
-                  "The ground is left out.");
+  page.note(right[1], "(1) and (2)",
+            "Three numbers a box: how fast it moves to the right, up, and how fast it turns. "
+            "The ground is left out.");
 }
 
 void draw_row(Page& page, const StackRun& run, int row) {

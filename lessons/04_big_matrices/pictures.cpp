@@ -82,12 +82,9 @@ void draw_answer(Page& page, const StackRun& run) {
   draw_stack(page, halves[0], run, {.known = run.boxes(), .velocity = run.velocity});
   const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
   const std::string text =
-      page.compact()
-          ? "0. Boxes that fall together do not close in. Only the ground's contact has something in b; A⁻¹ "
-            "passes it on."
-          : "0: two boxes that fall together do not close in on each other, however heavy they are. Only the "
-            "contact with the ground has something in b. A⁻¹ passes it on: it holds the masses that stand "
-            "above two contacts, and its first column, times b_{1}, is λ.";
+      "0: two boxes that fall together do not close in on each other, however heavy they are. Only the "
+      "contact with the ground has something in b. A⁻¹ passes it on: it holds the masses that stand "
+      "above two contacts, and its first column, times b_{1}, is λ.";
   page.note(right[0], "Answer", text);
   const int n = run.boxes();
   render::MatrixView inverse{.title = "A^{−1} (kg), and b (m/s²)", .row_names = row_names(n)};

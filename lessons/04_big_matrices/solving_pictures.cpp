@@ -31,9 +31,8 @@ void draw_system(Page& page, const Rect& rect, const StackRun& run, int stage, i
   draw_matrix(page, halves[0], view);
   if (known == 0) {
     page.note(halves[1], "",
-              page.compact() ? "Each row loses the λ of the row above it."
-                             : "Each row loses the λ of the row above it. The last row then has "
-                               "a single λ left.");
+              "Each row loses the λ of the row above it. The last row then has "
+              "a single λ left.");
     return;
   }
   render::BarChart bars{.title = "λ (N)", .largest = 1.3 * lambda_by_formula(run, 0)};
@@ -92,7 +91,6 @@ void draw_velocities(Page& page, const StackRun& run) {
   const List<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
   render::TableView table;
   table.header = {"box", "v_{1} (m/s)", "from below (N)", "from above (N)", "v_{2} (m/s)"};
-  if (page.compact()) table.header = {"box", "v_{1}", "below", "above", "v_{2}"};
   for (int i = n - 1; i >= 0; --i) {
     table.rows.push_back({fmt::format("{}", i + 1), fixed(run.system.velocity(3 * i + 1), 3),
                           fixed(run.lambda(i), 2), i + 1 < n ? fixed(-run.lambda(i + 1), 2) : "·",
@@ -114,25 +112,19 @@ void draw_velocities(Page& page, const StackRun& run) {
 void draw_without_gravity(Page& page, const StackRun& run) {
   const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
   draw_stack(page, halves[0], run, {.velocity = run.velocity_without});
-  const List<double> weights = page.compact() ? List<double>{0.48, 0.52} : List<double>{0.4, 0.25, 0.35};
-  const List<Rect> right = rows(halves[1], weights, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.4, 0.25, 0.35}, page.sizes().gap);
   page.note(right[0], "A trap",
-            page.compact()
-                ? "(12) has no gravity in it. It has to be in v₁ before b is formed, or b does not "
-                  "know of it."
-                : "(12) has no force in it but those of the rows. If v_{1} is the velocity of a "
-                  "stack at rest, and gravity comes afterwards, b does not know of it: no contact "
-                  "carries any weight, and the stack falls.");
+            "(12) has no force in it but those of the rows. If v_{1} is the velocity of a "
+            "stack at rest, and gravity comes afterwards, b does not know of it: no contact "
+            "carries any weight, and the stack falls.");
   render::TableView table;
-  table.header = {page.compact() ? "gravity" : "gravity is added", "b_{1} (m/s²)", "λ_{1} (N)",
-                  "v after (m/s)"};
+  table.header = {"gravity is added", "b_{1} (m/s²)", "λ_{1} (N)", "v after (m/s)"};
   const double b = run.system.zeta(0) / run.settings.dt;
   table.rows = {
       {"before b", brief(run.system.b(0)), fixed(run.lambda(0), 2), fixed(run.velocity(1) + 0.0, 3)},
       {"after", brief(b), fixed(run.lambda_without(0) + 0.0, 2), fixed(run.velocity_without(1), 3)}};
   table.active_row = 1;
   page.table(right[1], "the lowest box", table);
-  if (page.compact()) return;
   const std::string dt = brief(run.settings.dt);
   page.equation(right[2], {.number = "eq (15), at rest",
                            .symbols = "b_{1} = ζ/Δt − j_{1}·v_{1}/Δt",
@@ -166,12 +158,8 @@ void draw_growth(Page& page, const StackRun& run) {
   plot.series.assign(series.begin(), series.end());
   draw_plot(page, parts[0], plot);
   const Growth& largest = run.growth.back();
-  page.note(
-      parts[1], "A larger stack",
-      page.compact()
-          ? fmt::format("{} boxes: {:.0f} numbers in A, of which {:.0f} are not 0.", largest.boxes,
-                        largest.all_of_A, largest.used_of_A)
-          : fmt::format("With {} boxes A has {:.0f} numbers, and {:.0f} of them are not 0. Elimination "
+  page.note(parts[1], "A larger stack",
+            fmt::format("With {} boxes A has {:.0f} numbers, and {:.0f} of them are not 0. Elimination "
                         "takes {:.1f} million multiplications, and contacts that may only push need "
                         "several tries. So solvers for games sweep over the rows instead, and the "
                         "second kind never builds A at all.",
