@@ -91,7 +91,7 @@ Series error_series(const Flight& flight, const List<Vec2<double>>& path, int st
 Layout layout_of(const Page& page) {
   const List<Rect> halves = columns(page.area(), {48, 50}, page.sizes().gap);
   const List<Rect> panels = rows(halves[1], {54, 46}, page.sizes().gap);
-  return {halves[0], halves[1], panels[0], panels[1]};
+  return {halves[0], panels[0], panels[1]};
 }
 
 void draw_scene(Page& page, const Story& story, int step) {

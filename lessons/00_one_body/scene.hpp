@@ -18,7 +18,7 @@ struct Story {
 
 /// The page in two columns, the right one in two panels; a compact page has room for one panel there.
 struct Layout {
-  render::Rect scene, right, upper, lower;
+  render::Rect scene, upper, lower;
 };
 
 Layout layout_of(const render::Page& page);
