@@ -12,7 +12,8 @@ cairn_packages=(g++ make cmake ninja-build pkg-config ccache libeigen3-dev libfm
   libtomlplusplus-dev libmd4c-dev libmd4c-html0-dev)
 cairn_bench_packages=(libbenchmark-dev)
 cairn_peer_packages=(libbenchmark-dev libchipmunk-dev libbullet-dev)
-cairn_docs_packages=(doxygen)
+# What tests look at beside the code: its documentation, and a device for OpenCL, which is the processor.
+cairn_docs_packages=(doxygen ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd)
 cairn_clang_packages=(clang clang-tidy clang-format libclang-rt-dev)
 # A browser for the test of the lesson book. Node.js comes in packages of other makers too, npm within it.
 cairn_book_packages=(chromium)
@@ -22,7 +23,7 @@ cairn_playground_packages=(emscripten esbuild fonttools)
 if ! command -v node >/dev/null; then cairn_playground_packages+=(nodejs); fi
 # Packages that some releases do not have. Without OSMesa the pictures are drawn through EGL; engines to compare with may
 # be missing.
-cairn_dispensable=" libosmesa6-dev libclang-rt-dev libchipmunk-dev libbullet-dev "
+cairn_dispensable=" ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd libosmesa6-dev libclang-rt-dev libchipmunk-dev libbullet-dev "
 
 # cairn_watch WHAT LOG PATTERN [ALL]: keeps the lines of stdin in LOG and says on stderr how far WHAT has come. A line
 # that matches PATTERN is one of ALL; or it tells, by two groups of the pattern, how many are done of how many. On a

@@ -16,9 +16,10 @@ using cairn::List;
 // The rooms of src and their floors. A room may include itself and every room on a lower floor; collision may
 // also name the bodies of dynamics, which stands beside it. The core, which is installed, ends with measure.
 const std::map<std::string, int> floor_of_room = {
-    {"math", 0},    {"geometry", 1},   {"dynamics", 2}, {"collision", 2}, {"constraints", 3},
-    {"solvers", 4}, {"world", 5},      {"measure", 6},  {"reference", 7}, {"scenes", 7},
-    {"frozen", 9},  {"validation", 8}, {"study", 10},   {"tuning", 11},   {"extremes", 12},
+    {"math", 0},        {"geometry", 1}, {"dynamics", 2}, {"collision", 2},
+    {"constraints", 3}, {"solvers", 4},  {"world", 5},    {"measure", 6},
+    {"reference", 7},   {"device", 7},   {"scenes", 7},   {"frozen", 9},
+    {"validation", 8},  {"study", 10},   {"tuning", 11},  {"extremes", 12},
 };
 const int last_floor_of_the_core = 6;
 
@@ -104,6 +105,7 @@ std::string objection_to_library(const std::string& file, const std::string& tar
   const auto floor = floor_of_room.find(room_of(file));
   const bool is_a_study = floor != floor_of_room.end() && floor->second >= floor_of_room.at("frozen");
   if (library == "nlohmann" && is_a_study) return "";
+  if (room_of(file) == "device" && library == "CL") return "";
   const bool is_of_the_core = library.empty() || library == "Eigen" || library == "fmt";
   return is_of_the_core || !begins_with(file, "src/") ? "" : "the core needs Eigen and fmt, not " + library;
 }

@@ -5,6 +5,39 @@
 
 namespace cairn {
 
+namespace {
+
+template <Scalar Real>
+void count_rows(const VelocityProblem<Real>& problem, Splitting splitting, PerBody<int>& rows_on_body) {
+  const bool whole = splitting == Splitting::none;
+  rows_on_body.assign(problem.velocity.size(), whole ? 1 : 0);
+  if (whole) return;
+  for (const ConstraintRow<Real>& row : problem.rows) {
+    for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
+      if (!jacobian.isZero(Real(0))) ++rows_on_body[body];
+    });
+  }
+}
+
+}  // namespace
+
+template <Scalar Real>
+void prepare_jacobi(const VelocityProblem<Real>& problem, Real relaxation, Splitting splitting,
+                    PerBody<int>& rows_on_body, PerRow<Real>& step) {
+  count_rows(problem, splitting, rows_on_body);
+  step.resize(problem.rows.size());
+  for (int i = 0; i < problem.row_count(); ++i) {
+    const ConstraintRow<Real>& row = problem.rows[i];
+    Real inverse = row.softness;
+    for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
+      inverse +=
+          Real(rows_on_body[body]) * dot<Real>(jacobian, problem.inverse_mass[body].cwiseProduct(jacobian));
+    });
+    // Between two immovable bodies nothing can be done.
+    step[i] = inverse > 0 ? relaxation / inverse : Real(0);
+  }
+}
+
 template <Scalar Real>
 Jacobi<Real>::Jacobi(const SolverSettings& settings, Splitting splitting)
     : settings_(settings), splitting_(splitting) {
@@ -21,41 +54,13 @@ template <Scalar Real>
 SolveReport Jacobi<Real>::solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer) {
   if (observer != nullptr) observer->before_solve(problem);
   stopping_.begin(settings_, problem);
-  prepare(problem);
+  prepare_jacobi(problem, Real(settings_.relaxation), splitting_, rows_on_body_, step_);
+  new_impulse_.resize(problem.rows.size());
   apply_impulses(problem);  // warm start: those of last step act before the first sweep
 
   return stopping_.repeat(problem, observer, [&](int number, auto watched) {
     return sweep<decltype(watched)::value>(number, problem, observer);
   });
-}
-
-template <Scalar Real>
-void Jacobi<Real>::prepare(const VelocityProblem<Real>& problem) {
-  count_rows(problem);
-  new_impulse_.resize(problem.rows.size());
-  step_.resize(problem.rows.size());
-  for (int i = 0; i < problem.row_count(); ++i) {
-    const ConstraintRow<Real>& row = problem.rows[i];
-    Real inverse = row.softness;
-    for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-      inverse +=
-          Real(rows_on_body_[body]) * dot<Real>(jacobian, problem.inverse_mass[body].cwiseProduct(jacobian));
-    });
-    // Between two immovable bodies nothing can be done.
-    step_[i] = inverse > 0 ? Real(settings_.relaxation) / inverse : Real(0);
-  }
-}
-
-template <Scalar Real>
-void Jacobi<Real>::count_rows(const VelocityProblem<Real>& problem) {
-  const bool whole = splitting_ == Splitting::none;
-  rows_on_body_.assign(problem.velocity.size(), whole ? 1 : 0);
-  if (whole) return;
-  for (const ConstraintRow<Real>& row : problem.rows) {
-    for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-      if (!jacobian.isZero(Real(0))) ++rows_on_body_[body];
-    });
-  }
 }
 
 template <Scalar Real>
@@ -86,6 +91,11 @@ Real Jacobi<Real>::sweep(int number, VelocityProblem<Real>& problem,
   return largest_change;
 }
 
+template void prepare_jacobi(const VelocityProblem<float>&, float, Splitting, PerBody<int>&, PerRow<float>&);
+template void prepare_jacobi(const VelocityProblem<double>&, double, Splitting, PerBody<int>&,
+                             PerRow<double>&);
+template void prepare_jacobi(const VelocityProblem<long double>&, long double, Splitting, PerBody<int>&,
+                             PerRow<long double>&);
 template class Jacobi<float>;
 template class Jacobi<double>;
 template class Jacobi<long double>;

@@ -13,6 +13,11 @@ enum class Splitting {
   mass,  // its share: the mass over the number of rows that touch the body
 };
 
+/// What each row multiplies what is wrong by, omega / D_ii [kg] (Jacobi), and how many rows touch each body.
+template <Scalar Real>
+void prepare_jacobi(const VelocityProblem<Real>& problem, Real relaxation, Splitting splitting,
+                    PerBody<int>& rows_on_body, PerRow<Real>& step);
+
 /// Every row computes its impulse from the velocities and impulses at the beginning of the sweep; then all of
 /// them act together. No row waits for another, so that each could have a processor of its own, and their
 /// order means nothing but rounding (settings.order is not used). The price: rows that share a body correct
@@ -46,8 +51,6 @@ class Jacobi final : public Solver<Real> {
   std::size_t memory() const override { return step_.bytes() + new_impulse_.bytes() + rows_on_body_.bytes(); }
 
  private:
-  void prepare(const VelocityProblem<Real>& problem);
-  void count_rows(const VelocityProblem<Real>& problem);
   template <bool watched>
   Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
 
