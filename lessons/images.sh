@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Draws the pictures of the documents: the cover of every lesson, small, in both themes, one larger picture, a chart of
-# work against error, the failures of sandbox/FAILURES.md, and the film of the playground.
+# work against error, the map of settings, the failures of sandbox/FAILURES.md, and the film of the playground.
 #   bash lessons/images.sh PROGRAMS SCRATCH IMAGES
 set -eu
 programs=$1
@@ -49,7 +49,8 @@ failures() {
   failure failure_slot 0004 run "$scenes/slot.toml" --stabilization baumgarte --fps 1 --seconds 4 --show loads
 }
 
-mkdir -p "$images"
+mkdir -p "$images" "$scratch"
+gzip -dc "$(dirname "${BASH_SOURCE[0]}")/sandbox/map.csv.gz" >"$scratch/level3.csv"
 for theme in light dark; do
   for program in "$programs"/lesson[0-9][0-9]_*; do
     [[ -x $program && -f $program ]] || continue
@@ -60,6 +61,9 @@ for theme in light dark; do
   if [[ -x $programs/cairn ]]; then
     "$programs/cairn" tradeoff stack10 --quick --theme "$theme" --out "$scratch/tradeoff_$theme" --quiet >/dev/null
     cp "$scratch/tradeoff_$theme/stack10.png" "$images/tradeoff_$theme.png"
+    "$programs/cairn" tradeoff --all --level 3 --table "$scratch/level3.csv" --theme "$theme" --out "$scratch/map_$theme" \
+      --quiet >/dev/null
+    cp "$scratch/map_$theme/map.png" "$images/map_$theme.png"
     failures
   fi
   if [[ -x $programs/cairn_playground_film ]]; then

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "lessons/records.hpp"
+#include "lessons/sandbox/map_report.hpp"
 #include "lessons/sandbox/profile_chart.hpp"
 #include "lessons/sandbox/trade_chart.hpp"
 #include "lessons/words.hpp"
@@ -200,6 +201,7 @@ render::Theme theme_of(const Words& words) {
 
 int report_trade(const Words& words, const TradeStudy& trade, const std::string& csv, const fs::path& folder,
                  Console& console) {
+  if (trade.level == 3) return report_map(words, csv, folder, console);
   const CsvTable table = table_of(csv, trade.name);
   write_whole_file(folder / (trade.name + ".csv"), csv_with_units(csv));
   write_whole_file(folder / (trade.name + ".json"), json_of(table));

@@ -12,6 +12,7 @@
 #include "scenes/solver_list.hpp"
 #include "study/trajectory_study.hpp"
 #include "study/work_precision.hpp"
+#include "tuning/map_study.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -151,6 +152,14 @@ TradeStudy trajectory_trade(const Words& words, const List<std::string>& names) 
           .shown = {}};
 }
 
+/// Level 3: the map of settings.
+TradeStudy map_trade(const Words& words) {
+  for (const char* flag :
+       {"start", "scalar", "quick", "solvers", "work", "error", "contact-search", "threads"})
+    words.refuse_beside(flag, "for the map of settings (level 3)");
+  return {.study = map_study(map_scenes(), map_settings()), .level = 3, .name = "level3"};
+}
+
 }  // namespace
 
 TradeStudy trade_study(const Words& words) {
@@ -162,7 +171,8 @@ TradeStudy trade_study(const Words& words) {
   if (all) words.refuse_beside("labels", "beside --all, which draws no settings");
   const std::string name = all ? "" : words.places.front();
   const bool is_frozen = std::count(frozen_names().begin(), frozen_names().end(), name) > 0;
-  const int level = words.whole("level", all || is_frozen ? 1 : 2, 1, 2);
+  const int level = words.whole("level", all || is_frozen ? 1 : 2, 1, all ? 3 : 2);
+  if (level == 3) return map_trade(words);
   const List<std::string> everything = level == 1 ? frozen_names() : trajectory_names();
   const bool is_file = level == 2 && names_scene_file(name);
   if (!all && !is_file)

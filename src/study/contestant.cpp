@@ -30,12 +30,14 @@ class CountingSolver final : public Solver<Real> {
 
   std::string name() const override { return solver_->name(); }
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override {
+    rows_ += problem.row_count();
     return counted(solver_->solve(problem, observer), problem);
   }
   SolveReport solve_again(VelocityProblem<Real>& problem) override {
     return counted(solver_->solve_again(problem), problem);
   }
   std::int64_t row_updates() const { return row_updates_; }
+  std::int64_t rows() const { return rows_; }  // without those of second solves
 
  private:
   SolveReport counted(const SolveReport& report, const VelocityProblem<Real>& problem) {
@@ -45,7 +47,7 @@ class CountingSolver final : public Solver<Real> {
 
   std::unique_ptr<Solver<Real>> solver_;
   const SolverEntry& entry_;
-  std::int64_t row_updates_ = 0;  // since it was made
+  std::int64_t row_updates_ = 0, rows_ = 0;  // since it was made
 };
 
 template <Scalar Real>
@@ -59,11 +61,13 @@ class WorldContestant final : public Contestant {
   bool do_events() override { return world_.do_events(); }
   void step() override {
     updates_before_ = solver_.row_updates();
+    rows_before_ = solver_.rows();
     not_finite_ = world_.step(solver_).not_finite;
   }
   std::optional<BodyId> not_finite() const override { return not_finite_; }
   Snapshot snapshot() const override { return cairn::snapshot(world_); }
   std::int64_t row_updates(const Snapshot&) const override { return solver_.row_updates() - updates_before_; }
+  std::int64_t rows(const Snapshot&) const override { return solver_.rows() - rows_before_; }
 
   std::optional<double> residual_ahead() override {
     VelocityProblem<Real> problem = world_.velocity_problem();
@@ -84,7 +88,7 @@ class WorldContestant final : public Contestant {
   World<Real> world_;
   CountingSolver<Real> solver_;
   std::unique_ptr<Solver<Real>> twin_;
-  std::int64_t updates_before_ = 0;
+  std::int64_t updates_before_ = 0, rows_before_ = 0;
   std::optional<BodyId> not_finite_ = {};
 };
 
@@ -109,9 +113,12 @@ class Box2DContestant final : public Contestant {
     return result;
   }
   std::int64_t row_updates(const Snapshot& after) const override {
+    return rows(after) * setting_.sweeps.iterations;
+  }
+  std::int64_t rows(const Snapshot& after) const override {
     std::int64_t rows = 2 * static_cast<std::int64_t>(after.contacts.size());
     for (const SnapshotJoint& joint : after.joints) rows += joint.name == "revolute" ? 2 : 1;
-    return rows * setting_.sweeps.iterations * setting_.substeps;
+    return rows * setting_.substeps;
   }
   std::optional<double> residual_ahead() override { return std::nullopt; }
   std::uint64_t state_hash() const override {

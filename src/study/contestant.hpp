@@ -26,6 +26,8 @@ class Contestant {
   /// `after` the step has them, times velocity iterations and substeps. What came and went within the step
   /// is not in it, nor are position iterations.
   virtual std::int64_t row_updates(const Snapshot& after) const = 0;
+  /// Rows of the last step, summed over substeps: of Box2D as for row_updates.
+  virtual std::int64_t rows(const Snapshot& after) const = 0;
   /// R_E that the solver will reach in the next step, in the velocities of its first substep: solved a second
   /// time beside the world. Nothing for Box2D, whose rows cannot be seen.
   virtual std::optional<double> residual_ahead() = 0;

@@ -119,6 +119,7 @@ class Trial {
 
   void measure(const Snapshot& now, bool is_last) {
     result_.row_updates += contestant_.row_updates(now);
+    result_.rows += contestant_.rows(now);
     if (options_.observer) options_.observer(now);
     result_.not_finite = contestant_.not_finite();
     result_.status = result_.not_finite ? TrialStatus::nan : motion_status(now, options_.fastest);

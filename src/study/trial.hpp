@@ -89,6 +89,7 @@ struct TrialResult {
   double stands_until = 0;                    // [s] fell_at, or else all of `seconds`
   double step_seconds = 0;                    // [s] of the clock in steps; measuring is not in it
   std::int64_t row_updates = 0;               // see Contestant::row_updates
+  std::int64_t rows = 0;                      // of all substeps: see Contestant::rows
   std::optional<double> worst_residual = {};  // R_E, where it was asked for and can be had
   std::optional<double> mean_residual = {};
   std::uint64_t state_hash = 0;  // see Contestant::state_hash; 0 after a refusal before the first step

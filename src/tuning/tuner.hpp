@@ -86,6 +86,9 @@ List<Setting> box2d_settings();
 /// About how much work a second of the setting is: sweeps, weighed by what they cost, with what a step costs
 /// without any. Only orders the search; what is reported is measured.
 double expected_work(const Setting& setting);
+/// What a sweep of the solver costs, in sweeps of sequential impulses, and what all else of a step does.
+double work_of_a_sweep(const std::string& solver);
+inline constexpr double work_of_a_step = 10;
 
 /// Tries settings in the order of their expected work, each from start 0 first and, if that meets the wish,
 /// from all starts. The best are tried in single precision and with manifolds that last, too. Once the best

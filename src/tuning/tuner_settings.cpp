@@ -11,19 +11,6 @@ namespace cairn {
 
 namespace {
 
-/// In sweeps of sequential impulses: what a step costs that sweeps not at all, with its collisions and rows.
-constexpr double work_of_a_step = 10;
-
-/// What a sweep of the solver costs, in sweeps of sequential impulses.
-double work_of_a_sweep(const std::string& solver) {
-  if (solver == "block" || solver == "block-contact") return 1.6;
-  if (solver == "accelerated") return 1.3;
-  if (solver == "wide") return 0.15;
-  if (solver == "wide-accelerated") return 0.3;
-  if (solver == "pgs-sparse") return 1.8;
-  return solver == "box2d" ? 1 : solver_entry(solver).updates_a_row;
-}
-
 /// In level 2 of the study no scene that newton loses with 1 to 16 linear systems a step, at a step of the
 /// grid, is held with 32 or 64: none of 738.
 int most_sweeps_of(const std::string& solver) {
@@ -43,6 +30,15 @@ Stabilization with_policy(StabilizationPolicy policy) {
 }
 
 }  // namespace
+
+double work_of_a_sweep(const std::string& solver) {
+  if (solver == "block" || solver == "block-contact") return 1.6;
+  if (solver == "accelerated") return 1.3;
+  if (solver == "wide") return 0.15;
+  if (solver == "wide-accelerated") return 0.3;
+  if (solver == "pgs-sparse") return 1.8;
+  return solver == "box2d" ? 1 : solver_entry(solver).updates_a_row;
+}
 
 double expected_work(const Setting& setting) {
   const double steps = setting.substeps / setting.dt;

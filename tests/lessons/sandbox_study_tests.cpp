@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -234,4 +236,33 @@ TEST_CASE("all frozen problems together give a profile, where a solver alone is 
   int count = 0;
   for (; cells >> cell; ++count) CHECK(cell == share);
   CHECK(count == 6);
+}
+
+TEST_CASE("the map of settings: the page prints what the kept table says, and a part of it runs") {
+  const ScratchFolder folder;
+  const std::string kept = std::string(CAIRN_SOURCE_DIR) + "/lessons/sandbox/";
+  const std::string table = folder.path() + "/kept.csv";
+  REQUIRE(std::system(("gzip -dc '" + kept + "map.csv.gz' > '" + table + "'").c_str()) == 0);
+  const Ran told = run_program(
+      "cairn", {"tradeoff", "--all", "--level", "3", "--table", table, "--quiet", "--out", folder.path()});
+  CHECK(told.code == 0);
+  CHECK(told.err == "");
+  std::ifstream page(kept + "pages/tradeoff.md");
+  std::ostringstream text;
+  text << page.rdbuf();
+  CHECK(told.out.size() > 1000);
+  CHECK(mentions(text.str(), told.out));
+  CHECK(folder.text("level3.csv") == folder.text("kept.csv"));
+}
+
+TEST_CASE("level 3 refuses what it does not know, and --table stands alone") {
+  const auto refused = [](const Flags& flags) {
+    Flags words = {"tradeoff", "--all"};
+    words.insert(words.end(), flags.begin(), flags.end());
+    return run_program("cairn", words).code;
+  };
+  CHECK(refused({"--level", "3", "--quick"}) == 2);
+  CHECK(refused({"--level", "1", "--table", "x.csv"}) == 2);
+  CHECK(refused({"--level", "3", "--table", "nowhere.csv"}) == 2);
+  CHECK(refused({"--level", "3", "--table", "x.csv", "--shard", "1/2"}) == 2);
 }

@@ -1,0 +1,164 @@
+// The map of settings: panels, cells, legend.
+#include "lessons/sandbox/map_chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/sandbox/trade_chart.hpp"
+#include "render/lint.hpp"
+#include "render/text_layout.hpp"
+#include "tuning/map_study.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+using render::Align;
+using render::Rect;
+using render::TextStyle;
+
+const List<std::string> map_solvers = {"si", "accelerated", "block", "newton", "jacobi-split"};
+const List<double> map_goals = {0.03, 0.01, 0.003, 0.001, 0.0001};  // [m], from below
+const std::string stepped_scene = "length 10";                      // whose frequencies have a panel
+
+constexpr double map_gap = 10, panel_edge = 12, map_panel_height = 300, cell_type = 12, axis_type = 13;
+constexpr int map_head = 58, map_foot = 84;  // [px] above the panels and below
+
+/// A column of a panel: a number, and the runs among which the cheapest is looked for.
+struct MapColumn {
+  std::string label = {};
+  const List<MapRow>* runs = nullptr;
+  int frequency = 0;  // of all runs that count; 0: any
+};
+
+struct MapPanel {
+  std::string title = {};
+  std::string axis = {};
+  List<MapColumn> columns = {};
+};
+
+std::string column_label(double value) {
+  return value < 1e4 ? fmt::format("{:g}", value) : fmt::format("10^{{{:.0f}}}", std::log10(value));
+}
+
+List<MapPanel> map_panels(const MapTable& table) {
+  List<MapPanel> panels;
+  for (const MapFamily& family : map_families()) {
+    MapPanel panel{.title = family.title, .axis = family.axis};
+    for (const List<MapRow>& runs : table.scenes) {
+      if (runs.front().family != family.name) continue;
+      panel.columns.push_back({column_label(runs.front().value), &runs});
+    }
+    if (!panel.columns.empty()) panels.push_back(panel);
+  }
+  for (const List<MapRow>& runs : table.scenes) {
+    if (runs.front().scene != stepped_scene) continue;
+    panels.push_back({.title = "A swinging chain of ten links", .axis = "steps a second"});
+    for (const int frequency : {30, 60, 120, 240})
+      panels.back().columns.push_back({std::to_string(frequency), &runs, frequency});
+  }
+  return panels;
+}
+
+TextStyle axis_style(const render::Page& page, Align align) {
+  return {.size = axis_type, .color = page.theme().secondary_text, .align = align};
+}
+
+render::Color solver_color(const render::Page& page, const std::string& solver) {
+  const List<render::SeriesStyle> styles = solver_styles(map_solvers, page.theme());
+  return styles[static_cast<int>(std::find(map_solvers.begin(), map_solvers.end(), solver) -
+                                 map_solvers.begin())]
+      .color;
+}
+
+/// "60 Hz ×4" over "10 soft".
+void write_setting(render::Page& page, const Rect& cell, const MapRow& run, render::Color fill) {
+  const TextStyle style{
+      .size = cell_type, .color = render::ink_on(fill), .align = Align::center, .halo = fill};
+  const double x = cell.x + cell.width / 2, y = cell.y + cell.height / 2;
+  const std::string substeps = run.substeps > 1 ? fmt::format(" ×{}", run.substeps) : "";
+  const std::string policy = run.policy == "relaxed"         ? ""
+                             : run.policy == "split impulse" ? " split"
+                             : run.policy == "baumgarte"     ? " Baumg."
+                                                             : " " + run.policy;
+  page.canvas().text({x, y - 3}, fmt::format("{} Hz{}", run.frequency, substeps), style);
+  page.canvas().text({x, y + 12}, std::to_string(run.sweeps) + policy, style);
+}
+
+void draw_cell(render::Page& page, const Rect& cell, const MapColumn& column, double goal) {
+  const MapRow* best = cheapest(*column.runs, goal, [&](const MapRow& run) {
+    return column.frequency == 0 || run.frequency == column.frequency;
+  });
+  if (best == nullptr) {
+    page.canvas().rect(cell, {.outline = page.theme().frame_line, .outline_width = 1});
+    TextStyle style{.size = cell_type, .color = page.theme().secondary_text, .align = Align::center};
+    page.canvas().text({cell.x + cell.width / 2, cell.y + cell.height / 2 + 4}, "none", style);
+    return;
+  }
+  const render::Color fill = solver_color(page, best->solver);
+  page.canvas().rect(cell, {.fill = fill});
+  write_setting(page, cell, *best, fill);
+}
+
+void draw_map_panel(render::Page& page, const MapPanel& panel, const Rect& rect) {
+  const Rect frame = {rect.x + 0.5, rect.y + 0.5, rect.width - 1, rect.height - 1};
+  page.canvas().rect(frame,
+                     {.fill = page.theme().panel, .outline = page.theme().frame_line, .outline_width = 1});
+  const TextStyle title{.size = 16, .color = page.theme().text, .bold = true};
+  page.canvas().text({rect.x + panel_edge, rect.y + 24}, panel.title, title);
+  page.canvas().text({rect.x + panel_edge, rect.y + 45}, "↑ error wanted", axis_style(page, Align::left));
+  const double left = rect.x + panel_edge + 58, top = rect.y + 54;
+  const double width = std::floor((rect.width - 2 * panel_edge - 58) / panel.columns.size());
+  const double height = std::floor((rect.height - 54 - 46) / map_goals.size());
+  const double bottom = top + height * map_goals.size();
+  for (int row = 0; row < map_goals.size(); ++row) {
+    const double y = bottom - height * (row + 1);
+    page.canvas().text({left - 6, render::baseline_around(y + height / 2, axis_type)},
+                       fmt::format("{:g} mm", 1000 * map_goals[row]), axis_style(page, Align::right));
+    for (int i = 0; i < panel.columns.size(); ++i)
+      draw_cell(page, {left + width * i, y, width - 1, height - 1}, panel.columns[i], map_goals[row]);
+  }
+  for (int i = 0; i < panel.columns.size(); ++i)
+    page.canvas().text({left + width * (i + 0.5), bottom + 16}, panel.columns[i].label,
+                       axis_style(page, Align::center));
+  page.canvas().text({left + width * panel.columns.size() / 2, bottom + 35}, panel.axis,
+                     axis_style(page, Align::center));
+}
+
+void draw_map_legend(render::Page& page, double y) {
+  double x = page.sizes().margin;
+  const TextStyle name{.size = 15, .color = page.theme().text, .bold = true};
+  for (const std::string& solver : map_solvers) {
+    page.canvas().rect({x, y, 24, 18}, {.fill = solver_color(page, solver)});
+    page.canvas().text({x + 32, y + 14}, solver_label(solver), name);
+    x += 32 + page.canvas().text_width(solver_label(solver), name) + 28;
+  }
+  page.paragraph(
+      {page.sizes().margin, y + 40}, page.canvas().width() - 2 * page.sizes().margin,
+      "A cell names the setting that needs the least counted work for the error at its left: steps a second, "
+      "× substeps; below them sweeps (of newton: linear systems), and the policy where it is not relaxed. "
+      "None: every setting that was tried has a larger error, falls, gains energy, or takes too long.",
+      axis_style(page, Align::left));
+}
+
+}  // namespace
+
+MapPicture draw_map(const MapTable& table, const render::Theme& theme) {
+  const List<MapPanel> panels = map_panels(table);
+  const int rows = (panels.size() + 1) / 2;
+  const double body = rows * (map_panel_height + map_gap);
+  render::Page page(1280, map_head + static_cast<int>(body) + map_foot, theme);
+  page.begin({.number = "", .title = "The cheapest setting for each error", .state = ""});
+  const double margin = page.sizes().margin;
+  const double width = std::floor((page.canvas().width() - 2 * margin - map_gap) / 2);
+  for (int i = 0; i < panels.size(); ++i) {
+    const Rect rect = {margin + (i % 2) * (width + map_gap),
+                       map_head + (i / 2) * (map_panel_height + map_gap), width, map_panel_height};
+    draw_map_panel(page, panels[i], rect);
+  }
+  draw_map_legend(page, map_head + body + 4);
+  return {page.canvas().read(), render::lint(page)};
+}
+
+}  // namespace cairn::sandbox

@@ -1,0 +1,101 @@
+// The map of settings, as tables and a picture.
+#include "lessons/sandbox/map_report.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+
+#include "lessons/records.hpp"
+#include "lessons/sandbox/map_chart.hpp"
+#include "lessons/sandbox/trade_report.hpp"
+#include "measure/whole_file.hpp"
+#include "render/image.hpp"
+#include "tuning/map_study.hpp"
+
+namespace cairn::sandbox {
+namespace {
+
+const List<std::string> told_solvers = {"si", "accelerated", "block", "newton", "jacobi-split"};
+
+void print_endings(const MapTable& table, Console& console) {
+  const List<std::string> endings = {"ok", "off", "fell", "gained", "timeout", "diverged", "nan", "refused"};
+  console.result(fmt::format("how {} runs ended: {} settings in {} scenes",
+                             table.settings() * table.scenes.size(), table.settings(), table.scenes.size()));
+  std::string head = fmt::format("  {:<13}", "solver");
+  for (const std::string& ending : endings) head += fmt::format(" {:>8}", ending);
+  console.result(head);
+  for (const std::string& solver : told_solvers) {
+    std::map<std::string, int> counts;
+    int all = 0;
+    for (const List<MapRow>& runs : table.scenes) {
+      for (const MapRow& run : runs) {
+        if (run.solver != solver) continue;
+        counts[run.status] += 1;
+        all += 1;
+      }
+    }
+    std::string line = fmt::format("  {:<13}", solver);
+    for (const std::string& ending : endings)
+      line += fmt::format(" {:>7.1f}%", all > 0 ? 100.0 * counts[ending] / all : 0);
+    console.result(line);
+  }
+}
+
+/// Scenes with joints, or those without, that any setting brings to the goal.
+List<int> scenes_of(const MapTable& table, bool with_joints, double goal) {
+  static const std::set<std::string> jointed = [] {
+    std::set<std::string> names;
+    for (const MapScene& entry : map_scenes())
+      if (!entry.scene.make().joints().empty()) names.insert(entry.scene.name);
+    return names;
+  }();
+  List<int> scenes;
+  for (int i = 0; i < table.scenes.size(); ++i) {
+    const bool has = jointed.count(table.scenes[i].front().scene) > 0;
+    if (has == with_joints && cheapest(table.scenes[i], goal) != nullptr) scenes.push_back(i);
+  }
+  return scenes;
+}
+
+void print_choices(const MapTable& table, bool with_joints, double goal, Console& console) {
+  const List<int> scenes = scenes_of(table, with_joints, goal);
+  console.result(
+      fmt::format("one setting for {} scenes {} joints, to an error of {:g}: the one that does for most",
+                  scenes.size(), with_joints ? "with" : "without", goal));
+  console.result(
+      fmt::format("  {:<50} {:>8} {:>12} {:>12}", "setting", "does for", "times least", "is cheapest"));
+  for (const std::string& solver : told_solvers) {
+    const MapChoice choice = best_for_all(table, scenes, goal, solver);
+    if (choice.setting < 0 || scenes.empty()) continue;
+    int wins = 0;
+    for (const int scene : scenes) wins += cheapest(table.scenes[scene], goal)->solver == solver ? 1 : 0;
+    console.result(
+        fmt::format("  {:<50} {:>7.0f}% {:>12.3g} {:>11.0f}%", table.scenes.front()[choice.setting].setting(),
+                    100.0 * choice.met / scenes.size(), choice.multiple, 100.0 * wins / scenes.size()));
+  }
+}
+
+}  // namespace
+
+int report_map(const Words& words, const std::string& csv, const std::filesystem::path& folder,
+               Console& console) {
+  const CsvTable cells = table_of(csv, words.text("table").value_or("level3"));
+  const MapTable table = read_map(cells, words.text("table").value_or("level3"));
+  write_whole_file(folder / "level3.csv", csv);
+  const MapPicture picture = draw_map(table, theme_of(words));
+  render::write_png(folder / "map.png", picture.image);
+  for (const std::string& finding : picture.findings) console.warn("map.png: " + finding);
+  if (words.has("json")) {
+    fmt::print("{}", json_of(cells));
+  } else {
+    print_endings(table, console);
+    for (const bool with_joints : {false, true}) {
+      for (const double goal : {0.01, 0.001}) print_choices(table, with_joints, goal, console);
+    }
+  }
+  console.narrate("written: " + (folder / "level3.csv").string() + ", map.png");
+  return all_well;
+}
+
+}  // namespace cairn::sandbox
