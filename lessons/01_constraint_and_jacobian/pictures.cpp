@@ -271,7 +271,8 @@ List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
                        [story](Page& page) { draw_differences(page, *story); }));
   shots.push_back(
       shot("after the lesson", "The box with j as an arrow and an arc, and the answer.", [story](Page& page) {
-        draw_note(page, story->rod, {.pose = story->rod.pose, .circles = true, .direction = true}, "Answer",
+        draw_note(page, story->rod, {.pose = story->rod.pose, .circles = true, .direction = true},
+                  "The answer",
                   "By j·v. Where that is 0 the rod allows the motion: along the circle, or turning about the "
                   "anchor, or both at once. Along j it allows none, and along j it pulls.");
       }));

@@ -247,7 +247,7 @@ List<Shot> peg_shots(const Pushes& recorded) {
                        "The effective mass against the mass of the peg: never more than the box alone.",
                        [all](Page& page) { draw_others(page, *all); }));
   shots.push_back(shot("after the lesson", "The push beside the middle, and the answer.", [all](Page& page) {
-    draw_note(page, *all, {.push = true}, "Answer",
+    draw_note(page, *all, {.push = true}, "The answer",
               fmt::format("Less: {} N s instead of {}. Away from the middle the box gives way by turning, so "
                           "the peg meets only {} of its {} kg.",
                           significant(all->at[2].impulse), significant(all->at[0].impulse),

@@ -39,7 +39,8 @@ std::string answer_text(const DriftRuns& all) {
   return fmt::format(
       "{} m. To be out in one step it needs {} m/s, and keeps that speed when it is out. A joint takes it "
       "away again in the next step. A contact can only push: it holds the ball if it is no deeper than "
-      "g Δt² / β², with β = {:g} that is {} mm. So β = 1 is fine for a pendulum and bad for a contact, and 0.2 is a "
+      "g Δt² / β², with β = {:g} that is {} mm. So β = 1 is fine for a pendulum and bad for a contact, and "
+      "0.2 is a "
       "common choice.",
       hop, speed, settings.beta, limit);
 }
@@ -50,7 +51,7 @@ void draw_answer(Page& page, const DriftRuns& all, int step) {
   const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
   draw_balls(page, left[0], all, step, step);
   draw_ball_table(page, left[1], all, step);
-  page.note(right[0], "Answer", answer_text(all));
+  page.note(right[0], "The answer", answer_text(all));
   draw_heights(page, right[1], all, all.balls[0].steps.size() - 1);
 }
 

@@ -85,7 +85,7 @@ void draw_answer(Page& page, const StackRun& run) {
       "0: two boxes that fall together do not close in on each other, however heavy they are. Only the "
       "contact with the ground has something in b. A⁻¹ passes it on: it holds the masses that stand "
       "above two contacts, and its first column, times b_{1}, is λ.";
-  page.note(right[0], "Answer", text);
+  page.note(right[0], "The answer", text);
   const int n = run.boxes();
   render::MatrixView inverse{.title = "A^{−1} (kg), and b (m/s²)", .row_names = row_names(n)};
   inverse.values.resize(n, n + 1);

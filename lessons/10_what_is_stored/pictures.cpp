@@ -202,7 +202,7 @@ void draw_answer(Page& page, const StoredRun& run) {
   table.active_row = largest;
   page.table(parts[0], "numbers to keep", table);
   const Count& count = run.pyramids[largest];
-  page.note(parts[1], "Answer",
+  page.note(parts[1], "The answer",
             fmt::format("{:.1f} of {:.0f}, and never more than 14. PGS without the zeros grows like m, as SI "
                         "does, and does the same work in a sweep: {:.0f} multiply-adds against {:.0f}. "
                         "Memory remains, and the work of building A in every step.",

@@ -144,8 +144,7 @@ Shot question_shot(const SharedStudy& study, const std::string& question) {
     const Layout layout = layout_of(page);
     const Camera camera = camera_of(layout.scene, study->rough.slope);
     draw_world(page, camera, study->rough.frames.front(), {.names = {"", "", "1 kg"}, .contacts = false});
-    const std::string title = "What do you expect?";
-    page.note(layout.upper, title, question);
+    page.note(layout.upper, "The question", question);
     page.table(layout.lower, "what is given", known_table(*study));
   };
   return shot;

@@ -124,8 +124,8 @@ List<Shot> bob_shots(const Runs& all) {
   shots.push_back(
       {.state = "answer",
        .alt = "Both bobs after 0.8 s, and the answer: how many sweeps three beams take with blocks.",
-       .draw = [all,
-                last](Page& page) { page.note(draw_bobs(page, *all, last), "Answer", answer_text(*all)); },
+       .draw = [all, last](
+                   Page& page) { page.note(draw_bobs(page, *all, last), "The answer", answer_text(*all)); },
        .key = true});
   return shots;
 }

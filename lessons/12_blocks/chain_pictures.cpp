@@ -31,7 +31,7 @@ void draw_wall(Page& page, const render::Camera& camera) {
 
 /// Three beams before the first sweep, and what is known of their sweeps.
 void draw_question(Page& page, const BlocksRuns& all, const std::string& question) {
-  const List<Rect> parts = rows(page.area(), {0.38, 0.62}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.54, 0.46}, page.sizes().gap);
   const Rect inside = page.panel(parts[0], "each welded to the one before, and the first to a wall");
   const render::Camera camera = render::fit(inside, {{-0.25, -0.4}, {3.15, 0.4}});
   draw_wall(page, camera);
@@ -50,7 +50,7 @@ void draw_question(Page& page, const BlocksRuns& all, const std::string& questio
   }
   table.active_row = 1;
   page.table(below[0], "", table);
-  page.note(below[1], "Predict", question);
+  page.note(below[1], "The question", question);
 }
 
 /// The beams where their velocities after these sweeps would lead within a second; solved, they stay level.

@@ -175,14 +175,17 @@ Shot step_shot(const Runs& all, int step, bool key) {
 }
 
 void draw_question(Page& page, const SoftRuns& all) {
-  page.note(draw_moment(page, all, 0), "Predict",
-            "Both rows take back the same share β of their error; the left one gives way by γ. "
-            "Its spring gets stiffer and stiffer, and γ goes to 0. Where does β go, and how far "
-            "does the weight sag then?");
+  page.note(
+      draw_moment(page, all, 0), "The question",
+      fmt::format(
+          "Both weights start {:g} mm below the place where no load is on the spring. Both rows take "
+          "back the same share β of that error; the left one gives way by γ. Its spring gets stiffer and "
+          "stiffer, and γ goes to 0. Where does β go, and how far does the weight sag then?",
+          1000 * all.settings.pressed));
 }
 
 void draw_answer(Page& page, const SoftRuns& all) {
-  page.note(draw_moment(page, all, last_step(all)), "Answer",
+  page.note(draw_moment(page, all, last_step(all)), "The answer",
             fmt::format("β goes to 1 and the sag to 0: the row becomes a rod. β = {:.3f} alone "
                         "pulls the weight back to its place; together with γ = {:.3g} the row "
                         "is a spring of {:g} Hz.",

@@ -21,7 +21,7 @@ LessonInfo card() {
       .reads = {"src/solvers/iterative/jacobi.hpp", "src/solvers/iterative/jacobi.cpp",
                 "src/solvers/row_order.hpp"},
       .question =
-          "A box that weighs 60 N comes down on three feet (--feet). Each pushes as if it were alone, and "
+          "A box that weighs 60 N comes down on three feet. Each pushes as if it were alone, and "
           "all push at once. How much do they push together in the first sweep, in newtons?",
       .spoilers = {"147.3", "0.291", "27/11"},
       .hints = {"The foot in the middle, alone, stops the whole fall: 60 N.",
