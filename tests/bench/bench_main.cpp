@@ -1,6 +1,7 @@
-// What the paper says of speed, memory and code, and what features and constraints cost: eleven tables.
+// What the paper says of speed, memory and code, and what features and constraints cost: twelve tables.
 //   bash tests/run bench   all of them, in about two minutes
-//   cairn_bench [solvers|layout|memory|blocks|lines|features|constraints|policies|guards|searches]   some of them
+//   cairn_bench [solvers|layout|memory|blocks|lines|features|constraints|policies|guards|searches|
+//                growth|devices]   some of them
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -40,7 +41,8 @@ bool print_tables(const cairn::List<std::string>& wanted) {
                                      {"policies", cairn::bench::print_policy_table},
                                      {"guards", cairn::bench::print_guard_table},
                                      {"searches", cairn::bench::print_search_table},
-                                     {"growth", cairn::bench::print_growth_table}};
+                                     {"growth", cairn::bench::print_growth_table},
+                                     {"devices", cairn::bench::print_device_table}};
   const auto named = [&](const std::string& name) {
     return [&name](const Table& table) { return table.first == name; };
   };
