@@ -10,7 +10,7 @@ cairn_installed=no  # becomes yes when packages were installed: then CMake has t
 cairn_packages=(g++ make cmake ninja-build pkg-config ccache libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libstb-dev zlib1g-dev fonts-dejavu-core libosmesa6-dev libegl-dev libbox2d-dev doctest-dev
   libtomlplusplus-dev libmd4c-dev libmd4c-html0-dev)
-cairn_bench_packages=(libbenchmark-dev)
+cairn_bench_packages=(libbenchmark-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd)
 cairn_peer_packages=(libbenchmark-dev libchipmunk-dev libbullet-dev)
 # What tests look at beside the code: its documentation, and a device for OpenCL, which is the processor.
 cairn_docs_packages=(doxygen ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd)

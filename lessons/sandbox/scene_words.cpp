@@ -73,6 +73,7 @@ SceneEntry scene_of(const Words& words, const std::string& name, List<std::strin
 List<std::string> solver_names() {
   List<std::string> names;
   for (const SolverEntry& entry : solver_entries()) names.push_back(entry.name);
+  names.push_back(opencl_jacobi_entry().name);
   if (has_box2d()) names.push_back("box2d");
   return names;
 }
@@ -128,20 +129,22 @@ List<Flag> setting_flags() {
 Setting with_solver(const Words& words, std::string_view flag, Setting setting, const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string name = text.substr(0, colon);
+  setting.solver = name;
+  if (const std::string refusal = solver_refusal(setting); !refusal.empty())
+    words.refuse(flag, refusal, name);
   const List<std::string> known = solver_names();
   if (std::find(known.begin(), known.end(), name) == known.end()) {
-    if (name == "box2d") words.refuse(flag, "a solver of this program, which was built without Box2D", name);
     const std::string meant = nearest(name, known);
     words.refuse(flag, "one of " + joined(known, ", "),
                  name + (meant.empty() ? "" : "; did you mean " + meant + "?"));
   }
-  setting.solver = name;
   if (colon != std::string::npos) setting.sweeps.iterations = sweeps_behind(words, flag, text, colon);
   return setting;
 }
 
 Setting setting_of(const Words& words, const SceneEntry& scene) {
   Setting setting = scene.setting;
+  setting.scalar = scalar_of(words, setting.scalar);
   if (const std::optional<std::string> solver = words.text("solver")) {
     setting = with_solver(words, "solver", setting, *solver);
     if (solver->find(':') != std::string::npos) words.refuse_beside("sweeps", "beside --solver " + *solver);
@@ -150,7 +153,6 @@ Setting setting_of(const Words& words, const SceneEntry& scene) {
   setting.substeps = words.whole("substeps", setting.substeps, 1, most_substeps);
   set_search_and_threads(words, setting);
   setting.dt = step_of(words, setting.dt);
-  setting.scalar = scalar_of(words, setting.scalar);
   setting.stabilization.policy = policy_of(words, setting.stabilization.policy);
   if (words.has("guards")) setting.guarded = words.word("guards", "on", {"on", "off"}) == "on";
   if (words.has("cold")) setting.warm_start = false;

@@ -45,7 +45,9 @@ Json scenes_json() {
 
 Json solvers_json() {
   Json all = Json::array();
-  for (const SolverEntry& solver : solver_entries())
+  List<SolverEntry> entries = solver_entries();
+  entries.push_back(opencl_jacobi_entry());
+  for (const SolverEntry& solver : entries)
     all.push_back({{"name", solver.name}, {"title", solver.title}, {"cost", solver.cost}});
   if (has_box2d()) all.push_back({{"name", "box2d"}, {"title", "Box2D 2.4.1, beside Cairn"}, {"cost", ""}});
   return all;

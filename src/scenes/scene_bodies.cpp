@@ -1,4 +1,4 @@
-// Floor 7. Bodies and their shapes from a scene file.
+// Floor 8. Bodies and their shapes from a scene file.
 #include <map>
 
 #include "scenes/scene_builder.hpp"

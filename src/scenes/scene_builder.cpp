@@ -1,4 +1,4 @@
-// Floor 7. Bodies by name.
+// Floor 8. Bodies by name.
 #include "scenes/scene_builder.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Floor 7. A scene under construction: bodies by name, and joints that wait for them.
+// Floor 8. A scene under construction: bodies by name, and joints that wait for them.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Floor 7. What happens while a scene runs, and where it should end, from its file.
+// Floor 8. What happens while a scene runs, and where it should end, from its file.
 #include <algorithm>
 #include <limits>
 #include <map>

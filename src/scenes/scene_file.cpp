@@ -1,4 +1,4 @@
-// Floor 7. From the text of a file to a scene.
+// Floor 8. From the text of a file to a scene.
 #include "scenes/scene_file.hpp"
 
 #include <algorithm>

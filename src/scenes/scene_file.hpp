@@ -1,4 +1,4 @@
-// Floor 7. Scenes from TOML files.
+// Floor 8. Scenes from TOML files.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Floor 7. Reads a sum by recursive descent, and computes it on the way.
+// Floor 8. Reads a sum by recursive descent, and computes it on the way.
 #include "scenes/scene_formula.hpp"
 
 #include <cctype>

@@ -1,4 +1,4 @@
-// Floor 7. Small sums in scene files: "30 deg", "2 / 3 * mu".
+// Floor 8. Small sums in scene files: "30 deg", "2 / 3 * mu".
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Floor 7. Chains and cradles: bodies in a row, and the joints between them.
+// Floor 8. Chains and cradles: bodies in a row, and the joints between them.
 #include <cmath>
 
 #include "constraints/distance_joint.hpp"

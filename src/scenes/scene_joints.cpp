@@ -1,4 +1,4 @@
-// Floor 7. Joints from a scene file.
+// Floor 8. Joints from a scene file.
 #include <algorithm>
 #include <map>
 

@@ -1,4 +1,4 @@
-// Floor 7. Finding a scene.
+// Floor 8. Finding a scene.
 #include "scenes/scene_list.hpp"
 
 #include <algorithm>

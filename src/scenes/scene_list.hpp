@@ -1,4 +1,4 @@
-// Floor 7. Scenes by name, and what may be expected of each.
+// Floor 8. Scenes by name, and what may be expected of each.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Floor 7. Arches, dominoes and houses of cards: one table, many bodies.
+// Floor 8. Arches, dominoes and houses of cards: one table, many bodies.
 #include <cmath>
 
 #include "scenes/scene_builder.hpp"

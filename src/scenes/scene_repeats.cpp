@@ -1,4 +1,4 @@
-// Floor 7. Stacks, pyramids, rows, piles: one table, many bodies.
+// Floor 8. Stacks, pyramids, rows, piles: one table, many bodies.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Floor 7. Looking keys up, and what they demand.
+// Floor 8. Looking keys up, and what they demand.
 #include "scenes/scene_schema.hpp"
 #include "math/list.hpp"
 

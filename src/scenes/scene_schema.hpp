@@ -1,4 +1,4 @@
-// Floor 7. Every key of a scene file: the one table that the reader and its page are made from.
+// Floor 8. Every key of a scene file: the one table that the reader and its page are made from.
 #pragma once
 
 #include <string>

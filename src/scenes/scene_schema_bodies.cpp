@@ -1,4 +1,4 @@
-// Floor 7. Keys of bodies and shapes, and the kinds of tables.
+// Floor 8. Keys of bodies and shapes, and the kinds of tables.
 #include "scenes/scene_schema.hpp"
 #include "math/list.hpp"
 

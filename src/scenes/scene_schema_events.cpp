@@ -1,4 +1,4 @@
-// Floor 7. Keys of what happens while a scene runs, and of where it should end.
+// Floor 8. Keys of what happens while a scene runs, and of where it should end.
 #include "scenes/scene_schema.hpp"
 #include "math/list.hpp"
 

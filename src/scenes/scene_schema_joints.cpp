@@ -1,4 +1,4 @@
-// Floor 7. Keys of joints.
+// Floor 8. Keys of joints.
 #include "scenes/scene_schema.hpp"
 #include "math/list.hpp"
 

@@ -1,4 +1,4 @@
-// Floor 7. The page on scene files: five minutes first, then every table and every key.
+// Floor 8. The page on scene files: five minutes first, then every table and every key.
 #include <fmt/format.h>
 
 #include "scenes/scene_schema.hpp"

@@ -1,4 +1,4 @@
-// Floor 7. Keys of tables that stand for many bodies.
+// Floor 8. Keys of tables that stand for many bodies.
 #include <fmt/format.h>
 
 #include "scenes/scene_schema.hpp"

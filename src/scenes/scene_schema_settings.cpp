@@ -1,4 +1,4 @@
-// Floor 7. Keys of the whole scene: how it steps, what is recommended, what is expected.
+// Floor 8. Keys of the whole scene: how it steps, what is recommended, what is expected.
 #include "scenes/scene_schema.hpp"
 #include "scenes/setting.hpp"
 #include "math/list.hpp"

@@ -1,4 +1,4 @@
-// Floor 7. Settings, expectations and camera from a scene file.
+// Floor 8. Settings, expectations and camera from a scene file.
 #include "scenes/scene_settings.hpp"
 
 #include "math/nearest.hpp"
@@ -41,7 +41,7 @@ void set_pace(const SceneTable& table, SceneSettings& settings) {
 
 std::string solver_of(const SceneTable& table, const std::string& fallback) {
   if (!table.has("solver")) return fallback;
-  List<std::string> known = {"box2d"};
+  List<std::string> known = {"box2d", opencl_jacobi_entry().name};
   for (const SolverEntry& entry : solver_entries()) known.push_back(entry.name);
   const std::string name = table.text("solver");
   for (const std::string& each : known) {

@@ -1,4 +1,4 @@
-// Floor 7. What a scene file says of the whole scene.
+// Floor 8. What a scene file says of the whole scene.
 #pragma once
 
 #include "scenes/scene_list.hpp"

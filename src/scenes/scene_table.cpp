@@ -1,4 +1,4 @@
-// Floor 7. Reading the keys of a table.
+// Floor 8. Reading the keys of a table.
 #include "scenes/scene_table.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Floor 7. One table of a scene file, held against the keys that it may have.
+// Floor 8. One table of a scene file, held against the keys that it may have.
 #pragma once
 
 #include <functional>

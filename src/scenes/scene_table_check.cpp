@@ -1,4 +1,4 @@
-// Floor 7. Refusing keys and values that a table cannot have.
+// Floor 8. Refusing keys and values that a table cannot have.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Floor 7. TOML into values: the only file that knows toml++.
+// Floor 8. TOML into values: the only file that knows toml++.
 // toml++ asserts some of what it checks right after: "[" with no name behind it ends a program. With NDEBUG
 // it lets clang++ assume the same. Neither is wanted of a text that may be wrong.
 #undef NDEBUG

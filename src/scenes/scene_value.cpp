@@ -1,4 +1,4 @@
-// Floor 7. Values in words.
+// Floor 8. Values in words.
 #include "scenes/scene_value.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Floor 7. What a scene file says, as a tree of values that know their places.
+// Floor 8. What a scene file says, as a tree of values that know their places.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Floor 7. Settings in words.
+// Floor 8. Settings in words.
 #include "scenes/setting.hpp"
 
 #include <fmt/format.h>
@@ -98,12 +98,27 @@ std::string setting_text(const Setting& setting) {
                      stabilization_text(setting.stabilization), precision_text(setting.scalar), cold, guards);
 }
 
+std::string solver_refusal(const Setting& setting) {
+  if (setting.solver == "box2d" && !has_box2d()) return "one of Cairn's own where it was built without Box2D";
+  if (setting.solver != opencl_jacobi_entry().name) return "";
+  switch (setting.scalar) {
+    case Precision::single_precision:
+      return opencl_jacobi_refusal<float>();
+    case Precision::double_precision:
+      return opencl_jacobi_refusal<double>();
+    case Precision::long_double:
+      return opencl_jacobi_refusal<long double>();
+  }
+  return "";
+}
+
 void check(const Setting& setting) {
   List<std::string> known;
   for (const SolverEntry& entry : solver_entries()) known.push_back(entry.name);
+  known.push_back(opencl_jacobi_entry().name);
   if (has_box2d()) known.push_back("box2d");
-  require(setting.solver != "box2d" || has_box2d(), "Setting", "solver",
-          "one of Cairn's own where it was built without Box2D", setting.solver);
+  const std::string refusal = solver_refusal(setting);
+  require(refusal.empty(), "Setting", "solver", refusal, setting.solver);
   require_known(setting.solver, known, "Setting", "solver");
   check(setting.sweeps, "Setting");
   require(setting.position_iterations >= 0, "Setting", "position_iterations", ">= 0",

@@ -1,4 +1,4 @@
-// Floor 7. A contestant: a solver and all that decides how it does.
+// Floor 8. A contestant: a solver and all that decides how it does.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct Setting {
   /// That a scene file or a flag may ask for.
   static constexpr int most_sweeps = 1'000'000;
 
-  std::string solver = "si";  // a name of solver_entries(), or "box2d"
+  std::string solver = "si";  // of solver_entries(), "opencl-jacobi" or "box2d"
   SolverSettings sweeps = {};
   Precision scalar = Precision::double_precision;
   double dt = 1.0 / 60;  // [s]
@@ -38,11 +38,15 @@ std::string setting_text(const Setting& setting);
 std::string stabilization_text(const Stabilization& stabilization);
 
 /// @throws std::invalid_argument for an unknown solver, with the nearest known one, for numbers that it
-/// cannot work with, and for "box2d" where Cairn was built without it.
+/// cannot work with, and by solver_refusal().
 void check(const Setting& setting);
 
 /// The scene's own settings, with all that the setting decides taken from it.
 SceneSettings with_setting(SceneSettings settings, const Setting& setting);
+
+/// Why this build and this machine lack the solver, "box2d" or "opencl-jacobi", as the rule of a message;
+/// empty where they have it.
+std::string solver_refusal(const Setting& setting);
 
 /// Whether "box2d" can be asked for.
 bool has_box2d();

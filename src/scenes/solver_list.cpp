@@ -1,6 +1,7 @@
-// Floor 7. The solvers by name.
+// Floor 8. The solvers by name.
 #include "scenes/solver_list.hpp"
 
+#include <concepts>
 #include <functional>
 #include <map>
 
@@ -16,6 +17,9 @@
 #include "solvers/iterative/sparse_projected_gauss_seidel.hpp"
 #include "solvers/wide/wide_sequential_impulse.hpp"
 #include "math/list.hpp"
+#ifdef CAIRN_HAVE_OPENCL
+#include "device/opencl_jacobi.hpp"
+#endif
 
 namespace cairn {
 
@@ -49,6 +53,16 @@ std::unique_ptr<Solver<Real>> reference(const SolverSettings& settings) {
 }
 
 template <Scalar Real>
+std::unique_ptr<Solver<Real>> opencl_jacobi([[maybe_unused]] const SolverSettings& settings) {
+  const std::string refusal = opencl_jacobi_refusal<Real>();
+  require(refusal.empty(), "make_solver", "solver", refusal, opencl_jacobi_entry().name);
+#ifdef CAIRN_HAVE_OPENCL
+  if constexpr (!std::same_as<Real, long double>) return std::make_unique<OpenClJacobi<Real>>(settings);
+#endif
+  return nullptr;  // refused above
+}
+
+template <Scalar Real>
 const std::map<std::string, SolverMaker<Real>>& solver_makers() {
   static const std::map<std::string, SolverMaker<Real>> makers = {
       {"si", solver_maker<SequentialImpulse<Real>>()},
@@ -65,6 +79,7 @@ const std::map<std::string, SolverMaker<Real>>& solver_makers() {
       {"wide-accelerated", solver_maker<WideSequentialImpulse<Real>>(Momentum::nesterov)},
       {"newton", solver_maker<NewtonSolver<Real>>()},
       {"reference", reference<Real>},
+      {"opencl-jacobi", opencl_jacobi<Real>},
   };
   return makers;
 }
@@ -72,6 +87,7 @@ const std::map<std::string, SolverMaker<Real>>& solver_makers() {
 void require_solver(const std::string& name, const char* place) {
   List<std::string> known;
   for (const SolverEntry& entry : solver_entries()) known.push_back(entry.name);
+  known.push_back(opencl_jacobi_entry().name);
   require_known(name, known, place, "solver");
 }
 
@@ -134,12 +150,38 @@ const List<SolverEntry>& solver_entries() {
   return entries;
 }
 
+const SolverEntry& opencl_jacobi_entry() {
+  static const SolverEntry entry = {.name = "opencl-jacobi",
+                                    .title = "jacobi-split on an OpenCL device, where there is one",
+                                    .cost = "12 m a sweep, all rows at a time, memory 26 m there",
+                                    .uses_order = false};
+  return entry;
+}
+
+template <Scalar Real>
+std::string opencl_jacobi_refusal() {
+#ifdef CAIRN_HAVE_OPENCL
+  if constexpr (std::same_as<Real, long double>) {
+    return "another in long double, which no OpenCL device has";
+  } else {
+    if (has_opencl_device<Real>()) return "";
+    const std::string known = std::same_as<Real, double> ? " that has double" : "";
+    return "another where there is no OpenCL device" + known +
+           " (a driver makes the processor one: pocl-opencl-icd)";
+  }
+#else
+  return "another where Cairn was built without OpenCL (install ocl-icd-opencl-dev, opencl-clhpp-headers and "
+         "pocl-opencl-icd, then build again)";
+#endif
+}
+
 std::int64_t counted_updates(const SolverEntry& solver, const SolveReport& report, int rows) {
   return (std::int64_t{report.iterations} * solver.updates_a_row + report.extra_sweeps) * rows;
 }
 
 const SolverEntry& solver_entry(const std::string& name) {
   require_solver(name, "solver_entry");
+  if (name == opencl_jacobi_entry().name) return opencl_jacobi_entry();
   int place = 0;
   while (solver_entries()[place].name != name) ++place;
   return solver_entries()[place];
@@ -151,6 +193,9 @@ std::unique_ptr<Solver<Real>> make_solver(const std::string& name, const SolverS
   return solver_makers<Real>().at(name)(settings);
 }
 
+template std::string opencl_jacobi_refusal<float>();
+template std::string opencl_jacobi_refusal<double>();
+template std::string opencl_jacobi_refusal<long double>();
 template std::unique_ptr<Solver<float>> make_solver(const std::string&, const SolverSettings&);
 template std::unique_ptr<Solver<double>> make_solver(const std::string&, const SolverSettings&);
 template std::unique_ptr<Solver<long double>> make_solver(const std::string&, const SolverSettings&);

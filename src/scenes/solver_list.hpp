@@ -1,4 +1,4 @@
-// Floor 7. The solvers by name.
+// Floor 8. The solvers by name.
 #pragma once
 
 #include <cstdint>
@@ -32,12 +32,20 @@ std::int64_t counted_updates(const SolverEntry& solver, const SolveReport& repor
 /// All of them, the plainest first.
 const List<SolverEntry>& solver_entries();
 
+/// "opencl-jacobi", OpenClJacobi. It is not one of solver_entries(): every build and every machine has those.
+const SolverEntry& opencl_jacobi_entry();
+
+/// Why "opencl-jacobi" cannot be made, as the rule of a message and with what to install; empty where it can.
+template <Scalar Real>
+std::string opencl_jacobi_refusal();
+
 /// "jacobi-damped" is Jacobi with half of every correction: settings.relaxation multiplies that half.
-/// @throws std::invalid_argument for an unknown name, with the nearest known one, and for settings out of
-/// range.
+/// @throws std::invalid_argument for an unknown name, with the nearest known one, for settings out of range,
+/// and for "opencl-jacobi" by opencl_jacobi_refusal().
 template <Scalar Real>
 std::unique_ptr<Solver<Real>> make_solver(const std::string& name, const SolverSettings& settings = {});
 
+/// One of solver_entries(), or opencl_jacobi_entry().
 /// @throws std::invalid_argument for an unknown name.
 const SolverEntry& solver_entry(const std::string& name);
 

@@ -128,7 +128,7 @@ List<Contender> all_contenders(int colours) {
          return std::make_unique<Jacobi<float>>(settings, Splitting::mass);
        }}};
 #ifdef CAIRN_HAVE_OPENCL
-  if (has_opencl_device<float>()) all.push_back({"jacobi-split, OpenCL", made<OpenClJacobi<float>>, 1, 2});
+  if (has_opencl_device<float>()) all.push_back({"opencl-jacobi", made<OpenClJacobi<float>>, 1, 2});
 #endif
   return all;
 }
@@ -148,16 +148,11 @@ void print_device() {
 void print_device_table() {
   print_heading("12. All rows at once on a device, beside colours on lanes and threads");
   fmt::print(
-      "Pyramids of {} boxes at the bottom, side by side on one ground, from a cold start, in float, down to "
-      "R_E "
-      "<=\n"
-      "{}: every solver does as many sweeps as it needs for that, and only then are times compared. Waits: "
-      "how "
-      "often\n"
-      "all that work at once wait for the last of them, colours of threads and kernels of a device. Times "
-      "are of "
-      "the\n"
-      "wall clock, with all that a solve sets up and sends, medians of {} solves in turn.\n",
+      R"(Pyramids of {} boxes at the bottom, side by side on one ground, from a cold start, in float, down to R_E <=
+{}: every solver does as many sweeps as it needs for that, and only then are times compared. Waits: how often
+all that work at once wait for the last of them, colours of threads and kernels of a device. Times are of the
+wall clock, with all that a solve sets up and sends, medians of {} solves in turn.
+)",
       base, wanted, repetitions);
   print_device();
   const VelocityProblem<double> one = cold(pyramid_problem(base));

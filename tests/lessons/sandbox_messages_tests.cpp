@@ -1,7 +1,9 @@
 // What cairn says of scenes to people: names instead of numbers, and nothing that commands a terminal.
 #include <doctest/doctest.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "math/list.hpp"
@@ -122,4 +124,38 @@ TEST_CASE("a TMPDIR that is not there is named by whom it stops") {
                                                "--size", "small", "--gif", scratch.path() + "/puck.gif"});
   CHECK(ran.code == 3);
   CHECK(text_has(ran.err, "TMPDIR must name a folder for temporary files, got /no/such/folder"));
+}
+
+TEST_CASE("a solver on a device gives the bits of the one here, or is refused with what to install") {
+  const ScratchFolder scratch;
+  scratch.write("device.toml",
+                "[ground]\n[[body]]\nbox = [1, 1]\n[recommended]\nsolver = \"opencl-jacobi\"\n");
+  const std::string scene = scratch.path() + "/device.toml";
+  const auto is_refused = [](const Ran& ran, const std::string& rule) {
+    return ran.code == 2 && text_has(ran.err, " must be another where " + rule) &&
+           text_has(ran.err, "pocl-opencl-icd") && text_has(ran.err, ", got opencl-jacobi");
+  };
+  const Ran here = run_cairn({"run", scene, "--json"});
+  const std::string rule =
+      text_has(here.err, "without OpenCL") ? "Cairn was built without OpenCL" : "there is no OpenCL device";
+  if (here.code == 2) {
+    CHECK(is_refused(here, rule));
+    MESSAGE(here.err);
+  } else {
+    const nlohmann::json there =
+        cairn_json({"run", "stack", "--solver", "opencl-jacobi:50", "--seconds", "0.2"});
+    const nlohmann::json split =
+        cairn_json({"run", "stack", "--solver", "jacobi-split:50", "--seconds", "0.2"});
+    CHECK(there["state"] == split["state"]);
+    CHECK(there["row_updates"] == split["row_updates"]);
+  }
+  // The loader looks for drivers here, and finds none.
+  const char* const key = "OCL_ICD_VENDORS";
+  const std::string before = std::getenv(key) == nullptr ? "" : std::getenv(key);
+  setenv(key, (scratch.path() + "/nowhere").c_str(), 1);
+  CHECK(is_refused(run_cairn({"run", scene}), rule));
+  CHECK(is_refused(run_cairn({"compare", "stack", "--solvers", "si,opencl-jacobi:20"}), rule));
+  before.empty() ? unsetenv(key) : setenv(key, before.c_str(), 1);
+  CHECK(run_cairn({"run", scene, "--scalar", "long-double"}).code == 2);
+  CHECK(run_cairn({"tune", scene, "--solvers", "opencl-jacobi"}).code == 2);
 }

@@ -4,9 +4,11 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <string>
 
 #include "solvers/iterative/jacobi.hpp"
 #include "solvers/solver_list.hpp"
@@ -37,12 +39,30 @@ TEST_CASE("an unknown solver is refused with the nearest name, or with all of th
   CHECK_THROWS_WITH_AS(
       make_solver<double>("simplex"),
       "make_solver: solver must be one of si, pgs, pgs-sparse, pgs-factored, jacobi, jacobi-damped, "
-      "jacobi-split, block, block-contact, accelerated, wide, wide-accelerated, newton, reference, got "
-      "simplex",
+      "jacobi-split, block, block-contact, accelerated, wide, wide-accelerated, newton, reference, "
+      "opencl-jacobi, got simplex",
       std::invalid_argument);
   CHECK_THROWS_AS(make_solver<float>(""), std::invalid_argument);
   CHECK_THROWS_AS(solver_entry("box2d"), std::invalid_argument);
   CHECK(solver_entry("pgs").name == "pgs");
+}
+
+TEST_CASE_TEMPLATE("Jacobi on a device is made where there is one, and else refused with what is missing",
+                   Real, float, double, long double) {
+  const std::string refusal = opencl_jacobi_refusal<Real>();
+  VelocityProblem<Real> there = testing::hand_made_stack<Real>(8, 10, Real(0.5)), here = there;
+  if (refusal.empty()) {
+    make_solver<Real>("opencl-jacobi", {.iterations = 40})->solve(there);
+    make_solver<Real>("jacobi-split", {.iterations = 40})->solve(here);
+    CHECK(there.impulse == here.impulse);
+  } else {
+    const std::string message = "make_solver: solver must be " + refusal + ", got opencl-jacobi";
+    CHECK_THROWS_WITH_AS(make_solver<Real>("opencl-jacobi"), message.c_str(), std::invalid_argument);
+    MESSAGE("opencl-jacobi: " << message);
+  }
+  CHECK((std::same_as<Real, long double> && refusal.empty()) == false);
+  CHECK(solver_entry("opencl-jacobi").name == "opencl-jacobi");
+  for (const SolverEntry& entry : solver_entries()) CHECK(entry.name != "opencl-jacobi");
 }
 
 TEST_CASE("damped Jacobi gives half of every correction, and takes no relaxation that is out of range") {
