@@ -51,6 +51,7 @@ int run_exercise(const Exercise& exercise, int argument_count, const char* const
     fmt::print("Passed.\n");
     return 0;
   }
+  if (grade.is_empty()) fmt::print("Nothing was computed: the gap is still empty.\n");
   fmt::print("Not yet. A hint: bash lessons/run hint {}\n", exercise.lesson);
   return 1;
 }
@@ -78,6 +79,10 @@ void Grade::number(const ExpectedNumber& expected, double got) {
 bool Grade::passed() const {
   return !marks_.empty() &&
          std::all_of(marks_.begin(), marks_.end(), [](const Mark& mark) { return mark.holds; });
+}
+
+bool Grade::is_empty() const {
+  return std::all_of(marks_.begin(), marks_.end(), [](const Mark& mark) { return std::isnan(mark.got); });
 }
 
 int exercise_program(const Exercise& exercise, int argument_count, const char* const* arguments) {

@@ -45,6 +45,8 @@ class Grade {
   const List<Mark>& marks() const { return marks_; }
   /// Whether there are marks, and all of them hold.
   bool passed() const;
+  /// Whether no mark got a number: the answer computes nothing yet.
+  bool is_empty() const;
 
  private:
   List<Mark> marks_;

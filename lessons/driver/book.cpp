@@ -41,6 +41,7 @@ void remove_old_pictures(const fs::path& folder, const Book& book) {
 struct ProjectTexts {
   std::string glossary = text_of(fs::path(CAIRN_LESSONS_FOLDER) / "glossary.md");
   std::string prerequisites = text_of(fs::path(CAIRN_LESSONS_FOLDER) / "prerequisites.md");
+  std::string your_solver = text_of(fs::path(CAIRN_LESSONS_FOLDER) / "your_solver/README.md");
   std::string notation = text_of(fs::path(CAIRN_LESSONS_FOLDER) / "../src/NOTATION.md");
 };
 
@@ -52,6 +53,7 @@ std::map<std::string, std::string> searched_pages(const Book& book, const Projec
   pages["equations.html"] = equations;
   pages["glossary.html"] = glossary_page(book, texts.glossary);
   pages["notation.html"] = notation_page(book, texts.notation);
+  pages["your_solver.html"] = text_page(book, texts.your_solver, "A solver of your own");
   pages["prerequisites.html"] = text_page(book, texts.prerequisites, "Prerequisites");
   return pages;
 }

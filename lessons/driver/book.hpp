@@ -35,6 +35,7 @@ struct BookLesson {
   List<BookFrame> frames = {};
   List<BookSource> exercise = {};
   std::string teaching = {};  // teaching.md; "" where there is none
+  bool has_stage = false;     // of the reader's own solver
 };
 
 struct Book : List<BookLesson> {

@@ -10,6 +10,7 @@
   const kept = (name) => {
     try { return localStorage.getItem(name); } catch { return null; }
   };
+  const guessOf = (page) => kept("cairn-guess-" + page) ?? "";
   const keep = (name, value) => {
     try { localStorage.setItem(name, value); } catch { /* then it holds for this page */ }
   };
@@ -57,7 +58,7 @@
     const form = document.querySelector(".guess");
     const field = form.querySelector("input");
     const answer = fold.querySelector("h2");
-    const name = "cairn-guess-" + location.pathname.split("/").pop();
+    const page = location.pathname.split("/").pop();
     const note = document.createElement("p");
     note.className = "guessed";
     answer.after(note);
@@ -65,14 +66,14 @@
       note.textContent = field.value ? "Your guess: " + field.value : "";
       note.hidden = !field.value;
     };
-    field.value = kept(name) ?? "";
+    field.value = guessOf(page);
     compare();
     fold.classList.add("works");
     fold.open = field.value !== "";
     form.hidden = false;
     form.addEventListener("submit", (event) => {
       event.preventDefault();
-      keep(name, field.value);
+      keep("cairn-guess-" + page, field.value);
       compare();
       fold.open = true;
       answer.tabIndex = -1;
@@ -165,12 +166,12 @@
   // Sections that have every word, those first that have them in their heading.
   function search(words) {
     const found = [];
-    for (const [address, title, heading, text] of cairnSections) {
+    for (const [address, title, heading, text, isFolded] of cairnSections) {
       const head = (title + " " + heading).toLowerCase();
       const body = text.toLowerCase();
       if (!words.every((word) => head.includes(word) || body.includes(word))) continue;
       const score = words.reduce((sum, word) => sum + (head.includes(word) ? 20 : 0) + body.split(word).length, 0);
-      found.push({ score, address, title: heading ? title + " · " + heading : title, text });
+      found.push({ score, address, title: heading ? title + " · " + heading : title, text, isFolded });
     }
     return found.sort((a, b) => b.score - a.score).slice(0, 30);
   }
@@ -181,13 +182,15 @@
     document.querySelector(".search input").value = query;
     document.querySelector(".found").textContent =
       words.length === 0 ? "Type what you look for above." : `${found.length} sections with “${query}”`;
-    for (const { address, title, text } of found) {
+    for (const { address, title, text, isFolded } of found) {
       const item = list.appendChild(document.createElement("li"));
       const link = item.appendChild(document.createElement("a"));
       link.href = address;
       link.textContent = title;
       const at = Math.max(0, text.toLowerCase().indexOf(words[0]) - 80);
-      item.appendChild(document.createElement("p")).textContent = "… " + text.slice(at, at + 220) + " …";
+      const isHidden = isFolded && !guessOf(address.split("#")[0]);
+      item.appendChild(document.createElement("p")).textContent =
+        isHidden ? "Behind the question of this lesson." : "… " + text.slice(at, at + 220) + " …";
     }
   }
 

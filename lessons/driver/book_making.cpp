@@ -91,6 +91,8 @@ BookLesson book_lesson(const Workshop& shop, const Program& program, bool& all_h
   if (fs::exists(folder / "exercise.cpp"))
     lesson.exercise.push_back({"exercise.cpp", text_of(folder / "exercise.cpp")});
   lesson.teaching = text_of(folder / "teaching.md");
+  lesson.has_stage =
+      fs::exists(folder.parent_path() / "your_solver/stages" / (two_digits(program.number) + ".txt"));
   take_frames(shop, lesson);
   return lesson;
 }

@@ -64,6 +64,15 @@ std::string exercise_figures(const BookLesson& lesson) {
   return text;
 }
 
+std::string stage_note(const BookLesson& lesson) {
+  if (!lesson.has_stage) return "";
+  return fmt::format(
+      "<p class=\"note\">This lesson is also a stage of <a href=\"your_solver.html\">a solver of your "
+      "own</a>: "
+      "<code>bash lessons/run solver {}</code></p>\n",
+      lesson.program.number);
+}
+
 TextPlaces places_for(const Book& book, const BookLesson& lesson) {
   TextPlaces places = places_in(book);
   places.cover = cover_figure(lesson);
@@ -87,7 +96,9 @@ void add(List<Section>& sections, const Addition& addition) {
     section.html.insert(addition.is_first ? heading : section.html.size(), "\n" + addition.html);
     return;
   }
-  sections.push_back({.title = addition.title, .html = "<h2>" + addition.title + "</h2>\n" + addition.html});
+  sections.push_back({.title = addition.title,
+                      .html = fmt::format("<h2 id=\"{}\">{}</h2>\n{}", anchor_of(addition.title),
+                                          addition.title, addition.html)});
 }
 
 /// The lessons before and behind this one.
@@ -112,12 +123,24 @@ constexpr const char* fold_begin = R"(<form class="guess" hidden>
 <details class="fold"><summary>Go on to the answer</summary>
 )";
 
-/// Closes everything behind the question.
+/// Links to the sections of a text.
+std::string section_links(const std::string& html) {
+  std::string items;
+  replaced(html, "<h2 id=\"", "</h2>", [&items](const std::string& heading) {
+    const std::size_t quote = heading.find('"');
+    items += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", heading.substr(0, quote),
+                         without_tags("<" + heading.substr(quote)));
+    return heading;
+  });
+  return "<nav class=\"sections\" aria-label=\"On this page\">\n<ul>\n" + items + "</ul>\n</nav>\n";
+}
+
+/// Closes everything behind the question. What is there is listed there: headings tell, too.
 std::string folded(const std::string& body) {
   const std::size_t fold = body.find(fold_mark);
   if (fold == std::string::npos) return body;
-  return body.substr(0, fold) + fold_begin + body.substr(fold + std::string(fold_mark).size()) +
-         "</details>\n";
+  const std::string behind = body.substr(fold + std::string(fold_mark).size());
+  return body.substr(0, fold) + fold_begin + section_links(behind) + behind + "</details>\n";
 }
 
 /// An anchor for the first place of each numbered equation: "eq-22".
@@ -159,7 +182,7 @@ std::string lesson_body(const Book& book, int index) {
   sections.front().html = with_idea(sections.front().html, lesson);
   add(sections, {"What to look at", "The frames", player(lesson), true});
   add(sections, {"Run it", "What it prints", console_figure(lesson), false});
-  add(sections, {"Your turn", "The exercise", exercise_figures(lesson), false});
+  add(sections, {"Your turn", "The exercise", exercise_figures(lesson) + stage_note(lesson), false});
   std::string body;
   for (const Section& section : sections) body += section.html;
   return folded(with_equation_anchors(body));

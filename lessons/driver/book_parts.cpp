@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "lessons/driver/book_glyphs.hpp"
 #include "lessons/driver/book_text.hpp"
 #include "lessons/driver/exercises.hpp"
 
@@ -76,6 +77,14 @@ std::string cover_figure(const BookLesson& lesson) {
 
 TextPlaces places_in(const Book& book) {
   TextPlaces places = {.has_playground = book.has_playground, .symbols = book.symbols, .terms = book.terms};
+  for (const auto& [symbol, address] : book.symbols) {
+    const std::size_t hash = address.find('#');
+    if (!is_greek(glyphs_of(symbol)[0])) continue;  // a letter of English is also a word
+    places.terms.push_back({.name = symbol,
+                            .anchor = address.substr(hash + 1),
+                            .meaning = "what " + symbol + " is in the paper and in the code",
+                            .page = address.substr(0, hash)});
+  }
   for (const BookLesson& lesson : book) {
     places.pages[lesson_folder(lesson.program).filename().string()] = page_name(lesson.program);
   }

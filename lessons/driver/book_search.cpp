@@ -8,6 +8,8 @@
 namespace cairn::driver {
 namespace {
 
+constexpr const char* fold = "<details class=\"fold\">";
+
 std::string between(const std::string& html, const std::string& open, const std::string& close) {
   const std::size_t begin = html.find(open);
   if (begin == std::string::npos) return "";
@@ -15,16 +17,20 @@ std::string between(const std::string& html, const std::string& open, const std:
   return html.substr(from, html.find(close, from) - from);
 }
 
-/// One entry a section: where it is, the page, the heading, the text.
+/// One entry a section: where it is, the page, the heading, the text without what is folded in it, and
+/// whether the section itself is folded until somebody has guessed.
 void add_sections(nlohmann::json& entries, const std::string& name, const std::string& html) {
   const std::string title = unescaped(without_tags(between(html, "<h1>", "</h1>")));
   const std::string main = between(html, "<main", "</main>");
   for (std::size_t begin = main.find("<h1>"); begin != std::string::npos && begin < main.size();) {
     const std::size_t end = std::min(main.find("<h2", begin + 1), main.size());
-    const std::string section = main.substr(begin, end - begin);
+    const bool is_folded = main.rfind(fold, begin) < begin;
+    const auto nothing = [](const std::string&) { return std::string(); };
+    const std::string open = replaced(main.substr(begin, end - begin), "<nav", "</nav>", nothing);
+    const std::string section = replaced(open, "</summary>", "</details>", nothing);
     const std::string heading = unescaped(without_tags("<" + between(section, "<h2", "</h2>")));
     const std::string anchor = heading.empty() ? "" : "#" + between(section, "<h2 id=\"", "\"");
-    entries.push_back({name + anchor, title, heading, unescaped(without_tags(section))});
+    entries.push_back({name + anchor, title, heading, unescaped(without_tags(section)), is_folded});
     begin = end;
   }
 }
@@ -44,7 +50,7 @@ std::string search_page() {
 std::string search_index(const std::map<std::string, std::string>& pages, const List<Term>& terms) {
   nlohmann::json entries = nlohmann::json::array();
   for (const Term& term : terms) {
-    entries.push_back({"glossary.html#" + term.anchor, "Glossary", term.name, term.meaning});
+    entries.push_back({"glossary.html#" + term.anchor, "Glossary", term.name, term.meaning, false});
   }
   for (const auto& [name, html] : pages) {
     if (name != "glossary.html") add_sections(entries, name, html);
@@ -57,7 +63,7 @@ std::string handouts_page(const Book& book) {
   for (int i = 0; i < book.size(); ++i) {
     const std::string name = page_name(book[i].program);
     const std::string stem = name.substr(0, name.find('.')) + "-";
-    std::string html = replaced(lesson_body(book, i), "<details class=\"fold\">", "</summary>",
+    std::string html = replaced(lesson_body(book, i), fold, "</summary>",
                                 [](const std::string&) { return std::string("<div>"); });
     const std::size_t end = html.rfind("</details>");
     if (end != std::string::npos) html.replace(end, std::string("</details>").size(), "</div>");

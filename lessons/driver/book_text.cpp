@@ -27,6 +27,7 @@ std::string led_on(const std::string& target, const TextPlaces& places) {
   const auto file = places.files.find(target);
   if (file != places.files.end()) return file->second;
   if (target.rfind("NOTATION.md") != std::string::npos) return "notation.html";
+  if (target.rfind("your_solver/README.md") != std::string::npos) return "your_solver.html";
   if (target.rfind("glossary.md") != std::string::npos) return "glossary.html";
   for (const auto& [folder, page] : places.pages) {
     if (target == "../" + folder + "/README.md" || target == folder + "/README.md") return page;

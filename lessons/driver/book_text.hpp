@@ -18,11 +18,12 @@ std::string unescaped(std::string text);
 /// @throws std::runtime_error when this build cannot read Markdown.
 std::string html_of(const std::string& markdown);
 
-/// A word of the glossary.
+/// A word of the glossary, or a symbol of the notation.
 struct Term {
-  std::string name = {};     // "effective mass"
-  std::string anchor = {};   // "effective-mass"
-  std::string meaning = {};  // without markup
+  std::string name = {};               // "effective mass"
+  std::string anchor = {};             // "effective-mass"
+  std::string meaning = {};            // without markup
+  std::string page = "glossary.html";  // that explains it
 };
 
 /// "What to look at" -> "what-to-look-at".
@@ -57,7 +58,7 @@ std::string replaced(const std::string& text, const std::string& open, const std
 /// A file or an output as a figure with a caption; `caption` and `code` are HTML.
 std::string code_figure(const std::string& anchor, const std::string& caption, std::string_view code);
 
-/// HTML in which the first use of each term is a link to the glossary.
+/// HTML in which the first use of each term is a link to where it is explained.
 std::string with_terms(const std::string& html, const List<Term>& terms);
 
 /// Markdown whose indented blocks are fenced, as "formula".

@@ -16,7 +16,10 @@ bool is_list_item(const std::string& line) {
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-/// Where a text has a word, its first letter large or small, its end with or without an s.
+bool is_ascii(char c) { return static_cast<unsigned char>(c) < 128; }
+
+/// Where a text has a word, its first letter large or small, its end with or without an s. A symbol begins no
+/// later than its glyph does: not within "Δλ".
 std::size_t place_of(const std::string& text, const std::string& word) {
   const auto same = [](char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
@@ -27,7 +30,8 @@ std::size_t place_of(const std::string& text, const std::string& word) {
     if (at == text.end()) return std::string::npos;
     auto end = at + static_cast<std::ptrdiff_t>(word.size());
     if (end != text.end() && *end == 's') ++end;
-    const bool begins = at == text.begin() || (!is_letter(*(at - 1)) && *(at - 1) != '-');
+    const bool begins = at == text.begin() || (!is_letter(*(at - 1)) && *(at - 1) != '-' &&
+                                               (is_ascii(word[0]) || is_ascii(*(at - 1))));
     if (begins && (end == text.end() || !is_letter(*end))) return static_cast<std::size_t>(at - text.begin());
     ++at;
   }
@@ -51,8 +55,9 @@ std::string linked(std::string text, List<Term>& left) {
     }
     std::size_t length = left[i].name.size();
     if (at + length < text.size() && text[at + length] == 's') ++length;
-    const std::string link = "<a class=\"term\" href=\"glossary.html#" + left[i].anchor + "\" title=\"" +
-                             escaped(left[i].meaning) + "\">" + text.substr(at, length) + "</a>";
+    const std::string link = "<a class=\"term\" href=\"" + left[i].page + "#" + left[i].anchor +
+                             "\" title=\"" + escaped(left[i].meaning) + "\">" + text.substr(at, length) +
+                             "</a>";
     const std::string behind = text.substr(at + length);
     left.erase(left.begin() + i);
     return linked(text.substr(0, at), left) + link + linked(behind, left);

@@ -5,6 +5,7 @@ import { existsSync, mkdirSync, readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
+import { brokenPictures, overflow, paleText, playerState } from "./in_page.mjs";
 
 const { chromium } = createRequire(join(process.cwd(), "book"))("playwright-core");
 
@@ -47,47 +48,6 @@ const unfold = (tab) => tab.evaluate(() => {
   for (const fold of document.querySelectorAll("details.fold")) fold.open = true;
 });
 
-const overflow = () => {
-  const width = document.documentElement.clientWidth;
-  const isClipped = (element) => {
-    for (let at = element; at; at = at.parentElement) if (getComputedStyle(at).overflowX === "auto") return true;
-    return false;
-  };
-  const wide = [...document.querySelectorAll("body *")].filter((element) => {
-    const box = element.getBoundingClientRect();
-    return box.width > 0 && box.right > width + 1 && !isClipped(element);
-  });
-  return wide.map((element) => element.tagName + "." + element.className).slice(0, 3).join(" ");
-};
-
-const brokenPictures = (theme) => [...document.images].filter((image) => {
-  const isShown = image.getClientRects().length > 0;
-  return !image.alt || (isShown && (!image.naturalWidth || !image.currentSrc.includes(`_${theme}.png`)));
-}).length;
-
-// Text against what is behind it: at least 4.5 : 1 (WCAG 2.2, 1.4.3).
-const paleText = () => {
-  const channels = (color) => color.match(/[\d.]+/g).map(Number);
-  const light = ([r, g, b]) => [r, g, b].map((c) => c / 255)
-    .map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
-    .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
-  const behind = (element) => {
-    for (let at = element; at; at = at.parentElement) {
-      const color = channels(getComputedStyle(at).backgroundColor);
-      if (color.length < 4 || color[3] === 1) return light(color);
-    }
-    return 1;
-  };
-  const texts = [...document.querySelectorAll("p, li, a, h1, h2, h3, td, th, code, button, summary, figcaption")];
-  const ratio = (element) => {
-    const pair = [light(channels(getComputedStyle(element).color)), behind(element)].sort((a, b) => b - a);
-    return (pair[0] + 0.05) / (pair[1] + 0.05);
-  };
-  return texts.filter((element) => element.getClientRects().length > 0 && ratio(element) < 4.5)
-    .map((element) => `${element.tagName} "${element.textContent.slice(0, 30)}" ${ratio(element).toFixed(2)}`)
-    .slice(0, 3).join("; ");
-};
-
 async function checkLooks(browser) {
   for (const theme of themes) {
     for (const width of widths) {
@@ -120,6 +80,8 @@ async function checkFold(browser, name) {
   await tab.fill(".guess input", "0.1, 0.2");
   await tab.click(".guess button");
   check(await tab.isVisible("#the-answer"), `${name}: a guess opens it`);
+  const dead = await tab.$$eval(".sections a", (links) => links.filter((link) => !document.querySelector(link.hash)).length);
+  check(dead === 0 && await tab.locator(".sections a").count() > 3, `${name}: and lists its sections`);
   const guessed = () => tab.textContent(".guessed");
   check((await guessed()).includes("0.1, 0.2"), `${name}: the guess stands beside the answer`, await guessed());
   await tab.goto("about:blank");
@@ -141,23 +103,23 @@ async function checkSearch(browser) {
   await tab.waitForSelector(".results a");
   const first = await tab.getAttribute(".results a", "href");
   check(first === "glossary.html#effective-mass", "the search finds a term in the glossary first", first);
+  const shown = () => tab.$$eval(".results li", (items) => items
+    .filter((item) => item.querySelector("a").href.includes("#the-answer"))
+    .map((item) => item.querySelector("p").textContent));
+  const hidden = "Behind the question of this lesson.";
+  await tab.goto(address("search.html", "?q=answer"));
+  const before = await shown();
+  check(before.length > 0 && before.every((text) => text === hidden), "and shows nothing of an answer", before.join("; "));
+  const page = (await tab.getAttribute(".results a[href$='#the-answer']", "href")).split("#")[0];
+  await tab.evaluate((name) => localStorage.setItem("cairn-guess-" + name, "1"), page);
+  await tab.reload();
+  check((await shown()).some((text) => text !== hidden), "until its question has a guess");
+  await tab.goto(address("search.html", "?q=effective+mass"));
   await tab.click(".results a");
   check(await tab.isVisible("#effective-mass"), "and leads to it");
   check(troubles.length === 0, "the search works without an error", troubles.join("; "));
   await context.close();
 }
-
-// What the player of a page says of itself.
-const playerState = () => {
-  const shown = [...document.querySelectorAll(".frames > li")].filter((item) => item.getClientRects().length > 0);
-  return {
-    shown: shown.map((item) => item.id).join(" "),
-    slider: Number(document.querySelector(".controls input").value),
-    spoken: document.querySelector(".controls input").getAttribute("aria-valuetext"),
-    caption: document.querySelector(".caption p").textContent,
-    hash: location.hash,
-  };
-};
 
 async function checkPlayer(browser, name) {
   const { context, tab, troubles } = await open(browser, {});
@@ -234,16 +196,19 @@ async function checkEnlarging(browser, name) {
 async function checkTheme(browser) {
   const { context, tab } = await open(browser, { colorScheme: "light" });
   await tab.goto(address(lessons[0]));
+  // A picture changes its source some time after the theme.
+  const areThere = async (theme) => {
+    for (let i = 0; i < 50 && await tab.evaluate(brokenPictures, theme) > 0; ++i) await tab.waitForTimeout(100);
+    return await tab.evaluate(brokenPictures, theme) === 0;
+  };
   const paper = () => tab.evaluate(() => getComputedStyle(document.body).backgroundColor);
   const light = await paper();
   await tab.click("button.theme");
-  await tab.waitForFunction(() => [...document.images].every((image) => image.complete));
   check(await paper() !== light, "the button makes the page dark");
-  check(await tab.evaluate(brokenPictures, "dark") === 0, "and its pictures");
+  check(await areThere("dark"), "and its pictures");
   await tab.emulateMedia({ media: "print" });
   check(await paper() === "rgb(255, 255, 255)", "paper is white all the same");
-  await tab.waitForFunction(() => [...document.images].every((image) => image.complete));
-  check(await tab.evaluate(brokenPictures, "light") === 0, "and all frames are on it, light");
+  check(await areThere("light"), "and all frames are on it, light");
   await tab.emulateMedia({ media: "screen" });
   await tab.goto(address("index.html"));
   check(await paper() !== light, "the choice holds for the next page");

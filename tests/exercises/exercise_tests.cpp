@@ -24,6 +24,15 @@ TEST_CASE("a number holds within its tolerance, and a NaN never does") {
   CHECK_FALSE(Grade().passed());
 }
 
+TEST_CASE("a grade is empty as long as no mark has a number") {
+  Grade grade;
+  CHECK(grade.is_empty());
+  grade.number({.what = "a number", .value = 2}, std::numeric_limits<double>::quiet_NaN());
+  CHECK(grade.is_empty());
+  grade.number({.what = "another", .value = 2}, 3);
+  CHECK_FALSE(grade.is_empty());
+}
+
 TEST_CASE("a wrong number names the first misconception that gives it, and a right one none") {
   const ExpectedNumber expected{.what = "a number",
                                 .value = 2,
