@@ -19,7 +19,7 @@ LessonInfo card() {
       .needs = {"lesson 06", "lesson 11"},
       .reads = {"src/constraints/friction_joint.hpp", "src/constraints/row.hpp"},
       .question =
-          "A puck slides off at v = (3, 4) m/s. With the length of λ clamped to μN it stops after 2.45 m. "
+          "A puck starts at v = (3, 4) m/s. With the length of λ clamped to μN it stops after 2.45 m. "
           "How far from its start does it stop, in metres, if λ_x and λ_y are each clamped to μN?",
       .spoilers = {"1.79", "0.87", "diamond"},
       .hints = {"Does the friction of the square point against v? Draw the corner that it ends in.",

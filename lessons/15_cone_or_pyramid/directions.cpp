@@ -18,8 +18,8 @@ using render::Rect;
 /// Where all pucks stop that start in one place with one speed.
 void draw_stops(Page& page, const Rect& rect, const Slides& all, int count) {
   const Rect inside = page.panel(rect, "where the pucks stop, by direction");
-  const double way = all.settings.way();
-  const double reach = 1.12 * way;
+  const double distance = all.settings.distance();
+  const double reach = 1.12 * distance;
   const render::Camera camera = render::fit(inside, {{-reach, -reach}, {reach, reach}});
   const render::Stroke thin{.width = 1, .color = page.theme().inactive};
   const Point start = camera.project({0, 0});
@@ -42,13 +42,12 @@ void draw_stops(Page& page, const Rect& rect, const Slides& all, int count) {
     draw_marker(page.canvas(), circle, page.theme().si.marker, radius, page.theme().si.color);
     draw_marker(page.canvas(), square, page.theme().pgs.marker, radius, page.theme().pgs.color);
   }
-  render::TextStyle style = page.label();
-  style.halo = page.theme().panel;
-  style.align = render::Align::center;
-  const Point corner = camera.project({0.86 * way, 0.9 * way});
-  page.canvas().text(corner, "circle", style);
-  const Point low = camera.project({-0.3 * way, -0.36 * way});
-  page.canvas().text(low, "square", style);
+  for (const bool is_circle : {true, false}) {  // in the corners at the right, where no puck stops
+    const Point at = camera.project({0.7 * distance, (is_circle ? 0.96 : -0.96) * distance});
+    const render::SeriesStyle& style = is_circle ? page.theme().si : page.theme().pgs;
+    draw_marker(page.canvas(), at, style.marker, radius, style.color);
+    page.canvas().text({at.x() + 2 * radius, at.y() + radius}, is_circle ? "circle" : "square", page.label());
+  }
 }
 
 /// Something about where a puck stops, as a share of v^2 / 2 mu g.
@@ -69,27 +68,27 @@ render::Series formula_series(const Page& page, Measure measure) {
 }
 
 /// The measure of the slides that were made, from 0 to 90 degrees.
-render::Series slides_series(const std::string& name, const render::SeriesStyle& style, const Slides& all,
-                             int count, Vec2<double> Direction::*stop, Measure measure) {
-  render::Series series{.name = name, .style = style, .line = false};
+render::Series slides_series(const render::SeriesStyle& style, const Slides& all, int count,
+                             Vec2<double> Direction::*stop, Measure measure) {
+  render::Series series{.style = style, .line = false};
   for (int i = 0; i < std::min(count, 7); ++i) {
     const Direction& direction = all.directions[i];
     series.x.push_back(direction.degrees);
     // Half a step is what semi-implicit Euler lags behind.
     const Vec2<double> place = direction.*stop + 0.5 * all.settings.dt * direction.velocity;
-    series.y.push_back(measure(place / all.settings.way()));
+    series.y.push_back(measure(place / all.settings.distance()));
   }
   return series;
 }
 
 List<render::Series> over_direction(const Page& page, const Slides& all, int count, Measure measure) {
   return {formula_series(page, measure),
-          slides_series("circle", page.theme().si, all, count, &Direction::circle, measure),
-          slides_series("square", page.theme().pgs, all, count, &Direction::square, measure)};
+          slides_series(page.theme().si, all, count, &Direction::circle, measure),
+          slides_series(page.theme().pgs, all, count, &Direction::square, measure)};
 }
 
 double length_of(const Vec2<double>& place) { return place.norm(); }
-double heading_of(const Vec2<double>& place) { return std::atan2(place.y(), place.x()) * 180 / pi; }
+double direction_of(const Vec2<double>& place) { return std::atan2(place.y(), place.x()) * 180 / pi; }
 
 }  // namespace
 
@@ -97,17 +96,17 @@ void draw_directions(Page& page, const Slides& all, int count) {
   const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   draw_stops(page, halves[0], all, count);
   const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
-  render::Plot length{.title = "way to the stop / (v²/2μg)"};
-  length.x = {.title = "direction (°)", .min = 0, .max = 90};
+  render::Plot length{.title = "distance to the stop / (v²/2μg), the curve by formula"};
+  length.x = {.title = "direction of the start (°)", .min = 0, .max = 90};
   length.y = {.title = "", .min = 0.6, .max = 1.1};
   length.series = over_direction(page, all, count, length_of);
   length.goals = {{std::sqrt(0.5), "1/√2"}};
   draw_plot(page, right[0], length);
-  render::Plot heading{.title = "heading at the end (°)"};
-  heading.x = length.x;
-  heading.y = {.title = "", .min = 0, .max = 90};
-  heading.series = over_direction(page, all, count, heading_of);
-  draw_plot(page, right[1], heading);
+  render::Plot angle{.title = "direction of the stop (°), the curve by formula"};
+  angle.x = length.x;
+  angle.y = {.title = "", .min = 0, .max = 90};
+  angle.series = over_direction(page, all, count, direction_of);
+  draw_plot(page, right[1], angle);
 }
 
 }  // namespace cairn::top_view

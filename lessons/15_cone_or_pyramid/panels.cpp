@@ -31,9 +31,11 @@ void draw_path(Page& page, const render::Camera& camera, const Slide& slide, int
 }
 
 void draw_puck_arrows(Page& page, const render::Camera& camera, const Slides& all, const SlideStep& step) {
-  const double way = all.settings.way() * camera.scale;  // [px]
-  const render::ArrowScale newtons{.pixels_per_unit = 0.16 * way / all.settings.limit(), .longest = way};
-  const render::ArrowScale speeds{.pixels_per_unit = 0.3 * way / all.settings.speed(), .longest = way};
+  const double distance = all.settings.distance() * camera.scale;  // [px]
+  const render::ArrowScale newtons{.pixels_per_unit = 0.16 * distance / all.settings.limit(),
+                                   .longest = distance};
+  const render::ArrowScale speeds{.pixels_per_unit = 0.3 * distance / all.settings.speed(),
+                                  .longest = distance};
   if (step.velocity.norm() > 1e-9 * all.settings.speed()) {
     draw_arrow(page, camera, speeds,
                {.kind = render::ArrowKind::velocity, .tail = step.place, .value = step.velocity});
@@ -46,10 +48,11 @@ void draw_puck_arrows(Page& page, const render::Camera& camera, const Slides& al
 
 /// The table with a line at every round metre or part of one.
 render::Camera draw_floor(Page& page, const Rect& rect, const Slides& all) {
-  const double way = all.settings.way();
-  const Vec2<double> end = all.settings.velocity / all.settings.speed() * way;
-  const Aabb<double> seen = {{-0.26 * way, -0.2 * way}, {end.x() + 0.26 * way, end.y() + 0.1 * way}};
-  const List<double> xs = render::round_ticks(-2 * way, 2 * way, 16);
+  const double distance = all.settings.distance();
+  const Vec2<double> end = all.settings.velocity / all.settings.speed() * distance;
+  const Aabb<double> seen = {{-0.26 * distance, -0.2 * distance},
+                             {end.x() + 0.26 * distance, end.y() + 0.1 * distance}};
+  const List<double> xs = render::round_ticks(-2 * distance, 2 * distance, 16);
   const double spacing = xs[1] - xs[0];
   const Rect inside =
       page.panel(rect, fmt::format("the table from above, grid {} m", render::significant(spacing)));
@@ -57,8 +60,8 @@ render::Camera draw_floor(Page& page, const Rect& rect, const Slides& all) {
   const render::Stroke stroke{.width = 1, .color = page.theme().grid};
   page.canvas().push_clip(inside);
   for (const double at : xs) {
-    page.canvas().line(camera.project({at, -2 * way}), camera.project({at, 2 * way}), stroke);
-    page.canvas().line(camera.project({-2 * way, at}), camera.project({2 * way, at}), stroke);
+    page.canvas().line(camera.project({at, -2 * distance}), camera.project({at, 2 * distance}), stroke);
+    page.canvas().line(camera.project({-2 * distance, at}), camera.project({2 * distance, at}), stroke);
   }
   page.canvas().pop_clip();
   return camera;

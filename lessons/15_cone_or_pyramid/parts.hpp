@@ -1,6 +1,8 @@
 // Lesson 15. What it prints, checks and draws.
 #pragma once
 
+#include <string>
+
 #include "lessons/lesson.hpp"
 #include "math/list.hpp"
 #include "slide.hpp"
@@ -8,6 +10,9 @@
 namespace cairn::top_view {
 
 SlideSettings settings_of(const Lesson& lesson);
+
+/// "(−3.00, −4.00)"
+std::string pair_text(const Vec2<double>& pair, int decimals);
 
 void print_scene(Lesson& lesson, const SlideSettings& settings);
 void print_slides(Lesson& lesson, const Slides& all);

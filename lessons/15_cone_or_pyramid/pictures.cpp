@@ -23,10 +23,6 @@ using render::Rect;
 
 using Recorded = std::shared_ptr<const Slides>;
 
-std::string pair_text(const Vec2<double>& pair, int decimals) {
-  return fmt::format("({}, {})", fixed(pair.x() + 0.0, decimals), fixed(pair.y() + 0.0, decimals));
-}
-
 Rect draw_start(Page& page, const Slides& all, const Forces& forces) {
   const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   draw_limits(page, halves[0], all, forces);
@@ -203,7 +199,7 @@ void draw_question(Page& page, const Rect& rect, const Slides& all) {
 void draw_ends(Page& page, const Rect& rect, const Slides& all) {
   const List<Rect> parts = rows(rect, {0.7, 0.3}, page.sizes().gap);
   draw_table(page, parts[0], all, all.circle.steps.size() - 1);
-  render::TableView table{.header = {"limit", "x (m)", "y (m)", "way (m)", "heading"}};
+  render::TableView table{.header = {"limit", "x (m)", "y (m)", "distance (m)", "direction"}};
   for (const Slide* slide : {&all.circle, &all.aligned, &all.square}) {
     const Vec2<double> place = slide->steps.back().place;
     std::string name = "circle";

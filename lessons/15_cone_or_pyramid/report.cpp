@@ -12,10 +12,7 @@ namespace {
 
 constexpr double epsilon = 2.3e-16;
 
-std::string vector_text(const Vec2<double>& vector, int decimals) {
-  // Adding 0 leaves no minus before a zero.
-  return fmt::format("({:.{}f}, {:.{}f})", vector.x() + 0.0, decimals, vector.y() + 0.0, decimals);
-}
+using render::fixed;
 
 void print_first_step(Lesson& lesson, const Slides& all) {
   const SlideSettings& settings = all.settings;
@@ -25,35 +22,35 @@ void print_first_step(Lesson& lesson, const Slides& all) {
   lesson.print("The first step: two rows, j = (1, 0, 0) and (0, 1, 0), both with j M⁻¹ jᵀ = 1/m");
   for (int i = 0; i < 2; ++i) {
     const ConstraintRow<double>& row = all.first.rows[i];
-    lesson.print(
-        fmt::format("  (22)  λ_{} = (0 − {:g}) / ({:g} × {:g}) = {:>8.2f} N   clamped to ±{:g}: {:.2f} N",
-                    i == 0 ? "x" : "y", row_velocity(all.first, row), inverse_effective_mass(all.first, row),
-                    settings.dt, wanted[i] + 0.0, settings.limit(), parts[i] + 0.0));
+    lesson.print(fmt::format("  (22)  λ_{} = (0 − {:g}) / ({:g} × {:g}) = {:>8} N   clamped to ±{:g}: {} N",
+                             i == 0 ? "x" : "y", row_velocity(all.first, row),
+                             inverse_effective_mass(all.first, row), settings.dt, fixed(wanted[i] + 0.0, 2),
+                             settings.limit(), fixed(parts[i] + 0.0, 2)));
   }
-  lesson.print(fmt::format("  parts clamped    λ = {} N, {:.2f} N long: {:.1f} % of μN",
-                           vector_text(parts, 2), parts.norm(), 100 * parts.norm() / settings.limit()));
-  lesson.print(fmt::format("  vector clamped   λ = {} × {:g} / {:g} = {} N, against v",
-                           vector_text(wanted, 0), settings.limit(), wanted.norm(), vector_text(vector, 2)));
+  lesson.print(fmt::format("  parts clamped    λ = {} N, {:.2f} N long: {:.1f} % of μN", pair_text(parts, 2),
+                           parts.norm(), 100 * parts.norm() / settings.limit()));
+  lesson.print(fmt::format("  vector clamped   λ = {} × {:g} / {:g} = {} N, against v", pair_text(wanted, 0),
+                           settings.limit(), wanted.norm(), pair_text(vector, 2)));
   lesson.print();
 }
 
 void print_ends(Lesson& lesson, const Slides& all) {
-  lesson.print("limit                  stops at (m)      from its start    heading at the end");
+  lesson.print("limit                  stops at (m)      from its start   direction of the stop");
   for (const Slide* slide : {&all.circle, &all.aligned, &all.square}) {
     const Vec2<double> place = slide->steps.back().place;
     const char* name = "circle";
     if (slide->shape == FrictionShape::aligned_square) name = "square, axis along v";
     if (slide->shape == FrictionShape::square) name = "square, axes x and y";
-    lesson.print(fmt::format("  {:<20} {:>14} {:>15.3f} m {:>19.2f}°", name, vector_text(place, 3),
+    lesson.print(fmt::format("  {:<20} {:>14} {:>15.3f} m {:>20.2f}°", name, pair_text(place, 3),
                              place.norm(), std::atan2(place.y(), place.x()) * 180 / pi));
   }
   lesson.print();
-  lesson.print("direction   circle (m)   square (m)   ratio   √(cos⁴ + sin⁴)   heading at the end");
+  lesson.print("direction   circle (m)   square (m)   ratio   √(cos⁴ + sin⁴)   direction of the stop");
   for (const Direction& direction : all.directions) {
     if (direction.degrees > 90) break;
     const double c = std::cos(direction.degrees * pi / 180);
     const double s = std::sin(direction.degrees * pi / 180);
-    lesson.print(fmt::format("  {:>5.0f}°   {:>11.4f} {:>12.4f} {:>8.4f} {:>13.4f} {:>17.2f}°",
+    lesson.print(fmt::format("  {:>5.0f}°   {:>11.4f} {:>12.4f} {:>8.4f} {:>13.4f} {:>20.2f}°",
                              direction.degrees, direction.circle.norm(), direction.square.norm(),
                              direction.square.norm() / direction.circle.norm(),
                              std::sqrt(c * c * c * c + s * s * s * s),
@@ -82,10 +79,10 @@ void check_limits(Lesson& lesson, const Slides& all) {
   lesson.check_small("circle: λ beyond μN, in any step (N)", beyond, 8 * epsilon * settings.limit());
 }
 
-/// Each step rounds the velocity, and the place keeps all of it: n times epsilon of the way, some few times.
+/// Each step rounds the velocity, and the place keeps all of it: n times epsilon of the distance, some few
+/// times.
 double rounding_of_places(const Slides& all) {
-  const double way = all.settings.speed() * all.settings.speed() / all.settings.slowing();
-  return 16 * epsilon * all.circle.steps.size() * way;
+  return 32 * epsilon * all.circle.steps.size() * all.settings.distance();
 }
 
 /// The loop of lesson.cpp against the library's rows.
@@ -118,7 +115,7 @@ void check_directions(Lesson& lesson, const Slides& all) {
 }
 
 /// The closed forms, which know no steps. A step lags by v dt / 2, and what is left is between 0 and e²/4 of
-/// v²/2μg on each axis, where e = μ g dt / v: so the ratio is within 0.36 e², and the heading within
+/// v²/2μg on each axis, where e = μ g dt / v: so the ratio is within 0.36 e², and the angle within
 /// √2/4 e² / ratio.
 void check_closed_forms(Lesson& lesson, const Slides& all) {
   const SlideSettings& settings = all.settings;
@@ -140,6 +137,11 @@ void check_closed_forms(Lesson& lesson, const Slides& all) {
 }
 
 }  // namespace
+
+std::string pair_text(const Vec2<double>& pair, int decimals) {
+  // Adding 0 leaves no minus before a zero.
+  return fmt::format("({}, {})", fixed(pair.x() + 0.0, decimals), fixed(pair.y() + 0.0, decimals));
+}
 
 void print_scene(Lesson& lesson, const SlideSettings& settings) {
   lesson.print(fmt::format(

@@ -18,11 +18,11 @@ struct SlideSettings {
   double mu = 0.5;
   Vec2<double> velocity = {3, 4};  // [m/s] at the start
 
-  double limit() const { return mu * puck_load; }                     // [N] mu N
-  double slowing() const { return limit() / puck_mass; }              // [m/s^2] mu g
-  double speed() const { return velocity.norm(); }                    // [m/s]
-  double way() const { return speed() * speed() / (2 * slowing()); }  // [m] v^2 / 2 mu g
-  double puck_radius() const { return 0.04 * way(); }  // [m] to be seen; the puck does not turn
+  double limit() const { return mu * puck_load; }                          // [N] mu N
+  double slowing() const { return limit() / puck_mass; }                   // [m/s^2] mu g
+  double speed() const { return velocity.norm(); }                         // [m/s]
+  double distance() const { return speed() * speed() / (2 * slowing()); }  // [m] v^2 / 2 mu g
+  double puck_radius() const { return 0.04 * distance(); }  // [m] to be seen; the puck does not turn
   double degrees() const { return std::atan2(velocity.y(), velocity.x()) * 180 / pi; }
 };
 
