@@ -48,7 +48,7 @@ constexpr int page_width = 104;
 
 std::string numbers_text(const List<double>& numbers) {
   List<std::string> words;
-  for (const double number : numbers) words.push_back(short_number(number));
+  for (const double number : numbers) words.push_back(with_minus_signs(short_number(number)));
   return joined(words, ", ");
 }
 
@@ -65,7 +65,7 @@ void Lesson::State::claim(Claim claim) {
                                           : console.colored("FAILED", Console::Color::bad);
   Claim spelt = claim;
   spelt.text = console.spelt(claim.text);
-  spelt.shown = console.spelt(claim.shown);
+  spelt.shown = console.spelt(with_minus_signs(claim.shown));
   console.result(claim_line(spelt) + verdict);
   if (!claim.holds && !claim.demand.empty()) {
     console.result("       must be " + claim.demand + ", is " + shortest(claim.value));
@@ -141,7 +141,7 @@ const std::string& Lesson::choice(std::string_view flag) const {
 
 void Lesson::print(std::string_view line) {
   if (state_->options.check) return;
-  state_->console.narrate(line);
+  state_->console.narrate(with_minus_signs(line));
   if (state_->options.step && !line.empty()) state_->console.wait();
 }
 

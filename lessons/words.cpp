@@ -10,7 +10,13 @@
 namespace cairn {
 namespace {
 
-std::optional<double> parse_decimal(std::string_view text) {
+constexpr std::string_view minus = "−";
+
+std::optional<double> parse_decimal(std::string_view typed) {
+  // A number as it was printed is one that may be typed.
+  const bool printed = typed.starts_with(minus);
+  const std::string ascii = printed ? "-" + std::string(typed.substr(minus.size())) : std::string(typed);
+  std::string_view text = ascii;
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -130,6 +136,20 @@ std::string transliterated(std::string_view text) {
     if (touches_word || touches_letter) result += ' ';
     result += spelling.text;
     before = spelling.script;
+  }
+  return result;
+}
+
+std::string with_minus_signs(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins = i == 0 || std::string_view(" ([=,").find(text[i - 1]) != std::string_view::npos;
+    const bool is_number = i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9';
+    if (text[i] == '-' && begins && is_number) {
+      result += minus;
+    } else {
+      result += text[i];
+    }
   }
   return result;
 }

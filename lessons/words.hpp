@@ -10,7 +10,8 @@
 
 namespace cairn {
 
-/// "0.02", "-3", "1e-6" or a fraction such as "1/60". Nothing for anything else, infinity and NaN among it.
+/// "0.02", "-3", "−3", "1e-6" or a fraction such as "1/60". Nothing for anything else, infinity and NaN among
+/// it.
 std::optional<double> parse_number(std::string_view text);
 
 /// Numbers between commas; nothing unless each is one.
@@ -18,6 +19,9 @@ std::optional<List<double>> parse_numbers(std::string_view text);
 
 /// The text in ASCII: "λ₂ = j M⁻¹ jᵀ" becomes "lambda_2 = j M^-1 j^T".
 std::string transliterated(std::string_view text);
+
+/// The text with "−" for "-" before its numbers: " -0.2" becomes " −0.2". "1e-9", "2-6" and "--sweeps" stay.
+std::string with_minus_signs(std::string_view text);
 
 /// The columns that UTF-8 text takes on a terminal (every letter counts one, combining marks none).
 int display_width(std::string_view text);

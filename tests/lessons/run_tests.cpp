@@ -136,7 +136,7 @@ TEST_CASE("an answer on the command line is judged, and a wrong one gives exit c
   CHECK(says(right.out, "RIGHT"));
   const Ran wrong = run_in_child(lesson, {"--answer", "42.6,-1"});
   CHECK(wrong.code == 1);
-  CHECK(says(wrong.out, "NOT YET  you said 42.60, -1.000; it is 42.00, -1.000"));
+  CHECK(says(wrong.out, "NOT YET  you said 42.60, −1.000; it is 42.00, −1.000"));
   CHECK(code_of(lesson, {"--answer", "42"}) == 1);
   CHECK(code_of(lesson, {"--predict"}) == 0);  // no terminal, so no prompt
 }

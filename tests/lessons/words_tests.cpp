@@ -12,14 +12,15 @@ TEST_CASE("a fraction is the quotient of its numbers, to the last bit") {
   REQUIRE(parse_number("1/60"));
   CHECK(*parse_number("1/60") == 1.0 / 60);
   CHECK(*parse_number("-3/4") == -0.75);
+  CHECK(*parse_number("−3/4") == -0.75);
   CHECK(*parse_number("+2.5e-3") == 2.5e-3);
   CHECK(*parse_number("1e2/1e3") == 1e2 / 1e3);
 }
 
 TEST_CASE("what is no finite number is refused") {
   for (const char* text :
-       {"",      "abc",   "nan",   "NaN",  "inf", "-inf", "infinity", "1/0", "0/0", "1/", "/2",
-        "1/2/3", "1e999", "0.02s", "0,02", " 1",  "1 ",   "0x10",     "--1", "+-1", "+"}) {
+       {"",      "abc",   "nan",  "NaN", "inf", "-inf", "infinity", "1/0", "0/0", "1/",  "/2", "1/2/3",
+        "1e999", "0.02s", "0,02", " 1",  "1 ",  "0x10", "--1",      "+-1", "+",   "−-1", "−"}) {
     CHECK_MESSAGE(!parse_number(text), std::string(text));
   }
 }
@@ -45,6 +46,13 @@ TEST_CASE("plain text is ASCII whatever goes in, broken UTF-8 included") {
   const std::string text = transliterated("日本 \xff\xc3 ☃ é \xe2\x82");
   for (const char c : text) CHECK(static_cast<unsigned char>(c) < 0x80);
   CHECK(transliterated("日") == "?");
+}
+
+TEST_CASE("a minus sign stands before a number, a hyphen everywhere else") {
+  CHECK(with_minus_signs("-1 (-0.5) [-2,-3] x=-4") == "−1 (−0.5) [−2,−3] x=−4");
+  const std::string hyphens = "1e-9, lines 2-6, g-1, --sweeps - -v";
+  CHECK(with_minus_signs(hyphens) == hyphens);
+  CHECK(display_width(with_minus_signs("  -0.2000")) == 9);
 }
 
 TEST_CASE("the width of text counts letters, not bytes") {
