@@ -24,7 +24,7 @@ List<render::Rect> draw_scene(render::Page& page, const QuestionFrame& frame, do
 Shot question_shot(const LessonInfo& info, const QuestionFrame& frame) {
   const auto draw = [info, frame](render::Page& page) {
     const List<render::Rect> parts = draw_scene(page, frame, 0.78);
-    page.note(parts[0], "The question", info.question);
+    page.note(parts[0], "The question", info.question, question_growth);
     page.note(parts[1], "To answer", typed_command(info) + " --predict");
   };
   return {.state = frame.state, .alt = frame.alt, .draw = draw, .key = true};
@@ -32,9 +32,9 @@ Shot question_shot(const LessonInfo& info, const QuestionFrame& frame) {
 
 Shot answer_shot(const LessonInfo& info, const QuestionFrame& frame, const std::string& answer) {
   const auto draw = [info, frame, answer](render::Page& page) {
-    const List<render::Rect> parts = draw_scene(page, frame, 0.4);
+    const List<render::Rect> parts = draw_scene(page, frame, frame.place == ScenePlace::above ? 0.4 : 0.32);
     page.note(parts[0], "The question", info.question);
-    page.note(parts[1], "The answer", answer);
+    page.note(parts[1], "The answer", answer, question_growth);
   };
   return {.state = frame.state, .alt = frame.alt, .draw = draw, .key = true};
 }

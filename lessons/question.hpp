@@ -8,6 +8,9 @@
 
 namespace cairn {
 
+/// How much larger the type of a question and of its answer may be than that of other notes.
+inline constexpr double question_growth = 1.35;
+
 /// Where the scene stands: one that is wide goes above the words.
 enum class ScenePlace { left, above };
 

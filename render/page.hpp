@@ -79,8 +79,9 @@ class Page {
   void equation(const Rect& rect, const Equation& equation);
   /// A panel with a table; the active row is lit.
   void table(const Rect& rect, std::string_view title, const TableView& table);
-  /// A panel with a question or an answer, wrapped at words.
-  void note(const Rect& rect, std::string_view title, std::string_view text);
+  /// A panel with a question or an answer, wrapped at words. Type shrinks until the text fits; where there is
+  /// room to spare it may be larger by `growth`.
+  void note(const Rect& rect, std::string_view title, std::string_view text, double growth = 1);
   /// Wraps at words and returns the height used [px]. `at`: base line of the first line.
   double paragraph(const Point& at, double width, std::string_view text, const TextStyle& style);
   /// Writes at the first place whose text box meets no other text and stays inside `within`, and if there is

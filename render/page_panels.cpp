@@ -156,14 +156,15 @@ void Page::equation(const Rect& rect, const Equation& equation) {
   canvas_.pop_clip();
 }
 
-void Page::note(const Rect& rect, std::string_view title, std::string_view text) {
+void Page::note(const Rect& rect, std::string_view title, std::string_view text, double growth) {
   const Rect inner = panel(rect, title);
-  TextStyle style = {.size = sizes_.question, .color = theme_.text};
+  TextStyle style = {.size = std::round(growth * sizes_.question), .color = theme_.text};
   const auto height_of = [&] {
     const double lines = wrapped(canvas_, text, inner.width, style).size();
     return std::round(leading * style.size) * (lines - 1) + style.size;
   };
-  while (style.size > sizes_.smallest && height_of() > inner.height)
+  const auto room = [&] { return style.size > sizes_.question ? 0.7 * inner.height : inner.height; };
+  while (style.size > sizes_.smallest && height_of() > room())
     style.size = std::max(sizes_.smallest, style.size - 1);
   canvas_.push_clip(rect);
   paragraph({inner.x, std::round(inner.y + 0.85 * style.size)}, inner.width, text, style);

@@ -170,7 +170,8 @@
       const head = (title + " " + heading).toLowerCase();
       const body = text.toLowerCase();
       if (!words.every((word) => head.includes(word) || body.includes(word))) continue;
-      const score = words.reduce((sum, word) => sum + (head.includes(word) ? 20 : 0) + body.split(word).length, 0);
+      const isTerm = heading.toLowerCase() === words.join(" ") ? 1000 : 0;
+      const score = words.reduce((sum, word) => sum + (head.includes(word) ? 20 : 0) + body.split(word).length, isTerm);
       found.push({ score, address, title: heading ? title + " · " + heading : title, text, isFolded });
     }
     return found.sort((a, b) => b.score - a.score).slice(0, 30);

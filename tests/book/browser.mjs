@@ -98,11 +98,11 @@ async function checkFold(browser, name) {
 async function checkSearch(browser) {
   const { context, tab, troubles } = await open(browser, {});
   await tab.goto(address("index.html"));
-  await tab.fill(".search input", "effective mass");
+  await tab.fill(".search input", "warm start");
   await tab.press(".search input", "Enter");
   await tab.waitForSelector(".results a");
   const first = await tab.getAttribute(".results a", "href");
-  check(first === "glossary.html#effective-mass", "the search finds a term in the glossary first", first);
+  check(first === "glossary.html#warm-start", "the search finds a term in the glossary first", first);
   const shown = () => tab.$$eval(".results li", (items) => items
     .filter((item) => item.querySelector("a").href.includes("#the-answer"))
     .map((item) => item.querySelector("p").textContent));
@@ -114,9 +114,9 @@ async function checkSearch(browser) {
   await tab.evaluate((name) => localStorage.setItem("cairn-guess-" + name, "1"), page);
   await tab.reload();
   check((await shown()).some((text) => text !== hidden), "until its question has a guess");
-  await tab.goto(address("search.html", "?q=effective+mass"));
+  await tab.goto(address("search.html", "?q=warm+start"));
   await tab.click(".results a");
-  check(await tab.isVisible("#effective-mass"), "and leads to it");
+  check(await tab.isVisible("#warm-start"), "and leads to it");
   check(troubles.length === 0, "the search works without an error", troubles.join("; "));
   await context.close();
 }
