@@ -34,11 +34,12 @@ struct PanelPlace {
   Rect rect = {};
 };
 
-/// Rows of text in columns, numbers right-aligned in mono.
+/// Rows of text in columns: words left-aligned, numbers right-aligned, in mono.
 struct TableView {
   List<std::string> header = {};
   List<List<std::string>> rows = {};
   int active_row = -1;
+  int text_columns = 1;  // the first ones, which are words
 };
 
 /// A frame being drawn. Everything that draws takes a Page: canvas, theme and sizes in one hand.
@@ -77,8 +78,9 @@ class Page {
   const List<PanelPlace>& panels() const { return panels_; }
   /// A panel with the lines of an equation; type shrinks until the longest line fits.
   void equation(const Rect& rect, const Equation& equation);
-  /// A panel with a table; the active row is lit.
-  void table(const Rect& rect, std::string_view title, const TableView& table);
+  /// A panel with a table; the active row is lit. Type shrinks until all rows fit; where there is room to
+  /// spare it may be larger by `growth`.
+  void table(const Rect& rect, std::string_view title, const TableView& table, double growth = 1);
   /// A panel with a question or an answer, wrapped at words. Type shrinks until the text fits; where there is
   /// room to spare it may be larger by `growth`.
   void note(const Rect& rect, std::string_view title, std::string_view text, double growth = 1);

@@ -74,8 +74,8 @@ TableLayout table_layout(const Page& page, const Rect& room, const TableView& ta
 }
 
 /// Type shrinks before rows are left out.
-TableLayout best_layout(const Page& page, const Rect& room, const TableView& table) {
-  for (double size = page.value().size; size > page.sizes().smallest; --size) {
+TableLayout best_layout(const Page& page, const Rect& room, const TableView& table, double growth) {
+  for (double size = std::round(growth * page.value().size); size > page.sizes().smallest; --size) {
     for (const double pitch : {1.7, 1.4}) {
       const TableLayout layout = table_layout(page, room, table, size, pitch);
       if (layout.fits) return layout;
@@ -86,7 +86,7 @@ TableLayout best_layout(const Page& page, const Rect& room, const TableView& tab
 }
 
 void draw_row(Canvas& canvas, const Point& start, const List<std::string>& cells, const TableLayout& layout,
-              TextStyle style) {
+              TextStyle style, int text_columns) {
   double x = start.x();
   for (int i = 0; i < cells.size(); ++i) {
     const double width = layout.widths[i];
@@ -94,8 +94,9 @@ void draw_row(Canvas& canvas, const Point& start, const List<std::string>& cells
       x += width + layout.gap;
       continue;
     }
-    style.align = i == 0 ? Align::left : Align::right;
-    const Point at(i == 0 ? x : x + width, start.y());
+    const bool is_text = i < text_columns;
+    style.align = is_text ? Align::left : Align::right;
+    const Point at(is_text ? x : x + width, start.y());
     // Half a pixel more: the width was summed up in another order.
     canvas.text(at, ellipsized(canvas, cells[i], width + 0.5, style), style);
     x += width + layout.gap;
@@ -110,15 +111,15 @@ void light_row(Page& page, const Rect& row) {
 
 }  // namespace
 
-void Page::table(const Rect& rect, std::string_view title, const TableView& table) {
+void Page::table(const Rect& rect, std::string_view title, const TableView& table, double growth) {
   const Rect room = panel(rect, title);
   if (column_count(table) == 0) return;
-  const TableLayout layout = best_layout(*this, room, table);
+  const TableLayout layout = best_layout(*this, room, table, growth);
   const double used = sum_of(layout.widths) + layout.gap * (layout.widths.size() - 1);
   const double middle = std::round(baseline_around(layout.row_height / 2, layout.cell.size));
   double y = std::round(room.y);
   if (!table.header.empty()) {
-    draw_row(canvas_, {room.x, y + middle}, table.header, layout, layout.head);
+    draw_row(canvas_, {room.x, y + middle}, table.header, layout, layout.head, table.text_columns);
     y += layout.row_height;
     canvas_.line({room.x, y - 0.5}, {room.x + used, y - 0.5},
                  {.width = 1, .color = theme_.frame_line, .dash = {}});
@@ -130,7 +131,8 @@ void Page::table(const Rect& rect, std::string_view title, const TableView& tabl
     }
     const bool hidden_above = i == layout.first && i > 0 && layout.shown > 2 && i != table.active_row;
     const List<std::string> more = {"⋮"};
-    draw_row(canvas_, {room.x, y + middle}, hidden_above ? more : table.rows[i], layout, layout.cell);
+    draw_row(canvas_, {room.x, y + middle}, hidden_above ? more : table.rows[i], layout, layout.cell,
+             table.text_columns);
     y += layout.row_height;
   }
 }

@@ -99,11 +99,11 @@ Scene scene_of(const NeedsSettings& settings, const Switches& switches, const Li
   return scene;
 }
 
-double largest_distance(const List<Snapshot>& first, const List<Snapshot>& second, int from, int last) {
+double largest_distance(const List<Snapshot>& first, const List<Snapshot>& second, int from, int last,
+                        int bodies) {
   double largest = 0;
   for (int k = from; k <= last; ++k) {
-    for (const BodyId body : first[k].bodies.indices()) {
-      if (body == ground) continue;
+    for (BodyId body{1}; body.index <= bodies; ++body.index) {
       const Vec2<double> gap = first[k].bodies[body].pose.position - second[k].bodies[body].pose.position;
       largest = std::max(largest, gap.norm());
     }

@@ -54,7 +54,7 @@ struct BillRun {
   long long updates = 0;       // of all steps
   double seconds = 0;          // that the steps took, on this machine
   double off_before = 0;       // [m] from the reference, before the ball touches anything
-  double off_after = 0;        // [m] and until the end
+  double off_after = 0;        // [m] boxes of the pyramid, from then on
 };
 
 struct NeedsRun {
@@ -104,8 +104,9 @@ enum class Thing { pyramid_and_ball, tower, chain };
 Scene scene_of(const NeedsSettings& settings, const Switches& switches, const List<Thing>& things);
 BodyId ball_of(const NeedsSettings& settings);
 
-/// The largest distance of any body in any frame [m], up to `last`.
-double largest_distance(const List<Snapshot>& first, const List<Snapshot>& second, int from, int last);
+/// The largest distance of any of the first `bodies` in any frame [m], up to `last`.
+double largest_distance(const List<Snapshot>& first, const List<Snapshot>& second, int from, int last,
+                        int bodies);
 
 /// Rows of the scene in step 1, with so many behind each contact point and so many behind each manifold.
 int rows_by_formula(const NeedsSettings& settings, const Switches& switches);

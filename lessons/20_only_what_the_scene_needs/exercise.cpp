@@ -5,19 +5,20 @@
 
 namespace cairn::exercise20 {
 
-/// Things that touch or hold each other.
-struct Island {
-  int boxes = 0;   // that stand on each other or on the ground, each on one manifold of two points
-  int pins = 0;    // two rows each
-  int sweeps = 0;  // after which the errors of the island are small enough
-  bool asleep = false;
+/// Two bodies that touch or hold each other.
+struct Pair {
+  int a = 0, b = 0;  // numbers of the bodies; 0 is the ground
+  int rows = 0;
+  int sweeps = 0;  // after which its errors are small enough
 };
 
-// The row updates of a step that does only what it has to. A manifold has a normal row for each of its two
-// points, and one friction row for both. What sleeps has no rows, and each island stops on its own.
-int row_updates(const List<Island>& islands) {
+// The row updates of a step that does only what it has to. Bodies that touch or hold each other, also by way
+// of others, are an island; the ground joins nobody. An island is asleep if all its bodies are, and has no
+// rows then. Otherwise all its rows are swept until each of its pairs has small enough errors.
+// asleep[i] is for body i; asleep[0], the ground, is always 1.
+int row_updates(const List<Pair>& pairs, const List<int>& asleep) {
   int updates = 0;
-  // Your code begins here: about four lines.
+  // Your code begins here: about twenty lines, the first half of them for the islands.
 
   // Your code ends here.
   return updates;

@@ -52,7 +52,7 @@ BillRun run_under(const NeedsSettings& settings, const Switches& switches, doubl
 
 NeedsRun run_all(const NeedsSettings& settings) {
   NeedsRun all{.settings = settings};
-  const int last = settings.steps;
+  const int last = settings.steps, bodies = pyramid_boxes + 1 + settings.tower + settings.links;
   NeedsSettings thorough = settings;
   thorough.sweeps = 2000;
   // [runs]
@@ -61,13 +61,13 @@ NeedsRun run_all(const NeedsSettings& settings) {
   const int before = all.touch > 0 ? all.touch - 1 : last;
   for (const Switches& each : all_switches()) {
     BillRun run = run_under(settings, each, each.ends_early ? settings.tolerance : 0);
-    run.off_before = largest_distance(run.frames, all.reference.frames, 1, before);
-    run.off_after = largest_distance(run.frames, all.reference.frames, before, last);
+    run.off_before = largest_distance(run.frames, all.reference.frames, 1, before, bodies);
+    run.off_after = largest_distance(run.frames, all.reference.frames, before, last, pyramid_boxes);
     all.runs.push_back(run);
   }
   // [/runs]
   const BillRun alone = run_under(settings, {.by_island = true}, 0);  // each island a scene of its own
-  all.alone = largest_distance(alone.frames, all.runs[everything].frames, 1, last);
+  all.alone = largest_distance(alone.frames, all.runs[everything].frames, 1, last, bodies);
   return all;
 }
 

@@ -15,6 +15,9 @@ CsvTable bills_table(const NeedsRun& all);
 /// The scene after so many steps, as the run with sleep sees it.
 void draw_scene(render::Page& page, const render::Rect& rect, const NeedsRun& all, int step);
 
+/// The pyramid and the ball at the end of one of the runs.
+void draw_pyramid(render::Page& page, const render::Rect& rect, const NeedsRun& all, int run);
+
 /// The question, the bill step by step, all of it, what to take when, and the answer.
 List<Shot> needs_shots(const NeedsRun& all);
 

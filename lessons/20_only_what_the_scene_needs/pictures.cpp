@@ -68,7 +68,7 @@ void draw_course(Page& page, const Rect& rect, const NeedsRun& all, int step) {
   plot.x = {.title = "step", .min = 0, .max = all.settings.steps};
   double most = 1;
   int which = 0;
-  for (const int i : {everything, sleeping, all_free}) {
+  for (const int i : {everything, sleeping, by_islands}) {
     List<double> updates = {std::numeric_limits<double>::quiet_NaN()};  // step 0 is not solved
     for (const StepBill& bill : all.runs[i].steps) {
       updates.push_back(static_cast<double>(bill.updates));
@@ -92,11 +92,11 @@ void draw_step(Page& page, const NeedsRun& all, int step) {
 Shot step_shot(const Run& all, int step, bool key) {
   const StepBill& whole = all->runs[everything].steps[step - 1];
   const StepBill& asleep = all->runs[sleeping].steps[step - 1];
-  const StepBill& together = all->runs[all_free].steps[step - 1];
+  const StepBill& alone = all->runs[by_islands].steps[step - 1];
   return {.state = fmt::format("step {} · {} of {} bodies awake", step, asleep.awake, whole.awake),
           .alt = fmt::format("Step {}: a pyramid, a tower, a chain and a ball; {} bodies are awake. Row "
-                             "updates: {} with everything, {} with sleep, {} with all switches together.",
-                             step, asleep.awake, whole.updates, asleep.updates, together.updates),
+                             "updates: {} with everything, {} with sleep, {} if each island ends by itself.",
+                             step, asleep.awake, whole.updates, asleep.updates, alone.updates),
           .draw = [all, step](Page& page) { draw_step(page, *all, step); },
           .key = key};
 }
@@ -111,7 +111,7 @@ void draw_total(Page& page, const Rect& rect, const NeedsRun& all) {
 
 void draw_table(Page& page, const NeedsRun& all) {
   render::TableView table;
-  table.header = {"switch", "rows", "least", "updates a step", "of all", "off before", "off after (mm)"};
+  table.header = {"switch", "rows", "least", "updates a step", "of all", "off before", "pyramid after (mm)"};
   const auto of_all = static_cast<double>(all.runs[everything].updates);
   for (const BillRun& run : all.runs) {
     table.rows.push_back({run.switches.name, fmt::format("{}", run.steps[0].rows),
@@ -121,12 +121,13 @@ void draw_table(Page& page, const NeedsRun& all) {
                           millimetres(run.off_before), millimetres(run.off_after)});
   }
   const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
-  page.table(parts[0], "", table);
+  page.table(parts[0], "", table, question_growth);
   const List<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
   draw_total(page, below[0], all);
   page.note(below[1], "Off",
-            "How far any body is from its place in a run with all rows, swept to R_{E} = 10^{−6}: before and "
-            "after the ball touches the pyramid. Nothing needed friction until the ball came.");
+            "How far bodies are from their places in a run with all rows, swept to R_{E} = 10^{−6}: any body "
+            "before the ball hits (it is the top of the tower, which leans), boxes of the pyramid after it.",
+            question_growth);
 }
 
 void draw_choice(Page& page, const NeedsRun&) {
@@ -140,20 +141,32 @@ void draw_choice(Page& page, const NeedsRun&) {
                 {"towers, heavy on light", "more sweeps, substeps", "a sweep removes little", "18, 19"},
                 {"things at rest", "sleep", "no rows at all", "20"}};
   const List<Rect> parts = rows(page.area(), {0.58, 0.42}, page.sizes().gap);
-  page.table(parts[0], "", table);
+  table.text_columns = 4;
+  page.table(parts[0], "", table, question_growth);
   page.note(parts[1], "Section 5",
             "The paper ends with SI as the better choice in most situations: the same "
             "numbers as PGS, and easier to maintain. The lessons add when each of the others pays off. "
-            "The cheapest row is the one that the scene does not need.");
+            "The cheapest row is the one that the scene does not need.",
+            question_growth);
+}
+
+/// What becomes of the pyramid without friction, beside what should.
+void draw_ruin(Page& page, const NeedsRun& all) {
+  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> sides = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+  draw_pyramid(page, sides[0], all, everything);
+  draw_pyramid(page, sides[1], all, no_friction);
+  page.note(
+      parts[1], "No friction",
+      fmt::format("It saves nearly half of the row updates, and until the ball comes nothing needs the rows "
+                  "that it leaves out. Then a row of boxes slides out: they are up to {} m off.",
+                  fixed(all.runs[no_friction].off_after, 2)),
+      question_growth);
 }
 
 QuestionFrame moment(const Run& all, int step, const std::string& state, const std::string& alt) {
   const auto scene = [all, step](Page& page, const Rect& rect) { draw_scene(page, rect, *all, step); };
   return {.state = state, .alt = alt, .scene = scene, .place = ScenePlace::above};
-}
-
-long long least_updates(const BillRun& run) {
-  return std::ranges::min(run.steps, {}, &StepBill::updates).updates;
 }
 
 std::string answer_text(const NeedsRun& all) {
@@ -163,11 +176,10 @@ std::string answer_text(const NeedsRun& all) {
         0);
   };
   return fmt::format(
-      "The cheapest step with sleep takes {} row updates. Over all steps sleep leaves {} % of them, an exit "
-      "for each island {} %, both with shared friction {} %. No friction leaves {} %, and ruins the scene: "
-      "it is {} mm off after the ball has hit.",
-      least_updates(all.runs[sleeping]), share(sleeping), share(by_islands), share(all_free),
-      share(no_friction), millimetres(all.runs[no_friction].off_after));
+      "{} %. The tower needs all {} sweeps in most steps. In one piece, pyramid and chain are swept as "
+      "often; by "
+      "themselves they stop after a few. Sleep leaves {} %, both with shared friction {} %.",
+      share(by_islands), all.settings.sweeps, share(sleeping), share(all_free));
 }
 
 /// Steps worth a frame of their own: early, asleep, touched, late.
@@ -192,6 +204,13 @@ List<Shot> needs_shots(const NeedsRun& recorded) {
                    .alt = "A table: what each switch costs in rows and row updates, and how far it is off.",
                    .draw = [all](Page& page) { draw_table(page, *all); },
                    .key = true});
+  if (all->touch > 0) {
+    shots.push_back(
+        {.state = fmt::format("step {}, with and without friction", all->settings.steps),
+         .alt = "The pyramid after the hit: it stands with friction; without it a row of boxes has slid out.",
+         .draw = [all](Page& page) { draw_ruin(page, *all); },
+         .key = true});
+  }
   shots.push_back({.state = "what to take when",
                    .alt = "A table: what a scene may have, and the solver or switch for it.",
                    .draw = [all](Page& page) { draw_choice(page, *all); },

@@ -87,4 +87,13 @@ void draw_scene(Page& page, const Rect& rect, const NeedsRun& all, int step) {
   page.canvas().pop_clip();
 }
 
+void draw_pyramid(Page& page, const Rect& rect, const NeedsRun& all, int run) {
+  const Rect inside = page.panel(rect, all.runs[run].switches.name);
+  const render::Camera camera = render::fit(inside, {{-5.5, -0.45}, {7.5, 5.5}});
+  page.canvas().push_clip(inside);
+  draw_world(page, camera, all.runs[run].frames.back(),
+             {.numbers = false, .contacts = false, .penetration = false});
+  page.canvas().pop_clip();
+}
+
 }  // namespace cairn::needs
