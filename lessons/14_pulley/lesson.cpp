@@ -84,6 +84,8 @@ void run(Lesson& lesson) {
   print_scene(lesson, all.settings);
   lesson.predict();
   print_runs(lesson, all);
+  const CountedCalls calls = count_calls(settings);
+  print_calls(lesson, calls);
   const double tension = tension_by_hand(settings);
   lesson.answer(
       {tension}, 0.05 * tension,
@@ -91,7 +93,7 @@ void run(Lesson& lesson) {
       "weight: " +
           what_goes_down(settings) + ".");
   check_runs(lesson, all);
-  report_calls(lesson, settings);
+  check_calls(lesson, calls);
   lesson.film(pulley_shots(all));
   lesson.data(steps_table(all));
   lesson.fingerprint(all.runs[0].steps.back().snapshot);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 
@@ -23,30 +24,59 @@ using render::Rect;
 
 using Runs = std::shared_ptr<const PulleyRuns>;
 
-void draw_wheel(Page& page, const render::Camera& camera, const Vec2<double>& middle) {
+const double half_box = 0.3;  // [m] of a mass
+
+/// A wheel, and the bar between its middle and what it hangs on or what hangs on it.
+void draw_wheel(Page& page, const render::Camera& camera, const Vec2<double>& middle, double bar_end) {
+  const Point hub = camera.project(middle);
   page.canvas().circle(
-      camera.project(middle), wheel_radius * camera.scale,
+      hub, wheel_radius * camera.scale,
       {.fill = page.theme().static_body, .outline = page.theme().outline, .outline_width = 1.5});
-  page.canvas().circle(camera.project(middle), page.sizes().joint * 0.6, {.fill = page.theme().outline});
+  page.canvas().line(hub, camera.project({middle.x(), bar_end}), {.width = 3, .color = page.theme().outline});
+  page.canvas().circle(hub, page.sizes().joint * 0.6, {.fill = page.theme().outline});
 }
 
-/// The rope from the first mass over, under and over the wheels; dashed where it is slack.
+/// Half of a wheel's rim, from the angle `begin` on: clockwise where `turn` is -1.
+void add_rim(List<Vec2<double>>& rope, const Vec2<double>& middle, double begin, double turn) {
+  for (int i = 0; i <= 24; ++i) {
+    const double angle = begin + turn * pi * i / 24;
+    rope.push_back(middle + wheel_radius * Vec2<double>(std::cos(angle), std::sin(angle)));
+  }
+}
+
+/// Half a wave from `top` down to `bottom`, longer by about `room` than the straight line: where slack hangs.
+void add_bow(List<Vec2<double>>& rope, const Vec2<double>& top, const Vec2<double>& bottom, double room) {
+  const double out = 2 / pi * std::sqrt(std::max(room, 0.0) * (top.y() - bottom.y()));
+  for (int i = 0; i <= 24; ++i) {
+    const double share = i / 24.0;
+    rope.push_back(top + share * (bottom - top) + Vec2<double>(out * std::sin(pi * share), 0));
+  }
+}
+
+/// The middle of the wheel above the second mass [m].
+double loop_height(const PulleyStep& step) {
+  return step.snapshot.bodies[{2}].pose.position.y() + half_box + wheel_radius + 0.3;
+}
+
+/// The wheels, and the rope over, under and over them, from the first mass to the third.
 void draw_rope(Page& page, const render::Camera& camera, const PulleyStep& step) {
   const PerBody<SnapshotBody>& bodies = step.snapshot.bodies;
   const double r = wheel_radius;
-  const double loop = bodies[{2}].pose.position.y() + 0.3 + r;  // the movable wheel sits on the second mass
-  render::Stroke style{.width = 3 * page.sizes().outline, .color = page.theme().joint};
-  if (step.tension <= 0 && step.room > 1e-9) style.dash = {6, 5};
-  const auto line = [&](const Vec2<double>& from, const Vec2<double>& to) {
-    page.canvas().line(camera.project(from), camera.project(to), style);
-  };
-  line({-3 * r, bodies[{1}].pose.position.y() + 0.3}, {-3 * r, wheel_height});
-  line({-r, wheel_height}, {-r, loop});
-  line({r, loop}, {r, wheel_height});
-  line({3 * r, wheel_height}, {3 * r, bodies[{3}].pose.position.y() + 0.3});
-  draw_wheel(page, camera, {-2 * r, wheel_height});
-  draw_wheel(page, camera, {2 * r, wheel_height});
-  draw_wheel(page, camera, {0, loop});
+  const double loop = loop_height(step), bar = wheel_height + r + 0.2;
+  page.canvas().line(camera.project({-2.4, bar}), camera.project({2.4, bar}),
+                     {.width = 4, .color = page.theme().outline});
+  draw_wheel(page, camera, {-2 * r, wheel_height}, bar);
+  draw_wheel(page, camera, {2 * r, wheel_height}, bar);
+  draw_wheel(page, camera, {0, loop}, loop - r - 0.3);
+  List<Vec2<double>> rope = {{-3 * r, bodies[{1}].pose.position.y() + half_box}};
+  add_rim(rope, {-2 * r, wheel_height}, pi, -1);
+  add_rim(rope, {0, loop}, pi, 1);
+  add_rim(rope, {2 * r, wheel_height}, pi, -1);
+  add_bow(rope, rope.back(), {3 * r, bodies[{3}].pose.position.y() + half_box}, step.room);
+  List<Point> line;
+  for (const Vec2<double>& place : rope) line.push_back(camera.project(place));
+  page.canvas().polyline(line, {.width = 2.5 * page.sizes().outline, .color = page.theme().external});
+  page.avoid(line);
 }
 
 /// The step in which the rope pulls hardest: that of the jerk, if there is one.
@@ -56,32 +86,29 @@ int hardest_pull(const PulleyRuns& all) {
   return static_cast<int>(std::max_element(steps.begin(), steps.end(), weaker) - steps.begin());
 }
 
-/// How hard the rope pulls at mass i, beside it.
-void draw_pull(Page& page, const render::Camera& camera, const render::ArrowScale& scale, int i,
-               const Vec2<double>& middle, double pull) {
-  if (!(pull > 0)) return;
-  const FixedList<double, 3> beside = {-0.5, 1.05, 0.5};  // [m] clear of the rope
-  const Vec2<double> tail = middle + Vec2<double>(beside[i], -0.3);
-  draw_arrow(page, camera, scale, {.kind = render::ArrowKind::joint, .tail = tail, .value = {0, pull}});
-  const double length = pull * scale.pixels_per_unit;
-  if (length > scale.longest) return;  // a cut arrow has its number already
-  // Above the tip, on the side where there is no rope; or beside the shaft.
-  render::TextStyle style = page.value();
-  style.halo = page.theme().panel;
-  style.align = i == 0 ? render::Align::right : render::Align::left;
-  const double out = i == 0 ? -1 : 1;
-  const Point foot = camera.project(tail);
-  const Point tip = foot + Point(-0.1 * out * camera.scale, -length - 6);
-  page.place_text({tip, foot + Point(out * style.size, -length / 2)}, camera.viewport, fixed(pull, 1) + " N",
-                  style);
+/// Newtons as lengths [N/m]: a weight is at most 1.2 m long, a pull 2 m, unless it is far beyond all weights.
+double newtons_per_metre(const PulleyRuns& all) {
+  const double heaviest = gravity * *std::max_element(all.settings.masses.begin(), all.settings.masses.end());
+  const double hardest = all.runs[0].steps[hardest_pull(all)].tension;
+  return std::max(std::min(hardest, 6 * heaviest) / 2, heaviest / 1.2);
 }
 
-/// The masses by their weight in kg, with what the rope and gravity do to each.
+/// All that is ever to be seen, so that the picture stands still: the weights below the lowest places.
+Aabb<double> all_of_run(const PulleyRuns& all) {
+  double lowest = wheel_height;
+  for (const PulleyStep& step : all.runs[0].steps) {
+    for (int i = 0; i < 3; ++i) {
+      const double weight = gravity * all.settings.masses[i] / newtons_per_metre(all);
+      lowest = std::min(lowest, step.snapshot.bodies[{i + 1}].pose.position.y() - half_box - weight);
+    }
+  }
+  return {{-3.5, lowest - 0.2}, {3.5, wheel_height + wheel_radius + 0.4}};
+}
+
+/// The masses, with their weights and with the pull of each of the four parts of the rope.
 void draw_masses(Page& page, const Rect& rect, const PulleyRuns& all, const PulleyStep& step) {
   const Rect inside = page.panel(rect, "");
-  const render::Camera camera = render::fit(inside, {{-3.4, -0.7}, {3.4, 7.1}});
-  page.canvas().line(camera.project({-2.4, wheel_height + 0.84}), camera.project({2.4, wheel_height + 0.84}),
-                     {.width = 4, .color = page.theme().outline});
+  const render::Camera camera = render::fit(inside, all_of_run(all));
   draw_rope(page, camera, step);
   render::WorldLook look;
   look.contacts = false;
@@ -91,22 +118,27 @@ void draw_masses(Page& page, const Rect& rect, const PulleyRuns& all, const Pull
   Snapshot masses = step.snapshot;
   masses.joints.clear();  // the rope is drawn already, as it runs
   draw_world(page, camera, masses, look);
-  const double heaviest = gravity * *std::max_element(all.settings.masses.begin(), all.settings.masses.end());
-  const List<PulleyStep>& steps = all.runs[0].steps;
-  const double hardest = 2 * steps[hardest_pull(all)].tension;  // on two parts
-  // [N/m] A weight is at most 1.6 m long, a pull 3 m, unless it is far beyond all weights.
-  const double newtons = std::max(std::min(hardest, 6 * heaviest) / 3, heaviest / 1.6);
   const render::ArrowScale scale{
-      .pixels_per_unit = camera.scale / newtons, .longest = 3.03 * camera.scale, .unit = "N"};
+      .pixels_per_unit = camera.scale / newtons_per_metre(all), .longest = 2.02 * camera.scale, .unit = "N"};
   for (int i = 0; i < 3; ++i) {
     const Vec2<double> middle = step.snapshot.bodies[{i + 1}].pose.position;
     const double weight = gravity * all.settings.masses[i];
     draw_arrow(page, camera, scale,
                {.kind = render::ArrowKind::external,
-                .tail = middle + Vec2<double>(0, -0.3),
+                .tail = middle - Vec2<double>(0, half_box),
                 .value = {0, -weight},
                 .label = fixed(weight, 0) + " N"});
-    draw_pull(page, camera, scale, i, middle, parts[i] * step.tension);
+    if (!(step.tension > 0)) continue;
+    for (const double side : {-1.0, 1.0}) {
+      if (i != 1 && side != i - 1) continue;  // the rope's first part is at the left, its last at the right
+      const Vec2<double> tail = i == 1 ? Vec2<double>(side * (wheel_radius + 0.22), loop_height(step))
+                                       : Vec2<double>(middle + Vec2<double>(side * 0.22, half_box));
+      draw_arrow(page, camera, scale,
+                 {.kind = render::ArrowKind::joint,
+                  .tail = tail,
+                  .value = {0, step.tension},
+                  .label = i == 1 && side > 0 ? "" : render::significant(step.tension) + " N"});
+    }
   }
 }
 
@@ -125,53 +157,54 @@ void draw_row(Page& page, const Rect& rect, const PulleyRuns& all) {
   draw_matrix(page, rect, view);
 }
 
-/// Left the masses, right the row; returns what is free below it.
-Rect draw_moment(Page& page, const PulleyRuns& all, const PulleyStep& step) {
-  const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
-  draw_masses(page, halves[0], all, step);
-  const List<Rect> right = rows(halves[1], {0.21, 0.79}, page.sizes().gap);
-  draw_row(page, right[0], all);
-  return right[1];
-}
-
 void draw_equation(Page& page, const PulleyRuns& all) {
   const ConstraintRow<double>& row = all.first.rows[0];
   const double jv = row_velocity(all.first, row);
   const double inverse = inverse_effective_mass(all.first, row);
-  const Rect rest = draw_moment(page, all, all.runs[0].steps[1]);
-  const List<Rect> parts_of_rest = rows(rest, {0.42, 0.58}, page.sizes().gap);
-  page.equation(parts_of_rest[0], {.number = "eq (22)",
-                                   .symbols = "λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)",
-                                   .numbers = fmt::format("= (0 − ({})) / ({} × {:g})", fixed(jv, 3),
-                                                          fixed(inverse, 4), all.settings.dt),
-                                   .result = fmt::format("= {} N", fixed(all.runs[0].steps[1].tension, 3)),
-                                   .color = page.theme().text});
+  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.21, 0.33, 0.46}, page.sizes().gap);
+  draw_masses(page, halves[0], all, all.runs[0].steps[1]);
+  draw_row(page, right[0], all);
+  page.equation(right[1], {.number = "eq (22)",
+                           .symbols = "λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)",
+                           .numbers = fmt::format("= (0 − ({})) / ({} × {:g})", fixed(jv, 3),
+                                                  fixed(inverse, 4), all.settings.dt),
+                           .result = fmt::format("= {} N", fixed(all.runs[0].steps[1].tension, 3)),
+                           .color = page.theme().text});
   render::TableView table;
   table.header = {"solver, one sweep", "λ (N)", "bytes"};
   for (const PulleyRun& run : all.runs) {
     table.rows.push_back({run.solver, fixed(run.steps[1].tension, 9), fmt::format("{}", run.memory)});
   }
-  page.table(parts_of_rest[1], "the same row in seven solvers", table);
+  page.table(right[2], "the same row in seven solvers", table);
+}
+
+/// Something of each step, over the steps; what comes after step k is pale.
+render::Plot over_run(const Page& page, const PulleyRuns& all, int k, double (*value)(const PulleyStep&)) {
+  render::Plot plot;
+  plot.x = {.title = "step", .min = 0, .max = all.settings.steps};
+  List<double> values;
+  for (const PulleyStep& step : all.runs[0].steps) values.push_back(value(step));
+  const double most = *std::max_element(values.begin(), values.end());
+  plot.y = {.title = "", .min = 0, .max = std::max(1.15 * most, 1e-3)};
+  plot.series.push_back(over_steps("", page.theme().si, values));
+  plot.now = k;
+  return plot;
 }
 
 void draw_step(Page& page, const PulleyRuns& all, int k) {
-  const List<PulleyStep>& steps = all.runs[0].steps;
-  const Rect rest = draw_moment(page, all, steps[k]);
-  double largest = 0;
-  for (const PulleyStep& step : steps) largest = std::max(largest, step.tension);
-  render::Plot plot{.title = "pull in the rope, λ (N)"};
-  plot.x = {.title = "step", .min = 0, .max = all.settings.steps};
-  plot.y = {.title = "", .min = 0, .max = 1.15 * largest};
-  render::Series series{.name = "", .style = page.theme().si};
-  for (int i = 1; i < steps.size(); ++i) {
-    series.x.push_back(i);
-    series.y.push_back(steps[i].tension);
-  }
-  plot.series.push_back(series);
+  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.6, 0.4}, page.sizes().gap);
+  draw_masses(page, halves[0], all, all.runs[0].steps[k]);
+  render::Plot pull = over_run(page, all, k, [](const PulleyStep& step) { return step.tension; });
+  pull.series[0].y[0] = std::nan("");  // no step has been made
+  pull.title = "pull in the rope, λ (N)";
   const double tension = tension_by_hand(all.settings);
-  plot.goals.push_back({tension, fmt::format("by hand: {} N", fixed(tension, 1))});
-  plot.now = k;
-  draw_plot(page, rest, plot);
+  pull.goals.push_back({tension, fmt::format("by hand: {} N", fixed(tension, 1))});
+  draw_plot(page, right[0], pull);
+  render::Plot room = over_run(page, all, k, [](const PulleyStep& step) { return 1000 * step.room; });
+  room.title = "rope left over, c (mm)";
+  draw_plot(page, right[1], room);
 }
 
 Shot step_shot(const Runs& all, int k, const std::set<int>& keys) {

@@ -19,10 +19,10 @@ void print_row(Lesson& lesson, const PulleyRuns& all) {
   lesson.print("The row of the rope, before the first sweep:");
   lesson.print("        body 1    body 2    body 3");
   lesson.print(fmt::format("  j   (0, {:g}, 0)  (0, {:g}, 0)  (0, {:g}, 0)", parts[0], parts[1], parts[2]));
-  lesson.print(fmt::format("  v_y  {:8.3f}  {:8.3f}  {:8.3f}  m/s", all.first.velocity[{1}].y(),
-                           all.first.velocity[{2}].y(), all.first.velocity[{3}].y()));
-  lesson.print(fmt::format("  (22)  λ = ({:g} − ({:.3f})) / ({:.4f} × {:g}) = {:.4f} N, in one sweep",
-                           row.bias + 0.0, jv, inverse, all.settings.dt,
+  const auto speed = [&all](int body) { return render::fixed(all.first.velocity[{body}].y(), 3); };
+  lesson.print(fmt::format("  v_y  {:>8}  {:>8}  {:>8}  m/s", speed(1), speed(2), speed(3)));
+  lesson.print(fmt::format("  (22)  λ = ({:g} − ({})) / ({:.4f} × {:g}) = {:.4f} N, in one sweep",
+                           row.bias + 0.0, render::fixed(jv, 3), inverse, all.settings.dt,
                            (row.bias - jv) / inverse / all.settings.dt));
   const Matrix<double> J = system_matrices(all.first).J;
   std::string line;
