@@ -17,7 +17,9 @@ LessonInfo card() {
                     "(21)  v ← v + M⁻¹ p                      to its two bodies, at once"},
       .needs = {"lesson 02", "lesson 05"},
       .reads = {"src/solvers/iterative/sequential_impulse.cpp", "src/constraints/row.hpp"},
-      .question = "After one sweep over the rows: how fast does each box still fall (m/s, lowest first)?",
+      .question =
+          "Each contact in turn pushes just so hard that its own two boxes stop closing in. After one such "
+          "sweep: how fast does each box still fall (m/s, lowest first)?",
       .spoilers = {"0.15", "2.5 N", "stops box 1"},
       .hints = {"A push acts on both boxes of a contact: it stops the upper one and speeds up the lower one.",
                 "Two boxes of 1 kg that close in at 0.2 m/s share the push: each changes by 0.1 m/s.",

@@ -158,19 +158,16 @@ List<Shot> stack_shots(const StackRun& recorded) {
       card(), frame_of(run, -1, "before the first sweep",
                        "A stack of boxes that has begun to fall, all at the same speed, and the question.")));
   for (int i = 0; i < updates; ++i) shots.push_back(update_shot(run, i));
-  const PerBody<Vec3<double>>& after_one = run->updates[n - 1].velocity;
-  std::string speeds;
-  for (int i = 1; i <= n; ++i) {
-    speeds += (i > 1 ? ", " : "") + fixed(0 - after_one[{i}].y(), 4);
-  }
+  std::string falls;
+  for (const double speed : speeds(run->updates[n - 1].velocity))
+    falls += (falls.empty() ? "" : ", ") + render::significant(0 - speed, 4);
   shots.push_back(answer_shot(
       card(),
-      frame_of(run, updates - 1, fmt::format("after {} sweeps", run->settings.sweeps),
-               fmt::format("The stack after the last sweep, and the answer: {} m/s.", speeds)),
-      fmt::format(
-          "After one sweep: {} m/s, from the lowest box up. The two boxes of the last row no longer close "
-          "in. The others do again, because each push disturbs its neighbours. So another sweep follows.",
-          speeds)));
+      frame_of(run, n - 1, "after one sweep",
+               fmt::format("The stack after one sweep, and the answer: {} m/s.", falls)),
+      fmt::format("{} m/s. Only the two boxes visited last no longer close in: every push has two ends and "
+                  "disturbs its neighbours. So the next sweep follows.",
+                  falls)));
   return shots;
 }
 

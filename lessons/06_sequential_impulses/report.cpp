@@ -68,17 +68,18 @@ void tell_scene(Lesson& lesson, const StackRun& run) {
 void tell_updates(Lesson& lesson, const StackRun& run) {
   const double dt = run.settings.dt;
   lesson.print();
-  std::string header = "sweep row  pair       j·v        λ corr                λ (N)";
+  std::string header =
+      fmt::format("sweep row   pair {:>11} {:>12} {:>15}      ", "j·v (m/s)", "λ corr (N)", "λ (N)");
   for (int i = 1; i <= std::min(run.settings.boxes, 5); ++i)
-    header += fmt::format("{:>11}", fmt::format("v{}", i));
-  lesson.print(header + "   (m/s)");
+    header += fmt::format("{:>11}", fmt::format("v{} (m/s)", i));
+  lesson.print(header);
   const int shown = 2 * run.settings.boxes;
   for (int i = 0; i < run.updates.size(); ++i) {
     const RowUpdate<double>& update = run.updates[i].update;
     const int interface = run.interface_of_row[update.row];
     const std::string pair = interface == 0 ? "g-1" : fmt::format("{}-{}", interface, interface + 1);
     std::string line = fmt::format(
-        "{:>5} {:>3}  {:>5} {:>9.4f} {:>+13.4f} {:>9.4f} -> {:<9.4f}", update.sweep, interface + 1, pair,
+        "{:>5} {:>3}  {:>5} {:>11.4f} {:>+12.4f} {:>9.4f} → {:<9.4f}", update.sweep, interface + 1, pair,
         update.row_velocity, update.corrective / dt, update.impulse_before / dt, update.impulse_after / dt);
     for (int k = 1; k <= std::min(run.settings.boxes, 5); ++k) {
       line += fmt::format("{:>11.4f}", run.updates[i].velocity[{k}].y());
@@ -118,7 +119,7 @@ void check_claims(Lesson& lesson, const StackRun& run) {
   const double rounding = 2.3e-16 * updates;  // each update rounds a few times, by half of this
   const double fall = settings.gravity * settings.dt;
   const UpdateErrors errors = update_errors(run);
-  lesson.check_small("v = v0 + M⁻¹ Jᵀ λ Δt after every update, eq (26) (m/s)", errors.identity,
+  lesson.check_small("v = v₀ + M⁻¹ Jᵀ λ Δt after every update, eq (26) (m/s)", errors.identity,
                      4 * rounding * fall * settings.boxes);
   lesson.check_small("only the two boxes of the row change (m/s)", errors.bystander, 0);
   lesson.check_small("the same λ as Gauss-Seidel on A λ = b (N)", largest_gap_to_gauss_seidel(run),
