@@ -22,12 +22,14 @@ LessonInfo card() {
                 "src/solvers/iterative/sequential_impulse.hpp"},
       .question =
           "A box of 6 kg lands at 10 m/s on two feet, 0.25 m left and right of its middle. The left foot "
-          "stops itself with 43.64 N s, then the right one itself with 23.80 N s. That turns the box, and "
-          "the left foot rises at 2.48 m/s. How much does it give on its second visit, in N s?",
+          "stops itself with 43.64 N s, then the right one with 23.80 N s. Now the left foot rises at "
+          "2.48 m/s. A contact must not pull. How much has the left foot given in all after its second "
+          "visit, in N s?",
       .spoilers = {"10.82", "32.82"},
-      .hints = {"Was the first push of the left foot too small, right, or too large?",
-                "p_corr = −j·v / A₁₁, and nothing in it asks for a sign.",
-                "A₁₁ = 1/6 + 0.25² = 11/48 per kg; p_corr = −2.48 × 48/11."},
+      .hints =
+          {"Was the first push of the left foot too small, right, or too large?",
+           "43.64 N s have changed the speed of that foot by 10 m/s. How much changes it by 2.48 m/s?",
+           "p_corr = −43.64 × 0.248 N s. Within one step both pushes of the foot act as one: their sum."},
       .parameters = {{"foot", 0.25, 0.05, 0.5, "m", "from the middle of the box to each foot"},
                      {"speed", 10, 0.5, 50, "m/s", "how fast it lands"},
                      {"sweeps", 10, 2, 100, "", "sweeps", Parameter::Kind::whole}},

@@ -19,16 +19,16 @@ Pair exact_impulses(const BoxRun& box, double speed) {
 
 /// A box on two round feet: each touches the ground in one point.
 Scene box_on_feet(const Pair& foot, double speed) {
-  const double radius = 0.06;
+  const double radius = 0.054, leg = 0.066;  // [m] the middle of a foot is a leg below the box
   Scene scene({.gravity = {0, -gravity}, .dt = time_step, .warm_start = false});
   scene.add_ground({.friction = 0});
-  scene.add({.shapes = {box(1, 1), circle(radius, {foot[0], -0.5 - radius}),
-                        circle(radius, {foot[1], -0.5 - radius})},
-             .position = {0, 0.5 + 2 * radius},
-             .velocity = {0, -speed},
-             .mass = box_mass,
-             .inertia = box_inertia,
-             .friction = 0});
+  scene.add(
+      {.shapes = {box(1, 1), circle(radius, {foot[0], -0.5 - leg}), circle(radius, {foot[1], -0.5 - leg})},
+       .position = {0, 0.5 + leg + radius},
+       .velocity = {0, -speed},
+       .mass = box_mass,
+       .inertia = box_inertia,
+       .friction = 0});
   return scene;
 }
 

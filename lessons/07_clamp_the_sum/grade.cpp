@@ -6,6 +6,9 @@ namespace {
 
 constexpr double visit_rounding = 1e-13;  // a few dozen operations on numbers below 100
 
+constexpr const char* counted_twice =
+    "The foot's sum is twice what the box has received: count each push once.";
+
 /// A box of 2 kg and 0.5 kg m² has landed at 10 m/s. A_11 = 1/2 + 0.25²/0.5 = 0.625, A_12 = 0.375 per kg.
 struct Landing {
   Box box = {.inverse_mass = 0.5, .inverse_inertia = 2, .velocity = -10};
@@ -49,7 +52,8 @@ void grade_sum(Grade& grade) {
                 .value = 16,
                 .tolerance = visit_rounding,
                 .misconceptions = {{0, "Nothing was given: a foot that comes down needs a push up."},
-                                   {1000, "The clamp has two ends: no more than is needed, either."}}},
+                                   {1000, "The clamp has two ends: no more than is needed, either."},
+                                   {32, counted_twice}}},
                one.left.impulse);
   grade.number({.what = "sweep 1: impulse of the right foot (N s)",
                 .value = 6.4,
@@ -78,7 +82,7 @@ void grade_ends(Grade& grade) {
   grade.number({.what = "feet of 12 N s at most: impulse of the left foot (N s)",
                 .value = 12,
                 .tolerance = visit_rounding,
-                .misconceptions = {{16, "A foot gives no more than `strongest`."}}},
+                .misconceptions = {{16, "A foot gives no more than `strongest`."}, {24, counted_twice}}},
                weak.left.impulse);
   grade.number({.what = "feet of 12 N s at most: how fast the left foot comes down (m/s)",
                 .value = -10 + 0.625 * 12 + 0.375 * 8.8,
@@ -95,19 +99,21 @@ void grade_ends(Grade& grade) {
   Box light{.inverse_mass = 2, .inverse_inertia = 10, .velocity = -3};
   Foot foot{.place = 0, .strongest = 1000};
   visit(foot, light);
-  light.velocity += 5;  // somebody pulls it up
+  light.velocity += 8;  // somebody pulls it up
   visit(foot, light);
-  grade.number({.what = "0.5 kg, pulled up at 5 m/s afterwards: impulse (N s)",
+  grade.number({.what = "0.5 kg, pulled up at 8 m/s afterwards: impulse (N s)",
                 .value = 0,
                 .tolerance = visit_rounding,
-                .misconceptions = {{-1, "A foot cannot pull: the sum is never below 0."},
+                .misconceptions = {{-2.5, "A foot cannot pull: the sum is never below 0."},
+                                   {-3, counted_twice},
                                    {1.5, "A push may be negative, only the sum may not: clamp the sum."}}},
                foot.impulse);
   grade.number({.what = "and how fast it rises then (m/s)",
-                .value = 2,
+                .value = 5,
                 .tolerance = visit_rounding,
                 .misconceptions = {{0, "Apply what the clamp has left: the new sum less the old one."},
-                                   {5, "A push may be negative, only the sum may not: clamp the sum."}}},
+                                   {2, counted_twice},
+                                   {8, "A push may be negative, only the sum may not: clamp the sum."}}},
                light.velocity);
 }
 

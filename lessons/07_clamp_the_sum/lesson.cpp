@@ -6,7 +6,6 @@
 #include "lessons/lesson.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "feet.hpp"
 #include "math/list.hpp"
@@ -84,11 +83,12 @@ void run(Lesson& lesson) {
   tell_visits(lesson, all);
   tell_landings(lesson, all);
   tell_motion(lesson, all);
-  const double second = all.middle.by(Clamped::sum).visits[2].given();
-  lesson.answer({second}, 0.01 * std::abs(second) + 1e-9,
-                second < 0 ? "It takes back: it gave too much before the other foot had its turn. "
-                             "The sum stays positive, so the foot does not pull."
-                           : "It gives more: with feet this far out, each push makes the other foot sink.");
+  const Visit& second = all.middle.by(Clamped::sum).visits[2];
+  lesson.answer({second.after[0]}, 0.005 * second.after[0],
+                second.given() < 0
+                    ? "It takes back: it gave too much before the other foot had its turn. "
+                      "The sum stays positive, so the foot does not pull."
+                    : "It gives more: with feet this far out, each push makes the other foot sink.");
   check_claims(lesson, all);
   lesson.film(feet_shots(all));
   lesson.data(table_of(all));

@@ -18,6 +18,8 @@ using render::Page;
 using render::Rect;
 using render::Sign;
 
+constexpr int outline_steps = 8;  // between the outlines of earlier poses
+
 double height_at(const List<Snapshot>& motion, int step) {
   return 1000 * (motion[step].bodies[{1}].pose.position.y() - motion[0].bodies[{1}].pose.position.y());
 }
@@ -27,7 +29,7 @@ void draw_motion(Page& page, const Rect& rect, const List<Snapshot>& motion, int
   const render::Camera camera = render::fit(inside, {{-1.3, -0.1}, {1.3, 1.5}});
   page.canvas().push_clip(inside);
   List<Snapshot> earlier;
-  for (int k = 0; k < step; k += 4) earlier.push_back(motion[k]);
+  for (int k = 0; k < step; k += outline_steps) earlier.push_back(motion[k]);
   draw_ghosts(page, camera, earlier);
   render::WorldLook look;
   look.contacts = false;
@@ -55,8 +57,9 @@ void draw_step(Page& page, const FeetRun& run, int step) {
   render::Plot plot{.title = fmt::format("how far the middle of the box has risen (mm): {} at most",
                                          fixed(1000 * run.hop_height, 0))};
   plot.x = {.title = "t (s)", .min = 0, .max = motion_steps * time_step};
-  plot.y = {.title = ""};
   plot.series = {heights(page, run.hop, Clamped::increment), heights(page, run.still, Clamped::sum)};
+  const List<double>& hop = plot.series[0].y;
+  plot.y = {.min = 1.2 * *std::min_element(hop.begin(), hop.end()) - 1, .max = 1200 * run.hop_height + 1};
   plot.now = step * time_step;
   draw_plot(page, parts[1], plot);
 }
@@ -66,7 +69,7 @@ void draw_spread(Page& page, const FeetRun& run) {
   render::Series foot{.style = style_of(page.theme(), Clamped::increment)};
   render::Series box{.style = style_of(page.theme(), Clamped::afterwards)};
   box.style.marker = render::Marker::circle;
-  render::Series sum{.name = "the sum clamped", .style = page.theme().exact, .markers = false};
+  render::Series sum{.style = page.theme().exact, .markers = false};
   for (const Spread& spread : run.spreads) {
     for (render::Series* series : {&foot, &box, &sum}) series->x.push_back(spread.foot);
     foot.y.push_back(std::max(spread.formula_speed - spread.foot * spread.formula_spin, 0.0));
@@ -79,7 +82,8 @@ void draw_spread(Page& page, const FeetRun& run) {
   plot.series = {foot, box, sum};
   const auto peak = static_cast<int>(std::max_element(foot.y.begin(), foot.y.end()) - foot.y.begin());
   plot.labels = {{foot.x[peak + 4], foot.y[peak + 4], "foot 1 rises"},
-                 {box.x[peak], box.y[peak], "the box rises"}};
+                 {box.x[peak], box.y[peak], "the box rises"},
+                 {sum.x[peak], 0, "the sum clamped: nothing rises"}};
   plot.cursor = harmless_distance();
   draw_plot(page, parts[0], plot);
   const List<Rect> right = rows(parts[1], {0.55, 0.45}, page.sizes().gap);
@@ -122,7 +126,8 @@ void draw_side(Page& page, const FeetRun& run) {
 }
 
 Shot motion_shot(const Run& run, int step) {
-  return {.state = fmt::format("t = {} s", fixed(step * time_step, 2)),
+  return {.state = fmt::format("t = {} s · outlines every {} s", fixed(step * time_step, 2),
+                               fixed(outline_steps * time_step, 2)),
           .alt = fmt::format(
               "{:.2f} s after the landing: with each push clamped the middle of the box is {:.1f} mm "
               "{} and it has turned by {:.0f} degrees, with the sum clamped it has risen by {:.1f} mm.",

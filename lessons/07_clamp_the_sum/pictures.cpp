@@ -135,25 +135,26 @@ QuestionFrame question_frame(const Run& run) {
 }
 
 QuestionFrame answer_frame(const Run& run) {
-  return {.state = "answer",
-          .alt = "The box thrown up with each push clamped, at rest with the sum clamped, and the answer.",
+  return {.state = "sweep 2 · foot 1",
+          .alt =
+              "The second visit of the left foot: with each push clamped nothing is taken back, with the "
+              "sum clamped a part of the first push; and the answer.",
           .scene = [run](Page& page, const Rect& rect) {
             const List<Rect> parts = rows(rect, {0.5, 0.5}, page.sizes().gap);
             int at = 0;
             for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
-              const Landing& each = run->middle.by(clamped);
               draw_box(page, clamp_panel(page, parts[at++], clamped), run->middle, largest_of(*run),
-                       view_after(run->middle, run->settings.speed, each, each.visits.size() - 1));
+                       view_after(run->middle, run->settings.speed, run->middle.by(clamped), 2));
             }
           }};
 }
 
 std::string answer_text(const FeetRun& run) {
-  const double second = run.middle.by(Clamped::sum).visits[2].given();
-  return fixed(second, 2, Sign::always) +
-         (second >= 0 ? " N s: more. The feet are so far out that both clamps do the same."
-                      : " N s: it takes back a part of its first push, which was too large. A push may be "
-                        "negative; the sum may not.");
+  const Visit& second = run.middle.by(Clamped::sum).visits[2];
+  const std::string sum = fixed(second.after[0], 2) + " N s: ";
+  if (second.given() >= 0) return sum + "it gives more. Feet so far out need the same of both clamps.";
+  return sum + "it takes back " + fixed(-second.given(), 2) +
+         " N s of its first push, which was too large. A push may be negative; the sum may not.";
 }
 
 Shot visit_shot(const Run& run, int k) {
