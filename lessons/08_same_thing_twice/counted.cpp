@@ -81,19 +81,17 @@ void check_eta(Lesson& lesson, const TwiceRun& run) {
   lesson.check_small("(25) λ of other rows that a row update changes", eta.changed(), 0);
 }
 
-void tell_and_check_masses(Lesson& lesson, const TwiceRun& run) {
+void check_masses(Lesson& lesson, const TwiceRun& run) {
   const int sweeps = run.settings.sweeps;
   const CountedSweeps once = sweep_counting(run.problem, sweeps, Masses::once);
   const CountedSweeps each = sweep_counting(run.problem, sweeps, Masses::in_each_update);
-  lesson.print(
-      fmt::format("Effective masses: {} where each row update computes its own, {} where they are "
-                  "computed before the first sweep.",
-                  each.masses, once.masses));
-  lesson.print();
   double change = 0;
   for (int i = 0; i < once.impulse.size(); ++i)
     change = std::max(change, std::abs(once.impulse[i] - each.impulse[i]) / run.settings.dt);
-  lesson.check_small("effective masses computed once, not in each update: change of λ (N)", change, 0);
+  lesson.check_small(
+      fmt::format("effective masses computed once ({}), not each time ({}): change of λ (N)",
+                  once.masses, each.masses),
+      change, 0);
 }
 
 }  // namespace cairn::twice

@@ -79,7 +79,7 @@ void run(Lesson& lesson) {
                             "algorithm, but each adds its terms in another order, and each addition rounds.",
                             parted));
   check_claims(lesson, twice);
-  tell_and_check_masses(lesson, twice);
+  check_masses(lesson, twice);
   lesson.film(twice_shots(twice));
   lesson.data(table_of(twice));
   const PerRow<double>& last = twice.si.back();

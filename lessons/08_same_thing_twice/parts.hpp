@@ -12,8 +12,8 @@ void tell_first_sweep(Lesson& lesson, const TwiceRun& run);
 void tell_precisions(Lesson& lesson, const TwiceRun& run);
 /// (24) and (25), in the sweeps of the library's SI.
 void check_eta(Lesson& lesson, const TwiceRun& run);
-/// How many effective masses the sweeps need, computed once or in each update.
-void tell_and_check_masses(Lesson& lesson, const TwiceRun& run);
+/// Effective masses computed once or in each update: how many, and the same λ.
+void check_masses(Lesson& lesson, const TwiceRun& run);
 void check_claims(Lesson& lesson, const TwiceRun& run);
 CsvTable table_of(const TwiceRun& run);
 

@@ -61,11 +61,11 @@ Moment after_sweep(const TwiceRun& run, int sweep) {
           .largest = sweep > 0 ? largest_of_all_sweeps(run) : largest_of_first_sweep(run)};
 }
 
-void draw_key(Page& page, const Rect& inside) {
+/// What colours mean, from the right end of a line to the left.
+void draw_key(Page& page, const Rect& inside, const List<std::pair<std::string, render::Color>>& entries) {
   const double size = page.label().size;
   double x = inside.x + inside.width;
-  for (const auto& [name, color] :
-       {std::pair{"SI", page.theme().si.color}, std::pair{"PGS", page.theme().pgs.color}}) {
+  for (const auto& [name, color] : entries) {
     x -= page.canvas().text_width(name, page.label());
     page.canvas().text({x, inside.y + size}, name, page.label());
     x -= 18;
@@ -79,7 +79,8 @@ void draw_key(Page& page, const Rect& inside) {
 void draw_pairs(Page& page, const Rect& rect, const Moment& moment) {
   render::Canvas& canvas = page.canvas();
   const Rect inside = page.panel(rect, "accumulated λ of each row (N)");
-  draw_key(page, {inside.x, rect.y + 8, inside.width, 20});
+  draw_key(page, {inside.x, rect.y + 8, inside.width, 20},
+           {{"SI", page.theme().si.color}, {"PGS", page.theme().pgs.color}});
   const double largest = moment.largest;
   render::TextStyle tick = page.tick();
   tick.align = render::Align::right;
@@ -117,13 +118,17 @@ void draw_pairs(Page& page, const Rect& rect, const Moment& moment) {
 
 void draw_system(Page& page, const Rect& rect, const TwiceRun& run, int active) {
   render::MatrixView view{
-      .title = "A = J M^{−1} J^{T}", .values = run.system.A, .active_row = active, .numbers = false};
+      .title = "A = J M^{−1} J^{T} (1/kg)", .values = run.system.A, .active_row = active, .numbers = false};
   for (int i = 1; i <= run.problem.row_count(); ++i) {
     const std::string name = i == 1 || i % 5 == 0 ? fmt::format("{}", i) : "";
     view.row_names.push_back(name);
     view.column_names.push_back(name);
   }
   draw_matrix(page, rect, view);
+  const double largest = run.system.A.cwiseAbs().maxCoeff();
+  draw_key(page, rect,
+           {{fixed(-largest, 1), page.theme().negative},
+            {fixed(largest, 1, render::Sign::always), page.theme().positive}});
 }
 
 /// Matrix left, pairs right on top; returns what is free below the pairs.
@@ -235,9 +240,10 @@ List<Shot> twice_shots(const TwiceRun& recorded) {
        .alt = "The differences of both solvers in three precisions, and the answer.",
        .scene = [run](Page& page, const Rect& rect) { draw_differences(page, rect, *run); }},
       fmt::format(
-          "Hardly ever. They are one algorithm, but each solver adds its terms in another order, and "
-          "each addition is rounded. In single precision they differ by {} of the largest λ, in double "
+          "{} They are one algorithm, but each solver adds its terms in another order, and each addition is "
+          "rounded. After sweep {} they differ by {} of the largest λ in single precision, in double "
           "precision by {}.",
+          run->precisions[0].difference.back() > 0 ? "No." : "Here they are.", last,
           power(run->precisions[0].difference.back() / run->precisions[0].scale),
           power(run->precisions[1].difference.back() / run->precisions[1].scale))));
   return shots;

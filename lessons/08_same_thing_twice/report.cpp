@@ -32,7 +32,7 @@ void tell_scene(Lesson& lesson, const TwiceSettings& settings) {
 void tell_first_sweep(Lesson& lesson, const TwiceRun& run) {
   lesson.print();
   lesson.print("Sweep 1, before clamping (N):");
-  lesson.print(" row      η_i       j·v         (27) SI       (28) PGS           (29)   (27)-(28)   clamped");
+  lesson.print(" row      η_i       j·v         (27) SI       (28) PGS           (29)   (27)−(28)   clamped");
   for (const RowStep& step : run.steps) {
     lesson.print(fmt::format("{:>4} {:>8.3f} {:>9.4f} {:>15.8f} {:>14.8f} {:>14.8f} {:>11.1e} {:>9.3f}",
                              step.row + 1, step.eta, step.row_velocity, step.by_27, step.by_28, step.by_29,
@@ -42,12 +42,12 @@ void tell_first_sweep(Lesson& lesson, const TwiceRun& run) {
 }
 
 void tell_precisions(Lesson& lesson, const TwiceRun& run) {
-  lesson.print(fmt::format("largest |λ_PGS − λ_SI| over {} sweeps, {} of {} rows at their bound:",
+  lesson.print(fmt::format("largest |λ_PGS − λ_SI| after sweep {}, {} of {} rows at their bound:",
                            run.settings.sweeps, run.at_bound, run.problem.row_count()));
   for (const PrecisionRun& precision : run.precisions) {
-    const double worst = *std::max_element(precision.difference.begin(), precision.difference.end());
+    const double gap = precision.difference.back();
     lesson.print(fmt::format("  {:<12} {:>9.1e} N of {:.1f} N: {:.1e}, where ε is {:.1e}", precision.name,
-                             worst, precision.scale, worst / precision.scale, precision.epsilon));
+                             gap, precision.scale, gap / precision.scale, precision.epsilon));
   }
   lesson.print("Erratum: in (28) of the paper read i for l, and m for n; both sums use the newest η.");
   lesson.print();
