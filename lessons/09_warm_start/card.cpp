@@ -18,13 +18,14 @@ LessonInfo card() {
       .needs = {"lesson 05", "lesson 06"},
       .reads = {"src/world/world.cpp", "src/constraints/row.hpp"},
       .question =
-          "The lowest contact has to carry the whole tower. Beginning from nothing, how many sweeps does one "
-          "step need until that contact carries 99 % of it?",
-      .spoilers = {"178", "0.9755"},
-      .hints = {"A sweep carries weight from box to box. Ten sweeps give the lowest of ten contacts a third "
-                "of it.",
-                "In the long run a sweep leaves cos²(π/2n) of the error: 0.9755 for ten boxes.",
-                "Which power of 0.9755 is about 1/80?"},
+          "A tower of ten boxes that does 50 sweeps in each step, each time from nothing, sinks by 223 mm in "
+          "120 steps. How many sweeps does a step need to do better, if it begins with the impulses of the "
+          "last one?",
+      .spoilers = {"139", "single warm sweep", "0.9755"},
+      .hints =
+          {"Warm or cold, a sweep leaves the same share of an error. What differs is the error it finds.",
+           "Cold, each of the 120 steps begins with an error of 100 % and throws its 50 sweeps away.",
+           "Warm, the sweeps of 120 steps work on one answer. One answer takes some 200 sweeps."},
       .parameters = {{"boxes", 10, 3, 20, "", "boxes of 1 kg in the tower", Parameter::Kind::whole},
                      {"sweeps", 10, 1, 50, "", "sweeps in each step", Parameter::Kind::whole},
                      {"steps", 120, 60, 300, "", "steps of each run", Parameter::Kind::whole},

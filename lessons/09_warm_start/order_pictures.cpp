@@ -26,7 +26,7 @@ render::Series error_series(const List<List<double>>& loads, double weight, doub
   for (int k = 1; k < loads.size(); ++k) {
     if (std::pow(bound, k) < smallest_error) break;
     series.x.push_back(k);
-    series.y.push_back(std::max(std::abs(loads[k][0] / weight - 1), smallest_error));
+    series.y.push_back(std::abs(loads[k][0] / weight - 1));
   }
   return series;
 }
@@ -36,12 +36,10 @@ void draw_errors(Page& page, const WarmStart& all) {
   const StartSettings& settings = all.settings;
   const double share = share_left(settings.boxes, settings.sweeps);
   render::Series cold = error_series(all.cold.loads, settings.weight(), share);
-  cold.name = "cold";
   cold.style = start_styles(page.theme())[0];
   render::Series warm = error_series(all.warm.loads, settings.weight(), std::sqrt(share));
-  warm.name = "warm";
   warm.style = start_styles(page.theme())[1];
-  render::Series bound{.name = "√ρˢ per step", .style = page.theme().exact, .markers = false};
+  render::Series bound{.style = page.theme().exact, .markers = false};
   for (const double k : warm.x) {
     bound.x.push_back(k);
     bound.y.push_back(std::pow(share, 0.5 * k));
@@ -50,12 +48,15 @@ void draw_errors(Page& page, const WarmStart& all) {
   plot.x = {.title = "step", .min = 0, .max = settings.steps};
   plot.y = {.scale = render::AxisScale::logarithmic, .min = smallest_error, .max = 2};
   plot.series = {cold, warm, bound};
+  const int middle = cold.x.size() / 2;
+  plot.labels = {{cold.x[middle], cold.y[middle], "cold: ρ^{s} per step"},
+                 {bound.x[middle], bound.y[middle], "warm: below ρ^{s/2} per step"}};
   draw_plot(page, parts[0], plot);
   page.note(parts[1], "The price of memory",
-            fmt::format("The {} sweeps of a step leave ρˢ = {:.3f} of what they find. Cold, the loads "
+            fmt::format("The {} sweeps of a step leave ρ^{{s}} = {:.3f} of what they find. Cold, the loads "
                         "converge at that rate, but what is missing stays as a speed: the tower sinks. "
                         "Warm, it is missing in the first guess as well. So the error swings, and a step "
-                        "leaves √ρˢ = {:.3f} of it.",
+                        "leaves ρ^{{s/2}} = {:.3f} of it.",
                         settings.sweeps, share, std::sqrt(share)));
 }
 
@@ -187,7 +188,7 @@ List<Shot> order_shots(const All& all) {
   return {
       {.state = "error against steps",
        .alt = "The error of the lowest load against steps, logarithmic: cold falls fast and smoothly, warm "
-              "swings below a line of slope √ρˢ.",
+              "swings below a line that falls half as steeply.",
        .draw = [all](Page& page) { draw_errors(page, *all); },
        .key = true},
       {.state = "one step from nothing",

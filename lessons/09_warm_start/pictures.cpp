@@ -33,10 +33,6 @@ double largest_load(const WarmStart& all) {
   return largest;
 }
 
-double top_of(const StartRun& run, int frame) {
-  return run.frames[frame].bodies.back().pose.position.y() + 0.5;
-}
-
 constexpr int lately = 15;  // steps: a little more than one swing of the warm load
 
 /// The least and the most that each contact has carried lately [N].
@@ -65,14 +61,13 @@ void draw_start_line(Page& page, const render::Camera& camera, double boxes) {
 /// What the top of the tower does, and not only where it is.
 std::string motion_of(const StartRun& run, int frame) {
   const double speed = run.frames[frame].bodies.back().velocity.y();
-  return std::abs(speed) < 0.005 ? "stands still" : fixed(speed, 2, render::Sign::always) + " m/s";
+  return std::abs(speed) < 0.0005 ? "stands still" : fixed(speed, 3, render::Sign::always) + " m/s";
 }
 
 /// One start: its tower, its loads, and within which bounds the loads have been lately.
 void draw_start(Page& page, const Rect& rect, const WarmStart& all, const StartRun& run, int frame,
                 const SeriesStyle& style) {
-  const double moved = 1000 * (top_of(run, frame) - all.settings.boxes);
-  const std::string top = "top " + fixed(moved, 0, render::Sign::always) + " mm";
+  const std::string top = "top " + fixed(risen(run, frame), 0, render::Sign::always) + " mm";
   const bool is_wide = rect.width > 300;  // or there is room for the tower alone
   const Rect view = draw_solver_panel(page, rect, style, run.name, is_wide ? top : "");
   const Range range = lately_carried(run, frame);
@@ -107,7 +102,7 @@ void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int fram
                                          all.settings.weight())};
   constexpr int near = 30;  // steps that the first frames show
   const int shown = frame <= near ? near : all.settings.steps;
-  plot.x = {.min = 0, .max = shown};
+  plot.x = {.title = "step", .min = 0, .max = shown};
   plot.y = {.min = 0, .max = 1.15 * largest_load(all)};
   const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
   const FixedList<const StartRun*, 3> runs = runs_of(all);
@@ -130,34 +125,37 @@ void draw_step(Page& page, const WarmStart& all, int frame) {
   draw_load_plot(page, parts[1], all, frame);
 }
 
-QuestionFrame towers_at(const All& all, int frame, std::string state, std::string alt) {
-  return {.state = std::move(state),
-          .alt = std::move(alt),
-          .scene = [all, frame](Page& page, const Rect& rect) { draw_towers(page, rect, *all, frame); }};
+/// The cold tower of the question at the end, and the warm one at the given step.
+QuestionFrame two_towers(const All& all, int frame, std::string state, std::string alt) {
+  const auto draw = [all, frame](Page& page, const Rect& rect) {
+    const List<Rect> panels = columns(rect, {1, 1}, page.sizes().gap);
+    const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
+    draw_start(page, panels[0], *all, all->many_cold, all->settings.steps, styles[0]);
+    StartRun warm = all->few_warm;
+    if (frame == 0) warm.name = "warm, ? sweeps";
+    draw_start(page, panels[1], *all, warm, frame, styles[1]);
+  };
+  return {.state = std::move(state), .alt = std::move(alt), .scene = draw};
 }
 
 Shot step_shot(const All& all, int frame) {
   return {.state = fmt::format("step {} · t = {} s", frame, fixed(frame * all->settings.dt, 2)),
           .alt = fmt::format(
               "Step {}: the lowest box carries {:.2f} N cold, {:.2f} N warm and {:.2f} N one row "
-              "off; the towers are {:.3f} m, {:.3f} m and {:.3f} m high.",
+              "off; the tops have risen by {:.0f} mm, {:.0f} mm and {:.0f} mm.",
               frame, all->cold.loads[frame][0], all->warm.loads[frame][0], all->shifted.loads[frame][0],
-              top_of(all->cold, frame), top_of(all->warm, frame), top_of(all->shifted, frame)),
+              risen(all->cold, frame), risen(all->warm, frame), risen(all->shifted, frame)),
           .draw = [all, frame](Page& page) { draw_step(page, *all, frame); }};
 }
 
 std::string answer_text(const WarmStart& all) {
-  const double weight = all.settings.weight();
-  std::string text =
-      fmt::format("{} sweeps in one step. Warm, the {} sweeps of a step go on where the last ones ended.",
-                  all.own.needed, all.settings.sweeps);
-  text += unrest(all.cold.loads, weight) > wanted_error * weight
-              ? " Cold, the tower sinks into itself."
-              : " Cold, the loads come out right in the end, but the tower sinks for ever.";
-  if (unrest(all.shifted.loads, weight) > wanted_error * weight) {
-    text += " One row off, it never comes to rest: its loads keep swinging (pale: the last 15 steps).";
-  }
-  return text;
+  const int last = all.settings.steps;
+  return fmt::format(
+      "{} sweep{} in each step, and the top sinks by {} mm in place of {}. The impulses stay, so the sweeps "
+      "of "
+      "{} steps work on one answer. Cold, each step throws its {} sweeps away.",
+      all.few, all.few > 1 ? "s" : "", fixed(-risen(all.few_warm, last), 0),
+      fixed(-risen(all.many_cold, last), 0), last, many_sweeps);
 }
 
 }  // namespace
@@ -172,10 +170,12 @@ List<Shot> start_shots(const WarmStart& recorded) {
   const All all = std::make_shared<const WarmStart>(recorded);
   const int last = all->settings.steps;
   const std::set<int> keys = {1, 2, 5, 10, 20, last};
+  const std::string of_cold = fmt::format("after {} steps", last);
   List<Shot> shots = {question_shot(
-      card(), towers_at(all, 0, "before the first step",
-                        "Three equal towers named cold, warm and one row off, without any load yet, and the "
-                        "question."))};
+      card(),
+      two_towers(all, 0, of_cold + ", and before the first",
+                 "A tower of ten boxes after 50 cold sweeps in each step, which has sunk, one that is "
+                 "about to begin warm, and the question."))};
   for (int k = 1; k <= last; ++k) {
     shots.push_back(step_shot(all, k));
     shots.back().key = keys.contains(k);
@@ -183,8 +183,8 @@ List<Shot> start_shots(const WarmStart& recorded) {
   for (Shot& shot : order_shots(all)) shots.push_back(std::move(shot));
   shots.push_back(answer_shot(
       card(),
-      towers_at(all, last, fmt::format("after {} steps", last),
-                fmt::format("The three towers at the end, and the answer: {} sweeps.", all->own.needed)),
+      two_towers(all, last, of_cold,
+                 fmt::format("Both towers at the end, and the answer: {} sweeps in each step.", all->few)),
       answer_text(*all)));
   return shots;
 }

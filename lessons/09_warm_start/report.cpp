@@ -14,11 +14,6 @@ namespace {
 
 const double epsilon = std::numeric_limits<double>::epsilon();
 
-/// How far the uppermost box has moved [mm], upwards positive.
-double moved(const StartRun& run, int boxes) {
-  return 1000 * (run.frames.back().bodies.back().pose.position.y() - (boxes - 0.5));
-}
-
 std::string listed(const List<double>& numbers) {
   std::string text;
   for (const double number : numbers) text += fmt::format(" {:>7.4g}", number);
@@ -123,8 +118,11 @@ void tell_loads(Lesson& lesson, const WarmStart& all) {
                              all.settings.weight() * warm_mode(all.settings, step)));
   }
   const int n = all.settings.boxes;
-  lesson.print(fmt::format("top moved {:>8.1f} mm {:>8.1f} mm {:>10.1f} mm", moved(all.cold, n),
-                           moved(all.warm, n), moved(all.shifted, n)));
+  const int last = all.settings.steps;
+  lesson.print(fmt::format("top moved {:>8.1f} mm {:>8.1f} mm {:>10.1f} mm", risen(all.cold, last),
+                           risen(all.warm, last), risen(all.shifted, last)));
+  for (const StartRun* run : {&all.many_cold, &all.few_warm})
+    lesson.print(fmt::format("{:<16} top moved {:>8.1f} mm", run->name, risen(*run, last)));
   const double weight = all.settings.weight();
   lesson.print(fmt::format("|λ₁ − W| in the last quarter: at most {:.2g} N, {:.2g} N and {:.2g} N",
                            unrest(all.cold.loads, weight), unrest(all.warm.loads, weight),

@@ -83,7 +83,7 @@ VelocityProblem<double> tower_rows(int boxes, double dt) {
 
 }  // namespace
 
-StartRun follow_tower(const StartSettings& settings, Solver<double>& solver, const char* name) {
+StartRun follow_tower(const StartSettings& settings, Solver<double>& solver, const std::string& name) {
   World world(tower(settings, Guest::none));
   StartRun run{.name = name, .comparable = settings.steps};
   for (int k = 0; k <= settings.steps; ++k) {
@@ -93,6 +93,11 @@ StartRun follow_tower(const StartSettings& settings, Solver<double>& solver, con
     if (is_too_deep(run.frames.back())) run.comparable = std::min(run.comparable, k - 1);
   }
   return run;
+}
+
+double risen(const StartRun& run, int frame) {
+  const auto top = [&run](int k) { return run.frames[k].bodies.back().pose.position.y(); };
+  return 1000 * (top(frame) - top(0));
 }
 
 GuestRun follow_guest(const StartSettings& settings, Solver<double>& by_key, Solver<double>& by_number) {

@@ -11,6 +11,7 @@ namespace cairn::warm {
 
 inline constexpr double gravity = 10;         // [m/s^2]
 inline constexpr double too_deep = 0.4;       // [m] of overlap; at half a box contacts would push sideways
+inline constexpr int many_sweeps = 50;        // of the question
 inline constexpr double wanted_error = 0.01;  // of the load on the lowest contact
 
 struct StartSettings {
@@ -82,6 +83,9 @@ struct WarmStart {
   StartRun cold = {};
   StartRun warm = {};
   StartRun shifted = {};
+  StartRun many_cold = {};  // with many_sweeps
+  StartRun few_warm = {};   // with so few sweeps that it just sinks by less
+  int few = 0;
   GuestRun guest = {};
   ReversedStep reversed = {};
   List<ColdSweeps> sweeps = {};  // of 3, 5, 10 and 20 boxes
@@ -89,7 +93,9 @@ struct WarmStart {
   LibraryRun library = {};
 };
 
-StartRun follow_tower(const StartSettings& settings, Solver<double>& solver, const char* name);
+StartRun follow_tower(const StartSettings& settings, Solver<double>& solver, const std::string& name);
+/// How far the top of the tower has risen by then [mm].
+double risen(const StartRun& run, int frame);
 GuestRun follow_guest(const StartSettings& settings, Solver<double>& by_key, Solver<double>& by_number);
 LibraryRun run_library(const StartSettings& settings);
 TowerAtRest tower_found_from_the_top(const StartSettings& settings);
