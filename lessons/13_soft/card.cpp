@@ -19,12 +19,14 @@ LessonInfo card() {
       .needs = {"lesson 03", "lesson 06"},
       .reads = {"src/constraints/softness.hpp", "src/solvers/iterative/sequential_impulse.cpp"},
       .question =
-          "The spring gets stiffer and stiffer, and its γ goes to 0. Where does β go, and how far "
-          "(in mm) does the weight sag then? (two numbers)",
-      .spoilers = {"goes to 1", "rigid row", "stiffest", "sag to 0"},
-      .hints = {"Which of the two terms in d + Δt k grows faster with the frequency?",
-                "k grows like its square, d in proportion: Δt k / (d + Δt k) is nearly Δt k / Δt k.",
-                "A row with γ = 0 is one of lesson 03. Which β takes all of its error back in one step?"},
+          "Two weights of 1 kg start at rest, 200 mm pressed down: one on a soft row that is a spring of "
+          "2 Hz, one on a rod. The rod's row takes back β = 0.2 of that in a step of 0.02 s, and pushes with "
+          "110 N. As a force the spring would begin with −k c = 31.6 N. With how many N does the soft row "
+          "push in its first step?",
+      .spoilers = {"26.4", "less than either", "30.5"},
+      .hints = {"A row is solved for the velocity that the step ends with. Where is the weight then?",
+                "λ = −k (c + Δt v') − d v', and v' = Δt (λ / m − g): two equations for λ and v'.",
+                "k = 157.9 N/m and d = 12.57 N s/m: λ (1 + Δt (d + Δt k)) = 31.58 + 3.14."},
       .parameters = {{"frequency", 2, 1, 100, "Hz", "of the spring, as it would swing undamped"},
                      {"damping", 0.5, 0.1, 2, "", "ratio; 1 is the fastest return without overshoot"},
                      {"dt", 0.02, 0.005, 0.05, "s", "time step"},

@@ -1,27 +1,31 @@
-// Exercise 13. Make a row soft: γ and β of a spring. Then: bash lessons/run check 13
-#include <cmath>
-
+// Exercise 13. Visit a soft row: a spring between two bodies. Then: bash lessons/run check 13
 #include "lessons/exercise.hpp"
+#include "math/list.hpp"
 
 namespace cairn::exercise13 {
 
-/// What makes a row soft.
-struct Soft {
-  double gamma = 0;  // [1/kg] beside j M⁻¹ jᵀ
-  double beta = 0;   // the share of an error that a step takes back
+/// Moves up and down only.
+struct Body {
+  double inverse_mass = 0;  // [1/kg] 0: the ground
+  double velocity = 0;      // [m/s] upwards
 };
 
-constexpr double pi = 3.14159265358979323846;
+/// A spring between a body and one above it. Its row has j·v = the velocity of the one above less that of the
+/// one below.
+struct Spring {
+  double stiffness = 0;  // k [N/m]
+  double damping = 0;    // d [N s/m]
+  double error = 0;      // c [m] at the beginning of the step: length less length without load
+  double impulse = 0;    // [N s] that the row has given in this step so far, all visits together
+};
 
-// The γ and β of a spring that lets `mass` [kg] swing with `frequency` [Hz] and the damping ratio, in steps
-// of dt [s] of implicit Euler: force = −k c − d v at the end of the step, where k = m ω², d = 2 m (damping
-// ratio) ω and ω = 2 pi frequency.
-Soft soften(double mass, double frequency, double damping_ratio, double dt) {
-  Soft soft;
-  // Your code begins here: about five lines.
+// One visit of the row in a sweep, (22) with γ: find γ and β of the spring for steps of dt [s], then the
+// impulse that this visit adds, so that j·v + γ (all of the impulse) = −β c / Δt holds behind it. A spring
+// pushes and pulls: nothing is clamped. Update the spring's impulse and both velocities.
+void visit(Spring& spring, Body& below, Body& above, double dt) {
+  // Your code begins here: about nine lines.
 
   // Your code ends here.
-  return soft;
 }
 
 }  // namespace cairn::exercise13

@@ -1,125 +1,139 @@
-// Exercise 13, graded: springs under 2 and 0.5 kg, and a mass on a soft row beside one on a spring in plain
-// loops.
+// Exercise 13, graded: one visit that begins with an impulse, then sweeps over two weights on two springs.
 #include "exercise.cpp"
 
 namespace cairn::exercise13 {
 namespace {
 
-constexpr double soft_rounding = 1e-12;  // a dozen operations on numbers up to 400
+constexpr double soft_rounding = 1e-12;  // a few dozen operations on numbers up to 10
 
-struct Case {
-  double mass = 0;       // [kg]
-  double frequency = 0;  // [Hz]
-  double ratio = 0;
-  double dt = 0;  // [s]
+constexpr double dt = 0.02;
+
+/// 3 kg below and 0.7 kg above, on their way, and a spring that has pushed with 0.3 N s already.
+constexpr Body below_before{.inverse_mass = 1 / 3.0, .velocity = 0.25};
+constexpr Body above_before{.inverse_mass = 1 / 0.7, .velocity = -0.4};
+constexpr Spring spring_before{.stiffness = 240, .damping = 11, .error = -0.15, .impulse = 0.3};
+
+/// The numbers of a visit, for the right one and for those with one mistake.
+struct Visit {
+  double dt_k = dt * spring_before.stiffness;
+  double resisting = spring_before.damping + dt * spring_before.stiffness;  // d + dt k
+  double gamma = 1 / (dt * resisting);
+  double beta = dt_k / resisting;
+  double zeta = -beta * spring_before.error / dt;
+  double speed = above_before.velocity - below_before.velocity;
+  double given = spring_before.impulse;
+  double inverse = below_before.inverse_mass + above_before.inverse_mass;
+
+  double added() const { return (zeta - speed - gamma * given) / (inverse + gamma); }
 };
 
-struct Spring {
-  double stiffness = 0;  // [N/m]
-  double damping = 0;    // [N s/m]
-};
-
-Spring spring_of(const Case& one, double omega) {
-  return {one.mass * omega * omega, 2 * one.mass * one.ratio * omega};
+/// With another gamma, or with another beta.
+Visit with_softness(double gamma, double beta) {
+  return {.gamma = gamma, .beta = beta, .zeta = -beta * spring_before.error / dt};
 }
 
-Soft softness_of(const Spring& s, double dt) {
-  return {1 / (dt * (s.damping + dt * s.stiffness)), dt * s.stiffness / (s.damping + dt * s.stiffness)};
+/// What a visit with a mistake makes of the impulse, and the words for it.
+List<Misconception> known_impulses(const Visit& right) {
+  const double before = spring_before.impulse, inverse = right.inverse, gamma = right.gamma;
+  const double lacking = right.zeta - right.speed - gamma * before;
+  return {
+      {before, "Nothing was added to the impulse."},
+      {right.added(), "The impulse is a sum over all visits: add to it."},
+      {before + Visit{.given = 0}.added(),
+       "The row is content with γ less for all that it has given before."},
+      {before + Visit{.given = -before}.added(), "γ times the impulse stands beside j·v: it is subtracted."},
+      {before + (right.zeta - right.speed - before) / (inverse + gamma),
+       "γ times the impulse, not the impulse."},
+      {before + lacking / inverse, "γ stands beside the inverse masses, too."},
+      {before + lacking / gamma, "The inverse masses stand beside γ: both bodies give way."},
+      {before + lacking / (above_before.inverse_mass + gamma), "j M⁻¹ jᵀ has a term of the body below."},
+      {before + lacking / (below_before.inverse_mass + gamma), "j M⁻¹ jᵀ has a term of the body above."},
+      {before + lacking / ((inverse + gamma) * dt), "That is a force: an impulse has no Δt in (22)."},
+      {before + Visit{.zeta = -right.zeta}.added(), "ζ = −β c / Δt: a spring that is pressed pushes."},
+      {before + Visit{.zeta = right.zeta * dt}.added(), "ζ is a velocity: β c / Δt."},
+      {before + Visit{.zeta = 0}.added(), "Where is ζ = −β c / Δt?"},
+      {before + Visit{.speed = -right.speed}.added(), "j·v is the speed of the one above less that below."},
+      {before + Visit{.speed = 0}.added(), "Where is j·v?"},
+      {before - right.added(), "The sign of what is added: ζ − j·v is what is lacking."},
+      {before + with_softness(1 / right.resisting, right.beta).added(),
+       "γ = 1 / (Δt (d + Δt k)): a Δt is lacking."},
+      {before + with_softness(dt * right.resisting, right.beta).added(),
+       "γ is large for soft springs: the inverse."},
+      {before + with_softness(1 / (dt * right.dt_k), 1).added(), "The damper stands beside Δt k: d + Δt k."},
+      {before + with_softness(1 / (dt * right.dt_k), right.beta).added(),
+       "γ: the damper stands beside Δt k."},
+      {before + with_softness(gamma, spring_before.damping / right.resisting).added(),
+       "β: d + Δt k goes below, Δt k above. Yours is what is left of the error."},
+      {before + with_softness(gamma, right.beta / dt).added(),
+       "β = Δt k / (d + Δt k) is a share, without a unit."},
+      {before + with_softness(right.beta, gamma).added(), "γ and β have changed places."}};
 }
 
-/// Where the mass is after 50 steps with gravity, by a soft row.
-double by_row(const Case& one, const Soft& soft) {
-  double y = 0.1, v = 0;
-  for (int step = 0; step < 50; ++step) {
-    v -= 10 * one.dt;
-    // j·v + γ impulse = −β c / dt, with c = y.
-    const double impulse = (-soft.beta * y / one.dt - v) / (1 / one.mass + soft.gamma);
-    v += impulse / one.mass;
-    y += one.dt * v;
+void grade_visit(Grade& grade) {
+  Spring spring = spring_before;
+  Body below = below_before, above = above_before;
+  visit(spring, below, above, dt);
+  const Visit right;
+  const double added = right.added();
+  grade.number({.what = "impulse after the visit (N s)",
+                .value = spring_before.impulse + added,
+                .tolerance = soft_rounding,
+                .misconceptions = known_impulses(right)},
+               spring.impulse);
+  grade.number({.what = "velocity of the 0.7 kg above (m/s)",
+                .value = above_before.velocity + added * above_before.inverse_mass,
+                .tolerance = soft_rounding,
+                .misconceptions = {{above_before.velocity, "The impulse acts on the body above."},
+                                   {above_before.velocity - added * above_before.inverse_mass,
+                                    "A push is upwards for the body above."},
+                                   {above_before.velocity + added, "Divide by the mass."},
+                                   {above_before.velocity + (right.given + added) * above_before.inverse_mass,
+                                    "Apply what this visit adds: the rest was applied before."}}},
+               above.velocity);
+  grade.number({.what = "velocity of the 3 kg below (m/s)",
+                .value = below_before.velocity - added * below_before.inverse_mass,
+                .tolerance = soft_rounding,
+                .misconceptions = {{below_before.velocity, "The impulse acts on the body below, too."},
+                                   {below_before.velocity + added * below_before.inverse_mass,
+                                    "What pushes the body above up pushes the one below down."}}},
+               below.velocity);
+}
+
+/// One step of 3 kg on the ground's spring and 0.7 kg on a spring upon it: 200 sweeps. Two rows with two
+/// unknown impulses p: (A + γ) p = ζ − j·v, solved by Cramer's rule.
+void grade_tower(Grade& grade) {
+  Body ground, lower{.inverse_mass = 1 / 3.0, .velocity = -0.2},
+      upper{.inverse_mass = 1 / 0.7, .velocity = -0.2};
+  Spring first = spring_before, second = spring_before;
+  first.impulse = second.impulse = 0;
+  for (int sweep = 0; sweep < 200; ++sweep) {
+    visit(first, ground, lower, dt);
+    visit(second, lower, upper, dt);
   }
-  return y;
-}
-
-/// The same by implicit Euler: v' = v + dt (-g - k y'/m - d v'/m), y' = y + dt v'.
-double by_spring(const Case& one, const Spring& s) {
-  double y = 0.1, v = 0;
-  for (int step = 0; step < 50; ++step) {
-    v = (v - 10 * one.dt - one.dt * s.stiffness * y / one.mass) /
-        (1 + one.dt * s.damping / one.mass + one.dt * one.dt * s.stiffness / one.mass);
-    y += one.dt * v;
-  }
-  return y;
-}
-
-/// The softness of springs that are wrong, with what went wrong.
-struct Wrong {
-  Soft soft = {};
-  std::string what = {};
-};
-
-List<Wrong> wrong_springs(const Case& one) {
-  const double omega = 2 * pi * one.frequency;
-  const Spring s = spring_of(one, omega);
-  const auto soft = [&one](double stiffness, double damping) {
-    return softness_of({stiffness, damping}, one.dt);
-  };
-  return {{softness_of(spring_of(one, one.frequency), one.dt), "omega is 2 pi times the frequency."},
-          {soft(s.stiffness / one.mass, s.damping), "k has the mass in it: k = m omega squared."},
-          {soft(s.stiffness, s.damping / one.mass), "d has the mass in it: d = 2 m (ratio) omega."},
-          {soft(s.stiffness / one.mass, s.damping / one.mass), "k and d have the mass in them."},
-          {soft(s.stiffness, s.damping / 2), "The damping is 2 m (ratio) omega: where is the 2?"},
-          {soft(s.stiffness / omega, s.damping), "k has the square of omega."},
-          {soft(s.stiffness / one.dt, s.damping), "In d + dt k stands the stiffness times dt."}};
-}
-
-void grade_spring(Grade& grade, const Case& one) {
-  const Spring spring = spring_of(one, 2 * pi * one.frequency);
-  const Soft right = softness_of(spring, one.dt), got = soften(one.mass, one.frequency, one.ratio, one.dt);
-  const std::string name = std::to_string(one.mass).substr(0, 3) + " kg: ";
-  ExpectedNumber gamma{
-      .what = name + "gamma (1/kg)",
-      .value = right.gamma,
-      .tolerance = soft_rounding,
-      .misconceptions = {
-          {right.gamma * one.dt,
-           "One dt is missing: an impulse is a force times dt, so 1 / (dt (d + dt k))."},
-          {1 / right.gamma, "gamma is large for soft springs: the inverse."},
-          {right.beta, "gamma and beta have changed places."},
-          {1 / (one.dt * one.dt * spring.stiffness), "The damper stands beside dt k: d + dt k."}}};
-  ExpectedNumber beta{
-      .what = name + "beta",
-      .value = right.beta,
-      .tolerance = soft_rounding,
-      .misconceptions = {{1 - right.beta, "That is what is left of the error, not what a step takes back."},
-                         {spring.damping / (spring.damping + one.dt * spring.stiffness),
-                          "That is what is left of the error, not what a step takes back."},
-                         {right.beta / one.dt, "beta is a share, without a unit."}}};
-  for (const Wrong& wrong : wrong_springs(one)) {
-    gamma.misconceptions.push_back({wrong.soft.gamma, wrong.what});
-    beta.misconceptions.push_back({wrong.soft.beta, wrong.what});
-  }
-  grade.number(gamma, got.gamma);
-  grade.number(beta, got.beta);
-  grade.number({.what = name + "height after 50 steps on the soft row (m)",
-                .value = by_spring(one, spring),
+  const Visit row;
+  const double a11 = lower.inverse_mass + row.gamma, a12 = -lower.inverse_mass;
+  const double a22 = lower.inverse_mass + upper.inverse_mass + row.gamma;
+  const double b1 = row.zeta + 0.2, b2 = row.zeta;
+  grade.number({.what = "two weights, 200 sweeps: impulse of the lower spring (N s)",
+                .value = (b1 * a22 - a12 * b2) / (a11 * a22 - a12 * a12),
                 .tolerance = soft_rounding},
-               by_row(one, got));
+               first.impulse);
 }
 
 }  // namespace
 
 Exercise exercise() {
-  return {.lesson = 13,
-          .task = "gamma and beta of a spring: what makes a row soft.",
-          .file = "lessons/13_soft/exercise.cpp",
-          .hints = {"Implicit Euler: the force is -k (c + dt v') - d v' with the new v'. Write that as j·v' "
-                    "+ gamma impulse = -beta c / dt.",
-                    "Divide impulse = -dt k c - dt (d + dt k) v' by dt (d + dt k).",
-                    "gamma = 1 / (dt (d + dt k)), beta = dt k / (d + dt k)."},
-          .grade = [](Grade& grade) {
-            grade_spring(grade, {.mass = 2, .frequency = 2, .ratio = 0.5, .dt = 0.02});
-            grade_spring(grade, {.mass = 0.5, .frequency = 3, .ratio = 0.25, .dt = 0.01});
-          }};
+  return {
+      .lesson = 13,
+      .task = "One visit of a soft row, between two bodies: the impulse is a sum, and γ counts all of it.",
+      .file = "lessons/13_soft/exercise.cpp",
+      .hints = {"Begin with γ = 1 / (Δt (d + Δt k)), β = Δt k / (d + Δt k) and ζ = −β c / Δt.",
+                "(22) times Δt: added = (ζ − j·v − γ · impulse) / (1/m below + 1/m above + γ).",
+                "Add it to the impulse; the body above gets it upwards, the one below downwards."},
+      .grade = [](Grade& grade) {
+        grade_visit(grade);
+        grade_tower(grade);
+      }};
 }
 
 }  // namespace cairn::exercise13

@@ -101,10 +101,10 @@ void run(Lesson& lesson) {
   print_scene(lesson, all.settings);
   lesson.predict();
   print_runs(lesson, all);
-  lesson.answer(
-      {1, 0}, 0.05,
-      "γ = 0, β = 1: a rigid row that takes all of its error back in one step. A rod is the stiffest "
-      "spring that a step can follow, and it costs nothing more.");
+  const double right = all.spring.rows[1].lambda;
+  lesson.answer({right}, 0.05 * right,
+                "less than −k c. The row pushes with the force that the spring has at the end of the step, "
+                "when it is longer and its damper resists.");
   check_runs(lesson, all);
   lesson.film(soft_shots(all));
   lesson.data(steps_table(all));

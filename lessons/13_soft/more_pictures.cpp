@@ -122,19 +122,19 @@ void draw_lambdas(Page& page, const Rect& rect, const ColumnRun& run, int sweep,
 void draw_sweep(Page& page, const SoftRuns& all, int sweep) {
   const List<Rect> parts = rows(page.area(), {0.48, 0.52}, page.sizes().gap);
   const List<Rect> top = columns(parts[0], {1, 1}, page.sizes().gap);
-  draw_lambdas(page, top[0], all.rigid_column, sweep, "rods: λ (N)", style_of_rigid(page).color);
-  draw_lambdas(page, top[1], all.soft_column, sweep, "springs: λ (N)", style_of_soft(page).color);
+  draw_lambdas(page, top[0], all.rigid_column, sweep, "rods, one step from λ = 0: λ (N)",
+               style_of_rigid(page).color);
+  draw_lambdas(page, top[1], all.soft_column, sweep, "springs that begin without load: λ (N)",
+               style_of_soft(page).color);
   render::Plot plot{.title = "largest error of λ, over the largest λ"};
   plot.x = {.title = "sweep", .min = 0, .max = shown_sweeps};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-8, .max = 10};
   const auto add = [&](const std::string& name, const ColumnRun& run, const render::SeriesStyle& style) {
-    render::Series series{.name = name, .style = style};
-    for (int k = 0; k <= sweep; ++k) {
-      series.x.push_back(k);
-      series.y.push_back(std::max(run.error[k], 1e-12));
-    }
-    plot.series.push_back(series);
+    List<double> errors;
+    for (int k = 0; k <= shown_sweeps; ++k) errors.push_back(std::max(run.error[k], 1e-12));
+    plot.series.push_back(over_steps(name, style, errors));
   };
+  plot.now = sweep;
   add(fmt::format("rods, × {} a sweep", fixed(all.rigid_column.rate, 2)), all.rigid_column,
       style_of_rigid(page));
   add(fmt::format("springs, × {:.2g}", all.soft_column.rate), all.soft_column, style_of_soft(page));
@@ -153,12 +153,9 @@ void draw_run_away(Page& page, const Rect& rect, const SoftRuns& all) {
   harsh.frequency = harsh_hertz;
   const double sag = harsh.mass * gravity / stiffness(harsh);
   const auto add = [&](const std::string& name, const List<double>& error, const render::SeriesStyle& style) {
-    render::Series series{.name = name, .style = style};
-    for (int k = 0; k <= 6; ++k) {
-      series.x.push_back(k);
-      series.y.push_back(std::abs(error[k] + sag));
-    }
-    plot.series.push_back(series);
+    List<double> distances;
+    for (int k = 0; k <= 6; ++k) distances.push_back(std::abs(error[k] + sag));
+    plot.series.push_back(over_steps(name, style, distances));
   };
   add("force", all.harsh_force, style_of_force(page));
   add("row", all.harsh_row, style_of_soft(page));
@@ -169,8 +166,8 @@ void draw_growth(Page& page, const Rect& rect, const SoftRuns& all) {
   render::Plot plot{.title = "a step multiplies a swing by at most (Δt and damping of the scene)"};
   plot.x = {.title = "f (Hz)", .scale = render::AxisScale::logarithmic, .min = 0.1, .max = 100};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-3, .max = 1e3};
-  render::Series row{.name = "row", .style = style_of_soft(page)};
-  render::Series force{.name = "force", .style = style_of_force(page)};
+  render::Series row{.name = "row", .style = style_of_soft(page), .markers = false};
+  render::Series force{.name = "force", .style = style_of_force(page), .markers = false};
   for (const Growth& growth : all.growth) {
     row.x.push_back(growth.frequency);
     row.y.push_back(growth.row);
@@ -179,6 +176,9 @@ void draw_growth(Page& page, const Rect& rect, const SoftRuns& all) {
   }
   plot.series = {force, row};
   plot.goals.push_back({1, "above: grows"});
+  // z = 2 pi f dt: with z = 1 and a damping ratio of 1/2 both parts of a swing are multiplied by 0.
+  if (all.settings.damping == 0.5)
+    plot.labels.push_back({1 / (2 * pi * all.settings.dt), 0.03, "chance: just stopped"});
   draw_plot(page, rect, plot);
 }
 

@@ -88,7 +88,7 @@ void draw_weight(Page& page, const render::Camera& camera, const SoftRuns& all, 
                        {.width = page.sizes().curve, .color = style.color});
   }
   render::WorldLook look;
-  look.numbers = false;
+  look.names = {"", fmt::format("{:g} kg", all.settings.mass)};
   draw_world(page, camera, scene, look);
   if (step > 0) draw_push(page, camera, all, {x, foot}, run.rows[step].lambda);
   render::TextStyle name = page.label();
@@ -136,18 +136,18 @@ void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   draw_plot(page, rect, plot);
 }
 
-/// Weights left, curves right; returns what is free below the curves.
-Rect draw_moment(Page& page, const SoftRuns& all, int step) {
+/// Weights left, curves right, up to step `last`; returns what is free below the curves.
+Rect draw_moment(Page& page, const SoftRuns& all, int step, int last) {
   const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   const double top = 0.58;
   const List<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
   draw_weights(page, halves[0], all, step);
-  draw_errors(page, right[0], all, step);
+  draw_errors(page, right[0], all, last);
   return right[1];
 }
 
 void draw_step(Page& page, const SoftRuns& all, int step) {
-  const Rect panel = draw_moment(page, all, step);
+  const Rect panel = draw_moment(page, all, step, step);
   const StepRow& row = all.spring.rows[step];
   const std::string free = fixed(row.free, 3);
   page.equation(panel, {.number = "eq (22), the soft row",
@@ -175,21 +175,18 @@ Shot step_shot(const Runs& all, int step, bool key) {
 }
 
 void draw_question(Page& page, const SoftRuns& all) {
-  page.note(
-      draw_moment(page, all, 0), "The question",
-      fmt::format(
-          "Both weights start {:g} mm below the place where no load is on the spring. Both rows take "
-          "back the same share β of that error; the left one gives way by γ. Its spring gets stiffer and "
-          "stiffer, and γ goes to 0. Where does β go, and how far does the weight sag then?",
-          1000 * all.settings.pressed));
+  page.note(draw_moment(page, all, 0, 0), "The question", card().question);
 }
 
+/// The weights after the first step, which was asked for, and what became of them.
 void draw_answer(Page& page, const SoftRuns& all) {
-  page.note(draw_moment(page, all, last_step(all)), "The answer",
-            fmt::format("β goes to 1 and the sag to 0: the row becomes a rod. β = {:.3f} alone "
-                        "pulls the weight back to its place; together with γ = {:.3g} the row "
-                        "is a spring of {:g} Hz.",
-                        all.spring.beta, all.spring.gamma, all.settings.frequency));
+  const StepRow& row = all.spring.rows[1];
+  page.note(
+      draw_moment(page, all, 1, last_step(all)), "The answer",
+      fmt::format("{} N, less than the spring's −k c = {} N at the beginning of the step. The row pushes "
+                  "with what the spring will have at its end, when it is longer and its damper resists. "
+                  "The rod takes back its share β of the error at once, whatever that takes.",
+                  fixed(row.lambda, 1), fixed(stiffness(all.settings) * all.settings.pressed, 1)));
 }
 
 }  // namespace
@@ -211,10 +208,12 @@ List<Shot> soft_shots(const SoftRuns& recorded) {
     shots.push_back(step_shot(all, frame * last_step(*all) / frames, keys.contains(frame)));
   for (const List<Shot>& more : {stiff_shots(all), column_shots(all), harsh_shots(all)})
     shots.insert(shots.end(), more.begin(), more.end());
-  shots.push_back({.state = "answer",
-                   .alt = "Both weights at rest, the one on the spring lower, and the answer.",
-                   .draw = [all](Page& page) { draw_answer(page, *all); },
-                   .key = true});
+  shots.push_back(
+      {.state = "answer",
+       .alt = "Both weights after the first step with the push of their rows, the chart of their motion, "
+              "and the answer.",
+       .draw = [all](Page& page) { draw_answer(page, *all); },
+       .key = true});
   return shots;
 }
 

@@ -28,6 +28,10 @@ void print_spring(Lesson& lesson, const SoftRuns& all) {
         "   step {}  ζ = {:7.4f}   λ = ({:.4f} − ({:.4f})) / (({:g} + {:.4g}) × {:g}) = {:.4f} N", step,
         row.zeta, row.zeta, row.free, 1 / settings.mass, spring.gamma, settings.dt, row.lambda));
   }
+  lesson.print(fmt::format(
+      "   −k c − d v: {:.4f} N at the beginning of step 1, {:.4f} − {:.4f} N at its end, {:.2f} mm up",
+      k * settings.pressed, -k * spring.error[1], d * spring.speed[1],
+      1000 * (settings.pressed + spring.error[1])));
   lesson.print("   t (s)    c (mm): exact     soft row   γ = 0, same β      λ (N): soft row        γ = 0");
   for (const double time : {0.1, 0.2, 0.5, 1.0}) {
     const int step = static_cast<int>(std::lround(time / settings.dt));
@@ -58,9 +62,9 @@ void print_stiff(Lesson& lesson, const SoftRuns& all) {
 }
 
 void print_columns(Lesson& lesson, const SoftRuns& all) {
-  lesson.print(
-      fmt::format("3. {} weights, one upon the other: what the sweeps of one cold step leave of the error:",
-                  column_weights));
+  lesson.print(fmt::format(
+      "3. {} weights, one upon the other, springs without load: what sweeps of one step leave of the error:",
+      column_weights));
   std::string names = "   sweep           ";
   for (int sweep = 1; sweep <= 6; ++sweep) names += fmt::format(" {:>9}", sweep);
   lesson.print(names + "   rate, formula");
