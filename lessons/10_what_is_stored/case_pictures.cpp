@@ -43,7 +43,8 @@ FixedList<CaseText, 3> case_texts() {
          .symbols = "A_{12} = 1/m + r_{1} r_{2}/I",
          .numbers = "= 1/6 − (1/6)/1",
          .result = "= 0"},
-        "6 kg, I = 1 kg m², arms r = 1/2 and −1/3 m: r₁\u00a0r₂\u00a0=\u00a0−I/m. Each is the other's centre "
+        "6 kg, I = 1 kg m², arms r = 1/2 and −1/3 m: r_{1}\u00a0r_{2}\u00a0=\u00a0−I/m. Each is the other's "
+        "centre "
         "of percussion, "
         "and a blow at one is not felt at the other.",
         "r₁\u00a0r₂\u00a0=\u00a0−I/m: a blow at 1 is not felt at 2."},
@@ -87,13 +88,12 @@ void draw_case_scene(Page& page, const Rect& rect, const PairCase& one) {
 }
 
 void draw_case(Page& page, const PairCase& one, const CaseText& text) {
-  const List<Rect> halves = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.5, 0.5}, page.sizes().gap);
-  draw_case_scene(page, left[0], one);
-  page.note(left[1], "", text.note);
-  const List<Rect> right = rows(halves[1], {1, 1}, page.sizes().gap);
-  page.equation(right[0], text.printed);
-  page.equation(right[1], text.coupling);
+  const List<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
+  draw_case_scene(page, parts[0], one);
+  const List<Rect> below = columns(parts[1], {0.36, 0.28, 0.36}, page.sizes().gap);
+  page.equation(below[0], text.printed);
+  page.equation(below[1], text.coupling);
+  page.note(below[2], "", text.note);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Memory and work against the number of rows, and a scene where A has no zeros.
 #include <fmt/format.h>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"
@@ -57,7 +58,8 @@ void draw_memory(Page& page, const StoredRun& run) {
   page.note(right[1], "",
             "A full A takes four times the memory for twice the rows; the others take twice. "
             "An entry of a sparse A has its column beside it, 12 bytes. The table is what each "
-            "solver really keeps beside the rows, J included.");
+            "solver really keeps beside the rows, J included.",
+            question_growth);
 }
 
 void draw_work(Page& page, const StoredRun& run) {
@@ -75,11 +77,12 @@ void draw_work(Page& page, const StoredRun& run) {
             fmt::format("SI reads the velocities of two bodies and changes them: 12 for each row, always. "
                         "A sparse row of A has {:.1f} entries here. Naive is section 4.4's warning: all "
                         "velocities anew after every row.",
-                        work.sparse / run.pyramids.back().rows));
+                        work.sparse / run.pyramids.back().rows),
+            question_growth);
 }
 
 void draw_tray(Page& page, const StoredRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.36, 0.64}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.42, 0.58}, page.sizes().gap);
   const Rect inside = page.panel(parts[0], "");
   const render::Camera camera = render::fit(inside, {{-5.9, -0.4}, {5.9, 1.8}});
   render::WorldLook look;
@@ -97,11 +100,12 @@ void draw_tray(Page& page, const StoredRun& run) {
   line("(30)", pyramid.printed, run.tray.printed);
   line("sparse A, a sweep", work_of(pyramid).sparse, work_of(run.tray).sparse);
   line("SI, a sweep", work_of(pyramid).si, work_of(run.tray).si);
-  page.table(below[0], "", table);
+  page.table(below[0], "", table, question_growth);
   page.note(below[1], "All on one body",
             "99 boxes on one tray that can move, with as many rows as the pyramid of base 10. "
             "All of them push the tray, so all rows meet, and no entry of A is zero. SI does "
-            "not notice: its work is the same for every scene of 200 rows.");
+            "not notice: its work is the same for every scene of 200 rows.",
+            question_growth);
 }
 
 }  // namespace

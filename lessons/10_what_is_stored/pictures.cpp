@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "render/draw.hpp"
 #include "render/matrix.hpp"
@@ -75,12 +76,6 @@ std::string body_name(BodyId body) {
   return body == ground ? "the ground" : fmt::format("box {}", body.index);
 }
 
-/// In tenths, so that a cell has room for it; what would become 0 stays as it is.
-double in_tenths(double entry) {
-  const double rounded = std::round(10 * entry);
-  return rounded == 0 ? 10 * entry : rounded;
-}
-
 void draw_row(Page& page, const StoredRun& run, int active) {
   const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
   const List<Rect> left = rows(halves[0], {0.62, 0.38}, page.sizes().gap);
@@ -95,7 +90,7 @@ void draw_row(Page& page, const StoredRun& run, int active) {
                         "itself among them: those on the same boxes. All else in this row of A is 0.",
                         active + 1, body_name(row.a), body_name(row.b), met, problem.row_count()));
   render::MatrixView view{
-      .title = "A in 0.1/kg, base 3, rounded", .values = A.unaryExpr(&in_tenths), .active_row = active};
+      .title = "A, base 3: red > 0, blue < 0", .values = A, .active_row = active, .numbers = false};
   for (int j = 1; j <= problem.row_count(); ++j) view.row_names.push_back(fmt::format("{}", j));
   view.column_names = view.row_names;
   draw_matrix(page, halves[1], view);
@@ -157,7 +152,8 @@ void draw_pattern(Page& page, const StoredRun& run) {
   page.table(right[1], "", table);
   page.note(right[2], "",
             "Grey: the lowest boxes have only the ground in common. It cannot be moved, so "
-            "nothing that one does reaches the other. (30) has no M^{−1} and counts them.");
+            "nothing that one does reaches the other. (30) has no M^{−1} and counts them.",
+            question_growth);
 }
 
 void draw_two_patterns(Page& page, const StoredRun& run) {
@@ -171,7 +167,8 @@ void draw_two_patterns(Page& page, const StoredRun& run) {
   }
   page.note(panels[2], "",
             "Dark: rows that share a box, not 0. Grey: rows that share only the ground, 0 in "
-            "A, but counted by (30). The larger the pyramid, the emptier is A.");
+            "A, but counted by (30). The larger the pyramid, the emptier is A.",
+            question_growth);
 }
 
 void draw_question(Page& page, const StoredRun& run) {
@@ -183,7 +180,8 @@ void draw_question(Page& page, const StoredRun& run) {
       right[0], "The question",
       fmt::format("{} boxes, two rows for each overlap: m = {:.0f} rows. A full A has m × m entries, and SI "
                   "keeps m numbers. How many entries in an average row of A are not zero?",
-                  count.bodies, count.rows));
+                  count.bodies, count.rows),
+      question_growth);
   page.equation(right[1], {.number = "numbers to keep",
                            .symbols = fmt::format("SI: m = {:.0f}", count.rows),
                            .numbers = fmt::format("full A: m × m = {:.0f}", count.dense),
@@ -191,7 +189,11 @@ void draw_question(Page& page, const StoredRun& run) {
 }
 
 void draw_answer(Page& page, const StoredRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.48, 0.52}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const Rect inside = page.panel(halves[0], fmt::format("base {0}: {1:g} × {1:g}", run.pyramids[largest].base,
+                                                        run.pyramids[largest].rows));
+  draw_entries(page, inside, run, largest);
+  const List<Rect> parts = rows(halves[1], {0.44, 0.56}, page.sizes().gap);
   render::TableView table;
   table.header = {"", "rows", "full A", "(30)", "not zero", "SI"};
   for (const Count& count : run.pyramids) {
@@ -200,13 +202,14 @@ void draw_answer(Page& page, const StoredRun& run) {
                           fmt::format("{:.0f}", count.rows)});
   }
   table.active_row = largest;
-  page.table(parts[0], "numbers to keep", table);
+  page.table(parts[0], "numbers to keep", table, question_growth);
   const Count& count = run.pyramids[largest];
   page.note(parts[1], "The answer",
             fmt::format("{:.1f} of {:.0f}, and never more than 14. PGS without the zeros grows like m, as SI "
                         "does, and does the same work in a sweep: {:.0f} multiply-adds against {:.0f}. "
                         "Memory remains, and the work of building A in every step.",
-                        count.non_zeros / count.rows, count.rows, work_of(count).sparse, work_of(count).si));
+                        count.non_zeros / count.rows, count.rows, work_of(count).sparse, work_of(count).si),
+            question_growth);
 }
 
 Shot row_shot(const Run& run, int row) {
@@ -244,10 +247,11 @@ List<Shot> stored_shots(const StoredRun& recorded) {
   for (const List<Shot>& part : {case_shots(run), cost_shots(run)}) {
     shots.insert(shots.end(), part.begin(), part.end());
   }
-  shots.push_back({.state = "answer",
-                   .alt = "A table of what is stored for four pyramids, and the answer.",
-                   .draw = [run](Page& page) { draw_answer(page, *run); },
-                   .key = true});
+  shots.push_back(
+      {.state = "answer",
+       .alt = "The pattern of A for 800 rows, a thin band; what is stored for four pyramids; and the answer.",
+       .draw = [run](Page& page) { draw_answer(page, *run); },
+       .key = true});
   return shots;
 }
 

@@ -24,6 +24,7 @@ using render::Rect;
 using Feet = std::shared_ptr<const FeetRun>;
 
 const double box_middle = 0.62;  // [m] as the snapshot has it
+const int shown_sweeps = 6;      // in the plot of speeds: behind them all but one are at rest
 
 /// The box with what each foot has given so far, and how fast it moves.
 void draw_feet(Page& page, const Rect& rect, const FeetRun& run, int sweep) {
@@ -121,20 +122,23 @@ void draw_speeds(Page& page, const FeetRun& run) {
   plot.x = {.title = "sweep"};
   plot.y = {.title = ""};
   for (const FeetHistory& history : run.histories) {
+    List<double> first = history.speed;
+    first.resize(std::min(shown_sweeps + 1, first.size()));
     plot.series.push_back(over_steps(method_name(history.method, run.settings.omega),
-                                     style_of(page.theme(), history.method), history.speed));
+                                     style_of(page.theme(), history.method), first));
   }
   draw_plot(page, parts[0], plot);
   render::TableView table;
-  table.header = {"method", "q = ω Σ c", "the speed", "left after 5"};
+  table.header = {"method", "the speed", "q = ω Σ c", "left after 5"};
+  table.text_columns = 2;
   for (const FeetHistory& history : run.histories) {
     const bool in_turn = history.method == Method::sequential;
     const double taken = taken_at_once(run, history.method);
     const std::string verdict = taken > 2   ? "repeats for ever"
                                 : taken > 1 ? "overshoots, converges"
                                             : "converges";
-    table.rows.push_back({method_name(history.method, run.settings.omega), in_turn ? "·" : fixed(taken, 3),
-                          in_turn ? "converges" : verdict,
+    table.rows.push_back({method_name(history.method, run.settings.omega), in_turn ? "converges" : verdict,
+                          in_turn ? "·" : fixed(taken, 3),
                           fixed(100 * std::abs(history.speed[5]) / (gravity * time_step), 2) + " %"});
   }
   const List<Rect> below = columns(parts[1], {0.6, 0.4}, page.sizes().gap);
@@ -153,12 +157,34 @@ List<Shot> feet_shots(const FeetRun& feet) {
                .scene = [run](Page& page, const Rect& rect) { draw_feet(page, rect, *run, 0); }}));
   for (int sweep = 1; sweep <= run->settings.sweeps; ++sweep) shots.push_back(sweep_shot(run, sweep));
   shots.push_back(
-      {.state = fmt::format("four methods, {} sweeps", run->settings.sweeps),
+      {.state = fmt::format("four methods, {} sweeps", std::min(shown_sweeps, run->settings.sweeps)),
        .alt = "Speed of the box against sweeps: plain Jacobi, damped, with split masses, and SI; below it "
               "the share q that one sweep of each removes.",
        .draw = [run](Page& page) { draw_speeds(page, *run); },
        .key = true});
   return shots;
+}
+
+/// "43.6 + 60.0 + 43.6", where there is room for so many.
+std::string summands(const List<double>& lambda) {
+  if (lambda.size() > 4) return fmt::format("{} feet", lambda.size());
+  std::string text;
+  for (const double each : lambda) text += (text.empty() ? "" : " + ") + fixed(each, 1);
+  return text;
+}
+
+Shot last_shot(const Feet& run) {
+  const List<double>& first = history_of(*run, Method::plain).lambda[1];
+  const std::string text = fmt::format(
+      "{} N: {}. Each foot stops the whole fall, as if it were alone, and the box is thrown up. Damped, or "
+      "with "
+      "split masses, Jacobi converges.",
+      fixed(together(first), 1), summands(first));
+  return answer_shot(card(),
+                     {.state = "after the first sweep",
+                      .alt = "The box after the first sweep, with what each foot has given, and the answer.",
+                      .scene = [run](Page& page, const Rect& rect) { draw_feet(page, rect, *run, 1); }},
+                     text);
 }
 
 }  // namespace
@@ -199,6 +225,7 @@ render::SeriesStyle style_of(const render::Theme& theme, Method method) {
 List<Shot> everybody_shots(const FeetRun& feet, const PileRun& pile) {
   List<Shot> shots = feet_shots(feet);
   for (Shot& shot : pile_shots(pile)) shots.push_back(std::move(shot));
+  shots.push_back(last_shot(std::make_shared<const FeetRun>(feet)));
   return shots;
 }
 

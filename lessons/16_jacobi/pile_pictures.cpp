@@ -6,7 +6,6 @@
 #include <memory>
 #include <set>
 
-#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"
@@ -146,7 +145,7 @@ void draw_asymmetry(Page& page, const PileRun& run, int step) {
   plot.series[2].style.dash = {3, 4};
   plot.series[2].style.marker = render::Marker::circle;
   plot.now = step;
-  const List<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.48, 0.52}, page.sizes().gap);
   draw_mirrors(page, parts[0], run, step);
   draw_plot(page, parts[1], plot);
 }
@@ -158,23 +157,6 @@ Shot mirror_shot(const Pile& run, int step, const std::set<int>& keys) {
                              step, run->mirrors[0].asymmetry[step], run->mirrors[1].asymmetry[step]),
           .draw = [run, step](Page& page) { draw_asymmetry(page, *run, step); },
           .key = keys.contains(step)};
-}
-
-Shot last_shot(const Pile& run) {
-  const std::string text = fmt::format(
-      "More feet make it worse, since each corrects the whole error. Damped, or with split masses, Jacobi "
-      "converges. In a pyramid it needs more sweeps than SI, but no row waits for another, and the symmetry "
-      "stays. SI loses it by its order; {} sweeps leave {} mm of that.",
-      many_sweeps, render::significant(1000 * run->mirrors[2].asymmetry.back(), 1));
-  const auto scene = [run](Page& page, const Rect& rect) {
-    draw_mirrors(page, rect, *run, run->settings.steps);
-  };
-  return answer_shot(card(),
-                     {.state = "answer",
-                      .alt = "Both pyramids after the last step, and the answer.",
-                      .scene = scene,
-                      .place = ScenePlace::above},
-                     text);
 }
 
 }  // namespace
@@ -202,7 +184,6 @@ List<Shot> pile_shots(const PileRun& pile) {
        .draw = [run](Page& page) { draw_colours(page, *run); },
        .key = true});
   for (int step = 1; step <= last; ++step) shots.push_back(mirror_shot(run, step, {5, 15, last}));
-  shots.push_back(last_shot(run));
   return shots;
 }
 
