@@ -219,10 +219,15 @@ void draw_plot_labels(Page& page, const PlotFrame& frame, const Plot& plot, cons
     const bool shown = y >= frame.box.y && y <= frame.box.y + frame.box.height;
     if (shown && !goal.text.empty()) write_goal(page, inside, goal);
   }
-  List<EndLabel> in_gutter;
-  List<double> wanted;
+  // Names that have no place at the end of their curve stand at the top, as in a legend.
+  List<EndLabel> in_gutter, at_edge;
   for (const EndLabel& label : end_labels(plot, curves)) {
-    if (ends_early(frame, plot, curves[label.series]) && write_at_end(page, inside, label)) continue;
+    const bool is_early = ends_early(frame, plot, curves[label.series]);
+    if (is_early && write_at_end(page, inside, label)) continue;
+    (is_early ? in_gutter : at_edge).push_back(label);
+  }
+  List<double> wanted(in_gutter.size(), frame.box.y);
+  for (const EndLabel& label : at_edge) {
     in_gutter.push_back(label);
     wanted.push_back(label.end.y());
   }

@@ -19,11 +19,12 @@ LessonInfo card() {
           .needs = {"lesson 06", "lesson 16"},
           .reads = {"src/solvers/solver.hpp", "lessons/sandbox/CHOOSING.md"},
           .question =
-              "Ten boxes: 10 sweeps of SI leave 65 % of the error, 20 leave 50 %. Does twice the work halve "
-              "the error? How many sweeps leave 1 %?",
-          .spoilers = {"178", "0.9755", "same share"},
-          .hints = {"From 10 to 20 sweeps the error shrinks by some factor. What do the next ten do?",
-                    "In the end each sweep leaves cos²(π/2n) of the error.", "About 1.78 n² sweeps."},
+              "Ten boxes: after 85 sweeps of SI 10\u00a0% of the error are left, after 178 sweeps 1\u00a0%. How many "
+              "sweeps leave a billionth, 10^{−9}?",
+          .spoilers = {"829", "0.9755", "same share"},
+          .hints = {"What did the second digit cost? And what is different about the third?",
+                    "In the end each sweep leaves cos²(π/2n) of the error, however small it is.",
+                    "One digit for 85 sweeps, and eight more at the price of the second."},
           .parameters = {{"bodies", 10, 2, 30, "", "boxes", Parameter::Kind::whole},
                          {"omega", 0, 0, 1.99, "", "relaxation of SOR; 0: the best"},
                          {"sweeps", 10, 1, 100, "", "sweeps in each step of the warm run",

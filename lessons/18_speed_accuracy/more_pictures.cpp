@@ -51,8 +51,9 @@ void draw_digits(Page& page, const CostRun& run) {
   }
   draw_plot(page, halves[0], sweeps);
   const double n = run.settings.boxes;
-  work.cursor = n * n * n / 3 + n * n;
-  work.labels.push_back({*work.cursor, 1e-10, "elimination"});
+  const double elimination = n * n * n / 3 + n * n;
+  work.front = {.x = {elimination, elimination}, .y = {least_error, 2}};
+  work.labels.push_back({elimination, 1e-10, "elimination"});
   draw_plot(page, halves[1], work);
 }
 
@@ -110,7 +111,7 @@ void draw_frames(Page& page, const CostRun& run) {
   render::Plot plot{.title = fmt::format("error of λ after each step, {} sweep{} a step", run.settings.sweeps,
                                          run.settings.sweeps == 1 ? "" : "s")};
   plot.x = {.title = "step", .min = 0, .max = frames};
-  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-4, .max = 2};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-6, .max = 2};
   render::SeriesStyle cold = page.theme().si;
   cold.dash = {2, 5};
   cold.marker = render::Marker::diamond;
@@ -151,8 +152,7 @@ render::TableView update_table(const CostRun& run) {
   for (const SolverTime& time : run.times) {
     table.rows.push_back({time.name});
     for (int k = 0; k < timed_rows.size(); ++k) {
-      const double nanoseconds = time.nanoseconds[k];
-      table.rows.back().push_back(fixed(nanoseconds, nanoseconds < 100 ? 1 : 0));
+      table.rows.back().push_back(render::significant(time.nanoseconds[k], 2));
     }
   }
   return table;

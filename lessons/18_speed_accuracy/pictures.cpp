@@ -18,6 +18,7 @@ using render::fixed;
 using render::Page;
 using render::Rect;
 
+constexpr double least_asked = 1e-9;  // of the error
 const FixedList<int, 8> shown = {1, 2, 5, 10, 20, 50, 100, 200};
 
 const List<double>& lambda_after(const Curve& curve, int sweep) {
@@ -104,17 +105,18 @@ Shot sweep_shot(const Runs& run, int sweep, bool key) {
           .key = key};
 }
 
-/// The tower, and SI's error until so many sweeps.
-QuestionFrame moment(const Runs& run, int sweep, int until, const std::string& state,
+/// The tower, and SI's error until so many sweeps; behind them are those up to a billionth.
+QuestionFrame moment(const Runs& run, int sweep, render::AxisScale scale, const std::string& state,
                      const std::string& alt) {
-  const auto scene = [run, sweep, until](Page& page, const Rect& rect) {
+  const auto scene = [run, sweep, scale](Page& page, const Rect& rect) {
     const List<Rect> parts = columns(rect, {0.44, 0.56}, page.sizes().gap);
     draw_tower(page, parts[0], *run, sweep);
+    const bool is_linear = scale == render::AxisScale::linear;
     render::Plot plot{.title = "largest error of λ, over the largest λ"};
-    plot.x = {.title = "sweep", .min = 0, .max = std::max(until, 20)};
-    plot.y = {.title = "", .min = 0, .max = 1.05};
-    plot.series.push_back(series_of(page, *run, si_curve, until));
-    if (until > 20) plot.goals.push_back({0.01, "1 %"});
+    plot.x = {.title = "sweep", .min = 0, .max = std::max(sweep, 20)};
+    plot.y = {.title = "", .scale = scale, .min = is_linear ? 0 : least_asked, .max = is_linear ? 1.05 : 2};
+    plot.series.push_back(series_of(page, *run, si_curve, sweep));
+    if (is_linear) plot.goals.push_back({0.01, "1 %"});
     draw_plot(page, parts[1], plot);
   };
   return {.state = state, .alt = alt, .scene = scene};
@@ -122,12 +124,12 @@ QuestionFrame moment(const Runs& run, int sweep, int until, const std::string& s
 
 std::string answer_text(const CostRun& run) {
   const Curve& si = run.curves[si_curve];
-  const int sweeps = sweeps_to(si.error, 0.01);
   const int tenth = sweeps_to(si.error, 0.1);
   return fmt::format(
-      "{} sweeps: each leaves the same {} of the error. {} to 10 %, {} more to 1 %, and as many again for "
-      "every digit after that. With the best ω it is {} for a digit.",
-      sweeps, fixed(si.rate, 4), tenth, sweeps - tenth,
+      "{} sweeps: each leaves the same {} of the error, however small it is. The first digit costs {}, the "
+      "second "
+      "{}, and so does every digit after it. With the best ω it is {}.",
+      sweeps_to(si.error, least_asked), fixed(si.rate, 4), tenth, sweeps_to(si.error, 0.01) - tenth,
       fixed(std::log(10) / -std::log(run.best_omega - 1), 1));
 }
 
@@ -152,17 +154,19 @@ List<Shot> cost_shots(const CostRun& recorded) {
   const Runs run = std::make_shared<const CostRun>(recorded);
   List<Shot> shots;
   shots.push_back(question_shot(
-      card(), moment(run, 10, 20, "after 10 sweeps",
-                     "A tower of boxes, what SI has found of its loads after 10 sweeps, and the question.")));
+      card(),
+      moment(run, sweeps_to(run->curves[si_curve].error, 0.01), render::AxisScale::linear,
+             "until 1 % is left",
+             "A tower of boxes, its loads and SI's error until 1 % of it is left, and the question.")));
   for (const int sweep : shown)
     shots.push_back(sweep_shot(run, sweep, sweep == 1 || sweep == 10 || sweep == 50 || sweep == 200));
   for (const List<Shot>& more : {digit_shots(run), clock_shots(run)})
     shots.insert(shots.end(), more.begin(), more.end());
-  const int sweeps = sweeps_to(run->curves[si_curve].error, 0.01);
   shots.push_back(answer_shot(
       card(),
-      moment(run, sweeps, sweeps, "answer",
-             "The tower's loads when 1 % of the error is left, SI's error until then, and the answer."),
+      moment(run, sweeps_to(run->curves[si_curve].error, least_asked), render::AxisScale::logarithmic,
+             "answer",
+             "SI's error until a billionth of it is left: a line on a logarithmic axis; and the answer."),
       answer_text(*run)));
   return shots;
 }

@@ -7,6 +7,7 @@
 
 #include "math/list.hpp"
 #include "parts.hpp"
+#include "render/page.hpp"
 
 namespace cairn::cost {
 
@@ -81,7 +82,8 @@ void print_others(Lesson& lesson, const CostRun& run) {
   lesson.print(line);
   for (const SolverTime& time : run.times) {
     line = fmt::format("   {:<42}", time.name);
-    for (const double nanoseconds : time.nanoseconds) line += fmt::format(" {:>9.1f}", nanoseconds);
+    for (const double nanoseconds : time.nanoseconds)
+      line += fmt::format(" {:>9}", render::significant(nanoseconds, 2));
     lesson.print(line);
   }
   lesson.print();
@@ -158,10 +160,11 @@ void report(Lesson& lesson, const CostRun& run) {
   print_errors(lesson, run);
   print_digits(lesson, run);
   print_others(lesson, run);
-  const double right = sweeps_to(run.curves[si_curve].error, 0.01);
-  lesson.answer({right}, 0.15 * right + 1,
-                "No: each sweep leaves the same share. Ten more sweeps leave the same share again, however "
-                "many there were before; from 10 % to 1 % costs as much as from 1 % to 0.1 %.");
+  const double right = sweeps_to(run.curves[si_curve].error, 1e-9);
+  lesson.answer(
+      {right}, 0.05 * right + 1,
+      "Each sweep leaves the same share of the error, however small it is. From 10 % to 1 % costs as "
+      "much as from 1 % to 0.1 %, and as the ninth digit.");
   check_rates(lesson, run);
   check_curves(lesson, run);
   check_costs(lesson, run);
