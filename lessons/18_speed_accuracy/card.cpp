@@ -19,7 +19,8 @@ LessonInfo card() {
           .needs = {"lesson 06", "lesson 16"},
           .reads = {"src/solvers/solver.hpp", "lessons/sandbox/CHOOSING.md"},
           .question =
-              "Ten boxes: after 85 sweeps of SI 10\u00a0% of the error are left, after 178 sweeps 1\u00a0%. How many "
+              "Ten boxes: after 85 sweeps of SI 10\u00a0% of the error are left, after 178 sweeps 1\u00a0%. "
+              "How many "
               "sweeps leave a billionth, 10^{−9}?",
           .spoilers = {"829", "0.9755", "same share"},
           .hints = {"What did the second digit cost? And what is different about the third?",

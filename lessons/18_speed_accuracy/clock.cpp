@@ -11,7 +11,7 @@ namespace cairn::cost {
 
 namespace {
 
-const int readings = 5;
+const int readings = 15;
 const double least_reading = 1e-3;  // [s] below it the clock itself would be seen
 
 double seconds_of(const std::function<void()>& work, int repetitions) {

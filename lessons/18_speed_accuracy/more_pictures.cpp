@@ -30,30 +30,38 @@ render::Series against(const Page& page, const CostRun& run, int which, double u
   return series;
 }
 
-/// A chart with a note beside it.
-List<Rect> chart_and_note(const Page& page) { return columns(page.area(), {0.64, 0.36}, page.sizes().gap); }
+/// A chart with a note below it.
+List<Rect> chart_and_note(const Page& page) { return rows(page.area(), {0.74, 0.26}, page.sizes().gap); }
 
-render::Axis error_axis() {
-  return {.title = "", .scale = AxisScale::logarithmic, .min = least_error, .max = 2};
+/// One more curve, and its name where it passes 10^-4: the ends of the curves are close to each other.
+void add_curve(render::Plot& plot, const Page& page, const CostRun& run, int which, double unit) {
+  render::Series& series = plot.series.emplace_back(against(page, run, which, unit));
+  series.name.clear();
+  const int sweep = sweeps_to(run.curves[which].error, 1e-4);
+  if (sweep > 0) plot.labels.push_back({unit * sweep, 1e-4, short_name(run, which)});
+}
+
+render::Axis error_axis(double least) {
+  return {.title = "", .scale = AxisScale::logarithmic, .min = least, .max = 2};
 }
 
 void draw_digits(Page& page, const CostRun& run) {
-  const List<Rect> halves = columns(page.area(), {1, 1}, page.sizes().gap);
-  render::Plot sweeps{.title = "error of λ against sweeps"};
-  sweeps.x = {.title = "sweeps", .scale = AxisScale::logarithmic, .min = 1};
-  sweeps.y = error_axis();
-  render::Plot work{.title = "error of λ against multiply-adds"};
-  work.x = {.title = "multiply-adds", .scale = AxisScale::logarithmic, .min = 100};
-  work.y = error_axis();
+  const List<Rect> halves = rows(page.area(), {1, 1}, page.sizes().gap);
+  render::Plot sweeps{.title = "error of λ against sweeps",
+                      .x = {.title = "sweeps", .scale = AxisScale::logarithmic},
+                      .y = error_axis(1e-6)};
+  render::Plot work{.title = "error of λ against multiply-adds",
+                    .x = {.title = "multiply-adds", .scale = AxisScale::logarithmic},
+                    .y = error_axis(1e-6)};
   for (int which = 0; which < run.curves.size(); ++which) {
-    sweeps.series.push_back(against(page, run, which, 1));
-    work.series.push_back(against(page, run, which, run.curves[which].work));
+    add_curve(sweeps, page, run, which, 1);
+    add_curve(work, page, run, which, run.curves[which].work);
   }
   draw_plot(page, halves[0], sweeps);
   const double n = run.settings.boxes;
   const double elimination = n * n * n / 3 + n * n;
-  work.front = {.x = {elimination, elimination}, .y = {least_error, 2}};
-  work.labels.push_back({elimination, 1e-10, "elimination"});
+  work.front = {.x = {elimination, elimination}, .y = {1e-6, 2}};
+  work.labels.push_back({elimination, 1e-4, "elimination: all digits"});
   draw_plot(page, halves[1], work);
 }
 
@@ -81,7 +89,7 @@ void draw_sizes(Page& page, const CostRun& run) {
   }
   plot.series = {square, si, sor};
   draw_plot(page, halves[0], plot);
-  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.38, 0.62}, page.sizes().gap);
   page.table(right[0], "sweeps until 1 % is left", table);
   page.note(right[1], "The scene decides",
             "A sweep passes loads on from box to box. Twice as many boxes take four times "
@@ -111,7 +119,7 @@ void draw_frames(Page& page, const CostRun& run) {
   render::Plot plot{.title = fmt::format("error of λ after each step, {} sweep{} a step", run.settings.sweeps,
                                          run.settings.sweeps == 1 ? "" : "s")};
   plot.x = {.title = "step", .min = 0, .max = frames};
-  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-6, .max = 2};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .max = 2};
   render::SeriesStyle cold = page.theme().si;
   cold.dash = {2, 5};
   cold.marker = render::Marker::diamond;
@@ -122,7 +130,7 @@ void draw_frames(Page& page, const CostRun& run) {
   page.note(halves[1], "Spread over steps",
             "Each step starts with what the last one found, so a digit is paid in instalments. The "
             "price: the first steps leave the boxes a speed, and the loads swing about the exact "
-            "ones.\n\nCold, the loads become right only because the boxes fall fast enough.");
+            "ones. Cold, the loads become right only because the boxes fall fast enough.");
 }
 
 render::Plot update_plot(const Page& page, const CostRun& run) {
@@ -170,15 +178,15 @@ void draw_updates(Page& page, const CostRun& run) {
 }
 
 void draw_clock(Page& page, const CostRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.74, 0.26}, page.sizes().gap);
-  render::Plot plot{.title = "error of λ against time (µs), this machine"};
-  plot.x = {.title = "µs", .scale = AxisScale::logarithmic};
-  plot.y = error_axis();
+  const List<Rect> parts = chart_and_note(page);
+  render::Plot plot{.title = "error of λ against time (µs), this machine",
+                    .x = {.title = "µs", .scale = AxisScale::logarithmic},
+                    .y = error_axis(least_error)};
   const FixedList<int, 4> clock = {si_time, jacobi_time, si_time, accelerated_time};
   const int size = run.settings.boxes > 20 ? 1 : 0;
   for (int which = 0; which < run.curves.size(); ++which) {
     const double sweep = 1e-3 * run.times[clock[which]].nanoseconds[size] * run.settings.boxes;
-    plot.series.push_back(against(page, run, which, sweep));
+    add_curve(plot, page, run, which, sweep);
   }
   draw_plot(page, parts[0], plot);
   const double factor = run.times[accelerated_time].nanoseconds[size] / run.times[si_time].nanoseconds[size];

@@ -127,8 +127,7 @@ std::string answer_text(const CostRun& run) {
   const int tenth = sweeps_to(si.error, 0.1);
   return fmt::format(
       "{} sweeps: each leaves the same {} of the error, however small it is. The first digit costs {}, the "
-      "second "
-      "{}, and so does every digit after it. With the best ω it is {}.",
+      "second {}, and so does every digit after it. With the best ω it is {}.",
       sweeps_to(si.error, least_asked), fixed(si.rate, 4), tenth, sweeps_to(si.error, 0.01) - tenth,
       fixed(std::log(10) / -std::log(run.best_omega - 1), 1));
 }
