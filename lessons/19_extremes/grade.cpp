@@ -35,6 +35,11 @@ void grade_prediction(Grade& grade, const Case& each, const Study& got) {
        "Mind the logarithms: rate^k = share, so k = log(share) / log(rate)."},
       {std::ceil(4.6 * ratio),
        "4.6 R is about right for 1 % and a large R; this asks for the exact number."}};
+  if (each.share != 0.01) {
+    number.misconceptions.push_back(
+        {std::ceil(std::log(0.01) / std::log(each.rate())),
+         fmt::format("That is for 1 %: the share asked for is {:g} here.", each.share)});
+  }
   if (ratio > 1) {
     number.misconceptions.push_back({std::ceil(std::log(each.share) / std::log(1 - 1 / ratio)),
                                      "A sweep leaves R / (1 + R), not 1 - 1 / R: the light box falls, too."});

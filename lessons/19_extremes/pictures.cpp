@@ -31,7 +31,7 @@ void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep) {
   const double other = heavy_above ? run.ratio : 1 / run.ratio;
   const Rect inside = page.panel(
       rect, heavy_above ? fmt::format("{:g} kg on 1 kg", other) : fmt::format("1 kg on {:g} kg", other));
-  const render::Camera camera = render::fit(inside, {{-0.9, -0.35}, {1.9, 2.15}});
+  const render::Camera camera = render::fit(inside, {{-1.4, -0.35}, {1.4, 2.15}});
   render::WorldLook look;
   look.contacts = false;
   look.names = {"", heavy_above ? "1" : fmt::format("{:g}", other),
@@ -46,7 +46,8 @@ void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep) {
   if (sweep == 0) return;
   render::TextStyle text = page.value();
   text.align = render::Align::right;
-  page.canvas().text({inside.x + inside.width, inside.y + text.size}, fixed(100 * share, 1) + " %", text);
+  page.canvas().text({inside.x + inside.width, inside.y + text.size},
+                     "λ_{1}: " + fixed(100 * share, 1) + " %", text);
 }
 
 /// The two stacks with the load on the ground after a sweep.
@@ -97,10 +98,10 @@ render::Equation equation_of(const Page& page, const ExtremesRun& run, int sweep
   return {.number = "eq (22), row 1 of " + name_of(heavy.ratio),
           .symbols = "Δλ_{1} = (ζ − j·v) / (A_{11} Δt)",
           .numbers = fmt::format("= (0 − ({})) / (1 × {:g})", render::significant(jv, 4), time_step),
-          .result = fmt::format("= {} N of {:g} N", fixed(-jv / time_step, 3),
-                                std::round((1 + heavy.ratio) * gravity * 1000) / 1000),
-          .algorithm = fmt::format("λ_{{1}}: {} → {} N", fixed(heavy.load[sweep - 1][0], 2),
-                                   fixed(heavy.load[sweep][0], 2)),
+          .result = fmt::format("= {} N", fixed(-jv / time_step, 3)),
+          .algorithm = fmt::format("λ_{{1}}: {} → {} of {:g} N", fixed(heavy.load[sweep - 1][0], 2),
+                                   fixed(heavy.load[sweep][0], 2),
+                                   std::round((1 + heavy.ratio) * gravity * 1000) / 1000),
           .color = page.theme().normal};
 }
 

@@ -41,7 +41,11 @@ SmallWorld tower(const WallSettings& settings) {
   for (int i = 0; i < settings.boxes; ++i) {
     scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1, .fixed_rotation = true});
   }
-  return stack(fmt::format("tower of {}", settings.boxes), std::move(scene), settings.boxes, settings.boxes);
+  SmallWorld world =
+      stack(fmt::format("tower of {}", settings.boxes), std::move(scene), settings.boxes, settings.boxes);
+  const double height = settings.boxes;
+  world.edge.view = {{-3.5, height - 3.2}, {3.5, height + 3}};  // its top, which moves the farthest
+  return world;
 }
 
 /// Whether the ball is marked as fast.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"
@@ -71,7 +72,7 @@ std::string share_text(double share) {
 }
 
 void draw_edge(Page& page, const Rect& rect, const EdgeCase& edge, int which, int step) {
-  const Rect inside = page.panel(rect, edge.name);
+  const Rect inside = page.panel(rect, which == tall ? edge.name + ": its top" : edge.name);
   const double line = 1.6 * page.sizes().tick;
   const Rect view = {inside.x, inside.y, inside.width, inside.height - line - 2};
   const render::Camera camera = render::fit(view, edge.view);
@@ -83,8 +84,13 @@ void draw_edge(Page& page, const Rect& rect, const EdgeCase& edge, int which, in
                                .penetration = false};
   draw_world(page, camera, edge.frames[step], look);
   page.canvas().pop_clip();
+  if (which == tall) {
+    const double start = edge.frames[0].bodies.size() - 1;  // [m] as many boxes of 1 m
+    page.canvas().line(camera.project({-1.5, start}), camera.project({1.5, start}),
+                       {.width = page.sizes().axis, .color = page.theme().inactive, .dash = {6, 4}});
+  }
   if (which == pin) page.avoid({camera.project({-0.1, 0}), camera.project({edge.view.upper.x(), 0})});
-  if (which == ball) page.avoid({camera.project({0, -1}), camera.project({0, 1})});  // the wall
+  if (which == ball) page.avoid({camera.project({0, -1.6}), camera.project({0, 1})});  // the wall
   if (which == ball || which == pin) draw_unseen(page, camera, edge.frames[step], look);
   const double base = inside.y + inside.height - 0.35 * page.sizes().tick;
   const bool has_room = inside.width > 15 * page.sizes().tick;
@@ -135,16 +141,20 @@ void draw_numbers(Page& page, const ExtremesRun& run) {
   const List<Rect> lines = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
   const List<Rect> top = columns(lines[0], {0.58, 0.42}, page.sizes().gap);
   draw_quarrel(page, top[0], run);
-  page.note(top[1], "How you notice",
-            "The body stands still, and the picture looks right. But in every sweep one pin pulls by "
-            "m β d / Δt², and the other pulls back. No λ satisfies both, so λ grows for ever.");
+  page.note(
+      top[1], "How you notice",
+      "The body stands still, off by the whole distance of the pins. In every sweep one pin pulls by "
+      "m β d / Δt², and the other pulls back. No λ satisfies both: it grows for ever, and no picture shows "
+      "that.",
+      question_growth);
   render::TableView table;
   table.header = {"asked for", "what the program answers"};
   for (const Refusal& refusal : run.refusals) {
     const std::size_t cut = refusal.message.find(": ");
     table.rows.push_back({refusal.asked, refusal.message.substr(cut == std::string::npos ? 0 : cut + 2)});
   }
-  page.table(lines[1], "", table);
+  table.text_columns = 2;
+  page.table(lines[1], "", table, question_growth);
 }
 
 }  // namespace
