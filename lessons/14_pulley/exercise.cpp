@@ -26,9 +26,9 @@ struct Row {
   double upper = std::numeric_limits<double>::infinity();
 };
 
-/// A rope over fixed wheels. Masses hang on it, each on `parts` parts of the length top − y; its end is wound
-/// on a drum. A drum that turns by an angle pays out radius * angle of rope:
-///     c = length + radius * angle − Σ parts (top − y)
+/// A rope over fixed wheels, of the given length while the drum's angle is 0. Masses hang on it, each on
+/// `parts` parts of it that come down from the height `top`; its end is wound on a drum, which pays out rope
+/// as its angle grows. The drum slips on its axle: no pull is harder than its grip.
 class RopeOnDrum {
  public:
   struct End {
@@ -39,15 +39,17 @@ class RopeOnDrum {
   struct Drum {
     int body = 0;
     double radius = 0;  // [m]
+    double grip = 0;    // [N] the hardest pull
   };
 
   RopeOnDrum(const List<End>& ends, const Drum& drum, double length)
       : ends_(ends), drum_(drum), length_(length) {}
 
-  // The row of the rope for these poses: c, j and the interval of λ, which is positive where the rope pulls.
+  // The row of the rope for these poses: c = what is left over of the rope, j with dc/dt = j·v, and the
+  // interval of λ, which is positive where the rope pulls.
   Row row(const List<Pose>& poses) const {
     Row row;
-    // Your code begins here: about eight lines.
+    // Your code begins here: about nine lines.
 
     // Your code ends here.
     return row;

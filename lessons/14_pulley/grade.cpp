@@ -28,7 +28,7 @@ RopeOnDrum rope() {
   return {{{.body = 0, .parts = 1, .top = 5},
            {.body = 1, .parts = 2, .top = 5},
            {.body = 2, .parts = 1, .top = 6}},
-          {.body = 3, .radius = 0.5},
+          {.body = 3, .radius = 0.5, .grip = 40},
           11.5};
 }
 
@@ -122,6 +122,14 @@ void grade_force(Grade& grade, const Row& row) {
                 .tolerance = rope_rounding,
                 .misconceptions = {{-1 / (11.125 * dt), "A rope cannot push: λ ≥ 0."}}},
                visit(row, rising));
+  List<Body> torn = bodies();
+  torn[0].vy = -20;
+  grade.number({.what = "λ where the 2 kg are torn down at 20 m/s (N)",
+                .value = 40,
+                .tolerance = rope_rounding,
+                .misconceptions = {{20 / (11.125 * dt), "The drum slips: λ is at most its grip."},
+                                   {40 * dt, "The interval is one of λ in N, not of an impulse."}}},
+               visit(row, torn));
 }
 
 }  // namespace
@@ -131,11 +139,11 @@ Exercise exercise() {
       .lesson = 14,
       .task = "A joint class: the row of a rope on any number of masses and a drum. No solver knows of it.",
       .file = "lessons/14_pulley/exercise.cpp",
-      .hints = {"c is given in the comment of the class. What does each body add to dc/dt?",
+      .hints = {"c is the length, more what the drum has paid out, less what hangs at each mass. And dc/dt?",
                 "A mass that rises at v_y leaves parts * v_y more rope, a drum radius * omega. A rope cannot "
                 "push.",
                 "For each end: error -= parts (top − y), and a term with vy = parts. For the drum: error += "
-                "radius * angle, and a term with omega = radius. lower = 0."},
+                "radius * angle, and a term with omega = radius. lower = 0, upper = the grip."},
       .grade = [](Grade& grade) {
         const Row row = rope().row(hanging);
         grade_error(grade, row);
