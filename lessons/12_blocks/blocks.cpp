@@ -181,7 +181,8 @@ World<double> bob_world(const BlocksSettings& settings) {
 
 BlocksRuns run_blocks(const BlocksSettings& settings) {
   BlocksRuns all{.settings = settings, .rod = run_rod(settings), .chains = run_chains(settings.dt)};
-  const Matrix<double> A = system_matrices(bob_world(settings).velocity_problem()).A;
+  all.bob_A = system_matrices(bob_world(settings).velocity_problem()).A;
+  const Matrix<double>& A = all.bob_A;
   all.bob_rate = A(0, 1) * A(0, 1) / (A(0, 0) * A(1, 1));
   SequentialImpulse<double> rows({.iterations = settings.sweeps});
   BlockSequentialImpulse<double> block({.iterations = settings.sweeps});

@@ -79,7 +79,8 @@ struct BlocksRuns {
   BlocksSettings settings = {};
   RodRun rod = {};
   List<ChainRun> chains = {};
-  double bob_rate = 0;  // A_12^2 / (A_11 A_22) of its pin, where it is let go
+  Matrix<double> bob_A = {};  // of its pin, where it is let go
+  double bob_rate = 0;        // A_12^2 / (A_11 A_22)
   BobRun bob_rows = {};
   BobRun bob_block = {};
   Snapshot last = {};  // of the bob with the block

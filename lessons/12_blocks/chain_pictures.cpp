@@ -87,7 +87,7 @@ void draw_errors(Page& page, const Rect& rect, const ChainRun& chain, int sweep)
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 0.003, .max = 2};
   const auto add = [&](const std::string& name, const ChainSolve& solve, const render::SeriesStyle& style) {
     render::Series series{.name = name, .style = style};
-    for (int k = 1; k <= std::min(sweep, solve.sweeps); ++k) {
+    for (int k = 1; k <= solve.sweeps; ++k) {
       series.x.push_back(k);
       series.y.push_back(solve.error[k]);
     }
@@ -96,21 +96,20 @@ void draw_errors(Page& page, const Rect& rect, const ChainRun& chain, int sweep)
   add("rows", chain.rows, style_of_rows(page));
   add("blocks", chain.blocks, style_of_blocks(page));
   plot.goals.push_back({goal, "1 %"});
-  plot.cursor = sweep;
+  plot.now = sweep;
   draw_plot(page, rect, plot);
 }
 
 void draw_chain(Page& page, const ChainRun& chain, int sweep) {
   const List<Rect> parts = rows(page.area(), {0.46, 0.54}, page.sizes().gap);
   const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
-  draw_beams(page, top[0], chain, chain.rows, sweep, "rows", style_of_rows(page));
-  draw_beams(page, top[1], chain, chain.blocks, sweep, "blocks", style_of_blocks(page));
+  draw_both_beams(page, {top[0], top[1]}, chain, sweep);
   draw_errors(page, parts[1], chain, sweep);
 }
 
 /// A of three beams: what a block settles stands in the frames on the diagonal, what it cannot beside them.
 void draw_system(Page& page, const Rect& rect, const ChainRun& chain) {
-  render::MatrixView view{.title = "A of three welded beams, 3 rows a weld", .values = chain.A};
+  render::MatrixView view{.title = "A of three welded beams (1/kg), 3 rows a weld", .values = chain.A};
   for (int weld = 1; weld <= 3; ++weld) {
     for (const char* name : {"x", "y", "θ"}) {
       view.row_names.push_back(fmt::format("{}_{{{}}}", name, weld));
@@ -122,7 +121,7 @@ void draw_system(Page& page, const Rect& rect, const ChainRun& chain) {
 }
 
 void draw_table(Page& page, const BlocksRuns& all) {
-  const List<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   const List<Rect> left = rows(halves[0], {0.54, 0.46}, page.sizes().gap);
   render::TableView table;
   table.header = {"scene", "rows", "blocks", "work, blocks / rows"};
@@ -140,6 +139,11 @@ void draw_table(Page& page, const BlocksRuns& all) {
 }
 
 }  // namespace
+
+void draw_both_beams(Page& page, const FixedList<Rect, 2>& rects, const ChainRun& chain, int sweep) {
+  draw_beams(page, rects[0], chain, chain.rows, sweep, "rows", style_of_rows(page));
+  draw_beams(page, rects[1], chain, chain.blocks, sweep, "blocks", style_of_blocks(page));
+}
 
 Shot question_shot(const Runs& all, const std::string& question) {
   return {

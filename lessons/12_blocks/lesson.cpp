@@ -95,13 +95,15 @@ void run(Lesson& lesson) {
   print_scene(lesson, settings);
   lesson.predict();
   print_runs(lesson, all);
+  const Savings savings = count_savings(all);
+  print_savings(lesson, all, savings);
   const double right = all.chains[welded_three].blocks.sweeps;
   lesson.answer(
       {right}, 0.15 * right,
       "A block ends the conflict between the rows of one joint. What is left is between the joints, and "
       "takes nearly as many sweeps as before.");
   check_runs(lesson, all);
-  report_counted(lesson, all);
+  check_savings(lesson, all, savings);
   lesson.film(blocks_shots(all, card().question));
   lesson.data(sweeps_table(all));
   lesson.fingerprint(all.last);

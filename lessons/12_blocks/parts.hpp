@@ -14,8 +14,20 @@ BlocksSettings settings_of(const Lesson& lesson);
 void print_scene(Lesson& lesson, const BlocksSettings& settings);
 void print_runs(Lesson& lesson, const BlocksRuns& all);
 void check_runs(Lesson& lesson, const BlocksRuns& all);
-/// What a block saves in each sweep, counted and checked.
-void report_counted(Lesson& lesson, const BlocksRuns& all);
+
+/// What a block saves in ten sweeps over three welds.
+struct Savings {
+  int row_updates = 0;  // of the velocities of two bodies
+  int block_updates = 0;
+  int inverses_once = 0;  // of 3 x 3 matrices, once a step
+  int inverses_again = 0;
+  double change = 0;       // [N s] of the impulses, inverted once or in each sweep
+  double library_gap = 0;  // [N s] of the impulses, against the library's blocks
+};
+
+Savings count_savings(const BlocksRuns& all);
+void print_savings(Lesson& lesson, const BlocksRuns& all, const Savings& savings);
+void check_savings(Lesson& lesson, const BlocksRuns& all, const Savings& savings);
 CsvTable sweeps_table(const BlocksRuns& all);
 
 using Runs = std::shared_ptr<const BlocksRuns>;
@@ -24,6 +36,10 @@ using Runs = std::shared_ptr<const BlocksRuns>;
 List<Shot> blocks_shots(const BlocksRuns& all, const std::string& question);
 
 Shot question_shot(const Runs& all, const std::string& question);
+
+/// Three welded beams after so many sweeps, by rows in the first rectangle, by blocks in the second.
+void draw_both_beams(render::Page& page, const FixedList<render::Rect, 2>& rects, const ChainRun& chain,
+                     int sweep);
 
 /// The frames of the chain of three welded beams, and the table of all chains.
 List<Shot> chain_shots(const Runs& all);

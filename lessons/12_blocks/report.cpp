@@ -53,9 +53,11 @@ std::string energy_text(double energy) { return fmt::format("{:>12.4g}", energy)
 
 void print_bob(Lesson& lesson, const BlocksRuns& all) {
   const BlocksSettings& settings = all.settings;
-  lesson.print(
-      fmt::format("C: the bob.  A sweep of two rows leaves {:.7f} of the error; {} sweeps leave {:.5f}",
-                  all.bob_rate, settings.sweeps, std::pow(all.bob_rate, settings.sweeps)));
+  const Matrix<double>& A = all.bob_A;
+  lesson.print(fmt::format("C: the bob.  A = [{:.6g} {:.6g}; {:.6g} {:.6g}] 1/kg", A(0, 0), A(0, 1), A(1, 0),
+                           A(1, 1)));
+  lesson.print(fmt::format("  A sweep of two rows leaves {:.7f} of the error; {} sweeps leave {:.5f}",
+                           all.bob_rate, settings.sweeps, std::pow(all.bob_rate, settings.sweeps)));
   lesson.print(
       "  energy (J) after      0 s       0.5 s         1 s         2 s        10 s   furthest off (m)");
   for (const auto& [name, run] : {std::pair{"rows", &all.bob_rows}, std::pair{"block", &all.bob_block}}) {
