@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "forces.hpp"
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/bars.hpp"
@@ -144,8 +145,8 @@ Shot question_shot(const SharedStudy& study, const std::string& question) {
     const Layout layout = layout_of(page);
     const Camera camera = camera_of(layout.scene, study->rough.slope);
     draw_world(page, camera, study->rough.frames.front(), {.names = {"", "", "1 kg"}, .contacts = false});
-    page.note(layout.upper, "The question", question);
-    page.table(layout.lower, "what is given", known_table(*study));
+    page.note(layout.upper, "The question", question, question_growth);
+    page.table(layout.lower, "what is given", known_table(*study), question_growth);
   };
   return shot;
 }
@@ -199,13 +200,13 @@ Shot answer_shot(const SharedStudy& study, const std::string& question) {
   shot.key = true;
   shot.state = significant(study->heavy.block.mass) + " kg · " + degrees(study->heavy.slope);
   shot.alt = question + " " + answer;
-  shot.draw = [study, question, answer](Page& page) {
+  shot.draw = [study, answer](Page& page) {
     const Layout layout = layout_of(page);
     const Camera camera = camera_of(layout.scene, study->heavy.slope);
     const std::string name = significant(study->heavy.block.mass) + " kg";
     draw_world(page, camera, study->heavy.frames.back(), {.names = {"", "", name}, .contacts = false});
     draw_bars(page, layout.upper, mass_bars(page, *study));
-    page.note(layout.lower, "The answer", question + " " + answer);
+    page.note(layout.lower, "The answer", answer, question_growth);
   };
   return shot;
 }
