@@ -21,7 +21,7 @@ LessonInfo card() {
           .question =
               "Ten boxes: after 85 sweeps of SI 10\u00a0% of the error are left, after 178 sweeps 1\u00a0%. "
               "How many "
-              "sweeps leave a billionth, 10^{−9}?",
+              "sweeps leave a billionth, 10⁻⁹?",
           .spoilers = {"829", "0.9755", "same share"},
           .hints = {"What did the second digit cost? And what is different about the third?",
                     "In the end each sweep leaves cos²(π/2n) of the error, however small it is.",

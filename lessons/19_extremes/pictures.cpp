@@ -23,8 +23,6 @@ using render::Rect;
 
 const FixedList<int, 8> map_sweeps = {1, 3, 10, 30, 100, 300, 1000, 3000};
 
-double load_share(const RatioRun& run, int sweep) { return 1 - run.error[sweep]; }
-
 /// One stack, its masses written on its boxes, and the load on the ground as an arrow beside it.
 void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep) {
   const bool heavy_above = run.ratio >= 1;
@@ -40,14 +38,14 @@ void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep) {
   draw_world(page, camera, snapshot(World(two_boxes_scene(run.ratio))), look);
   const render::ArrowScale scale{
       .pixels_per_unit = 1.7 * camera.scale, .longest = 2 * camera.scale, .unit = ""};
-  const double share = load_share(run, sweep);
-  if (sweep > 0) draw_arrow(page, camera, scale, {.tail = {0.85, 0}, .value = {0, share}});
+  const double weight = (1 + run.ratio) * gravity, load = run.load[sweep][0];
+  if (sweep > 0) draw_arrow(page, camera, scale, {.tail = {0.85, 0}, .value = {0, load / weight}});
   page.canvas().pop_clip();
   if (sweep == 0) return;
   render::TextStyle text = page.value();
   text.align = render::Align::right;
   page.canvas().text({inside.x + inside.width, inside.y + text.size},
-                     "λ_{1}: " + fixed(100 * share, 1) + " %", text);
+                     fmt::format("λ_{{1}} = {} of {:g} N", render::significant(load, 4), weight), text);
 }
 
 /// The two stacks with the load on the ground after a sweep.
@@ -99,9 +97,8 @@ render::Equation equation_of(const Page& page, const ExtremesRun& run, int sweep
           .symbols = "Δλ_{1} = (ζ − j·v) / (A_{11} Δt)",
           .numbers = fmt::format("= (0 − ({})) / (1 × {:g})", render::significant(jv, 4), time_step),
           .result = fmt::format("= {} N", fixed(-jv / time_step, 3)),
-          .algorithm = fmt::format("λ_{{1}}: {} → {} of {:g} N", fixed(heavy.load[sweep - 1][0], 2),
-                                   fixed(heavy.load[sweep][0], 2),
-                                   std::round((1 + heavy.ratio) * gravity * 1000) / 1000),
+          .algorithm = fmt::format("λ_{{1}}: {} → {} N", fixed(heavy.load[sweep - 1][0], 2),
+                                   fixed(heavy.load[sweep][0], 2)),
           .color = page.theme().normal};
 }
 

@@ -31,7 +31,10 @@ SmallWorld stack(const std::string& name, Scene scene, double height, double mas
   SmallWorld world{.edge = {.name = name, .quantity = "its height"}, .scene = std::move(scene)};
   world.budget = mass * gravity * height;
   world.off = [height](const Snapshot& now) { return std::abs(height - 0.5 - place_of(now).y()) / height; };
-  world.edge.view = {{-0.75 * height, -0.35}, {0.75 * height, 1.15 * height}};
+  world.edge.top = height;
+  const double shown = std::min(height, 4.0);  // of a tower its upper end, or nothing would be seen
+  world.edge.view = {{-0.75 * shown, height - shown - 0.35}, {0.75 * shown, height + 0.15 * shown}};
+  if (height > shown) world.edge.view = {{-0.75 * shown, height - 3}, {0.75 * shown, height + 2}};
   return world;
 }
 
@@ -41,11 +44,7 @@ SmallWorld tower(const WallSettings& settings) {
   for (int i = 0; i < settings.boxes; ++i) {
     scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1, .fixed_rotation = true});
   }
-  SmallWorld world =
-      stack(fmt::format("tower of {}", settings.boxes), std::move(scene), settings.boxes, settings.boxes);
-  const double height = settings.boxes;
-  world.edge.view = {{-3.5, height - 3.2}, {3.5, height + 3}};  // its top, which moves the farthest
-  return world;
+  return stack(fmt::format("tower of {}", settings.boxes), std::move(scene), settings.boxes, settings.boxes);
 }
 
 /// Whether the ball is marked as fast.
@@ -67,7 +66,7 @@ SmallWorld shot(const WallSettings& settings, const std::string& name, Speed kin
     const double face = now.bodies[{1}].pose.position.x() - wall_thickness / 2;
     return std::max(0.0, place_of(now).x() + ball_radius - face) / (2 * ball_radius);
   };
-  world.edge.view = {{-5.9, -2.2}, {2.5, 2.2}};
+  world.edge.view = {{-5.9, -2.2}, {7, 2.2}};
   return world;
 }
 

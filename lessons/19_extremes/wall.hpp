@@ -36,6 +36,7 @@ struct EdgeCase {
   List<Snapshot> frames = {};  // one for each step, the start first
   List<double> off_by_step = {};
   Aabb<double> view = {};  // [m] what is shown of it
+  double top = 0;          // [m] where its upper side belongs; 0: it is no stack
 };
 
 /// By `off` and `energy_gain`.
@@ -53,7 +54,7 @@ struct SmallWorld {
 /// pin, the sling, two pins that contradict each other.
 List<SmallWorld> small_worlds(const WallSettings& settings);
 
-inline constexpr int tall = 2, ball = 3, fast_ball = 4, pin = 5, sling = 6, two_pins = 7;
+inline constexpr int ball = 3, fast_ball = 4, pin = 5, sling = 6, two_pins = 7;
 inline constexpr double ball_radius = 0.5;  // [m]
 inline constexpr double pin_error = 0.05;   // [m] at the start
 inline constexpr double pins_apart = 0.4;   // [m]

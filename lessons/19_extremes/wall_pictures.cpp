@@ -5,7 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"
@@ -64,6 +63,13 @@ void draw_places(Page& page, const render::Camera& camera, const EdgeCase& edge,
   }
 }
 
+/// A dashed line where the top of a stack belongs.
+void draw_top(Page& page, const render::Camera& camera, const EdgeCase& edge) {
+  const Point left = camera.project({edge.view.lower.x(), edge.top});
+  const Point right = camera.project({edge.view.upper.x(), edge.top});
+  page.canvas().line(left, right, {.width = 2, .color = page.theme().normal, .dash = {6, 4}});
+}
+
 /// What a share of something is called: 7.3 %, or 227 times.
 std::string share_text(double share) {
   if (share < 1e-9) return "0 %";
@@ -72,7 +78,8 @@ std::string share_text(double share) {
 }
 
 void draw_edge(Page& page, const Rect& rect, const EdgeCase& edge, int which, int step) {
-  const Rect inside = page.panel(rect, which == tall ? edge.name + ": its top" : edge.name);
+  const bool is_cut = edge.top > edge.view.upper.y() - edge.view.lower.y();
+  const Rect inside = page.panel(rect, edge.name + (is_cut ? ", its upper end" : ""));
   const double line = 1.6 * page.sizes().tick;
   const Rect view = {inside.x, inside.y, inside.width, inside.height - line - 2};
   const render::Camera camera = render::fit(view, edge.view);
@@ -83,14 +90,10 @@ void draw_edge(Page& page, const Rect& rect, const EdgeCase& edge, int which, in
                                .contacts = false,
                                .penetration = false};
   draw_world(page, camera, edge.frames[step], look);
+  if (edge.top > 0) draw_top(page, camera, edge);
   page.canvas().pop_clip();
-  if (which == tall) {
-    const double start = edge.frames[0].bodies.size() - 1;  // [m] as many boxes of 1 m
-    page.canvas().line(camera.project({-1.5, start}), camera.project({1.5, start}),
-                       {.width = page.sizes().axis, .color = page.theme().inactive, .dash = {6, 4}});
-  }
   if (which == pin) page.avoid({camera.project({-0.1, 0}), camera.project({edge.view.upper.x(), 0})});
-  if (which == ball) page.avoid({camera.project({0, -1.6}), camera.project({0, 1})});  // the wall
+  if (which == ball) page.avoid({camera.project({0, -1}), camera.project({0, 1})});  // the wall
   if (which == ball || which == pin) draw_unseen(page, camera, edge.frames[step], look);
   const double base = inside.y + inside.height - 0.35 * page.sizes().tick;
   const bool has_room = inside.width > 15 * page.sizes().tick;
@@ -104,7 +107,12 @@ void draw_edge(Page& page, const Rect& rect, const EdgeCase& edge, int which, in
 }
 
 void draw_wall(Page& page, const ExtremesRun& run, int step) {
-  const List<Rect> lines = rows(page.area(), {1, 1}, page.sizes().gap);
+  const List<Rect> lines = rows(page.area(), {1, 1, 0.05}, page.sizes().gap);
+  page.canvas().text(
+      {lines[2].x, lines[2].y + page.sizes().tick},
+      "OK: off by at most 1 %.  SOFT: by at most its own size.  BROKEN: by more, or with more than "
+      "1 % of energy from nowhere.  Dashed: the right height.",
+      page.tick());
   for (int i = 0; i < run.wall.size(); ++i) {
     const List<Rect> panels = columns(lines[i / 4], {1, 1, 1, 1}, page.sizes().gap);
     draw_edge(page, panels[i % 4], run.wall[i], i, step);
@@ -138,15 +146,14 @@ void draw_quarrel(Page& page, const Rect& rect, const ExtremesRun& run) {
 }
 
 void draw_numbers(Page& page, const ExtremesRun& run) {
-  const List<Rect> lines = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
-  const List<Rect> top = columns(lines[0], {0.58, 0.42}, page.sizes().gap);
-  draw_quarrel(page, top[0], run);
-  page.note(
-      top[1], "How you notice",
-      "The body stands still, off by the whole distance of the pins. In every sweep one pin pulls by "
-      "m β d / Δt², and the other pulls back. No λ satisfies both: it grows for ever, and no picture shows "
-      "that.",
-      question_growth);
+  const List<Rect> halves = columns(page.area(), {0.66, 0.34}, page.sizes().gap);
+  const List<Rect> left = rows(halves[0], {0.6, 0.4}, page.sizes().gap);
+  draw_quarrel(page, left[0], run);
+  page.note(halves[1], "How you notice",
+            "A picture shows that the body is off one pin, by their whole distance. It stands still, as if "
+            "it were at rest.\n\nWhat no picture shows: in every sweep one pin pulls by "
+            "m\u00a0β\u00a0d\u00a0/\u00a0Δt², and the "
+            "other pulls back. No λ satisfies both, so λ grows for ever.");
   render::TableView table;
   table.header = {"asked for", "what the program answers"};
   for (const Refusal& refusal : run.refusals) {
@@ -154,7 +161,7 @@ void draw_numbers(Page& page, const ExtremesRun& run) {
     table.rows.push_back({refusal.asked, refusal.message.substr(cut == std::string::npos ? 0 : cut + 2)});
   }
   table.text_columns = 2;
-  page.table(lines[1], "", table, question_growth);
+  page.table(left[1], "", table);
 }
 
 }  // namespace
