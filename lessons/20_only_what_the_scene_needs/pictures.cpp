@@ -76,7 +76,7 @@ void draw_course(Page& page, const Rect& rect, const NeedsRun& all, int step) {
     }
     plot.series.push_back(over_steps(all.runs[i].switches.name, style_of(page, which++), updates));
   }
-  plot.y = {.min = 0, .max = 1.15 * most};
+  plot.y = {.min = 0, .max = 1.03 * most};
   plot.now = step;
   draw_plot(page, rect, plot);
 }
