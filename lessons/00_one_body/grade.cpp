@@ -1,71 +1,82 @@
-// Exercise 00, graded: a thrown body after 60 steps, and how far it is from the parabola.
+// Exercise 00, graded: a box of 2 kg, thrown, pushed and turned for 60 steps, and one of 4 kg under the same
+// force.
 #include "exercise.cpp"
 
 namespace cairn::exercise00 {
 namespace {
 
-constexpr double gravity = 10, start_speed = 5, start_height = 1;  // [m/s^2], [m/s], [m]
-constexpr double gravity_of_the_moon = 1.62;                       // [m/s^2]
-constexpr double duration = 1.2;                                   // [s]
-constexpr double sum_rounding = 1e-12;  // 120 sums of numbers below 10, each with an error of at most 1e-15
+constexpr double dt = 0.02, duration = 1.2;  // [s] 60 steps
+constexpr double rounding = 1e-12;  // 120 sums of numbers below 10, each with an error of at most 1e-15
+using Numbers = FixedList<double, 3>;
+constexpr Numbers start_place = {-4, 1, 0.5}, start_velocity = {4, 5, -1}, force = {1, -20, 0.4};
+constexpr Numbers box_of_2_kg = {0.5, 0.5, 3}, box_of_4_kg = {0.25, 0.25, 1.5};  // unit boxes: I = m/6
 
-Falling flown(double acceleration, int steps) {
-  Falling body{.height = start_height, .velocity = start_speed};
-  for (int i = 0; i < steps; ++i) integrate(body, acceleration, duration / steps);
+enum Axis { x, y, angle };
+
+Body flown(const Numbers& inverse_mass) {
+  Body body{.place = start_place, .velocity = start_velocity, .inverse_mass = inverse_mass};
+  for (int i = 0; i < 60; ++i) integrate(body, force, dt);
   return body;
 }
 
-ExpectedNumber height_after(const char* what, int steps) {
-  const double dt = duration / steps;
-  const double parabola = start_height + start_speed * duration - gravity * duration * duration / 2;
-  const double error = gravity * dt * duration / 2;  // of either Euler: below, or above
-  return {.what = what,
-          .value = parabola - error,
-          .tolerance = sum_rounding,
-          .misconceptions = {
-              {parabola + error, "That is explicit Euler: the place was moved with the old velocity."},
-              {parabola, "That is the parabola itself: right, and not what the engine does."},
-              {start_height, "The height has not changed."},
-              {start_height + (parabola - error - start_height) / dt,
-               "A velocity times dt is a change of height."},
-              {start_height + start_speed * duration, "Gravity has not changed the velocity."}}};
+/// What one of its rates is at the end, for a box of 2 kg.
+ExpectedNumber rate_after(const char* what, Axis axis) {
+  const double before = start_velocity[axis], w = box_of_2_kg[axis], f = force[axis];
+  return {
+      .what = what,
+      .value = before + w * f * duration,
+      .tolerance = rounding,
+      .misconceptions = {
+          {before, "The velocity has not changed: all three numbers of it do."},
+          {before + w * f * 60, "An acceleration times dt is a change of velocity."},
+          {before + f * duration, "That is a force times dt: M⁻¹ makes a change of velocity of it."},
+          {before + f / w * duration, "M⁻¹ is inverted already: multiply by it."},
+          {before - w * f * duration, "The sign: the force comes with its own."},
+          {w * f * dt, "Add to the velocity: do not replace it."},
+          {before + box_of_2_kg[x] * f * duration, "θ has its own inverse mass, 1/I, the third number."}}};
 }
 
-void grade_velocities(Grade& grade) {
-  grade.number(
-      {.what = "60 steps of 0.02 s: velocity (m/s)",
-       .value = start_speed - gravity * duration,
-       .tolerance = sum_rounding,
-       .misconceptions = {{start_speed - gravity * 60, "An acceleration times dt is a change of velocity."},
-                          {start_speed + gravity * duration,
-                           "The sign: the acceleration comes with its own."},
-                          {-gravity * duration / 60, "Add to the velocity: do not replace it."},
-                          {start_speed, "The velocity has not changed."}}},
-      flown(-gravity, 60).velocity);
-  grade.number({.what = "60 steps on the Moon: velocity (m/s)",
-                .value = start_speed - gravity_of_the_moon * duration,
-                .tolerance = sum_rounding,
-                .misconceptions = {{start_speed - gravity * duration,
-                                    "On the Moon too? Use the acceleration that the function gets."}}},
-               flown(-gravity_of_the_moon, 60).velocity);
+/// Where a box is at the end, on one axis.
+ExpectedNumber place_after(const char* what, Axis axis, const Numbers& inverse_mass) {
+  const double acceleration = inverse_mass[axis] * force[axis];
+  const double exact =
+      start_place[axis] + start_velocity[axis] * duration + acceleration * duration * duration / 2;
+  const double error = acceleration * dt * duration / 2;  // of either Euler
+  const double right = exact + error;
+  const double other = box_of_2_kg[axis] * force[axis];
+  return {
+      .what = what,
+      .value = right,
+      .tolerance = rounding,
+      .misconceptions = {
+          {exact - error, "That is explicit Euler: the place was moved with the old velocity."},
+          {exact, "That is the parabola itself: right, and not what the engine does."},
+          {start_place[axis], "The place has not changed: all three numbers of it do."},
+          {start_place[axis] + (right - start_place[axis]) / dt, "A velocity times dt is a change of place."},
+          {start_place[axis] + start_velocity[axis] * duration, "The force has not changed the velocity."},
+          {right + (other - acceleration) * (duration + dt) * duration / 2,
+           "This box has 4 kg: take its own inverse mass."}}};
 }
 
 }  // namespace
 
 Exercise exercise() {
-  return {
-      .lesson = 0,
-      .task =
-          "One step of semi-implicit Euler. With half of dt the error halves: watch the last two numbers.",
-      .file = "lessons/00_one_body/exercise.cpp",
-      .hints = {"Which of the two has to be new when the other is computed?",
-                "The velocity first: it grows by acceleration times dt.",
-                "Then the height grows by the new velocity times dt."},
-      .grade = [](Grade& grade) {
-        grade_velocities(grade);
-        grade.number(height_after("60 steps of 0.02 s: height (m)", 60), flown(-gravity, 60).height);
-        grade.number(height_after("120 steps of 0.01 s: height (m)", 120), flown(-gravity, 120).height);
-      }};
+  return {.lesson = 0,
+          .task = "One step of semi-implicit Euler for a body: equation (12), and then its place.",
+          .file = "lessons/00_one_body/exercise.cpp",
+          .hints = {"Which of the two has to be new when the other is computed?",
+                    "The velocity first: it grows by M⁻¹ f dt, number by number.",
+                    "Then the place grows by the new velocity times dt, all three numbers at once."},
+          .grade = [](Grade& grade) {
+            const Body body = flown(box_of_2_kg), heavy = flown(box_of_4_kg);
+            grade.number(rate_after("2 kg, 60 steps of 0.02 s: v_y (m/s)", y), body.velocity[y]);
+            grade.number(rate_after("2 kg, 60 steps of 0.02 s: ω (rad/s)", angle), body.velocity[angle]);
+            grade.number(place_after("2 kg, 60 steps of 0.02 s: x (m)", x, box_of_2_kg), body.place[x]);
+            grade.number(place_after("2 kg, 60 steps of 0.02 s: y (m)", y, box_of_2_kg), body.place[y]);
+            grade.number(place_after("2 kg, 60 steps of 0.02 s: θ (rad)", angle, box_of_2_kg),
+                         body.place[angle]);
+            grade.number(place_after("4 kg, the same force: y (m)", y, box_of_4_kg), heavy.place[y]);
+          }};
 }
 
 }  // namespace cairn::exercise00

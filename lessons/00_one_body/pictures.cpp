@@ -6,9 +6,11 @@
 #include <cmath>
 #include <memory>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
+#include "render/rects.hpp"
 #include "scene.hpp"
 
 namespace cairn::one_body {
@@ -65,9 +67,12 @@ Shot question_shot(const SharedStory& story) {
   shot.draw = [story](Page& page) {
     const Layout layout = layout_of(page);
     draw_scene(page, *story, 0);
-    const std::string title = "The question";
-    page.note(layout.upper, title, story->question);
-    page.table(layout.lower, "what is given", known_table(*story));
+    const List<Rect> parts = rows(united(layout.upper, layout.lower), {32, 26, 42}, page.sizes().gap);
+    page.note(parts[0], "The question", story->question);
+    page.equation(
+        parts[1],
+        {.number = "each step", .symbols = "v ← v + g Δt", .numbers = "x ← x + v Δt, with the new v"});
+    page.table(parts[2], "what is given", known_table(*story));
   };
   return shot;
 }
@@ -75,9 +80,9 @@ Shot question_shot(const SharedStory& story) {
 Shot answer_shot(const SharedStory& story) {
   const double error = final_error(story->flight, story->flight.semi_implicit);
   const std::string text = fmt::format(
-      "{} Below, by {} m = g Δt t/2: each step takes the velocity of its end. Explicit Euler takes that "
-      "of its beginning, and ends as far above.",
-      story->question, fixed(-error, 3));
+      "Below, by {} m = g Δt t/2: each step takes the velocity of its end. Explicit Euler takes that of its "
+      "beginning, and ends as far above.",
+      fixed(-error, 3));
   Shot shot;
   shot.key = true;
   shot.state = fmt::format("after {} s", significant(story->flight.time.back(), 3));
@@ -87,7 +92,7 @@ Shot answer_shot(const SharedStory& story) {
     const Layout layout = layout_of(page);
     draw_scene(page, *story, story->flight.thrown.steps);
     draw_errors(page, layout.upper, *story, story->flight.thrown.steps);
-    page.note(layout.lower, "The answer", text);
+    page.note(layout.lower, "The answer", text, question_growth);
   };
   return shot;
 }
@@ -131,10 +136,10 @@ Shot state_shot(const SharedStory& story) {
   shot.draw = [story](Page& page) {
     const Layout layout = layout_of(page);
     draw_scene(page, *story, 0);
-    const List<Rect> parts = columns(layout.upper, {50, 50}, page.sizes().gap);
-    draw_matrix(page, parts[0], inverse_mass_view(*story));
+    const List<Rect> parts = rows(united(layout.upper, layout.lower), {30, 26, 44}, page.sizes().gap);
+    page.table(parts[0], "where it is, how fast, how light   eq (1), (2)", state_table(*story));
     page.equation(parts[1], inertia_equation());
-    page.table(layout.lower, "where it is, how fast, how light   eq (1), (2)", state_table(*story));
+    draw_matrix(page, parts[2], inverse_mass_view(*story));
   };
   return shot;
 }
@@ -176,7 +181,7 @@ void draw_convergence(Page& page, const Rect& rect, const Story& story) {
   const double gravity = story.flight.thrown.gravity;
   Plot plot = {.title = fmt::format("distance from the parabola after {} s (m)", significant(time, 3))};
   const double left = c.dt.back() / 2;
-  const double right = 2 * c.dt.front();
+  const double right = 1.2 * c.dt.front();
   plot.x = {.title = "Δt (s)", .scale = AxisScale::logarithmic, .min = left, .max = right};
   plot.y = {.title = "", .scale = AxisScale::logarithmic};
   plot.y.min = gravity * left * time / 2;
@@ -200,7 +205,7 @@ TableView convergence_table(const Convergence& c) {
 }
 
 Equation error_equation(const Flight& flight) {
-  return {.number = "each step misses by g Δt²/2",
+  return {.number = "g Δt²/2, t/Δt times",
           .symbols = "error = g Δt t / 2",
           .numbers = fmt::format("= {} × {} × {} / 2", significant(flight.thrown.gravity),
                                  significant(flight.thrown.dt), significant(flight.time.back())),
@@ -219,9 +224,11 @@ Shot convergence_shot(const SharedStory& story) {
     const List<Rect> parts = columns(page.area(), {56, 44}, page.sizes().gap);
     draw_convergence(page, parts[0], *story);
     const TableView table = convergence_table(story->convergence);
-    const List<Rect> halves = rows(parts[1], {54, 46}, page.sizes().gap);
-    page.table(halves[0], "order one: half the step, half the error", table);
-    page.equation(halves[1], error_equation(story->flight));
+    const List<Rect> below = rows(parts[1], {27, 43, 30}, page.sizes().gap);
+    page.note(below[0], "order one",
+              "Half the step, half the error: each step misses by g Δt²/2, and all t/Δt add up.");
+    page.table(below[1], "", table, question_growth);
+    page.equation(below[2], error_equation(story->flight));
   };
   return shot;
 }

@@ -14,6 +14,8 @@ using namespace render;
 
 namespace {
 
+constexpr int first_steps = 5;  // that have the plot of errors to themselves
+
 /// All of the flight with the whole box at both ends, and room for arrows and labels.
 Camera camera_of(const Page& page, const Story& story) {
   Aabb<double> seen = bounds_of(story.flight.cairn);
@@ -76,12 +78,17 @@ SeriesStyle path_style(SeriesStyle style, int step) {
   return style;
 }
 
+/// Above the parabola after so many steps [m].
+double height_above(const Flight& flight, const List<Vec2<double>>& path, int step) {
+  return path[step].y() - flight.exact[step].y();
+}
+
 Series error_series(const Flight& flight, const List<Vec2<double>>& path, int step, const std::string& name,
                     const SeriesStyle& style) {
-  Series series = {.name = name, .style = style, .markers = step >= 10};
+  Series series = {.name = name, .style = style};
   for (int i = 0; i <= step; ++i) {
     series.x.push_back(flight.time[i]);
-    series.y.push_back(path[i].y() - flight.exact[i].y());
+    series.y.push_back(height_above(flight, path, i));
   }
   return series;
 }
@@ -89,8 +96,8 @@ Series error_series(const Flight& flight, const List<Vec2<double>>& path, int st
 }  // namespace
 
 Layout layout_of(const Page& page) {
-  const List<Rect> halves = columns(page.area(), {48, 50}, page.sizes().gap);
-  const List<Rect> panels = rows(halves[1], {54, 46}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {60, 40}, page.sizes().gap);
+  const List<Rect> panels = rows(halves[1], {62, 38}, page.sizes().gap);
   return {halves[0], panels[0], panels[1]};
 }
 
@@ -117,10 +124,11 @@ void draw_scene(Page& page, const Story& story, int step) {
 
 void draw_errors(Page& page, const Rect& rect, const Story& story, int step) {
   const Flight& flight = story.flight;
-  const double most = 1.15 * std::abs(final_error(flight, flight.explicit_euler));
+  const int last = step <= first_steps ? first_steps : flight.thrown.steps;  // at first all would be one dot
+  const double most = std::max(1.15 * std::abs(height_above(flight, flight.explicit_euler, last)), 1e-9);
   Plot plot = {.title = "height above the exact parabola (m)"};
-  plot.x = {.title = "t (s)", .min = 0, .max = flight.time.back()};
-  plot.y = {.title = "", .min = -std::max(most, 1e-9), .max = std::max(most, 1e-9)};
+  plot.x = {.title = "t (s)", .min = 0, .max = flight.time[last]};
+  plot.y = {.title = "", .min = -most, .max = most};
   plot.series.push_back(error_series(flight, flight.explicit_euler, step, "explicit", page.theme().jacobi));
   plot.series.push_back(error_series(flight, flight.semi_implicit, step, "semi-implicit", page.theme().si));
   plot.goals.push_back({.y = 0, .text = "exact"});
