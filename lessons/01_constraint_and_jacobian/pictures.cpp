@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
@@ -37,8 +38,8 @@ List<Rect> draw_scene(Page& page, const Rod& rod, const RodLook& look, double up
 /// The question or the answer, over the three velocities.
 void draw_note(Page& page, const Rod& rod, const RodLook& look, std::string_view title,
                std::string_view text) {
-  const List<Rect> parts = draw_scene(page, rod, look, 0.6);
-  page.note(parts[0], title, text);
+  const List<Rect> parts = draw_scene(page, rod, look, 0.55);
+  page.note(parts[0], title, text, question_growth);
   const bool answered = look.direction;
   render::TableView table{.header = {"v (m/s, m/s, rad/s)", "j·v (m/s)", ""}};
   for (int i = 0; i < rod.asked.size(); ++i) {
@@ -51,7 +52,7 @@ void draw_note(Page& page, const Rod& rod, const RodLook& look, std::string_view
          : motion.rate == 0 ? "allowed"
                             : "not allowed"});
   }
-  page.table(parts[1], "", table);
+  page.table(parts[1], "", table, 1.5);
 }
 
 std::string metres(double value) { return fixed(value, 4) + " m"; }
@@ -75,23 +76,31 @@ void draw_error(Page& page, const Rod& rod) {
     if (name == "1 m along the rod") step = {rod.jacobian.x(), rod.jacobian.y(), 0};
     table.rows.push_back({name, metres(error_at(rod, carried(rod.pose, step, 1)))});
   }
-  page.table(parts[1], "c at other places", table);
+  page.table(parts[1], "c at other places", table, question_growth);
 }
 
 void draw_jacobian(Page& page, const Rod& rod) {
-  const List<Rect> parts = draw_scene(page, rod, {.pose = rod.pose, .circles = true, .direction = true}, 0.3);
+  const List<Rect> parts =
+      draw_scene(page, rod, {.pose = rod.pose, .circles = true, .direction = true}, 0.22);
+  const List<Rect> below = rows(parts[1], {0.5, 0.5}, page.sizes().gap);
   render::MatrixView view{.title = "j: one row, three numbers for the box"};
   view.values = rod.jacobian.transpose();
   for (const char* name : coordinate_names) view.column_names.emplace_back(name);
   draw_matrix(page, parts[0], view);
   const Vec3<double>& j = rod.jacobian;
-  page.equation(parts[1], {.number = "eq (5)",
+  page.equation(below[0], {.number = "eq (5)",
                            .symbols = "j = (u_{x}, u_{y}, r × u)",
                            .numbers = fmt::format("u = ({}, {}), r = ({}, {}) m", significant(j.x()),
                                                   significant(j.y()), significant(rod.arm.x()),
                                                   significant(rod.arm.y())),
                            .result = fmt::format("r × u = {} m", significant(j.z())),
                            .algorithm = "u: along the rod; r: from the centre to the anchor"});
+  const auto per_mille = [](double slope) { return fixed(slope, 2, render::Sign::always) + " mm"; };
+  const render::TableView slopes{.header = {"a small move", "c grows by"},
+                                 .rows = {{"1 mm to the right", per_mille(j.x())},
+                                          {"1 mm up", per_mille(j.y())},
+                                          {"a turn by 0.001 rad", per_mille(j.z())}}};
+  page.table(below[1], "three slopes", slopes, question_growth);
 }
 
 /// Coordinate k moved both ways; the rows of the table up to it.
@@ -111,7 +120,7 @@ void draw_nudge(Page& page, const Rod& rod, int k) {
     table.rows.push_back({coordinate_names[i], fixed(q.backward[i], 4), fixed(q.forward[i], 4),
                           fixed(q.slope[i], 4), fixed(rod.jacobian(i), 4)});
   }
-  page.table(parts[1], "the slope of c, and j", table);
+  page.table(parts[1], "the slope of c, and j", table, question_growth);
 }
 
 /// c while the box moves on at this velocity, and what j·v makes of it.
@@ -176,7 +185,7 @@ void draw_force(Page& page, const Rod& rod) {
   for (const Motion& motion : rod.allowed)
     table.rows.push_back({motion.name, fixed(rod.force.dot(motion.velocity), 3) + " W"});
   table.rows.push_back({"forbidden: along it", fixed(rod.settings.lambda, 3) + " W"});
-  page.table(parts[1], "the force does no work in what it allows", table);
+  page.table(parts[1], "the force does no work in what it allows", table, question_growth);
 }
 
 void draw_differences(Page& page, const Story& story) {
@@ -199,13 +208,13 @@ void draw_differences(Page& page, const Story& story) {
     rounding.y.push_back(2.2e-16 * story.rod.length / q->h);
   }
   plot.series = {measured, truncation, rounding};
-  plot.labels.push_back({3e-10, 2.2e-16 * story.rod.length / 3e-10, "∝ ε / h, ε: rounding"});
+  plot.labels.push_back({3e-10, 2.2e-16 * story.rod.length / 3e-10, "rounding: at most about ε |p| / h"});
   plot.labels.push_back({1e-3, 1e-6 * factor, "∝ h²"});
   draw_plot(page, parts[0], plot);
   render::TableView table{.header = {"h = 10^{−5}, 20 poses", "rows", "difference"}};
   for (const KindOfRows& kind : story.kinds)
     table.rows.push_back({kind.name, fmt::format("{}", kind.rows), significant(kind.error, 2)});
-  page.table(parts[1], "every kind of row in the library", table);
+  page.table(parts[1], "every kind of row in the library", table, question_growth);
 }
 
 Shot shot(const std::string& state, const std::string& alt, std::function<void(Page&)> draw) {
@@ -273,8 +282,9 @@ List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
       shot("after the lesson", "The box with j as an arrow and an arc, and the answer.", [story](Page& page) {
         draw_note(page, story->rod, {.pose = story->rod.pose, .circles = true, .direction = true},
                   "The answer",
-                  "By j·v. Where that is 0 the rod allows the motion: along the circle, or turning about the "
-                  "anchor, or both at once. Along j it allows none, and along j it pulls.");
+                  "Each makes it longer by j·v: 0, 1 and 0 m/s. Where that is 0 the rod allows the motion: "
+                  "along the "
+                  "circle, or turning about the anchor, or both at once.");
       }));
   return shots;
 }
