@@ -24,6 +24,7 @@ struct PegLook {
   bool push = false;        // the impulse as an arrow
   bool after = false;       // the velocities after it, and where they lead
   bool masses = false;      // bars under the underside: the effective mass there
+  bool named = false;       // where the peg is, as the title
   bool directions = false;  // the curve of the effective mass in all directions
 };
 

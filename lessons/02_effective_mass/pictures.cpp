@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
@@ -46,11 +47,14 @@ render::TableView push_table(const Pushes& all, int known) {
 
 void draw_note(Page& page, const Pushes& all, const PegLook& look, std::string_view title,
                std::string_view text, int known) {
-  const List<Rect> parts = draw_left(page, all, all.at.back(), look, 0.58);
+  const List<Rect> parts = draw_left(page, all, all.at.back(), look, 0.3);
   page.note(parts[0], title, text);
+  const List<Rect> below = rows(parts[1], {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> others = columns(below[0], {0.5, 0.5}, page.sizes().gap);
+  for (int i = 0; i < others.size(); ++i) draw_push(page, others[i], all, all.at[i], look);
   render::TableView table = push_table(all, known);
   table.active_row = -1;
-  page.table(parts[1], "", table);
+  page.table(below[1], "", table, question_growth);
 }
 
 /// j and the diagonal of M^-1 over each other, and what comes of them.
@@ -92,7 +96,7 @@ void draw_step(Page& page, const Pushes& all, int i) {
                                                  significant(push.impulse / all.settings.dt, 4),
                                                  significant(push.impulse, 4)),
                            .color = page.theme().normal});
-  page.table(parts[1], "the peg, at three places", push_table(all, i + 1));
+  page.table(parts[1], "the peg, at three places", push_table(all, i + 1), question_growth);
 }
 
 render::TableView motion_table(const Pushes& all, int known) {
@@ -123,7 +127,7 @@ void draw_after(Page& page, const Pushes& all, int i) {
        .result = fmt::format("j·v_{{2}} = {} + {} × {} = {} m/s", fixed(v.y(), 3), significant(push.x),
                              fixed(v.z(), 3), fixed(push.rate_after, 3))});
   page.table(parts[1], fmt::format("what is left of {} J", significant(kinetic_energy(push.before))),
-             motion_table(all, i + 1));
+             motion_table(all, i + 1), question_growth);
 }
 
 render::Series curve_of_places(const Page& page, const Pushes& all) {
@@ -192,7 +196,7 @@ void draw_others(Page& page, const Pushes& all) {
                  .symbols = "j M⁻¹ j^{T} = 1/m_{1} + 1/m_{2}",
                  .numbers = fmt::format("= 1/{} + 1/{}", significant(m), significant(all.others[2].mass)),
                  .result = fmt::format("= 1 / ({} kg)", significant(all.others[2].effective, 4))});
-  page.table(parts[1], "whom the box meets", table);
+  page.table(parts[1], "whom the box meets", table, question_growth);
 }
 
 Shot shot(const std::string& state, const std::string& alt, std::function<void(Page&)> draw) {
@@ -225,7 +229,7 @@ List<Shot> peg_shots(const Pushes& recorded) {
   shots.push_back(
       shot("before the push", "A box falls on a peg beside its middle, and the question.", [all](Page& page) {
         draw_note(
-            page, *all, {}, "The question",
+            page, *all, {.named = true}, "The question",
             fmt::format("A box of {:g}\u00a0kg falls on a peg. Only the point above the peg has to stop. "
                         "Does that take more here than under the middle, or less? How many N\u00a0s?",
                         all->settings.mass),
@@ -247,7 +251,7 @@ List<Shot> peg_shots(const Pushes& recorded) {
                        "The effective mass against the mass of the peg: never more than the box alone.",
                        [all](Page& page) { draw_others(page, *all); }));
   shots.push_back(shot("after the lesson", "The push beside the middle, and the answer.", [all](Page& page) {
-    draw_note(page, *all, {.push = true}, "The answer",
+    draw_note(page, *all, {.push = true, .named = true}, "The answer",
               fmt::format("Less: {} N s instead of {}. Away from the middle the box gives way by turning, so "
                           "the peg meets only {} of its {} kg.",
                           significant(all->at[2].impulse), significant(all->at[0].impulse),

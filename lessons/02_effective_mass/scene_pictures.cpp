@@ -21,15 +21,17 @@ using render::significant;
 constexpr double longest_push = 0.8;  // [m] of the arrow in the middle
 constexpr double longest_bar = 0.55;  // [m]
 constexpr double longest_ray = 0.75;  // [m]
+// [m] that the box would have fallen, for each outline; the last one is darkest
+constexpr FixedList<double, 3> ways = {0.45, 0.3, 0.15};
 
 void draw_fall(Page& page, const render::Camera& camera, const Pushes& all, const Push& push,
                const PegLook& look) {
   const Vec3<double>& v = (look.after ? push.after : push.before).bodies[{2}].velocity;
   const render::ArrowScale scale{
       .pixels_per_unit = 0.42 * camera.scale / all.settings.speed, .longest = 1e4, .unit = "m/s"};
-  // Before the push all of the box has one velocity: the arrow may stand where it hides nothing.
+  // Before the push all of the box has one velocity: the arrow stands beside a push near the middle.
   Vec2<double> tail = push.before.bodies[{2}].pose.position;
-  if (!look.after) tail.x() -= 0.35;
+  if (look.push && push.x < 0.4) tail.x() -= 0.35;
   if (std::abs(v.y()) > 1e-9 * all.settings.speed)
     draw_arrow(page, camera, scale,
                {.kind = render::ArrowKind::velocity,
@@ -126,7 +128,7 @@ void draw_directions(Page& page, const render::Camera& camera, const Pushes& all
 /// Where the velocities after the push lead, for a while.
 void draw_way(Page& page, const render::Camera& camera, const Pushes& all, const Push& push) {
   List<Snapshot> later;
-  for (const double way : {0.45, 0.3, 0.15}) {  // [m] that the box would have fallen; the last one is darkest
+  for (const double way : ways) {
     Snapshot moved = push.after;
     Pose<double>& pose = moved.bodies[{2}].pose;
     const Vec3<double>& v = moved.bodies[{2}].velocity;
@@ -138,16 +140,23 @@ void draw_way(Page& page, const render::Camera& camera, const Pushes& all, const
   draw_ghosts(page, camera, later);
 }
 
+std::string title_of(const Pushes& all, const Push& push, const PegLook& look) {
+  const double speed = all.settings.speed;
+  if (look.after) {
+    return fmt::format("outlines: after {}, {} and {} s", significant(ways[2] / speed),
+                       significant(ways[1] / speed), significant(ways[0] / speed));
+  }
+  if (!look.directions && !look.named) return "";
+  return push.x > 0 ? fmt::format("under x = {} m", significant(push.x)) : "under the middle";
+}
+
 }  // namespace
 
 void draw_push(Page& page, const Rect& rect, const Pushes& all, const Push& push, const PegLook& look) {
   const bool no_peg = look.masses || look.directions;
-  const std::string title = !look.directions ? ""
-                            : push.x > 0     ? fmt::format("under x = {} m", significant(push.x))
-                                             : "under the middle";
-  const Rect inside = page.panel(rect, title);
+  const Rect inside = page.panel(rect, title_of(all, push, look));
   const double lowest = no_peg ? -0.8 : -0.5;
-  const double highest = no_peg ? 1.15 : 1.6;
+  const double highest = look.after ? 1.6 : 1.15;  // room for the turning sense
   const render::Camera camera = render::fit(inside, {{-0.9, lowest}, {look.directions ? 1.1 : 0.9, highest}});
   page.canvas().push_clip(inside);
   Snapshot seen = push.before;
@@ -158,7 +167,7 @@ void draw_push(Page& page, const Rect& rect, const Pushes& all, const Push& push
   if (!no_peg)
     page.canvas().circle(camera.project({push.x, 0}), page.sizes().contact, {.fill = page.theme().normal});
   if (look.push) draw_impulse(page, camera, all, push);
-  if (!no_peg) draw_fall(page, camera, all, push, look);
+  if (!no_peg && !(look.named && look.push)) draw_fall(page, camera, all, push, look);
   if (look.after) draw_turning(page, camera, push);
   if (look.masses) draw_bars(page, camera, all);
   if (look.directions) draw_directions(page, camera, all, push);
