@@ -12,8 +12,9 @@
 namespace cairn::render {
 namespace {
 
-constexpr double leader = 14;  // [px] from the box to the marker of a name
-constexpr double air = 8;      // [px] from that marker to the name, and behind it
+constexpr double leader = 14;   // [px] from the box to the marker of a name
+constexpr double air = 8;       // [px] from that marker to the name, and behind it
+constexpr double together = 3;  // [px] less than this apart, ends are one place
 
 struct EndLabel {
   int series = 0;
@@ -144,6 +145,13 @@ List<EndLabel> end_labels(const Plot& plot, const List<Curve>& curves) {
   }
   std::stable_sort(labels.begin(), labels.end(),
                    [](const EndLabel& a, const EndLabel& b) { return a.end.y() < b.end.y(); });
+  // Where curves end together, their names stand in the order of the series.
+  for (int first = 0, next = 0; first < labels.size(); first = next) {
+    do ++next;
+    while (next < labels.size() && labels[next].end.y() - labels[next - 1].end.y() < together);
+    std::sort(labels.begin() + first, labels.begin() + next,
+              [](const EndLabel& a, const EndLabel& b) { return a.series < b.series; });
+  }
   return labels;
 }
 

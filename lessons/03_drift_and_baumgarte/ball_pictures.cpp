@@ -144,7 +144,12 @@ void draw_ball_table(Page& page, const Rect& rect, const DriftRuns& all, int ste
                           fixed(run.lambda[step] + 0.0, 1), fixed(run.speed[step] + 0.0, 2),
                           fixed(1000 * run.height[step] + 0.0, 0)});
   }
-  page.table(rect, fmt::format("step {}", step), table);
+  std::string title = fmt::format("step {}", step);
+  for (const BallRun& run : all.balls) {
+    const bool lands = step > 1 && run.lambda[step] > 2 * gravity;  // at rest it is g times 1 kg
+    if (lands) title += fmt::format(": the ball with β = {:g} lands, and its λ is an impact", run.beta);
+  }
+  page.table(rect, title, table);
 }
 
 void draw_heights(Page& page, const Rect& rect, const DriftRuns& all, int step) {
@@ -167,6 +172,7 @@ void draw_heights(Page& page, const Rect& rect, const DriftRuns& all, int step) 
     plot.series.push_back(series);
   }
   plot.goals.push_back({0, ""});
+  if (step < shown) plot.cursor = step;
   draw_plot(page, rect, plot);
 }
 
