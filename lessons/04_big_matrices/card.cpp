@@ -20,12 +20,12 @@ LessonInfo card() {
       .needs = {"lesson 01", "lesson 02"},
       .reads = {"src/solvers/system_matrix.hpp", "src/solvers/system_matrix.cpp"},
       .question =
-          "All boxes of a stack fall at the same speed, because gravity has acted for one step. b has one "
-          "number "
-          "for each contact. The uppermost box weighs 10 N (--top changes it). What is the number in b for "
-          "the "
-          "contact below it, in m/s²?",
-      .spoilers = {"b₃ = 0", "do not close in", "Only the lowest contact"},
+          "All boxes of a stack fall at the same speed, because gravity has acted for one step. In the end "
+          "its "
+          "contacts carry 30, 20 and 10 N, from the ground up (--top changes that). b has one number for "
+          "each of "
+          "them. What are its numbers, from the ground up, in m/s²?",
+      .spoilers = {"b₂ and b₃", "10, 0, 0", "do not close in", "Only the lowest contact"},
       .hints = {"b looks at the two bodies of a contact, not at one.",
                 "b = ζ/Δt − j·v₁/Δt, and j·v₁ says how fast the two close in.",
                 "Both boxes fall at g Δt. How fast do they approach each other?"},

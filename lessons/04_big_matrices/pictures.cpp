@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "render/draw.hpp"
 #include "render/matrix.hpp"
@@ -60,32 +61,47 @@ void draw_speeds(Page& page, const render::Camera& camera, const StackRun& run,
   }
 }
 
+/// "30, 20 and 10": what the contacts carry, from the ground up.
+std::string loads(const StackRun& run) {
+  std::string text;
+  for (int i = 0; i < run.boxes(); ++i) {
+    const char* between = i == 0 ? "" : i + 1 < run.boxes() ? ", " : " and ";
+    text += between + brief(lambda_by_formula(run, i));
+  }
+  return text;
+}
+
 void draw_question(Page& page, const StackRun& run) {
+  std::string unknown = "?";
+  for (int i = 1; i < run.boxes(); ++i) unknown += ", ?";
   const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
-  draw_stack(page, halves[0], run, {.contact = run.boxes() - 1, .velocity = run.system.velocity});
-  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  draw_stack(page, halves[0], run, {.velocity = run.system.velocity});
+  const List<Rect> right = rows(halves[1], {0.6, 0.4}, page.sizes().gap);
   page.note(
       right[0], "The question",
-      fmt::format(
-          "All boxes fall at {} m/s: gravity has acted for one step. b has one number for each "
-          "contact. What is the number for the contact below the uppermost box, which weighs {}\u00a0N?",
-          brief(gravity * run.settings.dt), brief(gravity * run.settings.top)));
-  page.equation(right[1],
-                {.number = "eq (15)",
-                 .symbols = fmt::format("b_{{{}}} = ζ/Δt − j_{{{}}}·v_{{1}}/Δt", run.boxes(), run.boxes()),
-                 .numbers = "",
-                 .result = "= ? m/s²"});
+      fmt::format("All boxes fall at {} m/s: gravity has acted for one step. In the end the contacts carry "
+                  "{}\u00a0N. b "
+                  "has one number for each of them. Is it in the same proportion? What are its numbers?",
+                  brief(gravity * run.settings.dt), loads(run)),
+      question_growth);
+  page.equation(right[1], {.number = "eq (15)",
+                           .symbols = "A λ = b,   b = ζ/Δt − J v_{1}/Δt,   ζ = 0",
+                           .numbers = "row by row, from the ground up:",
+                           .result = fmt::format("b = ({}) m/s²", unknown)});
 }
 
 void draw_answer(Page& page, const StackRun& run) {
   const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
   draw_stack(page, halves[0], run, {.known = run.boxes(), .velocity = run.velocity});
   const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
-  const std::string text =
-      "0: two boxes that fall together do not close in on each other, however heavy they are. Only the "
-      "contact with the ground has something in b. A⁻¹ passes it on: it holds the masses that stand "
-      "above two contacts, and its first column, times b_{1}, is λ.";
-  page.note(right[0], "The answer", text);
+  std::string numbers = brief(run.system.b(0));
+  for (int i = 1; i < run.boxes(); ++i) numbers += ", " + brief(run.system.b(i));
+  const std::string text = fmt::format(
+      "b = ({}) m/s². Two boxes that fall together do not close in on each other, however heavy they are: 0. "
+      "Only the lowest contact closes in, and A⁻¹ passes that on. Each entry is the mass that stands above "
+      "both contacts, and the first column, times b_{{1}}, is λ.",
+      numbers);
+  page.note(right[0], "The answer", text, question_growth);
   const int n = run.boxes();
   render::MatrixView inverse{.title = "A^{−1} (kg), and b (m/s²)", .row_names = row_names(n)};
   inverse.values.resize(n, n + 1);

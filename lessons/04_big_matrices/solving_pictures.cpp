@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/bars.hpp"
@@ -152,7 +153,7 @@ void draw_growth(Page& page, const StackRun& run) {
     series[2].y.push_back(growth.all_of_A);
     series[3].y.push_back(growth.used_of_A);
   }
-  render::Plot plot{.title = "numbers to keep, and multiplications"};
+  render::Plot plot{.title = "numbers in J and A, multiplications of an elimination"};
   plot.x = {.title = "boxes", .scale = render::AxisScale::logarithmic, .min = 2, .max = 400};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1, .max = 1e8};
   plot.series.assign(series.begin(), series.end());
@@ -161,9 +162,10 @@ void draw_growth(Page& page, const StackRun& run) {
   page.note(parts[1], "A larger stack",
             fmt::format("With {} boxes A has {:.0f} numbers, and {:.0f} of them are not 0. Elimination "
                         "takes {:.1f} million multiplications, and contacts that may only push need "
-                        "several tries. So solvers for games sweep over the rows instead, and the "
-                        "second kind never builds A at all.",
-                        largest.boxes, largest.all_of_A, largest.used_of_A, 1e-6 * largest.elimination));
+                        "several tries. So solvers for games sweep over the rows instead, and "
+                        "sequential impulses (lesson 06) never build A at all.",
+                        largest.boxes, largest.all_of_A, largest.used_of_A, 1e-6 * largest.elimination),
+            question_growth);
 }
 
 Shot back_shot(const Run& run, int row) {
