@@ -10,7 +10,7 @@ namespace cairn::exercise05 {
 enum class RowKind {
   joint,    // pushes and pulls
   contact,  // j·v is the speed at which the bodies part: it only pushes them apart
-  rope,     // j·v is the speed at which it gets longer: it only pulls the bodies together
+  rope,     // j·v is the speed at which it goes slack: it only pulls the bodies together
   motor     // pushes and pulls, with at most `strength`
 };
 

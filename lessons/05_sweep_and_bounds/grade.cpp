@@ -57,8 +57,9 @@ void grade_kinds(Grade& grade) {
   row("a joint that needs -3 N (N)", alone(RowKind::joint, -3), -3, {{0, "A joint pulls, too."}});
   row("a contact that needs 3 N (N)", alone(RowKind::contact, 3), 3, {{0, "A contact pushes: λ ≥ 0."}});
   row("a contact that needs -3 N (N)", alone(RowKind::contact, -3), 0, {{-3, "A contact does not pull."}});
-  row("a rope that needs -3 N (N)", alone(RowKind::rope, -3), -3, {{0, "A rope pulls: here λ ≤ 0."}});
-  row("a rope that needs 3 N (N)", alone(RowKind::rope, 3), 0, {{3, "A rope does not push."}});
+  row("a rope that needs 3 N (N)", alone(RowKind::rope, 3), 3,
+      {{0, "A rope pulls, and a pull is λ ≥ 0: j·v is how fast it goes slack."}});
+  row("a rope that needs -3 N (N)", alone(RowKind::rope, -3), 0, {{-3, "A rope does not push."}});
   row("a motor of 2 N that needs 3 N (N)", alone(RowKind::motor, 3), 2,
       {{3, "A motor has only its strength."}, {0, "What is out of the interval goes to its end, not to 0."}});
   row("a motor of 2 N that needs -3 N (N)", alone(RowKind::motor, -3), -2,
@@ -93,7 +94,7 @@ Exercise exercise() {
       .file = "lessons/05_sweep_and_bounds/exercise.cpp",
       .hints = {"Solve row i for λ_i with all other λ as they are, and clamp it before you go on.",
                 "rest = b_i less A_ij λ_j for all j but i; then rest / A_ii.",
-                "A contact: 0 to infinite; a rope: -infinite to 0; a motor: -strength to strength. "
+                "A contact and a rope: 0 to infinite, by the signs of j·v; a motor: -strength to strength. "
                 "std::clamp(value, lower, upper)."},
       .grade = [](Grade& grade) {
         grade_stack(grade);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lessons/question.hpp"
 #include "lessons/stack_panel.hpp"
 #include "math/list.hpp"
 #include "render/bars.hpp"
@@ -90,8 +91,7 @@ render::TableView shares_left(int boxes) {
   table.header = {"boxes n", "ρ", "sweeps a digit"};
   for (const int n : {2, 3, 5, 10, 20}) {
     const double factor = error_factor(n);
-    table.rows.push_back(
-        {fmt::format("{}", n), fixed(factor, 4), fixed(std::ceil(-1 / std::log10(factor)), 0)});
+    table.rows.push_back({fmt::format("{}", n), fixed(factor, 4), fixed(-1 / std::log10(factor), 1)});
     if (n == boxes) table.active_row = table.rows.size() - 1;
   }
   return table;
@@ -111,6 +111,7 @@ void draw_errors(Page& page, const SweepRun& run) {
   plot.series[0].style = {page.theme().inactive, {}, render::Marker::diamond};
   plot.series[1].style = page.theme().pgs;
   plot.series[1].style.dash = {10, 6};
+  plot.series[1].style.marker = render::Marker::triangle;
   plot.series[2].style = page.theme().pgs;
   draw_plot(page, parts[0], plot);
   const List<Rect> right = rows(parts[1], {0.52, 0.48}, page.sizes().gap);
@@ -118,7 +119,7 @@ void draw_errors(Page& page, const SweepRun& run) {
             "Only row 1 has b ≠ 0. From the ground up, the first sweep carries that to the "
             "top; from the top down, it climbs one contact a sweep. Then a sweep leaves "
             "ρ = cos²(π/2n) of every error.");
-  page.table(right[1], "what a sweep leaves", shares_left(run.settings.boxes));
+  page.table(right[1], "what a sweep leaves", shares_left(run.settings.boxes), question_growth);
 }
 
 render::Color color_of(const render::Theme& theme, const Bounds<double>& bounds) {

@@ -105,6 +105,26 @@ void name_row_line(Page& page, const render::Camera& camera, const RodRun& rod, 
   if (!places.empty()) page.place_text(places, room, text, style);
 }
 
+/// Values along both axes, on the side where nothing may be, from 0 on.
+void write_ticks(Page& page, const render::Camera& camera) {
+  const Rect room = inset(camera.viewport, 4);
+  const Vec2<double> far = camera.unproject({room.x + room.width, room.y});
+  render::TextStyle style = plane_text(page);
+  style.color = page.theme().secondary_text;
+  for (const bool upward : {false, true}) {
+    const double end = upward ? far.y() : far.x();
+    for (const double value : render::round_ticks(0, end, upward ? 5 : 3)) {
+      if (upward && value == 0) continue;
+      const Point at = camera.project(upward ? Vec2<double>(0, value) : Vec2<double>(value, 0));
+      const Point side = upward ? Point(-6, 0) : Point(0, 6);
+      page.canvas().line(at, at + side, {.width = page.sizes().axis, .color = page.theme().outline});
+      style.align = upward ? render::Align::right : render::Align::center;
+      const Point words = at + (upward ? Point(-10, style.size / 3) : Point(0, 8 + style.size));
+      page.place_text({words}, room, brief(value), style);
+    }
+  }
+}
+
 void draw_way(Page& page, const render::Camera& camera, const List<Pair>& way,
               const render::SeriesStyle& style, double width) {
   List<Point> points;
@@ -185,6 +205,7 @@ void draw_plane(Page& page, const Rect& rect, const SweepRun& run, const PlaneVi
   draw_way(page, camera, view.way, page.theme().pgs, page.sizes().curve);
   draw_goal(page, camera, rod.statics, !rod.tips());
   if (rod.tips()) draw_goal(page, camera, rod.formula, true);
+  write_ticks(page, camera);
   name_pull(page, camera);
   name_row_line(page, camera, rod, 0);
   name_row_line(page, camera, rod, 1);

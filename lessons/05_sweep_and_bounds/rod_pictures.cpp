@@ -87,7 +87,7 @@ void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const Pair& lam
     if (std::abs(lambda[i]) < 0.005) continue;
     const double top = 0.1 + std::abs(lambda[i]) / largest * 1.25;
     label_force(page, camera, {place[i], lambda[i] < 0 ? top + 0.2 : top},
-                fmt::format("λ_{{{}}} = {}", i + 1, brief(lambda[i], 2)));
+                fmt::format("λ_{{{}}} = {}{}", i + 1, brief(lambda[i], 2), lambda[i] < 0 ? ": a pull" : ""));
   }
   label_weight(page, camera, tail, fmt::format("m g = {}", brief(weight)));
   page.canvas().pop_clip();
