@@ -59,9 +59,10 @@ void draw_start_line(Page& page, const render::Camera& camera, double boxes) {
 }
 
 /// What the top of the tower does, and not only where it is.
-std::string motion_of(const StartRun& run, int frame) {
+std::string motion_of(const StartRun& run, int frame, bool is_steady) {
   const double speed = run.frames[frame].bodies.back().velocity.y();
-  return std::abs(speed) < 0.0005 ? "stands still" : fixed(speed, 3, render::Sign::always) + " m/s";
+  return is_steady && std::abs(speed) < 0.0005 ? "stands still"
+                                               : fixed(speed, 3, render::Sign::always) + " m/s";
 }
 
 /// One start: its tower, its loads, and within which bounds the loads have been lately.
@@ -82,11 +83,11 @@ void draw_start(Page& page, const Rect& rect, const WarmStart& all, const StartR
   render::TextStyle text = page.value();
   text.align = render::Align::right;
   const double right = view.x + view.width, line = 1.5 * text.size;
-  page.canvas().text({right, view.y + line}, motion_of(run, frame), text);
+  const bool is_steady = range.most[0] - range.least[0] < 1;
+  page.canvas().text({right, view.y + line}, motion_of(run, frame, is_steady), text);
   page.canvas().text({right, view.y + 2 * line},
-                     range.most[0] - range.least[0] < 1
-                         ? fmt::format("λ_{{1}} {:.0f} N", range.most[0])
-                         : fmt::format("λ_{{1}} {:.0f} to {:.0f} N", range.least[0], range.most[0]),
+                     is_steady ? fmt::format("λ_{{1}} {:.0f} N", range.most[0])
+                               : fmt::format("λ_{{1}} {:.0f} to {:.0f} N", range.least[0], range.most[0]),
                      text);
 }
 
