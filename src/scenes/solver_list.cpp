@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 
+#include "math/check.hpp"
 #include "math/nearest.hpp"
 #include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
 #include "solvers/iterative/block_sequential_impulse.hpp"
