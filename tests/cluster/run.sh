@@ -22,11 +22,13 @@ check() {  # NAME CODE: notes whether a check held
 }
 
 stop() {
-  local name
+  local name pids=()
   scancel --user root 2>/dev/null
   for name in slurmd slurmctld munged; do
-    if [[ -r $scratch/$name.pid ]]; then kill "$(<"$scratch/$name.pid")" 2>/dev/null; fi
+    if [[ -r $scratch/$name.pid ]]; then pids+=("$(<"$scratch/$name.pid")"); fi
   done
+  kill "${pids[@]}" 2>/dev/null
+  wait_for 10 no_process_is_left "${pids[@]}"  # they write their state as they end
   if [[ $failed == 0 ]]; then rm -rf "$scratch"; else printf 'what is left to look at: %s\n' "$scratch"; fi
 }
 trap stop EXIT
@@ -78,6 +80,7 @@ wait_for() {
     sleep 0.2
   done
 }
+no_process_is_left() { ! kill -0 "$@" 2>/dev/null; }
 node_is_idle() { [[ $(sinfo --noheader --format=%T 2>/dev/null) == idle ]]; }
 in_the_middle() { [[ $(grep -c . "$scratch/parts/level1.4-of-4.journal" 2>/dev/null) -ge 6 ]]; }
 no_job_is_left() { [[ -z $(squeue --noheader) ]]; }
