@@ -6,35 +6,42 @@
 namespace cairn {
 namespace {
 
-/// Draws the scene; returns the two parts of what is free, the first of which takes this share.
-List<render::Rect> draw_scene(render::Page& page, const QuestionFrame& frame, double share) {
+/// Draws the scene and returns the room for the words.
+render::Rect draw_scene(render::Page& page, const QuestionFrame& frame) {
   const double gap = page.sizes().gap;
-  if (frame.place == ScenePlace::above) {
-    const List<render::Rect> parts = rows(page.area(), {0.62, 0.38}, gap);
-    frame.scene(page, parts[0]);
-    return columns(parts[1], {share, 1 - share}, gap);
-  }
-  const List<render::Rect> parts = columns(page.area(), {0.58, 0.42}, gap);
+  const bool above = frame.place == ScenePlace::above;
+  const List<render::Rect> parts =
+      above ? rows(page.area(), {0.7, 0.3}, gap) : columns(page.area(), {0.62, 0.38}, gap);
   frame.scene(page, parts[0]);
-  return rows(parts[1], {share, 1 - share}, gap);
+  return parts[1];
 }
 
 }  // namespace
 
 Shot question_shot(const LessonInfo& info, const QuestionFrame& frame) {
   const auto draw = [info, frame](render::Page& page) {
-    const List<render::Rect> parts = draw_scene(page, frame, 0.78);
-    page.note(parts[0], "The question", info.question, question_growth);
-    page.note(parts[1], "To answer", typed_command(info) + " --predict");
+    const render::Rect room = draw_scene(page, frame);
+    if (frame.place == ScenePlace::above) {
+      page.note(room, "The question", info.question, question_growth);
+    } else {
+      page.card(room, "The question", info.question, question_growth);
+    }
   };
   return {.state = frame.state, .alt = frame.alt, .draw = draw, .key = true};
 }
 
 Shot answer_shot(const LessonInfo& info, const QuestionFrame& frame, const std::string& answer) {
   const auto draw = [info, frame, answer](render::Page& page) {
-    const List<render::Rect> parts = draw_scene(page, frame, frame.place == ScenePlace::above ? 0.4 : 0.32);
-    page.note(parts[0], "The question", info.question);
-    page.note(parts[1], "The answer", answer, question_growth);
+    render::Rect rest = draw_scene(page, frame);
+    if (frame.place == ScenePlace::above) {
+      const List<render::Rect> parts = columns(rest, {0.4, 0.6}, page.sizes().gap);
+      page.note(parts[0], "The question", info.question);
+      page.note(parts[1], "The answer", answer, question_growth);
+      return;
+    }
+    rest = page.card(rest, "The question", info.question);
+    rest = page.card(rest, "The answer", answer, question_growth);
+    if (frame.evidence) frame.evidence(page, rest);
   };
   return {.state = frame.state, .alt = frame.alt, .draw = draw, .key = true};
 }

@@ -73,7 +73,7 @@ void draw_orientation(Page& page, const Camera& camera, const SnapshotBody& body
   const bool is_circle = body.shapes.size() == 1 && std::holds_alternative<Circle<double>>(body.shapes[0]);
   const Vec2<double> along(1, 0);
   const double edge = reach(body, along) * camera.scale;  // [px]
-  const double number = name > 0 ? name + 4 : 0;          // [px] kept free around the middle
+  const double number = name > 0 ? name + 12 : 0;         // [px] kept free: a tick at a number is no minus
   const double inner = is_circle ? number : std::max(number, edge - std::clamp(0.18 * edge, 4.0, 10.0));
   if (!(edge - inner > 4)) return;
   const Point from = camera.project(body.pose.world(along * (edge / camera.scale)));
@@ -160,7 +160,7 @@ void write_name(Page& page, const Camera& camera, const SnapshotBody& body, Body
   const Point below = middle + Point(0, 0.5 * cap_height * size + 0.75 * rank.size);
   if (!fits(camera, body, below, 1.2 * rank.size, 0.8 * rank.size)) return;
   const List<Point> under = {Point(below.x(), baseline_around(below.y(), rank.size))};
-  write_if_free(page, under, camera.viewport, id == look.active_a ? "•" : "••", rank);
+  write_if_free(page, under, camera.viewport, id == look.active_a ? "a" : "b", rank);
 }
 
 bool write_if_free(Page& page, const List<Point>& places, const Rect& within, const std::string& text,

@@ -157,7 +157,7 @@ Color color_of(const MatrixGrid& grid, double value) {
   if (is_zero(grid, value)) return theme.background;
   const double least = grid.cell < cell_of_lines ? faintest_dot : faintest;
   const double part = std::isinf(value) ? 1 : least + (1 - least) * std::abs(value) / grid.largest;
-  if (grid.view.colors == MatrixColors::magnitude) return mix(theme.grid, theme.negative, part);
+  if (grid.view.colors == MatrixColors::magnitude) return mix(theme.grid, theme.secondary_text, part);
   return mix(theme.background, value > 0 ? theme.positive : theme.negative, part);
 }
 

@@ -138,7 +138,7 @@ Rect Page::panel(const Rect& rect, std::string_view title) {
   const TextStyle style = shrunk(canvas_, title, inner.width, secondary(), sizes_.smallest);
   const double baseline = std::round(inner.y + 0.85 * sizes_.label);
   canvas_.text({inner.x, baseline}, ellipsized(canvas_, title, inner.width, style), style);
-  const double used = baseline + 0.9 * sizes_.label - inner.y;
+  const double used = baseline + (title_pitch - 0.85) * sizes_.label - inner.y;
   inner.y += used;
   inner.height = std::max(0.0, inner.height - used);
   return inner;

@@ -80,10 +80,12 @@ class Page {
   void equation(const Rect& rect, const Equation& equation);
   /// A panel with a table; the active row is lit. Type shrinks until all rows fit; where there is room to
   /// spare it may be larger by `growth`.
-  void table(const Rect& rect, std::string_view title, const TableView& table, double growth = 1);
-  /// A panel with a question or an answer, wrapped at words. Type shrinks until the text fits; where there is
-  /// room to spare it may be larger by `growth`.
+  void table(const Rect& rect, std::string_view title, const TableView& table, double growth = 1.35);
+  /// A panel with a text, wrapped at words, around the middle. Type shrinks until the text fits; where there
+  /// is room to spare it may be larger by `growth`.
   void note(const Rect& rect, std::string_view title, std::string_view text, double growth = 1);
+  /// The same in a panel at the top of `rect` that is as high as its text. Returns what is left below.
+  Rect card(const Rect& rect, std::string_view title, std::string_view text, double growth = 1);
   /// Wraps at words and returns the height used [px]. `at`: base line of the first line.
   double paragraph(const Point& at, double width, std::string_view text, const TextStyle& style);
   /// Writes at the first place whose text box meets no other text and stays inside `within`, and if there is

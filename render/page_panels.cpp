@@ -10,6 +10,9 @@ namespace cairn::render {
 
 namespace {
 
+/// Where a text stands that leaves room in its panel: the share of that room above it.
+constexpr double in_the_middle = 0.4;
+
 struct PlacedLine {
   Point at = {0, 0};
   std::string text = {};
@@ -52,6 +55,7 @@ class EquationSetter {
       set_number();
       set_algorithm();
     }
+    const int remarks = layout_.lines.size();
     const TextStyle plain = {.size = type_.size, .color = page_.theme().text};
     TextStyle result = plain;
     result.bold = true;
@@ -64,8 +68,10 @@ class EquationSetter {
       set_line(equation_.numbers, equation_.numbers.starts_with("=") ? offset_inside : 0, plain, baseline);
     }
     set_line(equation_.result, equation_.result.starts_with("=") ? offset_inside : 0, result, baseline);
-    const double last = baseline - type_.pitch * type_.size;
-    if (last + 0.3 * type_.size > bottom_) layout_.fits = false;
+    const double spare = bottom_ - (baseline - type_.pitch * type_.size + 0.3 * type_.size);
+    if (spare < 0) layout_.fits = false;
+    for (int i = remarks; i < layout_.lines.size(); ++i)
+      layout_.lines[i].at.y() += std::round(in_the_middle * std::max(spare, 0.0));
     return layout_;
   }
 
@@ -125,6 +131,9 @@ class EquationSetter {
   EquationLayout layout_ = {};
 };
 
+/// How much larger than usual an equation may be where there is room to spare.
+constexpr double equation_growth = 1.25;
+
 /// From the largest size down to the smallest, first with generous, then with tight lines; then with the
 /// number beside the first line; at last without what is least needed.
 List<EquationType> equation_types(double largest, double smallest) {
@@ -141,13 +150,31 @@ List<EquationType> equation_types(double largest, double smallest) {
   return types;
 }
 
+struct NoteLayout {
+  TextStyle style = {};
+  double height = 0;  // [px] of the text
+};
+
+/// The largest type of which all lines fit; what is larger than usual leaves air around it.
+NoteLayout note_layout(const Page& page, double width, double height, std::string_view text, double growth) {
+  const double usual = page.sizes().question, smallest = page.sizes().smallest;
+  NoteLayout layout{.style = {.size = std::round(growth * usual), .color = page.theme().text}};
+  for (;; layout.style.size = std::max(smallest, layout.style.size - 1)) {
+    const TextStyle& style = layout.style;
+    const double lines = wrapped(page.canvas(), text, width, style).size();
+    layout.height = std::round(leading * style.size) * (lines - 1) + style.size;
+    const double room = style.size > usual ? 0.8 * height : height;
+    if (style.size <= smallest || layout.height <= room) return layout;
+  }
+}
+
 }  // namespace
 
 void Page::equation(const Rect& rect, const Equation& equation) {
   const Rect inner = panel(rect, "");
   panels_.push_back({equation.number, rect});
   EquationLayout layout;
-  for (const EquationType& type : equation_types(sizes_.equation, sizes_.smallest)) {
+  for (const EquationType& type : equation_types(equation_growth * sizes_.equation, sizes_.smallest)) {
     layout = EquationSetter(*this, inner, equation, type).set();
     if (layout.fits) break;
   }
@@ -158,17 +185,21 @@ void Page::equation(const Rect& rect, const Equation& equation) {
 
 void Page::note(const Rect& rect, std::string_view title, std::string_view text, double growth) {
   const Rect inner = panel(rect, title);
-  TextStyle style = {.size = std::round(growth * sizes_.question), .color = theme_.text};
-  const auto height_of = [&] {
-    const double lines = wrapped(canvas_, text, inner.width, style).size();
-    return std::round(leading * style.size) * (lines - 1) + style.size;
-  };
-  const auto room = [&] { return style.size > sizes_.question ? 0.7 * inner.height : inner.height; };
-  while (style.size > sizes_.smallest && height_of() > room())
-    style.size = std::max(sizes_.smallest, style.size - 1);
+  const NoteLayout layout = note_layout(*this, inner.width, inner.height, text, growth);
+  const double top = inner.y + in_the_middle * std::max(0.0, inner.height - layout.height);
   canvas_.push_clip(rect);
-  paragraph({inner.x, std::round(inner.y + 0.85 * style.size)}, inner.width, text, style);
+  paragraph({inner.x, std::round(top + 0.85 * layout.style.size)}, inner.width, text, layout.style);
   canvas_.pop_clip();
+}
+
+Rect Page::card(const Rect& rect, std::string_view title, std::string_view text, double growth) {
+  const double frame = 2 * sizes_.padding + (title.empty() ? 0 : std::ceil(title_pitch * sizes_.label) + 1);
+  const double width = rect.width - 2 * sizes_.padding;
+  const double height = std::ceil(note_layout(*this, width, rect.height - frame, text, growth).height);
+  const double used = std::min(rect.height, height + frame + 0.5 * sizes_.padding);
+  note({rect.x, rect.y, rect.width, used}, title, text, growth);
+  const double below = std::min(rect.height, used + sizes_.gap);
+  return {rect.x, rect.y + below, rect.width, rect.height - below};
 }
 
 }  // namespace cairn::render

@@ -76,7 +76,7 @@ TableLayout table_layout(const Page& page, const Rect& room, const TableView& ta
 /// Type shrinks before rows are left out.
 TableLayout best_layout(const Page& page, const Rect& room, const TableView& table, double growth) {
   for (double size = std::round(growth * page.value().size); size > page.sizes().smallest; --size) {
-    for (const double pitch : {1.7, 1.4}) {
+    for (const double pitch : {1.9, 1.6, 1.4}) {
       const TableLayout layout = table_layout(page, room, table, size, pitch);
       if (layout.fits) return layout;
     }

@@ -124,7 +124,9 @@ PlotFrame lay_out(const Page& page, const Rect& panel, const Plot& plot, double 
   frame.y.from = frame.box.y + frame.box.height - rim(page);
   frame.y.to = frame.box.y + rim(page);
 
-  frame.box.x = std::round(panel.x + widest(page, frame.y.labels) + tick_gap) + 0.5;
+  // Plots below each other begin at the same place, unless their labels are long.
+  const double labels = std::max(widest(page, frame.y.labels), 2.5 * tick);
+  frame.box.x = std::round(panel.x + labels + tick_gap) + 0.5;
   frame.box.width = std::max(std::round(panel.x + panel.width - gutter - frame.box.x), 24.0);
   frame.x.scale = plot.x.scale;
   frame.x.range = range_of(plot.x, values_of(plot, &Series::x));

@@ -50,9 +50,12 @@ void draw_markers(Page& page, const Series& series, const List<Point>& points, L
   const Paint solid{.fill = series.style.color, .outline = page.theme().panel, .outline_width = 1};
   const Paint hollow{.outline = series.style.color, .outline_width = 0.6 * page.sizes().curve};
   const List<Point> earlier = drawn;
+  const auto is_taken = [&](const Point& at) { return is_near(earlier, at, 1.5 * radius); };
+  const bool all_taken = std::all_of(points.begin(), points.end(), is_taken);
   for (const Point& at : points) {
-    // A marker upon another curve's marker goes around it.
-    const bool taken = is_near(earlier, at, 1.5 * radius);
+    // A marker upon another curve's marker goes around it; a curve that has other markers does without it.
+    const bool taken = is_taken(at);
+    if (taken && series.line && !all_taken) continue;
     paint_marker(page.canvas(), at, series.style.marker, taken ? 1.6 * radius : radius,
                  taken ? hollow : solid);
     drawn.push_back(at);
@@ -121,7 +124,7 @@ void draw_curves(Page& page, const PlotFrame& frame, const Plot& plot, const Lis
     const Series& series = plot.series[i];
     const bool lone = series.line && curves[i].points.size() == 1;  // a line of one point would not be seen
     if (!series.markers && series.line && !lone) continue;
-    Series shown{.style = series.style};
+    Series shown{.style = series.style, .line = series.line};
     if ((!series.line || lone) && shown.style.marker == Marker::none) shown.style.marker = Marker::circle;
     draw_markers(page, shown, series.line ? marked_points(curves[i], i) : curves[i].points, drawn);
   }

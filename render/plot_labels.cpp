@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "math/list.hpp"
 #include "render/lint.hpp"
@@ -38,7 +39,7 @@ bool ends_early(const PlotFrame& frame, const Plot& plot, const Curve& curve) {
   return !plot.cursor && frame.box.x + frame.box.width - end_of(curve).x() > 0.15 * frame.box.width;
 }
 
-/// Texts inside the box keep clear of curves, goal lines and each other.
+/// Texts inside the box keep clear of curves, goal lines, cursors and each other.
 struct Inside {
   const PlotFrame& frame;
   const Plot& plot;
@@ -54,6 +55,11 @@ bool is_free(const Inside& inside, const Rect& rect) {
   for (const GoalLine& goal : inside.plot.goals) {
     const double y = inside.frame.y.pixel(goal.y);
     if (y >= rect.y && y <= rect.y + rect.height) return false;
+  }
+  for (const std::optional<double>& line : {inside.plot.cursor, inside.plot.now}) {
+    if (!line || !plottable(*line, inside.frame.x.scale)) continue;
+    const double x = inside.frame.x.pixel(*line);
+    if (x >= rect.x - 4 && x <= rect.x + rect.width + 4) return false;
   }
   return std::none_of(inside.taken.begin(), inside.taken.end(),
                       [&](const Rect& r) { return overlap(r, rect); });
@@ -95,7 +101,7 @@ bool write_at_end(Page& page, Inside& inside, const EndLabel& label) {
   const TextStyle style = series_label(page, series);
   const double x = label.end.x() + page.sizes().marker + air;
   List<Point> places;
-  for (const double rise : {0.35, -0.4, 1.1, -1.1, 1.8})
+  for (const double rise : {0.35, -0.4, 1.1, -1.1, 1.8, -1.8, 2.6, -2.6})
     places.emplace_back(x, label.end.y() + rise * style.size);
   const double width = page.canvas().text_width(series.name, style);
   const double back = label.end.x() - page.sizes().marker - air - width;

@@ -88,6 +88,20 @@ List<std::string> decade_labels(const List<double>& ticks) {
   return labels;
 }
 
+/// 1, 2 and 5 times each power of ten inside the range.
+List<double> finer_decades(const Range& range) {
+  List<double> ticks;
+  const int first = static_cast<int>(std::floor(std::log10(range.min)));
+  const int last = static_cast<int>(std::floor(std::log10(range.max) + slack));
+  for (int exponent = first; exponent <= last; ++exponent) {
+    for (const int mantissa : {1, 2, 5}) {
+      const double tick = times(1, {mantissa, exponent});
+      if (tick >= range.min * (1 - slack) && tick <= range.max * (1 + slack)) ticks.push_back(tick);
+    }
+  }
+  return ticks;
+}
+
 // A single value stands in the middle.
 Range opened(const Range& range, AxisScale scale) {
   const double middle = 0.5 * range.min + 0.5 * range.max;
@@ -174,6 +188,13 @@ void set_ticks(AxisView& axis, int count) {
   if (axis.scale == AxisScale::logarithmic) {
     axis.ticks = decade_ticks(range.min, range.max, count);
     axis.labels = decade_labels(axis.ticks);
+    if (axis.ticks.size() > 3) return;
+    const List<double> finer = finer_decades(range);
+    if (finer.size() > axis.ticks.size() && finer.size() > 2 && finer.size() <= count) {
+      axis.ticks = finer;
+      axis.labels.clear();
+      for (const double tick : finer) axis.labels.push_back(significant(tick, 1));
+    }
     if (axis.ticks.size() > 1) return;  // less than two decades are read better with round numbers
   }
   axis.ticks = round_ticks(range.min, range.max, count);

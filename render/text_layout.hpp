@@ -13,6 +13,8 @@ namespace cairn::render {
 inline constexpr double cap_height = 0.73;
 /// From one base line to the next of running text, as a part of the em.
 inline constexpr double leading = 1.4;
+/// From the top of a panel's title to what is below it, as a part of the label's em.
+inline constexpr double title_pitch = 1.75;
 
 /// The base line that puts capitals of this size in the middle of `y` [px].
 double baseline_around(double y, double size);

@@ -227,7 +227,7 @@ Shot convergence_shot(const SharedStory& story) {
     const List<Rect> below = rows(parts[1], {27, 43, 30}, page.sizes().gap);
     page.note(below[0], "order one",
               "Half the step, half the error: each step misses by g Δt²/2, and all t/Δt add up.");
-    page.table(below[1], "", table, question_growth);
+    page.table(below[1], "", table);
     page.equation(below[2], error_equation(story->flight));
   };
   return shot;

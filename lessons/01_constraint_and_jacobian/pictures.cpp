@@ -52,7 +52,7 @@ void draw_note(Page& page, const Rod& rod, const RodLook& look, std::string_view
          : motion.rate == 0 ? "allowed"
                             : "not allowed"});
   }
-  page.table(parts[1], "", table, 1.5);
+  page.table(parts[1], "", table);
 }
 
 std::string metres(double value) { return fixed(value, 4) + " m"; }
@@ -76,7 +76,7 @@ void draw_error(Page& page, const Rod& rod) {
     if (name == "1 m along the rod") step = {rod.jacobian.x(), rod.jacobian.y(), 0};
     table.rows.push_back({name, metres(error_at(rod, carried(rod.pose, step, 1)))});
   }
-  page.table(parts[1], "c at other places", table, question_growth);
+  page.table(parts[1], "c at other places", table);
 }
 
 void draw_jacobian(Page& page, const Rod& rod) {
@@ -100,7 +100,7 @@ void draw_jacobian(Page& page, const Rod& rod) {
                                  .rows = {{"1 mm to the right", per_mille(j.x())},
                                           {"1 mm up", per_mille(j.y())},
                                           {"a turn by 0.001 rad", per_mille(j.z())}}};
-  page.table(below[1], "three slopes", slopes, question_growth);
+  page.table(below[1], "three slopes", slopes);
 }
 
 /// Coordinate k moved both ways; the rows of the table up to it.
@@ -120,7 +120,7 @@ void draw_nudge(Page& page, const Rod& rod, int k) {
     table.rows.push_back({coordinate_names[i], fixed(q.backward[i], 4), fixed(q.forward[i], 4),
                           fixed(q.slope[i], 4), fixed(rod.jacobian(i), 4)});
   }
-  page.table(parts[1], "the slope of c, and j", table, question_growth);
+  page.table(parts[1], "the slope of c, and j", table);
 }
 
 /// c while the box moves on at this velocity, and what j·v makes of it.
@@ -185,7 +185,7 @@ void draw_force(Page& page, const Rod& rod) {
   for (const Motion& motion : rod.allowed)
     table.rows.push_back({motion.name, fixed(rod.force.dot(motion.velocity), 3) + " W"});
   table.rows.push_back({"forbidden: along it", fixed(rod.settings.lambda, 3) + " W"});
-  page.table(parts[1], "the force does no work in what it allows", table, question_growth);
+  page.table(parts[1], "the force does no work in what it allows", table);
 }
 
 void draw_differences(Page& page, const Story& story) {
@@ -214,7 +214,7 @@ void draw_differences(Page& page, const Story& story) {
   render::TableView table{.header = {"h = 10^{−5}, 20 poses", "rows", "difference"}};
   for (const KindOfRows& kind : story.kinds)
     table.rows.push_back({kind.name, fmt::format("{}", kind.rows), significant(kind.error, 2)});
-  page.table(parts[1], "every kind of row in the library", table, question_growth);
+  page.table(parts[1], "every kind of row in the library", table);
 }
 
 Shot shot(const std::string& state, const std::string& alt, std::function<void(Page&)> draw) {

@@ -54,7 +54,7 @@ void draw_note(Page& page, const Pushes& all, const PegLook& look, std::string_v
   for (int i = 0; i < others.size(); ++i) draw_push(page, others[i], all, all.at[i], look);
   render::TableView table = push_table(all, known);
   table.active_row = -1;
-  page.table(below[1], "", table, question_growth);
+  page.table(below[1], "", table);
 }
 
 /// j and the diagonal of M^-1 over each other, and what comes of them.
@@ -96,7 +96,7 @@ void draw_step(Page& page, const Pushes& all, int i) {
                                                  significant(push.impulse / all.settings.dt, 4),
                                                  significant(push.impulse, 4)),
                            .color = page.theme().normal});
-  page.table(parts[1], "the peg, at three places", push_table(all, i + 1), question_growth);
+  page.table(parts[1], "the peg, at three places", push_table(all, i + 1));
 }
 
 render::TableView motion_table(const Pushes& all, int known) {
@@ -127,7 +127,7 @@ void draw_after(Page& page, const Pushes& all, int i) {
        .result = fmt::format("j·v_{{2}} = {} + {} × {} = {} m/s", fixed(v.y(), 3), significant(push.x),
                              fixed(v.z(), 3), fixed(push.rate_after, 3))});
   page.table(parts[1], fmt::format("what is left of {} J", significant(kinetic_energy(push.before))),
-             motion_table(all, i + 1), question_growth);
+             motion_table(all, i + 1));
 }
 
 render::Series curve_of_places(const Page& page, const Pushes& all) {
@@ -196,7 +196,7 @@ void draw_others(Page& page, const Pushes& all) {
                  .symbols = "j M⁻¹ j^{T} = 1/m_{1} + 1/m_{2}",
                  .numbers = fmt::format("= 1/{} + 1/{}", significant(m), significant(all.others[2].mass)),
                  .result = fmt::format("= 1 / ({} kg)", significant(all.others[2].effective, 4))});
-  page.table(parts[1], "whom the box meets", table, question_growth);
+  page.table(parts[1], "whom the box meets", table);
 }
 
 Shot shot(const std::string& state, const std::string& alt, std::function<void(Page&)> draw) {

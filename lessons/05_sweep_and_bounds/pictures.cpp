@@ -119,7 +119,7 @@ void draw_errors(Page& page, const SweepRun& run) {
             "Only row 1 has b ≠ 0. From the ground up, the first sweep carries that to the "
             "top; from the top down, it climbs one contact a sweep. Then a sweep leaves "
             "ρ = cos²(π/2n) of every error.");
-  page.table(right[1], "what a sweep leaves", shares_left(run.settings.boxes), question_growth);
+  page.table(right[1], "what a sweep leaves", shares_left(run.settings.boxes));
 }
 
 render::Color color_of(const render::Theme& theme, const Bounds<double>& bounds) {

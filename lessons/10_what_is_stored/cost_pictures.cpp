@@ -100,7 +100,7 @@ void draw_tray(Page& page, const StoredRun& run) {
   line("(30)", pyramid.printed, run.tray.printed);
   line("sparse A, a sweep", work_of(pyramid).sparse, work_of(run.tray).sparse);
   line("SI, a sweep", work_of(pyramid).si, work_of(run.tray).si);
-  page.table(below[0], "", table, question_growth);
+  page.table(below[0], "", table);
   page.note(below[1], "All on one body",
             "99 boxes on one tray that can move, with as many rows as the pyramid of base 10. "
             "All of them push the tray, so all rows meet, and no entry of A is zero. SI does "

@@ -202,7 +202,7 @@ void draw_answer(Page& page, const StoredRun& run) {
                           fmt::format("{:.0f}", count.rows)});
   }
   table.active_row = largest;
-  page.table(parts[0], "numbers to keep", table, question_growth);
+  page.table(parts[0], "numbers to keep", table);
   const Count& count = run.pyramids[largest];
   page.note(parts[1], "The answer",
             fmt::format("{:.1f} of {:.0f}, and never more than 14. PGS without the zeros grows like m, as SI "

@@ -146,7 +146,7 @@ Shot question_shot(const SharedStudy& study, const std::string& question) {
     const Camera camera = camera_of(layout.scene, study->rough.slope);
     draw_world(page, camera, study->rough.frames.front(), {.names = {"", "", "1 kg"}, .contacts = false});
     page.note(layout.upper, "The question", question, question_growth);
-    page.table(layout.lower, "what is given", known_table(*study), question_growth);
+    page.table(layout.lower, "what is given", known_table(*study));
   };
   return shot;
 }

@@ -121,7 +121,7 @@ void draw_table(Page& page, const NeedsRun& all) {
                           millimetres(run.off_before), millimetres(run.off_after)});
   }
   const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
-  page.table(parts[0], "", table, question_growth);
+  page.table(parts[0], "", table);
   const List<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
   draw_total(page, below[0], all);
   page.note(below[1], "Off",
@@ -142,7 +142,7 @@ void draw_choice(Page& page, const NeedsRun&) {
                 {"things at rest", "sleep", "no rows at all", "20"}};
   const List<Rect> parts = rows(page.area(), {0.58, 0.42}, page.sizes().gap);
   table.text_columns = 4;
-  page.table(parts[0], "", table, question_growth);
+  page.table(parts[0], "", table);
   page.note(parts[1], "Section 5",
             "The paper ends with SI as the better choice in most situations: the same "
             "numbers as PGS, and easier to maintain. The lessons add when each of the others pays off. "

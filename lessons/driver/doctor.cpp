@@ -42,7 +42,7 @@ Arrows      orange, solid shaft, filled head       normal impulse or force, on t
             blue, open head                        velocity
             grey, dashed shaft                     gravity and other forces from outside
 Bodies      dark outline, pale fill, number        a body that moves
-            blue fill and •, ochre fill and ••     bodies a and b of the row that is being solved
+            blue fill and a, ochre fill and b       bodies a and b of the row that is being solved
             grey with 45 degree hatch              static: the ground
             dashed outline, z                      asleep
             yellow with cross-hatch                overlap, with its depth

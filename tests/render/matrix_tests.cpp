@@ -102,7 +102,7 @@ TEST_CASE("magnitudes have one hue whatever their sign") {
   for (const int column : {0, 1}) {
     CHECK(matrix_distance(cell_pixel(picture.image, 0, column), cell_pixel(picture.image, 1, column)) == 0);
   }
-  CHECK(matrix_distance(cell_pixel(picture.image, 0, 0), theme.negative) <= 1);
+  CHECK(matrix_distance(cell_pixel(picture.image, 0, 0), theme.secondary_text) <= 1);
   CHECK(is_written(picture, "4"));
 }
 
