@@ -22,7 +22,7 @@ Or write one of your own, in five minutes.
 
 A scene file is text in [TOML](https://toml.io): `key = value` in tables with a `[name]`. Everything is in
 metres, kilograms, seconds and radians; x points to the right, y upwards. Make a file `tower-and-ball.toml`.
-What stands before the first table is said of the whole scene:
+The keys before the first table are about the whole scene:
 
 ```toml
 title = "a ball swings into a tower"
@@ -57,8 +57,8 @@ position = [-4, 4]
 density = 4
 ```
 
-A rod from that point, which belongs to the ground, to the middle of the ball. Its length is as you placed
-them:
+A rod from that point, which belongs to the ground, to the middle of the ball. Its length follows from where
+you placed them:
 
 ```toml
 [[joint]]
@@ -68,8 +68,8 @@ b = "ball"
 anchor_a = [-1, 4]
 ```
 
-That is a scene. Two tables more say which solver does well, and what a good run keeps to; `cairn run` then
-tells whether it did:
+That is a scene. Two more tables say which solver does well, and which limits a good run keeps. `cairn run`
+then says whether it kept them:
 
 ```toml
 [recommended]
@@ -85,7 +85,7 @@ energy_gain = 1
 The whole of it is [tower-and-ball.toml](tower-and-ball.toml). Things to try: `n = 8`; `mass = 20` for the
 ball; `type = "rope"`; `iterations = 2`.
 
-Mistakes are told with their place, and nothing is run:
+A mistake is reported with its place in the file, and nothing is run:
 
     tower-and-ball.toml:20:1: body[1].densty must be a known key, but [[body]] has none of that name (density?)
 
@@ -107,13 +107,14 @@ that stands for many are named after it: `[[chain]]` makes chain.1 to chain.n, a
 all of these, and `ground`. With `b = "row.*"` a joint is made for every body of a row. Bodies and joints
 come in the order of the file, and that is the order in which a solver goes through them.
 
-Joints have names for events: joint.1, joint.2 and so on, or their own. Of a joint with `b = "row.*"` they are
-joint.1.1, joint.1.2, and those of a table that stands for many are chain.joint.1, row.joint.1, cradle.joint.1
+Joints have names for events: joint.1, joint.2 and so on, or their own. A joint with `b = "row.*"` makes
+joint.1.1, joint.1.2 and so on. A table that stands for many makes chain.joint.1, row.joint.1, cradle.joint.1
 and so on. No body and no joint shares its name with another.
 
 ## Events
 
-A scene can change while it runs: a body or a joint is taken out, a body gets an impulse, a motor is switched.
+A scene can change while it runs: a body or a joint is removed, a body gets an impulse, or a motor is
+switched.
 
 ```toml
 [[event]]
@@ -126,12 +127,12 @@ push = "ball"
 impulse = [2, 0]
 ```
 
-Every program that runs the scene obeys, and so does Box2D where no motor is switched. What an event does to
-the energy counts neither as gain nor as loss; what a motor does later counts, as it always does.
-[drawbridge.toml](drawbridge.toml) has two of them.
+Every program that runs the scene carries its events out, and so does Box2D if none of them switches a motor.
+What an event does to the energy counts neither as gain nor as loss; what a motor does later counts, as it
+always does. [drawbridge.toml](drawbridge.toml) has two of them.
 
-A scene that begins with a fall does not stand, so `stands` in `[expect]` would miss. Say where bodies should
-be at the end instead:
+A scene that begins with a fall does not stand, so `stands` in `[expect]` would be missed. Say where bodies
+should be at the end instead:
 
 ```toml
 [[expect.body]]
@@ -151,17 +152,18 @@ type = "static"
 chain = [[6, 3], [2, 0], [-2, 0], [-6, 3]]
 ```
 
-It has one side. Walking from point to point the solid is on the left hand, so ground runs from right to left,
-and a room, with `closed = true`, clockwise; pictures mark the solid by short strokes. Its corners are smooth:
-what slides or rolls over one meets no edge of the next link. Its `ghosts`, a point before it and one behind,
-say how it would go on, and are not part of it; without them it goes on straight. Static boxes, polygons and
-segments that lie level side by side are as smooth, as long as they collide with the same bodies. Dynamic
-ones, and pieces of a kinematic body, keep their edges, and so do rounded boxes whose rounding leaves a groove.
+Only one side of it is solid: the side on your left when you walk from point to point. So ground runs from
+right to left, and a room, with `closed = true`, runs clockwise. Pictures mark the solid side by short
+strokes. Its corners are smooth: what slides or rolls over one meets no edge of the next link. Its `ghosts`,
+one point before it and one after it, say how it would go on, and are not part of it. Without them it goes on
+straight. Static boxes, polygons and segments that lie level side by side are just as smooth, as long as they
+collide with the same bodies. Dynamic ones, and pieces of a kinematic body, keep their edges, and so do
+rounded boxes whose rounding leaves a groove.
 
 ## Limits
 
-A file may have 1 MB, a scene 20000 bodies, 50000 joints and 1000 events. A text is one line of at most 1000 bytes, without
-control characters.
+A file may have up to 1 MB, and a scene up to 20000 bodies, 50000 joints and 1000 events. A text is one line
+of at most 1000 bytes, without control characters.
 
 )";
 
