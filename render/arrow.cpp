@@ -88,24 +88,16 @@ void draw_hatched(Canvas& canvas, const ArrowShape& shape, const Point& from, co
   }
 }
 
-void draw_double(Canvas& canvas, const ArrowShape& shape, const Point& from, const Point& to) {
-  const double thin = std::max(1.0, 0.32 * shape.shaft);
-  const Point side = std::max(1.5, 0.5 * shape.shaft) * shape.across;
-  canvas.line(from - side, to - side, {.width = thin, .color = shape.color, .dash = {}});
-  canvas.line(from + side, to + side, {.width = thin, .color = shape.color, .dash = {}});
-}
-
 void draw_shaft(Canvas& canvas, const ArrowShape& shape, ArrowKind kind, const Point& from, const Point& to) {
   switch (kind) {
     case ArrowKind::negative_correction:
       return draw_hatched(canvas, shape, from, to);
-    case ArrowKind::joint:
-      return draw_double(canvas, shape, from, to);
     case ArrowKind::external:
       // Drawn from the head, so that the head never hangs behind a gap.
       return canvas.line(to, from, {.width = shape.shaft, .color = shape.color, .dash = {8, 6}});
     case ArrowKind::normal:
     case ArrowKind::friction:
+    case ArrowKind::joint:
     case ArrowKind::velocity:
     case ArrowKind::inactive:
       break;

@@ -7,7 +7,7 @@
 namespace cairn::render {
 namespace {
 
-constexpr double script_size = 0.72;        // of the em around it
+constexpr double script_size = 0.78;        // of the em around it
 constexpr double subscript_drop = 0.20;     // [em]
 constexpr double superscript_drop = -0.36;  // [em]
 constexpr double parting = 0.08;            // [em] that each gives way where one stands above the other

@@ -45,7 +45,7 @@ void draw_future(Page& page, const PlotFrame& frame, const std::optional<double>
   const Rect& box = frame.box;
   const double x = std::max(box.x, std::round(frame.x.pixel(*now)) + 0.5);
   const double width = box.x + box.width - x - page.sizes().axis;
-  page.canvas().rect({x, box.y + 1, width, box.height - 2}, {.fill = faded(page.theme().panel, 0.7)});
+  page.canvas().rect({x, box.y + 1, width, box.height - 2}, {.fill = faded(page.theme().panel, 0.6)});
 }
 
 List<Curve> curves_of(const PlotFrame& frame, const Plot& plot) {

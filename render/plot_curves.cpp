@@ -11,7 +11,7 @@ namespace cairn::render {
 namespace {
 
 constexpr int markers_of_curve = 6;
-constexpr int all_marked = 9;  // a curve with so few points shows every one of them
+constexpr int all_marked = 16;  // a curve with so few points shows every one of them
 
 // Goes on with the last piece where it ended, or begins another.
 void append(List<List<Point>>& pieces, const LineSegment& segment) {

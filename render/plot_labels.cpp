@@ -95,18 +95,24 @@ void write_goal(Page& page, Inside& inside, const GoalLine& goal) {
   inside.taken.push_back(text_rect(page.canvas(), places.front(), goal.text, style));
 }
 
-// Whether the name could be written where the curve ends, inside the box.
+// Whether the name could be written where the curve ends, inside the box, or else beside a point before that.
 bool write_at_end(Page& page, Inside& inside, const EndLabel& label) {
   const Series& series = inside.plot.series[label.series];
   const TextStyle style = series_label(page, series);
-  const double x = label.end.x() + page.sizes().marker + air;
-  List<Point> places;
-  for (const double rise : {0.35, -0.4, 1.1, -1.1, 1.8, -1.8, 2.6, -2.6})
-    places.emplace_back(x, label.end.y() + rise * style.size);
   const double width = page.canvas().text_width(series.name, style);
-  const double back = label.end.x() - page.sizes().marker - air - width;
-  for (const double rise : {0.35, -0.4, 1.1, -1.1})
-    places.emplace_back(back, label.end.y() + rise * style.size);
+  const double gap = page.sizes().marker + air;
+  List<Point> beside = {label.end};
+  const List<Point>& points = inside.curves[label.series].points;
+  for (const int part : {4, 3, 2, 1}) {
+    if (!points.empty()) beside.push_back(points[part * (points.size() - 1) / 5]);
+  }
+  List<Point> places;
+  for (const Point& at : beside) {
+    for (const double left : {at.x() + gap, at.x() - gap - width}) {
+      for (const double rise : {0.35, -0.4, 1.1, -1.1, 1.8})
+        places.emplace_back(left, at.y() + rise * style.size);
+    }
+  }
   return write_inside(page, inside, places, series.name, style);
 }
 

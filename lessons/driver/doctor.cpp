@@ -38,11 +38,11 @@ constexpr const char* legend_text =
 Arrows      orange, solid shaft, filled head       normal impulse or force, on the body that receives it
             orange, hatched shaft                  a correction that takes back
             purple, filled head, bracket [ ]       friction and its limit
-            text colour, double line               joint force
+            text colour, solid shaft, filled head  joint force
             blue, open head                        velocity
             grey, dashed shaft                     gravity and other forces from outside
 Bodies      dark outline, pale fill, number        a body that moves
-            blue fill and a, ochre fill and b       bodies a and b of the row that is being solved
+            blue fill and a, ochre fill and b      bodies a and b of the row that is being solved
             grey with 45 degree hatch              static: the ground
             dashed outline, z                      asleep
             yellow with cross-hatch                overlap, with its depth
