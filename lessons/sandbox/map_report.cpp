@@ -61,7 +61,7 @@ List<int> scenes_of(const MapTable& table, bool with_joints, double goal) {
 void print_choices(const MapTable& table, bool with_joints, double goal, Console& console) {
   const List<int> scenes = scenes_of(table, with_joints, goal);
   console.result(
-      fmt::format("one setting for {} scenes {} joints, to an error of {:g}: the one that does for most",
+      fmt::format("one setting for {} scenes {} joints, to an error of {:g}: the one that is enough for most",
                   scenes.size(), with_joints ? "with" : "without", goal));
   console.result(
       fmt::format("  {:<50} {:>8} {:>12} {:>12}", "setting", "does for", "times least", "is cheapest"));

@@ -122,7 +122,7 @@ List<Flag> setting_flags() {
               {"scalar", "WHICH", "float, double or long-double"},
               {"stabilization", "WHICH",
                "none, baumgarte, relaxed, soft or split-impulse; cairn list stabilizations"},
-              {"guards", "WHICH", "on or off: solves that fail are looked after (on where there are joints)"},
+              {"guards", "WHICH", "on or off: solves that fail are caught (on where there are joints)"},
               {"cold", "", "every step begins without the impulses of the last"}});
 }
 

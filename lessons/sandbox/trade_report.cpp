@@ -82,8 +82,8 @@ void print_front(const TradeStudy& trade, int settings, int noisy, const List<Tr
   std::size_t width = 20;
   for (const TradePoint& point : front) width = std::max(width, point.setting.size());
   const int without = settings - noisy - points.size();
-  console.result(fmt::format("what nothing beats, of {} settings{}{}", settings,
-                             without > 0 ? fmt::format("; {} came to no number", without) : "",
+  console.result(fmt::format("the best of {} settings: no other has both less work and a smaller error{}{}", settings,
+                             without > 0 ? fmt::format("; {} gave no result", without) : "",
                              noisy > 0 ? "; " + noisy_text(noisy) : ""));
   if (front.empty()) return;
   console.result(fmt::format("  {:<{}} {:>12} {:>12}", "setting", width, trade.work_name, trade.error_name));
@@ -95,7 +95,7 @@ void print_front(const TradeStudy& trade, int settings, int noisy, const List<Tr
 
 void print_profiles(const List<PerformanceProfile>& profiles, Console& console) {
   const List<double> factors = {1, 2, 5, 10, 100, 1000};
-  console.result(fmt::format("share of {} problems brought to R_E <= {} within so many times the least work",
+  console.result(fmt::format("share of {} problems solved to R_E <= {}, by work as a multiple of the least",
                              profiles.empty() ? 0 : profiles.front().ratios.size(),
                              power_text(goals[profile_goal])));
   std::string head = fmt::format("  {:<16}", "solver");

@@ -21,7 +21,7 @@ constexpr int most_runners_up = 3;
 std::string wish_line(const RecommendRun& run) {
   std::string text;
   if (run.wish.stands)
-    text += fmt::format(", nothing {:g} mm off the place it settled in", 1e3 * run.stand_distance);
+    text += fmt::format(", nothing more than {:g} mm from where it settled", 1e3 * run.stand_distance);
   if (run.wish.penetration) text += fmt::format(", overlap up to {:g} mm", 1e3 * *run.wish.penetration);
   if (run.wish.drift) text += fmt::format(", joints within {:g} mm", 1e3 * *run.wish.drift);
   if (run.wish.energy_gain) text += fmt::format(", energy gain up to {:g} %", 100 * *run.wish.energy_gain);
@@ -52,7 +52,7 @@ const RecommendCandidate* plain_candidate(const Recommendation& of_kind) {
 void print_kind(const Recommendation& of_kind, Console& console) {
   const RecommendKind& kind = recommend_kind(of_kind.kind);
   console.result(console.spelt(fmt::format("{}: {}", kind.name, kind.title)));
-  console.result(console.spelt(fmt::format("  wished of each run: {}", wish_line(kind.runs.front()))));
+  console.result(console.spelt(fmt::format("  required of each run: {}", wish_line(kind.runs.front()))));
   const List<RecommendCandidate> best = of_kind.ranked();
   if (best.empty()) {
     console.result(console.colored("  Nothing that was tried meets all of its runs.", Color::bad));

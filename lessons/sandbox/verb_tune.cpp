@@ -83,7 +83,7 @@ class TuneTable {
   }
   void print(const std::string& who, const std::optional<Candidate>& rival) {
     if (!rival) return;
-    const char* others = rival->list_exhausted ? "; with less work it misses, too" : "";
+    const char* others = rival->list_exhausted ? "; so does every setting with less work" : "";
     console_.result(console_.spelt(rival->verdict.meets ? line(who, *rival)
                                                         : fmt::format("{:<12} {:<{}} misses it: {}{}", who,
                                                                       setting_text(rival->setting), width_,
@@ -231,7 +231,7 @@ int run_tune(const Words& words, Console& console) {
   } else {
     print_answer(answer, wish, console);
   }
-  const char* late = answer.complete ? "" : "; the time was over before the end: --time gives more";
+  const char* late = answer.complete ? "" : "; time ran out before the search ended: --time allows more";
   console.narrate(fmt::format("{} settings tried{}", answer.tried, late));
   return answer.best ? all_well : check_failed;
 }

@@ -205,10 +205,10 @@ List<ExtremeCase> iteration_cases() {
 
 List<ExtremeAxis> step_axes() {
   const std::string usual = "si and block under every policy, block-contact, PGS, accelerated";
-  return {{"dt", "a step of so many seconds, on a stack of 5", usual, time_step_cases},
-          {"dt-overlap", "a step of so many seconds, on two boxes that begin 2 cm in each other", usual,
+  return {{"dt", "a step of VALUE s, on a stack of 5", usual, time_step_cases},
+          {"dt-overlap", "a step of VALUE s, on two boxes that begin 2 cm inside each other", usual,
            short_step_cases},
-          {"dt-changes", "a step in turns of two lengths, on a settled stack of 10",
+          {"dt-changes", "steps of two lengths in turn, on a settled stack of 10",
            "si under every policy, block-contact, PGS, accelerated: all start warm", changing_step_cases},
           {"iterations", "so many sweeps a step", "every family that sweeps", iteration_cases}};
 }

@@ -88,7 +88,7 @@ std::string failure_text(const Failure& failure, const PerBody<std::string>& nam
     case FailureKind::gained_energy:
       break;
   }
-  return fmt::format("energy has come from nowhere: {:.3g} % of its scale after {:.3g} s", 100 * failure.gain,
+  return fmt::format("energy came from nowhere: {:.3g} % of its scale after {:.3g} s", 100 * failure.gain,
                      failure.time);
 }
 

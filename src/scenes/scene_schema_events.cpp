@@ -8,7 +8,7 @@ List<SceneKey> scene_event_keys() {
   using enum SceneType;
   return {
       {"event", "time", number, "s", "required", ">= 0",
-       "it is done before the first step that begins then or later"},
+       "carried out before the first step that begins at this time or later"},
       {"event", "remove", text, "", "", "", "name of a body, which takes its joints along, or of a joint"},
       {"event", "push", text, "", "", "", "name of a dynamic body that gets an impulse"},
       {"event", "impulse", point, "N s", "", "", "of a push, along the axes of the world"},
@@ -21,7 +21,7 @@ List<SceneKey> scene_event_keys() {
       {"event", "off", flag, "", "false", "", "the motor rests, until an event gives it a speed"},
       {"expected place", "name", text, "", "required", "", "of a body"},
       {"expected place", "position", point, "m", "required", "", "of its centre of mass"},
-      {"expected place", "within", number, "m", "required", "> 0", "it may be as far off"},
+      {"expected place", "within", number, "m", "required", "> 0", "how far off it may be"},
   };
 }
 

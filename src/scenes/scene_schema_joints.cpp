@@ -14,7 +14,7 @@ List<SceneKey> scene_pair_keys() {
        "what joins the bodies"},
       {"joint", "name", text, "", "Joint.1, joint.2, ...", "", "letters, digits, _ and -"},
       {"joint", "collide", word, "", "as usual", "as usual, on, off",
-       "may its bodies touch? As usual: those of a pulley, drag or friction, and no others"},
+       "whether its bodies may touch. As usual: only those of a pulley, drag or friction joint"},
       {"pair", "a", text, "", "ground", "",
        "name of a body; joined to the ground, b goes through its surface unless collide is on"},
       {"pair", "b", text, "", "required", "", "name of a body; \"row.*\": a joint for each of a row"},
@@ -43,14 +43,14 @@ List<SceneKey> scene_motor_keys() {
       {"revolute", "limit_margin", number, "rad", "0.5", ">= 0", "a limit further off has no row"},
       {"revolute", "motor", table, "", "", "motor", "turns b"},
       {"motor", "speed", number, "rad/s", "required", "", "of b, seen from a; positive: counterclockwise"},
-      {"motor", "max_torque", number, "N m", "required", "> 0", "what it may do at most"},
+      {"motor", "max_torque", number, "N m", "required", "> 0", "the most that it may apply"},
       {"prismatic", "axis", point, "", "[1, 0]", "", "direction of the slide, of any length but 0"},
       {"prismatic", "lower", number, "m", "", "", "limit of how far b is along, 0 at the start"},
       {"prismatic", "upper", number, "m", "", "", "the other limit"},
       {"prismatic", "limit_margin", number, "m", "0.5", ">= 0", "a limit further off has no row"},
       {"prismatic", "motor", table, "", "", "linear_motor", "moves b"},
       {"linear_motor", "speed", number, "m/s", "required", "", "of b along the axis, seen from a"},
-      {"linear_motor", "max_force", number, "N", "required", "> 0", "what it may do at most"},
+      {"linear_motor", "max_force", number, "N", "required", "> 0", "the most that it may apply"},
   };
 }
 

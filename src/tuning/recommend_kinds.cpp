@@ -25,7 +25,7 @@ RecommendRun tower_run(const std::string& name, double seconds, int boxes, doubl
 }
 
 RecommendKind stack_kind() {
-  RecommendKind kind{.name = "stack", .title = "boxes on each other, heavy ones on top", .runs = {}};
+  RecommendKind kind{.name = "stack", .title = "stacked boxes, heavy ones on top", .runs = {}};
   kind.runs = {tower_run("10 boxes, 10 s", 10, 10, 1), tower_run("10 t on 1 kg, 10 s", 10, 2, 1e4),
                tower_run("1 t on 4 x 1 kg, 10 s", 10, 5, 1e3), tower_run("1 t on 5 x 1 kg, 10 s", 10, 6, 1e3),
                tower_run("100 boxes, 60 s", 60, 100, 1)};

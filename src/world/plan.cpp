@@ -118,10 +118,10 @@ std::string explain(const Plan& plan) {
   text += line("substeps", plan.substeps > 1 ? fmt::format("{} a step", plan.substeps)
                                              : std::string("left out: one solve a step"));
   std::string second = "left out: positions need none of their own";
-  if (plan.relaxes) second = "each step is solved again without the speed that takes errors back";
-  if (plan.corrects_positions) second = "split impulse: errors are taken back apart from the velocities";
+  if (plan.relaxes) second = "each step is solved again without the speed that removes errors";
+  if (plan.corrects_positions) second = "split impulse: errors are removed apart from the velocities";
   text += line("second solve", second);
-  text += line("guards", either(plan.guarded, "solves that fail are looked after",
+  text += line("guards", either(plan.guarded, "solves that fail are caught",
                                 "left out: solves are taken as they are"));
   text += line("sleeping", either(plan.sleeping, "islands at rest take no part until something wakes them",
                                   "left out: every body takes part in every step"));

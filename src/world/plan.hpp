@@ -24,13 +24,13 @@ struct Plan {
   FrictionRows friction_rows = FrictionRows::per_point;   // one for each point or for each manifold
   bool restitution = false;                               // some body with e > 0
   bool warm_start = false;                                // solves begin from last step's impulses
-  bool guarded = false;                                   // failed solves are looked after
+  bool guarded = false;                                   // failed solves are caught
   int substeps = 1;                                       // in a step
   bool moves_manifolds = false;                           // manifolds last longer than a substep
   bool keeps_manifolds = false;                           // and longer than a step
   bool relaxes = false;             // a second solve takes out the speed that moved errors back
   bool follows_arcs = false;        // joints are asked to hold where a substep ends
-  bool corrects_positions = false;  // a second solve takes errors back
+  bool corrects_positions = false;  // a second solve removes errors
   bool sleeping = false;            // islands at rest take no part
   bool contacts_alone = false;  // with a row of friction a point and no rebound: some solvers need no rows
   List<std::string> shape_kinds = {};  // those that occur, sorted

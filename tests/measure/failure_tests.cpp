@@ -143,7 +143,7 @@ TEST_CASE("a rise of energy by a quarter of its scale comes from nowhere, and is
   watch.see_gain(3, 3);
   REQUIRE(watch.failures().size() == 1);
   CHECK(watch.failures()[0].kind == FailureKind::gained_energy);
-  CHECK(failure_text(watch.failures()[0]) == "energy has come from nowhere: 50 % of its scale after 2 s");
+  CHECK(failure_text(watch.failures()[0]) == "energy came from nowhere: 50 % of its scale after 2 s");
 }
 
 TEST_CASE("motors, springs, bodies that move by themselves and events that switch motors on drive a scene") {

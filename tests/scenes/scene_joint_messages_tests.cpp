@@ -84,7 +84,7 @@ const List<JointMistakes> joint_mistakes = {
     {"a motor without a torque",
      "[[body]]\nname = \"wheel\"\ncircle = 1\n[[joint]]\ntype = \"revolute\"\nb = \"wheel\"\nmotor = { speed "
      "= 2 }\n",
-     "my.toml:7:9: joint[1].motor.max_torque must be given: a number > 0 N m (what it may do at most)"},
+     "my.toml:7:9: joint[1].motor.max_torque must be given: a number > 0 N m (the most that it may apply)"},
     {"gravity from above", "view = \"top\"\ngravity = [0, -10]\n",
      "my.toml:2:11: gravity must be left out where view = \"top\", got a list of 2"},
     {"an unknown solver", "[recommended]\nsolver = \"pgz\"\n",

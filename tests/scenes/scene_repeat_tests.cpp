@@ -37,7 +37,7 @@ const double repeat_rounding = 1e-14;  // [m] a few roundings of places of some 
 
 }  // namespace
 
-TEST_CASE("a stack stands on its foot, each body on the one below, to the left and to the right in turns") {
+TEST_CASE("a stack stands on its foot, each body on the one below, alternately to the left and to the right") {
   const auto places = repeat_places("[[stack]]\nn = 3\nbox = [2, 1]\nposition = [1, 2]\noffset = 0.25\n");
   REQUIRE(places.size() == 3);
   for (int i = 0; i < 3; ++i) {

@@ -205,10 +205,10 @@ TEST_CASE("a body beyond the numbers of a scalar type, or no longer than their s
   CHECK_THROWS_AS(World<float>(make(0, 1e39)), std::invalid_argument);
 }
 
-TEST_CASE("the plan says whether solves that fail are looked after") {
+TEST_CASE("the plan says whether solves that fail are caught") {
   Scene scene({.guarded = true});
   CHECK(make_plan(scene).guarded);
-  CHECK(explain(make_plan(scene)).find("solves that fail are looked after") != std::string::npos);
+  CHECK(explain(make_plan(scene)).find("solves that fail are caught") != std::string::npos);
   CHECK_FALSE(make_plan(Scene()).guarded);
 }
 
