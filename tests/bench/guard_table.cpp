@@ -114,8 +114,8 @@ void print_guard_table() {
   fmt::print(
       "Every substep asks of every body, before it moves, whether its new position and its new velocity are\n"
       "finite numbers; that cannot be switched off, so a copy of the check is timed beside the whole step\n"
-      "(SequentialImpulse, 10 sweeps) that has it in it. Where a scene asks for it, failed solves are looked "
-      "after:\n"
+      "(SequentialImpulse, 10 sweeps) that has it in it. Where a scene asks for it, failed solves are "
+      "caught:\n"
       "one more pass over the rows before the solve, and one behind it. The three are timed in turns: ratios "
       "are medians of "
       "31.\n\n");
