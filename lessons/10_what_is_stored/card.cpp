@@ -19,8 +19,9 @@ LessonInfo card() {
       .reads = {"src/solvers/non_zeros.hpp", "src/solvers/iterative/sparse_projected_gauss_seidel.hpp",
                 "src/solvers/body_rows.hpp"},
       .question =
-          "Boxes in a pyramid, two rows for each overlap. A full A has a row and a column for each of them. "
-          "In the largest pyramid, how many entries in an average row of A are not zero?",
+          "Boxes in a pyramid give two rows of A for each overlap. In the largest pyramid, how many entries "
+          "in "
+          "an average row of A are not zero?",
       .spoilers = {"12.8", "98.4"},
       .hints =
           {"A_ij is not zero where rows i and j share a body that can move.",

@@ -1,5 +1,5 @@
 // Lesson 10. What is stored: entries of A, and equation (30) taken at its word.
-// PGS as section 2 writes it stores how every row acts on every other; SI stores one number a row. We go
+// PGS as section 2 writes it stores how every row acts on every other; SI stores one number per row. We go
 // through all pairs of rows of a few pyramids and count: the pairs that have an entry in A, those that (30)
 // counts, and those that share a body which can move, for which a sparse A needs room. Then the solvers say
 // themselves what they keep, and three pairs of rows show where (30) goes wrong.
@@ -70,9 +70,10 @@ StoredRun count_all(const StoredSettings& settings) {
               kept_by(FactoredProjectedGaussSeidel<double>(sweeps), largest),
               kept_by(SparseProjectedGaussSeidel<double>(sweeps), largest),
               kept_by(ProjectedGaussSeidel<double>(sweeps), largest)};
-  run.tray = count_pairs(World(tray_scene(boxes_on_tray)).velocity_problem());
+  run.tray_problem = World(tray_scene(boxes_on_tray)).velocity_problem();
+  run.tray = count_pairs(run.tray_problem);
   run.tray.name = "tray";
-  run.tray_snapshot = with_contacts(tray_scene(9));
+  run.tray_snapshot = with_contacts(tray_scene(boxes_on_tray));
   run.cases = pair_cases();
   return run;
 }

@@ -28,4 +28,8 @@ using Run = std::shared_ptr<const StoredRun>;
 List<Shot> case_shots(const Run& run);
 List<Shot> cost_shots(const Run& run);
 
+/// A panel with the pattern of A as large as `rect` allows. Returns the square.
+render::Rect draw_pattern(render::Page& page, const render::Rect& rect, const Count& count,
+                          const VelocityProblem<double>& problem);
+
 }  // namespace cairn::stored

@@ -1,4 +1,4 @@
-// The question, the smallest pyramid row by row beside its A, the pattern of a larger one, and the answer.
+// The question, the smallest pyramid row by row beside its A, the patterns of three, and the answer.
 #include "parts.hpp"
 
 #include <fmt/format.h>
@@ -21,19 +21,14 @@ using render::Point;
 using render::Rect;
 
 constexpr int smallest = 0;  // of the pyramids
-constexpr int middle = 2;
 constexpr int largest = 3;
 
 void draw_pyramid(Page& page, const Rect& rect, const StoredRun& run, int which) {
-  const Rect inside = page.panel(rect, "");
-  const double base = run.pyramids[which].base;
-  const double half = 0.5 * run.settings.spacing * base + 0.3;
-  const render::Camera camera = render::fit(inside, {{-half, -0.5}, {half, base + 0.3}});
-  render::WorldLook look;
-  look.contacts = false;
-  look.penetration = false;
-  look.numbers = camera.scale > 30;
-  draw_world(page, camera, run.snapshots[which], look);
+  const Count& count = run.pyramids[which];
+  const Rect inside = page.panel(rect, fmt::format("{} boxes: m = {:g} rows", count.bodies, count.rows));
+  const double half = 0.5 * run.settings.spacing * count.base + 0.3;
+  const render::Camera camera = render::fit(inside, {{-half, -0.5}, {half, count.base + 0.3}});
+  draw_world(page, camera, run.snapshots[which], {.numbers = false, .contacts = false, .penetration = false});
 }
 
 /// Whether rows i and j of the smallest pyramid meet in A.
@@ -86,8 +81,8 @@ void draw_row(Page& page, const StoredRun& run, int active) {
   int met = 0;
   for (int j = 0; j < problem.row_count(); ++j) met += meet(A, active, j);
   page.note(left[1], "",
-            fmt::format("Row {}: {} and {}. A push here changes how {} of {} contacts close in, "
-                        "itself among them: those on the same boxes. All else in this row of A is 0.",
+            fmt::format("Row {}: {} and {}. A push here changes the closing speed of {} of the {} contacts: "
+                        "its own, and those on the same boxes. All else in this row of A is 0.",
                         active + 1, body_name(row.a), body_name(row.b), met, problem.row_count()));
   render::MatrixView view{
       .title = "A, base 3: red > 0, blue < 0", .values = A, .active_row = active, .numbers = false};
@@ -101,115 +96,74 @@ render::Color colour_of(const render::Theme& theme, Entry entry) {
   return entry == Entry::printed_only ? theme.inactive : theme.outline;
 }
 
-/// The pattern of a pyramid's A as large as `rect` allows; what lies together in a row is drawn in one piece,
-/// on whole pixels, or seams would show.
-void draw_entries(Page& page, const Rect& rect, const StoredRun& run, int which) {
-  const List<List<Entry>> entries = pattern(run.problems[which]);
-  const int m = entries.size();
-  const double side = std::min(rect.width, rect.height);
-  const double left = std::round(rect.x), top = std::round(rect.y);
-  const auto edge = [&](int k) { return std::round(side * k / m); };
-  for (int i = 0; i < m; ++i) {
-    const double height = std::max(1.0, edge(i + 1) - edge(i));
-    for (int first = 0, end = 0; first < m; first = end) {
-      while (end < m && entries[i][end] == entries[i][first]) ++end;
-      if (entries[i][first] == Entry::zero) continue;
-      page.canvas().rect({left + edge(first), top + edge(i), edge(end) - edge(first), height},
-                         {.fill = colour_of(page.theme(), entries[i][first])});
-    }
-  }
-  page.canvas().rect({left, top, edge(m), edge(m)},
-                     {.outline = page.theme().outline, .outline_width = page.sizes().outline});
-}
-
-/// What the two colours of a pattern say.
-void draw_colours(Page& page, const Rect& rect) {
-  const Rect inside = page.panel(rect, "");
+/// What the two colours of a pattern say, each `pitch` from the one before.
+void draw_colours(Page& page, Point at, const Point& pitch) {
   const double side = page.label().size;
-  double y = inside.y + 4;
-  const List<std::pair<render::Color, const char*>> meanings = {
-      {colour_of(page.theme(), Entry::true_entry), "in A"},
-      {colour_of(page.theme(), Entry::printed_only), "counted by (30), 0 in A"}};
-  for (const auto& meaning : meanings) {
-    page.canvas().rect({inside.x, y, side, side}, {.fill = meaning.first});
-    page.canvas().text({inside.x + side + 8, y + 0.85 * side}, meaning.second, page.label());
-    y += 1.6 * side;
+  for (const auto& [entry, meaning] :
+       {std::pair(Entry::true_entry, "not zero in A: both rows act on one box"),
+        std::pair(Entry::printed_only, "zero in A, but counted by (30): only the ground is shared")}) {
+    page.canvas().rect({at.x(), at.y(), side, side}, {.fill = colour_of(page.theme(), entry)});
+    page.canvas().text({at.x() + side + 8, at.y() + 0.85 * side}, meaning, page.label());
+    at += pitch;
   }
 }
 
-void draw_pattern(Page& page, const StoredRun& run) {
-  const List<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
-  draw_entries(page, parts[0], run, middle);
-  const List<double> weights = List<double>{0.16, 0.36, 0.48};
-  const List<Rect> right = rows(parts[1], weights, page.sizes().gap);
-  draw_colours(page, right[0]);
-  const Count& count = run.pyramids[middle];
-  render::TableView table{.header = {"base 10", "numbers"}};
-  table.rows = {{"full A", fmt::format("{:.0f}", count.dense)},
-                {"(30) as printed", fmt::format("{:.0f}", count.printed)},
-                {"not zero", fmt::format("{:.0f}", count.non_zeros)},
-                {"SI", fmt::format("{:.0f}", count.rows)}};
-  page.table(right[1], "", table);
-  page.note(right[2], "",
-            "Grey: the lowest boxes have only the ground in common. It cannot be moved, so "
-            "nothing that one does reaches the other. (30) has no M^{−1} and counts them.",
-            question_growth);
-}
-
-void draw_two_patterns(Page& page, const StoredRun& run) {
-  const List<Rect> panels = columns(page.area(), {0.37, 0.37, 0.26}, page.sizes().gap);
-  for (const int which : {smallest, smallest + 1}) {
-    const List<Rect> parts = rows(panels[which], {0.76, 0.24}, page.sizes().gap);
-    const Rect inside = page.panel(parts[0], fmt::format("base {}: {:g} × {:g}", run.pyramids[which].base,
-                                                         run.pyramids[which].rows, run.pyramids[which].rows));
-    draw_entries(page, inside, run, which);
-    draw_pyramid(page, parts[1], run, which);
+void draw_patterns(Page& page, const StoredRun& run) {
+  const List<Rect> bands = rows(page.area(), {0.66, 0.26, 0.08}, page.sizes().gap);
+  for (const int which : {0, 1, 2}) {
+    draw_pattern(page, columns(bands[0], {1, 1, 1}, page.sizes().gap)[which], run.pyramids[which],
+                 run.problems[which]);
+    draw_pyramid(page, columns(bands[1], {1, 1, 1}, page.sizes().gap)[which], run, which);
   }
-  page.note(panels[2], "",
-            "Dark: rows that share a box, not 0. Grey: rows that share only the ground, 0 in "
-            "A, but counted by (30). The larger the pyramid, the emptier is A.",
-            question_growth);
+  const Rect key = page.panel(bands[2], "");
+  draw_colours(page, {key.x, key.y - 4}, {0.4 * key.width, 0});
 }
 
-void draw_question(Page& page, const StoredRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.52, 0.48}, page.sizes().gap);
-  draw_pyramid(page, halves[0], run, largest);
-  const Count& count = run.pyramids[largest];
-  const List<Rect> right = rows(halves[1], {0.6, 0.4}, page.sizes().gap);
-  page.note(
-      right[0], "The question",
-      fmt::format("{} boxes, two rows for each overlap: m = {:.0f} rows. A full A has m × m entries, and SI "
-                  "keeps m numbers. How many entries in an average row of A are not zero?",
-                  count.bodies, count.rows),
-      question_growth);
-  page.equation(right[1], {.number = "numbers to keep",
-                           .symbols = fmt::format("SI: m = {:.0f}", count.rows),
-                           .numbers = fmt::format("full A: m × m = {:.0f}", count.dense),
-                           .result = "A without its zeros: m × ?"});
+/// The middle row of the largest A without the zeros at its two ends. The question asks what stands there.
+void draw_strip(Page& page, const Rect& rect, const VelocityProblem<double>& problem, bool asked) {
+  const int m = problem.row_count();
+  const List<Entry> row = pattern(problem)[m / 2];
+  const auto entry_count = std::count(row.begin(), row.end(), Entry::true_entry);
+  const auto first = std::find(row.begin(), row.end(), Entry::true_entry);
+  const auto end = std::find(row.rbegin(), row.rend(), Entry::true_entry).base();
+  const Rect inside = page.panel(
+      rect, asked ? fmt::format("one row of A: {} entries, how many are not zero?", m)
+                  : fmt::format("row {}: {} of {} entries are not zero, all in columns {} to {}", m / 2 + 1,
+                                entry_count, m, first - row.begin() + 1, end - row.begin()));
+  const Rect strip{inside.x, inside.y + 0.2 * inside.height, inside.width, 0.6 * inside.height};
+  const render::Paint frame{.outline = page.theme().outline, .outline_width = page.sizes().outline};
+  const double cell = strip.width / static_cast<double>(end - first);
+  for (auto entry = first; entry < end && !asked; ++entry) {
+    if (*entry != Entry::true_entry) continue;
+    page.canvas().rect({strip.x + cell * static_cast<double>(entry - first), strip.y, cell - 1, strip.height},
+                       {.fill = page.theme().outline});
+  }
+  page.canvas().rect(strip, frame);
+  render::TextStyle style = page.label();
+  style.size = 0.8 * strip.height;
+  style.align = render::Align::center;
+  if (asked) page.canvas().text({strip.x + strip.width / 2, strip.y + 0.78 * strip.height}, "?", style);
 }
 
-void draw_answer(Page& page, const StoredRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const Rect inside = page.panel(halves[0], fmt::format("base {0}: {1:g} × {1:g}", run.pyramids[largest].base,
-                                                        run.pyramids[largest].rows));
-  draw_entries(page, inside, run, largest);
-  const List<Rect> parts = rows(halves[1], {0.44, 0.56}, page.sizes().gap);
-  render::TableView table;
-  table.header = {"", "rows", "full A", "(30)", "not zero", "SI"};
+/// The largest A with its middle row lit, and that row below it.
+void draw_largest(Page& page, const Rect& rect, const StoredRun& run) {
+  const List<Rect> parts = rows(rect, {0.8, 0.2}, page.sizes().gap);
+  const Rect matrix = draw_pattern(page, parts[0], run.pyramids[largest], run.problems[largest]);
+  const double middle = matrix.y + matrix.height / 2;
+  page.canvas().line({matrix.x - 8, middle}, {matrix.x + matrix.width + 8, middle},
+                     {.width = 3, .color = page.theme().normal});
+  page.canvas().text({matrix.x + matrix.width + 14, middle + 6},
+                     fmt::format("row {:g}", run.pyramids[largest].rows / 2 + 1), page.label());
+  draw_strip(page, parts[1], run.problems[largest], false);
+}
+
+void draw_counts(Page& page, const Rect& rect, const StoredRun& run) {
+  render::TableView table{.header = {"", "full A", "not zero", "per row"}, .active_row = largest};
   for (const Count& count : run.pyramids) {
-    table.rows.push_back({count.name, fmt::format("{:.0f}", count.rows), fmt::format("{:.0f}", count.dense),
-                          fmt::format("{:.0f}", count.printed), fmt::format("{:.0f}", count.non_zeros),
-                          fmt::format("{:.0f}", count.rows)});
+    table.rows.push_back({count.name, spaced(count.dense), spaced(count.non_zeros),
+                          fmt::format("{:.1f}", count.non_zeros / count.rows)});
   }
-  table.active_row = largest;
-  page.table(parts[0], "numbers to keep", table);
-  const Count& count = run.pyramids[largest];
-  page.note(parts[1], "The answer",
-            fmt::format("{:.1f} of {:.0f}, and never more than 14. PGS without the zeros grows like m, as SI "
-                        "does, and does the same work in a sweep: {:.0f} multiply-adds against {:.0f}. "
-                        "Memory remains, and the work of building A in every step.",
-                        count.non_zeros / count.rows, count.rows, work_of(count).sparse, work_of(count).si),
-            question_growth);
+  page.table(rect, "", table);
 }
 
 Shot row_shot(const Run& run, int row) {
@@ -221,37 +175,67 @@ Shot row_shot(const Run& run, int row) {
           .key = row == 0 || row == 8};
 }
 
+QuestionFrame question_frame(const Run& run) {
+  return {.state = run->pyramids[largest].name,
+          .alt = "A large pyramid of boxes, an empty strip for one row of its A, and the question.",
+          .scene = [run](Page& page, const Rect& rect) {
+            const List<Rect> parts = rows(rect, {0.8, 0.2}, page.sizes().gap);
+            draw_pyramid(page, parts[0], *run, largest);
+            draw_strip(page, parts[1], run->problems[largest], true);
+          }};
+}
+
+QuestionFrame answer_frame(const Run& run) {
+  return {.state = run->pyramids[largest].name,
+          .alt = fmt::format("The pattern of A for {:g} rows, a thin band; one of its rows enlarged; the "
+                             "counts for four pyramids; and the answer.",
+                             run->pyramids[largest].rows),
+          .scene = [run](Page& page, const Rect& rect) { draw_largest(page, rect, *run); },
+          .evidence = [run](Page& page, const Rect& rect) { draw_counts(page, rect, *run); }};
+}
+
 }  // namespace
+
+/// What lies together in a row is drawn in one piece, on whole pixels, or seams would show.
+Rect draw_pattern(Page& page, const Rect& rect, const Count& count, const VelocityProblem<double>& problem) {
+  const Rect inside = page.panel(rect, fmt::format("{}: {} of {} entries are not zero", count.name,
+                                                   spaced(count.non_zeros), spaced(count.dense)));
+  const List<List<Entry>> entries = pattern(problem);
+  const int m = entries.size();
+  const double side = std::min(inside.width, inside.height);
+  const double left = std::round(inside.x + (inside.width - side) / 2), top = std::round(inside.y);
+  const auto edge = [&](int k) { return std::round(side * k / m); };
+  for (int i = 0; i < m; ++i) {
+    const double height = std::max(1.0, edge(i + 1) - edge(i));
+    for (int first = 0, end = 0; first < m; first = end) {
+      while (end < m && entries[i][end] == entries[i][first]) ++end;
+      if (entries[i][first] == Entry::zero) continue;
+      page.canvas().rect({left + edge(first), top + edge(i), edge(end) - edge(first), height},
+                         {.fill = colour_of(page.theme(), entries[i][first])});
+    }
+  }
+  const Rect square{left, top, edge(m), edge(m)};
+  page.canvas().rect(square, {.outline = page.theme().outline, .outline_width = page.sizes().outline});
+  return square;
+}
 
 List<Shot> stored_shots(const StoredRun& recorded) {
   const Run run = std::make_shared<const StoredRun>(recorded);
-  List<Shot> shots;
-  shots.push_back(
-      {.state = "count first",
-       .alt = "A large pyramid of boxes, the count of a full A and of what SI keeps, and the question.",
-       .draw = [run](Page& page) { draw_question(page, *run); },
-       .key = true});
+  List<Shot> shots = {question_shot(card(), question_frame(run))};
   for (int row = 0; row < run->problems[smallest].row_count(); ++row) shots.push_back(row_shot(run, row));
-  shots.push_back({.state = "base 3 and 5",
-                   .alt =
-                       "The patterns of A for pyramids of base 3 and 5: entries in A, and entries that only "
-                       "equation 30 counts.",
-                   .draw = [run](Page& page) { draw_two_patterns(page, *run); },
-                   .key = true});
-  shots.push_back({.state = "base 10",
-                   .alt =
-                       "The pattern of A for 200 rows: a narrow band, and what equation 30 counts beside it, "
-                       "with four numbers to compare.",
-                   .draw = [run](Page& page) { draw_pattern(page, *run); },
+  shots.push_back({.state = "three patterns",
+                   .alt = "The patterns of A for pyramids of base 3, 5 and 10: a band of entries that gets "
+                          "thinner, and a grey block that only equation 30 counts.",
+                   .draw = [run](Page& page) { draw_patterns(page, *run); },
                    .key = true});
   for (const List<Shot>& part : {case_shots(run), cost_shots(run)}) {
     shots.insert(shots.end(), part.begin(), part.end());
   }
-  shots.push_back(
-      {.state = "answer",
-       .alt = "The pattern of A for 800 rows, a thin band; what is stored for four pyramids; and the answer.",
-       .draw = [run](Page& page) { draw_answer(page, *run); },
-       .key = true});
+  const Count& count = run->pyramids[largest];
+  shots.push_back(answer_shot(
+      card(), answer_frame(run),
+      fmt::format("{:.1f} of {:g}, and never more than 14. Without its zeros, A grows like m, as SI does.",
+                  count.non_zeros / count.rows, count.rows)));
   return shots;
 }
 

@@ -83,7 +83,7 @@ void check_cases(Lesson& lesson, const StoredRun& run) {
 
 void check_solvers(Lesson& lesson, const StoredRun& run) {
   const Count& tallest = run.pyramids.back();
-  lesson.check_equal("SI keeps one number a row (bytes)", run.kept[0].bytes, 8 * tallest.rows, 0);
+  lesson.check_equal("SI keeps one number per row (bytes)", run.kept[0].bytes, 8 * tallest.rows, 0);
   lesson.check_that("sparse PGS: 12 bytes for each pair, and more; PGS: 8 m², and more",
                     run.kept[2].bytes >= 12 * tallest.pairs && run.kept[3].bytes >= 8 * tallest.dense,
                     bytes_text(run.kept[2].bytes) + " and " + bytes_text(run.kept[3].bytes));
@@ -136,7 +136,7 @@ void tell_kept(Lesson& lesson, const StoredRun& run) {
   lesson.print(fmt::format("base {}: what each solver keeps beside the rows, which take {} each",
                            run.settings.base, bytes_text(sizeof(ConstraintRow<double>))));
   for (const Kept& kept : run.kept) {
-    lesson.print(fmt::format("  {:<14}{:>12}   {:>8.1f} bytes a row", kept.name, bytes_text(kept.bytes),
+    lesson.print(fmt::format("  {:<14}{:>12}   {:>8.1f} bytes per row", kept.name, bytes_text(kept.bytes),
                              kept.bytes / run.pyramids.back().rows));
   }
   lesson.print();

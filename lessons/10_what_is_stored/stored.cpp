@@ -108,9 +108,9 @@ List<PairCase> pair_cases() {
   const CaseBody struck{.x = 0, .width = 1.2, .mass = 6, .inertia = 1};  // r_1 r_2 = -I / m
   const CaseBody left{.x = -1, .width = 1, .mass = 1, .inertia = 1.0 / 6};
   const CaseBody right{.x = 1.5, .width = 1, .mass = 1, .inertia = 1.0 / 6};
-  return {pair_case("counted as 0, and is not", {heavy}, {{1, 0.5}, {1, -2}}),
-          pair_case("counted, and is 0", {struck}, {{1, 0.5}, {1, -1.0 / 3}}),
-          pair_case("counted for the ground", {left, right}, {{1, -1}, {2, 1.5}})};
+  return {pair_case("counted as 0, and is not", {heavy}, {{1, -2}, {1, 0.5}}),
+          pair_case("counted, and is 0", {struck}, {{1, -1.0 / 3}, {1, 0.5}}),
+          pair_case("counted, though only the ground is shared", {left, right}, {{1, -1}, {2, 1.5}})};
 }
 
 Work work_of(const Count& count) {
@@ -154,6 +154,13 @@ List<List<Entry>> pattern(const VelocityProblem<double>& problem) {
     }
   }
   return result;
+}
+
+std::string spaced(double number) {
+  std::string text = fmt::format("{:.0f}", number);
+  for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3)
+    text.insert(static_cast<std::size_t>(at), "\u00a0");
+  return text;
 }
 
 std::string bytes_text(double bytes) {

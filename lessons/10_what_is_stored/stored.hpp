@@ -58,6 +58,7 @@ struct StoredRun {
   List<Snapshot> snapshots = {};
   List<Kept> kept = {};  // for the largest: SI, factored, sparse and dense PGS
   Count tray = {};       // boxes that all stand on one body
+  VelocityProblem<double> tray_problem = {};
   Snapshot tray_snapshot = {};
   List<PairCase> cases = {};
 };
@@ -85,6 +86,8 @@ enum class Entry { zero = 0, printed_only = -1, true_entry = 1, missed = 2 };
 /// For every pair of rows: whether it is in A, and whether (30) as printed counts it.
 List<List<Entry>> pattern(const VelocityProblem<double>& problem);
 
+/// "640 000", with spaces that do not break a line.
+std::string spaced(double number);
 /// "312.5 KiB"
 std::string bytes_text(double bytes);
 
