@@ -14,8 +14,11 @@ LessonInfo card() {
                     "(12)  v₂ = v₁ + M⁻¹ f Δt,  here f = m g;  then x₂ = x₁ + v₂ Δt"};
   info.reads = {"src/dynamics/body.hpp", "src/dynamics/integrate.cpp", "src/geometry/mass.cpp"};
   info.question =
-      "When the exact parabola is back at its first height, is the simulated box above it or below, and by "
-      "how many metres (negative: below)?";
+      "A box is thrown at 4 m/s to the right and 6 m/s upwards. Each step of 0.02 s first adds gravity, 10 "
+      "m/s², to its velocity and then moves it with the new velocity. After 60 steps the exact parabola is "
+      "back at its starting height. Is the simulated box above it or below, and by how many metres "
+      "(negative: "
+      "below)?";
   info.spoilers = {"0.12", "g Δt t"};
   info.hints = {
       "Which velocity does a step use: the one at its beginning or the one at its end?",

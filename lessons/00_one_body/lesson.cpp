@@ -78,7 +78,7 @@ void run(Lesson& lesson) {
   lesson.fingerprint(flight.cairn.back());
   if (lesson.draws())
     lesson.print("Pictures are drawn offscreen by " + render::Canvas(64, 64).backend() + ".");
-  lesson.film(pictures(flight, convergence, card().question));
+  lesson.film(pictures(flight, convergence));
 }
 
 }  // namespace

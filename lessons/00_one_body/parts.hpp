@@ -1,8 +1,6 @@
 // Lesson 00. What it prints, checks and draws.
 #pragma once
 
-#include <string>
-
 #include "flight.hpp"
 #include "lessons/lesson.hpp"
 #include "math/list.hpp"
@@ -16,6 +14,6 @@ void check_claims(Lesson& lesson, const Flight& flight, const Convergence& conve
 CsvTable table_of(const Flight& flight);
 
 /// All frames, from the question to the answer.
-List<Shot> pictures(const Flight& flight, const Convergence& convergence, const std::string& question);
+List<Shot> pictures(const Flight& flight, const Convergence& convergence);
 
 }  // namespace cairn::one_body

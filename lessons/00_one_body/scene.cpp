@@ -1,5 +1,7 @@
-// Lesson 00. What the frames share: the page's parts, the flight so far, and its error.
+// Lesson 00. The flight so far, where its three methods are, and how far they miss.
 #include "scene.hpp"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,26 +19,31 @@ namespace {
 constexpr int first_steps = 5;  // that have the plot of errors to themselves
 
 /// All of the flight with the whole box at both ends, and room for arrows and labels.
-Camera camera_of(const Page& page, const Story& story) {
+Camera camera_of(const Rect& rect, const Story& story) {
   Aabb<double> seen = bounds_of(story.flight.cairn);
   for (const Vec2<double>& point : story.flight.explicit_euler) {
     const Vec2<double> half(1, 1);  // the box, and the arrow beyond it
     seen.lower = seen.lower.cwiseMin(point - half);
     seen.upper = seen.upper.cwiseMax(point + half);
   }
-  return fit(layout_of(page).scene, seen);
+  return fit(rect, seen);
 }
 
-Span<const Vec2<double>> first(const List<Vec2<double>>& path, int step) { return {path.data(), step + 1}; }
+/// A level or upright length with a tick at both ends; the text is at its right.
+void draw_length(Page& page, const Point& from, const Point& to, const std::string& text) {
+  const Stroke stroke = {.width = page.sizes().axis, .color = page.theme().text};
+  const Point tick = 5 * perpendicular(Point((to - from).normalized()));
+  page.canvas().line(from, to, stroke);
+  for (const Point& end : {from, to}) page.canvas().line(end - tick, end + tick, stroke);
+  const TextStyle style = page.value();
+  page.canvas().text({std::max(from.x(), to.x()) + 9, (from.y() + to.y() + 0.7 * style.size) / 2}, text,
+                     style);
+}
 
-/// The fastest arrow is a little longer than the box is wide.
-ArrowScale velocity_scale(const Camera& camera, const Story& story) {
+void draw_velocity(Page& page, const Camera& camera, const Story& story, const SnapshotBody& box) {
+  // The fastest arrow is a little longer than the box is wide.
   const double longest = 1.1 * camera.scale;
-  return {.pixels_per_unit = longest / story.fastest, .longest = longest, .unit = "m/s"};
-}
-
-void draw_velocity(Page& page, const Camera& camera, const ArrowScale& scale, const Snapshot& now) {
-  const SnapshotBody& box = now.bodies[{1}];
+  const ArrowScale scale = {.pixels_per_unit = longest / story.fastest, .longest = longest, .unit = "m/s"};
   const Vec2<double> velocity = box.velocity.head<2>();
   draw_arrow(page, camera, scale,
              {.kind = ArrowKind::velocity, .tail = box.pose.position, .value = velocity});
@@ -44,32 +51,25 @@ void draw_velocity(Page& page, const Camera& camera, const ArrowScale& scale, co
       camera.project(box.pose.position) + scale.pixels_per_unit * Point(velocity.x(), -velocity.y());
   TextStyle style = page.value();
   style.halo = page.theme().background;
-  const double size = style.size;
   const std::string text = fixed(velocity.norm(), 2) + " m/s";
   const double width = page.canvas().text_width(text, style);
-  const List<Point> places = {tip + Point(10, size / 3), tip + Point(-width - 18, size / 3),
-                              tip + Point(-width / 2, -14), tip + Point(-width / 2, size + 14)};
-  page.place_text(places, layout_of(page).scene, text, style);
+  const double size = style.size;
+  page.place_text({tip + Point(-width - 18, -4), tip + Point(-width / 2, -2 * size),
+                   tip + Point(14, size / 3), tip + Point(-width / 2, size + 14)},
+                  camera.viewport, text, style);
+  draw_scale_key(page, scale, {camera.viewport.x, camera.viewport.y + camera.viewport.height});
 }
 
-/// How long a metre is, because the answer is a length.
-void draw_metre(Page& page, const Camera& camera) {
-  const Rect scene = layout_of(page).scene;
-  const TextStyle style = page.value();
-  const double y = scene.y + scene.height - style.size / 3;
-  const double width = page.canvas().text_width("1 m", style);
-  const double right = scene.x + scene.width - width - 16, left = right - camera.scale;
-  const render::Stroke stroke = {.width = page.sizes().axis, .color = page.theme().text, .dash = {}};
-  page.canvas().line({left, y}, {right, y}, stroke);
-  for (const double end : {left, right}) page.canvas().line({end, y - 5}, {end, y + 5}, stroke);
-  page.canvas().text({right + 8, y + style.size / 3}, "1 m", style);
+/// The last points of a path.
+Span<const Vec2<double>> end_of(const List<Vec2<double>>& path, int step, int count) {
+  const int first = std::max(0, step - count);
+  return {path.data() + first, step - first + 1};
 }
 
-void draw_parabola(Page& page, const Camera& camera, const Flight& flight) {
+void draw_line(Page& page, const Camera& camera, Span<const Vec2<double>> path, const Stroke& stroke) {
   List<Point> points;
-  for (const Vec2<double>& point : flight.exact) points.push_back(camera.project(point));
-  page.canvas().polyline(points, {.width = page.sizes().axis, .color = page.theme().exact.color, .dash = {}});
-  page.note_curve(points);
+  for (const Vec2<double>& point : path) points.push_back(camera.project(point));
+  page.canvas().polyline(points, stroke);
 }
 
 /// Markers on a path of a few pixels would hide it.
@@ -81,6 +81,42 @@ SeriesStyle path_style(SeriesStyle style, int step) {
 /// Above the parabola after so many steps [m].
 double height_above(const Flight& flight, const List<Vec2<double>>& path, int step) {
   return path[step].y() - flight.exact[step].y();
+}
+
+/// Where the three methods are, so much larger that their errors are seen as lengths.
+void draw_enlarged(Page& page, const Camera& scene, const Flight& flight, int step) {
+  const double error = height_above(flight, flight.explicit_euler, step);
+  if (!(error > 0)) return;
+  const Rect& view = scene.viewport;
+  Camera camera = {.viewport = {view.x + 0.74 * view.width, view.y, 0.26 * view.width, 0.34 * view.height}};
+  camera.scale = 0.26 * camera.viewport.height / error;
+  const std::string times = fmt::format("{} times as large", fixed(camera.scale / scene.scale, 0));
+  camera.viewport = page.panel(camera.viewport, times);
+  // The three ends stand at the left, their lengths at the right.
+  const double half_width = 0.5 * camera.viewport.width / camera.scale;
+  camera.center = flight.exact[step] + Vec2<double>(0.4 * half_width, 0);
+  const double thin = page.sizes().axis;
+  const Point exact = camera.project(flight.exact[step]), aside(24, 0);
+  page.canvas().push_clip(camera.viewport);
+  draw_line(page, camera, end_of(flight.exact, step, 3), {.width = thin, .color = page.theme().exact.color});
+  for (const auto& [path, style] : {std::pair{&flight.explicit_euler, page.theme().jacobi},
+                                    std::pair{&flight.semi_implicit, page.theme().si}}) {
+    draw_line(page, camera, end_of(*path, step, 3),
+              {.width = page.sizes().curve, .color = style.color, .dash = style.dash});
+    const Point end = camera.project((*path)[step]);
+    draw_marker(page.canvas(), end, style.marker, 1.4 * page.sizes().marker, style.color);
+    draw_length(page, exact + aside, end + aside, significant(error, 3) + " m");
+  }
+  page.canvas().pop_clip();
+}
+
+/// The two heights that the question compares: one is known.
+void draw_asked(Page& page, const Camera& camera, const Flight& flight) {
+  const Point start = camera.project(flight.exact.front()), end = camera.project(flight.exact.back());
+  page.canvas().line(start, end,
+                     {.width = page.sizes().axis, .color = page.theme().secondary_text, .dash = {8, 6}});
+  const Point half(0, 0.4 * camera.scale);
+  draw_length(page, end - half, end + half, "? m");
 }
 
 Series error_series(const Flight& flight, const List<Vec2<double>>& path, int step, const std::string& name,
@@ -95,44 +131,41 @@ Series error_series(const Flight& flight, const List<Vec2<double>>& path, int st
 
 }  // namespace
 
-Layout layout_of(const Page& page) {
-  const List<Rect> halves = columns(page.area(), {60, 40}, page.sizes().gap);
-  const List<Rect> panels = rows(halves[1], {62, 38}, page.sizes().gap);
-  return {halves[0], panels[0], panels[1]};
-}
-
-void draw_scene(Page& page, const Story& story, int step) {
-  const Camera camera = camera_of(page, story);
-  const Theme& theme = page.theme();
+void draw_scene(Page& page, const Rect& rect, const Story& story, const SceneLook& look) {
+  const Camera camera = camera_of(rect, story);
   const Flight& flight = story.flight;
   List<Snapshot> earlier;
   for (int ghost = 0; ghost < 7; ++ghost) {
     const int at = ghost * flight.thrown.steps / 7;
-    if (at < step) earlier.push_back(flight.cairn[at]);
+    if (at < look.step) earlier.push_back(flight.cairn[at]);
   }
   draw_ghosts(page, camera, earlier);
-  const Snapshot& now = flight.cairn[step];
+  const Snapshot& now = flight.cairn[look.step];
   draw_world(page, camera, now, {.names = {"", ""}});
-  draw_parabola(page, camera, flight);
-  draw_trail(page, camera, first(flight.explicit_euler, step), path_style(theme.jacobi, step));
-  draw_trail(page, camera, first(flight.semi_implicit, step), path_style(theme.si, step));
-  const ArrowScale scale = velocity_scale(camera, story);
-  draw_velocity(page, camera, scale, now);
-  draw_scale_key(page, scale, {page.area().x, page.area().y + page.area().height});
-  draw_metre(page, camera);
+  draw_line(page, camera, flight.exact, {.width = page.sizes().axis, .color = page.theme().exact.color});
+  draw_trail(page, camera, end_of(flight.explicit_euler, look.step, look.step),
+             path_style(page.theme().jacobi, look.step));
+  draw_trail(page, camera, end_of(flight.semi_implicit, look.step, look.step),
+             path_style(page.theme().si, look.step));
+  if (look.velocity) draw_velocity(page, camera, story, now.bodies[{1}]);
+  draw_enlarged(page, camera, flight, look.step);
+  if (look.asks) draw_asked(page, camera, flight);
+  // How long a metre is, because the answer is a length.
+  const Point right(rect.x + rect.width - 48, rect.y + rect.height - 6);
+  draw_length(page, right - Point(camera.scale, 0), right, "1 m");
 }
 
 void draw_errors(Page& page, const Rect& rect, const Story& story, int step) {
   const Flight& flight = story.flight;
   const int last = step <= first_steps ? first_steps : flight.thrown.steps;  // at first all would be one dot
   const double most = std::max(1.15 * std::abs(height_above(flight, flight.explicit_euler, last)), 1e-9);
-  Plot plot = {.title = "height above the exact parabola (m)"};
-  plot.x = {.title = "t (s)", .min = 0, .max = flight.time[last]};
-  plot.y = {.title = "", .min = -most, .max = most};
+  Plot plot = {.title = "height above the exact parabola (m)",
+               .x = {.title = "t (s)", .min = 0, .max = flight.time[last]},
+               .y = {.min = -most, .max = most}};
   plot.series.push_back(error_series(flight, flight.explicit_euler, step, "explicit", page.theme().jacobi));
   plot.series.push_back(error_series(flight, flight.semi_implicit, step, "semi-implicit", page.theme().si));
   plot.goals.push_back({.y = 0, .text = "exact"});
-  plot.cursor = flight.time[step];
+  if (step < last) plot.cursor = flight.time[step];
   draw_plot(page, rect, plot);
 }
 

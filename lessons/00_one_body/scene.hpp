@@ -1,10 +1,8 @@
-// Lesson 00. What the frames share: the page's parts, the flight so far, and its error.
+// Lesson 00. The flight so far, where its three methods are, and how far they miss.
 #pragma once
 
-#include <string>
-
-#include "flight.hpp"
 #include "parts.hpp"
+#include "render/page.hpp"
 
 namespace cairn::one_body {
 
@@ -12,19 +10,17 @@ namespace cairn::one_body {
 struct Story {
   Flight flight = {};
   Convergence convergence = {};
-  std::string question = {};
   double fastest = 0;  // [m/s] of the whole flight: one scale for all arrows
 };
 
-/// The page in two columns, the right one in two panels; a compact page has room for one panel there.
-struct Layout {
-  render::Rect scene, upper, lower;
+struct SceneLook {
+  int step = 0;
+  bool velocity = true;  // the arrow
+  bool asks = false;     // marks the height that the question is about
 };
 
-Layout layout_of(const render::Page& page);
-
-/// The box at `step` with up to seven earlier outlines and the three paths so far.
-void draw_scene(render::Page& page, const Story& story, int step);
+/// The box with up to seven earlier outlines and the paths so far; once they part, their ends enlarged.
+void draw_scene(render::Page& page, const render::Rect& rect, const Story& story, const SceneLook& look);
 
 /// Height above the parabola over time, up to `step`.
 void draw_errors(render::Page& page, const render::Rect& rect, const Story& story, int step);
