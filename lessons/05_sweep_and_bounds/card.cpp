@@ -10,8 +10,7 @@ LessonInfo card() {
       .title = "Sweep, and clamp",
       .idea =
           "Guess all λ. Put one row right, then the next, and sweep again: that is Gauss-Seidel. Clamp each "
-          "λ "
-          "to its interval, and it solves contacts that only push, too: projected Gauss-Seidel.",
+          "λ to its interval, and it solves contacts that only push, too: projected Gauss-Seidel.",
       .paper = "paper 2.2, eq (14), (28), and the interval at its end",
       .equations =
           {"(14)  A λ = b                                     all rows at once: lesson 04",
@@ -22,8 +21,8 @@ LessonInfo card() {
       .question =
           "A rod of 4 kg and 3 m lies with its left end on one support; the other stands 1\u00a0m from "
           "there. "
-          "A λ = b says: the left support pulls with 20 N, the right one pushes with 60 N. But the left one "
-          "cannot pull. How hard does the right one push then, in N?",
+          "A\u00a0λ\u00a0=\u00a0b says: the left support pulls with 20\u00a0N, the right one pushes with "
+          "60\u00a0N. But the left one cannot pull. How hard does the right one push then, in N?",
       .spoilers = {"30 N", "tips"},
       .hints = {"Without the pull, does the right support have more to push against, or less?",
                 "Only one point of the rod is held. The rest of it may fall.",

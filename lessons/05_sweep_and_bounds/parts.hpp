@@ -30,6 +30,9 @@ List<Shot> rod_shots(const Run& run);
 Shot question_shot(const Run& run);
 Shot answer_shot(const Run& run);
 
+/// A and b as one matrix, with the row that is being visited framed; -1: none.
+void draw_system(render::Page& page, const render::Rect& rect, const SystemMatrices<double>& system,
+                 int active);
 /// (28) with the numbers of one update, and what became of it.
 render::Equation equation_28(const render::Page& page, const SystemMatrices<double>& system,
                              const Swept& swept, int update);

@@ -27,17 +27,6 @@ std::string with_brackets(const std::string& number) {
   return number.starts_with("−") ? "(" + number + ")" : number;
 }
 
-void draw_system(Page& page, const Rect& rect, const SystemMatrices<double>& system, int active) {
-  const auto n = static_cast<int>(system.b.size());
-  render::MatrixView view{.title = "A, and b (m/s²)", .column_group = n, .active_row = active};
-  view.values.resize(n, n + 1);
-  view.values << system.A, system.b;
-  for (int i = 1; i <= n; ++i) view.row_names.push_back(fmt::format("{}", i));
-  view.column_names = view.row_names;
-  view.column_names.push_back("b");
-  draw_matrix(page, rect, view);
-}
-
 void draw_lambda(Page& page, const Rect& rect, const SweepRun& run, int k) {
   const Swept& up = run.stack.up;
   const int active = up.updates[k].row;
@@ -107,7 +96,7 @@ void draw_errors(Page& page, const SweepRun& run) {
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic};
   plot.series = {missing(name + " top down", stack.down, stack, top),
                  missing(name + " bottom up", stack.up, stack, top),
-                 missing("λ_{1} both", stack.up, stack, 0)};
+                 missing("λ_{1} either way", stack.up, stack, 0)};
   plot.series[0].style = {page.theme().inactive, {}, render::Marker::diamond};
   plot.series[1].style = page.theme().pgs;
   plot.series[1].style.dash = {10, 6};
@@ -137,18 +126,19 @@ void draw_interval(Page& page, const Rect& rect, const Interval& kind) {
   const double zero = rect.x + rect.width / 2;
   render::Canvas& canvas = page.canvas();
   canvas.line({rect.x, y}, {rect.x + rect.width, y}, {.width = 1.5, .color = page.theme().frame_line});
-  const double thick = 7, tall = 12;
+  const double thick = 9, tall = 16;
   const double from = std::max(zero + low * scale, rect.x + tall);
   const double to = std::min(zero + high * scale, rect.x + rect.width - tall);
   const render::Color color = color_of(page.theme(), kind.bounds);
   canvas.line({from, y}, {to, y}, {.width = thick, .color = color});
   render::TextStyle style = page.value();
+  style.size *= 1.3;
   style.align = render::Align::center;
   for (const double sign : {-1.0, 1.0}) {
     const double end = sign < 0 ? low : high;
     const double x = sign < 0 ? from : to;
     const Point below(std::clamp(x, rect.x + 0.5 * style.size, rect.x + rect.width - style.size),
-                      y + tall + 1.3 * style.size);
+                      y + tall + 1.1 * style.size);
     canvas.text(below, sign < 0 ? kind.lower : kind.upper, style);
     if (std::abs(end) < 1e6) {
       canvas.line({x, y - tall}, {x, y + tall}, {.width = thick / 2, .color = color});
@@ -169,13 +159,13 @@ void draw_intervals(Page& page) {
   const List<double> weights(kinds.size(), 1.0);
   const List<Rect> lines = rows(inside, weights, page.sizes().gap / 2);
   for (int k = 0; k < kinds.size(); ++k) {
-    const List<Rect> parts = columns(lines[k], {0.44, 0.56}, page.sizes().gap);
+    const List<Rect> parts = columns(lines[k], {0.34, 0.66}, page.sizes().gap);
     const Rect& words = parts[0];
-    render::TextStyle style = page.label();
-    style.bold = true;
+    render::TextStyle name = page.label(), reason = page.secondary();
+    name.size *= 1.35, name.bold = true, reason.size *= 1.12;
     const double middle = words.y + words.height / 2;
-    page.canvas().text({words.x, middle - 4}, kinds[k].name, style);
-    page.canvas().text({words.x, middle + page.secondary().size + 2}, kinds[k].reason, page.secondary());
+    page.canvas().text({words.x, middle - 4}, kinds[k].name, name);
+    page.canvas().text({words.x, middle + reason.size + 4}, kinds[k].reason, reason);
     draw_interval(page, parts[1], kinds[k]);
   }
 }
@@ -219,6 +209,17 @@ std::string sources(const SystemMatrices<double>& system, int i) {
 
 }  // namespace
 
+void draw_system(Page& page, const Rect& rect, const SystemMatrices<double>& system, int active) {
+  const auto n = static_cast<int>(system.b.size());
+  render::MatrixView view{.title = "A, and b (m/s²)", .column_group = n, .active_row = active};
+  view.values.resize(n, n + 1);
+  view.values << system.A, system.b;
+  for (int i = 1; i <= n; ++i) view.row_names.push_back(fmt::format("{}", i));
+  view.column_names = view.row_names;
+  view.column_names.push_back("b");
+  draw_matrix(page, rect, view);
+}
+
 std::string brief(double value, int most) {
   std::string text = fixed(value + 0.0, most);
   while (text.ends_with('0')) text.pop_back();
@@ -248,8 +249,8 @@ render::Equation equation_28(const Page& page, const SystemMatrices<double>& sys
           .symbols = fmt::format("λ_{{{0}}} = {1} / A_{{{0}{0}}}", i + 1, symbols),
           .numbers = fmt::format("= {} / {}", numbers, brief(system.A(i, i))),
           .result = fmt::format("= {} N", brief(value)),
-          .algorithm = cut ? fmt::format("λ ≥ 0:  clamped to {}", brief(after)) : sources(system, i),
-          .color = page.theme().normal};
+          .algorithm = cut ? fmt::format("clamped: λ_{{{}}} ≥ 0", i + 1) : sources(system, i),
+          .color = cut ? page.theme().secondary_text : page.theme().normal};
 }
 
 List<Shot> sweep_shots(const SweepRun& recorded) {

@@ -29,8 +29,8 @@ void draw_forbidden(Page& page, const render::Camera& camera) {
     if (!(r.width > 0) || !(r.height > 0)) return;
     const FixedList<Point, 4> corners = {Point(r.x, r.y), Point(r.x + r.width, r.y),
                                          Point(r.x + r.width, r.y + r.height), Point(r.x, r.y + r.height)};
-    page.canvas().polygon(corners, {.fill = render::faded(page.theme().static_body, 0.6)});
-    page.canvas().hatch(corners, {.width = 1, .color = render::faded(page.theme().static_hatch, 0.6)},
+    page.canvas().polygon(corners, {.fill = render::faded(page.theme().static_body, 0.35)});
+    page.canvas().hatch(corners, {.width = 1, .color = render::faded(page.theme().static_hatch, 0.3)},
                         2 * page.sizes().hatch_pitch);
   };
   const double bottom = view.y + view.height;
@@ -81,7 +81,7 @@ void draw_row_line(Page& page, const render::Camera& camera, const RodRun& rod, 
 }
 
 render::TextStyle plane_text(const Page& page) {
-  render::TextStyle style = page.tick();
+  render::TextStyle style = page.secondary();
   style.halo = page.theme().panel;
   return style;
 }
@@ -179,7 +179,12 @@ void name_pull(Page& page, const render::Camera& camera) {
   page.canvas().text({camera.viewport.x + 12, origin.y() - 12}, text, style);
 }
 
-render::Camera plane_camera(const Rect& rect, const RodRun& rod) {
+/// All of the zig-zag without the clamp; closer where only the way with it is shown.
+render::Camera plane_camera(const Rect& rect, const RodRun& rod, bool close) {
+  if (close) {
+    const double top = rod.formula[1];
+    return render::fit(rect, {{-0.3 * top, -0.12 * top}, {std::max(0.45 * top, 12.0), 1.2 * top}});
+  }
   const double left = std::min(0.0, rod.statics[0]);
   const double right = std::max(10.0, rod.statics[0]);
   const double top = std::max(rod.statics[1], rod.formula[1]);
@@ -192,18 +197,21 @@ render::Camera plane_camera(const Rect& rect, const RodRun& rod) {
 void draw_plane(Page& page, const Rect& rect, const SweepRun& run, const PlaneView& view) {
   const RodRun& rod = run.rod;
   Rect inside = page.panel(rect, "λ_{1} to the right, λ_{2} up (N)");
-  const render::Camera camera = plane_camera(inside, rod);
+  const bool close = rod.tips() && view.other.empty();
+  const render::Camera camera = plane_camera(inside, rod, close);
   page.canvas().push_clip(inside);
   draw_forbidden(page, camera);
-  const PerRow<double>& first = rod.bounded.after[rod.tips() ? 1 : 0];
-  if (rod.tips()) draw_level(page, camera, rod, rod.formula);
-  draw_level(page, camera, rod, {first[0], first[1]});
+  if (view.levels) {
+    const PerRow<double>& first = rod.bounded.after[rod.tips() ? 1 : 0];
+    draw_level(page, camera, rod, {first[0], first[1]});
+    if (rod.tips()) draw_level(page, camera, rod, rod.formula);
+  }
   draw_row_line(page, camera, rod, 0);
   draw_row_line(page, camera, rod, 1);
   draw_way(page, camera, view.other, {page.theme().secondary_text, {}, render::Marker::diamond}, 1.5);
   draw_asked(page, camera, view);
   draw_way(page, camera, view.way, page.theme().pgs, page.sizes().curve);
-  draw_goal(page, camera, rod.statics, !rod.tips());
+  if (!close) draw_goal(page, camera, rod.statics, !rod.tips());
   if (rod.tips()) draw_goal(page, camera, rod.formula, true);
   write_ticks(page, camera);
   name_pull(page, camera);

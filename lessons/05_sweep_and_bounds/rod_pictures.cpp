@@ -23,73 +23,78 @@ using Pair = FixedList<double, 2>;
 
 Pair pair_of(const PerRow<double>& lambda) { return {lambda[0], lambda[1]}; }
 
-/// Beside the upper end of a force, where there is room: left of it if possible.
-void label_force(Page& page, const render::Camera& camera, const Vec2<double>& top, const std::string& text) {
-  const Point at = camera.project(top);
+/// "1 m" below a line between two places along the rod.
+void draw_distance(Page& page, const render::Camera& camera, double from, double to) {
+  const render::Stroke stroke{.width = 1.5, .color = page.theme().secondary_text};
+  const double y = -0.17;
+  page.canvas().line(camera.project({from, y}), camera.project({to, y}), stroke);
+  for (const double x : {from, to})
+    page.canvas().line(camera.project({x, y + 0.05}), camera.project({x, y - 0.05}), stroke);
   render::TextStyle style = page.value();
-  style.bold = true;
-  style.halo = page.theme().panel;
-  const double width = page.canvas().text_width(text, style);
-  const double left = at.x() - 14 - width;
-  const double right = at.x() + 14;
-  page.place_text({{left, at.y() + style.size},
-                   {left, at.y()},
-                   {left, at.y() - 8},
-                   {right, at.y()},
-                   {at.x() - width / 2, at.y() - 8},
-                   {left, at.y() - 1.8 * style.size},
-                   {left, at.y() - 3 * style.size},
-                   {right, at.y() + style.size},
-                   {at.x() - width / 2, at.y() - 3 * style.size}},
-                  camera.viewport, text, style);
+  style.align = render::Align::center;
+  page.canvas().text(camera.project({(from + to) / 2, y}) + Point(0, 6 + style.size), brief(to - from) + " m",
+                     style);
 }
 
-/// The same for the weight: right of it if possible.
-void label_weight(Page& page, const render::Camera& camera, const Vec2<double>& top,
-                  const std::string& text) {
-  const Point at = camera.project(top);
-  render::TextStyle style = page.value();
-  style.halo = page.theme().panel;
-  const double left = at.x() - 14 - page.canvas().text_width(text, style);
-  page.place_text({{at.x() + 14, at.y() + 2 * style.size}, {at.x() + 14, at.y()}, {left, at.y()}},
-                  camera.viewport, text, style);
+/// What the picture of the rod shows besides the rod.
+struct RodScene {
+  Pair lambda = {};                  // [N] what the supports give
+  double instead_of = 0;             // [N] an earlier push of the right one, drawn pale; 0: none
+  bool clamped = false;              // the left one has just asked for a pull
+  bool asks = false;                 // with distances, and a question mark
+  Span<const Snapshot> motion = {};  // where the rod goes
+};
+
+void draw_forces(Page& page, const render::Camera& camera, const SweepRun& run, const RodScene& shown) {
+  const double weight = rod_mass * gravity;
+  const double largest = std::max({std::abs(run.rod.statics[0]), run.rod.statics[1], weight});
+  const double metres = 1.5 / largest;  // [m/N]
+  const render::ArrowScale scale{
+      .pixels_per_unit = metres * camera.scale, .longest = 1.6 * camera.scale, .unit = "N"};
+  const auto arrow = [&](render::ArrowKind kind, double x, double force, const std::string& label) {
+    const double tail = force < 0 ? 0.12 - metres * force : 0.12;  // both ways upon the rod
+    draw_arrow(page, camera, scale, {.kind = kind, .tail = {x, tail}, .value = {0, force}, .label = label});
+  };
+  const double shift = std::abs(run.rod.arm[1]) < 0.2 ? 0.2 : 0;  // not upon the push
+  arrow(render::ArrowKind::external, rod_length / 2 + shift, -weight,
+        fmt::format("m g = {} N", brief(weight)));
+  const double support = run.settings.support;
+  if (shown.instead_of > 0) {
+    arrow(render::ArrowKind::inactive, support, shown.instead_of,
+          fmt::format("not {} N", brief(shown.instead_of, 2)));
+  }
+  arrow(render::ArrowKind::normal, support, shown.lambda[1],
+        fmt::format("λ_{{2}} = {} N", brief(shown.lambda[1], 2)));
+  if (shown.lambda[0] == 0 && !shown.motion.empty()) return;  // the rod leaves this support
+  arrow(render::ArrowKind::normal, 0.02, shown.lambda[0],
+        fmt::format("λ_{{1}} = {} N{}", brief(shown.lambda[0], 2),
+                    shown.lambda[0] < 0 ? ": a pull"
+                    : shown.clamped     ? ": clamped"
+                                        : ""));
 }
 
-/// The rod, what its supports give, its weight; behind it where it goes, if wanted.
-void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const Pair& lambda,
-              Span<const Snapshot> motion = {}) {
+/// The rod, what its supports give, its weight, and how far from each other they act.
+void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const RodScene& shown) {
   const Rect inside = page.panel(rect, "forces (N)");
-  const render::Camera camera = render::fit(inside, {{-0.75, -0.8}, {rod_length + 0.5, 1.6}});
+  render::Camera camera = render::fit(inside, {{-0.8, -0.75}, {rod_length + 0.2, 1.75}});
+  camera.center.y() = std::min(0.5, 0.5 * inside.height / camera.scale - 0.75);  // little of the ground
   page.canvas().push_clip(inside);
   render::WorldLook look;
   look.contacts = false;
   look.numbers = false;
   look.penetration = false;
-  if (!motion.empty()) draw_ghosts(page, camera, motion);
+  if (!shown.motion.empty()) draw_ghosts(page, camera, shown.motion);
   draw_world(page, camera, run.rod.snapshot, look);
-  const double largest = std::max({std::abs(run.rod.statics[0]), run.rod.statics[1], rod_mass * gravity});
-  const render::ArrowScale scale{
-      .pixels_per_unit = 1.25 * camera.scale / largest, .longest = 1.4 * camera.scale, .unit = "N"};
-  const double weight = rod_mass * gravity;
-  const double shift = std::abs(run.rod.arm[1]) < 0.2 ? -0.2 : 0;  // not upon the push below it
-  const Vec2<double> tail(rod_length / 2 + shift, 0.12 + weight / largest * 1.25);
-  draw_arrow(page, camera, scale, {.kind = render::ArrowKind::external, .tail = tail, .value = {0, -weight}});
-  const Pair place = {0.02, run.settings.support};
-  for (const int i : {1, 0}) {
-    if (std::abs(lambda[i]) < 0.005) continue;
-    const bool pulls = lambda[i] < 0;
-    draw_arrow(page, camera, scale,
-               {.kind = pulls ? render::ArrowKind::negative_correction : render::ArrowKind::normal,
-                .tail = {place[i], pulls ? 0.1 - lambda[i] / largest * 1.25 : 0.1},
-                .value = {0, lambda[i]}});
+  const double middle = rod_length / 2, support = run.settings.support;
+  draw_forces(page, camera, run, shown);
+  if (shown.asks) {
+    draw_distance(page, camera, 0, std::min(support, middle));
+    if (std::abs(middle - support) > 0.2)
+      draw_distance(page, camera, std::min(support, middle), std::max(support, middle));
+    render::TextStyle style{.size = 24, .color = page.theme().normal, .bold = true};
+    style.align = render::Align::center;
+    page.canvas().text(camera.project({support, 1.75}), "without the pull: λ_{2} = ?", style);
   }
-  for (const int i : {1, 0}) {  // when both arrows are there to keep off
-    if (std::abs(lambda[i]) < 0.005) continue;
-    const double top = 0.1 + std::abs(lambda[i]) / largest * 1.25;
-    label_force(page, camera, {place[i], lambda[i] < 0 ? top + 0.2 : top},
-                fmt::format("λ_{{{}}} = {}{}", i + 1, brief(lambda[i], 2), lambda[i] < 0 ? ": a pull" : ""));
-  }
-  label_weight(page, camera, tail, fmt::format("m g = {}", brief(weight)));
   page.canvas().pop_clip();
 }
 
@@ -99,13 +104,15 @@ List<Pair> way_of(const Swept& swept, int count) {
   return way;
 }
 
+/// Whether the row asked for a pull and was clamped.
+bool is_cut(const RowUpdate<double>& update) { return update.impulse_before + update.corrective < -1e-12; }
+
 /// Rod at the top left, plane right; returns what is free below the rod.
-Rect draw_rod_moment(Page& page, const SweepRun& run, const Pair& lambda, const PlaneView& view,
-                     Span<const Snapshot> motion = {}) {
+Rect draw_rod_moment(Page& page, const SweepRun& run, const RodScene& shown, const PlaneView& view) {
   const List<Rect> halves = columns(page.area(), {0.57, 0.43}, page.sizes().gap);
   draw_plane(page, halves[1], run, view);
   const List<Rect> left = rows(halves[0], {0.54, 0.46}, page.sizes().gap);
-  draw_rod(page, left[0], run, lambda, motion);
+  draw_rod(page, left[0], run, shown);
   return left[1];
 }
 
@@ -114,17 +121,31 @@ int visible_updates(const RodRun& rod) { return std::min(rod.unbounded.after.siz
 
 void draw_unbounded(Page& page, const SweepRun& run) {
   const RodRun& rod = run.rod;
-  const Rect rest =
-      draw_rod_moment(page, run, rod.statics, {.other = way_of(rod.unbounded, visible_updates(rod))});
-  const Matrix<double>& A = rod.system.A;
-  page.equation(
-      rest,
-      {.number = "eq (14), no bounds",
-       .symbols = "A λ = b",
-       .numbers = fmt::format("({} {}; {} {}) λ = ({}, {})", brief(A(0, 0)), brief(A(0, 1)), brief(A(1, 0)),
-                              brief(A(1, 1)), brief(rod.system.b(0)), brief(rod.system.b(1))),
-       .result = fmt::format("λ = ({}, {}) N", brief(rod.statics[0], 2), brief(rod.statics[1], 2)),
-       .algorithm = rod.tips() ? "a support that pulls" : "both supports push"});
+  const PlaneView view{.other = way_of(rod.unbounded, visible_updates(rod))};
+  const Rect rest = draw_rod_moment(page, run, {.lambda = rod.statics}, view);
+  const List<Rect> parts = columns(rest, {0.42, 0.58}, page.sizes().gap);
+  draw_system(page, parts[0], rod.system, -1);
+  page.equation(parts[1],
+                {.number = "eq (14), no bounds",
+                 .symbols = "A λ = b",
+                 .result = fmt::format("λ = ({}, {}) N", brief(rod.statics[0], 2), brief(rod.statics[1], 2)),
+                 .algorithm = rod.tips() ? "a support that pulls" : "both supports push"});
+}
+
+/// Strikes a result out and writes beside it what the clamp makes of it.
+void strike_result(Page& page, const std::string& result, double clamped) {
+  for (const render::TextBox& box : page.canvas().text_boxes()) {
+    if (box.text != result) continue;
+    const Rect at = box.rect;
+    render::TextStyle style = box.style;
+    const double y = at.y + at.height / 2;
+    page.canvas().line({at.x + page.canvas().text_width("= ", style) - 4, y}, {at.x + at.width + 4, y},
+                       {.width = 3, .color = page.theme().text});
+    style.color = page.theme().normal;
+    page.canvas().text({at.x + at.width + 24, at.y + at.height}, fmt::format("→ {} N", brief(clamped)),
+                       style);
+    return;
+  }
 }
 
 void draw_rod_update(Page& page, const SweepRun& run, int k) {
@@ -133,16 +154,19 @@ void draw_rod_update(Page& page, const SweepRun& run, int k) {
   const RowUpdate<double>& update = rod.bounded.updates[k];
   view.asked = view.way[k];
   view.asked[update.row] = (update.impulse_before + update.corrective) / run.settings.dt;
-  const Rect rest = draw_rod_moment(page, run, pair_of(rod.bounded.after[k]), view);
-  page.equation(rest, equation_28(page, rod.system, rod.bounded, k));
+  const bool cut = is_cut(update);
+  const Rect rest =
+      draw_rod_moment(page, run, {.lambda = pair_of(rod.bounded.after[k]), .clamped = cut}, view);
+  const render::Equation equation = equation_28(page, rod.system, rod.bounded, k);
+  page.equation(rest, equation);
+  if (cut) strike_result(page, equation.result, rod.bounded.after[k][update.row]);
 }
 
 /// w = A lambda - b of both rows, beside lambda.
 void draw_complement(Page& page, const SweepRun& run) {
   const RodRun& rod = run.rod;
-  PlaneView view{.way = way_of(rod.bounded, rod.bounded.after.size())};
-  view.asked = {rod.formula[0] - rod.leaving[0] / rod.system.A(0, 0), rod.formula[1]};
-  const Rect rest = draw_rod_moment(page, run, pair_of(rod.settled.after.back()), view);
+  const PlaneView view{.way = way_of(rod.bounded, rod.bounded.after.size()), .levels = true};
+  const Rect rest = draw_rod_moment(page, run, {.lambda = pair_of(rod.settled.after.back())}, view);
   render::TableView table;
   table.header = {"row", "λ (N)", "w = A λ − b (m/s²)", "λ w"};
   for (int i = 0; i < 2; ++i) {
@@ -170,13 +194,12 @@ std::string answer_text(const RodRun& rod) {
 Shot rod_update_shot(const Run& run, int k, int first_cut) {
   const Swept& swept = run->rod.bounded;
   const RowUpdate<double>& update = swept.updates[k];
-  const bool cut = update.impulse_before + update.corrective < -1e-12;
   return {.state = fmt::format("B · sweep {}/{} · row {} of 2", update.sweep, run->settings.sweeps,
                                update.row + 1),
           .alt = fmt::format("Sweep {}, row {} of the rod: λ is ({:.4g}, {:.4g}) N{}; one more step of the "
                              "zig-zag in the plane.",
                              update.sweep, update.row + 1, swept.after[k][0], swept.after[k][1],
-                             cut ? ", the row having been clamped" : ""),
+                             is_cut(update) ? ", the row having been clamped" : ""),
           .draw = [run, k](Page& page) { draw_rod_update(page, *run, k); },
           .key = k == 1 || k == first_cut || k == first_cut + 1};
 }
@@ -187,7 +210,7 @@ List<Shot> rod_shots(const Run& run) {
   const Swept& swept = run->rod.bounded;
   int first_cut = 4;  // of a rod that does not tip: any two frames
   for (int k = swept.updates.size() - 1; k >= 0; --k) {
-    if (swept.updates[k].impulse_before + swept.updates[k].corrective < -1e-12) first_cut = k;
+    if (is_cut(swept.updates[k])) first_cut = k;
   }
   List<Shot> shots;
   shots.push_back({.state = "B · without clamp",
@@ -204,26 +227,41 @@ List<Shot> rod_shots(const Run& run) {
   return shots;
 }
 
+/// The card, whose question is about a support at 1 m.
+LessonInfo card_for(const SweepRun& run) {
+  LessonInfo info = card();
+  if (run.settings.support != 1) {
+    info.question = fmt::format(
+        "Both supports push or pull as A λ = b says: λ = ({}, {}) N. But neither can pull. How hard does the "
+        "right one push then, in N?",
+        brief(run.rod.statics[0], 2), brief(run.rod.statics[1], 2));
+  }
+  return info;
+}
+
 Shot question_shot(const Run& run) {
-  return cairn::question_shot(
-      card(),
-      {.state = "before the first sweep",
-       .alt = "A rod on two supports, both left of its middle, the forces that "
-              "hold it, one of them a pull, and the question.",
-       .scene = [run](Page& page, const Rect& rect) { draw_rod(page, rect, *run, run->rod.statics); }});
+  return cairn::question_shot(card_for(*run),
+                              {.state = "before the first sweep",
+                               .alt = "A rod on two supports, both left of its middle, the forces that "
+                                      "hold it, one of them a pull, and the question.",
+                               .scene = [run](Page& page, const Rect& rect) {
+                                 draw_rod(page, rect, *run, {.lambda = run->rod.statics, .asks = true});
+                               }});
 }
 
 Shot answer_shot(const Run& run) {
+  const bool tips = run->rod.tips();
+  const auto scene = [run, tips](Page& page, const Rect& rect) {
+    RodScene shown{.lambda = run->rod.formula};
+    if (tips) shown.instead_of = run->rod.statics[1], shown.motion = run->rod.motion;
+    draw_rod(page, rect, *run, shown);
+  };
   return cairn::answer_shot(
-      card(),
+      card_for(*run),
       {.state = "answer",
-       .alt = "The rod with the push of the right support alone, tipping, and the answer.",
-       .scene =
-           [run](Page& page, const Rect& rect) {
-             const RodRun& rod = run->rod;
-             draw_rod(page, rect, *run, rod.formula,
-                      rod.tips() ? Span<const Snapshot>(rod.motion) : Span<const Snapshot>());
-           }},
+       .alt = "The rod with the push of the right support alone, half as long as the arrow of A λ = b "
+              "behind it; the rod tips; and the answer.",
+       .scene = scene},
       answer_text(run->rod));
 }
 
