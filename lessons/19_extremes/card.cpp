@@ -20,8 +20,8 @@ LessonInfo card() {
       .needs = {"lesson 03", "lesson 05", "lesson 06"},
       .reads = {"src/extremes/extreme.hpp", "src/world/world.cpp", "src/solvers/stopping.hpp"},
       .question =
-          "A box of 1 kg carries one of 100 kg. How many sweeps until the load on the ground is "
-          "right to 1 %? And with the light box above?",
+          "A box of 1\u00a0kg carries one of 100\u00a0kg. How many sweeps until the load on the ground is "
+          "right to 1\u00a0%? And with the light box above?",
       .spoilers = {"463", "99 %"},
       .hints = {"Which boxes does the ground see in the first sweep? Only the light one.",
                 "One sweep leaves R / (1 + R) of the error: here 100 / 101.",

@@ -24,7 +24,7 @@ using namespace cairn::edges;
 RatioRun push_two(double ratio, int at_least) {
   RatioRun run{.ratio = ratio, .load = {{0, 0}}, .error = {1}, .speed_jv = {{0, 0}}};
   VelocityProblem<double> problem = two_boxes(ratio);
-  const double weight = (1 + ratio) * gravity;
+  const double weight = weight_of(ratio);
   const int sweeps = std::max(at_least, sweeps_by_formula(ratio) + 1);
   for (int k = 1; k <= sweeps; ++k) {
     List<double> jv;
@@ -47,23 +47,19 @@ RatioRun push_two(double ratio, int at_least) {
   return run;
 }
 
-/// A world driven to its edge, and how far off it is after each step.
+/// A world driven to its edge: how far off it is, and its energy out of nowhere, after each step.
 EdgeCase drive(const SmallWorld& small, const WallSettings& settings) {
   EdgeCase edge = small.edge;
   // [drive]
   World world(small.scene);
   SequentialImpulse<double> solver({.iterations = settings.sweeps});
-  edge.frames.push_back(snapshot(world));
-  edge.off_by_step.push_back(small.off(edge.frames[0]));
-  const double start = total_energy(edge.frames[0]);
-  for (int k = 1; k <= settings.steps; ++k) {
-    world.step(solver);
+  const double start = total_energy(snapshot(world));
+  for (int k = 0; k <= settings.steps; ++k) {
+    if (k > 0) world.step(solver);
     const Snapshot& now = edge.frames.emplace_back(snapshot(world));
     edge.off_by_step.push_back(small.off(now));
-    edge.off = std::max(edge.off, edge.off_by_step.back());
-    edge.energy_gain = std::max(edge.energy_gain, (total_energy(now) - start) / small.budget);
+    edge.energy_by_step.push_back((total_energy(now) - start) / small.budget);
   }
-  edge.stamp = stamp_of(edge);
   // [/drive]
   return edge;
 }

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "lessons/question.hpp"
+#include "lessons/tower_panel.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
-#include "render/bars.hpp"
 #include "render/draw.hpp"
+#include "render/lint.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
 
@@ -21,69 +21,70 @@ using render::fixed;
 using render::Page;
 using render::Rect;
 
+std::string sweeps_text(int count) { return fmt::format("{} sweep{}", count, count == 1 ? "" : "s"); }
+
 const FixedList<int, 8> map_sweeps = {1, 3, 10, 30, 100, 300, 1000, 3000};
 
-/// One stack, its masses written on its boxes, and the load on the ground as an arrow beside it.
-void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep) {
-  const bool heavy_above = run.ratio >= 1;
-  const double other = heavy_above ? run.ratio : 1 / run.ratio;
-  const Rect inside = page.panel(
-      rect, heavy_above ? fmt::format("{:g} kg on 1 kg", other) : fmt::format("1 kg on {:g} kg", other));
-  const render::Camera camera = render::fit(inside, {{-1.4, -0.35}, {1.4, 2.15}});
-  render::WorldLook look;
-  look.contacts = false;
-  look.names = {"", heavy_above ? "1" : fmt::format("{:g}", other),
-                heavy_above ? fmt::format("{:g}", other) : "1"};
-  page.canvas().push_clip(inside);
-  draw_world(page, camera, snapshot(World(two_boxes_scene(run.ratio))), look);
-  const render::ArrowScale scale{
-      .pixels_per_unit = 1.7 * camera.scale, .longest = 2 * camera.scale, .unit = ""};
-  const double weight = (1 + run.ratio) * gravity, load = run.load[sweep][0];
-  if (sweep > 0) draw_arrow(page, camera, scale, {.tail = {0.85, 0}, .value = {0, load / weight}});
-  page.canvas().pop_clip();
-  if (sweep == 0) return;
-  render::TextStyle text = page.value();
-  text.align = render::Align::right;
-  page.canvas().text({inside.x + inside.width, inside.y + text.size},
-                     fmt::format("λ_{{1}} = {} of {:g} N", render::significant(load, 4), weight), text);
+/// The style of the stack with the heavy box above, and of the other.
+render::SeriesStyle style_of(const Page& page, double ratio) {
+  return ratio >= 1 ? page.theme().si : page.theme().pgs;
 }
 
-/// The two stacks with the load on the ground after a sweep.
-void draw_stacks(Page& page, const Rect& rect, const ExtremesRun& run, int sweep) {
+/// The load on the ground as a column that fills up to what both boxes weigh.
+void draw_load(Page& page, const render::Camera& camera, const RatioRun& run, int sweep) {
+  const double weight = weight_of(run.ratio), load = run.load[sweep][0];
+  const render::Point left = camera.project({0.75, 0}), full = camera.project({1, 2});
+  const double level = left.y() - load / weight * (left.y() - full.y()), width = full.x() - left.x();
+  page.canvas().rect({left.x(), level, width, left.y() - level}, {.fill = page.theme().normal});
+  page.canvas().rect({left.x(), full.y(), width, left.y() - full.y()},
+                     {.outline = page.theme().outline, .outline_width = page.sizes().axis});
+  render::TextStyle text = page.value();
+  page.canvas().text({left.x(), full.y() - 0.5 * text.size}, fmt::format("{:g} N", weight), text);
+  text.bold = true;
+  if (sweep == 0) return;
+  page.canvas().text(
+      {full.x() + 0.5 * text.size, std::min(left.y() - 0.3 * text.size, level + 0.9 * text.size)},
+      render::significant(load, 3) + " N", text);
+}
+
+/// One stack, its masses written on its boxes, and beside it the load on the ground.
+void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep, const std::string& count) {
+  const Rect inside = draw_solver_panel(page, rect, style_of(page, run.ratio), name_of(run.ratio), count);
+  const render::Camera camera = render::fit(inside, {{-0.7, -0.25}, {1.9, 2.25}});
+  page.canvas().push_clip(inside);
+  draw_boxes(page, camera, snapshot(World(two_boxes_scene(run.ratio))), run.ratio);
+  draw_load(page, camera, run, sweep);
+  page.canvas().pop_clip();
+}
+
+/// The two stacks with the load on the ground after a sweep; `counts` stand above them.
+void draw_stacks(Page& page, const Rect& rect, const ExtremesRun& run, int sweep,
+                 const List<std::string>& counts) {
   const List<Rect> panels = columns(rect, {1, 1}, page.sizes().gap);
   const RatioRun& light = run_of(run.ratios, 1 / run.settings.ratio);
-  draw_stack(page, panels[0], run_of(run.ratios, run.settings.ratio), sweep);
-  draw_stack(page, panels[1], light, std::min(sweep, light.error.size() - 1));
+  draw_stack(page, panels[0], run_of(run.ratios, run.settings.ratio), sweep, counts[0]);
+  draw_stack(page, panels[1], light, std::min(sweep, light.error.size() - 1), counts[1]);
 }
 
-/// A style for each of a few stacks; all of them are solved by SI, so they share its colour.
-render::SeriesStyle style_of(const Page& page, int which) {
-  const FixedList<render::Marker, 4> markers = {render::Marker::square, render::Marker::circle,
-                                                render::Marker::triangle, render::Marker::diamond};
-  const FixedList<List<double>, 4> dashes = {List<double>{}, {10, 6}, {3, 4}, {14, 4, 3, 4}};
-  return {.color = page.theme().si.color, .dash = dashes[which], .marker = markers[which]};
-}
-
-/// The largest, the middle and the smallest of them.
-std::set<double> plotted_ratios(double ratio) { return {ratio, 10, 1, 1 / ratio}; }
-
+/// The error of both stacks; what is beyond the sweep is pale, and where each is right is marked with its
+/// number once it is there.
 void draw_errors(Page& page, const Rect& rect, const ExtremesRun& run, int sweep) {
   render::Plot plot{.title = "error of the load on the ground (%)"};
   const int last = run_of(run.ratios, run.settings.ratio).counted;
-  plot.x = {.title = "sweep", .scale = render::AxisScale::logarithmic, .min = 1, .max = 1.3 * last + 10};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 0.1, .max = 100};
-  int which = 0;
-  for (const double ratio : plotted_ratios(run.settings.ratio)) {
+  plot.x = {.title = "sweep", .min = 0, .max = 1.08 * last};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 0.5, .max = 120};
+  for (const double ratio : {run.settings.ratio, 1 / run.settings.ratio}) {
     const RatioRun& each = run_of(run.ratios, ratio);
-    render::Series series{.name = name_of(ratio), .style = style_of(page, which++)};
-    double next = 1;  // sparsely, as the axis is logarithmic
-    for (int k = 1; k < each.error.size() && 100 * each.error[k] >= 0.1; ++k) {
-      if (k < next && k != sweep) continue;
-      next = 1.05 * k;
+    render::Series& series = plot.series.emplace_back();
+    series.style = style_of(page, ratio);
+    series.markers = false;
+    for (int k = 0; k < each.error.size() && 100 * each.error[k] >= 0.1; ++k) {
       series.x.push_back(k);
       series.y.push_back(100 * each.error[k]);
     }
-    plot.series.push_back(series);
+    if (sweep < each.counted) continue;
+    plot.labels.push_back({static_cast<double>(each.counted), 100 * each.error[each.counted],
+                           fmt::format("{}: {}", name_of(ratio), sweeps_text(each.counted))});
   }
   plot.now = sweep;
   plot.goals.push_back({100 * goal, "1 %"});
@@ -102,10 +103,18 @@ render::Equation equation_of(const Page& page, const ExtremesRun& run, int sweep
           .color = page.theme().normal};
 }
 
+/// The sweeps that each stack has taken to 1 %, or has taken so far.
+List<std::string> counts_at(const ExtremesRun& run, int sweep) {
+  List<std::string> counts;
+  for (const double ratio : {run.settings.ratio, 1 / run.settings.ratio})
+    counts.push_back(sweeps_text(std::min(sweep, run_of(run.ratios, ratio).counted)));
+  return counts;
+}
+
 void draw_sweep(Page& page, const ExtremesRun& run, int sweep) {
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.56, 0.44}, page.sizes().gap);
-  draw_stacks(page, left[0], run, sweep);
+  const List<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
+  const List<Rect> left = rows(halves[0], {0.6, 0.4}, page.sizes().gap);
+  draw_stacks(page, left[0], run, sweep, {"", ""});
   draw_errors(page, halves[1], run, sweep);
   page.equation(left[1], equation_of(page, run, sweep));
 }
@@ -123,7 +132,7 @@ Shot sweep_shot(const Run& run, int sweep, bool key) {
 }
 
 render::MatrixView map_of(const ExtremesRun& run) {
-  render::MatrixView view{.title = "error left (%): each row a stack, each column a number of sweeps"};
+  render::MatrixView view{.title = "error left (%) after so many sweeps"};
   view.colors = render::MatrixColors::magnitude;
   view.values = Eigen::MatrixXd::Zero(run.ratios.size(), map_sweeps.size());
   for (const int sweep : map_sweeps) view.column_names.push_back(fmt::format("{}", sweep));
@@ -145,7 +154,8 @@ void draw_needed(Page& page, const Rect& rect, const ExtremesRun& run) {
   plot.x = {.title = "mass above / mass below", .scale = render::AxisScale::logarithmic};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 0.7, .max = 1e5};
   render::Series formula{.name = "", .style = page.theme().exact, .markers = false};
-  render::Series counted{.name = "", .style = page.theme().si, .line = false};
+  render::Series counted{.name = "", .style = page.theme().exact, .line = false};
+  counted.style.marker = render::Marker::square;
   for (int i = 0; i <= 70; ++i) {
     const double ratio = std::pow(10, -3 + i / 10.0);
     formula.x.push_back(ratio);
@@ -167,7 +177,7 @@ void draw_map(Page& page, const ExtremesRun& run) {
   draw_needed(page, right[0], run);
   page.note(right[1], "What decides",
             "A sweep leaves R / (1 + R) of the error, where R is the mass above over the mass below. "
-            "The line is ln 100 / ln(1 + 1/R), about 4.6R; the squares are counted.");
+            "The line is ln 100 / ln(1 + 1/R), about 4.6R; the squares are measured.");
 }
 
 /// The two stacks, sweep by sweep, and the map of all ratios.
@@ -189,32 +199,59 @@ List<Shot> ratio_shots(const Run& run) {
 }  // namespace
 
 std::string name_of(double ratio) {
-  return ratio >= 1 ? fmt::format("{:g} on 1", ratio) : fmt::format("1 on {:g}", 1 / ratio);
+  return ratio >= 1 ? fmt::format("{:g} kg on 1 kg", ratio) : fmt::format("1 kg on {:g} kg", 1 / ratio);
+}
+
+void draw_boxes(Page& page, const render::Camera& camera, const Snapshot& now, double ratio) {
+  draw_world(page, camera, now, {.numbers = false, .contacts = false, .penetration = false});
+  const List<double> masses = masses_of(ratio);
+  for (int i = 0; i < 2; ++i) {
+    const Vec2<double>& middle = now.bodies[{i + 1}].pose.position;
+    const render::Point corner = camera.project(middle + Vec2<double>(-0.5, 0.5));
+    const render::Color fill = masses[i] > 1 ? page.theme().static_hatch : page.theme().body;
+    page.canvas().rect(
+        {corner.x(), corner.y(), camera.scale, camera.scale},
+        {.fill = fill, .outline = page.theme().outline, .outline_width = page.sizes().outline});
+    render::TextStyle text = camera.scale < 80 ? page.tick() : page.label();
+    text.color = render::ink_on(fill), text.bold = true, text.align = render::Align::center;
+    page.canvas().text(camera.project(middle) + render::Point(0, text.size / 3),
+                       fmt::format("{:g} kg", masses[i]), text);
+  }
 }
 
 List<Shot> extremes_shots(const ExtremesRun& recorded) {
   const Run run = std::make_shared<const ExtremesRun>(recorded);
-  const int heavy = run_of(run->ratios, run->settings.ratio).counted;
-  const int light = run_of(run->ratios, 1 / run->settings.ratio).counted;
-  const auto stacks = [&](int sweep, const std::string& state, const std::string& alt) {
-    const auto scene = [run, sweep](Page& page, const Rect& rect) { draw_stacks(page, rect, *run, sweep); };
-    return QuestionFrame{.state = state, .alt = alt, .scene = scene, .place = ScenePlace::above};
-  };
-  List<Shot> shots = {question_shot(
-      card(), stacks(0, "before the first sweep",
-                     fmt::format("Two stacks of two boxes, {} and {} kilograms, and the question.",
-                                 name_of(run->settings.ratio), name_of(1 / run->settings.ratio))))};
+  const int last = run_of(run->ratios, run->settings.ratio).counted;
+  const QuestionFrame asked{
+      .state = "before the first sweep",
+      .alt = fmt::format("Two stacks of two boxes, {} and {}, and the question.",
+                         name_of(run->settings.ratio), name_of(1 / run->settings.ratio)),
+      .scene =
+          [run](Page& page, const Rect& rect) {
+            draw_stacks(page, rect, *run, 0, {"? sweeps", "? sweeps"});
+          },
+      .place = ScenePlace::above};
+  const List<std::string> counts = counts_at(*run, last);
+  const QuestionFrame answered{
+      .state = "the answer",
+      .alt = fmt::format(
+          "Both stacks with their loads found, and their errors sweep by sweep: one is right to 1 % "
+          "after {}, the other after {}.",
+          counts[0], counts[1]),
+      .scene = [run, last, counts](Page& page, const Rect& rect) {
+        const List<Rect> parts = rows(rect, {1, 1}, page.sizes().gap);
+        draw_stacks(page, parts[0], *run, last, counts);
+        draw_errors(page, parts[1], *run, last);
+      }};
+  List<Shot> shots = {question_shot(card(), asked)};
   for (const List<Shot>& part : {ratio_shots(run), wall_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
   shots.push_back(answer_shot(
-      card(),
-      stacks(
-          heavy, "the answer",
-          fmt::format("Both stacks with their loads found, and the answer: {} sweeps and {}.", heavy, light)),
-      fmt::format("{} with the heavy box above, {} with the light one. The ground acts through the light "
-                  "box, so a sweep leaves R\u00a0/\u00a0(1\u00a0+\u00a0R) of the error. With the heavy box "
-                  "below, the first guess is nearly right.",
-                  heavy, light)));
+      card(), answered,
+      fmt::format("{} with the heavy box above, {} with the light one. The ground acts through the "
+                  "light box, so a sweep leaves R\u00a0/\u00a0(1\u00a0+\u00a0R) of the error. With "
+                  "the heavy box below, the first guess is nearly right.",
+                  counts[0], counts[1])));
   return shots;
 }
 

@@ -9,8 +9,12 @@
 
 namespace cairn::edges {
 
+List<double> masses_of(double ratio) { return {std::max(1.0, 1 / ratio), std::max(1.0, ratio)}; }
+
+double weight_of(double ratio) { return (masses_of(ratio)[0] + masses_of(ratio)[1]) * gravity; }
+
 VelocityProblem<double> two_boxes(double ratio) {
-  return cases::column<double>({1, ratio}, gravity, time_step);
+  return cases::column<double>(masses_of(ratio), gravity, time_step);
 }
 
 Scene two_boxes_scene(double ratio) {
@@ -19,7 +23,7 @@ Scene two_boxes_scene(double ratio) {
   for (int i = 0; i < 2; ++i) {
     scene.add({.shapes = {box(1, 1)},
                .position = {0, 0.5 + i},
-               .mass = i == 0 ? 1 : ratio,
+               .mass = masses_of(ratio)[i],
                .fixed_rotation = true});
   }
   return scene;
@@ -35,7 +39,7 @@ double gap_to_formula(const RatioRun& run) {
   double gap = 0;
   for (int k = 1; k < run.load.size(); ++k) {
     const double formula = std::pow(rate_by_formula(run.ratio), k);
-    const double above = 1 - run.load[k][1] / (run.ratio * gravity);
+    const double above = 1 - run.load[k][1] / (masses_of(run.ratio)[1] * gravity);
     gap = std::max({gap, std::abs(run.error[k] - formula), std::abs(above - formula)});
   }
   return gap;

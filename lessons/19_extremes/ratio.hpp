@@ -10,7 +10,11 @@ inline constexpr double gravity = 10;      // [m/s^2]
 inline constexpr double time_step = 0.02;  // [s]
 inline constexpr double goal = 0.01;       // share of the error that is left when a load counts as right
 
-/// A box of 1 kg on the ground, with one of `ratio` kg on it: one row for each of the two contacts.
+/// The masses of the lower and the upper box [kg]; the lighter one has 1 kg.
+List<double> masses_of(double ratio);
+/// What both weigh together [N]: the load on the ground.
+double weight_of(double ratio);
+/// One box on the ground and one on it: one row for each of the two contacts.
 VelocityProblem<double> two_boxes(double ratio);
 /// The same as a scene, to be drawn and to be stepped.
 Scene two_boxes_scene(double ratio);

@@ -21,26 +21,29 @@ struct WallSettings {
 
 /// How a world has come through.
 enum class Stamp {
-  ok,      // off by 1 % at most, and without any energy from nowhere
-  soft,    // by no more than its own size, and again without
-  broken,  // neither
+  ok,       // off by 1 % at most, and at most 1 % of energy from nowhere
+  soft,     // off by no more than its own size, and as little energy
+  growing,  // the same, but a joint pulls harder and harder: nothing of it is to be seen
+  broken,   // none of these
 };
 std::string stamp_text(Stamp stamp);
 
 struct EdgeCase {
   std::string name = {};
-  std::string quantity = {};  // what `off` is a share of
-  double off = 0;             // the worst of all steps: 0 is right, 1 as far as the thing is large
-  double energy_gain = 0;     // of the energy that the scene has to spend
-  Stamp stamp = Stamp::ok;
-  List<Snapshot> frames = {};  // one for each step, the start first
-  List<double> off_by_step = {};
-  Aabb<double> view = {};  // [m] what is shown of it
-  double top = 0;          // [m] where its upper side belongs; 0: it is no stack
+  std::string quantity = {};         // what `off` is a share of
+  List<Snapshot> frames = {};        // one for each step, the start first
+  List<double> off_by_step = {};     // 0 is right, 1 as far as the thing is large
+  List<double> energy_by_step = {};  // more than at the start, as a share of what the scene has to spend
+  Aabb<double> view = {};            // [m] what is shown of it
+  double top = 0;                    // [m] where its upper side belongs; 0: it is no stack
 };
 
-/// By `off` and `energy_gain`.
-Stamp stamp_of(const EdgeCase& edge);
+/// The largest of all steps so far.
+double worst(const List<double>& by_step, int step);
+/// What the first joint gives in a step [N]; 0 if there is none.
+double pull_of(const EdgeCase& edge, int step);
+/// By the steps so far.
+Stamp stamp_of(const EdgeCase& edge, int step);
 
 /// A scene, and what is measured of it.
 struct SmallWorld {
@@ -62,9 +65,8 @@ inline constexpr double pins_beta = 0.2;
 
 /// One body, pinned in the middle to two places. It stands where the second pin wants it.
 Scene two_pins_scene();
-/// What the first row of the two pins has given after each step [N].
-List<double> quarrel(const EdgeCase& pins);
-/// By formula: in every sweep it gives m beta d / dt more, which the other takes back.
+/// What each of the two pins pulls with after a step [N], by formula: in every sweep one gives m beta d / dt
+/// more, which the other takes back.
 double quarrel_by_formula(const WallSettings& settings, int step);
 
 }  // namespace cairn::edges

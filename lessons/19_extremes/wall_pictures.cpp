@@ -1,15 +1,10 @@
-// Eight worlds on one page, each with its stamp; and what the numbers of two pins tell.
+// Eight worlds on one page, each with its stamp.
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
 
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"
 #include "render/lint.hpp"
-#include "render/plot.hpp"
 
 namespace cairn::edges {
 
@@ -20,35 +15,21 @@ using render::Page;
 using render::Point;
 using render::Rect;
 
-/// A word in a box: the better the paler.
-void draw_stamp(Page& page, const Point& right_base, Stamp stamp) {
+/// A word in a box with its left end at a point. @returns its width [px]
+double draw_stamp(Page& page, const Point& base, Stamp stamp) {
   render::TextStyle text = page.tick();
   text.bold = true;
-  text.align = render::Align::right;
   const render::Theme& theme = page.theme();
-  const render::Color fill = stamp == Stamp::ok     ? theme.panel
-                             : stamp == Stamp::soft ? theme.body
-                                                    : theme.text;
-  if (stamp != Stamp::ok) text.color = stamp == Stamp::soft ? render::ink_on(fill) : theme.panel;
+  const FixedList<render::Color, 4> fills = {theme.panel, theme.penetration, theme.positive, theme.positive};
+  const render::Color fill = fills[static_cast<int>(stamp)];
+  text.color = render::ink_on(fill);
   text.halo = fill;
   const std::string word = stamp_text(stamp);
   const double width = page.canvas().text_width(word, text) + 10;
-  page.canvas().rect({right_base.x() - width, right_base.y() - 1.05 * text.size, width, 1.45 * text.size},
+  page.canvas().rect({base.x(), base.y() - 1.05 * text.size, width, 1.45 * text.size},
                      {.fill = fill, .outline = theme.text, .outline_width = page.sizes().axis}, 3);
-  page.canvas().text({right_base.x() - 5, right_base.y()}, word, text);
-}
-
-/// The worst of all steps so far.
-double off_so_far(const EdgeCase& edge, int step) {
-  const auto begin = edge.off_by_step.begin();
-  return *std::max_element(begin, begin + step + 1);
-}
-
-/// The stamp that the world would have, had it ended here; its energy is judged at the end.
-Stamp stamp_so_far(const EdgeCase& edge, int step) {
-  if (step + 1 >= edge.frames.size()) return edge.stamp;
-  EdgeCase so_far{.off = off_so_far(edge, step)};
-  return stamp_of(so_far);
+  page.canvas().text({base.x() + 5, base.y()}, word, text);
+  return width;
 }
 
 /// Where the last body has been, each place as a ring: what is fast is seen nowhere else.
@@ -63,122 +44,115 @@ void draw_places(Page& page, const render::Camera& camera, const EdgeCase& edge,
   }
 }
 
-/// A dashed line where the top of a stack belongs.
+/// A dashed line where the top of a stack belongs, with its height.
 void draw_top(Page& page, const render::Camera& camera, const EdgeCase& edge) {
   const Point left = camera.project({edge.view.lower.x(), edge.top});
   const Point right = camera.project({edge.view.upper.x(), edge.top});
   page.canvas().line(left, right, {.width = 2, .color = page.theme().normal, .dash = {6, 4}});
+  render::TextStyle text = page.tick();
+  text.align = render::Align::right;
+  page.canvas().text(right + Point(0, 1.3 * text.size), fmt::format("{:g} m", edge.top), text);
+}
+
+/// The two pins pull at the body, each towards itself.
+void draw_pulls(Page& page, const render::Camera& camera, const ExtremesRun& run, int step) {
+  const double pull = pull_of(run.wall[two_pins], step);
+  const double largest = pull_of(run.wall[two_pins], run.settings.steps);
+  const render::ArrowScale scale{.pixels_per_unit = 0.26 * camera.scale / largest, .longest = camera.scale};
+  for (const double side : {-1.0, 1.0})
+    draw_arrow(page, camera, scale, {.tail = {pins_apart + 0.02 * side, -0.22}, .value = {side * pull, 0}});
 }
 
 /// What a share of something is called: 7.3 %, or 227 times.
 std::string share_text(double share) {
-  if (share < 1e-9) return "0 %";
-  if (share <= 9.995) return fixed(100 * share, share < 0.0995 ? 1 : 0) + " %";
-  return share < 9999 ? fixed(share, 0) + " ×" : "> 9999 ×";
+  if (share < 1e-9) return "0 % of";
+  if (share <= 9.995) return fixed(100 * share, share < 0.0995 ? 1 : 0) + " % of";
+  return share < 9999 ? fixed(share, 0) + " times" : "> 9999 times";
 }
 
-void draw_edge(Page& page, const Rect& rect, const EdgeCase& edge, int which, int step) {
+/// What is measured of a world, in one or two lines.
+List<std::string> measured_lines(const ExtremesRun& run, int which, int step) {
+  const EdgeCase& edge = run.wall[which];
+  const double off = worst(edge.off_by_step, step), energy = worst(edge.energy_by_step, step);
+  List<std::string> lines = {fmt::format("off by {} {}", share_text(off), edge.quantity)};
+  if (energy > 0.01) lines.push_back("energy +" + fixed(100 * energy, 1) + " %");
+  if (which == two_pins)
+    lines.push_back(fmt::format("each pulls: {} kN", render::significant(pull_of(edge, step) / 1000, 3)));
+  return lines;
+}
+
+void draw_edge(Page& page, const Rect& rect, const ExtremesRun& run, int which, int step) {
+  const EdgeCase& edge = run.wall[which];
   const bool is_cut = edge.top > edge.view.upper.y() - edge.view.lower.y();
   const Rect inside = page.panel(rect, edge.name + (is_cut ? ", its upper end" : ""));
-  const double line = 1.6 * page.sizes().tick;
-  const Rect view = {inside.x, inside.y, inside.width, inside.height - line - 2};
+  const double line = 1.5 * page.sizes().tick;
+  const Rect view = {inside.x, inside.y, inside.width, inside.height - 2 * line - 2};
   const render::Camera camera = render::fit(view, edge.view);
+  const Snapshot& now = edge.frames[step];
   page.canvas().push_clip(view);
   if (which == ball || which == fast_ball || which == sling) draw_places(page, camera, edge, step);
   const render::WorldLook look{.numbers = false,
                                .names = {"", which == pin ? "body" : "", "ball"},
                                .contacts = false,
                                .penetration = false};
-  draw_world(page, camera, edge.frames[step], look);
+  if (which < 2) draw_boxes(page, camera, now, which == 0 ? run.settings.ratio : 1 / run.settings.ratio);
+  if (which >= 2) draw_world(page, camera, now, look);
+  if (which == two_pins) draw_pulls(page, camera, run, step);
   if (edge.top > 0) draw_top(page, camera, edge);
   page.canvas().pop_clip();
   if (which == pin) page.avoid({camera.project({-0.1, 0}), camera.project({edge.view.upper.x(), 0})});
-  if (which == ball) page.avoid({camera.project({0, -1}), camera.project({0, 1})});  // the wall
-  if (which == ball || which == pin) draw_unseen(page, camera, edge.frames[step], look);
+  if (which == ball) page.avoid({camera.project({0, -1.3}), camera.project({0, 1.3})});  // the wall
+  if (which == ball || which == pin) draw_unseen(page, camera, now, look);
   const double base = inside.y + inside.height - 0.35 * page.sizes().tick;
-  const bool has_room = inside.width > 15 * page.sizes().tick;
-  const bool tells_energy =
-      has_room && step + 1 == edge.frames.size() && edge.energy_gain > 0.01 && edge.off <= 9;
-  std::string text = share_text(off_so_far(edge, step));
-  if (tells_energy) text += ", energy +" + share_text(edge.energy_gain);
-  if (!tells_energy) text = "off " + text;
-  page.canvas().text({inside.x, base}, text, page.tick());
-  draw_stamp(page, {inside.x + inside.width, base}, stamp_so_far(edge, step));
+  const List<std::string> lines = measured_lines(run, which, step);
+  for (int i = 0; i < lines.size(); ++i)
+    page.canvas().text({inside.x, base - (1 - i) * line}, lines[i], page.tick());
+  const Stamp stamp = stamp_of(edge, step);
+  render::TextStyle bold = page.tick();
+  bold.bold = true;
+  const double width = page.canvas().text_width(stamp_text(stamp), bold) + 10;
+  draw_stamp(page, {inside.x + inside.width - width, base}, stamp);
+}
+
+/// Every stamp with its rule, in one line.
+void draw_rules(Page& page, const Rect& rect) {
+  const FixedList<std::string, 4> rules = {"off by at most 1 %", "by at most its own size",
+                                           "the same, and a joint pulls ever harder",
+                                           "by more, or energy up by over 1 %"};
+  double x = rect.x;
+  for (int i = 0; i < rules.size(); ++i) {
+    const double base = rect.y + 1.1 * page.sizes().tick;
+    x += draw_stamp(page, {x, base}, static_cast<Stamp>(i)) + 6;
+    page.canvas().text({x, base}, rules[i], page.tick());
+    x += page.canvas().text_width(rules[i], page.tick()) + 16;
+  }
 }
 
 void draw_wall(Page& page, const ExtremesRun& run, int step) {
-  const List<Rect> lines = rows(page.area(), {1, 1, 0.05}, page.sizes().gap);
-  page.canvas().text(
-      {lines[2].x, lines[2].y + page.sizes().tick},
-      "OK: off by at most 1 %.  SOFT: by at most its own size.  BROKEN: by more, or with more than "
-      "1 % of energy from nowhere.  Dashed: the right height.",
-      page.tick());
+  const List<Rect> lines = rows(page.area(), {1, 1, 0.08}, page.sizes().gap);
+  draw_rules(page, lines[2]);
   for (int i = 0; i < run.wall.size(); ++i) {
     const List<Rect> panels = columns(lines[i / 4], {1, 1, 1, 1}, page.sizes().gap);
-    draw_edge(page, panels[i % 4], run.wall[i], i, step);
+    draw_edge(page, panels[i % 4], run, i, step);
   }
 }
 
 Shot wall_shot(const Run& run, int step) {
   std::string alt = fmt::format("Eight small worlds after step {}:", step);
   for (const EdgeCase& edge : run->wall)
-    alt += fmt::format(" {}: {};", edge.name, stamp_text(stamp_so_far(edge, step)));
+    alt += fmt::format(" {}: {};", edge.name, stamp_text(stamp_of(edge, step)));
   alt.back() = '.';
-  return {.state = fmt::format("eight worlds · step {}", step), .alt = alt, .draw = [run, step](Page& page) {
-            draw_wall(page, *run, step);
-          }};
-}
-
-/// What the two pins give: the picture of them stands still.
-void draw_quarrel(Page& page, const Rect& rect, const ExtremesRun& run) {
-  render::Plot plot{.title = "two pins: what each pulls with (kN)"};
-  plot.x = {.title = "step", .min = 0, .max = run.settings.steps};
-  plot.y = {.title = ""};
-  List<double> measured, formula;  // [kN]
-  for (const double given : quarrel(run.wall[two_pins])) {
-    formula.push_back(std::abs(quarrel_by_formula(run.settings, measured.size())) / 1000);
-    measured.push_back(std::abs(given) / 1000);
-  }
-  plot.series = {over_steps("formula", page.theme().exact, formula),
-                 over_steps("SI", page.theme().si, measured)};
-  plot.series[0].markers = false;
-  draw_plot(page, rect, plot);
-}
-
-void draw_numbers(Page& page, const ExtremesRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.66, 0.34}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.6, 0.4}, page.sizes().gap);
-  draw_quarrel(page, left[0], run);
-  page.note(halves[1], "How you notice",
-            "A picture shows that the body is off one pin, by their whole distance. It stands still, as if "
-            "it were at rest.\n\nWhat no picture shows: in every sweep one pin pulls by "
-            "m\u00a0β\u00a0d\u00a0/\u00a0Δt², and the "
-            "other pulls back. No λ satisfies both, so λ grows for ever.");
-  render::TableView table;
-  table.header = {"asked for", "what the program answers"};
-  for (const Refusal& refusal : run.refusals) {
-    const std::size_t cut = refusal.message.find(": ");
-    table.rows.push_back({refusal.asked, refusal.message.substr(cut == std::string::npos ? 0 : cut + 2)});
-  }
-  table.text_columns = 2;
-  page.table(left[1], "", table);
+  return {.state = fmt::format("eight worlds · step {}", step),
+          .alt = alt,
+          .draw = [run, step](Page& page) { draw_wall(page, *run, step); },
+          .key = step == 3 || step == 10 || step == run->settings.steps};
 }
 
 }  // namespace
 
 List<Shot> wall_shots(const Run& run) {
-  const int last = run->settings.steps;
-  const std::set<int> keys = {3, 10, last};
   List<Shot> shots;
-  for (int step = 0; step <= last; ++step) {
-    shots.push_back(wall_shot(run, step));
-    shots.back().key = keys.contains(step);
-  }
-  shots.push_back({.state = "what pictures do not show",
-                   .alt = "Two pins pull at one body that stands still: what each gives grows by as much in "
-                          "every step, for ever. Below, scenes that are refused, and the messages.",
-                   .draw = [run](Page& page) { draw_numbers(page, *run); },
-                   .key = true});
+  for (int step = 0; step <= run->settings.steps; ++step) shots.push_back(wall_shot(run, step));
   return shots;
 }
 
