@@ -1,4 +1,6 @@
 // What the search looks through, and all lessons on one page.
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "lessons/driver/book_parts.hpp"
@@ -59,9 +61,12 @@ std::string search_index(const std::map<std::string, std::string>& pages, const 
 }
 
 std::string handouts_page(const Book& book) {
-  std::string body;
+  std::string contents, body;
   for (int i = 0; i < book.size(); ++i) {
     const std::string name = page_name(book[i].program);
+    const LessonInfo& card = book[i].program.card;
+    contents +=
+        fmt::format("<li><a href=\"#{}\">{}</a><br>{}</li>\n", name, escaped(card.title), escaped(card.idea));
     const std::string stem = name.substr(0, name.find('.')) + "-";
     std::string html = replaced(lesson_body(book, i), fold, "</summary>",
                                 [](const std::string&) { return std::string("<div>"); });
@@ -76,7 +81,8 @@ std::string handouts_page(const Book& book) {
   return page({.title = "Cairn: handouts",
                .description = "All lessons on one page, for print.",
                .kind = "lesson handouts",
-               .body = body});
+               .body = "<article class=\"front\">\n<h1>Cairn: the lessons</h1>\n<ol start=\"0\">\n" +
+                       contents + "</ol>\n</article>\n" + body});
 }
 
 }  // namespace cairn::driver
