@@ -6,8 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
 #include <string_view>
 
+#include "lessons/answers.hpp"
 #include "lessons/output.hpp"
 
 namespace cairn {
@@ -35,7 +40,24 @@ int show_hint(const Exercise& exercise, std::string_view word) {
   return 0;
 }
 
-int run_exercise(const Exercise& exercise, int argument_count, const char* const* arguments) {
+/// Whether nothing but comments stands in the gap of this file.
+bool has_empty_gap(const std::string& source) {
+  std::ifstream stream(source);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  try {
+    std::istringstream lines(split_at_gap(text).gap);
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t begin = line.find_first_not_of(" \t\r");
+      if (begin != std::string::npos && line.compare(begin, 2, "//") != 0) return false;
+    }
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;  // its marks are gone, and what stands there is graded as it is
+  }
+}
+
+int run_exercise(const Exercise& exercise, const std::string& source, int argument_count,
+                 const char* const* arguments) {
   if (argument_count > 1) {
     const bool is_hint = std::string_view(arguments[1]) == "--hint" && argument_count <= 3;
     if (is_hint) return show_hint(exercise, argument_count == 3 ? arguments[2] : "1");
@@ -43,15 +65,18 @@ int run_exercise(const Exercise& exercise, int argument_count, const char* const
                arguments[1], exercise.hints.size());
     return 2;
   }
-  Grade grade;
-  exercise.grade(grade);
   fmt::print("EXERCISE {:02}  {}\n         {}\n", exercise.lesson, exercise.task, exercise.file);
-  print_marks(grade);
-  if (grade.passed()) {
-    fmt::print("Passed.\n");
-    return 0;
+  if (has_empty_gap(source)) {
+    fmt::print("The gap is still empty: your code goes between its two lines.\n");
+  } else {
+    Grade grade;
+    exercise.grade(grade);
+    print_marks(grade);
+    if (grade.passed()) {
+      fmt::print("Passed.\n");
+      return 0;
+    }
   }
-  if (grade.is_empty()) fmt::print("Nothing was computed: the gap is still empty.\n");
   fmt::print("Not yet. A hint: bash lessons/run hint {}\n", exercise.lesson);
   return 1;
 }
@@ -81,12 +106,9 @@ bool Grade::passed() const {
          std::all_of(marks_.begin(), marks_.end(), [](const Mark& mark) { return mark.holds; });
 }
 
-bool Grade::is_empty() const {
-  return std::all_of(marks_.begin(), marks_.end(), [](const Mark& mark) { return std::isnan(mark.got); });
-}
-
-int exercise_program(const Exercise& exercise, int argument_count, const char* const* arguments) {
-  return finished(run_exercise(exercise, argument_count, arguments));
+int exercise_program(const Exercise& exercise, const std::string& source, int argument_count,
+                     const char* const* arguments) {
+  return finished(run_exercise(exercise, source, argument_count, arguments));
 }
 
 }  // namespace cairn

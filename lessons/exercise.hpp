@@ -45,8 +45,6 @@ class Grade {
   const List<Mark>& marks() const { return marks_; }
   /// Whether there are marks, and all of them hold.
   bool passed() const;
-  /// Whether no mark got a number: the answer computes nothing yet.
-  bool is_empty() const;
 
  private:
   List<Mark> marks_;
@@ -60,9 +58,11 @@ struct Exercise {
   std::function<void(Grade&)> grade = {};  // asks the answer for its numbers
 };
 
-/// A program that grades one exercise: shows the marks, or a hint with --hint K. Exit code 0: passed, 1: not
-/// yet, 2: bad usage.
-int exercise_program(const Exercise& exercise, int argument_count, const char* const* arguments);
+/// A program that grades one exercise: shows the marks, or a hint with --hint K. `source` is the file that it
+/// was built from: where its gap is still empty, there is nothing to mark. Exit code 0: passed, 1: not yet,
+/// 2: bad usage.
+int exercise_program(const Exercise& exercise, const std::string& source, int argument_count,
+                     const char* const* arguments);
 
 /// For each lesson: its exercise as it comes, then with each answer of its answers.txt. Made when the project
 /// is built.

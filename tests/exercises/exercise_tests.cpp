@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <utility>
 
@@ -24,13 +26,22 @@ TEST_CASE("a number holds within its tolerance, and a NaN never does") {
   CHECK_FALSE(Grade().passed());
 }
 
-TEST_CASE("a grade is empty as long as no mark has a number") {
-  Grade grade;
-  CHECK(grade.is_empty());
-  grade.number({.what = "a number", .value = 2}, std::numeric_limits<double>::quiet_NaN());
-  CHECK(grade.is_empty());
-  grade.number({.what = "another", .value = 2}, 3);
-  CHECK_FALSE(grade.is_empty());
+TEST_CASE("a gap without code is not graded, and an exercise without its marks is") {
+  const std::filesystem::path source = std::filesystem::temp_directory_path() / "cairn_exercise_tests.cpp";
+  const auto is_graded = [&source](const std::string& text) {
+    std::ofstream(source) << text;
+    bool graded = false;
+    const char* const words[] = {"exercise"};
+    CHECK(exercise_program({.grade = [&graded](Grade&) { graded = true; }}, source.string(), 1, words) == 1);
+    return graded;
+  };
+  const std::string begin = "int f() {\n  // Your code begins here: about one line.\n";
+  const std::string end = "  // Your code ends here.\n}\n";
+  CHECK_FALSE(is_graded(begin + "\n" + end));
+  CHECK_FALSE(is_graded(begin + "  // I will do it tomorrow.\n\n" + end));
+  CHECK(is_graded(begin + "  // The answer:\n  return 42;\n" + end));
+  CHECK(is_graded("int f() { return 42; }\n"));
+  std::filesystem::remove(source);
 }
 
 TEST_CASE("a wrong number names the first misconception that gives it, and a right one none") {
