@@ -1,4 +1,4 @@
-// Errors against sweeps, work and time; tower sizes, precision, warm starts.
+// Errors against sweeps and work; tower sizes, precision, the time of a row update.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,60 +16,43 @@ using render::fixed;
 using render::Page;
 using render::Rect;
 
-/// Every error of a curve against `unit` times its sweep; sparsely, as the axis is logarithmic.
-render::Series against(const Page& page, const CostRun& run, int which, double unit) {
-  render::Series series{.name = short_name(run, which), .style = style_of(page, which)};
-  const Curve& curve = run.curves[which];
-  double next = 1;
-  for (int k = 1; k < curve.error.size(); ++k) {
-    if (k < next && k + 1 < curve.error.size()) continue;
-    next = std::max(k + 1.0, k * 1.03);
-    series.x.push_back(unit * k);
-    series.y.push_back(std::max(curve.error[k], least_error));
-  }
-  return series;
-}
+constexpr double first_sweep = 3;  // of the curves: before it all errors are nearly 1
+constexpr double last_error = 1e-6;
 
-/// A chart with a note below it.
-List<Rect> chart_and_note(const Page& page) { return rows(page.area(), {0.74, 0.26}, page.sizes().gap); }
-
-/// One more curve, and its name where it passes 10^-4: the ends of the curves are close to each other.
-void add_curve(render::Plot& plot, const Page& page, const CostRun& run, int which, double unit) {
-  render::Series& series = plot.series.emplace_back(against(page, run, which, unit));
-  series.name.clear();
-  const int sweep = sweeps_to(run.curves[which].error, 1e-4);
-  if (sweep > 0) plot.labels.push_back({unit * sweep, 1e-4, short_name(run, which)});
-}
-
-render::Axis error_axis(double least) {
-  return {.title = "", .scale = AxisScale::logarithmic, .min = least, .max = 2};
-}
-
-void draw_digits(Page& page, const CostRun& run) {
-  const List<Rect> halves = rows(page.area(), {1, 1}, page.sizes().gap);
-  render::Plot sweeps{.title = "error of λ against sweeps",
-                      .x = {.title = "sweeps", .scale = AxisScale::logarithmic},
-                      .y = error_axis(1e-6)};
-  render::Plot work{.title = "error of λ against multiply-adds",
-                    .x = {.title = "multiply-adds", .scale = AxisScale::logarithmic},
-                    .y = error_axis(1e-6)};
+/// Every curve's errors against its sweeps, or against the multiply-adds that these take; sparsely, as the
+/// axis is logarithmic.
+void draw_digits(Page& page, const Rect& rect, const CostRun& run, bool is_work) {
+  const std::string what = is_work ? "multiply-adds" : "sweeps";
+  const double work = is_work ? run.curves[si_curve].work : 1;
+  render::Plot plot{.title = "error against " + what,
+                    .x = {.title = what, .scale = AxisScale::logarithmic, .min = first_sweep * work},
+                    .y = {.title = "", .scale = AxisScale::logarithmic, .min = last_error, .max = 2}};
   for (int which = 0; which < run.curves.size(); ++which) {
-    add_curve(sweeps, page, run, which, 1);
-    add_curve(work, page, run, which, run.curves[which].work);
+    const Curve& curve = run.curves[which];
+    render::Series& series = plot.series.emplace_back();
+    series.name = short_name(run, which);
+    series.style = style_of(page, which);
+    double next = first_sweep;
+    for (int k = 1; k < curve.error.size() && curve.error[k] > last_error / 10; ++k) {
+      if (k < next) continue;
+      next = std::max(k + 1.0, k * 1.03);
+      series.x.push_back((is_work ? curve.work : 1) * k);
+      series.y.push_back(curve.error[k]);
+    }
   }
-  draw_plot(page, halves[0], sweeps);
-  const double n = run.settings.boxes;
-  const double elimination = n * n * n / 3 + n * n;
-  work.front = {.x = {elimination, elimination}, .y = {1e-6, 2}};
-  work.labels.push_back({elimination, 1e-4, "elimination: all digits"});
-  draw_plot(page, halves[1], work);
+  if (is_work) {
+    const double n = run.settings.boxes, elimination = n * n * n / 3 + n * n;
+    plot.front = {.x = {elimination, elimination}, .y = {last_error, 2}};
+    plot.labels = {{elimination, 1e-4, "elimination: all digits"}};
+  }
+  draw_plot(page, rect, plot);
 }
 
 void draw_sizes(Page& page, const CostRun& run) {
   const List<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
   render::Plot plot{.title = "sweeps until 1 % is left"};
   plot.x = {.title = "boxes", .scale = AxisScale::logarithmic, .min = 2, .max = 30};
-  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1, .max = 3000};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 3, .max = 3000};
   render::Series square{.name = "1.78 n²", .style = page.theme().exact, .markers = false};
   square.style.marker = render::Marker::none;
   for (const double n : {2.0, 30.0}) {
@@ -77,8 +60,8 @@ void draw_sizes(Page& page, const CostRun& run) {
     square.y.push_back(1.78 * n * n);
   }
   render::Series si{.name = "SI", .style = style_of(page, si_curve)};
-  render::Series sor{.name = "best ω", .style = style_of(page, sor_curve)};
-  render::TableView table{.header = {"boxes", "SI", "best ω", "ratio"}};
+  render::Series sor{.name = "SOR", .style = style_of(page, sor_curve)};
+  render::TableView table{.header = {"boxes", "SI", "SOR", "ratio"}};
   for (const SizeCost& size : run.sizes) {
     si.x.push_back(size.boxes);
     si.y.push_back(size.si);
@@ -89,7 +72,7 @@ void draw_sizes(Page& page, const CostRun& run) {
   }
   plot.series = {square, si, sor};
   draw_plot(page, halves[0], plot);
-  const List<Rect> right = rows(halves[1], {0.38, 0.62}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
   page.table(right[0], "sweeps until 1 % is left", table);
   page.note(right[1], "The scene decides",
             "A sweep passes loads on from box to box. Twice as many boxes take four times "
@@ -98,12 +81,13 @@ void draw_sizes(Page& page, const CostRun& run) {
 }
 
 void draw_precision(Page& page, const CostRun& run) {
-  const List<Rect> halves = chart_and_note(page);
+  const List<Rect> halves = rows(page.area(), {0.74, 0.26}, page.sizes().gap);
   render::Plot plot{.title = "error of λ, sweep by sweep"};
   plot.x = {.title = "sweep", .min = 0, .max = run.pgs.error.size()};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-15, .max = 2};
-  plot.series = {over_steps("float", page.theme().si, run.single.error),
-                 over_steps("double", page.theme().pgs, run.pgs.error)};
+  const render::SeriesStyle single{page.theme().exact.color, {2, 5}, render::Marker::diamond};
+  plot.series = {over_steps("float", single, run.single.error),
+                 over_steps("double", page.theme().si, run.pgs.error)};
   draw_plot(page, halves[0], plot);
   const std::string least = render::significant(run.single.error.back(), 2);
   page.note(
@@ -112,25 +96,6 @@ void draw_precision(Page& page, const CostRun& run) {
                   "each sweep rounds, and a rounding spreads through the tower like any other error. A "
                   "game needs far fewer digits; sweeps after that are wasted.",
                   least));
-}
-
-void draw_frames(Page& page, const CostRun& run) {
-  const List<Rect> halves = chart_and_note(page);
-  render::Plot plot{.title = fmt::format("error of λ after each step, {} sweep{} a step", run.settings.sweeps,
-                                         run.settings.sweeps == 1 ? "" : "s")};
-  plot.x = {.title = "step", .min = 0, .max = frames};
-  plot.y = {.title = "", .scale = AxisScale::logarithmic, .max = 2};
-  render::SeriesStyle cold = page.theme().si;
-  cold.dash = {2, 5};
-  cold.marker = render::Marker::diamond;
-  plot.series = {over_steps("warm", page.theme().si, run.frames.warm),
-                 over_steps("cold", cold, run.frames.cold)};
-  plot.goals.push_back({0.01, "1 %"});
-  draw_plot(page, halves[0], plot);
-  page.note(halves[1], "Spread over steps",
-            "Each step starts with what the last one found, so a digit is paid in instalments. The "
-            "price: the first steps leave the boxes a speed, and the loads swing about the exact "
-            "ones. Cold, the loads become right only because the boxes fall fast enough.");
 }
 
 render::Plot update_plot(const Page& page, const CostRun& run) {
@@ -177,34 +142,19 @@ void draw_updates(Page& page, const CostRun& run) {
       "for each λ: both grow with the tower. The last line knows this tower by heart and looks nothing up.");
 }
 
-void draw_clock(Page& page, const CostRun& run) {
-  const List<Rect> parts = chart_and_note(page);
-  render::Plot plot{.title = "error of λ against time (µs), this machine",
-                    .x = {.title = "µs", .scale = AxisScale::logarithmic},
-                    .y = error_axis(least_error)};
-  const FixedList<int, 4> clock = {si_time, jacobi_time, si_time, accelerated_time};
-  const int size = run.settings.boxes > 20 ? 1 : 0;
-  for (int which = 0; which < run.curves.size(); ++which) {
-    const double sweep = 1e-3 * run.times[clock[which]].nanoseconds[size] * run.settings.boxes;
-    add_curve(plot, page, run, which, sweep);
-  }
-  draw_plot(page, parts[0], plot);
-  const double factor = run.times[accelerated_time].nanoseconds[size] / run.times[si_time].nanoseconds[size];
-  page.note(
-      parts[1], "Which is the fastest?",
-      fmt::format("A sweep with momentum takes {} times as long as one of SI. Whether that pays depends "
-                  "on the digits that are asked for, and on the tower: look where curves cross.",
-                  fixed(factor, 1)));
-}
-
 }  // namespace
 
 List<Shot> digit_shots(const Runs& run) {
+  const auto draw_both = [run](Page& page) {
+    const List<Rect> halves = rows(page.area(), {1, 1}, page.sizes().gap);
+    draw_digits(page, halves[0], *run, false);
+    draw_digits(page, halves[1], *run, true);
+  };
   return {
       {.state = "sweeps, and work",
        .alt = "Errors of four solvers against sweeps and against multiply-adds: SI and Jacobi creep, SOR and "
-              "momentum fall.",
-       .draw = [run](Page& page) { draw_digits(page, *run); },
+              "momentum fall; by multiply-adds momentum falls behind SOR.",
+       .draw = draw_both,
        .key = true},
       {.state = "3, 5, 10, 20 boxes",
        .alt =
@@ -217,23 +167,11 @@ List<Shot> digit_shots(const Runs& run) {
                           run->single.error.back()),
        .draw = [run](Page& page) { draw_precision(page, *run); },
        .key = true},
-      {.state = "step after step",
-       .alt = "Errors after each of 50 steps, warm and cold, with few sweeps a step.",
-       .draw = [run](Page& page) { draw_frames(page, *run); },
-       .key = true}};
-}
-
-List<Shot> clock_shots(const Runs& run) {
-  return {
       {.state = "time of a row update",
        .alt =
            "Time of one row update against the number of rows: the same for SI and sparse PGS at any size, "
            "growing with the rows for dense and naive PGS.",
        .draw = [run](Page& page) { draw_updates(page, *run); },
-       .key = true},
-      {.state = "error against time",
-       .alt = "Errors of four solvers against the time that they take on this machine.",
-       .draw = [run](Page& page) { draw_clock(page, *run); },
        .key = true}};
 }
 

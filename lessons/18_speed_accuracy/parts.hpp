@@ -18,12 +18,11 @@ CsvTable errors_table(const CostRun& run);
 
 using Runs = std::shared_ptr<const CostRun>;
 
-/// The tower's loads sweep by sweep, errors against sweeps, work and time, and what moves them.
+/// The tower's loads sweep by sweep, errors against sweeps and work, and what moves them.
 List<Shot> cost_shots(const CostRun& run);
 
-/// Digits, sizes, precision, warm starts; and what depends on the machine.
+/// Digits, sizes, precision, and what a row update takes on this machine.
 List<Shot> digit_shots(const Runs& run);
-List<Shot> clock_shots(const Runs& run);
 
 /// In the order of CostRun::curves: SI, Jacobi, SOR, momentum.
 render::SeriesStyle style_of(const render::Page& page, int curve);

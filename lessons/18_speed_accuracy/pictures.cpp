@@ -34,40 +34,24 @@ std::string error_text(double error) {
   return error > 5e-4 ? fixed(100 * error, 1) + " %" : render::significant(error, 2);
 }
 
-/// The tower; beside each box what it is given after so many sweeps of SI, and a tick at what it should be.
-void draw_tower(Page& page, const Rect& rect, const CostRun& run, int sweep) {
-  const Curve& curve = run.curves[si_curve];
-  const List<double>& lambda = lambda_after(curve, sweep);
-  const Rect inside = page.panel(rect, fmt::format("λ after {} sweeps of SI, tick: exact", sweep));
-  draw_tower_loads(page, inside, run.tower, lambda,
+/// The tower; beside each box what a solver gives it after so many sweeps, and a tick at what it should be.
+void draw_tower(Page& page, const Rect& inside, const CostRun& run, int which, int sweep) {
+  draw_tower_loads(page, inside, run.tower, lambda_after(run.curves[which], sweep),
                    {.box_weight = gravity,
-                    .largest = exact_lambda(run.settings.boxes)[0],
-                    .color = style_of(page, si_curve).color});
+                    .largest = 1.05 * exact_lambda(run.settings.boxes)[0],
+                    .color = style_of(page, which).color});
 }
 
+/// A solver's loads, and its error in large type where the bars are short.
 void draw_loads(Page& page, const Rect& rect, const CostRun& run, int which, int sweep) {
-  const Curve& curve = run.curves[which];
-  const List<double>& lambda = lambda_after(curve, sweep);
-  const List<double> exact = exact_lambda(run.settings.boxes);
-  const Rect inside = page.panel(rect, short_name(run, which));
-  page.canvas().rect({rect.x, rect.y, rect.width, 4}, {.fill = style_of(page, which).color});
-  const double line = page.value().size * 1.5;
-  const double pitch = (inside.height - line) / exact.size();
-  const double per_newton = (inside.width - 8) / (1.15 * exact[0]);
-  for (int i = 0; i < exact.size(); ++i) {
-    const double top = inside.y + line + pitch * (exact.size() - 1 - i);
-    const double width = std::min(lambda[i] * per_newton, inside.width);
-    page.canvas().rect(
-        {inside.x, top + 0.2 * pitch, width, 0.6 * pitch},
-        {.fill = style_of(page, which).color, .outline = page.theme().outline, .outline_width = 1});
-    const double tick = inside.x + exact[i] * per_newton;
-    page.canvas().line({tick, top + 0.05 * pitch}, {tick, top + 0.95 * pitch},
-                       {.width = 2, .color = page.theme().exact.color});
-  }
+  const Rect inside = draw_solver_panel(page, rect, style_of(page, which), short_name(run, which), "");
+  draw_tower(page, inside, run, which, sweep);
   render::TextStyle text = page.value();
+  text.size = page.sizes().question;
+  text.bold = true;
   text.align = render::Align::right;
   page.canvas().text({inside.x + inside.width, inside.y + text.size},
-                     "off: " + error_text(error_after(curve, sweep)), text);
+                     error_text(error_after(run.curves[which], sweep)), text);
 }
 
 render::Series series_of(const Page& page, const CostRun& run, int which, int sweeps) {
@@ -78,18 +62,22 @@ render::Series series_of(const Page& page, const CostRun& run, int which, int sw
   return over_steps(short_name(run, which), style_of(page, which), shown_errors);
 }
 
+render::Plot error_plot(double last_sweep, render::AxisScale scale, double least) {
+  const bool is_linear = scale == render::AxisScale::linear;
+  return {.title = "error: of the load that is most wrong, over the largest load; on a logarithmic axis",
+          .x = {.title = "sweep", .min = 0, .max = last_sweep},
+          .y = {.title = "", .scale = scale, .min = least, .max = is_linear ? 1.05 : 2}};
+}
+
 void draw_sweep(Page& page, const CostRun& run, int sweep) {
-  const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.54, 0.46}, page.sizes().gap);
   const List<Rect> panels = columns(parts[0], {1, 1, 1, 1}, page.sizes().gap);
-  render::Plot plot{.title = "largest error of λ, over the largest λ"};
-  plot.x = {.title = "sweep", .min = 0, .max = sweep <= 20 ? 20.0 : kept_sweeps};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-6, .max = 2};
-  if (sweep <= 20) plot.y = {.title = "", .min = 0, .max = 1.05};  // the first sweeps leave most of it
+  render::Plot plot = error_plot(kept_sweeps, render::AxisScale::logarithmic, 1e-6);
   for (int which = 0; which < run.curves.size(); ++which) {
     draw_loads(page, panels[which], run, which, sweep);
-    plot.series.push_back(series_of(page, run, which, static_cast<int>(*plot.x.max)));
+    plot.series.push_back(series_of(page, run, which, kept_sweeps));
   }
-  if (sweep > 20) plot.goals.push_back({0.01, "1 %"});
+  plot.goals.push_back({0.01, "1 %"});
   plot.now = sweep;
   draw_plot(page, parts[1], plot);
 }
@@ -99,27 +87,61 @@ Shot sweep_shot(const Runs& run, int sweep, bool key) {
   for (int which = 0; which < run->curves.size(); ++which)
     alt += fmt::format(" {:.2g} with {},", error_after(run->curves[which], sweep), run->curves[which].name);
   alt.back() = '.';
-  return {.state = fmt::format("sweep {}", sweep),
+  return {.state = fmt::format("sweep {} · ticks: exact loads", sweep),
           .alt = alt,
           .draw = [run, sweep](Page& page) { draw_sweep(page, *run, sweep); },
           .key = key};
 }
 
-/// The tower, and SI's error until so many sweeps; behind them are those up to a billionth.
-QuestionFrame moment(const Runs& run, int sweep, render::AxisScale scale, const std::string& state,
-                     const std::string& alt) {
-  const auto scene = [run, sweep, scale](Page& page, const Rect& rect) {
-    const List<Rect> parts = columns(rect, {0.44, 0.56}, page.sizes().gap);
-    draw_tower(page, parts[0], *run, sweep);
-    const bool is_linear = scale == render::AxisScale::linear;
-    render::Plot plot{.title = "largest error of λ, over the largest λ"};
-    plot.x = {.title = "sweep", .min = 0, .max = std::max(sweep, 20)};
-    plot.y = {.title = "", .scale = scale, .min = is_linear ? 0 : least_asked, .max = is_linear ? 1.05 : 2};
-    plot.series.push_back(series_of(page, *run, si_curve, sweep));
-    if (is_linear) plot.goals.push_back({0.01, "1 %"});
-    draw_plot(page, parts[1], plot);
-  };
-  return {.state = state, .alt = alt, .scene = scene};
+std::string point_text(int sweep, const std::string& error) { return fmt::format("{}: {}", sweep, error); }
+
+/// The tower, and SI's error until 1 % is left.
+void draw_question(Page& page, const Rect& rect, const CostRun& run) {
+  const List<Rect> parts = columns(rect, {0.44, 0.56}, page.sizes().gap);
+  const List<double>& error = run.curves[si_curve].error;
+  const int tenth = sweeps_to(error, 0.1), hundredth = sweeps_to(error, 0.01);
+  draw_tower(page, page.panel(parts[0], fmt::format("λ after {} sweeps of SI, tick: exact", hundredth)), run,
+             si_curve, hundredth);
+  render::Plot plot = error_plot(1.3 * hundredth, render::AxisScale::linear, 0);
+  const render::SeriesStyle asked{page.theme().text, {}, render::Marker::circle};
+  plot.series = {series_of(page, run, si_curve, hundredth), {.style = asked, .line = false}};
+  plot.series[0].name.clear();
+  plot.series[0].markers = false;
+  for (const int sweep : {tenth, hundredth}) {
+    plot.series[1].x.push_back(sweep);
+    plot.series[1].y.push_back(error[sweep]);
+  }
+  plot.labels = {{static_cast<double>(tenth), error[tenth], point_text(tenth, "10 %")},
+                 {static_cast<double>(hundredth), error[hundredth], point_text(hundredth, "1 %")}};
+  plot.title = "error of SI";
+  draw_plot(page, parts[1], plot);
+}
+
+/// SI's error until a billionth is left, and a stair of which each step is one digit.
+void draw_answer(Page& page, const Rect& rect, const CostRun& run) {
+  const List<double>& error = run.curves[si_curve].error;
+  render::Plot plot =
+      error_plot(1.15 * sweeps_to(error, least_asked), render::AxisScale::logarithmic, least_asked / 2);
+  render::Series stair{.style = page.theme().exact, .markers = false};
+  double before = 0, share = 1;
+  for (int digit = 1; digit <= 9; ++digit) {
+    const double sweep = sweeps_to(error, std::pow(10, -digit));
+    stair.x.insert(stair.x.end(), {before, sweep, sweep});
+    stair.y.insert(stair.y.end(), {share, share, share / 10});
+    if (digit > 2 && digit < 9)
+      plot.labels.push_back({sweep, share / 3, fmt::format("+{:g}", sweep - before)});
+    share /= 10;
+    if (digit <= 2)
+      plot.labels.push_back(
+          {sweep, share, point_text(static_cast<int>(sweep), fixed(100 * share, 0) + " %")});
+    if (digit == 9) plot.labels.push_back({sweep, share, point_text(static_cast<int>(sweep), "10^{−9}")});
+    before = sweep;
+  }
+  plot.series = {series_of(page, run, si_curve, static_cast<int>(before)), stair};
+  plot.series[0].name.clear();
+  plot.series[0].markers = false;
+  plot.title = "error of SI, on a logarithmic axis: every step down is one digit";
+  draw_plot(page, rect, plot);
 }
 
 std::string answer_text(const CostRun& run) {
@@ -134,39 +156,42 @@ std::string answer_text(const CostRun& run) {
 
 }  // namespace
 
-// SOR is SI with another factor, and momentum is given to PGS: each keeps its colour, and has a dash of its
-// own.
+// SOR has a colour of its own; PGS with momentum has that of PGS.
 render::SeriesStyle style_of(const Page& page, int curve) {
   if (curve == si_curve) return page.theme().si;
   if (curve == jacobi_curve) return page.theme().jacobi;
-  if (curve == sor_curve) return {page.theme().si.color, {}, render::Marker::circle};
+  if (curve == sor_curve) return {page.theme().box2d.color, {}, render::Marker::circle};
   return {page.theme().pgs.color, {2, 5}, render::Marker::triangle};
 }
 
 std::string short_name(const CostRun& run, int curve) {
   if (curve == jacobi_curve) return "Jacobi ½";
-  if (curve == sor_curve) return fmt::format("ω = {}", fixed(run.omega, 2));
+  if (curve == sor_curve) return fmt::format("SOR, ω = {}", fixed(run.omega, 2));
   return curve == si_curve ? "SI" : "momentum";
 }
 
 List<Shot> cost_shots(const CostRun& recorded) {
   const Runs run = std::make_shared<const CostRun>(recorded);
+  const int hundredth = sweeps_to(run->curves[si_curve].error, 0.01);
   List<Shot> shots;
   shots.push_back(question_shot(
       card(),
-      moment(run, sweeps_to(run->curves[si_curve].error, 0.01), render::AxisScale::linear,
-             "until 1 % is left",
-             "A tower of boxes, its loads and SI's error until 1 % of it is left, and the question.")));
+      {.state = "until 1 % is left",
+       .alt = fmt::format("A tower of {} boxes with the loads that SI has found after {} sweeps, its error "
+                          "over these sweeps, and the question",
+                          run->settings.boxes, hundredth),
+       .scene = [run](Page& page, const Rect& rect) { draw_question(page, rect, *run); }}));
   for (const int sweep : shown)
     shots.push_back(sweep_shot(run, sweep, sweep == 1 || sweep == 10 || sweep == 50 || sweep == 200));
-  for (const List<Shot>& more : {digit_shots(run), clock_shots(run)})
-    shots.insert(shots.end(), more.begin(), more.end());
-  shots.push_back(answer_shot(
-      card(),
-      moment(run, sweeps_to(run->curves[si_curve].error, least_asked), render::AxisScale::logarithmic,
-             "answer",
-             "SI's error until a billionth of it is left: a line on a logarithmic axis; and the answer."),
-      answer_text(*run)));
+  for (const Shot& shot : digit_shots(run)) shots.push_back(shot);
+  shots.push_back(
+      answer_shot(card(),
+                  {.state = "answer",
+                   .alt = "SI's error until a billionth of it is left: a line on a logarithmic axis, along "
+                          "which every digit "
+                          "takes as many sweeps; and the answer.",
+                   .scene = [run](Page& page, const Rect& rect) { draw_answer(page, rect, *run); }},
+                  answer_text(*run)));
   return shots;
 }
 

@@ -224,7 +224,7 @@ List<Shot> extremes_shots(const ExtremesRun& recorded) {
   const int last = run_of(run->ratios, run->settings.ratio).counted;
   const QuestionFrame asked{
       .state = "before the first sweep",
-      .alt = fmt::format("Two stacks of two boxes, {} and {}, and the question.",
+      .alt = fmt::format("Two stacks of two boxes, {} and {}, and the question",
                          name_of(run->settings.ratio), name_of(1 / run->settings.ratio)),
       .scene =
           [run](Page& page, const Rect& rect) {
