@@ -237,6 +237,25 @@ TEST_CASE("a question is wrapped at words and stays inside its panel") {
   CHECK(page.canvas().text_boxes().size() > 3);
 }
 
+TEST_CASE("a card is as high as its text, and returns the room below it") {
+  Page page(1280, 720, light_theme());
+  const Rect room = {10, 40, 300, 600};
+  const Rect below_short = page.card(room, "answer", "No.");
+  const Rect below_long =
+      page.card(room, "answer", "No, since the mass cancels: it stands on both sides of the equation.");
+  for (const Rect& below : {below_short, below_long}) {
+    CHECK(below.y + below.height == doctest::Approx(room.y + room.height));
+    CHECK(below.x == room.x);
+    CHECK(below.width == room.width);
+  }
+  CHECK(below_long.y > below_short.y + page.sizes().question);
+  const TextBox* word = page_test_written(page, "No.");
+  REQUIRE(word != nullptr);
+  CHECK(word->rect.y + word->rect.height + page.sizes().padding / 2 < below_short.y);
+  const Rect small = {10, 40, 300, 60};
+  CHECK(page.card(small, "answer", "No, since the mass cancels: it stands on both sides.").height >= 0);
+}
+
 TEST_CASE("a new frame forgets the curves of the last one") {
   Page page(640, 360, light_theme());
   page.note_curve({{0, 0}, {1, 1}});

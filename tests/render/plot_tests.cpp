@@ -198,6 +198,36 @@ TEST_CASE("of two curves that coincide both are seen by their markers") {
   CHECK(pixels_of_color(page.canvas().read(), blue_line.color).count > least);
 }
 
+TEST_CASE("a curve leaves out the markers that another curve has at the same place, if it has others") {
+  Plot plot = unit_plot();
+  plot.series.push_back({.style = red_line, .x = {0.1, 0.5, 0.9}, .y = {0.5, 0.5, 0.5}});
+  plot.series.push_back({.style = blue_line, .x = {0.1, 0.5, 0.9}, .y = {0.5, 0.2, 0.2}});
+  PlotPage page;
+  draw_plot(page, plot_rect, plot);
+  const PlotFrame frame = frame_without_names(plot);
+  const ColoredPixels red = pixels_of_color(page.canvas().read(), red_line.color);
+  const ColoredPixels blue = pixels_of_color(page.canvas().read(), blue_line.color);
+  const double radius = page.sizes().marker;
+  CHECK(red.left == doctest::Approx(frame.x.pixel(0.1) - radius).epsilon(0.02));
+  CHECK(blue.left > frame.x.pixel(0.1) - 0.5 * radius);  // its line begins there, and no ring around it
+}
+
+TEST_CASE("a name inside a plot keeps off the line that says where we are") {
+  Plot plot = unit_plot();
+  plot.series.push_back({.name = "error", .style = red_line, .x = {0, 0.5}, .y = {0.9, 0.1}});
+  plot.now = 0.55;
+  PlotPage page;
+  draw_plot(page, plot_rect, plot);
+  const double line = frame_without_names(plot).x.pixel(0.55);
+  bool is_written = false;
+  for (const TextBox& box : page.canvas().text_boxes()) {
+    if (box.text != "error") continue;
+    is_written = true;
+    CHECK((box.rect.x > line || box.rect.x + box.rect.width < line));
+  }
+  CHECK(is_written);
+}
+
 TEST_CASE("data without extent, without points, or beyond all bounds is drawn all the same") {
   const double infinite = std::numeric_limits<double>::infinity();
   const List<List<double>> heights = {{},

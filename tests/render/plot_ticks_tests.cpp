@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 
 #include "math/list.hpp"
 #include "render/plot_parts.hpp"
@@ -82,6 +83,18 @@ TEST_CASE("decades are thinned evenly and keep 1") {
   for (int count = 1; count < 12; ++count) {
     CHECK(static_cast<int>(decade_ticks(1e-200, 1e200, count).size()) <= count);
   }
+}
+
+TEST_CASE("a logarithmic axis of few decades has ticks at 2 and 5, a long one or a small one has not") {
+  AxisView axis{.scale = AxisScale::logarithmic, .range = {3, 300}};
+  set_ticks(axis, 8);
+  CHECK(axis.ticks == List<double>{5, 10, 20, 50, 100, 200});
+  CHECK(axis.labels == List<std::string>{"5", "10", "20", "50", "100", "200"});
+  set_ticks(axis, 5);  // no room for six
+  CHECK(axis.ticks == List<double>{10, 100});
+  axis.range = {1e-3, 1};
+  set_ticks(axis, 30);
+  CHECK(axis.ticks.size() == 4);
 }
 
 TEST_CASE("on a logarithmic axis the geometric mean stands in the middle") {
