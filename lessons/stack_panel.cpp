@@ -19,7 +19,7 @@ using render::Page;
 using render::Point;
 using render::TextStyle;
 
-constexpr double up_place = -0.7, down_place = -1.0;  // [m] of the arrows, from the middle of the stack
+constexpr double near_place = -0.7, far_place = -1.0;  // [m] of the arrows, from the middle of the stack
 constexpr double velocity_place = 0.75;
 constexpr double text_gap = 14;  // [px] from an arrow
 
@@ -30,22 +30,22 @@ TextStyle style_of(const Page& page, bool active) {
   return style;
 }
 
-/// Arrows in two columns, so that those of neighbours never meet, joined to their contact.
+/// Both ends of a push meet at its contact. Neighbours take turns with two columns, so that arrows never meet.
 void draw_pushes(Page& page, const Camera& camera, const StackMoment& moment) {
   const ArrowScale scale{
-      .pixels_per_unit = 0.8 * camera.scale / moment.largest_lambda, .longest = camera.scale, .unit = "N"};
+      .pixels_per_unit = camera.scale / moment.largest_lambda, .longest = camera.scale, .unit = "N"};
   for (int i = 0; i < moment.lambda.size(); ++i) {
     const double lambda = moment.lambda[i], y = i;
+    const double place = i % 2 == 0 ? near_place : far_place;
     const bool active = i == moment.active;
-    if (lambda != 0) {
-      page.canvas().line(camera.project({down_place, y}), camera.project({-0.5, y}),
-                         {.width = 1, .color = page.theme().inactive});
-      draw_arrow(page, camera, scale, {.tail = {up_place, y}, .value = {0, lambda}, .active = active});
-      draw_arrow(page, camera, scale, {.tail = {down_place, y}, .value = {0, -lambda}, .active = active});
-    }
+    if (lambda == 0 && !active) continue;
+    page.canvas().line(camera.project({place, y}), camera.project({-0.5, y}),
+                       {.width = 1, .color = page.theme().inactive});
+    draw_arrow(page, camera, scale, {.tail = {place, y}, .value = {0, lambda}, .active = active});
+    draw_arrow(page, camera, scale, {.tail = {place, y}, .value = {0, -lambda}, .active = active});
     TextStyle style = style_of(page, active);
     style.align = render::Align::right;
-    const Point at = camera.project({down_place, y});
+    const Point at = camera.project({far_place, y});
     page.canvas().text({at.x() - text_gap, at.y() + (i == 0 ? -text_gap : style.size / 3)},
                        fmt::format("λ_{{{}}} = {} N", i + 1, fixed(lambda, 2)), style);
   }
@@ -74,10 +74,11 @@ void draw_box_velocity(Page& page, const Camera& camera, const StackMoment& mome
 
 }  // namespace
 
-void draw_stack_panel(Page& page, const render::Rect& view, const StackMoment& moment) {
+Camera draw_stack_panel(Page& page, const render::Rect& view, const StackMoment& moment) {
   const auto boxes = static_cast<double>(moment.lambda.size());
   const double right = moment.velocity.empty() ? 0.8 : 2.3;
-  const Camera camera = render::fit(view, {{-2.3, -0.9}, {right, boxes + 0.1}});
+  Camera camera = render::fit(view, {{-2.3, -1}, {right, boxes + 0.1}});
+  camera.center.y() = 0.5 * view.height / camera.scale - 1;
   render::WorldLook look;
   look.penetration = false;
   look.active_contact = moment.active;
@@ -94,6 +95,7 @@ void draw_stack_panel(Page& page, const render::Rect& view, const StackMoment& m
   draw_world(page, camera, stack, look);
   draw_pushes(page, camera, moment);
   for (int box = 0; box < moment.velocity.size(); ++box) draw_box_velocity(page, camera, moment, box);
+  return camera;
 }
 
 }  // namespace cairn

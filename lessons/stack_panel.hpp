@@ -3,6 +3,7 @@
 #pragma once
 
 #include "math/list.hpp"
+#include "render/camera.hpp"
 #include "render/page.hpp"
 #include "world/snapshot.hpp"
 
@@ -15,11 +16,12 @@ struct StackMoment {
   List<double> velocity = {};   // [m/s] of each box, upwards; empty: not drawn
   List<double> earlier = {};    // [m/s] before the last row update, drawn pale where it changed
   int active = -1;              // the contact that is being visited
-  double largest_lambda = 1;    // [N] that is as long as nearly a box is high
+  double largest_lambda = 1;    // [N] that is as long as a box is high
   double largest_velocity = 1;  // [m/s] that is half as long
 };
 
 /// Each push is an arrow up, for the body above its contact, and an arrow down for the body below it.
-void draw_stack_panel(render::Page& page, const render::Rect& view, const StackMoment& moment);
+/// @returns how metres of the stack become pixels.
+render::Camera draw_stack_panel(render::Page& page, const render::Rect& view, const StackMoment& moment);
 
 }  // namespace cairn

@@ -55,9 +55,6 @@ void draw_forces(Page& page, const render::Camera& camera, const SweepRun& run, 
     const double tail = force < 0 ? 0.12 - metres * force : 0.12;  // both ways upon the rod
     draw_arrow(page, camera, scale, {.kind = kind, .tail = {x, tail}, .value = {0, force}, .label = label});
   };
-  const double shift = std::abs(run.rod.arm[1]) < 0.2 ? 0.2 : 0;  // not upon the push
-  arrow(render::ArrowKind::external, rod_length / 2 + shift, -weight,
-        fmt::format("m g = {} N", brief(weight)));
   const double support = run.settings.support;
   if (shown.instead_of > 0) {
     arrow(render::ArrowKind::inactive, support, shown.instead_of,
@@ -65,6 +62,9 @@ void draw_forces(Page& page, const render::Camera& camera, const SweepRun& run, 
   }
   arrow(render::ArrowKind::normal, support, shown.lambda[1],
         fmt::format("λ_{{2}} = {} N", brief(shown.lambda[1], 2)));
+  const double shift = std::abs(run.rod.arm[1]) < 0.2 ? 0.2 : 0;  // not upon the push
+  arrow(render::ArrowKind::external, rod_length / 2 + shift, -weight,
+        fmt::format("m g = {} N", brief(weight)));
   if (shown.lambda[0] == 0 && !shown.motion.empty()) return;  // the rod leaves this support
   arrow(render::ArrowKind::normal, 0.02, shown.lambda[0],
         fmt::format("λ_{{1}} = {} N{}", brief(shown.lambda[0], 2),
@@ -93,7 +93,7 @@ void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const RodScene&
       draw_distance(page, camera, std::min(support, middle), std::max(support, middle));
     render::TextStyle style{.size = 24, .color = page.theme().normal, .bold = true};
     style.align = render::Align::center;
-    page.canvas().text(camera.project({support, 1.75}), "without the pull: λ_{2} = ?", style);
+    page.canvas().text(camera.project({support, 1.75}), "if no support pulls: λ_{2} = ?", style);
   }
   page.canvas().pop_clip();
 }
@@ -232,8 +232,8 @@ LessonInfo card_for(const SweepRun& run) {
   LessonInfo info = card();
   if (run.settings.support != 1) {
     info.question = fmt::format(
-        "Both supports push or pull as A λ = b says: λ = ({}, {}) N. But neither can pull. How hard does the "
-        "right one push then, in N?",
+        "A\u00a0λ\u00a0=\u00a0b says: λ₁ = {} N, λ₂ = {} N. No support can pull. How hard does the right "
+        "one push, in N?",
         brief(run.rod.statics[0], 2), brief(run.rod.statics[1], 2));
   }
   return info;

@@ -18,12 +18,16 @@ LessonInfo card() {
       .needs = {"lesson 02", "lesson 05"},
       .reads = {"src/solvers/iterative/sequential_impulse.cpp", "src/constraints/row.hpp"},
       .question =
-          "Each contact in turn pushes just so hard that its own two boxes stop closing in. After one such "
-          "sweep: how fast does each box still fall (m/s, lowest first)?",
-      .spoilers = {"0.15", "2.5 N", "stops box 1"},
-      .hints = {"A push acts on both boxes of a contact: it stops the upper one and speeds up the lower one.",
-                "Two boxes of 1 kg that close in at 0.2 m/s share the push: each changes by 0.1 m/s.",
-                "Row 1 stops box 1. Row 2 shares 0.2 m/s between boxes 1 and 2. Row 3 shares what is left."},
+          "Boxes of 1, 1 and 9\u00a0kg fall at 0.2\u00a0m/s. From the ground up, each contact in turn pushes "
+          "just so hard that its own two boxes stop closing in. After one such sweep, how fast does the "
+          "heavy box still fall, in m/s?",
+      .spoilers = {"0.19", "stops box 1", "hardly"},
+      .hints =
+          {"A push has two ends: it slows the upper box and speeds up the lower one, the lighter one "
+           "more.",
+           "Row 1 stops box 1. Row 2 finds 0.2 m/s between two boxes of 1 kg; both fall at 0.1 m/s then.",
+           "Row 3 makes boxes 2 and 3 fall alike and keeps their momentum: 1 kg × 0.1 m/s + 9 kg × 0.2 "
+           "m/s."},
       .parameters = {{"bodies", 3, 1, 10, "", "boxes", Parameter::Kind::whole},
                      {"dt", 0.02, 0.0001, 1, "s", "time step"},
                      {"gravity", 10, 0.01, 1000, "m/s^2", "gravity, downwards"},

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 
 #include "lessons/stack_panel.hpp"
 #include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "render/bars.hpp"
+#include "render/plot.hpp"
 
 namespace cairn::stack {
 
@@ -17,6 +19,7 @@ namespace {
 
 using render::fixed;
 using render::Page;
+using render::Point;
 using render::Rect;
 
 using Run = std::shared_ptr<const StackRun>;
@@ -45,29 +48,21 @@ int active_interface(const StackRun& run, const Moment& moment) {
   return run.interface_of_row[run.updates[moment.update].update.row];
 }
 
-List<double> speeds(const PerBody<Vec3<double>>& velocity) {
-  List<double> result;
-  for (const BodyId body : velocity.indices()) {
-    if (body != ground) result.push_back(velocity[body].y());
-  }
-  return result;
-}
-
 void draw_stack(Page& page, const Rect& rect, const StackRun& run, const Moment& moment) {
-  StackMoment shown{.stack = run.snapshot,
+  draw_stack_panel(page, rect,
+                   {.stack = run.snapshot,
                     .lambda = moment.lambda,
-                    .velocity = speeds(moment.velocity),
+                    .velocity = box_velocities(moment.velocity),
+                    .earlier = box_velocities(moment_after(run, moment.update - 1).velocity),
                     .active = active_interface(run, moment),
                     .largest_lambda = run.exact[0],
-                    .largest_velocity = run.settings.gravity * run.settings.dt};
-  if (moment.update >= 0) shown.earlier = speeds(moment_after(run, moment.update - 1).velocity);
-  draw_stack_panel(page, rect, shown);
+                    .largest_velocity = run.settings.gravity * run.settings.dt});
 }
 
 render::BarChart lambda_bars(const StackRun& run, const Moment& moment) {
   render::BarChart chart{.title = "accumulated λ (N)", .largest = 1.12 * run.exact[0]};
   const int active = active_interface(run, moment);
-  for (int i = 0; i < run.settings.boxes; ++i) {
+  for (int i = run.settings.boxes - 1; i >= 0; --i) {  // from top to bottom, as the boxes stand
     render::Bar bar{.name = fmt::format("row {}", i + 1),
                     .before = moment.lambda[i],
                     .exact = run.exact[i],
@@ -106,13 +101,11 @@ render::TableView algorithm_1(const StackRun& run, const Moment& moment) {
   const RowUpdate<double>& update = run.updates[moment.update].update;
   const int row = run.interface_of_row[update.row] + 1;
   const double dt = run.settings.dt, before = update.impulse_before / dt, after = update.impulse_after / dt;
-  const std::string bodies =
-      row == 1 ? "to the ground and box 1" : fmt::format("to boxes {} and {}", row - 1, row);
   return {.header = {"lines 10 to 13", fmt::format("λ_{{{}}} (N)", row)},
           .rows = {{"10  λ_{old} ← λ", fixed(before, 2)},
                    {"11  λ ← λ + λ_{corrective}", fixed(before + update.corrective / dt, 2)},
                    {"12  clamp λ: at least 0", fixed(after, 2)},
-                   {"13  λ − λ_{old} " + bodies, fixed(after - before, 2)}}};
+                   {"13  apply λ − λ_{old} to both", fixed(after - before, 2)}}};
 }
 
 void draw_update(Page& page, const StackRun& run, int update) {
@@ -125,11 +118,63 @@ void draw_update(Page& page, const StackRun& run, int update) {
   page.table(panels[2], "", algorithm_1(run, moment));
 }
 
-QuestionFrame frame_of(const Run& run, int update, std::string state, std::string alt) {
-  return {
-      .state = std::move(state), .alt = std::move(alt), .scene = [run, update](Page& page, const Rect& rect) {
-        draw_stack(page, rect, *run, moment_after(*run, update));
-      }};
+/// The lowest, the middle and the uppermost box over the sweeps.
+render::Plot course(const StackRun& run, const std::string& title, const std::string& name,
+                    const render::Color& color, const std::function<List<double>(int)>& after) {
+  render::Plot plot{.title = title, .x = {.title = "sweep"}};
+  const int last = run.settings.boxes - 1;
+  List<int> places = {0};
+  if (last > 1) places.push_back((last + 1) / 2);
+  if (last > 0) places.push_back(last);
+  const FixedList<render::Marker, 3> markers = {render::Marker::circle, render::Marker::triangle,
+                                                render::Marker::diamond};
+  for (const int i : places) {
+    List<double> values;
+    for (int sweep = 0; sweep < run.sweeps.size(); ++sweep) values.push_back(after(sweep)[i]);
+    const render::SeriesStyle style{.color = color, .marker = markers[plot.series.size()]};
+    plot.series.push_back(render::over_steps(fmt::format("{}_{{{}}}", name, i + 1), style, values));
+  }
+  return plot;
+}
+
+render::Plot speeds(const Page& page, const StackRun& run) {
+  return course(run, "velocity of each box (m/s)", "v", page.theme().velocity,
+                [&run](int sweep) { return velocities_after(run, sweep); });
+}
+
+void draw_course(Page& page, const StackRun& run) {
+  const List<Rect> parts = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  render::Plot lambda = course(run, "λ (N) of each contact; dashed: exact", "λ", page.theme().normal,
+                               [&run](int sweep) { return lambda_after(run, sweep); });
+  for (const double exact : run.exact) lambda.goals.push_back({.y = exact});
+  lambda.y.min = 0;
+  draw_plot(page, parts[0], lambda);
+  draw_plot(page, parts[1], speeds(page, run));
+}
+
+/// The question's stack before and after one sweep, with its masses.
+void draw_heavy(Page& page, const Rect& rect, const StackRun& run, int sweep) {
+  const render::Camera camera =
+      draw_stack_panel(page, rect,
+                       {.stack = run.snapshot,
+                        .lambda = lambda_after(run, sweep),
+                        .velocity = velocities_after(run, sweep),
+                        .earlier = velocities_after(run, 0),
+                        .largest_lambda = 2 * lambda_after(run, 1)[0],
+                        .largest_velocity = run.settings.gravity * run.settings.dt});
+  render::TextStyle style = page.label();
+  style.align = render::Align::center;
+  const int boxes = run.settings.boxes;
+  for (int i = 0; i < boxes; ++i) {
+    const double mass = i + 1 == boxes ? run.settings.top : 1;
+    page.canvas().text(camera.project({0, i + 0.18}), fmt::format("{:g} kg", mass), style);
+    const Point beside = camera.project({-1, i}) + Point(0, i == 0 ? -12 : 6);  // off the ground's line
+    if (sweep == 0) page.canvas().text(beside, fmt::format("visit {}", i + 1), page.secondary());
+  }
+  style = {.size = 24, .color = page.theme().velocity, .bold = true};
+  const std::string fall = render::significant(-velocities_after(run, sweep).back());
+  page.canvas().text(camera.project({0.62, boxes - 0.15}),
+                     sweep == 0 ? "after one sweep: ?" : "still " + fall + " m/s", style);
 }
 
 Shot update_shot(const Run& run, int index) {
@@ -144,30 +189,40 @@ Shot update_shot(const Run& run, int index) {
               update.sweep, row, update.row_velocity, update.corrective / dt, update.impulse_after / dt,
               run->exact[row - 1]),
           .draw = [run, index](Page& page) { draw_update(page, *run, index); },
-          .key = index < 9 || index + 1 == run->updates.size()};
+          .key = index < 6};
 }
 
 }  // namespace
 
-List<Shot> stack_shots(const StackRun& recorded) {
+List<Shot> stack_shots(const StackRun& recorded, const StackRun& question) {
   const Run run = std::make_shared<const StackRun>(recorded);
-  const int n = run->settings.boxes;
-  const int updates = run->updates.size();
-  List<Shot> shots;
-  shots.push_back(question_shot(
-      card(), frame_of(run, -1, "before the first sweep",
-                       "A stack of boxes that has begun to fall, all at the same speed, and the question.")));
-  for (int i = 0; i < updates; ++i) shots.push_back(update_shot(run, i));
-  std::string falls;
-  for (const double speed : speeds(run->updates[n - 1].velocity))
-    falls += (falls.empty() ? "" : ", ") + render::significant(0 - speed, 4);
+  const Run heavy = std::make_shared<const StackRun>(question);
+  const auto scene_after = [heavy](int sweep) {
+    return [heavy, sweep](Page& page, const Rect& rect) { draw_heavy(page, rect, *heavy, sweep); };
+  };
+  List<Shot> shots = {question_shot(
+      card(),
+      {.state = "before the first sweep",
+       .alt =
+           "Three stacked boxes, the uppermost a heavy one, all falling at the same speed, and the question.",
+       .scene = scene_after(0)})};
+  for (int i = 0; i < run->updates.size(); ++i) shots.push_back(update_shot(run, i));
+  shots.push_back({.state = fmt::format("all {} sweeps", run->settings.sweeps),
+                   .alt = "λ of the contacts over the sweeps, rising to the exact values; and the velocities "
+                          "of the boxes, going to zero.",
+                   .draw = [run](Page& page) { draw_course(page, *run); },
+                   .key = true});
+  const List<double> after = velocities_after(*heavy, 1);
+  const std::string fall = render::significant(-after.back());
   shots.push_back(answer_shot(
       card(),
-      frame_of(run, n - 1, "after one sweep",
-               fmt::format("The stack after one sweep, and the answer: {} m/s.", falls)),
-      fmt::format("{} m/s. Only the two boxes visited last no longer close in: every push has two ends and "
-                  "disturbs its neighbours. So the next sweep follows.",
-                  falls)));
+      {.state = "the question's stack after one sweep",
+       .alt = fmt::format("The stack after one sweep: the heavy box still falls at {} m/s.", fall),
+       .scene = scene_after(1)},
+      fmt::format("{} m/s. Row 3 finds box 2 at {} m/s below a box at {} m/s. Its push changes the "
+                  "light box {:g} times as much as the heavy one.",
+                  fall, render::significant(-heavy->updates[1].velocity[{2}].y()),
+                  render::significant(-velocities_after(*heavy, 0).back()), heavy->settings.top)));
   return shots;
 }
 

@@ -139,6 +139,14 @@ void check_claims(Lesson& lesson, const StackRun& run) {
                      4 * rounding * fall * settings.boxes);
 }
 
+void check_question(Lesson& lesson, const StackRun& heavy) {
+  const StackSettings& settings = heavy.settings;
+  const double fall = settings.gravity * settings.dt;
+  const double second = shared_speed(1, 0, 1, fall);  // row 1 has stopped box 1
+  lesson.check_equal(fmt::format("a box of {:g} kg on top: one sweep leaves of {:g} m/s", settings.top, fall),
+                     -velocities_after(heavy, 1).back(), shared_speed(1, second, settings.top, fall), 1e-15);
+}
+
 CsvTable table_of(const StackRun& run) {
   CsvTable table{.header = {"sweep", "row", "body_a", "body_b", "jv", "zeta", "a_ii", "lambda_corr",
                             "lambda_old", "lambda_new"}};

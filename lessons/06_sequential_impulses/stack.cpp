@@ -28,7 +28,9 @@ Snapshot stack_at_rest(const StackSettings& settings) {
   Scene scene;
   scene.add_ground();
   for (int i = 0; i < settings.boxes; ++i)
-    scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1});
+    scene.add({.shapes = {box(1, 1)},
+               .position = {0, 0.5 + i},
+               .mass = i + 1 == settings.boxes ? settings.top : 1});
   return snapshot(World(scene));
 }
 
@@ -39,7 +41,8 @@ VelocityProblem<double> stack_problem(const StackSettings& settings, const PerRo
   VelocityProblem<double> problem;
   problem.dt = settings.dt;
   problem.inverse_mass.assign(n + 1, {1, 1, 6});  // of a unit box of 1 kg
-  problem.inverse_mass[ground] = {0, 0, 0};       // the ground
+  problem.inverse_mass[{n}] /= settings.top;
+  problem.inverse_mass[ground] = {0, 0, 0};  // the ground
   problem.velocity.assign(n + 1, {0, -settings.gravity * settings.dt, 0});
   problem.velocity[ground] = {0, 0, 0};
   problem.impulse.assign(n, 0.0);
@@ -62,9 +65,23 @@ VelocityProblem<double> stack_problem(const StackSettings& settings, const PerRo
 StackRun falling_stack(const StackSettings& settings) {
   StackRun run{.settings = settings, .interface_of_row = visiting_order(settings)};
   run.problem = stack_problem(settings, run.interface_of_row);
-  for (int i = 0; i < settings.boxes; ++i) run.exact.push_back((settings.boxes - i) * settings.gravity);
+  for (int i = 0; i < settings.boxes; ++i)
+    run.exact.push_back((settings.boxes - 1 - i + settings.top) * settings.gravity);
   run.snapshot = stack_at_rest(settings);
   return run;
+}
+
+List<double> box_velocities(const PerBody<Vec3<double>>& velocity) {
+  List<double> result;
+  for (const BodyId body : velocity.indices()) {
+    if (body != ground) result.push_back(velocity[body].y());
+  }
+  return result;
+}
+
+List<double> velocities_after(const StackRun& run, int sweep) {
+  if (sweep == 0) return box_velocities(run.problem.velocity);
+  return box_velocities(run.updates[sweep * run.settings.boxes - 1].velocity);
 }
 
 List<double> lambda_after(const StackRun& run, int sweep) {
@@ -91,6 +108,10 @@ List<PerRow<double>> gauss_seidel(const VelocityProblem<double>& problem, int sw
     history.push_back(lambda);
   }
   return history;
+}
+
+double shared_speed(double mass_a, double speed_a, double mass_b, double speed_b) {
+  return (mass_a * speed_a + mass_b * speed_b) / (mass_a + mass_b);
 }
 
 double error_factor(int boxes) {

@@ -9,8 +9,11 @@
 
 namespace cairn::stack {
 
+inline constexpr double heavy_mass = 9;  // [kg] of the uppermost box in the question
+
 struct StackSettings {
   int boxes = 3;
+  double top = 1;       // [kg] of the uppermost box; all others have 1 kg
   double dt = 0.02;     // [s]
   double gravity = 10;  // [m/s^2]
   int sweeps = 10;
@@ -32,11 +35,18 @@ struct StackRun {
 /// The stack after one step of falling, its rows written by hand, and nothing solved yet.
 StackRun falling_stack(const StackSettings& settings);
 
+/// How fast each box moves upwards [m/s]: now, and after the given sweep.
+List<double> box_velocities(const PerBody<Vec3<double>>& velocity);
+List<double> velocities_after(const StackRun& run, int sweep);
+
 /// lambda [N] of each interface after the given sweep.
 List<double> lambda_after(const StackRun& run, int sweep);
 
 /// Gauss-Seidel on A lambda = b in plain loops: lambda [N] of each row after every sweep, [sweep][row].
 List<PerRow<double>> gauss_seidel(const VelocityProblem<double>& problem, int sweeps);
+
+/// How fast two boxes fall [m/s] after a push has made them alike: it does not change their momentum.
+double shared_speed(double mass_a, double speed_a, double mass_b, double speed_b);
 
 /// What one sweep leaves of the error: rho = cos^2(pi / 2n), derived in README.md.
 double error_factor(int boxes);
