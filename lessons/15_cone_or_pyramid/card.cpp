@@ -19,8 +19,11 @@ LessonInfo card() {
       .needs = {"lesson 06", "lesson 11"},
       .reads = {"src/constraints/friction_joint.hpp", "src/constraints/row.hpp"},
       .question =
-          "A puck starts at v = (3, 4) m/s. With the length of λ clamped to μN it stops after 2.45 m. "
-          "How far from its start does it stop, in metres, if λ_x and λ_y are each clamped to μN?",
+          "A puck of 1\u00a0kg starts at v = (3,\u00a04)\u00a0m/s; μ is 0.5, N is 10\u00a0N. With the length "
+          "of λ "
+          "clamped to μN it stops after 2.45\u00a0m. How far from its start does it stop if λ_x and λ_y are "
+          "each "
+          "clamped to μN?",
       .spoilers = {"1.79", "0.87", "diamond"},
       .hints = {"Does the friction of the square point against v? Draw the corner that it ends in.",
                 "No axis knows of the other: think of two pucks on two rails, at 3 and at 4 m/s.",

@@ -70,7 +70,9 @@ render::Series formula_series(const Page& page, Measure measure) {
 /// The measure of the slides that were made, from 0 to 90 degrees.
 render::Series slides_series(const render::SeriesStyle& style, const Slides& all, int count,
                              Vec2<double> Direction::*stop, Measure measure) {
-  render::Series series{.style = style, .line = false};
+  // The circle's are a line, as they would cover the square's along the axes.
+  const bool is_line = stop == &Direction::circle;
+  render::Series series{.style = style, .line = is_line, .markers = !is_line};
   for (int i = 0; i < std::min(count, 7); ++i) {
     const Direction& direction = all.directions[i];
     series.x.push_back(direction.degrees);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/draw.hpp"
@@ -67,17 +68,21 @@ render::Camera draw_floor(Page& page, const Rect& rect, const Slides& all) {
   return camera;
 }
 
-void name_pucks(Page& page, const Rect& inside, const render::Camera& camera, const Slides& all, int k) {
-  const Point circle = camera.project(all.circle.steps[k].place);
-  const Point square = camera.project(all.square.steps[k].place);
-  const double beside = 1.3 * all.settings.puck_radius() * camera.scale + 4;
-  const double size = page.label().size;
-  render::TextStyle style = page.label();
-  style.halo = page.theme().panel;
-  page.place_text({{circle.x() + beside, circle.y() + 0.35 * size}}, inside, "circle", style);
-  style.align = render::Align::right;
-  page.place_text({{square.x() - beside, square.y() + 0.35 * size}, {square.x(), square.y() + beside + size}},
-                  inside, "square", style);
+/// A puck in the colour of its limit, with the name of that beside it while it moves.
+void draw_puck(Page& page, const render::Camera& camera, const Slides& all, int k, bool is_circle) {
+  const render::SeriesStyle& style = is_circle ? page.theme().si : page.theme().pgs;
+  const double radius = all.settings.puck_radius() * camera.scale;
+  const Slide& slide = is_circle ? all.circle : all.square;
+  const Point at = camera.project(slide.steps[k].place);
+  page.canvas().circle(
+      at, radius,
+      {.fill = style.color, .outline = page.theme().outline, .outline_width = page.sizes().outline});
+  if (k + 1 == slide.steps.size()) return;
+  render::TextStyle text = name_style(page, page.label().size, style.color);
+  if (!is_circle) text.align = render::Align::right;
+  const double beside = (is_circle ? 1 : -1) * (1.3 * radius + 4);
+  page.place_text({{at.x() + beside, at.y() + 0.35 * text.size}, {at.x(), at.y() + radius + 1.2 * text.size}},
+                  camera.viewport, is_circle ? "circle" : "square", text);
 }
 
 /// Axes, the square in one piece and the circle dashed.
@@ -99,20 +104,29 @@ void draw_limit_lines(Page& page, const render::Camera& camera, double limit, do
 }
 
 void name_limits(Page& page, const render::Camera& camera, double limit) {
-  const bool small = camera.viewport.width < 250;
-  render::TextStyle tick = page.tick();
+  const double size = page.tick().size;
   const Point corner = camera.project({-limit, limit});
-  const std::string name = "square ±μN";
-  const bool fits = page.canvas().text_width(name, tick) + 8 < limit * camera.scale;  // left of the axis
-  page.canvas().text({corner.x(), corner.y() - 8}, fits ? name : "square", tick);
-  const Point right = camera.project({limit, 0});
-  page.canvas().text({right.x() + 6, right.y() - 5}, render::significant(limit), tick);
-  if (!small) page.canvas().text(camera.project({0.12 * limit, -0.72 * limit}), "circle", tick);
+  page.canvas().text({corner.x(), corner.y() - 8}, "square", name_style(page, size, page.theme().pgs.color));
+  render::TextStyle circle = name_style(page, size, page.theme().si.color);
+  circle.align = render::Align::right;
+  const bool small = camera.viewport.width < 400;
+  if (!small) page.canvas().text(camera.project({0.66 * limit, -0.64 * limit}), "circle", circle);
+  render::TextStyle tick = page.tick();
+  tick.align = render::Align::right;
+  page.canvas().text(camera.project({limit, 0}) - Point(8, 6),
+                     fmt::format("{}{:g} N", small ? "" : "μN = ", limit), tick);
 }
 
 }  // namespace
 
-void draw_table(Page& page, const Rect& rect, const Slides& all, int k) {
+render::TextStyle name_style(const Page& page, double size, const render::Color& color) {
+  return {.size = std::max(size, render::large_text),  // or colours would be too pale
+          .color = color,
+          .bold = true,
+          .halo = page.theme().panel};
+}
+
+render::Camera draw_table(Page& page, const Rect& rect, const Slides& all, int k) {
   const render::Camera camera = draw_floor(page, rect, all);
   List<Snapshot> earlier;
   const int ghosts = 6;
@@ -123,12 +137,28 @@ void draw_table(Page& page, const Rect& rect, const Slides& all, int k) {
   draw_ghosts(page, camera, earlier);
   draw_path(page, camera, all.circle, k, page.theme().si);
   draw_path(page, camera, all.square, k, page.theme().pgs);
-  draw_world(page, camera, both_pucks(all, k), {.numbers = false});
-  for (const Slide* slide : {&all.circle, &all.square}) draw_puck_arrows(page, camera, all, slide->steps[k]);
-  if (k > 0) name_pucks(page, camera.viewport, camera, all, k);
+  if (k == 0) draw_world(page, camera, both_pucks(all, k), {.numbers = false});
+  for (const Slide* slide : {&all.circle, &all.square}) {
+    if (k > 0) draw_puck(page, camera, all, k, slide == &all.circle);
+    draw_puck_arrows(page, camera, all, slide->steps[k]);
+  }
+  return camera;
 }
 
-void draw_limits(Page& page, const Rect& rect, const Slides& all, const Forces& forces) {
+void draw_dimension(Page& page, const render::Camera& camera, const Vec2<double>& end, double aside,
+                    const std::string& text, const render::Color& color) {
+  const Point from = camera.project({0, 0}), to = camera.project(end);
+  const Point along = (to - from).normalized(), across(-along.y(), along.x());
+  const render::Stroke stroke{.width = 2, .color = color};
+  page.canvas().line(from + aside * across, to + aside * across, stroke);
+  for (const Point& tip : {from, to})
+    page.canvas().line(tip + (aside - 6) * across, tip + (aside + 6) * across, stroke);
+  render::TextStyle style = name_style(page, page.sizes().title, color);
+  style.align = aside > 0 ? render::Align::left : render::Align::right;
+  page.canvas().text(0.5 * (from + to) + (aside + (aside > 0 ? 14 : -14)) * across, text, style);
+}
+
+render::Camera draw_limits(Page& page, const Rect& rect, const Slides& all, const Forces& forces) {
   const Rect inside = page.panel(rect, rect.width < 250 ? "λ (N)" : "friction λ and its limits (N)");
   const double limit = all.settings.limit();
   const double reach = 1.3 * limit;
@@ -151,6 +181,7 @@ void draw_limits(Page& page, const Rect& rect, const Slides& all, const Forces& 
     draw_arrow(page, camera, scale, {.kind = render::ArrowKind::friction, .value = force});
   }
   name_limits(page, camera, limit);
+  return camera;
 }
 
 }  // namespace cairn::top_view

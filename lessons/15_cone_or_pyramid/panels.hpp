@@ -1,7 +1,10 @@
 // The parts of the frames of lesson 15.
 #pragma once
 
+#include <string>
+
 #include "math/list.hpp"
+#include "render/camera.hpp"
 #include "render/page.hpp"
 #include "slide.hpp"
 
@@ -15,10 +18,18 @@ struct Forces {
 };
 
 /// The pucks where they are after step k, their paths, what moves them and what holds them.
-void draw_table(render::Page& page, const render::Rect& rect, const Slides& all, int k);
+render::Camera draw_table(render::Page& page, const render::Rect& rect, const Slides& all, int k);
+
+/// The names of both limits, in their colours.
+render::TextStyle name_style(const render::Page& page, double size, const render::Color& color);
+
+/// From the start to where a puck stops: a line `aside` px beside its way, with its length.
+void draw_dimension(render::Page& page, const render::Camera& camera, const Vec2<double>& end, double aside,
+                    const std::string& text, const render::Color& color);
 
 /// The plane of the friction forces with the square, the circle, and some forces.
-void draw_limits(render::Page& page, const render::Rect& rect, const Slides& all, const Forces& forces);
+render::Camera draw_limits(render::Page& page, const render::Rect& rect, const Slides& all,
+                           const Forces& forces);
 
 /// Where the pucks stop in the first `count` directions, and how far and where to over the direction.
 void draw_directions(render::Page& page, const Slides& all, int count);

@@ -23,12 +23,6 @@ using render::Rect;
 
 using Recorded = std::shared_ptr<const Slides>;
 
-Rect draw_start(Page& page, const Slides& all, const Forces& forces) {
-  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
-  draw_limits(page, halves[0], all, forces);
-  return halves[1];
-}
-
 /// What (22) asks for and what the clamps leave, as far as the step has come: row x, row y, the vector.
 void draw_clamps(Page& page, const Rect& rect, const Slides& all, int known) {
   const SlideSettings& settings = all.settings;
@@ -46,43 +40,42 @@ void draw_clamps(Page& page, const Rect& rect, const Slides& all, int known) {
   page.table(rect, "", table);
 }
 
-/// Equation, clamps and a note, from top to bottom.
-List<Rect> beside_limits(const Page& page, const Rect& rest) {
-  return rows(rest, {0.32, 0.34, 0.34}, page.sizes().gap);
+/// A moment of the first step: the forces, the equation that gives the last of them, and a word about it.
+void draw_first_step(Page& page, const Slides& all, const Forces& forces, const render::Equation& equation,
+                     int known, const std::string& title, const std::string& text) {
+  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
+  draw_limits(page, halves[0], all, forces);
+  const List<Rect> panels = rows(halves[1], {0.32, 0.34, 0.34}, page.sizes().gap);
+  page.equation(panels[0], equation);
+  draw_clamps(page, panels[1], all, known);
+  page.note(panels[2], title, text);
 }
 
-/// One of the two rows in the first step: from what its equation asks for to what its clamp leaves.
+/// One of the two rows: from what its equation asks for to what its clamp leaves.
 void draw_row(Page& page, const Slides& all, int i) {
   const SlideSettings& settings = all.settings;
   const Vec2<double> wanted = stopping_lambda(settings, settings.velocity);
   const Vec2<double> parts = parts_clamped(settings, wanted);
   const Vec2<double> first(parts.x(), 0);
-  Forces forces{.velocity = settings.velocity};
-  if (i == 1) forces.grey = {first};
-  forces.active = {i == 0 ? first : parts};
-  const Rect rest = draw_start(page, all, forces);
-  const List<Rect> panels = beside_limits(page, rest);
   const ConstraintRow<double>& row = all.first.rows[i];
-  page.equation(
-      panels[0],
+  const double off = std::abs(std::atan2(parts.y(), parts.x()) - std::atan2(wanted.y(), wanted.x()));
+  draw_first_step(
+      page, all,
+      {.grey = i == 0 ? List<Vec2<double>>{} : List<Vec2<double>>{first},
+       .active = {i == 0 ? first : parts},
+       .velocity = settings.velocity},
       {.number = "eq (22)",
        .symbols = "λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)",
        .numbers = fmt::format("= (0 − {:g}) / ({:g} × {:g}) = {} N", row_velocity(all.first, row),
                               inverse_effective_mass(all.first, row), settings.dt, fixed(wanted[i] + 0.0, 1)),
        .result = fmt::format("clamped: λ_{} = {} N", i == 0 ? "x" : "y", fixed(parts[i] + 0.0, 2)),
-       .color = page.theme().friction});
-  draw_clamps(page, panels[1], all, i + 1);
-  if (i == 0) {
-    page.note(
-        panels[2], "Row x",
-        fmt::format("This row sees v_{{x}} alone. To stop it within the step would take {} times μN, so "
-                    "the clamp leaves −μN: the side of the square.",
-                    render::significant(-wanted.x() / settings.limit())));
-    return;
-  }
-  const double off = std::abs(std::atan2(parts.y(), parts.x()) - std::atan2(wanted.y(), wanted.x()));
-  page.note(panels[2], "Row y",
-            fmt::format("This row sees v_{{y}} alone. Together the rows brake with {} N, which is {} times "
+       .color = page.theme().friction},
+      i + 1, i == 0 ? "Row x" : "Row y",
+      i == 0
+          ? fmt::format("This row sees v_{{x}} alone. To stop it within the step would take {} times μN, so "
+                        "the clamp leaves −μN: the side of the square.",
+                        render::significant(-wanted.x() / settings.limit()))
+          : fmt::format("This row sees v_{{y}} alone. Together the rows brake with {} N, which is {} times "
                         "μN, {}° off the dashed line against v.",
                         fixed(parts.norm(), 2), fixed(parts.norm() / settings.limit(), 2),
                         fixed(std::min(off, 2 * pi - off) * 180 / pi, 1)));
@@ -92,26 +85,24 @@ void draw_vector(Page& page, const Slides& all) {
   const SlideSettings& settings = all.settings;
   const Vec2<double> wanted = stopping_lambda(settings, settings.velocity);
   const Vec2<double> vector = vector_clamped(settings, wanted);
-  const Rect rest = draw_start(
+  draw_first_step(
       page, all,
-      {.grey = {parts_clamped(settings, wanted)}, .active = {vector}, .velocity = settings.velocity});
-  const List<Rect> panels = beside_limits(page, rest);
-  page.equation(panels[0], {.number = "paper 4.5",
-                            .symbols = "λ ← λ min(1, μN / |λ|)",
-                            .numbers = fmt::format("= {} × {:g} / {:g}", pair_text(wanted, 0),
-                                                   settings.limit(), wanted.norm()),
-                            .result = fmt::format("= {} N", pair_text(vector, 2)),
-                            .color = page.theme().friction});
-  draw_clamps(page, panels[1], all, 3);
-  page.note(panels[2], "Both rows at once",
-            "One clamp, of the length. λ still points against v, and its length is μN in every direction: "
-            "Coulomb's circle.");
+      {.grey = {parts_clamped(settings, wanted)}, .active = {vector}, .velocity = settings.velocity},
+      {.number = "paper 4.5",
+       .symbols = "λ ← λ min(1, μN / |λ|)",
+       .numbers = fmt::format("= {} × {:g} / {:g}", pair_text(wanted, 0), settings.limit(), wanted.norm()),
+       .result = fmt::format("= {} N", pair_text(vector, 2)),
+       .color = page.theme().friction},
+      3, "Both rows at once",
+      "One clamp, of the length. λ still points against v, and its length is μN in every direction: "
+      "Coulomb's "
+      "circle.");
 }
 
 render::Series speed_series(const std::string& name, const render::SeriesStyle& style, const Slides& all,
-                            const Slide& slide, int k) {
+                            const Slide& slide) {
   render::Series series{.name = name, .style = style};
-  for (int i = 0; i <= k; ++i) {
+  for (int i = 0; i < slide.steps.size(); ++i) {
     series.x.push_back(i * all.settings.dt);
     series.y.push_back(slide.steps[i].velocity.norm());
   }
@@ -123,25 +114,25 @@ void draw_speeds(Page& page, const Rect& rect, const Slides& all, int k) {
   const int last = all.circle.steps.size() - 1;
   plot.x = {.title = "t (s)", .min = 0, .max = last * all.settings.dt};
   plot.y = {.title = "", .min = 0, .max = 1.1 * all.settings.speed()};
-  plot.series = {speed_series("square", page.theme().pgs, all, all.square, k),
-                 speed_series("circle", page.theme().si, all, all.circle, k)};
-  plot.cursor = k * all.settings.dt;
+  plot.series = {speed_series("square", page.theme().pgs, all, all.square),
+                 speed_series("circle", page.theme().si, all, all.circle)};
+  plot.now = k * all.settings.dt;
   draw_plot(page, rect, plot);
 }
 
-/// Left the table; returns what is free beside it.
-Rect draw_moment(Page& page, const Slides& all, int k) {
+void draw_step(Page& page, const Slides& all, int k) {
   const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   draw_table(page, halves[0], all, k);
-  return halves[1];
-}
-
-void draw_step(Page& page, const Slides& all, int k) {
-  const List<Rect> right = rows(draw_moment(page, all, k), {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> top = columns(right[0], {0.46, 0.54}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> top = columns(right[0], {0.5, 0.5}, page.sizes().gap);
   const SlideStep& circle = all.circle.steps[k];
   const SlideStep& square = all.square.steps[k];
-  draw_limits(page, top[0], all, {.active = {circle.lambda, square.lambda}});
+  const render::Camera camera = draw_limits(page, top[0], all, {.active = {circle.lambda, square.lambda}});
+  const double radius = 1.3 * page.sizes().marker;
+  draw_marker(page.canvas(), camera.project(circle.lambda), page.theme().si.marker, radius,
+              page.theme().si.color);
+  draw_marker(page.canvas(), camera.project(square.lambda), page.theme().pgs.marker, radius,
+              page.theme().pgs.color);
   const auto entry = [&](double force) { return fixed(force + 0.0, 2); };
   render::TableView table{.header = {"", "circle", "square"}};
   table.rows = {{"λ_{x}", entry(circle.lambda.x()), entry(square.lambda.x())},
@@ -183,32 +174,37 @@ std::string answer_text(const Slides& all) {
   const Vec2<double> circle = all.circle.steps.back().place;
   const Vec2<double> square = all.square.steps.back().place;
   return fmt::format(
-      "With the vector clamped: {} m, the same in every direction. With its parts clamped: {} m, since each "
-      "axis stops by itself. With the square turned along v there is no difference.",
-      fixed(circle.norm(), 2), fixed(square.norm(), 2));
+      "{}\u00a0m, at {}\u00a0m: each axis stops by itself. With the vector clamped the puck goes {}\u00a0m, "
+      "straight, in every direction. With the square turned along v there is no difference.",
+      fixed(square.norm(), 2), pair_text(square, 2), fixed(circle.norm(), 2));
 }
 
-/// The table before the first step, and what limits the friction.
+/// "circle: 2.45 m" beside its way.
+void draw_way(Page& page, const render::Camera& camera, const Slide& slide, double aside) {
+  const bool is_circle = slide.shape == FrictionShape::circle;
+  const Vec2<double> end = slide.steps.back().place;
+  draw_dimension(page, camera, end, aside,
+                 fmt::format("{}: {:.2f} m", is_circle ? "circle" : "square", end.norm()),
+                 (is_circle ? page.theme().si : page.theme().pgs).color);
+}
+
+/// The table before the first step with the way that is known, and what limits the friction.
 void draw_question(Page& page, const Rect& rect, const Slides& all) {
   const List<Rect> halves = columns(rect, {0.5, 0.5}, page.sizes().gap);
-  draw_table(page, halves[0], all, 0);
+  const render::Camera camera = draw_table(page, halves[0], all, 0);
+  draw_way(page, camera, all.circle, 24);
+  render::TextStyle asked = name_style(page, page.sizes().title, page.theme().pgs.color);
+  asked.align = render::Align::right;
+  page.canvas().text(camera.project(0.4 * all.circle.steps.back().place) - Point(50, 0), "square: ? m",
+                     asked);
   draw_limits(page, halves[1], all, {.velocity = all.settings.velocity});
 }
 
-/// The table with both pucks at rest, and where that is.
+/// The table with both pucks at rest, and how far that is from the start.
 void draw_ends(Page& page, const Rect& rect, const Slides& all) {
-  const List<Rect> parts = rows(rect, {0.7, 0.3}, page.sizes().gap);
-  draw_table(page, parts[0], all, all.circle.steps.size() - 1);
-  render::TableView table{.header = {"limit", "x (m)", "y (m)", "distance (m)", "direction"}};
-  for (const Slide* slide : {&all.circle, &all.aligned, &all.square}) {
-    const Vec2<double> place = slide->steps.back().place;
-    std::string name = "circle";
-    if (slide->shape == FrictionShape::aligned_square) name = "square along v";
-    if (slide->shape == FrictionShape::square) name = "square, axes x and y";
-    table.rows.push_back({name, fixed(place.x() + 0.0, 2), fixed(place.y() + 0.0, 2), fixed(place.norm(), 2),
-                          fixed(std::atan2(place.y(), place.x()) * 180 / pi, 1) + "°"});
-  }
-  page.table(parts[1], "where it stops", table);
+  const render::Camera camera = draw_table(page, rect, all, all.circle.steps.size() - 1);
+  draw_way(page, camera, all.circle, 40);
+  draw_way(page, camera, all.square, -40);
 }
 
 }  // namespace
@@ -220,7 +216,7 @@ List<Shot> slide_shots(const Slides& recorded) {
   shots.push_back(question_shot(
       card(), {.state = "before the first step",
                .alt = "A puck on a table from above with its velocity, a square and a circle "
-                      "as limits of the friction force, and the question.",
+                      "as limits of the friction force, and the question",
                .scene = [all](Page& page, const Rect& rect) { draw_question(page, rect, *all); },
                .place = ScenePlace::above}));
   for (int i = 0; i < 2; ++i) {
@@ -240,14 +236,16 @@ List<Shot> slide_shots(const Slides& recorded) {
   std::set<int> keys;
   for (const double part : {0.4, 0.65, 0.85}) keys.insert(static_cast<int>(part * last) / stride * stride);
   for (int k = stride; k < last; k += stride) shots.push_back(step_shot(all, k, keys.contains(k)));
-  shots.push_back(step_shot(all, last, true));
+  shots.push_back(step_shot(all, last, false));
   const int directions = all->directions.size();
   for (int count = 1; count <= directions; ++count) shots.push_back(direction_shot(all, count));
-  shots.push_back(answer_shot(card(),
-                              {.state = "all at rest",
-                               .alt = "Both pucks at rest, each at the end of its path, and the answer.",
-                               .scene = [all](Page& page, const Rect& rect) { draw_ends(page, rect, *all); }},
-                              answer_text(*all)));
+  shots.push_back(answer_shot(
+      card(),
+      {.state = "all at rest",
+       .alt = "Both pucks at rest, each at the end of its path, with its distance from the start, and "
+              "the answer.",
+       .scene = [all](Page& page, const Rect& rect) { draw_ends(page, rect, *all); }},
+      answer_text(*all)));
   return shots;
 }
 

@@ -44,6 +44,10 @@ void print_ends(Lesson& lesson, const Slides& all) {
     lesson.print(fmt::format("  {:<20} {:>14} {:>15.3f} m {:>20.2f}°", name, pair_text(place, 3),
                              place.norm(), std::atan2(place.y(), place.x()) * 180 / pi));
   }
+  const Vec2<double> v = all.settings.velocity;
+  const Vec2<double> rails = v.cwiseProduct(v.cwiseAbs()) / (2 * all.settings.slowing());
+  lesson.print(fmt::format("without steps: circle v²/2μg = {:.2f} m; square {} m, {:.2f} m from its start",
+                           all.settings.distance(), pair_text(rails, 2), rails.norm()));
   lesson.print();
   lesson.print("direction   circle (m)   square (m)   ratio   √(cos⁴ + sin⁴)   direction of the stop");
   for (const Direction& direction : all.directions) {
