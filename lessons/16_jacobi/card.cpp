@@ -21,8 +21,11 @@ LessonInfo card() {
       .reads = {"src/solvers/iterative/jacobi.hpp", "src/solvers/iterative/jacobi.cpp",
                 "src/solvers/row_order.hpp"},
       .question =
-          "A box that weighs 60 N comes down on three feet. Each pushes as if it were alone, and "
-          "all push at once. How much do they push together in the first sweep, in newtons?",
+          "A box of 6\u00a0kg (60\u00a0N), with an inertia of 1\u00a0kg\u00a0m², comes down on three feet: "
+          "one under its "
+          "middle, one 0.25\u00a0m to either side. Each pushes as if it were alone, and all push at once. "
+          "How much "
+          "do they push together in the first sweep?",
       .spoilers = {"147.3", "0.291", "27/11"},
       .hints = {"The foot in the middle, alone, stops the whole fall: 60 N.",
                 "A foot at the side also turns the box, so it stops its own point with less.",

@@ -4,6 +4,7 @@
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"
+#include "render/lint.hpp"
 
 namespace cairn::everybody {
 
@@ -26,14 +27,23 @@ Edge edge_of(const render::Camera& camera, const Snapshot& snapshot, const Colou
   return {camera.project(lower), camera.project(upper)};
 }
 
-/// All contacts, each with the number of its colour.
+/// What a colour of the graph looks like.
+render::Color color_of(const Page& page, int colour) {
+  const render::Theme& theme = page.theme();
+  const FixedList<render::Color, 4> colors = {theme.positive, theme.velocity, theme.penetration,
+                                              theme.negative};
+  return colors[colour % colors.size()];
+}
+
+/// All contacts, each in its colour, with the number of that.
 void draw_graph(Page& page, const Rect& rect, const PileRun& run) {
-  const Rect inside = page.panel(rect, "contacts, numbered by colour");
+  const Rect inside = page.panel(rect, "contacts, each in its colour");
   const render::Camera camera = pyramid_camera(inside, run.settings.base);
   draw_world(page, camera, run.snapshot, {.numbers = false, .contacts = false});
   for (const ColouredContact& contact : run.contacts.contacts) {
     const Edge edge = edge_of(camera, run.snapshot, contact);
-    page.canvas().line(edge.from, edge.to, {.width = page.sizes().axis, .color = page.theme().inactive});
+    page.canvas().line(edge.from, edge.to,
+                       {.width = page.sizes().arrow, .color = color_of(page, contact.colour)});
   }
   render::TextStyle text = page.value();
   text.bold = true;
@@ -43,8 +53,10 @@ void draw_graph(Page& page, const Rect& rect, const PileRun& run) {
     const Edge edge = edge_of(camera, run.snapshot, contact);
     const double share = contact.a == ground ? 0.0 : 0.5;
     const Point middle = edge.from + share * (edge.to - edge.from);
-    page.canvas().circle(middle, radius,
-                         {.fill = page.theme().panel, .outline = page.theme().outline, .outline_width = 1});
+    const render::Color fill = color_of(page, contact.colour);
+    page.canvas().circle(middle, radius, {.fill = fill, .outline = page.theme().outline, .outline_width = 1});
+    text.color = render::ink_on(fill);
+    text.halo = fill;
     page.canvas().text({middle.x(), middle.y() + 0.36 * text.size}, fmt::format("{}", contact.colour + 1),
                        text);
   }
@@ -66,13 +78,14 @@ void draw_turn(Page& page, const Rect& rect, const PileRun& run, int colour) {
   const Point left = camera.project({-0.625 * run.settings.base, 0});
   const Point right = camera.project({0.625 * run.settings.base, 0});
   page.canvas().line(left, right, {.width = page.sizes().axis, .color = page.theme().outline});
+  const render::Paint dot{
+      .fill = color_of(page, colour), .outline = page.theme().outline, .outline_width = 1};
   for (const ColouredContact& contact : run.contacts.contacts) {
     if (contact.colour != colour) continue;
     const Edge edge = edge_of(camera, run.snapshot, contact);
-    page.canvas().line(edge.from, edge.to, {.width = page.sizes().arrow, .color = page.theme().normal});
-    page.canvas().circle(edge.to, page.sizes().contact, {.fill = page.theme().normal});
-    if (contact.a != ground)
-      page.canvas().circle(edge.from, page.sizes().contact, {.fill = page.theme().normal});
+    page.canvas().line(edge.from, edge.to, {.width = 1.4 * page.sizes().arrow, .color = dot.fill});
+    page.canvas().circle(edge.to, 1.4 * page.sizes().contact, dot);
+    if (contact.a != ground) page.canvas().circle(edge.from, 1.4 * page.sizes().contact, dot);
   }
 }
 
@@ -84,9 +97,9 @@ render::Camera pyramid_camera(const Rect& inside, int base) {
 }
 
 void draw_colours(Page& page, const PileRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
   draw_graph(page, halves[0], run);
-  const List<Rect> right = rows(halves[1], {0.68, 0.32}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.77, 0.23}, page.sizes().gap);
   const int turns = run.contacts.count.size();
   const int across = (turns + 1) / 2;
   const List<Rect> lines = rows(right[0], {1, 1}, page.sizes().gap);

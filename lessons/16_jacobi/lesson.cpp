@@ -47,9 +47,8 @@ void sweep_at_once(VelocityProblem<double>& problem, const PerRow<double>& give)
   // [/at_once]
 }
 
-/// One sweep of Gauss-Seidel, SI: the same two lines, in one loop.
+/// One sweep of Gauss-Seidel, SI: the same lines, in one loop.
 void sweep_in_turn(VelocityProblem<double>& problem, const PerRow<double>& give) {
-  // [in_turn]
   for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<double>& row = problem.rows[i];
     const double corrective = (row.bias - row_velocity(problem, row)) * give[i];  // (22), times Δt
@@ -57,7 +56,6 @@ void sweep_in_turn(VelocityProblem<double>& problem, const PerRow<double>& give)
     apply_impulse(problem, row, next - problem.impulse[i]);  // (21): the next row sees it
     problem.impulse[i] = next;
   }
-  // [/in_turn]
 }
 
 /// The box on its feet, sweep by sweep.

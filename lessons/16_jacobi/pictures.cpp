@@ -8,7 +8,6 @@
 #include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
-#include "render/bars.hpp"
 #include "render/draw.hpp"
 #include "render/plot.hpp"
 
@@ -24,77 +23,83 @@ using render::Rect;
 using Feet = std::shared_ptr<const FeetRun>;
 
 const double box_middle = 0.62;  // [m] as the snapshot has it
-const int shown_sweeps = 6;      // in the plot of speeds: behind them all but one are at rest
+const double sum_place = 1.2;    // [m] where the pushes stand upon each other, beside the box
+const double weight_place = 1.5;
+
+/// The pushes of all feet at their feet, and once more tip to tail beside the weight.
+void draw_pushes(Page& page, const render::Camera& camera, const FeetRun& run, int sweep) {
+  const List<double>& lambda = history_of(run, Method::plain).lambda[sweep];
+  const double weight = box_mass * gravity;
+  const render::ArrowScale forces{
+      .pixels_per_unit = 1.55 * camera.scale / (weight * std::max(1.0, run.answer)),
+      .longest = 2 * camera.scale};
+  const double metres = forces.pixels_per_unit / camera.scale;  // for a newton
+  render::TextStyle text = page.value();
+  text.align = render::Align::center;
+  draw_arrow(
+      page, camera, forces,
+      {.kind = render::ArrowKind::external, .tail = {weight_place, weight * metres}, .value = {0, -weight}});
+  page.canvas().text(camera.project({weight_place, weight * metres + 0.03}),
+                     fmt::format("weight {:g} N", weight), text);
+  text.bold = true;
+  double height = 0;
+  for (int i = 0; i < lambda.size(); ++i) {
+    if (!(lambda[i] > 0)) continue;
+    const Vec2<double> foot(run.problem.rows[i].jacobian_b.z(), box_middle - 0.5);
+    draw_arrow(page, camera, forces, {.tail = foot, .value = {0, lambda[i]}});
+    draw_arrow(page, camera, forces, {.tail = {sum_place, height}, .value = {0, lambda[i]}});
+    height += lambda[i] * metres;
+    if (lambda.size() <= 3) {
+      page.canvas().text(camera.project(foot + Vec2<double>(0, lambda[i] * metres + 0.03)),
+                         fixed(lambda[i], 1) + " N", text);
+    }
+  }
+  text.size = page.sizes().question;
+  page.canvas().text(camera.project({sum_place, height + 0.03}),
+                     sweep == 0 ? "? N" : fixed(together(lambda), 1) + " N", text);
+}
 
 /// The box with what each foot has given so far, and how fast it moves.
 void draw_feet(Page& page, const Rect& rect, const FeetRun& run, int sweep) {
   const Rect inside = page.panel(rect, "");
-  const render::Camera camera = render::fit(inside, {{-0.85, -0.1}, {0.85, 1.35}});
+  render::Camera camera = render::fit(inside, {{-0.65, -0.1}, {1.8, 1.35}});
+  camera.center.y() = 0.5 * inside.height / camera.scale - 0.15;  // little of the ground
   draw_world(page, camera, run.snapshot, {.numbers = false, .contacts = false});
-  const FeetHistory& plain = history_of(run, Method::plain);
-  const double weight = box_mass * gravity;
-  const render::ArrowScale forces{
-      .pixels_per_unit = 0.75 * camera.scale / weight, .longest = 0.9 * camera.scale, .unit = "N"};
-  const List<double>& lambda = plain.lambda[sweep];
-  const bool labels = lambda.size() <= 4;
-  for (int i = 0; i < lambda.size(); ++i) {
-    if (!(lambda[i] > 0)) continue;
-    draw_arrow(page, camera, forces,
-               {.tail = {run.problem.rows[i].jacobian_b.z(), box_middle - 0.5},
-                .value = {0, lambda[i]},
-                .label = labels ? fixed(lambda[i], 1) : ""});
-  }
+  draw_pushes(page, camera, run, sweep);
+  const double speed = history_of(run, Method::plain).speed[sweep];
   const double fastest = gravity * time_step * std::max(1.0, run.answer - 1);
-  const render::ArrowScale speeds{
-      .pixels_per_unit = 0.5 * camera.scale / fastest, .longest = camera.scale, .unit = "m/s"};
-  const double speed = plain.speed[sweep];
-  draw_arrow(
-      page, camera, speeds,
-      {.kind = render::ArrowKind::velocity, .tail = {0.66, box_middle}, .value = {0, speed}, .label = ""});
-  render::TextStyle style = page.value();
-  style.align = render::Align::right;
-  page.canvas().text(Point(inside.x + inside.width, inside.y + style.size),
-                     fmt::format("v = {} m/s", fixed(speed, 3, render::Sign::always)), style);
+  draw_arrow(page, camera, {.pixels_per_unit = 0.3 * camera.scale / fastest, .longest = camera.scale},
+             {.kind = render::ArrowKind::velocity, .tail = {0.62, box_middle}, .value = {0, speed}});
+  page.canvas().text(camera.project({0.67, box_middle + 0.12 * speed / fastest}),
+                     fixed(speed, 3, render::Sign::always) + " m/s", page.value());
 }
 
-void draw_lambda(Page& page, const Rect& rect, const FeetRun& run, int sweep) {
-  const FeetHistory& plain = history_of(run, Method::plain);
-  const List<double>& now = plain.lambda[sweep];
-  const List<double> none(now.size(), 0.0);
-  const List<double>& before = sweep > 0 ? plain.lambda[sweep - 1] : none;
-  const double weight = box_mass * gravity;
-  render::BarChart chart{.title = "λ of each foot (N)", .largest = weight * std::max(run.answer, 1.2)};
-  chart.decimals = 1;
-  for (int i = 0; i < now.size(); ++i) {
-    chart.bars.push_back(
-        {.name = fmt::format("foot {}", i + 1), .before = before[i], .added = now[i] - before[i]});
+/// What a sweep of plain Jacobi does.
+std::string sweep_text(const FeetRun& run, int sweep) {
+  if (sweep == 1) {
+    return fmt::format(
+        "Each foot sees the whole fall, and stops it as if it were alone. Together they give {} times "
+        "the weight.",
+        fixed(run.answer, 2));
   }
-  const double sum = together(before);
-  chart.bars.push_back({.name = "together",
-                        .before = sum,
-                        .added = together(now) - sum,
-                        .exact = weight,
-                        .active = sweep > 0});
-  draw_bars(page, rect, chart);
-}
-
-/// The box left, the bars right; returns what is free below the bars.
-Rect draw_moment(Page& page, const FeetRun& run, int sweep) {
-  const List<Rect> halves = columns(page.area(), {0.42, 0.58}, page.sizes().gap);
-  draw_feet(page, halves[0], run, sweep);
-  const List<Rect> right = rows(halves[1], {0.57, 0.43}, page.sizes().gap);
-  draw_lambda(page, right[0], run, sweep);
-  return right[1];
+  if (run.answer <= 2)
+    return fmt::format("Every sweep leaves 1 − q = {} of the speed.", fixed(1 - run.answer, 2));
+  if (sweep % 2 == 1) return "The same as sweep 1: it repeats for ever.";
+  return "The box goes up, so every foot would have to pull. A contact cannot: all λ go back to 0, and the "
+         "box falls "
+         "as before. The next sweep is the first one again, and so on for ever.";
 }
 
 void draw_sweep(Page& page, const FeetRun& run, int sweep) {
-  const Rect rest = draw_moment(page, run, sweep);
+  const List<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
+  draw_feet(page, halves[0], run, sweep);
+  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
   const FeetHistory& plain = history_of(run, Method::plain);
   const double before = plain.lambda[sweep - 1][0];
   const double after = plain.lambda[sweep][0];
   const double speed = plain.speed[sweep - 1];
   page.equation(
-      rest,
+      right[0],
       {.number = "eq (22), foot 1; the others do the same at the same time",
        .symbols = "λ ← max(0, λ − j·v / (A_{11} Δt))",
        .numbers = fmt::format("= max(0, {} − {} / ({} × {:g}))", fixed(before, 2),
@@ -103,6 +108,7 @@ void draw_sweep(Page& page, const FeetRun& run, int sweep) {
        .result = fmt::format("= {} N", fixed(after, 2)),
        .algorithm = fmt::format("then v: {} → {} m/s", fixed(speed, 3), fixed(plain.speed[sweep], 3)),
        .color = page.theme().normal});
+  page.note(right[1], fmt::format("Sweep {}", sweep), sweep_text(run, sweep));
 }
 
 Shot sweep_shot(const Feet& run, int sweep) {
@@ -112,20 +118,20 @@ Shot sweep_shot(const Feet& run, int sweep) {
                              "being 60 N, and the box moves at {:.3f} m/s upwards.",
                              sweep, together(plain.lambda[sweep]), plain.speed[sweep]),
           .draw = [run, sweep](Page& page) { draw_sweep(page, *run, sweep); },
-          .key = sweep <= 3};
+          .key = sweep <= 2};
 }
 
 /// The four methods' speeds, and the number that decides.
 void draw_speeds(Page& page, const FeetRun& run) {
   const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
-  render::Plot plot{.title = "speed of the box after each sweep (m/s)"};
+  render::Plot plot{.title = "|v| of the box after each sweep (m/s), on a logarithmic axis"};
   plot.x = {.title = "sweep"};
-  plot.y = {.title = ""};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-5, .max = 1};
   for (const FeetHistory& history : run.histories) {
-    List<double> first = history.speed;
-    first.resize(std::min(shown_sweeps + 1, first.size()));
+    List<double> size;
+    for (const double speed : history.speed) size.push_back(std::max(std::abs(speed), 1e-9));
     plot.series.push_back(over_steps(method_name(history.method, run.settings.omega),
-                                     style_of(page.theme(), history.method), first));
+                                     style_of(page.theme(), history.method), size));
   }
   draw_plot(page, parts[0], plot);
   render::TableView table;
@@ -152,12 +158,14 @@ List<Shot> feet_shots(const FeetRun& feet) {
   const Feet run = std::make_shared<const FeetRun>(feet);
   List<Shot> shots;
   shots.push_back(question_shot(
-      card(), {.state = "before the first sweep",
-               .alt = "A box on feet, all of them idle, and the question.",
-               .scene = [run](Page& page, const Rect& rect) { draw_feet(page, rect, *run, 0); }}));
+      card(),
+      {.state = "before the first sweep",
+       .alt = fmt::format("A box that comes down on {} feet, none of which pushes yet, and the question",
+                          run->settings.feet),
+       .scene = [run](Page& page, const Rect& rect) { draw_feet(page, rect, *run, 0); }}));
   for (int sweep = 1; sweep <= run->settings.sweeps; ++sweep) shots.push_back(sweep_shot(run, sweep));
   shots.push_back(
-      {.state = fmt::format("four methods, {} sweeps", std::min(shown_sweeps, run->settings.sweeps)),
+      {.state = fmt::format("four methods, {} sweeps", run->settings.sweeps),
        .alt = "Speed of the box against sweeps: plain Jacobi, damped, with split masses, and SI; below it "
               "the share q that one sweep of each removes.",
        .draw = [run](Page& page) { draw_speeds(page, *run); },
@@ -177,12 +185,12 @@ Shot last_shot(const Feet& run) {
   const List<double>& first = history_of(*run, Method::plain).lambda[1];
   const std::string text = fmt::format(
       "{} N: {}. Each foot stops the whole fall, as if it were alone, and the box is thrown up. Damped, or "
-      "with "
-      "split masses, Jacobi converges.",
+      "with split masses, Jacobi converges.",
       fixed(together(first), 1), summands(first));
   return answer_shot(card(),
                      {.state = "after the first sweep",
-                      .alt = "The box after the first sweep, with what each foot has given, and the answer.",
+                      .alt = "The box after the first sweep: the three pushes, tip to tail, are more than "
+                             "twice as long as the weight.",
                       .scene = [run](Page& page, const Rect& rect) { draw_feet(page, rect, *run, 1); }},
                      text);
 }
@@ -190,35 +198,15 @@ Shot last_shot(const Feet& run) {
 }  // namespace
 
 std::string method_name(Method method, double omega) {
-  switch (method) {
-    case Method::plain:
-      return "Jacobi";
-    case Method::damped:
-      return fmt::format("Jacobi, ω = {:.2g}", omega);
-    case Method::split:
-      return "Jacobi, split";
-    case Method::sequential:
-      break;
-  }
-  return "SI";
+  if (method == Method::plain) return "Jacobi";
+  if (method == Method::damped) return fmt::format("Jacobi, ω = {:.2g}", omega);
+  return method == Method::split ? "Jacobi, split" : "SI";
 }
 
 render::SeriesStyle style_of(const render::Theme& theme, Method method) {
-  render::SeriesStyle style = theme.jacobi;
-  switch (method) {
-    case Method::plain:
-      return style;
-    case Method::damped:
-      style.dash = {12, 5};
-      style.marker = render::Marker::circle;
-      return style;
-    case Method::split:
-      style.dash = {};
-      style.marker = render::Marker::triangle;
-      return style;
-    case Method::sequential:
-      break;
-  }
+  if (method == Method::plain) return theme.jacobi;
+  if (method == Method::damped) return {theme.pgs.color, {12, 5}, render::Marker::circle};
+  if (method == Method::split) return {theme.box2d.color, {}, render::Marker::triangle};
   return theme.si;
 }
 

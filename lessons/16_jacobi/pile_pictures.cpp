@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 
+#include "lessons/tower_panel.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"
@@ -88,9 +89,10 @@ void draw_convergence(Page& page, const PileRun& run) {
   line("SI, by colours", run.coloured);
   const List<Rect> below = columns(parts[1], {0.6, 0.4}, page.sizes().gap);
   page.table(below[0], "", table);
-  page.note(below[1], "With a processor for each row",
-            "Jacobi waits once a sweep, SI for every row. With colours, rows that share no "
-            "box run together, so SI can be parallel, too.");
+  page.note(
+      below[1], "With a processor for each row",
+      "Jacobi waits for all others once a sweep. SI waits for every row. With colours, rows that share no "
+      "box run together, so SI can be parallel, too.");
 }
 
 /// The same bodies seen in a mirror at x = 0.
@@ -108,31 +110,14 @@ std::string mirror_name(const MirrorRun& mirror) {
 
 void draw_mirror(Page& page, const Rect& rect, const PileRun& run, int which, int step) {
   const MirrorRun& mirror = run.mirrors[which];
-  const Rect inside = page.panel(rect, "");
-  render::Rect field = inside;
-  const double line = 1.3 * page.label().size;
-  field.y += line;
-  field.height -= line;
-  const double base = run.settings.base;
-  const double half = 0.625 * base + 0.6;
-  const render::Camera camera = render::fit(field, {{-half, -0.3}, {half, base + 1.9}});
+  const Rect inside =
+      draw_solver_panel(page, rect, style_of(page.theme(), mirror.method), mirror_name(mirror),
+                        "off by " + render::significant(mirror.asymmetry[step], 2) + " m");
+  const double base = run.settings.base, half = 0.625 * base + 0.6;
+  const render::Camera camera = render::fit(inside, {{-half, -0.3}, {half, base + 1.7}});
   draw_world(page, camera, mirror.frames[step], {.numbers = false, .contacts = false, .penetration = false});
   const Snapshot image = mirrored(mirror.frames[step]);
   draw_ghosts(page, camera, {&image, 1});
-  const render::SeriesStyle style = style_of(page.theme(), mirror.method);
-  page.canvas().rect({inside.x, inside.y + 0.15 * line, 0.5 * line, 0.5 * line}, {.fill = style.color});
-  page.canvas().text({inside.x + 0.8 * line, inside.y + 0.62 * line}, mirror_name(mirror), page.label());
-  render::TextStyle value = page.value();
-  value.align = render::Align::right;
-  page.canvas().text({inside.x + inside.width, inside.y + 0.62 * line},
-                     render::significant(mirror.asymmetry[step], 2) + " m", value);
-}
-
-/// Both worlds side by side.
-void draw_mirrors(Page& page, const Rect& rect, const PileRun& run, int step) {
-  const List<Rect> halves = columns(rect, {0.5, 0.5}, page.sizes().gap);
-  draw_mirror(page, halves[0], run, 0, step);
-  draw_mirror(page, halves[1], run, 1, step);
 }
 
 void draw_asymmetry(Page& page, const PileRun& run, int step) {
@@ -145,13 +130,14 @@ void draw_asymmetry(Page& page, const PileRun& run, int step) {
   plot.series[2].style.dash = {3, 4};
   plot.series[2].style.marker = render::Marker::circle;
   plot.now = step;
-  const List<Rect> parts = rows(page.area(), {0.48, 0.52}, page.sizes().gap);
-  draw_mirrors(page, parts[0], run, step);
+  const List<Rect> parts = rows(page.area(), {0.58, 0.42}, page.sizes().gap);
+  const List<Rect> halves = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+  for (int which = 0; which < 2; ++which) draw_mirror(page, halves[which], run, which, step);
   draw_plot(page, parts[1], plot);
 }
 
 Shot mirror_shot(const Pile& run, int step, const std::set<int>& keys) {
-  return {.state = fmt::format("step {} of {}", step, run->settings.steps),
+  return {.state = fmt::format("step {} of {} · grey: the mirror image", step, run->settings.steps),
           .alt = fmt::format("Step {}: a ball falls on two pyramids, each drawn over its mirror image. Split "
                              "Jacobi is off by {:.1e} m, SI by {:.1e} m.",
                              step, run->mirrors[0].asymmetry[step], run->mirrors[1].asymmetry[step]),
@@ -183,7 +169,7 @@ List<Shot> pile_shots(const PileRun& pile) {
                           counts_text(run->contacts), run->contacts.count.size()),
        .draw = [run](Page& page) { draw_colours(page, *run); },
        .key = true});
-  for (int step = 1; step <= last; ++step) shots.push_back(mirror_shot(run, step, {5, 15, last}));
+  for (int step = 1; step <= last; ++step) shots.push_back(mirror_shot(run, step, {15, last}));
   return shots;
 }
 
