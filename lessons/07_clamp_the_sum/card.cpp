@@ -21,10 +21,10 @@ LessonInfo card() {
       .reads = {"src/solvers/iterative/sequential_impulse.cpp",
                 "src/solvers/iterative/sequential_impulse.hpp"},
       .question =
-          "A box of 6 kg lands at 10 m/s on two feet, 0.25 m left and right of its middle. The left foot "
-          "stops itself with 43.64 N s, then the right one with 23.80 N s. Now the left foot rises at "
-          "2.48 m/s. A contact must not pull. How much has the left foot given in all after its second "
-          "visit, in N s?",
+          "A box of 6\u00a0kg lands at 10\u00a0m/s on feet at ±0.25\u00a0m. First the left foot stops itself "
+          "with 43.64\u00a0N\u00a0s, then the right one with 23.80\u00a0N\u00a0s. Now the left foot moves at "
+          "+2.48\u00a0m/s. A contact must not pull. How much has the left foot given in all after its second "
+          "visit, in N\u00a0s?",
       .spoilers = {"10.82", "32.82"},
       .hints =
           {"Was the first push of the left foot too small, right, or too large?",

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "feet.hpp"
+#include "lessons/words.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 
@@ -79,7 +80,10 @@ void run(Lesson& lesson) {
   const FeetRun all = land_everywhere(
       {.foot = lesson.real("foot"), .speed = lesson.real("speed"), .sweeps = lesson.whole("sweeps")});
   tell_scene(lesson, all);
-  lesson.predict();
+  if (question_of(all) == card().question)
+    lesson.predict();
+  else
+    lesson.print(wrapped("QUESTION " + question_of(all), 104, 9));
   tell_visits(lesson, all);
   tell_landings(lesson, all);
   tell_motion(lesson, all);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "feet.hpp"
 #include "lessons/lesson.hpp"
@@ -9,6 +10,9 @@
 #include "render/page.hpp"
 
 namespace cairn::feet {
+
+/// The question of the card with the numbers of this landing.
+std::string question_of(const FeetRun& run);
 
 void tell_scene(Lesson& lesson, const FeetRun& run);
 void tell_visits(Lesson& lesson, const FeetRun& run);
@@ -34,12 +38,15 @@ struct BoxView {
   double before = 0;        // [N s] its sum before
   Pair foot_velocity = {};  // [m/s] upwards
   double fastest = 10;      // [m/s] of all that is shown
+  bool asks = false;        // with a question mark at the left foot
 };
 void draw_box(render::Page& page, const render::Rect& rect, const BoxRun& box, double largest,
               const BoxView& view);
 
-/// A panel with a bar in the colour of what is clamped on top, and its name. Returns what is free inside.
-render::Rect clamp_panel(render::Page& page, const render::Rect& rect, Clamped clamped);
+/// A panel with a bar in the colour of what is clamped on top, and its name, or another
+/// one. Returns what is free inside.
+render::Rect clamp_panel(render::Page& page, const render::Rect& rect, Clamped clamped,
+                         const std::string& name = "");
 render::SeriesStyle style_of(const render::Theme& theme, Clamped clamped);
 
 }  // namespace cairn::feet

@@ -22,58 +22,62 @@ using render::Point;
 using render::Rect;
 using render::Sign;
 
-/// How fast a foot moves, beside the box: an arrow, and its value below.
-void draw_foot_velocity(Page& page, const render::Camera& camera, double fastest, double x, double velocity) {
+/// How fast a foot moves: an arrow beside it, and its value beside the box.
+void draw_foot_velocity(Page& page, const render::Camera& camera, const BoxRun& box, const BoxView& view,
+                        int i) {
+  const double outwards = i == 0 ? -1 : 1;
+  const double velocity = cleaned(view.foot_velocity[i]);
+  const double metres = 1.1 / view.fastest;  // [s]
   const render::ArrowScale scale{
-      .pixels_per_unit = 0.6 * camera.scale / fastest, .longest = 0.7 * camera.scale, .unit = "m/s"};
+      .pixels_per_unit = metres * camera.scale, .longest = 1.1 * camera.scale, .unit = "m/s"};
   if (std::abs(velocity) * scale.pixels_per_unit >= 2) {
     draw_arrow(page, camera, scale,
                {.kind = render::ArrowKind::velocity,
-                .tail = {x, velocity > 0 ? 0.4 : 0.4 - 0.6 * velocity / fastest},
+                .tail = {box.foot[i] + 0.12 * outwards, std::max(0.0, -velocity * metres)},
                 .value = {0, velocity}});
   }
   render::TextStyle style = page.value();
-  style.align = render::Align::center;
+  style.align = i == 0 ? render::Align::right : render::Align::left;
+  const Point at = camera.project({0.56 * outwards, 0.12}) + Point(10 * outwards, 0);
+  page.canvas().text(at, fixed(velocity, 2, Sign::always) + " m/s", style);
   style.color = page.theme().secondary_text;
-  page.canvas().text(camera.project({x, 0.2}), fixed(cleaned(velocity), 2, Sign::always) + " m/s", style);
+  style.mono = false;
+  page.canvas().text(at - Point(0, 1.4 * style.size), i == 0 ? "left foot" : "right foot", style);
 }
 
 /// The sum of a foot at the tip of its arrow, where there is room.
-void label_sum(Page& page, const render::Camera& camera, const Vec2<double>& tip, double value, bool lit) {
-  if (value < 0.005) return;
+void label_sum(Page& page, const render::Camera& camera, const Vec2<double>& tip, const std::string& text,
+               bool lit) {
   render::TextStyle style = page.value();
   style.bold = lit;
   style.halo = page.theme().body;
   const Point at = camera.project(tip);
-  const std::string text = fixed(value, 2);
   const double width = page.canvas().text_width(text, style);
   const double above = at.y() - 6;
   const double middle = at.x() - width / 2;
-  const double inwards = tip.x() < 0 ? 3.0 : -6.0;
-  page.place_text({{middle + inwards, above},
-                   {at.x() + 8, at.y() + style.size},
-                   {at.x() - 8 - width, at.y() + style.size},
-                   {middle, above - 1.3 * style.size},
-                   {middle, above - 2.6 * style.size},
-                   {at.x() + 8, at.y() + 2.4 * style.size}},
+  page.place_text({{middle, above},
+                   {at.x() + 12, at.y() + style.size},
+                   {at.x() - 12 - width, at.y() + style.size},
+                   {middle, above - 1.3 * style.size}},
                   camera.viewport, text, style);
 }
 
-render::BarChart sums_of(const Page& page, const FeetRun& run, const Landing& landing, int k) {
+/// The sums as bars, and through both of them a line at what each foot has to give.
+void draw_sums(Page& page, const Rect& rect, const FeetRun& run, const Landing& landing, int k) {
   const Visit& visit = landing.visits[k];
-  const double largest = std::max(run.middle.exact[0], visit.after[0]);
-  render::BarChart chart{.title = "sum of the pushes p (N s)",
-                         .largest = 1.3 * std::max(largest, run.middle.exact[0] * 1.45)};
-  chart.color = style_of(page.theme(), landing.clamped).color;
+  const double exact = run.middle.exact[0];  // the same for both feet
+  render::BarChart chart{.title = fmt::format("sum of the pushes p (N s); black line: exact, {:.4g}", exact),
+                         .largest = std::max(1.6 * exact, 1.1 * visit.after[0]),
+                         .color = style_of(page.theme(), landing.clamped).color};
   for (int i = 0; i < 2; ++i) {
-    const bool active = i == visit.foot && std::abs(visit.given()) > 0.005;
-    chart.bars.push_back({.name = fmt::format("foot {}", i + 1),
+    chart.bars.push_back({.name = fmt::format("foot {} {:>6.2f}", i + 1, cleaned(visit.after[i])),
                           .before = visit.before[i],
-                          .added = visit.after[i] - visit.before[i],
-                          .exact = run.middle.exact[i],
-                          .active = active});
+                          .added = visit.after[i] - visit.before[i]});
   }
-  return chart;
+  const render::BarPlaces at = draw_bars(page, rect, chart);
+  const double x = at.plot.x + at.plot.width * (exact - at.low) / (at.high - at.low);
+  page.canvas().line({x, at.rows.y}, {x, at.rows.y + at.rows.height},
+                     {.width = 3, .color = page.theme().exact.color});
 }
 
 render::Equation equation_of(const Page& page, const Landing& landing, int k) {
@@ -118,7 +122,7 @@ void draw_visit(Page& page, const FeetRun& run, int k) {
     const List<Rect> parts = rows(halves[at++], {0.44, 0.24, 0.32}, page.sizes().gap);
     draw_box(page, clamp_panel(page, parts[0], clamped), run.middle, largest_of(run),
              view_after(run.middle, run.settings.speed, landing, k));
-    draw_bars(page, parts[1], sums_of(page, run, landing, k));
+    draw_sums(page, parts[1], run, landing, k);
     page.equation(parts[2], equation_of(page, landing, k));
   }
 }
@@ -129,8 +133,10 @@ QuestionFrame question_frame(const Run& run) {
               "A box on two feet after one sweep, with the impulses of its feet and how fast they move, and "
               "the question.",
           .scene = [run](Page& page, const Rect& rect) {
+            BoxView view = view_after(run->middle, run->settings.speed, run->middle.by(Clamped::sum), 1);
+            view.asks = true;
             draw_box(page, page.panel(rect, "after one sweep: pushes (N s)"), run->middle, largest_of(*run),
-                     view_after(run->middle, run->settings.speed, run->middle.by(Clamped::sum), 1));
+                     view);
           }};
 }
 
@@ -178,23 +184,25 @@ List<Shot> visit_shots(const Run& run) {
 
 render::SeriesStyle style_of(const render::Theme& theme, Clamped clamped) {
   if (clamped == Clamped::sum) return theme.si;
+  if (clamped == Clamped::afterwards) return theme.box2d;
   render::SeriesStyle style = theme.jacobi;
-  if (clamped == Clamped::increment) style.dash = {};
+  style.dash = {};
   return style;
 }
 
-Rect clamp_panel(Page& page, const Rect& rect, Clamped clamped) {
-  const char* name = clamped == Clamped::sum         ? "the sum is clamped"
-                     : clamped == Clamped::increment ? "each push is clamped"
-                                                     : "clamped once, at the end";
-  const Rect inside = page.panel(rect, name);
+Rect clamp_panel(Page& page, const Rect& rect, Clamped clamped, const std::string& name) {
+  const char* usual = clamped == Clamped::sum         ? "the sum is clamped"
+                      : clamped == Clamped::increment ? "each push is clamped"
+                                                      : "clamped once, at the end";
+  const Rect inside = page.panel(rect, name.empty() ? usual : name);
   page.canvas().rect({rect.x, rect.y, rect.width, 5}, {.fill = style_of(page.theme(), clamped).color});
   return inside;
 }
 
 void draw_box(Page& page, const Rect& rect, const BoxRun& box, double largest, const BoxView& view) {
-  const render::Camera camera = render::fit(rect, {{-1.15, -0.1}, {1.15, 1.17}});
-  const double tallest = 0.9;  // [m]
+  render::Camera camera = render::fit(rect, {{-1, -0.1}, {1, 1.17}});
+  camera.center.y() = std::min(0.54, 0.5 * rect.height / camera.scale - 0.1);  // little of the ground
+  const double tallest = 0.9;                                                  // [m]
   page.canvas().push_clip(rect);
   render::WorldLook look;
   look.contacts = false;
@@ -203,37 +211,41 @@ void draw_box(Page& page, const Rect& rect, const BoxRun& box, double largest, c
   draw_world(page, camera, box.snapshot, look);
   const render::ArrowScale scale{
       .pixels_per_unit = tallest * camera.scale / largest, .longest = 1.15 * camera.scale, .unit = "N s"};
-  draw_foot_velocity(page, camera, view.fastest, -0.85, view.foot_velocity[0]);
-  draw_foot_velocity(page, camera, view.fastest, 0.85, view.foot_velocity[1]);
-  for (int i = 0; i < 2; ++i) {
-    const double x = box.foot[i];
+  for (const int i : {0, 1}) draw_foot_velocity(page, camera, box, view, i);
+  for (const int i : {0, 1}) {
+    const double x = box.foot[i], sum = view.impulse[i];
     const bool lit = i == view.foot;
-    const double given = lit ? view.impulse[i] - view.before : 0;
-    const double tip = tallest * (given < 0 ? view.before : view.impulse[i]) / largest;
-    if (view.impulse[i] > 0.005)
-      draw_arrow(page, camera, scale, {.tail = {x, 0}, .value = {0, view.impulse[i]}, .active = lit});
-    if (given < -0.005) {
+    if (sum <= 0.005) continue;
+    draw_arrow(page, camera, scale, {.tail = {x, 0}, .value = {0, sum}, .active = lit});
+    const double taken = lit ? view.before - sum : 0;
+    if (taken > 0.005) {
       draw_arrow(page, camera, scale,
                  {.kind = render::ArrowKind::negative_correction,
-                  .tail = {x + (i == 0 ? -0.1 : 0.1), tip},
-                  .value = {0, given}});
+                  .tail = {x, tallest * view.before / largest},
+                  .value = {0, -taken},
+                  .label = fixed(-taken, 2)});
     }
-    // Beside the tip, where what was taken back stands above it.
-    const double aside = given < -0.005 ? (i == 0 ? 0.2 : -0.2) : 0;
-    const double height = tallest * view.impulse[i] / largest - 0.1 * std::abs(aside);
-    label_sum(page, camera, {x + aside, height}, view.impulse[i], lit);
+    const bool asked = view.asks && i == 0;
+    const double height = tallest * sum / largest - (taken > 0.005 ? 0.35 : 0);
+    label_sum(page, camera, {x, height}, fixed(sum, 2) + (asked ? ", then ?" : ""), lit || asked);
   }
   page.canvas().pop_clip();
 }
 
+LessonInfo card_for(const FeetRun& run) {
+  LessonInfo info = card();
+  info.question = question_of(run);
+  return info;
+}
+
 List<Shot> feet_shots(const FeetRun& recorded) {
   const Run run = std::make_shared<const FeetRun>(recorded);
-  List<Shot> shots = {question_shot(card(), question_frame(run))};
+  List<Shot> shots = {question_shot(card_for(*run), question_frame(run))};
   for (const List<Shot>& part : {visit_shots(run), motion_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
   shots.push_back(spread_shot(run));
   shots.push_back(side_shot(run));
-  shots.push_back(answer_shot(card(), answer_frame(run), answer_text(recorded)));
+  shots.push_back(answer_shot(card_for(*run), answer_frame(run), answer_text(recorded)));
   return shots;
 }
 

@@ -131,6 +131,18 @@ void check_rest(Lesson& lesson, const FeetRun& run) {
 
 }  // namespace
 
+std::string question_of(const FeetRun& run) {
+  const List<Visit>& visits = run.middle.by(Clamped::sum).visits;
+  return fmt::format(
+      "A box of {:g}\u00a0kg lands at {:g}\u00a0m/s on feet at ±{:g}\u00a0m. First the left foot stops "
+      "itself "
+      "with {:.2f}\u00a0N\u00a0s, then the right one with {:.2f}\u00a0N\u00a0s. Now the left foot moves at "
+      "{}\u00a0m/s. A contact must not pull. How much has the left foot given in all after its second visit, "
+      "in N\u00a0s?",
+      box_mass, run.settings.speed, run.settings.foot, visits[0].after[0], visits[1].after[1],
+      render::fixed(visits[2].jv, 2, render::Sign::always));
+}
+
 void tell_scene(Lesson& lesson, const FeetRun& run) {
   const FeetSettings& settings = run.settings;
   lesson.print(
