@@ -17,12 +17,15 @@ LessonInfo card() {
   info.reads = {"src/constraints/contact.cpp", "src/constraints/row.hpp",
                 "src/solvers/iterative/sequential_impulse.cpp"};
   info.question =
-      "A block of 1 kg with μ = 0.6 just holds on a slope of 30°. Double its mass: does it start to slide? "
-      "(0: it holds, 1: it slides)";
-  info.hints = {"What pulls the block down the slope, and what does that depend on?",
-                "Write down the limit of friction, and look for the mass in it.",
-                "Needed: m g sin α. Limit: μ m g cos α. Divide one by the other."};
-  info.spoilers = {"cancels", "tan α", "same angle", "26.57", "30.96"};
+      "A block of 1 kg with μ = 0.5 slides down a slope of 30°. Friction is at its limit, 4.33 N at both "
+      "corners together. How many newtons of it act at the lower corner?";
+  info.hints = {
+      "Each corner may give μ times its own load. Do both carry the same?",
+      "Friction pulls uphill, at the block's lower side. Around the centre of mass, which way does it "
+      "turn the block?",
+      "All arms are 1/2 m, so λ_n of the lower corner less that of the upper one is the friction, "
+      "4.33 N. Their sum is m g cos α = 8.66 N."};
+  info.spoilers = {"3.25", "3.248", "6.50", "6.495", "2.17", "1.08", "three times", "26.57", "30.96"};
   using Kind = Parameter::Kind;
   info.parameters = {{"angle", 30, 5, 35, "°", "angle of the slope"},
                      {"mu", 0.5, 0.05, 0.8, "", "friction of the slippery block"},

@@ -1,4 +1,4 @@
-// Lesson 11. Forces on the block, drawn on the left half of a page.
+// Lesson 11. Forces on the block, drawn upon the slope.
 #include "forces.hpp"
 
 #include <algorithm>
@@ -14,9 +14,11 @@ using namespace render;
 
 namespace {
 
-/// Both blocks' weights at most: one scale for all frames with forces.
-ArrowScale force_scale(const Camera& camera, const Study& study) {
-  return arrow_scale(study.settings.slope.gravity, "N", camera);
+/// One scale for all frames with forces, none of which is larger than the weight.
+ArrowScale force_scale(const Camera& camera, const Slide& slide) {
+  ArrowScale scale = arrow_scale(0.75 * slide.slope.gravity * slide.block.mass, "N", camera);
+  scale.longest *= 2;
+  return scale;
 }
 
 /// Where the contact's force acts: the mean of the points, weighed by their loads.
@@ -48,6 +50,7 @@ void draw_force(Page& page, const Camera& camera, const ArrowScale& scale, const
   const Point tip =
       camera.project(arrow.tail) + scale.pixels_per_unit * Point(arrow.value.x(), -arrow.value.y());
   TextStyle style = page.value();
+  style.size *= 1.15;
   style.halo = page.theme().background;
   const double width = page.canvas().text_width(text, style);
   const double size = style.size;
@@ -68,28 +71,44 @@ void draw_force(Page& page, const Camera& camera, const ArrowScale& scale, const
 
 std::string newtons(const std::string& name, double value) { return name + " " + fixed(value, 2) + " N"; }
 
+/// The slope with its angle, and the block upon it.
+Camera draw_slope(Page& page, const Rect& rect, const Slide& slide, const std::string& name) {
+  const Slope& slope = slide.slope;
+  const Rect inside = page.panel(rect, "");
+  const Vec2<double> foot(slope.length * std::cos(slope.angle), 0);
+  const Camera camera =
+      fit(inside, {{-0.3, -0.2}, {foot.x() + 0.1, slope.length * std::sin(slope.angle) + 0.9}});
+  draw_world(page, camera, slide.frames[1], {.names = {"", "", name}, .contacts = false});
+  List<Point> arc;
+  for (int i = 0; i <= 20; ++i) {
+    const double angle = pi - slope.angle * i / 20;
+    arc.push_back(camera.project(foot + Vec2<double>(std::cos(angle), std::sin(angle))));
+  }
+  page.canvas().polyline(arc, {.width = 2, .color = page.theme().text});
+  TextStyle style = page.label();
+  style.size *= 1.2;
+  style.align = Align::right;
+  style.halo = page.theme().background;
+  const double middle = pi - slope.angle / 2;
+  page.canvas().text(camera.project(foot + 1.1 * Vec2<double>(std::cos(middle), std::sin(middle))),
+                     significant(slope.angle * 180 / pi) + "°", style);
+  return camera;
+}
+
+/// How long a force is drawn, and what the brackets are.
+void draw_key(Page& page, const Rect& rect, const ArrowScale& scale) {
+  const Point corner(rect.x + 16, rect.y + rect.height - 14);
+  draw_scale_key(page, scale, corner);
+  page.canvas().text(corner + Point(120, 0), "[ ] at ± μ λ_{n}: the bounds of λ_{t}", page.label());
+}
+
 }  // namespace
 
-Layout layout_of(const Page& page) {
-  const List<Rect> halves = columns(page.area(), {48, 50}, page.sizes().gap);
-  const List<Rect> panels = rows(halves[1], {50, 50}, page.sizes().gap);
-  return {halves[0], panels[0], panels[1], halves[1]};
-}
-
-Camera camera_of(const Rect& viewport, const Slope& slope) {
-  const double length = slope.length;
-  return fit(viewport,
-             {{-0.1, -0.3}, {length * std::cos(slope.angle) + 0.1, length * std::sin(slope.angle) + 0.9}});
-}
-
-/// The block with what pulls it down the slope, what carries it and what holds it, and how far the latter may
-/// go.
-void draw_forces(Page& page, const Slide& slide, const Study& study) {
+void draw_forces(Page& page, const Rect& rect, const Slide& slide) {
   const Slope& slope = slide.slope;
-  const Camera camera = camera_of(layout_of(page).scene, slope);
-  const ArrowScale scale = force_scale(camera, study);
   const Snapshot& now = slide.frames[1];
-  draw_world(page, camera, now, {.names = {"", "", ""}, .contacts = false});
+  const Camera camera = draw_slope(page, rect, slide, "");
+  const ArrowScale scale = force_scale(camera, slide);
   const Vec2<double> force = contact_force(now);
   const Vec2<double> foot = centre_of_pressure(now);
   const double pull = coulomb(slope, slide.block).needed;
@@ -104,27 +123,30 @@ void draw_forces(Page& page, const Slide& slide, const Study& study) {
   draw_force(page, camera, scale,
              {.kind = ArrowKind::external, .tail = foot, .value = pull * slope.downhill()},
              newtons("m g sin α", pull));
-  draw_scale_key(page, scale, {page.area().x, page.area().y + page.area().height});
+  draw_key(page, rect, scale);
 }
 
-void draw_corners(Page& page, const Slide& slide, const Study& study) {
-  const Camera camera = camera_of(layout_of(page).scene, slide.slope);
-  const ArrowScale scale = force_scale(camera, study);
+void draw_corners(Page& page, const Rect& rect, const Slide& slide, Corners corners) {
   const Snapshot& now = slide.frames[1];
-  draw_world(page, camera, now, {.names = {"", "", ""}});
+  const bool solved = corners == Corners::solved;
+  const Camera camera = draw_slope(page, rect, slide, solved ? "" : significant(slide.block.mass) + " kg");
+  const ArrowScale scale = force_scale(camera, slide);
+  const Vec2<double> downhill = slide.slope.downhill();
+  const double half = coulomb(slide.slope, slide.block).given() / 2;
   for (const SnapshotContact& contact : now.contacts) {
     const double load = contact.normal_impulse / now.dt;
-    const double held = std::abs(contact.friction_impulse) / now.dt;
-    const Vec2<double> downhill = slide.slope.downhill();
-    draw_friction_limit(page, camera, scale, contact.position, downhill, contact.friction * load);
-    draw_force(page, camera, scale,
-               {.kind = ArrowKind::normal, .tail = contact.position, .value = load * slide.slope.normal()},
-               newtons("λ_{n}", load));
+    const double held = solved ? std::abs(contact.friction_impulse) / now.dt : half;
+    if (solved) {
+      draw_friction_limit(page, camera, scale, contact.position, downhill, contact.friction * load);
+      draw_force(page, camera, scale,
+                 {.kind = ArrowKind::normal, .tail = contact.position, .value = load * slide.slope.normal()},
+                 newtons("λ_{n}", load));
+    }
     draw_force(page, camera, scale,
                {.kind = ArrowKind::friction, .tail = contact.position, .value = -held * downhill},
-               newtons("λ_{t}", held));
+               solved ? newtons("λ_{t}", held) : "? N");
   }
-  draw_scale_key(page, scale, {page.area().x, page.area().y + page.area().height});
+  if (solved) draw_key(page, rect, scale);
 }
 
 }  // namespace cairn::friction

@@ -1,4 +1,4 @@
-// Lesson 11. Forces on the block, drawn on the left half of a page.
+// Lesson 11. Forces on the block, drawn upon the slope.
 #pragma once
 
 #include "render/camera.hpp"
@@ -7,21 +7,13 @@
 
 namespace cairn::friction {
 
-/// Scene on the left, two panels on the right.
-struct Layout {
-  render::Rect scene, upper, lower, right;
-};
-
-Layout layout_of(const render::Page& page);
-
-/// All of the slope, and the block upon it.
-render::Camera camera_of(const render::Rect& viewport, const Slope& slope);
-
 /// The block with what pulls it down the slope, what carries it and what holds it, and how far the latter may
 /// go.
-void draw_forces(render::Page& page, const Slide& slide, const Study& study);
+void draw_forces(render::Page& page, const render::Rect& rect, const Slide& slide);
 
-/// The forces of both corners, each with its bracket.
-void draw_corners(render::Page& page, const Slide& slide, const Study& study);
+/// What is drawn at the two corners.
+enum class Corners { asked, solved };
+/// The block's weight and the friction of both corners: as a question, or with its bracket and the load.
+void draw_corners(render::Page& page, const render::Rect& rect, const Slide& slide, Corners corners);
 
 }  // namespace cairn::friction

@@ -6,11 +6,14 @@
 // whether the block sticks or slides is decided by a clamp.
 #include "lessons/lesson.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <limits>
 
 #include "math/list.hpp"
 #include "parts.hpp"
+#include "render/page.hpp"
 
 namespace cairn::friction {
 
@@ -92,13 +95,15 @@ void run(Lesson& lesson) {
   tell_sweeps(lesson, study);
   tell_run(lesson, study);
   tell_law(lesson, study.heavy);
-  // The answer as a number: 1 for "it slides", 0 for "it holds".
-  const double slides = coulomb(study.heavy.slope, study.heavy.block).acceleration > 0 ? 1 : 0;
-  lesson.answer({slides}, 0, "Needed and limit both grow with the mass. It cancels, and tan α ≤ μ is left.");
+  const Coulomb law = coulomb(study.slippery.slope, study.slippery.block);
+  lesson.answer({std::abs(first_force(study, lower_tangent))}, 0.1,
+                fmt::format("Friction turns the block onto its lower corner. Its λ_n is half of load plus "
+                            "friction, ({} + {})/2 N, and μ times that is its bound.",
+                            render::fixed(law.load, 2), render::fixed(law.given(), 2)));
   check_study(lesson, study);
   lesson.data(table_of(study));
   lesson.fingerprint(study.slippery.frames.back());
-  lesson.film(pictures(study, card().question));
+  lesson.film(pictures(study));
 }
 
 }  // namespace

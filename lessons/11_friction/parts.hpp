@@ -25,15 +25,11 @@ CsvTable table_of(const Study& study);
 using SharedStudy = std::shared_ptr<const Study>;
 
 /// All frames, from the question to the answer.
-List<Shot> pictures(const Study& study, const std::string& question);
+List<Shot> pictures(const Study& study);
 
 // The parts that pictures() puts together.
 
-Shot question_shot(const SharedStudy& study, const std::string& question);
-/// The block at rest, or about to slide: needed and limit.
-Shot force_shot(const SharedStudy& study, const Slide& slide);
-/// The first step, sweep by sweep: bounds that move.
-Shot sweep_shot(const SharedStudy& study);
-Shot answer_shot(const SharedStudy& study, const std::string& question);
+/// The slide in two engines, four slopes, and the acceleration over the angle.
+List<Shot> slide_shots(const SharedStudy& study);
 
 }  // namespace cairn::friction

@@ -9,7 +9,6 @@
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/bars.hpp"
-#include "render/draw.hpp"
 #include "render/plot.hpp"
 
 namespace cairn::friction {
@@ -18,81 +17,49 @@ namespace {
 
 using namespace render;
 
-std::string with_value(const std::string& name, double value) { return name + " " + fixed(value, 2); }
-
-Bar grey_bar(const std::string& name, double value) {
-  Bar bar;
-  bar.name = name;
-  bar.before = value;
-  return bar;
-}
-
-Bar colored_bar(const std::string& name, double value) {
-  Bar bar;
-  bar.name = name;
-  bar.added = value;
-  return bar;
+Bar named_bar(const std::string& name, double before, double added) {
+  return {.name = name + " " + fixed(before + added, 2), .before = before, .added = added};
 }
 
 /// What holding would need, what the law allows, and what the row gives.
-BarChart force_bars(const Page& page, const Slide& slide) {
+BarChart force_bars(const Page& page, const Study& study, const Slide& slide) {
   const Coulomb law = coulomb(slide.slope, slide.block);
-  const double given = std::min(law.needed, law.limit);
-  BarChart chart = {.title = "along the slope (N): needed, limit μ λ_{n}, given λ_{t}"};
-  chart.bars.push_back(grey_bar(with_value("needed", law.needed), law.needed));
-  chart.bars.push_back(grey_bar(with_value("limit", law.limit), law.limit));
-  chart.bars.push_back(colored_bar(with_value("given", given), given));
-  chart.largest = 1.1 * std::max(law.needed, law.limit);
-  chart.color = page.theme().friction;
-  return chart;
+  return {.title = "along the slope (N): needed, limit μ λ_{n}, given λ_{t}",
+          .bars = {named_bar("needed", law.needed, 0), named_bar("limit", law.limit, 0),
+                   named_bar("given", 0, law.given())},
+          .largest = 1.1 * std::max(law.needed, coulomb(slide.slope, study.rough.block).limit),
+          .color = page.theme().friction};
 }
 
 Equation limit_equation(const Slide& slide) {
   const Coulomb law = coulomb(slide.slope, slide.block);
   const bool holds = law.acceleration == 0;
-  Equation equation = {.number = "bounds of the tangent row, paper 2.2"};
-  equation.symbols = "|λ_{t}| ≤ μ λ_{n}";
-  equation.numbers = fmt::format("{} {} {} × {} = {} N", fixed(law.needed, 2), holds ? "≤" : ">",
-                                 fixed(slide.block.friction, 2), fixed(law.load, 2), fixed(law.limit, 2));
-  equation.result = holds ? fmt::format("it holds: λ_{{t}} = {} N", fixed(law.needed, 2))
-                          : fmt::format("it slides: a = {} m/s²", fixed(law.acceleration, 3));
-  equation.algorithm = holds ? "the row gets what it asks for" : "Algorithm 1: clamp to the allowed interval";
-  return equation;
+  return {
+      .number = "bounds of the tangent row, paper 2.2",
+      .symbols = "|λ_{t}| ≤ μ λ_{n}",
+      .numbers = fmt::format("{} {} {} × {} = {} N", fixed(law.needed, 2), holds ? "≤" : ">",
+                             fixed(slide.block.friction, 2), fixed(law.load, 2), fixed(law.limit, 2)),
+      .result = holds ? fmt::format("it holds: λ_{{t}} = {} N", fixed(law.needed, 2))
+                      : fmt::format("it slides: a = {} m/s²", fixed(law.acceleration, 3)),
+      .algorithm = holds ? "the row gets what it asks for" : "Algorithm 1: clamp to the allowed interval"};
 }
 
-std::string degrees(const Slope& slope) { return significant(slope.angle * 180 / pi) + "°"; }
-
-TableView known_table(const Study& study) {
-  const Coulomb law = coulomb(study.rough.slope, study.rough.block);
-  TableView table = {.header = {"", "1 kg", significant(study.heavy.block.mass) + " kg"}};
-  table.rows.push_back({"angle", degrees(study.rough.slope), degrees(study.heavy.slope)});
-  table.rows.push_back(
-      {"friction μ", fixed(study.rough.block.friction, 2), fixed(study.heavy.block.friction, 2)});
-  table.rows.push_back({"it", law.acceleration == 0 ? "holds" : "slides", "?"});
-  table.active_row = 2;
-  return table;
+std::string state_of(const Slide& slide) {
+  return significant(slide.slope.angle * 180 / pi) + "° · μ = " + fixed(slide.block.friction, 2);
 }
 
 TableView sweep_table(const Study& study) {
-  const Slide& slide = study.slippery;
-  const double dt = slide.slope.dt;
-  TableView table = {.header = {"sweep"}};
-  const List<std::string> points = {"upper", "lower"};
-  for (int point = 0; point < points.size(); ++point) {
-    table.header.push_back(points[point] + " λ_{n}");
-    table.header.push_back("± μ λ_{n}");
-    table.header.push_back("λ_{t}");
-  }
-  for (const SweepRecord& record : slide.first_step) {
-    const int sweep = record.sweep;
-    const bool shown = sweep <= 3 || sweep == 5 || sweep == 10 || sweep == slide.slope.sweeps;
-    if (!shown) continue;
+  const Slope& slope = study.settings.slope;
+  TableView table = {
+      .header = {"sweep", "upper λ_{n}", "± μ λ_{n}", "λ_{t}", "lower λ_{n}", "± μ λ_{n}", "λ_{t}"}};
+  for (const int sweep : {1, 2, 3, 4, 5, 10, slope.sweeps}) {
+    if (sweep >= study.by_hand.size()) break;
     List<std::string> row = {std::to_string(sweep)};
-    for (int point = 0; point < std::min(points.size(), record.impulse.size() / 2); ++point) {
-      const double load = record.impulse[2 * point] / dt;
+    for (const CornerRow normal : {upper_normal, lower_normal}) {
+      const double load = study.by_hand[sweep][normal] / slope.dt;
       row.push_back(fixed(load, 2));
-      row.push_back(fixed(slide.block.friction * load, 2));
-      row.push_back(fixed(record.impulse[2 * point + 1] / dt, 2));
+      row.push_back(fixed(study.settings.slippery * load, 2));
+      row.push_back(fixed(study.by_hand[sweep][normal + 1] / slope.dt, 2));
     }
     table.rows.push_back(row);
   }
@@ -102,113 +69,99 @@ TableView sweep_table(const Study& study) {
 
 /// The upper corner: its friction, and the bound that moves with its load.
 void draw_moving_bound(Page& page, const Rect& rect, const Study& study) {
-  const Slide& slide = study.slippery;
   Series bound = {.name = "−μ λ_{n}", .style = page.theme().exact, .markers = false};
   Series friction = {.name = "λ_{t}",
                      .style = {.color = page.theme().friction, .dash = {}, .marker = Marker::circle}};
-  for (const SweepRecord& record : slide.first_step) {
-    if (record.sweep == 0 || record.sweep > 12 || record.impulse.size() < 2) continue;
-    bound.x.push_back(record.sweep);
-    bound.y.push_back(-slide.block.friction * record.impulse[0] / slide.slope.dt);
-    friction.x.push_back(record.sweep);
-    friction.y.push_back(record.impulse[1] / slide.slope.dt);
+  for (int sweep = 1; sweep < std::min(study.by_hand.size(), 13); ++sweep) {
+    const PerRow<double>& impulse = study.by_hand[sweep];
+    for (Series* series : {&bound, &friction}) series->x.push_back(sweep);
+    bound.y.push_back(-study.settings.slippery * impulse[upper_normal] / study.settings.slope.dt);
+    friction.y.push_back(impulse[upper_tangent] / study.settings.slope.dt);
   }
-  Plot plot = {.title = "upper corner: λ_{t} and its bound (N)"};
-  plot.x = {.title = "sweep"};
-  plot.series = {bound, friction};
-  draw_plot(page, rect, plot);
+  draw_plot(page, rect,
+            {.title = "upper corner: λ_{t} and its bound (N)",
+             .x = {.title = "sweep"},
+             .series = {bound, friction}});
 }
 
-BarChart mass_bars(const Page& page, const Study& study) {
-  const std::string heavy = significant(study.heavy.block.mass);
-  BarChart chart = {.title = fmt::format("1 kg, then {} kg (N)", heavy)};
-  for (const Slide* slide : {&study.rough, &study.heavy}) {
-    const Coulomb law = coulomb(slide->slope, slide->block);
-    chart.bars.push_back(grey_bar(with_value("needed", law.needed), law.needed));
-    chart.bars.push_back(colored_bar(with_value("limit", law.limit), law.limit));
-    chart.largest = std::max(chart.largest, 1.1 * std::max(law.needed, law.limit));
+/// Both corners' shares of the load and of the friction.
+BarChart corner_bars(const Page& page, const Study& study) {
+  BarChart chart = {.title = "λ_{t} (N), and half of both", .exact = "half", .color = page.theme().friction};
+  const double half = coulomb(study.slippery.slope, study.slippery.block).given() / 2;
+  for (const auto& [name, row] : {std::pair("upper", upper_tangent), std::pair("lower", lower_tangent)}) {
+    chart.bars.push_back(named_bar(name, 0, std::abs(first_force(study, row))));
+    chart.bars.back().exact = half;
   }
-  chart.color = page.theme().friction;
   return chart;
+}
+
+QuestionFrame corner_frame(const SharedStudy& study, Corners corners) {
+  return {.state = state_of(study->slippery),
+          .scene = [study, corners](Page& page,
+                                    const Rect& rect) { draw_corners(page, rect, study->slippery, corners); },
+          .evidence = [study](Page& page,
+                              const Rect& rect) { draw_bars(page, rect, corner_bars(page, *study)); }};
+}
+
+/// The block at rest, or about to slide: needed and limit.
+Shot force_shot(const SharedStudy& study, bool rough) {
+  const Slide& slide = rough ? study->rough : study->slippery;
+  const Coulomb law = coulomb(slide.slope, slide.block);
+  return {.state = state_of(slide),
+          .alt = fmt::format("A block on a slope with the pull down the slope, {} N, the normal force {} N "
+                             "and friction {} N inside the brackets of its limit, {} N.",
+                             fixed(law.needed, 2), fixed(law.load, 2), fixed(law.given(), 2),
+                             fixed(law.limit, 2)),
+          .draw =
+              [study, rough](Page& page) {
+                const Slide& shown = rough ? study->rough : study->slippery;
+                const List<Rect> halves = columns(page.area(), {50, 50}, page.sizes().gap);
+                const List<Rect> right = rows(halves[1], {50, 50}, page.sizes().gap);
+                draw_forces(page, halves[0], shown);
+                draw_bars(page, right[0], force_bars(page, *study, shown));
+                page.equation(right[1], limit_equation(shown));
+              },
+          .key = true};
+}
+
+/// The first step, sweep by sweep: bounds that move.
+Shot sweep_shot(const SharedStudy& study) {
+  return {
+      .state = "first step, sweep by sweep",
+      .alt =
+          "A table: in each sweep the normal impulses of both corners change, and with them the bounds of "
+          "the friction rows beside them. Below it λ_t of the upper corner meets its bound in sweep 4.",
+      .draw =
+          [study](Page& page) {
+            const List<Rect> parts = rows(page.area(), {52, 48}, page.sizes().gap);
+            page.table(parts[0], "λ of the two corners (N); λ_{t} is negative uphill", sweep_table(*study));
+            draw_moving_bound(page, parts[1], *study);
+          },
+      .key = true};
 }
 
 }  // namespace
 
-Shot question_shot(const SharedStudy& study, const std::string& question) {
-  Shot shot;
-  shot.key = true;
-  shot.state = degrees(study->rough.slope) + " · μ = " + fixed(study->rough.block.friction, 2);
-  shot.alt =
-      "A block of 1 kg that holds on a slope, a table with its numbers and those of a heavier one, and the "
-      "question";
-  shot.draw = [study, question](Page& page) {
-    const Layout layout = layout_of(page);
-    const Camera camera = camera_of(layout.scene, study->rough.slope);
-    draw_world(page, camera, study->rough.frames.front(), {.names = {"", "", "1 kg"}, .contacts = false});
-    page.note(layout.upper, "The question", question, question_growth);
-    page.table(layout.lower, "what is given", known_table(*study));
-  };
-  return shot;
-}
-
-Shot force_shot(const SharedStudy& study, const Slide& slide) {
-  const Coulomb law = coulomb(slide.slope, slide.block);
-  Shot shot;
-  shot.key = true;
-  shot.state = degrees(slide.slope) + " · μ = " + fixed(slide.block.friction, 2);
-  shot.alt = fmt::format(
-      "A block on a slope with its weight, the normal force {} N and friction {} N inside the "
-      "bracket of its limit {} N; {} N would hold it.",
-      fixed(law.load, 2), fixed(std::min(law.needed, law.limit), 2), fixed(law.limit, 2),
-      fixed(law.needed, 2));
-  const bool rough = slide.block.friction == study->rough.block.friction;
-  shot.draw = [study, rough](Page& page) {
-    const Slide& shown = rough ? study->rough : study->slippery;
-    const Layout layout = layout_of(page);
-    draw_forces(page, shown, *study);
-    draw_bars(page, layout.upper, force_bars(page, shown));
-    page.equation(layout.lower, limit_equation(shown));
-  };
-  return shot;
-}
-
-Shot sweep_shot(const SharedStudy& study) {
-  Shot shot;
-  shot.key = true;
-  shot.state = "first step, sweep by sweep";
-  shot.alt =
-      "The block with the forces of its two contact points, and a table: in each sweep the normal impulses "
-      "change, and with them the bounds of the friction rows beside them.";
-  shot.draw = [study](Page& page) {
-    const Layout layout = layout_of(page);
-    draw_corners(page, study->slippery, *study);
-    page.table(layout.upper, "λ of the two corners (N); λ_{t} is negative uphill", sweep_table(*study));
-    draw_moving_bound(page, layout.lower, *study);
-  };
-  return shot;
-}
-
-Shot answer_shot(const SharedStudy& study, const std::string& question) {
-  const bool holds = coulomb(study->rough.slope, study->rough.block).acceleration == 0;
-  // No-break spaces keep a formula on one line.
+List<Shot> pictures(const Study& recorded) {
+  const SharedStudy study = std::make_shared<const Study>(recorded);
+  QuestionFrame asked = corner_frame(study, Corners::asked);
+  asked.alt =
+      "A block on a slope of 30 degrees, a friction force of unknown size at each of its two corners, and "
+      "the "
+      "question.";
+  List<Shot> shots = {question_shot(card(), asked), force_shot(study, true), force_shot(study, false),
+                      sweep_shot(study)};
+  const List<Shot> slide = slide_shots(study);
+  shots.insert(shots.end(), slide.begin(), slide.end());
   const std::string answer = fmt::format(
-      "No: the mass cancels. Needed: m\u00a0g\u00a0sin\u00a0α. Allowed: μ\u00a0m\u00a0g\u00a0cos\u00a0α. "
-      "Only tan\u00a0α\u00a0≤\u00a0μ counts, here {}\u00a0{}\u00a0{}. {}",
-      fixed(std::tan(study->rough.slope.angle), 3), holds ? "≤" : ">",
-      significant(study->rough.block.friction), holds ? "Both hold." : "Both slide.");
-  Shot shot;
-  shot.key = true;
-  shot.state = significant(study->heavy.block.mass) + " kg · " + degrees(study->heavy.slope);
-  shot.alt = question + " " + answer;
-  shot.draw = [study, answer](Page& page) {
-    const Layout layout = layout_of(page);
-    const Camera camera = camera_of(layout.scene, study->heavy.slope);
-    const std::string name = significant(study->heavy.block.mass) + " kg";
-    draw_world(page, camera, study->heavy.frames.back(), {.names = {"", "", name}, .contacts = false});
-    draw_bars(page, layout.upper, mass_bars(page, *study));
-    page.note(layout.lower, "The answer", answer, question_growth);
-  };
-  return shot;
+      "{} N. Friction turns the block onto its lower corner, which carries {} of the {}\u00a0N. Its bound is "
+      "μ times that.",
+      fixed(std::abs(first_force(*study, lower_tangent)), 2), fixed(first_force(*study, lower_normal), 2),
+      fixed(coulomb(study->slippery.slope, study->slippery.block).load, 2));
+  QuestionFrame answered = corner_frame(study, Corners::solved);
+  answered.alt = "The same block with the load and the friction of each corner on one scale. " + answer;
+  shots.push_back(answer_shot(card(), answered, answer));
+  return shots;
 }
 
 }  // namespace cairn::friction

@@ -75,6 +75,20 @@ void check_bounds(Lesson& lesson, const Study& study) {
                      limit * (unfinished(slope) + rounding(slope, 0)));
 }
 
+/// Friction acts half a side below the centre, as far as each corner is beside it: the moments of the three
+/// forces balance.
+void check_corners(Lesson& lesson, const Study& study) {
+  const Slope& slope = study.settings.slope;
+  const Coulomb law = coulomb(slope, study.slippery.block);
+  // A velocity that the sweeps have left, as a force on the block of 1 kg.
+  const double left = 2 * (unfinished(slope) + rounding(slope, 0)) / slope.dt;
+  lesson.check_equal("the lower corner: λ_n = (load + friction)/2 (N)", first_force(study, lower_normal),
+                     (law.load + law.given()) / 2, left);
+  if (law.acceleration == 0) return;
+  lesson.check_equal("and λ_t = μ λ_n, uphill (N)", -first_force(study, lower_tangent),
+                     study.settings.slippery * (law.load + law.limit) / 2, left);
+}
+
 void check_mass(Lesson& lesson, const Study& study) {
   double difference = 0;
   for (int k = 0; k < study.rough.speed.size(); ++k) {
@@ -131,7 +145,7 @@ void tell_sweeps(Lesson& lesson, const Study& study) {
       line += fmt::format("    {:>10} {:>10} {:>8}", fixed(load, 3), fixed(mu * load, 3),
                           fixed(impulse[2 * point + 1] / slope.dt, 3));
     }
-    const bool shown = sweep <= 2 || sweep == 5 || sweep == 10 || sweep == slope.sweeps;
+    const bool shown = sweep <= 5 || sweep == 10 || sweep == slope.sweeps;
     if (shown) {
       lesson.print(line);
     } else {
@@ -167,6 +181,7 @@ void check_study(Lesson& lesson, const Study& study) {
   check_by_hand(lesson, study);
   check_motion(lesson, study);
   check_bounds(lesson, study);
+  check_corners(lesson, study);
   check_mass(lesson, study);
   check_thresholds(lesson, study);
 }

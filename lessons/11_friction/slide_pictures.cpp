@@ -46,44 +46,34 @@ void draw_engine(Page& page, const Rect& rect, const std::string& name, const Se
   page.canvas().text({inside.x + inside.width, inside.y + value.size}, fixed(speed, 3) + " m/s", value);
 }
 
-Series speed_series(const std::string& name, const SeriesStyle& style, const Slide& slide,
-                    const List<double>& speed, int step) {
-  Series series = {.name = name, .style = style};
-  for (int k = 0; k <= step; ++k) {
-    series.x.push_back(slide.time[k]);
-    series.y.push_back(speed[k]);
-  }
-  return series;
-}
-
-void draw_speed(Page& page, const Rect& rect, const Slide& slide, int step) {
+/// How far each engine's speed is from the exact one.
+void draw_speed_error(Page& page, const Rect& rect, const Slide& slide, int step) {
   const double acceleration = coulomb(slide.slope, slide.block).acceleration;
-  Plot plot = {.title = "speed down the slope (m/s)"};
+  Plot plot = {
+      .title = "speed minus exact speed (mm/s)", .y = {.min = -1.5, .max = 1.5}, .now = slide.time[step]};
   plot.x = {.title = "t (s)", .min = 0, .max = slide.time.back()};
-  plot.y = {.title = "", .min = 0, .max = std::max(1.1 * acceleration * slide.time.back(), 0.01)};
-  Series exact = {.name = "exact", .style = page.theme().exact, .markers = false};
-  exact.x = {0, slide.time.back()};
-  exact.y = {0, acceleration * slide.time.back()};
-  plot.series.push_back(exact);
-  plot.series.push_back(speed_series("Cairn", page.theme().si, slide, slide.speed, step));
-  if (!slide.box2d_speed.empty()) {
-    plot.series.push_back(speed_series("Box2D", page.theme().box2d, slide, slide.box2d_speed, step));
-  }
-  plot.cursor = slide.time[step];
+  const auto add = [&](const std::string& name, const SeriesStyle& style, const List<double>& speed) {
+    Series series = {.name = name, .style = style, .x = slide.time};
+    for (int k = 0; k < speed.size(); ++k)
+      series.y.push_back(1000 * (speed[k] - acceleration * slide.time[k]));
+    plot.series.push_back(series);
+  };
+  add("Cairn", page.theme().si, slide.speed);
+  if (!slide.box2d_speed.empty()) add("Box2D", page.theme().box2d, slide.box2d_speed);
   draw_plot(page, rect, plot);
 }
 
 void draw_slide(Page& page, const Slide& slide, int step) {
   const bool both = !slide.box2d_frames.empty();
   const double gap = page.sizes().gap;
-  const List<Rect> halves = rows(page.area(), {56, 44}, gap);
+  const List<Rect> halves = rows(page.area(), {60, 40}, gap);
   const List<Rect> engines = columns(halves[0], {50, 50}, gap);
   draw_engine(page, both ? engines[0] : halves[0], "Cairn, sequential impulses", page.theme().si,
               slide.frames, slide, step);
   if (both) {
     draw_engine(page, engines[1], "Box2D 2.4.1", page.theme().box2d, slide.box2d_frames, slide, step);
   }
-  draw_speed(page, halves[1], slide, step);
+  draw_speed_error(page, halves[1], slide, step);
 }
 
 /// "holds", or how far it has slid.
@@ -115,6 +105,14 @@ void draw_trial(Page& page, const Rect& rect, const Study& study, const Trial& t
   const PerBody<std::string> names = {"", "", significant(study.settings.rough, 2),
                                       significant(study.settings.slippery, 2)};
   draw_world(page, camera, trial.contest.frames.back(), {.names = names, .contacts = false});
+  for (int i = 0; i < trial.contest.ways.size(); ++i) {
+    const BodyId block = {first_block.index + i};
+    const Vec2<double> from = trial.contest.frames.front().bodies[block].pose.position;
+    const Vec2<double> way = trial.contest.frames.back().bodies[block].pose.position - from;
+    if (way.norm() < 1e-3) continue;
+    draw_arrow(page, camera, {.pixels_per_unit = camera.scale, .longest = 1e4},
+               {.kind = ArrowKind::velocity, .tail = from + Vec2<double>(0.15, 0.75), .value = way});
+  }
 }
 
 Series formula_series(const Study& study, const Curve& curve, const SeriesStyle& style) {
@@ -134,21 +132,26 @@ Series formula_series(const Study& study, const Curve& curve, const SeriesStyle&
 Plot curve_plot(const Page& page, const Study& study) {
   Plot plot = {.title = "acceleration down the slope (m/s²);  line: g (sin α − μ cos α)"};
   plot.x = {.title = "α (°)"};
-  plot.y = {.title = "", .min = -0.05};
+  plot.y = {.min = -0.15};
   SeriesStyle thin = page.theme().exact;
   thin.marker = Marker::none;
-  for (const Curve& curve : study.curves) plot.series.push_back(formula_series(study, curve, thin));
   Series cairn = {.name = "", .style = page.theme().si, .line = false};
   Series box2d = {.name = "", .style = page.theme().box2d, .line = false};
   for (const Curve& curve : study.curves) {
+    plot.series.push_back(formula_series(study, curve, thin));
     for (int i = 0; i < curve.degrees.size(); ++i) {
-      Series& series = i % 2 == 1 && !curve.box2d.empty() ? box2d : cairn;
-      series.x.push_back(curve.degrees[i]);
-      series.y.push_back(i % 2 == 1 && !curve.box2d.empty() ? curve.box2d[i] : curve.cairn[i]);
+      const bool other = i % 2 == 1 && !curve.box2d.empty();
+      (other ? box2d : cairn).x.push_back(curve.degrees[i]);
+      (other ? box2d : cairn).y.push_back(other ? curve.box2d[i] : curve.cairn[i]);
     }
   }
   plot.series.push_back(cairn);
   if (!box2d.x.empty()) plot.series.push_back(box2d);
+  for (const Threshold& threshold : study.thresholds) {
+    plot.labels.push_back(
+        {threshold.formula, 0,
+         "atan " + significant(threshold.friction) + " = " + fixed(threshold.formula, 2) + "°"});
+  }
   return plot;
 }
 
@@ -169,10 +172,10 @@ Shot slide_shot(const SharedStudy& study, int step) {
   const Slide& slide = study->slippery;
   const int steps = slide.slope.steps;
   Shot shot;
-  shot.key = step == steps / 2 || step == steps;
+  shot.key = step == steps;
   shot.state = fmt::format("μ = {} · t = {} s", fixed(slide.block.friction, 2), fixed(slide.time[step], 2));
   shot.alt = fmt::format(
-      "After {} s the block slides at {} m/s in Cairn{}; the points lie on the exact line.",
+      "After {} s the block slides at {} m/s in Cairn{}; below, how far both are from the exact speed.",
       fixed(slide.time[step], 2), fixed(slide.speed[step], 3),
       slide.box2d_speed.empty() ? "" : " and at " + fixed(slide.box2d_speed[step], 3) + " in Box2D");
   shot.draw = [study, step](Page& page) { draw_slide(page, study->slippery, step); };
@@ -211,28 +214,23 @@ Shot curve_shot(const SharedStudy& study) {
   shot.draw = [study](Page& page) {
     const List<Rect> parts = columns(page.area(), {62, 38}, page.sizes().gap);
     draw_plot(page, parts[0], curve_plot(page, *study));
-    const List<Rect> halves = rows(parts[1], {45, 55}, page.sizes().gap);
-    page.table(halves[0], "slides above (°)", threshold_table(*study));
-    const std::string points = has_box2d() ? "Squares are Cairn, triangles Box2D." : "Squares are Cairn.";
-    page.note(halves[1], "what is drawn",
-              points + " The lines are the formula: g (sin α − μ cos α), and 0 where friction suffices.");
+    const Rect rest = page.card(
+        parts[1], "what is drawn",
+        has_box2d() ? "At every second angle the block ran in Cairn (squares), at the others in "
+                      "Box2D (triangles). The lines are the formula, and 0 where friction suffices."
+                    : "Squares are Cairn. The lines are the formula, and 0 where friction suffices.");
+    page.table(rest, "slides above (°)", threshold_table(*study));
   };
   return shot;
 }
 
 }  // namespace
 
-List<Shot> pictures(const Study& study, const std::string& question) {
-  const SharedStudy shared = std::make_shared<const Study>(study);
+List<Shot> slide_shots(const SharedStudy& study) {
   List<Shot> shots;
-  shots.push_back(question_shot(shared, question));
-  shots.push_back(force_shot(shared, shared->rough));
-  shots.push_back(force_shot(shared, shared->slippery));
-  shots.push_back(sweep_shot(shared));
-  for (int step = 1; step <= study.settings.slope.steps; ++step) shots.push_back(slide_shot(shared, step));
-  shots.push_back(trial_shot(shared));
-  shots.push_back(curve_shot(shared));
-  shots.push_back(answer_shot(shared, question));
+  for (int step = 1; step <= study->settings.slope.steps; ++step) shots.push_back(slide_shot(study, step));
+  shots.push_back(trial_shot(study));
+  shots.push_back(curve_shot(study));
   return shots;
 }
 

@@ -36,6 +36,8 @@ struct Coulomb {
   double needed = 0;        // [N] m g sin: the friction that would hold the block
   double limit = 0;         // [N] mu times the load
   double acceleration = 0;  // [m/s^2] downhill: g (sin - mu cos), or 0 where it holds
+
+  double given() const { return acceleration > 0 ? limit : needed; }  // [N] by both corners
 };
 
 Coulomb coulomb(const Slope& slope, const Block& block);

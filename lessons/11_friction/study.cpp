@@ -90,6 +90,10 @@ Study make_study(const StudySettings& settings) {
   return study;
 }
 
+double first_force(const Study& study, CornerRow row) {
+  return study.by_hand.back()[row] / study.settings.slope.dt;
+}
+
 double unfinished(const Slope& slope) {
   // A sweep over the four rows of a block leaves at most 0.65 of the error (measured for every mu up to 0.9
   // and every angle up to 40 degrees); the error begins as the g dt that one step of gravity gives.

@@ -46,6 +46,11 @@ struct Study {
   List<Threshold> thresholds = {};  // slippery, rough
 };
 
+/// The rows of a block, corner by corner.
+enum CornerRow { upper_normal, upper_tangent, lower_normal, lower_tangent };
+/// What the slippery block's row gives in the first step [N].
+double first_force(const Study& study, CornerRow row);
+
 Study make_study(const StudySettings& settings);
 
 /// The velocity [m/s] that the sweeps of the first step, which begin at zero, may leave uncorrected.
