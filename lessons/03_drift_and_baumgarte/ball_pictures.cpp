@@ -27,7 +27,9 @@ Snapshot balls_together(const DriftRuns& all, int step) {
   scene.contacts.clear();
   for (int i = 0; i < all.balls.size(); ++i) {
     scene.bodies.push_back(all.balls[i].steps[step].bodies[{1}]);
-    scene.bodies.back().pose.position.x() += i * ball_pitch;
+    Pose<double>& pose = scene.bodies.back().pose;
+    pose.position.x() += i * ball_pitch;
+    pose.angle = pi / 2;  // its mark upwards, where it is no minus behind the number
   }
   return scene;
 }
@@ -40,24 +42,62 @@ double highest_peak(const DriftRuns& all) {
 
 int last_step(const DriftRuns& all) { return all.balls[0].steps.size() - 1; }
 
+std::string in_brackets(double value) {
+  return value < 0 ? "(" + fixed(value, 2) + ")" : fixed(value + 0.0, 2);
+}
+
 render::Equation equation_of(const Page& page, const DriftRuns& all, int step) {
-  const BallRun& run = ball_of(all, all.settings.beta);
+  const BallRun& run = ball_of(all, 1);
   const double free = run.speed[step - 1] - gravity * all.settings.dt;
   const double wanted = (run.zeta[step] - free) / all.settings.dt;
-  const bool is_clamped = wanted < -1e-9;
-  return {.number = fmt::format("eq (22), β = {:g}", run.beta),
-          .symbols = "λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)",
-          .numbers = fmt::format("= ({} − {}) / (1 × {:.4g})", fixed(run.zeta[step], 3),
-                                 free < 0 ? "(" + fixed(free, 3) + ")" : fixed(free, 3), all.settings.dt),
-          .result = fmt::format("= {} N{}", fixed(wanted + 0.0, 2), is_clamped ? ", clamped to 0" : ""),
+  const char* const clamped = wanted < -1e-9 ? ", clamped to 0: it cannot pull" : "";
+  return {.number = "eq (22), β = 1",
+          .symbols = "λ = (ζ − j·v) / (j M⁻¹ j^{T} Δt)",
+          .numbers = fmt::format("= ({} − {}) / (1 × {:.4g})", fixed(run.zeta[step] + 0.0, 2),
+                                 in_brackets(free), all.settings.dt),
+          .result = fmt::format("= {} N{}", fixed(wanted + 0.0, 0), clamped),
           .color = page.theme().normal};
+}
+
+/// What (7) asked for, what it took, and what came of it, in this step.
+void draw_ball_table(Page& page, const Rect& rect, const DriftRuns& all, int step) {
+  render::TableView table{.header = {"β", "ζ (m/s)", "λ (N)", "v (m/s)", "c (mm)"}};
+  std::string title = fmt::format("step {}", step);
+  for (const BallRun& run : all.balls) {
+    if (run.beta == 1) table.active_row = table.rows.size();
+    table.rows.push_back({fmt::format("{:g}", run.beta), fixed(run.zeta[step] + 0.0, 2),
+                          fixed(run.lambda[step] + 0.0, 1), fixed(run.speed[step] + 0.0, 2),
+                          fixed(1000 * run.height[step] + 0.0, 0)});
+    const bool lands = step > 1 && run.lambda[step] > 2 * gravity;  // at rest it is g times 1 kg
+    if (lands) title += fmt::format(": the ball with β = {:g} lands, and its λ is an impact", run.beta);
+  }
+  page.table(rect, title, table);
+}
+
+/// Their heights against steps, up to `step`.
+void draw_heights(Page& page, const Rect& rect, const DriftRuns& all, int step) {
+  // The first steps are small beside the flight: they get charts of their own.
+  const int shown = std::min(step <= 2 ? 4 : step <= 10 ? 10 : last_step(all), last_step(all));
+  double highest = 0;
+  render::Plot plot{.title = "c: height of the lowest point (m)"};
+  for (const BallRun& run : all.balls) {
+    for (int k = 0; k <= shown; ++k) highest = std::max(highest, run.height[k]);
+    plot.series.push_back(render::over_steps(beta_name(run.beta), beta_style(page.theme(), run.beta),
+                                             {run.height.begin(), run.height.begin() + step + 1}));
+    plot.series.back().markers = false;
+  }
+  plot.x = {.title = "step", .min = 0, .max = static_cast<double>(shown)};
+  plot.y = {.title = "", .min = -1.3 * all.settings.depth, .max = 1.15 * highest + 0.02};
+  plot.goals.push_back({0, ""});
+  if (step < shown) plot.cursor = step;
+  draw_plot(page, rect, plot);
 }
 
 void draw_ball_step(Page& page, const DriftRuns& all, int step) {
   const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
   const List<Rect> left = rows(halves[0], {0.64, 0.36}, page.sizes().gap);
   const List<Rect> right = rows(halves[1], {0.64, 0.36}, page.sizes().gap);
-  draw_balls(page, left[0], all, step, step);
+  draw_balls(page, left[0], all, {.step = step});
   draw_ball_table(page, left[1], all, step);
   draw_heights(page, right[0], all, step);
   page.equation(right[1], equation_of(page, all, step));
@@ -79,43 +119,70 @@ Shot ball_shot(const Runs& all, int step, bool key) {
 /// The largest depth that is held, by formula and by bisection.
 void draw_limits(Page& page, const DriftRuns& all) {
   const List<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
-  render::Plot plot{.title = "how deep a ball may begin so that the ground still pushes in step 2 (m)"};
-  plot.x = {.title = "β", .scale = render::AxisScale::logarithmic, .min = 0.05, .max = 1.1};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 3e-4, .max = 3};
-  render::Series formula{.name = "g Δt² / β²", .style = page.theme().exact, .markers = false};
-  for (int i = 0; i <= 40; ++i) {
-    const double beta = 0.05 * std::pow(20, i / 40.0);
-    const double limit = limit_by_formula(all.settings.dt, beta);
-    if (limit > 3) continue;
+  render::Plot plot{.title = "how deep a ball may begin so that the ground still pushes in step 2 (mm)"};
+  plot.x = {.title = "β", .scale = render::AxisScale::logarithmic, .min = 0.09, .max = 1.1};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic};
+  render::Series formula{.style = {.color = page.theme().text}, .markers = false};
+  for (const double beta : {0.1, 1.0}) {  // a straight line on these axes
     formula.x.push_back(beta);
-    formula.y.push_back(limit);
+    formula.y.push_back(1000 * limit_by_formula(all.settings.dt, beta));
   }
-  render::Series measured{.name = "", .style = page.theme().si, .line = false};
+  render::Series measured{.style = {page.theme().text, {}, render::Marker::square}, .line = false};
+  render::TableView table{.header = {"β", "formula (mm)", "measured (mm)"}};
   for (const DepthLimit& limit : all.limits) {
     measured.x.push_back(limit.beta);
-    measured.y.push_back(limit.measured);
-  }
-  plot.series = {formula, measured};
-  plot.goals.push_back({all.settings.depth, fmt::format("d = {:g} m", all.settings.depth)});
-  draw_plot(page, parts[0], plot);
-  const List<Rect> right = rows(parts[1], {0.58, 0.42}, page.sizes().gap);
-  page.note(right[0], "Held, or let go",
-            "In step 1 the ball gets the speed βd/Δt. In step 2 the row asks for (1−β) times as much. If "
-            "gravity takes less than that away, λ would have to pull, and the ground lets the ball go. "
-            "The line is the formula, the squares are measured.");
-  render::TableView table;
-  table.header = {"β", "formula (mm)", "measured (mm)"};
-  for (const DepthLimit& limit : all.limits) {
+    measured.y.push_back(1000 * limit.measured);
     if (limit.beta == all.settings.beta) table.active_row = table.rows.size();
     table.rows.push_back(
         {fmt::format("{:g}", limit.beta), fixed(1000 * limit.formula, 2), fixed(1000 * limit.measured, 2)});
   }
-  page.table(right[1], "", table);
+  plot.series = {formula, measured};
+  plot.labels = {{0.4, 1000 * limit_by_formula(all.settings.dt, 0.4), "g Δt² / β²"}};
+  plot.goals.push_back({1000 * all.settings.depth, fmt::format("d = {:g} mm", 1000 * all.settings.depth)});
+  draw_plot(page, parts[0], plot);
+  const Rect rest =
+      page.card(parts[1], "Held, or let go",
+                "In step 1 the ball gets the speed β\u00a0d/Δt. In step 2 the row asks for (1\u00a0−\u00a0β) "
+                "times as much. If "
+                "gravity takes away less than the difference, λ would have to pull: the ground lets the ball "
+                "go. The line is the formula, the squares are measured.");
+  page.table(rest, "", table);
+}
+
+/// An upright length with a tick at both ends.
+void draw_height(Page& page, const render::Camera& camera, const Vec2<double>& from, const Vec2<double>& to) {
+  const render::Stroke stroke{.width = page.sizes().outline, .color = page.theme().text};
+  page.canvas().line(camera.project(from), camera.project(to), stroke);
+  for (const Vec2<double>& end : {from, to}) {
+    const render::Point at = camera.project(end), tick(6, 0);
+    page.canvas().line(at - tick, at + tick, stroke);
+  }
+}
+
+/// How deep all balls are, and how high the one with beta = 1 comes: both, or the height alone.
+void draw_lengths(Page& page, const render::Camera& camera, const DriftRuns& all, const BallLook& look) {
+  const double x = ball_pitch * (all.balls.size() - 1), depth = all.settings.depth;
+  render::TextStyle style{.size = 20, .color = page.theme().text, .bold = true, .halo = page.theme().panel};
+  if (look.measured) {
+    const double peak = ball_of(all, 1).height[look.step];
+    draw_height(page, camera, {x, 0}, {x, peak});
+    page.canvas().text(camera.project({x + 0.08, 0.5 * peak}), render::significant(peak) + " m", style);
+  }
+  if (!look.asks) return;
+  const double top = 2 * ball_radius - depth;
+  const FixedList<render::Point, 2> way = {camera.project({x, top + 0.05}), camera.project({x, top + 0.9})};
+  page.canvas().polyline(way, {.width = page.sizes().outline, .color = page.theme().text, .dash = {8, 6}});
+  page.canvas().text(camera.project({x + 0.08, top + 0.4}), "? m", style);
+  const double between = 0.5 * ball_pitch;
+  draw_height(page, camera, {between, 0}, {between, -depth});
+  style.align = render::Align::center;
+  style.halo = page.theme().static_body;
+  page.canvas().text(camera.project({between, -depth - 0.16}), fmt::format("{:g} mm", 1000 * depth), style);
 }
 
 }  // namespace
 
-void draw_balls(Page& page, const Rect& rect, const DriftRuns& all, int step, int ghosts) {
+void draw_balls(Page& page, const Rect& rect, const DriftRuns& all, const BallLook& look) {
   const Rect inside = page.panel(rect, "β of each ball");
   const double right = ball_pitch * (all.balls.size() - 1);
   const double top = 2 * ball_radius + std::max(highest_peak(all), 0.0) + 0.1;
@@ -123,57 +190,12 @@ void draw_balls(Page& page, const Rect& rect, const DriftRuns& all, int step, in
   render::Camera camera = render::fit(inside, {{-0.65, bottom}, {right + 0.65, top}});
   camera.center.y() = bottom + 0.5 * camera.viewport.height / camera.scale;
   List<Snapshot> earlier;
-  for (int k = std::max(0, step - ghosts); k < step; ++k) {
-    earlier.push_back(balls_together(all, k));
-  }
+  for (int k = 0; k < look.step; ++k) earlier.push_back(balls_together(all, k));
   draw_ghosts(page, camera, earlier);
-  render::WorldLook look;
-  look.names = {""};
-  for (const BallRun& run : all.balls) look.names.push_back(fmt::format("{:g}", run.beta));
-  look.numbers = camera.scale >= 45;
-  draw_world(page, camera, balls_together(all, step), look);
-}
-
-void draw_ball_table(Page& page, const Rect& rect, const DriftRuns& all, int step) {
-  render::TableView table;
-  table.header = {"β", "ζ (m/s)", "λ (N)", "v (m/s)", "c (mm)"};
-  for (const BallRun& run : all.balls) {
-    if (run.beta == all.settings.beta) table.active_row = table.rows.size();
-    // A speed that asks for nothing (c > 0) is of no interest.
-    table.rows.push_back({fmt::format("{:g}", run.beta), fixed(std::max(run.zeta[step], 0.0), 2),
-                          fixed(run.lambda[step] + 0.0, 1), fixed(run.speed[step] + 0.0, 2),
-                          fixed(1000 * run.height[step] + 0.0, 0)});
-  }
-  std::string title = fmt::format("step {}", step);
-  for (const BallRun& run : all.balls) {
-    const bool lands = step > 1 && run.lambda[step] > 2 * gravity;  // at rest it is g times 1 kg
-    if (lands) title += fmt::format(": the ball with β = {:g} lands, and its λ is an impact", run.beta);
-  }
-  page.table(rect, title, table);
-}
-
-void draw_heights(Page& page, const Rect& rect, const DriftRuns& all, int step) {
-  // The first steps are small beside the flight: they get a chart of their own.
-  const int shown = step <= 10 ? std::min(10, last_step(all)) : last_step(all);
-  double highest = 0;
-  for (const BallRun& run : all.balls) {
-    for (int k = 0; k <= shown; ++k) highest = std::max(highest, run.height[k]);
-  }
-  render::Plot plot{.title = "c: height of the lowest point (m)"};
-  plot.x = {.title = "step", .min = 0, .max = static_cast<double>(shown)};
-  plot.y = {.title = "", .min = -1.3 * all.settings.depth, .max = 1.15 * highest + 0.02};
-  for (int i = 0; i < all.balls.size(); ++i) {
-    render::Series series{
-        .name = beta_name(all.balls[i].beta), .style = curve_style(page.theme(), i), .markers = false};
-    for (int k = 0; k <= step; ++k) {
-      series.x.push_back(k);
-      series.y.push_back(all.balls[i].height[k]);
-    }
-    plot.series.push_back(series);
-  }
-  plot.goals.push_back({0, ""});
-  if (step < shown) plot.cursor = step;
-  draw_plot(page, rect, plot);
+  render::WorldLook world{.numbers = camera.scale >= 45, .names = {""}};
+  for (const BallRun& run : all.balls) world.names.push_back(fmt::format("{:g}", run.beta));
+  draw_world(page, camera, balls_together(all, look.step), world);
+  draw_lengths(page, camera, all, look);
 }
 
 int highest_step(const DriftRuns& all) {
@@ -183,7 +205,7 @@ int highest_step(const DriftRuns& all) {
 
 List<Shot> ball_shots(const Runs& all) {
   const int last = last_step(*all);
-  const std::set<int> keys = {1, 2, 5, std::max(highest_step(*all), 6), last};
+  const std::set<int> keys = {1, 2, 5};
   const int stride = std::max(1, last / 80);
   List<Shot> shots;
   for (int step = 1; step <= last; ++step) {

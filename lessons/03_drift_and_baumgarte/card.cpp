@@ -10,8 +10,7 @@ LessonInfo card() {
       .title = "Drift and Baumgarte",
       .idea =
           "A row asks for velocities and does not know where the bodies are, so errors in positions stay. β "
-          "makes "
-          "it ask for a velocity that takes a share of the error back in every step.",
+          "makes it ask for a velocity that removes a share of the error in every step.",
       .paper = "paper 2.1, 3.1, eq (4), (7), (20)-(22)",
       .equations = {"(4)   dc/dt = −(β / Δt) c             a share β of the error c goes in each step",
                     "(7)   ζ = −β c / Δt                   the velocity j·v that a row asks for",
@@ -19,8 +18,9 @@ LessonInfo card() {
       .needs = {"lesson 02"},
       .reads = {"src/constraints/stabilization.hpp", "src/constraints/stabilization.cpp"},
       .question =
-          "A ball at rest begins 100 mm (--depth) inside the ground. β = 1 takes the whole error back in one "
-          "step, which sounds best. How high above the ground does its lowest point come, in metres (0: it "
+          "A ball of 1\u00a0kg at rest begins 100\u00a0mm inside the ground. β\u00a0=\u00a01 removes the "
+          "whole error in one step of 0.02\u00a0s, which sounds best. Gravity is 10\u00a0m/s², and nothing "
+          "bounces. How high above the ground does the lowest point of that ball come, in metres (0: it "
           "stays "
           "on the ground)?",
       .spoilers = {"1.2 m", "5 m/s"},
@@ -28,7 +28,7 @@ LessonInfo card() {
                 "v = depth / Δt. Gravity is the only thing that slows it down afterwards.",
                 "About v² / (2 g), and a little less as time goes in steps."},
       .parameters = {{"dt", 0.02, 0.01, 0.05, "s", "time step"},
-                     {"beta", 0.2, 0.05, 1, "", "the share β of an error that a step takes back"},
+                     {"beta", 0.2, 0.05, 1, "", "the share β of an error that a step removes"},
                      {"depth", 0.1, 0.01, 0.2, "m", "how deep the ball begins inside the ground"}},
       .cover = 1,
       .next = "bash lessons/run 4   (all rows at once, in one equation)"};

@@ -34,17 +34,18 @@ List<Shot> ball_shots(const Runs& all);
 /// The step in which the ball with beta = 1 is highest.
 int highest_step(const DriftRuns& all);
 
-/// The four balls side by side after `step` steps, with ghosts of the `ghosts` poses before.
-void draw_balls(render::Page& page, const render::Rect& rect, const DriftRuns& all, int step, int ghosts);
-
-/// What (7) asked for, what it took, and what came of it, in this step.
-void draw_ball_table(render::Page& page, const render::Rect& rect, const DriftRuns& all, int step);
-/// Their heights against steps, up to `step`.
-void draw_heights(render::Page& page, const render::Rect& rect, const DriftRuns& all, int step);
+/// What is drawn of the balls.
+struct BallLook {
+  int step = 0;           // with outlines of all the steps before
+  bool asks = false;      // how deep the balls are, and that we ask how high the one with beta = 1 comes
+  bool measured = false;  // how high it is
+};
+/// The four balls side by side, in a panel.
+void draw_balls(render::Page& page, const render::Rect& rect, const DriftRuns& all, const BallLook& look);
 
 /// "β = 0.2".
 std::string beta_name(double beta);
-/// The k-th of up to four curves: one colour, as they are one solver's, told apart by dash and marker.
-render::SeriesStyle curve_style(const render::Theme& theme, int k);
+/// Each beta has one colour and dash in all pictures.
+render::SeriesStyle beta_style(const render::Theme& theme, double beta);
 
 }  // namespace cairn::drift

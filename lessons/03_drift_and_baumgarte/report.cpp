@@ -51,15 +51,17 @@ void print_hangs(Lesson& lesson, const DriftRuns& all) {
 
 void print_balls(Lesson& lesson, const DriftRuns& all) {
   const DriftSettings& settings = all.settings;
-  const BallRun& ball = ball_of(all, settings.beta);
-  lesson.print(fmt::format(
-      "3. A ball of 1 kg begins {:g} mm inside the ground, β = {:g}:", 1000 * settings.depth, settings.beta));
-  for (int k = 1; k <= 4; ++k) {
-    const double free = ball.speed[k - 1] - gravity * settings.dt;
-    lesson.print(fmt::format(
-        "   step {}  (7) ζ = {:.4f} m/s   (22) λ = ({:.4f} − ({:.4f})) / (1 × {:.4g}) = {:.4f} N{}", k,
-        ball.zeta[k], ball.zeta[k], free, settings.dt, cleaned((ball.zeta[k] - free) / settings.dt),
-        ball.zeta[k] < free - 1e-9 ? ": clamped to 0" : ""));
+  lesson.print(fmt::format("3. A ball of 1 kg begins {:g} mm inside the ground:", 1000 * settings.depth));
+  for (const double beta : ascending({settings.beta, 1})) {
+    const BallRun& ball = ball_of(all, beta);
+    for (int k = 1; k <= 4; ++k) {
+      const double free = ball.speed[k - 1] - gravity * settings.dt;
+      lesson.print(
+          fmt::format("   β = {:g}, step {}  (22) λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt) = ({:.4f} − ({:.4f})) / "
+                      "{:.4g} = {:.4f} N{}",
+                      beta, k, ball.zeta[k], free, settings.dt, cleaned((ball.zeta[k] - free) / settings.dt),
+                      ball.zeta[k] < free - 1e-9 ? ": clamped to 0" : ""));
+    }
   }
   lesson.print("   β       λ (N), step 1        2        3        4   fastest (m/s)   rises to (m)");
   for (const BallRun& run : all.balls) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 
+#include "lessons/tower_panel.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"
@@ -40,43 +40,29 @@ List<Vec2<double>> path_of(const RodRun& run, int step, int steps) {
   return points;
 }
 
-/// A panel with its text in the top line; returns what is below.
-Rect titled_panel(Page& page, const Rect& rect, const std::string& left, const std::string& right) {
-  const Rect inside = page.panel(rect, "");
-  render::TextStyle style = page.label();
-  style.bold = true;
-  page.canvas().text({inside.x, inside.y + style.size}, left, style);
-  render::TextStyle value = page.value();
-  value.align = render::Align::right;
-  page.canvas().text({inside.x + inside.width, inside.y + style.size}, right, value);
-  const double line = 1.5 * style.size;
-  return {inside.x, inside.y + line, inside.width, inside.height - line};
-}
-
 std::string millimetres(double metres) {
   return fixed(1000 * metres, std::abs(metres) < 0.0095 ? 1 : 0) + " mm";
 }
 
 void draw_pendulum(Page& page, const Rect& rect, const DriftRuns& all, const RodRun& run, int step) {
-  const Rect field = titled_panel(page, rect, beta_name(run.beta), "c = " + millimetres(run.error[step]));
+  const render::SeriesStyle style = beta_style(page.theme(), run.beta);
+  const Rect field =
+      draw_solver_panel(page, rect, style, beta_name(run.beta), "c = " + millimetres(run.error[step]));
   const render::Camera camera = render::fit(field, {{-1.7, -1.7}, {1.7, 0.15}});
   draw_trail(page, camera, true_circle(), {.color = page.theme().inactive, .dash = {3, 4}});
   const int second = static_cast<int>(std::lround(1 / all.settings.dt));
-  draw_trail(page, camera, path_of(run, step, 2 * second), {.color = page.theme().velocity});
-  render::WorldLook look;
-  look.numbers = false;
-  draw_world(page, camera, run.steps[step], look);
+  draw_trail(page, camera, path_of(run, step, 2 * second), {.color = style.color});
+  draw_world(page, camera, run.steps[step], {.numbers = false});
 }
 
 void draw_swing_errors(Page& page, const Rect& rect, const DriftRuns& all, int step) {
   render::Plot plot{.title = "|c|: how far the rod is from its length (m)"};
   plot.x = {.title = "t (s)", .min = 0, .max = swing_time};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-5, .max = 1e1};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-4, .max = 1};
   const int stride = std::max(1, all.swings[0].steps.size() / 250);
-  for (int i = 0; i < all.swings.size(); ++i) {
-    const RodRun& run = all.swings[i];
+  for (const RodRun& run : all.swings) {
     render::Series series{
-        .name = beta_name(run.beta), .style = curve_style(page.theme(), i), .markers = false};
+        .name = beta_name(run.beta), .style = beta_style(page.theme(), run.beta), .markers = false};
     for (int k = 1; k <= step; k += stride) {
       series.x.push_back(k * all.settings.dt);
       series.y.push_back(std::max(std::abs(run.error[k]), 1e-5));
@@ -87,14 +73,14 @@ void draw_swing_errors(Page& page, const Rect& rect, const DriftRuns& all, int s
 }
 
 void draw_swing(Page& page, const DriftRuns& all, int step) {
-  const List<Rect> parts = rows(page.area(), {0.48, 0.52}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
   const List<double> weights(all.swings.size(), 1.0);
   const List<Rect> panels = columns(parts[0], weights, page.sizes().gap);
   for (int i = 0; i < all.swings.size(); ++i) draw_pendulum(page, panels[i], all, all.swings[i], step);
   draw_swing_errors(page, parts[1], all, step);
 }
 
-Shot swing_shot(const Runs& all, int step, bool key) {
+Shot swing_shot(const Runs& all, int step) {
   std::string alt =
       fmt::format("Pendulums after {:.1f} s, drawn over the true circle: the rod is too long by",
                   step * all->settings.dt);
@@ -104,8 +90,7 @@ Shot swing_shot(const Runs& all, int step, bool key) {
   alt.back() = '.';
   return {.state = fmt::format("pendulum · t = {} s", fixed(step * all->settings.dt, 1)),
           .alt = alt,
-          .draw = [all, step](Page& page) { draw_swing(page, *all, step); },
-          .key = key};
+          .draw = [all, step](Page& page) { draw_swing(page, *all, step); }};
 }
 
 /// All weights in one scene, side by side, each on its own rod.
@@ -128,19 +113,19 @@ Snapshot side_by_side(const DriftRuns& all, int step) {
 }
 
 void draw_weights(Page& page, const Rect& rect, const DriftRuns& all, int step) {
-  const Rect inside = page.panel(rect, "β, and the goal (dashed)");
+  const Rect inside = page.panel(rect, "β of each weight; dashed: where it should hang");
   const double right = weight_pitch * (all.hangs.size() - 1);
   const render::Camera camera = render::fit(inside, {{-0.3, -1.5}, {right + 0.3, 0.2}});
   page.canvas().line(camera.project({-0.25, -rod_length}), camera.project({right + 0.25, -rod_length}),
                      {.width = 1.5, .color = page.theme().inactive, .dash = {8, 5}});
-  render::WorldLook look;
-  look.numbers = false;
-  draw_world(page, camera, side_by_side(all, step), look);
-  render::TextStyle name = page.label();
-  name.align = render::Align::center;
+  draw_world(page, camera, side_by_side(all, step), {.numbers = false});
   for (int i = 0; i < all.hangs.size(); ++i) {
-    const render::Point at = camera.project({weight_pitch * i, 0.08});
-    page.canvas().text(at, fmt::format("{:g}", all.hangs[i].beta), name);
+    const double beta = all.hangs[i].beta;
+    page.canvas().text(camera.project({weight_pitch * i, 0.08}), fmt::format("{:g}", beta),
+                       {.size = 20,
+                        .color = beta_style(page.theme(), beta).color,
+                        .bold = true,
+                        .align = render::Align::center});
   }
 }
 
@@ -148,17 +133,15 @@ void draw_hang(Page& page, const DriftRuns& all, int step) {
   const List<Rect> halves = columns(page.area(), {0.42, 0.58}, page.sizes().gap);
   draw_weights(page, halves[0], all, step);
   const List<Rect> right = rows(halves[1], {0.64, 0.36}, page.sizes().gap);
-  render::Plot plot{.title = "c after each step (mm)"};
+  render::Plot plot{.title = "how far above its place each weight is: −c (mm)"};
   plot.x = {.title = "step", .min = 0, .max = hang_steps};
   plot.y = {.title = "", .min = -350, .max = 350};
-  for (int i = 0; i < all.hangs.size(); ++i) {
-    render::Series series{
-        .name = beta_name(all.hangs[i].beta), .style = curve_style(page.theme(), i), .markers = false};
-    for (int j = 0; j <= step; ++j) {
-      series.x.push_back(j);
-      series.y.push_back(1000 * all.hangs[i].error[j]);
-    }
-    plot.series.push_back(series);
+  for (const RodRun& run : all.hangs) {
+    List<double> heights;
+    for (int k = 0; k <= step; ++k) heights.push_back(-1000 * run.error[k]);
+    plot.series.push_back(
+        render::over_steps(beta_name(run.beta), beta_style(page.theme(), run.beta), heights));
+    plot.series.back().markers = false;
   }
   draw_plot(page, right[0], plot);
   const RodRun& run = hang_of(all, all.settings.beta);
@@ -169,7 +152,7 @@ void draw_hang(Page& page, const DriftRuns& all, int step) {
                            .result = fmt::format("= {} mm", fixed(1000 * run.error[step], 2))});
 }
 
-Shot hang_shot(const Runs& all, int step, bool key) {
+Shot hang_shot(const Runs& all, int step) {
   std::string alt = fmt::format("Hanging weights after step {}, off by", step);
   for (const RodRun& run : all->hangs) {
     alt += fmt::format(" {:.1f} mm with β = {:g};", 1000 * run.error[step], run.beta);
@@ -177,8 +160,7 @@ Shot hang_shot(const Runs& all, int step, bool key) {
   alt.back() = '.';
   return {.state = fmt::format("weight · step {} of {}", step, hang_steps),
           .alt = alt,
-          .draw = [all, step](Page& page) { draw_hang(page, *all, step); },
-          .key = key};
+          .draw = [all, step](Page& page) { draw_hang(page, *all, step); }};
 }
 
 }  // namespace
@@ -186,18 +168,15 @@ Shot hang_shot(const Runs& all, int step, bool key) {
 List<Shot> swing_shots(const Runs& all) {
   const int last = all->swings[0].steps.size() - 1;
   List<Shot> shots;
-  const std::set<int> keys = {5, 50};  // of 50 frames
-  for (int frame = 1; frame <= 50; ++frame) {
-    shots.push_back(swing_shot(all, frame * last / 50, keys.contains(frame)));
-  }
+  for (int frame = 1; frame <= 50; ++frame) shots.push_back(swing_shot(all, frame * last / 50));
+  shots.back().key = true;
   return shots;
 }
 
 List<Shot> hang_shots(const Runs& all) {
   List<Shot> shots;
-  for (int step = 1; step <= hang_steps; ++step) {
-    shots.push_back(hang_shot(all, step, step == 1 || step == hang_steps));
-  }
+  for (int step = 1; step <= hang_steps; ++step) shots.push_back(hang_shot(all, step));
+  shots.back().key = true;
   return shots;
 }
 
