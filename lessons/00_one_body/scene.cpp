@@ -147,8 +147,8 @@ void draw_scene(Page& page, const Rect& rect, const Story& story, const SceneLoo
              path_style(page.theme().jacobi, look.step));
   draw_trail(page, camera, end_of(flight.semi_implicit, look.step, look.step),
              path_style(page.theme().si, look.step));
-  if (look.velocity) draw_velocity(page, camera, story, now.bodies[{1}]);
   draw_enlarged(page, camera, flight, look.step);
+  if (look.velocity) draw_velocity(page, camera, story, now.bodies[{1}]);
   if (look.asks) draw_asked(page, camera, flight);
   // How long a metre is, because the answer is a length.
   const Point right(rect.x + rect.width - 48, rect.y + rect.height - 6);

@@ -21,10 +21,10 @@ LessonInfo card() {
       .reads = {"src/constraints/distance_joint.cpp", "src/constraints/constraint.hpp",
                 "tests/constraints/jacobian_tests.cpp"},
       .question =
-          "A box hangs on a rod of 5 m from (0, 0) to (3, −4), the middle of its left side (--x, --y and "
-          "--turn "
-          "change that). How fast does each of these velocities (v_x, v_y, ω) make the rod longer, in m/s: "
-          "(0.8, 0.6, 0), (0.6, −0.8, 0) and (1, 0.5, −0.5)? Which of them does a rod allow?",
+          "A box hangs on a rod of 5\u00a0m from (0,\u00a00) to (3,\u00a0−4)\u00a0m, the middle of its left "
+          "side. How fast does each of these velocities (v_x,\u00a0v_y,\u00a0ω) make the rod longer, in m/s? "
+          "1:\u00a0(0.8,\u00a00.6,\u00a00), 2:\u00a0(0.6,\u00a0−0.8,\u00a00), "
+          "3:\u00a0(1,\u00a00.5,\u00a0−0.5). Which of them does a rod allow?",
       .spoilers = {"0, 1 and 0", "the first and the third", "0.6 − 0.4 − 0.2"},
       .hints = {"Only what the anchor does along the rod makes it longer. Across the rod it may move.",
                 "The rod points along u = (0.6, −0.8). When the box turns, the anchor moves too: up for a "

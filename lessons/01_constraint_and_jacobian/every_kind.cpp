@@ -87,7 +87,7 @@ List<Kind> all_kinds(const Poses& start, Random& random) {
       joint_kind<RevoluteJoint>(
           "pin with limits",
           {.a = a, .b = b, .anchor = near_a, .lower = -0.1, .upper = 0.3, .limit_margin = far_margin}, start),
-      joint_kind<PrismaticJoint>("slide with limits",
+      joint_kind<PrismaticJoint>("slider with limits",
                                  {.a = a,
                                   .b = b,
                                   .anchor = near_a,
@@ -101,8 +101,8 @@ List<Kind> all_kinds(const Poses& start, Random& random) {
       joint_kind<GearJoint>("gear", {.a = a, .b = b, .c = c, .radius_a = 0.5, .radius_b = 1.5}, start),
       joint_kind<DifferentialJoint>("differential", {.a = a, .b = b, .c = c}, start),
       joint_kind<DragJoint>(
-          "spring to a place",
-          {.body = b, .anchor = near_b, .target = random_point(random, 3), .softness = soft}, start),
+          "target joint", {.body = b, .anchor = near_b, .target = random_point(random, 3), .softness = soft},
+          start),
       contact_kind(),
   };
 }

@@ -23,11 +23,14 @@ List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds);
 /// What is drawn of the rod besides the box.
 struct RodLook {
   Pose<double> pose = {};                     // of the box
-  bool ghost = false;                         // the box as the scene has it, as an outline
+  bool close = false;                         // only the box and its surroundings
+  List<Pose<double>> others = {};             // outlines of the box elsewhere
+  bool errors = false;                        // c of the box and of the others, as lengths
   bool circles = false;                       // level curves of c
   bool direction = false;                     // j: an arrow and an arc
   bool force = false;                         // j^T lambda: an arrow and an arc
   bool asked = false;                         // the three velocities of the question, at the centre
+  bool answered = false;                      // the same of the anchor
   std::optional<Vec3<double>> velocity = {};  // arrows at the centre and at the anchor
 };
 

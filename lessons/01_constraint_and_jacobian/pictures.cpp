@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lessons/question.hpp"
 #include "math/list.hpp"
@@ -35,58 +36,36 @@ List<Rect> draw_scene(Page& page, const Rod& rod, const RodLook& look, double up
   return rows(halves[1], {upper, 1 - upper}, page.sizes().gap);
 }
 
-/// The question or the answer, over the three velocities.
-void draw_note(Page& page, const Rod& rod, const RodLook& look, std::string_view title,
-               std::string_view text) {
-  const List<Rect> parts = draw_scene(page, rod, look, 0.55);
-  page.note(parts[0], title, text, question_growth);
-  const bool answered = look.direction;
-  render::TableView table{.header = {"v (m/s, m/s, rad/s)", "j·v (m/s)", ""}};
-  for (int i = 0; i < rod.asked.size(); ++i) {
-    const Motion& motion = rod.asked[i];
-    const Vec3<double>& v = motion.velocity;
-    table.rows.push_back(
-        {fmt::format("{}: ({}, {}, {})", i + 1, significant(v.x()), significant(v.y()), significant(v.z())),
-         answered ? significant(motion.rate) : "?",
-         !answered          ? ""
-         : motion.rate == 0 ? "allowed"
-                            : "not allowed"});
+void draw_where(Page& page, const Rod& rod) {
+  const Vec2<double> along = rod.jacobian.head<2>();
+  const List<std::pair<std::string, Vec3<double>>> moves = {{"1 m to the right", {1, 0, 0}},
+                                                            {"1 m up", {0, 1, 0}},
+                                                            {"1 m along the rod", {along.x(), along.y(), 0}},
+                                                            {"turned by 1 rad", {0, 0, 1}}};
+  RodLook look{.pose = rod.pose, .close = true, .errors = true, .circles = true};
+  render::TableView table{.header = {"the box, moved", "c"}, .rows = {{"not at all", "0 m"}}};
+  for (const auto& [name, move] : moves) {
+    look.others.push_back(carried(rod.pose, move, 1));
+    table.rows.push_back({name, fixed(error_at(rod, look.others.back()), 2, render::Sign::always) + " m"});
   }
-  page.table(parts[1], "", table);
-}
-
-std::string metres(double value) { return fixed(value, 4) + " m"; }
-
-void draw_error(Page& page, const Rod& rod) {
-  const List<Rect> parts = draw_scene(page, rod, {.pose = rod.pose, .circles = true}, 0.46);
+  const List<Rect> parts = draw_scene(page, rod, look, 0.42);
   const Vec2<double>& p = rod.settings.anchor;
   page.equation(parts[0], {.number = "eq (3)",
                            .symbols = "c = |p| − length",
                            .numbers = fmt::format("= √({}² + {}²) − {}", significant(p.x()),
                                                   significant(-p.y()), significant(rod.length)),
                            .result = "= 0 m"});
-  render::TableView table{.header = {"the box, moved", "c"}};
-  const List<std::pair<std::string, Vec3<double>>> moves = {{"not at all", {0, 0, 0}},
-                                                            {"1 m to the right", {1, 0, 0}},
-                                                            {"1 m up", {0, 1, 0}},
-                                                            {"1 m along the rod", rod.asked[1].velocity},
-                                                            {"turned by 1 rad", {0, 0, 1}}};
-  for (const auto& [name, move] : moves) {
-    Vec3<double> step = move;
-    if (name == "1 m along the rod") step = {rod.jacobian.x(), rod.jacobian.y(), 0};
-    table.rows.push_back({name, metres(error_at(rod, carried(rod.pose, step, 1)))});
-  }
   page.table(parts[1], "c at other places", table);
 }
 
 void draw_jacobian(Page& page, const Rod& rod) {
   const List<Rect> parts =
-      draw_scene(page, rod, {.pose = rod.pose, .circles = true, .direction = true}, 0.22);
+      draw_scene(page, rod, {.pose = rod.pose, .circles = true, .direction = true}, 0.24);
   const List<Rect> below = rows(parts[1], {0.5, 0.5}, page.sizes().gap);
-  render::MatrixView view{.title = "j: one row, three numbers for the box"};
-  view.values = rod.jacobian.transpose();
+  render::MatrixView view{.values = rod.jacobian.transpose()};
   for (const char* name : coordinate_names) view.column_names.emplace_back(name);
-  draw_matrix(page, parts[0], view);
+  const Rect inside = page.panel(parts[0], "j: one row, three numbers for the box");
+  draw_matrix(page, {inside.x + 0.3 * inside.width, inside.y, 0.7 * inside.width, inside.height}, view);
   const Vec3<double>& j = rod.jacobian;
   page.equation(below[0], {.number = "eq (5)",
                            .symbols = "j = (u_{x}, u_{y}, r × u)",
@@ -103,24 +82,35 @@ void draw_jacobian(Page& page, const Rod& rod) {
   page.table(below[1], "three slopes", slopes);
 }
 
-/// Coordinate k moved both ways; the rows of the table up to it.
+/// Coordinate k moved both ways: as far as it is drawn, and less.
 void draw_nudge(Page& page, const Rod& rod, int k) {
-  const Quotient large = quotient(rod, 0.5);  // large enough to be seen
-  const Pose<double> pose = carried(rod.pose, Vec3<double>::Unit(k), large.h);
-  const List<Rect> parts = draw_scene(page, rod, {.pose = pose, .ghost = true, .circles = true}, 0.46);
-  const Quotient& q = rod.quotients.front();
-  page.equation(parts[0], {.number = fmt::format("dc/d{} by a central difference, h = {} {}",
-                                                 coordinate_names[k], q.h, k == 2 ? "rad" : "m"),
-                           .symbols = "(c(+h) − c(−h)) / 2h",
+  const std::string unit = k == 2 ? "rad" : "m";
+  const Vec3<double> move = Vec3<double>::Unit(k);
+  render::TableView table{.header = {"h (" + unit + ")", "c(−h) (m)", "c(+h) (m)", "slope"}};
+  List<Quotient> quotients;
+  for (const double h : {0.5, 0.1, 0.01}) {
+    const Quotient q = quotient(rod, h);
+    table.rows.push_back(
+        {significant(h), fixed(q.backward[k], 4), fixed(q.forward[k], 4), fixed(q.slope[k], 4)});
+    quotients.push_back(q);
+  }
+  table.rows.push_back({"j", "", "", fixed(rod.jacobian(k), 4)});
+  table.active_row = 0;
+  const Quotient& q = quotients[0];  // large enough to be seen
+  const List<Rect> parts = draw_scene(page, rod,
+                                      {.pose = carried(rod.pose, move, q.h),
+                                       .close = true,
+                                       .others = {carried(rod.pose, move, -q.h), rod.pose},
+                                       .errors = true,
+                                       .circles = true},
+                                      0.46);
+  page.equation(parts[0], {.number = fmt::format("dc/d{} by a central difference, h = {} {}, as it is drawn",
+                                                 coordinate_names[k], q.h, unit),
+                           .symbols = "slope = (c(+h) − c(−h)) / 2h",
                            .numbers = fmt::format("= ({} − ({})) / {}", fixed(q.forward[k], 4),
                                                   fixed(q.backward[k], 4), significant(2 * q.h)),
-                           .result = fmt::format("= {}", fixed(q.slope[k], 3))});
-  render::TableView table{.header = {"", "c(−h)", "c(+h)", "slope", "j"}, .active_row = k};
-  for (int i = 0; i <= k; ++i) {
-    table.rows.push_back({coordinate_names[i], fixed(q.backward[i], 4), fixed(q.forward[i], 4),
-                          fixed(q.slope[i], 4), fixed(rod.jacobian(i), 4)});
-  }
-  page.table(parts[1], "the slope of c, and j", table);
+                           .result = fmt::format("= {}", fixed(q.slope[k], 4))});
+  page.table(parts[1], "smaller moves come nearer to j", table);
 }
 
 /// c while the box moves on at this velocity, and what j·v makes of it.
@@ -130,7 +120,7 @@ void draw_course(Page& page, const Rect& rect, const Rod& rod, const Motion& mot
   course.style = {page.theme().outline, {}, render::Marker::none};
   render::Series tangent{.name = "j·v t", .style = {}, .markers = false};
   tangent.style = {page.theme().velocity, {8, 6}, render::Marker::none};
-  double largest = 0.5;
+  double largest = 1.2;  // [m] the same for all motions of the question
   for (int k = -20; k <= 20; ++k) {
     const double t = 0.05 * k;
     course.x.push_back(t);
@@ -141,10 +131,12 @@ void draw_course(Page& page, const Rect& rect, const Rod& rod, const Motion& mot
   }
   plot.series = {course, tangent};
   plot.x = {.title = "t (s)", .min = -1, .max = 1};
-  plot.y = {.title = "", .min = -1.1 * largest, .max = 1.1 * largest};
+  plot.y = {.title = "", .min = -largest, .max = largest};
   plot.cursor = 0;
   draw_plot(page, rect, plot);
 }
+
+std::string verdict(const Motion& motion) { return motion.rate == 0 ? "allowed" : "not allowed"; }
 
 std::string in_brackets(double value) {
   return value < 0 ? "(" + significant(value) + ")" : significant(value);
@@ -153,20 +145,16 @@ std::string in_brackets(double value) {
 std::string product(double factor, double value) { return in_brackets(factor) + " × " + in_brackets(value); }
 
 void draw_motion(Page& page, const Rod& rod, const Motion& motion) {
-  const List<Rect> parts =
-      draw_scene(page, rod, {.pose = rod.pose, .circles = true, .velocity = motion.velocity}, 0.42);
+  const List<Rect> parts = draw_scene(
+      page, rod, {.pose = rod.pose, .close = true, .circles = true, .velocity = motion.velocity}, 0.42);
   const Vec3<double>& j = rod.jacobian;
   const Vec3<double>& v = motion.velocity;
-  const bool allowed = motion.rate == 0;
-  page.equation(
-      parts[0],
-      {.number = "eq (5)",
-       .symbols = fmt::format("dc/dt = j·v,   v = ({}, {}, {})", significant(v.x()), significant(v.y()),
-                              significant(v.z())),
-       .numbers =
-           fmt::format("= {} + {} + {}", product(j.x(), v.x()), product(j.y(), v.y()), product(j.z(), v.z())),
-       .result = fmt::format("= {} m/s{}", significant(motion.rate), allowed ? ": allowed" : ": not allowed"),
-       .color = allowed ? render::transparent : page.theme().normal});
+  page.equation(parts[0], {.number = "eq (5)",
+                           .symbols = fmt::format("dc/dt = j·v,   v = ({}, {}, {})", significant(v.x()),
+                                                  significant(v.y()), significant(v.z())),
+                           .numbers = fmt::format("= {} + {} + {}", product(j.x(), v.x()),
+                                                  product(j.y(), v.y()), product(j.z(), v.z())),
+                           .result = fmt::format("= {} m/s: {}", significant(motion.rate), verdict(motion))});
   draw_course(page, parts[1], rod, motion);
 }
 
@@ -184,7 +172,7 @@ void draw_force(Page& page, const Rod& rod) {
   render::TableView table{.header = {"motion", "power f·v"}};
   for (const Motion& motion : rod.allowed)
     table.rows.push_back({motion.name, fixed(rod.force.dot(motion.velocity), 3) + " W"});
-  table.rows.push_back({"forbidden: along it", fixed(rod.settings.lambda, 3) + " W"});
+  table.rows.push_back({"along the rod: forbidden", fixed(rod.settings.lambda, 3) + " W"});
   page.table(parts[1], "the force does no work in what it allows", table);
 }
 
@@ -192,24 +180,27 @@ void draw_differences(Page& page, const Story& story) {
   const List<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
   render::Plot plot{.title = "largest |j − central difference| of the rod"};
   plot.x = {.title = "h (m or rad)", .scale = render::AxisScale::logarithmic, .min = 3e-12, .max = 1};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-13, .max = 1};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-13, .max = 1e-2};
   render::Series measured{
       .name = "", .style = {page.theme().outline, {}, render::Marker::circle}, .line = false};
   render::Series truncation{.name = "", .style = page.theme().exact, .markers = false};
-  render::Series rounding{.name = "", .style = page.theme().exact, .markers = false};
+  render::Series rounding = truncation;
+  rounding.style.dash = {8, 6};
   const auto& all = story.rod.quotients;
   const double factor = all[2].error / (all[2].h * all[2].h);
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
   for (auto q = all.rbegin(); q != all.rend(); ++q) {
     measured.x.push_back(q->h);
     measured.y.push_back(q->error);
     truncation.x.push_back(q->h);
     truncation.y.push_back(factor * q->h * q->h);
     rounding.x.push_back(q->h);
-    rounding.y.push_back(2.2e-16 * story.rod.length / q->h);
+    rounding.y.push_back(epsilon * story.rod.length / q->h);
   }
   plot.series = {measured, truncation, rounding};
-  plot.labels.push_back({3e-10, 2.2e-16 * story.rod.length / 3e-10, "rounding: at most about ε |p| / h"});
-  plot.labels.push_back({1e-3, 1e-6 * factor, "∝ h²"});
+  plot.labels.push_back({1e-9, epsilon * story.rod.length / 1e-9,
+                         fmt::format("rounding: about ε |p| / h, ε = {}", significant(epsilon, 2))});
+  plot.labels.push_back({1e-3, 1e-6 * factor, "falls with h²"});
   draw_plot(page, parts[0], plot);
   render::TableView table{.header = {"h = 10^{−5}, 20 poses", "rows", "difference"}};
   for (const KindOfRows& kind : story.kinds)
@@ -230,62 +221,71 @@ Shot motion_shot(const Shared& story, const Motion& motion, const std::string& s
       [story, motion](Page& page) { draw_motion(page, story->rod, motion); });
 }
 
-List<Shot> derivative_shots(const Shared& story) {
-  const Rod& rod = story->rod;
-  List<Shot> shots;
-  shots.push_back(shot("c: where", "The rod, the box, and circles around the pivot where c is -1, 0 and 1 m.",
-                       [story](Page& page) { draw_error(page, story->rod); }));
-  shots.push_back(shot("j: which way",
-                       fmt::format("An arrow along the rod and an arc around the box: j = ({:.3f}, {:.3f}, "
-                                   "{:.3f}), at right angles to the circle c = 0.",
-                                   rod.jacobian.x(), rod.jacobian.y(), rod.jacobian.z()),
-                       [story](Page& page) { draw_jacobian(page, story->rod); }));
-  for (int k = 0; k < 3; ++k) {
-    Shot nudge = shot(fmt::format("the same by trying: {}", coordinate_names[k]),
-                      fmt::format("The box moved in {}: c grows by {:.3f} for 1 of it.", coordinate_names[k],
-                                  rod.quotients[0].slope[k]),
-                      [story, k](Page& page) { draw_nudge(page, story->rod, k); });
-    nudge.key = k != 1;
-    shots.push_back(nudge);
-  }
-  return shots;
+Shot nudge_shot(const Shared& story, int k) {
+  Shot made =
+      shot(fmt::format("the same by trying: {}", coordinate_names[k]),
+           fmt::format("The box moved in {} to both sides, and c of each place: c grows by {:.3f} for 1 "
+                       "of it.",
+                       coordinate_names[k], story->rod.quotients[0].slope[k]),
+           [story, k](Page& page) { draw_nudge(page, story->rod, k); });
+  made.key = k != 1;
+  return made;
+}
+
+Shot shot_of_answer(const Shared& story) {
+  const List<Motion>& asked = story->rod.asked;
+  return answer_shot(
+      card(),
+      {.state = "after the lesson",
+       .alt =
+           "The three velocities as the anchor has them: the first and the third along the circle that the "
+           "rod allows, the second along the rod.",
+       .scene =
+           [story](Page& page, const Rect& rect) {
+             draw_rod(page, rect, story->rod,
+                      {.pose = story->rod.pose, .close = true, .circles = true, .answered = true});
+           }},
+      fmt::format("{}, {} and {} m/s: a velocity makes the rod longer by j·v. Where that is 0 the rod allows "
+                  "it: the anchor moves along the circle, whatever the centre does.",
+                  significant(asked[0].rate), significant(asked[1].rate), significant(asked[2].rate)));
 }
 
 }  // namespace
 
 List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
   const auto story = std::make_shared<const Story>(Story{rod, kinds});
-  List<Shot> shots;
-  shots.push_back(shot(
-      "before we ask",
-      "A box on a rod that hangs from a pivot, three velocities of the box, and the question.",
-      [story](Page& page) {
-        draw_note(page, story->rod, {.pose = story->rod.pose, .asked = true}, "The question",
-                  "Below are three velocities (v_{x}, v_{y}, ω) of the box. How fast does each make the rod "
-                  "longer? Which of them does a rod allow?");
-      }));
-  for (Shot& next : derivative_shots(story)) shots.push_back(std::move(next));
-  const Motion own{
-      .name = "", .velocity = rod.settings.velocity, .rate = rod.jacobian.dot(rod.settings.velocity)};
-  shots.push_back(motion_shot(story, own, "j·v: how fast"));
+  List<Shot> shots = {question_shot(
+      card(),
+      {.state = "before we ask",
+       .alt = "A box on a rod that hangs from a pivot, three velocities of the box, and the question how "
+              "fast each makes the rod longer",
+       .scene = [story](Page& page, const Rect& rect) {
+         draw_rod(page, rect, story->rod, {.pose = story->rod.pose, .asked = true});
+       }})};
+  shots.push_back(
+      shot("c: where",
+           "The rod, the box, circles around the pivot where c is −1, 0 and 1 m, and c of the box at "
+           "four other places.",
+           [story](Page& page) { draw_where(page, story->rod); }));
+  shots.push_back(shot("j: which way",
+                       fmt::format("An arrow along the rod and an arc around the box: j = ({:.3f}, {:.3f}, "
+                                   "{:.3f}), at right angles to the circle c = 0.",
+                                   rod.jacobian.x(), rod.jacobian.y(), rod.jacobian.z()),
+                       [story](Page& page) { draw_jacobian(page, story->rod); }));
+  for (int k = 0; k < 3; ++k) shots.push_back(nudge_shot(story, k));
+  const Vec3<double>& own = rod.settings.velocity;
+  shots.push_back(motion_shot(story, {.velocity = own, .rate = rod.jacobian.dot(own)}, "j·v: how fast"));
+  shots.back().key = false;
   for (int i = 0; i < rod.asked.size(); ++i)
     shots.push_back(motion_shot(story, rod.asked[i], fmt::format("j·v: velocity {} of 3", i + 1)));
-  shots.push_back(shot("j^Tλ: how strong",
+  shots.push_back(shot("jᵀ λ: how strong",
                        "The pull of the rod as an arrow at the anchor and its torque as an arc.",
                        [story](Page& page) { draw_force(page, story->rod); }));
-  shots.back().state = "jᵀ λ: how strong";
   shots.push_back(shot("j against differences",
                        "The error of a central difference against its step: it falls as h squared, then "
                        "rounding takes over. Beside it every kind of row in the library.",
                        [story](Page& page) { draw_differences(page, *story); }));
-  shots.push_back(
-      shot("after the lesson", "The box with j as an arrow and an arc, and the answer.", [story](Page& page) {
-        draw_note(page, story->rod, {.pose = story->rod.pose, .circles = true, .direction = true},
-                  "The answer",
-                  "Each makes it longer by j·v: 0, 1 and 0 m/s. Where that is 0 the rod allows the motion: "
-                  "along the "
-                  "circle, or turning about the anchor, or both at once.");
-      }));
+  shots.push_back(shot_of_answer(story));
   return shots;
 }
 

@@ -17,16 +17,20 @@ using render::Point;
 using render::Rect;
 using render::significant;
 
-/// The pivot, the box, and the circles around the pivot with room for their names.
-render::Camera rod_camera(const Rect& inside, const Rod& rod) {
+/// The pivot, the box, and the circles around the pivot with room for their names; or the box alone.
+render::Camera rod_camera(const Rect& inside, const Rod& rod, const RodLook& look) {
   const Vec2<double>& anchor = rod.settings.anchor;
+  if (look.close)
+    return render::fit(inside, {anchor - Vec2<double>(1.7, 2.2), anchor + Vec2<double>(2.6, 2)});
   return render::fit(inside, {{std::min(-1.3, 0.9 * anchor.x() - 2.6), -rod.length - 1.5},
                               {std::max(anchor.x() + 2.6, 4.0), 0.5}});
 }
 
-/// Where c is −1, 0 and +1 m, were the anchor there. The label of a velocity may cross the dashed ones:
-/// between two arrows there is no other place.
+/// Where c is −1, 0 and +1 m, were the anchor there.
 void draw_circles(Page& page, const render::Camera& camera, const Rod& rod, const RodLook& look) {
+  const Vec2<double> down = look.close
+                                ? Vec2<double>(Rotation<double>(-0.22) * rod.settings.anchor.normalized())
+                                : Vec2<double>(0, -1);  // where the names stand
   for (const double c : {-1.0, 0.0, 1.0}) {
     const double radius = rod.length + c;
     List<Point> points;
@@ -35,10 +39,10 @@ void draw_circles(Page& page, const render::Camera& camera, const Rod& rod, cons
     render::Stroke stroke{.width = page.sizes().axis, .color = page.theme().inactive, .dash = {6, 5}};
     if (c == 0) stroke = {.width = page.sizes().curve, .color = page.theme().joint, .dash = {}};
     page.canvas().polyline(points, stroke);
-    if (c == 0 || !look.velocity) page.avoid(points);
+    page.avoid(points);
     render::TextStyle style = page.value();
     const std::string name = c == 0 ? "c = 0" : "c = " + render::fixed(c, 0, render::Sign::always) + " m";
-    const Point at = camera.project({0, -radius});
+    const Point at = camera.project(radius * down);
     const double width = page.canvas().text_width(name, style);
     page.canvas().rect({at.x() - width / 2 - 6, at.y() - 0.7 * style.size, width + 12, 1.4 * style.size},
                        {.fill = page.theme().panel});
@@ -46,12 +50,58 @@ void draw_circles(Page& page, const render::Camera& camera, const Rod& rod, cons
   }
 }
 
-/// Labels stand beside the box, not across its edges.
-void keep_off_box(Page& page, const render::Camera& camera, const Pose<double>& pose) {
-  List<Point> edges;
-  for (const auto& [x, y] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}})
-    edges.push_back(camera.project(pose.world({x, y})));
-  page.avoid(edges);
+render::TextStyle bold_label(const Page& page, const render::Color& color) {
+  return {.size = render::large_text, .color = color, .bold = true, .mono = true, .halo = page.theme().panel};
+}
+
+/// Beyond the tip of an arrow, above it or below it; first of all `aside` by so many half widths.
+void write_at_tip(Page& page, const render::Camera& camera, const Vec2<double>& tip,
+                  const Vec2<double>& along, const std::string& text, render::TextStyle style,
+                  double aside = 0) {
+  style.align = render::Align::center;
+  const double gap = along.y() > 0 ? -8 : 8 + style.size;
+  const double half = page.canvas().text_width(text, style) / 2;
+  const Point at = camera.project(tip) + Point(0, gap);
+  List<Point> places = {at + Point(aside * half, 0), at};
+  for (const double away : {0.0, 1.5 * gap, 3 * gap}) {
+    for (const double by : {-0.7, 0.7, -1.2, 1.2}) places.push_back(at + Point(by * half, away));
+  }
+  page.place_text(places, camera.viewport, text, style);
+}
+
+/// c of this pose: from where the anchor should be to where it is, along the rod.
+void draw_error(Page& page, const render::Camera& camera, const Rod& rod, const Pose<double>& pose) {
+  const double c = error_at(rod, pose);
+  const Vec2<double> anchor = pose.world(rod.local_anchor);
+  if (std::abs(c) * camera.scale < 1) return;
+  const Point from = camera.project(anchor * (rod.length / anchor.norm())), to = camera.project(anchor);
+  page.canvas().line(from, to, {.width = 1.2 * page.sizes().arrow, .color = page.theme().friction});
+  page.canvas().circle(to, page.sizes().contact, {.fill = page.theme().friction});
+  page.avoid({from, to});
+  render::TextStyle style = page.value();
+  style.halo = page.theme().panel;
+  const std::string text = render::fixed(c, 2, render::Sign::always) + " m";
+  const double width = page.canvas().text_width(text, style), rise = 0.35 * style.size;
+  const double y = to.y() + rise;
+  page.place_text({{to.x() - width - 12, y}, {to.x() + 12, y}, {to.x() - width / 2, y + 1.6 * style.size}},
+                  camera.viewport, text, style);
+}
+
+/// A curve with a head at its end; `avoid`ed by labels.
+void draw_curved_arrow(Page& page, const List<Point>& points, const render::Color& color) {
+  const Point tip = points.back();
+  const double length = page.sizes().head_length;
+  int neck = points.size() - 1;  // where the head begins
+  while (neck > 0 && (tip - points[neck]).norm() < length) --neck;
+  const Point along = (tip - points[neck]).normalized();
+  const Point side = 0.5 * page.sizes().head_width * perpendicular(along);
+  List<Point> shaft(points.begin(), points.begin() + neck + 1);
+  shaft.push_back(tip - 0.8 * length * along);
+  page.canvas().polyline(shaft, {.width = 0.8 * page.sizes().arrow, .color = color});
+  const FixedList<Point, 3> head = {tip - length * along - side, tip + 2 * along,
+                                    tip - length * along + side};
+  page.canvas().polygon(head, {.fill = color});
+  page.avoid(points);
 }
 
 struct Arc {
@@ -66,34 +116,21 @@ struct Arc {
 /// A turning sense: an arc with a head.
 void draw_arc(Page& page, const render::Camera& camera, const Arc& arc) {
   constexpr double half = 0.75;  // [rad] of the arc, to both sides
-  List<Point> points;
-  for (int k = 0; k <= 32; ++k) {
-    const double angle = arc.middle + arc.sign * half * (k / 16.0 - 1);
-    points.push_back(camera.project(arc.center + Rotation<double>(angle) * Vec2<double>(arc.radius, 0)));
-  }
-  const Point tip = points.back();
-  const Point along = (tip - points[points.size() - 6]).normalized();
-  const double length = page.sizes().head_length, width = page.sizes().head_width;
-  points.resize(points.size() - 3);
-  page.canvas().polyline(points, {.width = 0.8 * page.sizes().arrow, .color = arc.color, .dash = {}});
-  const Point side = 0.5 * width * perpendicular(along);
-  const FixedList<Point, 3> head = {tip - length * along - side, tip + 2 * along,
-                                    tip - length * along + side};
-  page.canvas().polygon(head, {.fill = arc.color});
-  page.avoid(points);
-  render::TextStyle style = page.value();
-  style.halo = page.theme().panel;
-  const Vec2<double> out = Rotation<double>(arc.middle) * Vec2<double>(arc.radius, 0);
-  const Point at = camera.project(arc.center + out);
-  const double wide = page.canvas().text_width(arc.label, style);
-  const double gap = 0.7 * page.sizes().arrow + 6;
-  const auto beyond = [&](double turn, double shift) {
-    const Vec2<double> end = Rotation<double>(arc.middle + turn) * Vec2<double>(arc.radius, 0);
-    return Point(camera.project(arc.center + end) + Point(-wide / 2, shift));
+  const auto at = [&](double turn) {
+    const Vec2<double> out = Rotation<double>(arc.middle + turn) * Vec2<double>(arc.radius, 0);
+    return camera.project(arc.center + out);
   };
-  page.place_text({at + Point(gap, 0.35 * style.size), at + Point(-gap - wide, 0.35 * style.size),
-                   beyond(1, -6), beyond(-1, 6 + style.size), beyond(1, 6 + style.size), beyond(-1, -6)},
-                  camera.viewport, arc.label, style);
+  List<Point> points;
+  for (int k = 0; k <= 32; ++k) points.push_back(at(arc.sign * half * (k / 16.0 - 1)));
+  draw_curved_arrow(page, points, arc.color);
+  render::TextStyle style = bold_label(page, arc.color);
+  const double wide = page.canvas().text_width(arc.label, style);
+  const double gap = 0.7 * page.sizes().arrow + 6, rise = 0.35 * style.size;
+  const auto beyond = [&](double turn, double shift) { return Point(at(turn) + Point(-wide / 2, shift)); };
+  page.place_text(
+      {at(0) + Point(gap, rise), at(0) + Point(-gap - wide, rise), at(0) + Point(-wide / 2, gap + style.size),
+       beyond(1, -6), beyond(-1, 6 + style.size), beyond(1, 6 + style.size), beyond(-1, -6)},
+      camera.viewport, arc.label, style);
 }
 
 /// j or f: what it has for x and y at the anchor, and for the angle around the centre.
@@ -101,15 +138,14 @@ void draw_row_arrows(Page& page, const render::Camera& camera, const Rod& rod, c
   const Vec3<double>& value = look.force ? rod.force : rod.jacobian;
   const double size = value.head<2>().norm();
   if (!(size > 0)) return;
-  const render::ArrowScale scale{.pixels_per_unit = 1.7 * camera.scale / size, .longest = 1e4, .unit = ""};
-  const Vec2<double> anchor = look.pose.world(rod.pose.local(rod.settings.anchor));
-  const std::string unit = look.force ? " N" : "";
-  draw_arrow(
-      page, camera, scale,
-      {.kind = look.force ? render::ArrowKind::normal : render::ArrowKind::joint,
-       .tail = anchor,
-       .value = value.head<2>(),
-       .label = fmt::format("({}, {}){}", significant(value.x(), 2), significant(value.y(), 2), unit)});
+  const render::Color color = look.force ? page.theme().normal : page.theme().text;
+  const Vec2<double> anchor = look.pose.world(rod.local_anchor);
+  const Vec2<double> way = value.head<2>() * (1.7 / size);  // [m]
+  draw_curved_arrow(page, {camera.project(anchor), camera.project(anchor + way)}, color);
+  write_at_tip(
+      page, camera, anchor + way, way,
+      fmt::format("({}, {}){}", significant(value.x(), 2), significant(value.y(), 2), look.force ? " N" : ""),
+      bold_label(page, color));
   if (std::abs(value.z()) < 1e-6 * size) return;
   const Vec2<double> arm = rod.pose.position - rod.settings.anchor;  // away from the rod
   draw_arc(page, camera,
@@ -118,61 +154,59 @@ void draw_row_arrows(Page& page, const render::Camera& camera, const Rod& rod, c
             .middle = std::atan2(arm.y(), arm.x()),
             .sign = value.z() > 0 ? 1.0 : -1.0,
             .label = significant(value.z(), 2) + (look.force ? " N m" : " m"),
-            .color = look.force ? page.theme().normal : page.theme().joint});
+            .color = color});
 }
 
-/// Beyond the tip of an arrow, above it or below it.
-void write_at_tip(Page& page, const render::Camera& camera, const Vec2<double>& tip,
-                  const Vec2<double>& along, const std::string& text) {
-  render::TextStyle style = page.value();
-  style.halo = page.theme().panel;
-  style.align = render::Align::center;
-  const double gap = along.y() > 0 ? -8 : 8 + style.size;
-  const double half = page.canvas().text_width(text, style) / 2;
-  const Point at = camera.project(tip) + Point(0, gap);
-  List<Point> places = {at};
-  for (const double away : {0.0, 1.5 * gap, 3 * gap}) {
-    for (const double aside : {-0.7, 0.7, -1.2, 1.2}) places.push_back(at + Point(aside * half, away));
-  }
-  page.place_text(places, camera.viewport, text, style);
+/// A velocity of a point of the box, with its name at the tip.
+void draw_velocity(Page& page, const render::Camera& camera, const render::ArrowScale& scale,
+                   const render::Arrow& arrow, const std::string& name, double aside = 0) {
+  draw_arrow(page, camera, scale, arrow);
+  const Vec2<double> way = arrow.value * (scale.pixels_per_unit / camera.scale);  // [m] to the tip
+  page.avoid({camera.project(arrow.tail), camera.project(arrow.tail + way)});
+  const render::Color color = arrow.active ? page.theme().velocity : page.theme().secondary_text;
+  if (way.norm() > 0) write_at_tip(page, camera, arrow.tail + way, way, name, bold_label(page, color), aside);
 }
+
+Vec2<double> at_anchor(const Rod& rod, const Vec3<double>& v) { return v.head<2>() + cross(v.z(), rod.arm); }
 
 /// The velocity of the centre, and that of the anchor, which is what the rod sees.
-void draw_velocity_arrows(Page& page, const render::Camera& camera, const Rod& rod, const RodLook& look) {
-  const Vec3<double>& v = *look.velocity;
-  const Vec2<double> at_anchor = v.head<2>() + cross(v.z(), rod.arm);
-  double largest = std::max(v.head<2>().norm(), at_anchor.norm());
-  if (!(largest > 0)) return;
-  const render::ArrowScale scale{
-      .pixels_per_unit = std::min(1.2, 2 / largest) * camera.scale, .longest = 1e4, .unit = "m/s"};
-  for (const bool of_anchor : {false, true}) {
-    const Vec2<double> tail = of_anchor ? rod.settings.anchor : look.pose.position;
-    const Vec2<double> value = of_anchor ? at_anchor : Vec2<double>(v.head<2>());
-    draw_arrow(page, camera, scale,
-               {.kind = render::ArrowKind::velocity, .tail = tail, .value = value, .active = of_anchor});
-    const Vec2<double> way = value * scale.pixels_per_unit / camera.scale;  // [m] to the tip
-    page.avoid({camera.project(tail), camera.project(tail + way)});
-  }
-  const std::string text = fmt::format("{} m/s", significant(at_anchor.norm(), 3));
-  write_at_tip(page, camera, rod.settings.anchor + at_anchor * scale.pixels_per_unit / camera.scale,
-               at_anchor, text);
+void draw_velocities(Page& page, const render::Camera& camera, const Rod& rod, const Vec3<double>& v) {
+  const Vec2<double> anchor = at_anchor(rod, v), centre = v.head<2>();
+  const double largest = std::max(centre.norm(), anchor.norm());
+  const render::ArrowScale scale{.pixels_per_unit = std::min(1.2, 2 / largest) * camera.scale,
+                                 .longest = 1e4};
+  const Vec2<double> apart = centre - anchor - rod.arm * (camera.scale / scale.pixels_per_unit);
+  const double aside = apart.x() < 0 ? -0.8 : 0.8;  // each name on its side of the two arrows
+  draw_velocity(page, camera, scale,
+                {.kind = render::ArrowKind::velocity, .tail = rod.settings.anchor, .value = anchor}, "anchor",
+                -aside);
+  draw_velocity(
+      page, camera, scale,
+      {.kind = render::ArrowKind::velocity, .tail = rod.pose.position, .value = centre, .active = false},
+      "centre", aside);
 }
 
-/// The velocities of the question, by number: what each does to the anchor is for the reader to find.
-void draw_asked(Page& page, const render::Camera& camera, const Rod& rod) {
-  const Vec2<double>& centre = rod.pose.position;
-  double largest = 1e-9;
-  for (const Motion& motion : rod.asked) largest = std::max(largest, motion.velocity.head<2>().norm());
-  const render::ArrowScale scale{
-      .pixels_per_unit = 1.6 / largest * camera.scale, .longest = 1e4, .unit = "m/s"};
+/// The velocities of the question by number: as it gives them, at the centre, or as the rod sees them.
+void draw_asked(Page& page, const render::Camera& camera, const Rod& rod, bool answered) {
+  const render::ArrowScale scale{.pixels_per_unit = 1.4 * camera.scale, .longest = 1e4};
   for (int i = 0; i < rod.asked.size(); ++i) {
-    const Vec2<double> v = rod.asked[i].velocity.head<2>();
-    draw_arrow(page, camera, scale, {.kind = render::ArrowKind::velocity, .tail = centre, .value = v});
-    render::TextStyle style = page.value();
-    style.halo = page.theme().panel;
-    style.align = render::Align::center;
-    const Vec2<double> tip = centre + v * (1 + 0.13 / v.norm()) * (scale.pixels_per_unit / camera.scale);
-    page.canvas().text(camera.project(tip) + Point(0, 0.35 * style.size), std::to_string(i + 1), style);
+    const Motion& motion = rod.asked[i];
+    const Vec3<double>& v = motion.velocity;
+    std::string name = std::to_string(i + 1);
+    if (answered && motion.rate != 0) name += ": " + significant(motion.rate) + " m/s";
+    draw_velocity(page, camera, scale,
+                  {.kind = render::ArrowKind::velocity,
+                   .tail = answered ? rod.settings.anchor : rod.pose.position,
+                   .value = answered ? at_anchor(rod, v) : Vec2<double>(v.head<2>())},
+                  name);
+    if (answered || v.z() == 0) continue;
+    draw_arc(page, camera,
+             {.center = rod.pose.position,
+              .radius = 0.95,
+              .middle = -1.95,
+              .sign = v.z() > 0 ? 1.0 : -1.0,
+              .label = fmt::format("{}: {} rad/s", i + 1, significant(v.z())),
+              .color = page.theme().velocity});
   }
 }
 
@@ -180,18 +214,23 @@ void draw_asked(Page& page, const render::Camera& camera, const Rod& rod) {
 
 void draw_rod(Page& page, const Rect& rect, const Rod& rod, const RodLook& look) {
   const Rect inside = page.panel(rect, "");
-  const render::Camera camera = rod_camera(inside, rod);
+  const render::Camera camera = rod_camera(inside, rod, look);
   page.canvas().push_clip(inside);
   if (look.circles) draw_circles(page, camera, rod, look);
-  const FixedList<Snapshot, 1> before = {rod.snapshot};
-  if (look.ghost) draw_ghosts(page, camera, before);
+  List<Snapshot> others;
+  for (const Pose<double>& pose : look.others) others.push_back(moved_to(rod, pose));
+  for (const Snapshot& other : others) draw_ghosts(page, camera, Span<const Snapshot>(&other, 1));
   draw_world(page, camera, moved_to(rod, look.pose), {.names = {"", ""}, .contacts = false});
+  page.avoid({camera.project({0, 0}), camera.project(look.pose.world(rod.local_anchor))});
   page.canvas().circle(camera.project({0, 0}), page.sizes().joint,
                        {.fill = page.theme().panel, .outline = page.theme().outline, .outline_width = 2});
-  keep_off_box(page, camera, look.pose);
+  if (look.errors) {
+    for (const Pose<double>& pose : look.others) draw_error(page, camera, rod, pose);
+    draw_error(page, camera, rod, look.pose);
+  }
   if (look.direction || look.force) draw_row_arrows(page, camera, rod, look);
-  if (look.asked) draw_asked(page, camera, rod);
-  if (look.velocity) draw_velocity_arrows(page, camera, rod, look);
+  if (look.asked || look.answered) draw_asked(page, camera, rod, look.answered);
+  if (look.velocity) draw_velocities(page, camera, rod, *look.velocity);
   page.canvas().pop_clip();
 }
 
