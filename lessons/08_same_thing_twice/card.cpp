@@ -20,12 +20,15 @@ LessonInfo card() {
       .reads = {"src/solvers/iterative/projected_gauss_seidel.cpp",
                 "src/solvers/iterative/sequential_impulse.cpp"},
       .question =
-          "After 50 sweeps in single precision: will the impulses of PGS and SI be equal to the last bit? "
-          "(1: yes, 0: no)",
-      .spoilers = {"rounded", "rounding", "5.5 · 10⁻⁵"},
-      .hints = {"Insert (26) into (27), and look for a row of A.",
-                "(a + b) + c and a + (b + c) are the same number, but not the same float.",
-                "Each row adds up about twenty numbers, and each solver in another order."},
+          "A float has about 7 decimal digits, and every addition rounds the last one. PGS and SI do the "
+          "same "
+          "additions in another order: after 50 sweeps of 20 rows, in how many digits do their largest "
+          "impulses still agree?",
+      .spoilers = {"5.8", "5.5 · 10⁻⁵", "About six"},
+      .hints = {"(a + b) + c and a + (b + c) are the same number, but not the same float.",
+                "Each of the 1000 updates rounds a few times, up and down. Do the errors all add up?",
+                "A sweep pulls both towards the same answer, whatever was rounded before. It loses about one "
+                "digit in all."},
       .parameters = {{"dt", 0.02, 0.0001, 1, "s", "time step"},
                      {"sweeps", 50, 2, 1000, "", "sweeps", Parameter::Kind::whole},
                      {"seed", 1, 0, 1e9, "", "of the random problem", Parameter::Kind::whole}},

@@ -88,10 +88,9 @@ void check_masses(Lesson& lesson, const TwiceRun& run) {
   double change = 0;
   for (int i = 0; i < once.impulse.size(); ++i)
     change = std::max(change, std::abs(once.impulse[i] - each.impulse[i]) / run.settings.dt);
-  lesson.check_small(
-      fmt::format("effective masses computed once ({}), not each time ({}): change of λ (N)",
-                  once.masses, each.masses),
-      change, 0);
+  lesson.check_small(fmt::format("effective masses computed once ({}), not each time ({}): change of λ (N)",
+                                 once.masses, each.masses),
+                     change, 0);
 }
 
 }  // namespace cairn::twice

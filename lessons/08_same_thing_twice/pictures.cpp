@@ -1,16 +1,15 @@
-// The matrix that PGS sees, the impulses of both solvers in pairs, and the digits in which they differ.
+// Each row update of both solvers, then each sweep, and the digits in which they part.
 #include "parts.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
 
 #include "lessons/question.hpp"
 #include "math/list.hpp"
-#include "render/matrix.hpp"
+#include "panels.hpp"
 #include "render/plot.hpp"
 
 namespace cairn::twice {
@@ -23,31 +22,8 @@ using render::Rect;
 
 using Run = std::shared_ptr<const TwiceRun>;
 
-/// Lambda of both solvers at one moment [N].
-struct Moment {
-  PerRow<double> pgs = {};
-  PerRow<double> si = {};
-  double largest =
-      1;  // what fills the chart: one value for all frames of the first sweep, one for all later ones
-  int active = -1;
-};
-
-double largest_of_first_sweep(const TwiceRun& run) {
-  double largest = 0;
-  for (const RowStep& step : run.steps) largest = std::max(largest, std::abs(step.si));
-  return largest;
-}
-
-double largest_of_all_sweeps(const TwiceRun& run) {
-  double largest = 0;
-  for (const PerRow<double>& sweep : run.si) {
-    for (const double value : sweep) largest = std::max(largest, std::abs(value));
-  }
-  return largest;
-}
-
 Moment after_row(const TwiceRun& run, int row) {
-  Moment moment{.pgs = run.pgs[0], .si = run.si[0], .largest = largest_of_first_sweep(run), .active = row};
+  Moment moment{.pgs = run.pgs[0], .si = run.si[0], .active = row, .unclamped = run.steps[row].by_27};
   for (int i = 0; i <= row; ++i) {
     moment.pgs[i] = run.steps[i].pgs;
     moment.si[i] = run.steps[i].si;
@@ -55,123 +31,70 @@ Moment after_row(const TwiceRun& run, int row) {
   return moment;
 }
 
-Moment after_sweep(const TwiceRun& run, int sweep) {
-  return {.pgs = run.pgs[sweep],
-          .si = run.si[sweep],
-          .largest = sweep > 0 ? largest_of_all_sweeps(run) : largest_of_first_sweep(run)};
-}
-
-/// What colours mean, from the right end of a line to the left.
-void draw_key(Page& page, const Rect& inside, const List<std::pair<std::string, render::Color>>& entries) {
-  const double size = page.label().size;
-  double x = inside.x + inside.width;
-  for (const auto& [name, color] : entries) {
-    x -= page.canvas().text_width(name, page.label());
-    page.canvas().text({x, inside.y + size}, name, page.label());
-    x -= 18;
-    page.canvas().rect({x, inside.y + size - 12, 12, 12},
-                       {.fill = color, .outline = page.theme().outline, .outline_width = 1});
-    x -= 18;
-  }
-}
-
-/// Two bars for every row, side by side: they never part.
-void draw_pairs(Page& page, const Rect& rect, const Moment& moment) {
-  render::Canvas& canvas = page.canvas();
-  const Rect inside = page.panel(rect, "accumulated λ of each row (N)");
-  draw_key(page, {inside.x, rect.y + 8, inside.width, 20},
-           {{"SI", page.theme().si.color}, {"PGS", page.theme().pgs.color}});
-  const double largest = moment.largest;
-  render::TextStyle tick = page.tick();
-  tick.align = render::Align::right;
-  const double gutter = canvas.text_width("−000", tick) + 6;
-  const Rect field = {inside.x + gutter, inside.y + 6, inside.width - gutter, inside.height - tick.size - 14};
-  const double zero = field.y + field.height / 2;
-  const double per_newton = 0.5 * field.height / largest;
-  const double value = std::pow(10, std::floor(std::log10(largest)));
-  const double level = std::floor(largest / value) * value;
-  for (const double y : {-level, 0.0, level}) {
-    const double at = zero - y * per_newton;
-    canvas.line({field.x, at}, {field.x + field.width, at}, {.width = 1, .color = page.theme().grid});
-    canvas.text({field.x - 6, at + 0.35 * tick.size}, fixed(y, 0), tick);
-  }
-  const double pitch = field.width / moment.si.size();
-  for (int i = 0; i < moment.si.size(); ++i) {
-    const bool active = i == moment.active;
-    const double left = field.x + i * pitch;
-    const auto bar = [&](double x, double lambda, render::Color color) {
-      canvas.rect({x, zero - std::max(lambda, 0.0) * per_newton, 0.4 * pitch, std::abs(lambda) * per_newton},
-                  {.fill = color, .outline = page.theme().outline, .outline_width = active ? 2.0 : 0.0});
-    };
-    bar(left + 0.1 * pitch, moment.pgs[i], page.theme().pgs.color);
-    bar(left + 0.5 * pitch, moment.si[i], page.theme().si.color);
-    if (i % 5 != 4 && !active && i != 0) continue;
-    render::TextStyle name = page.tick();
-    name.align = render::Align::center;
-    name.bold = active;
-    const bool beside = moment.active >= 0 && !active && std::abs(i - moment.active) == 1;
-    if (!beside)
-      canvas.text({left + 0.5 * pitch, inside.y + inside.height - 4}, fmt::format("{}", i + 1), name);
-  }
-  canvas.line({field.x, zero}, {field.x + field.width, zero}, {.width = 1.5, .color = page.theme().outline});
-}
-
-void draw_system(Page& page, const Rect& rect, const TwiceRun& run, int active) {
-  render::MatrixView view{
-      .title = "A = J M^{−1} J^{T} (1/kg)", .values = run.system.A, .active_row = active, .numbers = false};
-  for (int i = 1; i <= run.problem.row_count(); ++i) {
-    const std::string name = i == 1 || i % 5 == 0 ? fmt::format("{}", i) : "";
-    view.row_names.push_back(name);
-    view.column_names.push_back(name);
-  }
-  draw_matrix(page, rect, view);
-  const double largest = run.system.A.cwiseAbs().maxCoeff();
-  draw_key(page, rect,
-           {{fixed(-largest, 1), page.theme().negative},
-            {fixed(largest, 1, render::Sign::always), page.theme().positive}});
-}
-
-/// Matrix left, pairs right on top; returns what is free below the pairs.
-Rect draw_moment(Page& page, const TwiceRun& run, const Moment& moment) {
-  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
-  draw_system(page, halves[0], run, moment.active);
-  const List<Rect> panels = rows(halves[1], {0.56, 0.44}, page.sizes().gap);
-  draw_pairs(page, panels[0], moment);
-  return panels[1];
-}
-
-/// All 17 digits, so that the last ones show where two accounts part.
-std::string all_digits(double value) {
-  std::string text = fmt::format("{:.16g}", value);
-  if (text.front() == '-') text = "−" + text.substr(1);
-  return text;
-}
-
 std::string power(double value) { return value == 0 ? "0" : render::significant(value, 2); }
 
+/// What either solver reads for this row.
+std::string reads(const TwiceRun& run, int row) {
+  int entries = 0;
+  for (int j = 0; j < run.problem.row_count(); ++j) entries += run.system.A(row, j) != 0;
+  const ConstraintRow<double>& line = run.problem.rows[row];
+  return fmt::format(
+      "PGS reads {} entries of the framed row, and the λ that belong to them. SI reads two velocities, of "
+      "bodies {} and {}: j·v = {} m/s.",
+      entries, line.a.index + 1, line.b.index + 1, fixed(run.steps[row].row_velocity, 3));
+}
+
 void draw_row(Page& page, const TwiceRun& run, int row) {
-  const Moment moment = after_row(run, row);
-  const Rect panel = draw_moment(page, run, moment);
+  const List<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
+  const List<Rect> left = rows(halves[0], {0.76, 0.24}, page.sizes().gap);
+  const List<Rect> right = rows(halves[1], {0.56, 0.44}, page.sizes().gap);
+  draw_system(page, left[0], run, row);
+  page.note(left[1], "", reads(run, row));
+  draw_pairs(page, right[0], after_row(run, row), range_of(run));
   const RowStep& step = run.steps[row];
-  render::TableView table;
-  table.header = {"the same row, three ways", "λ (N)"};
-  table.rows = {{"(27) SI: from v", all_digits(step.by_27)},
-                {"(29) in between", all_digits(step.by_29)},
-                {"(28) PGS: from A, b", all_digits(step.by_28)},
-                {"(27) − (28)", power(step.by_27 - step.by_28)},
-                {"λ after clamping", all_digits(step.si)}};
-  page.table(panel, fmt::format("row {} of {}", row + 1, run.problem.row_count()), table);
+  const auto digits = [](double value) { return all_digits(value, 17); };
+  const std::string clamped = step.si == step.by_27 ? "" : "; clamped to 0";
+  draw_digits(page, right[1],
+              fmt::format("the λ of row {} before clamping, computed in three ways (N)", row + 1),
+              {{"(27) SI: from v", digits(step.by_27)},
+               {"(29) in between", digits(step.by_29)},
+               {"(28) PGS: from A, b", digits(step.by_28)}},
+              fmt::format("(27) − (28) = {} N{}", power(step.by_27 - step.by_28), clamped));
 }
 
 void draw_sweep(Page& page, const TwiceRun& run, int sweep) {
-  const Rect panel = draw_moment(page, run, after_sweep(run, sweep));
+  const List<Rect> panels = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
+  draw_pairs(page, panels[0], {.pgs = run.pgs[sweep], .si = run.si[sweep]}, range_of(run));
   render::TableView table;
   table.header = {"precision", "largest |λ_{PGS} − λ_{SI}|", "of the largest λ"};
   for (const PrecisionRun& precision : run.precisions) {
     const double difference = precision.difference[sweep];
     table.rows.push_back({precision.name, power(difference) + " N", power(difference / precision.scale)});
   }
-  page.table(panel, fmt::format("after sweep {}", sweep), table);
+  const List<Rect> below = columns(panels[1], {0.6, 0.4}, page.sizes().gap);
+  page.table(below[0], fmt::format("after sweep {}", sweep), table);
+  const auto spacings = [&](int p) {
+    const PrecisionRun& precision = run.precisions[p];
+    return fixed(precision.difference[sweep] / precision.scale / precision.epsilon, 0);
+  };
+  page.note(below[1], "",
+            fmt::format("{} updates, and the two have parted by {}, {} and {} spacings ε of their numbers.",
+                        sweep * run.problem.row_count(), spacings(0), spacings(1), spacings(2)));
+}
+
+/// The two stories: what each solver looks at in one update.
+void draw_question(Page& page, const Rect& rect, const TwiceRun& run) {
+  const List<Rect> parts = rows(rect, {0.38, 0.3, 0.32}, page.sizes().gap);
+  const List<Rect> top = columns(parts[0], {0.66, 0.34}, page.sizes().gap);
+  page.equation(top[0], {.number = "PGS: a row of A, and all other λ",
+                         .symbols = "λ_{i} ← (b_{i} − Σ A_{ij} λ_{j}) / A_{ii}"});
+  draw_system(page, top[1], run, 6);
+  const List<Rect> middle = columns(parts[1], {0.66, 0.34}, page.sizes().gap);
+  page.equation(middle[0], {.number = "SI: two bodies, and a push at once",
+                            .symbols = "λ_{i} ← λ_{i} + (ζ − j·v) / (j M^{−1} j^{T} Δt)"});
+  draw_two_bodies(page, middle[1]);
+  draw_digits(page, parts[2], fmt::format("one λ after {} sweeps in float (N)", run.settings.sweeps),
+              {{"PGS", "?? . ?????"}, {"SI", "?? . ?????"}}, "How many digits are the same?");
 }
 
 void draw_differences(Page& page, const Rect& rect, const TwiceRun& run) {
@@ -199,7 +122,7 @@ void draw_differences(Page& page, const Rect& rect, const TwiceRun& run) {
 
 Shot row_shot(const Run& run, int row) {
   const RowStep& step = run->steps[row];
-  const std::set<int> keys = {0, 1, 14, 15, 19};  // the last but one is clamped, for most seeds
+  const std::set<int> keys = {0, 1, 15, 19};  // the last but one is clamped, for most seeds
   return {.state = fmt::format("sweep 1 · row {} of {}", row + 1, run->problem.row_count()),
           .alt = fmt::format(
               "Row {} of the first sweep: SI arrives at {:.12g} N by (27), PGS at {:.12g} N by (28).",
@@ -217,6 +140,18 @@ Shot sweep_shot(const Run& run, int sweep) {
           .key = sweep == 10 || sweep == run->settings.sweeps};
 }
 
+/// Where the digits part in two precisions, and how the difference goes on.
+void draw_answer(Page& page, const Rect& rect, const TwiceRun& run) {
+  const List<Rect> parts = rows(rect, {0.23, 0.23, 0.54}, page.sizes().gap);
+  for (int p = 0; p < 2; ++p) {
+    const PrecisionRun& precision = run.precisions[p];
+    draw_digits(page, parts[p],
+                fmt::format("{}: λ (N) of row {}, which differs most", precision.name, precision.row + 1),
+                {{"PGS", precision.pgs}, {"SI", precision.si}}, "");
+  }
+  draw_differences(page, parts[2], run);
+}
+
 }  // namespace
 
 List<Shot> twice_shots(const TwiceRun& recorded) {
@@ -224,28 +159,22 @@ List<Shot> twice_shots(const TwiceRun& recorded) {
   const int last = run->settings.sweeps;
   List<Shot> shots = {question_shot(
       card(), {.state = "before the first sweep",
-               .alt = "The matrix A of a random problem of twenty rows, and the question.",
-               .scene = [run](Page& page, const Rect& rect) { draw_system(page, rect, *run, -1); }})};
+               .alt = "What PGS and what SI look at in one update, one impulse of both with unknown digits, "
+                      "and the question.",
+               .scene = [run](Page& page, const Rect& rect) { draw_question(page, rect, *run); }})};
   for (int row = 0; row < run->problem.row_count(); ++row) shots.push_back(row_shot(run, row));
   for (int sweep = 2; sweep <= last; ++sweep) shots.push_back(sweep_shot(run, sweep));
-  shots.push_back(
-      {.state = fmt::format("{} sweeps, three precisions", last),
-       .alt = "Differences of PGS and SI against sweeps in float, double and long double: each stays near "
-              "the spacing of its numbers.",
-       .draw = [run](Page& page) { draw_differences(page, page.area(), *run); },
-       .key = true});
+  const PrecisionRun& in_float = run->precisions[0];
   shots.push_back(answer_shot(
       card(),
       {.state = fmt::format("after sweep {0} of {0}", last),
-       .alt = "The differences of both solvers in three precisions, and the answer.",
-       .scene = [run](Page& page, const Rect& rect) { draw_differences(page, rect, *run); }},
+       .alt = "The digits in which both solvers agree, in float and in double, their differences against "
+              "sweeps in three precisions, and the answer.",
+       .scene = [run](Page& page, const Rect& rect) { draw_answer(page, rect, *run); }},
       fmt::format(
-          "{} They are one algorithm, but each solver adds its terms in another order, and each addition is "
-          "rounded. After sweep {} they differ by {} of the largest λ in single precision, in double "
-          "precision by {}.",
-          run->precisions[0].difference.back() > 0 ? "No." : "Here they are.", last,
-          power(run->precisions[0].difference.back() / run->precisions[0].scale),
-          power(run->precisions[1].difference.back() / run->precisions[1].scale))));
+          "About {}: they differ by {} of the largest λ. They are one algorithm, and rounding costs one "
+          "digit, in each precision.",
+          fixed(in_float.digits(), 1), power(in_float.difference.back() / in_float.scale))));
   return shots;
 }
 

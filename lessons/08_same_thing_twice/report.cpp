@@ -46,8 +46,9 @@ void tell_precisions(Lesson& lesson, const TwiceRun& run) {
                            run.settings.sweeps, run.at_bound, run.problem.row_count()));
   for (const PrecisionRun& precision : run.precisions) {
     const double gap = precision.difference.back();
-    lesson.print(fmt::format("  {:<12} {:>9.1e} N of {:.1f} N: {:.1e}, where ε is {:.1e}", precision.name,
-                             gap, precision.scale, gap / precision.scale, precision.epsilon));
+    lesson.print(fmt::format("  {:<12} {:>9.1e} N of {:.1f} N: {:.1e}, {:.1f} digits; ε is {:.1e}",
+                             precision.name, gap, precision.scale, gap / precision.scale, precision.digits(),
+                             precision.epsilon));
   }
   lesson.print("Erratum: in (28) of the paper read i for l, and m for n; both sums use the newest η.");
   lesson.print();
@@ -72,6 +73,11 @@ void check_claims(Lesson& lesson, const TwiceRun& run) {
   check_eta(lesson, run);
   for (const PrecisionRun& precision : run.precisions) check_precision(lesson, precision);
   check_precision(lesson, run.warm);
+  // Every rounding error is a share of ε, so a finer ε gives as many digits more; which way each falls is
+  // chance, and a factor of ten is allowed for it.
+  lesson.check_equal("double agrees to as many more digits as its ε is finer",
+                     run.precisions[1].digits() - run.precisions[0].digits(),
+                     std::log10(run.precisions[0].epsilon / run.precisions[1].epsilon), 1);
   // Every update rounds two bodies' velocities, which are of the size of M^-1 J^T lambda dt: at most 10 a
   // row.
   const double updates = static_cast<double>(run.settings.sweeps) * run.problem.row_count();

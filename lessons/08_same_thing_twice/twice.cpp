@@ -1,6 +1,8 @@
 // A random problem, and what both solvers of the library make of it.
 #include "twice.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -69,6 +71,13 @@ PrecisionRun compare(const std::string& name, const VelocityProblem<double>& pro
     }
     run.difference.push_back(static_cast<double>(largest) / problem.dt);
   }
+  const PerRow<Real>&last_pgs = for_pgs.impulse, &last_si = for_si.impulse;
+  for (int i = 0; i < last_pgs.size(); ++i) {
+    if (std::abs(last_pgs[i] - last_si[i]) > std::abs(last_pgs[run.row] - last_si[run.row])) run.row = i;
+  }
+  const Real dt = for_pgs.dt;
+  run.pgs = all_digits(last_pgs[run.row] / dt, std::numeric_limits<Real>::max_digits10);
+  run.si = all_digits(last_si[run.row] / dt, std::numeric_limits<Real>::max_digits10);
   return run;
 }
 
@@ -123,6 +132,11 @@ VelocityProblem<double> random_problem(const TwiceSettings& settings) {
 }
 
 }  // namespace
+
+std::string all_digits(long double value, int digits) {
+  const std::string text = fmt::format("{:.{}g}", value, digits);
+  return text.front() == '-' ? "−" + text.substr(1) : text;
+}
 
 TwiceRun solve_with_the_library(const TwiceSettings& settings) {
   TwiceRun run{.settings = settings, .problem = random_problem(settings)};

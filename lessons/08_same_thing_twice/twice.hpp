@@ -1,6 +1,7 @@
 // A random problem, solved by both solvers and watched row by row, in three precisions.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -35,6 +36,11 @@ struct PrecisionRun {
   double epsilon = 0;            // the spacing of numbers near 1
   List<double> difference = {};  // max |lambda_PGS - lambda_SI| after each sweep [N]
   double scale = 0;              // max |lambda| of all sweeps [N]
+  int row = 0;                   // from 0, the one in which they differ most in the end
+  std::string pgs = {};          // its lambda [N] of PGS with all digits that this precision has
+  std::string si = {};           // and of SI
+  /// In how many decimal digits of the largest lambda they agree in the end.
+  double digits() const { return -std::log10(difference.back() / scale); }
 };
 
 struct TwiceRun {
@@ -49,6 +55,9 @@ struct TwiceRun {
   double identity_error = 0;  // max |v - (v0 + M^-1 J^T eta dt)| over all row updates of SI [m/s], (26)
   int at_bound = 0;           // rows that end at lambda = 0
 };
+
+/// A number with as many significant digits; minus sign U+2212.
+std::string all_digits(long double value, int digits);
 
 /// Everything but `steps`.
 TwiceRun solve_with_the_library(const TwiceSettings& settings);

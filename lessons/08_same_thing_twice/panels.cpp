@@ -1,0 +1,152 @@
+// The impulses of both solvers in pairs, the matrix, and numbers whose last digits differ.
+#include "panels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render/matrix.hpp"
+#include "render/plot.hpp"
+
+namespace cairn::twice {
+
+namespace {
+
+using render::fixed;
+using render::Page;
+using render::Point;
+using render::Rect;
+
+/// Where the bars stand.
+struct PairField {
+  Rect rect = {};
+  double zero = 0;        // [px] of lambda = 0
+  double per_newton = 0;  // [px/N]
+  double pitch = 0;       // [px] from row to row
+};
+
+/// The two bars of a row, and empty what the clamp cuts off.
+void draw_pair(Page& page, const PairField& field, const Moment& moment, int i) {
+  const bool active = i == moment.active;
+  const double left = field.rect.x + (i + 0.1) * field.pitch;
+  const auto bar = [&](double at, double width, double lambda, const render::Paint& paint) {
+    const double top = field.zero - std::max(lambda, 0.0) * field.per_newton;
+    page.canvas().rect(
+        {left + at * field.pitch, top, width * field.pitch, std::abs(lambda) * field.per_newton}, paint);
+  };
+  const render::Color outline = page.theme().outline;
+  const double line = active ? 2 : 0;
+  bar(0, 0.4, moment.pgs[i], {.fill = page.theme().pgs.color, .outline = outline, .outline_width = line});
+  bar(0.4, 0.4, moment.si[i], {.fill = page.theme().si.color, .outline = outline, .outline_width = line});
+  if (active && moment.si[i] != moment.unclamped)
+    bar(0, 0.8, moment.unclamped, {.outline = page.theme().secondary_text, .outline_width = 1.5});
+  const bool beside = moment.active >= 0 && std::abs(i - moment.active) == 1;
+  if (!active && (beside || (i % 5 != 4 && i != 0))) return;
+  render::TextStyle name = page.tick();
+  name.align = render::Align::center;
+  name.bold = active;
+  page.canvas().text({left + 0.4 * field.pitch, field.rect.y + field.rect.height + name.size + 6},
+                     fmt::format("{}", i + 1), name);
+}
+
+}  // namespace
+
+Range range_of(const TwiceRun& run) {
+  Range range;
+  const auto add = [&range](double value) {
+    range = {std::min(range.low, value), std::max(range.high, value)};
+  };
+  for (const RowStep& step : run.steps) add(step.by_27);
+  for (const PerRow<double>& sweep : run.si) std::for_each(sweep.begin(), sweep.end(), add);
+  return range;
+}
+
+void draw_pairs(Page& page, const Rect& rect, const Moment& moment, const Range& range) {
+  render::Canvas& canvas = page.canvas();
+  const Rect inside = page.panel(rect, "λ of rows 1 to 20 (N), a pair for each:");
+  double x = inside.x + canvas.text_width("λ of rows 1 to 20 (N), a pair for each:", page.secondary()) + 16;
+  for (const auto& [name, color] :
+       {std::pair("PGS", page.theme().pgs.color), std::pair("SI", page.theme().si.color)}) {
+    canvas.rect({x, rect.y + 17, 12, 12}, {.fill = color});
+    canvas.text({x + 18, rect.y + 29}, name, page.label());
+    x += 80;
+  }
+  render::TextStyle tick = page.tick();
+  tick.align = render::Align::right;
+  const double gutter = canvas.text_width("−000", tick) + 6;
+  PairField field{{inside.x + gutter, inside.y + 6, inside.width - gutter, inside.height - tick.size - 14}};
+  field.per_newton = field.rect.height / (range.high - range.low);
+  field.zero = field.rect.y + range.high * field.per_newton;
+  field.pitch = field.rect.width / moment.si.size();
+  const double end = field.rect.x + field.rect.width;
+  for (const double y : render::round_ticks(range.low, range.high, 6)) {
+    const double at = field.zero - y * field.per_newton;
+    canvas.line({field.rect.x, at}, {end, at}, {.width = 1, .color = page.theme().grid});
+    canvas.text({field.rect.x - 6, at + 0.35 * tick.size}, fixed(y, 0), tick);
+  }
+  for (int i = 0; i < moment.si.size(); ++i) draw_pair(page, field, moment, i);
+  canvas.line({field.rect.x, field.zero}, {end, field.zero}, {.width = 1.5, .color = page.theme().outline});
+}
+
+void draw_system(Page& page, const Rect& rect, const TwiceRun& run, int active) {
+  render::MatrixView view{
+      .title = "A = J M^{−1} J^{T} (1/kg)", .values = run.system.A, .active_row = active, .numbers = false};
+  for (int i = 1; i <= run.problem.row_count(); ++i) {
+    const std::string name = i == 1 || i % 5 == 0 ? fmt::format("{}", i) : "";
+    view.row_names.push_back(name);
+    view.column_names.push_back(name);
+  }
+  draw_matrix(page, rect, view);
+}
+
+void draw_two_bodies(Page& page, const Rect& rect) {
+  const double radius = 0.22 * rect.height;
+  const Point middle(rect.x + rect.width / 2, rect.y + rect.height / 2);
+  render::TextStyle style = page.label();
+  style.align = render::Align::center;
+  for (const double side : {-1.0, 1.0}) {
+    const Point at = middle + Point(side * 1.5 * radius, 0), to = middle + Point(side * 0.55 * radius, 0);
+    page.canvas().circle(at, radius,
+                         {.fill = side < 0 ? page.theme().active_a : page.theme().active_b,
+                          .outline = page.theme().outline,
+                          .outline_width = page.sizes().outline});
+    page.canvas().text(at + Point(0, 6), side < 0 ? "v_{a}" : "v_{b}", style);
+    page.canvas().line(middle, to, {.width = 5, .color = page.theme().normal});
+    const FixedList<Point, 3> head = {to + Point(0, 9), to + Point(0, -9), to + Point(side * 14, 0)};
+    page.canvas().polygon(head, {.fill = page.theme().normal});
+  }
+}
+
+void draw_digits(Page& page, const Rect& rect, const std::string& title, const List<Digits>& lines,
+                 const std::string& below) {
+  const Rect inside = page.panel(rect, title);
+  render::Canvas& canvas = page.canvas();
+  std::size_t same = 0;
+  const std::string& first = lines[0].digits;
+  const auto agree = [&](const Digits& line) {
+    return line.digits.compare(0, same + 1, first, 0, same + 1) == 0;
+  };
+  while (same < first.size() && std::all_of(lines.begin(), lines.end(), agree)) ++same;
+  const double pitch =
+      std::min(44.0, inside.height / (static_cast<double>(lines.size()) + (below.empty() ? 0 : 1)));
+  const render::TextStyle plain{.size = 24, .color = page.theme().secondary_text, .mono = true};
+  render::TextStyle lit = plain;
+  lit.bold = true;
+  lit.color = page.theme().text;
+  const double x = inside.x + 0.36 * inside.width;
+  double y = inside.y + 0.75 * pitch;
+  for (const Digits& line : lines) {
+    const std::string head = line.digits.substr(0, same), tail = line.digits.substr(same);
+    const double split = x + canvas.text_width(head, plain), width = canvas.text_width(tail, lit);
+    canvas.text({inside.x, y}, line.name, page.label());
+    canvas.text({x, y}, head, plain);
+    if (!tail.empty()) canvas.rect({split - 2, y - 22, width + 4, 29}, {.fill = page.theme().active_b});
+    canvas.text({split, y}, tail, lit);
+    y += pitch;
+  }
+  canvas.text({inside.x, y}, below, page.label());
+}
+
+}  // namespace cairn::twice
