@@ -129,13 +129,15 @@ int least_rows(const BillRun& run) {
 
 List<Stage> stages_of(const NeedsSettings& settings, const Switches& switches, double tolerance) {
   using enum Thing;
+  List<Stage> stages;
+  // [islands]
   const List<List<Thing>> split = {{pyramid_and_ball}, {tower}, {chain}};
   const List<List<Thing>> whole = {{pyramid_and_ball, tower, chain}};
-  List<Stage> stages;
   for (const List<Thing>& things : switches.by_island ? split : whole) {
     stages.push_back({World<double>(scene_of(settings, switches, things)),
                       SequentialImpulse<double>({.iterations = settings.sweeps, .tolerance = tolerance})});
   }
+  // [/islands]
   return stages;
 }
 

@@ -38,8 +38,15 @@ List<Switches> all_switches();
 inline constexpr int everything = 0, shared_friction = 1, no_friction = 2, early = 3, by_islands = 4,
                      sleeping = 5, all_free = 6;
 
+/// Rows and sweeps of one stage in one step.
+struct StageBill {
+  int rows = 0;
+  int sweeps = 0;
+};
+
 /// What one step has cost.
 struct StepBill {
+  List<StageBill> stages = {};  // the whole scene, or pyramid with ball, tower, chain
   int rows = 0;
   int sweeps = 0;         // the most that any island has taken
   long long updates = 0;  // of rows: rows x sweeps

@@ -20,8 +20,7 @@ LessonInfo card() {
       .question =
           "A pyramid and a tower stand, a chain swings, a ball flies. If each step ends once the errors "
           "are down to a thousandth instead of after 50 sweeps, 91 % of the row updates are left. If "
-          "pyramid, "
-          "tower and chain each end by themselves: how many per cent?",
+          "pyramid, tower and chain each end by themselves: how many per cent?",
       .spoilers = {"39", "0.85 m"},
       .hints = {"Whom does everybody wait for, in a step that ends for all at once?",
                 "The islands are seldom hard to satisfy in the same step.",

@@ -19,19 +19,24 @@ namespace {
 using namespace cairn;
 using namespace cairn::needs;
 
+/// What tables and checks want to know of a step.
+void note(StepBill& bill, const Stage& stage, const StepReport& report) {
+  bill.stages.push_back({.rows = report.rows, .sweeps = report.rows > 0 ? report.sweeps : 0});
+  bill.rows += report.rows;
+  bill.awake += report.awake.bodies;
+  bill.sweeps = std::max(bill.sweeps, bill.stages.back().sweeps);
+  if (report.rows > 0 && report.solve.converged)
+    bill.residual = std::max(bill.residual, residual_left(stage));
+}
+
 /// One step of the whole scene, or of its islands one by one, and what it has cost.
 StepBill step(List<Stage>& stages) {
   StepBill bill;
   // [bill]
   for (Stage& stage : stages) {
     const StepReport report = stage.world.step(stage.solver, &stage.scale);
-    bill.rows += report.rows;
-    bill.awake += report.awake.bodies;
-    if (report.rows == 0) continue;  // all of it sleeps or flies: nothing to pay
-    bill.sweeps = std::max(bill.sweeps, report.sweeps);
-    bill.updates += static_cast<long long>(report.rows) * report.sweeps;
-    // The scale, seen before the first sweep, is what R_E is a share of.
-    if (report.solve.converged) bill.residual = std::max(bill.residual, residual_left(stage));
+    bill.updates += static_cast<long long>(report.rows) * report.sweeps;  // 0 where all of it sleeps or flies
+    note(bill, stage, report);
   }
   // [/bill]
   return bill;

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <set>
 
@@ -21,70 +20,79 @@ using render::Page;
 using render::Rect;
 using Run = std::shared_ptr<const NeedsRun>;
 
+/// The runs that the question compares, and sleep, have colours of their own.
+render::Color color_of(const Page& page, int run) {
+  const render::Theme& theme = page.theme();
+  if (run == early) return theme.box2d.color;
+  if (run == by_islands) return theme.si.color;
+  return run == sleeping ? theme.pgs.color : theme.body;
+}
+
 /// Horizontal bars, a number for each switch.
 void draw_amounts(Page& page, const Rect& rect, std::string_view title, const NeedsRun& all,
-                  const List<double>& amounts) {
+                  const List<double>& amounts, const std::string& unit) {
   const Rect inside = page.panel(rect, title);
-  const render::TextStyle name = page.tick();
-  render::TextStyle value = page.tick();
+  const render::TextStyle name = page.label();
+  render::TextStyle value = page.label();
   value.bold = true;
-  value.color = page.theme().text;
   double names = 0;
-  double most = 1;
-  for (int i = 0; i < amounts.size(); ++i) {
-    names = std::max(names, page.canvas().text_width(all.runs[i].switches.name, name));
-    most = std::max(most, amounts[i]);
-  }
+  for (const BillRun& run : all.runs)
+    names = std::max(names, page.canvas().text_width(run.switches.name, value));
+  const double most = std::max(1.0, *std::max_element(amounts.begin(), amounts.end()));
   const double left = inside.x + names + 10;
   const double longest = inside.x + inside.width - left - page.canvas().text_width("9999999", value);
   const double line = inside.height / amounts.size();
   for (int i = 0; i < amounts.size(); ++i) {
-    const double middle = inside.y + line * (i + 0.5);
+    const double middle = inside.y + line * (i + 0.5), width = longest * amounts[i] / most;
     const double base = middle + 0.36 * name.size;
-    const double width = longest * amounts[i] / most;
-    page.canvas().text({inside.x, base}, all.runs[i].switches.name, name);
+    page.canvas().text({inside.x, base}, all.runs[i].switches.name,
+                       i == early || i == by_islands ? value : name);
     page.canvas().rect({left, middle - 0.32 * line, width, 0.64 * line},
-                       {.fill = page.theme().si.color, .outline = page.theme().outline, .outline_width = 1});
-    page.canvas().text({left + width + 6, base}, fixed(amounts[i], 0), value);
+                       {.fill = color_of(page, i), .outline = page.theme().outline, .outline_width = 1});
+    page.canvas().text({left + width + 6, base}, fixed(amounts[i], 0) + unit, value);
   }
 }
 
 void draw_bill(Page& page, const Rect& rect, const NeedsRun& all, int step) {
   List<double> updates;
   for (const BillRun& run : all.runs) updates.push_back(static_cast<double>(run.steps[step - 1].updates));
-  draw_amounts(page, rect, "row updates of this step", all, updates);
+  draw_amounts(page, rect, "row updates of this step", all, updates, "");
 }
 
-/// All of them are SI, so that they share its colour.
-render::SeriesStyle style_of(const Page& page, int which) {
-  const FixedList<render::Marker, 3> markers = {render::Marker::square, render::Marker::circle,
-                                                render::Marker::triangle};
-  const FixedList<List<double>, 3> dashes = {List<double>{10, 6}, {3, 4}, {}};
-  return {.color = page.theme().si.color, .dash = dashes[which], .marker = markers[which]};
+/// The updates of all steps, in per cent of those of the run that leaves nothing out.
+double share_of(const NeedsRun& all, int run) {
+  return 100 * static_cast<double>(all.runs[run].updates) / static_cast<double>(all.runs[everything].updates);
 }
 
+void draw_shares(Page& page, const Rect& rect, const NeedsRun& all) {
+  List<double> shares;
+  for (int i = 0; i < all.runs.size(); ++i) shares.push_back(share_of(all, i));
+  draw_amounts(page, rect, "row updates of all steps", all, shares, " %");
+}
+
+/// A line that is level in each step.
 void draw_course(Page& page, const Rect& rect, const NeedsRun& all, int step) {
   render::Plot plot{.title = "row updates, step by step"};
   plot.x = {.title = "step", .min = 0, .max = all.settings.steps};
-  double most = 1;
-  int which = 0;
-  for (const int i : {everything, sleeping, by_islands}) {
-    List<double> updates = {std::numeric_limits<double>::quiet_NaN()};  // step 0 is not solved
-    for (const StepBill& bill : all.runs[i].steps) {
-      updates.push_back(static_cast<double>(bill.updates));
-      most = std::max(most, updates.back());
+  for (const int i : {early, by_islands, sleeping}) {
+    render::Series series{
+        .name = all.runs[i].switches.name, .style = {.color = color_of(page, i)}, .markers = false};
+    for (int k = 0; k < all.settings.steps; ++k) {
+      const auto updates = static_cast<double>(all.runs[i].steps[k].updates);
+      series.x.insert(series.x.end(), {static_cast<double>(k), k + 1.0});
+      series.y.insert(series.y.end(), {updates, updates});
     }
-    plot.series.push_back(over_steps(all.runs[i].switches.name, style_of(page, which++), updates));
+    plot.series.push_back(series);
   }
-  plot.y = {.min = 0, .max = 1.03 * most};
+  plot.y = {.min = 0};
   plot.now = step;
   draw_plot(page, rect, plot);
 }
 
 void draw_step(Page& page, const NeedsRun& all, int step) {
-  const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.56, 0.44}, page.sizes().gap);
   draw_scene(page, parts[0], all, step);
-  const List<Rect> below = columns(parts[1], {0.46, 0.54}, page.sizes().gap);
+  const List<Rect> below = columns(parts[1], {0.44, 0.56}, page.sizes().gap);
   draw_bill(page, below[0], all, step);
   draw_course(page, below[1], all, step);
 }
@@ -103,50 +111,22 @@ Shot step_shot(const Run& all, int step, bool key) {
 
 std::string millimetres(double metres) { return fixed(1000 * metres, metres < 0.1 ? 1 : 0); }
 
-void draw_total(Page& page, const Rect& rect, const NeedsRun& all) {
-  List<double> thousands;
-  for (const BillRun& run : all.runs) thousands.push_back(static_cast<double>(run.updates) / 1000);
-  draw_amounts(page, rect, "row updates of all steps, thousands", all, thousands);
-}
-
 void draw_table(Page& page, const NeedsRun& all) {
   render::TableView table;
-  table.header = {"switch", "rows", "least", "updates a step", "of all", "off before", "pyramid after (mm)"};
-  const auto of_all = static_cast<double>(all.runs[everything].updates);
-  for (const BillRun& run : all.runs) {
-    table.rows.push_back({run.switches.name, fmt::format("{}", run.steps[0].rows),
-                          fmt::format("{}", least_rows(run)),
-                          fmt::format("{}", run.updates / all.settings.steps),
-                          fixed(100 * static_cast<double>(run.updates) / of_all, 0) + " %",
-                          millimetres(run.off_before), millimetres(run.off_after)});
+  table.header = {"switch",          "rows",          "fewest", "updates a step", "of all",
+                  "off before (mm)", "off after (mm)"};
+  for (int i = 0; i < all.runs.size(); ++i) {
+    const BillRun& run = all.runs[i];
+    table.rows.push_back(
+        {run.switches.name, fmt::format("{}", run.steps[0].rows), fmt::format("{}", least_rows(run)),
+         fmt::format("{}", run.updates / all.settings.steps), fixed(share_of(all, i), 0) + " %",
+         millimetres(run.off_before), millimetres(run.off_after)});
   }
-  const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
-  page.table(parts[0], "", table);
-  const List<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
-  draw_total(page, below[0], all);
-  page.note(below[1], "Off",
+  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
+  page.table(parts[0], "rows of the first step, and the fewest of any step; updates; what it costs", table);
+  page.note(parts[1], "How far off",
             "How far bodies are from their places in a run with all rows, swept to R_{E} = 10^{−6}: any body "
             "before the ball hits (it is the top of the tower, which leans), boxes of the pyramid after it.",
-            question_growth);
-}
-
-void draw_choice(Page& page, const NeedsRun&) {
-  render::TableView table;
-  table.header = {"the scene has", "take", "because", "lesson"};
-  table.rows = {{"contacts and joints, as games have", "SI, warm", "no matrix", "06, 09"},
-                {"a use for A itself, few rows", "PGS", "A shows which rows couple", "08, 10"},
-                {"a processor for every row", "Jacobi, split", "no row waits", "16"},
-                {"joints of two or three rows", "blocks", "their rows at once", "12"},
-                {"springs, or rows that may give", "soft rows", "γ is all they add", "13"},
-                {"towers, heavy on light", "more sweeps, substeps", "a sweep removes little", "18, 19"},
-                {"things at rest", "sleep", "no rows at all", "20"}};
-  const List<Rect> parts = rows(page.area(), {0.58, 0.42}, page.sizes().gap);
-  table.text_columns = 4;
-  page.table(parts[0], "", table);
-  page.note(parts[1], "Section 5",
-            "The paper ends with SI as the better choice in most situations: the same "
-            "numbers as PGS, and easier to maintain. The lessons add when each of the others pays off. "
-            "The cheapest row is the one that the scene does not need.",
             question_growth);
 }
 
@@ -164,22 +144,12 @@ void draw_ruin(Page& page, const NeedsRun& all) {
       question_growth);
 }
 
-QuestionFrame moment(const Run& all, int step, const std::string& state, const std::string& alt) {
-  const auto scene = [all, step](Page& page, const Rect& rect) { draw_scene(page, rect, *all, step); };
-  return {.state = state, .alt = alt, .scene = scene, .place = ScenePlace::above};
-}
-
 std::string answer_text(const NeedsRun& all) {
-  const auto share = [&](int i) {
-    return fixed(
-        100 * static_cast<double>(all.runs[i].updates) / static_cast<double>(all.runs[everything].updates),
-        0);
-  };
   return fmt::format(
-      "{} %. The tower needs all {} sweeps in most steps. In one piece, pyramid and chain are swept as "
-      "often; by "
-      "themselves they stop after a few. Sleep leaves {} %, both with shared friction {} %.",
-      share(by_islands), all.settings.sweeps, share(sleeping), share(all_free));
+      "{:.0f} %. The tower needs all {} sweeps in most steps. In one piece with it, pyramid and chain are "
+      "swept "
+      "as often; by themselves they stop after a few. Sleep leaves {:.0f} %, all together {:.0f} %.",
+      share_of(all, by_islands), all.settings.sweeps, share_of(all, sleeping), share_of(all, all_free));
 }
 
 /// Steps worth a frame of their own: early, asleep, touched, late.
@@ -193,9 +163,11 @@ std::set<int> key_steps(const NeedsRun& all) {
 
 List<Shot> needs_shots(const NeedsRun& recorded) {
   const Run all = std::make_shared<const NeedsRun>(recorded);
-  List<Shot> shots = {
-      question_shot(card(), moment(all, 0, "before the first step",
-                                   "A pyramid, a tower, a chain and a ball in flight, and the question."))};
+  List<Shot> shots = {question_shot(
+      card(), {.state = "before the first step",
+               .alt = "A pyramid, a tower, a chain and a ball in flight, and the question",
+               .scene = [all](Page& page, const Rect& rect) { draw_scene(page, rect, *all, 0); },
+               .place = ScenePlace::above})};
   const std::set<int> keys = key_steps(*all);
   std::set<int> steps = keys;
   for (int step = 2; step < all->settings.steps; step += 2) steps.insert(step);
@@ -211,14 +183,17 @@ List<Shot> needs_shots(const NeedsRun& recorded) {
          .draw = [all](Page& page) { draw_ruin(page, *all); },
          .key = true});
   }
-  shots.push_back({.state = "what to take when",
-                   .alt = "A table: what a scene may have, and the solver or switch for it.",
-                   .draw = [all](Page& page) { draw_choice(page, *all); },
-                   .key = true});
+  const auto draw_answer = [all](Page& page, const Rect& rect) {
+    const List<Rect> parts = rows(rect, {0.45, 0.55}, page.sizes().gap);
+    draw_scene(page, parts[0], *all, all->settings.steps);
+    draw_shares(page, parts[1], *all);
+  };
   const std::string answer = answer_text(*all);
   shots.push_back(answer_shot(
       card(),
-      moment(all, all->settings.steps, "the answer", "The scene at the end, and the answer: " + answer),
+      {.state = "the answer",
+       .alt = "The scene at the end, the row updates of each run as bars, and the answer: " + answer,
+       .scene = draw_answer},
       answer));
   return shots;
 }

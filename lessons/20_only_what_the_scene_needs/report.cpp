@@ -42,6 +42,17 @@ void print_steps(Lesson& lesson, const NeedsRun& all) {
     }
     lesson.print(line);
   }
+  const List<StepBill>& steps = all.runs[by_islands].steps;
+  std::string line =
+      fmt::format("exit by island: steps of {} that take all {} sweeps:", steps.size(), all.settings.sweeps);
+  const FixedList<std::string, 3> names = {"pyramid", "tower", "chain"};
+  for (int i = 0; i < names.size(); ++i) {
+    const auto all_sweeps = [&](const StepBill& bill) {
+      return bill.stages[i].sweeps == all.settings.sweeps;
+    };
+    line += fmt::format("  {} {}", names[i], std::count_if(steps.begin(), steps.end(), all_sweeps));
+  }
+  lesson.print(line);
   lesson.print();
 }
 

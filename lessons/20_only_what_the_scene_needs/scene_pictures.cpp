@@ -1,4 +1,6 @@
 // The scene: islands in frames, and those that sleep pale.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "math/list.hpp"
@@ -36,8 +38,17 @@ Island island_of(const NeedsRun& all, const Snapshot& now, Group group) {
   return island;
 }
 
-/// A dashed frame around an island, with its name and whether it sleeps.
-void draw_island(Page& page, const render::Camera& camera, const Island& island, const std::string& name) {
+/// "40 rows × 50 sweeps": what an island has taken by itself in this step; before the first step only its
+/// rows.
+std::string swept_text(const NeedsRun& all, int stage, int step) {
+  const StageBill bill = all.runs[by_islands].steps[std::max(step, 1) - 1].stages[stage];
+  const std::string sweeps = step == 0 ? "?" : fmt::format("{}", bill.sweeps);
+  return fmt::format("{} rows × {} sweep{}", bill.rows, sweeps, sweeps == "1" ? "" : "s");
+}
+
+/// A frame around an island, dashed while it is awake, with its name and another line.
+void draw_island(Page& page, const render::Camera& camera, const Island& island, const std::string& name,
+                 const std::string& line) {
   const render::Theme& theme = page.theme();
   const double margin = 0.25;  // [m]
   const Point low =
@@ -46,32 +57,32 @@ void draw_island(Page& page, const render::Camera& camera, const Island& island,
   const bool asleep = island.awake == 0;
   const List<Point> frame = {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low};
   page.canvas().polyline(frame, {.width = page.sizes().axis,
-                                 .color = asleep ? theme.inactive : theme.si.color,
+                                 .color = asleep ? theme.inactive : theme.outline,
                                  .dash = asleep ? List<double>{2, 5} : List<double>{8, 5}});
   render::TextStyle text = page.tick();
   text.align = render::Align::center;
   text.halo = theme.panel;
-  const std::string state = asleep ? "asleep" : "awake";
   const double x = (low.x() + high.x()) / 2, above = high.y() - 0.4 * text.size;
-  const List<Point> places = {{x, above},
-                              {x, above - 1.3 * text.size},
-                              {x, low.y() + 1.3 * text.size},
-                              {x, above - 2.6 * text.size},
-                              {x, low.y() + 2.6 * text.size}};
-  page.place_text(places, camera.viewport, name + ": " + state, text);
+  page.canvas().text({x, above}, line, text);
+  text.bold = true;
+  page.canvas().text({x, above - 1.2 * text.size}, name + (asleep ? ": asleep" : ""), text);
 }
 
 Aabb<double> view_of(const NeedsSettings& settings) {
   const double right = 20 + 0.8 * settings.links;
-  const double top = std::max({settings.tower + 1.9, 0.8 * settings.links + 2.6, 7.4});
+  const double top = std::max({settings.tower + 0.4, 0.8 * settings.links + 1.6, 6.5});
   return {{-10, -0.45}, {right, top}};
 }
 
 }  // namespace
 
 void draw_scene(Page& page, const Rect& rect, const NeedsRun& all, int step) {
-  const Rect inside = page.panel(rect, "");
-  const render::Camera camera = render::fit(inside, view_of(all.settings));
+  const Rect inside = page.panel(
+      rect,
+      step == 0 ? "" : "rows × sweeps of the run \"exit by island\"; pale: asleep in the run \"sleep\"");
+  const double words = 2.9 * page.sizes().tick;  // two lines above the highest frame
+  const render::Camera camera =
+      render::fit({inside.x, inside.y + words, inside.width, inside.height - words}, view_of(all.settings));
   const Snapshot& now = all.runs[shown].frames[step];
   page.canvas().push_clip(inside);
   draw_world(page, camera, now, {.numbers = false, .contacts = false, .penetration = false});
@@ -81,16 +92,17 @@ void draw_scene(Page& page, const Rect& rect, const NeedsRun& all, int step) {
         page, camera, {.pixels_per_unit = 0.3 * camera.scale, .longest = 4 * camera.scale},
         {.kind = render::ArrowKind::velocity, .tail = ball.pose.position, .value = ball.velocity.head<2>()});
   }
-  draw_island(page, camera, island_of(all, now, Group::pyramid), "pyramid");
-  draw_island(page, camera, island_of(all, now, Group::tower), "tower");
-  draw_island(page, camera, island_of(all, now, Group::chain), "chain");
+  draw_island(page, camera, island_of(all, now, Group::pyramid), "pyramid", swept_text(all, 0, step));
+  draw_island(page, camera, island_of(all, now, Group::tower), "tower", swept_text(all, 1, step));
+  draw_island(page, camera, island_of(all, now, Group::chain), "chain", swept_text(all, 2, step));
   page.canvas().pop_clip();
 }
 
 void draw_pyramid(Page& page, const Rect& rect, const NeedsRun& all, int run) {
-  const Rect inside = page.panel(rect, all.runs[run].switches.name);
+  const Rect inside = page.panel(rect, all.runs[run].switches.name + "; thin: before the hit");
   const render::Camera camera = render::fit(inside, {{-5.5, -0.45}, {7.5, 5.5}});
   page.canvas().push_clip(inside);
+  draw_ghosts(page, camera, {&all.runs[run].frames[all.touch - 1], 1});  // before the hit
   draw_world(page, camera, all.runs[run].frames.back(),
              {.numbers = false, .contacts = false, .penetration = false});
   page.canvas().pop_clip();
