@@ -40,7 +40,7 @@ Shot answer_shot(const LessonInfo& info, const QuestionFrame& frame, const std::
       return;
     }
     rest = page.card(rest, "The question", info.question);
-    rest = page.card(rest, "The answer", answer, question_growth);
+    rest = page.card(rest, "The answer", answer);
     if (frame.evidence) frame.evidence(page, rest);
   };
   return {.state = frame.state, .alt = frame.alt, .draw = draw, .key = true};

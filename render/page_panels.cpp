@@ -168,6 +168,14 @@ NoteLayout note_layout(const Page& page, double width, double height, std::strin
   }
 }
 
+void draw_note(Page& page, const Rect& rect, const Rect& inner, const NoteLayout& layout,
+               std::string_view text) {
+  const double top = inner.y + in_the_middle * std::max(0.0, inner.height - layout.height);
+  page.canvas().push_clip(rect);
+  page.paragraph({inner.x, std::round(top + 0.85 * layout.style.size)}, inner.width, text, layout.style);
+  page.canvas().pop_clip();
+}
+
 }  // namespace
 
 void Page::equation(const Rect& rect, const Equation& equation) {
@@ -185,20 +193,17 @@ void Page::equation(const Rect& rect, const Equation& equation) {
 
 void Page::note(const Rect& rect, std::string_view title, std::string_view text, double growth) {
   const Rect inner = panel(rect, title);
-  const NoteLayout layout = note_layout(*this, inner.width, inner.height, text, growth);
-  const double top = inner.y + in_the_middle * std::max(0.0, inner.height - layout.height);
-  canvas_.push_clip(rect);
-  paragraph({inner.x, std::round(top + 0.85 * layout.style.size)}, inner.width, text, layout.style);
-  canvas_.pop_clip();
+  draw_note(*this, rect, inner, note_layout(*this, inner.width, inner.height, text, growth), text);
 }
 
 Rect Page::card(const Rect& rect, std::string_view title, std::string_view text, double growth) {
   const double frame = 2 * sizes_.padding + (title.empty() ? 0 : std::ceil(title_pitch * sizes_.label) + 1);
-  const double width = rect.width - 2 * sizes_.padding;
-  const double height = std::ceil(note_layout(*this, width, rect.height - frame, text, growth).height);
-  const double used = std::min(rect.height, height + frame + 0.5 * sizes_.padding);
-  note({rect.x, rect.y, rect.width, used}, title, text, growth);
-  const double below = std::min(rect.height, used + sizes_.gap);
+  const NoteLayout layout =
+      note_layout(*this, rect.width - 2 * sizes_.padding, rect.height - frame, text, growth);
+  const double height = std::min(rect.height, frame + std::ceil(layout.height) + 0.5 * sizes_.padding);
+  const Rect card = {rect.x, rect.y, rect.width, height};
+  draw_note(*this, card, panel(card, title), layout, text);
+  const double below = std::min(rect.height, height + sizes_.gap);
   return {rect.x, rect.y + below, rect.width, rect.height - below};
 }
 
