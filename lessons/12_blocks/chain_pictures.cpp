@@ -1,13 +1,13 @@
-// Three welded beams as sweeps go by, and where blocks help.
+// Three welded beams as sweeps go by, where blocks help, and the bars of the question.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"
-#include "render/matrix.hpp"
 #include "render/plot.hpp"
 
 namespace cairn::blocks {
@@ -15,6 +15,7 @@ namespace cairn::blocks {
 namespace {
 
 using render::Page;
+using render::Point;
 using render::Rect;
 
 const PerBody<Vec3<double>>& velocity_after(const ChainSolve& solve, int sweep) {
@@ -22,35 +23,12 @@ const PerBody<Vec3<double>>& velocity_after(const ChainSolve& solve, int sweep) 
 }
 
 void draw_wall(Page& page, const render::Camera& camera) {
-  const render::Point wall = camera.project({-0.2, 0.35});
-  const render::Point corner = camera.project({0, -0.35});
-  page.canvas().rect(
-      {wall.x(), wall.y(), corner.x() - wall.x(), corner.y() - wall.y()},
-      {.fill = page.theme().static_body, .outline = page.theme().outline, .outline_width = 1.5});
-}
-
-/// Three beams before the first sweep, and what is known of their sweeps.
-void draw_question(Page& page, const BlocksRuns& all, const std::string& question) {
-  const List<Rect> parts = rows(page.area(), {0.54, 0.46}, page.sizes().gap);
-  const Rect inside = page.panel(parts[0], "each welded to the one before, and the first to a wall");
-  const render::Camera camera = render::fit(inside, {{-0.25, -0.4}, {3.15, 0.4}});
-  draw_wall(page, camera);
-  Snapshot start = all.chains[welded_three].start;
-  start.joints.clear();
-  render::WorldLook look;
-  look.contacts = false;
-  look.penetration = false;
-  draw_world(page, camera, start, look);
-  const List<Rect> below = columns(parts[1], {0.42, 0.58}, page.sizes().gap);
-  render::TableView table{.header = {"sweeps to 1 %", "rows", "blocks"}};
-  for (const int chain : {welded_one, welded_three}) {
-    const ChainRun& run = all.chains[chain];
-    table.rows.push_back({run.name, fmt::format("{}", run.rows.sweeps),
-                          chain == welded_three ? "?" : fmt::format("{}", run.blocks.sweeps)});
-  }
-  table.active_row = 1;
-  page.table(below[0], "", table);
-  page.note(below[1], "The question", question);
+  const List<Point> wall = {camera.project({-0.2, -0.35}), camera.project({0, -0.35}),
+                            camera.project({0, 0.35}), camera.project({-0.2, 0.35})};
+  page.canvas().polygon(wall, {.fill = page.theme().static_body,
+                               .outline = page.theme().outline,
+                               .outline_width = page.sizes().outline});
+  page.canvas().hatch(wall, {.width = 1, .color = page.theme().static_hatch}, page.sizes().hatch_pitch);
 }
 
 /// The beams where their velocities after these sweeps would lead within a second; solved, they stay level.
@@ -59,8 +37,8 @@ void draw_beams(Page& page, const Rect& rect, const ChainRun& chain, const Chain
   const int done = std::min(sweep, solve.sweeps);
   const double error = solve.error[done];
   const Rect inside = page.panel(
-      rect, fmt::format("{}: {} sweep{}, error {} %{}", name, done, done == 1 ? "" : "s",
-                        render::fixed(100 * error, error < 0.02 ? 1 : 0), error <= goal ? ", done" : ""));
+      rect, fmt::format("{} after {} sweep{}: error {} %; the beams carried on for 1 s", name, done,
+                        done == 1 ? "" : "s", render::fixed(100 * error, error < 0.02 ? 1 : 0)));
   page.canvas().rect({rect.x, rect.y, rect.width, 4}, {.fill = style.color});
   const render::Camera camera = render::fit(inside, {{-0.25, -0.62}, {3.15, 0.38}});
   page.canvas().push_clip(inside);
@@ -82,77 +60,113 @@ void draw_beams(Page& page, const Rect& rect, const ChainRun& chain, const Chain
 }
 
 void draw_errors(Page& page, const Rect& rect, const ChainRun& chain, int sweep) {
-  render::Plot plot{.title = "largest error of λ"};
-  plot.x = {.title = "sweep", .scale = render::AxisScale::logarithmic, .min = 1, .max = chain.rows.sweeps};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 0.003, .max = 2};
+  render::Plot plot{.title = "largest error of λ, as a part of the largest λ (moments in N m, forces in N)"};
+  plot.x = {.title = "sweep", .min = 0, .max = chain.rows.sweeps};
+  plot.y = {.scale = render::AxisScale::logarithmic, .min = 0.003, .max = 2};
   const auto add = [&](const std::string& name, const ChainSolve& solve, const render::SeriesStyle& style) {
-    render::Series series{.name = name, .style = style};
-    for (int k = 1; k <= solve.sweeps; ++k) {
-      series.x.push_back(k);
-      series.y.push_back(solve.error[k]);
-    }
-    plot.series.push_back(series);
+    plot.series.push_back(over_steps(name, style, solve.error));
+    plot.labels.push_back({1.0 * solve.sweeps, goal, fmt::format("{}", solve.sweeps)});
   };
   add("rows", chain.rows, style_of_rows(page));
   add("blocks", chain.blocks, style_of_blocks(page));
   plot.goals.push_back({goal, "1 %"});
-  plot.now = sweep;
+  plot.cursor = sweep;
   draw_plot(page, rect, plot);
 }
 
 void draw_chain(Page& page, const ChainRun& chain, int sweep) {
   const List<Rect> parts = rows(page.area(), {0.46, 0.54}, page.sizes().gap);
   const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
-  draw_both_beams(page, {top[0], top[1]}, chain, sweep);
+  draw_beams(page, top[0], chain, chain.rows, sweep, "rows", style_of_rows(page));
+  draw_beams(page, top[1], chain, chain.blocks, sweep, "blocks", style_of_blocks(page));
   draw_errors(page, parts[1], chain, sweep);
+}
+
+/// One entry of A with its number: in the blocks' colour where a block settles it.
+void draw_entry(Page& page, const Rect& cell, double value, bool in_block) {
+  const render::Color color = in_block ? style_of_blocks(page).color : page.theme().inactive;
+  page.canvas().rect(cell, {.fill = value == 0 ? page.theme().panel : faded(color, 0.3),
+                            .outline = page.theme().grid,
+                            .outline_width = 1});
+  render::TextStyle text = page.value();
+  text.size = 0.26 * cell.height;
+  text.align = render::Align::center;
+  if (value != 0)
+    page.canvas().text({cell.x + cell.width / 2, cell.y + 0.6 * cell.height}, render::significant(value, 3),
+                       text);
 }
 
 /// A of three beams: what a block settles stands in the frames on the diagonal, what it cannot beside them.
 void draw_system(Page& page, const Rect& rect, const ChainRun& chain) {
-  render::MatrixView view{.title = "A of three welded beams (1/kg), 3 rows a weld", .values = chain.A};
-  for (int weld = 1; weld <= 3; ++weld) {
-    for (const char* name : {"x", "y", "θ"}) {
-      view.row_names.push_back(fmt::format("{}_{{{}}}", name, weld));
-      view.column_names.push_back(view.row_names.back());
+  const Rect inside = page.panel(rect, "A of three welded beams: rows x and y in N, θ in N m");
+  const double size = (inside.height - 24) / 9;
+  const double left = inside.x + 32;
+  for (int i = 0; i < 9; ++i) {
+    for (int j = 0; j < 9; ++j) {
+      const double value = std::abs(chain.A(i, j)) < 1e-9 ? 0 : chain.A(i, j);
+      draw_entry(page, {left + j * size, inside.y + i * size, size, size}, value, i / 3 == j / 3);
     }
+    const std::string name = fmt::format("{}_{{{}}}", i % 3 == 0 ? "x" : i % 3 == 1 ? "y" : "θ", i / 3 + 1);
+    page.canvas().text({inside.x, inside.y + (i + 0.6) * size}, name, page.label());
+    page.canvas().text({left + (i + 0.35) * size, inside.y + inside.height - 4}, name, page.label());
   }
-  view.column_group = 3;
-  draw_matrix(page, rect, view);
+  for (int weld = 0; weld < 3; ++weld)
+    page.canvas().rect({left + 3 * weld * size, inside.y + 3 * weld * size, 3 * size, 3 * size},
+                       {.outline = style_of_blocks(page).color, .outline_width = 4});
 }
 
 void draw_table(Page& page, const BlocksRuns& all) {
-  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.54, 0.46}, page.sizes().gap);
-  render::TableView table;
-  table.header = {"scene", "rows", "blocks", "work, blocks / rows"};
+  const List<Rect> halves = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
+  const List<Rect> left = rows(halves[0], {0.58, 0.42}, page.sizes().gap);
+  render::TableView table{.header = {"sweeps to 1 %", "rows", "blocks", "work"}};
   for (const ChainRun& chain : all.chains) {
     const double ratio = static_cast<double>(chain.blocks.work) / static_cast<double>(chain.rows.work);
     table.rows.push_back({chain.name, fmt::format("{}", chain.rows.sweeps),
                           fmt::format("{}", chain.blocks.sweeps), render::fixed(ratio, 2)});
   }
-  page.table(left[0], "sweeps until no λ is wrong by more than 1 %", table);
+  page.table(left[0], "work: multiply-adds of blocks / of rows", table);
   page.note(left[1], "Where blocks help",
-            "A block settles its square on the diagonal at once. In this chain only the first "
-            "square has rows that couple; all else is between the joints and takes its "
-            "sweeps. Oblique pins couple more, level ones not at all.");
+            "A block settles its square on the diagonal at once. Here only the first square has rows that "
+            "couple. All else is between the joints, and takes its sweeps.");
   draw_system(page, halves[1], all.chains[welded_three]);
 }
 
 }  // namespace
 
-void draw_both_beams(Page& page, const FixedList<Rect, 2>& rects, const ChainRun& chain, int sweep) {
-  draw_beams(page, rects[0], chain, chain.rows, sweep, "rows", style_of_rows(page));
-  draw_beams(page, rects[1], chain, chain.blocks, sweep, "blocks", style_of_blocks(page));
+void draw_start(Page& page, const Rect& rect, const ChainRun& chain) {
+  const Rect inside = page.panel(rect, "each welded to the one before, and the first to a wall");
+  const render::Camera camera = render::fit(inside, {{-0.25, -0.4}, {3.15, 0.4}});
+  draw_wall(page, camera);
+  Snapshot start = chain.start;
+  start.joints.clear();
+  draw_world(page, camera, start, {.contacts = false, .penetration = false});
 }
 
-Shot question_shot(const Runs& all, const std::string& question) {
-  return {
-      .state = "before the first sweep",
-      .alt =
-          "Three beams, each welded to the one before and the first to a wall, a table of sweeps with one "
-          "number missing, and the question.",
-      .draw = [all, question](Page& page) { draw_question(page, *all, question); },
-      .key = true};
+void draw_sweep_bars(Page& page, const Rect& rect, const BlocksRuns& all, bool asked) {
+  const Rect inside = page.panel(rect, "sweeps to 1 %");
+  const double most = all.chains[welded_three].rows.sweeps;
+  const double pitch = inside.height / 4, left = inside.x + 170, longest = inside.width - 240;
+  int line = 0;
+  for (const int chain : {welded_one, welded_three}) {
+    for (const bool block : {false, true}) {
+      const ChainRun& run = all.chains[chain];
+      const bool hidden = asked && block && chain == welded_three;
+      const int sweeps = (block ? run.blocks : run.rows).sweeps;
+      const double top = inside.y + pitch * line++;
+      const double width = hidden ? 0 : std::max(3.0, longest * sweeps / most);
+      render::TextStyle text = page.label();
+      page.canvas().text({inside.x, top + 0.55 * pitch},
+                         fmt::format("{} beam{}, {}", chain == welded_one ? 1 : 3,
+                                     chain == welded_one ? "" : "s", block ? "blocks" : "rows"),
+                         text);
+      page.canvas().rect({left, top + 0.2 * pitch, width, 0.6 * pitch},
+                         {.fill = (block ? style_of_blocks(page) : style_of_rows(page)).color});
+      text.bold = true;
+      text.size *= 1.3;
+      page.canvas().text({left + width + 8, top + 0.6 * pitch}, hidden ? "?" : fmt::format("{}", sweeps),
+                         text);
+    }
+  }
 }
 
 List<Shot> chain_shots(const Runs& all) {
@@ -170,12 +184,14 @@ List<Shot> chain_shots(const Runs& all) {
                             "row and {:.1f} % with blocks.",
                             sweep, error(chain.rows), error(chain.blocks)),
          .draw = [all, sweep](Page& page) { draw_chain(page, all->chains[welded_three], sweep); },
-         .key = sweep == 10 || sweep == chain.rows.sweeps});
+         .key = sweep == 10});
   }
-  shots.push_back({.state = "B · all chains and a tower",
-                   .alt = "A table of sweeps to 1 % by rows and by blocks, for chains of beams and a tower.",
-                   .draw = [all](Page& page) { draw_table(page, *all); },
-                   .key = true});
+  shots.push_back(
+      {.state = "B · all chains and a tower",
+       .alt = "A table of sweeps to 1 % by rows and by blocks, for chains of beams and a tower; beside "
+              "it A of three welded beams with the square of each weld framed.",
+       .draw = [all](Page& page) { draw_table(page, *all); },
+       .key = true});
   return shots;
 }
 

@@ -134,8 +134,8 @@ Savings count_savings(const BlocksRuns& all) {
 }
 
 void print_savings(Lesson& lesson, const BlocksRuns& all, const Savings& savings) {
-  lesson.print(fmt::format("D: {} welds, {} sweeps, counted.", all.chains[welded_three].problem.blocks.size(),
-                           counted_sweeps));
+  lesson.print(fmt::format("What blocks save: {} welds, {} sweeps, counted.",
+                           all.chains[welded_three].problem.blocks.size(), counted_sweeps));
   lesson.print(
       fmt::format("  velocity updates: rows {}, blocks {}; 3 × 3 inverses: {} once a step, {} in each sweep",
                   savings.row_updates, savings.block_updates, savings.inverses_once, savings.inverses_again));

@@ -104,7 +104,7 @@ void run(Lesson& lesson) {
       "takes nearly as many sweeps as before.");
   check_runs(lesson, all);
   check_savings(lesson, all, savings);
-  lesson.film(blocks_shots(all, card().question));
+  lesson.film(blocks_shots(all));
   lesson.data(sweeps_table(all));
   lesson.fingerprint(all.last);
 }

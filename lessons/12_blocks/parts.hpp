@@ -33,18 +33,20 @@ CsvTable sweeps_table(const BlocksRuns& all);
 using Runs = std::shared_ptr<const BlocksRuns>;
 
 /// The question, every row update of the rod, the chain as sweeps go by, every step of the bob.
-List<Shot> blocks_shots(const BlocksRuns& all, const std::string& question);
-
-Shot question_shot(const Runs& all, const std::string& question);
-
-/// Three welded beams after so many sweeps, by rows in the first rectangle, by blocks in the second.
-void draw_both_beams(render::Page& page, const FixedList<render::Rect, 2>& rects, const ChainRun& chain,
-                     int sweep);
+List<Shot> blocks_shots(const BlocksRuns& all);
 
 /// The frames of the chain of three welded beams, and the table of all chains.
 List<Shot> chain_shots(const Runs& all);
-/// The frames of the bob, and its last moment with a text beside it.
+/// The frames of the bob.
 List<Shot> bob_shots(const Runs& all);
+
+/// A chain before the first sweep.
+void draw_start(render::Page& page, const render::Rect& rect, const ChainRun& chain);
+/// The sweeps of one and of three beams, by rows and by blocks; what is asked for is left out.
+void draw_sweep_bars(render::Page& page, const render::Rect& rect, const BlocksRuns& all, bool asked);
+/// The bob after so many steps, by rows and by its block.
+void draw_both_bobs(render::Page& page, const FixedList<render::Rect, 2>& rects, const BlocksRuns& all,
+                    int step);
 
 /// Rows in the look of sequential impulses, blocks in that of a further solver.
 render::SeriesStyle style_of_rows(const render::Page& page);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"
@@ -26,10 +27,6 @@ struct RodMoment {
   List<Pair> way = {};         // through the plane
   bool block = false;
 };
-
-RodMoment at_rest(const RodRun& rod, double dt) {
-  return {.slip = {-rod.system.b(0) * dt, -rod.system.b(1) * dt}, .way = {{0, 0}}};
-}
 
 RodMoment after_update(const RodRun& rod, int last) {
   RodMoment moment{.lambda = rod.updates[last].after, .slip = rod.updates[last].slip, .way = {{0, 0}}};
@@ -110,7 +107,7 @@ void draw_row_line(Page& page, const render::Camera& camera, const RodRun& rod, 
 /// Which row each dashed line belongs to, at its end.
 void name_row_lines(Page& page, const render::Camera& camera, const RodRun& rod) {
   const Matrix<double>& A = rod.system.A;
-  render::TextStyle text = page.tick();
+  render::TextStyle text = page.label();
   text.halo = page.theme().panel;
   text.align = render::Align::right;
   const double low = -0.9;
@@ -132,7 +129,7 @@ void draw_axes(Page& page, const render::Camera& camera, const RodRun& rod) {
   const render::Stroke guide{.width = 1, .color = page.theme().secondary_text, .dash = {2, 4}};
   page.canvas().line(exact, {exact.x(), origin.y()}, guide);
   page.canvas().line(exact, {origin.x(), exact.y()}, guide);
-  render::TextStyle text = page.tick();
+  render::TextStyle text = page.label();
   text.halo = page.theme().panel;
   text.align = render::Align::center;
   page.canvas().text({exact.x(), origin.y() + text.size + 4}, fixed(rod.formula[0], 2), text);
@@ -155,7 +152,7 @@ void draw_way(Page& page, const render::Camera& camera, const RodMoment& moment)
 void draw_plane(Page& page, const Rect& rect, const RodRun& rod, const RodMoment& moment) {
   const Rect inside = page.panel(rect, "λ of the pin's two rows (N)");
   const render::Camera camera =
-      render::fit(inside, {{-1.5, -1.3}, {rod.formula[0] + 1.2, rod.formula[1] + 1.3}});
+      render::fit(inside, {{-1.5, -1.3}, {rod.formula[0] + 1.6, rod.formula[1] + 2.1}});
   page.canvas().push_clip(inside);
   for (const int sweep : {0, 1, 2}) draw_level(page, camera, rod, rod.by_rows[sweep]);
   draw_row_line(page, camera, rod, 0);
@@ -196,28 +193,21 @@ void draw_update(Page& page, const BlocksRuns& all, int i) {
 void draw_block(Page& page, const BlocksRuns& all) {
   const Rect panel = draw_moment(page, all.rod, after_block(all.rod));
   const Matrix<double>& A = all.rod.system.A;
-  page.equation(panel,
-                {.number = "4.3, both rows",
-                 .symbols = "A_{BB} Δλ = (ζ − J v) / Δt",
-                 .numbers = fmt::format("({} {}; {} {}) Δλ = ({}, {})", fixed(A(0, 0), 2), fixed(A(0, 1), 2),
-                                        fixed(A(1, 0), 2), fixed(A(1, 1), 2),
-                                        fixed(all.rod.system.b(0) + 0.0, 0), fixed(all.rod.system.b(1), 0)),
-                 .result = fmt::format("Δλ = ({}, {}) N", fixed(all.rod.by_block[1][0], 3),
-                                       fixed(all.rod.by_block[1][1], 3)),
-                 .algorithm = "sweep 1 of the block: nothing left to do",
-                 .color = style_of_blocks(page).color});
+  const auto line = [&](int row) {
+    return fmt::format("{} Δλ_{{1}} {} {} Δλ_{{2}} = {}", fixed(A(row, 0), 2), A(row, 1) < 0 ? "−" : "+",
+                       fixed(std::abs(A(row, 1)), 2), fixed(all.rod.system.b(row), 0));
+  };
+  page.equation(panel, {.number = "4.3: A_{BB} Δλ = (ζ − J v) / Δt, both rows at once",
+                        .symbols = line(0),
+                        .numbers = line(1),
+                        .result = fmt::format("Δλ = ({}, {}) N", fixed(all.rod.by_block[1][0], 2),
+                                              fixed(all.rod.by_block[1][1], 2)),
+                        .algorithm = "sweep 1 of the block: nothing left to do",
+                        .color = style_of_blocks(page).color});
 }
 
 List<Shot> rod_shots(const Runs& all) {
   List<Shot> shots;
-  shots.push_back({.state = "A · before the first sweep",
-                   .alt = "A rod on a pin, about to fall, and the plane of the pin's two impulses.",
-                   .draw = [all](Page& page) {
-                     page.note(
-                         draw_moment(page, all->rod, at_rest(all->rod, all->settings.dt)), "",
-                         "The pin has two rows. On its dashed line a row is satisfied, and a row update "
-                         "moves along one axis to that line. Both are satisfied in the ring.");
-                   }});
   for (int i = 1; i < all->rod.updates.size(); ++i) {
     const RodUpdate& update = all->rod.updates[i];
     shots.push_back({.state = fmt::format("A · rows · sweep {} · row {} of 2", update.sweep, update.row + 1),
@@ -226,7 +216,7 @@ List<Shot> rod_shots(const Runs& all) {
                          "of the zig-zag, and the pinned end moves at {:.4f} m/s.",
                          update.sweep, update.row + 1, update.after[0], update.after[1], update.slip.norm()),
                      .draw = [all, i](Page& page) { draw_update(page, *all, i); },
-                     .key = i == 1 || i == 2 || i == 5});
+                     .key = i == 2 || i == 5});
   }
   shots.push_back(
       {.state = "A · the block · sweep 1",
@@ -236,16 +226,47 @@ List<Shot> rod_shots(const Runs& all) {
   return shots;
 }
 
+/// Says of chain and bob what has happened to them.
+std::string answer_text(const BlocksRuns& all) {
+  const bool thrown = all.bob_rows.largest_energy > 1000;
+  return fmt::format(
+      "{}: the conflict between the joints is left. {}", all.chains[welded_three].blocks.sweeps,
+      thrown ? "But where the rows of one joint couple strongly, as at the bob's pin, a block is the "
+               "difference between an explosion and a pendulum."
+             : "With this inertia rows do not throw the bob either; with a tiny one they do.");
+}
+
+/// What is known of the sweeps, beside the beams; in the answer all of it, beside the bob.
+QuestionFrame question_frame(const Runs& all, bool asked) {
+  const auto draw = [all, asked](Page& page, const Rect& rect) {
+    const List<double> weights = asked ? List<double>{0.6, 0.4} : List<double>{0.4, 0.3, 0.3};
+    const List<Rect> parts = columns(rect, weights, page.sizes().gap);
+    draw_sweep_bars(page, asked ? parts[1] : parts[0], *all, asked);
+    if (asked) return draw_start(page, parts[0], all->chains[welded_three]);
+    const int step = static_cast<int>(std::lround(0.8 / all->settings.dt));
+    draw_both_bobs(page, {parts[1], parts[2]}, *all, step);
+  };
+  return {.state = asked ? "before the first sweep" : "answer",
+          .alt = asked ? "Three beams, each welded to the one before and the first to a wall, bars of sweeps "
+                         "of which one is missing, and the question."
+                       : "Two bars of nearly the same length, the sweeps of three beams by rows and by "
+                         "blocks; the bob after 0.8 s, torn away by rows and on its circle with a block; "
+                         "and the answer.",
+          .scene = draw,
+          .place = ScenePlace::above};
+}
+
 }  // namespace
 
 render::SeriesStyle style_of_rows(const Page& page) { return page.theme().si; }
 render::SeriesStyle style_of_blocks(const Page& page) { return page.theme().jacobi; }
 
-List<Shot> blocks_shots(const BlocksRuns& recorded, const std::string& question) {
+List<Shot> blocks_shots(const BlocksRuns& recorded) {
   const Runs all = std::make_shared<const BlocksRuns>(recorded);
-  List<Shot> shots = {question_shot(all, question)};
+  List<Shot> shots = {question_shot(card(), question_frame(all, true))};
   for (const List<Shot>& more : {rod_shots(all), chain_shots(all), bob_shots(all)})
     shots.insert(shots.end(), more.begin(), more.end());
+  shots.push_back(answer_shot(card(), question_frame(all, false), answer_text(*all)));
   return shots;
 }
 

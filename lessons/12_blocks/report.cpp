@@ -1,6 +1,8 @@
 // Lesson 12. What is printed, and what is checked.
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,7 +41,8 @@ void print_rod(Lesson& lesson, const BlocksRuns& all) {
 }
 
 void print_chains(Lesson& lesson, const BlocksRuns& all) {
-  lesson.print("B: sweeps until no λ is wrong by more than 1 % of the largest, and multiply-adds for them");
+  lesson.print(
+      "B: sweeps until no λ (N, N m) is wrong by more than 1 % of the largest, and multiply-adds for them");
   lesson.print("                               rows   blocks    work of blocks / rows");
   for (const ChainRun& chain : all.chains) {
     const double ratio = static_cast<double>(chain.blocks.work) / static_cast<double>(chain.rows.work);
@@ -87,7 +90,25 @@ void check_rod(Lesson& lesson, const BlocksRuns& all) {
                      2 * 16 * epsilon * 40 / first);
 }
 
+/// What the page says of A and λ of the welded beams.
+void check_welds(Lesson& lesson, const ChainRun& chain) {
+  const SystemMatrices<double> system = system_matrices(chain.problem);
+  const Vector<double> exact = system.A.ldlt().solve(system.b);
+  // 64 roundings of 45 N m, amplified by the condition of A, which is below 10⁴.
+  const double moment = 3 * gravity * 1.5 * beam_length;
+  lesson.check_equal("three welded beams: the largest λ is the moment at the wall (N m)",
+                     exact.lpNorm<Eigen::Infinity>(), moment, 64 * epsilon * 1e4 * moment);
+  const double inertia = (beam_length * beam_length + beam_height * beam_height) / 12;
+  const double first = -beam_length / 2 / inertia;
+  lesson.check_equal("A_yθ of the first weld is −(1/2 m)/I (1/(kg m))", system.A(1, 2), first,
+                     16 * epsilon * std::abs(first));
+  lesson.check_small("A_yθ of the second and of the third is 0 (1/(kg m))",
+                     std::max(std::abs(system.A(4, 5)), std::abs(system.A(7, 8))),
+                     16 * epsilon * std::abs(first));
+}
+
 void check_chains(Lesson& lesson, const BlocksRuns& all) {
+  check_welds(lesson, all.chains[welded_three]);
   lesson.check_equal("one weld as a block: sweeps to 1 %", all.chains[welded_one].blocks.sweeps, 1, 0);
   int difference = 0;
   int worst = 0;
