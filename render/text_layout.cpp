@@ -2,6 +2,7 @@
 #include "render/text_layout.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace cairn::render {
 
@@ -37,7 +38,26 @@ std::size_t fitting_end(const Canvas& canvas, std::string_view text, double widt
   return end;
 }
 
-/// Words with the spaces before them; a line feed is a word of its own.
+bool is_unit(std::string_view word) {
+  const std::size_t last = word.find_last_not_of(".,;:?!)");
+  if (last == std::string_view::npos) return false;
+  static constexpr std::string_view units[] = {"m", "mm", "m/s", "mm/s", "m/s²", "s",     "ms", "kg", "N",
+                                               "J", "W",  "Hz",  "%",    "rad",  "rad/s", "m²", "px"};
+  return std::find(std::begin(units), std::end(units), word.substr(0, last + 1)) != std::end(units);
+}
+
+/// Where the units end that follow a number which ends at `end`: they stay on its line.
+std::size_t end_with_units(std::string_view text, std::size_t end) {
+  if (end == 0 || text[end - 1] < '0' || text[end - 1] > '9') return end;
+  while (end < text.size() && text[end] == ' ') {
+    const std::size_t next = std::min(text.find_first_of(" \n", end + 1), text.size());
+    if (!is_unit(text.substr(end + 1, next - end - 1))) break;
+    end = next;
+  }
+  return end;
+}
+
+/// Words with the spaces before them, a number with its unit; a line feed is a word of its own.
 List<std::string_view> words_of(std::string_view text) {
   List<std::string_view> words;
   std::size_t begin = 0;
@@ -48,6 +68,7 @@ List<std::string_view> words_of(std::string_view text) {
       ++end;
     } else {
       while (end < text.size() && text[end] != ' ' && text[end] != '\n') end = piece_end(text, end);
+      end = end_with_units(text, end);
     }
     words.push_back(text.substr(begin, end - begin));
     begin = end;

@@ -8,6 +8,20 @@
 
 namespace cairn::render {
 
+TEST_CASE("a number is never parted from its unit, unless both are too wide for a line") {
+  Page page(640, 360, light_theme());
+  const TextStyle style = page.label();
+  const std::string text = "it falls at 0.2 m/s, gets 3 N s and 10 % of 4 boxes";
+  for (double width = page.canvas().text_width("0.2 m/s,", style); width < 300; width += 7) {
+    for (const std::string& line : wrapped(page.canvas(), text, width, style)) {
+      CAPTURE(line);
+      CHECK((!line.ends_with("0.2") && !line.ends_with("3") && !line.ends_with("3 N") &&
+             !line.ends_with("10")));
+    }
+  }
+  CHECK(wrapped(page.canvas(), "4 boxes", page.canvas().text_width("boxes", style), style).size() == 2);
+}
+
 TEST_CASE("wrapped lines fit their width and hold every word in order") {
   Page page(640, 360, light_theme());
   const TextStyle style = page.label();
