@@ -1,15 +1,14 @@
-// Three towers side by side above one chart that all three share.
+// One tower with the loads of three engines, and charts of these loads and of their differences.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <set>
 
 #include "lessons/question.hpp"
-#include "lessons/tower_panel.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
+#include "render/draw.hpp"
 #include "render/plot.hpp"
 
 namespace cairn::tower {
@@ -26,36 +25,62 @@ FixedList<SeriesStyle, 3> engine_styles(const Page& page) {
   return {page.theme().pgs, page.theme().si, page.theme().box2d};
 }
 
+/// Which engines' loads a picture tells.
+enum class Shown { all, si_alone };
+
 double largest_load(const TowerRuns& runs) {
   double largest = runs.settings.boxes * runs.settings.gravity;
-  for (const EngineRun& run : runs.warm) {
-    for (const List<double>& frame : run.loads) {
-      for (const double load : frame) largest = std::max(largest, load);
-    }
-  }
+  for (const List<double>& frame : runs.warm[1].loads)
+    largest = std::max(largest, *std::max_element(frame.begin(), frame.end()));
   return largest;
 }
 
-/// One engine: its tower and its loads.
-void draw_engine(Page& page, const Rect& rect, const TowerRuns& runs, const EngineRun& run, int frame,
-                 const SeriesStyle& style) {
-  const std::string lowest = render::fixed(run.loads[frame][0], 2) + " N";
-  const Rect view = draw_solver_panel(page, rect, style, run.name, lowest);
-  const double height = run.frames[frame].bodies.back().pose.position.y() + 0.5;
-  render::TextStyle small = page.tick();
-  small.align = render::Align::right;
-  page.canvas().text({view.x + view.width, view.y + 0.6 * small.size},
-                     fmt::format("top: {} m", render::fixed(height, 2)), small);
-  draw_tower_loads(
-      page, view, run.frames[frame], run.loads[frame],
-      {.box_weight = runs.settings.gravity, .largest = largest_load(runs), .color = style.color});
+/// Beside each box its load under each engine, one bar below the other, and a tick at the weight above.
+void draw_bars(Page& page, const render::Camera& camera, const TowerRuns& runs,
+               const List<EngineRun>& engines, int frame, Shown shown) {
+  const FixedList<SeriesStyle, 3> styles = engine_styles(page);
+  const Rect& view = camera.viewport;
+  const double left = camera.project({0.5, 0}).x() + 14, height = 0.26 * camera.scale;
+  const double per_newton = (view.x + view.width - left) / (1.05 * largest_load(runs));
+  for (int i = 0; i < runs.settings.boxes; ++i) {
+    const double y = camera.project(engines[1].frames[frame].bodies[{i + 1}].pose.position).y();
+    for (int e = 0; e < engines.size(); ++e) {
+      if (shown == Shown::si_alone && e != 1) continue;
+      page.canvas().rect({left, y + (e - 1.5) * height, engines[e].loads[frame][i] * per_newton, height},
+                         {.fill = styles[e].color, .outline = page.theme().panel, .outline_width = 1});
+    }
+    const double tick = left + (runs.settings.boxes - i) * runs.settings.gravity * per_newton;
+    page.canvas().line({tick, y - 1.6 * height}, {tick, y + 1.6 * height},
+                       {.width = 2, .color = page.theme().exact.color});
+  }
 }
 
-/// The lowest load over the frames so far, for all three engines.
+/// SI's tower with the loads of all engines, and in the corner what each finds at the ground.
+void draw_tower(Page& page, const Rect& rect, const TowerRuns& runs, const List<EngineRun>& engines,
+                int frame, Shown shown) {
+  const Rect view = page.panel(rect, "loads (N); tick: the weight above");
+  render::Camera camera = render::fit(view, {{-1.2, -0.6}, {1.2, runs.settings.boxes + 0.4}});
+  camera.center.x() = 0.5 * view.width / camera.scale - 1.2;  // the tower at the left
+  draw_world(page, camera, engines[1].frames[frame],
+             {.numbers = camera.scale >= 20, .contacts = false, .penetration = false});
+  draw_bars(page, camera, runs, engines, frame, shown);
+  const FixedList<SeriesStyle, 3> styles = engine_styles(page);
+  const double line = 1.4 * page.label().size;
+  for (int e = 0; e < engines.size(); ++e) {
+    const bool is_asked = shown == Shown::si_alone && e != 1;
+    render::TextStyle text{.size = render::large_text, .color = styles[e].color, .bold = true};
+    text.align = render::Align::right;
+    page.canvas().text({view.x + view.width, view.y + (e + 1) * line},
+                       fmt::format("{}: {} N", engines[e].name,
+                                   is_asked ? "?" : render::fixed(engines[e].loads[frame][0], 2)),
+                       text);
+  }
+}
+
+/// The lowest load step by step, for all three engines: three dashed lines that make one.
 render::Plot load_plot(const Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
   const TowerSettings& settings = runs.settings;
-  render::Plot plot;
-  plot.title = "load λ_{1} on the lowest box (N), step by step";
+  render::Plot plot{.title = "load λ_{1} on the lowest box (N), step by step"};
   plot.x = {.title = "step", .min = 0, .max = settings.steps};
   plot.y = {.min = 0, .max = 1.15 * largest_load(runs)};
   const FixedList<SeriesStyle, 3> styles = engine_styles(page);
@@ -63,6 +88,7 @@ render::Plot load_plot(const Page& page, const TowerRuns& runs, const List<Engin
     List<double> lowest;
     for (const List<double>& loads : engines[e].loads) lowest.push_back(loads[0]);
     plot.series.push_back(over_steps(e == 2 ? "Box2D" : engines[e].name, styles[e], lowest));
+    plot.series[e].markers = false;
   }
   const double weight = settings.boxes * settings.gravity;
   plot.goals.push_back({weight, fmt::format("the weight: {:g} N", weight)});
@@ -70,75 +96,66 @@ render::Plot load_plot(const Page& page, const TowerRuns& runs, const List<Engin
   return plot;
 }
 
-/// The largest difference of a load from the same under SI, step by step.
-render::Plot gap_plot(const Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
-  render::Plot plot{.title = "largest difference of a load from SI's (N)"};
-  plot.x = {.title = "step", .min = 0, .max = runs.settings.steps};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-16, .max = 100};
-  const FixedList<SeriesStyle, 3> styles = engine_styles(page);
-  for (const int e : {0, 2}) {
-    List<double> gaps;
-    for (int k = 0; k < engines[e].loads.size(); ++k) {
-      double largest = 0;
-      for (int i = 0; i < engines[e].loads[k].size(); ++i) {
-        largest = std::max(largest, std::abs(engines[e].loads[k][i] - engines[1].loads[k][i]));
-      }
-      gaps.push_back(largest);
-    }
-    plot.series.push_back(over_steps(e == 2 ? "Box2D" : engines[e].name, styles[e], gaps));
+/// The largest difference of any load, step by step.
+render::Series gap_series(const std::string& name, const SeriesStyle& style, const Loads& one,
+                          const Loads& other) {
+  List<double> gaps;
+  for (int k = 0; k < one.size(); ++k) {
+    double largest = 0;
+    for (int i = 0; i < one[k].size(); ++i) largest = std::max(largest, std::abs(one[k][i] - other[k][i]));
+    gaps.push_back(largest);
   }
+  render::Series series = over_steps(name, style, gaps);
+  series.markers = false;
+  return series;
+}
+
+/// How far the loads of PGS and Box2D are from SI's, and how far those are from the exact ones.
+render::Plot gap_plot(const Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
+  render::Plot plot{.title = "largest difference of any load (N), on a logarithmic axis"};
+  plot.x = {.title = "step", .min = 0, .max = runs.settings.steps};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-15, .max = 1e3};
+  const FixedList<SeriesStyle, 3> styles = engine_styles(page);
+  List<double> weights;
+  for (int i = runs.settings.boxes; i > 0; --i) weights.push_back(i * runs.settings.gravity);
+  const Loads exact(engines[1].loads.size(), weights);
+  plot.series = {gap_series("SI − exact", styles[1], engines[1].loads, exact),
+                 gap_series("Box2D − SI", styles[2], engines[2].loads, engines[1].loads),
+                 gap_series("PGS − SI", styles[0], engines[0].loads, engines[1].loads)};
   plot.now = frame;
   return plot;
 }
 
-void draw_towers(Page& page, const Rect& rect, const TowerRuns& runs, const List<EngineRun>& engines,
-                 int frame) {
-  const List<Rect> panels = columns(rect, {1, 1, 1}, page.sizes().gap);
-  const FixedList<SeriesStyle, 3> styles = engine_styles(page);
-  for (int e = 0; e < engines.size(); ++e) draw_engine(page, panels[e], runs, engines[e], frame, styles[e]);
-}
-
-void draw_three(Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
-  const List<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
-  draw_towers(page, parts[0], runs, engines, frame);
-  const List<Rect> plots = columns(parts[1], {1, 1}, page.sizes().gap);
+void draw_step(Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
+  const List<Rect> parts = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
+  draw_tower(page, parts[0], runs, engines, frame, Shown::all);
+  const List<Rect> plots = rows(parts[1], {1, 1}, page.sizes().gap);
   draw_plot(page, plots[0], load_plot(page, runs, engines, frame));
   draw_plot(page, plots[1], gap_plot(page, runs, engines, frame));
 }
 
-std::string heights(const EngineRun& run, int frame) {
-  const SnapshotBody& top = run.frames[frame].bodies.back();
-  return fmt::format("{:.2f} m", top.pose.position.y() + 0.5);
-}
-
-Shot step_shot(const Runs& runs, bool warm, int frame) {
-  const List<EngineRun>& engines = warm ? runs->warm : runs->cold;
-  return {
-      .state = fmt::format("{} · step {} · t = {} s", warm ? "warm start" : "cold start", frame,
-                           render::fixed(frame * runs->settings.dt, 2)),
-      .alt = fmt::format("{} start, step {}: the lowest box carries {:.2f} N under PGS, {:.2f} N under "
-                         "SI and {:.2f} N under Box2D; the towers are {}, {} and {} high.",
-                         warm ? "Warm" : "Cold", frame, engines[0].loads[frame][0],
-                         engines[1].loads[frame][0], engines[2].loads[frame][0], heights(engines[0], frame),
-                         heights(engines[1], frame), heights(engines[2], frame)),
-      .draw = [runs, warm, frame](Page& page) {
-        draw_three(page, *runs, warm ? runs->warm : runs->cold, frame);
-      }};
-}
-
-QuestionFrame warm_towers(const Runs& runs, int frame, const std::string& state, const std::string& alt) {
-  const auto scene = [runs, frame](Page& page, const Rect& rect) {
-    draw_towers(page, rect, *runs, runs->warm, frame);
-  };
-  return {.state = state, .alt = alt, .scene = scene, .place = ScenePlace::above};
+Shot step_shot(const Runs& runs, bool is_warm, int frame) {
+  const List<EngineRun>& engines = is_warm ? runs->warm : runs->cold;
+  const std::string start = is_warm ? "warm start" : "cold start";
+  return {.state = fmt::format("{} · step {} · t = {:.2f} s", start, frame, frame * runs->settings.dt),
+          .alt = fmt::format(
+              "Step {}, {}: the lowest box carries {:.2f} N under PGS, {:.2f} N under SI and {:.2f} N "
+              "under Box2D; SI's tower is {:.2f} m high.",
+              frame, start, engines[0].loads[frame][0], engines[1].loads[frame][0],
+              engines[2].loads[frame][0], engines[1].frames[frame].bodies.back().pose.position.y() + 0.5),
+          .draw = [runs, &engines, frame](Page& page) { draw_step(page, *runs, engines, frame); }};
 }
 
 std::string answer_text(const TowerRuns& runs, int step) {
   return fmt::format(
-      "By at most {} N, since Box2D computes in single precision; PGS and SI differ less still. In step {} "
-      "the "
-      "ground carries {} N instead of {}, under all three: they are one algorithm, and equally wrong.",
-      render::significant(gap_to_box2d(runs), 2), step, render::fixed(runs.warm[1].loads[step][0], 2),
+      "In decimal place {}: they differ by at most {} N, the rounding of single precision. PGS and SI differ "
+      "less "
+      "still. In "
+      "step {} the ground carries {} N instead of {}, under all three. For boxes that cannot turn they are "
+      "one "
+      "algorithm, and equally wrong.",
+      decimal_place(runs), render::significant(gap_to_box2d(runs), 2), step,
+      render::fixed(runs.warm[1].loads[step][0], 2),
       render::fixed(runs.settings.boxes * runs.settings.gravity, 0));
 }
 
@@ -147,26 +164,35 @@ std::string answer_text(const TowerRuns& runs, int step) {
 List<Shot> tower_shots(const TowerRuns& all) {
   const Runs runs = std::make_shared<const TowerRuns>(all);
   const int last = runs->settings.steps, wrong = std::min(5, last);
-  const std::set<int> warm_keys = {1, 2, 5, 10, 20, last};
-  const std::set<int> cold_keys = {5, last / 2, last};
+  const auto draw_question = [runs, wrong](Page& page, const Rect& rect) {
+    draw_tower(page, rect, *runs, runs->warm, wrong, Shown::si_alone);
+  };
   List<Shot> shots = {question_shot(
-      card(),
-      warm_towers(runs, 0, "before the first step",
-                  "Three towers of boxes, not yet loaded, named PGS, SI and Box2D, and the question."))};
-  for (int k = 1; k <= last; ++k) {
-    shots.push_back(step_shot(runs, true, k));
-    shots.back().key = warm_keys.contains(k);
+      card(), {.state = fmt::format("after {} steps", wrong),
+               .alt = fmt::format(
+                   "A tower of {} boxes with the loads that SI has found in step {}, question marks for "
+                   "PGS and Box2D, and the question",
+                   runs->settings.boxes, wrong),
+               .scene = draw_question})};
+  for (const bool is_warm : {true, false}) {
+    for (int k = 1; k <= last; ++k) {
+      shots.push_back(step_shot(runs, is_warm, k));
+      shots.back().key = k == wrong || k == last || (is_warm && k == 1);
+    }
   }
-  for (int k = 1; k <= last; ++k) {
-    shots.push_back(step_shot(runs, false, k));
-    shots.back().key = cold_keys.contains(k);
-  }
-  shots.push_back(answer_shot(
-      card(),
-      warm_towers(runs, wrong, fmt::format("after {} steps", wrong),
-                  "The three towers while their loads are still wrong, and the answer: how far these "
-                  "differ."),
-      answer_text(*runs, wrong)));
+  const auto draw_answer = [runs, last](Page& page, const Rect& rect) {
+    render::Plot plot = gap_plot(page, *runs, runs->warm, last);
+    const double gap = gap_to_box2d(*runs);
+    plot.goals.push_back({gap, render::significant(gap, 2) + " N"});
+    draw_plot(page, rect, plot);
+  };
+  shots.push_back(answer_shot(card(),
+                              {.state = "warm start",
+                               .alt = "Three curves over the steps: the error of SI's loads is up to tens of "
+                                      "newtons, Box2D differs from SI "
+                                      "by some hundred thousandths, PGS by less still; and the answer.",
+                               .scene = draw_answer},
+                              answer_text(*runs, wrong)));
   return shots;
 }
 

@@ -108,4 +108,8 @@ double gap_to_box2d(const TowerRuns& runs) {
                   largest_gap(runs.cold[1].loads, runs.cold[2].loads, steps_as_tower(runs.cold)));
 }
 
+int decimal_place(const TowerRuns& runs) {
+  return -static_cast<int>(std::floor(std::log10(std::max(gap_to_box2d(runs), 1e-16))));
+}
+
 }  // namespace cairn::tower

@@ -54,5 +54,7 @@ double largest_gap(const Loads& first, const Loads& second, int frames);
 int steps_as_tower(const List<EngineRun>& runs);
 /// Of SI's loads and Box2D's, warm or cold, as long as it is a tower [N].
 double gap_to_box2d(const TowerRuns& runs);
+/// The first decimal place in which these differ: 1 for tenths of a newton.
+int decimal_place(const TowerRuns& runs);
 
 }  // namespace cairn::tower
