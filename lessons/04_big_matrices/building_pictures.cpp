@@ -37,17 +37,15 @@ void draw_masses(Page& page, const StackRun& run) {
   const int n = run.boxes();
   const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
   draw_stack(page, halves[0], run, {.velocity = run.system.velocity});
-  const List<Rect> right = rows(halves[1], {0.74, 0.26}, page.sizes().gap);
-  render::MatrixView masses{.title = "M^{−1}: 1/m, 1/m, 1/I of each box",
-                            .values = run.system.inverse_mass.asDiagonal(),
-                            .column_names = column_names(n),
-                            .column_group = 3};
-  render::MatrixView velocity{.title = "v_{1}", .values = run.system.velocity, .row_names = column_names(n)};
-  // Both with the same cells, so that each number of v stands beside its row of the matrix.
-  const List<Rect> matrices = columns(right[0], {0.2, 0.8}, page.sizes().gap);
-  velocity.column_names = {""};
-  draw_matrix(page, matrices[0], velocity);
-  draw_matrix(page, matrices[1], masses);
+  const List<Rect> right = rows(halves[1], {0.78, 0.22}, page.sizes().gap);
+  draw_product(page, right[0],
+               {{.title = "v_{1}", .values = run.system.velocity, .row_names = column_names(n)},
+                {.title = "M^{−1}: 1/m, 1/m, 1/I of each box",
+                 .values = run.system.inverse_mass.asDiagonal(),
+                 .column_names = column_names(n),
+                 .column_group = 3,
+                 .colors = render::MatrixColors::magnitude}},
+               {""});
   page.note(right[1], "(1) and (2)",
             "Three numbers a box: how fast it moves to the right, up, and how fast it turns. "
             "The ground is left out.");
@@ -57,17 +55,18 @@ void draw_row(Page& page, const StackRun& run, int row) {
   const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
   draw_stack(page, halves[0], run, {.contact = row, .velocity = run.system.velocity});
   const List<Rect> right = rows(halves[1], {0.46, 0.54}, page.sizes().gap);
-  draw_matrix(page, right[0], view_of_J(run, row + 1, row));
+  draw_product(page, right[0], {view_of_J(run, row + 1, row)}, {});
   const double v = run.system.velocity(1);
   const std::string below = row > 0 ? fmt::format("−1 × {} + ", in_brackets(fixed(v, 3))) : "";
-  page.equation(right[1],
-                {.number = "eq (5)",
-                 .symbols = row > 0 ? fmt::format("j_{{{0}}}·v = −v_{{y{1}}} + v_{{y{0}}}", row + 1, row)
-                                    : "j_{1}·v = v_{y1}",
-                 .numbers = fmt::format("= {}1 × {}", below, in_brackets(fixed(v, 3))),
-                 .result = fmt::format("= {} m/s", fixed(run.row_velocity(row) + 0.0, 3)),
-                 .algorithm = row > 0 ? fmt::format("how fast boxes {} and {} part", row, row + 1)
-                                      : "how fast box 1 leaves the ground"});
+  page.equation(
+      right[1],
+      {.number = "eq (5)",
+       .symbols =
+           row > 0 ? fmt::format("j_{{{0}}}·v = −v_{{y{1}}} + v_{{y{0}}}", row + 1, row) : "j_{1}·v = v_{y1}",
+       .numbers = fmt::format("= {}1 × {}", below, in_brackets(fixed(v, 3))),
+       .result = fmt::format("= {} m/s", fixed(run.row_velocity(row) + 0.0, 3)),
+       .algorithm = row > 0 ? fmt::format("how fast boxes {} and {}, a and b of this row, part", row, row + 1)
+                            : "how fast box 1 leaves the ground"});
 }
 
 /// The entries of A that have not been computed after `count` of `order`.
@@ -84,48 +83,52 @@ List<Entry> unknown_part(const StackRun& run, const List<Entry>& order, int coun
   return unknown;
 }
 
-/// J on top, what is being built below at the left; returns what is free at the right of that.
-Rect draw_building(Page& page, const StackRun& run, const StackView& stack, const render::MatrixView& built) {
+/// Left the stack; returns the upper part at the right, and two below it.
+List<Rect> lay_out_building(Page& page, const StackRun& run, const StackView& stack, double left) {
   const List<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
   draw_stack(page, halves[0], run, stack);
-  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
-  draw_matrix(page, right[0], view_of_J(run, run.boxes(), built.active_row));
-  const List<Rect> below = columns(right[1], {0.45, 0.55}, page.sizes().gap);
-  draw_matrix(page, below[0], built);
-  return below[1];
+  const List<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
+  const List<Rect> below = columns(right[1], {left, 1 - left}, page.sizes().gap);
+  return {right[0], below[0], below[1]};
 }
 
-/// "1 × 1 × (−1)" for the box that both rows have, "1 + 1" for a row with itself.
+/// "1 × 1 × (−1) + 0 × 1 × 1": one product for each box that is in either row; only y is not 0.
 std::string entry_in_numbers(const StackRun& run, int i, int j) {
-  const auto inverse = [&run](int box) { return brief(run.system.inverse_mass(3 * (box - 1))); };
-  if (i == j) {
-    return i == 0 ? fmt::format("1 × {} × 1", inverse(1))
-                  : fmt::format("1 × {} × 1 + 1 × {} × 1", inverse(i), inverse(i + 1));
+  std::string sum;
+  for (int box = 0; box < run.boxes(); ++box) {
+    const double left = run.system.J(i, 3 * box + 1), right = run.system.J(j, 3 * box + 1);
+    if (left == 0 && right == 0) continue;
+    sum += fmt::format("{}{} × {} × {}", sum.empty() ? "" : " + ", in_brackets(brief(left)),
+                       brief(run.system.inverse_mass(3 * box + 1)), in_brackets(brief(right)));
   }
-  return j == i + 1 ? fmt::format("1 × {} × (−1)", inverse(i + 1)) : "0";
+  return sum;
 }
 
 void draw_entry(Page& page, const StackRun& run, const List<Entry>& order, int k) {
   const auto [i, j] = order[k];
-  render::MatrixView view{.title = "A = J M^{−1} J^{T} (kg^{−1})",
-                          .values = run.system.A,
-                          .row_names = row_names(run.boxes()),
-                          .column_names = row_names(run.boxes()),
-                          .active_row = i,
-                          .active_column = j,
-                          .unknown = unknown_part(run, order, k + 1)};
-  StackView stack;
-  std::string reason;
-  if (i == j) {
-    stack.contact = i;
-    reason = i == 0 ? "row 1 has box 1 only" : fmt::format("row {0} has boxes {1} and {0}", i + 1, i);
-  } else if (j == i + 1) {
-    stack.box = i + 1;
-    reason = fmt::format("box {} is in both rows", i + 1);
-  } else {
-    reason = "no box is in both rows";
-  }
-  page.equation(draw_building(page, run, stack, view),
+  const bool shared = j == i + 1;
+  const List<Rect> parts = lay_out_building(page, run, {.row = i, .other_row = i == j ? -1 : j}, 0.34);
+  render::MatrixView J{.column_names = column_names(run.boxes()), .column_group = 3};
+  J.title = i == j ? fmt::format("row {} of J", i + 1) : fmt::format("rows {} and {} of J", i + 1, j + 1);
+  J.values.resize(i == j ? 1 : 2, 3 * run.boxes());
+  J.values.row(0) = run.system.J.row(i);
+  J.values.row(J.values.rows() - 1) = run.system.J.row(j);
+  for (const int row : i == j ? List<int>{i} : List<int>{i, j})
+    J.row_names.push_back(row_names(row + 1).back());
+  draw_product(page, parts[0], {J}, {});
+  draw_product(page, parts[1],
+               {{.title = "A (kg^{−1})",
+                 .values = run.system.A,
+                 .row_names = row_names(run.boxes()),
+                 .column_names = row_names(run.boxes()),
+                 .active_row = i,
+                 .active_column = j,
+                 .unknown = unknown_part(run, order, k + 1)}},
+               {});
+  const std::string reason = shared   ? fmt::format("box {} is in both rows", i + 1)
+                             : i == j ? "a row with itself"
+                                      : "no box is in both rows";
+  page.equation(parts[2],
                 {.number = "eq (15)",
                  .symbols = fmt::format("A_{{{0}{1}}} = j_{{{0}}} M^{{−1}} j_{{{1}}}^{{T}}", i + 1, j + 1),
                  .numbers = "= " + entry_in_numbers(run, i, j),
@@ -135,22 +138,22 @@ void draw_entry(Page& page, const StackRun& run, const List<Entry>& order, int k
 
 void draw_right_side(Page& page, const StackRun& run, int row) {
   const int n = run.boxes();
-  render::MatrixView view{
-      .title = "A, and b (m/s²)", .row_names = row_names(n), .column_group = n, .active_row = row};
-  view.values.resize(n, n + 1);
-  view.values << run.system.A, run.system.b;
-  for (int later = row + 1; later < n; ++later) view.unknown.push_back({later, n});
-  view.column_names = row_names(n);
-  view.column_names.push_back("b");
+  const List<Rect> parts =
+      lay_out_building(page, run, {.contact = row, .velocity = run.system.velocity}, 0.48);
+  draw_product(page, parts[0], {view_of_J(run, n, row)}, {});
+  Eigen::MatrixXd stage(n, n + 1);
+  stage << run.system.A, run.system.b;
+  List<render::MatrixView> system = system_views(run, stage, row);
+  for (int later = row + 1; later < n; ++later) system[1].unknown.push_back({later, 0});
+  draw_product(page, parts[1], system, {"λ ="});
   const std::string dt = brief(run.settings.dt);
   const double jv = run.row_velocity(row) + 0.0;
-  page.equation(draw_building(page, run, {.contact = row, .velocity = run.system.velocity}, view),
-                {.number = "eq (15)",
-                 .symbols = fmt::format("b_{{{0}}} = ζ/Δt − j_{{{0}}}·v_{{1}}/Δt", row + 1),
-                 .numbers = fmt::format("= {}/{} − {}/{}", brief(run.system.zeta(row)), dt,
-                                        in_brackets(fixed(jv, 3)), dt),
-                 .result = fmt::format("= {} m/s²", brief(run.system.b(row))),
-                 .algorithm = std::abs(jv) > 0 ? "this contact closes in" : "both fall alike"});
+  page.equation(parts[2], {.number = "eq (15)",
+                           .symbols = fmt::format("b_{{{0}}} = ζ/Δt − j_{{{0}}}·v_{{1}}/Δt", row + 1),
+                           .numbers = fmt::format("= {}/{} − {}/{}", brief(run.system.zeta(row)), dt,
+                                                  in_brackets(brief(jv)), dt),
+                           .result = fmt::format("= {} m/s²", brief(run.system.b(row))),
+                           .algorithm = std::abs(jv) > 0 ? "this contact closes in" : "both fall alike"});
 }
 
 List<Entry> order_of_entries(int boxes) {

@@ -20,11 +20,12 @@ LessonInfo card() {
       .needs = {"lesson 01", "lesson 02"},
       .reads = {"src/solvers/system_matrix.hpp", "src/solvers/system_matrix.cpp"},
       .question =
-          "All boxes of a stack fall at the same speed, because gravity has acted for one step. In the end "
-          "its "
-          "contacts carry 30, 20 and 10 N, from the ground up (--top changes that). b has one number for "
-          "each of "
-          "them. What are its numbers, from the ground up, in m/s²?",
+          "Three boxes of 1\u00a0kg fall at 0.2\u00a0m/s, because gravity has acted for one step of "
+          "0.02\u00a0s. In the end their contacts carry 30, 20 and 10\u00a0N, from the ground up. "
+          "Aλ\u00a0=\u00a0b "
+          "has one number b\u00a0=\u00a0ζ/Δt\u00a0−\u00a0Jv₁/Δt for each contact, with ζ\u00a0=\u00a00. What "
+          "are "
+          "these numbers, from the ground up, in m/s²?",
       .spoilers = {"b₂ and b₃", "10, 0, 0", "do not close in", "Only the lowest contact"},
       .hints = {"b looks at the two bodies of a contact, not at one.",
                 "b = ζ/Δt − j·v₁/Δt, and j·v₁ says how fast the two close in.",

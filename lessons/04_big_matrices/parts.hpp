@@ -6,7 +6,7 @@
 
 #include "lessons/lesson.hpp"
 #include "math/list.hpp"
-#include "render/page.hpp"
+#include "render/matrix.hpp"
 #include "system.hpp"
 
 namespace cairn::big {
@@ -35,11 +35,18 @@ List<Shot> solving_shots(const Run& run);
 /// What of the stack is shown beside the matrices.
 struct StackView {
   int contact = -1;               // whose two bodies are lit; from 0
-  int box = 0;                    // instead: one body that is lit; from 1
+  int row = -1, other_row = -1;   // whose boxes have a bracket left and right; from 0
   int known = 0;                  // so many pushes are shown, from the uppermost contact down
+  bool asks = false;              // "b_1 = ?" beside each contact
   Eigen::VectorXd velocity = {};  // three numbers a box; nothing: no velocities
 };
 void draw_stack(render::Page& page, const render::Rect& rect, const StackRun& run, const StackView& view);
+
+/// Matrices side by side, between them the signs that make an equation of them; all cells of one size.
+void draw_product(render::Page& page, const render::Rect& rect, const List<render::MatrixView>& factors,
+                  const List<std::string>& signs);
+/// A λ = b at a stage of the elimination, with the row that is at work.
+List<render::MatrixView> system_views(const StackRun& run, const Eigen::MatrixXd& stage, int active);
 
 /// "1_{x}", "1_{y}", ... for the columns of J.
 List<std::string> column_names(int boxes);

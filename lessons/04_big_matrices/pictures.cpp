@@ -9,7 +9,6 @@
 #include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "render/draw.hpp"
-#include "render/matrix.hpp"
 
 namespace cairn::big {
 
@@ -20,23 +19,28 @@ using render::Page;
 using render::Point;
 using render::Rect;
 
+/// Beside the stack: right-aligned at a left side, with its unit if there is room.
+void write_beside(Page& page, const render::Camera& camera, const Point& at, const std::string& text,
+                  const std::string& shorter, bool left) {
+  render::TextStyle style = page.value();
+  style.align = left ? render::Align::right : render::Align::left;
+  const double width = page.canvas().text_width(text, style);
+  const Rect& view = camera.viewport;
+  const bool fits = left ? at.x() - width > view.x : at.x() + width < view.x + view.width;
+  page.canvas().text({at.x(), at.y() + style.size / 3}, fits ? text : shorter, style);
+}
+
 /// Left of the stack what each contact pushes upwards, as far as it is known.
 void draw_pushes(Page& page, const render::Camera& camera, const StackRun& run, int known) {
-  const double largest = lambda_by_formula(run, 0);
-  const render::ArrowScale scale{
-      .pixels_per_unit = 0.9 * camera.scale / largest, .longest = camera.scale, .unit = "N"};
+  const render::ArrowScale scale{.pixels_per_unit = 0.9 * camera.scale / lambda_by_formula(run, 0),
+                                 .longest = camera.scale,
+                                 .unit = "N"};
   for (int i = run.boxes() - known; i < run.boxes(); ++i) {
-    const double lambda = run.lambda(i);
     draw_arrow(page, camera, scale,
-               {.kind = render::ArrowKind::normal, .tail = {-0.8, i}, .value = {0, lambda}});
-    render::TextStyle style = page.value();
-    style.align = render::Align::right;
-    const Point at = camera.project({-0.8, i + 0.25});
-    const std::string value = fixed(lambda, lambda < 1000 ? 2 : 0);
-    const std::string full = fmt::format("λ_{{{}}} = {} N", i + 1, value);
-    const double right = at.x() - 14;
-    const bool fits = right - page.canvas().text_width(full, style) > camera.viewport.x;
-    page.canvas().text({right, at.y() + style.size / 3}, fits ? full : value, style);
+               {.kind = render::ArrowKind::normal, .tail = {-0.7, i}, .value = {0, run.lambda(i)}});
+    const std::string value = brief(run.lambda(i)) + " N";
+    write_beside(page, camera, camera.project({-0.7, i + 0.25}) - Point(14, 0),
+                 fmt::format("λ_{{{}}} = {}", i + 1, value), value, true);
   }
 }
 
@@ -48,90 +52,110 @@ void draw_speeds(Page& page, const render::Camera& camera, const StackRun& run,
       .pixels_per_unit = 0.5 * camera.scale / largest, .longest = camera.scale, .unit = "m/s"};
   for (int i = 0; i < run.boxes(); ++i) {
     const double v = velocity(3 * i + 1);
-    draw_arrow(page, camera, scale,
-               {.kind = render::ArrowKind::velocity, .tail = {0.75, i + 0.5}, .value = {0, v}});
-    render::TextStyle style = page.value();
-    style.color = page.theme().secondary_text;
-    const Point at = camera.project({0.75, i + 0.5});
-    const std::string value = fixed(v, 3);
-    const double left = at.x() + 16;
-    const double edge = camera.viewport.x + camera.viewport.width;
-    const bool fits = left + page.canvas().text_width(value + " m/s", style) < edge;
-    page.canvas().text({left, at.y() + style.size / 3}, fits ? value + " m/s" : value, style);
+    const Vec2<double> tail(0.7, i + 0.5);
+    draw_arrow(page, camera, scale, {.kind = render::ArrowKind::velocity, .tail = tail, .value = {0, v}});
+    write_beside(page, camera, camera.project(tail) + Point(16, 0), brief(v) + " m/s", brief(v), false);
   }
 }
 
-/// "30, 20 and 10": what the contacts carry, from the ground up.
-std::string loads(const StackRun& run) {
-  std::string text;
-  for (int i = 0; i < run.boxes(); ++i) {
-    const char* between = i == 0 ? "" : i + 1 < run.boxes() ? ", " : " and ";
-    text += between + brief(lambda_by_formula(run, i));
-  }
-  return text;
+/// A bracket around the boxes of a row, which are the one below its contact and the one above.
+void draw_bracket(Page& page, const render::Camera& camera, int row, bool left) {
+  const double x = left ? -0.7 : 0.7, end = left ? 0.08 : -0.08, bottom = std::max(0, row - 1);
+  const FixedList<Point, 4> points = {camera.project({x + end, bottom + 0.06}),
+                                      camera.project({x, bottom + 0.06}), camera.project({x, row + 0.94}),
+                                      camera.project({x + end, row + 0.94})};
+  page.canvas().polyline(points, {.width = page.sizes().active_outline, .color = page.theme().text});
+  write_beside(page, camera, camera.project({x, 0.5 * (bottom + row + 1)}) + Point(left ? -10 : 10, 0),
+               fmt::format("row {}", row + 1), fmt::format("{}", row + 1), left);
 }
 
-void draw_question(Page& page, const StackRun& run) {
-  std::string unknown = "?";
-  for (int i = 1; i < run.boxes(); ++i) unknown += ", ?";
-  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
-  draw_stack(page, halves[0], run, {.velocity = run.system.velocity});
-  const List<Rect> right = rows(halves[1], {0.6, 0.4}, page.sizes().gap);
-  page.note(
-      right[0], "The question",
-      fmt::format("All boxes fall at {} m/s: gravity has acted for one step. In the end the contacts carry "
-                  "{}\u00a0N. b "
-                  "has one number for each of them. Is it in the same proportion? What are its numbers?",
-                  brief(gravity * run.settings.dt), loads(run)),
-      question_growth);
-  page.equation(right[1], {.number = "eq (15)",
-                           .symbols = "A λ = b,   b = ζ/Δt − J v_{1}/Δt,   ζ = 0",
-                           .numbers = "row by row, from the ground up:",
-                           .result = fmt::format("b = ({}) m/s²", unknown)});
+/// The stack that stands, and below it λ as the first column of the inverse, times the one number of b.
+void draw_answer(Page& page, const Rect& rect, const StackRun& run) {
+  const List<Rect> parts = rows(rect, {0.55, 0.45}, page.sizes().gap);
+  draw_stack(page, parts[0], run, {.known = run.boxes(), .velocity = run.velocity});
+  const List<std::string> names = row_names(run.boxes());
+  draw_product(page, parts[1],
+               {{.title = "A^{−1} (kg)",
+                 .values = run.inverse,
+                 .row_names = names,
+                 .column_names = names,
+                 .active_column = 0},
+                {.title = "b (m/s²)", .values = run.system.b, .active_row = 0},
+                {.title = "λ (N)", .values = run.lambda}},
+               {"×", "="});
 }
 
-void draw_answer(Page& page, const StackRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
-  draw_stack(page, halves[0], run, {.known = run.boxes(), .velocity = run.velocity});
-  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+std::string answer_text(const StackRun& run) {
   std::string numbers = brief(run.system.b(0));
-  for (int i = 1; i < run.boxes(); ++i) numbers += ", " + brief(run.system.b(i));
-  const std::string text = fmt::format(
-      "b = ({}) m/s². Two boxes that fall together do not close in on each other, however heavy they are: 0. "
-      "Only the lowest contact closes in, and A⁻¹ passes that on. Each entry is the mass that stands above "
-      "both contacts, and the first column, times b_{{1}}, is λ.",
+  for (int i = 1; i < run.boxes(); ++i) numbers += ",\u00a0" + brief(run.system.b(i));
+  return fmt::format(
+      "b = ({}) m/s². Boxes that fall together do not close in on each other. Only the lowest contact closes "
+      "in, and A^{{−1}} passes the weight on.",
       numbers);
-  page.note(right[0], "The answer", text, question_growth);
-  const int n = run.boxes();
-  render::MatrixView inverse{.title = "A^{−1} (kg), and b (m/s²)", .row_names = row_names(n)};
-  inverse.values.resize(n, n + 1);
-  inverse.values << run.inverse, run.system.b;
-  inverse.column_names = row_names(n);
-  inverse.column_names.push_back("b");
-  inverse.column_group = n;
-  render::MatrixView lambda{.title = "λ (N)", .values = run.lambda, .row_names = row_names(n)};
-  const List<Rect> below = columns(right[1], {0.62, 0.38}, page.sizes().gap);
-  draw_matrix(page, below[0], inverse);
-  draw_matrix(page, below[1], lambda);
 }
 
 }  // namespace
 
 void draw_stack(Page& page, const Rect& rect, const StackRun& run, const StackView& view) {
   const Rect inside = page.panel(rect, "");
-  const double n = run.boxes();
-  const render::Camera camera = render::fit(inside, {{-2.1, -0.35}, {2.1, n + 0.2}});
-  render::WorldLook look;
-  look.penetration = false;
+  const double n = run.boxes(), bottom = -0.35;
+  render::Camera camera = render::fit(inside, {{-1.75, bottom}, {1.75, n + 0.2}});
+  camera.center.y() =
+      bottom + 0.5 * inside.height / camera.scale;  // little of the ground, whatever the panel
+  render::WorldLook look{.penetration = false};
   look.active_contact = view.contact;
   if (view.contact >= 0) {
     look.active_a = {view.contact};
     look.active_b = {view.contact + 1};
   }
-  if (view.box > 0) look.active_a = {view.box};
   draw_world(page, camera, run.snapshot, look);
   draw_pushes(page, camera, run, view.known);
   if (view.velocity.size() > 0) draw_speeds(page, camera, run, view.velocity);
+  if (view.row >= 0) draw_bracket(page, camera, view.row, true);
+  if (view.other_row >= 0) draw_bracket(page, camera, view.other_row, false);
+  for (int i = 0; view.asks && i < run.boxes(); ++i) {
+    write_beside(page, camera, camera.project({-0.6, i}) - Point(0, i == 0 ? 14 : 0),
+                 fmt::format("b_{{{}}} = ? m/s²", i + 1), fmt::format("b_{{{}}} = ?", i + 1), true);
+  }
+}
+
+void draw_product(Page& page, const Rect& rect, const List<render::MatrixView>& factors,
+                  const List<std::string>& signs) {
+  const Rect inside = page.panel(rect, "");
+  const double title = 30, names = 26, gap = 1.4;  // [px, px, cells] above, below and between matrices
+  double across = 1 + gap * signs.size();          // [cells] with the first one's row names
+  for (const render::MatrixView& view : factors) across += static_cast<double>(view.values.cols());
+  const auto most = static_cast<double>(factors[0].values.rows());
+  const double cell = std::min({64.0, inside.width / across, (inside.height - title - names) / most});
+  const double top = inside.y + 0.5 * (inside.height - title - names - most * cell);
+  const render::TextStyle sign{.size = std::min(30.0, 0.5 * cell),
+                               .color = page.theme().text,
+                               .bold = true,
+                               .align = render::Align::center};
+  double x = inside.x + 0.5 * (inside.width - across * cell) + 0.7 * cell;
+  for (int i = 0; i < factors.size(); ++i) {
+    const render::MatrixView& view = factors[i];
+    const double left = view.row_names.empty() ? 0 : 24;  // [px] of the row names
+    const double below = view.column_names.empty() ? 2 : names;
+    const double width = static_cast<double>(view.values.cols()) * cell;
+    // A title may be wider than its cells; those are as large as their height allows.
+    draw_matrix(page, {x - left, top, left + width + 0.6 * cell, title + below + most * cell}, view);
+    x += width;
+    if (i < signs.size())
+      page.canvas().text({x + 0.5 * gap * cell - 6, top + title + 0.5 * most * cell + 0.35 * sign.size},
+                         signs[i], sign);
+    x += gap * cell;
+  }
+}
+
+List<render::MatrixView> system_views(const StackRun& run, const Eigen::MatrixXd& stage, int active) {
+  const int n = run.boxes();
+  return {{.title = "A (kg^{−1})",
+           .values = stage.leftCols(n),
+           .row_names = row_names(n),
+           .column_names = row_names(n),
+           .active_row = active},
+          {.title = "b (m/s²)", .values = stage.col(n), .active_row = active}};
 }
 
 List<std::string> column_names(int boxes) {
@@ -161,18 +185,22 @@ std::string in_brackets(const std::string& number) {
 
 List<Shot> stack_shots(const StackRun& recorded) {
   const Run run = std::make_shared<const StackRun>(recorded);
-  List<Shot> shots;
-  shots.push_back({.state = "before the first row",
-                   .alt = "A stack of boxes that all fall at the same speed, and the question.",
-                   .draw = [run](Page& page) { draw_question(page, *run); },
-                   .key = true});
-  for (const List<Shot>& part : {building_shots(run), solving_shots(run)}) {
+  List<Shot> shots = {question_shot(
+      card(),
+      {.state = "before the first row",
+       .alt = "Three stacked boxes that fall at the same speed, equation 15, and the question for the "
+              "numbers of b",
+       .scene = [run](Page& page, const Rect& rect) {
+         draw_stack(page, rect, *run, {.asks = true, .velocity = run->system.velocity});
+       }})};
+  for (const List<Shot>& part : {building_shots(run), solving_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
-  }
-  shots.push_back({.state = "answer",
-                   .alt = "The stack held by its contacts, the inverse of A beside b and λ, and the answer.",
-                   .draw = [run](Page& page) { draw_answer(page, *run); },
-                   .key = true});
+  shots.push_back(answer_shot(
+      card(),
+      {.state = "answer",
+       .alt = "The stack held by its contacts; below it the inverse of A times b is λ; and the answer.",
+       .scene = [run](Page& page, const Rect& rect) { draw_answer(page, rect, *run); }},
+      answer_text(recorded)));
   return shots;
 }
 

@@ -6,7 +6,6 @@
 #include "lessons/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
-#include "render/bars.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
 
@@ -18,55 +17,40 @@ using render::fixed;
 using render::Page;
 using render::Rect;
 
-/// [A | b] left, bars of the known lambda right, in `rect`.
-void draw_system(Page& page, const Rect& rect, const StackRun& run, int stage, int active, int known) {
-  const int n = run.boxes();
-  const List<Rect> halves = columns(rect, {0.46, 0.54}, page.sizes().gap);
-  render::MatrixView view{.title = "A, and b (m/s²)",
-                          .values = run.stages[stage],
-                          .row_names = row_names(n),
-                          .column_group = n,
-                          .active_row = active};
-  view.column_names = row_names(n);
-  view.column_names.push_back("b");
-  draw_matrix(page, halves[0], view);
-  if (known == 0) {
-    page.note(halves[1], "",
-              "Each row loses the λ of the row above it. The last row then has "
-              "a single λ left.");
-    return;
+/// "(0, −1, 2 | 0)", times a factor.
+std::string row_in_numbers(const Eigen::MatrixXd& stage, int row, double factor) {
+  std::string text;
+  for (Eigen::Index k = 0; k < stage.cols(); ++k) {
+    const char* const before = k == 0 ? "(" : k + 1 == stage.cols() ? " | " : ", ";
+    text += before + brief(factor * stage(row, k) + 0.0);
   }
-  render::BarChart bars{.title = "λ (N)", .largest = 1.3 * lambda_by_formula(run, 0)};
-  for (int i = 0; i < n; ++i) {
-    const bool is_known = i >= n - known;
-    bars.bars.push_back({.name = fmt::format("row {}", i + 1),
-                         .before = is_known && i != active ? run.lambda(i) : 0,
-                         .added = is_known && i == active ? run.lambda(i) : 0,
-                         .active = is_known && i == active});
-  }
-  draw_bars(page, halves[1], bars);
+  return text + ")";
 }
 
 void draw_elimination(Page& page, const StackRun& run, int row) {
-  const List<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.3, 0.7}, page.sizes().gap);
   draw_stack(page, halves[0], run, {.contact = row});
   const List<Rect> right = rows(halves[1], {0.52, 0.48}, page.sizes().gap);
-  draw_system(page, right[0], run, row, row, 0);
-  const Eigen::MatrixXd& before = run.stages[row - 1];
-  const double upper = before(row - 1, row - 1);
-  const double lower = before(row, row - 1);
-  page.equation(right[1], {.number = fmt::format("row {} loses its λ_{{{}}}", row + 1, row),
-                           .symbols = fmt::format("row {0} ← row {0} − f × row {1}", row + 1, row),
-                           .numbers = fmt::format("f = {} / {}", brief(lower), brief(upper)),
-                           .result = fmt::format("f = {}", brief(lower / upper))});
+  const Eigen::MatrixXd &before = run.stages[row - 1], &after = run.stages[row];
+  List<render::MatrixView> both = system_views(run, before, row);
+  for (const render::MatrixView& view : system_views(run, after, row)) both.push_back(view);
+  draw_product(page, right[0], both, {"λ =", "→", "λ ="});
+  const double factor = before(row, row - 1) / before(row - 1, row - 1);
+  page.equation(right[1],
+                {.number = fmt::format("row {} loses its λ_{{{}}}", row + 1, row),
+                 .symbols = fmt::format("row {} − {} × row {}", row + 1, in_brackets(brief(factor)), row),
+                 .numbers = fmt::format("= {} + {}", row_in_numbers(before, row, 1),
+                                        row_in_numbers(before, row - 1, -factor)),
+                 .result = "= " + row_in_numbers(after, row, 1),
+                 .algorithm = row + 1 == run.boxes() ? "this row has a single λ left" : ""});
 }
 
 void draw_back(Page& page, const StackRun& run, int row) {
   const int n = run.boxes();
-  const List<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
+  const List<Rect> halves = columns(page.area(), {0.38, 0.62}, page.sizes().gap);
   draw_stack(page, halves[0], run, {.contact = row, .known = n - row});
   const List<Rect> right = rows(halves[1], {0.52, 0.48}, page.sizes().gap);
-  draw_system(page, right[0], run, n - 1, row, n - row);
+  draw_product(page, right[0], system_views(run, run.stages.back(), row), {"λ ="});
   const Eigen::MatrixXd& last = run.stages.back();
   const std::string pivot = brief(last(row, row));
   const bool is_last = row + 1 == n;
@@ -135,28 +119,21 @@ void draw_without_gravity(Page& page, const StackRun& run) {
 
 void draw_growth(Page& page, const StackRun& run) {
   const List<Rect> parts = columns(page.area(), {0.6, 0.4}, page.sizes().gap);
-  const render::Color color = page.theme().outline;
-  const FixedList<render::SeriesStyle, 4> styles = {{{color, {}, render::Marker::circle},
-                                                     {color, {10, 6}, render::Marker::square},
-                                                     {color, {2, 5}, render::Marker::diamond},
-                                                     {color, {10, 5, 2, 5}, render::Marker::triangle}}};
-  FixedList<render::Series, 4> series;
-  const FixedList<const char*, 4> names = {"elimination", "J", "A", "A, not 0"};
-  for (int k = 0; k < 4; ++k) {
-    series[k].name = names[k];
-    series[k].style = styles[k];
-  }
-  for (const Growth& growth : run.growth) {
-    for (render::Series& one : series) one.x.push_back(growth.boxes);
-    series[0].y.push_back(growth.elimination);
-    series[1].y.push_back(growth.all_of_J);
-    series[2].y.push_back(growth.all_of_A);
-    series[3].y.push_back(growth.used_of_A);
-  }
+  const render::Theme& theme = page.theme();
   render::Plot plot{.title = "numbers in J and A, multiplications of an elimination"};
   plot.x = {.title = "boxes", .scale = render::AxisScale::logarithmic, .min = 2, .max = 400};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1, .max = 1e8};
-  plot.series.assign(series.begin(), series.end());
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 3, .max = 3e7};
+  plot.series = {{.name = "elimination", .style = {theme.text, {}, render::Marker::circle}},
+                 {.name = "all of J", .style = theme.si},
+                 {.name = "all of A", .style = theme.jacobi},
+                 {.name = "not 0 in A", .style = theme.box2d}};
+  for (const Growth& growth : run.growth) {
+    for (render::Series& one : plot.series) one.x.push_back(growth.boxes);
+    plot.series[0].y.push_back(growth.elimination);
+    plot.series[1].y.push_back(growth.all_of_J);
+    plot.series[2].y.push_back(growth.all_of_A);
+    plot.series[3].y.push_back(growth.used_of_A);
+  }
   draw_plot(page, parts[0], plot);
   const Growth& largest = run.growth.back();
   page.note(parts[1], "A larger stack",
