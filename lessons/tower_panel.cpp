@@ -36,6 +36,15 @@ void draw_load_bars(Page& page, const render::Camera& camera, double right, cons
   }
 }
 
+/// Whether a box has come down by a fifth of its height upon the one below.
+bool is_sunk(const Snapshot& tower) {
+  for (int i = 2; i < tower.bodies.size(); ++i) {
+    const double rise = tower.bodies[{i}].pose.position.y() - tower.bodies[{i - 1}].pose.position.y();
+    if (rise < 0.8) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 render::Camera draw_tower_loads(Page& page, const Rect& view, const Snapshot& tower,
@@ -45,7 +54,8 @@ render::Camera draw_tower_loads(Page& page, const Rect& view, const Snapshot& to
   camera.center.x() = 0.5 * view.width / camera.scale - 1.2;  // the tower at the left
   render::WorldLook look;
   look.contacts = false;
-  look.numbers = camera.scale >= 20;  // or those of two digits would be missing
+  // In lower boxes those of two digits would be missing, and in a tower that has sunk edges would cross them.
+  look.numbers = camera.scale >= (boxes < 10 ? 20 : 27) && !is_sunk(tower);
   look.penetration = false;
   draw_world(page, camera, tower, look);
   draw_load_bars(page, camera, view.x + view.width, tower, loads, bars);

@@ -18,14 +18,16 @@ LessonInfo card() {
       .needs = {"lesson 05", "lesson 06"},
       .reads = {"src/world/world.cpp", "src/constraints/row.hpp"},
       .question =
-          "A tower of ten boxes that does 50 sweeps in each step, each time from nothing, sinks by 223 mm in "
-          "120 steps. How many sweeps does a step need to do better, if it begins with the impulses of the "
-          "last one?",
-      .spoilers = {"139", "single warm sweep", "0.9755"},
+          "A tower of 10 boxes does 50 sweeps in each step, always from nothing. In 300 steps its top sinks "
+          "by "
+          "559\u00a0mm. If each step begins with the impulses of the last one, how many sweeps does it need "
+          "to "
+          "sink less?",
+      .spoilers = {"184", "single warm sweep", "0.9755"},
       .hints =
           {"Warm or cold, a sweep leaves the same share of an error. What differs is the error it finds.",
-           "Cold, each of the 120 steps begins with an error of 100 % and throws its 50 sweeps away.",
-           "Warm, the sweeps of 120 steps work on one answer. One answer takes some 200 sweeps."},
+           "Cold, each of the 300 steps begins with an error of 100 % and throws its 50 sweeps away.",
+           "Warm, the sweeps of 300 steps work on one answer. One answer takes some 200 sweeps."},
       .parameters = {{"boxes", 10, 3, 20, "", "boxes of 1 kg in the tower", Parameter::Kind::whole},
                      {"sweeps", 10, 1, 50, "", "sweeps in each step", Parameter::Kind::whole},
                      {"steps", 120, 60, 300, "", "steps of each run", Parameter::Kind::whole},

@@ -5,6 +5,7 @@
 // its own impulses, one from those of the contact below. Two more runs go by the number of a row, not its
 // key.
 #include "lessons/lesson.hpp"
+#include "lessons/words.hpp"
 
 #include <fmt/format.h>
 
@@ -68,13 +69,15 @@ WarmStart run_all(const StartSettings& settings) {
   all.cold = follow_tower(settings, cold, "cold");
   all.warm = follow_tower(settings, warm, "warm");
   all.shifted = follow_tower(settings, shifted, "one row off");
+  StartSettings longer = settings;
+  longer.steps = question_steps;
   Remembering many(many_sweeps, Start::cold);
-  all.many_cold = follow_tower(settings, many, fmt::format("cold, {} sweeps", many_sweeps));
+  all.many_cold = follow_tower(longer, many, fmt::format("cold, {} sweeps", many_sweeps));
   do {
     Remembering few(++all.few, Start::warm);
     all.few_warm =
-        follow_tower(settings, few, fmt::format("warm, {} sweep{}", all.few, all.few > 1 ? "s" : ""));
-  } while (risen(all.few_warm, settings.steps) < risen(all.many_cold, settings.steps));
+        follow_tower(longer, few, fmt::format("warm, {} sweep{}", all.few, all.few > 1 ? "s" : ""));
+  } while (lowest(all.few_warm) < risen(all.many_cold, question_steps));
   all.guest = follow_guest(settings, with_guest, numbered);
   const TowerAtRest rest = tower_found_from_the_top(settings);
   all.reversed = begun_with(rest.problem, first_guess(rest.problem, Start::warm, rest.last),
@@ -91,7 +94,10 @@ void run(Lesson& lesson) {
                                  .steps = lesson.whole("steps"),
                                  .dt = lesson.real("dt")});
   tell_scene(lesson, all.settings);
-  lesson.predict();
+  if (question_of(all) == card().question)
+    lesson.predict();
+  else
+    lesson.print(wrapped("QUESTION " + question_of(all), 104, 9));
   tell_loads(lesson, all);
   tell_sweeps(lesson, all);
   tell_order(lesson, all);

@@ -67,28 +67,27 @@ void draw_cold_sweeps(Page& page, const WarmStart& all) {
                                                      {color, {10, 5, 2, 5}, render::Marker::triangle},
                                                      {color, {10, 6}, render::Marker::square},
                                                      {color, {}, render::Marker::circle}}};
-  render::Plot plot{.title = "what the lowest contact lacks, in one step from nothing"};
-  plot.x = {.title = "sweeps", .scale = render::AxisScale::logarithmic, .min = 1, .max = 8000};
-  plot.y = {.scale = render::AxisScale::logarithmic, .min = 0.002, .max = 1};
+  render::Plot plot{.title = "what the lowest of n contacts lacks, in one step from nothing"};
+  plot.x = {.title = "sweeps", .scale = render::AxisScale::logarithmic, .min = 1, .max = 1500};
+  plot.y = {.scale = render::AxisScale::logarithmic, .min = 0.005, .max = 1};
   for (int s = 0; s < all.sweeps.size(); ++s) {
     const ColdSweeps& cold = all.sweeps[s];
-    render::Series series{.name = fmt::format("{} boxes", cold.boxes), .style = styles[s]};
-    for (int k = 1; k < cold.error.size() && cold.error[k] > 0.005; ++k) {
-      series.x.push_back(k);
-      series.y.push_back(cold.error[k]);
-    }
+    render::Series series = render::over_steps("", styles[s], cold.error);
+    const auto half = std::find_if(cold.error.begin(), cold.error.end(), [](double e) { return e < 0.3; });
+    plot.labels.push_back(
+        {static_cast<double>(half - cold.error.begin()), *half, fmt::format("n = {}", cold.boxes)});
     plot.series.push_back(series);
   }
   plot.goals.push_back({wanted_error, "1 %"});
   draw_plot(page, parts[0], plot);
-  const List<Rect> right = rows(parts[1], {0.38, 0.62}, page.sizes().gap);
-  render::TableView table{.header = {"boxes", "sweeps to 1 %", "formula"}};
+  const List<Rect> right = rows(parts[1], {0.42, 0.58}, page.sizes().gap);
+  render::TableView table{.header = {"boxes n", "sweeps to 1 %", "formula"}};
   for (const ColdSweeps& cold : all.sweeps) {
     table.rows.push_back({fmt::format("{}", cold.boxes), fmt::format("{}", cold.needed),
                           fixed(needed_by_formula(cold.boxes), 1)});
   }
   page.table(right[0], "", table);
-  page.note(right[1], "",
+  page.card(right[1], "",
             "The error spreads like heat along a rod: twice the length takes four times the "
             "time. So twice the height takes four times the sweeps.");
 }
@@ -168,12 +167,18 @@ void draw_guest(Page& page, const WarmStart& all) {
   const int first = all.guest.by_key.size() / 4;  // once the first swings are over
   plot.x = {.title = "step", .min = first, .max = all.settings.steps};
   plot.series = {{.name = "by key", .style = start_styles(page.theme())[1]},
-                 {.name = "by number", .style = start_styles(page.theme())[2]}};
+                 {.name = "by number", .style = start_styles(page.theme())[2], .markers = false}};
+  render::Series touches{
+      .name = "ball touches", .style = {page.theme().external, {}, render::Marker::triangle}, .line = false};
   for (int k = first; k < all.guest.by_key.size(); ++k) {
     for (render::Series& series : plot.series) series.x.push_back(k);
     plot.series[0].y.push_back(all.guest.by_key[k][0]);
     plot.series[1].y.push_back(all.guest.by_number[k][0]);
+    if (!all.guest.ball_touches[k]) continue;
+    touches.x.push_back(k);
+    touches.y.push_back(all.guest.by_number[k][0]);
   }
+  plot.series.push_back(touches);
   plot.cursor = step;
   draw_plot(page, right[0], plot);
   page.note(right[1], "",

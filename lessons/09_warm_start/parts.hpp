@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "lessons/lesson.hpp"
 #include "math/list.hpp"
@@ -9,6 +10,9 @@
 #include "start.hpp"
 
 namespace cairn::warm {
+
+/// The question of the card with the numbers of these runs.
+std::string question_of(const WarmStart& all);
 
 void tell_scene(Lesson& lesson, const StartSettings& settings);
 void tell_loads(Lesson& lesson, const WarmStart& all);

@@ -59,43 +59,56 @@ void draw_start_line(Page& page, const render::Camera& camera, double boxes) {
 }
 
 /// What the top of the tower does, and not only where it is.
-std::string motion_of(const StartRun& run, int frame, bool is_steady) {
-  const double speed = run.frames[frame].bodies.back().velocity.y();
-  return is_steady && std::abs(speed) < 0.0005 ? "stands still"
-                                               : fixed(speed, 3, render::Sign::always) + " m/s";
+std::string motion_of(const StartRun& run, int frame) {
+  const double speed = std::round(1000 * run.frames[frame].bodies.back().velocity.y());
+  if (speed == 0) return "stands still";
+  return fmt::format("{} at {:.0f} mm/s", speed < 0 ? "sinks" : "rises", std::abs(speed));
 }
 
 /// One start: its tower, its loads, and within which bounds the loads have been lately.
-void draw_start(Page& page, const Rect& rect, const WarmStart& all, const StartRun& run, int frame,
-                const SeriesStyle& style) {
+struct StartView {
+  const StartRun& run;
+  SeriesStyle style = {};
+  std::string name = {};
+  bool is_first = false;  // with what bars and ticks are
+};
+
+void draw_start(Page& page, const Rect& rect, const WarmStart& all, int frame, const StartView& shown) {
+  const StartRun& run = shown.run;
   const std::string top = "top " + fixed(risen(run, frame), 0, render::Sign::always) + " mm";
   const bool is_wide = rect.width > 300;  // or there is room for the tower alone
-  const Rect view = draw_solver_panel(page, rect, style, run.name, is_wide ? top : "");
+  const Rect view = draw_solver_panel(page, rect, shown.style, shown.name, is_wide ? top : "");
   const Range range = lately_carried(run, frame);
   const render::Camera camera = draw_tower_loads(page, view, run.frames[frame], run.loads[frame],
                                                  {.box_weight = gravity,
                                                   .largest = largest_load(all),
-                                                  .color = style.color,
+                                                  .color = shown.style.color,
                                                   .least = range.least,
                                                   .most = range.most});
   draw_start_line(page, camera, all.settings.boxes);
   if (frame == 0 || !is_wide) return;
-  render::TextStyle text = page.value();
-  text.align = render::Align::right;
-  const double right = view.x + view.width, line = 1.5 * text.size;
-  const bool is_steady = range.most[0] - range.least[0] < 1;
-  page.canvas().text({right, view.y + line}, motion_of(run, frame, is_steady), text);
-  page.canvas().text({right, view.y + 2 * line},
-                     is_steady ? fmt::format("λ_{{1}} {:.0f} N", range.most[0])
-                               : fmt::format("λ_{{1}} {:.0f} to {:.0f} N", range.least[0], range.most[0]),
-                     text);
+  List<std::string> lines = {motion_of(run, frame),
+                             range.most[0] - range.least[0] < 1
+                                 ? fmt::format("λ_{{1}} {:.0f} N", range.most[0])
+                                 : fmt::format("λ_{{1}} {:.0f} to {:.0f} N", range.least[0], range.most[0])};
+  if (shown.is_first)
+    lines.insert(lines.end(), {"bar: load", "tick: to carry", fmt::format("pale: last {} steps", lately)});
+  for (int i = 0; i < lines.size(); ++i) {
+    render::TextStyle text = i < 2 ? page.value() : page.secondary();
+    text.align = render::Align::right;
+    page.canvas().text({view.x + view.width, view.y + 1.5 * (i + 1) * text.size}, lines[i], text);
+  }
 }
 
 void draw_towers(Page& page, const Rect& rect, const WarmStart& all, int frame) {
   const List<Rect> panels = columns(rect, {1, 1, 1}, page.sizes().gap);
   const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
   const FixedList<const StartRun*, 3> runs = runs_of(all);
-  for (int s = 0; s < runs.size(); ++s) draw_start(page, panels[s], all, *runs[s], frame, styles[s]);
+  for (int s = 0; s < runs.size(); ++s) {
+    const std::string name =
+        fmt::format("{}, {} sweep{}", runs[s]->name, all.settings.sweeps, all.settings.sweeps > 1 ? "s" : "");
+    draw_start(page, panels[s], all, frame, {*runs[s], styles[s], name, s == 0});
+  }
 }
 
 void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int frame) {
@@ -121,42 +134,64 @@ void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int fram
 }
 
 void draw_step(Page& page, const WarmStart& all, int frame) {
-  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.57, 0.43}, page.sizes().gap);
   draw_towers(page, parts[0], all, frame);
   draw_load_plot(page, parts[1], all, frame);
+}
+
+/// Where the tops have been; of the warm one only what was before `frame`.
+void draw_tops(Page& page, const Rect& rect, const WarmStart& all, int frame) {
+  const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
+  render::Plot plot{.title = "how far the tops have moved (mm)"};
+  plot.x = {.title = "step", .min = 0, .max = question_steps};
+  plot.y = {.min = 1.1 * lowest(all.many_cold), .max = 0};
+  const auto add = [&](const StartRun& run, const SeriesStyle& style, int steps) {
+    List<double> tops;
+    for (int k = 0; k <= steps; ++k) tops.push_back(risen(run, k));
+    plot.series.push_back(render::over_steps(run.name, style, tops));
+  };
+  add(all.many_cold, styles[0], question_steps);
+  if (frame > 0) add(all.few_warm, styles[1], frame);
+  draw_plot(page, rect, plot);
 }
 
 /// The cold tower of the question at the end, and the warm one at the given step.
 QuestionFrame two_towers(const All& all, int frame, std::string state, std::string alt) {
   const auto draw = [all, frame](Page& page, const Rect& rect) {
-    const List<Rect> panels = columns(rect, {1, 1}, page.sizes().gap);
+    const List<Rect> parts = rows(rect, {0.5, 0.5}, page.sizes().gap);
+    const List<Rect> panels = columns(parts[0], {1, 1}, page.sizes().gap);
     const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
-    draw_start(page, panels[0], *all, all->many_cold, all->settings.steps, styles[0]);
-    StartRun warm = all->few_warm;
-    if (frame == 0) warm.name = "warm, ? sweeps";
-    draw_start(page, panels[1], *all, warm, frame, styles[1]);
+    const std::string warm = frame == 0 ? "warm, ? sweeps" : all->few_warm.name;
+    draw_start(page, panels[0], *all, question_steps, {all->many_cold, styles[0], all->many_cold.name, true});
+    draw_start(page, panels[1], *all, frame, {all->few_warm, styles[1], warm});
+    draw_tops(page, parts[1], *all, frame);
   };
   return {.state = std::move(state), .alt = std::move(alt), .scene = draw};
+}
+
+LessonInfo card_for(const WarmStart& all) {
+  LessonInfo info = card();
+  info.question = question_of(all);
+  return info;
 }
 
 Shot step_shot(const All& all, int frame) {
   return {.state = fmt::format("step {} · t = {} s", frame, fixed(frame * all->settings.dt, 2)),
           .alt = fmt::format(
               "Step {}: the lowest box carries {:.2f} N cold, {:.2f} N warm and {:.2f} N one row "
-              "off; the tops have risen by {:.0f} mm, {:.0f} mm and {:.0f} mm.",
+              "off; the tops have moved by {:+.0f} mm, {:+.0f} mm and {:+.0f} mm.",
               frame, all->cold.loads[frame][0], all->warm.loads[frame][0], all->shifted.loads[frame][0],
               risen(all->cold, frame), risen(all->warm, frame), risen(all->shifted, frame)),
           .draw = [all, frame](Page& page) { draw_step(page, *all, frame); }};
 }
 
 std::string answer_text(const WarmStart& all) {
-  const int last = all.settings.steps;
   return fmt::format(
-      "{} sweep{} in each step, and the top sinks by {} mm in place of {}. The impulses stay, so the sweeps "
-      "of "
-      "{} steps work on one answer. Cold, each step throws its {} sweeps away.",
-      all.few, all.few > 1 ? "s" : "", fixed(-risen(all.few_warm, last), 0),
-      fixed(-risen(all.many_cold, last), 0), last, many_sweeps);
+      "{} sweep{}: {} mm in place of {}. The impulses stay, so the sweeps of {} steps work on one answer. "
+      "Cold, the loads are right at last, but the tower {}.",
+      all.few, all.few > 1 ? "s" : "", fixed(-risen(all.few_warm, question_steps), 0),
+      fixed(-risen(all.many_cold, question_steps), 0), question_steps,
+      motion_of(all.many_cold, question_steps));
 }
 
 }  // namespace
@@ -170,22 +205,23 @@ FixedList<SeriesStyle, 3> start_styles(const render::Theme& theme) {
 List<Shot> start_shots(const WarmStart& recorded) {
   const All all = std::make_shared<const WarmStart>(recorded);
   const int last = all->settings.steps;
-  const std::set<int> keys = {1, 2, 5, 10, 20, last};
-  const std::string of_cold = fmt::format("after {} steps", last);
+  const std::set<int> keys = {1, 5, 10, last};
+  const std::string of_cold = fmt::format("after {} steps", question_steps);
   List<Shot> shots = {question_shot(
-      card(),
+      card_for(*all),
       two_towers(all, 0, of_cold + ", and before the first",
                  "A tower of ten boxes after 50 cold sweeps in each step, which has sunk, one that is "
-                 "about to begin warm, and the question."))};
+                 "about to begin warm, how the first one sank, and the question."))};
   for (int k = 1; k <= last; ++k) {
     shots.push_back(step_shot(all, k));
     shots.back().key = keys.contains(k);
   }
   for (Shot& shot : order_shots(all)) shots.push_back(std::move(shot));
   shots.push_back(answer_shot(
-      card(),
-      two_towers(all, last, of_cold,
-                 fmt::format("Both towers at the end, and the answer: {} sweeps in each step.", all->few)),
+      card_for(*all),
+      two_towers(
+          all, question_steps, of_cold,
+          fmt::format("Both towers at the end, how they sank, and the answer: {} in each step.", all->few)),
       answer_text(*all)));
   return shots;
 }

@@ -100,6 +100,15 @@ void check_order(Lesson& lesson, const WarmStart& all) {
 
 }  // namespace
 
+std::string question_of(const WarmStart& all) {
+  return fmt::format(
+      "A tower of {} boxes does {} sweeps in each step, always from nothing. In {} steps its top sinks by "
+      "{:.0f}\u00a0mm. If each step begins with the impulses of the last one, how many sweeps does it need "
+      "to "
+      "sink less?",
+      all.settings.boxes, many_sweeps, question_steps, -risen(all.many_cold, question_steps));
+}
+
 void tell_scene(Lesson& lesson, const StartSettings& settings) {
   lesson.print(
       fmt::format("Scene: {} boxes of 1 kg on each other, W = {:g} N, g = {:g} m/s², Δt = {:.4g} s, {} "
@@ -122,7 +131,8 @@ void tell_loads(Lesson& lesson, const WarmStart& all) {
   lesson.print(fmt::format("top moved {:>8.1f} mm {:>8.1f} mm {:>10.1f} mm", risen(all.cold, last),
                            risen(all.warm, last), risen(all.shifted, last)));
   for (const StartRun* run : {&all.many_cold, &all.few_warm})
-    lesson.print(fmt::format("{:<16} top moved {:>8.1f} mm", run->name, risen(*run, last)));
+    lesson.print(fmt::format("{:<16} top moved {:>8.1f} mm in {} steps, {:.1f} mm at the lowest", run->name,
+                             risen(*run, question_steps), question_steps, lowest(*run)));
   const double weight = all.settings.weight();
   lesson.print(fmt::format("|λ₁ − W| in the last quarter: at most {:.2g} N, {:.2g} N and {:.2g} N",
                            unrest(all.cold.loads, weight), unrest(all.warm.loads, weight),

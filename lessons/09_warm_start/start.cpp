@@ -95,6 +95,12 @@ StartRun follow_tower(const StartSettings& settings, Solver<double>& solver, con
   return run;
 }
 
+double lowest(const StartRun& run) {
+  double least = 0;
+  for (int k = 0; k < run.frames.size(); ++k) least = std::min(least, risen(run, k));
+  return least;
+}
+
 double risen(const StartRun& run, int frame) {
   const auto top = [&run](int k) { return run.frames[k].bodies.back().pose.position.y(); };
   return 1000 * (top(frame) - top(0));

@@ -12,6 +12,7 @@ namespace cairn::warm {
 inline constexpr double gravity = 10;         // [m/s^2]
 inline constexpr double too_deep = 0.4;       // [m] of overlap; at half a box contacts would push sideways
 inline constexpr int many_sweeps = 50;        // of the question
+inline constexpr int question_steps = 300;    // for which its two towers are followed
 inline constexpr double wanted_error = 0.01;  // of the load on the lowest contact
 
 struct StartSettings {
@@ -83,8 +84,8 @@ struct WarmStart {
   StartRun cold = {};
   StartRun warm = {};
   StartRun shifted = {};
-  StartRun many_cold = {};  // with many_sweeps
-  StartRun few_warm = {};   // with so few sweeps that it just sinks by less
+  StartRun many_cold = {};  // with many_sweeps, for question_steps
+  StartRun few_warm = {};   // with so few sweeps that it just never sinks so far
   int few = 0;
   GuestRun guest = {};
   ReversedStep reversed = {};
@@ -96,6 +97,8 @@ struct WarmStart {
 StartRun follow_tower(const StartSettings& settings, Solver<double>& solver, const std::string& name);
 /// How far the top of the tower has risen by then [mm].
 double risen(const StartRun& run, int frame);
+/// The lowest place of the top in all frames [mm], against that at the start.
+double lowest(const StartRun& run);
 GuestRun follow_guest(const StartSettings& settings, Solver<double>& by_key, Solver<double>& by_number);
 LibraryRun run_library(const StartSettings& settings);
 TowerAtRest tower_found_from_the_top(const StartSettings& settings);
