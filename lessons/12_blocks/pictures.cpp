@@ -78,23 +78,6 @@ void draw_rod(Page& page, const Rect& rect, const RodRun& rod, const RodMoment& 
   page.canvas().pop_clip();
 }
 
-/// All lambda with the same energy 1/2 lambda^T A lambda - b^T lambda as `through`: an ellipse.
-void draw_level(Page& page, const render::Camera& camera, const RodRun& rod, const Pair& through) {
-  const Matrix<double>& A = rod.system.A;
-  const double x = through[0] - rod.formula[0];
-  const double y = through[1] - rod.formula[1];
-  const double level = A(0, 0) * x * x + 2 * A(0, 1) * x * y + A(1, 1) * y * y;
-  List<Point> points;
-  for (int i = 0; i <= 96; ++i) {
-    const double turn = 2 * pi * i / 96;
-    const double c = std::cos(turn);
-    const double s = std::sin(turn);
-    const double radius = std::sqrt(level / (A(0, 0) * c * c + 2 * A(0, 1) * c * s + A(1, 1) * s * s));
-    points.push_back(camera.project({rod.formula[0] + radius * c, rod.formula[1] + radius * s}));
-  }
-  page.canvas().polyline(points, {.width = 1.5, .color = page.theme().frame_line});
-}
-
 /// Where row `i` is satisfied: A_i1 lambda_1 + A_i2 lambda_2 = b_i.
 void draw_row_line(Page& page, const render::Camera& camera, const RodRun& rod, int i) {
   const Matrix<double>& A = rod.system.A;
@@ -152,9 +135,8 @@ void draw_way(Page& page, const render::Camera& camera, const RodMoment& moment)
 void draw_plane(Page& page, const Rect& rect, const RodRun& rod, const RodMoment& moment) {
   const Rect inside = page.panel(rect, "λ of the pin's two rows (N)");
   const render::Camera camera =
-      render::fit(inside, {{-1.5, -1.3}, {rod.formula[0] + 1.6, rod.formula[1] + 2.1}});
+      render::fit(inside, {{-1.5, -1.3}, {rod.formula[0] + 1.6, rod.formula[1] + 1.3}});
   page.canvas().push_clip(inside);
-  for (const int sweep : {0, 1, 2}) draw_level(page, camera, rod, rod.by_rows[sweep]);
   draw_row_line(page, camera, rod, 0);
   draw_row_line(page, camera, rod, 1);
   draw_axes(page, camera, rod);
