@@ -9,8 +9,8 @@ LessonInfo card() {
       .name = "soft",
       .title = "A row that gives way",
       .idea =
-          "A spring need not be a force. A row that gives way by γ for every unit of its own impulse is a "
-          "spring, once β and γ come from its stiffness and its damping.",
+          "A spring need not be a force. A row that asks for less velocity, by γ for every N s that it has "
+          "given, is a spring, once β and γ come from its stiffness and its damping.",
       .paper = "paper 4.3, with eq (7), (15), (22)",
       .equations = {"4.3   j·v + γ λ Δt = ζ = −β c / Δt               (11) of a row that gives way",
                     "      γ = 1 / (Δt (d + Δt k)),  β = Δt k / (d + Δt k)",
@@ -19,15 +19,15 @@ LessonInfo card() {
       .needs = {"lesson 03", "lesson 06"},
       .reads = {"src/constraints/softness.hpp", "src/solvers/iterative/sequential_impulse.cpp"},
       .question =
-          "Two weights of 1 kg start at rest, 200 mm pressed down: one on a soft row that is a spring of "
-          "2 Hz, one on a rod. The rod's row takes back β = 0.2 of that in a step of 0.02 s, and pushes with "
-          "110 N. As a force the spring would begin with −k c = 31.6 N. With how many N does the soft row "
-          "push in its first step?",
+          "A weight of 1 kg presses a spring of 2 Hz by 200 mm. As a force the spring would push with "
+          "−k\u00a0c\u00a0=\u00a031.6\u00a0N; a rod whose row has the same β\u00a0=\u00a00.2 pushes with "
+          "110\u00a0N. With how many newtons does "
+          "the spring push as a soft row, in its first step?",
       .spoilers = {"26.4", "less than either", "30.5"},
       .hints = {"A row is solved for the velocity that the step ends with. Where is the weight then?",
                 "λ = −k (c + Δt v') − d v', and v' = Δt (λ / m − g): two equations for λ and v'.",
                 "k = 157.9 N/m and d = 12.57 N s/m: λ (1 + Δt (d + Δt k)) = 31.58 + 3.14."},
-      .parameters = {{"frequency", 2, 1, 100, "Hz", "of the spring, as it would swing undamped"},
+      .parameters = {{"frequency", 2, 1, 100, "Hz", "of the spring without its damper"},
                      {"damping", 0.5, 0.1, 2, "", "ratio; 1 is the fastest return without overshoot"},
                      {"dt", 0.02, 0.005, 0.05, "s", "time step"},
                      {"mass", 1, 0.01, 100, "kg", "of each weight"},

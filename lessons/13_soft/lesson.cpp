@@ -1,9 +1,9 @@
 // Lesson 13. Soft: a spring is a constraint that gives way.
 //
 // A weight stands on a spring. As a force the spring pushes with -k c - d v, taken at the beginning of the
-// step, and a stiff one blows up. As a row it asks for j v = zeta like any other, but is content with gamma
-// less for every unit of impulse that it takes: that is the same force taken at the end of the step, and it
-// cannot blow up. Both stand below as plain loops; then the library does the second with its own rows.
+// step, and a stiff one diverges. As a row it asks for j v = zeta like any other, but by gamma less for every
+// N s that it has given: that is the same force taken at the end of the step, and it cannot diverge. Both
+// stand below as plain loops; then the library does the second with its own rows.
 #include "lessons/lesson.hpp"
 
 #include <cmath>

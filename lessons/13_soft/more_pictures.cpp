@@ -7,6 +7,7 @@
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/bars.hpp"
+#include "render/draw.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
 
@@ -20,22 +21,27 @@ using render::Rect;
 
 const int shown_sweeps = 6;
 
+/// From one colour to another.
+render::Color between(const render::Color& from, const render::Color& to, float part) {
+  return {from.r + part * (to.r - from.r), from.g + part * (to.g - from.g), from.b + part * (to.b - from.b)};
+}
+
+/// The darker, the stiffer: at last a rod.
 void draw_stiff_curves(Page& page, const Rect& rect, const SoftRuns& all) {
   render::Plot plot{.title = "c (mm)"};
-  plot.x = {.title = "t (s)", .min = 0, .max = seconds};
-  const render::Color color = style_of_soft(page).color;
-  const FixedList<render::SeriesStyle, 4> styles = {{{color, {2, 5}, render::Marker::diamond},
-                                                     {color, {10, 6}, render::Marker::square},
-                                                     {color, {10, 5, 2, 5}, render::Marker::triangle},
-                                                     {color, {}, render::Marker::circle}}};
+  plot.x = {.title = "t (s)", .min = 0, .max = 0.5};
   double lowest = 0;
   double highest = 0;
-  const FixedList<int, 4> shown = {0, 2, 4, all.stiff.size() - 1};
-  for (int i = 0; i < shown.size(); ++i) {
-    const StiffRun& run = all.stiff[shown[i]];
-    render::Series series{.name = run.frequency < 1e5 ? fmt::format("{:g} Hz", run.frequency) : "10^{6} Hz",
-                          .style = styles[i]};
-    for (int step = 0; step < run.error.size(); ++step) {
+  for (const int shown : {0, 1, 2, all.stiff.size() - 1}) {
+    const StiffRun& run = all.stiff[shown];
+    const float part = static_cast<float>(plot.series.size()) / 3;
+    const FixedList<render::Marker, 4> markers = {render::Marker::diamond, render::Marker::square,
+                                                  render::Marker::triangle, render::Marker::circle};
+    render::Series series{
+        .name = run.frequency < 1e5 ? fmt::format("{:g} Hz", run.frequency) : "10^{6} Hz",
+        .style = {
+            between(style_of_soft(page).color, page.theme().outline, part), {}, markers[plot.series.size()]}};
+    for (int step = 0; step * all.settings.dt <= 0.5 + 1e-9 && step < run.error.size(); ++step) {
       series.x.push_back(step * all.settings.dt);
       series.y.push_back(1000 * run.error[step]);
     }
@@ -43,7 +49,7 @@ void draw_stiff_curves(Page& page, const Rect& rect, const SoftRuns& all) {
     lowest = std::min(lowest, *std::min_element(series.y.begin(), series.y.end()));
     highest = std::max(highest, *std::max_element(series.y.begin(), series.y.end()));
   }
-  plot.y = {.title = "", .min = lowest - 20, .max = highest + 20};
+  plot.y = {.min = lowest - 20, .max = highest + 20};
   draw_plot(page, rect, plot);
 }
 
@@ -62,33 +68,47 @@ void draw_stiff(Page& page, const SoftRuns& all) {
   const List<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
   page.table(right[0], "the same Δt and damping ratio", table);
   page.note(right[1], "Stiffer",
-            "Δt k outgrows d: β goes to 1. The row becomes a rod that takes its error back in "
-            "one step.");
+            "Δt k outgrows d, and β goes to 1: the row becomes a rod that takes its error back in one step.");
 }
 
+/// Three weights, one upon the other, on rods or on springs.
+void draw_column(Page& page, const Rect& rect, const ColumnRun& run, const std::string& title) {
+  const render::Camera camera = render::fit(page.panel(rect, title), {{-0.6, -0.05}, {0.6, 3.3}});
+  Snapshot column = run.start;
+  for (const SnapshotJoint& joint : run.start.joints) {
+    if (run.gamma > 0)
+      draw_spring(page, camera, 0, joint.anchor_a.y(), joint.anchor_b.y(), style_of_soft(page));
+  }
+  if (run.gamma > 0) column.joints.clear();
+  draw_world(page, camera, column);
+  page.canvas().line(camera.project({-0.6, 0}), camera.project({0.6, 0}),
+                     {.width = page.sizes().outline, .color = page.theme().outline});
+}
+
+/// Both side by side, so that one scale of colours serves both.
 void draw_matrices(Page& page, const SoftRuns& all) {
-  const double top = 0.48;
-  const List<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
-  const List<Rect> halves = columns(parts[0], {0.8, 0.8, 1.4}, page.sizes().gap);
-  const List<std::string> names = {"1", "2", "3"};
-  draw_matrix(page, halves[0],
-              {.title = "A, three rods (1/kg)",
-               .values = all.rigid_column.A,
-               .row_names = names,
-               .column_names = names});
-  draw_matrix(
-      page, halves[1],
-      {.title = "A + γ, springs", .values = all.soft_column.A, .row_names = names, .column_names = names});
-  page.note(halves[2], "Three weights",
-            "One upon the other, each on a rod, or each on a spring. A spring only adds its γ to its "
-            "diagonal entry of A. The rows affect each other less, so a sweep "
-            "leaves less of the error.");
+  const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> top = columns(parts[0], {0.16, 0.16, 0.36, 0.32}, page.sizes().gap);
+  draw_column(page, top[0], all.rigid_column, "rods");
+  draw_column(page, top[1], all.soft_column, "springs");
+  render::MatrixView view{.title = "A of the rods  |  A + γ of the springs (1/kg)",
+                          .values = Matrix<double>(column_weights, 2 * column_weights),
+                          .row_names = {"1", "2", "3"},
+                          .column_names = {"1", "2", "3", "1", "2", "3"},
+                          .column_group = column_weights};
+  view.values << all.rigid_column.A, all.soft_column.A;
+  draw_matrix(page, top[2], view);
+  page.note(
+      top[3], "",
+      "A spring only adds its γ to its diagonal entry of A. The rows affect each other less, so a sweep "
+      "leaves less of the error.");
   const List<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
   const ColumnRun& soft = all.soft_column;
   page.equation(below[0], {.number = "eq (15), PGS",
-                           .symbols = "A_{11} with γ = A_{11} + γ",
-                           .numbers = fmt::format("= {:.3g} + {:.3g}", all.rigid_column.A(0, 0), soft.gamma),
-                           .result = fmt::format("= {:.4g} 1/kg", soft.A(0, 0)),
+                           .symbols = "(A + γ) λ = b",
+                           .numbers = fmt::format("row 1: ({:.3g} + {:.3g}) λ_{{1}} − λ_{{2}} = b_{{1}}",
+                                                  all.rigid_column.A(0, 0), soft.gamma),
+                           .result = fmt::format("A_{{11}} + γ = {:.4g} 1/kg", soft.A(0, 0)),
                            .algorithm = "a change of the matrix",
                            .color = page.theme().pgs.color});
   // Sweep 2 of row 1; zeta is 0, as the springs begin without load.
@@ -128,14 +148,14 @@ void draw_sweep(Page& page, const SoftRuns& all, int sweep) {
                style_of_soft(page).color);
   render::Plot plot{.title = "largest error of λ, over the largest λ"};
   plot.x = {.title = "sweep", .min = 0, .max = shown_sweeps};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-8, .max = 10};
+  plot.y = {.scale = render::AxisScale::logarithmic, .min = 1e-8, .max = 10};
   const auto add = [&](const std::string& name, const ColumnRun& run, const render::SeriesStyle& style) {
     List<double> errors;
     for (int k = 0; k <= shown_sweeps; ++k) errors.push_back(std::max(run.error[k], 1e-12));
     plot.series.push_back(over_steps(name, style, errors));
   };
   plot.now = sweep;
-  add(fmt::format("rods, × {} a sweep", fixed(all.rigid_column.rate, 2)), all.rigid_column,
+  add(fmt::format("rods, × {} per sweep", fixed(all.rigid_column.rate, 2)), all.rigid_column,
       style_of_rigid(page));
   add(fmt::format("springs, × {:.2g}", all.soft_column.rate), all.soft_column, style_of_soft(page));
   draw_plot(page, parts[1], plot);
@@ -146,9 +166,9 @@ render::SeriesStyle style_of_force(const Page& page) {
 }
 
 void draw_run_away(Page& page, const Rect& rect, const SoftRuns& all) {
-  render::Plot plot{.title = "distance from the place of rest (m), 100 Hz, Δt = 0.05 s"};
+  render::Plot plot{.title = fmt::format("distance from the place of rest (m), {:g} Hz", harsh_hertz)};
   plot.x = {.title = "step", .min = 0, .max = 6};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-12, .max = 1e20};
+  plot.y = {.scale = render::AxisScale::logarithmic, .min = 1e-12, .max = 1e20};
   SoftSettings harsh = all.settings;
   harsh.frequency = harsh_hertz;
   const double sag = harsh.mass * gravity / stiffness(harsh);
@@ -163,9 +183,9 @@ void draw_run_away(Page& page, const Rect& rect, const SoftRuns& all) {
 }
 
 void draw_growth(Page& page, const Rect& rect, const SoftRuns& all) {
-  render::Plot plot{.title = "a step multiplies a swing by at most (Δt and damping of the scene)"};
+  render::Plot plot{.title = "a step multiplies the oscillation by at most"};
   plot.x = {.title = "f (Hz)", .scale = render::AxisScale::logarithmic, .min = 0.1, .max = 100};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-3, .max = 1e3};
+  plot.y = {.scale = render::AxisScale::logarithmic, .min = 0.01, .max = 1e3};
   render::Series row{.name = "row", .style = style_of_soft(page), .markers = false};
   render::Series force{.name = "force", .style = style_of_force(page), .markers = false};
   for (const Growth& growth : all.growth) {
@@ -176,15 +196,15 @@ void draw_growth(Page& page, const Rect& rect, const SoftRuns& all) {
   }
   plot.series = {force, row};
   plot.goals.push_back({1, "above: grows"});
-  // z = 2 pi f dt: with z = 1 and a damping ratio of 1/2 both parts of a swing are multiplied by 0.
+  // z = 2 pi f dt: with z = 1 and a damping ratio of 1/2 both parts of the oscillation are multiplied by 0.
   if (all.settings.damping == 0.5)
-    plot.labels.push_back({1 / (2 * pi * all.settings.dt), 0.03, "chance: just stopped"});
+    plot.labels.push_back({1 / (2 * pi * all.settings.dt), 0.04, "2π f Δt = 1: stops"});
   draw_plot(page, rect, plot);
 }
 
-/// The first frequency at which a force makes swings grow.
+/// The first frequency at which the oscillation grows under a force.
 double largest_hertz(const SoftRuns& all) {
-  // z^2 + 4 zeta z < 4 with z = w dt: then both parts of a swing shrink.
+  // z^2 + 4 zeta z < 4 with z = w dt: then both parts of the oscillation shrink.
   const double z = 2 * (std::sqrt(all.settings.damping * all.settings.damping + 1) - all.settings.damping);
   return z / (2 * pi * all.settings.dt);
 }
@@ -196,23 +216,23 @@ void draw_harsh(Page& page, const SoftRuns& all) {
   draw_run_away(page, halves[0], all);
   draw_growth(page, halves[1], all);
   const double hertz = largest_hertz(all);
-  page.note(parts[1], "A force, or a row",
-            fmt::format("A force −k c − d v knows where the weight was. Above {:.3g} Hz, at Δt = {:g} s, it "
-                        "pushes too far, and further each time. A row knows where the weight is going: it "
-                        "never diverges, but it damps what it cannot follow.",
-                        hertz, all.settings.dt));
+  page.note(
+      parts[1], "A force, or a row",
+      fmt::format("The force −k c − d v of the beginning of a step pushes too far above {:.3g} Hz, and "
+                  "further each time. The row takes the force of the step's end: it never diverges, but "
+                  "it damps what it cannot follow. Both charts: Δt = {:g} s.",
+                  hertz, all.settings.dt));
 }
 
 }  // namespace
 
 List<Shot> stiff_shots(const Runs& all) {
-  return {
-      {.state = "stiffer and stiffer",
-       .alt =
-           "Swings on springs from 1 Hz to a million Hz, and a table of their γ, β and sag: γ goes to 0, β "
-           "to 1, the sag to 0.",
-       .draw = [all](Page& page) { draw_stiff(page, *all); },
-       .key = true}};
+  return {{.state = "stiffer and stiffer",
+           .alt = "Oscillations on springs from 1 Hz to a million Hz, and a table of their γ, β and sag: γ "
+                  "goes to 0, β "
+                  "to 1, the sag to 0.",
+           .draw = [all](Page& page) { draw_stiff(page, *all); },
+           .key = true}};
 }
 
 List<Shot> column_shots(const Runs& all) {
@@ -231,17 +251,17 @@ List<Shot> column_shots(const Runs& all) {
                             "springs.",
                             sweep, all->rigid_column.error[sweep], all->soft_column.error[sweep]),
          .draw = [all, sweep](Page& page) { draw_sweep(page, *all, sweep); },
-         .key = sweep == 1 || sweep == shown_sweeps});
+         .key = sweep == 2});
   }
   return shots;
 }
 
 List<Shot> harsh_shots(const Runs& all) {
   return {
-      {.state = "100 Hz, Δt = 0.05 s",
+      {.state = fmt::format("a stiff spring, Δt = {:g} s", all->settings.dt),
        .alt =
            "Left: the same stiff spring as a force diverges, as a row it comes to rest. Right: by how much "
-           "a step multiplies a swing, against the frequency; as a row always less than 1.",
+           "a step multiplies the oscillation, against the frequency; as a row always less than 1.",
        .draw = [all](Page& page) { draw_harsh(page, *all); },
        .key = true}};
 }

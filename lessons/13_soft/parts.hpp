@@ -5,6 +5,7 @@
 
 #include "lessons/lesson.hpp"
 #include "math/list.hpp"
+#include "render/camera.hpp"
 #include "spring.hpp"
 
 namespace cairn::soft {
@@ -25,6 +26,10 @@ List<Shot> soft_shots(const SoftRuns& all);
 List<Shot> stiff_shots(const Runs& all);
 List<Shot> column_shots(const Runs& all);
 List<Shot> harsh_shots(const Runs& all);
+
+/// A zig-zag from the foot of a spring at x up to its end [m].
+void draw_spring(render::Page& page, const render::Camera& camera, double x, double bottom, double top,
+                 const render::SeriesStyle& style);
 
 /// The soft row in the look of sequential impulses, the row without gamma in that of a further solver.
 render::SeriesStyle style_of_soft(const render::Page& page);

@@ -78,7 +78,7 @@ void print_columns(Lesson& lesson, const SoftRuns& all) {
 }
 
 void print_harsh(Lesson& lesson, const SoftRuns& all) {
-  lesson.print(fmt::format("4. {:g} Hz with steps of {:g} s: c (mm) after", harsh_hertz, harsh_dt));
+  lesson.print(fmt::format("4. {:g} Hz with steps of {:g} s: c (mm) after", harsh_hertz, all.settings.dt));
   std::string names = "   step           ";
   std::string row = "   as a row       ";
   std::string force = "   as a force     ";

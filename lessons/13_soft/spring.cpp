@@ -16,7 +16,7 @@ using Kind = DistanceJoint::Kind;
 
 int steps_in(double time, double dt) { return static_cast<int>(std::lround(time / dt)); }
 
-/// Steps until a soft row has forgotten all but 1e-13 of where it began. A swing keeps the share
+/// Steps until a soft row has forgotten all but 1e-13 of where it began. An oscillation keeps the share
 /// 1 / sqrt(1 + 2 zeta z + z^2) of itself in a step, z = w dt; without one, the slower of its two parts does.
 /// Near critical damping these two have a factor of 1 + w t in front, less than 40 at the end: hence 1e-15.
 int steps_to_rest(const SoftSettings& settings) {
@@ -62,7 +62,8 @@ Scene column_scene(const SoftSettings& settings, Kind kind) {
   if (kind == Kind::spring) softness = SpringSoftness{stiffness(settings), damping_constant(settings)};
   for (int i = 1; i <= column_weights; ++i) {
     const Vec2<double> place(0, rest_length * i);
-    const BodyId weight = scene.add({.position = place, .mass = settings.mass, .fixed_rotation = true});
+    const BodyId weight = scene.add(
+        {.shapes = {box(0.5, 0.5)}, .position = place, .mass = settings.mass, .fixed_rotation = true});
     scene.join<DistanceJoint>({.a = below,
                                .b = weight,
                                .anchor_a = {0, rest_length * (i - 1)},
@@ -96,7 +97,7 @@ ColumnRun run_column(const SoftSettings& settings, Kind kind) {
   const World<double> world(column_scene(settings, kind));
   const VelocityProblem<double> problem = world.velocity_problem();
   const SystemMatrices<double> system = system_matrices(problem);
-  ColumnRun run{.gamma = problem.rows[0].softness, .A = system.A};
+  ColumnRun run{.start = snapshot(world), .gamma = problem.rows[0].softness, .A = system.A};
   const Vector<double> exact = system.A.ldlt().solve(system.b);
   run.exact.assign(exact.begin(), exact.end());
   ProjectedGaussSeidel<double> pgs({.iterations = column_sweeps});
@@ -191,7 +192,6 @@ SoftRuns run_soft(const SoftSettings& settings) {
   for (int i = 0; i <= 60; ++i) all.growth.push_back(growth_at(0.1 * std::pow(10, i / 20.0), settings));
   SoftSettings harsh = settings;
   harsh.frequency = harsh_hertz;
-  harsh.dt = harsh_dt;
   all.harsh_row = run_weight(harsh, Kind::spring, 0, harsh_steps).error;
   all.harsh_force = by_force(harsh, harsh_steps);
   return all;

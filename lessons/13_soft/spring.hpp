@@ -15,8 +15,7 @@ inline constexpr double half_height = 0.15;  // [m] of the weight, which stands 
 inline constexpr double seconds = 1.5;       // that the weight is followed
 inline constexpr int column_weights = 3;     // one upon the other, each on a spring of its own
 inline constexpr int column_sweeps = 12;     // of one step
-inline constexpr double harsh_hertz = 100;   // a spring that no step of harsh_dt can follow
-inline constexpr double harsh_dt = 0.05;     // [s]
+inline constexpr double harsh_hertz = 100;   // a spring that no step of 0.005 s and more can follow
 inline constexpr int harsh_steps = 20;
 
 struct SoftSettings {
@@ -55,6 +54,7 @@ struct StiffRun {
 
 /// Three weights, one step, one lambda per spring [N]. Index 0 of lambdas: before the first sweep.
 struct ColumnRun {
+  Snapshot start = {};
   double gamma = 0;  // [1/kg] 0: three rigid rows
   Matrix<double> A = {};
   List<double> exact = {};
@@ -64,7 +64,7 @@ struct ColumnRun {
   double rate = 0;          // by formula: what a sweep leaves of the error
 };
 
-/// How much a step enlarges a swing, at most, and what twenty steps made of it.
+/// How much a step enlarges an oscillation, at most, and what twenty steps made of it.
 struct Growth {
   double frequency = 0;  // [Hz]
   double row = 0;        // by formula, of a soft row
@@ -81,7 +81,7 @@ struct SoftRuns {
   ColumnRun rigid_column = {};
   ColumnRun soft_column = {};
   List<Growth> growth = {};
-  List<double> harsh_row = {};    // c [m], harsh_hertz at harsh_dt, step by step, by the engine
+  List<double> harsh_row = {};    // c [m], harsh_hertz, step by step, by the engine
   List<double> harsh_force = {};  // the same as a force
 };
 
@@ -111,7 +111,7 @@ SwingSoftness swing_of(const SoftSettings& settings);
 /// Adds the state of the world as it is now.
 void record(WeightRun& run, const World<double>& world);
 
-/// The energy of swinging about the place of rest [J], from c and speed.
+/// The energy of oscillating about the place of rest [J], from c and speed.
 double swing_energy(const SoftSettings& settings, double error, double speed);
 
 }  // namespace cairn::soft
