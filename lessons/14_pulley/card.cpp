@@ -18,8 +18,10 @@ LessonInfo card() {
       .needs = {"lesson 06"},
       .reads = {"src/constraints/constraint.hpp", "src/constraints/row.hpp"},
       .question =
-          "Masses of 1, 2 and 3 kg hang on one rope, the 2 kg on two parts of it. What is its tension, in N: "
-          "more or less than the 30 N that the heaviest weighs?",
+          "Masses of 1, 2 and 3 kg hang on one rope over wheels without mass or friction, the 2 kg on two "
+          "parts of it. The rope is one row of J. From rest, which λ, the tension in N, does its first "
+          "update "
+          "give?",
       .spoilers = {"12 N", "heaviest falls", "6 m/s²"},
       .hints = {"What the rope gives on one side it takes on the others: y₁ + 2 y₂ + y₃ stays as it is.",
                 "λ follows from (22) with j·v = −4 g Δt: each part of the rope counts.",

@@ -21,6 +21,7 @@ using render::fixed;
 using render::Page;
 using render::Point;
 using render::Rect;
+using render::significant;
 
 using Runs = std::shared_ptr<const PulleyRuns>;
 
@@ -86,11 +87,12 @@ int hardest_pull(const PulleyRuns& all) {
   return static_cast<int>(std::max_element(steps.begin(), steps.end(), weaker) - steps.begin());
 }
 
-/// Newtons as lengths [N/m]: a weight is at most 1.2 m long, a pull 2 m, unless it is far beyond all weights.
+/// Newtons as lengths [N/m]: a weight is at most 1.5 m long, a pull 2.5 m, unless it is far beyond all
+/// weights.
 double newtons_per_metre(const PulleyRuns& all) {
   const double heaviest = gravity * *std::max_element(all.settings.masses.begin(), all.settings.masses.end());
   const double hardest = all.runs[0].steps[hardest_pull(all)].tension;
-  return std::max(std::min(hardest, 6 * heaviest) / 2, heaviest / 1.2);
+  return std::max(std::min(hardest, 6 * heaviest) / 2.5, heaviest / 1.5);
 }
 
 /// All that is ever to be seen, so that the picture stands still: the weights below the lowest places.
@@ -105,21 +107,23 @@ Aabb<double> all_of_run(const PulleyRuns& all) {
   return {{-3.5, lowest - 0.2}, {3.5, wheel_height + wheel_radius + 0.4}};
 }
 
-/// The masses, with their weights and with the pull of each of the four parts of the rope.
-void draw_masses(Page& page, const Rect& rect, const PulleyRuns& all, const PulleyStep& step) {
-  const Rect inside = page.panel(rect, "");
-  const render::Camera camera = render::fit(inside, all_of_run(all));
+/// The masses on their rope.
+render::Camera draw_masses(Page& page, const Rect& rect, const PulleyRuns& all, const PulleyStep& step) {
+  const render::Camera camera = render::fit(page.panel(rect, ""), all_of_run(all));
   draw_rope(page, camera, step);
-  render::WorldLook look;
-  look.contacts = false;
-  look.names = {""};
+  render::WorldLook look{.names = {""}, .contacts = false};
   for (const double mass : all.settings.masses) look.names.push_back(fmt::format("{:g} kg", mass));
   look.numbers = camera.scale >= 45;
   Snapshot masses = step.snapshot;
   masses.joints.clear();  // the rope is drawn already, as it runs
   draw_world(page, camera, masses, look);
+  return camera;
+}
+
+/// The weights, and the pull of each of the four parts of the rope.
+void draw_pulls(Page& page, const render::Camera& camera, const PulleyRuns& all, const PulleyStep& step) {
   const render::ArrowScale scale{
-      .pixels_per_unit = camera.scale / newtons_per_metre(all), .longest = 2.02 * camera.scale, .unit = "N"};
+      .pixels_per_unit = camera.scale / newtons_per_metre(all), .longest = 2.52 * camera.scale, .unit = "N"};
   for (int i = 0; i < 3; ++i) {
     const Vec2<double> middle = step.snapshot.bodies[{i + 1}].pose.position;
     const double weight = gravity * all.settings.masses[i];
@@ -137,9 +141,21 @@ void draw_masses(Page& page, const Rect& rect, const PulleyRuns& all, const Pull
                  {.kind = render::ArrowKind::joint,
                   .tail = tail,
                   .value = {0, step.tension},
-                  .label = i == 1 && side > 0 ? "" : render::significant(step.tension) + " N"});
+                  .label = significant(step.tension) + " N"});
     }
   }
+}
+
+/// A speed or an acceleration beside a mass.
+void draw_motion(Page& page, const render::Camera& camera, const PulleyStep& step, int mass, double value,
+                 double metres, const std::string& label) {
+  const double beside = mass == 0 ? -0.55 : 0.55;
+  draw_arrow(page, camera, {.pixels_per_unit = camera.scale * metres / std::abs(value), .longest = 1e3},
+             {.kind = render::ArrowKind::velocity,
+              .tail = step.snapshot.bodies[{mass + 1}].pose.position +
+                      Vec2<double>(beside, value > 0 ? -half_box : half_box),
+              .value = {0, value},
+              .label = label});
 }
 
 void draw_row(Page& page, const Rect& rect, const PulleyRuns& all) {
@@ -163,7 +179,7 @@ void draw_equation(Page& page, const PulleyRuns& all) {
   const double inverse = inverse_effective_mass(all.first, row);
   const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
   const List<Rect> right = rows(halves[1], {0.21, 0.33, 0.46}, page.sizes().gap);
-  draw_masses(page, halves[0], all, all.runs[0].steps[1]);
+  draw_pulls(page, draw_masses(page, halves[0], all, all.runs[0].steps[1]), all, all.runs[0].steps[1]);
   draw_row(page, right[0], all);
   page.equation(right[1], {.number = "eq (22)",
                            .symbols = "λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)",
@@ -171,11 +187,9 @@ void draw_equation(Page& page, const PulleyRuns& all) {
                                                   fixed(inverse, 4), all.settings.dt),
                            .result = fmt::format("= {} N", fixed(all.runs[0].steps[1].tension, 3)),
                            .color = page.theme().text});
-  render::TableView table;
-  table.header = {"solver, one sweep", "λ (N)", "bytes"};
-  for (const PulleyRun& run : all.runs) {
-    table.rows.push_back({run.solver, fixed(run.steps[1].tension, 9), fmt::format("{}", run.memory)});
-  }
+  render::TableView table{.header = {"solver, one sweep", "λ (N)", "bytes it keeps"}};
+  for (const PulleyRun& run : all.runs)
+    table.rows.push_back({run.solver, fixed(run.steps[1].tension, 3), fmt::format("{}", run.memory)});
   page.table(right[2], "the same row in seven solvers", table);
 }
 
@@ -186,23 +200,29 @@ render::Plot over_run(const Page& page, const PulleyRuns& all, int k, double (*v
   List<double> values;
   for (const PulleyStep& step : all.runs[0].steps) values.push_back(value(step));
   const double most = *std::max_element(values.begin(), values.end());
-  plot.y = {.title = "", .min = 0, .max = std::max(1.15 * most, 1e-3)};
+  plot.y = {.min = 0, .max = std::max(1.15 * most, 1e-3)};
   plot.series.push_back(over_steps("", page.theme().si, values));
   plot.now = k;
+  if (all.settings.lift > 0 && all.settings.lift_step < all.settings.steps)
+    plot.labels.push_back({1.0 * all.settings.lift_step, values[all.settings.lift_step], "thrown up"});
   return plot;
 }
 
 void draw_step(Page& page, const PulleyRuns& all, int k) {
   const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {0.6, 0.4}, page.sizes().gap);
-  draw_masses(page, halves[0], all, all.runs[0].steps[k]);
-  render::Plot pull = over_run(page, all, k, [](const PulleyStep& step) { return step.tension; });
+  const List<Rect> right = rows(halves[1], {0.55, 0.45}, page.sizes().gap);
+  const PulleyStep& step = all.runs[0].steps[k];
+  const render::Camera camera = draw_masses(page, halves[0], all, step);
+  draw_pulls(page, camera, all, step);
+  if (k == all.settings.lift_step + 1 && all.settings.lift > 0)
+    draw_motion(page, camera, step, 2, all.settings.lift, 1, fmt::format("{:g} m/s", all.settings.lift));
+  render::Plot pull = over_run(page, all, k, [](const PulleyStep& one) { return one.tension; });
   pull.series[0].y[0] = std::nan("");  // no step has been made
   pull.title = "pull in the rope, λ (N)";
   const double tension = tension_by_hand(all.settings);
   pull.goals.push_back({tension, fmt::format("by hand: {} N", fixed(tension, 1))});
   draw_plot(page, right[0], pull);
-  render::Plot room = over_run(page, all, k, [](const PulleyStep& step) { return 1000 * step.room; });
+  render::Plot room = over_run(page, all, k, [](const PulleyStep& one) { return 1000 * one.room; });
   room.title = "rope left over, c (mm)";
   draw_plot(page, right[1], room);
 }
@@ -219,12 +239,25 @@ Shot step_shot(const Runs& all, int k, const std::set<int>& keys) {
           .key = keys.contains(k)};
 }
 
-/// The masses after step k, for the first and the last frame.
-QuestionFrame moment(const Runs& all, int k, const std::string& state, const std::string& alt) {
+/// The masses before or after the first step, which is asked for; then with their accelerations.
+QuestionFrame moment(const Runs& all, int k) {
   const auto scene = [all, k](Page& page, const Rect& rect) {
-    draw_masses(page, rect, *all, all->runs[0].steps[k]);
+    const PulleyStep& step = all->runs[0].steps[k];
+    const render::Camera camera = draw_masses(page, rect, *all, step);
+    draw_pulls(page, camera, *all, step);
+    for (int mass = 0; k > 0 && mass < 3; ++mass) {
+      const double acceleration = step.speed[mass] / all->settings.dt;
+      if (std::abs(acceleration) > 1e-6)
+        draw_motion(page, camera, step, mass, acceleration, std::abs(acceleration) / 8,
+                    fixed(acceleration, 1, render::Sign::always) + " m/s²");
+    }
   };
-  return {.state = state, .alt = alt, .scene = scene};
+  return {.state = k == 0 ? "before the first step" : "after the first step",
+          .alt = k == 0 ? "Three masses of 1, 2 and 3 kg on one rope over two fixed wheels and one movable "
+                          "wheel, and the question."
+                        : "The masses with their weights, the pull of each part of the rope and their "
+                          "accelerations, and the answer.",
+          .scene = scene};
 }
 
 }  // namespace
@@ -233,26 +266,21 @@ List<Shot> pulley_shots(const PulleyRuns& recorded) {
   const Runs all = std::make_shared<const PulleyRuns>(recorded);
   const int last = all->settings.steps;
   const int lift = all->settings.lift_step;
-  const std::set<int> keys = {lift, lift + 1, lift + 10, hardest_pull(*all), last};
-  List<Shot> shots;
-  shots.push_back(
-      question_shot(card(), moment(all, 0, "before the first step",
-                                   "Three masses of 1, 2 and 3 kg on one rope over two fixed wheels and one "
-                                   "movable wheel, and the question.")));
+  const std::set<int> keys = {lift + 1, lift + 10, hardest_pull(*all)};
+  List<Shot> shots = {question_shot(card(), moment(all, 0))};
   shots.push_back(
       {.state = "step 1 · one row, one sweep",
        .alt = "Equation (22) for the row of the rope, filled in, and the answer of seven solvers.",
        .draw = [all](Page& page) { draw_equation(page, *all); },
        .key = true});
   for (int k = 2; k <= last; ++k) shots.push_back(step_shot(all, k, keys));
+  const double tension = tension_by_hand(all->settings);
   shots.push_back(answer_shot(
-      card(),
-      moment(all, last, fmt::format("after {} steps", last),
-             "The masses after the last step, and the answer."),
-      fmt::format("The tension is {} N, and each part of the rope pulls with it. A mass goes down where all "
-                  "its parts together pull with less than its weight. The joint is one class in the "
-                  "lesson's own folder, and no solver knows of it.",
-                  fixed(tension_by_hand(all->settings), 1))));
+      card(), moment(all, 1),
+      fmt::format("{} N, after one sweep. Each part of the rope pulls with it: {}, {} and {} N on the three "
+                  "masses. Where that is less than the weight, a mass goes down.",
+                  significant(tension), significant(tension), significant(2 * tension),
+                  significant(tension))));
   return shots;
 }
 
