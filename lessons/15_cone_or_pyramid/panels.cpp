@@ -109,12 +109,10 @@ void name_limits(Page& page, const render::Camera& camera, double limit) {
   page.canvas().text({corner.x(), corner.y() - 8}, "square", name_style(page, size, page.theme().pgs.color));
   render::TextStyle circle = name_style(page, size, page.theme().si.color);
   circle.align = render::Align::right;
-  const bool small = camera.viewport.width < 400;
-  if (!small) page.canvas().text(camera.project({0.66 * limit, -0.64 * limit}), "circle", circle);
+  page.canvas().text(camera.project({0.66 * limit, -0.64 * limit}), "circle", circle);
   render::TextStyle tick = page.tick();
   tick.align = render::Align::right;
-  page.canvas().text(camera.project({limit, 0}) - Point(8, 6),
-                     fmt::format("{}{:g} N", small ? "" : "μN = ", limit), tick);
+  page.canvas().text(camera.project({limit, 0}) - Point(8, 6), fmt::format("μN = {:g} N", limit), tick);
 }
 
 }  // namespace
@@ -159,7 +157,7 @@ void draw_dimension(Page& page, const render::Camera& camera, const Vec2<double>
 }
 
 render::Camera draw_limits(Page& page, const Rect& rect, const Slides& all, const Forces& forces) {
-  const Rect inside = page.panel(rect, rect.width < 250 ? "λ (N)" : "friction λ and its limits (N)");
+  const Rect inside = page.panel(rect, "friction λ and its limits (N)");
   const double limit = all.settings.limit();
   const double reach = 1.3 * limit;
   const render::Camera camera = render::fit(inside, {{-reach, -reach}, {reach, reach}});

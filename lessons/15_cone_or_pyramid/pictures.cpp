@@ -123,25 +123,19 @@ void draw_speeds(Page& page, const Rect& rect, const Slides& all, int k) {
 void draw_step(Page& page, const Slides& all, int k) {
   const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   draw_table(page, halves[0], all, k);
-  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> top = columns(right[0], {0.5, 0.5}, page.sizes().gap);
-  const SlideStep& circle = all.circle.steps[k];
-  const SlideStep& square = all.square.steps[k];
-  const render::Camera camera = draw_limits(page, top[0], all, {.active = {circle.lambda, square.lambda}});
-  const double radius = 1.3 * page.sizes().marker;
-  draw_marker(page.canvas(), camera.project(circle.lambda), page.theme().si.marker, radius,
-              page.theme().si.color);
-  draw_marker(page.canvas(), camera.project(square.lambda), page.theme().pgs.marker, radius,
-              page.theme().pgs.color);
-  const auto entry = [&](double force) { return fixed(force + 0.0, 2); };
-  render::TableView table{.header = {"", "circle", "square"}};
-  table.rows = {{"λ_{x}", entry(circle.lambda.x()), entry(square.lambda.x())},
-                {"λ_{y}", entry(circle.lambda.y()), entry(square.lambda.y())},
-                {"|λ|", entry(circle.lambda.norm()), entry(square.lambda.norm())},
-                {"v_{x}", entry(circle.velocity.x()), entry(square.velocity.x())},
-                {"v_{y}", entry(circle.velocity.y()), entry(square.velocity.y())},
-                {"|v|", entry(circle.velocity.norm()), entry(square.velocity.norm())}};
-  page.table(top[1], "λ (N) and v (m/s)", table);
+  const List<Rect> right = rows(halves[1], {0.58, 0.42}, page.sizes().gap);
+  const Vec2<double> circle = all.circle.steps[k].lambda, square = all.square.steps[k].lambda;
+  const render::Camera camera = draw_limits(page, right[0], all, {.active = {circle, square}});
+  double base = camera.viewport.y;
+  for (const bool is_circle : {false, true}) {  // at the head of each force its limit's marker
+    const Vec2<double>& lambda = is_circle ? circle : square;
+    const render::SeriesStyle& style = is_circle ? page.theme().si : page.theme().pgs;
+    draw_marker(page.canvas(), camera.project(lambda), style.marker, 1.3 * page.sizes().marker, style.color);
+    base += 1.4 * page.sizes().title;
+    page.canvas().text({camera.viewport.x, base},
+                       fmt::format("{}: {:.2f} N", is_circle ? "circle" : "square", lambda.norm()),
+                       name_style(page, page.sizes().title, style.color));
+  }
   draw_speeds(page, right[1], all, k);
 }
 

@@ -22,7 +22,7 @@ LessonInfo card() {
           "instead of 100\u00a0N. In which decimal place do the loads under Box2D differ from those under "
           "SI? "
           "(0: in whole newtons, 1: in tenths, 2: in hundredths, and so on)",
-      .spoilers = {"0.00005", "4.9", "fingerprint"},
+      .spoilers = {"0.00005", "fingerprint"},
       .hints =
           {"Lesson 08 says what PGS and SI have in common.",
            "Box2D visits one row after the other, too. What matters is the order of its visits.",

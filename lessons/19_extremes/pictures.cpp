@@ -44,7 +44,7 @@ void draw_load(Page& page, const render::Camera& camera, const RatioRun& run, in
   if (sweep == 0) return;
   page.canvas().text(
       {full.x() + 0.5 * text.size, std::min(left.y() - 0.3 * text.size, level + 0.9 * text.size)},
-      render::significant(load, 3) + " N", text);
+      render::significant(load, 4) + " N", text);
 }
 
 /// One stack, its masses written on its boxes, and beside it the load on the ground.
