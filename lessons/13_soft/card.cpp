@@ -20,7 +20,7 @@ LessonInfo card() {
       .reads = {"src/constraints/softness.hpp", "src/solvers/iterative/sequential_impulse.cpp"},
       .question =
           "A weight of 1 kg presses a spring of 2 Hz by 200 mm. As a force the spring would push with "
-          "−k\u00a0c\u00a0=\u00a031.6\u00a0N; a rod whose row has the same β\u00a0=\u00a00.2 pushes with "
+          "−k c = 31.6\u00a0N; a rod whose row has the same β\u00a0=\u00a00.2 pushes with "
           "110\u00a0N. With how many newtons does "
           "the spring push as a soft row, in its first step?",
       .spoilers = {"26.4", "less than either", "30.5"},

@@ -204,11 +204,10 @@ List<Shot> soft_shots(const SoftRuns& recorded) {
     shots.insert(shots.end(), more.begin(), more.end());
   shots.push_back(answer_shot(
       card(), weights_frame(all, 1),
-      fmt::format("{} N, less than −k c = {} N. At the end of the step the spring is longer, and its damper "
-                  "resists: the row pushes with the force of that moment. The rod takes back its share β of "
-                  "the error at once, whatever that takes.",
-                  fixed(all->spring.rows[1].lambda, 1),
-                  fixed(stiffness(all->settings) * all->settings.pressed, 1))));
+      fmt::format(
+          "{} N, less than −k c = {}\u00a0N. At the end of the step the spring is longer, and its damper "
+          "resists: the row pushes with the force of that moment.",
+          fixed(all->spring.rows[1].lambda, 1), fixed(stiffness(all->settings) * all->settings.pressed, 1))));
   return shots;
 }
 

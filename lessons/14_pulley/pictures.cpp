@@ -203,8 +203,6 @@ render::Plot over_run(const Page& page, const PulleyRuns& all, int k, double (*v
   plot.y = {.min = 0, .max = std::max(1.15 * most, 1e-3)};
   plot.series.push_back(over_steps("", page.theme().si, values));
   plot.now = k;
-  if (all.settings.lift > 0 && all.settings.lift_step < all.settings.steps)
-    plot.labels.push_back({1.0 * all.settings.lift_step, values[all.settings.lift_step], "thrown up"});
   return plot;
 }
 
@@ -221,6 +219,9 @@ void draw_step(Page& page, const PulleyRuns& all, int k) {
   pull.title = "pull in the rope, λ (N)";
   const double tension = tension_by_hand(all.settings);
   pull.goals.push_back({tension, fmt::format("by hand: {} N", fixed(tension, 1))});
+  const int lift = all.settings.lift_step;
+  if (all.settings.lift > 0 && lift < all.settings.steps)
+    pull.labels.push_back({1.0 * lift, tension, "thrown up"});
   draw_plot(page, right[0], pull);
   render::Plot room = over_run(page, all, k, [](const PulleyStep& one) { return 1000 * one.room; });
   room.title = "rope left over, c (mm)";
@@ -245,6 +246,9 @@ QuestionFrame moment(const Runs& all, int k) {
     const PulleyStep& step = all->runs[0].steps[k];
     const render::Camera camera = draw_masses(page, rect, *all, step);
     draw_pulls(page, camera, *all, step);
+    render::TextStyle text = page.value();
+    text.size *= 1.3;
+    if (k == 0) page.canvas().text(camera.project({-3 * wheel_radius + 0.12, 3.6}), "λ = ? N", text);
     for (int mass = 0; k > 0 && mass < 3; ++mass) {
       const double acceleration = step.speed[mass] / all->settings.dt;
       if (std::abs(acceleration) > 1e-6)
