@@ -160,11 +160,7 @@ void draw_motion(Page& page, const render::Camera& camera, const PulleyStep& ste
 
 void draw_row(Page& page, const Rect& rect, const PulleyRuns& all) {
   render::MatrixView view{.title = "J: one row, three bodies"};
-  view.values.resize(1, 9);
-  view.values.setZero();
-  for_each_term(all.first, all.first.rows[0], [&](BodyId body, const Vec3<double>& jacobian) {
-    for (int k = 0; k < 3; ++k) view.values(0, 3 * (body.index - 1) + k) = jacobian[k];
-  });
+  view.values = system_matrices(all.first).J.rightCols(9);  // without the ground's columns
   for (int body = 1; body <= 3; ++body) {
     for (const char* name : {"x", "y", "θ"})
       view.column_names.push_back(fmt::format("{}_{{{}}}", name, body));
