@@ -6,6 +6,8 @@
 namespace cairn {
 namespace {
 
+constexpr double least_evidence = 120;  // [px] of height that a chart or a table needs
+
 /// Draws the scene and returns the room for the words.
 render::Rect draw_scene(render::Page& page, const QuestionFrame& frame) {
   const double gap = page.sizes().gap;
@@ -41,7 +43,7 @@ Shot answer_shot(const LessonInfo& info, const QuestionFrame& frame, const std::
     }
     rest = page.card(rest, "The question", info.question);
     rest = page.card(rest, "The answer", answer);
-    if (frame.evidence) frame.evidence(page, rest);
+    if (frame.evidence && rest.height > least_evidence) frame.evidence(page, rest);
   };
   return {.state = frame.state, .alt = frame.alt, .draw = draw, .key = true};
 }

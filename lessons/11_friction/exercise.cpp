@@ -1,29 +1,34 @@
-// Exercise 11. One update of a friction row. Then: bash lessons/run check 11
+// Exercise 11. One sweep over a block that slides on two corners. Then: bash lessons/run check 11
 #include <algorithm>
-#include <cmath>
 
 #include "lessons/exercise.hpp"
 
 namespace cairn::exercise11 {
 
-/// A block on a plane.
+/// A block on a slope: x points downhill, y away from the slope.
 struct Block {
-  double inverse_mass = 0;  // [1/kg]
-  double slide = 0;         // [m/s] along the plane: j·v of the friction row
+  double inverse_mass = 0;     // [1/kg]
+  double inverse_inertia = 0;  // [1/(kg m²)]
+  double x_velocity = 0;       // [m/s]
+  double y_velocity = 0;       // [m/s]
+  double spin = 0;             // [rad/s]
 };
 
-/// What the contact under it has given so far, in total.
-struct Contact {
-  double normal_impulse = 0;   // [N s]
-  double tangent_impulse = 0;  // [N s]
-  double friction = 0;         // mu
+/// One of its corners on the slope, and what the two rows of its contact have given so far.
+struct Corner {
+  double x = 0, y = 0;         // [m] from the centre of the block
+  double normal_impulse = 0;   // [N s] along y
+  double tangent_impulse = 0;  // [N s] along x
 };
 
-// One visit to the friction row: takes the sliding away, as far as ± mu times the normal impulse allows.
-void update(Contact& contact, Block& block) {
-  // Your code begins here: about four lines.
+// One sweep: at each corner the normal row, then the friction row. A corner moves at y_velocity + x spin away
+// from the slope, and at x_velocity - y spin along it. Both should be 0, as far as the two intervals allow.
+void sweep(List<Corner>& corners, double friction, Block& block) {
+  for (Corner& corner : corners) {
+    // Your code begins here: about twelve lines.
 
-  // Your code ends here.
+    // Your code ends here.
+  }
 }
 
 }  // namespace cairn::exercise11
