@@ -97,6 +97,7 @@ void draw_errors(Page& page, const SweepRun& run) {
   plot.series = {missing(name + " top down", stack.down, stack, top),
                  missing(name + " bottom up", stack.up, stack, top),
                  missing("λ_{1} either way", stack.up, stack, 0)};
+  plot.y.min = 0.6 * plot.series[2].y.back();
   plot.series[0].style = {page.theme().inactive, {}, render::Marker::diamond};
   plot.series[1].style = page.theme().pgs;
   plot.series[1].style.dash = {10, 6};

@@ -61,48 +61,38 @@ void draw_level(Page& page, const render::Camera& camera, const RodRun& rod, con
   page.avoid(points);
 }
 
-/// Where row `i` is satisfied, A_i1 lambda_1 + A_i2 lambda_2 = b_i, with its name where there is room.
-struct RowLine {
-  Vec2<double> point = {0, 0};
-  Vec2<double> along = {1, 0};
-};
-
-RowLine row_line(const RodRun& rod, int i) {
-  const Matrix<double>& A = rod.system.A;
-  return {.point = {rod.statics[0], rod.statics[1]}, .along = Vec2<double>(-A(i, 1), A(i, 0)).normalized()};
-}
-
-void draw_row_line(Page& page, const render::Camera& camera, const RodRun& rod, int i) {
-  const RowLine line = row_line(rod, i);
-  const Point from = camera.project(line.point - 400 * line.along);
-  const Point to = camera.project(line.point + 400 * line.along);
-  page.canvas().line(from, to, {.width = 1.5, .color = page.theme().secondary_text, .dash = {8, 6}});
-  page.avoid({from, to});
-}
-
 render::TextStyle plane_text(const Page& page) {
   render::TextStyle style = page.secondary();
   style.halo = page.theme().panel;
   return style;
 }
 
+/// Where row `i` is satisfied, A_i1 lambda_1 + A_i2 lambda_2 = b_i: from there so many pixels along the line.
+Point on_row_line(const render::Camera& camera, const RodRun& rod, int i, double pixels) {
+  const Matrix<double>& A = rod.system.A;
+  const Vec2<double> along = Vec2<double>(-A(i, 1), A(i, 0)).normalized();
+  return camera.project(Vec2<double>(rod.statics[0], rod.statics[1]) + pixels / camera.scale * along);
+}
+
+void draw_row_line(Page& page, const render::Camera& camera, const RodRun& rod, int i) {
+  const Point from = on_row_line(camera, rod, i, -2000), to = on_row_line(camera, rod, i, 2000);
+  page.canvas().line(from, to, {.width = 1.5, .color = page.theme().secondary_text, .dash = {8, 6}});
+  page.avoid({from, to});
+}
+
+/// Beside its line, wherever there is room.
 void name_row_line(Page& page, const render::Camera& camera, const RodRun& rod, int i) {
-  const RowLine line = row_line(rod, i);
   const render::TextStyle style = plane_text(page);
   const std::string text = fmt::format("row {}", i + 1);
   const double width = page.canvas().text_width(text, style);
-  const Rect room = inset(camera.viewport, 4);
   List<Point> places;
-  for (int step = -80; step <= 80; ++step) {
-    const Point at = camera.project(line.point + (6.0 * step + 3) / camera.scale * line.along);
-    for (const double side : {1.0, -1.0}) {
-      const Point place(at.x() + (side > 0 ? 10 : -10 - width), at.y() + style.size / 3);
-      const bool fits = place.x() > room.x && place.x() + width < room.x + room.width &&
-                        place.y() - style.size > room.y && place.y() < room.y + room.height;
-      if (fits) places.push_back(place);
-    }
+  for (int step = 0; step < 1200; ++step) {  // near the crossing of both lines, or else ever farther below it
+    const int pixels = step < 160 ? 6 * step - 480 : 480 - 6 * step;
+    const Point at = on_row_line(camera, rod, i, pixels) + Point(0, style.size / 3);
+    places.push_back(at + Point(10, 0));
+    places.push_back(at - Point(10 + width, 0));
   }
-  if (!places.empty()) page.place_text(places, room, text, style);
+  page.place_text(places, inset(camera.viewport, 4), text, style);
 }
 
 /// Values along both axes, on the side where nothing may be, from 0 on.
@@ -147,15 +137,11 @@ void draw_goal(Page& page, const render::Camera& camera, const Pair& at, bool li
   const std::string text = fmt::format("({}, {})", brief(at[0], 1), brief(at[1], 1));
   const double width = page.canvas().text_width(text, style);
   const double away = page.sizes().joint + 8;
-  page.place_text({{point.x() + away, point.y() + style.size / 3},
-                   {point.x() - away - width, point.y() + style.size / 3},
-                   {point.x() - width / 2, point.y() - away},
-                   {point.x() - width / 2, point.y() + away + style.size},
-                   {point.x() + away, point.y() - away},
-                   {point.x() - away - width, point.y() - away},
-                   {point.x() + away, point.y() + away + style.size},
-                   {point.x() - away - width, point.y() + away + style.size}},
-                  inset(camera.viewport, 4), text, style);
+  List<Point> places;
+  for (const double down : {style.size / 3, -away, away + style.size}) {
+    for (const double left : {away, -away - width, -width / 2}) places.push_back(point + Point(left, down));
+  }
+  page.place_text(places, inset(camera.viewport, 4), text, style);
 }
 
 /// What the last row asked for, where that is not what it got.

@@ -55,6 +55,9 @@ void draw_forces(Page& page, const render::Camera& camera, const SweepRun& run, 
     const double tail = force < 0 ? 0.12 - metres * force : 0.12;  // both ways upon the rod
     draw_arrow(page, camera, scale, {.kind = kind, .tail = {x, tail}, .value = {0, force}, .label = label});
   };
+  const double shift = std::abs(run.rod.arm[1]) < 0.2 ? 0.2 : 0;  // not upon the push
+  const double middle = rod_length / 2 + shift;
+  page.avoid({camera.project({middle, 0.12}), camera.project({middle, 0.12 + metres * weight})});
   const double support = run.settings.support;
   if (shown.instead_of > 0) {
     arrow(render::ArrowKind::inactive, support, shown.instead_of,
@@ -62,9 +65,7 @@ void draw_forces(Page& page, const render::Camera& camera, const SweepRun& run, 
   }
   arrow(render::ArrowKind::normal, support, shown.lambda[1],
         fmt::format("λ_{{2}} = {} N", brief(shown.lambda[1], 2)));
-  const double shift = std::abs(run.rod.arm[1]) < 0.2 ? 0.2 : 0;  // not upon the push
-  arrow(render::ArrowKind::external, rod_length / 2 + shift, -weight,
-        fmt::format("m g = {} N", brief(weight)));
+  arrow(render::ArrowKind::external, middle, -weight, fmt::format("m g = {} N", brief(weight)));
   if (shown.lambda[0] == 0 && !shown.motion.empty()) return;  // the rod leaves this support
   arrow(render::ArrowKind::normal, 0.02, shown.lambda[0],
         fmt::format("λ_{{1}} = {} N{}", brief(shown.lambda[0], 2),

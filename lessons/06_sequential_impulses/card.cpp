@@ -21,7 +21,7 @@ LessonInfo card() {
           "Boxes of 1, 1 and 9\u00a0kg fall at 0.2\u00a0m/s. From the ground up, each contact in turn pushes "
           "just so hard that its own two boxes stop closing in. After one such sweep, how fast does the "
           "heavy box still fall, in m/s?",
-      .spoilers = {"0.19", "stops box 1", "hardly"},
+      .spoilers = {"0.19", "stops box 1"},
       .hints =
           {"A push has two ends: it slows the upper box and speeds up the lower one, the lighter one "
            "more.",
