@@ -94,7 +94,7 @@ void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const RodScene&
       draw_distance(page, camera, std::min(support, middle), std::max(support, middle));
     render::TextStyle style{.size = 24, .color = page.theme().normal, .bold = true};
     style.align = render::Align::center;
-    page.canvas().text(camera.project({support, 1.75}), "if no support pulls: λ_{2} = ?", style);
+    page.canvas().text(camera.project({std::min(support, 1.8), 1.75}), "if no support pulls: λ_{2} = ?", style);
   }
   page.canvas().pop_clip();
 }

@@ -112,7 +112,8 @@ void draw_update(Page& page, const StackRun& run, int update) {
   const Moment moment = moment_after(run, update);
   const List<Rect> parts = columns(page.area(), {0.48, 0.5}, page.sizes().gap);
   draw_stack(page, parts[0], run, moment);
-  const List<Rect> panels = rows(parts[1], {0.38, 0.29, 0.33}, page.sizes().gap);
+  const double bars = run.settings.boxes > 6 ? 0.7 : 0.38;  // or their names were too small
+  const List<Rect> panels = rows(parts[1], {bars, 0.29, 0.33}, page.sizes().gap);
   draw_bars(page, panels[0], lambda_bars(run, moment));
   page.equation(panels[1], equation_22(page, run, moment));
   page.table(panels[2], "", algorithm_1(run, moment));
