@@ -29,6 +29,10 @@ using Shared = std::shared_ptr<const Story>;
 
 const char* const coordinate_names[] = {"x", "y", "θ"};
 
+std::string triple(const Vec3<double>& v) {
+  return fmt::format("({}, {}, {})", significant(v.x()), significant(v.y()), significant(v.z()));
+}
+
 /// Left the scene; returns the two parts on the right.
 List<Rect> draw_scene(Page& page, const Rod& rod, const RodLook& look, double upper) {
   const List<Rect> halves = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
@@ -36,7 +40,8 @@ List<Rect> draw_scene(Page& page, const Rod& rod, const RodLook& look, double up
   return rows(halves[1], {upper, 1 - upper}, page.sizes().gap);
 }
 
-void draw_where(Page& page, const Rod& rod) {
+void draw_where(Page& page, const Story& story) {
+  const Rod& rod = story.rod;
   const Vec2<double> along = rod.jacobian.head<2>();
   const List<std::pair<std::string, Vec3<double>>> moves = {{"1 m to the right", {1, 0, 0}},
                                                             {"1 m up", {0, 1, 0}},
@@ -58,7 +63,8 @@ void draw_where(Page& page, const Rod& rod) {
   page.table(parts[1], "c at other places", table);
 }
 
-void draw_jacobian(Page& page, const Rod& rod) {
+void draw_jacobian(Page& page, const Story& story) {
+  const Rod& rod = story.rod;
   const List<Rect> parts =
       draw_scene(page, rod, {.pose = rod.pose, .circles = true, .direction = true}, 0.24);
   const List<Rect> below = rows(parts[1], {0.5, 0.5}, page.sizes().gap);
@@ -75,11 +81,11 @@ void draw_jacobian(Page& page, const Rod& rod) {
                            .result = fmt::format("r × u = {} m", significant(j.z())),
                            .algorithm = "u: along the rod; r: from the centre to the anchor"});
   const auto per_mille = [](double slope) { return fixed(slope, 2, render::Sign::always) + " mm"; };
-  const render::TableView slopes{.header = {"a small move", "c grows by"},
-                                 .rows = {{"1 mm to the right", per_mille(j.x())},
-                                          {"1 mm up", per_mille(j.y())},
-                                          {"a turn by 0.001 rad", per_mille(j.z())}}};
-  page.table(below[1], "three slopes", slopes);
+  page.table(below[1], "three slopes",
+             {.header = {"a small move", "c grows by"},
+              .rows = {{"1 mm to the right", per_mille(j.x())},
+                       {"1 mm up", per_mille(j.y())},
+                       {"a turn by 0.001 rad", per_mille(j.z())}}});
 }
 
 /// Coordinate k moved both ways: as far as it is drawn, and less.
@@ -115,28 +121,23 @@ void draw_nudge(Page& page, const Rod& rod, int k) {
 
 /// c while the box moves on at this velocity, and what j·v makes of it.
 void draw_course(Page& page, const Rect& rect, const Rod& rod, const Motion& motion) {
-  render::Plot plot{.title = "c while the box keeps this velocity (m)"};
-  render::Series course{.name = "c", .style = {}, .markers = false};
-  course.style = {page.theme().outline, {}, render::Marker::none};
-  render::Series tangent{.name = "j·v t", .style = {}, .markers = false};
-  tangent.style = {page.theme().velocity, {8, 6}, render::Marker::none};
+  render::Plot plot{.title = "c while the box keeps this velocity (m)",
+                    .x = {.title = "t (s)", .min = -1, .max = 1},
+                    .cursor = 0};
+  plot.series = {
+      {.name = "c", .style = {.color = page.theme().outline}, .markers = false},
+      {.name = "j·v t", .style = {.color = page.theme().velocity, .dash = {8, 6}}, .markers = false}};
   double largest = 1.2;  // [m] the same for all motions of the question
   for (int k = -20; k <= 20; ++k) {
-    const double t = 0.05 * k;
-    course.x.push_back(t);
-    course.y.push_back(error_at(rod, carried(rod.pose, motion.velocity, t)));
-    tangent.x.push_back(t);
-    tangent.y.push_back(motion.rate * t);
-    largest = std::max({largest, std::abs(course.y.back()), std::abs(tangent.y.back())});
+    const double t = 0.05 * k, c = error_at(rod, carried(rod.pose, motion.velocity, t));
+    for (render::Series& series : plot.series) series.x.push_back(t);
+    plot.series[0].y.push_back(c);
+    plot.series[1].y.push_back(motion.rate * t);
+    largest = std::max({largest, std::abs(c), std::abs(motion.rate * t)});
   }
-  plot.series = {course, tangent};
-  plot.x = {.title = "t (s)", .min = -1, .max = 1};
-  plot.y = {.title = "", .min = -largest, .max = largest};
-  plot.cursor = 0;
+  plot.y = {.min = -largest, .max = largest};
   draw_plot(page, rect, plot);
 }
-
-std::string verdict(const Motion& motion) { return motion.rate == 0 ? "allowed" : "not allowed"; }
 
 std::string in_brackets(double value) {
   return value < 0 ? "(" + significant(value) + ")" : significant(value);
@@ -147,28 +148,28 @@ std::string product(double factor, double value) { return in_brackets(factor) + 
 void draw_motion(Page& page, const Rod& rod, const Motion& motion) {
   const List<Rect> parts = draw_scene(
       page, rod, {.pose = rod.pose, .close = true, .circles = true, .velocity = motion.velocity}, 0.42);
-  const Vec3<double>& j = rod.jacobian;
-  const Vec3<double>& v = motion.velocity;
+  const Vec3<double>&j = rod.jacobian, &v = motion.velocity;
   page.equation(parts[0], {.number = "eq (5)",
-                           .symbols = fmt::format("dc/dt = j·v,   v = ({}, {}, {})", significant(v.x()),
-                                                  significant(v.y()), significant(v.z())),
+                           .symbols = "dc/dt = j·v,   v = " + triple(v),
                            .numbers = fmt::format("= {} + {} + {}", product(j.x(), v.x()),
                                                   product(j.y(), v.y()), product(j.z(), v.z())),
-                           .result = fmt::format("= {} m/s: {}", significant(motion.rate), verdict(motion))});
+                           .result = fmt::format("= {} m/s: {}", significant(motion.rate),
+                                                 motion.rate == 0 ? "allowed" : "not allowed")});
   draw_course(page, parts[1], rod, motion);
 }
 
-void draw_force(Page& page, const Rod& rod) {
+void draw_force(Page& page, const Story& story) {
+  const Rod& rod = story.rod;
   const List<Rect> parts = draw_scene(page, rod, {.pose = rod.pose, .force = true}, 0.46);
-  const Vec3<double>& j = rod.jacobian;
-  page.equation(parts[0],
-                {.number = "eq (9), (10)",
-                 .symbols = "f = j^{T} λ",
-                 .numbers = fmt::format("= ({}, {}, {}) × ({} N)", significant(j.x()), significant(j.y()),
-                                        significant(j.z()), significant(rod.settings.lambda)),
-                 .result = fmt::format("= ({} N, {} N, {} N m)", significant(rod.force.x()),
-                                       significant(rod.force.y()), significant(rod.force.z())),
-                 .color = page.theme().normal});
+  const Vec3<double>& f = rod.force;
+  page.equation(
+      parts[0],
+      {.number = "eq (9), (10)",
+       .symbols = "f = j^{T} λ",
+       .numbers = fmt::format("= {} × ({} N)", triple(rod.jacobian), significant(rod.settings.lambda)),
+       .result =
+           fmt::format("= ({} N, {} N, {} N m)", significant(f.x()), significant(f.y()), significant(f.z())),
+       .color = page.theme().normal});
   render::TableView table{.header = {"motion", "power f·v"}};
   for (const Motion& motion : rod.allowed)
     table.rows.push_back({motion.name, fixed(rod.force.dot(motion.velocity), 3) + " W"});
@@ -178,29 +179,30 @@ void draw_force(Page& page, const Rod& rod) {
 
 void draw_differences(Page& page, const Story& story) {
   const List<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
-  render::Plot plot{.title = "largest |j − central difference| of the rod"};
-  plot.x = {.title = "h (m or rad)", .scale = render::AxisScale::logarithmic, .min = 3e-12, .max = 1};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-13, .max = 1e-2};
-  render::Series measured{
-      .name = "", .style = {page.theme().outline, {}, render::Marker::circle}, .line = false};
-  render::Series truncation{.name = "", .style = page.theme().exact, .markers = false};
-  render::Series rounding = truncation;
-  rounding.style.dash = {8, 6};
-  const auto& all = story.rod.quotients;
+  const List<Quotient>& all = story.rod.quotients;
   const double factor = all[2].error / (all[2].h * all[2].h);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  for (auto q = all.rbegin(); q != all.rend(); ++q) {
-    measured.x.push_back(q->h);
-    measured.y.push_back(q->error);
-    truncation.x.push_back(q->h);
-    truncation.y.push_back(factor * q->h * q->h);
-    rounding.x.push_back(q->h);
-    rounding.y.push_back(epsilon * story.rod.length / q->h);
+  const double scale = epsilon * story.rod.length, lowest = 1e-13;
+  const double least = all.back().h, most = all.front().h;
+  const double first = std::sqrt(lowest / factor), last = scale / lowest;  // where the lines leave the chart
+  render::Plot plot{.title = "largest |j − central difference| of the rod"};
+  plot.x = {.title = "h (m or rad)", .scale = render::AxisScale::logarithmic, .min = 3e-12, .max = 1};
+  plot.y = {.scale = render::AxisScale::logarithmic, .min = lowest, .max = 1e-2};
+  const render::Color color = page.theme().text;
+  plot.series = {
+      {.style = {color, {}, render::Marker::circle}, .line = false},
+      {.style = {.color = color}, .x = {first, most}, .y = {lowest, factor * most * most}, .markers = false},
+      {.style = {.color = color, .dash = {8, 6}},
+       .x = {least, last},
+       .y = {scale / least, lowest},
+       .markers = false}};
+  for (const Quotient& q : all) {
+    plot.series[0].x.push_back(q.h);
+    plot.series[0].y.push_back(q.error);
   }
-  plot.series = {measured, truncation, rounding};
-  plot.labels.push_back({1e-9, epsilon * story.rod.length / 1e-9,
-                         fmt::format("rounding: about ε |p| / h, ε = {}", significant(epsilon, 2))});
-  plot.labels.push_back({1e-3, 1e-6 * factor, "falls with h²"});
+  plot.labels = {
+      {1e-9, scale / 1e-9, fmt::format("rounding: about ε |p| / h, ε = {}", significant(epsilon, 2))},
+      {1e-3, 1e-6 * factor, "falls with h²"}};
   draw_plot(page, parts[0], plot);
   render::TableView table{.header = {"h = 10^{−5}, 20 poses", "rows", "difference"}};
   for (const KindOfRows& kind : story.kinds)
@@ -208,46 +210,43 @@ void draw_differences(Page& page, const Story& story) {
   page.table(parts[1], "every kind of row in the library", table);
 }
 
-Shot shot(const std::string& state, const std::string& alt, std::function<void(Page&)> draw) {
-  return {.state = state, .alt = alt, .draw = std::move(draw), .key = true};
+Shot shot(const Shared& story, const std::string& state, const std::string& alt,
+          const std::function<void(Page&, const Story&)>& draw) {
+  return {.state = state, .alt = alt, .draw = [story, draw](Page& page) { draw(page, *story); }, .key = true};
 }
 
 Shot motion_shot(const Shared& story, const Motion& motion, const std::string& state) {
   return shot(
-      state,
+      story, state,
       fmt::format("The velocities of the box and of its anchor as arrows; j·v = {:.3f} m/s, the slope "
                   "of c at this moment.",
                   motion.rate),
-      [story, motion](Page& page) { draw_motion(page, story->rod, motion); });
+      [motion](Page& page, const Story& all) { draw_motion(page, all.rod, motion); });
 }
 
 Shot nudge_shot(const Shared& story, int k) {
   Shot made =
-      shot(fmt::format("the same by trying: {}", coordinate_names[k]),
-           fmt::format("The box moved in {} to both sides, and c of each place: c grows by {:.3f} for 1 "
-                       "of it.",
+      shot(story, fmt::format("the same by trying: {}", coordinate_names[k]),
+           fmt::format("The box moved in {} to both sides, and c of each place: c grows by {:.3f} for "
+                       "1 of it.",
                        coordinate_names[k], story->rod.quotients[0].slope[k]),
-           [story, k](Page& page) { draw_nudge(page, story->rod, k); });
+           [k](Page& page, const Story& all) { draw_nudge(page, all.rod, k); });
   made.key = k != 1;
   return made;
 }
 
-Shot shot_of_answer(const Shared& story) {
-  const List<Motion>& asked = story->rod.asked;
-  return answer_shot(
-      card(),
-      {.state = "after the lesson",
-       .alt =
-           "The three velocities as the anchor has them: the first and the third along the circle that the "
-           "rod allows, the second along the rod.",
-       .scene =
-           [story](Page& page, const Rect& rect) {
-             draw_rod(page, rect, story->rod,
-                      {.pose = story->rod.pose, .close = true, .circles = true, .answered = true});
-           }},
-      fmt::format("{}, {} and {} m/s: a velocity makes the rod longer by j·v. Where that is 0 the rod allows "
-                  "it: the anchor moves along the circle, whatever the centre does.",
-                  significant(asked[0].rate), significant(asked[1].rate), significant(asked[2].rate)));
+QuestionFrame frame_of(const Shared& story, const std::string& state, const std::string& alt, RodLook look) {
+  look.pose = story->rod.pose;
+  return {.state = state, .alt = alt, .scene = [story, look](Page& page, const Rect& rect) {
+            draw_rod(page, rect, story->rod, look);
+          }};
+}
+
+std::string answer_text(const List<Motion>& asked) {
+  return fmt::format(
+      "{}, {} and {} m/s: a velocity makes the rod longer by j·v. Where that is 0 the rod allows "
+      "it: the anchor moves along the circle, whatever the centre does.",
+      significant(asked[0].rate), significant(asked[1].rate), significant(asked[2].rate));
 }
 
 }  // namespace
@@ -256,36 +255,42 @@ List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
   const auto story = std::make_shared<const Story>(Story{rod, kinds});
   List<Shot> shots = {question_shot(
       card(),
-      {.state = "before we ask",
-       .alt = "A box on a rod that hangs from a pivot, three velocities of the box, and the question how "
-              "fast each makes the rod longer",
-       .scene = [story](Page& page, const Rect& rect) {
-         draw_rod(page, rect, story->rod, {.pose = story->rod.pose, .asked = true});
-       }})};
+      frame_of(story, "before we ask",
+               "A box on a rod that hangs from a pivot, three velocities of the box, and the question how "
+               "fast each makes the rod longer",
+               {.asked = true}))};
   shots.push_back(
-      shot("c: where",
+      shot(story, "c: where",
            "The rod, the box, circles around the pivot where c is −1, 0 and 1 m, and c of the box at "
            "four other places.",
-           [story](Page& page) { draw_where(page, story->rod); }));
-  shots.push_back(shot("j: which way",
-                       fmt::format("An arrow along the rod and an arc around the box: j = ({:.3f}, {:.3f}, "
-                                   "{:.3f}), at right angles to the circle c = 0.",
-                                   rod.jacobian.x(), rod.jacobian.y(), rod.jacobian.z()),
-                       [story](Page& page) { draw_jacobian(page, story->rod); }));
+           draw_where));
+  shots.push_back(
+      shot(story, "j: which way",
+           "An arrow along the rod, at right angles to the circle c = 0, and an arc around the box: "
+           "j = " +
+               triple(rod.jacobian),
+           draw_jacobian));
   for (int k = 0; k < 3; ++k) shots.push_back(nudge_shot(story, k));
   const Vec3<double>& own = rod.settings.velocity;
   shots.push_back(motion_shot(story, {.velocity = own, .rate = rod.jacobian.dot(own)}, "j·v: how fast"));
   shots.back().key = false;
   for (int i = 0; i < rod.asked.size(); ++i)
     shots.push_back(motion_shot(story, rod.asked[i], fmt::format("j·v: velocity {} of 3", i + 1)));
-  shots.push_back(shot("jᵀ λ: how strong",
+  shots.push_back(shot(story, "jᵀ λ: how strong",
                        "The pull of the rod as an arrow at the anchor and its torque as an arc.",
-                       [story](Page& page) { draw_force(page, story->rod); }));
-  shots.push_back(shot("j against differences",
+                       draw_force));
+  shots.push_back(shot(story, "j against differences",
                        "The error of a central difference against its step: it falls as h squared, then "
                        "rounding takes over. Beside it every kind of row in the library.",
-                       [story](Page& page) { draw_differences(page, *story); }));
-  shots.push_back(shot_of_answer(story));
+                       draw_differences));
+  shots.push_back(answer_shot(
+      card(),
+      frame_of(
+          story, "after the lesson",
+          "The three velocities as the anchor has them: the first and the third along the circle that the "
+          "rod allows, the second along the rod.",
+          {.close = true, .circles = true, .answered = true}),
+      answer_text(rod.asked)));
   return shots;
 }
 

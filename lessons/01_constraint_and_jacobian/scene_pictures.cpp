@@ -123,13 +123,12 @@ void draw_arc(Page& page, const render::Camera& camera, const Arc& arc) {
   List<Point> points;
   for (int k = 0; k <= 32; ++k) points.push_back(at(arc.sign * half * (k / 16.0 - 1)));
   draw_curved_arrow(page, points, arc.color);
-  render::TextStyle style = bold_label(page, arc.color);
+  const render::TextStyle style = bold_label(page, arc.color);
   const double wide = page.canvas().text_width(arc.label, style);
   const double gap = 0.7 * page.sizes().arrow + 6, rise = 0.35 * style.size;
-  const auto beyond = [&](double turn, double shift) { return Point(at(turn) + Point(-wide / 2, shift)); };
   page.place_text(
       {at(0) + Point(gap, rise), at(0) + Point(-gap - wide, rise), at(0) + Point(-wide / 2, gap + style.size),
-       beyond(1, -6), beyond(-1, 6 + style.size), beyond(1, 6 + style.size), beyond(-1, -6)},
+       at(1) + Point(-wide / 2, -6), at(-1) + Point(-wide / 2, 6 + style.size)},
       camera.viewport, arc.label, style);
 }
 

@@ -1,6 +1,6 @@
 // Lesson 02. One row, one push. A row knows in which direction it may push, j, and what it wants, j·v = ζ.
 // How hard it has to push depends on the effective mass, 1 / (j M⁻¹ jᵀ). That is not simply a mass, because a
-// body that is pushed beside its centre also turns. With that number one push puts the row right: (19)-(23).
+// body that is pushed off-centre also turns. With that number one push puts the row right: (19)-(23).
 // A box falls on a peg at three places; we push by hand, and let the library's solver push.
 #include "parts.hpp"
 
@@ -95,7 +95,7 @@ void run(Lesson& lesson) {
   print_places(lesson, all);
   const double right = all.at.back().impulse;
   lesson.answer({right}, 0.02 * right,
-                "Less: a push beside the middle also turns the box, so the effective mass there is smaller.");
+                "Less: an off-centre push also turns the box, so the effective mass there is smaller.");
   check_row(lesson, all);
   check_motion(lesson, all);
   check_others(lesson, all);

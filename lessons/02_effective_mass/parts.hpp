@@ -22,6 +22,7 @@ List<Shot> peg_shots(const Pushes& all);
 /// The box on its peg.
 struct PegLook {
   bool push = false;        // the impulse as an arrow
+  bool asked = false;       // the impulse as a number below the peg, or a question mark
   bool after = false;       // the velocities after it, and where they lead
   bool masses = false;      // bars under the underside: the effective mass there
   bool named = false;       // where the peg is, as the title

@@ -12,7 +12,7 @@ struct PegSettings {
   double mass = 6;   // [kg] of the unit box
   double speed = 1;  // [m/s] at which it falls
   double dt = 0.02;  // [s]
-  double x = 0.5;    // [m] of the peg to the right of the middle
+  double x = 0.5;    // [m] of the peg to the right of the centre
 };
 
 /// A push as (19)-(22) say, without the solver.

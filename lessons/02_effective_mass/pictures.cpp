@@ -30,55 +30,60 @@ List<Rect> draw_left(Page& page, const Pushes& all, const Push& push, const PegL
   return rows(halves[1], {upper, 1 - upper}, page.sizes().gap);
 }
 
-/// The places and their pushes, as far as they are known.
-render::TableView push_table(const Pushes& all, int known) {
-  render::TableView table{.header = {"x (m)", "effective mass (kg)", "λΔt (N s)", "λ (N)"},
-                          .active_row = known - 1};
+/// The places with what was found at each, as far as it is known.
+render::TableView table_of(const Pushes& all, const List<std::string>& header, int known,
+                           const std::function<List<std::string>(const Push&)>& found) {
+  render::TableView table{.header = header, .active_row = known - 1};
   for (int i = 0; i < all.at.size(); ++i) {
-    const Push& push = all.at[i];
-    List<std::string> row = {significant(push.x), "?", "?", "?"};
-    if (i < known)
-      row = {significant(push.x), fixed(1 / push.inverse, 3), fixed(push.impulse, 3),
-             significant(push.impulse / all.settings.dt, 4)};
+    List<std::string> row = {significant(all.at[i].x)};
+    const List<std::string> numbers =
+        i < known ? found(all.at[i]) : List<std::string>(header.size() - 1, "?");
+    row.insert(row.end(), numbers.begin(), numbers.end());
     table.rows.push_back(row);
   }
   return table;
 }
 
-void draw_note(Page& page, const Pushes& all, const PegLook& look, std::string_view title,
-               std::string_view text, int known) {
-  const List<Rect> parts = draw_left(page, all, all.at.back(), look, 0.3);
-  page.note(parts[0], title, text);
-  const List<Rect> below = rows(parts[1], {0.6, 0.4}, page.sizes().gap);
-  const List<Rect> others = columns(below[0], {0.5, 0.5}, page.sizes().gap);
-  for (int i = 0; i < others.size(); ++i) draw_push(page, others[i], all, all.at[i], look);
-  render::TableView table = push_table(all, known);
-  table.active_row = -1;
-  page.table(below[1], "", table);
+/// Question and answer: all three places side by side, at one scale.
+QuestionFrame frame_of(const Shared& all, const std::string& state, const std::string& alt,
+                       const PegLook& look) {
+  return {.state = state,
+          .alt = alt,
+          .scene =
+              [all, look](Page& page, const Rect& rect) {
+                const List<Rect> panels = columns(rect, {1, 1, 1}, page.sizes().gap);
+                for (int i = 0; i < panels.size(); ++i) draw_push(page, panels[i], *all, all->at[i], look);
+              },
+          .place = ScenePlace::above};
 }
 
-/// j and the diagonal of M^-1 over each other, and what comes of them.
+/// j, the diagonal of M^-1 and their products below each other, and the sum.
 void draw_row(Page& page, const Pushes& all) {
   const Push& push = all.at.back();
-  const List<Rect> parts = draw_left(page, all, push, {}, 0.46);
-  const List<Rect> halves = rows(parts[0], {0.5, 0.5}, page.sizes().gap);
-  render::MatrixView j{.title = "j: the peg (1) and the box (2)", .column_group = 3};
-  j.values.resize(1, 6);
-  j.values << push.row.jacobian_a.transpose(), push.row.jacobian_b.transpose();
-  render::MatrixView masses{.title = "the diagonal of M⁻¹, eq (17)", .column_group = 3};
-  masses.values.resize(1, 6);
-  masses.values << push.inverse_mass[{1}].transpose(), push.inverse_mass[{2}].transpose();
-  masses.colors = render::MatrixColors::magnitude;
-  for (const char* name : {"x_{1}", "y_{1}", "θ_{1}", "x_{2}", "y_{2}", "θ_{2}"}) {
-    j.column_names.emplace_back(name);
-    masses.column_names.emplace_back(name);
+  const List<Rect> parts = draw_left(page, all, push, {}, 0.62);
+  Eigen::MatrixXd j(1, 6), masses(1, 6);
+  j << push.row.jacobian_a.transpose(), push.row.jacobian_b.transpose();
+  masses << push.inverse_mass[{1}].transpose(), push.inverse_mass[{2}].transpose();
+  const Rect inside = page.panel(parts[0], "");
+  const List<Rect> strips = rows(inside, {1, 1, 1}, 4);
+  const FixedList<render::MatrixView, 3> views = {
+      {{.title = "j: the peg (1) and the box (2)", .values = j},
+       {.title = "the diagonal of M⁻¹, eq (17)", .values = masses, .colors = render::MatrixColors::magnitude},
+       {.title = "j² times that: the sum is j M⁻¹ j^{T}",
+        .values = j.array().square() * masses.array(),
+        .colors = render::MatrixColors::magnitude}}};
+  for (int i = 0; i < strips.size(); ++i) {
+    render::MatrixView view = views[i];
+    view.column_group = 3;
+    for (const char* name : {"x_{1}", "y_{1}", "θ_{1}", "x_{2}", "y_{2}", "θ_{2}"})
+      view.column_names.emplace_back(name);
+    const double margin = 0.2 * inside.width;
+    draw_matrix(page, {strips[i].x + margin, strips[i].y, inside.width - margin, strips[i].height}, view);
   }
-  draw_matrix(page, halves[0], j);
-  draw_matrix(page, halves[1], masses);
   const Vec3<double>& w = push.inverse_mass[{2}];
   page.equation(
       parts[1],
-      {.number = "entry by entry: j² of the one times the other",
+      {.number = "of the six products, two are not 0",
        .symbols = "j M⁻¹ j^{T} = 1/m + x²/I",
        .numbers =
            fmt::format("= {} + {}² × {}", significant(w.y(), 4), significant(push.x), significant(w.z(), 4)),
@@ -96,21 +101,12 @@ void draw_step(Page& page, const Pushes& all, int i) {
                                                  significant(push.impulse / all.settings.dt, 4),
                                                  significant(push.impulse, 4)),
                            .color = page.theme().normal});
-  page.table(parts[1], "the peg, at three places", push_table(all, i + 1));
-}
-
-render::TableView motion_table(const Pushes& all, int known) {
-  render::TableView table{.header = {"x (m)", "v_{y} (m/s)", "ω (rad/s)", "energy (J)"},
-                          .active_row = known - 1};
-  for (int i = 0; i < all.at.size(); ++i) {
-    const Push& push = all.at[i];
-    const Vec3<double>& v = push.after.bodies[{2}].velocity;
-    List<std::string> row = {significant(push.x), "?", "?", "?"};
-    if (i < known)
-      row = {significant(push.x), fixed(v.y(), 3), fixed(v.z(), 3), fixed(kinetic_energy(push.after), 3)};
-    table.rows.push_back(row);
-  }
-  return table;
+  page.table(parts[1], "the peg, at three places",
+             table_of(all, {"x (m)", "effective mass (kg)", "λΔt (N s)", "λ (N)"}, i + 1,
+                      [&all](const Push& one) -> List<std::string> {
+                        return {fixed(1 / one.inverse, 3), fixed(one.impulse, 3),
+                                significant(one.impulse / all.settings.dt, 4)};
+                      }));
 }
 
 void draw_after(Page& page, const Pushes& all, int i) {
@@ -127,12 +123,15 @@ void draw_after(Page& page, const Pushes& all, int i) {
        .result = fmt::format("j·v_{{2}} = {} + {} × {} = {} m/s", fixed(v.y(), 3), significant(push.x),
                              fixed(v.z(), 3), fixed(push.rate_after, 3))});
   page.table(parts[1], fmt::format("what is left of {} J", significant(kinetic_energy(push.before))),
-             motion_table(all, i + 1));
+             table_of(all, {"x (m)", "v_{y} (m/s)", "ω (rad/s)", "energy (J)"}, i + 1,
+                      [](const Push& one) -> List<std::string> {
+                        const Vec3<double>& left = one.after.bodies[{2}].velocity;
+                        return {fixed(left.y(), 3), fixed(left.z(), 3), fixed(kinetic_energy(one.after), 3)};
+                      }));
 }
 
 render::Series curve_of_places(const Page& page, const Pushes& all) {
-  render::Series curve{
-      .name = "", .style = {page.theme().normal, {}, render::Marker::none}, .markers = false};
+  render::Series curve{.style = {.color = page.theme().normal}, .markers = false};
   for (int k = -50; k <= 50; ++k) {
     curve.x.push_back(0.01 * k);
     curve.y.push_back(mass_at(all.settings.mass, {0.01 * k, -0.5}, {0, 1}));
@@ -144,8 +143,7 @@ void draw_here(Page& page, const Pushes& all) {
   const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
   draw_push(page, halves[0], all, all.at[0], {.masses = true});
   render::Plot plot{.title = "effective mass 1 / (j M⁻¹ jᵀ), upwards (kg)"};
-  render::Series found{
-      .name = "", .style = {page.theme().outline, {}, render::Marker::circle}, .line = false};
+  render::Series found{.style = {page.theme().outline, {}, render::Marker::circle}, .line = false};
   for (const Push& push : {all.mirrored, all.at[0], all.at[1], all.at[2]}) {
     found.x.push_back(push.x);
     found.y.push_back(push.impulse / all.settings.speed);
@@ -166,11 +164,9 @@ void draw_this_way(Page& page, const Pushes& all) {
 void draw_others(Page& page, const Pushes& all) {
   const List<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
   const double m = all.settings.mass;
-  render::Plot plot{.title = "effective mass in the middle, of box and peg (kg)"};
-  render::Series curve{
-      .name = "", .style = {page.theme().normal, {}, render::Marker::none}, .markers = false};
-  render::Series found{
-      .name = "", .style = {page.theme().outline, {}, render::Marker::circle}, .line = false};
+  render::Plot plot{.title = "effective mass of box and peg, below the centre (kg)"};
+  render::Series curve{.style = {.color = page.theme().normal}, .markers = false};
+  render::Series found{.style = {page.theme().outline, {}, render::Marker::circle}, .line = false};
   for (int k = -16; k <= 16; ++k) {
     const double other = m * std::pow(10, k / 4.0 * 0.75);
     curve.x.push_back(other);
@@ -196,28 +192,32 @@ void draw_others(Page& page, const Pushes& all) {
                  .symbols = "j M⁻¹ j^{T} = 1/m_{1} + 1/m_{2}",
                  .numbers = fmt::format("= 1/{} + 1/{}", significant(m), significant(all.others[2].mass)),
                  .result = fmt::format("= 1 / ({} kg)", significant(all.others[2].effective, 4))});
-  page.table(parts[1], "whom the box meets", table);
+  page.table(parts[1], "what the box meets", table);
 }
 
-Shot shot(const std::string& state, const std::string& alt, std::function<void(Page&)> draw) {
-  return {.state = state, .alt = alt, .draw = std::move(draw), .key = true};
+Shot shot(const Shared& all, const std::string& state, const std::string& alt,
+          const std::function<void(Page&, const Pushes&)>& draw) {
+  return {.state = state, .alt = alt, .draw = [all, draw](Page& page) { draw(page, *all); }, .key = true};
 }
 
+/// The first and the last place are key frames; what the first push leaves is nothing.
 void append_pushes(const Shared& all, List<Shot>& shots) {
   for (int i = 0; i < all->at.size(); ++i) {
     const Push& push = all->at[i];
     shots.push_back(
-        shot(fmt::format("push {} of 3 · x = {:.3g} m", i + 1, push.x),
+        shot(all, fmt::format("push {} of 3 · x = {:.3g} m", i + 1, push.x),
              fmt::format("The peg at x = {:.3g} m pushes the box with {:.3f} N s upwards; equation "
                          "(22) filled in.",
                          push.x, push.impulse),
-             [all, i](Page& page) { draw_step(page, *all, i); }));
+             [i](Page& page, const Pushes& pushes) { draw_step(page, pushes, i); }));
+    shots.back().key = i != 1;
     shots.push_back(
-        shot(fmt::format("after push {} of 3", i + 1),
+        shot(all, fmt::format("after push {} of 3", i + 1),
              fmt::format("After the push the box moves at {:.3f} m/s and turns at {:.3f} rad/s, so "
                          "that the contact stands still; outlines show where it goes.",
                          push.after.bodies[{2}].velocity.y(), push.after.bodies[{2}].velocity.z()),
-             [all, i](Page& page) { draw_after(page, *all, i); }));
+             [i](Page& page, const Pushes& pushes) { draw_after(page, pushes, i); }));
+    shots.back().key = i != 0;
   }
 }
 
@@ -225,39 +225,36 @@ void append_pushes(const Shared& all, List<Shot>& shots) {
 
 List<Shot> peg_shots(const Pushes& recorded) {
   const auto all = std::make_shared<const Pushes>(recorded);
-  List<Shot> shots;
-  shots.push_back(
-      shot("before the push", "A box falls on a peg beside its middle, and the question.", [all](Page& page) {
-        draw_note(
-            page, *all, {.named = true}, "The question",
-            fmt::format("A box of {:g}\u00a0kg falls on a peg. Only the point above the peg has to stop. "
-                        "Does that take more here than under the middle, or less? How many N\u00a0s?",
-                        all->settings.mass),
-            0);
-      }));
-  shots.push_back(shot("the row",
+  List<Shot> shots = {question_shot(
+      card(),
+      frame_of(all, "before the push",
+               "A box that falls on a peg below its corner, and the question how hard the peg has to push",
+               {.asked = true, .named = true}))};
+  shots.push_back(shot(all, "the row",
                        "The row j and the diagonal of M⁻¹ for peg and box, and j M⁻¹ jᵀ from both.",
-                       [all](Page& page) { draw_row(page, *all); }));
+                       draw_row));
   append_pushes(all, shots);
-  shots.push_back(shot("here",
-                       "Bars along the underside of the box: the effective mass is largest in the middle.",
-                       [all](Page& page) { draw_here(page, *all); }));
+  shots.push_back(shot(all, "here",
+                       "Bars along the underside of the box: the effective mass is largest below the centre.",
+                       draw_here));
   shots.push_back(
-      shot("this way",
-           "Under the middle and beside it a closed curve: its distance from the contact is "
+      shot(all, "this way",
+           "Below the centre and off-centre a closed curve: its distance from the contact is "
            "the effective mass in that direction, all of the box towards its centre and less across.",
-           [all](Page& page) { draw_this_way(page, *all); }));
-  shots.push_back(shot("against whom",
+           draw_this_way));
+  shots.push_back(shot(all, "against what",
                        "The effective mass against the mass of the peg: never more than the box alone.",
-                       [all](Page& page) { draw_others(page, *all); }));
-  shots.push_back(shot("after the lesson", "The push beside the middle, and the answer.", [all](Page& page) {
-    draw_note(page, *all, {.push = true, .named = true}, "The answer",
-              fmt::format("Less: {} N s instead of {}. Away from the middle the box gives way by turning, so "
-                          "the peg meets only {} of its {} kg.",
-                          significant(all->at[2].impulse), significant(all->at[0].impulse),
-                          significant(1 / all->at[2].inverse), significant(all->settings.mass)),
-              3);
-  }));
+                       draw_others));
+  const std::string answer = fmt::format(
+      "Less: {} N s instead of {}. Off-centre the box also turns, so its corner yields more easily: here, "
+      "this way, the effective mass is {} kg instead of {} kg.",
+      significant(recorded.at[2].impulse), significant(recorded.at[0].impulse),
+      significant(1 / recorded.at[2].inverse), significant(recorded.settings.mass));
+  shots.push_back(answer_shot(
+      card(),
+      frame_of(all, "after the lesson", "The pushes at three places, at one scale, and the answer.",
+               {.push = true, .named = true}),
+      answer));
   return shots;
 }
 

@@ -63,9 +63,9 @@ void print_places(Lesson& lesson, const Pushes& all) {
         fixed(v.z(), 4), kinetic_energy(push.before), kinetic_energy(push.after)));
   }
   lesson.print();
-  lesson.print(fmt::format("This way: below the middle the box is {:.4f} kg upwards and {:.4f} kg sideways.",
+  lesson.print(fmt::format("This way: below the centre the box is {:.4f} kg upwards and {:.4f} kg sideways.",
                            1 / all.at[0].inverse, all.sideways));
-  std::string pegs = "Against whom, in the middle: peg (kg) ";
+  std::string pegs = "Against what, in the middle: peg (kg) ";
   std::string masses = "                    effective mass (kg)";
   for (const OtherMass& other : all.others) {
     pegs += fmt::format("{:>9}", other.mass > 0 ? fmt::format("{:g}", other.mass) : "fixed");
@@ -163,7 +163,7 @@ void check_others(Lesson& lesson, const Pushes& all) {
   }
   lesson.check_small("two bodies: 1/m of both, and 0 for what cannot move, relative", worst, 16 * epsilon);
   // r = (0, -1/2) and d = (1, 0): (r x d)^2 / I = 6 / (4 m).
-  lesson.check_equal("sideways under the middle: 1 / (1/m + (1/2)²/I) (kg)", all.sideways,
+  lesson.check_equal("sideways below the centre: 1 / (1/m + (1/2)²/I) (kg)", all.sideways,
                      all.settings.mass / 2.5, 16 * epsilon * all.settings.mass);
 }
 

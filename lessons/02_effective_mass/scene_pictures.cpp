@@ -78,11 +78,11 @@ void draw_impulse(Page& page, const render::Camera& camera, const Pushes& all, c
 
 /// How heavy the box is for a push upwards, all along its underside.
 void draw_bars(Page& page, const render::Camera& camera, const Pushes& all) {
-  for (int k = -4; k <= 4; ++k) {
+  for (int k = -4; k <= 4; ++k) {  // the outermost ones end with the box
     const double x = 0.125 * k;
     const double mass = mass_at(all.settings.mass, {x, -0.5}, {0, 1});
     const double length = longest_bar * mass / all.settings.mass;
-    const Point top = camera.project({x - 0.04, -0.02});
+    const Point top = camera.project({0.92 * x - 0.04, -0.02});
     page.canvas().rect({top.x(), top.y(), 0.08 * camera.scale, length * camera.scale},
                        {.fill = page.theme().normal, .outline = page.theme().outline, .outline_width = 1});
     if (k % 4 != 0) continue;
@@ -142,12 +142,16 @@ void draw_way(Page& page, const render::Camera& camera, const Pushes& all, const
 
 std::string title_of(const Pushes& all, const Push& push, const PegLook& look) {
   const double speed = all.settings.speed;
+  if (look.after && push.after.bodies[{2}].velocity.norm() < 1e-9 * speed) return "it stands still";
   if (look.after) {
-    return fmt::format("outlines: after {}, {} and {} s", significant(ways[2] / speed),
+    return fmt::format("outlines: if it kept this velocity for {}, {} and {} s", significant(ways[2] / speed),
                        significant(ways[1] / speed), significant(ways[0] / speed));
   }
   if (!look.directions && !look.named) return "";
-  return push.x > 0 ? fmt::format("under x = {} m", significant(push.x)) : "under the middle";
+  if (look.directions)
+    return fmt::format("x = {} m: as far out as the effective mass that way", significant(push.x));
+  return push.x > 0 ? fmt::format("{} m to the right of the centre", significant(push.x))
+                    : "below the centre";
 }
 
 }  // namespace
@@ -167,6 +171,11 @@ void draw_push(Page& page, const Rect& rect, const Pushes& all, const Push& push
   if (!no_peg)
     page.canvas().circle(camera.project({push.x, 0}), page.sizes().contact, {.fill = page.theme().normal});
   if (look.push) draw_impulse(page, camera, all, push);
+  if (look.asked) {
+    page.canvas().text(
+        camera.project({push.x, -0.35}), push.x == 0 ? significant(push.impulse, 3) + " N s" : "? N s",
+        {.size = 24, .color = page.theme().normal, .bold = true, .align = render::Align::center});
+  }
   if (!no_peg && !(look.named && look.push)) draw_fall(page, camera, all, push, look);
   if (look.after) draw_turning(page, camera, push);
   if (look.masses) draw_bars(page, camera, all);

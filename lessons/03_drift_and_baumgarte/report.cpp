@@ -56,11 +56,11 @@ void print_balls(Lesson& lesson, const DriftRuns& all) {
     const BallRun& ball = ball_of(all, beta);
     for (int k = 1; k <= 4; ++k) {
       const double free = ball.speed[k - 1] - gravity * settings.dt;
-      lesson.print(
-          fmt::format("   β = {:g}, step {}  (22) λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt) = ({:.4f} − ({:.4f})) / "
-                      "{:.4g} = {:.4f} N{}",
-                      beta, k, ball.zeta[k], free, settings.dt, cleaned((ball.zeta[k] - free) / settings.dt),
-                      ball.zeta[k] < free - 1e-9 ? ": clamped to 0" : ""));
+      lesson.print(fmt::format(
+          "   β = {:g}, step {}  (22) λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt) = ({:.4f} − ({:.4f})) / "
+          "{:.4g} = {:.4f} N{}",
+          beta, k, cleaned(ball.zeta[k]), free, settings.dt, cleaned((ball.zeta[k] - free) / settings.dt),
+          ball.zeta[k] < free - 1e-9 ? ": clamped to 0" : ""));
     }
   }
   lesson.print("   β       λ (N), step 1        2        3        4   fastest (m/s)   rises to (m)");
