@@ -80,10 +80,12 @@ void run(Lesson& lesson) {
   const FeetRun all = land_everywhere(
       {.foot = lesson.real("foot"), .speed = lesson.real("speed"), .sweeps = lesson.whole("sweeps")});
   tell_scene(lesson, all);
-  if (question_of(all) == card().question)
+  constexpr int page_width = 104;  // columns
+  if (question_of(all) == card().question) {
     lesson.predict();
-  else
-    lesson.print(wrapped("QUESTION " + question_of(all), 104, 9));
+  } else {
+    lesson.print(wrapped("QUESTION " + question_of(all), page_width, 9));
+  }
   tell_visits(lesson, all);
   tell_landings(lesson, all);
   tell_motion(lesson, all);

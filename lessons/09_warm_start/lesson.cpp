@@ -94,10 +94,12 @@ void run(Lesson& lesson) {
                                  .steps = lesson.whole("steps"),
                                  .dt = lesson.real("dt")});
   tell_scene(lesson, all.settings);
-  if (question_of(all) == card().question)
+  constexpr int page_width = 104;  // columns
+  if (question_of(all) == card().question) {
     lesson.predict();
-  else
-    lesson.print(wrapped("QUESTION " + question_of(all), 104, 9));
+  } else {
+    lesson.print(wrapped("QUESTION " + question_of(all), page_width, 9));
+  }
   tell_loads(lesson, all);
   tell_sweeps(lesson, all);
   tell_order(lesson, all);
