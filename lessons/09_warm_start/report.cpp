@@ -172,7 +172,7 @@ void tell_order(Lesson& lesson, const WarmStart& all) {
 
 void check_claims(Lesson& lesson, const WarmStart& all) {
   if (all.settings.boxes == 10 && all.settings.dt == 0.02) {
-    lesson.check_that("the question has the numbers of this run", question_of(all) == card().question, "");
+    lesson.check_that("the question has the numbers of this run", question_of(all) == card().question, "all");
   }
   check_runs(lesson, all);
   check_rates(lesson, all);
