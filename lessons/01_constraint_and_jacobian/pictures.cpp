@@ -93,16 +93,14 @@ void draw_nudge(Page& page, const Rod& rod, int k) {
   const std::string unit = k == 2 ? "rad" : "m";
   const Vec3<double> move = Vec3<double>::Unit(k);
   render::TableView table{.header = {"h (" + unit + ")", "c(−h) (m)", "c(+h) (m)", "slope"}};
-  List<Quotient> quotients;
   for (const double h : {0.5, 0.1, 0.01}) {
-    const Quotient q = quotient(rod, h);
+    const Quotient less = quotient(rod, h);
     table.rows.push_back(
-        {significant(h), fixed(q.backward[k], 4), fixed(q.forward[k], 4), fixed(q.slope[k], 4)});
-    quotients.push_back(q);
+        {significant(h), fixed(less.backward[k], 4), fixed(less.forward[k], 4), fixed(less.slope[k], 4)});
   }
   table.rows.push_back({"j", "", "", fixed(rod.jacobian(k), 4)});
   table.active_row = 0;
-  const Quotient& q = quotients[0];  // large enough to be seen
+  const Quotient q = quotient(rod, 0.5);  // large enough to be seen
   const List<Rect> parts = draw_scene(page, rod,
                                       {.pose = carried(rod.pose, move, q.h),
                                        .close = true,

@@ -69,15 +69,12 @@ void draw_row(Page& page, const StackRun& run, int row) {
                             : "how fast box 1 leaves the ground"});
 }
 
-/// The entries of A that have not been computed after `count` of `order`.
-List<Entry> unknown_part(const StackRun& run, const List<Entry>& order, int count) {
+/// The entries of A that come after this one, row by row; A is symmetric.
+List<Entry> entries_after(const StackRun& run, const Entry& last) {
   List<Entry> unknown;
-  if (count == order.size()) return unknown;  // the last stands for all pairs without a box in common
   for (int i = 0; i < run.boxes(); ++i) {
     for (int j = 0; j < run.boxes(); ++j) {
-      const Entry entry = std::minmax(i, j);
-      if (std::find(order.begin(), order.begin() + count, entry) == order.begin() + count)
-        unknown.push_back({i, j});
+      if (Entry(std::minmax(i, j)) > last) unknown.push_back({i, j});
     }
   }
   return unknown;
@@ -104,8 +101,7 @@ std::string entry_in_numbers(const StackRun& run, int i, int j) {
   return sum;
 }
 
-void draw_entry(Page& page, const StackRun& run, const List<Entry>& order, int k) {
-  const auto [i, j] = order[k];
+void draw_entry(Page& page, const StackRun& run, int i, int j) {
   const bool shared = j == i + 1;
   const List<Rect> parts = lay_out_building(page, run, {.row = i, .other_row = i == j ? -1 : j}, 0.34);
   render::MatrixView J{.column_names = column_names(run.boxes()), .column_group = 3};
@@ -123,7 +119,7 @@ void draw_entry(Page& page, const StackRun& run, const List<Entry>& order, int k
                  .column_names = row_names(run.boxes()),
                  .active_row = i,
                  .active_column = j,
-                 .unknown = unknown_part(run, order, k + 1)}},
+                 .unknown = entries_after(run, {i, j})}},
                {});
   const std::string reason = shared   ? fmt::format("box {} is in both rows", i + 1)
                              : i == j ? "a row with itself"
@@ -156,28 +152,14 @@ void draw_right_side(Page& page, const StackRun& run, int row) {
                            .algorithm = std::abs(jv) > 0 ? "this contact closes in" : "both fall alike"});
 }
 
-List<Entry> order_of_entries(int boxes) {
-  List<Entry> order;
-  for (int i = 0; i < boxes; ++i) {
-    order.push_back({i, i});
-    if (i + 1 < boxes) order.push_back({i, i + 1});
-  }
-  if (boxes > 2) order.push_back({0, 2});
-  return order;
-}
-
-void append_entry_shots(const Run& run, List<Shot>& shots) {
-  const List<Entry> order = order_of_entries(run->boxes());
-  for (int k = 0; k < order.size(); ++k) {
-    const auto [i, j] = order[k];
-    const int row = i;
-    const int column = j;
-    shots.push_back({.state = fmt::format("A · row {}, column {}", row + 1, column + 1),
-                     .alt = fmt::format("J, and A as far as it is known: entry {}, {} is {:.4g} per kg.",
-                                        row + 1, column + 1, run->system.A(row, column)),
-                     .draw = [run, order, k](Page& page) { draw_entry(page, *run, order, k); },
-                     .key = k == 1 || (row == 0 && column == 2)});
-  }
+Shot entry_shot(const Run& run, int i, int j) {
+  return {.state = fmt::format("A · row {}, column {}", i + 1, j + 1),
+          .alt = fmt::format(
+              "Two rows of J, the boxes that they have, and A as far as it is known: entry {}, {} is "
+              "{:.4g} per kg.",
+              i + 1, j + 1, run->system.A(i, j)),
+          .draw = [run, i, j](Page& page) { draw_entry(page, *run, i, j); },
+          .key = i == 0 && (j == 1 || j == 2)};
 }
 
 }  // namespace
@@ -196,7 +178,9 @@ List<Shot> building_shots(const Run& run) {
                      .draw = [run, row](Page& page) { draw_row(page, *run, row); },
                      .key = row == 1});
   }
-  append_entry_shots(run, shots);
+  for (int i = 0; i < n; ++i) {
+    for (int j = i; j < n; ++j) shots.push_back(entry_shot(run, i, j));
+  }
   for (int row = 0; row < n; ++row) {
     shots.push_back({.state = fmt::format("b · row {} of {}", row + 1, n),
                      .alt = fmt::format("A and b as far as it is known: b of row {} is {:.4g} m/s².", row + 1,
