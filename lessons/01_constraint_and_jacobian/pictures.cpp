@@ -68,8 +68,7 @@ void draw_jacobian(Page& page, const Story& story) {
   const List<Rect> parts =
       draw_scene(page, rod, {.pose = rod.pose, .circles = true, .direction = true}, 0.24);
   const List<Rect> below = rows(parts[1], {0.5, 0.5}, page.sizes().gap);
-  render::MatrixView view{.values = rod.jacobian.transpose()};
-  for (const char* name : coordinate_names) view.column_names.emplace_back(name);
+  const render::MatrixView view{.values = rod.jacobian.transpose(), .column_names = {"x", "y", "θ"}};
   const Rect inside = page.panel(parts[0], "j: one row, three numbers for the box");
   draw_matrix(page, {inside.x + 0.3 * inside.width, inside.y, 0.7 * inside.width, inside.height}, view);
   const Vec3<double>& j = rod.jacobian;
@@ -137,11 +136,10 @@ void draw_course(Page& page, const Rect& rect, const Rod& rod, const Motion& mot
   draw_plot(page, rect, plot);
 }
 
-std::string in_brackets(double value) {
-  return value < 0 ? "(" + significant(value) + ")" : significant(value);
+std::string product(double factor, double value) {
+  const auto in_brackets = [](double x) { return x < 0 ? "(" + significant(x) + ")" : significant(x); };
+  return in_brackets(factor) + " × " + in_brackets(value);
 }
-
-std::string product(double factor, double value) { return in_brackets(factor) + " × " + in_brackets(value); }
 
 void draw_motion(Page& page, const Rod& rod, const Motion& motion) {
   const List<Rect> parts = draw_scene(
@@ -222,6 +220,17 @@ Shot motion_shot(const Shared& story, const Motion& motion, const std::string& s
       [motion](Page& page, const Story& all) { draw_motion(page, all.rod, motion); });
 }
 
+/// The reader's velocity, and those of the question.
+List<Shot> motion_shots(const Shared& story) {
+  const Rod& rod = story->rod;
+  const Vec3<double>& own = rod.settings.velocity;
+  List<Shot> shots = {motion_shot(story, {.velocity = own, .rate = rod.jacobian.dot(own)}, "j·v: how fast")};
+  shots.back().key = false;
+  for (int i = 0; i < rod.asked.size(); ++i)
+    shots.push_back(motion_shot(story, rod.asked[i], fmt::format("j·v: velocity {} of 3", i + 1)));
+  return shots;
+}
+
 Shot nudge_shot(const Shared& story, int k) {
   Shot made =
       shot(story, fmt::format("the same by trying: {}", coordinate_names[k]),
@@ -269,11 +278,7 @@ List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
                triple(rod.jacobian),
            draw_jacobian));
   for (int k = 0; k < 3; ++k) shots.push_back(nudge_shot(story, k));
-  const Vec3<double>& own = rod.settings.velocity;
-  shots.push_back(motion_shot(story, {.velocity = own, .rate = rod.jacobian.dot(own)}, "j·v: how fast"));
-  shots.back().key = false;
-  for (int i = 0; i < rod.asked.size(); ++i)
-    shots.push_back(motion_shot(story, rod.asked[i], fmt::format("j·v: velocity {} of 3", i + 1)));
+  for (const Shot& next : motion_shots(story)) shots.push_back(next);
   shots.push_back(shot(story, "jᵀ λ: how strong",
                        "The pull of the rod as an arrow at the anchor and its torque as an arc.",
                        draw_force));
