@@ -94,7 +94,9 @@ void Grade::number(const ExpectedNumber& expected, double got) {
   mark.holds = std::abs(got - expected.value) <= expected.tolerance;  // a NaN holds nothing
   if (!mark.holds) {
     for (const Misconception& known : expected.misconceptions) {
-      const bool is_it = std::abs(got - known.value) <= expected.tolerance;
+      // Infinity less infinity is no number, and no number is equal to none.
+      const bool is_it = got == known.value || (std::isnan(got) && std::isnan(known.value)) ||
+                         std::abs(got - known.value) <= expected.tolerance;
       if (is_it && mark.comment.empty()) mark.comment = known.what;
     }
   }

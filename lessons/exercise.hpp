@@ -16,7 +16,7 @@ namespace cairn {
 
 /// A wrong number that gives away how it came about.
 struct Misconception {
-  double value = 0;       // that an answer gives which rests on it
+  double value = 0;       // that an answer gives which rests on it; may be infinite or NaN
   std::string what = {};  // "That is the force: an impulse is the force times dt."
 };
 

@@ -46,11 +46,17 @@ void grade_thirty(Grade& grade) {
   const double turn = 0.4 * half + 0.2 * 0.5;
   const FixedList<double, 3> j = jacobian(thirty);
   const char* const level = "That is for a level rail: this one rises by 30 degrees.";
+  const char* const no_unit = "n = (−tan, 1) is too long: across the rail, with length 1, is (−sin, cos).";
+  const char* const not_turned =
+      "That is the arm of a level rail. Its x and y are those of now: do not turn them.";
+  const char* const lower = "c grows on the upper side: n points to the lower one here, too.";
+  const bool knows_only_level = j[0] == 0;
   grade.number({.what = "a rail of 30 degrees: j_x",
                 .value = -0.5,
                 .tolerance = difference,
                 .misconceptions = {{half, "That is along the rail: there the point may go. j points across."},
                                    {0.5, "c grows on the upper side: to the right means down into the rail."},
+                                   {-0.5 / half, no_unit},
                                    {0, level}}},
                j[0]);
   grade.number({.what = "a rail of 30 degrees: j_y",
@@ -58,19 +64,22 @@ void grade_thirty(Grade& grade) {
                 .tolerance = difference,
                 .misconceptions = {{0.5, "That is along the rail: there the point may go. j points across."},
                                    {-half, "c shrinks on the lower side: upwards it grows."},
-                                   {1, level}}},
+                                   {1, knows_only_level ? level : no_unit}}},
                j[1]);
   grade.number(
       {.what = "with the arm (0.4, 0.2) m: j_theta (m)",
        .value = turn,
        .tolerance = difference,
-       .misconceptions = {{-turn, "The order: r × n, with n to the upper side, is r_x n_y − r_y n_x."},
+       .misconceptions = {{-turn, j[1] < 0
+                                      ? lower
+                                      : "The order: r × n, with n to the upper side, is r_x n_y − r_y n_x."},
                           {0, "The point moves as well when the body turns: where is the arm?"},
                           {0.4 * half - 0.2 * 0.5, "A sign: r_x n_y − r_y n_x, and n_x is negative here."},
                           {0.4 * -0.5 + 0.2 * half, "That is r·n. The arm comes in as r × n."},
                           {0.4 * 0.5 - 0.2 * half, "That is r × t, with t along the rail: take n across it."},
                           {0.4 * half, "Both parts of the arm count: r_x n_y − r_y n_x."},
-                          {0.4, level}}},
+                          {0.2 * 0.5, "Both parts of the arm count: r_x n_y − r_y n_x."},
+                          {0.4, knows_only_level ? level : not_turned}}},
       j[2]);
 }
 

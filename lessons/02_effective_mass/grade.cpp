@@ -1,4 +1,5 @@
-// Exercise 02, graded: bodies of 2 kg and 0.5 kg, and a point that has to move upwards.
+// Exercise 02, graded: bodies of 2 kg and 0.5 kg, a point that has to move upwards, and one that rises too
+// fast.
 #include <cmath>
 
 #include "exercise.cpp"
@@ -12,6 +13,7 @@ ExpectedNumber expected(const char* what, const Meeting& m) {
   const double gives = m.inverse_mass + m.arm * m.arm * m.inverse_inertia;
   const double change = m.wanted - m.speed;
   const double right = change / gives;
+  const char* const signs = "The signs: (22) has ζ − j·v₁, and a point that rises has j·v₁ above 0.";
   return {
       .what = what,
       .value = right,
@@ -25,7 +27,13 @@ ExpectedNumber expected(const char* what, const Meeting& m) {
           {change / m.inverse_mass, "The body turns as well: where is the arm?"},
           {change / (m.inverse_mass + std::abs(m.arm) * m.inverse_inertia),
            "The arm comes in twice: once in j, once in jᵀ."},
+          {1 / gives, "That is the effective mass. Multiply it by the change of velocity."},
           {-m.speed / gives, "ζ is what j·v₂ has to be: it is not always 0."},
+          {(m.wanted + m.speed) / gives, signs},
+          {-(m.wanted + m.speed) / gives, signs},
+          {m.wanted / gives, "How fast is the point before? (22) has ζ − j·v₁."},
+          {0, "Nothing is clamped here: where the point is too fast, the impulse is negative."},
+          {change / (m.arm * m.arm * m.inverse_inertia), "The body moves as a whole, too: where is 1/m?"},
           {change / (1 / m.inverse_mass + m.arm * m.arm / m.inverse_inertia),
            "These are inverses already: do not invert them again."},
           {change / (m.inverse_mass + m.arm * m.arm * m.inverse_mass), "Weigh the arm with 1/I, not 1/m."}}};
@@ -45,14 +53,18 @@ Exercise exercise() {
       .grade = [](Grade& grade) {
         // 2 kg and 0.4 kg m², then 0.5 kg and 0.05 kg m².
         const Meeting heavy{
-            .inverse_mass = 0.5, .inverse_inertia = 2.5, .arm = 0.25, .speed = -1, .dt = 0.02};
+            .inverse_mass = 0.5, .inverse_inertia = 2.5, .arm = 0.25, .speed = -3, .dt = 0.02};
         const Meeting light{.inverse_mass = 2, .inverse_inertia = 20, .arm = -0.5, .speed = -3, .dt = 0.01};
         Meeting lifted = heavy, middle = light;
         lifted.wanted = 0.3;
+        Meeting slowed = lifted;
+        slowed.speed = 1;
         middle.arm = 0;
         grade.number(expected("2 kg, peg at x = 0.25 m: impulse (N s)", heavy), impulse_of(heavy));
         grade.number(expected("0.5 kg, peg at x = -0.5 m: impulse (N s)", light), impulse_of(light));
         grade.number(expected("2 kg, to leave at 0.3 m/s: impulse (N s)", lifted), impulse_of(lifted));
+        grade.number(expected("2 kg, rises at 1 m/s, to leave at 0.3 m/s: impulse (N s)", slowed),
+                     impulse_of(slowed));
         grade.number(expected("0.5 kg, peg under the middle: impulse (N s)", middle), impulse_of(middle));
       }};
 }

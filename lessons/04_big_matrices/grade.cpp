@@ -1,6 +1,8 @@
-// Exercise 04, graded: a stack of four different boxes, entry by entry and against J M^-1 J^T.
+// Exercise 04, graded: a stack of four different boxes, entry by entry and against J M^-1 J^T, and one of
+// six.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "exercise.cpp"
 
@@ -23,8 +25,8 @@ double by_definition(int i, int j, const List<double>& masses) {
 
 double worst_entry(const List<double>& masses) {
   double worst = 0;
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) {
+  for (int i = 0; i < masses.size(); ++i) {
+    for (int j = 0; j < masses.size(); ++j) {
       const double off = std::abs(entry(i, j, masses) - by_definition(i, j, masses));
       worst = std::isnan(off) ? off : std::max(worst, off);
     }
@@ -33,38 +35,53 @@ double worst_entry(const List<double>& masses) {
 }
 
 void grade_diagonal(Grade& grade, const List<double>& masses) {
-  grade.number({.what = "boxes of 4, 0.5, 2 and 0.8 kg: A_00 (1/kg)",
-                .value = 0.25,
+  const char* const ground =
+      "One of the two bodies is the ground, no box of the list: its inverse mass is 0.";
+  const char* const two_boxes = "Two boxes meet in this contact, and both can move.";
+  const double infinity = std::numeric_limits<double>::infinity();
+  grade.number({.what = "boxes of 5, 0.5, 1.25 and 2 kg: A_00 (1/kg)",
+                .value = 0.2,
                 .tolerance = few_roundings,
-                .misconceptions = {{0.5, "One of the two bodies is the ground: its inverse mass is 0."},
+                .misconceptions = {{0.4, ground},
+                                   {infinity, ground},
+                                   {-0.2, "Entries of the diagonal are positive: (−1)² and 1² times 1/m."},
                                    {1, no_masses},
-                                   {4, not_inverse}}},
+                                   {5, not_inverse}}},
                entry(0, 0, masses));
   grade.number({.what = "the uppermost box: A_33 (1/kg)",
-                .value = 1.75,
+                .value = 1.3,
                 .tolerance = few_roundings,
-                .misconceptions = {{1.25, "Two boxes meet in this contact, and both can move."},
+                .misconceptions = {{0.5, two_boxes},
+                                   {0.8, two_boxes},
+                                   {1, "Each box has its own 1/m: they differ."},
+                                   {-0.3, "Contact 3 moves both its boxes: add their 1/m."},
                                    {2, no_masses},
-                                   {2.8, not_inverse},
-                                   {1 / 2.8, "Add the inverses, not the masses."}}},
+                                   {3.25, not_inverse},
+                                   {1 / 3.25, "Add the inverses, not the masses."}}},
                entry(3, 3, masses));
 }
 
 void grade_neighbours(Grade& grade, const List<double>& masses) {
+  const char* const both_touch = "Both contacts touch box 2.";
+  const char* const symmetric = "A is symmetric: A_23 is A_32.";
+  const double lower = entry(3, 2, masses), upper = entry(2, 3, masses);
   grade.number({.what = "the uppermost box: A_32 (1/kg)",
-                .value = -0.5,
+                .value = -0.8,
                 .tolerance = few_roundings,
-                .misconceptions = {{0.5, "The sign: contact 3 pushes box 2 down, contact 2 pushes it up."},
-                                   {0, "Both contacts touch box 2."},
+                .misconceptions = {{0.8, "The sign: contact 3 pushes box 2 down, contact 2 pushes it up."},
+                                   {0, upper == 0 ? both_touch : symmetric},
                                    {-1, no_masses},
-                                   {-2, not_inverse},
-                                   {-1.25, "Contacts 2 and 3 share box 2, not box 3."}}},
-               entry(3, 2, masses));
+                                   {-1.25, not_inverse},
+                                   {-2, "Contacts 2 and 3 share box 2, not box 1."},
+                                   {-1.3, "Contacts 2 and 3 share box 2 alone: one entry of M⁻¹."},
+                                   {-0.5, "Contacts 2 and 3 share box 2, not box 3."}}},
+               lower);
   grade.number({.what = "above the diagonal: A_23 (1/kg)",
-                .value = -0.5,
+                .value = -0.8,
                 .tolerance = few_roundings,
-                .misconceptions = {{0, "A is symmetric: A_23 is A_32."}}},
-               entry(2, 3, masses));
+                .misconceptions = {{0, lower == 0 ? both_touch : symmetric},
+                                   {-0.5, "Contacts 2 and 3 share box 2, not box 3."}}},
+               upper);
   grade.number({.what = "two contacts further: A_31 (1/kg)",
                 .value = 0,
                 .tolerance = few_roundings,
@@ -83,12 +100,15 @@ Exercise exercise() {
                "A_ij is the sum over the boxes that both contacts touch of (entry of i)(entry of j) / m.",
                "A_ii = 1/m_(i−1) + 1/m_i without the ground. For neighbours A_ij = −1/m of the box between."},
           .grade = [](Grade& grade) {
-            const List<double> masses = {4, 0.5, 2, 0.8};
+            const List<double> masses = {5, 0.5, 1.25, 2};
             grade_diagonal(grade, masses);
             grade_neighbours(grade, masses);
             grade.number(
                 {.what = "all sixteen: largest difference from J M⁻¹ Jᵀ (1/kg)", .tolerance = few_roundings},
                 worst_entry(masses));
+            grade.number({.what = "all of six other boxes: largest difference from J M⁻¹ Jᵀ (1/kg)",
+                          .tolerance = few_roundings},
+                         worst_entry({0.8, 3, 1.5, 0.5, 4, 2.5}));
           }};
 }
 

@@ -1,5 +1,6 @@
 // Exercise 06, graded: three boxes that fall onto each other, and a contact that takes back what it gave.
 #include <cmath>
+#include <limits>
 
 #include "exercise.cpp"
 
@@ -29,43 +30,60 @@ List<Box> tower() { return {{0, 0}, {0.5, -0.2}, {2, -0.2}, {0.5, -0.2}}; }
 
 // The numbers below are Gauss-Seidel on A = [0.5 -0.5 0; -0.5 2.5 -2; 0 -2 2.5], b = (0.2, 0, 0), by hand.
 void grade_impulses(Grade& grade, const Swept& one) {
+  const bool stands = one.boxes[1].velocity == -0.2, ground_moves = one.boxes[0].velocity != 0;
+  const double ground = one.contacts[0].impulse, between = one.contacts[1].impulse;
+  const char* const inverse =
+      "The ground has 1/m = 0 and no mass: add inverse masses, and do not invert them first.";
   grade.number({.what = "1 sweep: impulse of the ground (N s)",
                 .value = 0.4,
                 .tolerance = push_rounding,
-                .misconceptions = {{-0.4, "The sign: boxes that approach have to be pushed apart."},
-                                   {0, "Nothing was given to the contact's impulse."},
-                                   {0.1, "A heavy box needs more impulse, not less: divide by j M⁻¹ jᵀ."},
-                                   {0.2, "(22): a speed is no impulse; divide it by j M⁻¹ jᵀ."}}},
-               one.contacts[0].impulse);
-  grade.number(
-      {.what = "1 sweep: impulse between boxes 1 and 2 (N s)",
-       .value = 0.08,
-       .tolerance = push_rounding,
-       .misconceptions = {{0, "The velocities have not changed: apply the impulse at once, to both bodies."},
-                          {0.1, "Two bodies give way here: the effective mass has both in it."},
-                          {0.4, "Two bodies give way here: the effective mass has both in it."}}},
-      one.contacts[1].impulse);
+                .misconceptions =
+                    {{-0.4, "The sign: boxes that approach have to be pushed apart."},
+                     {0, stands ? "Nothing was given: boxes that approach have to be pushed apart. The sign?"
+                                : "Nothing was added to the contact's impulse."},
+                     {std::nan(""), inverse},
+                     {0.1, "A heavy box needs more impulse, not less: divide by j M⁻¹ jᵀ."},
+                     {0.2, "(22): a speed is no impulse; divide it by j M⁻¹ jᵀ."}}},
+               ground);
+  ExpectedNumber second{
+      .what = "1 sweep: impulse between boxes 1 and 2 (N s)", .value = 0.08, .tolerance = push_rounding};
+  if (std::abs(ground - 0.4) <= push_rounding) {
+    second.misconceptions = {
+        {0, ground_moves ? "The ground has moved: each body has its own inverse mass."
+                         : "The velocities have not changed: apply the impulse at once, to both bodies."},
+        {0.1, "Two bodies give way here: the effective mass has both in it."},
+        {0.4, "Two bodies give way here: the effective mass has both in it."},
+        {0.5, "Add the inverse masses of both, not the masses: the lighter one gives way more."}};
+  }
+  grade.number(second, between);
 }
 
 void grade_tower(Grade& grade) {
   const Swept one = swept(tower(), 1), two = swept(tower(), 2), ground = swept({{0, 0}, {0.5, -0.2}}, 1);
+  const bool first_is_right = std::abs(one.contacts[0].impulse - 0.4) <= push_rounding;
+  const bool is_right_alone = std::abs(ground.boxes[1].velocity) <= push_rounding;
   grade_impulses(grade, one);
-  grade.number({.what = "1 sweep, one box: velocity of the box (m/s)",
-                .value = 0,
-                .tolerance = push_rounding,
-                .misconceptions = {{0.2, "(23): an impulse is no change of velocity; multiply it by 1/m."}}},
-               ground.boxes[1].velocity);
+  grade.number(
+      {.what = "1 sweep, one box: velocity of the box (m/s)",
+       .value = 0,
+       .tolerance = push_rounding,
+       .misconceptions = {{0.2, "(23): an impulse is no change of velocity; multiply it by 1/m."},
+                          {0.6, "(23): inverse_mass is 1/m already; multiply by it."},
+                          {-0.1, first_is_right ? "Each body gets the whole impulse, not half of it." : ""}}},
+      ground.boxes[1].velocity);
   grade.number({.what = "1 sweep, one box: velocity of the ground (m/s)",
                 .value = 0,
                 .tolerance = push_rounding,
                 .misconceptions = {{-0.2, "The ground has moved: each body has its own inverse mass."}}},
                ground.boxes[0].velocity);
-  grade.number({.what = "1 sweep: velocity of box 1 (m/s)",
-                .value = -0.04,
-                .tolerance = push_rounding,
-                .misconceptions = {{0, "Action and reaction: contact 2 pushes box 1 down."},
-                                   {0.04, "Action and reaction: contact 2 pushes box 1 down, not up."}}},
-               one.boxes[1].velocity);
+  grade.number(
+      {.what = "1 sweep: velocity of box 1 (m/s)",
+       .value = -0.04,
+       .tolerance = push_rounding,
+       .misconceptions = {{0, "Action and reaction: contact 2 pushes box 1 down."},
+                          {0.04, is_right_alone ? "Action and reaction: contact 2 pushes box 1 down, not up."
+                                                : ""}}},
+      one.boxes[1].velocity);
   grade.number({.what = "2 sweeps: impulse of the ground (N s)",
                 .value = 0.48,
                 .tolerance = push_rounding,
@@ -79,13 +97,19 @@ void grade_taking_back(Grade& grade) {
   List<Box> boxes = {{0.5, 0}, {2, -1}};
   Contact contact{.below = 0, .above = 1};
   update(contact, boxes);
+  const bool moved = std::abs(boxes[0].velocity + 0.2) <= push_rounding &&
+                     std::abs(boxes[1].velocity + 0.2) <= push_rounding;
+  const char* const both_move =
+      moved ? "j·v is the velocity of the box above less that of the box below." : "";
   boxes[1].velocity += 0.6;
   update(contact, boxes);
   grade.number(
       {.what = "pulled up by 0.6 m/s afterwards: impulse (N s)",
        .value = 0.16,
        .tolerance = push_rounding,
-       .misconceptions = {{0.4, "A correction may be negative: only the sum may not. Clamp the sum."}}},
+       .misconceptions = {{0.4, "A correction may be negative: only the sum may not. Clamp the sum."},
+                          {0.24, both_move},
+                          {0.32, both_move}}},
       contact.impulse);
   boxes[1].velocity += 2;
   update(contact, boxes);
@@ -98,7 +122,10 @@ void grade_taking_back(Grade& grade) {
       {.what = "and what the box below keeps of it (m/s)",
        .value = 0,
        .tolerance = push_rounding,
-       .misconceptions = {{0.32, "Apply what the clamp has left of the correction, not all of it."}}},
+       .misconceptions = {{0.32, contact.impulse < 0
+                                     ? ""
+                                     : "Apply what the clamp has left of the correction, not all of it."},
+                          {-0.28, "Apply the change of the sum, not the sum: it was given before in part."}}},
       boxes[0].velocity);
 }
 

@@ -1,4 +1,6 @@
 // Exercise 07, graded: a box of 2 kg on two feet, feet that break, and a box of 0.5 kg that is pulled up.
+#include <cmath>
+
 #include "exercise.cpp"
 
 namespace cairn::exercise07 {
@@ -6,8 +8,15 @@ namespace {
 
 constexpr double visit_rounding = 1e-13;  // a few dozen operations on numbers below 100
 
+constexpr const char* not_moved = "The box has not moved: apply the push to velocity and spin.";
+constexpr const char* nothing_given = "Nothing was given: a foot that comes down needs a push up.";
+constexpr const char* backwards = "The sign: what is left for the box is the new sum less the old one.";
+constexpr const char* sum_again = "Apply the change of the sum, not the sum: the old one was applied before.";
+constexpr const char* clamp_the_sum = "A push may be negative, only the sum may not: clamp the sum.";
 constexpr const char* counted_twice =
     "The foot's sum is twice what the box has received: count each push once.";
+
+bool is_near(double got, double value) { return std::abs(got - value) <= visit_rounding; }
 
 /// A box of 2 kg and 0.5 kg m² has landed at 10 m/s. A_11 = 1/2 + 0.25²/0.5 = 0.625, A_12 = 0.375 per kg.
 struct Landing {
@@ -29,65 +38,87 @@ Landing landed(double strongest, int sweeps) {
 void grade_first_visit(Grade& grade) {
   Landing landing{.left = {.place = -0.25, .strongest = 1000}};
   visit(landing.left, landing.box);
+  const bool is_given = landing.left.impulse != 0, is_backwards = is_near(landing.box.velocity, -18);
   grade.number({.what = "first visit: how fast the box rises (m/s)",
                 .value = -2,
                 .tolerance = visit_rounding,
-                .misconceptions = {{-10, "The box has not moved: apply the push to velocity and spin."},
+                .misconceptions = {{-10, is_given ? not_moved : nothing_given},
+                                   {-18, backwards},
+                                   {15.6, "A push of 1 N s changes the velocity by 1/m."},
                                    {6, "A push of 1 N s changes the velocity by 1/m."}}},
                landing.box.velocity);
   grade.number(
       {.what = "first visit: how fast the box turns (rad/s)",
        .value = -8,
        .tolerance = visit_rounding,
-       .misconceptions = {{0, "A push away from the centre turns the box as well."},
-                          {8, "A push at the left turns the box clockwise: the sign of a place counts."},
-                          {-4, "A push of 1 N s at a place changes the spin by place/I."},
-                          {32, "The place counts: a push at the centre does not turn the box."}}},
+       .misconceptions =
+           {{0, is_given ? "A push away from the centre turns the box as well." : nothing_given},
+            {8, is_backwards ? backwards
+                             : "A push at the left turns the box clockwise: the sign of a place counts."},
+            {2, "The place comes in once here: its square is in j M⁻¹ jᵀ."},
+            {-6.4, "A push of 1 N s at a place changes the spin by place/I."},
+            {-4, "A push of 1 N s at a place changes the spin by place/I."},
+            {32, "The place counts: a push at the centre does not turn the box."}}},
       landing.box.spin);
 }
 
 void grade_sum(Grade& grade) {
-  const Landing one = landed(1000, 1), two = landed(1000, 2);
+  const char* const not_noted = "The box was pushed, and foot.impulse does not know of it.";
+  const char* const forgotten = "The sum is what was given before and the correction: add them, then clamp.";
+  const Landing one = landed(1000, 1), two = landed(1000, 2), many = landed(1000, 20);
+  const bool is_noted = is_near(one.left.impulse, 16) && is_near(one.right.impulse, 6.4);
+  const bool has_moved = one.box.velocity != -10;
   grade.number({.what = "sweep 1: impulse of the left foot (N s)",
                 .value = 16,
                 .tolerance = visit_rounding,
-                .misconceptions = {{0, "Nothing was given: a foot that comes down needs a push up."},
+                .misconceptions = {{0, has_moved ? not_noted : nothing_given},
                                    {1000, "The clamp has two ends: no more than is needed, either."},
                                    {32, counted_twice}}},
                one.left.impulse);
   grade.number({.what = "sweep 1: impulse of the right foot (N s)",
                 .value = 6.4,
                 .tolerance = visit_rounding,
-                .misconceptions = {{16, "The box has not moved: apply the push to velocity and spin."}}},
+                .misconceptions = {{16, not_moved}}},
                one.right.impulse);
   // The left foot rises at 0.625 16 + 0.375 6.4 − 10 = 2.4 m/s; 2.4 / 0.625 = 3.84 is too much.
-  grade.number(
-      {.what = "sweep 2: impulse of the left foot (N s)",
-       .value = 12.16,
-       .tolerance = visit_rounding,
-       .misconceptions = {{16, "A push may be negative, only the sum may not: clamp the sum."},
-                          {0, "The sum is what was given before and the correction: add them, then clamp."},
-                          {19.84, "A foot that rises gets less: the correction is negative here."}}},
-      two.left.impulse);
+  grade.number({.what = "sweep 2: impulse of the left foot (N s)",
+                .value = 12.16,
+                .tolerance = visit_rounding,
+                .misconceptions = {{16, clamp_the_sum},
+                                   {0, is_noted ? forgotten : ""},
+                                   {28.16, "The clamped sum is all of it: set foot.impulse to it."},
+                                   {19.84, "A foot that rises gets less: the correction is negative here."}}},
+               two.left.impulse);
+  const bool takes_back = is_near(two.left.impulse, 12.16);
+  const char* const clamped_each = is_near(two.left.impulse, 16) ? clamp_the_sum : "";
   grade.number(
       {.what = "20 sweeps: how fast the box rises (m/s)",
        .value = 0,
        .tolerance = 1e-7,  // 0.6 a visit, 40 visits
-       .misconceptions = {{1.2, "The clamped push must also be the one that is applied to the box."}}},
-      landed(1000, 20).box.velocity);
+       .misconceptions = {{1.2, takes_back
+                                    ? "The clamped push must also be the one that is applied to the box."
+                                    : clamped_each},
+                          {7.28, sum_again}}},
+      many.box.velocity);
 }
 
 void grade_ends(Grade& grade) {
+  const bool gives = landed(1000, 1).left.impulse != 0;
+  const char* const left_over = "Apply what the clamp has left: the new sum less the old one.";
   const Landing weak = landed(12, 1);
-  grade.number({.what = "feet of 12 N s at most: impulse of the left foot (N s)",
-                .value = 12,
-                .tolerance = visit_rounding,
-                .misconceptions = {{16, "A foot gives no more than `strongest`."}, {24, counted_twice}}},
-               weak.left.impulse);
+  grade.number(
+      {.what = "feet of 12 N s at most: impulse of the left foot (N s)",
+       .value = 12,
+       .tolerance = visit_rounding,
+       .misconceptions = {{16, "A foot gives no more than `strongest`."},
+                          {24, counted_twice},
+                          {0,
+                           gives ? "What is too much goes to `strongest`: the foot still gives that." : ""}}},
+      weak.left.impulse);
   grade.number({.what = "feet of 12 N s at most: how fast the left foot comes down (m/s)",
                 .value = -10 + 0.625 * 12 + 0.375 * 8.8,
                 .tolerance = visit_rounding,
-                .misconceptions = {{2.4, "Apply what the clamp has left: the new sum less the old one."}}},
+                .misconceptions = {{2.4, is_near(weak.left.impulse, 12) ? left_over : ""}}},
                weak.box.velocity - 0.25 * weak.box.spin);
   const Landing twice = landed(9, 2);
   grade.number({.what = "feet of 9 N s at most, 2 sweeps: impulse of the left foot (N s)",
@@ -106,14 +137,14 @@ void grade_ends(Grade& grade) {
                 .tolerance = visit_rounding,
                 .misconceptions = {{-2.5, "A foot cannot pull: the sum is never below 0."},
                                    {-3, counted_twice},
-                                   {1.5, "A push may be negative, only the sum may not: clamp the sum."}}},
+                                   {1.5, clamp_the_sum}}},
                foot.impulse);
   grade.number({.what = "and how fast it rises then (m/s)",
                 .value = 5,
                 .tolerance = visit_rounding,
-                .misconceptions = {{0, "Apply what the clamp has left: the new sum less the old one."},
+                .misconceptions = {{0, foot.impulse < 0 ? "" : left_over},
                                    {2, counted_twice},
-                                   {8, "A push may be negative, only the sum may not: clamp the sum."}}},
+                                   {8, foot.impulse > 0 ? clamp_the_sum : left_over}}},
                light.velocity);
 }
 

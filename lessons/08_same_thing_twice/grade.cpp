@@ -1,4 +1,5 @@
-// Exercise 08, graded: one row between 2 and 0.5 kg by hand, and three rows swept by PGS and by SI.
+// Exercise 08, graded: one row between 2 and 0.5 kg by hand, the same where they part, and three rows swept
+// by PGS and by SI.
 #include <algorithm>
 #include <cmath>
 
@@ -23,6 +24,8 @@ Problem triple() {
           .zeta = {0, 0.1, -0.2},
           .dt = 0.02};
 }
+
+const List<double> eta_of_three = {3, -3, 5};
 
 /// J_i M⁻¹ J_jᵀ.
 double entry(const Problem& problem, int i, int j) {
@@ -62,46 +65,77 @@ List<double> by_velocities(const Problem& problem, int sweeps) {
   return lambda;
 }
 
+constexpr const char* own_row = "Row i has given its η_i as well: it belongs into (26) like all the others.";
+
 void grade_pair(Grade& grade) {
+  const char* const sign = "The sign: (27) has ζ − j·v.";
+  const char* const start = "(26) begins with v̄: the bodies moved before the first push.";
+  const double first = updated(0, pair(0), {0});
+  const double without_own = by_matrix(triple(), 1, eta_of_three, 0, 3) + eta_of_three[1];
+  const bool own_is_missing = std::abs(updated(1, triple(), eta_of_three) - without_own) <= update_rounding;
   grade.number({.what = "2 and 0.5 kg, nothing given yet: η (N)",
                 .value = 20,
                 .tolerance = update_rounding,
-                .misconceptions = {{-20, "The sign: (27) has ζ − j·v."},
+                .misconceptions = {{-20, sign},
+                                   {0, start},
+                                   {0.008, "(27) divides by Δt."},
+                                   {1 / (1.5 * 0.02), "J_i M⁻¹ J_iᵀ has J_i in it twice."},
                                    {0.4, "That is an impulse: λ is a force, so divide by Δt in (27)."},
                                    {25, "J_i M⁻¹ J_iᵀ has the inverse masses in it."},
                                    {125, "Divide by J_i M⁻¹ J_iᵀ."}}},
-               updated(0, pair(0), {0}));
+               first);
   grade.number({.what = "10 N given already: η (N)",
                 .value = 20,
                 .tolerance = update_rounding,
                 .misconceptions = {{10, "That is the correction of (27): add it to η_i."},
-                                   {30, "(26): the impulses have changed the velocities; v is not v̄."},
+                                   {30, own_is_missing
+                                            ? own_row
+                                            : "(26): the impulses have changed the velocities; v is not v̄."},
                                    {-470, "(26): an impulse is η Δt."},
                                    {22, "(26): an impulse changes a velocity by 1/m."},
                                    {40, "The sign in (26): a row pushes along its J."},
-                                   {0, "(26) begins with v̄: the bodies moved before the first push."}}},
+                                   {0, first < 0 ? sign : start}}},
                updated(0, pair(0), {10}));
+  grade.number({.what = "with ζ = 0.2 m/s: η (N)",
+                .value = 24,
+                .tolerance = update_rounding,
+                .misconceptions = {{20, "ζ is missing: the row wants j·v = ζ."},
+                                   {220, "ζ is a speed, as j·v is: Δt divides both."},
+                                   {16, sign}}},
+               updated(0, pair(0.2), {10}));
+  Problem parting = pair(0);
+  parting.start_velocity = {0, 1};
+  parting.dt = 0.03;
   grade.number(
-      {.what = "with ζ = 0.2 m/s: η (N)",
-       .value = 24,
+      {.what = "parting at 1 m/s, step of 0.03 s, 10 N given: η (N)",
+       .value = -0.4 / 0.03,
        .tolerance = update_rounding,
-       .misconceptions = {{20, "ζ is missing: the row wants j·v = ζ."}, {16, "The sign: (27) has ζ − j·v."}}},
-      updated(0, pair(0.2), {10}));
+       .misconceptions = {{0, first > 0 ? "Before any clamp: the update itself may be negative." : ""},
+                          {-20, "The step has 0.03 s here: take problem.dt."}}},
+      updated(0, parting, {10}));
 }
 
 void grade_triple(Grade& grade) {
   const Problem problem = triple();
-  const List<double> eta = {3, -2, 5};
-  grade.number({.what = "three rows: η_2 (N)",
-                .value = by_matrix(problem, 1, eta, 0, 3),
-                .tolerance = update_rounding,
-                .misconceptions = {{by_matrix(problem, 1, eta, 0, 2),
-                                    "The last row is missing in (26): all rows have given impulses."},
-                                   {by_matrix(problem, 1, eta, 1, 3),
-                                    "The first row is missing in (26): all rows have given impulses."},
-                                   {by_matrix(problem, 1, eta, 0, 0),
-                                    "The other rows are missing in (26): all have given impulses."}}},
-               updated(1, problem, eta));
+  const List<double>& eta = eta_of_three;
+  const double alone = by_matrix(problem, 1, eta, 0, 0);
+  grade.number(
+      {.what = "three rows: η_2 (N)",
+       .value = by_matrix(problem, 1, eta, 0, 3),
+       .tolerance = update_rounding,
+       .misconceptions = {{by_matrix(problem, 1, eta, 0, 2),
+                           "The last row is missing in (26): all rows have given impulses."},
+                          {by_matrix(problem, 1, eta, 1, 3),
+                           "The first row is missing in (26): all rows have given impulses."},
+                          {alone, "The other rows are missing in (26): all have given impulses."},
+                          {by_matrix(problem, 1, eta, 0, 3) + eta[1], own_row},
+                          {by_matrix(problem, 1, eta, 2, 3) + eta[1],
+                           "Each row adds to the velocities of (26): the last one replaces the others."},
+                          {alone + eta[1] - (eta[0] + eta[1] + eta[2]),
+                           "In (26) each row pushes along its own J: J_j, and J_i in (27)."},
+                          {by_matrix(problem, 1, List<double>(3, eta[1]), 0, 3),
+                           "In (26) each row has its own η: η_j."}}},
+      updated(1, problem, eta));
   List<double> swept(3, 0);
   for (int sweep = 0; sweep < 10; ++sweep) {
     for (int i = 0; i < 3; ++i) swept[i] = updated(i, problem, swept);

@@ -1,4 +1,7 @@
-// Exercise 09, graded: rows that stay, change places, come and go, bodies that feel them, and a shorter step.
+// Exercise 09, graded: rows that stay, change places, come and go, bodies that feel them, a shorter and a
+// longer step.
+#include <cmath>
+
 #include "exercise.cpp"
 
 namespace cairn::exercise09 {
@@ -22,18 +25,23 @@ Begun begun(const List<int>& keys, double dt_now) {
 
 void grade_keys(Grade& grade) {
   const Begun same = begun({7, 4, 9}, 0.02), other = begun({9, 7, 4}, 0.02), changed = begun({5, 4}, 0.02);
+  const double first = same.rows[0].impulse, alone = begun({4}, 0.02).rows[0].impulse;
+  const char* const had = "A row that was there before begins with what it had.";
+  const char* const undone =
+      "A key that does not match says nothing: it must not set the impulse to 0 again.";
+  const bool undoes = first == 0 && same.rows[2].impulse == 1;
   grade.number({.what = "rows 7, 4, 9 as before: impulse of row 7 (N s)",
                 .value = 3,
                 .tolerance = begin_rounding,
-                .misconceptions = {{0, "A row that was there before begins with what it had."},
+                .misconceptions = {{0, undoes ? undone : had},
                                    {0.06, "What is kept is an impulse already: no further dt."}}},
-               same.rows[0].impulse);
+               first);
   grade.number(
       {.what = "in the order 9, 7, 4: impulse of row 9 (N s)",
        .value = 1,
        .tolerance = begin_rounding,
        .misconceptions = {{3, "That belongs to row 7: rows are known by their key, not by their place."},
-                          {0, "Row 9 is the last of `kept`: look at all of them."}}},
+                          {0, first == 0 ? had : "Row 9 is the last of `kept`: look at all of them."}}},
       other.rows[0].impulse);
   grade.number({.what = "row 5 is new: its impulse (N s)",
                 .value = 0,
@@ -45,7 +53,9 @@ void grade_keys(Grade& grade) {
   grade.number({.what = "row 4 after it: its impulse (N s)",
                 .value = 2,
                 .tolerance = begin_rounding,
-                .misconceptions = {{0, "A new row must not end the loop: row 4 was there before."}}},
+                .misconceptions = {{0, alone == 2 ? "A new row must not end the loop: row 4 was there before."
+                                       : undoes   ? undone
+                                                  : had}}},
                changed.rows[1].impulse);
   Begun again = changed;
   begin_step(again.rows, again.bodies, {}, 0.02, 0.02);
@@ -54,43 +64,79 @@ void grade_keys(Grade& grade) {
                 .tolerance = begin_rounding,
                 .misconceptions = {{2, "A row that was not there begins with 0: set it."}}},
                again.rows[1].impulse);
+  const bool felt = changed.bodies[1].velocity == -3;
+  grade.number(
+      {.what = "and by how much its body rises faster (m/s)",
+       .value = 0,
+       .tolerance = begin_rounding,
+       .misconceptions = {{-1, felt ? "The step begins anew: give the impulse, not its change." : ""}}},
+      again.bodies[1].velocity - changed.bodies[1].velocity);
 }
 
-/// A body of 2 kg on the ground and one of 0.5 kg on top: rows 7 and 4 of the last step.
+/// A body of 2 kg on the ground and one of 0.4 kg on top: rows 7 and 4 of the last step.
 void grade_bodies(Grade& grade) {
   List<Row> rows = {{.key = 4, .below = 1, .above = 2}, {.key = 7, .below = 0, .above = 1}};
-  List<Body> bodies = {{.inverse_mass = 0}, {.inverse_mass = 0.5}, {.inverse_mass = 2, .velocity = -0.2}};
+  List<Body> bodies = {{.inverse_mass = 0}, {.inverse_mass = 0.5}, {.inverse_mass = 2.5, .velocity = -0.25}};
   begin_step(rows, bodies, {{.key = 7, .impulse = 0.5}, {.key = 4, .impulse = 0.1}}, 0.02, 0.02);
-  grade.number({.what = "0.1 N s upon 0.5 kg: velocity of the upper body (m/s)",
+  const bool is_guessed = std::abs(rows[0].impulse - 0.1) <= begin_rounding;
+  const char* const acts = "The guess has to act: give the impulse to both bodies (line 4).";
+  const char* const down = "Action and reaction: row 4 pushes the lower body down.";
+  grade.number({.what = "0.1 N s upon 0.4 kg: velocity of the upper body (m/s)",
                 .value = 0,
                 .tolerance = begin_rounding,
-                .misconceptions = {{-0.2, "The guess has to act: give the impulse to both bodies (line 4)."},
-                                   {-0.1, "An impulse changes a velocity by 1/m."},
-                                   {-0.4, "The row pushes the body above up, not down."},
-                                   {-0.15, "Each body has its own inverse mass."},
-                                   {0.8, "That is the impulse of row 7: by key, not by place."}}},
+                .misconceptions = {{-0.25, is_guessed ? acts : ""},
+                                   {-0.15, "An impulse changes a velocity by 1/m."},
+                                   {-0.21, "An impulse changes a velocity by 1/m: multiply by inverse_mass."},
+                                   {-0.245, "An impulse changes a velocity: no further dt."},
+                                   {0.25, "Add to the velocity: do not replace it."},
+                                   {-0.5, "The row pushes the body above up, not down."},
+                                   {-0.2, "Each body has its own inverse mass."},
+                                   {1, "That is the impulse of row 7: by key, not by place."}}},
                bodies[2].velocity);
+  const bool rises = std::abs(bodies[2].velocity) <= begin_rounding;
   grade.number({.what = "0.5 - 0.1 N s upon 2 kg: velocity of the lower body (m/s)",
                 .value = 0.2,
                 .tolerance = begin_rounding,
-                .misconceptions = {{0.25, "Action and reaction: row 4 pushes the lower body down."},
+                .misconceptions = {{0.25, rises ? down : ""},
                                    {0.3, "Action and reaction: row 4 pushes the lower body down, not up."}}},
                bodies[1].velocity);
+  const bool is_right = std::abs(bodies[1].velocity - 0.2) <= begin_rounding;
+  List<Row> other = {{.key = 7, .below = 2, .above = 1}};
+  List<Body> apart = {{.inverse_mass = 0}, {.inverse_mass = 0.5}, {.inverse_mass = 2.5}};
+  begin_step(other, apart, {{.key = 7, .impulse = 0.5}}, 0.02, 0.02);
+  grade.number(
+      {.what = "a row from body 2 up to body 1: velocity of body 2 (m/s)",
+       .value = -1.25,
+       .tolerance = begin_rounding,
+       .misconceptions = {{0, is_right ? "A row says which bodies it has: row.below, row.above." : ""}}},
+      apart[2].velocity);
 }
 
-void grade_shorter(Grade& grade) {
-  const Begun shorter = begun({7}, 0.01);
+void grade_steps(Grade& grade) {
+  const Begun shorter = begun({7}, 0.01), same = begun({7}, 0.02), longer = begun({7}, 0.03);
+  const char* const ratio = "Steps grow as well as shrink: always dt_now / dt_before.";
+  const bool is_scaled = shorter.rows[0].impulse == 1.5, acts = same.bodies[1].velocity == -2.5;
   grade.number({.what = "half the step: impulse of row 7 (N s)",
                 .value = 1.5,
                 .tolerance = begin_rounding,
                 .misconceptions = {{3, "The force stays, and the impulse is force times dt: half of it."},
-                                   {6, "A shorter step needs less, not more."}}},
+                                   {6, "A shorter step needs less, not more."},
+                                   {0.75, "dt_now / dt_before comes in once."}}},
                shorter.rows[0].impulse);
-  grade.number({.what = "half the step: velocity of its body of 2 kg (m/s)",
-                .value = -4 + 0.75,
-                .tolerance = begin_rounding,
-                .misconceptions = {{-2.5, "The bodies get the scaled impulse too."}}},
-               shorter.bodies[1].velocity);
+  grade.number(
+      {.what = "half the step: velocity of its body of 2 kg (m/s)",
+       .value = -4 + 0.75,
+       .tolerance = begin_rounding,
+       .misconceptions = {{-2.5, is_scaled && acts ? "The bodies get the scaled impulse too." : ""}}},
+      shorter.bodies[1].velocity);
+  grade.number(
+      {.what = "one and a half of the step: impulse of row 7 (N s)",
+       .value = 4.5,
+       .tolerance = begin_rounding,
+       .misconceptions = {{3, is_scaled ? ratio : "The force stays, and the step is longer: more of it."},
+                          {1.5, ratio},
+                          {2, "A longer step needs more, not less."}}},
+      longer.rows[0].impulse);
 }
 
 }  // namespace
@@ -107,7 +153,7 @@ Exercise exercise() {
       .grade = [](Grade& grade) {
         grade_keys(grade);
         grade_bodies(grade);
-        grade_shorter(grade);
+        grade_steps(grade);
       }};
 }
 

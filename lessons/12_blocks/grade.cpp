@@ -1,4 +1,7 @@
 // Exercise 12, graded: a rod of 2 kg on a pin in the ground, and a pin between bodies of 2 and 0.5 kg.
+#include <cmath>
+#include <limits>
+
 #include "exercise.cpp"
 
 namespace cairn::exercise12 {
@@ -35,6 +38,10 @@ Scene two_bodies() {
 
 constexpr Block right = {7.125, 0.75, 6};
 
+bool is_near(const Pair& got, const Pair& value) {
+  return std::abs(got[0] - value[0]) <= block_rounding && std::abs(got[1] - value[1]) <= block_rounding;
+}
+
 struct Wrong {
   Pair impulse = {};
   std::string what = {};
@@ -42,7 +49,7 @@ struct Wrong {
 
 List<Wrong> wrong_impulses() {
   const Pair jv = {-5.625, 11.25};
-  const double x = 5.625 / right.k11;
+  const double x = 5.625 / right.k11, y = -11.25 / right.k22;
   return {{{x, -jv[1] / right.k22}, "Each row for itself: the other row's impulse comes in by k12."},
           {{x, -(jv[1] + right.k12 * x) / right.k22},
            "That is one visit to each row, as in a sweep row by row: solve both at once."},
@@ -54,52 +61,86 @@ List<Wrong> wrong_impulses() {
           {solved(right, jv, right.k11 * right.k22 + right.k12 * right.k12),
            "The determinant is k11 k22 − k12²."},
           {{-1, 2}, "The sign: the pin has to make both row velocities 0."},
+          {{-(jv[0] + right.k12 * y) / right.k11, y},
+           "That is one visit to each row, as in a sweep row by row: solve both at once."},
           {solved({6, 2, 3}, jv), "Both bodies give way: sum over both."},
+          {solved({1.125, -1.25, 3}, jv), "Both bodies give way: sum over both."},
+          {solved({5.025, 0.75, 3.9}, jv), "Inverse masses add up: 1/m of one and 1/m of the other."},
+          {solved({right.k11, -1.25, right.k22}, jv), "k12 has a term −r_x r_y/I of each body."},
+          {solved({right.k11, 2, right.k22}, jv), "k12 has a term −r_x r_y/I of each body."},
+          {solved({right.k11, -3.25, right.k22}, jv), "k12 has a term −r_x r_y/I of each body."},
           {solved({2.5, 0, 2.5}, jv), "A push at an arm turns its body, too: r²/I."},
           {solved({2.5 + 0.125 + 2, -0.25 + 1, 2.5 + 0.5 + 0.5}, jv),
            "The turning has the inverse inertia, not the inverse mass."},
           {solved({2.5 + 6.5 / 4, -6.5 / 2, 2.5 + 6.5}, jv), "Each body has its own arm."}};
 }
 
-void grade_two_bodies(Grade& grade) {
+/// Whether the pin gives what it has to.
+bool grade_two_bodies(Grade& grade) {
   Scene scene = two_bodies();
   visit(scene.pin, scene.one, scene.two);
   const Pair given = {scene.pin.px, scene.pin.py};
+  const Pair left = row_velocities(scene.pin, scene.one, scene.two);
+  const bool moved = scene.two.vx != -5.625 || scene.two.vy != 11.25, holds = is_near(left, {0, 0});
+  // One mistake that explains both impulses, or else whatever explains one of them.
+  List<Wrong> known = wrong_impulses();
+  for (const Wrong& wrong : wrong_impulses()) {
+    if (is_near(given, wrong.impulse)) known = {wrong};
+  }
   for (int i = 0; i < 2; ++i) {
     ExpectedNumber expected{.what = i == 0 ? "2 and 0.5 kg: impulse along x (N s)" : "and along y (N s)",
                             .value = i == 0 ? 1.0 : -2.0,
                             .tolerance = block_rounding};
-    for (const Wrong& wrong : wrong_impulses()) {
-      expected.misconceptions.push_back({wrong.impulse[i], wrong.what});
-    }
+    if (holds && moved)
+      expected.misconceptions = {{-expected.value, "Note what was pushed: px and py grow by it."}};
+    if (moved) expected.misconceptions.push_back({0, "Note what was pushed: px and py grow by it."});
+    for (const Wrong& wrong : known) expected.misconceptions.push_back({wrong.impulse[i], wrong.what});
     grade.number(expected, given[i]);
   }
-  const Pair left = row_velocities(scene.pin, scene.one, scene.two);
-  grade.number({.what = "what is left of j·v along y (m/s)",
+  const bool is_given = is_near(given, {1, -2});
+  const char* const opposite = "Body 2 gets (x, y), and body 1 the opposite: push(pin, one, two, x, y).";
+  grade.number(
+      {.what = "what is left of j·v along y (m/s)",
+       .value = 0,
+       .tolerance = block_rounding,
+       .misconceptions = {{11.25, moved ? opposite : "The velocities have not changed: push both bodies."},
+                          {22.5, is_given ? opposite : ""},
+                          {7.25, is_given ? opposite : ""},
+                          {4, is_given ? opposite : ""}}},
+      left[1]);
+  visit(scene.pin, scene.one, scene.two);
+  grade.number({.what = "what is left of it after a second visit (m/s)",
                 .value = 0,
                 .tolerance = block_rounding,
-                .misconceptions = {{11.25, "The velocities have not changed: push both bodies."}}},
-               left[1]);
-  visit(scene.pin, scene.one, scene.two);
+                .misconceptions = {{-11.25, "The sum has acted before: push what this visit adds."}}},
+               row_velocities(scene.pin, scene.one, scene.two)[1]);
   grade.number({.what = "after a second visit: impulse along x (N s)",
                 .value = 1,
                 .tolerance = block_rounding,
-                .misconceptions = {{0, "Add to what the pin has given before."}}},
+                .misconceptions = {{0, is_given ? "Add to what the pin has given before." : ""}}},
                scene.pin.px);
+  return is_given;
 }
 
 /// The rod of the lesson with twice its mass: K = (1.25 -0.75; -0.75 1.25), and gravity has given (0, -0.2)
 /// m/s.
-void grade_rod(Grade& grade) {
+void grade_rod(Grade& grade, bool gives) {
   const double half = 0.70710678118654752;
   Scene scene{.pin = {.r2x = -half, .r2y = -half},
               .two = {.inverse_mass = 0.5, .inverse_inertia = 1.5, .vy = -0.2}};
   visit(scene.pin, scene.one, scene.two);
+  const char* const ground =
+      gives ? "Body 1 is the ground: its 1/m and 1/I are 0, and it has no mass to divide by." : "";
+  const double infinity = std::numeric_limits<double>::infinity();
+  const List<Misconception> wrong = {{std::nan(""), ground}, {infinity, ground}, {0, ground}};
   grade.number({.what = "rod of 2 kg at 45 degrees: impulse along x (N s)",
                 .value = 0.15,
-                .tolerance = block_rounding},
+                .tolerance = block_rounding,
+                .misconceptions = wrong},
                scene.pin.px);
-  grade.number({.what = "and along y (N s)", .value = 0.25, .tolerance = block_rounding}, scene.pin.py);
+  grade.number(
+      {.what = "and along y (N s)", .value = 0.25, .tolerance = block_rounding, .misconceptions = wrong},
+      scene.pin.py);
 }
 
 }  // namespace
@@ -114,8 +155,8 @@ Exercise exercise() {
                 "x = −(k22 jv_x − k12 jv_y) / det, y = −(k11 jv_y − k12 jv_x) / det; add both to the pin's "
                 "sums, and push."},
       .grade = [](Grade& grade) {
-        grade_two_bodies(grade);
-        grade_rod(grade);
+        const bool gives = grade_two_bodies(grade);
+        grade_rod(grade, gives);
       }};
 }
 

@@ -1,4 +1,7 @@
-// Exercise 13, graded: one visit that begins with an impulse, then sweeps over two weights on two springs.
+// Exercise 13, graded: one visit that begins with an impulse, one that pulls, in a longer step, then sweeps
+// over two weights on two springs.
+#include <cmath>
+
 #include "exercise.cpp"
 
 namespace cairn::exercise13 {
@@ -35,6 +38,8 @@ Visit with_softness(double gamma, double beta) {
 /// What a visit with a mistake makes of the impulse, and the words for it.
 List<Misconception> known_impulses(const Visit& right) {
   const double before = spring_before.impulse, inverse = right.inverse, gamma = right.gamma;
+  const double stiff = spring_before.damping + spring_before.stiffness;  // in different units
+  const char* const mixed = "d + Δt k: a stiffness is a damping when it is multiplied by Δt.";
   const double lacking = right.zeta - right.speed - gamma * before;
   return {
       {before, "Nothing was added to the impulse."},
@@ -59,6 +64,13 @@ List<Misconception> known_impulses(const Visit& right) {
        "γ = 1 / (Δt (d + Δt k)): a Δt is lacking."},
       {before + with_softness(dt * right.resisting, right.beta).added(),
        "γ is large for soft springs: the inverse."},
+      {before + with_softness(gamma / dt, right.beta).added(), "γ = 1 / (Δt (d + Δt k)): a Δt too many."},
+      {before + with_softness(1 / (dt * stiff), right.beta).added(), mixed},
+      {before + with_softness(1 / (dt * stiff), right.dt_k / stiff).added(), mixed},
+      {before + with_softness(gamma, spring_before.stiffness / stiff).added(), mixed},
+      {before + with_softness(gamma, 1).added(), "Where is β? The row takes a share of the error."},
+      {before + dt * (-spring_before.stiffness * spring_before.error - spring_before.damping * right.speed),
+       "That is the force of now, times Δt: it knows nothing of γ, and of what the impulse does."},
       {before + with_softness(1 / (dt * right.dt_k), 1).added(), "The damper stands beside Δt k: d + Δt k."},
       {before + with_softness(1 / (dt * right.dt_k), right.beta).added(),
        "γ: the damper stands beside Δt k."},
@@ -69,7 +81,8 @@ List<Misconception> known_impulses(const Visit& right) {
       {before + with_softness(right.beta, gamma).added(), "γ and β have changed places."}};
 }
 
-void grade_visit(Grade& grade) {
+/// Whether the visit adds anything.
+bool grade_visit(Grade& grade) {
   Spring spring = spring_before;
   Body below = below_before, above = above_before;
   visit(spring, below, above, dt);
@@ -87,6 +100,10 @@ void grade_visit(Grade& grade) {
                                    {above_before.velocity - added * above_before.inverse_mass,
                                     "A push is upwards for the body above."},
                                    {above_before.velocity + added, "Divide by the mass."},
+                                   {above_before.velocity + added / above_before.inverse_mass,
+                                    "inverse_mass is 1/m already: multiply by it."},
+                                   {above_before.velocity + added * below_before.inverse_mass,
+                                    "Each body has its own inverse mass."},
                                    {above_before.velocity + (right.given + added) * above_before.inverse_mass,
                                     "Apply what this visit adds: the rest was applied before."}}},
                above.velocity);
@@ -94,30 +111,62 @@ void grade_visit(Grade& grade) {
                 .value = below_before.velocity - added * below_before.inverse_mass,
                 .tolerance = soft_rounding,
                 .misconceptions = {{below_before.velocity, "The impulse acts on the body below, too."},
+                                   {below_before.velocity - added, "Divide by the mass."},
+                                   {below_before.velocity - (right.given + added) * below_before.inverse_mass,
+                                    "Apply what this visit adds: the rest was applied before."},
                                    {below_before.velocity + added * below_before.inverse_mass,
                                     "What pushes the body above up pushes the one below down."}}},
                below.velocity);
+  return spring.impulse != spring_before.impulse;
+}
+
+/// What a stretched spring between the two gives in its first visit, if both stand still.
+double pull(double of_dt) {
+  const double resisting = spring_before.damping + of_dt * spring_before.stiffness;
+  const double zeta = -spring_before.stiffness / resisting * 0.15;  // β c / Δt
+  return zeta / (below_before.inverse_mass + above_before.inverse_mass + 1 / (of_dt * resisting));
+}
+
+void grade_pull(Grade& grade, bool adds) {
+  Spring spring = spring_before;
+  spring.error = 0.15;
+  spring.impulse = 0;
+  Body below{.inverse_mass = below_before.inverse_mass}, above{.inverse_mass = above_before.inverse_mass};
+  visit(spring, below, above, 0.05);
+  grade.number(
+      {.what = "stretched by 0.15 m, a step of 0.05 s: impulse (N s)",
+       .value = pull(0.05),
+       .tolerance = soft_rounding,
+       .misconceptions = {{0, adds ? "A spring pulls as well: nothing is clamped." : ""},
+                          {pull(dt), "The step has 0.05 s here: take dt, not a number of your own."}}},
+      spring.impulse);
 }
 
 /// One step of 3 kg on the ground's spring and 0.7 kg on a spring upon it: 200 sweeps. Two rows with two
 /// unknown impulses p: (A + γ) p = ζ − j·v, solved by Cramer's rule.
-void grade_tower(Grade& grade) {
+void grade_tower(Grade& grade, bool adds) {
   Body ground, lower{.inverse_mass = 1 / 3.0, .velocity = -0.2},
       upper{.inverse_mass = 1 / 0.7, .velocity = -0.2};
   Spring first = spring_before, second = spring_before;
   first.impulse = second.impulse = 0;
+  bool is_none = false;  // at once, and not because the sweeps diverge
   for (int sweep = 0; sweep < 200; ++sweep) {
     visit(first, ground, lower, dt);
+    if (sweep == 0) is_none = std::isnan(first.impulse);
     visit(second, lower, upper, dt);
   }
   const Visit row;
   const double a11 = lower.inverse_mass + row.gamma, a12 = -lower.inverse_mass;
   const double a22 = lower.inverse_mass + upper.inverse_mass + row.gamma;
   const double b1 = row.zeta + 0.2, b2 = row.zeta;
-  grade.number({.what = "two weights, 200 sweeps: impulse of the lower spring (N s)",
-                .value = (b1 * a22 - a12 * b2) / (a11 * a22 - a12 * a12),
-                .tolerance = soft_rounding},
-               first.impulse);
+  grade.number(
+      {.what = "two weights, 200 sweeps: impulse of the lower spring (N s)",
+       .value = (b1 * a22 - a12 * b2) / (a11 * a22 - a12 * a12),
+       .tolerance = soft_rounding,
+       .misconceptions = {{std::nan(""), is_none ? "The ground has 1/m = 0, and no mass to divide by." : ""},
+                          {0,
+                           adds ? "The ground carries a spring as well: its 1/m is 0, and no more." : ""}}},
+      first.impulse);
 }
 
 }  // namespace
@@ -131,8 +180,9 @@ Exercise exercise() {
                 "(22) times Δt: added = (ζ − j·v − γ · impulse) / (1/m below + 1/m above + γ).",
                 "Add it to the impulse; the body above gets it upwards, the one below downwards."},
       .grade = [](Grade& grade) {
-        grade_visit(grade);
-        grade_tower(grade);
+        const bool adds = grade_visit(grade);
+        grade_pull(grade, adds);
+        grade_tower(grade, adds);
       }};
 }
 

@@ -17,19 +17,19 @@ struct Body {
   double omega = 0;            // [rad/s]
 };
 
-/// 2 kg on one part, twice 0.5 kg on two and on one, and a drum of 0.4 kg m² with a radius of 0.5 m.
+/// A drum of 0.4 kg m² with a radius of 0.5 m, 2 kg on one part, and twice 0.5 kg on two and on one.
 List<Body> bodies() {
-  return {{.inverse_mass = 0.5}, {.inverse_mass = 2}, {.inverse_mass = 2}, {.inverse_inertia = 2.5}};
+  return {{.inverse_inertia = 2.5}, {.inverse_mass = 0.5}, {.inverse_mass = 2}, {.inverse_mass = 2}};
 }
 
-const List<Pose> hanging = {{.y = 1}, {.y = 2}, {.y = 3}, {.angle = 2}};
+List<Pose> hanging(double drum_angle) { return {{.angle = drum_angle}, {.y = 1.25}, {.y = 2}, {.y = 3.5}}; }
 
 RopeOnDrum rope() {
-  return {{{.body = 0, .parts = 1, .top = 5},
-           {.body = 1, .parts = 2, .top = 5},
-           {.body = 2, .parts = 1, .top = 6}},
-          {.body = 3, .radius = 0.5, .grip = 40},
-          11.5};
+  return {{{.body = 1, .parts = 1, .top = 5},
+           {.body = 2, .parts = 2, .top = 5},
+           {.body = 3, .parts = 1, .top = 6}},
+          {.body = 0, .radius = 0.5, .grip = 40},
+          10.75};
 }
 
 double speed_of(const Row& row, const List<Body>& bodies) {
@@ -64,70 +64,101 @@ List<Body> after_falling() {
   return result;
 }
 
-/// c = 11.5 + 0.5 · 2 − 4 − 2 · 3 − 3 = −0.5.
+/// c = 10.75 + 0.5 · 1.6 − 3.75 − 2 · 3 − 2.5 = −0.7.
 void grade_error(Grade& grade, const Row& row) {
+  const char* const pays_out = "The drum pays out radius * angle of rope: add it.";
+  const char* const every_end = "c has every end: one is missing.";
   grade.number({.what = "c: what is left of the rope (m)",
-                .value = -0.5,
+                .value = -0.7,
                 .tolerance = rope_rounding,
-                .misconceptions = {{-1.5, "The drum pays out radius * angle of rope: add it."},
-                                   {-2.5, "The drum pays out radius * angle of rope: add it."},
-                                   {2.5, "Each part of the rope at a mass has the length top − y."},
-                                   {4.5, "A mass hangs from its top: the length of a part is top − y."},
-                                   {0.5, "c is the room that is left: positive where the rope is slack."}}},
+                .misconceptions = {{-1.5, pays_out},
+                                   {-2.3, pays_out},
+                                   {0.1, "A drum that turns by an angle pays out radius * angle."},
+                                   {2.3, "Each part of the rope at a mass has the length top − y."},
+                                   {-2.7, "Each part of the rope at a mass has the length top − y."},
+                                   {-6.7, "c has the parts once."},
+                                   {2.8, "A mass hangs from its top: the length of a part is top − y."},
+                                   {0.3, "Each end has its own top."},
+                                   {-4.95, "Bodies have numbers of their own: end.body, drum.body."},
+                                   {1.8, every_end},
+                                   {3.05, every_end},
+                                   {-11.45, "c begins with the length of the rope."},
+                                   {8.25, "Every end takes its part of the rope: subtract, do not set."},
+                                   {0.7, "c is the room that is left: positive where the rope is slack."}}},
                row.error);
+  const bool is_right = std::abs(row.error + 0.7) <= rope_rounding;
+  grade.number({.what = "c where the drum has turned by 4 rad more (m)",
+                .value = 1.3,
+                .tolerance = rope_rounding,
+                .misconceptions = {{0, is_right ? "A rope may be slack: c is positive then." : ""}}},
+               rope().row(hanging(5.6)).error);
 }
 
 /// j·v with a speed for one body alone is the entry of that body.
 void grade_jacobian(Grade& grade, const Row& row) {
+  const char* const one_of_two = "Masses rise, and the drum turns: a term has one of the two entries.";
+  const char* const rise = "The rise of a mass leaves more rope: dc/dt is positive.";
   const auto entry = [&row](int body, double vy, double omega) {
     List<Body> moving = bodies();
     moving[body].vy = vy, moving[body].omega = omega;
     return speed_of(row, moving);
   };
+  const bool own = entry(1, 1, 0) != 2;  // the body's own term, not that of its neighbour
   grade.number({.what = "j·v where the 0.5 kg on two parts rise at 1 m/s (m/s)",
                 .value = 2,
                 .tolerance = rope_rounding,
-                .misconceptions = {{1, "j has the parts: two parts get shorter at once."},
+                .misconceptions = {{1, own ? "j has the parts: two parts get shorter at once." : ""},
                                    {4, "j has the parts once: the square comes from j M⁻¹ jᵀ."},
-                                   {-2, "The rise of a mass leaves more rope: dc/dt is positive."}}},
-               entry(1, 1, 0));
-  grade.number({.what = "j·v where the last 0.5 kg rise at 1 m/s (m/s)",
-                .value = 1,
-                .tolerance = rope_rounding,
-                .misconceptions = {{0, "The row needs a term for every end: the last is missing."}}},
+                                   {-2, rise}}},
                entry(2, 1, 0));
-  grade.number({.what = "j·v where the drum turns at 1 rad/s (m/s)",
-                .value = 0.5,
+  grade.number(
+      {.what = "j·v where the last 0.5 kg rise at 1 m/s (m/s)",
+       .value = 1,
+       .tolerance = rope_rounding,
+       .misconceptions = {{0, own ? "The row needs a term for every end: the last is missing." : ""}}},
+      entry(3, 1, 0));
+  grade.number(
+      {.what = "j·v where the drum turns at 1 rad/s (m/s)",
+       .value = 0.5,
+       .tolerance = rope_rounding,
+       .misconceptions =
+           {{0, row.terms.size() > 3 ? "The drum turns, it does not rise: its entry is in omega."
+                                     : "There is no term for the drum."},
+            {-0.5, entry(2, 1, 0) < 0 ? rise : "A drum that pays out leaves more rope: both signs are +."},
+            {0.25, "The radius comes in once: rope is paid out at radius * omega."},
+            {1, "The radius is in j: rope is paid out at radius * omega."}}},
+      entry(0, 0, 1));
+  grade.number({.what = "j·v where the drum rises, and a mass turns (m/s)",
+                .value = 0,
                 .tolerance = rope_rounding,
-                .misconceptions = {{0, row.terms.size() > 3
-                                           ? "The drum turns, it does not rise: its entry is in omega."
-                                           : "There is no term for the drum."},
-                                   {-0.5, "A drum that pays out leaves more rope: both signs are +."},
-                                   {1, "The radius is in j: rope is paid out at radius * omega."}}},
-               entry(3, 0, 1));
+                .misconceptions = {{0.5, one_of_two}, {1, own ? one_of_two : ""}}},
+               entry(0, 1, 0) + entry(2, 0, 1));
 }
 
 /// Four parts of the rope fall at g dt: λ = 4 g / (1/2 + 4 · 2 + 2 + 0.25 · 2.5).
 void grade_force(Grade& grade, const Row& row) {
   List<Body> falling = after_falling();
+  const bool opens = speed_of(row, falling) < 0;
   grade.number({.what = "λ after one step of falling (N)",
                 .value = 4 * gravity / 11.125,
                 .tolerance = rope_rounding,
-                .misconceptions = {{0, "λ is bounded from below: the rope pulls with λ ≥ 0."}}},
+                .misconceptions = {{0, opens ? "λ is bounded from below: the rope pulls with λ ≥ 0." : ""}}},
                visit(row, falling));
   List<Body> rising = bodies();
-  rising[0].vy = 1;
+  rising[1].vy = 1;
   grade.number({.what = "λ where the 2 kg rise (N)",
                 .value = 0,
                 .tolerance = rope_rounding,
                 .misconceptions = {{-1 / (11.125 * dt), "A rope cannot push: λ ≥ 0."}}},
                visit(row, rising));
   List<Body> torn = bodies();
-  torn[0].vy = -20;
+  torn[1].vy = -20;
   grade.number({.what = "λ where the 2 kg are torn down at 20 m/s (N)",
                 .value = 40,
                 .tolerance = rope_rounding,
                 .misconceptions = {{20 / (11.125 * dt), "The drum slips: λ is at most its grip."},
+                                   {20, "The grip is a pull in N, not a moment: no radius."},
+                                   {80, "The grip is a pull in N, not a moment: no radius."},
                                    {40 * dt, "The interval is one of λ in N, not of an impulse."}}},
                visit(row, torn));
 }
@@ -145,7 +176,7 @@ Exercise exercise() {
                 "For each end: error -= parts (top − y), and a term with vy = parts. For the drum: error += "
                 "radius * angle, and a term with omega = radius. lower = 0, upper = the grip."},
       .grade = [](Grade& grade) {
-        const Row row = rope().row(hanging);
+        const Row row = rope().row(hanging(1.6));
         grade_error(grade, row);
         grade_jacobian(grade, row);
         grade_force(grade, row);

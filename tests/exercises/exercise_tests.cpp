@@ -45,10 +45,13 @@ TEST_CASE("a gap without code is not graded, and an exercise without its marks i
 }
 
 TEST_CASE("a wrong number names the first misconception that gives it, and a right one none") {
-  const ExpectedNumber expected{.what = "a number",
-                                .value = 2,
-                                .tolerance = 0.1,
-                                .misconceptions = {{-2, "the sign"}, {3, "one too many"}, {3, "another"}}};
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const ExpectedNumber expected{
+      .what = "a number",
+      .value = 2,
+      .tolerance = 0.1,
+      .misconceptions = {{-2, "the sign"}, {3, "one too many"}, {3, "another"}, {infinity, "divided by 0"}, {nan, "0 by 0"}}};
   const auto comment_on = [&expected](double got) {
     Grade grade;
     grade.number(expected, got);
@@ -57,5 +60,8 @@ TEST_CASE("a wrong number names the first misconception that gives it, and a rig
   CHECK(comment_on(2).empty());
   CHECK(comment_on(-2.05) == "the sign");
   CHECK(comment_on(3) == "one too many");
+  CHECK(comment_on(infinity) == "divided by 0");
+  CHECK(comment_on(-infinity).empty());
+  CHECK(comment_on(nan) == "0 by 0");
   CHECK(comment_on(4).empty());
 }
