@@ -114,8 +114,9 @@ void draw_order(Page& page, const Rect& rect, const Story& story) {
 void draw_convergence(Page& page, const Story& story) {
   const List<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
   draw_order(page, parts[0], story);
-  Rect rest = page.card(parts[1], "order one",
-                        "Half the step, half the error: each step misses by g Δt²/2, and all t/Δt add up.");
+  Rect rest = page.card(
+      parts[1], "order one",
+      "Half the step, half the error: each step misses by g Δt²/2, and the errors of all t/Δt steps add up.");
   const Convergence& c = story.convergence;
   TableView table = {.header = {"Δt (s)", "semi-implicit (m)", "explicit (m)"}};
   for (int i = 0; i < c.dt.size(); ++i)

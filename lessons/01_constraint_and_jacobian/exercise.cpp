@@ -8,7 +8,7 @@ namespace cairn::exercise01 {
 
 /// A point of a body that must stay on a straight rail through the origin.
 struct Rail {
-  double slope = 0;  // [rad] the rail rises to the right by this angle
+  double angle = 0;  // [rad] the rail rises to the right by this angle
   double arm_x = 0;  // [m] from the body's centre to the point, as the body stands now
   double arm_y = 0;
 };

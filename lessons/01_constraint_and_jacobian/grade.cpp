@@ -15,7 +15,7 @@ double distance(const Rail& rail, const FixedList<double, 3>& moved) {
   const double c = std::cos(moved[2]), s = std::sin(moved[2]);
   const double x = moved[0] + c * rail.arm_x - s * rail.arm_y;
   const double y = moved[1] + s * rail.arm_x + c * rail.arm_y;
-  return -std::sin(rail.slope) * x + std::cos(rail.slope) * y;
+  return -std::sin(rail.angle) * x + std::cos(rail.angle) * y;
 }
 
 double slope_of_distance(const Rail& rail, int axis) {
@@ -27,7 +27,7 @@ double slope_of_distance(const Rail& rail, int axis) {
 
 /// The i-th of twenty: slopes from -1.5 to 1.4 rad, arms all around the body.
 Rail rail_at(int i) {
-  return {.slope = -1.5 + 0.153 * i, .arm_x = std::sin(2.4 * i + 1), .arm_y = std::cos(1.7 * i)};
+  return {.angle = -1.5 + 0.153 * i, .arm_x = std::sin(2.4 * i + 1), .arm_y = std::cos(1.7 * i)};
 }
 
 /// The largest difference between an entry and its slope.
@@ -42,7 +42,7 @@ double worst_entry(int axis) {
 
 void grade_thirty(Grade& grade) {
   const double half = std::sqrt(3.0) / 2;
-  const Rail thirty{.slope = std::acos(half), .arm_x = 0.4, .arm_y = 0.2};
+  const Rail thirty{.angle = std::acos(half), .arm_x = 0.4, .arm_y = 0.2};
   const double turn = 0.4 * half + 0.2 * 0.5;
   const FixedList<double, 3> j = jacobian(thirty);
   const char* const level = "That is for a level rail: this one rises by 30 degrees.";
@@ -90,7 +90,7 @@ Exercise exercise() {
           .task = "The row j of a point that slides along a straight rail: equation (5).",
           .file = "lessons/01_constraint_and_jacobian/exercise.cpp",
           .hints = {"Which unit vector n points across the rail, to its upper side? c = n·p.",
-                    "n = (−sin, cos) of the slope. How does the point p move when only the body turns?",
+                    "n = (−sin, cos) of the angle. How does the point p move when only the body turns?",
                     "By ω (−r_y, r_x). So j_θ = n_x (−r_y) + n_y r_x."},
           .grade = [](Grade& grade) {
             grade_thirty(grade);

@@ -170,7 +170,7 @@ void draw_force(Page& page, const Story& story) {
   for (const Motion& motion : rod.allowed)
     table.rows.push_back({motion.name, fixed(rod.force.dot(motion.velocity), 3) + " W"});
   table.rows.push_back({"along the rod: forbidden", fixed(rod.settings.lambda, 3) + " W"});
-  page.table(parts[1], "the force does no work in what it allows", table);
+  page.table(parts[1], "the force does no work in a motion that the rod allows", table);
 }
 
 void draw_differences(Page& page, const Story& story) {

@@ -26,7 +26,7 @@ LessonInfo card() {
       .spoilers = {"1.2 m", "5 m/s"},
       .hints = {"To be out within one step of Δt, how fast does it have to move?",
                 "v = depth / Δt. Gravity is the only thing that slows it down afterwards.",
-                "About v² / (2 g), and a little less as time goes in steps."},
+                "About v² / (2 g), and a little less, because time passes in steps."},
       .parameters = {{"dt", 0.02, 0.01, 0.05, "s", "time step"},
                      {"beta", 0.2, 0.05, 1, "", "the share β of an error that a step removes"},
                      {"depth", 0.1, 0.01, 0.2, "m", "how deep the ball begins inside the ground"}},

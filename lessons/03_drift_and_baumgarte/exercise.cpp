@@ -6,7 +6,7 @@
 
 namespace cairn::exercise03 {
 
-/// How a contact takes errors back.
+/// How a contact removes errors.
 struct Recovery {
   double beta = 0;       // share of the error that each step takes back
   double slop = 0;       // [m] an error up to this may stay

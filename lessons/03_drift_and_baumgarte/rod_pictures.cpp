@@ -56,7 +56,7 @@ void draw_pendulum(Page& page, const Rect& rect, const DriftRuns& all, const Rod
 }
 
 void draw_swing_errors(Page& page, const Rect& rect, const DriftRuns& all, int step) {
-  render::Plot plot{.title = "|c|: how far the rod is from its length (m)"};
+  render::Plot plot{.title = "|c|: how much too long or too short the rod is (m)"};
   plot.x = {.title = "t (s)", .min = 0, .max = swing_time};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-4, .max = 1};
   const int stride = std::max(1, all.swings[0].steps.size() / 250);

@@ -47,7 +47,8 @@ void draw_masses(Page& page, const StackRun& run) {
                  .colors = render::MatrixColors::magnitude}},
                {""});
   page.note(right[1], "(1) and (2)",
-            "Three numbers a box: how fast it moves to the right, up, and how fast it turns. "
+            "Three numbers for each box: how fast it moves to the right, how fast it moves up, and how fast "
+            "it turns. "
             "The ground is left out.");
 }
 

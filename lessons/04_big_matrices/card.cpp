@@ -9,7 +9,7 @@ LessonInfo card() {
       .name = "big_matrices",
       .title = "Big matrices",
       .idea =
-          "Write the velocities of all bodies below each other, and all rows below each other: J v = ζ. The "
+          "Stack the velocities of all bodies into v and all rows into J: the rows demand J v = ζ. The "
           "forces that make this true solve A λ = b, one equation for each row, all at once.",
       .paper = "paper 2.1, 2.2, eq (1)-(15)",
       .equations =
@@ -35,7 +35,7 @@ LessonInfo card() {
                      {"top", 1, 0.01, 100, "kg", "mass of the uppermost box; the others have 1 kg"},
                      {"sunk", 0, 0, 0.02, "m", "how deep the lowest box is inside the ground, β = 0.2"}},
       .cover = 1,
-      .next = "bash lessons/run 5   (guess, fix one row, repeat; and what may not pull)"};
+      .next = "bash lessons/run 5   (guess, fix one row, repeat; and rows that must not pull)"};
 }
 
 }  // namespace cairn

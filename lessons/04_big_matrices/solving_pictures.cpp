@@ -163,7 +163,7 @@ List<Shot> solving_shots(const Run& run) {
   for (int row = 1; row < n; ++row) {
     shots.push_back(
         {.state = fmt::format("elimination · row {}", row + 1),
-         .alt = fmt::format("A and b once λ of row {} has been taken out of row {}.", row, row + 1),
+         .alt = fmt::format("A and b once λ of row {} has been eliminated from row {}.", row, row + 1),
          .draw = [run, row](Page& page) { draw_elimination(page, *run, row); },
          .key = row + 1 == n});
   }

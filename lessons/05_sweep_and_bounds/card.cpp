@@ -10,7 +10,7 @@ LessonInfo card() {
       .title = "Sweep, and clamp",
       .idea =
           "Guess all λ. Put one row right, then the next, and sweep again: that is Gauss-Seidel. Clamp each "
-          "λ to its interval, and it solves contacts that only push, too: projected Gauss-Seidel.",
+          "λ to its interval, and it also solves contacts, which can only push: projected Gauss-Seidel.",
       .paper = "paper 2.2, eq (14), (28), and the interval at its end",
       .equations =
           {"(14)  A λ = b                                     all rows at once: lesson 04",

@@ -106,8 +106,8 @@ void draw_errors(Page& page, const SweepRun& run) {
   draw_plot(page, parts[0], plot);
   const List<Rect> right = rows(parts[1], {0.52, 0.48}, page.sizes().gap);
   page.note(right[0], "How the error shrinks",
-            "Only row 1 has b ≠ 0. From the ground up, the first sweep carries that to the "
-            "top; from the top down, it climbs one contact a sweep. Then a sweep leaves "
+            "Only row 1 has b ≠ 0. If the sweeps go from the ground up, the first one carries that to the "
+            "top. If they go from the top down, it climbs one contact a sweep. Then a sweep leaves "
             "ρ = cos²(π/2n) of every error.");
   page.table(right[1], "what a sweep leaves", shares_left(run.settings.boxes));
 }

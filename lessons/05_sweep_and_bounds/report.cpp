@@ -96,8 +96,9 @@ void print_scenes(Lesson& lesson, const SweepSettings& settings) {
 
 void print_stack(Lesson& lesson, const SweepRun& run) {
   const StackRun& stack = run.stack;
-  lesson.print(fmt::format("Scene A: {} unit boxes of 1 kg on each other; A and b are those of lesson 04",
-                           run.settings.boxes));
+  lesson.print(
+      fmt::format("Scene A: {} unit boxes of 1 kg on top of each other; A and b are those of lesson 04",
+                  run.settings.boxes));
   const int shown = std::min(2 * run.settings.boxes, 9 - run.settings.boxes);
   for (int k = 0; k < stack.up.updates.size(); ++k) print_update(lesson, stack.system, stack.up, k, shown);
   lesson.print(fmt::format("  ...  (-v shows all {} updates)", stack.up.updates.size()));

@@ -94,7 +94,8 @@ void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const RodScene&
       draw_distance(page, camera, std::min(support, middle), std::max(support, middle));
     render::TextStyle style{.size = 24, .color = page.theme().normal, .bold = true};
     style.align = render::Align::center;
-    page.canvas().text(camera.project({std::min(support, 1.8), 1.75}), "if no support pulls: λ_{2} = ?", style);
+    page.canvas().text(camera.project({std::min(support, 1.8), 1.75}), "if no support pulls: λ_{2} = ?",
+                       style);
   }
   page.canvas().pop_clip();
 }
@@ -177,10 +178,9 @@ void draw_complement(Page& page, const SweepRun& run) {
   table.active_row = rod.tips() ? 0 : -1;
   const List<Rect> parts = rows(rest, {0.56, 0.44}, page.sizes().gap);
   page.table(parts[0], "A contact pushes, or it opens; never both", table);
-  page.note(
-      parts[1], "",
-      "The ellipses are level curves of ½ λ·A λ − b·λ. The answer is its lowest point that is not behind "
-      "the wall.");
+  page.note(parts[1], "",
+            "The ellipses are level curves of ½ λ·A λ − b·λ. The answer is the lowest point of that function "
+            "in front of the wall.");
 }
 
 std::string answer_text(const RodRun& rod) {

@@ -9,9 +9,8 @@ LessonInfo card() {
       .name = "clamp_the_sum",
       .title = "Clamp the sum",
       .idea =
-          "A contact must not pull, so some λ has to be clamped at 0: each push, or the sum of them? Only "
-          "one "
-          "of the two lets a box stand.",
+          "A contact must not pull, so something has to be clamped at 0: each push, or the sum of all "
+          "pushes? Only one of the two lets a box stand.",
       .paper = "paper 3.2, second paragraph, and Algorithm 1",
       .equations =
           {"(22)  p_corr = (ζ − j·v) / (j M⁻¹ jᵀ)          the correction of this visit [N s]; here ζ = 0",

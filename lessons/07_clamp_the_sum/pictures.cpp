@@ -158,7 +158,7 @@ QuestionFrame answer_frame(const Run& run) {
 std::string answer_text(const FeetRun& run) {
   const Visit& second = run.middle.by(Clamped::sum).visits[2];
   const std::string sum = fixed(second.after[0], 2) + " N s: ";
-  if (second.given() >= 0) return sum + "it gives more. Feet so far out need the same of both clamps.";
+  if (second.given() >= 0) return sum + "it gives more. For feet this far out, both clamps do the same.";
   return sum + "it takes back " + fixed(-second.given(), 2) +
          " N s of its first push, which was too large. A push may be negative; the sum may not.";
 }

@@ -180,7 +180,7 @@ void tell_landings(Lesson& lesson, const FeetRun& run) {
 void tell_motion(Lesson& lesson, const FeetRun& run) {
   lesson.print();
   lesson.print(fmt::format(
-      "Let go in a world, {:.4g} s later: each push clamped, the box has risen by up to {:.1f} mm "
+      "In a world that steps on, {:.4g} s later: each push clamped, the box has risen by up to {:.1f} mm "
       "and turned by {:.0f}°;",
       motion_steps * time_step, 1000 * run.hop_height,
       std::abs(run.hop.back().bodies[{1}].pose.angle) * 180 / pi));

@@ -54,8 +54,8 @@ void draw_errors(Page& page, const WarmStart& all) {
   draw_plot(page, parts[0], plot);
   page.note(parts[1], "The price of memory",
             fmt::format("The {} sweeps of a step leave ρ^{{s}} = {:.3f} of what they find. Cold, the loads "
-                        "converge at that rate, but what is missing stays as a speed: the tower sinks. "
-                        "Warm, it is missing in the first guess as well. So the error swings, and a step "
+                        "converge at that rate, but the missing force is left as a speed: the tower sinks. "
+                        "Warm, it is also missing from the first guess. So the error swings, and a step "
                         "leaves ρ^{{s/2}} = {:.3f} of it.",
                         settings.sweeps, share, std::sqrt(share)));
 }
@@ -183,8 +183,8 @@ void draw_guest(Page& page, const WarmStart& all) {
   draw_plot(page, right[0], plot);
   page.note(right[1], "",
             "A ball bounces beside the tower and never touches it. While the ball touches the "
-            "ground, its contact is the first row, and all others move on by one. By number, "
-            "this shakes the tower; by key, not one bit of its loads changes.");
+            "ground, its contact is the first row, and all others shift by one. Matched by number, this "
+            "shakes the tower. Matched by key, not one bit of its loads changes.");
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ LessonInfo card() {
       .spoilers = {"12.8", "98.4"},
       .hints =
           {"A_ij is not zero where rows i and j share a body that can move.",
-           "A row has two boxes. How many rows has a box in the middle of the pyramid?",
+           "A row has two boxes. How many rows does a box in the middle of the pyramid have?",
            "8 rows for each box, and the two rows of an overlap share both boxes: 8 + 8 − 2, and less at "
            "the sides."},
       .parameters = {{"base", 20, 11, 22, "", "boxes in the lowest row of the largest pyramid",

@@ -82,7 +82,7 @@ void draw_row(Page& page, const StoredRun& run, int active) {
   for (int j = 0; j < problem.row_count(); ++j) met += meet(A, active, j);
   page.note(left[1], "",
             fmt::format("Row {}: {} and {}. A push here changes the closing speed of {} of the {} contacts: "
-                        "its own, and those on the same boxes. All else in this row of A is 0.",
+                        "its own, and those on the same boxes. All other entries in this row of A are 0.",
                         active + 1, body_name(row.a), body_name(row.b), met, problem.row_count()));
   render::MatrixView view{
       .title = "A, base 3: red > 0, blue < 0", .values = A, .active_row = active, .numbers = false};

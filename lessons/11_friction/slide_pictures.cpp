@@ -217,8 +217,8 @@ Shot curve_shot(const SharedStudy& study) {
     const Rect rest = page.card(
         parts[1], "what is drawn",
         has_box2d() ? "At every second angle the block ran in Cairn (squares), at the others in "
-                      "Box2D (triangles). The lines are the formula, and 0 where friction suffices."
-                    : "Squares are Cairn. The lines are the formula, and 0 where friction suffices.");
+                      "Box2D (triangles). The lines are the formula, and 0 where friction is enough."
+                    : "Squares are Cairn. The lines are the formula, and 0 where friction is enough.");
     page.table(rest, "slides above (°)", threshold_table(*study));
   };
   return shot;

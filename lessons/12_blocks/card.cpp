@@ -19,14 +19,15 @@ LessonInfo card() {
       .reads = {"src/solvers/iterative/block_sequential_impulse.hpp",
                 "tests/solvers/iterative/block_tests.cpp"},
       .question =
-          "One beam welded to a wall: row by row its 3 rows need 16 sweeps to 1 %, as a block 1. Three "
+          "One beam welded to a wall: row by row its 3 rows need 16 sweeps to 1 %; as a block they need 1. "
+          "Three "
           "beams, "
           "each welded to the one before, need 435 sweeps row by row. How many with blocks?",
       .spoilers = {"326", "three in four", "zig-zag"},
       .hints = {"A block ends the conflict between the rows of one joint. Are there others?",
                 "To the other joints a block acts like a single row: it stops its own error and starts one "
                 "next door.",
-                "Of the sweeps, three in four remain."},
+                "Three in four of the sweeps remain."},
       .parameters = {{"dt", 0.02, 0.005, 0.02, "s", "time step"},
                      {"angle", 45, 5, 85, "°", "of the rod above the horizontal"},
                      {"inertia", 1e-6, 1e-7, 1, "kg m^2", "of the bob: how hard it is to turn"},

@@ -9,8 +9,8 @@ LessonInfo card() {
       .name = "soft",
       .title = "A row that gives way",
       .idea =
-          "A spring need not be a force. A row that asks for less velocity, by γ for every N s that it has "
-          "given, is a spring, once β and γ come from its stiffness and its damping.",
+          "A spring can be a row instead of a force. The row asks for less velocity, by γ for every N s "
+          "that it has given. β and γ follow from the spring's stiffness and damping.",
       .paper = "paper 4.3, with eq (7), (15), (22)",
       .equations = {"4.3   j·v + γ λ Δt = ζ = −β c / Δt               (11) of a row that gives way",
                     "      γ = 1 / (Δt (d + Δt k)),  β = Δt k / (d + Δt k)",
@@ -33,7 +33,7 @@ LessonInfo card() {
                      {"mass", 1, 0.01, 100, "kg", "of each weight"},
                      {"pressed", 0.2, 0, 0.3, "m", "how far the spring is pressed together at the start"}},
       .cover = 1,
-      .next = "bash lessons/run 14   (one row on as many bodies as it likes)"};
+      .next = "bash lessons/run 14   (one row on any number of bodies)"};
 }
 
 }  // namespace cairn

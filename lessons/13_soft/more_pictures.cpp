@@ -216,12 +216,11 @@ void draw_harsh(Page& page, const SoftRuns& all) {
   draw_run_away(page, halves[0], all);
   draw_growth(page, halves[1], all);
   const double hertz = largest_hertz(all);
-  page.note(
-      parts[1], "A force, or a row",
-      fmt::format("The force −k c − d v of the beginning of a step pushes too far above {:.3g} Hz, and "
-                  "further each time. The row takes the force of the step's end: it never diverges, but "
-                  "it damps what it cannot follow. Both charts: Δt = {:g} s.",
-                  hertz, all.settings.dt));
+  page.note(parts[1], "A force, or a row",
+            fmt::format("The force −k c − d v of the beginning of a step pushes too far above {:.3g} Hz, and "
+                        "further each time. The row takes the force of the step's end: it never diverges, "
+                        "but it damps motions that are too fast for the step. Both charts: Δt = {:g} s.",
+                        hertz, all.settings.dt));
 }
 
 }  // namespace

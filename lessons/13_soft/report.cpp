@@ -62,9 +62,10 @@ void print_stiff(Lesson& lesson, const SoftRuns& all) {
 }
 
 void print_columns(Lesson& lesson, const SoftRuns& all) {
-  lesson.print(fmt::format(
-      "3. {} weights, one upon the other, springs without load: what sweeps of one step leave of the error:",
-      column_weights));
+  lesson.print(
+      fmt::format("3. {} weights on top of each other, springs without load: the share of the error that the "
+                  "sweeps of one step leave:",
+                  column_weights));
   std::string names = "   sweep           ";
   for (int sweep = 1; sweep <= 6; ++sweep) names += fmt::format(" {:>9}", sweep);
   lesson.print(names + "   rate, formula");

@@ -9,8 +9,8 @@ LessonInfo card() {
       .name = "pulley",
       .title = "A rope on three bodies",
       .idea =
-          "A row of J has a block for every body that it touches. A rope over wheels touches three, in one "
-          "row, in a joint that this lesson writes itself; every solver takes it as it is.",
+          "A row of J has a block for every body that it touches. A rope over wheels touches three bodies "
+          "in one row. This lesson writes that joint itself, and every solver takes it unchanged.",
       .paper = "paper 4.2, 4.3",
       .equations =
           {"(5)   dc/dt = j·v,  j = (0, r₁, 0,  0, r₂, 0,  0, r₃, 0)     one row, three bodies",

@@ -72,7 +72,7 @@ void draw_row(Page& page, const Slides& all, int i) {
        .color = page.theme().friction},
       i + 1, i == 0 ? "Row x" : "Row y",
       i == 0
-          ? fmt::format("This row sees v_{{x}} alone. To stop it within the step would take {} times μN, so "
+          ? fmt::format("This row sees v_{{x}} alone. Stopping it within the step would take {} times μN, so "
                         "the clamp leaves −μN: the side of the square.",
                         render::significant(-wanted.x() / settings.limit()))
           : fmt::format("This row sees v_{{y}} alone. Together the rows brake with {} N, which is {} times "

@@ -108,10 +108,12 @@ void draw_colours(Page& page, const PileRun& run) {
     draw_turn(page, panels[k % across], run, k);
   }
   const int contacts = run.contacts.contacts.size();
-  page.note(right[1], "Gauss-Seidel in parallel",
-            fmt::format("In a turn no box has two contacts, so no contact waits: {} turns for {} contacts. "
-                        "{} boxes at the bottom: {} turns of {}.",
-                        turns, contacts, larger_base, run.larger.count.size(), counts_text(run.larger)));
+  page.note(
+      right[1], "Gauss-Seidel in parallel",
+      fmt::format(
+          "In one turn no box has two contacts, so no contact waits for another: {} turns for {} contacts. "
+          "{} boxes at the bottom: {} turns of {}.",
+          turns, contacts, larger_base, run.larger.count.size(), counts_text(run.larger)));
 }
 
 }  // namespace cairn::everybody

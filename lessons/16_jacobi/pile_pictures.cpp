@@ -54,7 +54,7 @@ void draw_eigenvalues(Page& page, const PileRun& run) {
   page.note(right[1], "What decides",
             fmt::format("Up to {} rows correct one box at the same time. With an eigenvalue above 2 a "
                         "sweep leaves some error larger than before. Damping gives a share of each "
-                        "correction; every scene needs its own. Split masses give each row its share "
+                        "correction; every scene needs its own share. Split masses give each row its share "
                         "of the box, and no eigenvalue is above 1 in any scene.",
                         most));
 }

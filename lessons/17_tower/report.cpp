@@ -55,7 +55,7 @@ void print_ends(Lesson& lesson, const TowerRuns& runs) {
   const int cold = steps_as_tower(runs.cold);
   if (cold < runs.settings.steps)
     lesson.print(fmt::format(
-        "Cold, boxes overlap by half from step {} on: from there it is a tower no longer.", cold));
+        "Cold, boxes overlap by half from step {} on: from then on it is no longer a tower.", cold));
   lesson.print(
       "Box2D wraps its shapes in a skin and pushes them apart by a pass of its own: compare loads, not "
       "heights.");
@@ -74,9 +74,9 @@ void report(Lesson& lesson, const TowerRuns& runs) {
   lesson.print();
   lesson.print(fmt::format("SI and Box2D differ by at most {:.1e} N: in decimal place {}.",
                            gap_to_box2d(runs), decimal_place(runs)));
-  lesson.answer(
-      {1.0 * decimal_place(runs)}, 1,
-      "PGS and SI are one algorithm. Box2D is the same once more, in the same order, in single precision.");
+  lesson.answer({1.0 * decimal_place(runs)}, 1,
+                "PGS and SI are one algorithm. Box2D is the same algorithm again, in the same order, in "
+                "single precision.");
   check_runs(lesson, "warm", runs.warm, runs.warm_by_hand, runs.settings);
   check_runs(lesson, "cold", runs.cold, runs.cold_by_hand, runs.settings);
   const double first = runs.warm[1].loads[1][0];

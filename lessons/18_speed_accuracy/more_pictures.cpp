@@ -76,8 +76,8 @@ void draw_sizes(Page& page, const CostRun& run) {
   page.table(right[0], "sweeps until 1 % is left", table);
   page.note(right[1], "The scene decides",
             "A sweep passes loads on from box to box. Twice as many boxes take four times "
-            "the sweeps, and each sweep has twice the rows. With the best ω it is only "
-            "twice the sweeps, but nobody knows the best ω of a pile.");
+            "the sweeps, and each sweep has twice the rows. With the best ω they take only twice the sweeps, "
+            "but nobody knows the best ω of a pile.");
 }
 
 void draw_precision(Page& page, const CostRun& run) {
@@ -92,10 +92,11 @@ void draw_precision(Page& page, const CostRun& run) {
   const std::string least = render::significant(run.single.error.back(), 2);
   page.note(
       halves[1], "The last digits",
-      fmt::format("Both lose the same share of the error in every sweep. In float the digits end at {}: "
-                  "each sweep rounds, and a rounding spreads through the tower like any other error. A "
-                  "game needs far fewer digits; sweeps after that are wasted.",
-                  least));
+      fmt::format(
+          "Both lose the same share of the error in every sweep. In float the error stops shrinking at {}: "
+          "each sweep rounds, and a rounding error spreads through the tower like any other. A "
+          "game needs far fewer digits; sweeps after that are wasted.",
+          least));
 }
 
 render::Plot update_plot(const Page& page, const CostRun& run) {
@@ -136,10 +137,10 @@ void draw_updates(Page& page, const CostRun& run) {
   draw_plot(page, halves[0], update_plot(page, run));
   const List<Rect> right = rows(halves[1], {0.64, 0.36}, page.sizes().gap);
   page.table(right[0], "one row update of a tower, preparation included", update_table(run));
-  page.note(
-      right[1], "The machine",
-      "A row of a dense A has as many entries as there are rows, and naive PGS computes all velocities "
-      "for each λ: both grow with the tower. The last line knows this tower by heart and looks nothing up.");
+  page.note(right[1], "The machine",
+            "A row of a dense A has as many entries as there are rows, and naive PGS computes all velocities "
+            "for each λ: both grow with the tower. The last line is written for this tower only and looks "
+            "nothing up.");
 }
 
 }  // namespace

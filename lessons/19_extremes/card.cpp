@@ -9,7 +9,7 @@ LessonInfo card() {
       .name = "extremes",
       .title = "Extremes",
       .idea =
-          "Every method has limits. You can often compute where they lie; to notice that something has "
+          "Every method has limits. You can often compute where they lie. To notice that a simulation has "
           "passed one, you need to know where to look.",
       .paper = "paper 4.5, eq (7), (14), (22)",
       .equations = {"(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)         two boxes, R = mass above / mass below:",

@@ -19,10 +19,10 @@ LessonInfo card() {
       .reads = {"src/world/plan.hpp", "src/world/sleeping.hpp", "src/solvers/stopping.hpp"},
       .question =
           "A pyramid and a tower stand, a chain swings, a ball flies. If each step ends once the errors "
-          "are down to a thousandth instead of after 50 sweeps, 91 % of the row updates are left. If "
-          "pyramid, tower and chain each end by themselves: how many per cent?",
+          "are down to a thousandth instead of after 50 sweeps, 91 % of the row updates are left. How many "
+          "per cent are left if pyramid, tower and chain each end by themselves?",
       .spoilers = {"39", "0.85 m"},
-      .hints = {"Whom does everybody wait for, in a step that ends for all at once?",
+      .hints = {"If a step ends for all at once, which island does everybody wait for?",
                 "The islands are seldom hard to satisfy in the same step.",
                 "The tower has 40 of the 150 rows, and needs the most sweeps."},
       .parameters = {{"sweeps", 50, 1, 200, "", "in every step, at most", Parameter::Kind::whole},

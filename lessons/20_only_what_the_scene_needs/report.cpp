@@ -22,8 +22,8 @@ void print_bills(Lesson& lesson, const NeedsRun& all) {
         1e6 * run.seconds / steps, 1000 * run.off_before, 1000 * run.off_after));
   }
   lesson.print(
-      "µs: of whole steps, with the search for contacts, here and now; never checked. R_E costs a pass "
-      "itself.");
+      "µs: of whole steps, with the search for contacts, on this machine; never checked. R_E itself costs a "
+      "pass.");
   lesson.print(
       all.touch > 0
           ? fmt::format("off: how far bodies are from where they should be, before and after step {}, in "
@@ -125,12 +125,11 @@ void report(Lesson& lesson, const NeedsRun& all) {
   lesson.print();
   print_bills(lesson, all);
   print_steps(lesson, all);
-  lesson.answer(
-      {100.0 * static_cast<double>(all.runs[by_islands].updates) /
-       static_cast<double>(all.runs[everything].updates)},
-      5,
-      "Per cent. The tower needs all sweeps in most steps. In one piece, pyramid and chain are swept as "
-      "often, although a few sweeps would do for them.");
+  lesson.answer({100.0 * static_cast<double>(all.runs[by_islands].updates) /
+                 static_cast<double>(all.runs[everything].updates)},
+                5,
+                "Per cent. The tower needs all sweeps in most steps. In one piece with it, the pyramid and "
+                "the chain are swept just as often, although a few sweeps are enough for them.");
   check_all(lesson, all);
 }
 
