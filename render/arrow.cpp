@@ -272,4 +272,11 @@ void draw_scale_key(Page& page, const ArrowScale& scale, const Point& corner) {
   page.canvas().text({corner.x() + length + 8, std::round(baseline_around(y, style.size))}, text, style);
 }
 
+void draw_length(Page& page, const Point& from, const Point& to, const Stroke& stroke) {
+  const Point along = (to - from).normalized();
+  const Point tick = 6 * Point(-along.y(), along.x());
+  page.canvas().line(from, to, stroke);
+  for (const Point& end : {from, to}) page.canvas().line(end - tick, end + tick, stroke);
+}
+
 }  // namespace cairn::render

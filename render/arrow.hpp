@@ -37,4 +37,7 @@ void draw_friction_limit(Page& page, const Camera& camera, const ArrowScale& sca
 /// A bar as long as an arrow of a round value, with that value: "10 N". Its bottom left corner at `corner`.
 void draw_scale_key(Page& page, const ArrowScale& scale, const Point& corner);
 
+/// A dimension line: from one point to another [px], with a short stroke across each end.
+void draw_length(Page& page, const Point& from, const Point& to, const Stroke& stroke);
+
 }  // namespace cairn::render

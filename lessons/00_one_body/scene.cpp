@@ -29,12 +29,9 @@ Camera camera_of(const Rect& rect, const Story& story) {
   return fit(rect, seen);
 }
 
-/// A level or upright length with a tick at both ends; the text is at its right.
-void draw_length(Page& page, const Point& from, const Point& to, const std::string& text) {
-  const Stroke stroke = {.width = page.sizes().axis, .color = page.theme().text};
-  const Point tick = 5 * perpendicular(Point((to - from).normalized()));
-  page.canvas().line(from, to, stroke);
-  for (const Point& end : {from, to}) page.canvas().line(end - tick, end + tick, stroke);
+/// A level or upright length, with its text at its right.
+void measure(Page& page, const Point& from, const Point& to, const std::string& text) {
+  draw_length(page, from, to, {.width = page.sizes().axis, .color = page.theme().text});
   const TextStyle style = page.value();
   page.canvas().text({std::max(from.x(), to.x()) + 9, (from.y() + to.y() + 0.7 * style.size) / 2}, text,
                      style);
@@ -105,7 +102,7 @@ void draw_enlarged(Page& page, const Camera& scene, const Flight& flight, int st
               {.width = page.sizes().curve, .color = style.color, .dash = style.dash});
     const Point end = camera.project((*path)[step]);
     draw_marker(page.canvas(), end, style.marker, 1.4 * page.sizes().marker, style.color);
-    draw_length(page, exact + aside, end + aside, significant(error, 3) + " m");
+    measure(page, exact + aside, end + aside, significant(error, 3) + " m");
   }
   page.canvas().pop_clip();
 }
@@ -116,7 +113,7 @@ void draw_asked(Page& page, const Camera& camera, const Flight& flight) {
   page.canvas().line(start, end,
                      {.width = page.sizes().axis, .color = page.theme().secondary_text, .dash = {8, 6}});
   const Point half(0, 0.4 * camera.scale);
-  draw_length(page, end - half, end + half, "? m");
+  measure(page, end - half, end + half, "? m");
 }
 
 Series error_series(const Flight& flight, const List<Vec2<double>>& path, int step, const std::string& name,
@@ -152,7 +149,7 @@ void draw_scene(Page& page, const Rect& rect, const Story& story, const SceneLoo
   if (look.asks) draw_asked(page, camera, flight);
   // How long a metre is, because the answer is a length.
   const Point right(rect.x + rect.width - 48, rect.y + rect.height - 6);
-  draw_length(page, right - Point(camera.scale, 0), right, "1 m");
+  measure(page, right - Point(camera.scale, 0), right, "1 m");
 }
 
 void draw_errors(Page& page, const Rect& rect, const Story& story, int step) {

@@ -149,23 +149,14 @@ void draw_limits(Page& page, const DriftRuns& all) {
   page.table(rest, "", table);
 }
 
-/// An upright length with a tick at both ends.
-void draw_height(Page& page, const render::Camera& camera, const Vec2<double>& from, const Vec2<double>& to) {
-  const render::Stroke stroke{.width = page.sizes().outline, .color = page.theme().text};
-  page.canvas().line(camera.project(from), camera.project(to), stroke);
-  for (const Vec2<double>& end : {from, to}) {
-    const render::Point at = camera.project(end), tick(6, 0);
-    page.canvas().line(at - tick, at + tick, stroke);
-  }
-}
-
 /// How deep all balls are, and how high the one with beta = 1 comes: both, or the height alone.
 void draw_lengths(Page& page, const render::Camera& camera, const DriftRuns& all, const BallLook& look) {
   const double x = ball_pitch * (all.balls.size() - 1), depth = all.settings.depth;
   render::TextStyle style{.size = 20, .color = page.theme().text, .bold = true, .halo = page.theme().panel};
+  const render::Stroke stroke{.width = page.sizes().outline, .color = page.theme().text};
   if (look.measured) {
     const double peak = ball_of(all, 1).height[look.step];
-    draw_height(page, camera, {x, 0}, {x, peak});
+    draw_length(page, camera.project({x, 0}), camera.project({x, peak}), stroke);
     page.canvas().text(camera.project({x + 0.08, 0.5 * peak}), render::significant(peak) + " m", style);
   }
   if (!look.asks) return;
@@ -174,7 +165,7 @@ void draw_lengths(Page& page, const render::Camera& camera, const DriftRuns& all
   page.canvas().polyline(way, {.width = page.sizes().outline, .color = page.theme().text, .dash = {8, 6}});
   page.canvas().text(camera.project({x + 0.08, top + 0.4}), "? m", style);
   const double between = 0.5 * ball_pitch;
-  draw_height(page, camera, {between, 0}, {between, -depth});
+  draw_length(page, camera.project({between, 0}), camera.project({between, -depth}), stroke);
   style.align = render::Align::center;
   style.halo = page.theme().static_body;
   page.canvas().text(camera.project({between, -depth - 0.16}), fmt::format("{:g} mm", 1000 * depth), style);

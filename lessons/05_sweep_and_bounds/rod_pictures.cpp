@@ -25,11 +25,9 @@ Pair pair_of(const PerRow<double>& lambda) { return {lambda[0], lambda[1]}; }
 
 /// "1 m" below a line between two places along the rod.
 void draw_distance(Page& page, const render::Camera& camera, double from, double to) {
-  const render::Stroke stroke{.width = 1.5, .color = page.theme().secondary_text};
   const double y = -0.17;
-  page.canvas().line(camera.project({from, y}), camera.project({to, y}), stroke);
-  for (const double x : {from, to})
-    page.canvas().line(camera.project({x, y + 0.05}), camera.project({x, y - 0.05}), stroke);
+  draw_length(page, camera.project({from, y}), camera.project({to, y}),
+              {.width = 1.5, .color = page.theme().secondary_text});
   render::TextStyle style = page.value();
   style.align = render::Align::center;
   page.canvas().text(camera.project({(from + to) / 2, y}) + Point(0, 6 + style.size), brief(to - from) + " m",

@@ -147,10 +147,7 @@ void draw_dimension(Page& page, const render::Camera& camera, const Vec2<double>
                     const std::string& text, const render::Color& color) {
   const Point from = camera.project({0, 0}), to = camera.project(end);
   const Point along = (to - from).normalized(), across(-along.y(), along.x());
-  const render::Stroke stroke{.width = 2, .color = color};
-  page.canvas().line(from + aside * across, to + aside * across, stroke);
-  for (const Point& tip : {from, to})
-    page.canvas().line(tip + (aside - 6) * across, tip + (aside + 6) * across, stroke);
+  draw_length(page, from + aside * across, to + aside * across, {.width = 2, .color = color});
   render::TextStyle style = name_style(page, page.sizes().title, color);
   style.align = aside > 0 ? render::Align::left : render::Align::right;
   page.canvas().text(0.5 * (from + to) + (aside + (aside > 0 ? 14 : -14)) * across, text, style);
