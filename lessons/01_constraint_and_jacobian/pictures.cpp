@@ -29,7 +29,7 @@ using Shared = std::shared_ptr<const Story>;
 
 const char* const coordinate_names[] = {"x", "y", "θ"};
 
-std::string triple(const Vec3<double>& v) {
+std::string components(const Vec3<double>& v) {
   return fmt::format("({}, {}, {})", significant(v.x()), significant(v.y()), significant(v.z()));
 }
 
@@ -146,7 +146,7 @@ void draw_motion(Page& page, const Rod& rod, const Motion& motion) {
       page, rod, {.pose = rod.pose, .close = true, .circles = true, .velocity = motion.velocity}, 0.42);
   const Vec3<double>&j = rod.jacobian, &v = motion.velocity;
   page.equation(parts[0], {.number = "eq (5)",
-                           .symbols = "dc/dt = j·v,   v = " + triple(v),
+                           .symbols = "dc/dt = j·v,   v = " + components(v),
                            .numbers = fmt::format("= {} + {} + {}", product(j.x(), v.x()),
                                                   product(j.y(), v.y()), product(j.z(), v.z())),
                            .result = fmt::format("= {} m/s: {}", significant(motion.rate),
@@ -162,7 +162,7 @@ void draw_force(Page& page, const Story& story) {
       parts[0],
       {.number = "eq (9), (10)",
        .symbols = "f = j^{T} λ",
-       .numbers = fmt::format("= {} × ({} N)", triple(rod.jacobian), significant(rod.settings.lambda)),
+       .numbers = fmt::format("= {} × ({} N)", components(rod.jacobian), significant(rod.settings.lambda)),
        .result =
            fmt::format("= ({} N, {} N, {} N m)", significant(f.x()), significant(f.y()), significant(f.z())),
        .color = page.theme().normal});
@@ -275,7 +275,7 @@ List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
       shot(story, "j: which way",
            "An arrow along the rod, at right angles to the circle c = 0, and an arc around the box: "
            "j = " +
-               triple(rod.jacobian),
+               components(rod.jacobian),
            draw_jacobian));
   for (int k = 0; k < 3; ++k) shots.push_back(nudge_shot(story, k));
   for (const Shot& next : motion_shots(story)) shots.push_back(next);
