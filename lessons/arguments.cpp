@@ -233,7 +233,8 @@ void read_data(const LessonInfo& info, const CLI::App& app, const Texts& texts, 
 void read_teaching(const LessonInfo& info, const CLI::App& app, const Texts& texts, Options& options) {
   if (app.count("--answer") > 0) {
     options.answer = parse_numbers(texts.answer);
-    if (!options.answer) refuse(info, "--answer must be numbers between commas, got " + texts.answer);
+    if (!options.answer)
+      refuse(info, "--answer must be numbers between commas, without units, got " + texts.answer);
   }
   if (app.count("--hint") == 0) return;
   const int most = info.hints.size();

@@ -14,7 +14,8 @@
 
 namespace cairn {
 
-/// A wrong number that gives away how it came about.
+/// A wrong number that gives away how it came about. Without words where another mark has them: what follows
+/// from one mistake is no second one.
 struct Misconception {
   double value = 0;       // that an answer gives which rests on it; may be infinite or NaN
   std::string what = {};  // "That is the force: an impulse is the force times dt."

@@ -137,7 +137,16 @@ TEST_CASE("an answer on the command line is judged, and a wrong one gives exit c
   const Ran wrong = run_in_child(lesson, {"--answer", "42.6,-1"});
   CHECK(wrong.code == 1);
   CHECK(says(wrong.out, "NOT YET  you said 42.60, −1.000; it is 42.00, −1.000"));
-  CHECK(code_of(lesson, {"--answer", "42"}) == 1);
+  const Ran fewer = run_in_child(lesson, {"--answer", "42"}),
+            more = run_in_child(lesson, {"--answer", "42,0,-1"});
+  CHECK(fewer.code == 1);
+  CHECK(says(fewer.out, "NOT YET  you said 1 number, and the question asks for 2: a comma stands between"));
+  CHECK(more.code == 1);
+  CHECK(says(more.out, "NOT YET  you said 3 numbers, and the question asks for 2"));
+  // What is printed alike is right, however small the tolerance.
+  const auto third = [](Lesson& run) { run.answer({1 / 3.0}, 0, "By division."); };
+  CHECK(code_of(third, {"--answer", "0.3333"}) == 0);
+  CHECK(code_of(third, {"--answer", "0.333"}) == 1);
   CHECK(code_of(lesson, {"--predict"}) == 0);  // no terminal, so no prompt
 }
 

@@ -51,18 +51,23 @@ static void grade_rod(grading::Report& report) {
   const double from_origin = turn2 + two.position[0] * uy - two.position[1] * ux;
   const Row row = rod(bodies, 1, {0.5, 0.25}, 2, {-0.5, -1}, length);
 
-  report.number(row.c, {"a rod between two turned boxes: c (m)",
-                        rod_is.distance - length,
-                        {{length - rod_is.distance, "The sign: c is positive where the rod is too long."},
-                         {rod_is.distance * rod_is.distance - length * length,
-                          "Those are m²: c is |p2 − p1| − length, without squares."},
-                         {flat, "The points are fixed in their bodies: turn them by the body's angle."},
-                         {turned_back(one, two, length), "Turned the other way: (c x − s y, s x + c y)."},
-                         {rod_is.distance, "c is what is left when the length is taken away."}}});
+  report.number(row.c,
+                {"a rod between two turned boxes: c (m)",
+                 rod_is.distance - length,
+                 {{std::hypot(two.position[0] - one.position[0], two.position[1] - one.position[1]) - length,
+                   "The rod is between points of the bodies, not between their centres."},
+                  {length - rod_is.distance, "The sign: c is positive where the rod is too long."},
+                  {rod_is.distance * rod_is.distance - length * length,
+                   "Those are m²: c is |p2 − p1| − length, without squares."},
+                  {flat, "The points are fixed in their bodies: turn them by the body's angle."},
+                  {turned_back(one, two, length), "Turned the other way: (c x − s y, s x + c y)."},
+                  {rod_is.distance, "c is what is left when the length is taken away."}}});
   report.number(row.body1,
                 {"the rod: body1",
                  1,
                  {{2, "The bodies are swapped."}, {0, "body1 and body2 of the row are not set."}}});
+  report.number(row.body2, {"the rod: body2", 2, {{1, ""}, {0, "body2 of the row is not set."}}});
+  const bool backwards = std::abs(row.j2[0] + ux) < 1e-9;  // u leads the other way
   report.number(row.j2[0], {"the rod: j2[0]",
                             ux,
                             {{-ux, "The sign: c grows when body 2 moves along u, from point 1 to point 2."},
@@ -73,12 +78,16 @@ static void grade_rod(grading::Report& report) {
                              {-rod_is.dx, "u is a unit vector: divide by the distance."}}});
   report.number(row.j2[2], {"the rod: j2[2] (m)",
                             turn2,
-                            {{-turn2, "r × u is r_x u_y − r_y u_x: the order is reversed."},
+                            {{-turn2, backwards ? "" : "r × u is r_x u_y − r_y u_x: the order is reversed."},
+                             {turn1, "j2 needs the arm of body 2."},
+                             {rod_is.r2x * ux + rod_is.r2y * uy, "That is r·u. A turn comes in by r × u."},
                              {from_origin, "The arm r begins at the body's centre, not at the origin."},
                              {0, "A turn about the centre moves the point, too: r × u."}}});
   report.number(row.j1[2], {"the rod: j1[2] (m)",
                             -turn1,
-                            {{turn1, "The sign: all of j1 has a minus, its turn as well."},
+                            {{turn1, row.j1[0] > 0 || row.j2[2] * turn2 < 0
+                                         ? ""
+                                         : "The sign: all of j1 has a minus, its turn as well."},
                              {-turn2, "j1 needs the arm of body 1."},
                              {0, "A turn about the centre moves the point, too: r × u."}}});
 }
@@ -99,6 +108,15 @@ static void grade_rate(grading::Report& report) {
                   {part1, "Body 2 is missing: a row has six numbers."},
                   {part2 - part1, "Add both parts: the minus is in j1 already."},
                   {part1 + part2 - turns, "An index too few: the third number belongs to the turn."}}});
+  const Row other = rod(bodies, 2, {-0.5, -1}, 1, {0.5, 0.25}, 3);
+  double fixed = 0;  // as if every row were between bodies 1 and 2
+  for (std::size_t k = 0; k < 3; ++k)
+    fixed += other.j1[k] * bodies[1].velocity[k] + other.j2[k] * bodies[2].velocity[k];
+  report.number(
+      rate(other, bodies),
+      {"j·v of the rod from body 2 to body 1 (m/s)",
+       part1 + part2,
+       {{fixed, row.body1 != 1 ? "" : "A row says which bodies it has: row.body1 and row.body2."}}});
   const RodParts rod_is = rod_parts(bodies[1], 0.5, 0.25, bodies[2], -0.5, -1);
   if (!(std::abs(row.c - (rod_is.distance - 3)) < 1e-9)) return;  // the slope of another c says nothing of j
   const double h = 1e-5;

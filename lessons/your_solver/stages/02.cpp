@@ -56,7 +56,14 @@ static void grade_correction(grading::Report& report) {
                  -slanted_rate / inverse,
                  {{slanted_rate / inverse, "The sign: (22) has ζ − j·v, and ζ is 0 here."},
                   {-slanted_rate * inverse, "Divide by j M⁻¹ jᵀ: the effective mass is its inverse."},
+                  {0, "Nothing is clamped here: a row pushes and pulls."},
                   {-slanted_rate, "That is a velocity: multiply by the effective mass."}}});
+  // The bodies in each other's place: j·v is -2.65 + 1.6, and j M⁻¹ jᵀ is 2.75 + 1.25.
+  report.number(correction(slanted_row(2, 1), bodies),
+                {"correction for a row whose points close in (N s)",
+                 1.05 / 4,
+                 {{-1.05 / 4, "The sign: (22) has ζ − j·v, and ζ is 0 here."},
+                  {0, "Nothing is clamped here: a row pushes and pulls."}}});
 }
 
 static void grade_push(grading::Report& report) {
@@ -70,14 +77,22 @@ static void grade_push(grading::Report& report) {
                  {{-3 - 0.8 * 0.5, "M⁻¹ is missing: an impulse moves a light body more."},
                   {-3 + 0.8 * 0.5 * 2, "The sign: v ← v + M⁻¹ jᵀ λΔt."},
                   {-3 - 0.8 * 0.5 / 2, "That is m: multiply by the inverse mass."},
+                  {-0.8, "Add to the velocity: do not replace it."},
                   {-3, "Body 2 is missing: the push has two ends."}}});
   report.number(bodies[2].velocity[2],
                 {"ω of body 2 (rad/s)", turn, {{-1, "The turn is missing: j has three numbers a body."}}});
-  report.number(bodies[1].velocity[0], {"v_x of body 1 (m/s)",
-                                        other,
-                                        {{1, "Body 1 is missing: the push has two ends."},
-                                         {1 + 0.5 * 0.6 * 0.5, "The sign: j1 has its minus already."},
-                                         {1 + 2 * -0.6 * 0.5, "Each body has its own inverse mass."}}});
+  report.number(bodies[1].velocity[2],
+                {"ω of body 1 (rad/s)",
+                 2 + 3 * 0.25 * 0.5,
+                 {{2, bodies[1].velocity[0] == 1 ? "" : "The turn is missing: j has three numbers a body."},
+                  {2 + 3 * 0.5 * 0.5, "Those are the numbers of body 2: body 1 has j1."}}});
+  const bool has_j2 = std::abs(bodies[1].velocity[2] - 2.75) < 1e-9;
+  report.number(bodies[1].velocity[0],
+                {"v_x of body 1 (m/s)",
+                 other,
+                 {{1, "Body 1 is missing: the push has two ends."},
+                  {1 + 0.5 * 0.6 * 0.5, has_j2 ? "" : "The sign: j1 has its minus already."},
+                  {1 + 2 * -0.6 * 0.5, "Each body has its own inverse mass."}}});
   std::vector<Body> stopped = two_masses();
   apply_impulse(row, correction(row, stopped), stopped);
   report.number(rate(row, stopped), {"j·v after the row's own correction (m/s)", 0, {}});

@@ -14,12 +14,18 @@ static void grade_contact(grading::Report& report) {
   report.number(row.j2[2], {"the contact: j2[2] (m)",
                             0.5,
                             {{0.75, "The arm begins at the body's centre: subtract it from the point."},
+                             {-2.25, "The arms are swapped: r2 leads to the point from body 2."},
                              {-0.5, "r × n is r_x n_y − r_y n_x: the order is reversed."},
                              {0, "A push beside the centre turns the box: r × n."}}});
   report.number(row.j1[2], {"the contact: j1[2] (m)",
                             2.25,
                             {{-2.25, "The sign: all of j1 has a minus."},
                              {-0.75, "The arm begins at the body's centre: subtract it from the point."}}});
+  const Row beside = contact(bodies, 0, 1, {0.75, 0.75}, {0.6, 0.8}, 0);
+  report.number(beside.j2[0],
+                {"a contact with the normal (0.6, 0.8): j2[0]",
+                 0.6,
+                 {{0, row.j2[1] == 1 ? "The normal is given: it need not lead upwards." : ""}}});
   const double infinite = 1.0 / 0.0;
   report.number(row.lower, {"the contact: lower bound (N s)",
                             0,
@@ -43,6 +49,8 @@ static void grade_bounds(grading::Report& report) {
                 {"bounds from −0.3 to 0.2 N s, Δt = 0.05 s: lower (N)",
                  -0.3 / 0.05,
                  {{-0.3, "The factor 1/Δt is missing: λ is a force, a row's bounds are impulses."},
+                  {0.2 / 0.05, "Lower and upper are swapped."},
+                  {0, "Bounds belong to the row: row.lower, not 0."},
                   {-0.3 * 0.05, "Divide by Δt: λ is a force."}}});
   report.number(system.upper[0],
                 {"upper (N)", 0.2 / 0.05, {{0.2, "The factor 1/Δt is missing: λ is a force."}}});
@@ -68,55 +76,94 @@ static void grade_sweeps(grading::Report& report) {
   const double all = 1e9;
   const System chain = made_system({{2, -1, 0}, {-1, 2.5, -2}, {0, -2, 4}}, {10, 0, 1}, -all, all);
   const std::vector<double> once = swept(chain, 1), twice = swept(chain, 2);
+  const char* const order = "The order: a sweep goes from the first row to the last.";
+  const char* const before = "The rows before row i count as well: all k ≠ i.";
+  const bool is_jacobi = twice[1] > 1, is_backwards = std::abs(once[1] - 0.2) < 1e-9;
   report.number(once[0], {"three rows, one sweep: λ of the first (N)",
                           10 / 2.0,
                           {{10, "Divide by A_ii."},
+                           {5.1, order},
                            {0, "The first row was not visited, or lambda is a copy."},
                            {20, "Divide by A_ii, do not multiply."}}});
-  report.number(once[1], {"of the second (N)",
-                          5 / 2.5,
-                          {{0, "That is Jacobi: use the newest λ, that of row 1 included."},
-                           {-5 / 2.5, "The sign: b − Σ A_ik λ_k."},
-                           {-10 / 2.5 * 0.5, "The sign: b − Σ A_ik λ_k."}}});
+  report.number(once[1],
+                {"of the second (N)",
+                 5 / 2.5,
+                 {{0, is_jacobi ? "That is Jacobi: use the newest λ, that of row 1 included." : before},
+                  {0.2, order},
+                  {-5 / 2.5, "The sign: b − Σ A_ik λ_k."},
+                  {-10 / 2.5 * 0.5, "The sign: b − Σ A_ik λ_k."}}});
   report.number(once[2], {"of the third (N)",
                           (1 + 2 * 2) / 4.0,
-                          {{0.25, "That is Jacobi: use the newest λ."},
+                          {{0.25, is_backwards ? order
+                                  : is_jacobi  ? "That is Jacobi: use the newest λ."
+                                               : before},
                            {0, "An index too few: the last row was not visited."}}});
-  report.number(twice[0], {"two sweeps: of the first (N)",
-                           (10 + 2) / 2.0,
-                           {{(10 + 2 - 2 * 5) / 2.0, "The sum leaves the row's own λ out: k ≠ i."},
-                            {5, "The second sweep begins with what the first has found."},
-                            {5 + 6, "λ_i is replaced, not added to: (28) gives the whole λ."}}});
+  report.number(
+      twice[0],
+      {"two sweeps: of the first (N)",
+       (10 + 2) / 2.0,
+       {{(10 + 2 - 2 * 5) / 2.0, "The sum leaves the row's own λ out: k ≠ i."},
+        {5,
+         once[1] == 0 ? "" : "The second sweep begins with what the first has found, and all k ≠ i count."},
+        {5 + 6, "λ_i is replaced, not added to: (28) gives the whole λ."}}});
 }
 
-static void grade_clamp(grading::Report& report) {
+/// Three rows of which each meets both others; whether they and the chain are swept as they should be.
+static bool grade_star(grading::Report& report) {
+  const double all = 1e9;
+  const std::vector<double> once =
+      swept(made_system({{2, 1, 1}, {1, 2, 1}, {1, 1, 2}}, {8, 0, 0}, -all, all), 1);
+  report.number(once[2], {"three rows that all meet, one sweep: λ of the third (N)",
+                          -1,
+                          {{1, once[1] == -2 ? "All other rows count, not only those beside row i." : ""}}});
+  return once[2] == -1;
+}
+
+static void grade_clamp(grading::Report& report, bool sweeps) {
   const double all = 1e9;
   // The lesson's rod on two supports, with other numbers: without bounds row 1 would pull.
   const System supports = made_system({{1, 0.75}, {0.75, 1}}, {10, 22.5}, 0, all);
   const std::vector<double> twice = swept(supports, 2);
-  report.number(twice[0], {"two supports, two sweeps: λ of the first (N)",
-                           0,
-                           {{10 - 0.75 * 15, "A contact cannot pull: clamp λ between its bounds."},
-                            {10, "Clamp λ itself, not what is added to it: it may go down again."}}});
-  report.number(twice[1], {"of the second (N)",
-                           22.5,
-                           {{22.5 + 0.75 * 1.25, "Clamp at once, in row 1's turn: row 2 has to see it."},
-                            {15, "The second row has to see that the first gives nothing."}}});
+  const double motor = swept(made_system({{2}}, {10}, -all, 3), 1)[0];
+  const char* const end =
+      "What is out of the bounds goes to the bound: not to 0, and not to the λ of before.";
+  const char* const undivided = "Clamp λ itself, after the division by A_ii.";
+  report.number(twice[0],
+                {"two supports, two sweeps: λ of the first (N)",
+                 0,
+                 {{10 - 0.75 * 15, "A contact cannot pull: clamp λ between its bounds."},
+                  {10, !sweeps      ? ""
+                       : motor == 0 ? end
+                                    : "Clamp λ itself, not what is added to it: it may go down again."}}});
   report.number(
-      swept(made_system({{2}}, {10}, -all, 3), 1)[0],
-      {"a motor with at most 3 N, where 5 N are needed (N)", 3, {{5, "The upper bound is not used."}}});
+      twice[1],
+      {"of the second (N)",
+       22.5,
+       {{22.5 + 0.75 * 1.25, "Clamp at once, in row 1's turn: row 2 has to see it."},
+        {15, sweeps && twice[0] == 0 ? "The second row has to see that the first gives nothing." : ""}}});
+  report.number(motor, {"a motor with at most 3 N, where 5 N are needed (N)",
+                        3,
+                        {{5, "The upper bound is not used."}, {0, end}, {1.5, undivided}}});
   report.number(swept(made_system({{2}}, {-10}, -4, all), 1)[0],
                 {"a lower bound of −4 N, where −5 N are needed (N)",
                  -4,
-                 {{0, "Bounds belong to the row: clamp to system.lower, not to 0."},
+                 {{0, motor == 0 ? end : "Bounds belong to the row: clamp to system.lower, not to 0."},
+                  {-2, undivided},
                   {-5, "The lower bound is not used."}}});
+  System both = made_system({{2, 0}, {0, 2}}, {10, 10}, -all, all);
+  both.upper[1] = 2;
+  report.number(swept(both, 1)[1],
+                {"a row with a bound behind one without: λ of the second (N)",
+                 2,
+                 {{5, motor == 3 ? "Each row has its own bounds: lower[i] and upper[i]." : ""}}});
 }
 
 static void grade_05(grading::Report& report) {
   grade_contact(report);
   grade_bounds(report);
   grade_sweeps(report);
-  grade_clamp(report);
+  const bool sweeps = grade_star(report);
+  grade_clamp(report, sweeps);
 }
 
 /// With those before it.

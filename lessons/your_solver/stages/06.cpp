@@ -64,20 +64,39 @@ static void grade_tower(grading::Report& report) {
                                   line.impulse[1],
                                   {{0, "row.impulse has not changed: add the push to the rows of the list."},
                                    {-line.impulse[1], "The sign: boxes that close in are pushed apart."}}});
-  report.number(rows[1].impulse, {"of the second row (N s)",
-                                  line.impulse[2],
-                                  {{0, "No row has changed a velocity: apply each push at once."},
-                                   {2 * line.impulse[2], "Each push has been applied twice."}}});
+  // What an impulse of 0 comes from shows in the velocities, and in a second sweep.
+  std::vector<Body> later_bodies = bodies;
+  std::vector<Row> later = rows;
+  sweep(later, later_bodies);
+  LineTower later_line = line;
+  later_line.sweep_by_hand();
+  const bool is_kept = rows[0].impulse != 0, has_moved = bodies[1].velocity[1] != -0.5;
+  const char* why_nothing = "No row has changed a velocity: apply each push at once.";
+  if (has_moved && later[1].impulse == 0)
+    why_nothing = "The second row was not visited: a sweep visits all rows.";
+  if (std::abs(later[0].impulse - later_line.impulse[1]) < 1e-9)
+    why_nothing = "The order: a sweep goes from the first row to the last.";
+  if (bodies[1].velocity[1] < -0.5) why_nothing = "The sign: apply the push as it is.";
+  if (!is_kept) why_nothing = "";
+  report.number(rows[1].impulse,
+                {"of the second row (N s)",
+                 line.impulse[2],
+                 {{0, why_nothing}, {2 * line.impulse[2], "Each push has been applied twice."}}});
   report.number(
       rows[2].impulse,
       {"of the third row (N s)",
        line.impulse[3],
-       {{0, "No row has changed a velocity in time: apply each push at once, not after the sweep."}}});
-  report.number(bodies[1].velocity[1],
-                {"velocity of the lowest box (m/s)",
-                 line.v[1],
-                 {{0, "The second row pushes the lowest box down again: both ends."},
-                  {-0.5, "No push has reached the bodies: apply it, to the bodies of the list."}}});
+       {{0, !is_kept               ? ""
+            : rows[1].impulse != 0 ? "The last row was not visited."
+            : later[1].impulse == 0 || !has_moved || later_line.impulse[1] == later[0].impulse
+                ? why_nothing
+                : "No row has changed a velocity in time: apply each push at once, not after the sweep."}}});
+  report.number(
+      bodies[1].velocity[1],
+      {"velocity of the lowest box (m/s)",
+       line.v[1],
+       {{0, rows[1].impulse == 0 ? "" : "The second row pushes the lowest box down again: both ends."},
+        {-0.5, "No push has reached the bodies: apply it, to the bodies of the list."}}});
   const double first = line.impulse[1];
   sweep(rows, bodies);
   line.sweep_by_hand();
@@ -86,7 +105,24 @@ static void grade_tower(grading::Report& report) {
       {"two sweeps: impulse on the ground (N s)",
        line.impulse[1],
        {{line.impulse[1] - first, "The second push has replaced the first: row.impulse is the sum."},
-        {first, "The second sweep has not pushed."}}});
+        {first, rows[1].impulse == 0 ? "" : "The second sweep has not pushed."}}});
+}
+
+static void grade_two_sweeps(grading::Report& report) {
+  std::vector<Body> bodies = falling_tower({2}, 1);
+  std::vector<Row> rows = {upright_row(0, 1)};
+  rows[0].bias = 0.25;
+  sweep(rows, bodies);
+  report.number(rows[0].impulse, {"2 kg that falls at 1 m/s and is to rise at 0.25 m/s: impulse (N s)",
+                                  2 * 1.25,
+                                  {{2, "Use the row's correction: it has the bias in it."}}});
+  const bool stops = std::abs(bodies[1].velocity[1] - 0.25) < 1e-9;
+  bodies[1].velocity[1] -= 0.5;
+  sweep(rows, bodies);
+  report.number(bodies[1].velocity[1],
+                {"pushed down by 0.5 m/s, and swept again: velocity (m/s)",
+                 0.25,
+                 {{1.5, stops ? "Apply the push: the rest of the sum was applied before." : ""}}});
 }
 
 static void grade_one_row(grading::Report& report) {
@@ -117,6 +153,7 @@ static void grade_one_row(grading::Report& report) {
 
 static void grade_06(grading::Report& report) {
   grade_tower(report);
+  grade_two_sweeps(report);
   grade_one_row(report);
 }
 

@@ -57,9 +57,10 @@ static std::vector<Row> rows_between(const std::vector<Row>& rows, int body1, in
 
 static double count_of(const std::vector<Row>& rows) { return static_cast<double>(rows.size()); }
 
-static void grade_points(grading::Report& report) {
+/// Whether four contacts are found.
+static bool grade_points(grading::Report& report) {
   // The small box hangs over the right end of the large one, comes first in the list, and is slightly turned.
-  std::vector<Body> bodies = {make_box(0.75, 0.5, 0.5, 0.5, 1.249), make_box(1, 1, 2, 0.125, 0.5),
+  std::vector<Body> bodies = {make_box(0.75, 0.5, 3, 0.5, 1.249), make_box(1, 1, 2, 0.125, 0.5),
                               make_box(10, 1, 0, 0, -0.5)};
   bodies[0].position[2] = -0.002;
   const std::vector<Row> rows = contacts(bodies), upper = rows_between(rows, 1, 0),
@@ -68,12 +69,14 @@ static void grade_points(grading::Report& report) {
                 {"a small box on a large one on the ground: contacts",
                  4,
                  {{2, "Two boxes touch at two points: both ends of the width that they share."},
+                  {3, "What overlaps touches, however deep: look at the gap, not at its size."},
                   {6, "Boxes with another box between them do not touch: look at the gap."}}});
   report.number(count_of(upper),
                 {"with the large box as body 1, and the small one as body 2",
                  2,
                  {{0, "body 1 is the lower one of the two, wherever it stands in the list."}}});
-  if (upper.size() != 2 || lower.size() != 2) return;
+  const bool finds = rows.size() == 4;
+  if (upper.size() != 2 || lower.size() != 2) return finds;
   report.number(lower[0].j2[2],
                 {"large box on the ground, left point: j2[2] (m)",
                  -0.5,
@@ -94,6 +97,40 @@ static void grade_points(grading::Report& report) {
   report.number(upper[1].c, {"gap at the right point (m)",
                              right,
                              {{-0.001, "The box is turned: its face is not as high at both ends."}}});
+  return finds;
+}
+
+/// A box of 4 m on a box that is turned: the slope of the lower face, and points that are ends of the lower
+/// box.
+static void grade_turned_below(grading::Report& report, bool finds) {
+  std::vector<Body> bodies = {make_box(1, 1, 0, 0.25, 0.5), make_box(4, 1, 2, 0.5, 1.5)};
+  bodies[0].position[2] = -0.004;
+  const std::vector<Row> rows = contacts(bodies);
+  report.number(count_of(rows),
+                {"a box of 4 m on one of 1 m, which is turned by −0.004 rad: contacts",
+                 1,
+                 {{2, finds ? "The lower face has a slope as well: each point has a gap of its own." : ""},
+                  {0, finds ? "Each point for itself: one may touch where the other is open." : ""}}});
+  if (rows.size() != 1) return;
+  report.number(rows[0].j2[2], {"its point: j2[2] (m)",
+                                -0.75,
+                                {{0.25, "The sign of the slope: a face rises by angle · x."},
+                                 {-2, "The points lie within both widths."}}});
+  report.number(rows[0].c, {"its gap (m)", -0.002, {{0, "The lower face has a slope as well."}}});
+}
+
+/// Boxes in any order: not only neighbours in the list touch, and the heavy one need not be the lower.
+static void grade_any_order(grading::Report& report, bool finds) {
+  const std::vector<Row> rows =
+      contacts({make_box(10, 1, 0, 0, -0.5), make_box(1, 1, 2, -2, 0.5), make_box(1, 1, 2, 2, 0.5)});
+  report.number(count_of(rows), {"two boxes beside each other on the ground: contacts",
+                                 4,
+                                 {{2, finds ? "All pairs of the list count, not only neighbours in it." : ""},
+                                  {6, "Boxes side by side do not carry each other."}}});
+  const std::vector<Row> deep = contacts({make_box(10, 1, 0, 0, -0.5), make_box(1, 1, 2, 0, 0.4)});
+  report.number(count_of(deep), {"a box 0.1 m deep in the ground: contacts",
+                                 2,
+                                 {{0, finds ? "What overlaps touches, however deep." : ""}}});
 }
 
 static void grade_no_contact(grading::Report& report) {
@@ -113,7 +150,9 @@ static void grade_no_contact(grading::Report& report) {
 static void grade_07(grading::Report& report) {
   grade_landing(report);
   grade_taking_back(report);
-  grade_points(report);
+  const bool finds = grade_points(report);
+  grade_turned_below(report, finds);
+  grade_any_order(report, finds);
   grade_no_contact(report);
 }
 

@@ -49,15 +49,36 @@ static void grade_both_ways(grading::Report& report) {
                    {{line.impulse[1], "That is an impulse in N s: divide by Δt."},
                     {line.impulse[1] * dt, "Divide by Δt, do not multiply."},
                     {before[1] / dt, "Record λ after the sweep, not before it."},
+                    {(line.impulse[1] - before[1]) / dt,
+                     "That is the push of one sweep: row.impulse is the sum of all."},
                     {2 * 0.5 / dt, "Each sweep begins where the last one ended: keep rows and bodies."},
                     {(7 + line.impulse[1]) / dt, "Both begin from 0."}}});
   }
+}
+
+/// The last of three rows, so that each has its own λ.
+static void grade_last_row(grading::Report& report) {
+  const double dt = 0.05;
+  const std::vector<double> masses = {2, 0.5, 1};
+  const Record record = compare(tower_rows(3), falling_tower(masses, 0.5), dt, 2);
+  if (record.matrix.size() != 2 || record.impulses.size() != 2) return;
+  LineTower line(masses, 0.5);
+  for (int k = 0; k < 2; ++k) line.sweep_by_hand();
+  const char* const own = "Each row has its own λ.";
+  const double first = line.impulse[1] / dt, last = line.impulse[3] / dt;
+  report.number(record.matrix[1][2],
+                {"sweep 2: λ of the third row, with the matrix (N)", last, {{first, own}}});
+  report.number(record.impulses[1][2], {"with impulses (N)", last, {{first, own}}});
 }
 
 static void grade_feet(grading::Report& report) {
   const double dt = 0.05, half = 3, q = 5.0 / 11;  // as in stage 07
   const Landing landing;
   const Record record = compare(landing.rows, landing.bodies, dt, 3);
+  report.number(static_cast<double>(record.impulses.size()),
+                {"three sweeps: entries of record.impulses",
+                 3,
+                 {{4, "`sweeps` says how many there are."}, {10, "`sweeps` says how many there are."}}});
   if (record.matrix.size() != 3 || record.impulses.size() != 3) return;
   const double taken_back = half * (1 + std::pow(q, 5)) / dt;
   report.number(record.matrix[2][0], {"landing on two feet, sweep 3: with the matrix (N)", taken_back, {}});
@@ -67,18 +88,22 @@ static void grade_feet(grading::Report& report) {
 static void grade_bias_both_ways(grading::Report& report) {
   std::vector<Row> rows = tower_rows(1);
   rows[0].bias = 0.25;
-  const Record record = compare(rows, falling_tower({0.5}, 1), 0.05, 2);
+  const Record record = compare(rows, falling_tower({0.5}, 1), 0.04, 2);
   if (record.matrix.empty() || record.impulses.empty()) return;
-  const double force = 0.5 * 1.25 / 0.05;
+  const double force = 0.5 * 1.25 / 0.04;
   report.number(record.matrix.back()[0],
                 {"0.5 kg that is to rise at 0.25 m/s: with the matrix (N)",
                  force,
                  {{0, "A and b are built once, from the velocities before the first sweep."}}});
-  report.number(record.impulses.back()[0], {"with impulses (N)", force, {}});
+  report.number(record.impulses.back()[0],
+                {"with impulses (N)",
+                 force,
+                 {{force * 0.04 / 0.05, "This step has 0.04 s: divide by the dt that is given."}}});
 }
 
 static void grade_08(grading::Report& report) {
   grade_both_ways(report);
+  grade_last_row(report);
   grade_feet(report);
   grade_bias_both_ways(report);
 }
