@@ -55,6 +55,28 @@ std::string claim_line(const Claim& claim) {
   return text + repeated('.', dots) + " " + padded(claim.shown, value_width) + " ";
 }
 
+std::string numbers_text(const List<double>& numbers) {
+  List<std::string> words;
+  for (const double number : numbers) words.push_back(with_minus_signs(short_number(number)));
+  return joined(words, ", ");
+}
+
+Verdict verdict_on(const List<double>& guess, const List<double>& right, double tolerance) {
+  if (guess.size() != right.size()) {
+    return {
+        .words = fmt::format(
+            "NOT YET  you said {} number{}, and the question asks for {}: a comma stands between numbers, a "
+            "point before decimals; it is ",
+            guess.size(), guess.size() == 1 ? "" : "s", right.size())};
+  }
+  for (int i = 0; i < right.size(); ++i) {
+    const bool is_near = std::abs(guess[i] - right[i]) <= tolerance;
+    if (!is_near && short_number(guess[i]) != short_number(right[i]))
+      return {.words = "NOT YET  you said " + numbers_text(guess) + "; it is "};
+  }
+  return {.is_right = true, .words = "RIGHT    "};
+}
+
 int holding(const List<Claim>& claims) {
   return static_cast<int>(
       std::count_if(claims.begin(), claims.end(), [](const Claim& claim) { return claim.holds; }));

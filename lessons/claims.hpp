@@ -26,6 +26,17 @@ std::string claim_line(const Claim& claim);
 /// Four significant digits for people: "0.7500", "1.1e-17", "1234".
 std::string short_number(double value);
 
+/// "42.00, −1.000"
+std::string numbers_text(const List<double>& numbers);
+
+/// A reader's guess beside the numbers that were asked for. What is printed alike is right, however small the
+/// tolerance: nobody is told that 17.14 is wrong, and 17.14 right.
+struct Verdict {
+  bool is_right = false;
+  std::string words = {};  // "RIGHT    ", or what was said and "it is ": the right numbers follow
+};
+Verdict verdict_on(const List<double>& guess, const List<double>& right, double tolerance);
+
 /// How many hold.
 int holding(const List<Claim>& claims);
 

@@ -46,16 +46,6 @@ namespace {
 
 constexpr int page_width = 104;
 
-std::string numbers_text(const List<double>& numbers) {
-  List<std::string> words;
-  for (const double number : numbers) words.push_back(with_minus_signs(short_number(number)));
-  return joined(words, ", ");
-}
-
-std::string count_text(std::ptrdiff_t count) {
-  return count == 1 ? "1 number" : fmt::format("{} numbers", count);
-}
-
 /// The line in two parts, the second at the right edge.
 std::string spread(const std::string& left, const std::string& right) {
   const int blanks = std::max(3, page_width - display_width(left) - display_width(right));
@@ -177,23 +167,11 @@ void Lesson::answer(const List<double>& right, double tolerance, std::string_vie
   const std::string told = numbers_text(right) + "   " + std::string(explanation);
   if (!state_->guess) return print(wrapped("ANSWER   " + told, page_width, 9));
   const List<double>& guess = *state_->guess;
-  const bool fits = guess.size() == right.size();
-  bool is_right = fits;
-  for (int i = 0; is_right && i < right.size(); ++i) {
-    // Nobody is told that 17.14 is wrong, and 17.14 right.
-    is_right = std::abs(guess[i] - right[i]) <= tolerance || short_number(guess[i]) == short_number(right[i]);
-  }
+  const Verdict verdict = verdict_on(guess, right, tolerance);
   Console& console = state_->console;
-  std::string verdict = is_right ? "RIGHT    " : "NOT YET  you said " + numbers_text(guess) + "; it is ";
-  if (!fits) {
-    verdict = fmt::format(
-        "NOT YET  you said {}, and the question asks for {}: a comma stands between numbers, a point before "
-        "decimals; it is ",
-        count_text(guess.size()), right.size());
-  }
-  console.result(console.spelt(wrapped(verdict + told, page_width, 9)));
+  console.result(console.spelt(wrapped(verdict.words + told, page_width, 9)));
   // A guess at the prompt is free; an answer on the command line wants a verdict.
-  if (options.answer && !is_right) state_->is_wrong = true;
+  if (options.answer && !verdict.is_right) state_->is_wrong = true;
 }
 
 void Lesson::check_small(std::string_view claim, double value, double limit) {
