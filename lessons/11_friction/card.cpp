@@ -25,7 +25,7 @@ LessonInfo card() {
       "turn the block?",
       "All arms are 1/2 m, so λ_n of the lower corner less that of the upper one is the friction, "
       "4.33 N. Their sum is m g cos α = 8.66 N."};
-  info.spoilers = {"3.25", "3.248", "6.50", "6.495", "2.17", "1.08", "three times", "26.57", "30.96"};
+  info.spoilers = {"3.25", "6.50", "1.08", "three times", "26.57", "30.96"};
   using Kind = Parameter::Kind;
   info.parameters = {{"angle", 30, 5, 35, "°", "angle of the slope"},
                      {"mu", 0.5, 0.05, 0.8, "", "friction of the slippery block"},

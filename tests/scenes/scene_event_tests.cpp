@@ -122,8 +122,8 @@ TEST_CASE("a mistake in an event is answered with its place, the rule and the va
   CHECK(event_mistake("time = 2\n" + push) ==
         "event[1].time must be before the end of the scene, which is at 2 s, got 2");
   CHECK(event_mistake(push) ==
-        "event[1].time must be given: a number >= 0 s (it is done before the first step that begins then or "
-        "later)");
+        "event[1].time must be given: a number >= 0 s (carried out before the first step that begins at this "
+        "time or later)");
   CHECK(event_mistake(time) == "event[1] must be one of remove, push and motor, got none of them");
   CHECK(event_mistake(time + push + "remove = \"rod\"\n") ==
         "event[1] must be one of remove, push and motor, got push and remove");
