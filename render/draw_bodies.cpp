@@ -158,9 +158,14 @@ void write_name(Page& page, const Camera& camera, const SnapshotBody& body, Body
   rank.bold = false;
   rank.size = std::max(page.sizes().smallest, std::floor(0.55 * size));
   const Point below = middle + Point(0, 0.5 * cap_height * size + 0.75 * rank.size);
-  if (!fits(camera, body, below, 1.2 * rank.size, 0.8 * rank.size)) return;
-  const List<Point> under = {Point(below.x(), baseline_around(below.y(), rank.size))};
-  write_if_free(page, under, camera.viewport, id == look.active_a ? "a" : "b", rank);
+  const std::string letter = id == look.active_a ? "a" : "b";
+  // In a picture that has a vector b, too, "b" alone would be taken for it.
+  for (const std::string& text : {"body " + letter, letter}) {
+    if (!fits(camera, body, below, page.canvas().text_width(text, rank) + 8, 0.8 * rank.size)) continue;
+    const List<Point> under = {Point(below.x(), baseline_around(below.y(), rank.size))};
+    write_if_free(page, under, camera.viewport, text, rank);
+    return;
+  }
 }
 
 bool write_if_free(Page& page, const List<Point>& places, const Rect& within, const std::string& text,

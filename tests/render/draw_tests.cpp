@@ -102,8 +102,8 @@ TEST_CASE("the active pair is lit and dotted, all other bodies have one fill") {
   for (int i = 0; i < 4; ++i) {
     CHECK(distance_at(image, world.bodies[{i + 1}].pose.position, fills[i], -20, -20) <= 2);
   }
-  CHECK(is_written(page, "a"));
-  CHECK(is_written(page, "b"));
+  CHECK(is_written(page, "body a"));
+  CHECK(is_written(page, "body b"));
   CHECK(lint(page) == List<std::string>{});
 }
 
