@@ -82,7 +82,7 @@ void draw_cells(MatrixGrid& grid) {
       } else if (!is_zero(grid, value)) {
         canvas.rect(rect, {.fill = color_of(grid, value)});
       } else if (grid.cell >= 2 * cell_of_lines) {
-        canvas.circle(middle_of(rect), grid.cell >= matrix_cell_of_text ? 1.5 : 0.75,
+        canvas.circle(middle_of(rect), grid.cell >= matrix_cell_of_text ? 2 : 0.75,
                       {.fill = theme.secondary_text});
       }
     }
