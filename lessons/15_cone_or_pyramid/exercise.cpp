@@ -1,4 +1,4 @@
-// Exercise 15. Brake a puck: clamp a vector, not its parts. Then: bash lessons/run check 15
+// Exercise 15. Brake a puck by two rows that share a disc. Then: bash lessons/run check 15
 #include <algorithm>
 #include <cmath>
 
@@ -13,10 +13,18 @@ struct Puck {
   double vy = 0;
 };
 
-// One step of friction, for both rows at once. Find the impulse that would stop the puck, (22) times Δt. Its
-// length may be μNΔt at most; its direction stays. Then apply it.
-void brake(Puck& puck, double normal_force, double friction, double dt) {
-  // Your code begins here: about six lines.
+/// The two friction rows of its contact: the first acts along (ax, ay), the second along (-ay, ax).
+struct Rows {
+  double ax = 1, ay = 0;  // of length 1
+  double first = 0;       // [N s] what each has given so far
+  double second = 0;
+};
+
+// One sweep. The first row stops the puck in its direction, within -limit .. limit [N s], which is μNΔt. The
+// second has what the first leaves of the disc: first² + second² is at most limit². Both clamp what they have
+// given in all.
+void sweep(Rows& rows, double limit, Puck& puck) {
+  // Your code begins here: about twelve lines.
 
   // Your code ends here.
 }
