@@ -129,7 +129,7 @@ void draw_cut_mark(Canvas& canvas, const ArrowShape& shape, const Point& at, dou
   }
 }
 
-/// A minus beside the shaft, on the side that the label does not take first.
+/// A minus beside the shaft, on the side that the label does not take first; for labels without one.
 void draw_minus(Canvas& canvas, const ArrowShape& shape) {
   const double sideways = shape.across.x() > 0 || (shape.across.x() == 0 && shape.across.y() < 0) ? -1 : 1;
   const Point middle =
@@ -155,7 +155,6 @@ void draw_shape(Canvas& canvas, const ArrowShape& shape, ArrowKind kind) {
     draw_shaft(canvas, shape, kind, shape.tail, end);
   }
   draw_head(canvas, shape, kind);
-  if (kind == ArrowKind::negative_correction) draw_minus(canvas, shape);
 }
 
 /// Whether the label already tells a number, other than an index such as the 2 of λ_2.
@@ -224,6 +223,9 @@ void draw_arrow(Page& page, const Camera& camera, const ArrowScale& scale, const
   const ArrowShape shape = shape_of(page, camera, scale, arrow);
   if (!shape.tail.allFinite() || !shape.tip.allFinite()) return;
   draw_shape(page.canvas(), shape, arrow.kind);
+  const bool is_signed = arrow.label.starts_with("−");
+  if (arrow.kind == ArrowKind::negative_correction && !is_signed && shape.length >= shortest_arrow)
+    draw_minus(page.canvas(), shape);
   page.avoid({shape.tail, shape.tip});
   const std::string label = label_of(scale, arrow, shape.cut);
   if (label.empty()) return;

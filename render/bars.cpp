@@ -30,7 +30,9 @@ void draw_piece(BarSheet& sheet, const Rect& piece, const PieceLook& look) {
   Canvas& canvas = sheet.page.canvas();
   const double width = std::min(sheet.page.sizes().outline, sheet.thickness / 4);
   if (piece.width < 3 * width) {
-    canvas.rect({piece.x, piece.y, std::max(piece.width, 3.0), piece.height}, {.fill = sheet.color});
+    if (piece.width < 0.05) return;                   // nothing, but for rounding
+    const double shown = std::max(piece.width, 3.0);  // to the left: what comes next may be the exact value
+    canvas.rect({piece.x + piece.width - shown, piece.y, shown, piece.height}, {.fill = sheet.color});
     return;
   }
   canvas.rect(piece, {.fill = look.fill});

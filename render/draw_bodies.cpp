@@ -80,6 +80,7 @@ void draw_orientation(Page& page, const Camera& camera, const SnapshotBody& body
   const Point to = camera.project(body.pose.world(along * (inner / camera.scale)));
   const double width = is_circle ? page.sizes().outline : 0.75 * page.sizes().outline;
   page.canvas().line(from, to, {.width = width, .color = page.theme().outline});
+  page.avoid({from, to});  // beside a number it would read as a sign
 }
 
 }  // namespace

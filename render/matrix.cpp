@@ -116,8 +116,11 @@ void draw_lines(MatrixGrid& grid) {
 
 void frame_cells(MatrixGrid& grid, const Rect& frame, double width) {
   const Theme& theme = grid.page.theme();
-  grid.page.canvas().rect(inset(frame, -3), {.outline = theme.background, .outline_width = width + 3}, 2);
-  grid.page.canvas().rect(inset(frame, -3), {.outline = theme.text, .outline_width = width}, 2);
+  // Around small cells it would hide the neighbours.
+  const bool roomy = grid.cell >= 36;
+  const Rect around = inset(frame, roomy ? -3 : -1);
+  if (roomy) grid.page.canvas().rect(around, {.outline = theme.background, .outline_width = width + 3}, 2);
+  grid.page.canvas().rect(around, {.outline = theme.text, .outline_width = roomy ? width : 2}, 2);
 }
 
 void frame_active(MatrixGrid& grid) {

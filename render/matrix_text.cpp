@@ -109,12 +109,15 @@ void write_column_names(MatrixGrid& grid) {
   Canvas& canvas = grid.page.canvas();
   TextStyle style = matrix_names(grid.page);
   style.align = Align::center;
-  const int step = name_step(widest_name(grid.page, grid.view.column_names) + 4, grid.cell);
   const Eigen::Index columns = std::min<Eigen::Index>(grid.view.column_names.size(), grid.view.values.cols());
   const double base = grid.cells.y + grid.cells.height + std::round(1.25 * style.size);
-  for (int column = 0; column < columns; column += step) {
-    const double x = grid.cells.x + grid.cell * (column + 0.5);
-    canvas.text({x, base}, grid.view.column_names[column], style);
+  double free = 0;  // [px] from there on
+  for (int column = 0; column < columns; ++column) {
+    const std::string& name = grid.view.column_names[column];
+    const double x = grid.cells.x + grid.cell * (column + 0.5), half = 0.5 * canvas.text_width(name, style);
+    if (name.empty() || x - half < free) continue;
+    canvas.text({x, base}, name, style);
+    free = x + half + 4;
   }
 }
 

@@ -45,7 +45,8 @@ bool is_near(const List<Point>& drawn, const Point& at, double distance) {
                      [&](const Point& other) { return (other - at).norm() < distance; });
 }
 
-void draw_markers(Page& page, const Series& series, const List<Point>& points, List<Point>& drawn) {
+void draw_markers(Page& page, const Series& series, const List<Point>& points, bool is_choice,
+                  List<Point>& drawn) {
   const double radius = page.sizes().marker;
   const Paint solid{.fill = series.style.color, .outline = page.theme().panel, .outline_width = 1};
   const Paint hollow{.outline = series.style.color, .outline_width = 0.6 * page.sizes().curve};
@@ -53,11 +54,13 @@ void draw_markers(Page& page, const Series& series, const List<Point>& points, L
   const auto is_taken = [&](const Point& at) { return is_near(earlier, at, 1.5 * radius); };
   const bool all_taken = std::all_of(points.begin(), points.end(), is_taken);
   for (const Point& at : points) {
-    // A marker upon another curve's marker goes around it; a curve that has other markers does without it.
+    // A marker upon another curve's marker goes around it. A curve does without it where its markers are a
+    // choice.
     const bool taken = is_taken(at);
-    if (taken && series.line && !all_taken) continue;
-    paint_marker(page.canvas(), at, series.style.marker, taken ? 1.6 * radius : radius,
-                 taken ? hollow : solid);
+    if (taken && series.line && !all_taken && is_choice) continue;
+    const bool around = taken && (is_choice || !series.line);
+    paint_marker(page.canvas(), at, series.style.marker, around ? 1.6 * radius : radius,
+                 around ? hollow : solid);
     drawn.push_back(at);
   }
 }
@@ -126,7 +129,8 @@ void draw_curves(Page& page, const PlotFrame& frame, const Plot& plot, const Lis
     if (!series.markers && series.line && !lone) continue;
     Series shown{.style = series.style, .line = series.line};
     if ((!series.line || lone) && shown.style.marker == Marker::none) shown.style.marker = Marker::circle;
-    draw_markers(page, shown, series.line ? marked_points(curves[i], i) : curves[i].points, drawn);
+    draw_markers(page, shown, series.line ? marked_points(curves[i], i) : curves[i].points,
+                 series.line && curves[i].points.size() > all_marked, drawn);
   }
   canvas.pop_clip();
 }

@@ -65,6 +65,33 @@ bool is_free(const Inside& inside, const Rect& rect) {
                       [&](const Rect& r) { return overlap(r, rect); });
 }
 
+/// From a point to the nearest one of a curve [px].
+double distance_to(const Curve& curve, const Point& from) {
+  double least = 1e9;
+  const auto look = [&](const List<Point>& points) {
+    for (int i = 1; i < points.size(); ++i) {
+      const Point along = points[i] - points[i - 1];
+      const double share = along.squaredNorm() > 0
+                               ? std::clamp((from - points[i - 1]).dot(along) / along.squaredNorm(), 0.0, 1.0)
+                               : 0;
+      least = std::min(least, (points[i - 1] + share * along - from).norm());
+    }
+  };
+  for (const List<Point>& piece : curve.pieces) look(piece);
+  for (const Point& point : curve.points) least = std::min(least, (point - from).norm());
+  return least;
+}
+
+/// Whether this place is nearer to another curve than to its own: then it would name that one.
+bool names_another(const Inside& inside, int series, const Rect& rect) {
+  const Point middle(rect.x + rect.width / 2, rect.y + rect.height / 2);
+  const double own = distance_to(inside.curves[series], middle);
+  for (int i = 0; i < inside.curves.size(); ++i) {
+    if (i != series && distance_to(inside.curves[i], middle) < own - 1) return true;
+  }
+  return false;
+}
+
 bool write_inside(Page& page, Inside& inside, const List<Point>& places, const std::string& text,
                   const TextStyle& style) {
   for (const Point& at : places) {
@@ -113,6 +140,10 @@ bool write_at_end(Page& page, Inside& inside, const EndLabel& label) {
         places.emplace_back(left, at.y() + rise * style.size);
     }
   }
+  const auto names_other = [&](const Point& at) {
+    return names_another(inside, label.series, text_rect(page.canvas(), at, series.name, style));
+  };
+  places.erase(std::remove_if(places.begin(), places.end(), names_other), places.end());
   return write_inside(page, inside, places, series.name, style);
 }
 
@@ -121,7 +152,8 @@ void write_beside(Page& page, Inside& inside, const PointLabel& label) {
   const PlotFrame& frame = inside.frame;
   if (!plottable(label.x, frame.x.scale) || !plottable(label.y, frame.y.scale)) return;
   const Point at = frame.pixel(label.x, label.y);
-  const TextStyle style = page.tick();
+  TextStyle style = page.tick();
+  style.halo = page.theme().panel;  // over the grid
   const double width = page.canvas().text_width(label.text, style);
   const double gap = page.sizes().marker + air;
   List<Point> places;
