@@ -14,6 +14,8 @@ enum class Slip {
   in_turn,
   whole,
   half,
+  fixed_omega,
+  fixed_in_turn,
   twice,
   clamps_each,
   pulls,
@@ -46,6 +48,9 @@ List<Known> known() {
       {Slip::in_turn, "All feet look at the same velocities: apply nothing before each has looked."},
       {Slip::whole, "With ω = 1 all feet together take back more than what is wrong."},
       {Slip::half, "ω = 1/2 is not right for any number of feet."},
+      {Slip::fixed_omega, "A fixed ω such as 0.3 fits one number of feet: let it depend on feet.size()."},
+      {Slip::fixed_in_turn,
+       "Two things: all feet look at the same velocities, and ω depends on the number of feet."},
       {Slip::twice, "ω = 2/k is the edge: all k feet together may take back twice what is wrong."},
       {Slip::clamps_each, "Clamp the sum, not the correction: a foot may take back what it gave."},
       {Slip::pulls, "A foot cannot pull: its sum is never below 0."},
@@ -104,11 +109,13 @@ Stand reference(Stand stand, Slip slip) {
   if (slip == Slip::twice) omega *= 2;
   if (slip == Slip::whole) omega = 1;
   if (slip == Slip::half) omega = 0.5;
+  if (slip == Slip::fixed_omega || slip == Slip::fixed_in_turn) omega = 0.3;
+  const bool in_turn = slip == Slip::in_turn || slip == Slip::fixed_in_turn;
   if (slip == Slip::whole_number && stand.feet.size() > 1) omega = 0;
   const Box before = stand.box;
   for (Foot& foot : stand.feet) {
     if (slip == Slip::last_left_out && &foot == &stand.feet.back()) break;
-    act(stand.box, foot, corrected(slip == Slip::in_turn ? stand.box : before, foot, omega, slip), slip);
+    act(stand.box, foot, corrected(in_turn ? stand.box : before, foot, omega, slip), slip);
   }
   return stand;
 }

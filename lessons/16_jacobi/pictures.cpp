@@ -86,8 +86,7 @@ std::string sweep_text(const FeetRun& run, int sweep) {
     return fmt::format("Every sweep leaves 1 − q = {} of the speed.", fixed(1 - run.answer, 2));
   if (sweep % 2 == 1) return "The same as sweep 1: it repeats for ever.";
   return "The box goes up, so every foot would have to pull. A contact cannot: all λ go back to 0, and the "
-         "box falls "
-         "as before. The next sweep is the first one again, and so on for ever.";
+         "box falls as before. The next sweep is the first one again, and so on for ever.";
 }
 
 void draw_sweep(Page& page, const FeetRun& run, int sweep) {
@@ -126,10 +125,13 @@ void draw_speeds(Page& page, const FeetRun& run) {
   const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
   render::Plot plot{.title = "|v| of the box after each sweep (m/s), on a logarithmic axis"};
   plot.x = {.title = "sweep"};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-5, .max = 1};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-8, .max = 1};
   for (const FeetHistory& history : run.histories) {
     List<double> size;
-    for (const double speed : history.speed) size.push_back(std::max(std::abs(speed), 1e-9));
+    for (const double speed : history.speed) {
+      if (std::abs(speed) < plot.y.min) break;  // a name stands where its curve ends
+      size.push_back(std::abs(speed));
+    }
     plot.series.push_back(over_steps(method_name(history.method, run.settings.omega),
                                      style_of(page.theme(), history.method), size));
   }

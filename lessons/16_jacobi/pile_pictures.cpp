@@ -123,14 +123,14 @@ void draw_mirror(Page& page, const Rect& rect, const PileRun& run, int which, in
 void draw_asymmetry(Page& page, const PileRun& run, int step) {
   render::Plot plot{.title = "how far a body is from its twin's mirror image (m)"};
   plot.x = {.title = "step", .min = 0, .max = run.settings.steps};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-18, .max = 1e2};
+  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-19, .max = 1e1};
   for (const MirrorRun& mirror : run.mirrors)
     plot.series.push_back(
         over_steps(mirror_name(mirror), style_of(page.theme(), mirror.method), mirror.asymmetry));
   plot.series[2].style.dash = {3, 4};
   plot.series[2].style.marker = render::Marker::circle;
   plot.now = step;
-  const List<Rect> parts = rows(page.area(), {0.58, 0.42}, page.sizes().gap);
+  const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
   const List<Rect> halves = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
   for (int which = 0; which < 2; ++which) draw_mirror(page, halves[which], run, which, step);
   draw_plot(page, parts[1], plot);
