@@ -117,7 +117,12 @@ void draw_side(Page& page, const FeetRun& run) {
   for (const Landing& landing : run.side.landings) {
     if (landing.clamped != Clamped::increment) {
       const std::string title = landing.clamped == Clamped::sum ? "each push is clamped, or the sum" : "";
-      draw_box(page, clamp_panel(page, top[at++], landing.clamped, title), run.side, largest,
+      const Rect inside = clamp_panel(page, top[at], landing.clamped, title);
+      if (at == 0)  // the left half of the bar is for the other clamp that does the same
+        page.canvas().rect({top[0].x, top[0].y, top[0].width / 2, 5},
+                           {.fill = style_of(page.theme(), Clamped::increment).color});
+      ++at;
+      draw_box(page, inside, run.side, largest,
                {.impulse = landing.impulse,
                 .foot = 0,
                 .foot_velocity = landing.foot_velocity,

@@ -22,10 +22,12 @@ using render::Point;
 using render::Rect;
 using render::Sign;
 
-/// How fast a foot moves: an arrow beside it, and its value beside the box.
+/// How fast a foot moves: an arrow at its outer edge, and its value beside the box. A foot near the side of
+/// the box has its arrow at its inner edge.
 void draw_foot_velocity(Page& page, const render::Camera& camera, const BoxRun& box, const BoxView& view,
                         int i) {
   const double outwards = i == 0 ? -1 : 1;
+  const double edge = std::abs(box.foot[i]) > 0.3 ? -0.09 * outwards : 0.09 * outwards;
   const double velocity = cleaned(view.foot_velocity[i]);
   const double metres = 1.1 / view.fastest;  // [s]
   const render::ArrowScale scale{
@@ -33,7 +35,7 @@ void draw_foot_velocity(Page& page, const render::Camera& camera, const BoxRun& 
   if (std::abs(velocity) * scale.pixels_per_unit >= 2) {
     draw_arrow(page, camera, scale,
                {.kind = render::ArrowKind::velocity,
-                .tail = {box.foot[i] + 0.12 * outwards, std::max(0.0, -velocity * metres)},
+                .tail = {box.foot[i] + edge, std::max(0.0, -velocity * metres)},
                 .value = {0, velocity}});
   }
   render::TextStyle style = page.value();
