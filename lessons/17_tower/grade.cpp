@@ -34,6 +34,8 @@ enum class Slip {
   wrong_speed,
   own_speed,
   adds_masses,
+  unit_masses,  // the divisor of boxes of 1 kg
+  copied,       // the same, and impulses that change velocities by p
   multiplies,
   ground_moves,
   no_mass,
@@ -71,6 +73,8 @@ List<Known> known() {
           {Slip::wrong_speed, "The sign: boxes that approach have to be pushed apart."},
           {Slip::own_speed, "j·v is the velocity of the box less that of the box below."},
           {Slip::adds_masses, "Add the inverse masses of both boxes, not the masses."},
+          {Slip::unit_masses, "2 and 1 are 1/m + 1/m of boxes of 1 kg: these have masses of their own."},
+          {Slip::copied, "That is the loop for boxes of 1 kg: these have masses, in 1/m + 1/m and in p / m."},
           {Slip::multiplies, "Divide by 1/m + 1/m: what yields easily needs less."},
           {Slip::ground_moves, "The ground has 1/m = 0: the lowest contact has one mass."},
           {Slip::no_mass, "An impulse changes a velocity by p / m."},
@@ -81,15 +85,17 @@ List<Known> known() {
 }
 
 void push(Tower& tower, int i, double p, Slip slip) {
-  tower.velocity[i] += slip == Slip::no_mass ? p : p / tower.mass[i];
+  const bool massless = slip == Slip::no_mass || slip == Slip::copied;
+  tower.velocity[i] += massless ? p : p / tower.mass[i];
   if (i == 0 || slip == Slip::pushes_one) return;
-  const double change = slip == Slip::no_mass ? p : p / tower.mass[i - 1];
+  const double change = massless ? p : p / tower.mass[i - 1];
   tower.velocity[i - 1] += slip == Slip::pushes_up ? change : -change;
 }
 
 /// What is divided by.
 double inverse_of(const Tower& tower, int i, Slip slip) {
   const double own = tower.mass[i];
+  if (slip == Slip::unit_masses || slip == Slip::copied) return i == 0 ? 1 : 2;
   if (i == 0) return slip == Slip::ground_moves ? 2 / own : 1 / own;
   const double below = tower.mass[i - 1];
   if (slip == Slip::one_mass) return 1 / own;

@@ -22,6 +22,7 @@ enum class Slip {
   undivided,
   no_above,
   swapped,
+  mass_above,
   sign,
   clamps_each,
   from_the_top,
@@ -57,6 +58,7 @@ List<Known> known() {
       {Slip::undivided, "Divide by A_ii."},
       {Slip::no_above, "The load above pushes box i down: A_{i,i+1} is missing."},
       {Slip::swapped, "The row below moves the box below: mind which mass belongs to which neighbour."},
+      {Slip::mass_above, "The load above acts on box i: A_{i,i+1} has 1/m_i, not the mass of the next box."},
       {Slip::sign, "The sign: add what is left of b − A λ."},
       {Slip::clamps_each, "A load may shrink: clamp the load, not the correction."},
       {Slip::from_the_top, "The order: a sweep goes from the ground up."},
@@ -97,7 +99,10 @@ double updated(const List<double>& load, const List<double>& before, const List<
   const double sign = slip == Slip::adds_neighbours ? -1 : 1;
   if (i > 0 && slip != Slip::no_below)
     left += sign * (swaps ? own : below) * (slip == Slip::old_loads ? before : load)[i - 1];
-  if (i + 1 < load.size() && slip != Slip::no_above) left += sign * (swaps ? below : own) * load[i + 1];
+  if (i + 1 < load.size() && slip != Slip::no_above) {
+    const double above = slip == Slip::mass_above ? 1 / mass[i + 1] : swaps ? below : own;
+    left += sign * above * load[i + 1];
+  }
   if (slip == Slip::sign) left = -left;
   const double change = slip == Slip::undivided ? left : left / diagonal;
   switch (slip) {
