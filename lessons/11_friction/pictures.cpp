@@ -84,23 +84,26 @@ void draw_moving_bound(Page& page, const Rect& rect, const Study& study) {
              .series = {bound, friction}});
 }
 
-/// Both corners' shares of the load and of the friction.
-BarChart corner_bars(const Page& page, const Study& study) {
-  BarChart chart = {.title = "λ_{t} (N), and half of both", .exact = "half", .color = page.theme().friction};
-  const double half = coulomb(study.slippery.slope, study.slippery.block).given() / 2;
-  for (const auto& [name, row] : {std::pair("upper", upper_tangent), std::pair("lower", lower_tangent)}) {
+/// The friction of both corners, and one line at half of it.
+void draw_corner_bars(Page& page, const Rect& rect, const Study& study) {
+  BarChart chart = {.title = "λ_{t} of each corner (N)", .color = page.theme().friction};
+  for (const auto& [name, row] : {std::pair("upper", upper_tangent), std::pair("lower", lower_tangent)})
     chart.bars.push_back(named_bar(name, 0, std::abs(first_force(study, row))));
-    chart.bars.back().exact = half;
-  }
-  return chart;
+  const double half = coulomb(study.slippery.slope, study.slippery.block).given() / 2;
+  const BarPlaces places = draw_bars(page, rect, chart);
+  const double x = places.plot.x + places.plot.width * (half - places.low) / (places.high - places.low);
+  page.canvas().line({x, places.rows.y}, {x, places.rows.y + places.rows.height},
+                     {.width = 3, .color = page.theme().exact.color});
+  const TextStyle text = page.label();
+  page.canvas().text({x + 8, places.rows.y + places.pitch / 2 + 0.35 * text.size}, "half: " + fixed(half, 2),
+                     text);
 }
 
 QuestionFrame corner_frame(const SharedStudy& study, Corners corners) {
   return {.state = state_of(study->slippery),
           .scene = [study, corners](Page& page,
                                     const Rect& rect) { draw_corners(page, rect, study->slippery, corners); },
-          .evidence = [study](Page& page,
-                              const Rect& rect) { draw_bars(page, rect, corner_bars(page, *study)); }};
+          .evidence = [study](Page& page, const Rect& rect) { draw_corner_bars(page, rect, *study); }};
 }
 
 /// The block at rest, or about to slide: needed and limit.

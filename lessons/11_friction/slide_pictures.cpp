@@ -132,7 +132,7 @@ Series formula_series(const Study& study, const Curve& curve, const SeriesStyle&
 Plot curve_plot(const Page& page, const Study& study) {
   Plot plot = {.title = "acceleration down the slope (m/s²);  line: g (sin α − μ cos α)"};
   plot.x = {.title = "α (°)"};
-  plot.y = {.min = -0.15};
+  plot.y = {.min = -0.25};
   SeriesStyle thin = page.theme().exact;
   thin.marker = Marker::none;
   Series cairn = {.name = "", .style = page.theme().si, .line = false};
@@ -149,7 +149,7 @@ Plot curve_plot(const Page& page, const Study& study) {
   if (!box2d.x.empty()) plot.series.push_back(box2d);
   for (const Threshold& threshold : study.thresholds) {
     plot.labels.push_back(
-        {threshold.formula, 0,
+        {threshold.formula, -0.1,  // below the line of zero
          "atan " + significant(threshold.friction) + " = " + fixed(threshold.formula, 2) + "°"});
   }
   return plot;
