@@ -67,6 +67,9 @@ struct ChainRun {
   ChainSolve blocks = {};
 };
 
+/// How many of the sweeps by rows are left with blocks [%].
+inline double share_left(const ChainRun& chain) { return 100.0 * chain.blocks.sweeps / chain.rows.sweeps; }
+
 /// Scene C: one solver.
 struct BobRun {
   List<Vec2<double>> path = {};  // [m] of the bob, after each step; 0: the start

@@ -19,14 +19,14 @@ LessonInfo card() {
       .reads = {"src/solvers/iterative/block_sequential_impulse.hpp",
                 "tests/solvers/iterative/block_tests.cpp"},
       .question =
-          "One beam welded to a wall: row by row its 3 rows need 16 sweeps to 1 %; as a block they need 1. "
-          "Three "
-          "beams, "
-          "each welded to the one before, need 435 sweeps row by row. How many with blocks?",
-      .spoilers = {"326", "three in four", "zig-zag"},
-      .hints = {"A block ends the conflict between the rows of one joint. Are there others?",
+          "Beams in a chain, the first welded to a wall. To 1 %, one beam takes 16 sweeps row by row and 1 "
+          "with its weld as a block; two take 110 and 61. Three take 435 row by row. How many per cent of "
+          "these remain with blocks?",
+      .spoilers = {"326", "75 %", "74.9", "three in four", "zig-zag"},
+      .hints = {"A block ends the conflict between the rows of one joint. Are there others, and are there "
+                "more of them in a longer chain?",
                 "To the other joints a block acts like a single row: it stops its own error and starts one "
-                "next door.",
+                "next door. One weld has no weld next door, and keeps 6 % of its sweeps; two keep 55 %.",
                 "Three in four of the sweeps remain."},
       .parameters = {{"dt", 0.02, 0.005, 0.02, "s", "time step"},
                      {"angle", 45, 5, 85, "°", "of the rod above the horizontal"},

@@ -37,8 +37,8 @@ void draw_beams(Page& page, const Rect& rect, const ChainRun& chain, const Chain
   const int done = std::min(sweep, solve.sweeps);
   const double error = solve.error[done];
   const Rect inside = page.panel(
-      rect, fmt::format("{} after {} sweep{}: error {} %; the beams carried on for 1 s", name, done,
-                        done == 1 ? "" : "s", render::fixed(100 * error, error < 0.02 ? 1 : 0)));
+      rect, fmt::format("{}, error {} %: 1 s with the velocities left after {} sweep{}", name,
+                        render::fixed(100 * error, error < 0.02 ? 1 : 0), done, done == 1 ? "" : "s"));
   page.canvas().rect({rect.x, rect.y, rect.width, 4}, {.fill = style.color});
   const render::Camera camera = render::fit(inside, {{-0.25, -0.62}, {3.15, 0.38}});
   page.canvas().push_clip(inside);
@@ -57,15 +57,19 @@ void draw_beams(Page& page, const Rect& rect, const ChainRun& chain, const Chain
   look.penetration = false;
   draw_world(page, camera, moved, look);
   page.canvas().pop_clip();
+  const Pose<double>& last = moved.bodies[{moved.bodies.size() - 1}].pose;
+  const double drop = -last.position.y() - beam_length / 2 * std::sin(last.angle);
+  page.canvas().text({inside.x, inside.y + inside.height - 6},
+                     fmt::format("the far end hangs {} m lower", render::fixed(drop + 0.0, 2)), page.label());
 }
 
 void draw_errors(Page& page, const Rect& rect, const ChainRun& chain, int sweep) {
   render::Plot plot{.title = "largest error of λ, as a part of the largest λ (moments in N m, forces in N)"};
-  plot.x = {.title = "sweep", .min = 0, .max = chain.rows.sweeps};
+  plot.x = {.title = "sweep", .min = 0, .max = 1.1 * chain.rows.sweeps};
   plot.y = {.scale = render::AxisScale::logarithmic, .min = 0.003, .max = 2};
   const auto add = [&](const std::string& name, const ChainSolve& solve, const render::SeriesStyle& style) {
     plot.series.push_back(over_steps(name, style, solve.error));
-    plot.labels.push_back({1.0 * solve.sweeps, goal, fmt::format("{}", solve.sweeps)});
+    plot.labels.push_back({0.98 * solve.sweeps, 0.6 * goal, fmt::format("{} sweeps", solve.sweeps)});
   };
   add("rows", chain.rows, style_of_rows(page));
   add("blocks", chain.blocks, style_of_blocks(page));
@@ -89,7 +93,7 @@ void draw_entry(Page& page, const Rect& cell, double value, bool in_block) {
                             .outline = page.theme().grid,
                             .outline_width = 1});
   render::TextStyle text = page.value();
-  text.size = 0.26 * cell.height;
+  text.size = 0.24 * cell.height;
   text.align = render::Align::center;
   if (value != 0)
     page.canvas().text({cell.x + cell.width / 2, cell.y + 0.6 * cell.height}, render::significant(value, 3),
@@ -143,29 +147,28 @@ void draw_start(Page& page, const Rect& rect, const ChainRun& chain) {
 }
 
 void draw_sweep_bars(Page& page, const Rect& rect, const BlocksRuns& all, bool asked) {
-  const Rect inside = page.panel(rect, "sweeps to 1 %");
-  const double most = all.chains[welded_three].rows.sweeps;
-  const double pitch = inside.height / 4, left = inside.x + 170, longest = inside.width - 240;
-  int line = 0;
-  for (const int chain : {welded_one, welded_three}) {
-    for (const bool block : {false, true}) {
-      const ChainRun& run = all.chains[chain];
-      const bool hidden = asked && block && chain == welded_three;
-      const int sweeps = (block ? run.blocks : run.rows).sweeps;
-      const double top = inside.y + pitch * line++;
-      const double width = hidden ? 0 : std::max(3.0, longest * sweeps / most);
-      render::TextStyle text = page.label();
-      page.canvas().text({inside.x, top + 0.55 * pitch},
-                         fmt::format("{} beam{}, {}", chain == welded_one ? 1 : 3,
-                                     chain == welded_one ? "" : "s", block ? "blocks" : "rows"),
-                         text);
-      page.canvas().rect({left, top + 0.2 * pitch, width, 0.6 * pitch},
-                         {.fill = (block ? style_of_blocks(page) : style_of_rows(page)).color});
-      text.bold = true;
-      text.size *= 1.3;
-      page.canvas().text({left + width + 8, top + 0.6 * pitch}, hidden ? "?" : fmt::format("{}", sweeps),
-                         text);
-    }
+  const Rect inside = page.panel(rect, "sweeps to 1 %: with blocks, of those row by row");
+  const double pitch = inside.height / (welded_three + 1);
+  render::TextStyle text = page.value(), name = page.label();
+  text.size *= 1.2;
+  name.size = text.size;
+  text.align = render::Align::right;
+  for (int chain = welded_one; chain <= welded_three; ++chain) {
+    const int rows = all.chains[chain].rows.sweeps, blocks = all.chains[chain].blocks.sweeps;
+    const bool hidden = asked && chain == welded_three;
+    const double top = inside.y + pitch * chain, middle = top + 0.45 * pitch;
+    const Rect bar = {inside.x, middle, inside.width, 0.4 * pitch};
+    page.canvas().text({inside.x, middle - 10}, fmt::format("{} beam{}", chain + 1, chain == 0 ? "" : "s"),
+                       name);
+    page.canvas().text({inside.x + inside.width, middle - 10},
+                       hidden ? fmt::format("? of {} = ? %", rows)
+                              : fmt::format("{} of {} = {} %", blocks, rows,
+                                            render::fixed(share_left(all.chains[chain]), 0)),
+                       text);
+    page.canvas().rect(bar, {.fill = faded(style_of_rows(page).color, 0.35)});
+    if (hidden) continue;
+    page.canvas().rect({bar.x, bar.y, bar.width * share_left(all.chains[chain]) / 100, bar.height},
+                       {.fill = style_of_blocks(page).color});
   }
 }
 

@@ -42,7 +42,8 @@ List<Shot> bob_shots(const Runs& all);
 
 /// A chain before the first sweep.
 void draw_start(render::Page& page, const render::Rect& rect, const ChainRun& chain);
-/// The sweeps of one and of three beams, by rows and by blocks; what is asked for is left out.
+/// The sweeps of one, two and three beams with blocks, as a part of those by rows; what is asked for is left
+/// out.
 void draw_sweep_bars(render::Page& page, const render::Rect& rect, const BlocksRuns& all, bool asked);
 /// The bob after so many steps, by rows and by its block.
 void draw_both_bobs(render::Page& page, const FixedList<render::Rect, 2>& rects, const BlocksRuns& all,

@@ -212,7 +212,7 @@ List<Shot> rod_shots(const Runs& all) {
 std::string answer_text(const BlocksRuns& all) {
   const bool thrown = all.bob_rows.largest_energy > 1000;
   return fmt::format(
-      "{}: the conflict between the joints is left. {}", all.chains[welded_three].blocks.sweeps,
+      "{} %: the conflict between the joints is left. {}", fixed(share_left(all.chains[welded_three]), 0),
       thrown ? "But where the rows of one joint couple strongly, as at the bob's pin, a block is the "
                "difference between an explosion and a pendulum."
              : "With this inertia rows do not throw the bob either; with a tiny one they do.");
@@ -231,8 +231,8 @@ QuestionFrame question_frame(const Runs& all, bool asked) {
   return {.state = asked ? "before the first sweep" : "answer",
           .alt = asked ? "Three beams, each welded to the one before and the first to a wall, bars of sweeps "
                          "of which one is missing, and the question."
-                       : "Two bars of nearly the same length, the sweeps of three beams by rows and by "
-                         "blocks; the bob after 0.8 s, torn away by rows and on its circle with a block; "
+                       : "Bars of the sweeps that are left with blocks, for one, two and three beams: more "
+                         "and more; the bob after 0.8 s, torn away by rows and on its circle with a block; "
                          "and the answer.",
           .scene = draw,
           .place = ScenePlace::above};

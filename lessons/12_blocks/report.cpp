@@ -43,11 +43,11 @@ void print_rod(Lesson& lesson, const BlocksRuns& all) {
 void print_chains(Lesson& lesson, const BlocksRuns& all) {
   lesson.print(
       "B: sweeps until no λ (N, N m) is wrong by more than 1 % of the largest, and multiply-adds for them");
-  lesson.print("                               rows   blocks    work of blocks / rows");
+  lesson.print("                               rows   blocks    left (%)    work of blocks / rows");
   for (const ChainRun& chain : all.chains) {
     const double ratio = static_cast<double>(chain.blocks.work) / static_cast<double>(chain.rows.work);
-    lesson.print(fmt::format("  {:<26} {:>6} {:>8} {:>16.2f}", chain.name, chain.rows.sweeps,
-                             chain.blocks.sweeps, ratio));
+    lesson.print(fmt::format("  {:<26} {:>6} {:>8} {:>11.0f} {:>16.2f}", chain.name, chain.rows.sweeps,
+                             chain.blocks.sweeps, share_left(chain), ratio));
   }
   lesson.print();
 }
