@@ -17,16 +17,15 @@ LessonInfo card() {
       .needs = {"lesson 06", "lesson 08"},
       .reads = {"src/reference/box2d_world.hpp", "tests/reference/tower_tests.cpp"},
       .question =
-          "With ten sweeps a step all loads are wrong at first: in step 5 SI finds 133.51\u00a0N at the "
-          "ground "
-          "instead of 100\u00a0N. In which decimal place do the loads under Box2D differ from those under "
-          "SI? "
-          "(0: in whole newtons, 1: in tenths, 2: in hundredths, and so on)",
+          "In step 5 SI finds 133.51\u00a0N at the ground, instead of 100\u00a0N. Box2D differs from SI in "
+          "three "
+          "ways: (1) it computes in single precision; (2) it solves both points of an interface at once; (3) "
+          "it visits the interfaces from the top down, if the boxes are created from the ground up. Which of "
+          "these must be removed before all loads agree to 0.001\u00a0N?",
       .spoilers = {"0.00005", "fingerprint"},
-      .hints =
-          {"Lesson 08 says what PGS and SI have in common.",
-           "Box2D visits one row after the other, too. What matters is the order of its visits.",
-           "Box2D computes in single precision: about 7 digits, of which 100 N has three before the point."},
+      .hints = {"Single precision has about 7 digits, of which 100 N has three before the point.",
+                "The boxes cannot turn. What do the two points of an interface ask for?",
+                "Sweep once by hand, from λ = 0: what does the uppermost interface get, if it is the first?"},
       .parameters = {{"bodies", 10, 1, 20, "", "boxes", Parameter::Kind::whole},
                      {"dt", 0.02, 0.001, 0.05, "s", "time step"},
                      {"gravity", 10, 0.1, 100, "m/s^2", "gravity, downwards"},

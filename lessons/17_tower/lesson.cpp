@@ -71,6 +71,12 @@ Loads loads_by_hand(const TowerSettings& settings) {
   return loads;
 }
 
+/// SI and Box2D, from the top down.
+List<EngineRun> watch_from_top(const TowerSettings& settings) {
+  SequentialImpulse si({.iterations = settings.sweeps, .order = RowOrder::reverse});
+  return {watch(settings, si), run_box2d(settings, true)};
+}
+
 void run(Lesson& lesson) {
   const TowerSettings warm{.boxes = lesson.whole("bodies"),
                            .dt = lesson.real("dt"),
@@ -88,7 +94,8 @@ void run(Lesson& lesson) {
                        .warm = watch_all(warm),
                        .cold = watch_all(cold),
                        .warm_by_hand = loads_by_hand(warm),
-                       .cold_by_hand = loads_by_hand(cold)};
+                       .cold_by_hand = loads_by_hand(cold),
+                       .from_top = watch_from_top(warm)};
   report(lesson, runs);
   lesson.film(tower_shots(runs));
   lesson.data(loads_table(runs));

@@ -46,8 +46,13 @@ Scene tower_scene(const TowerSettings& settings) {
 
 #ifdef CAIRN_HAVE_BOX2D
 
-EngineRun run_box2d(const TowerSettings& settings) {
-  Box2DWorld world(tower_scene(settings), {.velocity_iterations = settings.sweeps});
+EngineRun run_box2d(const TowerSettings& settings, bool from_top) {
+  using Creation = Box2DSettings::Creation;
+  // [creation]
+  const Box2DSettings foreign{.velocity_iterations = settings.sweeps,
+                              .creation = from_top ? Creation::first_first : Creation::last_first};
+  Box2DWorld world(tower_scene(settings), foreign);
+  // [/creation]
   EngineRun run{.name = "Box2D 2.4.1"};
   record(run, world.snapshot(), settings);
   for (int k = 0; k < settings.steps; ++k) {
@@ -68,7 +73,7 @@ int box2d_falls_asleep(const TowerSettings& settings, int limit) {
 
 #else
 
-EngineRun run_box2d(const TowerSettings&) {
+EngineRun run_box2d(const TowerSettings&, bool) {
   throw Skipped("lesson17 compares with Box2D, and this build has none: apt-get install libbox2d-dev");
 }
 
@@ -108,8 +113,8 @@ double gap_to_box2d(const TowerRuns& runs) {
                   largest_gap(runs.cold[1].loads, runs.cold[2].loads, steps_as_tower(runs.cold)));
 }
 
-int decimal_place(const TowerRuns& runs) {
-  return -static_cast<int>(std::floor(std::log10(std::max(gap_to_box2d(runs), 1e-16))));
+double gap_of_orders(const TowerRuns& runs) {
+  return largest_gap(runs.warm[1].loads, runs.from_top[1].loads, steps_as_tower(runs.from_top));
 }
 
 }  // namespace cairn::tower

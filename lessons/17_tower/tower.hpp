@@ -32,6 +32,7 @@ struct TowerRuns {
   List<EngineRun> cold = {};  // the same without warm starting
   Loads warm_by_hand = {};    // and without any engine
   Loads cold_by_hand = {};
+  List<EngineRun> from_top = {};  // SI and Box2D, warm, from the top down
 };
 
 /// Boxes of 1 kg that touch exactly. They cannot turn: the two contact points of an interface then ask for
@@ -41,8 +42,9 @@ Scene tower_scene(const TowerSettings& settings);
 /// Adds the state of a world and its loads.
 void record(EngineRun& run, const Snapshot& snapshot, const TowerSettings& settings);
 
+/// From the ground up, or from the top down.
 /// @throws Skipped in a build without Box2D.
-EngineRun run_box2d(const TowerSettings& settings);
+EngineRun run_box2d(const TowerSettings& settings, bool from_top = false);
 
 /// The first step after which Box2D no longer simulates the lowest box, or -1 within `limit` steps.
 int box2d_falls_asleep(const TowerSettings& settings, int limit);
@@ -54,7 +56,7 @@ double largest_gap(const Loads& first, const Loads& second, int frames);
 int steps_as_tower(const List<EngineRun>& runs);
 /// Of SI's loads and Box2D's, warm or cold, as long as it is a tower [N].
 double gap_to_box2d(const TowerRuns& runs);
-/// The first decimal place in which these differ: 1 for tenths of a newton.
-int decimal_place(const TowerRuns& runs);
+/// Of SI's loads from the ground up and Box2D's from the top down [N].
+double gap_of_orders(const TowerRuns& runs);
 
 }  // namespace cairn::tower
