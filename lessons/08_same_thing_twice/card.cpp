@@ -20,15 +20,16 @@ LessonInfo card() {
       .reads = {"src/solvers/iterative/projected_gauss_seidel.cpp",
                 "src/solvers/iterative/sequential_impulse.cpp"},
       .question =
-          "A float has about 7 decimal digits, and every addition rounds the last one. PGS and SI do the "
-          "same "
-          "additions in another order: after 50 sweeps of 20 rows, in how many digits do their largest "
-          "impulses still agree?",
+          "PGS and SI do the same additions in another order, in float: each one is rounded, by up to 6 "
+          "parts in 10\u2078. After 50 sweeps of 20 rows, in how many digits do their largest impulses "
+          "still agree?",
       .spoilers = {"5.8", "5.5 · 10⁻⁵", "About six"},
-      .hints = {"(a + b) + c and a + (b + c) are the same number, but not the same float.",
-                "Each of the 1000 updates rounds a few times, up and down. Do the errors all add up?",
-                "A sweep pulls both towards the same answer, whatever was rounded before. It loses about one "
-                "digit in all."},
+      .hints =
+          {"(a + b) + c and a + (b + c) are the same number, but not the same float.",
+           "Each of the 1000 updates rounds about three times. If all 3000 errors added up, they would be "
+           "2 parts in 10\u2074, and 3.7 digits would be left. Do they?",
+           "Errors go up and down, and a sweep pulls both towards the same answer, whatever was rounded "
+           "before: little more than one digit of 7.2 is lost."},
       .parameters = {{"dt", 0.02, 0.0001, 1, "s", "time step"},
                      {"sweeps", 50, 2, 1000, "", "sweeps", Parameter::Kind::whole},
                      {"seed", 1, 0, 1e9, "", "of the random problem", Parameter::Kind::whole}},

@@ -77,7 +77,7 @@ void run(Lesson& lesson) {
   const PrecisionRun& in_float = twice.precisions.front();
   lesson.answer({std::round(10 * in_float.digits()) / 10}, 0.6,
                 fmt::format("The largest difference is {:.1e} N, and the largest λ {:.1f} N. They are one "
-                            "algorithm: the rounding of {} updates costs about one digit.",
+                            "algorithm: the rounding of {} updates costs little more than one digit.",
                             in_float.difference.back(), in_float.scale, settings.sweeps * settings.rows));
   check_claims(lesson, twice);
   check_masses(lesson, twice);

@@ -40,8 +40,8 @@ void draw_pair(Page& page, const PairField& field, const Moment& moment, int i) 
   const double line = active ? 2 : 0;
   bar(0, 0.4, moment.pgs[i], {.fill = page.theme().pgs.color, .outline = outline, .outline_width = line});
   bar(0.4, 0.4, moment.si[i], {.fill = page.theme().si.color, .outline = outline, .outline_width = line});
-  if (active && moment.si[i] != moment.unclamped)
-    bar(0, 0.8, moment.unclamped, {.outline = page.theme().secondary_text, .outline_width = 1.5});
+  if (!moment.unclamped.empty() && moment.si[i] != moment.unclamped[i])
+    bar(0, 0.8, moment.unclamped[i], {.outline = page.theme().secondary_text, .outline_width = 1.5});
   const bool beside = moment.active >= 0 && std::abs(i - moment.active) == 1;
   if (!active && (beside || (i % 5 != 4 && i != 0))) return;
   render::TextStyle name = page.tick();

@@ -14,7 +14,7 @@ struct Moment {
   PerRow<double> pgs = {};
   PerRow<double> si = {};
   int active = -1;
-  double unclamped = 0;  // what the active row asked for
+  PerRow<double> unclamped = {};  // what each row asked for; empty: not known
 };
 
 /// From the least to the largest lambda [N] of all moments, clamped or not.

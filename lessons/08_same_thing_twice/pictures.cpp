@@ -23,10 +23,11 @@ using render::Rect;
 using Run = std::shared_ptr<const TwiceRun>;
 
 Moment after_row(const TwiceRun& run, int row) {
-  Moment moment{.pgs = run.pgs[0], .si = run.si[0], .active = row, .unclamped = run.steps[row].by_27};
+  Moment moment{.pgs = run.pgs[0], .si = run.si[0], .active = row, .unclamped = run.si[0]};
   for (int i = 0; i <= row; ++i) {
     moment.pgs[i] = run.steps[i].pgs;
     moment.si[i] = run.steps[i].si;
+    moment.unclamped[i] = run.steps[i].by_27;
   }
   return moment;
 }
@@ -94,14 +95,14 @@ void draw_question(Page& page, const Rect& rect, const TwiceRun& run) {
                             .symbols = "λ_{i} ← λ_{i} + (ζ − j·v) / (j M^{−1} j^{T} Δt)"});
   draw_two_bodies(page, middle[1]);
   draw_digits(page, parts[2], fmt::format("one λ after {} sweeps in float (N)", run.settings.sweeps),
-              {{"PGS", "?? . ?????"}, {"SI", "?? . ?????"}}, "How many digits are the same?");
+              {{"PGS", "??.???????"}, {"SI", "??.???????"}}, "How many digits are the same?");
 }
 
 void draw_differences(Page& page, const Rect& rect, const TwiceRun& run) {
   const render::Color color = page.theme().outline;
   const List<render::SeriesStyle> styles = {{color, {}, render::Marker::circle},
-                                            {color, {10, 6}, render::Marker::square},
-                                            {color, {2, 5}, render::Marker::diamond}};
+                                            {color, {}, render::Marker::square},
+                                            {color, {}, render::Marker::diamond}};
   render::Plot plot{
       .title = "largest |λ_{PGS} − λ_{SI}| over the largest λ, with the spacing ε of each precision"};
   plot.x = {.title = "sweep", .min = 0, .max = run.settings.sweeps};
@@ -172,8 +173,8 @@ List<Shot> twice_shots(const TwiceRun& recorded) {
               "sweeps in three precisions, and the answer.",
        .scene = [run](Page& page, const Rect& rect) { draw_answer(page, rect, *run); }},
       fmt::format(
-          "About {}: they differ by {} of the largest λ. They are one algorithm, and rounding costs one "
-          "digit, in each precision.",
+          "About {}: they differ by {} of the largest λ. They are one algorithm, and rounding costs a "
+          "little more than one digit, in each precision.",
           fixed(in_float.digits(), 1), power(in_float.difference.back() / in_float.scale))));
   return shots;
 }

@@ -78,6 +78,10 @@ void check_claims(Lesson& lesson, const TwiceRun& run) {
   lesson.check_equal("double agrees to as many more digits as its ε is finer",
                      run.precisions[1].digits() - run.precisions[0].digits(),
                      std::log10(run.precisions[0].epsilon / run.precisions[1].epsilon), 1);
+  // What the page gives to guess by: three roundings of ε/2 in each update, if all of them added up.
+  const double all_added = 1.5 * run.precisions[0].epsilon * run.settings.sweeps * run.problem.row_count();
+  lesson.check_small("float: the difference, in units of all its rounding errors added up",
+                     std::pow(10, -run.precisions[0].digits()) / all_added, 1);
   // Every update rounds two bodies' velocities, which are of the size of M^-1 J^T lambda dt: at most 10 a
   // row.
   const double updates = static_cast<double>(run.settings.sweeps) * run.problem.row_count();

@@ -134,7 +134,7 @@ VelocityProblem<double> random_problem(const TwiceSettings& settings) {
 }  // namespace
 
 std::string all_digits(long double value, int digits) {
-  const std::string text = fmt::format("{:.{}g}", value, digits);
+  const std::string text = fmt::format("{:#.{}g}", value, digits);  // with the zeros at its end
   return text.front() == '-' ? "−" + text.substr(1) : text;
 }
 
