@@ -44,7 +44,7 @@ void draw_errors(Page& page, const WarmStart& all) {
     bound.x.push_back(k);
     bound.y.push_back(std::pow(share, 0.5 * k));
   }
-  render::Plot plot{.title = "|λ_{1}/W − 1| after each step"};
+  render::Plot plot{.title = fmt::format("|λ_{{1}} / {:g} N − 1| after each step", settings.weight())};
   plot.x = {.title = "step", .min = 0, .max = settings.steps};
   plot.y = {.scale = render::AxisScale::logarithmic, .min = smallest_error, .max = 2};
   plot.series = {cold, warm, bound};
@@ -136,8 +136,8 @@ void draw_reversed(Page& page, const WarmStart& all) {
   page.note(parts[1], "",
             fmt::format("The last step found the contacts from the ground up, this one from the top "
                         "down. By number, every contact gets the impulse of another one: the top box "
-                        "is thrown up at {:.1f} m/s, and {:.2f} m/s are left after the sweeps. By "
-                        "key, nothing moves.",
+                        "is thrown up at {:.1f} m/s before the first sweep, and {:.2f} m/s are left after "
+                        "the last. By key, nothing moves.",
                         step.velocity_by_number.back(), after));
 }
 
@@ -167,7 +167,7 @@ void draw_guest(Page& page, const WarmStart& all) {
   const int first = all.guest.by_key.size() / 4;  // once the first swings are over
   plot.x = {.title = "step", .min = first, .max = all.settings.steps};
   plot.series = {{.name = "by key", .style = start_styles(page.theme())[1]},
-                 {.name = "by number", .style = start_styles(page.theme())[2], .markers = false}};
+                 {.name = "by number", .style = start_styles(page.theme())[2]}};
   render::Series touches{
       .name = "ball touches", .style = {page.theme().external, {}, render::Marker::triangle}, .line = false};
   for (int k = first; k < all.guest.by_key.size(); ++k) {

@@ -91,10 +91,12 @@ void draw_start(Page& page, const Rect& rect, const WarmStart& all, int frame, c
                              range.most[0] - range.least[0] < 1
                                  ? fmt::format("λ_{{1}} {:.0f} N", range.most[0])
                                  : fmt::format("λ_{{1}} {:.0f} to {:.0f} N", range.least[0], range.most[0])};
+  const bool swings = range.most[0] - range.least[0] >= 1;
+  if (swings) lines.push_back(fmt::format("now {:.0f} N", run.loads[frame][0]));
   if (shown.is_first)
     lines.insert(lines.end(), {"bar: load", "tick: to carry", fmt::format("pale: last {} steps", lately)});
   for (int i = 0; i < lines.size(); ++i) {
-    render::TextStyle text = i < 2 ? page.value() : page.secondary();
+    render::TextStyle text = i < (swings ? 3 : 2) ? page.value() : page.secondary();
     text.align = render::Align::right;
     page.canvas().text({view.x + view.width, view.y + 1.5 * (i + 1) * text.size}, lines[i], text);
   }

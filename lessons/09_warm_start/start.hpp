@@ -126,6 +126,9 @@ double needed_by_formula(int boxes);
 /// 1 - 8/pi^2 rho^(s k/2) cos(k phi), cos phi = rho^(s/2), s sweeps: the warm load on the lowest contact
 /// after k steps over the weight, if there were no mode but the slowest.
 double warm_mode(const StartSettings& settings, int step);
+/// The same share of the weight after each step, from the rule d_{k+1} = rho^s (2 d_k - d_{k-1}) itself, with
+/// d_0 = 0 and d_{-1} = -8/pi^2.
+List<double> warm_rule(const StartSettings& settings);
 
 /// The largest |load - weight| of the lowest contact in the last quarter of the steps [N].
 double unrest(const List<List<double>>& loads, double weight);

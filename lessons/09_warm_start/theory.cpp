@@ -99,6 +99,19 @@ double warm_mode(const StartSettings& settings, int step) {
   return 1 - 8 / (pi * pi) * std::pow(share, 0.5 * step) * std::cos(std::acos(std::sqrt(share)) * step);
 }
 
+List<double> warm_rule(const StartSettings& settings) {
+  const double share = share_left(settings.boxes, settings.sweeps);
+  double before = -8 / (pi * pi), missing = 0;
+  List<double> loads = {1 + before - missing};
+  for (int k = 1; k <= settings.steps; ++k) {
+    const double next = share * (2 * missing - before);
+    before = missing;
+    missing = next;
+    loads.push_back(1 + before - missing);
+  }
+  return loads;
+}
+
 double unrest(const List<List<double>>& loads, double weight) {
   double largest = 0;
   for (int k = loads.size() * 3 / 4; k < loads.size(); ++k) {
