@@ -103,7 +103,7 @@ void run(Lesson& lesson) {
   print_runs(lesson, all);
   const double right = all.spring.rows[1].lambda;
   lesson.answer({right}, 0.05 * right,
-                "less than −k c. The row pushes with the force that the spring has at the end of the step, "
+                "Less than −k c: the row pushes with the force that the spring has at the end of the step, "
                 "when it is longer and its damper resists.");
   check_runs(lesson, all);
   lesson.film(soft_shots(all));

@@ -76,10 +76,14 @@ void draw_column(Page& page, const Rect& rect, const ColumnRun& run, const std::
   const render::Camera camera = render::fit(page.panel(rect, title), {{-0.6, -0.05}, {0.6, 3.3}});
   Snapshot column = run.start;
   for (const SnapshotJoint& joint : run.start.joints) {
-    if (run.gamma > 0)
+    if (run.gamma > 0) {
       draw_spring(page, camera, 0, joint.anchor_a.y(), joint.anchor_b.y(), style_of_soft(page));
+    } else {
+      page.canvas().line(camera.project({0, joint.anchor_a.y()}), camera.project({0, joint.anchor_b.y()}),
+                         {.width = page.sizes().curve, .color = style_of_rigid(page).color});
+    }
   }
-  if (run.gamma > 0) column.joints.clear();
+  column.joints.clear();
   draw_world(page, camera, column);
   page.canvas().line(camera.project({-0.6, 0}), camera.project({0.6, 0}),
                      {.width = page.sizes().outline, .color = page.theme().outline});
@@ -110,7 +114,7 @@ void draw_matrices(Page& page, const SoftRuns& all) {
                                                   all.rigid_column.A(0, 0), soft.gamma),
                            .result = fmt::format("A_{{11}} + γ = {:.4g} 1/kg", soft.A(0, 0)),
                            .algorithm = "a change of the matrix",
-                           .color = page.theme().pgs.color});
+                           .color = style_of_soft(page).color});
   // Sweep 2 of row 1; zeta is 0, as the springs begin without load.
   const double dt = all.settings.dt;
   const double given = soft.gamma * soft.by_si[1][0] * dt;
@@ -122,7 +126,7 @@ void draw_matrices(Page& page, const SoftRuns& all) {
                                                   fixed(given, 4), soft.A(0, 0), dt),
                            .result = fmt::format("= {} N", fixed(change, 4)),
                            .algorithm = "a term in one constraint's routine",
-                           .color = page.theme().si.color});
+                           .color = style_of_soft(page).color});
 }
 
 void draw_lambdas(Page& page, const Rect& rect, const ColumnRun& run, int sweep, const std::string& title,

@@ -58,6 +58,12 @@ void draw_push(Page& page, const render::Camera& camera, const SoftRuns& all, co
   page.canvas().text(camera.project(tail) + Point(-14, is_up ? 24 : -10), text, page.value());
 }
 
+/// Upwards, but of no length that could be measured.
+void draw_unknown_push(Page& page, const Point& tail) {
+  page.canvas().line(tail, tail - Point(0, 34), {.width = 3, .color = page.theme().inactive, .dash = {6, 5}});
+  page.canvas().text(tail + Point(-14, 24), "? N", page.value());
+}
+
 std::string newtons(const SoftRuns& all, double lambda) {
   return fixed(lambda + 0.0, all.settings.mass < 0.1 ? 3 : all.settings.mass < 10 ? 1 : 0) + " N";
 }
@@ -79,9 +85,12 @@ void draw_weight(Page& page, const render::Camera& camera, const SoftRuns& all, 
   const double lambda = run.rows[std::max(step, 1)].lambda;
   const double force = stiffness(all.settings) * all.settings.pressed;
   const Vec2<double> tail(x + 0.22, foot);
-  const bool asked = step == 0 && is_soft;
-  draw_push(page, camera, all, tail, asked ? force : lambda, asked ? "? N" : newtons(all, lambda),
-            step == 0 ? render::ArrowKind::inactive : render::ArrowKind::joint);
+  if (step == 0 && is_soft) {
+    draw_unknown_push(page, camera.project(tail));
+  } else {
+    draw_push(page, camera, all, tail, lambda, step == 0 ? fixed(lambda, 0) + " N" : newtons(all, lambda),
+              step == 0 ? render::ArrowKind::inactive : render::ArrowKind::joint);
+  }
   if (step == 1 && is_soft)
     draw_push(page, camera, all, tail + Vec2<double>(0.3, 0), force, "force: " + newtons(all, force),
               render::ArrowKind::inactive);
@@ -100,7 +109,7 @@ void draw_weights(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   draw_weight(page, camera, all, all.rigid, step, rigid_x);
 }
 
-/// c against time, up to `step`; the exact oscillation all the way.
+/// c against time; what comes after `step` is pale.
 void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   render::Plot plot{.title = "c (mm), 0 without load"};
   plot.x = {.title = "t (s)", .min = 0, .max = seconds};
@@ -119,7 +128,7 @@ void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   plot.series.push_back(exact);
   const auto add = [&](const std::string& name, const WeightRun& run, const render::SeriesStyle& style) {
     render::Series series{.name = name, .style = style};
-    for (int k = 0; k <= step; ++k) {
+    for (int k = 0; k * all.settings.dt <= seconds + 1e-9 && k < run.error.size(); ++k) {
       series.x.push_back(k * all.settings.dt);
       series.y.push_back(1000 * run.error[k]);
     }
@@ -127,6 +136,7 @@ void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   };
   add("soft row", all.spring, style_of_soft(page));
   add("rod", all.rigid, style_of_rigid(page));
+  plot.now = step * all.settings.dt;
   draw_plot(page, rect, plot);
 }
 
