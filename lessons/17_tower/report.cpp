@@ -96,7 +96,7 @@ void report(Lesson& lesson, const TowerRuns& runs) {
   lesson.print(
       fmt::format("From the top down it differs by up to {:.1f} N. In step 1 the ground carries {:.2f} N "
                   "instead of {:.2f} N, and box {} carries {:.2f} N instead of {:.2f} N.",
-                  gap_of_orders(runs), runs.from_top[1].loads[1][0], runs.warm[1].loads[1][0], middle,
+                  gap_of_orders(runs), runs.from_top[1].loads[1][0], runs.warm[1].loads[1][0], middle + 1,
                   runs.from_top[1].loads[1][middle], runs.warm[1].loads[1][middle]));
   lesson.answer({3}, 1,
                 "The order. In the same order, Box2D is the same algorithm again, in single precision.");
