@@ -110,7 +110,7 @@ TEST_CASE("a passed exercise is noted once, next goes on behind it, and then its
   CHECK(tells(drive_beside_exercise(folder, 0, {"progress"}).out, "1 of 21 lessons passed"));
   const Ran solution = drive_beside_exercise(folder, 0, {"solution", "2"});
   CHECK(solution.code == 0);
-  CHECK(tells(solution.out, "(meeting.wanted - meeting.speed)"));
+  CHECK(tells(solution.out, "(contact.wanted - jv)"));
 }
 
 TEST_CASE(
