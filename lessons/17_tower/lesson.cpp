@@ -50,7 +50,6 @@ Loads loads_by_hand(const TowerSettings& settings) {
     if (i > 1) v[i - 1] -= p;
   };
   for (int k = 0; k < settings.steps; ++k) {
-    // [by_hand]
     for (int i = 1; i <= n; ++i) v[i] -= settings.gravity * settings.dt;
     for (int i = 1; i <= n; ++i) {
       if (!settings.warm_start) impulse[i] = 0;
@@ -58,13 +57,14 @@ Loads loads_by_hand(const TowerSettings& settings) {
     }
     for (int sweep = 0; sweep < settings.sweeps; ++sweep) {
       for (int i = 1; i <= n; ++i) {
+        // [by_hand]
         const double corrective = (v[i - 1] - v[i]) / (i > 1 ? 2 : 1);  // (22), times Δt
         const double sum = std::max(impulse[i] + corrective, 0.0);
+        // [/by_hand]
         push(i, sum - impulse[i]);
         impulse[i] = sum;
       }
     }
-    // [/by_hand]
     List<double>& load = loads.emplace_back();
     for (int i = 1; i <= n; ++i) load.push_back(impulse[i] / settings.dt);
   }
