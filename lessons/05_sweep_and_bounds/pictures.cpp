@@ -31,7 +31,7 @@ void draw_lambda(Page& page, const Rect& rect, const SweepRun& run, int k) {
   const Swept& up = run.stack.up;
   const int active = up.updates[k].row;
   render::BarChart chart{.title = "λ (N)", .largest = 1.25 * run.stack.exact[0]};
-  for (int i = 0; i < run.stack.exact.size(); ++i) {
+  for (int i = run.stack.exact.size() - 1; i >= 0; --i) {  // the uppermost contact first, as in the stack
     const double before = k > 0 ? up.after[k - 1][i] : 0;
     chart.bars.push_back({.name = fmt::format("row {}", i + 1),
                           .before = before,
@@ -95,7 +95,7 @@ void draw_errors(Page& page, const SweepRun& run) {
   plot.x = {.title = "sweep"};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic};
   plot.series = {missing(name + " top down", stack.down, stack, top),
-                 missing(name + " bottom up", stack.up, stack, top),
+                 missing(name + " ground up", stack.up, stack, top),
                  missing("λ_{1} either way", stack.up, stack, 0)};
   plot.y.min = 0.6 * plot.series[2].y.back();
   plot.series[0].style = {page.theme().inactive, {}, render::Marker::diamond};
@@ -188,11 +188,12 @@ Shot update_shot(const Run& run, int k) {
 List<Shot> stack_shots(const Run& run) {
   List<Shot> shots;
   for (int k = 0; k < run->stack.up.updates.size(); ++k) shots.push_back(update_shot(run, k));
-  shots.push_back({.state = fmt::format("A · {} sweeps", run->settings.sweeps),
-                   .alt = "The error against sweeps on a logarithmic axis, bottom up and top down: two "
-                          "lines of the same slope.",
-                   .draw = [run](Page& page) { draw_errors(page, *run); },
-                   .key = true});
+  shots.push_back(
+      {.state = fmt::format("A · {} sweeps", run->settings.sweeps),
+       .alt = "The error against sweeps on a logarithmic axis, from the ground up and from the top down: two "
+              "lines of the same slope.",
+       .draw = [run](Page& page) { draw_errors(page, *run); },
+       .key = true});
   return shots;
 }
 
@@ -218,7 +219,7 @@ void draw_system(Page& page, const Rect& rect, const SystemMatrices<double>& sys
   for (int i = 1; i <= n; ++i) view.row_names.push_back(fmt::format("{}", i));
   view.column_names = view.row_names;
   view.column_names.push_back("b");
-  draw_matrix(page, rect, view);
+  draw_matrix(page, page.panel(rect, ""), view);
 }
 
 std::string brief(double value, int most) {

@@ -162,7 +162,7 @@ void check_stack(Lesson& lesson, const SweepRun& run) {
   const double rounding = 4 * epsilon * stack.up.updates.size() * stack.exact[0];
   const double loops = std::max({stack.up.gap, stack.down.gap, stack.unbounded.gap}) / rounding;
   lesson.check_small(
-      "the loop of lesson.cpp = the library's solver (in roundings of N)",
+      "the loop of lesson.cpp = the library's solver (gap / allowed rounding)",
       std::max(loops, std::max(run.rod.bounded.gap, run.rod.unbounded.gap) / rounding_of(run.rod)), 1);
   double gap = 0;
   for (int sweep = 0; sweep <= 3; ++sweep) {
@@ -175,7 +175,7 @@ void check_stack(Lesson& lesson, const SweepRun& run) {
   lesson.check_equal(fmt::format("a sweep leaves cos²(π/{}) of the error", 2 * run.settings.boxes),
                      measured_error_factor(run.settings), factor, 1e-6);
   // The very same numbers are added, and zeros: not even rounding differs.
-  lesson.check_small("top down: λ_i comes i − 1 sweeps later than bottom up (N)", order_gap(stack), 0);
+  lesson.check_small("top down: λ_i comes i − 1 sweeps later than ground up (N)", order_gap(stack), 0);
   lesson.check_small("no λ would pull here: with and without clamp, the same λ (N)",
                      largest_gap(stack.up.by_sweep.back(), stack.unbounded.by_sweep.back()), 0);
 }

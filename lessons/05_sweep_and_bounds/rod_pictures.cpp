@@ -43,6 +43,20 @@ struct RodScene {
   Span<const Snapshot> motion = {};  // where the rod goes
 };
 
+/// The name of a force beside its arrow, in one or more lines; `align` says where `at` is in them.
+void name_force(Page& page, Point at, render::Align align, const List<std::string>& lines) {
+  render::TextStyle style = page.value();
+  style.align = align;
+  style.halo = page.theme().background;
+  style.color = page.theme().normal;
+  style.bold = !page.compact();
+  if (!page.compact()) style.size = std::max(style.size, render::large_text);
+  for (const std::string& line : lines) {
+    page.canvas().text(at, line, style);
+    at.y() += 1.3 * style.size;
+  }
+}
+
 void draw_forces(Page& page, const render::Camera& camera, const SweepRun& run, const RodScene& shown) {
   const double weight = rod_mass * gravity;
   const double largest = std::max({std::abs(run.rod.statics[0]), run.rod.statics[1], weight});
@@ -61,20 +75,29 @@ void draw_forces(Page& page, const render::Camera& camera, const SweepRun& run, 
     arrow(render::ArrowKind::inactive, support, shown.instead_of,
           fmt::format("not {} N", brief(shown.instead_of, 2)));
   }
-  arrow(render::ArrowKind::normal, support, shown.lambda[1],
-        fmt::format("λ_{{2}} = {} N", brief(shown.lambda[1], 2)));
+  const double height = metres * shown.lambda[1];  // [m]
+  arrow(render::ArrowKind::normal, support, shown.lambda[1], "");
+  // Beside a long arrow, above a short one; on the side where the weight is not.
+  const bool is_long = height > 0.5, is_left = support < middle;
+  const Point aside = is_long ? Point(is_left ? -14 : 14, 6) : Point(is_left ? 12 : -12, -8);
+  name_force(page, camera.project({support, 0.12 + (is_long ? height / 2 : height)}) + aside,
+             is_left ? render::Align::right : render::Align::left,
+             {fmt::format("λ_{{2}} = {} N", brief(shown.lambda[1], 2))});
   arrow(render::ArrowKind::external, middle, -weight, fmt::format("m g = {} N", brief(weight)));
   if (shown.lambda[0] == 0 && !shown.motion.empty()) return;  // the rod leaves this support
-  arrow(render::ArrowKind::normal, 0.02, shown.lambda[0],
-        fmt::format("λ_{{1}} = {} N{}", brief(shown.lambda[0], 2),
-                    shown.lambda[0] < 0 ? ": a pull"
-                    : shown.clamped     ? ": clamped"
-                                        : ""));
+  arrow(render::ArrowKind::normal, 0.02, shown.lambda[0], "");
+  List<std::string> lines = {fmt::format("λ_{{1}} = {} N", brief(shown.lambda[0], 2))};
+  if (shown.lambda[0] < 0 || shown.clamped) lines.push_back(shown.clamped ? "clamped" : "a pull");
+  name_force(page, camera.project({0.02, 0.12 + metres * std::abs(shown.lambda[0]) / 2}) + Point(-14, 6),
+             render::Align::right, lines);
 }
 
 /// The rod, what its supports give, its weight, and how far from each other they act.
 void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const RodScene& shown) {
-  const Rect inside = page.panel(rect, "forces (N)");
+  std::string title = "forces (N)";
+  if (shown.motion.size() > 1)
+    title += fmt::format("; an outline every {} s", brief(shown.motion[1].time - shown.motion[0].time));
+  const Rect inside = page.panel(rect, title);
   render::Camera camera = render::fit(inside, {{-0.8, -0.75}, {rod_length + 0.2, 1.75}});
   camera.center.y() = std::min(0.5, 0.5 * inside.height / camera.scale - 0.75);  // little of the ground
   page.canvas().push_clip(inside);
