@@ -44,7 +44,7 @@ void draw_where(Page& page, const Story& story) {
   const Rod& rod = story.rod;
   const Vec2<double> along = rod.jacobian.head<2>();
   const List<std::pair<std::string, Vec3<double>>> moves = {{"1 m to the right", {1, 0, 0}},
-                                                            {"1 m up", {0, 1, 0}},
+                                                            {"1 m to the left", {-1, 0, 0}},
                                                             {"1 m along the rod", {along.x(), along.y(), 0}},
                                                             {"turned by 1 rad", {0, 0, 1}}};
   RodLook look{.pose = rod.pose, .close = true, .errors = true, .circles = true};

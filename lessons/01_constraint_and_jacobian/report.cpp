@@ -71,6 +71,7 @@ void print_derivative(Lesson& lesson, const Rod& rod) {
 void print_motions(Lesson& lesson, const Rod& rod) {
   const Vec3<double>& j = rod.jacobian;
   const Vec3<double>& v = rod.settings.velocity;
+  lesson.print("The velocity of --vx, --vy and --omega, then the three of the question:");
   lesson.print(fmt::format("(5)   dc/dt = j·v = {} + {} + {} = {} m/s", term(j.x(), v.x()),
                            term(j.y(), v.y()), term(j.z(), v.z()), fixed(j.dot(v), 4)));
   for (const Motion& motion : rod.asked) {

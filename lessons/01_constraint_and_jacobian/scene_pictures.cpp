@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "math/list.hpp"
 #include "parts.hpp"
@@ -26,16 +27,21 @@ render::Camera rod_camera(const Rect& inside, const Rod& rod, const RodLook& loo
                               {std::max(anchor.x() + 2.6, 4.0), 0.5}});
 }
 
+List<Point> circle(const render::Camera& camera, double radius) {
+  List<Point> points;
+  for (int k = 0; k <= 720; ++k)
+    points.push_back(camera.project(Rotation<double>(-pi * k / 720) * Vec2<double>(radius, 0)));
+  return points;
+}
+
 /// Where c is −1, 0 and +1 m, were the anchor there.
 void draw_circles(Page& page, const render::Camera& camera, const Rod& rod, const RodLook& look) {
   const Vec2<double> down = look.close
-                                ? Vec2<double>(Rotation<double>(-0.22) * rod.settings.anchor.normalized())
+                                ? Vec2<double>(Rotation<double>(0.38) * rod.settings.anchor.normalized())
                                 : Vec2<double>(0, -1);  // where the names stand
   for (const double c : {-1.0, 0.0, 1.0}) {
     const double radius = rod.length + c;
-    List<Point> points;
-    for (int k = 0; k <= 90; ++k)
-      points.push_back(camera.project(Rotation<double>(-pi * k / 90) * Vec2<double>(radius, 0)));
+    const List<Point> points = circle(camera, radius);
     render::Stroke stroke{.width = page.sizes().axis, .color = page.theme().inactive, .dash = {6, 5}};
     if (c == 0) stroke = {.width = page.sizes().curve, .color = page.theme().joint, .dash = {}};
     page.canvas().polyline(points, stroke);
@@ -69,22 +75,56 @@ void write_at_tip(Page& page, const render::Camera& camera, const Vec2<double>& 
   page.place_text(places, camera.viewport, text, style);
 }
 
-/// c of this pose: from where the anchor should be to where it is, along the rod.
-void draw_error(Page& page, const render::Camera& camera, const Rod& rod, const Pose<double>& pose) {
-  const double c = error_at(rod, pose);
-  const Vec2<double> anchor = pose.world(rod.local_anchor);
-  if (std::abs(c) * camera.scale < 1) return;
-  const Point from = camera.project(anchor * (rod.length / anchor.norm())), to = camera.project(anchor);
-  page.canvas().line(from, to, {.width = 1.2 * page.sizes().arrow, .color = page.theme().friction});
-  page.canvas().circle(to, page.sizes().contact, {.fill = page.theme().friction});
-  page.avoid({from, to});
+/// c = 0 where the box covers it.
+void draw_covered_goal(Page& page, const render::Camera& camera, const Rod& rod, const Pose<double>& box) {
+  List<Point> points;
+  for (const Point& point : circle(camera, rod.length)) {
+    const Vec2<double> inside = Rotation<double>(-box.angle) * (camera.unproject(point) - box.position);
+    if (inside.cwiseAbs().maxCoeff() < 0.5) points.push_back(point);
+  }
+  page.canvas().polyline(points, {.width = page.sizes().axis, .color = page.theme().joint, .dash = {6, 5}});
+}
+
+/// The unit box and its tick.
+void avoid_box(Page& page, const render::Camera& camera, const Pose<double>& box) {
+  List<Point> line;
+  for (const auto& [x, y] :
+       {std::pair(0.38, 0.0), {0.5, 0.0}, {0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.0}})
+    line.push_back(camera.project(box.world({x, y})));
+  page.avoid(line);
+}
+
+/// c of these poses: from where the anchor should be, a cross stroke, to where it is, a dot, along the rod.
+void draw_errors(Page& page, const render::Camera& camera, const Rod& rod, const List<Pose<double>>& poses) {
   render::TextStyle style = page.value();
   style.halo = page.theme().panel;
-  const std::string text = render::fixed(c, 2, render::Sign::always) + " m";
-  const double width = page.canvas().text_width(text, style), rise = 0.35 * style.size;
-  const double y = to.y() + rise;
-  page.place_text({{to.x() - width - 12, y}, {to.x() + 12, y}, {to.x() - width / 2, y + 1.6 * style.size}},
-                  camera.viewport, text, style);
+  const auto ends = [&](const Pose<double>& pose) {
+    const Vec2<double> anchor = pose.world(rod.local_anchor);
+    return std::pair(camera.project(anchor * (rod.length / anchor.norm())), camera.project(anchor));
+  };
+  const render::Stroke thick{.width = 1.2 * page.sizes().arrow, .color = page.theme().friction};
+  for (const Pose<double>& pose : poses) {
+    const auto [from, to] = ends(pose);
+    if ((to - from).norm() < 1) continue;
+    const Point across = 9 * perpendicular((to - from).normalized());
+    page.canvas().line(from, to, thick);
+    page.canvas().line(from - across, from + across, {.width = 3, .color = thick.color});
+    page.canvas().circle(to, page.sizes().contact, {.fill = thick.color});
+    page.avoid({from, to});
+  }
+  for (const Pose<double>& pose : poses) {
+    const auto [from, to] = ends(pose);
+    if ((to - from).norm() < 1) continue;
+    const std::string text = render::fixed(error_at(rod, pose), 2, render::Sign::always) + " m";
+    const double width = page.canvas().text_width(text, style), rise = 0.35 * style.size;
+    List<Point> places;
+    for (const double away : {12, 28}) {
+      places.push_back(to + Point(away, rise));
+      places.push_back(to + Point(-width - away, rise));
+      places.push_back(to + Point(-width / 2, rise + 1.1 * away + 3));
+    }
+    page.place_text(places, camera.viewport, text, style);
+  }
 }
 
 /// A curve with a head at its end; `avoid`ed by labels.
@@ -224,8 +264,11 @@ void draw_rod(Page& page, const Rect& rect, const Rod& rod, const RodLook& look)
   page.canvas().circle(camera.project({0, 0}), page.sizes().joint,
                        {.fill = page.theme().panel, .outline = page.theme().outline, .outline_width = 2});
   if (look.errors) {
-    for (const Pose<double>& pose : look.others) draw_error(page, camera, rod, pose);
-    draw_error(page, camera, rod, look.pose);
+    List<Pose<double>> poses = look.others;
+    poses.push_back(look.pose);
+    draw_covered_goal(page, camera, rod, look.pose);
+    for (const Pose<double>& pose : poses) avoid_box(page, camera, pose);
+    draw_errors(page, camera, rod, poses);
   }
   if (look.direction || look.force) draw_row_arrows(page, camera, rod, look);
   if (look.asked || look.answered) draw_asked(page, camera, rod, look.answered);
