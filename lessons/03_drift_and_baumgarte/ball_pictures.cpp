@@ -152,18 +152,19 @@ void draw_limits(Page& page, const DriftRuns& all) {
 /// How deep all balls are, and how high the one with beta = 1 comes: both, or the height alone.
 void draw_lengths(Page& page, const render::Camera& camera, const DriftRuns& all, const BallLook& look) {
   const double x = ball_pitch * (all.balls.size() - 1), depth = all.settings.depth;
-  render::TextStyle style{.size = 20, .color = page.theme().text, .bold = true, .halo = page.theme().panel};
+  render::TextStyle style{.size = 18, .color = page.theme().text, .bold = true, .halo = page.theme().panel};
   const render::Stroke stroke{.width = page.sizes().outline, .color = page.theme().text};
   if (look.measured) {
     const double peak = ball_of(all, 1).height[look.step];
     draw_length(page, camera.project({x, 0}), camera.project({x, peak}), stroke);
-    page.canvas().text(camera.project({x + 0.08, 0.5 * peak}), render::significant(peak) + " m", style);
+    page.canvas().text(camera.project({x + 0.05, 0.5 * peak}), render::significant(peak) + " m", style);
   }
   if (!look.asks) return;
-  const double top = 2 * ball_radius - depth;
-  const FixedList<render::Point, 2> way = {camera.project({x, top + 0.05}), camera.project({x, top + 0.9})};
+  const double beside = x + ball_radius + 0.08, top = 2 * ball_radius + 0.6;  // from the ground to where?
+  const FixedList<render::Point, 2> way = {camera.project({beside, 0}), camera.project({beside, top})};
   page.canvas().polyline(way, {.width = page.sizes().outline, .color = page.theme().text, .dash = {8, 6}});
-  page.canvas().text(camera.project({x + 0.08, top + 0.4}), "? m", style);
+  style.size = 20;
+  page.canvas().text(camera.project({x + 0.15, top - 0.3}), "? m", style);
   const double between = 0.5 * ball_pitch;
   draw_length(page, camera.project({between, 0}), camera.project({between, -depth}), stroke);
   style.align = render::Align::center;

@@ -154,7 +154,7 @@ void check_limits(Lesson& lesson, const DriftRuns& all) {
     const double roundings = 16 * epsilon * (1 + 1 / limit.beta) / limit.beta;
     gap = std::max(gap, std::abs(limit.measured - limit.formula) / roundings);
   }
-  lesson.check_small("deepest that is held = g Δt² / β² (in roundings of m)", gap, 1);
+  lesson.check_small("deepest that is held = g Δt² / β² (gap / allowed rounding)", gap, 1);
   const BallRun& ball = all.with_slop;
   const double k = ball.height.size() - 1;
   lesson.check_equal(

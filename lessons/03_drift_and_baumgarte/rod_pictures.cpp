@@ -145,7 +145,7 @@ void draw_hang(Page& page, const DriftRuns& all, int step) {
   }
   draw_plot(page, right[0], plot);
   const RodRun& run = hang_of(all, all.settings.beta);
-  page.equation(right[1], {.number = "eq (7)",
+  page.equation(right[1], {.number = fmt::format("eq (7), β = {:g}", run.beta),
                            .symbols = "c ← c + ζ Δt = (1 − β) c",
                            .numbers = fmt::format("= (1 − {:g}) × {} mm", run.beta,
                                                   fixed(1000 * run.error[step - 1], 2)),
