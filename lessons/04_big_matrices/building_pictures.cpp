@@ -66,7 +66,7 @@ void draw_row(Page& page, const StackRun& run, int row) {
            row > 0 ? fmt::format("j_{{{0}}}·v = −v_{{y{1}}} + v_{{y{0}}}", row + 1, row) : "j_{1}·v = v_{y1}",
        .numbers = fmt::format("= {}1 × {}", below, in_brackets(fixed(v, 3))),
        .result = fmt::format("= {} m/s", fixed(run.row_velocity(row) + 0.0, 3)),
-       .algorithm = row > 0 ? fmt::format("how fast boxes {} and {}, a and b of this row, part", row, row + 1)
+       .algorithm = row > 0 ? fmt::format("how fast boxes {} and {}, body a and body b, part", row, row + 1)
                             : "how fast box 1 leaves the ground"});
 }
 

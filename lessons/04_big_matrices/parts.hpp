@@ -52,6 +52,8 @@ List<render::MatrixView> system_views(const StackRun& run, const Eigen::MatrixXd
 List<std::string> column_names(int boxes);
 /// "1", "2", ...
 List<std::string> row_names(int rows);
+/// A count with a space between its thousands: "90 000".
+std::string in_thousands(double count);
 /// Negative numbers, as behind an operator.
 std::string in_brackets(const std::string& number);
 /// As many decimals as it needs, up to three.

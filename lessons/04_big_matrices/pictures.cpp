@@ -179,6 +179,12 @@ std::string brief(double value) {
   return text;
 }
 
+std::string in_thousands(double count) {
+  std::string digits = fmt::format("{:.0f}", count);
+  for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) digits.insert(at, "\u00a0");
+  return digits;
+}
+
 std::string in_brackets(const std::string& number) {
   return number.starts_with("−") ? "(" + number + ")" : number;
 }

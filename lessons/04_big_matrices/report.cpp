@@ -88,9 +88,10 @@ void print_solution(Lesson& lesson, const StackRun& run) {
 void print_growth(Lesson& lesson, const StackRun& run) {
   lesson.print("boxes    numbers in J    not 0    in A    not 0    multiplications, if A were full");
   for (const Growth& growth : run.growth) {
-    lesson.print(fmt::format("{:>5} {:>15.0f} {:>8.0f} {:>7.0f} {:>8.0f} {:>13.0f}", growth.boxes,
-                             growth.all_of_J, growth.used_of_J, growth.all_of_A, growth.used_of_A,
-                             growth.elimination));
+    lesson.print(fmt::format("{:>5} {:>15} {:>8} {:>7} {:>8} {:>13}", growth.boxes,
+                             in_thousands(growth.all_of_J), in_thousands(growth.used_of_J),
+                             in_thousands(growth.all_of_A), in_thousands(growth.used_of_A),
+                             in_thousands(growth.elimination)));
   }
   lesson.print();
 }
