@@ -9,7 +9,7 @@ LessonInfo card() {
   info.name = "one_body";
   info.title = "One body";
   info.idea = "A body is three numbers and their rates; a step changes the rates first, then the numbers.";
-  info.paper = "paper 2.1, eq (1), (2); 2.2, left half of (12)";
+  info.paper = "paper 2.1, eq (1), (2); 2.2, eq (12)";
   info.equations = {"(1)   v = (v_x, v_y, ω)", "(2)   M⁻¹ = diag(1/m, 1/m, 1/I)",
                     "(12)  v₂ = v₁ + M⁻¹ f Δt,  here f = m g;  then x₂ = x₁ + v₂ Δt"};
   info.reads = {"src/dynamics/body.hpp", "src/dynamics/integrate.cpp", "src/geometry/mass.cpp"};

@@ -1,5 +1,5 @@
 // Lesson 00. In the plane a body is three numbers, x, y and an angle, and v of (1) says how fast they change.
-// A step of semi-implicit Euler changes v first, by the left half of (12), and then moves the body with the
+// A step of semi-implicit Euler changes v first, by (12), and then moves the body with the
 // new v. A box is thrown and nothing touches it, so we know where it should be: on a parabola. We fly it
 // three times, with the library, with the same two lines by hand, and with the two lines swapped (explicit
 // Euler), and look how far from the parabola each ends.

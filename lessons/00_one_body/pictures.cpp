@@ -27,7 +27,7 @@ Equation step_equation(const Story& story, int step) {
   const double before = thrown.velocity.y() - thrown.gravity * thrown.dt * (step - 1);
   const double after = flight.cairn[step].bodies[{1}].velocity.y();
   const std::string dt = significant(thrown.dt);
-  return {.number = fmt::format("left half of (12), step {}", step),
+  return {.number = fmt::format("eq (12), step {}", step),
           .symbols = "v ← v + g Δt,   then  y ← y + v_{y} Δt",
           .numbers = fmt::format("v_{{y}}: {} − {} × {} = {} m/s", fixed(before, 2),
                                  significant(thrown.gravity), dt, fixed(after, 2)),
@@ -103,7 +103,7 @@ void draw_order(Page& page, const Rect& rect, const Story& story) {
                   .x = {left, right},
                   .y = {half * left, half * right},
                   .markers = false},
-                 {.name = "both methods", .style = page.theme().si, .line = false}};
+                 {.name = "both methods", .style = {page.theme().text, {}, Marker::circle}, .line = false}};
   for (int i = c.dt.size() - 1; i >= 0; --i) {  // the name stands at the right end
     plot.series[1].x.push_back(c.dt[i]);
     plot.series[1].y.push_back(-c.semi_implicit[i]);

@@ -107,13 +107,11 @@ void draw_enlarged(Page& page, const Camera& scene, const Flight& flight, int st
   page.canvas().pop_clip();
 }
 
-/// The two heights that the question compares: one is known.
-void draw_asked(Page& page, const Camera& camera, const Flight& flight) {
-  const Point start = camera.project(flight.exact.front()), end = camera.project(flight.exact.back());
-  page.canvas().line(start, end,
+/// The starting height, to which the exact parabola comes back.
+void draw_start(Page& page, const Camera& camera, const Flight& flight) {
+  const Vec2<double> beside(0.62, 0);  // off the box and its tick
+  page.canvas().line(camera.project(flight.exact.front() + beside), camera.project(flight.exact.back()),
                      {.width = page.sizes().axis, .color = page.theme().secondary_text, .dash = {8, 6}});
-  const Point half(0, 0.4 * camera.scale);
-  measure(page, end - half, end + half, "? m");
 }
 
 Series error_series(const Flight& flight, const List<Vec2<double>>& path, int step, const std::string& name,
@@ -139,6 +137,7 @@ void draw_scene(Page& page, const Rect& rect, const Story& story, const SceneLoo
   draw_ghosts(page, camera, earlier);
   const Snapshot& now = flight.cairn[look.step];
   draw_world(page, camera, now, {.names = {"", ""}});
+  if (look.asks || look.step == flight.thrown.steps) draw_start(page, camera, flight);
   draw_line(page, camera, flight.exact, {.width = page.sizes().axis, .color = page.theme().exact.color});
   draw_trail(page, camera, end_of(flight.explicit_euler, look.step, look.step),
              path_style(page.theme().jacobi, look.step));
@@ -146,7 +145,10 @@ void draw_scene(Page& page, const Rect& rect, const Story& story, const SceneLoo
              path_style(page.theme().si, look.step));
   draw_enlarged(page, camera, flight, look.step);
   if (look.velocity) draw_velocity(page, camera, story, now.bodies[{1}]);
-  if (look.asks) draw_asked(page, camera, flight);
+  if (look.asks) {  // how far is the simulated box from the end of the parabola?
+    const Point end = camera.project(flight.exact.back()), half(0, 0.4 * camera.scale);
+    measure(page, end - half, end + half, "? m");
+  }
   // How long a metre is, because the answer is a length.
   const Point right(rect.x + rect.width - 48, rect.y + rect.height - 6);
   measure(page, right - Point(camera.scale, 0), right, "1 m");
