@@ -167,7 +167,7 @@ void draw_guest(Page& page, const WarmStart& all) {
   const int first = all.guest.by_key.size() / 4;  // once the first swings are over
   plot.x = {.title = "step", .min = first, .max = all.settings.steps};
   plot.series = {{.name = "by key", .style = start_styles(page.theme())[1]},
-                 {.name = "by number", .style = start_styles(page.theme())[2]}};
+                 {.name = "by number", .style = start_styles(page.theme())[2], .markers = false}};
   render::Series touches{
       .name = "ball touches", .style = {page.theme().external, {}, render::Marker::triangle}, .line = false};
   for (int k = first; k < all.guest.by_key.size(); ++k) {

@@ -78,8 +78,9 @@ void check_rates(Lesson& lesson, const WarmStart& all) {
       from_tower =
           std::max(from_tower, std::abs(warm_mode(settings, k) - all.warm.loads[k][0] / settings.weight()));
   }
-  // The rule shrinks its own errors; a few roundings of numbers near 1 are left.
-  lesson.check_small("warm: 1 − (8/π²) ρ^(sk/2) cos kφ solves the rule of d", from_rule, 16 * epsilon);
+  // A step rounds a few numbers near 1.
+  lesson.check_small("warm: 1 − (8/π²) ρ^(sk/2) cos kφ solves the rule of d", from_rule,
+                     8 * epsilon * settings.steps);
   // Without the quicker cosines; with as few as one sweep in each step they last longer, and nothing is said.
   if (settings.sweeps >= 10 && settings.boxes == 10)
     lesson.check_small("warm: and gives λ₁/W from step 2 on", from_tower, 0.005);
