@@ -13,7 +13,7 @@ LessonInfo card() {
           "really there before you optimise.",
       .paper = "paper 2.3, 4.4, eq (30)",
       .equations = {"(15)  A = J M⁻¹ Jᵀ                              m × m numbers for m rows",
-                    "(30)  non-zero elements in A = Σ Σ δ(J_i · J_j)   as printed, without M⁻¹",
+                    "(30)  non-zero elements in A = Σ Σ δ(J_i · J_j)   as printed; δ: 1 where not 0",
                     "(22)  1 / (j M⁻¹ jᵀ)                            one number for each row"},
       .needs = {"lesson 04", "lesson 06"},
       .reads = {"src/solvers/non_zeros.hpp", "src/solvers/iterative/sparse_projected_gauss_seidel.hpp",

@@ -28,8 +28,8 @@ FixedList<CaseText, 3> case_texts() {
   const std::string coupling = "A_{12} = 1/m + r_{1} r_{2}/I";
   return {
       {{product, "= (1 − 1) + (1 − 1)", coupling, "= 1/6 − 1/1", "r",
-        "A beam of 6 kg with I = 1 kg m². Pushed at 2, it turns, and 1 goes down: the two depend on each "
-        "other."},
+        "A box of 6 kg with I = 1 kg m² and light arms. Pushed at 2, it turns, and 1 goes down: the two "
+        "depend on each other."},
        {product, "= (1 − 1/6) + (1 − 1/6)", coupling, "= 1/6 − (1/6)/1", "r",
         "A box of 6 kg with I = 1 kg m², and r_{1}\u00a0r_{2}\u00a0=\u00a0−I/m. Each point is the other's "
         "centre of percussion: a blow at one is not felt at the other."},

@@ -73,7 +73,7 @@ std::string body_name(BodyId body) {
 
 void draw_row(Page& page, const StoredRun& run, int active) {
   const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> left = rows(halves[0], {0.74, 0.26}, page.sizes().gap);
   const VelocityProblem<double>& problem = run.problems[smallest];
   const Eigen::MatrixXd A = system_matrices(problem).A;
   draw_met(page, left[0], run, A, active);
@@ -119,35 +119,52 @@ void draw_patterns(Page& page, const StoredRun& run) {
   draw_colours(page, {key.x, key.y - 4}, {0.4 * key.width, 0});
 }
 
-/// The middle row of the largest A without the zeros at its two ends. The question asks what stands there.
+/// Columns `first` to `end` of a row of A as a strip.
+void draw_entries(Page& page, const Rect& strip, const List<Entry>& row, int first, int end) {
+  const double cell = strip.width / (end - first);
+  for (int j = first; j < end; ++j) {
+    if (row[j] != Entry::true_entry) continue;
+    page.canvas().rect({strip.x + cell * (j - first), strip.y, std::max(1.0, cell - 1), strip.height},
+                       {.fill = page.theme().outline});
+  }
+  page.canvas().rect(strip, {.outline = page.theme().outline, .outline_width = page.sizes().outline});
+}
+
+/// The middle row of the largest A, and below it, enlarged, what is left without the zeros at its two ends.
+/// The question asks what stands there.
 void draw_strip(Page& page, const Rect& rect, const VelocityProblem<double>& problem, bool asked) {
   const int m = problem.row_count();
   const List<Entry> row = pattern(problem)[m / 2];
   const auto entry_count = std::count(row.begin(), row.end(), Entry::true_entry);
-  const auto first = std::find(row.begin(), row.end(), Entry::true_entry);
-  const auto end = std::find(row.rbegin(), row.rend(), Entry::true_entry).base();
+  const auto is_entry = [](Entry entry) { return entry == Entry::true_entry; };
+  const int first = static_cast<int>(std::find_if(row.begin(), row.end(), is_entry) - row.begin());
+  const int end = m - static_cast<int>(std::find_if(row.rbegin(), row.rend(), is_entry) - row.rbegin());
   const Rect inside = page.panel(
       rect, asked ? fmt::format("one row of A: {} entries, how many are not zero?", m)
-                  : fmt::format("row {}: {} of {} entries are not zero, all in columns {} to {}", m / 2 + 1,
-                                entry_count, m, first - row.begin() + 1, end - row.begin()));
-  const Rect strip{inside.x, inside.y + 0.2 * inside.height, inside.width, 0.6 * inside.height};
-  const render::Paint frame{.outline = page.theme().outline, .outline_width = page.sizes().outline};
-  const double cell = strip.width / static_cast<double>(end - first);
-  for (auto entry = first; entry < end && !asked; ++entry) {
-    if (*entry != Entry::true_entry) continue;
-    page.canvas().rect({strip.x + cell * static_cast<double>(entry - first), strip.y, cell - 1, strip.height},
-                       {.fill = page.theme().outline});
+                  : fmt::format("row {}: {} of {} entries are not zero; below, columns {} to {} enlarged",
+                                m / 2 + 1, entry_count, m, first + 1, end));
+  if (asked) {
+    const Rect strip{inside.x, inside.y + 0.2 * inside.height, inside.width, 0.6 * inside.height};
+    draw_entries(page, strip, List<Entry>(m, Entry::zero), 0, m);
+    render::TextStyle style = page.label();
+    style.size = 0.8 * strip.height;
+    style.align = render::Align::center;
+    page.canvas().text({strip.x + strip.width / 2, strip.y + 0.78 * strip.height}, "?", style);
+    return;
   }
-  page.canvas().rect(strip, frame);
-  render::TextStyle style = page.label();
-  style.size = 0.8 * strip.height;
-  style.align = render::Align::center;
-  if (asked) page.canvas().text({strip.x + strip.width / 2, strip.y + 0.78 * strip.height}, "?", style);
+  const List<Rect> strips = rows(inside, {0.38, 0.38}, 0.24 * inside.height);
+  draw_entries(page, strips[0], row, 0, m);
+  draw_entries(page, strips[1], row, first, end);
+  const double below = strips[0].y + strips[0].height, width = inside.width;
+  page.canvas().line({inside.x + width * first / m, below}, {inside.x, strips[1].y},
+                     {.width = 1, .color = page.theme().secondary_text});
+  page.canvas().line({inside.x + width * end / m, below}, {inside.x + width, strips[1].y},
+                     {.width = 1, .color = page.theme().secondary_text});
 }
 
 /// The largest A with its middle row lit, and that row below it.
 void draw_largest(Page& page, const Rect& rect, const StoredRun& run) {
-  const List<Rect> parts = rows(rect, {0.8, 0.2}, page.sizes().gap);
+  const List<Rect> parts = rows(rect, {0.76, 0.24}, page.sizes().gap);
   const Rect matrix = draw_pattern(page, parts[0], run.pyramids[largest], run.problems[largest]);
   const double middle = matrix.y + matrix.height / 2;
   page.canvas().line({matrix.x - 8, middle}, {matrix.x + matrix.width + 8, middle},
@@ -187,9 +204,10 @@ QuestionFrame question_frame(const Run& run) {
 
 QuestionFrame answer_frame(const Run& run) {
   return {.state = run->pyramids[largest].name,
-          .alt = fmt::format("The pattern of A for {:g} rows, a thin band; one of its rows enlarged; the "
-                             "counts for four pyramids; and the answer.",
-                             run->pyramids[largest].rows),
+          .alt = fmt::format(
+              "The pattern of A for {:g} rows, a thin band; one of its rows, and a piece of it enlarged; the "
+              "counts for four pyramids; and the answer.",
+              run->pyramids[largest].rows),
           .scene = [run](Page& page, const Rect& rect) { draw_largest(page, rect, *run); },
           .evidence = [run](Page& page, const Rect& rect) { draw_counts(page, rect, *run); }};
 }

@@ -12,12 +12,16 @@ namespace cairn::stored {
 
 namespace {
 
-/// A body for a case: a beam about `x`, with any mass and inertia.
+constexpr double height = 0.5;  // [m]
+
+/// A body for a case: a uniform box about `x`, and two arms without mass below its sides.
 struct CaseBody {
   double x = 0;
   double width = 1;
   double mass = 1;
-  double inertia = 1;
+  double reach = 0;  // [m] from one end of the arms to the other; 0: none
+
+  double inertia() const { return mass * (width * width + height * height) / 12; }
 };
 
 /// A point where the ground pushes body `body` (from 1) upwards.
@@ -26,22 +30,28 @@ struct CaseContact {
   double x = 0;
 };
 
+List<Shape<double>> shapes_of(const CaseBody& body) {
+  List<Shape<double>> shapes = {box(body.width, height)};
+  const double low = -height / 2, half = body.reach / 2;
+  if (half > 0) shapes.push_back(polygon({{-half, low}, {half, low}, {half, low + 0.1}, {-half, low + 0.1}}));
+  return shapes;
+}
+
 PairCase pair_case(const std::string& title, const List<CaseBody>& bodies,
                    const List<CaseContact>& contacts) {
-  constexpr double thickness = 0.5;
   Scene scene;
   scene.add_ground();
   for (const CaseBody& body : bodies) {
-    scene.add({.shapes = {box(body.width, thickness)},
-               .position = {body.x, thickness / 2},
+    scene.add({.shapes = shapes_of(body),
+               .position = {body.x, height / 2},
                .mass = body.mass,
-               .inertia = body.inertia});
+               .inertia = body.inertia()});
   }
   PairCase result{.title = title, .snapshot = snapshot(World(scene))};
   VelocityProblem<double>& problem = result.problem;
   problem.inverse_mass.push_back({0, 0, 0});
   for (const CaseBody& body : bodies) {
-    problem.inverse_mass.push_back({1 / body.mass, 1 / body.mass, 1 / body.inertia});
+    problem.inverse_mass.push_back({1 / body.mass, 1 / body.mass, 1 / body.inertia()});
   }
   problem.velocity.assign(problem.inverse_mass.size(), Vec3<double>::Zero());
   problem.impulse.assign(contacts.size(), 0.0);
@@ -104,11 +114,12 @@ Snapshot with_contacts(const Scene& scene) {
 /// J_1 . J_2 has a share 1 + r_1 r_2 of the body, with arms from its centre, and a share 1 + x_1 x_2 of the
 /// ground, with places from its origin: below the centre in the first two cases, so that both say the same.
 List<PairCase> pair_cases() {
-  const CaseBody heavy{.x = 0, .width = 4.4, .mass = 6, .inertia = 1};   // r_1 r_2 = -1
-  const CaseBody struck{.x = 0, .width = 1.2, .mass = 6, .inertia = 1};  // r_1 r_2 = -I / m
-  const CaseBody left{.x = -1, .width = 1, .mass = 1, .inertia = 1.0 / 6};
-  const CaseBody right{.x = 1.5, .width = 1, .mass = 1, .inertia = 1.0 / 6};
-  return {pair_case("counted as 0, and is not", {heavy}, {{1, -2}, {1, 0.5}}),
+  const CaseBody struck{.x = 0, .width = std::sqrt(1.75), .mass = 6};  // I = 1 kg m^2, r_1 r_2 = -I / m
+  CaseBody armed = struck;                                             // r_1 r_2 = -1
+  armed.reach = 4.4;
+  const CaseBody left{.x = -1, .width = 1, .mass = 1};
+  const CaseBody right{.x = 1.5, .width = 1, .mass = 1};
+  return {pair_case("counted as 0, and is not", {armed}, {{1, -2}, {1, 0.5}}),
           pair_case("counted, and is 0", {struck}, {{1, -1.0 / 3}, {1, 0.5}}),
           pair_case("counted, though only the ground is shared", {left, right}, {{1, -1}, {2, 1.5}})};
 }
