@@ -220,10 +220,11 @@ List<Shot> stack_shots(const StackRun& recorded, const StackRun& question) {
       {.state = "the question's stack after one sweep",
        .alt = fmt::format("The stack after one sweep: the heavy box still falls at {} m/s.", fall),
        .scene = scene_after(1)},
-      fmt::format("{} m/s. Row 3 finds box 2 at {} m/s below a box at {} m/s. Its push changes the "
-                  "light box {:g} times as much as the heavy one.",
-                  fall, render::significant(-heavy->updates[1].velocity[{2}].y()),
-                  render::significant(-velocities_after(*heavy, 0).back()), heavy->settings.top)));
+      fmt::format(
+          "{} m/s. Row 3 finds box 2 falling at {} m/s, under a box falling at {} m/s. Its push changes the "
+          "light box {:g} times as much as the heavy one.",
+          fall, render::significant(-heavy->updates[1].velocity[{2}].y()),
+          render::significant(-velocities_after(*heavy, 0).back()), heavy->settings.top)));
   return shots;
 }
 
