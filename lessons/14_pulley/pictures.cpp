@@ -104,7 +104,7 @@ Aabb<double> all_of_run(const PulleyRuns& all) {
       lowest = std::min(lowest, step.snapshot.bodies[{i + 1}].pose.position.y() - half_box - weight);
     }
   }
-  return {{-3.5, lowest - 0.2}, {3.5, wheel_height + wheel_radius + 0.4}};
+  return {{-3.5, lowest - 0.2}, {3.85, wheel_height + wheel_radius + 0.4}};
 }
 
 /// The masses on their rope.
@@ -209,7 +209,7 @@ void draw_step(Page& page, const PulleyRuns& all, int k) {
   const render::Camera camera = draw_masses(page, halves[0], all, step);
   draw_pulls(page, camera, all, step);
   if (k == all.settings.lift_step + 1 && all.settings.lift > 0)
-    draw_motion(page, camera, step, 2, all.settings.lift, 1, fmt::format("{:g} m/s", all.settings.lift));
+    draw_motion(page, camera, step, 2, step.speed[2], 1, significant(step.speed[2]) + " m/s");
   render::Plot pull = over_run(page, all, k, [](const PulleyStep& one) { return one.tension; });
   pull.series[0].y[0] = std::nan("");  // no step has been made
   pull.title = "pull in the rope, λ (N)";
@@ -217,7 +217,7 @@ void draw_step(Page& page, const PulleyRuns& all, int k) {
   pull.goals.push_back({tension, fmt::format("by hand: {} N", fixed(tension, 1))});
   const int lift = all.settings.lift_step;
   if (all.settings.lift > 0 && lift < all.settings.steps)
-    pull.labels.push_back({1.0 * lift, tension, "thrown up"});
+    pull.labels.push_back({0, 0.4 * tension, fmt::format("thrown up after {}", lift)});
   draw_plot(page, right[0], pull);
   render::Plot room = over_run(page, all, k, [](const PulleyStep& one) { return 1000 * one.room; });
   room.title = "rope left over, c (mm)";
