@@ -31,7 +31,7 @@ void draw_stops(Page& page, const Rect& rect, const Slides& all, int count) {
     diamond.push_back(camera.project(stop_on_rails(all.settings, all.settings.speed() * along)));
   }
   page.canvas().polyline(rim, {.width = 1.5, .color = page.theme().si.color, .dash = page.theme().si.dash});
-  page.canvas().polyline(diamond, {.width = 1.5, .color = page.theme().pgs.color});
+  page.canvas().polyline(diamond, {.width = 1.5, .color = page.theme().box2d.color});
   const double radius = page.sizes().marker;
   for (int i = 0; i < count; ++i) {
     const Direction& direction = all.directions[i];
@@ -40,11 +40,11 @@ void draw_stops(Page& page, const Rect& rect, const Slides& all, int count) {
     page.canvas().line(start, circle, thin);
     page.canvas().line(circle, square, {.width = 1.5, .color = page.theme().inactive, .dash = {4, 3}});
     draw_marker(page.canvas(), circle, page.theme().si.marker, radius, page.theme().si.color);
-    draw_marker(page.canvas(), square, page.theme().pgs.marker, radius, page.theme().pgs.color);
+    draw_marker(page.canvas(), square, page.theme().box2d.marker, radius, page.theme().box2d.color);
   }
   for (const bool is_circle : {true, false}) {  // in the corners at the right, where no puck stops
     const Point at = camera.project({0.7 * distance, (is_circle ? 0.96 : -0.96) * distance});
-    const render::SeriesStyle& style = is_circle ? page.theme().si : page.theme().pgs;
+    const render::SeriesStyle& style = is_circle ? page.theme().si : page.theme().box2d;
     draw_marker(page.canvas(), at, style.marker, radius, style.color);
     page.canvas().text({at.x() + 2 * radius, at.y() + radius}, is_circle ? "circle" : "square", page.label());
   }
@@ -86,7 +86,7 @@ render::Series slides_series(const render::SeriesStyle& style, const Slides& all
 List<render::Series> over_direction(const Page& page, const Slides& all, int count, Measure measure) {
   return {formula_series(page, measure),
           slides_series(page.theme().si, all, count, &Direction::circle, measure),
-          slides_series(page.theme().pgs, all, count, &Direction::square, measure)};
+          slides_series(page.theme().box2d, all, count, &Direction::square, measure)};
 }
 
 double length_of(const Vec2<double>& place) { return place.norm(); }

@@ -70,7 +70,7 @@ render::Camera draw_floor(Page& page, const Rect& rect, const Slides& all) {
 
 /// A puck in the colour of its limit, with the name of that beside it while it moves.
 void draw_puck(Page& page, const render::Camera& camera, const Slides& all, int k, bool is_circle) {
-  const render::SeriesStyle& style = is_circle ? page.theme().si : page.theme().pgs;
+  const render::SeriesStyle& style = is_circle ? page.theme().si : page.theme().box2d;
   const double radius = all.settings.puck_radius() * camera.scale;
   const Slide& slide = is_circle ? all.circle : all.square;
   const Point at = camera.project(slide.steps[k].place);
@@ -96,7 +96,7 @@ void draw_limit_lines(Page& page, const render::Camera& camera, double limit, do
                                      Vec2<double>(-1, 1), Vec2<double>(-1, -1)}) {
     corners.push_back(camera.project(limit * corner));
   }
-  page.canvas().polyline(corners, {.width = width, .color = page.theme().pgs.color});
+  page.canvas().polyline(corners, {.width = width, .color = page.theme().box2d.color});
   List<Point> rim;
   for (int i = 0; i <= 96; ++i)
     rim.push_back(camera.project({limit * std::cos(i * pi / 48), limit * std::sin(i * pi / 48)}));
@@ -106,7 +106,8 @@ void draw_limit_lines(Page& page, const render::Camera& camera, double limit, do
 void name_limits(Page& page, const render::Camera& camera, double limit) {
   const double size = page.tick().size;
   const Point corner = camera.project({-limit, limit});
-  page.canvas().text({corner.x(), corner.y() - 8}, "square", name_style(page, size, page.theme().pgs.color));
+  page.canvas().text({corner.x(), corner.y() - 8}, "square",
+                     name_style(page, size, page.theme().box2d.color));
   render::TextStyle circle = name_style(page, size, page.theme().si.color);
   circle.align = render::Align::right;
   page.canvas().text(camera.project({0.66 * limit, -0.64 * limit}), "circle", circle);
@@ -134,7 +135,7 @@ render::Camera draw_table(Page& page, const Rect& rect, const Slides& all, int k
   }
   draw_ghosts(page, camera, earlier);
   draw_path(page, camera, all.circle, k, page.theme().si);
-  draw_path(page, camera, all.square, k, page.theme().pgs);
+  draw_path(page, camera, all.square, k, page.theme().box2d);
   if (k == 0) draw_world(page, camera, both_pucks(all, k), {.numbers = false});
   for (const Slide* slide : {&all.circle, &all.square}) {
     if (k > 0) draw_puck(page, camera, all, k, slide == &all.circle);

@@ -30,7 +30,7 @@ void draw_clamps(Page& page, const Rect& rect, const Slides& all, int known) {
   const Vec2<double> parts = parts_clamped(settings, wanted);
   const Vec2<double> vector = vector_clamped(settings, wanted);
   const auto entry = [&](int needed, double force, int decimals) -> std::string {
-    return known >= needed ? fixed(force + 0.0, decimals) : "·";
+    return known >= needed ? fixed(force + 0.0, decimals) : "?";
   };
   render::TableView table{.header = {"λ (N)", "asked for", "parts clamped", "vector clamped"}};
   table.rows = {{"λ_{x}", entry(1, wanted.x(), 1), entry(1, parts.x(), 2), entry(3, vector.x(), 2)},
@@ -114,7 +114,7 @@ void draw_speeds(Page& page, const Rect& rect, const Slides& all, int k) {
   const int last = all.circle.steps.size() - 1;
   plot.x = {.title = "t (s)", .min = 0, .max = last * all.settings.dt};
   plot.y = {.title = "", .min = 0, .max = 1.1 * all.settings.speed()};
-  plot.series = {speed_series("square", page.theme().pgs, all, all.square),
+  plot.series = {speed_series("square", page.theme().box2d, all, all.square),
                  speed_series("circle", page.theme().si, all, all.circle)};
   plot.now = k * all.settings.dt;
   draw_plot(page, rect, plot);
@@ -129,12 +129,13 @@ void draw_step(Page& page, const Slides& all, int k) {
   double base = camera.viewport.y;
   for (const bool is_circle : {false, true}) {  // at the head of each force its limit's marker
     const Vec2<double>& lambda = is_circle ? circle : square;
-    const render::SeriesStyle& style = is_circle ? page.theme().si : page.theme().pgs;
+    const render::SeriesStyle& style = is_circle ? page.theme().si : page.theme().box2d;
     draw_marker(page.canvas(), camera.project(lambda), style.marker, 1.3 * page.sizes().marker, style.color);
     base += 1.4 * page.sizes().title;
-    page.canvas().text({camera.viewport.x, base},
-                       fmt::format("{}: {:.2f} N", is_circle ? "circle" : "square", lambda.norm()),
-                       name_style(page, page.sizes().title, style.color));
+    render::TextStyle text = name_style(page, page.sizes().title, style.color);
+    text.align = render::Align::right;
+    page.canvas().text({camera.viewport.x + camera.viewport.width, base},
+                       fmt::format("{}: {:.2f} N", is_circle ? "circle" : "square", lambda.norm()), text);
   }
   draw_speeds(page, right[1], all, k);
 }
@@ -179,7 +180,7 @@ void draw_way(Page& page, const render::Camera& camera, const Slide& slide, doub
   const Vec2<double> end = slide.steps.back().place;
   draw_dimension(page, camera, end, aside,
                  fmt::format("{}: {:.2f} m", is_circle ? "circle" : "square", end.norm()),
-                 (is_circle ? page.theme().si : page.theme().pgs).color);
+                 (is_circle ? page.theme().si : page.theme().box2d).color);
 }
 
 /// The table before the first step with the way that is known, and what limits the friction.
@@ -187,7 +188,7 @@ void draw_question(Page& page, const Rect& rect, const Slides& all) {
   const List<Rect> halves = columns(rect, {0.5, 0.5}, page.sizes().gap);
   const render::Camera camera = draw_table(page, halves[0], all, 0);
   draw_way(page, camera, all.circle, 24);
-  render::TextStyle asked = name_style(page, page.sizes().title, page.theme().pgs.color);
+  render::TextStyle asked = name_style(page, page.sizes().title, page.theme().box2d.color);
   asked.align = render::Align::right;
   page.canvas().text(camera.project(0.4 * all.circle.steps.back().place) - Point(50, 0), "square: ? m",
                      asked);
