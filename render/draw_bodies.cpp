@@ -164,8 +164,7 @@ void write_name(Page& page, const Camera& camera, const SnapshotBody& body, Body
   for (const std::string& text : {"body " + letter, letter}) {
     if (!fits(camera, body, below, page.canvas().text_width(text, rank) + 8, 0.8 * rank.size)) continue;
     const List<Point> under = {Point(below.x(), baseline_around(below.y(), rank.size))};
-    write_if_free(page, under, camera.viewport, text, rank);
-    return;
+    if (write_if_free(page, under, camera.viewport, text, rank)) return;
   }
 }
 
