@@ -43,18 +43,18 @@ struct RodScene {
   Span<const Snapshot> motion = {};  // where the rod goes
 };
 
-/// The name of a force beside its arrow, in one or more lines; `align` says where `at` is in them.
-void name_force(Page& page, Point at, render::Align align, const List<std::string>& lines) {
+/// The name of a force, beside its arrow or a line lower or higher; `align` says where `at` is in it.
+void name_force(Page& page, const Rect& within, const Point& at, render::Align align,
+                const std::string& name) {
   render::TextStyle style = page.value();
   style.align = align;
   style.halo = page.theme().background;
   style.color = page.theme().normal;
   style.bold = !page.compact();
   if (!page.compact()) style.size = std::max(style.size, render::large_text);
-  for (const std::string& line : lines) {
-    page.canvas().text(at, line, style);
-    at.y() += 1.3 * style.size;
-  }
+  List<Point> places;
+  for (const double down : {0.0, 1.3, -1.5, -3.0}) places.push_back(at + Point(0, down * style.size));
+  page.place_text(places, within, name, style);
 }
 
 void draw_forces(Page& page, const render::Camera& camera, const SweepRun& run, const RodScene& shown) {
@@ -77,19 +77,23 @@ void draw_forces(Page& page, const render::Camera& camera, const SweepRun& run, 
   }
   const double height = metres * shown.lambda[1];  // [m]
   arrow(render::ArrowKind::normal, support, shown.lambda[1], "");
+  const bool stays = shown.lambda[0] != 0 || shown.motion.empty();  // else the rod leaves this support
+  if (stays) {
+    arrow(render::ArrowKind::normal, 0.02, shown.lambda[0], "");
+    const Point at = camera.project({0.02, 0.12 + metres * std::abs(shown.lambda[0]) / 2}) + Point(-14, 6);
+    name_force(page, camera.viewport, at, render::Align::right,
+               fmt::format("λ_{{1}} = {} N", brief(shown.lambda[0], 2)));
+    if (shown.lambda[0] < 0 || shown.clamped)
+      name_force(page, camera.viewport, at + Point(0, 23), render::Align::right,
+                 shown.clamped ? "clamped" : "a pull");
+  }
   // Beside a long arrow, above a short one; on the side where the weight is not.
   const bool is_long = height > 0.5, is_left = support < middle;
   const Point aside = is_long ? Point(is_left ? -14 : 14, 6) : Point(is_left ? 12 : -12, -8);
-  name_force(page, camera.project({support, 0.12 + (is_long ? height / 2 : height)}) + aside,
+  name_force(page, camera.viewport, camera.project({support, 0.12 + (is_long ? height / 2 : height)}) + aside,
              is_left ? render::Align::right : render::Align::left,
-             {fmt::format("λ_{{2}} = {} N", brief(shown.lambda[1], 2))});
+             fmt::format("λ_{{2}} = {} N", brief(shown.lambda[1], 2)));
   arrow(render::ArrowKind::external, middle, -weight, fmt::format("m g = {} N", brief(weight)));
-  if (shown.lambda[0] == 0 && !shown.motion.empty()) return;  // the rod leaves this support
-  arrow(render::ArrowKind::normal, 0.02, shown.lambda[0], "");
-  List<std::string> lines = {fmt::format("λ_{{1}} = {} N", brief(shown.lambda[0], 2))};
-  if (shown.lambda[0] < 0 || shown.clamped) lines.push_back(shown.clamped ? "clamped" : "a pull");
-  name_force(page, camera.project({0.02, 0.12 + metres * std::abs(shown.lambda[0]) / 2}) + Point(-14, 6),
-             render::Align::right, lines);
 }
 
 /// The rod, what its supports give, its weight, and how far from each other they act.
