@@ -61,6 +61,9 @@ void draw_turning(Page& page, const render::Camera& camera, const Push& push) {
                          {.width = 0.65 * page.sizes().arrow, .color = page.theme().velocity, .dash = {}});
   render::TextStyle style = page.value();
   style.align = render::Align::center;
+  style.color = page.theme().velocity;
+  style.size = render::large_text;
+  style.bold = true;
   page.canvas().text(points[16] + Point(0, -12), significant(w, 3) + " rad/s", style);
 }
 
