@@ -121,6 +121,15 @@ int rows_by_formula(const NeedsSettings& settings, const Switches& switches) {
   return rows + 2 * settings.links;
 }
 
+StageMean mean_of(const BillRun& run, int stage) {
+  StageMean mean;
+  for (const StepBill& bill : run.steps) {
+    mean.sweeps += 1.0 * bill.stages[stage].sweeps / run.steps.size();
+    mean.updates += 1.0 * bill.stages[stage].rows * bill.stages[stage].sweeps / run.steps.size();
+  }
+  return mean;
+}
+
 int least_rows(const BillRun& run) {
   int least = run.steps[0].rows;
   for (const StepBill& bill : run.steps) least = std::min(least, bill.rows);

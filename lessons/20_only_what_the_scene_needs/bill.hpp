@@ -72,6 +72,13 @@ struct NeedsRun {
   int touch = 0;            // the step in which the ball reaches the pyramid; 0: never
 };
 
+/// What a stage takes in a step, on average.
+struct StageMean {
+  double sweeps = 0;
+  double updates = 0;
+};
+StageMean mean_of(const BillRun& run, int stage);
+
 /// The least rows of any step.
 int least_rows(const BillRun& run);
 

@@ -18,13 +18,15 @@ LessonInfo card() {
       .needs = {"lesson 09", "lesson 11", "lesson 18"},
       .reads = {"src/world/plan.hpp", "src/world/sleeping.hpp", "src/solvers/stopping.hpp"},
       .question =
-          "A pyramid and a tower stand, a chain swings, a ball flies. If each step ends once the errors "
-          "are down to a thousandth instead of after 50 sweeps, 91 % of the row updates are left. How many "
-          "per cent are left if pyramid, tower and chain each end by themselves?",
+          "Pyramid, tower and chain have 100, 40 and 10 rows, and get 50 sweeps a step. If each step ends "
+          "once "
+          "all errors are down to a thousandth, 91\u00a0% of the row updates are left. Ended by itself, the "
+          "pyramid takes 8 sweeps on average, the chain 33. How many per cent are left if all three end by "
+          "themselves?",
       .spoilers = {"39", "0.85 m"},
-      .hints = {"If a step ends for all at once, which island does everybody wait for?",
-                "The islands are seldom hard to satisfy in the same step.",
-                "The tower has 40 of the 150 rows, and needs the most sweeps."},
+      .hints = {"If a step ends for all at once, which of the three does everybody wait for?",
+                "91 % of 50 sweeps are 45.5. Whose are they?",
+                "Add rows × sweeps of the three, and divide by 150 × 50."},
       .parameters = {{"sweeps", 50, 1, 200, "", "in every step, at most", Parameter::Kind::whole},
                      {"tolerance", 0.001, 1e-6, 0.3, "", "R_E at which a step may end sooner"},
                      {"bodies", 10, 1, 15, "", "boxes in the tower", Parameter::Kind::whole},

@@ -91,7 +91,11 @@ void draw_course(Page& page, const Rect& rect, const NeedsRun& all, int step) {
 
 void draw_step(Page& page, const NeedsRun& all, int step) {
   const List<Rect> parts = rows(page.area(), {0.56, 0.44}, page.sizes().gap);
-  draw_scene(page, parts[0], all, step);
+  draw_scene(page, parts[0], all,
+             {.title = "the run \"together\", its rows × sweeps; pale: asleep",
+              .run = all_free,
+              .step = step,
+              .lines = swept_lines(all, all_free, step)});
   const List<Rect> below = columns(parts[1], {0.44, 0.56}, page.sizes().gap);
   draw_bill(page, below[0], all, step);
   draw_course(page, below[1], all, step);
@@ -99,12 +103,13 @@ void draw_step(Page& page, const NeedsRun& all, int step) {
 
 Shot step_shot(const Run& all, int step, bool key) {
   const StepBill& whole = all->runs[everything].steps[step - 1];
-  const StepBill& asleep = all->runs[sleeping].steps[step - 1];
+  const StepBill& together = all->runs[all_free].steps[step - 1];
   const StepBill& alone = all->runs[by_islands].steps[step - 1];
-  return {.state = fmt::format("step {} · {} of {} bodies awake", step, asleep.awake, whole.awake),
+  return {.state = fmt::format("step {} · {} of {} bodies awake", step, together.awake, whole.awake),
           .alt = fmt::format("Step {}: a pyramid, a tower, a chain and a ball; {} bodies are awake. Row "
-                             "updates: {} with everything, {} with sleep, {} if each island ends by itself.",
-                             step, asleep.awake, whole.updates, asleep.updates, alone.updates),
+                             "updates: {} with everything, {} if each island ends by itself, {} with all "
+                             "switches together.",
+                             step, together.awake, whole.updates, alone.updates, together.updates),
           .draw = [all, step](Page& page) { draw_step(page, *all, step); },
           .key = key};
 }
@@ -139,20 +144,32 @@ void draw_ruin(Page& page, const NeedsRun& all) {
   page.note(
       parts[1], "No friction",
       fmt::format("It saves nearly half of the row updates, and until the ball comes nothing needs the rows "
-                  "that it leaves out. Then a row of boxes slides out: they are up to {} m off.",
-                  fixed(all.runs[no_friction].off_after, 2)),
+                  "that it leaves out. Then a row of boxes slides out: one of them ends {} m off.",
+                  fixed(off_at_end(all, no_friction, farthest_box(all, no_friction)), 2)),
       question_growth);
+}
+
+/// "1820 of 2000": what each island takes by itself, and what all sweeps would be.
+List<std::string> mean_lines(const NeedsRun& all) {
+  const BillRun& run = all.runs[by_islands];
+  List<std::string> lines;
+  for (int i = 0; i < run.steps[0].stages.size(); ++i)
+    lines.push_back(fmt::format("{:.0f} of {}", mean_of(run, i).updates,
+                                run.steps[0].stages[i].rows * all.settings.sweeps));
+  return lines;
 }
 
 std::string answer_text(const NeedsRun& all) {
   return fmt::format(
-      "{:.0f} %. The tower needs all {} sweeps in most steps. In one piece with it, pyramid and chain are "
-      "swept "
-      "as often; by themselves they stop after a few. Sleep leaves {:.0f} %, all together {:.0f} %.",
-      share_of(all, by_islands), all.settings.sweeps, share_of(all, sleeping), share_of(all, all_free));
+      "{:.0f} %. In one piece with the tower, all are swept as often as the tower needs. By itself the "
+      "pyramid, with the most rows, stops after {:.0f} sweeps on average. Sleep leaves {:.0f} %, all "
+      "together "
+      "{:.0f} %.",
+      share_of(all, by_islands), mean_of(all.runs[by_islands], 0).sweeps, share_of(all, sleeping),
+      share_of(all, all_free));
 }
 
-/// Steps worth a frame of their own: early, asleep, touched, late.
+/// Steps worth a frame of their own: the first, asleep, touched, the last.
 std::set<int> key_steps(const NeedsRun& all) {
   std::set<int> keys = {1, all.settings.steps};
   if (all.touch > 2) keys.insert({all.touch - 2, all.touch + 2});
@@ -163,11 +180,14 @@ std::set<int> key_steps(const NeedsRun& all) {
 
 List<Shot> needs_shots(const NeedsRun& recorded) {
   const Run all = std::make_shared<const NeedsRun>(recorded);
-  List<Shot> shots = {question_shot(
-      card(), {.state = "before the first step",
-               .alt = "A pyramid, a tower, a chain and a ball in flight, and the question",
-               .scene = [all](Page& page, const Rect& rect) { draw_scene(page, rect, *all, 0); },
-               .place = ScenePlace::above})};
+  List<Shot> shots = {
+      question_shot(card(), {.state = "before the first step",
+                             .alt = "A pyramid, a tower, a chain and a ball in flight, and the question",
+                             .scene =
+                                 [all](Page& page, const Rect& rect) {
+                                   draw_scene(page, rect, *all, {.lines = swept_lines(*all, by_islands, 0)});
+                                 },
+                             .place = ScenePlace::above})};
   const std::set<int> keys = key_steps(*all);
   std::set<int> steps = keys;
   for (int step = 2; step < all->settings.steps; step += 2) steps.insert(step);
@@ -185,7 +205,10 @@ List<Shot> needs_shots(const NeedsRun& recorded) {
   }
   const auto draw_answer = [all](Page& page, const Rect& rect) {
     const List<Rect> parts = rows(rect, {0.45, 0.55}, page.sizes().gap);
-    draw_scene(page, parts[0], *all, all->settings.steps);
+    draw_scene(page, parts[0], *all,
+               {.title = "exit by island: row updates a step, on average",
+                .step = all->settings.steps,
+                .lines = mean_lines(*all)});
     draw_shares(page, parts[1], *all);
   };
   const std::string answer = answer_text(*all);

@@ -45,14 +45,18 @@ void print_steps(Lesson& lesson, const NeedsRun& all) {
   const List<StepBill>& steps = all.runs[by_islands].steps;
   std::string line =
       fmt::format("exit by island: steps of {} that take all {} sweeps:", steps.size(), all.settings.sweeps);
+  std::string sweeps = "  sweeps a step, on average:", updates = "  updates a step, on average:";
   const FixedList<std::string, 3> names = {"pyramid", "tower", "chain"};
   for (int i = 0; i < names.size(); ++i) {
     const auto all_sweeps = [&](const StepBill& bill) {
       return bill.stages[i].sweeps == all.settings.sweeps;
     };
     line += fmt::format("  {} {}", names[i], std::count_if(steps.begin(), steps.end(), all_sweeps));
+    const StageMean taken = mean_of(all.runs[by_islands], i);
+    sweeps += fmt::format("  {} {:.1f}", names[i], taken.sweeps);
+    updates += fmt::format("  {} {:.0f}", names[i], taken.updates);
   }
-  lesson.print(line);
+  for (const std::string& each : {line, sweeps, updates}) lesson.print(each);
   lesson.print();
 }
 
@@ -128,8 +132,9 @@ void report(Lesson& lesson, const NeedsRun& all) {
   lesson.answer({100.0 * static_cast<double>(all.runs[by_islands].updates) /
                  static_cast<double>(all.runs[everything].updates)},
                 5,
-                "Per cent. The tower needs all sweeps in most steps. In one piece with it, the pyramid and "
-                "the chain are swept just as often, although a few sweeps are enough for them.");
+                "Per cent. In one piece with the tower, the pyramid and the chain are swept as often as the "
+                "tower needs, "
+                "although fewer sweeps are enough for them.");
   check_all(lesson, all);
 }
 

@@ -5,6 +5,7 @@
 
 #include "math/list.hpp"
 #include "parts.hpp"
+#include "render/arrow.hpp"
 #include "render/draw.hpp"
 
 namespace cairn::needs {
@@ -14,8 +15,6 @@ namespace {
 using render::Page;
 using render::Point;
 using render::Rect;
-
-const int shown = sleeping;  // the run whose bodies are drawn
 
 /// What an island of the frame is like.
 struct Island {
@@ -38,19 +37,11 @@ Island island_of(const NeedsRun& all, const Snapshot& now, Group group) {
   return island;
 }
 
-/// "40 rows × 50 sweeps": what an island has taken by itself in this step; before the first step only its
-/// rows.
-std::string swept_text(const NeedsRun& all, int stage, int step) {
-  const StageBill bill = all.runs[by_islands].steps[std::max(step, 1) - 1].stages[stage];
-  const std::string sweeps = step == 0 ? "?" : fmt::format("{}", bill.sweeps);
-  return fmt::format("{} rows × {} sweep{}", bill.rows, sweeps, sweeps == "1" ? "" : "s");
-}
-
 /// A frame around an island, dashed while it is awake, with its name and another line.
 void draw_island(Page& page, const render::Camera& camera, const Island& island, const std::string& name,
                  const std::string& line) {
   const render::Theme& theme = page.theme();
-  const double margin = 0.25;  // [m]
+  const double margin = 0.25 + page.sizes().joint / camera.scale;  // [m]
   const Point low =
       camera.project({island.box.lower.x() - margin, std::max(0.0, island.box.lower.y() - margin)});
   const Point high = camera.project({island.box.upper.x() + margin, island.box.upper.y() + margin});
@@ -76,35 +67,69 @@ Aabb<double> view_of(const NeedsSettings& settings) {
 
 }  // namespace
 
-void draw_scene(Page& page, const Rect& rect, const NeedsRun& all, int step) {
-  const Rect inside = page.panel(
-      rect,
-      step == 0 ? "" : "rows × sweeps of the run \"exit by island\"; pale: asleep in the run \"sleep\"");
+List<std::string> swept_lines(const NeedsRun& all, int run, int step) {
+  List<std::string> lines;
+  for (const StageBill& bill : all.runs[run].steps[std::max(step, 1) - 1].stages) {
+    const std::string sweeps = step == 0 ? "?" : fmt::format("{}", bill.sweeps);
+    lines.push_back(bill.rows == 0
+                        ? "no rows"
+                        : fmt::format("{} rows × {} sweep{}", bill.rows, sweeps, sweeps == "1" ? "" : "s"));
+  }
+  return lines;
+}
+
+void draw_scene(Page& page, const Rect& rect, const NeedsRun& all, const SceneView& view) {
+  const Rect inside = page.panel(rect, view.title);
   const double words = 2.9 * page.sizes().tick;  // two lines above the highest frame
   const render::Camera camera =
       render::fit({inside.x, inside.y + words, inside.width, inside.height - words}, view_of(all.settings));
-  const Snapshot& now = all.runs[shown].frames[step];
+  const Snapshot& now = all.runs[view.run].frames[view.step];
   page.canvas().push_clip(inside);
   draw_world(page, camera, now, {.numbers = false, .contacts = false, .penetration = false});
   const SnapshotBody& ball = now.bodies[ball_of(all.settings)];
-  if (step < all.touch) {
+  if (view.step < all.touch) {
     draw_arrow(
         page, camera, {.pixels_per_unit = 0.3 * camera.scale, .longest = 4 * camera.scale},
         {.kind = render::ArrowKind::velocity, .tail = ball.pose.position, .value = ball.velocity.head<2>()});
   }
-  draw_island(page, camera, island_of(all, now, Group::pyramid), "pyramid", swept_text(all, 0, step));
-  draw_island(page, camera, island_of(all, now, Group::tower), "tower", swept_text(all, 1, step));
-  draw_island(page, camera, island_of(all, now, Group::chain), "chain", swept_text(all, 2, step));
+  const FixedList<std::string, 3> names = {"pyramid", "tower", "chain"};
+  const FixedList<Group, 3> groups = {Group::pyramid, Group::tower, Group::chain};
+  for (int i = 0; i < names.size(); ++i)
+    draw_island(page, camera, island_of(all, now, groups[i]), names[i], view.lines[i]);
   page.canvas().pop_clip();
 }
 
+BodyId farthest_box(const NeedsRun& all, int run) {
+  BodyId farthest = {1};
+  for (int i = 1; i <= pyramid_boxes; ++i)
+    if (off_at_end(all, run, {i}) > off_at_end(all, run, farthest)) farthest = {i};
+  return farthest;
+}
+
+double off_at_end(const NeedsRun& all, int run, BodyId body) {
+  const Vec2<double> here = all.runs[run].frames.back().bodies[body].pose.position;
+  return (here - all.reference.frames.back().bodies[body].pose.position).norm();
+}
+
 void draw_pyramid(Page& page, const Rect& rect, const NeedsRun& all, int run) {
-  const Rect inside = page.panel(rect, all.runs[run].switches.name + "; thin: before the hit");
-  const render::Camera camera = render::fit(inside, {{-5.5, -0.45}, {7.5, 5.5}});
+  const Rect inside = page.panel(rect, all.runs[run].switches.name + "; thin: where it should be");
+  const render::Camera camera = render::fit(inside, {{-5.2, -0.45}, {4.2, 5.3}});
   page.canvas().push_clip(inside);
-  draw_ghosts(page, camera, {&all.runs[run].frames[all.touch - 1], 1});  // before the hit
-  draw_world(page, camera, all.runs[run].frames.back(),
-             {.numbers = false, .contacts = false, .penetration = false});
+  const Snapshot& should = all.reference.frames.back();
+  const Snapshot& now = all.runs[run].frames.back();
+  draw_world(page, camera, now, {.numbers = false, .contacts = false, .penetration = false});
+  draw_ghosts(page, camera, {&should, 1});
+  const BodyId box = farthest_box(all, run);
+  const double off = off_at_end(all, run, box);
+  if (off > 0.1) {  // [m]
+    const Point from = camera.project(should.bodies[box].pose.position);
+    const Point to = camera.project(now.bodies[box].pose.position);
+    draw_length(page, from, to, {.width = 3, .color = page.theme().normal});
+    render::TextStyle text = page.value();
+    text.bold = true, text.align = render::Align::right;
+    page.canvas().text({from.x() - 0.65 * camera.scale, from.y() + text.size / 3},
+                       render::fixed(off, 2) + " m off", text);
+  }
   page.canvas().pop_clip();
 }
 
