@@ -28,10 +28,13 @@ void draw_bob(Page& page, const Rect& rect, const BobRun& run, int step, const s
               const render::SeriesStyle& style) {
   const Rect inside = page.panel(rect, name);
   page.canvas().rect({rect.x, rect.y, rect.width, 4}, {.fill = style.color});
-  const render::Camera camera = render::fit(inside, {{-1.25, -2.7}, {1.7, 1.15}});
+  const render::Camera camera = render::fit(inside, {{-1.25, -2.7}, {1.7, 1.35}});
   page.canvas().push_clip(inside);
   const Point pin = camera.project({0, 0});
   page.canvas().circle(pin, camera.scale, {.outline = page.theme().inactive, .outline_width = 2});
+  render::TextStyle text = page.label();
+  text.align = render::Align::center;
+  page.canvas().text(camera.project({0, 1}) - Point(0, 8), "where the pin should hold it", text);
   List<Vec2<double>> path;
   for (int k = 0; k <= step && is_inside(inside, camera.project(run.path[k])); ++k)
     path.push_back(run.path[k]);
@@ -47,8 +50,6 @@ void draw_bob(Page& page, const Rect& rect, const BobRun& run, int step, const s
       {.fill = page.theme().panel, .outline = page.theme().joint, .outline_width = page.sizes().outline});
   page.canvas().pop_clip();
   if (is_inside(inside, bob)) return;
-  render::TextStyle text = page.label();
-  text.align = render::Align::center;
   text.halo = page.theme().panel;
   page.canvas().text({pin.x(), pin.y() + 0.45 * camera.scale},
                      fmt::format("{} m away", render::significant(run.path[step].norm(), 2)), text);
