@@ -45,8 +45,10 @@ double largest_finite(const Eigen::MatrixXd& values) {
 
 // Whole pixels for a cell where it has any, so that all cells look alike.
 MatrixGrid lay_out(Page& page, const Rect& rect, const MatrixView& view) {
-  MatrixGrid grid = {
-      .page = page, .view = view, .shown = view.values, .largest = largest_finite(view.values)};
+  MatrixGrid grid = {.page = page,
+                     .view = view,
+                     .shown = view.values,
+                     .largest = std::max(largest_finite(view.values), view.strongest)};
   const double top = view.title.empty() ? 2 : std::round(1.7 * matrix_title(page).size);
   const double names =
       view.row_names.empty() ? 0 : std::ceil(widest_name(page, view.row_names)) + matrix_name_gap;

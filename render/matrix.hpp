@@ -23,7 +23,8 @@ struct MatrixView {
   List<std::pair<int, int>> unknown =
       {};  // rows and columns of the cells not computed yet: "?" upon hatching
   MatrixColors colors = MatrixColors::signed_values;
-  bool numbers = true;  // false: colours alone, where most numbers would not fit
+  double strongest = 0;  // has the full colour, so that matrices can be compared; 0: the largest value
+  bool numbers = true;   // false: colours alone, where most numbers would not fit
 };
 
 /// Cells are square, as large as fits up to 64 px, at the top left of `rect`. Values are printed in cells of

@@ -154,7 +154,8 @@ List<render::MatrixView> system_views(const StackRun& run, const Eigen::MatrixXd
            .values = stage.leftCols(n),
            .row_names = row_names(n),
            .column_names = row_names(n),
-           .active_row = active},
+           .active_row = active,
+           .strongest = run.system.A.cwiseAbs().maxCoeff()},
           {.title = "b (m/s²)", .values = stage.col(n), .active_row = active}};
 }
 

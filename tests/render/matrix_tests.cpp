@@ -85,6 +85,16 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("the same number has the same colour in matrices that name the same strongest value") {
+  Eigen::MatrixXd values(2, 3);
+  values << 4, 2, 0, -4, -2, -1;
+  const Theme theme = light_theme();
+  const Image whole = picture_of({.values = values}, matrix_room, theme).image;
+  const Image half = picture_of({.values = values / 2, .strongest = 4}, matrix_room, theme).image;
+  CHECK(matrix_distance(cell_pixel(half, 0, 0), cell_pixel(whole, 0, 1)) == 0);
+  CHECK(matrix_distance(cell_pixel(half, 1, 1), cell_pixel(whole, 1, 2)) == 0);
+}
+
 TEST_CASE("rounding errors of a matrix are drawn as the zeros they stand for") {
   Eigen::MatrixXd values(1, 2);
   values << 3, 4e-16;
