@@ -61,7 +61,7 @@ std::string numbers_text(const List<double>& numbers) {
   return joined(words, ", ");
 }
 
-Verdict verdict_on(const List<double>& guess, const List<double>& right, double tolerance) {
+Judgement judged(const List<double>& guess, const List<double>& right, double tolerance) {
   if (guess.size() != right.size()) {
     return {
         .words = fmt::format(

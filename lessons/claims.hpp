@@ -31,11 +31,11 @@ std::string numbers_text(const List<double>& numbers);
 
 /// A reader's guess beside the numbers that were asked for. What is printed alike is right, however small the
 /// tolerance: nobody is told that 17.14 is wrong, and 17.14 right.
-struct Verdict {
+struct Judgement {
   bool is_right = false;
   std::string words = {};  // "RIGHT    ", or what was said and "it is ": the right numbers follow
 };
-Verdict verdict_on(const List<double>& guess, const List<double>& right, double tolerance);
+Judgement judged(const List<double>& guess, const List<double>& right, double tolerance);
 
 /// How many hold.
 int holding(const List<Claim>& claims);

@@ -167,7 +167,7 @@ void Lesson::answer(const List<double>& right, double tolerance, std::string_vie
   const std::string told = numbers_text(right) + "   " + std::string(explanation);
   if (!state_->guess) return print(wrapped("ANSWER   " + told, page_width, 9));
   const List<double>& guess = *state_->guess;
-  const Verdict verdict = verdict_on(guess, right, tolerance);
+  const Judgement verdict = judged(guess, right, tolerance);
   Console& console = state_->console;
   console.result(console.spelt(wrapped(verdict.words + told, page_width, 9)));
   // A guess at the prompt is free; an answer on the command line wants a verdict.
