@@ -71,16 +71,17 @@ void draw_stacks(Page& page, const Rect& rect, const ExtremesRun& run, int sweep
 void draw_errors(Page& page, const Rect& rect, const ExtremesRun& run, int sweep) {
   render::Plot plot{.title = "error of the load on the ground (%)"};
   const int last = run_of(run.ratios, run.settings.ratio).counted;
-  plot.x = {.title = "sweep", .min = 0, .max = 1.08 * last};
+  plot.x = {.title = "sweep", .min = -0.03 * last, .max = 1.08 * last};
   plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 0.5, .max = 120};
   for (const double ratio : {run.settings.ratio, 1 / run.settings.ratio}) {
     const RatioRun& each = run_of(run.ratios, ratio);
     render::Series& series = plot.series.emplace_back();
     series.style = style_of(page, ratio);
     series.markers = false;
-    for (int k = 0; k < each.error.size() && 100 * each.error[k] >= 0.1; ++k) {
+    for (int k = 0; k < each.error.size() && each.error[k] > 0; ++k) {
       series.x.push_back(k);
       series.y.push_back(100 * each.error[k]);
+      if (series.y.back() < 0.1) break;  // below the axis
     }
     if (sweep < each.counted) continue;
     plot.labels.push_back({static_cast<double>(each.counted), 100 * each.error[each.counted],
@@ -224,8 +225,8 @@ List<Shot> extremes_shots(const ExtremesRun& recorded) {
   const int last = run_of(run->ratios, run->settings.ratio).counted;
   const QuestionFrame asked{
       .state = "before the first sweep",
-      .alt = fmt::format("Two stacks of two boxes, {} and {}, and the question",
-                         name_of(run->settings.ratio), name_of(1 / run->settings.ratio)),
+      .alt = fmt::format("Two stacks of two boxes, {} and {}, and the question", name_of(run->settings.ratio),
+                         name_of(1 / run->settings.ratio)),
       .scene =
           [run](Page& page, const Rect& rect) {
             draw_stacks(page, rect, *run, 0, {"? sweeps", "? sweeps"});

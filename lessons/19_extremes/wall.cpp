@@ -60,13 +60,13 @@ SmallWorld shot(const WallSettings& settings, const std::string& name, Speed kin
              .velocity = {settings.speed, 0},
              .mass = 1,
              .fast = kind == Speed::watched});
-  SmallWorld world{.edge = {.name = name, .quantity = "the ball"}, .scene = std::move(scene)};
+  SmallWorld world{.edge = {.name = name, .quantity = "the ball (front)"}, .scene = std::move(scene)};
   world.budget = 0.5 * settings.speed * settings.speed;
   world.off = [](const Snapshot& now) {
     const double face = now.bodies[{1}].pose.position.x() - wall_thickness / 2;
     return std::max(0.0, place_of(now).x() + ball_radius - face) / (2 * ball_radius);
   };
-  world.edge.view = {{-2.9, -1.5}, {2.3, 1.5}};
+  world.edge.view = {{-2.6, -1.5}, {2.6, 1.5}};  // the wall in the middle
   return world;
 }
 
