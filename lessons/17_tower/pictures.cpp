@@ -58,7 +58,7 @@ void draw_bars(Page& page, const render::Camera& camera, const TowerRuns& runs,
 /// SI's tower with the loads of all engines, and in the corner what each finds at the ground.
 void draw_tower(Page& page, const Rect& rect, const TowerRuns& runs, const List<EngineRun>& engines,
                 int frame, Shown shown) {
-  const Rect view = page.panel(rect, "loads (N); tick: the weight above");
+  const Rect view = page.panel(rect, "SI's tower, and loads (N); tick: the weight above");
   render::Camera camera = render::fit(view, {{-1.2, -0.6}, {1.2, runs.settings.boxes + 0.4}});
   camera.center.x() = 0.5 * view.width / camera.scale - 1.2;  // the tower at the left
   draw_world(page, camera, engines[1].frames[frame],
