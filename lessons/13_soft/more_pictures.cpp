@@ -202,7 +202,7 @@ void draw_growth(Page& page, const Rect& rect, const SoftRuns& all) {
   plot.goals.push_back({1, "above: grows"});
   // z = 2 pi f dt: with z = 1 and a damping ratio of 1/2 both parts of the oscillation are multiplied by 0.
   if (all.settings.damping == 0.5)
-    plot.labels.push_back({1 / (2 * pi * all.settings.dt), 0.04, "2π f Δt = 1: stops"});
+    plot.labels = {{1 / (2 * pi * all.settings.dt), 0.04, "2π f Δt = 1: stops"}};
   draw_plot(page, rect, plot);
 }
 
