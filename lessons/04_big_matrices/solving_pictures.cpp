@@ -137,12 +137,12 @@ void draw_growth(Page& page, const StackRun& run) {
   draw_plot(page, parts[0], plot);
   const Growth& largest = run.growth.back();
   page.note(parts[1], "A larger stack",
-            fmt::format("With {} boxes A has {} numbers, and {:.0f} of them are not 0. Elimination "
-                        "takes {:.1f} million multiplications, and contacts that may only push need "
-                        "several tries. So solvers for games sweep over the rows instead, and "
-                        "sequential impulses (lesson 06) never build A at all.",
-                        largest.boxes, in_thousands(largest.all_of_A), largest.used_of_A,
-                        1e-6 * largest.elimination),
+            fmt::format(
+                "With {} boxes A has {} numbers, and {:.0f} of them are not 0. Elimination "
+                "takes {:.1f} million multiplications where A is full, and contacts that may only push need "
+                "several tries. So solvers for games sweep over the rows instead, and "
+                "sequential impulses (lesson 06) never build A at all.",
+                largest.boxes, in_thousands(largest.all_of_A), largest.used_of_A, 1e-6 * largest.elimination),
             question_growth);
 }
 

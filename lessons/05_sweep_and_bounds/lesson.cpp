@@ -58,7 +58,7 @@ void sweep_by_hand(const SystemMatrices<double>& system, const List<int>& order,
       if (j != i) rest -= A(i, j) * lambda(j);  // the newest λ that there is
 
     lambda(i) = rest / A(i, i);               // (28): now row i is right
-    lambda(i) = std::max(lowest, lambda(i));  // its interval: from 0 for a contact, from −∞ for a rod
+    lambda(i) = std::max(lowest, lambda(i));  // its interval: from 0 for a contact, from −∞ for a joint
   }
   // [/sweep]
 }

@@ -75,7 +75,7 @@ void run(Lesson& lesson) {
   tell_first_sweep(lesson, twice);
   tell_precisions(lesson, twice);
   const PrecisionRun& in_float = twice.precisions.front();
-  lesson.answer({std::round(10 * in_float.digits()) / 10}, 0.6,
+  lesson.answer({std::round(10 * in_float.digits()) / 10}, 1,
                 fmt::format("The largest difference is {:.1e} N, and the largest λ {:.1f} N. They are one "
                             "algorithm: the rounding of {} updates costs little more than one digit.",
                             in_float.difference.back(), in_float.scale, settings.sweeps * settings.rows));

@@ -20,9 +20,8 @@ LessonInfo card() {
       .question =
           "A tower of 10 boxes does 50 sweeps in each step, always from nothing. In 300 steps its top sinks "
           "by "
-          "559\u00a0mm. If each step begins with the impulses of the last one, how many sweeps does it need "
-          "to "
-          "sink less?",
+          "559\u00a0mm. With how many sweeps is its top never that deep, if each step begins with the "
+          "impulses of the last one?",
       .spoilers = {"184", "single warm sweep", "0.9755"},
       .hints =
           {"Warm or cold, a sweep leaves the same share of an error. What differs is the error it finds.",

@@ -117,9 +117,8 @@ void check_order(Lesson& lesson, const WarmStart& all) {
 std::string question_of(const WarmStart& all) {
   return fmt::format(
       "A tower of {} boxes does {} sweeps in each step, always from nothing. In {} steps its top sinks by "
-      "{:.0f}\u00a0mm. If each step begins with the impulses of the last one, how many sweeps does it need "
-      "to "
-      "sink less?",
+      "{:.0f}\u00a0mm. With how many sweeps is its top never that deep, if each step begins with the "
+      "impulses of the last one?",
       all.settings.boxes, many_sweeps, question_steps, -risen(all.many_cold, question_steps));
 }
 
