@@ -17,7 +17,8 @@ LessonInfo card() {
   info.reads = {"src/constraints/contact.cpp", "src/constraints/row.hpp",
                 "src/solvers/iterative/sequential_impulse.cpp"};
   info.question =
-      "A block of 1 kg with μ = 0.5 slides down a slope of 30°. Friction is at its limit, 4.33 N at both "
+      "A square block of 1 kg with μ = 0.5 slides down a slope of 30°. Friction is at its limit, 4.33 N at "
+      "both "
       "corners together. How many newtons of it act at the lower corner?";
   info.hints = {
       "Each corner may give μ times its own load. Do both carry the same?",

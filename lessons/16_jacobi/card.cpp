@@ -21,7 +21,8 @@ LessonInfo card() {
       .reads = {"src/solvers/iterative/jacobi.hpp", "src/solvers/iterative/jacobi.cpp",
                 "src/solvers/row_order.hpp"},
       .question =
-          "A box of 6\u00a0kg (60\u00a0N), with an inertia of 1\u00a0kg\u00a0m², comes down on three feet: "
+          "A box of 6\u00a0kg (60\u00a0N) with an inertia of 1\u00a0kg\u00a0m² is set down at rest on three "
+          "feet: "
           "one under its "
           "middle, one 0.25\u00a0m to either side. Each pushes as if it were alone, and all push at once. "
           "How much "

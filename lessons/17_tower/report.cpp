@@ -94,8 +94,8 @@ void report(Lesson& lesson, const TowerRuns& runs) {
       fmt::format("SI and Box2D differ by at most {:.1e} N, both from the ground up.", gap_to_box2d(runs)));
   const int middle = (runs.settings.boxes - 1) / 2;
   lesson.print(
-      fmt::format("From the top down it differs by up to {:.1f} N. In step 1 the ground carries {:.2f} N "
-                  "instead of {:.2f} N, and box {} carries {:.2f} N instead of {:.2f} N.",
+      fmt::format("From the top down it differs by up to {:.1f} N. In step 1 the ground carries {:.2f} N; "
+                  "from the ground up, {:.2f} N. Box {} carries {:.2f} N; from the ground up, {:.2f} N.",
                   gap_of_orders(runs), runs.from_top[1].loads[1][0], runs.warm[1].loads[1][0], middle + 1,
                   runs.from_top[1].loads[1][middle], runs.warm[1].loads[1][middle]));
   lesson.answer({3}, 1,

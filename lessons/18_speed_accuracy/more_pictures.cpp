@@ -43,7 +43,7 @@ void draw_digits(Page& page, const Rect& rect, const CostRun& run, bool is_work)
   if (is_work) {
     const double n = run.settings.boxes, elimination = n * n * n / 3 + n * n;
     plot.front = {.x = {elimination, elimination}, .y = {last_error / 2, 2}};
-    plot.labels = {{elimination, 1e-4, "elimination: all digits"}};
+    plot.labels = {{elimination, 1e-4, "elimination, full A"}};
   }
   draw_plot(page, rect, plot);
 }

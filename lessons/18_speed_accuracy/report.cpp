@@ -54,7 +54,8 @@ void print_digits(Lesson& lesson, const CostRun& run) {
   }
   const double n = run.settings.boxes;
   lesson.print(fmt::format(
-      "   elimination: all digits at once, n³/3 = {:.0f} multiply-adds, and n² to set up A", n * n * n / 3));
+      "   elimination of a full A: all digits at once, n³/3 = {:.0f} multiply-adds, and n² to set up A",
+      n * n * n / 3));
   line = "   to 1 %, boxes:    ";
   std::string sor = "   with the best ω   ";
   for (const SizeCost& size : run.sizes) {

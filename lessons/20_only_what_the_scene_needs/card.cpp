@@ -21,11 +21,12 @@ LessonInfo card() {
           "Pyramid, tower and chain have 100, 40 and 10 rows, and get 50 sweeps a step. If each step ends "
           "once "
           "all errors are down to a thousandth, 91\u00a0% of the row updates are left. Ended by itself, the "
-          "pyramid takes 8 sweeps on average, the chain 33. How many per cent are left if all three end by "
+          "pyramid takes 8 sweeps on average, the tower 45.5, the chain 33. How many per cent are left if "
+          "all three end by "
           "themselves?",
       .spoilers = {"39", "0.85 m"},
       .hints = {"If a step ends for all at once, which of the three does everybody wait for?",
-                "91 % of 50 sweeps are 45.5. Whose are they?",
+                "Rows times sweeps, for each of the three; all of them have 7500 with 50 sweeps.",
                 "Add rows × sweeps of the three, and divide by 150 × 50."},
       .parameters = {{"sweeps", 50, 1, 200, "", "in every step, at most", Parameter::Kind::whole},
                      {"tolerance", 0.001, 1e-6, 0.3, "", "R_E at which a step may end sooner"},

@@ -132,9 +132,8 @@ void report(Lesson& lesson, const NeedsRun& all) {
   lesson.answer({100.0 * static_cast<double>(all.runs[by_islands].updates) /
                  static_cast<double>(all.runs[everything].updates)},
                 5,
-                "Per cent. In one piece with the tower, the pyramid and the chain are swept as often as the "
-                "tower needs, "
-                "although fewer sweeps are enough for them.");
+                "Per cent. In one piece, a step ends for all at once, and in most steps the tower keeps it "
+                "going. By themselves, the pyramid and the chain end earlier.");
   check_all(lesson, all);
 }
 
