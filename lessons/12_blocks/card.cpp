@@ -22,7 +22,7 @@ LessonInfo card() {
           "Beams in a chain, the first welded to a wall. To 1 %, one beam takes 16 sweeps row by row and 1 "
           "with its weld as a block; two take 110 and 61. Three take 435 row by row. How many per cent of "
           "these remain with blocks?",
-      .spoilers = {"326", "75 %", "74.9", "three in four", "zig-zag"},
+      .spoilers = {"326", "75 %", "three in four", "zig-zag"},
       .hints = {"A block ends the conflict between the rows of one joint. Are there others, and are there "
                 "more of them in a longer chain?",
                 "To the other joints a block acts like a single row: it stops its own error and starts one "
