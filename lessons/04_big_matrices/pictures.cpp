@@ -182,7 +182,7 @@ std::string brief(double value) {
 
 std::string in_thousands(double count) {
   std::string digits = fmt::format("{:.0f}", count);
-  for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) digits.insert(at, "\u00a0");
+  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, "\u00a0");
   return digits;
 }
 
