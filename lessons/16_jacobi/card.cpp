@@ -24,7 +24,9 @@ LessonInfo card() {
           "A box of 6\u00a0kg (60\u00a0N) with an inertia of 1\u00a0kg\u00a0m² is set down at rest on three "
           "feet: "
           "one under its "
-          "middle, one 0.25\u00a0m to either side. Each pushes as if it were alone, and all push at once. "
+          "middle, one 0.25\u00a0m to either side. Gravity has acted for one step. Each foot pushes as if it "
+          "were "
+          "alone, and all push at once. "
           "How much "
           "do they push together in the first sweep?",
       .spoilers = {"147.3", "0.291", "27/11"},

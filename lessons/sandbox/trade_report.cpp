@@ -82,7 +82,7 @@ void print_front(const TradeStudy& trade, int settings, int noisy, const List<Tr
   std::size_t width = 20;
   for (const TradePoint& point : front) width = std::max(width, point.setting.size());
   const int without = settings - noisy - points.size();
-  console.result(fmt::format("the best of {} settings: no other has both less work and a smaller error{}{}", settings,
+  console.result(fmt::format("the best of {} settings, by work and error{}{}", settings,
                              without > 0 ? fmt::format("; {} gave no result", without) : "",
                              noisy > 0 ? "; " + noisy_text(noisy) : ""));
   if (front.empty()) return;
