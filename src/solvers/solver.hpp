@@ -96,6 +96,10 @@ class ContactSolver {
 
 /// Owns settings and scratch memory only: the problem carries everything else. The one exception is
 /// NewtonSolver, which finds its answer sooner by what it has kept.
+///
+/// Threads: one solve at a time, in which a solver may have threads of its own. Different solvers, copies
+/// too, have nothing in common, and may solve at the same time. After a solve that throws it is as good as
+/// new.
 template <Scalar Real>
 class Solver {
  public:

@@ -2,7 +2,6 @@
 #include "world/scene.hpp"
 
 #include <algorithm>
-#include <atomic>
 
 #include "geometry/aabb.hpp"
 #include "geometry/mass.hpp"
@@ -157,8 +156,9 @@ Scene::Scene(const SceneSettings& settings)
 
 /// To be changed: no other scene sees it.
 PerBody<SceneBody>& Scene::own_bodies() {
-  if (bodies_.use_count() > 1) bodies_ = std::make_shared<PerBody<SceneBody>>(*bodies_);
-  std::atomic_thread_fence(std::memory_order_acquire);  // after what another thread read that had a copy
+  std::shared_ptr<PerBody<SceneBody>> seen = bodies_;
+  if (seen.use_count() > 2) bodies_ = std::make_shared<PerBody<SceneBody>>(*seen);
+  seen.reset();  // whoever lets go of a copy comes after those who did before, and what they read
   return *bodies_;
 }
 

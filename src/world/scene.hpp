@@ -118,6 +118,9 @@ enum class JointCollision {
 
 /// Body 0 is the ground: it is always there, and has a surface once add_ground was called.
 /// Every function refuses bad input with std::invalid_argument, naming field, rule, unit and value.
+///
+/// Threads: a scene that no thread changes may be read and copied by any number of them. Each may change
+/// scenes of its own, though they be copies of one another.
 class Scene {
  public:
   /// Holds the ground and nothing else.

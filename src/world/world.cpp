@@ -7,12 +7,33 @@
 
 namespace cairn {
 
+/// Events are done to another world, which takes the place of this one once its step is done.
 template <Scalar Real>
 StepReport World<Real>::step(Solver<Real>& solver, SolveObserver<Real>* observer) {
+  occupation_.refuse("World::step");
+  std::optional<World> next = after_events();
+  if (!next) return take_step(solver, observer);
   StepReport report;
-  do_events();
+  {
+    const Occupation::Scope scope(occupation_, "World::step");
+    report = next->take_step(solver, observer);
+  }
+  *this = std::move(*next);
+  return report;
+}
+
+template <Scalar Real>
+StepReport World<Real>::take_step(Solver<Real>& solver, SolveObserver<Real>* observer) {
+  const Occupation::Scope scope(occupation_, "World::step");
+  StepReport report;
   if (sleep_ && hand_) sleep_->wake(hand_->body());
-  for (int i = 0; i < plan_->substeps && !report.not_finite; ++i) substep(i, solver, observer, report);
+  if (plan_->substeps > 1) first_pose_ = state_.pose, first_velocity_ = state_.velocity;
+  try {
+    for (int i = 0; i < plan_->substeps && !report.not_finite; ++i) substep(i, solver, observer, report);
+  } catch (...) {
+    leave_step();
+    throw;
+  }
   report.awake.bodies = plan_->dynamic_bodies;
   if (sleep_) {
     if (!report.not_finite) sleep_->let_sleep(record_.manifolds, dt_, state_.velocity);
@@ -24,6 +45,18 @@ StepReport World<Real>::step(Solver<Real>& solver, SolveObserver<Real>* observer
   for (const Manifold<Real>& manifold : record_.manifolds) report.contacts += manifold.count;
   count_failures(report);
   return report;
+}
+
+/// Of a step that is not done: bodies are where it began. What was found on the way is found again, and the
+/// solver may have lost what it knows of contacts.
+template <Scalar Real>
+void World<Real>::leave_step() {
+  if (plan_->substeps > 1) state_.pose = first_pose_, state_.velocity = first_velocity_;
+  leave_contacts();
+  touching_.clear();
+  record_ = {};
+  has_rows_ = true;
+  written_.forget();
 }
 
 template <Scalar Real>
@@ -62,7 +95,8 @@ void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>*
 template <Scalar Real>
 void World<Real>::solve_rows(Solver<Real>& solver, SolveObserver<Real>* observer, StepReport& report) {
   has_rows_ = true;
-  ticket_ = {};
+  written_.forget();
+  leave_contacts();
   write_rows(StabilizationPass::velocity, record_.problem);
   warm_start();  // with last step's impulses
   if (plan_->guarded) guard_warm_start(report);

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "collision/manifold.hpp"
 #include "constraints/contact.hpp"
 #include "constraints/drag_joint.hpp"
 #include "dynamics/integrate.hpp"
@@ -16,56 +15,17 @@
 #include "world/body_traits.hpp"
 #include "world/collider.hpp"
 #include "world/contact_graph.hpp"
+#include "world/made_once.hpp"
+#include "world/occupation.hpp"
 #include "world/pins.hpp"
 #include "world/plan.hpp"
 #include "world/scene.hpp"
 #include "world/sleeping.hpp"
 #include "world/snapshot.hpp"
+#include "world/step_report.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
-
-/// What happened in one step. A blow-up is reported here, not thrown: nothing is clamped in silence. The
-/// substep in which a body would get a position or a velocity that is no finite number is not done, nor are
-/// the further ones of its step: all bodies stay as they were, and only the time goes on.
-struct StepReport {
-  SolveReport solve = {};                 // of the velocities; of the last substep
-  int sweeps = 0;                         // all that were done, for relaxing and for positions too
-  int contacts = 0;                       // contact points
-  int rows = 0;                           // scalar constraints
-  AwakeCount awake = {};                  // when the step ended; islands are counted where bodies may sleep
-  std::optional<BodyId> not_finite = {};  // the first body that would have a NaN or an infinity, if any
-  /// Where SceneSettings::guarded, and of the island and substep where it was least: the share of last step's
-  /// impulses that its solve began from, and the share of what it solved that was kept
-  /// (solvers/impulse_energy.hpp).
-  double warm_share = 1;    // of what it began from
-  double solved_share = 1;  // of what it solved
-  /// Substeps, where SceneSettings::guarded, in which the solve had left bodies going through each other, so
-  /// that they were kept apart (world/last_word.hpp): more sweeps, substeps or an exact solver are called
-  /// for.
-  int kept_apart = 0;
-  /// Joints whose points were, when the last substep began, farther apart than the circle around the smaller
-  /// body reaches.
-  int joints_apart = 0;
-  /// Pairs of shapes that were found in each other by more than half of the thinner body.
-  int too_deep = 0;
-  /// [J] Where SceneSettings::guarded: by how much the impulses have changed the kinetic energy. Contacts and
-  /// rigid joints take from it; what they add comes from nowhere, as where they take errors back. Springs,
-  /// motors, a hand and bodies that move by themselves may add to it.
-  double work = 0;
-};
-
-/// What the last step saw and found. The first blocks of the problem are those of the joints, in the scene's
-/// order; then that of a hand that drags a body, if there is one; then one for each manifold. Of what sleeps
-/// there are no manifolds, and joints with an empty block.
-template <Scalar Real>
-struct StepRecord {
-  List<Manifold<Real>> manifolds = {};          // ordered by collider_a, collider_b; where the step began
-  VelocityProblem<Real> problem = {};           // after the solve
-  int first_contact_block = 0;                  // the block of the first manifold
-  PerRow<char> is_new = {};                     // it had no impulse to start from
-  List<std::pair<BodyId, BodyId>> sensed = {};  // what touches a sensor, the lower id first, sorted
-};
 
 /// What a hand does before a step: takes hold of a body, goes on to another target, or lets go.
 struct HandInput {
@@ -79,6 +39,14 @@ struct HandInput {
 };
 
 /// A copyable value: `World twin = world;`. The scene is shared and never changes. Owns no solver.
+///
+/// Threads: each may have worlds of its own, though they be copies of one another or made of one scene; what
+/// these share never changes. A world that no thread changes may be read and copied by any number of them:
+/// that is all that is const. A solver or an observer takes part in one step at a time.
+///
+/// What is given to a world to be called, as the change of edit(), an observer or a joint of one's own, may
+/// read that world and step copies of it. Whatever would change it, an assignment too, throws
+/// std::logic_error there.
 template <Scalar Real = double>
 class World {
  public:
@@ -90,7 +58,11 @@ class World {
 
   /// One step of dt, in as many substeps as the scene asks for. The same bits for the same scene, solver and
   /// number of steps. @throws std::length_error for more pairs of shapes near each other than
-  /// Broadphase::max_pairs, and for more rows than the solver takes.
+  /// Broadphase::max_pairs, and for more rows than the solver takes; what events, solvers, observers and
+  /// joints throw; and std::logic_error from within a step or an edit of this world. Then the step is not
+  /// done: bodies, time, events and hand are as before it, but last_step() may be empty. The next step has
+  /// the bits that it would have had; only where the scene has substeps it may begin from impulses of those
+  /// that were done, with what these woke awake.
   StepReport step(Solver<Real>& solver, SolveObserver<Real>* observer = nullptr);
   /// The problem that step() would hand to its solver now: changes nothing.
   VelocityProblem<Real> velocity_problem() const;
@@ -108,7 +80,8 @@ class World {
   /// moving as they do, and may add, remove and change whatever it likes. Bodies and joints that it leaves
   /// alone keep their state, their impulses and their sleep to the last bit; what it changes wakes, and so
   /// does what touched or held it. last_step() is empty until the next one.
-  /// @throws what `change` throws, and what the constructor refuses: then nothing has changed.
+  /// @throws what `change` throws, what the constructor refuses, and std::logic_error from within a step or
+  /// an edit of this world: then nothing has changed.
   void edit(const std::function<void(Scene&)>& change);
 
   /// Does what the scene's events have due before the next step, which begins with it: an event happens
@@ -143,10 +116,9 @@ class World {
   /// What the scene requires, decided when the world was made.
   const Plan& plan() const { return *plan_; }
   /// What the last step saw; empty before the first. Where the step needed no rows, they are written when
-  /// this is first called: not from two threads at a time.
+  /// this is first called. As long as the world is left alone.
   const StepRecord<Real>& last_step() const {
-    if (!has_rows_) write_record();
-    return record_;
+    return has_rows_ ? record_ : written_.get([this] { return with_rows(); });
   }
   /// What has passed since the start.
   double time() const { return time_; }  // [s]
@@ -167,6 +139,10 @@ class World {
 
   /// The length of a substep [s].
   Real substep_length() const { return static_cast<Real>(dt_ / scene_->settings().substeps); }
+  World after(const std::function<void(Scene&)>& change);
+  std::optional<World> after_events();
+  StepReport take_step(Solver<Real>& solver, SolveObserver<Real>* observer);
+  void leave_step();
   void substep(int number, Solver<Real>& solver, SolveObserver<Real>* observer, StepReport& report);
   void find_contacts(ContactSolver<Real>* solver);
   void find_manifolds(ContactSolver<Real>* solver);
@@ -217,7 +193,9 @@ class World {
   void give_contacts(ContactSolver<Real>& solver);
   void take_back_contacts(ContactSolver<Real>& solver);
   void remember_contacts(ContactSolver<Real>& solver, int number);
-  void write_record() const;
+  void leave_contacts();
+  StepRecord<Real> with_rows() const;
+  void keep_rows();
   void relax(Solver<Real>& solver, StepReport& report);
   void correct_positions(Solver<Real>& solver, StepReport& report);
   void warm_start();
@@ -237,6 +215,7 @@ class World {
   const BodyTraits<Real>& traits(BodyId body) const { return traits_[kind_[body]]; }
   int kind_of(const BodyForces<Real>& forces, const BodyTraits<Real>& traits);
 
+  Occupation occupation_;  // the first: whoever must not assign has assigned nothing
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Plan> plan_;
   std::shared_ptr<const List<Collider>> colliders_;
@@ -249,8 +228,9 @@ class World {
   List<JointImpulses> joint_impulses_;  // the last ones are those of the hand
   std::shared_ptr<const DragJoint> hand_;
   List<HandInput> hand_inputs_;
-  mutable StepRecord<Real> record_;
-  mutable bool has_rows_ = true;           // the record has all rows
+  StepRecord<Real> record_;
+  bool has_rows_ = true;                   // the record has all rows; else:
+  MadeOnce<StepRecord<Real>> written_;     // the same with rows
   bool follows_ = false;                   // the last substep had the contacts of the one before
   PerBody<Pose<Real>> pose_before_;        // the substep, and
   PerBody<Vec3<Real>> velocity_before_;    // v_1 of its solve, where that is done twice or needed no rows
@@ -260,8 +240,10 @@ class World {
   int steps_ = 0;
 
   // Scratch memory, kept so that a steady step allocates nothing.
-  PerBody<Frame<Real>> frames_;  // where contacts were sought
-  PerBody<Real> reach_;          // [m]
+  PerBody<Pose<Real>> first_pose_;      // where a step of several substeps began, and
+  PerBody<Vec3<Real>> first_velocity_;  // how
+  PerBody<Frame<Real>> frames_;         // where contacts were sought
+  PerBody<Real> reach_;                 // [m]
   List<Aabb<Real>> boxes_;
   List<char> movable_;                     // of each collider: not of a pair where neither is
   List<int> candidates_;                   // slots with a manifold that moves with its bodies

@@ -42,6 +42,7 @@ ContactProblem<Real> World<Real>::contact_problem(const ContactStabilization<Rea
 template <Scalar Real>
 void World<Real>::solve_contacts(ContactSolver<Real>& solver, StepReport& report) {
   has_rows_ = false;
+  written_.forget();
   VelocityProblem<Real>& problem = record_.problem;
   problem.inverse_mass = state_.inverse_mass;
   problem.dt = substep_length();
@@ -140,7 +141,8 @@ void World<Real>::give_contacts(ContactSolver<Real>& solver) {
   solver.give(contacts);
 }
 
-/// Of a substep that is not done: slots go back to what they would have had before it.
+/// Of a substep that is not done: slots go back to what they would have had before it, and the next substep
+/// begins from them.
 template <Scalar Real>
 void World<Real>::take_back_contacts(ContactSolver<Real>& solver) {
   if (owes_impulses_) {
@@ -148,6 +150,15 @@ void World<Real>::take_back_contacts(ContactSolver<Real>& solver) {
   } else {
     give_contacts(solver);
   }
+  ticket_ = {};
+}
+
+/// No solver goes on with contacts of before: where rows are solved, and where a step is not done.
+template <Scalar Real>
+void World<Real>::leave_contacts() {
+  contacts_.clear();
+  ticket_ = {};
+  may_follow_ = follows_ = owes_impulses_ = has_slots_ = false;
 }
 
 /// Gives slots the answers now; or, where the solver may go on in the next substep, once it does not.
@@ -207,11 +218,10 @@ void World<Real>::catch_up_with_manifolds() {
   }
 }
 
-/// The rows that the last substep would have had, with what it gave them.
+/// The record with the rows that the last substep would have had, and with what it gave them.
 template <Scalar Real>
-void World<Real>::write_record() const {
+StepRecord<Real> World<Real>::with_rows() const {
   World twin = *this;
-  twin.has_rows_ = true;
   twin.state_.pose = pose_before_;
   if (follows_) twin.catch_up_with_manifolds();
   VelocityProblem<Real>& problem = twin.record_.problem;
@@ -223,7 +233,14 @@ void World<Real>::write_record() const {
   for (const Contact<Real>& contact : contacts_) {
     for (int k = 0; k < contact.count; ++k) problem.impulse.push_back(contact.impulse[k]);
   }
-  record_ = std::move(twin.record_);
+  return std::move(twin.record_);
+}
+
+/// Before something changes that rows are written from.
+template <Scalar Real>
+void World<Real>::keep_rows() {
+  if (has_rows_) return;
+  record_ = last_step();
   has_rows_ = true;
 }
 

@@ -1,6 +1,7 @@
 // Floor 5. Changing a world while it runs: the scene that it steps, and the hand that drags a body.
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 #include "math/check.hpp"
 #include "world/world.hpp"
@@ -51,8 +52,9 @@ bool has_same_surroundings(const Collider<Real>& one, const Collider<Real>& othe
 
 }  // namespace
 
+/// This world as it would go on after a change of its scene.
 template <Scalar Real>
-void World<Real>::edit(const std::function<void(Scene&)>& change) {
+World<Real> World<Real>::after(const std::function<void(Scene&)>& change) {
   Scene then = *scene_;
   for (const BodyId body : state_.pose.indices()) {
     const SceneBody& known = then.bodies()[body];
@@ -62,20 +64,38 @@ void World<Real>::edit(const std::function<void(Scene&)>& change) {
                state_.velocity[body].template cast<double>());
   }
   Scene edited = then;
-  change(edited);
+  {
+    const Occupation::Scope scope(occupation_, "World::edit");
+    change(edited);
+  }
+  if (!scene_) throw std::logic_error("World::edit: its world must not be moved away from within");
   World next(std::move(edited));
   next.carry_over(*this, then);
-  *this = std::move(next);
+  return next;
+}
+
+template <Scalar Real>
+void World<Real>::edit(const std::function<void(Scene&)>& change) {
+  occupation_.refuse("World::edit");
+  *this = after(change);
+}
+
+/// This world as it would go on after the events that are due; none where none is.
+template <Scalar Real>
+std::optional<World<Real>> World<Real>::after_events() {
+  // A sum of n steps is off by fewer than n roundings of itself.
+  const double until = time_ * (1 + steps_ * std::numeric_limits<double>::epsilon());
+  const List<SceneEvent>& events = scene_->events();
+  if (events.empty() || events.front().time > until) return {};
+  return after([until](Scene& scene) { scene.do_events(until); });
 }
 
 template <Scalar Real>
 bool World<Real>::do_events() {
-  // A sum of n steps is off by fewer than n roundings of itself.
-  const double until = time_ * (1 + steps_ * std::numeric_limits<double>::epsilon());
-  const List<SceneEvent>& events = scene_->events();
-  if (events.empty() || events.front().time > until) return false;
-  edit([until](Scene& scene) { scene.do_events(until); });
-  return true;
+  occupation_.refuse("World::do_events");
+  std::optional<World> next = after_events();
+  if (next) *this = std::move(*next);
+  return next.has_value();
 }
 
 /// Takes over what `before`, whose scene was `then`, has that the scene of this world left alone.
@@ -166,6 +186,7 @@ void World<Real>::carry_sleep(const World& before, const Scene& then) {
 
 template <Scalar Real>
 void World<Real>::grab(const DragJoint::Spec& grip) {
+  occupation_.refuse("World::grab");
   PerBody<Pose<double>> poses;
   for (const Pose<Real>& pose : state_.pose) {
     poses.push_back({pose.position.template cast<double>(), static_cast<double>(pose.angle)});
@@ -173,7 +194,7 @@ void World<Real>::grab(const DragJoint::Spec& grip) {
   auto hand = std::make_shared<const DragJoint>(grip, poses);
   require(scene_->bodies()[grip.body].spec.type == BodyType::dynamic, "World::grab", "body",
           "one that is dynamic", grip.body.index);
-  last_step();  // its rows are without the hand's
+  keep_rows();  // which are without the hand's
   hand_ = std::move(hand);
   joint_impulses_.back() = {};
   hand_inputs_.push_back({.step = steps_, .kind = HandInput::Kind::grab, .grip = grip});
@@ -181,6 +202,7 @@ void World<Real>::grab(const DragJoint::Spec& grip) {
 
 template <Scalar Real>
 void World<Real>::drag_to(const Vec2<double>& target) {
+  occupation_.refuse("World::drag_to");
   require(hand_ != nullptr, "World::drag_to", "target", "given while the hand holds a body", "nothing held");
   hand_ = std::make_shared<const DragJoint>(hand_->moved_to(target));
   hand_inputs_.push_back({.step = steps_, .kind = HandInput::Kind::drag_to, .target = target});
@@ -188,6 +210,7 @@ void World<Real>::drag_to(const Vec2<double>& target) {
 
 template <Scalar Real>
 void World<Real>::let_go() {
+  occupation_.refuse("World::let_go");
   if (!hand_) return;
   hand_.reset();
   hand_inputs_.push_back({.step = steps_, .kind = HandInput::Kind::let_go});

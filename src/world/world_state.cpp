@@ -174,13 +174,15 @@ World<Real>::World(Scene scene)
 
 template <Scalar Real>
 void World<Real>::set_dt(double dt) {
+  occupation_.refuse("World::set_dt");
   require_time_step(dt, "World::set_dt");
-  last_step();  // its rows are of the dt before
+  keep_rows();  // which are of the dt before
   dt_ = dt;
 }
 
 template <Scalar Real>
 void World<Real>::set_velocity(BodyId body, const Vec3<double>& velocity) {
+  occupation_.refuse("World::set_velocity");
   require(body.index > 0 && body.index < state_.pose.size(), "World::set_velocity", "body",
           "the id of a body other than the ground", body.index);
   require(scene_->bodies()[body].spec.type != BodyType::static_body, "World::set_velocity", "body",
@@ -193,6 +195,7 @@ void World<Real>::set_velocity(BodyId body, const Vec3<double>& velocity) {
 
 template <Scalar Real>
 void World<Real>::wake(BodyId body) {
+  occupation_.refuse("World::wake");
   require(body.index >= 0 && body.index < state_.pose.size(), "World::wake", "body",
           "the id of a body of this world", body.index);
   if (sleep_) sleep_->wake(body);

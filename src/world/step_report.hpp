@@ -1,0 +1,57 @@
+// Floor 5. What a step tells: a report of how it went, and a record of what it saw.
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "collision/manifold.hpp"
+#include "constraints/row.hpp"
+#include "math/list.hpp"
+#include "solvers/solver.hpp"
+#include "world/sleeping.hpp"
+
+namespace cairn {
+
+/// What happened in one step. A blow-up is reported here, not thrown: nothing is clamped in silence. The
+/// substep in which a body would get a position or a velocity that is no finite number is not done, nor are
+/// the further ones of its step: all bodies stay as they were, and only the time goes on.
+struct StepReport {
+  SolveReport solve = {};                 // of the velocities; of the last substep
+  int sweeps = 0;                         // all that were done, for relaxing and for positions too
+  int contacts = 0;                       // contact points
+  int rows = 0;                           // scalar constraints
+  AwakeCount awake = {};                  // when the step ended; islands are counted where bodies may sleep
+  std::optional<BodyId> not_finite = {};  // the first body that would have a NaN or an infinity, if any
+  /// Where SceneSettings::guarded, and of the island and substep where it was least: the share of last step's
+  /// impulses that its solve began from, and the share of what it solved that was kept
+  /// (solvers/impulse_energy.hpp).
+  double warm_share = 1;    // of what it began from
+  double solved_share = 1;  // of what it solved
+  /// Substeps, where SceneSettings::guarded, in which the solve had left bodies going through each other, so
+  /// that they were kept apart (world/last_word.hpp): more sweeps, substeps or an exact solver are called
+  /// for.
+  int kept_apart = 0;
+  /// Joints whose points were, when the last substep began, farther apart than the circle around the smaller
+  /// body reaches.
+  int joints_apart = 0;
+  /// Pairs of shapes that were found in each other by more than half of the thinner body.
+  int too_deep = 0;
+  /// [J] Where SceneSettings::guarded: by how much the impulses have changed the kinetic energy. Contacts and
+  /// rigid joints take from it; what they add comes from nowhere, as where they take errors back. Springs,
+  /// motors, a hand and bodies that move by themselves may add to it.
+  double work = 0;
+};
+
+/// What the last step saw and found. The first blocks of the problem are those of the joints, in the scene's
+/// order; then that of a hand that drags a body, if there is one; then one for each manifold. Of what sleeps
+/// there are no manifolds, and joints with an empty block.
+template <Scalar Real>
+struct StepRecord {
+  List<Manifold<Real>> manifolds = {};          // ordered by collider_a, collider_b; where the step began
+  VelocityProblem<Real> problem = {};           // after the solve
+  int first_contact_block = 0;                  // the block of the first manifold
+  PerRow<char> is_new = {};                     // it had no impulse to start from
+  List<std::pair<BodyId, BodyId>> sensed = {};  // what touches a sensor, the lower id first, sorted
+};
+
+}  // namespace cairn
