@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "lane_grid.hpp"
+#include "solvers/wide/lane_grid.hpp"
 #include "math/list.hpp"
 #include "world/world.hpp"
 
