@@ -1,8 +1,9 @@
 // cairn_fuzz: feeds a reader with bytes for some time, and keeps what did harm.
-//   cairn_fuzz [--target scene|frozen|words] [--seconds S] [--seed N] [file or folder ...]
+//   cairn_fuzz [--target scene|frozen|words|world] [--seconds S] [--seed N] [file or folder ...]
+//   cairn_fuzz --world N
 // Without files it begins from what is shipped and from tests/fuzz/corpus. With --seconds 0 it feeds the
-// files alone. What did harm is written to fuzz-TARGET-SEED-NUMBER in the current folder; the program ends
-// with 1.
+// files alone; with --world it feeds the random world of that number alone. What did harm is written to
+// fuzz-TARGET-SEED-NUMBER in the current folder; the program ends with 1.
 #include <fmt/format.h>
 
 #include <exception>
@@ -11,6 +12,7 @@
 
 #include "fuzz/fuzz_run.hpp"
 #include "fuzz/mutate.hpp"
+#include "fuzz/random_world.hpp"
 #include "lessons/words.hpp"
 #include "math/list.hpp"
 
@@ -39,13 +41,18 @@ Run run_of(const List<std::string>& words) {
       run.seed = static_cast<std::uint64_t>(number_behind(words, i));
     } else if (words[i] == "--target") {
       run.target = target_of(++i < words.size() ? words[i] : "nothing");
+    } else if (words[i] == "--world") {
+      run.seeds = {world_bytes(static_cast<std::uint64_t>(number_behind(words, i)))};
+      run.target = Target::world;
+      run.seconds = 0;
     } else if (words[i].rfind("--", 0) == 0) {
-      throw std::invalid_argument("cairn_fuzz: the words are --target, --seconds, --seed and files");
+      throw std::invalid_argument("cairn_fuzz: the words are --target, --seconds, --seed, --world and files");
     } else {
       paths.push_back(words[i]);
     }
   }
-  run.seeds = paths.empty() ? usual_seeds(run.target, CAIRN_SOURCE_DIR) : read_seeds(paths);
+  if (!paths.empty()) run.seeds = read_seeds(paths);
+  if (run.seeds.empty()) run.seeds = usual_seeds(run.target, CAIRN_SOURCE_DIR);
   return run;
 }
 

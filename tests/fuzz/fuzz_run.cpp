@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "fuzz/mutate.hpp"
+#include "fuzz/random_world.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define CAIRN_UNDER_ASAN 1
@@ -37,6 +38,7 @@ using Clock = std::chrono::steady_clock;
 const int found_something = 77;      // the exit code of a child with a message
 const rlim_t longest_case = 5;       // [s] of processor time
 const std::size_t tail_size = 4000;  // [bytes] of a log that is kept
+const std::uint64_t usual_worlds = 200;
 
 /// What child and parent share.
 struct Shared {
@@ -86,10 +88,9 @@ void allow_seconds() {
 }
 
 void limit_memory() {
-#ifndef CAIRN_UNDER_ASAN  // which reserves terabytes of addresses
+  if (is_under_asan()) return;  // which reserves terabytes of addresses
   const rlimit limit{.rlim_cur = rlim_t{1} << 30, .rlim_max = rlim_t{1} << 30};
   setrlimit(RLIMIT_AS, &limit);
-#endif
 }
 
 void send_to(int stream, const char* path, int flags) {
@@ -145,6 +146,14 @@ std::string contents_of(const std::filesystem::path& path) {
 
 }  // namespace
 
+bool is_under_asan() {
+#ifdef CAIRN_UNDER_ASAN
+  return true;
+#else
+  return false;
+#endif
+}
+
 RunReport run(const Run& run) {
   RunReport report;
   SharedPage page;
@@ -191,9 +200,12 @@ List<std::string> usual_seeds(Target target, const std::string& source_folder) {
   if (target == Target::scene) paths.push_back(source_folder + "/lessons/scenes");
   if (target == Target::frozen) paths.push_back(source_folder + "/tests/frozen/problems");
   List<std::string> seeds = read_seeds(paths);
-  if (target != Target::words) return seeds;
-  const List<std::string> lines = word_seeds();
-  seeds.insert(seeds.end(), lines.begin(), lines.end());
+  List<std::string> more;
+  if (target == Target::words) more = word_seeds();
+  if (target == Target::world) {
+    for (std::uint64_t number = 0; number < usual_worlds; ++number) more.push_back(world_bytes(number));
+  }
+  seeds.insert(seeds.end(), more.begin(), more.end());
   return seeds;
 }
 

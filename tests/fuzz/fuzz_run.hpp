@@ -34,11 +34,14 @@ struct RunReport {
 /// is stopped, and memory is limited to 1 GB where no sanitizer needs more.
 RunReport run(const Run& run);
 
+/// Whether this program was built with the address sanitizer.
+bool is_under_asan();
+
 /// The contents of files, and of all files of folders, by their names.
 /// @throws std::runtime_error for what is neither.
 List<std::string> read_seeds(const List<std::string>& paths);
-/// The scenes that are shipped, the frozen set, or word_seeds(), and what was found before in
-/// tests/fuzz/corpus.
+/// The scenes that are shipped, the frozen set, word_seeds(), or some random worlds, and what was found
+/// before in tests/fuzz/corpus.
 List<std::string> usual_seeds(Target target, const std::string& source_folder);
 
 }  // namespace cairn::fuzz

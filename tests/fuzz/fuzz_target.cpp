@@ -6,6 +6,7 @@
 
 #include "frozen/frozen_problem.hpp"
 #include "fuzz/fuzz_words.hpp"
+#include "fuzz/random_world.hpp"
 #include "math/check.hpp"
 #include "scenes/scene_file.hpp"
 #include "scenes/solver_list.hpp"
@@ -128,7 +129,7 @@ void feed_frozen(const std::string& text) {
 }  // namespace
 
 const List<std::string>& target_names() {
-  static const List<std::string> names = {"scene", "frozen", "words"};
+  static const List<std::string> names = {"scene", "frozen", "words", "world"};
   return names;
 }
 
@@ -136,12 +137,13 @@ Target target_of(const std::string& name) {
   for (int i = 0; i < target_names().size(); ++i) {
     if (target_names()[i] == name) return static_cast<Target>(i);
   }
-  require(false, "cairn_fuzz", "target", "scene, frozen or words", name);
+  require(false, "cairn_fuzz", "target", "scene, frozen, words or world", name);
   return Target::scene;
 }
 
 Outcome feed(Target target, const std::string& bytes) {
   if (target == Target::words) return feed_words(bytes);
+  if (target == Target::world) return feed_world(bytes);
   return outcome_of([&] { target == Target::scene ? feed_scene(bytes) : feed_frozen(bytes); });
 }
 

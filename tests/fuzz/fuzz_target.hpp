@@ -13,9 +13,10 @@ enum class Target {
   scene,   // a scene file; the scene that it makes is stepped in double and in float
   frozen,  // a frozen problem; it is solved
   words,   // a command line of `cairn`, without its name; run where that is quick
+  world,   // choices: a scene, and what happens to its world between steps (random_world.hpp)
 };
 
-/// "scene", "frozen" and "words".
+/// "scene", "frozen", "words" and "world".
 const List<std::string>& target_names();
 /// @throws std::invalid_argument for a name that is not among them.
 Target target_of(const std::string& name);
@@ -27,7 +28,7 @@ struct Outcome {
 };
 
 /// What must not happen: another exception than those for bad input, a refusal that says too little, numbers
-/// that are not finite and that nobody reports.
+/// that are not finite and that nobody reports, other bits where they must be the same.
 struct Finding : std::logic_error {
   using std::logic_error::logic_error;
 };

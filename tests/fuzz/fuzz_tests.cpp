@@ -7,6 +7,7 @@
 
 #include "fuzz/fuzz_run.hpp"
 #include "fuzz/mutate.hpp"
+#include "fuzz/random_world.hpp"
 #include "math/list.hpp"
 
 using namespace cairn;
@@ -47,6 +48,26 @@ TEST_CASE("command lines from two seconds of changed ones are refused, or run to
   check_unharmed(report);
   CHECK(report.accepted > 0);
   CHECK(report.inputs > report.accepted);
+}
+
+TEST_CASE("worlds that are stepped, edited, dragged and copied at random keep their promises") {
+  fuzz::Run worlds{.target = fuzz::Target::world, .seconds = 0};
+  const int count = fuzz::is_under_asan() ? 2000 : 1000;
+  for (int number = 0; number < count; ++number) {
+    worlds.seeds.push_back(fuzz::world_bytes(static_cast<std::uint64_t>(number)));
+  }
+  const fuzz::RunReport report = fuzz::run(worlds);
+  for (const fuzz::Harm& harm : report.harm) {
+    FAIL_CHECK(harm.what << "\nto see it again: cairn_fuzz --world " << harm.number << "\n" << harm.log);
+  }
+  CHECK(report.inputs == static_cast<std::uint64_t>(count));
+  CHECK(report.accepted > report.inputs * 9 / 10);
+}
+
+TEST_CASE("worlds from the corpus and two seconds of changed ones keep their promises") {
+  const fuzz::RunReport report = fuzz::run(corpus_run(fuzz::Target::world, 2));
+  check_unharmed(report);
+  CHECK(report.accepted > 0);
 }
 
 TEST_CASE("an input is the same for the same seeds, seed and number, and another for another") {
