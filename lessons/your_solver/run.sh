@@ -2,7 +2,7 @@
 # A solver of the reader's own, in ten stages: what `bash lessons/run solver` does. The reader's file is kept where the
 # command runs, as lessons-progress.txt is.
 #   run.sh            how far the file has come, and what is next
-#   run.sh N          grades the stages 0 to N; exit code 0: passed, 1: not yet, 2: bad usage
+#   run.sh N          grades the stages 0 to N; exit code 0: passed, 1: not yet, 2: bad usage, 3: it cannot be graded here
 #   run.sh N --begin  writes the state before stage N; a file that is there is kept under another name
 unset CDPATH
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -19,21 +19,55 @@ cache=$here/../../build/release/CMakeCache.txt
 compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$cache" 2>/dev/null)
 compiler=${compiler:-c++}
 
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+# cannot WORDS: what is wrong is not the reader's file.
+cannot() {
+  printf 'solver: %s\n' "$1" >&2
+  exit 3
+}
+
+make_work_folder() {
+  work=$(mktemp -d 2>/dev/null) || cannot "cannot make a folder in ${TMPDIR:-/tmp}; TMPDIR names another place"
+  trap 'rm -rf "$work"' EXIT
+}
+
+# What runs the compiler and the reader's program under limits. It is made once, and kept in the build folder where that
+# can be written.
+make_runner() {
+  local folder=$here/../reader_code kept=$here/../../build/reader_code/run_reader
+  runner=$kept
+  if [[ -x $kept && ! $(find "$folder" "$here/../output.hpp" "$here/../../src/math/list.hpp" -newer "$kept") ]]; then return; fi
+  runner=$work/run_reader
+  printf 'Compiling lessons/reader_code: some seconds, once.\n' >&2
+  LC_ALL=C "$compiler" -std=c++20 -O0 -pipe -I"$here/../.." -I"$here/../../src" -o "$runner" "$folder"/*.cpp 2>"$work/errors" ||
+    cannot "$compiler cannot compile lessons/reader_code: $(grep -m 1 -E 'error|annot' "$work/errors")"
+  if mkdir -p "${kept%/*}" 2>/dev/null && cp "$runner" "$kept.$$" 2>/dev/null; then mv "$kept.$$" "$kept"; fi
+}
 
 task() { cat "$here/stages/0$1.txt"; }
 
-# grade N: exit code 0: passed, 1: not yet, 3: it does not compile; others: as the program ended.
+# grade N: exit code 0: passed, 1: not yet, 3: it cannot be graded here, 4: it does not compile,
+# 5: not within the limits of a compiler.
 grade() {
-  local -a flags=(-std=c++20 -O0 -D_GLIBCXX_ASSERTIONS -Werror=return-type -fdiagnostics-color=never)
-  printf '#include "report.hpp"\n#include "stages/0%s.cpp"\nint main() {\n  grading::Report report(%s);\n' "$1" "$1" >"$work/main.cpp"
-  printf '  stage_0%s(report);\n  return report.passed() ? 0 : 1;\n}\n' "$1" >>"$work/main.cpp"
-  LC_ALL=C "$compiler" "${flags[@]}" -I"$here" -include "./$file" -o "$work/grader" "$work/main.cpp" 2>"$work/errors" || return 3
-  timeout 10 "$work/grader" 2>"$work/errors"
+  local -a flags=(-std=c++20 -O0 -pipe -D_GLIBCXX_ASSERTIONS -Werror=return-type -fdiagnostics-color=never)
+  local code
+  # A main() of the reader's is left alone: the linker starts the program elsewhere.
+  printf '#include "report.hpp"\n#include "stages/0%s.cpp"\n#include "lessons/reader_code/verdict.hpp"\n%s\n' "$1" \
+    "extern \"C\" int __wrap_main() {
+  return cairn::reader_code::graded([] {
+    grading::Report report($1);
+    stage_0$1(report);
+    return report.passed() ? 0 : 1;
+  });
+}" >"$work/main.cpp" || return 3
+  LC_ALL=C "$runner" compiler "$file" "$compiler" "${flags[@]}" -I"$here" -I"$here/../.." -include "./$file" \
+    -Wl,--wrap=main -o "$work/grader" "$work/main.cpp" 2>"$work/errors"
+  code=$?
+  if [[ $code == 124 ]]; then return 5; fi
+  if [[ $code != 0 ]]; then return 4; fi
+  "$runner" grader "$file" "$work/grader"
 }
 
-# The first error in the reader's file with its line, or else what a stage could not call.
+# The first error in the reader's file with its line, or what a stage could not call. Other errors are not the file's.
 explain_errors() {
   local error line stage
   error=$(grep -E "(^|[ /])$file:[0-9]+:([0-9]+:)? (fatal )?error: " "$work/errors" | head -n 1)
@@ -42,23 +76,22 @@ explain_errors() {
     printf '%s does not compile. Line %s: %s\n  %s\n' "$file" "$line" "${error#*error: }" "$(sed -n "${line}p" "$file")"
     return
   fi
+  if grep -qiE 'out of memory|memory exhausted|cannot allocate memory' "$work/errors"; then
+    printf 'Compiling %s takes more memory than it may: does a template or a constexpr function go on without end?\n' "$file"
+    return
+  fi
+  error=$(sed -nE "s/.*undefined reference to .(.*).$/\1/p" "$work/errors" | head -n 1)
+  if [[ $error ]]; then
+    printf '%s declares %s, and does not say what it does.\n' "$file" "$error"
+    return
+  fi
   error=$(grep -E ': (fatal )?error: ' "$work/errors" | head -n 1)
   stage=$(sed -nE 's,.*stages/0([0-9])\.cpp.*,\1,p' "$work/errors" | head -n 1)
   line=$(grep -oE "$file:[0-9]+" "$work/errors" | head -n 1)
+  if [[ ! $stage && ! $line ]]; then cannot "$compiler does not work here: $(grep -m 1 . "$work/errors")"; fi
   printf 'Stage 0%s cannot use %s: %s\n' "${stage:-$1}" "${line:-$file}" "${error#*error: }"
   printf 'It needs:\n'
   task "${stage:-$1}" | grep '^    '
-}
-
-# explain_end CODE: why the reader's program ended early.
-explain_end() {
-  if [[ $1 == 124 ]]; then
-    printf '%s did not end within 10 s: does one of its loops never stop?\n' "$file"
-  elif grep -q "Assertion '__n < " "$work/errors"; then
-    printf '%s used an index outside of a list, and was stopped after the last line above.\n' "$file"
-  else
-    printf '%s was stopped after the last line above (exit code %s).\n' "$file" "$1"
-  fi
 }
 
 grade_aloud() {
@@ -75,8 +108,9 @@ grade_aloud() {
       fi
       return 0 ;;
     1) ;;
-    3) explain_errors "$1" ;;
-    *) explain_end "$code" ;;
+    4) explain_errors "$1" ;;
+    5) tail -n 1 "$work/errors" ;;
+    *) exit "$code" ;;
   esac
   printf 'Not yet. The task: lessons/your_solver/stages/0%s.txt\n' "$1"
   return 1
@@ -111,7 +145,13 @@ say_where() {
   fi
   while [[ $((high - low)) -gt 1 ]]; do
     middle=$(((low + high) / 2))
-    if grade "$middle" >/dev/null; then low=$middle; else high=$middle; fi
+    grade "$middle" >/dev/null 2>&1
+    case $? in
+      0) low=$middle ;;
+      1 | 4) high=$middle ;;
+      5) tail -n 1 "$work/errors"; exit 1 ;;
+      *) cannot "the stages of $file cannot be graded here: bash lessons/run solver 0 says why" ;;
+    esac
   done
   printf '%s: %s of %s stages pass.\n' "$PWD/$file" "$high" $((last + 1))
   if [[ $high -gt $last ]]; then return; fi
@@ -120,7 +160,12 @@ say_where() {
   printf '\nThen: bash lessons/run solver %s\n' "$high"
 }
 
-if [[ $# == 0 ]]; then say_where; exit; fi
+if [[ $# == 0 ]]; then
+  make_work_folder
+  make_runner
+  say_where
+  exit
+fi
 if ! [[ $1 =~ ^0?[0-9]$ ]]; then refuse "the stage must be a number from 0 to $last, got \"$1\""; fi
 stage=$((10#$1))
 if [[ ${2:-} == --begin && $# == 2 ]]; then begin "$stage"; exit; fi
@@ -128,4 +173,6 @@ if [[ $# -gt 1 ]]; then refuse "after the stage there may be --begin, got \"${*:
 if [[ ! -f $file ]]; then
   refuse "there is no $file in $PWD; bash lessons/run solver $stage --begin writes the state before stage $stage"
 fi
+make_work_folder
+make_runner
 grade_aloud "$stage"
