@@ -92,7 +92,8 @@ class Watch {
     hand_on_output();
     hand_on_errors();
     hand_on_line();
-    if (last_ != '\n' && std::fputc('\n', stdout) == EOF) ending_.stop = Stop::unwritable;
+    for (std::FILE* const stream : {stdout, stderr})
+      if (has_open_line(stream)) std::fputc('\n', stream);  // the words begin a line of their own
     drain(program_.verdict, [this](std::string_view text) { return note(text); });
     return judged(job_, ending_);
   }
@@ -121,12 +122,14 @@ class Watch {
     line_.clear();
   }
 
+  bool& has_open_line(std::FILE* stream) { return open_lines_[stream == stdout ? 0 : 1]; }
+
   /// Whether there may be more.
   bool print(std::string_view text, std::FILE* stream) {
     if (ending_.stop == Stop::output || ending_.stop == Stop::unwritable) return false;
     const std::size_t room = job_.limits.output - printed_, count = std::min(room, text.size());
     printed_ += count;
-    if (stream == stdout && count > 0) last_ = text[count - 1];
+    if (count > 0) has_open_line(stream) = text[count - 1] != '\n';
     const bool is_written = std::fwrite(text.data(), 1, count, stream) == count && std::fflush(stream) == 0;
     if (!is_written && stream == stdout) ending_.stop = Stop::unwritable;
     if (count < text.size()) ending_.stop = Stop::output;
@@ -150,7 +153,7 @@ class Watch {
   Started program_;
   Ending ending_;
   std::size_t printed_ = 0;
-  char last_ = '\n';  // on stdout
+  std::array<bool, 2> open_lines_ = {};
   std::string line_;  // of stderr, so far
 };
 

@@ -26,7 +26,7 @@ cannot() {
 }
 
 make_work_folder() {
-  work=$(mktemp -d 2>/dev/null) || cannot "cannot make a folder in ${TMPDIR:-/tmp}; TMPDIR names another place"
+  work=$(mktemp -d 2>/dev/null) || cannot "cannot make a folder in ${TMPDIR:-/tmp}${TMPDIR:+, which TMPDIR names}"
   trap 'rm -rf "$work"' EXIT
 }
 
