@@ -45,12 +45,12 @@ std::string drawn_word() {
   return word;
 }
 
-void limit(int what, rlim_t most) {
+void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
   rlimit now = {};
-  getrlimit(static_cast<__rlimit_resource>(what), &now);
+  getrlimit(what, &now);
   now.rlim_max = std::min(now.rlim_max, most);
   now.rlim_cur = std::min(now.rlim_cur, now.rlim_max);
-  setrlimit(static_cast<__rlimit_resource>(what), &now);
+  setrlimit(what, &now);
 }
 
 void apply(const Limits& limits) {

@@ -18,6 +18,8 @@
 namespace {
 
 volatile int zero = 0;
+int* volatile nowhere = nullptr;
+int* volatile astray = reinterpret_cast<int*>(0x123456789000);
 std::string second_word;
 
 int deep(int depth) {
@@ -72,8 +74,8 @@ const std::map<std::string, std::function<void()>> misdeeds = {
     {"exit at the end", [] { std::atexit([] { _exit(0); }), std::atexit([] { _exit(7); }); }},
     {"abort", [] { std::abort(); }},
     {"divide", [] { zero = 7 / zero; }},
-    {"null", [] { *static_cast<int* volatile>(nullptr) = 1; }},
-    {"astray", [] { *reinterpret_cast<int* volatile>(0x123456789000) = 1; }},
+    {"null", [] { *nowhere = 1; }},
+    {"astray", [] { *astray = 1; }},
     {"stack", [] { zero = deep(0); }},
     {"index", [] { std::vector<int>(3)[static_cast<std::size_t>(zero + 3)] = 1; }},
     {"back", [] { std::vector<int>().back() = 1; }},
