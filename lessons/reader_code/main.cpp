@@ -1,4 +1,7 @@
 // The program run_reader, for those that are no C++: the script of the reader's own solver, and ninja.
+#include <signal.h>
+#include <sys/prctl.h>
+
 #include <cstdio>
 #include <string_view>
 
@@ -14,6 +17,7 @@ int main(int count, char** words) {
         "run_reader: the words must be grader|compiler, what the reader's file is called, and a command\n");
     return 2;
   }
+  prctl(PR_SET_PDEATHSIG, SIGTERM);  // nobody waits for the outcome any more
   const bool is_compiler = what == "compiler";
   const reader_code::Ended ended =
       reader_code::run({.command = {words + 3, words + count},

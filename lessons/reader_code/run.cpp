@@ -41,6 +41,7 @@ class SignalsHeld {
     struct sigaction nothing = {};
     nothing.sa_handler = SIG_IGN;
     sigaction(SIGPIPE, &nothing, &pipe_before_);
+    signal(SIGCHLD, SIG_DFL);  // a parent that ignores it hands that on, and then no child can be waited for
   }
   ~SignalsHeld() {
     for (std::size_t i = 0; i < stopping_signals.size(); ++i)

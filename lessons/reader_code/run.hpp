@@ -22,7 +22,7 @@ struct Limits {
 
 /// The limits of a compiler.
 inline constexpr Limits compiler_limits = {
-    .seconds = 60, .output = 4'000'000, .memory = 4'000'000'000, .file = 500'000'000};
+    .seconds = 120, .output = 4'000'000, .memory = 4'000'000'000, .file = 500'000'000};
 
 struct Job {
   List<std::string> command = {};  // a program, by its path or a name of the PATH, and its arguments

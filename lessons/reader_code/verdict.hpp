@@ -4,8 +4,8 @@
 // run.hpp starts the grader with a place to write to and a word that is drawn anew for every run. What the
 // grader writes there begins with that word and the number of its process, and "ended 0" is its last act. So
 // a reader's code does not pass by ending the program, printing what a grader prints, throwing, or going on
-// in a copy of the process that fork() made. Nothing here stops a reader who wants to cheat: the word lies in
-// the memory of the same process. Whoever writes code to get at it has only fooled himself.
+// in a copy of the process that fork() made. Nothing here stops a reader who cheats on purpose: the word lies
+// in the memory of the same process. By accident nobody comes upon it.
 #pragma once
 
 #include <signal.h>

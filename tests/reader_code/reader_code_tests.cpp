@@ -163,6 +163,14 @@ TEST_CASE("a compiler has its exit code, and its limits other words") {
   CHECK(missing.words == "cannot start " + folder.file("none") + ": No such file or directory");
 }
 
+TEST_CASE("a run ends by itself where its caller ignores the ends of children") {
+  const ReaderFolder folder;
+  signal(SIGCHLD, SIG_IGN);
+  const Ended ended = run_into(folder, misdeed("divide", folder));
+  signal(SIGCHLD, SIG_DFL);
+  CHECK(says(ended.words, "signal 8"));
+}
+
 TEST_CASE("a signal to stop ends the reader's program first, and then whoever runs it") {
   const ReaderFolder folder;
   std::fflush(nullptr);
@@ -180,5 +188,28 @@ TEST_CASE("a signal to stop ends the reader's program first, and then whoever ru
   CHECK(waitpid(runner, &status, 0) == runner);
   CHECK(WIFSIGNALED(status));
   CHECK(WTERMSIG(status) == SIGINT);
+  CHECK_FALSE(lives(folder.text("left")));
+}
+
+TEST_CASE("the program run_reader ends what it runs when the script that has started it is gone") {
+  const ReaderFolder folder;
+  const std::string line = CAIRN_BIN_DIR "/run_reader grader x.cpp " CAIRN_BIN_DIR
+                                         "/misbehaving_grader 'leave and hang' '" +
+                           folder.file("left") + "' >/dev/null; :";
+  std::fflush(nullptr);
+  const pid_t script = fork();
+  REQUIRE(script >= 0);
+  if (script == 0) {
+    execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+    _exit(127);
+  }
+  while (!says(folder.text("left"), "\n") && waitpid(script, nullptr, WNOHANG) == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(script, SIGKILL);
+  waitpid(script, nullptr, 0);
+  const auto end =
+      std::chrono::steady_clock::now() + std::chrono::seconds(5);  // before it ends by its own limit
+  while (lives(folder.text("left")) && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
   CHECK_FALSE(lives(folder.text("left")));
 }
