@@ -8,6 +8,7 @@ unset CDPATH
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 file=my_solver.cpp
 last=9
+memory_pattern='[Oo]ut of memory|memory exhausted|annot allocate memory'
 
 refuse() {
   printf 'solver: %s\n' "$1" >&2
@@ -30,6 +31,16 @@ make_work_folder() {
   trap 'rm -rf "$work"' EXIT
 }
 
+# find_error PATTERN: the first line with it of what the compiler has said.
+find_error() { printf '%s\n' "$errors" | grep -E -m 1 "$1"; }
+
+chief_error() { find_error 'No space left' || find_error '[Ee]rror:|annot ' || find_error .; }
+
+# Whether the compiler has failed by what the reader has written.
+is_of_the_file() {
+  ! find_error 'No space left' >/dev/null && find_error "$file:|stages/0|undefined reference|$memory_pattern" >/dev/null
+}
+
 # What runs the compiler and the reader's program under limits. It is made once, and kept in the build folder where that
 # can be written.
 make_runner() {
@@ -38,16 +49,15 @@ make_runner() {
   if [[ -x $kept && ! $(find "$folder" "$here/../output.hpp" "$here/../../src/math/list.hpp" -newer "$kept") ]]; then return; fi
   runner=$work/run_reader
   printf 'Compiling lessons/reader_code: some seconds, once.\n' >&2
-  LC_ALL=C "$compiler" -std=c++20 -O0 -pipe -I"$here/../.." -I"$here/../../src" -o "$runner" "$folder"/*.cpp 2>"$work/errors" ||
-    cannot "$compiler cannot compile lessons/reader_code: $(grep -m 1 -E 'error|annot' "$work/errors")"
+  errors=$(LC_ALL=C "$compiler" -std=c++20 -O0 -pipe -I"$here/../.." -I"$here/../../src" -o "$runner" "$folder"/*.cpp 2>&1) ||
+    cannot "$compiler cannot compile lessons/reader_code: $(chief_error)"
   if mkdir -p "${kept%/*}" 2>/dev/null && cp "$runner" "$kept.$$" 2>/dev/null; then mv "$kept.$$" "$kept"; fi
 }
 
 task() { cat "$here/stages/0$1.txt"; }
 
-# grade N: exit code 0: passed, 1: not yet, 3: it cannot be graded here, 4: it does not compile,
-# 5: not within the limits of a compiler.
-grade() {
+# compile N: exit code 0, 4 if the file does not compile, 5 if it does not within the limits of a compiler.
+compile() {
   local -a flags=(-std=c++20 -O0 -pipe -D_GLIBCXX_ASSERTIONS -Werror=return-type -fdiagnostics-color=never)
   local code
   # A main() of the reader's is left alone: the linker starts the program elsewhere.
@@ -58,37 +68,41 @@ grade() {
     stage_0$1(report);
     return report.passed() ? 0 : 1;
   });
-}" >"$work/main.cpp" || return 3
-  LC_ALL=C "$runner" compiler "$file" "$compiler" "${flags[@]}" -I"$here" -I"$here/../.." -include "./$file" \
-    -Wl,--wrap=main -o "$work/grader" "$work/main.cpp" 2>"$work/errors"
+}" 2>/dev/null >"$work/main.cpp" || cannot "cannot write $work/main.cpp"
+  errors=$(LC_ALL=C "$runner" compiler "$file" "$compiler" "${flags[@]}" -I"$here" -I"$here/../.." -include "./$file" \
+    -Wl,--wrap=main -o "$work/grader" "$work/main.cpp" 2>&1)
   code=$?
   if [[ $code == 124 ]]; then return 5; fi
-  if [[ $code != 0 ]]; then return 4; fi
-  "$runner" grader "$file" "$work/grader"
+  if [[ $code != 0 ]]; then
+    is_of_the_file || cannot "$compiler does not work here: $(chief_error)"
+    return 4
+  fi
 }
 
-# The first error in the reader's file with its line, or what a stage could not call. Other errors are not the file's.
+# run_grader: exit code 0: passed, 1: not yet, 3: it cannot be run.
+run_grader() { "$runner" grader "$file" "$work/grader"; }
+
+# The first error in the reader's file with its line, or else what a stage could not call.
 explain_errors() {
   local error line stage
-  error=$(grep -E "(^|[ /])$file:[0-9]+:([0-9]+:)? (fatal )?error: " "$work/errors" | head -n 1)
+  error=$(find_error "(^|[ /])$file:[0-9]+:([0-9]+:)? (fatal )?error: ")
   if [[ $error ]]; then
     line=$(sed -E "s/.*$file:([0-9]+):.*/\1/" <<<"${error%%error: *}")
     printf '%s does not compile. Line %s: %s\n  %s\n' "$file" "$line" "${error#*error: }" "$(sed -n "${line}p" "$file")"
     return
   fi
-  if grep -qiE 'out of memory|memory exhausted|cannot allocate memory' "$work/errors"; then
+  if find_error "$memory_pattern" >/dev/null; then
     printf 'Compiling %s takes more memory than it may: does a template or a constexpr function go on without end?\n' "$file"
     return
   fi
-  error=$(sed -nE "s/.*undefined reference to .(.*).$/\1/p" "$work/errors" | head -n 1)
+  error=$(find_error 'undefined reference to ' | sed -E 's/.*undefined reference to .(.*).$/\1/')
   if [[ $error ]]; then
     printf '%s declares %s, and does not say what it does.\n' "$file" "$error"
     return
   fi
-  error=$(grep -E ': (fatal )?error: ' "$work/errors" | head -n 1)
-  stage=$(sed -nE 's,.*stages/0([0-9])\.cpp.*,\1,p' "$work/errors" | head -n 1)
-  line=$(grep -oE "$file:[0-9]+" "$work/errors" | head -n 1)
-  if [[ ! $stage && ! $line ]]; then cannot "$compiler does not work here: $(grep -m 1 . "$work/errors")"; fi
+  error=$(find_error ': (fatal )?error: ')
+  stage=$(find_error 'stages/0[0-9]\.cpp' | sed -E 's,.*stages/0([0-9])\.cpp.*,\1,')
+  line=$(find_error "$file:[0-9]+" | grep -oE "$file:[0-9]+" | head -n 1)
   printf 'Stage 0%s cannot use %s: %s\n' "${stage:-$1}" "${line:-$file}" "${error#*error: }"
   printf 'It needs:\n'
   task "${stage:-$1}" | grep '^    '
@@ -97,7 +111,7 @@ explain_errors() {
 grade_aloud() {
   local code
   task "$1" | head -n 1
-  grade "$1"
+  compile "$1" && run_grader
   code=$?
   case $code in
     0)
@@ -109,7 +123,7 @@ grade_aloud() {
       return 0 ;;
     1) ;;
     4) explain_errors "$1" ;;
-    5) tail -n 1 "$work/errors" ;;
+    5) printf '%s\n' "${errors##*$'\n'}" ;;
     *) exit "$code" ;;
   esac
   printf 'Not yet. The task: lessons/your_solver/stages/0%s.txt\n' "$1"
@@ -145,12 +159,12 @@ say_where() {
   fi
   while [[ $((high - low)) -gt 1 ]]; do
     middle=$(((low + high) / 2))
-    grade "$middle" >/dev/null 2>&1
+    compile "$middle" && run_grader >/dev/null 2>&1
     case $? in
       0) low=$middle ;;
       1 | 4) high=$middle ;;
-      5) tail -n 1 "$work/errors"; exit 1 ;;
-      *) cannot "the stages of $file cannot be graded here: bash lessons/run solver 0 says why" ;;
+      5) printf '%s\n' "${errors##*$'\n'}"; exit 1 ;;
+      *) cannot "$work/grader cannot be run" ;;
     esac
   done
   printf '%s: %s of %s stages pass.\n' "$PWD/$file" "$high" $((last + 1))
