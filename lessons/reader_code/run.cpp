@@ -107,11 +107,12 @@ class Watch {
   /// Line by line: some are kept back.
   bool hand_on_errors() {
     return drain(program_.error, [this](std::string_view text) {
+      constexpr std::size_t longest = 4096;
       for (const char c : text) {
         line_ += c;
-        if (c == '\n') hand_on_line();
+        if (c == '\n' || line_.size() == longest) hand_on_line();
       }
-      return ending_.stop == Stop::none && line_.size() <= job_.limits.output;
+      return ending_.stop == Stop::none;
     });
   }
 

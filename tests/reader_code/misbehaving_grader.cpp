@@ -83,6 +83,10 @@ const std::map<std::string, std::function<void()>> misdeeds = {
     {"throw a number", [] { throw 5; }},
     {"memory", take_memory},
     {"print", print_much},
+    {"print one line",
+     [] {
+       while (true) std::fputs("xxxxxxxx", stderr);
+     }},
     {"file", write_much},
     {"hang", hang},
     {"leave", leave_a_child},

@@ -51,16 +51,15 @@ Job misdeed(const std::string& name, const ReaderFolder& folder) {
           .limits = {.seconds = 20, .output = 100'000, .memory = 500'000'000, .file = 3'000'000}};
 }
 
-/// Runs a job while stdout leads to the file "out" of a folder.
-Ended run_into(const ReaderFolder& folder, const Job& job) {
+/// Runs a job while stdout, or stderr, leads to the file "out" of a folder.
+Ended run_into(const ReaderFolder& folder, const Job& job, int stream = STDOUT_FILENO) {
   std::fflush(nullptr);
-  const int before = dup(STDOUT_FILENO),
-            out = open(folder.file("out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  dup2(out, STDOUT_FILENO);
+  const int before = dup(stream), out = open(folder.file("out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  dup2(out, stream);
   close(out);
   const Ended ended = reader_code::run(job);
   std::fflush(nullptr);
-  dup2(before, STDOUT_FILENO);
+  dup2(before, stream);
   close(before);
   return ended;
 }
@@ -131,6 +130,9 @@ TEST_CASE("what prints without end is stopped, and what was printed until then i
   CHECK(says(ended.words, "exercise.cpp was stopped: it printed more than 0.1 MB."));
   CHECK(says(folder.text("out"), "graded\nxxx"));
   CHECK(folder.text("out").size() == 100'001);  // and a line feed for the words behind it
+  const Ended on_stderr = run_into(folder, misdeed("print one line", folder), STDERR_FILENO);
+  CHECK(says(on_stderr.words, "it printed more than 0.1 MB"));
+  CHECK(folder.text("out").size() < 100'001);
 }
 
 TEST_CASE("what ignores SIGTERM is ended in time, and nothing that it has started lives on") {
