@@ -14,6 +14,7 @@
 
 #include "lessons/answers.hpp"
 #include "lessons/output.hpp"
+#include "lessons/reader_code/verdict.hpp"
 
 namespace cairn {
 namespace {
@@ -72,12 +73,8 @@ int run_exercise(const Exercise& exercise, const std::string& source, int argume
     Grade grade;
     exercise.grade(grade);
     print_marks(grade);
-    if (grade.passed()) {
-      fmt::print("Passed.\n");
-      return 0;
-    }
+    if (grade.passed()) return 0;
   }
-  fmt::print("Not yet. A hint: bash lessons/run hint {}\n", exercise.lesson);
   return 1;
 }
 
@@ -110,7 +107,8 @@ bool Grade::passed() const {
 
 int exercise_program(const Exercise& exercise, const std::string& source, int argument_count,
                      const char* const* arguments) {
-  return finished(run_exercise(exercise, source, argument_count, arguments));
+  return reader_code::graded(
+      [&] { return finished(run_exercise(exercise, source, argument_count, arguments)); });
 }
 
 }  // namespace cairn

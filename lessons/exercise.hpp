@@ -61,7 +61,8 @@ struct Exercise {
 
 /// A program that grades one exercise: shows the marks, or a hint with --hint K. `source` is the file that it
 /// was built from: where its gap is still empty, there is nothing to mark. Exit code 0: passed, 1: not yet,
-/// 2: bad usage.
+/// 2: bad usage, 3: the output cannot be written. Whoever has started it hears the code as
+/// reader_code/verdict.hpp has it, and says whether the exercise is passed.
 int exercise_program(const Exercise& exercise, const std::string& source, int argument_count,
                      const char* const* arguments);
 

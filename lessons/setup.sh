@@ -168,7 +168,7 @@ cairn_build() {
   local code=${PIPESTATUS[0]}
   if [[ $code != 0 ]]; then
     # From the first failure on, without the steps that went well and the compiler's command lines.
-    sed -n '/^FAILED: /,$p' "$build/build.log" | grep -vE '^(\[[0-9]+/[0-9]+\]|[^ ]*/(cmake -E env|ccache) )' | head -n 60 >&2
+    sed -n '/^FAILED: /,$p' "$build/build.log" | grep -vE '^(\[[0-9]+/[0-9]+\]|[^ ]*/(cmake -E env|ccache|run_reader) )' | head -n 60 >&2
     grep -q '^FAILED: ' "$build/build.log" || tail -n 20 "$build/build.log" >&2
     printf 'The build failed (exit code %s). The whole log: build/%s/build.log\n' "$code" "$preset" >&2
     return 1

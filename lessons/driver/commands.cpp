@@ -176,11 +176,12 @@ int check_one(const Context& context, const Program& program, const List<std::st
 }
 
 int hint(const Context& context, const Program& program, const List<std::string>& number) {
-  const std::optional<ExerciseFiles> exercise = exercise_of(program);
-  List<std::string> words = {exercise ? exercise->program.string() : program.path.string(), "--hint"};
+  if (const std::optional<ExerciseFiles> exercise = exercise_of(program))
+    return show_exercise_hint(program, *exercise, number);
+  List<std::string> words = {program.path.string(), "--hint"};
   words.insert(words.end(), number.begin(), number.end());
-  if (!exercise) require_built(program);
-  if (!exercise && context.settings.plain) words.push_back("--plain");
+  if (context.settings.plain) words.push_back("--plain");
+  require_built(program);
   return become(words);
 }
 

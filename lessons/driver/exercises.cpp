@@ -8,12 +8,26 @@
 #include <stdexcept>
 
 #include "lessons/answers.hpp"
-#include "lessons/driver/process.hpp"
+#include "lessons/reader_code/run.hpp"
 
 namespace cairn::driver {
 namespace {
 
 namespace fs = std::filesystem;
+
+int run_exercise(const Program& lesson, const ExerciseFiles& files, const List<std::string>& words) {
+  if (!fs::exists(files.program)) {
+    fmt::print(stderr, "lessons: exercise {0} is not built; bash lessons/run check {0} builds it\n",
+               lesson.number);
+    return not_built;
+  }
+  reader_code::Job job = {.command = {files.program.string()}, .file = "exercise.cpp"};
+  job.command.insert(job.command.end(), words.begin(), words.end());
+  const reader_code::Ended ended = reader_code::run(job);
+  if (!ended.words.empty() && ended.code == not_built) fmt::print(stderr, "lessons: {}\n", ended.words);
+  if (!ended.words.empty() && ended.code != not_built) fmt::print("{}\n", ended.words);
+  return ended.code;
+}
 
 }  // namespace
 
@@ -34,12 +48,16 @@ std::optional<ExerciseFiles> exercise_of(const Program& lesson) {
 }
 
 int grade_exercise(const Program& lesson, const ExerciseFiles& files) {
-  if (!fs::exists(files.program)) {
-    fmt::print(stderr, "lessons: exercise {0} is not built; bash lessons/run check {0} builds it\n",
-               lesson.number);
-    return not_built;
-  }
-  return run_aloud({files.program.string()});
+  const int code = run_exercise(lesson, files, {});
+  if (code == 0) fmt::print("Passed.\n");
+  if (code == 1) fmt::print("Not yet. A hint: bash lessons/run hint {}\n", lesson.number);
+  return code;
+}
+
+int show_exercise_hint(const Program& lesson, const ExerciseFiles& files, const List<std::string>& number) {
+  List<std::string> words = {"--hint"};
+  words.insert(words.end(), number.begin(), number.end());
+  return run_exercise(lesson, files, words);
 }
 
 int show_solution(const Program& lesson, const ExerciseFiles& files) {

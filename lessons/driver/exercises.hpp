@@ -20,8 +20,12 @@ std::filesystem::path lesson_folder(const Program& lesson);
 /// None for a lesson without an exercise.
 std::optional<ExerciseFiles> exercise_of(const Program& lesson);
 
-/// Grades the answer, aloud. The exit code; 3 where the program has not been built.
+/// Grades the answer, aloud, under the limits of reader_code/run.hpp. The exit code: 0 if its grader has said
+/// so, and not otherwise; 3 where the program has not been built.
 int grade_exercise(const Program& lesson, const ExerciseFiles& files);
+
+/// Shows a hint, under the same limits: the reader's code is part of the program. The exit code, as above.
+int show_exercise_hint(const Program& lesson, const ExerciseFiles& files, const List<std::string>& number);
 
 /// Prints the model answer.
 int show_solution(const Program& lesson, const ExerciseFiles& files);

@@ -2,12 +2,13 @@
 # A solver of the reader's own, in ten stages: what `bash lessons/run solver` does. The reader's file is kept where the
 # command runs, as lessons-progress.txt is.
 #   run.sh            how far the file has come, and what is next
-#   run.sh N          grades the stages 0 to N; exit code 0: passed, 1: not yet, 2: bad usage
+#   run.sh N          grades the stages 0 to N; exit code 0: passed, 1: not yet, 2: bad usage, 3: it cannot be graded here
 #   run.sh N --begin  writes the state before stage N; a file that is there is kept under another name
 unset CDPATH
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 file=my_solver.cpp
 last=9
+memory_pattern='[Oo]ut of memory|memory exhausted|annot allocate memory'
 
 refuse() {
   printf 'solver: %s\n' "$1" >&2
@@ -19,52 +20,98 @@ cache=$here/../../build/release/CMakeCache.txt
 compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$cache" 2>/dev/null)
 compiler=${compiler:-c++}
 
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+# cannot WORDS: what is wrong is not the reader's file.
+cannot() {
+  printf 'solver: %s\n' "$1" >&2
+  exit 3
+}
+
+make_work_folder() {
+  work=$(mktemp -d 2>/dev/null) || cannot "cannot make a folder in ${TMPDIR:-/tmp}${TMPDIR:+, which TMPDIR names}"
+  trap 'rm -rf "$work"' EXIT
+}
+
+# find_error PATTERN: the first line with it of what the compiler has said.
+find_error() { printf '%s\n' "$errors" | grep -E -m 1 "$1"; }
+
+chief_error() { find_error 'No space left' || find_error '[Ee]rror:|annot ' || find_error .; }
+
+# Whether the compiler has failed by what the reader has written.
+is_of_the_file() {
+  ! find_error 'No space left' >/dev/null && find_error "$file:|stages/0|undefined reference|$memory_pattern" >/dev/null
+}
+
+# What runs the compiler and the reader's program under limits. It is made once, and kept in the build folder where that
+# can be written.
+make_runner() {
+  local folder=$here/../reader_code kept=$here/../../build/reader_code/run_reader
+  runner=$kept
+  if [[ -x $kept && ! $(find "$folder" "$here/../output.hpp" "$here/../../src/math/list.hpp" -newer "$kept") ]]; then return; fi
+  runner=$work/run_reader
+  printf 'Compiling lessons/reader_code: some seconds, once.\n' >&2
+  errors=$(LC_ALL=C "$compiler" -std=c++20 -O0 -pipe -I"$here/../.." -I"$here/../../src" -o "$runner" "$folder"/*.cpp 2>&1) ||
+    cannot "$compiler cannot compile lessons/reader_code: $(chief_error)"
+  if mkdir -p "${kept%/*}" 2>/dev/null && cp "$runner" "$kept.$$" 2>/dev/null; then mv "$kept.$$" "$kept"; fi
+}
 
 task() { cat "$here/stages/0$1.txt"; }
 
-# grade N: exit code 0: passed, 1: not yet, 3: it does not compile; others: as the program ended.
-grade() {
-  local -a flags=(-std=c++20 -O0 -D_GLIBCXX_ASSERTIONS -Werror=return-type -fdiagnostics-color=never)
-  printf '#include "report.hpp"\n#include "stages/0%s.cpp"\nint main() {\n  grading::Report report(%s);\n' "$1" "$1" >"$work/main.cpp"
-  printf '  stage_0%s(report);\n  return report.passed() ? 0 : 1;\n}\n' "$1" >>"$work/main.cpp"
-  LC_ALL=C "$compiler" "${flags[@]}" -I"$here" -include "./$file" -o "$work/grader" "$work/main.cpp" 2>"$work/errors" || return 3
-  timeout 10 "$work/grader" 2>"$work/errors"
+# compile N: exit code 0, 4 if the file does not compile, 5 if it does not within the limits of a compiler.
+compile() {
+  local -a flags=(-std=c++20 -O0 -pipe -D_GLIBCXX_ASSERTIONS -Werror=return-type -fdiagnostics-color=never)
+  local code
+  # A main() of the reader's is left alone: the linker starts the program elsewhere.
+  printf '#include "report.hpp"\n#include "stages/0%s.cpp"\n#include "lessons/reader_code/verdict.hpp"\n%s\n' "$1" \
+    "extern \"C\" int __wrap_main() {
+  return cairn::reader_code::graded([] {
+    grading::Report report($1);
+    stage_0$1(report);
+    return report.passed() ? 0 : 1;
+  });
+}" 2>/dev/null >"$work/main.cpp" || cannot "cannot write $work/main.cpp"
+  errors=$(LC_ALL=C "$runner" compiler "$file" "$compiler" "${flags[@]}" -I"$here" -I"$here/../.." -include "./$file" \
+    -Wl,--wrap=main -o "$work/grader" "$work/main.cpp" 2>&1)
+  code=$?
+  if [[ $code == 124 ]]; then return 5; fi
+  if [[ $code != 0 ]]; then
+    is_of_the_file || cannot "$compiler does not work here: $(chief_error)"
+    return 4
+  fi
 }
+
+# run_grader: exit code 0: passed, 1: not yet, 3: it cannot be run.
+run_grader() { "$runner" grader "$file" "$work/grader"; }
 
 # The first error in the reader's file with its line, or else what a stage could not call.
 explain_errors() {
   local error line stage
-  error=$(grep -E "(^|[ /])$file:[0-9]+:([0-9]+:)? (fatal )?error: " "$work/errors" | head -n 1)
+  error=$(find_error "(^|[ /])$file:[0-9]+:([0-9]+:)? (fatal )?error: ")
   if [[ $error ]]; then
     line=$(sed -E "s/.*$file:([0-9]+):.*/\1/" <<<"${error%%error: *}")
     printf '%s does not compile. Line %s: %s\n  %s\n' "$file" "$line" "${error#*error: }" "$(sed -n "${line}p" "$file")"
     return
   fi
-  error=$(grep -E ': (fatal )?error: ' "$work/errors" | head -n 1)
-  stage=$(sed -nE 's,.*stages/0([0-9])\.cpp.*,\1,p' "$work/errors" | head -n 1)
-  line=$(grep -oE "$file:[0-9]+" "$work/errors" | head -n 1)
+  if find_error "$memory_pattern" >/dev/null; then
+    printf 'Compiling %s takes more memory than it may: does a template or a constexpr function go on without end?\n' "$file"
+    return
+  fi
+  error=$(find_error 'undefined reference to ' | sed -E 's/.*undefined reference to .(.*).$/\1/')
+  if [[ $error ]]; then
+    printf '%s declares %s, and does not say what it does.\n' "$file" "$error"
+    return
+  fi
+  error=$(find_error ': (fatal )?error: ')
+  stage=$(find_error 'stages/0[0-9]\.cpp' | sed -E 's,.*stages/0([0-9])\.cpp.*,\1,')
+  line=$(find_error "$file:[0-9]+" | grep -oE "$file:[0-9]+" | head -n 1)
   printf 'Stage 0%s cannot use %s: %s\n' "${stage:-$1}" "${line:-$file}" "${error#*error: }"
   printf 'It needs:\n'
   task "${stage:-$1}" | grep '^    '
 }
 
-# explain_end CODE: why the reader's program ended early.
-explain_end() {
-  if [[ $1 == 124 ]]; then
-    printf '%s did not end within 10 s: does one of its loops never stop?\n' "$file"
-  elif grep -q "Assertion '__n < " "$work/errors"; then
-    printf '%s used an index outside of a list, and was stopped after the last line above.\n' "$file"
-  else
-    printf '%s was stopped after the last line above (exit code %s).\n' "$file" "$1"
-  fi
-}
-
 grade_aloud() {
   local code
   task "$1" | head -n 1
-  grade "$1"
+  compile "$1" && run_grader
   code=$?
   case $code in
     0)
@@ -75,8 +122,9 @@ grade_aloud() {
       fi
       return 0 ;;
     1) ;;
-    3) explain_errors "$1" ;;
-    *) explain_end "$code" ;;
+    4) explain_errors "$1" ;;
+    5) printf '%s\n' "${errors##*$'\n'}" ;;
+    *) exit "$code" ;;
   esac
   printf 'Not yet. The task: lessons/your_solver/stages/0%s.txt\n' "$1"
   return 1
@@ -111,7 +159,13 @@ say_where() {
   fi
   while [[ $((high - low)) -gt 1 ]]; do
     middle=$(((low + high) / 2))
-    if grade "$middle" >/dev/null; then low=$middle; else high=$middle; fi
+    compile "$middle" && run_grader >/dev/null 2>&1
+    case $? in
+      0) low=$middle ;;
+      1 | 4) high=$middle ;;
+      5) printf '%s\n' "${errors##*$'\n'}"; exit 1 ;;
+      *) cannot "$work/grader cannot be run" ;;
+    esac
   done
   printf '%s: %s of %s stages pass.\n' "$PWD/$file" "$high" $((last + 1))
   if [[ $high -gt $last ]]; then return; fi
@@ -120,7 +174,12 @@ say_where() {
   printf '\nThen: bash lessons/run solver %s\n' "$high"
 }
 
-if [[ $# == 0 ]]; then say_where; exit; fi
+if [[ $# == 0 ]]; then
+  make_work_folder
+  make_runner
+  say_where
+  exit
+fi
 if ! [[ $1 =~ ^0?[0-9]$ ]]; then refuse "the stage must be a number from 0 to $last, got \"$1\""; fi
 stage=$((10#$1))
 if [[ ${2:-} == --begin && $# == 2 ]]; then begin "$stage"; exit; fi
@@ -128,4 +187,6 @@ if [[ $# -gt 1 ]]; then refuse "after the stage there may be --begin, got \"${*:
 if [[ ! -f $file ]]; then
   refuse "there is no $file in $PWD; bash lessons/run solver $stage --begin writes the state before stage $stage"
 fi
+make_work_folder
+make_runner
 grade_aloud "$stage"

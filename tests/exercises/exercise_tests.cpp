@@ -15,6 +15,11 @@ TEST_CASE("output that a full disk does not take ends with three") {
   CHECK(WEXITSTATUS(std::system(CAIRN_BIN_DIR "/exercise00 > /dev/full 2> /dev/null")) == 3);
 }
 
+TEST_CASE("an exercise whose reader has added a main() is graded all the same") {
+  constexpr int not_yet = 1;
+  CHECK(WEXITSTATUS(std::system(CAIRN_BIN_DIR "/exercise_with_main > /dev/null")) == not_yet);
+}
+
 TEST_CASE("a number holds within its tolerance, and a NaN never does") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const auto& [got, holds] :
@@ -47,11 +52,14 @@ TEST_CASE("a gap without code is not graded, and an exercise without its marks i
 TEST_CASE("a wrong number names the first misconception that gives it, and a right one none") {
   const double infinity = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const ExpectedNumber expected{
-      .what = "a number",
-      .value = 2,
-      .tolerance = 0.1,
-      .misconceptions = {{-2, "the sign"}, {3, "one too many"}, {3, "another"}, {infinity, "divided by 0"}, {nan, "0 by 0"}}};
+  const ExpectedNumber expected{.what = "a number",
+                                .value = 2,
+                                .tolerance = 0.1,
+                                .misconceptions = {{-2, "the sign"},
+                                                   {3, "one too many"},
+                                                   {3, "another"},
+                                                   {infinity, "divided by 0"},
+                                                   {nan, "0 by 0"}}};
   const auto comment_on = [&expected](double got) {
     Grade grade;
     grade.number(expected, got);

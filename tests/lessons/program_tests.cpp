@@ -1,5 +1,6 @@
 // The programs as they were built: lessons by themselves, and the driver.
 #include <doctest/doctest.h>
+#include <signal.h>
 
 #include <filesystem>
 #include <optional>
@@ -75,24 +76,34 @@ TEST_CASE("the driver hands flags on and returns the exit code of the lesson") {
 
 namespace {
 
-/// The driver and lesson 02 in a folder of their own, with an exercise that ends with this exit code, or
-/// none.
-Ran drive_beside_exercise(const ScratchFolder& folder, std::optional<int> exercise_code,
-                          const List<std::string>& words) {
-  namespace fs = std::filesystem;
+namespace fs = std::filesystem;
+
+/// The driver and lesson 02 in a folder of their own, with a shell script for an exercise, or none.
+void lay_out_driver(const ScratchFolder& folder, const std::optional<std::string>& script) {
   const fs::path bin = fs::path(folder.path()) / "bin";
   fs::create_directories(bin);
   for (const char* name : {"lessons", "lesson02_effective_mass"})
     fs::copy_file(fs::path(CAIRN_BIN_DIR) / name, bin / name, fs::copy_options::overwrite_existing);
-  if (exercise_code) {
-    folder.write("bin/exercise02", "#!/bin/sh\nexit " + std::to_string(*exercise_code) + "\n");
-    fs::permissions(bin / "exercise02", fs::perms::owner_all);
-  }
+  if (!script) return;
+  folder.write("bin/exercise02", "#!/bin/bash\n" + *script + "\n");
+  fs::permissions(bin / "exercise02", fs::perms::owner_all);
+}
+
+Ran drive_beside_script(const ScratchFolder& folder, const std::optional<std::string>& script,
+                        const List<std::string>& words) {
+  lay_out_driver(folder, script);
   const fs::path before = fs::current_path();
   fs::current_path(folder.path());
-  const Ran ran = run_program((bin / "lessons").string(), words);
+  const Ran ran = run_program(folder.path() + "/bin/lessons", words);
   fs::current_path(before);
   return ran;
+}
+
+/// With an exercise whose grader comes to this verdict.
+Ran drive_beside_exercise(const ScratchFolder& folder, int verdict, const List<std::string>& words) {
+  const std::string code = std::to_string(verdict);
+  const std::string told = "place=${CAIRN_VERDICT%% *} word=${CAIRN_VERDICT##* }; echo \"$word $$ ended ";
+  return drive_beside_script(folder, told + code + "\" >&$place; exit " + code, words);
 }
 
 }  // namespace
@@ -120,10 +131,46 @@ TEST_CASE(
   CHECK(drive_beside_exercise(folder, 1, {"check", "--all"}).code == 0);
   CHECK(folder.names() == List<std::string>{"bin"});
   const ScratchFolder elsewhere;
-  const Ran ran = drive_beside_exercise(elsewhere, std::nullopt, {"check", "2"});
+  const Ran ran = drive_beside_script(elsewhere, std::nullopt, {"check", "2"});
   CHECK(ran.code == 3);
   CHECK(tells(ran.err, "bash lessons/run check 2 builds it"));
   CHECK(elsewhere.names() == List<std::string>{"bin"});
+}
+
+TEST_CASE("an exercise that ends by itself, crashes or never ends is told in words, and is not noted") {
+  const ScratchFolder folder;
+  for (const auto& [script, words] :
+       {std::pair("echo Passed.; exit 0", "exercise.cpp ended the program before the grader was done"),
+        std::pair("kill -SEGV $$", "exercise.cpp read or wrote where it has nothing"),
+        std::pair("trap '' TERM; while true; do sleep 1; done", "exercise.cpp did not end within 10 s")}) {
+    INFO(std::string(script));
+    const Ran ran = drive_beside_script(folder, script, {"check", "2"});
+    CHECK(ran.code == 1);
+    CHECK_MESSAGE(tells(ran.out, words), ran.out);
+    CHECK(tells(ran.out, "Not yet. A hint: bash lessons/run hint 2\n"));
+    CHECK(folder.names() == List<std::string>{"bin"});
+  }
+}
+
+TEST_CASE("a hint comes from the exercise, under the same limits") {
+  const ScratchFolder folder;
+  const Ran ran = drive_beside_script(folder, "echo $*; kill -ABRT $$", {"hint", "2", "3"});
+  CHECK(ran.code == 1);
+  CHECK(ran.out.rfind("--hint 3\nexercise.cpp called abort()", 0) == 0);
+}
+
+TEST_CASE("Ctrl-C during a check ends the exercise with all that it has started, and notes nothing") {
+  const ScratchFolder folder;
+  lay_out_driver(folder,
+                 "trap '' TERM INT\n"
+                 "setsid sh -c 'echo $$ > left; exec sleep 300' &\n"
+                 "while ! grep -qs . left; do sleep 0.1; done\n"
+                 "echo $$ > own; kill -INT $PPID; sleep 300");
+  const Ran ran =
+      run_program("/bin/bash", {"-c", "cd '" + folder.path() + "' && bin/lessons check 2; echo \"code $?\""});
+  CHECK(ran.out == "code 130\n");
+  CHECK(folder.names() == List<std::string>{"bin", "left", "own"});
+  for (const char* file : {"left", "own"}) CHECK(kill(std::stoi(folder.text(file)), 0) != 0);
 }
 
 TEST_CASE("the doctor draws a picture and leaves nothing behind") {

@@ -1,71 +1,26 @@
 // The reader's own solver: the models pass their graders, states that begin a stage fail it, and every wrong
 // answer that is known fails with the words that name it.
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 
 #include "math/list.hpp"
+#include "run_solver.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using cairn::List;
+using namespace cairn::solver_tests;
 
-const fs::path solver_folder = fs::path(CAIRN_SOURCE_DIR) / "lessons/your_solver";
 constexpr int solver_stages = 10;
-
-struct Ended {
-  int code = 0;
-  std::string out = {};  // stdout and stderr
-};
-
-Ended run_line(const std::string& line) {
-  Ended ended;
-  FILE* pipe = popen(("exec 2>&1; " + line).c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) ended.out += static_cast<char>(c);
-  const int status = pclose(pipe);
-  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return ended;
-}
-
-std::string in_quotes(const std::string& word) { return "'" + word + "'"; }
-
-/// An empty folder of the build.
-fs::path solver_scratch(const std::string& name) {
-  const fs::path folder = fs::path(CAIRN_BINARY_DIR) / "your_solver_test" / name;
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
-}
-
-/// `bash lessons/run solver WORDS` in a folder.
-Ended run_solver(const fs::path& folder, const std::string& words) {
-  const std::string script = CAIRN_SOURCE_DIR "/lessons/run";
-  return run_line("cd " + in_quotes(folder.string()) + " && bash " + in_quotes(script) + " solver " + words);
-}
-
-std::string model_of(int stage) {
-  return run_line("bash " + in_quotes((solver_folder / "state.sh").string()) + " " + std::to_string(stage))
-      .out;
-}
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return std::string{std::istreambuf_iterator<char>(in), {}};
-}
-
-void write_file(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
 
 /// One wrong answer: the model with one or more changes, and words that the grader has to say.
 struct WrongAnswer {
