@@ -11,6 +11,7 @@
 #include "lessons/driver/book_parts.hpp"
 #include "lessons/driver/book_reference.hpp"
 #include "lessons/driver/commands.hpp"
+#include "lessons/driver/exercises.hpp"
 #include "lessons/driver/process.hpp"
 #include "measure/whole_file.hpp"
 
@@ -39,10 +40,10 @@ void remove_old_pictures(const fs::path& folder, const Book& book) {
 
 /// The texts of the project that the book shows beside its lessons.
 struct ProjectTexts {
-  std::string glossary = text_of(fs::path(CAIRN_LESSONS_FOLDER) / "glossary.md");
-  std::string prerequisites = text_of(fs::path(CAIRN_LESSONS_FOLDER) / "prerequisites.md");
-  std::string your_solver = text_of(fs::path(CAIRN_LESSONS_FOLDER) / "your_solver/README.md");
-  std::string notation = text_of(fs::path(CAIRN_LESSONS_FOLDER) / "../src/NOTATION.md");
+  std::string glossary = text_of(lessons_folder() / "glossary.md");
+  std::string prerequisites = text_of(lessons_folder() / "prerequisites.md");
+  std::string your_solver = text_of(lessons_folder() / "your_solver/README.md");
+  std::string notation = text_of(lessons_folder() / "../src/NOTATION.md");
 };
 
 /// By their names. Teachers' notes and the table of contents are not searched.
@@ -59,7 +60,7 @@ std::map<std::string, std::string> searched_pages(const Book& book, const Projec
 }
 
 void write_pages(const fs::path& folder, Book& book) {
-  const fs::path source = fs::path(CAIRN_LESSONS_FOLDER) / "driver";
+  const fs::path source = lessons_folder() / "driver";
   const ProjectTexts texts;
   book.symbols = symbols_of(texts.notation);
   book.terms = terms_of(texts.glossary);

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "math/check.hpp"
-#include "scenes/scene_list.hpp"
+#include "scenes/data_folder.hpp"
 #include "study/build_info.hpp"
 #include "math/list.hpp"
 
@@ -137,7 +137,10 @@ bool renew_recommendations(List<Recommendation>& known,
 }
 
 std::filesystem::path recommended_file() {
-  return scene_folder().parent_path() / "sandbox" / "recommended.json";
+  std::error_code error;
+  const std::filesystem::path file = data_folder() / "recommended.json";
+  const std::filesystem::path resolved = std::filesystem::canonical(file, error);
+  return error ? file : resolved;  // a renewal must not put a file in the place of a link
 }
 
 namespace {
