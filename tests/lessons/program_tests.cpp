@@ -80,17 +80,14 @@ namespace {
 Ran drive_beside_exercise(const ScratchFolder& folder, std::optional<int> exercise_code,
                           const List<std::string>& words) {
   namespace fs = std::filesystem;
-  const fs::path bin = fs::path(folder.path()) / "bin";
-  fs::create_directories(bin);
-  for (const char* name : {"lessons", "lesson02_effective_mass"})
-    fs::copy_file(fs::path(CAIRN_BIN_DIR) / name, bin / name, fs::copy_options::overwrite_existing);
+  const std::string driver = driver_apart(folder, "bin", {"lesson02_effective_mass"});
   if (exercise_code) {
-    folder.write("bin/exercise02", "#!/bin/sh\nexit " + std::to_string(*exercise_code) + "\n");
-    fs::permissions(bin / "exercise02", fs::perms::owner_all);
+    folder.write("bin/bin/exercise02", "#!/bin/sh\nexit " + std::to_string(*exercise_code) + "\n");
+    fs::permissions(folder.path() + "/bin/bin/exercise02", fs::perms::owner_all);
   }
   const fs::path before = fs::current_path();
   fs::current_path(folder.path());
-  const Ran ran = run_program((bin / "lessons").string(), words);
+  const Ran ran = run_program(driver, words);
   fs::current_path(before);
   return ran;
 }
