@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "lessons/driver/book_making.hpp"
@@ -32,11 +33,11 @@ void remove_old_pictures(const fs::path& folder, const Book& book) {
   for (const BookLesson& lesson : book) {
     for (const BookFrame& frame : lesson.frames) shown.insert({frame.light, frame.dark});
   }
+  static const std::regex ours("lesson[0-9]{2}_[0-9]{4,}_(light|dark)\\.png");
   List<fs::path> old;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    const bool is_ours = name.rfind("lesson", 0) == 0 && entry.path().extension() == ".png";
-    if (is_ours && shown.count(name) == 0) old.push_back(entry.path());
+    if (std::regex_match(name, ours) && shown.count(name) == 0) old.push_back(entry.path());
   }
   for (const fs::path& file : old) fs::remove(file);
 }

@@ -156,7 +156,7 @@ Verb recommend_verb() {
               "plain SI beside them, up to the first run that it misses. All numbers come from runs that "
               "--renew does again.",
           .flags = {{"renew", "", "does all runs again, some minutes of them, and writes the file"},
-                    {"out", "FILE", "where --renew writes (lessons/sandbox/recommended.json)"},
+                    {"out", "FILE", "where --renew writes (the file that comes with Cairn)"},
                     {"from", "FILE", "recommendations to show, other than those that come with Cairn"}},
           .examples = {"recommend stack", "recommend --json", "recommend --renew"},
           .run = run_recommend};

@@ -206,6 +206,7 @@ TEST_CASE("two makings of the lesson book give the same bytes, and only its own 
   REQUIRE(first.code == 0);
   REQUIRE(make_book(scratch, driver, {two, "--frames", "1:3"}).code == 0);
   scratch.write("elsewhere/two/mine.txt", "mine");
+  scratch.write("elsewhere/two/frames/lesson_plan.png", "mine");
   for (const char* name : {"unfinished", "unfinished_mine"}) {
     fs::create_directories(two + "/" + name);
     scratch.write("elsewhere/two/" + std::string(name) + "/mine.txt", "mine");
@@ -213,7 +214,9 @@ TEST_CASE("two makings of the lesson book give the same bytes, and only its own 
   REQUIRE(make_book(scratch, driver, {two, "--frames", "cover"}).code == 0);
   for (const char* name : {"", "/unfinished", "/unfinished_mine"})
     CHECK(scratch.text("elsewhere/two" + std::string(name) + "/mine.txt") == "mine");
-  for (const char* name : {"/mine.txt", "/unfinished", "/unfinished_mine"}) fs::remove_all(two + name);
+  CHECK(scratch.text("elsewhere/two/frames/lesson_plan.png") == "mine");
+  for (const char* name : {"/mine.txt", "/unfinished", "/unfinished_mine", "/frames/lesson_plan.png"})
+    fs::remove_all(two + name);
   int files = 0;
   for (const std::string below : {"", "/frames"}) {
     CHECK(scratch.names("one" + below) == scratch.names("elsewhere/two" + below));

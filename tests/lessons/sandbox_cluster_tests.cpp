@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 const std::string study_script = CAIRN_SOURCE_DIR "/lessons/sandbox/cluster/study";
 
-// Runs each task at once, as Slurm would: by sh, in the folder of --chdir, with what it says in the file of
-// --output. A job that depends on one that failed is not run.
+// Runs each task at once, as Slurm would: by sh, with what it says in the file of --output. A job that
+// depends on one that failed is not run.
 constexpr const char* sbatch_that_runs = R"(#!/usr/bin/env bash
 array=none dependency=
 for word in "$@"; do
@@ -26,7 +26,6 @@ for word in "$@"; do
     --wrap=*) wrap=${word#*=} ;;
     --array=*) array=${word#*=} ;;
     --output=*) output=${word#*=} ;;
-    --chdir=*) cd "${word#*=}" || exit ;;
     --dependency=*) dependency=${word##*:} ;;
     --time=soon) echo 'sbatch: error: Invalid --time specification' >&2; exit 1 ;;
   esac
@@ -35,14 +34,16 @@ count=$(($(cat "$SLURM_FAKE/count" 2>/dev/null || echo 0) + 1))
 echo $count >"$SLURM_FAKE/count"
 if [[ ! $dependency || ! -e $SLURM_FAKE/failed$dependency ]]; then
   for task in ${array//,/ }; do
-    SLURM_ARRAY_TASK_ID=$task sh -c "$wrap" >>"${output//%a/$task}" 2>&1 || touch "$SLURM_FAKE/failed$count"
+    log=${output//%%/$'\1'}
+    log=${log//%a/$task}
+    SLURM_ARRAY_TASK_ID=$task sh -c "$wrap" >>"${log//$'\1'/%}" 2>&1 || touch "$SLURM_FAKE/failed$count"
   done
 fi
 echo "$count;here"
 )";
 
 // What a shell, sbatch, find or cairn could take for something else than a letter.
-const std::string every_sign = "it's \"a, b\" $(touch run) `touch run` $HOME %a \\n {c} * #; é";
+const std::string every_sign = "it's \"a, b\" $(touch run) `touch run` $HOME %a {c} * #; é";
 
 /// A folder with that sbatch, and `study` in it.
 struct Cluster {
@@ -114,6 +115,7 @@ TEST_CASE("what every part would refuse is refused when the study is submitted")
     return words;
   };
   cluster.refuses("two\nlines", with({}), "DIR must be one line");
+  cluster.refuses("back\\slash", with({}), "DIR must be without backslashes");
   for (const std::string flag : {"--out", "--shard", "--merge", "--progress", "--table"})
     cluster.refuses("study", with({flag, "x"}), flag + " must be left out");
   cluster.refuses("study", with({"--out=x"}), "--out must be left out");
