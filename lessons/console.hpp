@@ -64,6 +64,8 @@ class Progress {
 
   /// `rest`: what is written behind the bar beside the count, such as the time that is left.
   void advance(int done, std::string_view rest = "");
+  /// From now on there are so many in all.
+  void expect(int total) { total_ = total; }
   /// Wipes the bar from the line.
   void clear();
 

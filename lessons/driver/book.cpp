@@ -4,14 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "lessons/driver/book_making.hpp"
 #include "lessons/driver/book_parts.hpp"
 #include "lessons/driver/book_reference.hpp"
 #include "lessons/driver/commands.hpp"
+#include "lessons/driver/exercises.hpp"
+#include "lessons/driver/interruption.hpp"
 #include "lessons/driver/process.hpp"
+#include "lessons/driver/work_folder.hpp"
 #include "measure/whole_file.hpp"
 
 namespace cairn::driver {
@@ -28,21 +33,21 @@ void remove_old_pictures(const fs::path& folder, const Book& book) {
   for (const BookLesson& lesson : book) {
     for (const BookFrame& frame : lesson.frames) shown.insert({frame.light, frame.dark});
   }
+  static const std::regex ours("lesson[0-9]{2}_[0-9]{4,}_(light|dark)\\.png");
   List<fs::path> old;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    const bool is_ours = name.rfind("lesson", 0) == 0 && entry.path().extension() == ".png";
-    if (is_ours && shown.count(name) == 0) old.push_back(entry.path());
+    if (std::regex_match(name, ours) && shown.count(name) == 0) old.push_back(entry.path());
   }
   for (const fs::path& file : old) fs::remove(file);
 }
 
 /// The texts of the project that the book shows beside its lessons.
 struct ProjectTexts {
-  std::string glossary = text_of(fs::path(CAIRN_LESSONS_FOLDER) / "glossary.md");
-  std::string prerequisites = text_of(fs::path(CAIRN_LESSONS_FOLDER) / "prerequisites.md");
-  std::string your_solver = text_of(fs::path(CAIRN_LESSONS_FOLDER) / "your_solver/README.md");
-  std::string notation = text_of(fs::path(CAIRN_LESSONS_FOLDER) / "../src/NOTATION.md");
+  std::string glossary = text_of(lessons_folder() / "glossary.md");
+  std::string prerequisites = text_of(lessons_folder() / "prerequisites.md");
+  std::string your_solver = text_of(lessons_folder() / "your_solver/README.md");
+  std::string notation = text_of(lessons_folder() / "../src/NOTATION.md");
 };
 
 /// By their names. Teachers' notes and the table of contents are not searched.
@@ -59,7 +64,7 @@ std::map<std::string, std::string> searched_pages(const Book& book, const Projec
 }
 
 void write_pages(const fs::path& folder, Book& book) {
-  const fs::path source = fs::path(CAIRN_LESSONS_FOLDER) / "driver";
+  const fs::path source = lessons_folder() / "driver";
   const ProjectTexts texts;
   book.symbols = symbols_of(texts.notation);
   book.terms = terms_of(texts.glossary);
@@ -76,6 +81,15 @@ void write_pages(const fs::path& folder, Book& book) {
   for (const char* name : {"book.css", "book.js"}) files[name] = text_of(source / name);
   files["index.html"] = index_page(book, text_of(source / "book.md"));
   for (const auto& [name, text] : files) write_whole_file(folder / name, text);
+}
+
+/// Puts the whole book in its place, over an earlier one.
+void deliver(const fs::path& made, const fs::path& folder, const Book& book) {
+  require_uninterrupted();
+  fs::create_directories(folder / "frames");
+  for (const auto& entry : fs::recursive_directory_iterator(made)) {
+    if (entry.is_regular_file()) move_to(entry.path(), folder / entry.path().lexically_relative(made));
+  }
   remove_old_pictures(folder / "frames", book);
 }
 
@@ -87,16 +101,19 @@ std::uintmax_t size_of(const fs::path& folder) {
   return size;
 }
 
-int make_book(const Context& context, const Workshop& shop) {
+int make_book(const Context& context, const fs::path& folder, const Words& flags) {
   Console console(context.settings);
+  const WorkFolder work(folder);
+  const Workshop shop = {.book = work.path / "book", .work = work.path / "runs", .flags = flags};
   bool all_held = true;
   Book book = gathered(context, shop, all_held);
   write_pages(shop.book, book);
+  const double megabytes = static_cast<double>(size_of(shop.book)) / 1e6;
+  deliver(shop.book, folder, book);
   int pictures = 0;
   for (const BookLesson& lesson : book) pictures += 2 * lesson.frames.size();
-  console.result(fmt::format("{} lessons, {} pictures, {:.1f} MB: open {}", book.size(), pictures,
-                             static_cast<double>(size_of(shop.book)) / 1e6,
-                             (shop.book / "index.html").string()));
+  console.result(fmt::format("{} lessons, {} pictures, {:.1f} MB: open {}", book.size(), pictures, megabytes,
+                             (folder / "index.html").string()));
   if (!all_held) console.warn("lessons: a lesson's own check failed; its page shows which");
   return all_held ? 0 : 1;
 }
@@ -104,20 +121,23 @@ int make_book(const Context& context, const Workshop& shop) {
 /// Chromium prints the page that has all lessons.
 int make_handouts(const Context& context, const fs::path& file, const std::string& browser) {
   Console console(context.settings);
-  const WorkFolder pages(file.string() + ".unfinished");
-  const Workshop shop = {.book = fs::absolute(pages.path), .work = fs::absolute(pages.path) / "unfinished"};
+  const WorkFolder work(fs::absolute(file).parent_path());
+  const Workshop shop = {.book = work.path / "book", .work = work.path / "runs"};
+  const fs::path print = work.path / "handouts.pdf";
   bool all_held = true;
   Book book = gathered(context, shop, all_held);
   write_pages(shop.book, book);
   write_whole_file(shop.book / "handouts.html", handouts_page(book));
-  const ProcessResult printed = run_quietly(
-      {browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer",
-       "--user-data-dir=" + (shop.book / "browser").string(), "--print-to-pdf=" + fs::absolute(file).string(),
-       "file://" + (shop.book / "handouts.html").string()});
-  if (printed.code != 0 || !fs::exists(file)) {
+  const ProcessResult printed =
+      run_quietly({browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer",
+                   "--user-data-dir=" + (shop.book / "browser").string(), "--print-to-pdf=" + print.string(),
+                   "file://" + (shop.book / "handouts.html").string()});
+  require_uninterrupted();
+  if (printed.code != 0 || !fs::exists(print)) {
     console.warn("lessons: chromium cannot print " + file.string() + ":\n" + printed.output);
     return cannot_make;
   }
+  move_to(print, file);
   console.result(fmt::format("{} lessons: {}", book.size(), file.string()));
   return all_held ? 0 : 1;
 }
@@ -142,6 +162,21 @@ std::string missing_reader() {
          "configure anew";
 }
 
+/// Makes it, or says why it is as it was before.
+int made_or_refused(Console& console, const fs::path& place, const std::function<int()>& make) {
+  note_interrupts();
+  try {
+    return make();
+  } catch (const LessonFailed& failure) {
+    console.warn(std::string("lessons: ") + failure.what());
+    return failure.code;
+  } catch (const Interrupted&) {
+    const char* state = fs::exists(place) ? " is as it was" : " was not written";
+    console.warn("lessons: interrupted; " + place.string() + state);
+    return stopped;
+  }
+}
+
 }  // namespace
 
 int handouts(const Context& context, const Words& words) {
@@ -163,12 +198,7 @@ int handouts(const Context& context, const Words& words) {
                      : missing_reader());
     return cannot_make;
   }
-  try {
-    return make_handouts(context, file, browser);
-  } catch (const LessonFailed& failure) {
-    console.warn(std::string("lessons: ") + failure.what());
-    return failure.code;
-  }
+  return made_or_refused(console, file, [&] { return make_handouts(context, file, browser); });
 }
 
 int book(const Context& context, const Words& words) {
@@ -183,15 +213,9 @@ int book(const Context& context, const Words& words) {
     return cannot_make;
   }
   const bool has_folder = !words.empty() && words.front().rfind("-", 0) != 0;
-  Workshop shop = {.book = has_folder ? words.front() : "out/book"};
-  shop.work = shop.book / "unfinished";
-  shop.flags.assign(words.begin() + (has_folder ? 1 : 0), words.end());
-  try {
-    return make_book(context, shop);
-  } catch (const LessonFailed& failure) {
-    console.warn(std::string("lessons: ") + failure.what());
-    return failure.code;
-  }
+  const fs::path folder = has_folder ? words.front() : "out/book";
+  const Words flags(words.begin() + (has_folder ? 1 : 0), words.end());
+  return made_or_refused(console, folder, [&] { return make_book(context, folder, flags); });
 }
 
 }  // namespace cairn::driver

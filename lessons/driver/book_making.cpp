@@ -7,9 +7,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <system_error>
 
 #include "lessons/driver/exercises.hpp"
+#include "lessons/driver/interruption.hpp"
 #include "lessons/driver/process.hpp"
 
 namespace cairn::driver {
@@ -29,6 +29,7 @@ ProcessResult run_in_theme(const Program& program, const Workshop& shop, const s
   command.insert(command.end(), shop.flags.begin(), shop.flags.end());
   command.insert(command.end(), {"--theme", theme, "--out", lesson_out(program, shop, theme).string()});
   const ProcessResult result = run_quietly(command);
+  require_uninterrupted();
   if (result.code > 1 && result.code != lesson_skipped)
     throw LessonFailed(program.name + " failed:\n" + result.output, result.code);
   return result;
@@ -104,21 +105,10 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-WorkFolder::WorkFolder(const fs::path& folder) : path(folder) {
-  fs::remove_all(path);
-  fs::create_directories(path);
-}
-
-WorkFolder::~WorkFolder() {
-  std::error_code ignored;
-  fs::remove_all(path, ignored);
-}
-
 Book gathered(const Context& context, const Workshop& shop, bool& all_held) {
   fs::create_directories(shop.book / "frames");
   Book book;
   book.has_playground = fs::exists(playground_file);
-  const WorkFolder folder(shop.work);
   const List<Program> programs = built(context.programs);
   Progress progress(context.settings, "lessons", programs.size());
   for (const Program& program : programs) {

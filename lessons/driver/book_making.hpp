@@ -17,19 +17,9 @@ inline constexpr const char* playground_file = "out/playground/index.html";
 /// The whole file; "" where there is none.
 std::string text_of(const std::filesystem::path& file);
 
-/// A folder that is gone when this is.
-struct WorkFolder {
-  std::filesystem::path path = {};
-
-  explicit WorkFolder(const std::filesystem::path& folder);
-  ~WorkFolder();
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-};
-
 /// Where things are while the book is made.
 struct Workshop {
-  std::filesystem::path book = {};
+  std::filesystem::path book = {};  // until it is whole
   std::filesystem::path work = {};  // where the lessons leave their files
   List<std::string> flags = {};     // for every lesson
 };
@@ -41,7 +31,7 @@ struct LessonFailed : std::runtime_error {
 };
 
 /// Runs every lesson that is built. `all_held` becomes false where a claim of one does not hold.
-/// @throws LessonFailed
+/// @throws LessonFailed, Interrupted
 Book gathered(const Context& context, const Workshop& shop, bool& all_held);
 
 }  // namespace cairn::driver

@@ -9,6 +9,7 @@
 
 #include "lessons/answers.hpp"
 #include "lessons/reader_code/run.hpp"
+#include "scenes/data_folder.hpp"
 
 namespace cairn::driver {
 namespace {
@@ -31,12 +32,16 @@ int run_exercise(const Program& lesson, const ExerciseFiles& files, const List<s
 
 }  // namespace
 
-fs::path lesson_folder(const Program& lesson) {
-  const fs::path folder = CAIRN_LESSONS_FOLDER;
+fs::path lessons_folder() {
+  const fs::path folder = data_folder() / "lessons";
   if (!fs::exists(folder)) {
-    throw std::runtime_error("the lessons' texts were in " + folder.string() + ", which is not there");
+    throw std::runtime_error("the lessons' texts should be in " + folder.string() + ", which is not there");
   }
-  return folder / lesson.name.substr(std::string("lesson").size());
+  return folder;
+}
+
+fs::path lesson_folder(const Program& lesson) {
+  return lessons_folder() / lesson.name.substr(std::string("lesson").size());
 }
 
 std::optional<ExerciseFiles> exercise_of(const Program& lesson) {

@@ -14,7 +14,9 @@ struct ExerciseFiles {
   std::filesystem::path answers = {};  // answers.txt: the model is its first
 };
 
-/// Where the sources of a lesson are.
+/// Where the texts of the lessons are. @throws std::runtime_error where they are not there.
+std::filesystem::path lessons_folder();
+/// Where the text and the exercise of a lesson are. @throws as lessons_folder().
 std::filesystem::path lesson_folder(const Program& lesson);
 
 /// None for a lesson without an exercise.

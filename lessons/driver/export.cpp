@@ -1,6 +1,7 @@
 // Pictures for documents: drawn by the lessons, named by lesson, frame and theme.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -8,7 +9,9 @@
 #include <stdexcept>
 
 #include "lessons/driver/commands.hpp"
+#include "lessons/driver/interruption.hpp"
 #include "lessons/driver/process.hpp"
+#include "lessons/driver/work_folder.hpp"
 #include "lessons/words.hpp"
 #include "measure/whole_file.hpp"
 
@@ -84,7 +87,7 @@ Order order_of(const Words& words) {
   for (int i = 0; i < words.size(); ++i) {
     const std::size_t sign = words[i].rfind("--", 0) == 0 ? words[i].find('=') : std::string::npos;
     const std::string flag = words[i].substr(0, sign);
-    if (joined(known, " ").find(flag) == std::string::npos || flag.size() < 2) {
+    if (std::find(known.begin(), known.end(), flag) == known.end()) {
       order.flags.push_back(words[i]);
       continue;
     }
@@ -109,17 +112,12 @@ nlohmann::json draw(Order& order, const Program& program, const std::string& the
   const std::string drawn = order.format == "gif" ? "png" : order.format;
   command.insert(command.end(), {"--format", drawn, "--theme", theme, "--out", work.string()});
   const ProcessResult result = run_quietly(command);
+  require_uninterrupted();
   if (result.code > 1) throw LessonEnded(complaints_in(result.output), result.code);
   if (result.code == 1)
     order.complaints.push_back(program.name + " " + theme + ":\n" + complaints_in(result.output));
   std::ifstream stream(work / "frames.json");
   return nlohmann::json::parse(stream).at("frames");
-}
-
-void move_to(const fs::path& from, const fs::path& to) {
-  std::error_code error;
-  fs::rename(from, to, error);
-  if (error) throw WriteError("cannot write " + to.string() + ": " + error.message());
 }
 
 /// One GIF of the pictures in a folder, with a palette of its own.
@@ -129,6 +127,7 @@ void make_gif(const fs::path& work, const std::string& stem, const fs::path& tar
       run_quietly({"ffmpeg", "-y", "-framerate", "1", "-i", (work / (stem + "_%04d.png")).string(), "-vf",
                    "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=none", "-loop", "0",
                    made.string()});
+  require_uninterrupted();
   if (result.code != 0)
     throw WriteError("cannot write " + target.string() +
                      ": --format gif needs the program ffmpeg (apt-get install ffmpeg); apng needs none");
@@ -138,14 +137,8 @@ void make_gif(const fs::path& work, const std::string& stem, const fs::path& tar
 /// The pictures of one lesson in one theme. Returns how many files there are.
 int export_one(Order& order, const Program& program, const std::string& theme) {
   const std::string name = program.name.substr(std::string("lesson").size());
-  const fs::path work = order.out / ("unfinished_" + name + "_" + theme);
-  struct Removal {
-    const fs::path& folder;
-    ~Removal() {
-      std::error_code ignored;
-      fs::remove_all(folder, ignored);
-    }
-  } removal{work};
+  const WorkFolder folder(order.out);
+  const fs::path work = folder.path / "runs";
   const nlohmann::json frames = draw(order, program, theme, work);
   const bool is_film = order.format == "apng" || order.format == "gif";
   std::string alt;
@@ -208,6 +201,7 @@ int export_pictures(const Context& context, const Words& words) {
     console.result(export_help);
     return 0;
   }
+  note_interrupts();
   try {
     return export_all(context, words);
   } catch (const ExportError& error) {
@@ -216,6 +210,9 @@ int export_pictures(const Context& context, const Words& words) {
   } catch (const LessonEnded& ended) {
     console.warn(ended.what());
     return ended.code;
+  } catch (const Interrupted&) {
+    console.warn("lessons: interrupted; the pictures that were exported before are whole");
+    return stopped;
   } catch (const WriteError& error) {
     console.warn(std::string("lessons: ") + error.what());
     return cannot_write;

@@ -42,7 +42,7 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
   coverage          what of the paper is met, shown or mentioned in which lesson
   doctor            whether pictures can be drawn here
   --plain           ASCII     --color auto|always|never     -h, --help     --version
-Exit: 0 all well, 1 a lesson failed, 2 bad usage; one lesson alone: as that lesson says.
+Exit: 0 all well, 1 a lesson failed, 2 bad usage, 130 interrupted; one lesson alone: as it says.
 )";
 
 /// The folder of this program.

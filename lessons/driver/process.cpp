@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "lessons/driver/interruption.hpp"
+
 namespace cairn::driver {
 namespace {
 
@@ -48,6 +50,7 @@ ProcessResult run_quietly(const List<std::string>& words) {
     close(ends[1]);
     start(arguments);
   }
+  const ChildAtWork at_work(child);
   close(ends[1]);
   ProcessResult result;
   FixedList<char, 4096> buffer = {};

@@ -61,7 +61,7 @@ int run_atlas(const Words& words, Console& console) {
   Journal journal = open_journal(words, file, study);
   for (const std::string& other : words.texts("merge")) journal.absorb(other);
   if (!words.has("merge") && !run_maps(study, shard, journal, words)) {
-    console.warn("stopped; the same command goes on where it was");
+    console.warn(journal_goes_on);
     return stopped;
   }
   report_sheets(atlas_sheets(part, journal.csv()), folder, words, console);

@@ -13,10 +13,12 @@ namespace cairn::sandbox {
 namespace {
 
 volatile std::sig_atomic_t has_come = 0;
-std::string_view farewell = "cairn: stopped in the middle of its work\n";
+constexpr std::size_t longest_farewell = 4096;
+char farewell[longest_farewell] = {};
+std::size_t farewell_size = 0;
 
 void end_here(int) {
-  [[maybe_unused]] const auto written = write(STDERR_FILENO, farewell.data(), farewell.size());
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, farewell, farewell_size);
   _exit(stopped);
 }
 
@@ -30,10 +32,22 @@ void note(int) {
 }  // namespace
 
 void obey_interrupts() {
-  if (is_terminal(stderr)) farewell = "\ncairn: stopped in the middle of its work\n";  // there may be a bar
+  say_when_stopped("stopped in the middle of its work");
   std::signal(SIGALRM, end_here);
   std::signal(SIGINT, note);
   std::signal(SIGTERM, note);
+}
+
+void say_when_stopped(std::string_view words) {
+  sigset_t alarm = {}, before = {};
+  sigemptyset(&alarm);
+  sigaddset(&alarm, SIGALRM);
+  sigprocmask(SIG_BLOCK, &alarm, &before);
+  const std::string_view end_of_bar = is_terminal(stderr) ? "\n" : "";
+  farewell_size = 0;
+  for (const std::string_view part : {end_of_bar, std::string_view("cairn: "), words, std::string_view("\n")})
+    farewell_size += part.copy(farewell + farewell_size, longest_farewell - farewell_size);
+  sigprocmask(SIG_SETMASK, &before, nullptr);
 }
 
 bool interrupted() { return has_come != 0; }

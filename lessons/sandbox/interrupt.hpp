@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string_view>
 
 namespace cairn::sandbox {
 
@@ -10,6 +11,9 @@ namespace cairn::sandbox {
 /// factorization, is ended where it is. Files are written beside and renamed, and journals by whole lines: no
 /// file is ever half-written under its own name.
 void obey_interrupts();
+
+/// What the program says from now on where it is ended in the middle of its work, such as how to go on.
+void say_when_stopped(std::string_view words);
 
 /// Whether a signal has come: to be asked between two pieces of work.
 bool interrupted();

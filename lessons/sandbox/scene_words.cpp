@@ -12,8 +12,6 @@
 namespace cairn::sandbox {
 namespace {
 
-constexpr int most_substeps = 10000;
-
 int sweeps_behind(const Words& words, std::string_view flag, const std::string& text, std::size_t colon) {
   const std::optional<double> sweeps = parse_number(text.substr(colon + 1));
   const bool fits =
@@ -150,7 +148,7 @@ Setting setting_of(const Words& words, const SceneEntry& scene) {
     if (solver->find(':') != std::string::npos) words.refuse_beside("sweeps", "beside --solver " + *solver);
   }
   setting.sweeps.iterations = words.whole("sweeps", setting.sweeps.iterations, 0, Setting::most_sweeps);
-  setting.substeps = words.whole("substeps", setting.substeps, 1, most_substeps);
+  setting.substeps = words.whole("substeps", setting.substeps, 1, SceneSettings::most_substeps);
   set_search_and_threads(words, setting);
   setting.dt = step_of(words, setting.dt);
   setting.stabilization.policy = policy_of(words, setting.stabilization.policy);

@@ -1,6 +1,8 @@
 // Shards and journals, or a refusal that says what to do.
 #include "lessons/sandbox/study_words.hpp"
 
+#include "lessons/sandbox/interrupt.hpp"
+
 namespace cairn::sandbox {
 
 Shard shard_of(const Words& words) {
@@ -16,7 +18,9 @@ Shard shard_of(const Words& words) {
 
 Journal open_journal(const Words& words, const std::filesystem::path& path, const Study& study) {
   try {
-    return {path, study};
+    Journal journal(path, study);
+    say_when_stopped(journal_goes_on);
+    return journal;
   } catch (const std::invalid_argument& error) {
     throw UsageError("cairn " + words.verb + ": " + error.what() +
                      "; name another folder, or delete the journal to begin anew");

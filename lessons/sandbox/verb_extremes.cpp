@@ -110,13 +110,14 @@ int run_extremes(const Words& words, Console& console) {
   if (words.has("merge")) {
     for (const std::string& other : words.texts("merge")) journal.absorb(other);
   } else {
-    Progress bar(words.console, "cases", study.tasks.size() / shard.of);
-    const bool finished = run_study(study, shard, journal, [&](int done, int, double left) {
+    Progress bar(words.console, "cases", study.tasks.size());
+    const bool finished = run_study(study, shard, journal, [&](int done, int total, double left) {
+      bar.expect(total);
       bar.advance(done, fmt::format("{:.0f} s left", left));
       return !interrupted();
     });
     if (!finished) {
-      console.warn("stopped; the same command goes on where it was");
+      console.warn(journal_goes_on);
       return stopped;
     }
   }

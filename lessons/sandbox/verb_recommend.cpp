@@ -82,10 +82,15 @@ Json kind_json(const Recommendation& of_kind) {
   return json;
 }
 
-/// What an earlier renewal has found out, if it can be read.
-List<Recommendation> taken_up(const fs::path& path) {
-  if (!fs::exists(path)) return {};
-  return read_recommendations(path);
+/// What an earlier renewal has found out.
+List<Recommendation> taken_up(const fs::path& part, Console& console) {
+  try {
+    const List<Recommendation> known = unfinished_recommendations(part);
+    if (!known.empty()) console.narrate("goes on from " + part.string());
+    return known;
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("cairn recommend: ") + error.what() + "; delete that file to begin anew");
+  }
 }
 
 int renew(const Words& words, Console& console) {
@@ -95,18 +100,22 @@ int renew(const Words& words, Console& console) {
   const fs::path target = words.text("out").value_or(recommended_file().string());
   fs::path part = target;
   part += ".renewing";
-  List<Recommendation> known = taken_up(part);
-  Progress bar(words.console, "settings", recommend_kinds().size() * recommend_settings().size());
+  List<Recommendation> known = taken_up(part, console);
+  Progress bar(words.console, "settings", 0);
   const auto keep = [&](const List<Recommendation>& all) {
     write_whole_file(part, recommendations_json(all));
   };
-  const bool complete = renew_recommendations(known, keep, [&](int done, int) {
+  keep(known);  // before the first run, which takes a while: there is a place to write to
+  const std::string goes_on = "stopped; the same command goes on from " + part.string();
+  say_when_stopped(goes_on);
+  const bool complete = renew_recommendations(known, keep, [&](int done, int total) {
+    bar.expect(total);
     bar.advance(done);
     return !interrupted();
   });
   bar.clear();
   if (!complete) {
-    console.warn("stopped; the same command goes on where it was");
+    console.warn(goes_on);
     return stopped;
   }
   fs::rename(part, target);
@@ -147,7 +156,7 @@ Verb recommend_verb() {
               "plain SI beside them, up to the first run that it misses. All numbers come from runs that "
               "--renew does again.",
           .flags = {{"renew", "", "does all runs again, some minutes of them, and writes the file"},
-                    {"out", "FILE", "where --renew writes (lessons/sandbox/recommended.json)"},
+                    {"out", "FILE", "where --renew writes (the file that comes with Cairn)"},
                     {"from", "FILE", "recommendations to show, other than those that come with Cairn"}},
           .examples = {"recommend stack", "recommend --json", "recommend --renew"},
           .run = run_recommend};

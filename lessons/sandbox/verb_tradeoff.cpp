@@ -89,7 +89,7 @@ int run_level(const Words& words, Console& console) {
   Journal journal = open_journal(words, folder / (trade.name + part + ".journal"), trade.study);
   for (const std::string& other : parts) journal.absorb(other);
   if (parts.empty() && !run_to_the_end(words, trade.study, shard, journal, console)) {
-    console.warn("stopped; the same command goes on where it was");
+    console.warn(journal_goes_on);
     return stopped;
   }
   if (shard.of > 1) {

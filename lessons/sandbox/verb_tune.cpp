@@ -182,7 +182,8 @@ TunerOptions tuner_options(const Words& words, Progress& bar) {
   options.starts = words.whole("starts", 16, 1, 1000);
   if (words.has("solvers")) options.solvers = words.known_texts("solvers", solvers_to_tune());
   options.time_limit = words.quantity("time", "s", 60);
-  options.progress = [&bar](int tried, int) {
+  options.progress = [&bar](int tried, int total) {
+    bar.expect(total);
     bar.advance(tried);
     return !interrupted();
   };
@@ -214,7 +215,7 @@ int run_tune(const Words& words, Console& console) {
   check_stands(words, entry);
   const double seconds = seconds_to_tune(words, entry, wish);
   const Scene scene = entry.make();
-  Progress bar(words.console, "settings", tuner_settings({"si"}, !scene.joints().empty()).size());
+  Progress bar(words.console, "settings", 0);  // tune() knows how many
   TunerOptions options = tuner_options(words, bar);
   options.has_joints = !scene.joints().empty();
   const TunerRun run = tuner_run(entry, scene, seconds, wish);

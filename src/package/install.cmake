@@ -61,10 +61,29 @@ string(REGEX REPLACE "/$" "" pkg_config_to_prefix "${pkg_config_to_prefix}")
 configure_file(${CMAKE_CURRENT_LIST_DIR}/cairn.pc.in ${PROJECT_BINARY_DIR}/cairn.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/cairn.pc DESTINATION ${pkg_config_folder} COMPONENT library)
 
+# What the programs read (data_folder() finds it): scenes, recommendations, and the texts of the lessons. In the build
+# links stand in its place, so that what is edited is what is read.
+set(data_folder ${CMAKE_INSTALL_DATADIR}/cairn)
 if(TARGET cairn_sandbox)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/lessons/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/cairn COMPONENT programs
-          FILES_MATCHING PATTERN "*.toml")
+  install(DIRECTORY lessons/scenes DESTINATION ${data_folder} COMPONENT programs FILES_MATCHING PATTERN "*.toml")
+  install(FILES lessons/sandbox/recommended.json DESTINATION ${data_folder} COMPONENT programs)
 endif()
+if(TARGET lessons)
+  install(DIRECTORY lessons DESTINATION ${data_folder} COMPONENT programs
+          FILES_MATCHING REGEX "/[0-9][0-9]_[a-z_]+/(README|teaching)\\.md$"
+          REGEX "/[0-9][0-9]_[a-z_]+/(exercise\\.cpp|answers\\.txt|covers\\.txt)$"
+          REGEX "/lessons/(glossary|prerequisites)\\.md$" REGEX "/your_solver/(README\\.md|stages/[0-9]+\\.txt)$"
+          REGEX "/driver/book\\.(css|js|md)$"
+          REGEX "/(sandbox|scenes|template)$" EXCLUDE)
+  install(FILES src/NOTATION.md DESTINATION ${data_folder}/src COMPONENT programs)
+endif()
+set(built_data ${PROJECT_BINARY_DIR}/share/cairn)
+file(MAKE_DIRECTORY ${built_data})
+foreach(data lessons/scenes lessons/sandbox/recommended.json lessons src)
+  get_filename_component(name ${data} NAME)
+  file(RELATIVE_PATH target ${built_data} ${PROJECT_SOURCE_DIR}/${data})
+  file(CREATE_LINK ${target} ${built_data}/${name} SYMBOLIC)
+endforeach()
 # The driver starts the lessons that it finds beside it.
 foreach(program cairn_sandbox lessons ${CAIRN_LESSONS})
   if(TARGET ${program})

@@ -6,17 +6,17 @@
 #include <system_error>
 
 #include "math/nearest.hpp"
+#include "scenes/data_folder.hpp"
 #include "scenes/scene_file.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
 
 std::filesystem::path scene_folder() {
-  namespace fs = std::filesystem;
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path installed = program.parent_path().parent_path() / CAIRN_INSTALLED_SCENES;
-  return fs::is_directory(installed, error) ? installed : fs::path(CAIRN_SCENE_DIR);
+  const std::filesystem::path folder = data_folder() / "scenes";
+  const std::filesystem::path resolved = std::filesystem::canonical(folder, error);
+  return error ? folder : resolved;
 }
 
 const List<SceneEntry>& scene_entries() {

@@ -57,8 +57,8 @@ struct SceneEntry {
 /// @throws std::invalid_argument for the first file that is refused.
 const List<SceneEntry>& scene_entries();
 
-/// Where they are, unless CAIRN_SCENES says otherwise: share/cairn/scenes of the prefix that the program was
-/// installed to, or the folder of the sources.
+/// Where they are, unless CAIRN_SCENES says otherwise: in data_folder(). Before it is installed, a program
+/// finds the folder of the sources there.
 std::filesystem::path scene_folder();
 /// The scene of that name, or of the file: what has a "/" in it or ends in ".toml" is the path of one.
 /// @throws std::invalid_argument for an unknown name, with the nearest known one, and for what

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "math/check.hpp"
-#include "scenes/scene_list.hpp"
+#include "scenes/data_folder.hpp"
 #include "study/build_info.hpp"
 #include "math/list.hpp"
 
@@ -137,33 +137,64 @@ bool renew_recommendations(List<Recommendation>& known,
 }
 
 std::filesystem::path recommended_file() {
-  return scene_folder().parent_path() / "sandbox" / "recommended.json";
+  std::error_code error;
+  const std::filesystem::path file = data_folder() / "recommended.json";
+  const std::filesystem::path resolved = std::filesystem::canonical(file, error);
+  return error ? file : resolved;  // a renewal must not put a file in the place of a link
 }
 
-List<Recommendation> read_recommendations(const std::filesystem::path& path) {
+namespace {
+
+RecommendJson recommendation_file(const std::filesystem::path& path) {
   std::error_code ignored;
   const bool is_other =
       std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
   require(!is_other, path.string(), "recommendations", "a file", "something else");  // a FIFO would block
   std::ifstream in(path, std::ios::binary);
   if (!in) throw std::runtime_error(path.string() + ": cannot be read");
+  return RecommendJson::parse(in);
+}
+
+List<Recommendation> recommendations_of(const RecommendJson& file) {
   List<Recommendation> all;
-  try {
-    const RecommendJson file = RecommendJson::parse(in);
-    for (const RecommendJson& kind : file.at("recommendations")) {
-      all.push_back({.kind = kind.at("kind"), .candidates = {}});
-      for (const RecommendJson& candidate : kind.at("candidates")) {
-        all.back().candidates.push_back({.setting = candidate.at("setting"), .findings = {}});
-        for (const RecommendJson& found : candidate.at("runs"))
-          all.back().candidates.back().findings.push_back(finding_of(found));
-      }
+  for (const RecommendJson& kind : file.at("recommendations")) {
+    all.push_back({.kind = kind.at("kind"), .candidates = {}});
+    for (const RecommendJson& candidate : kind.at("candidates")) {
+      all.back().candidates.push_back({.setting = candidate.at("setting"), .findings = {}});
+      for (const RecommendJson& found : candidate.at("runs"))
+        all.back().candidates.back().findings.push_back(finding_of(found));
     }
-  } catch (const nlohmann::json::exception& error) {
-    throw std::invalid_argument(path.string() +
-                                ": recommendations must be as cairn recommend --renew writes them, got " +
-                                error.what());
   }
   return all;
+}
+
+[[noreturn]] void refuse_recommendations(const std::filesystem::path& path, const std::exception& error) {
+  throw std::invalid_argument(path.string() +
+                              ": recommendations must be as cairn recommend --renew writes them, got " +
+                              error.what());
+}
+
+}  // namespace
+
+List<Recommendation> read_recommendations(const std::filesystem::path& path) {
+  try {
+    return recommendations_of(recommendation_file(path));
+  } catch (const nlohmann::json::exception& error) {
+    refuse_recommendations(path, error);
+  }
+}
+
+List<Recommendation> unfinished_recommendations(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return {};
+  try {
+    const RecommendJson file = recommendation_file(path);
+    const RecommendJson ours = build_json(), theirs = file.at("build");
+    require(theirs == ours, path.string(), "build", ours.dump(), theirs.dump());
+    return recommendations_of(file);
+  } catch (const nlohmann::json::exception& error) {
+    refuse_recommendations(path, error);
+  }
 }
 
 std::string recommendations_json(const List<Recommendation>& all) {

@@ -90,6 +90,10 @@ std::filesystem::path recommended_file();
 /// @throws std::invalid_argument for a file that is not of this kind, std::runtime_error for one that cannot
 /// be read; both name it.
 List<Recommendation> read_recommendations(const std::filesystem::path& path);
+/// What a renewal that was stopped has left; nothing where there is no file.
+/// @throws as read_recommendations(), and std::invalid_argument for one of another build or machine, whose
+/// times must not stand beside ours.
+List<Recommendation> unfinished_recommendations(const std::filesystem::path& path);
 /// The text of such a file, which says first what build its times come from.
 std::string recommendations_json(const List<Recommendation>& all);
 

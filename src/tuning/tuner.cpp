@@ -89,10 +89,11 @@ class TunerSearch {
   }
 
   /// Of a few settings in the order of their work, the first that meets the wish, else the last one tried.
-  std::optional<Candidate> first_that_meets(const List<Setting>& settings, int tried, int total) {
+  /// Progress is told that all `tried` are done.
+  std::optional<Candidate> first_that_meets(const List<Setting>& settings, int tried) {
     std::optional<Candidate> last;
     for (const Setting& setting : settings) {
-      const std::optional<Candidate> next = candidate(setting, tried, total);
+      const std::optional<Candidate> next = candidate(setting, tried, tried);
       if (!next) break;
       last = next;
       if (last->verdict.meets) break;
@@ -194,8 +195,9 @@ List<Candidate> all_that_meet(TunerSearch& search, const TunerOptions& options, 
   for (int i = 0; i < std::min(kinds.size(), most_kinds(options)); ++i) {
     for (const Setting& variant : variants_of(kinds[i].setting)) variants.push_back(variant);
   }
+  const int in_all = answer.tried + variants.size();  // the settings that are too much work are not tried
   for (const Setting& variant : variants) {
-    const std::optional<Candidate> candidate = search.candidate(variant, answer.tried + 1, total);
+    const std::optional<Candidate> candidate = search.candidate(variant, answer.tried + 1, in_all);
     answer.complete = answer.complete && candidate.has_value();
     if (!candidate) break;
     answer.tried += 1;
@@ -255,11 +257,10 @@ TunerAnswer tune(const TunerRun& run, const Wish& wish, const TunerOptions& opti
     const int most = std::min(kinds.size(), most_kinds(options));
     answer.runners_up.assign(kinds.begin() + 1, kinds.begin() + most);
   }
-  const int total = tuner_settings(options.solvers, options.has_joints).size();
   search.end_at(plain_si_end);
-  answer.plain_si = search.first_that_meets(plain_si_settings(), answer.tried, total);
+  answer.plain_si = search.first_that_meets(plain_si_settings(), answer.tried);
   search.end_at(box2d_end);
-  if (has_box2d()) answer.box2d = search.first_that_meets(box2d_settings(), answer.tried, total);
+  if (has_box2d()) answer.box2d = search.first_that_meets(box2d_settings(), answer.tried);
   return answer;
 }
 

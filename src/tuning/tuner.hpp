@@ -57,7 +57,8 @@ struct TunerOptions {
   int starts = 16;          // of each setting that is to be trusted
   int runners_up = 4;       // that are to be found beside the best
   double time_limit = 60;   // [s] of the wall clock; the search may have two thirds, and each rival a sixth
-  /// Told after every setting: how many were tried, and how many there are. False stops the search.
+  /// Told after every setting: how many were tried, and how many there are to try, as far as is known: fewer
+  /// once the rest are too much work. Never more than that were tried. False stops the search.
   std::function<bool(int tried, int total)> progress = {};
 };
 

@@ -128,8 +128,8 @@ void require_positive(double value, const char* field, const char* unit) {
 void check_settings(const SceneSettings& settings) {
   require_finite(settings.gravity, "Scene", "gravity", "m/s^2");
   require_time_step(settings.dt, "Scene");
-  require(settings.substeps >= 1 && settings.substeps <= 1000000, "Scene", "substeps", "from 1 to 1000000",
-          settings.substeps);
+  require(settings.substeps >= 1 && settings.substeps <= SceneSettings::most_substeps, "Scene", "substeps",
+          "from 1 to " + std::to_string(SceneSettings::most_substeps), settings.substeps);
   require_time_step(settings.dt / settings.substeps, "Scene (a substep)");
   require_range(settings.stabilization.baumgarte, 0, "Scene", "stabilization.baumgarte", "");
   require_range(settings.stabilization.slop, 0, "Scene", "stabilization.slop", "m");

@@ -37,6 +37,9 @@ enum class ContactSearch {
 
 /// What holds for the whole scene, and how it steps.
 struct SceneSettings {
+  /// That a scene, its file or a flag may ask for.
+  static constexpr int most_substeps = 1'000'000;
+
   Vec2<double> gravity = {0, -10};   // [m/s^2]
   double dt = 1.0 / 60;              // [s] one step
   int substeps = 1;                  // a step is so many steps of dt / substeps, each solved anew

@@ -82,7 +82,7 @@ wait_for() {
 }
 no_process_is_left() { ! kill -0 "$@" 2>/dev/null; }
 node_is_idle() { [[ $(sinfo --noheader --format=%T 2>/dev/null) == idle ]]; }
-in_the_middle() { [[ $(grep -c . "$scratch/parts/level1.4-of-4.journal" 2>/dev/null) -ge 6 ]]; }
+in_the_middle() { [[ $(grep -c . "$parts/level1.4-of-4.journal" 2>/dev/null) -ge 6 ]]; }
 no_job_is_left() { [[ -z $(squeue --noheader) ]]; }
 
 start
@@ -90,29 +90,31 @@ code=$?
 check 'a Slurm of one machine is idle' $code
 if [[ $code != 0 ]]; then cat "$scratch"/*.log; printf '%s passed, %s failed\n' $passed $failed; exit 1; fi
 
-bash "$study" submit "$scratch/parts" 4 --cairn "$cairn" "${words[@]}"
+# With what a shell, Slurm and the list behind --merge could take for something else than letters.
+parts="$scratch/it's \"in\" \$(parts), 4 %a"
+bash "$study" submit "$parts" 4 --cairn "$cairn" "${words[@]}"
 check 'four parts and a merge are submitted' $?
 wait_for 120 in_the_middle
 check 'the last part is in the middle' $?
-scancel "$(head -n 1 "$scratch/parts/jobs")_4"
+scancel "$(head -n 1 "$parts/jobs")_4"
 wait_for 120 no_job_is_left
 check 'no job is left, and none waits for ever' $?
-[[ ! -e $scratch/parts/merged/level1.csv && ! -e $scratch/parts/done/4 ]]
+[[ ! -e $parts/merged/level1.csv && ! -e $parts/done/4 ]]
 check 'nothing is merged without the cancelled part' $?
-said=$(bash "$study" status "$scratch/parts")
-[[ $? == 1 && $said == *'3 of 4 parts are done; open: 4'*"again $scratch/parts"* ]]
+said=$(bash "$study" status "$parts")
+[[ $? == 1 && $said == *'3 of 4 parts are done; open: 4'*"again $(printf %q "$parts")"* ]]
 check 'status names the part and says how to go on' $?
-grep -q 'the same command goes on where it was' "$scratch/parts/log/part-4.txt"
+grep -q 'the same command goes on where it was' "$parts/log/part-4.txt"
 check 'the cancelled part said that it goes on' $?
-kept=$(wc -l <"$scratch/parts/level1.4-of-4.journal")
-bash "$study" again "$scratch/parts"
+kept=$(wc -l <"$parts/level1.4-of-4.journal")
+bash "$study" again "$parts"
 wait_for 120 no_job_is_left
-[[ $(bash "$study" status "$scratch/parts") == '4 of 4 parts are done; merged: '* ]]
+[[ $(bash "$study" status "$parts") == '4 of 4 parts are done; merged: '* ]]
 check 'the part goes on, and all parts are merged' $?
 "$cairn" "${words[@]}" --out "$scratch/whole" --progress never --quiet >/dev/null
-cmp "$scratch/whole/level1.csv" "$scratch/parts/merged/level1.csv"
+cmp "$scratch/whole/level1.csv" "$parts/merged/level1.csv"
 check "the bytes of the study in one piece ($((kept - 3)) rows of part 4 came from before)" $?
-[[ $(wc -l <"$scratch/parts/merged/machines.csv") == 5 ]]
+[[ $(wc -l <"$parts/merged/machines.csv") == 5 ]]
 check 'the merge says which part ran where' $?
 
 # A part for each line, what they print in the order of the lines; the second ends with 1, which is an answer.
@@ -125,5 +127,15 @@ check 'commands of their own, put together in their order' $?
 bash "$study" submit "$scratch/wishes" 2 --cairn "$cairn" extremes 2>/dev/null
 [[ $? == 2 ]]
 check 'a folder that holds a study is refused' $?
+
+# The same with Snakemake, where it is installed.
+if command -v snakemake >/dev/null; then
+  (cd "$scratch" && snakemake --quiet --snakefile "$(dirname "$study")/Snakefile" --cores 2 \
+    --config parts=2 cairn="$cairn" out="$(basename "$parts") again" study="${words[*]}" >/dev/null 2>&1)
+  cmp "$scratch/whole/level1.csv" "$parts again/merged/level1.csv"
+  check 'the same bytes with Snakemake' $?
+else
+  printf 'skipped: Snakemake is not installed\n'
+fi
 printf '%s passed, %s failed\n' $passed $failed
 [[ $failed == 0 ]]

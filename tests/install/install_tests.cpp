@@ -1,7 +1,5 @@
 // What `cmake --install` gives, used as somebody else would: installs this build into a scratch folder, and
 // configures, compiles and runs the programs of tests/install/user with it.
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <doctest/doctest.h>
@@ -10,58 +8,19 @@
 #include <sstream>
 #include <string>
 
+#include "installed.hpp"
 #include "math/list.hpp"
 
 namespace {
 
 using cairn::List;
+using namespace cairn::testing;
 
 namespace fs = std::filesystem;
 
 const std::string user_folder = std::string(CAIRN_SOURCE_DIR) + "/tests/install/user";
 
-struct CommandResult {
-  int code = 0;
-  std::string output = {};  // stdout and stderr
-};
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-/// An empty folder of the build.
-fs::path scratch(const std::string& name) {
-  const fs::path folder = fs::path(CAIRN_BINARY_DIR) / "install_test" / name;
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
-}
-
-std::string quoted(const std::string& word) { return "\"" + word + "\""; }
-
-/// Runs a line of the shell; what it prints is kept in `folder` while it runs.
-CommandResult run_line(const fs::path& folder, const std::string& line) {
-  const fs::path log = folder / "log.txt";
-  const int status = std::system((line + " > " + quoted(log.string()) + " 2>&1").c_str());
-  return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .output = text_of(log)};
-}
-
-void require_success(const CommandResult& result) {
-  INFO(result.output);
-  REQUIRE(result.code == 0);
-}
-
-/// Installs the library, and moves what was installed: it may not depend on where it first was.
-fs::path installed_and_moved(const fs::path& folder) {
-  const std::string install = quoted(CAIRN_CMAKE) + " --install " + quoted(CAIRN_BINARY_DIR) +
-                              " --component library --prefix " + quoted((folder / "first").string());
-  require_success(run_line(folder, install));
-  fs::rename(folder / "first", folder / "prefix");
-  return folder / "prefix";
-}
+fs::path installed_and_moved(const fs::path& folder) { return installed_component(folder, "library"); }
 
 /// The first file of this name below a folder; empty when there is none.
 fs::path file_named(const fs::path& folder, const std::string& name) {
@@ -152,22 +111,6 @@ TEST_CASE("a build without the archives installs nothing, and says what to do") 
   CHECK(result.output.find("cmake --build") != std::string::npos);
   CHECK_FALSE(fs::exists(folder / "prefix"));
 }
-
-#ifdef CAIRN_HAVE_SANDBOX
-TEST_CASE("an installed cairn finds the scenes that were installed with it, wherever it is moved") {
-  const fs::path folder = scratch("programs");
-  require_success(run_line(folder, quoted(CAIRN_CMAKE) + " --install " + quoted(CAIRN_BINARY_DIR) +
-                                       " --component programs --prefix " +
-                                       quoted((folder / "first").string())));
-  fs::rename(folder / "first", folder / "prefix");
-  const fs::path scenes = folder / "prefix" / "share" / "cairn" / "scenes";
-  fs::copy_file(scenes / "stack.toml", scenes / "only-here.toml");
-  const CommandResult result =
-      run_line(folder, quoted((folder / "prefix" / "bin" / "cairn").string()) + " list");
-  CHECK(result.code == 0);
-  CHECK(result.output.find("only-here") != std::string::npos);
-}
-#endif
 
 TEST_CASE("a program outside of the tree finds the installed library with CMake and computes with it") {
   const fs::path folder = scratch("with_cmake");

@@ -79,15 +79,6 @@ List<std::string> built_lessons() {
   return names;
 }
 
-/// A driver with only a few lessons beside it.
-std::string small_driver(const ScratchFolder& scratch, const List<std::string>& lessons) {
-  const fs::path folder = scratch.path() + "/bin";
-  fs::create_directories(folder);
-  fs::copy_file(CAIRN_BIN_DIR "/lessons", folder / "lessons");
-  for (const std::string& name : lessons) fs::create_symlink(fs::path(CAIRN_BIN_DIR) / name, folder / name);
-  return (folder / "lessons").string();
-}
-
 /// What is wrong with the nesting of the elements of a page; empty when nothing is.
 std::string nesting_error(const std::string& page) {
   const std::set<std::string> without_end = {"meta", "link", "img", "source", "input", "br", "hr"};
@@ -206,8 +197,8 @@ TEST_CASE("the book shows what the lesson drew and printed, its text and its exe
 
 TEST_CASE("two makings of the lesson book give the same bytes, and only its own files are replaced") {
   const ScratchFolder scratch;
-  const std::string driver =
-      small_driver(scratch, {"lesson02_effective_mass", "lesson06_sequential_impulses", "lesson11_friction"});
+  const std::string driver = driver_apart(
+      scratch, "tree", {"lesson02_effective_mass", "lesson06_sequential_impulses", "lesson11_friction"});
   const std::string one = scratch.path() + "/one";
   const std::string two = scratch.path() + "/elsewhere/two";
   const Ran first = make_book(scratch, driver, {one, "--frames", "cover"});
@@ -215,9 +206,17 @@ TEST_CASE("two makings of the lesson book give the same bytes, and only its own 
   REQUIRE(first.code == 0);
   REQUIRE(make_book(scratch, driver, {two, "--frames", "1:3"}).code == 0);
   scratch.write("elsewhere/two/mine.txt", "mine");
+  scratch.write("elsewhere/two/frames/lesson_plan.png", "mine");
+  for (const char* name : {"unfinished", "unfinished_mine"}) {
+    fs::create_directories(two + "/" + name);
+    scratch.write("elsewhere/two/" + std::string(name) + "/mine.txt", "mine");
+  }
   REQUIRE(make_book(scratch, driver, {two, "--frames", "cover"}).code == 0);
-  CHECK(scratch.text("elsewhere/two/mine.txt") == "mine");
-  fs::remove(two + "/mine.txt");
+  for (const char* name : {"", "/unfinished", "/unfinished_mine"})
+    CHECK(scratch.text("elsewhere/two" + std::string(name) + "/mine.txt") == "mine");
+  CHECK(scratch.text("elsewhere/two/frames/lesson_plan.png") == "mine");
+  for (const char* name : {"/mine.txt", "/unfinished", "/unfinished_mine", "/frames/lesson_plan.png"})
+    fs::remove_all(two + name);
   int files = 0;
   for (const std::string below : {"", "/frames"}) {
     CHECK(scratch.names("one" + below) == scratch.names("elsewhere/two" + below));
@@ -233,7 +232,7 @@ TEST_CASE("two makings of the lesson book give the same bytes, and only its own 
 
 TEST_CASE("a book that cannot be made says so, and is not half made") {
   const ScratchFolder scratch;
-  const std::string driver = small_driver(scratch, {"lesson06_sequential_impulses"});
+  const std::string driver = driver_apart(scratch, "tree", {"lesson06_sequential_impulses"});
   const Ran wrong = run_program(driver, {"book", scratch.path() + "/book", "--sise", "small"});
   if (book_is_missing(wrong)) return;
   CHECK(wrong.code == 2);
@@ -247,7 +246,7 @@ TEST_CASE("a book that cannot be made says so, and is not half made") {
 
 TEST_CASE("a book of a lesson whose claims do not hold is made, and says so") {
   const ScratchFolder scratch;
-  const std::string driver = small_driver(scratch, {"lesson11_friction"});
+  const std::string driver = driver_apart(scratch, "tree", {"lesson11_friction"});
   // Two sweeps leave the first step unfinished, which the lesson's text names as a run that fails.
   const Ran ran =
       run_program(driver, {"book", scratch.path() + "/book", "--frames", "cover", "--sweeps", "2"});

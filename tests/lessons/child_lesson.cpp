@@ -88,6 +88,17 @@ Ran run_program(const std::string& name, const List<std::string>& flags) {
   });
 }
 
+std::string driver_apart(const ScratchFolder& folder, const std::string& below,
+                         const List<std::string>& lessons) {
+  const fs::path built = CAIRN_BIN_DIR, tree = fs::path(folder.path()) / below, bin = tree / "bin";
+  if (fs::exists(bin / "lessons")) return (bin / "lessons").string();
+  fs::create_directories(bin);
+  fs::copy_file(built / "lessons", bin / "lessons");
+  fs::create_directory_symlink(built.parent_path() / "share", tree / "share");
+  for (const std::string& name : lessons) fs::create_symlink(built / name, bin / name);
+  return (bin / "lessons").string();
+}
+
 Shot word_shot(const std::string& word) {
   Shot shot = {.state = word, .alt = "The word " + word + ".", .key = true};
   shot.draw = [word](render::Page& page) {

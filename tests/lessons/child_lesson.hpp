@@ -24,6 +24,13 @@ Ran run_in_child(const std::function<void(Lesson&)>& lesson, const List<std::str
 /// Runs a program that was built beside the tests, or that has a path of its own.
 Ran run_program(const std::string& name, const List<std::string>& flags);
 
+class ScratchFolder;
+
+/// A copy of the driver, in the folder `below` of another: it has what comes with the programs, and of the
+/// lessons that were built only these beside it. Returns its path.
+std::string driver_apart(const ScratchFolder& folder, const std::string& below,
+                         const List<std::string>& lessons);
+
 /// A shot that writes one word, with an alt text.
 Shot word_shot(const std::string& word);
 

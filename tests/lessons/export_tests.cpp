@@ -1,6 +1,7 @@
 // Pictures for documents: their names, their alt texts, their forms.
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -94,4 +95,27 @@ TEST_CASE("what cannot be exported is refused, and leaves nothing behind") {
   }
   CHECK(run_program("lessons", {"export"}).code == 2);
   CHECK(tells(run_program("lessons", {"export", "99"}), "there is no lesson 99"));
+}
+
+TEST_CASE("a value of a lesson's flag is its own, also where it is part of the name of another flag") {
+  const ScratchFolder folder;
+  for (const char* title : {"out", "theme", "scale", "format", "o", "-"}) {
+    CAPTURE(title);
+    const Ran ran = export_six(folder, {"--frames", "2", "--panel", title});
+    CAPTURE(ran.err);
+    CHECK_FALSE(tells(ran, "needs a value"));
+    CHECK((ran.code == 0 || tells(ran, "--panel must be in the title of a panel of these frames")));
+  }
+}
+
+TEST_CASE("folders of the reader's own beside the pictures are left alone, whatever their names are") {
+  const ScratchFolder folder;
+  const std::string mine = "out/unfinished_06_sequential_impulses_light";
+  std::filesystem::create_directories(folder.path() + "/" + mine);
+  folder.write(mine + "/mine.txt", "mine");
+  CHECK(export_six(folder, {"--frames", "2", "--theme", "light"}).code == 0);
+  CHECK(folder.names("out") == Names{"06_sequential_impulses_0002.txt",
+                                     "06_sequential_impulses_0002_light.png",
+                                     "unfinished_06_sequential_impulses_light"});
+  CHECK(folder.text(mine + "/mine.txt") == "mine");
 }

@@ -78,23 +78,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The driver and lesson 02 in a folder of their own, with a shell script for an exercise, or none.
-void lay_out_driver(const ScratchFolder& folder, const std::optional<std::string>& script) {
-  const fs::path bin = fs::path(folder.path()) / "bin";
-  fs::create_directories(bin);
-  for (const char* name : {"lessons", "lesson02_effective_mass"})
-    fs::copy_file(fs::path(CAIRN_BIN_DIR) / name, bin / name, fs::copy_options::overwrite_existing);
-  if (!script) return;
-  folder.write("bin/exercise02", "#!/bin/bash\n" + *script + "\n");
-  fs::permissions(bin / "exercise02", fs::perms::owner_all);
+/// A driver of its own with lesson 02, and with a shell script for an exercise, or none.
+std::string lay_out_driver(const ScratchFolder& folder, const std::optional<std::string>& script) {
+  const std::string driver = driver_apart(folder, "bin", {"lesson02_effective_mass"});
+  if (!script) return driver;
+  folder.write("bin/bin/exercise02", "#!/bin/bash\n" + *script + "\n");
+  fs::permissions(folder.path() + "/bin/bin/exercise02", fs::perms::owner_all);
+  return driver;
 }
 
 Ran drive_beside_script(const ScratchFolder& folder, const std::optional<std::string>& script,
                         const List<std::string>& words) {
-  lay_out_driver(folder, script);
+  const std::string driver = lay_out_driver(folder, script);
   const fs::path before = fs::current_path();
   fs::current_path(folder.path());
-  const Ran ran = run_program(folder.path() + "/bin/lessons", words);
+  const Ran ran = run_program(driver, words);
   fs::current_path(before);
   return ran;
 }
@@ -167,7 +165,7 @@ TEST_CASE("Ctrl-C during a check ends the exercise with all that it has started,
                  "while ! grep -qs . left; do sleep 0.1; done\n"
                  "echo $$ > own; kill -INT $PPID; sleep 300");
   const Ran ran =
-      run_program("/bin/bash", {"-c", "cd '" + folder.path() + "' && bin/lessons check 2; echo \"code $?\""});
+      run_program("/bin/bash", {"-c", "cd '" + folder.path() + "' && bin/bin/lessons check 2; echo \"code $?\""});
   CHECK(ran.out == "code 130\n");
   CHECK(folder.names() == List<std::string>{"bin", "left", "own"});
   for (const char* file : {"left", "own"}) CHECK(kill(std::stoi(folder.text(file)), 0) != 0);

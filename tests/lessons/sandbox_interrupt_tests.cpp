@@ -75,6 +75,35 @@ TEST_CASE("SIGINT and SIGTERM end every long verb with 130, in the middle of a s
   }
 }
 
+TEST_CASE("a renewal of the recommendations that is stopped says what it goes on from, and does") {
+  const ScratchFolder folder;
+  const std::string file = folder.path() + "/r.json";
+  const List<std::string> renew = {"--preserve-status", "-s",      "INT",   "2", CAIRN_BIN_DIR "/cairn",
+                                   "recommend",         "--renew", "--out", file};
+  for (int i = 0; i < 2; ++i) {  // the second goes on
+    const Ran ran = run_program("/usr/bin/timeout", renew);
+    CHECK(ran.code == 130);
+    CHECK(text_has(ran.err, "stopped; the same command goes on from " + file + ".renewing\n"));
+    CHECK(folder.names() == List<std::string>{"r.json.renewing"});
+  }
+  const std::string whole = folder.text("r.json.renewing");
+  folder.write("r.json.renewing", whole.substr(0, whole.size() / 2));
+  const Ran refused = run_cairn({"recommend", "--renew", "--out", file});
+  CHECK(refused.code == 2);
+  CHECK(text_has(refused.err, file + ".renewing: recommendations must be as cairn recommend --renew writes"));
+  CHECK(text_has(refused.err, "; delete that file to begin anew"));
+  CHECK(folder.text("r.json.renewing") == whole.substr(0, whole.size() / 2));
+}
+
+TEST_CASE("a study that is stopped in the middle of a task says that it goes on where it was") {
+  const ScratchFolder folder;
+  const Ran ran = run_program(
+      "/usr/bin/timeout", {"--preserve-status", "-s", "INT", "1", CAIRN_BIN_DIR "/cairn", "tradeoff", "--all",
+                           "--level", "2", "--out", folder.path() + "/study"});
+  CHECK(ran.code == 130);
+  CHECK(text_has(ran.err, "stopped; the same command goes on where it was\n"));
+}
+
 TEST_CASE("validate ends with 130 once it is told to stop, which takes it a few seconds otherwise") {
   const ScratchFolder folder;
   const pid_t child = started_cairn({"validate"}, folder.path() + "/out");

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
@@ -108,6 +109,7 @@ TEST_CASE("what the verbs cannot understand they refuse with a hint, before any 
       {{"run", "stack", "--solver", "si:1000001"}, "0 to 1000000 sweeps"},
       {{"run", "stack", "--sweeps", "1000001"}, "from 0 to 1000000, got 1000001"},
       {{"freeze", "stack", "--sweeps", "1000001"}, "from 0 to 1000000, got 1000001"},
+      {{"run", "stack", "--substeps", "1000001"}, "from 1 to 1000000, got 1000001"},
       {{"run", "stack", "--threads", "0"}, "from 1 to 64, got 0"},
       {{"run", "stack", "--dt", "0"}, "--dt must be a time above 0"},
       {{"run", "stack", "--dt", "1/60", "--frequency", "60"}, "give one of them"},
@@ -242,4 +244,16 @@ TEST_CASE("every one of these verbs explains itself with an example") {
     CHECK(ran.code == 0);
     CHECK(text_has(ran.out, std::string("For example\n  cairn ") + name));
   }
+}
+
+TEST_CASE("the bar of tune ends where the search does") {
+  const Ran ran = run_cairn({"tune", "stack", "--penetration", "20mm", "--starts", "1", "--seconds", "0.1s",
+                             "--progress", "always"});
+  CHECK(ran.code == 0);
+  const std::size_t bar = ran.err.rfind("] ");
+  REQUIRE(bar != std::string::npos);
+  int tried = 0, total = 0;
+  CHECK(std::sscanf(ran.err.c_str() + bar, "] %d/%d settings", &tried, &total) == 2);
+  CHECK(tried == total);
+  CHECK(text_has(ran.out, std::to_string(tried) + " settings tried"));
 }

@@ -101,11 +101,15 @@ TEST_CASE("every key belongs to a table, is explained, and stands once in each t
   }
 }
 
-TEST_CASE("a scene file may ask for as many sweeps as a flag") {
+TEST_CASE("a scene file may ask for as many sweeps and substeps as a flag") {
   const SceneKey* const sweeps = find_scene_key(scene_table_kind("recommended"), "iterations");
   REQUIRE(sweeps != nullptr);
   CHECK(in_range(*sweeps, Setting::most_sweeps));
   CHECK_FALSE(in_range(*sweeps, Setting::most_sweeps + 1));
+  const SceneKey* const substeps = find_scene_key(scene_table_kind("step"), "substeps");
+  REQUIRE(substeps != nullptr);
+  CHECK(in_range(*substeps, SceneSettings::most_substeps));
+  CHECK_FALSE(in_range(*substeps, SceneSettings::most_substeps + 1));
 }
 
 TEST_CASE("a range holds what it says") {

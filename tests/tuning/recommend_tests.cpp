@@ -99,3 +99,23 @@ TEST_CASE("what is no file of recommendations is refused by its name, and an unk
   CHECK_THROWS_WITH_AS(recommend_kind("stak"), "recommend: kind must be a known name (stack?), got stak",
                        std::invalid_argument);
 }
+
+TEST_CASE("a renewal goes on from what an earlier one of this build has left, and from nothing else") {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "cairn_unfinished_tests.json";
+  std::filesystem::remove(file);
+  CHECK(unfinished_recommendations(file).empty());
+  const List<Recommendation> known = {{.kind = "stack", .candidates = {made_up("cheap", 2, "")}}};
+  const std::string whole = recommendations_json(known);
+  std::ofstream(file) << whole;
+  CHECK(recommendations_json(unfinished_recommendations(file)) == whole);
+  std::string other = whole;
+  other.replace(other.find("\"version\": \""), 12, "\"version\": \"9");
+  for (const std::string& text :
+       {other, whole.substr(0, whole.size() / 2), std::string("{}"), std::string()}) {
+    CAPTURE(text);
+    std::ofstream(file) << text;
+    CHECK_THROWS_WITH_AS(unfinished_recommendations(file), doctest::Contains(file.c_str()),
+                         std::invalid_argument);
+  }
+  std::filesystem::remove(file);
+}

@@ -128,6 +128,26 @@ TEST_CASE("the search ends when its time is over, or when it is told to") {
   CHECK_FALSE(told.complete);
 }
 
+TEST_CASE("progress counts up to the number of settings that were tried, and never past what it was told") {
+  for (const double wish :
+       {1e-2, 1e-12}) {  // the first leaves settings out that are too much work, and has variants
+    CAPTURE(wish);
+    TunerOptions options = {.starts = 1, .time_limit = 1e9};
+    int last_tried = 0, last_total = 0;
+    options.progress = [&](int tried, int total) {
+      CHECK(tried >= last_tried);
+      CHECK(tried <= total);
+      last_tried = tried;
+      last_total = total;
+      return true;
+    };
+    const TunerAnswer answer = tune(formula_run, {.penetration = wish}, options);
+    CHECK(answer.best.has_value() == (wish == 1e-2));
+    CHECK(last_tried == answer.tried);
+    CHECK(last_total == answer.tried);
+  }
+}
+
 TEST_CASE(
     "the time holds for the search and its rivals together, and a run cut off by its end says nothing") {
   double longest = 0;
