@@ -33,9 +33,6 @@ struct Control {
 };
 
 const List<std::string> switch_words = {"on", "off"};
-const List<std::string> policy_words = {"none", "baumgarte", "relaxed", "soft",
-                                        "split-impulse"};                              // as enumerated
-const List<std::string> search_words = {"every-substep", "every-step", "when-moved"};  // as enumerated
 
 List<std::string> solver_words(std::string SolverEntry::*which, List<std::string> words = {}) {
   for (const SolverEntry& entry : solver_entries()) {
@@ -100,12 +97,15 @@ List<Control> step_controls() {
   return {
       {.name = "policy",
        .title = "Stabilization",
-       .choices = policy_words,
+       .choices = stabilization_words(),
        .value =
-           [](const Controls& c) { return policy_words[static_cast<int>(c.setting.stabilization.policy)]; },
+           [](const Controls& c) {
+             return stabilization_words()[static_cast<int>(c.setting.stabilization.policy)];
+           },
        .set =
            [](Controls& c, const std::string& word, double) {
-             c.setting.stabilization.policy = static_cast<StabilizationPolicy>(number_of(policy_words, word));
+             c.setting.stabilization.policy =
+                 static_cast<StabilizationPolicy>(number_of(stabilization_words(), word));
            }},
       {.name = "beta",
        .title = "Baumgarte factor β",
@@ -128,11 +128,13 @@ List<Control> step_controls() {
        .set = [](Controls& c, const std::string&, double x) { c.setting.substeps = static_cast<int>(x); }},
       {.name = "search",
        .title = "Contact search",
-       .choices = search_words,
-       .value = [](const Controls& c) { return search_words[static_cast<int>(c.setting.contact_search)]; },
+       .choices = contact_search_words(),
+       .value =
+           [](const Controls& c) { return contact_search_words()[static_cast<int>(c.setting.contact_search)]; },
        .set =
            [](Controls& c, const std::string& word, double) {
-             c.setting.contact_search = static_cast<ContactSearch>(number_of(search_words, word));
+             c.setting.contact_search =
+                 static_cast<ContactSearch>(number_of(contact_search_words(), word));
            }},
       {.name = "numbers",
        .title = "Precision",
@@ -191,8 +193,9 @@ void set_control(Controls& controls, const Controls& recommended, const std::str
   require_known(name, known, "playground", "setting");
   const Control& control = all_controls()[number_of(known, name)];
   if (!control.choices.empty()) {
-    require_known(value, control.choices, control.name, "choice");
-    return control.set(controls, value, 0);
+    const std::string word = known_word(value, control.choices);
+    if (word.empty()) require_known(value, control.choices, control.name, "choice");
+    return control.set(controls, word, 0);
   }
   control.set(controls, value, number_in(control, value, recommended));
 }

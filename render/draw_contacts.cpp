@@ -140,7 +140,7 @@ bool is_out_of_sight(const SnapshotJoint& joint) {
 
 /// Rods, ropes and springs.
 bool is_line(const SnapshotJoint& joint) {
-  return joint.name == "distance" || joint.name == "rope" || joint.name == "spring" || joint.name == "pulley";
+  return joint.name == "rod" || joint.name == "rope" || joint.name == "spring" || joint.name == "pulley";
 }
 
 /// The way of a rope over what is between its ends.

@@ -126,7 +126,6 @@ void print_failures(const SceneEntry& scene, const SceneRun& run, Console& conso
 }
 
 std::string verdict_text(const SceneEntry& scene, const SceneRun& run) {
-  if (run.result.status == TrialStatus::refused) return "left out: " + run.result.reason;
   if (run.result.status != TrialStatus::ok) return run.missed.front();
   if (!run.missed.empty()) {
     return run.missed.size() == 1 ? "misses an expectation"
@@ -177,10 +176,7 @@ std::string contestant_label(const Setting& setting) {
 void print_row(const SceneEntry& scene, const SceneRun& run, int width, Console& console) {
   const TrialResult& result = run.result;
   const std::string name = padded(contestant_label(run.setting), width);
-  if (result.status == TrialStatus::refused) {
-    console.result(name + "  " + wrapped("left out: " + result.reason, run_columns - width - 2, width + 2));
-    return;
-  }
+  if (result.status == TrialStatus::refused) return console.result(name + "  left out");
   const int steps = std::max(1, result.steps);
   const std::string stands = scene.expectations.stands ? fmt::format("{:.3g}", result.stands_until) : "-";
   const std::string numbers =
@@ -197,26 +193,28 @@ void print_row(const SceneEntry& scene, const SceneRun& run, int width, Console&
 
 }  // namespace
 
+std::string refusal_text(const SceneEntry& scene, const SceneRun& run) {
+  return fmt::format("{} cannot run {}: {}", run.setting.solver, scene.name, run.result.reason);
+}
+
 void print_run(const SceneEntry& scene, const SceneRun& run, Console& console) {
   const TrialResult& result = run.result;
   console.result(console.spelt(fmt::format("{}: {}", scene.name, scene.title)));
   print_line(console, "setting", setting_text(run.setting));
-  if (result.status != TrialStatus::refused) {
-    const double real_time = result.cost() > 0 ? 1 / result.cost() : 0;
-    print_line(console, "time", fmt::format("{:g} s in {} steps", result.seconds, result.steps));
-    print_line(console, "processor time",
-               fmt::format("{:.3g} ms a step, {:.3g} times as fast as real time",
-                           1e3 * result.step_seconds / std::max(1, result.steps), real_time));
-    print_line(console, "row updates", count_text(result.row_updates));
-    print_overlap_and_drift(scene, run, console);
-    print_measure(console, run, "energy gain", percent(result.energy_gain) + " %",
-                  with_unit(scene.expectations.energy_gain, 1, "%"));
-    print_measure(console, run, "energy loss", percent(std::max(0.0, result.energy_loss)) + " %",
-                  with_unit(scene.expectations.energy_loss, 1, "%"));
-    print_standing(scene, run, console);
-    print_places(scene, run, console);
-    print_failures(scene, run, console);
-  }
+  const double real_time = result.cost() > 0 ? 1 / result.cost() : 0;
+  print_line(console, "time", fmt::format("{:g} s in {} steps", result.seconds, result.steps));
+  print_line(console, "processor time",
+             fmt::format("{:.3g} ms a step, {:.3g} times as fast as real time",
+                         1e3 * result.step_seconds / std::max(1, result.steps), real_time));
+  print_line(console, "row updates", count_text(result.row_updates));
+  print_overlap_and_drift(scene, run, console);
+  print_measure(console, run, "energy gain", percent(result.energy_gain) + " %",
+                with_unit(scene.expectations.energy_gain, 1, "%"));
+  print_measure(console, run, "energy loss", percent(std::max(0.0, result.energy_loss)) + " %",
+                with_unit(scene.expectations.energy_loss, 1, "%"));
+  print_standing(scene, run, console);
+  print_places(scene, run, console);
+  print_failures(scene, run, console);
   const std::string verdict = verdict_text(scene, run);
   const bool is_good = run.missed.empty() && result.failures.empty();
   console.result("  " + console.colored(console.spelt(verdict), is_good ? Color::good : Color::bad));

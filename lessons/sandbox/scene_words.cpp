@@ -37,23 +37,35 @@ double step_of(const Words& words, double standard) {
   return words.has("frequency") ? 1 / words.number("frequency", 60, 1e-3, 1e9) : standard;
 }
 
-Precision scalar_of(const Words& words, Precision standard) {
-  if (!words.has("scalar")) return standard;
-  const std::string name = words.word("scalar", "double", scalar_names());
-  if (name == "float") return Precision::single_precision;
-  return name == "double" ? Precision::double_precision : Precision::long_double;
+/// Of an enumeration whose words these are.
+template <typename Enum>
+Enum choice_of(const Words& words, std::string_view flag, Enum standard, const List<std::string>& names) {
+  if (!words.has(flag)) return standard;
+  const std::string name = words.word(flag, names.front(), names);
+  return static_cast<Enum>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-StabilizationPolicy policy_of(const Words& words, StabilizationPolicy standard) {
-  if (!words.has("stabilization")) return standard;
-  const std::string name = words.word("stabilization", "relaxed", stabilization_names());
-  if (name == "none") return StabilizationPolicy::none;
-  if (name == "baumgarte") return StabilizationPolicy::baumgarte;
-  if (name == "relaxed") return StabilizationPolicy::relaxed;
-  return name == "soft" ? StabilizationPolicy::soft : StabilizationPolicy::split_impulse;
-}
+/// The flags that not every solver takes, by what its entry says.
+struct TakenFlag {
+  const char* flag = "";
+  bool SolverEntry::* taken = nullptr;
+};
+constexpr TakenFlag taken_flags[] = {{"sweeps", &SolverEntry::uses_sweeps},
+                                     {"threads", &SolverEntry::uses_threads},
+                                     {"contact-search", &SolverEntry::uses_world},
+                                     {"scalar", &SolverEntry::uses_world},
+                                     {"stabilization", &SolverEntry::uses_world},
+                                     {"guards", &SolverEntry::uses_world}};
 
 }  // namespace
+
+void refuse_idle_flags(const Words& words, const List<std::string>& solvers) {
+  for (const TakenFlag& each : taken_flags) {
+    const auto takes = [&each](const std::string& solver) { return solver_entry(solver).*each.taken; };
+    if (std::none_of(solvers.begin(), solvers.end(), takes))
+      words.refuse_beside(each.flag, "to " + joined(solvers, ", "));
+  }
+}
 
 SceneEntry scene_of(const Words& words, const std::string& name, List<std::string> others) {
   if (!names_scene_file(name)) {
@@ -76,21 +88,6 @@ List<std::string> solver_names() {
   return names;
 }
 
-const List<std::string>& stabilization_names() {
-  static const List<std::string> names = {"none", "baumgarte", "relaxed", "soft", "split-impulse"};
-  return names;
-}
-
-const List<std::string>& scalar_names() {
-  static const List<std::string> names = {"float", "double", "long-double"};
-  return names;
-}
-
-const List<std::string>& contact_search_names() {
-  static const List<std::string> names = {"every-substep", "every-step", "when-moved"};
-  return names;
-}
-
 List<Flag> search_and_thread_flags() {
   return {{"threads", "N",
            fmt::format("of the solvers wide and wide-accelerated: the same numbers, sooner; from 1 to {}",
@@ -100,11 +97,8 @@ List<Flag> search_and_thread_flags() {
 
 void set_search_and_threads(const Words& words, Setting& setting) {
   setting.sweeps.threads = words.whole("threads", setting.sweeps.threads, 1, SolverSettings::most_threads);
-  if (!words.has("contact-search")) return;
-  const std::string name = words.word("contact-search", "every-substep", contact_search_names());
-  setting.contact_search = name == "every-substep" ? ContactSearch::every_substep
-                           : name == "every-step"  ? ContactSearch::every_step
-                                                   : ContactSearch::when_moved;
+  setting.contact_search =
+      choice_of(words, "contact-search", setting.contact_search, contact_search_words());
 }
 
 List<Flag> setting_flags() {
@@ -126,23 +120,32 @@ List<Flag> setting_flags() {
 
 Setting with_solver(const Words& words, std::string_view flag, Setting setting, const std::string& text) {
   const std::size_t colon = text.find(':');
-  const std::string name = text.substr(0, colon);
-  setting.solver = name;
-  if (const std::string refusal = solver_refusal(setting); !refusal.empty())
-    words.refuse(flag, refusal, name);
+  const std::string given = text.substr(0, colon);
   const List<std::string> known = solver_names();
-  if (std::find(known.begin(), known.end(), name) == known.end()) {
-    const std::string meant = nearest(name, known);
+  const std::string name = known_word(given, known);
+  setting.solver = name.empty() ? given : name;
+  if (const std::string refusal = solver_refusal(setting); !refusal.empty())
+    words.refuse(flag, refusal, setting.solver);
+  if (name.empty()) {
+    const std::string meant = nearest(given, known);
     words.refuse(flag, "one of " + joined(known, ", "),
-                 name + (meant.empty() ? "" : "; did you mean " + meant + "?"));
+                 given + (meant.empty() ? "" : "; did you mean " + meant + "?"));
   }
-  if (colon != std::string::npos) setting.sweeps.iterations = sweeps_behind(words, flag, text, colon);
+  if (colon == std::string::npos) return setting;
+  if (!solver_entry(name).uses_sweeps) words.refuse(flag, name + " without sweeps, which it has not", text);
+  setting.sweeps.iterations = sweeps_behind(words, flag, text, colon);
   return setting;
 }
 
 Setting setting_of(const Words& words, const SceneEntry& scene) {
+  const Setting setting = common_setting(words, scene);
+  refuse_idle_flags(words, {setting.solver});
+  return setting;
+}
+
+Setting common_setting(const Words& words, const SceneEntry& scene) {
   Setting setting = scene.setting;
-  setting.scalar = scalar_of(words, setting.scalar);
+  setting.scalar = choice_of(words, "scalar", setting.scalar, precision_words());
   if (const std::optional<std::string> solver = words.text("solver")) {
     setting = with_solver(words, "solver", setting, *solver);
     if (solver->find(':') != std::string::npos) words.refuse_beside("sweeps", "beside --solver " + *solver);
@@ -151,7 +154,8 @@ Setting setting_of(const Words& words, const SceneEntry& scene) {
   setting.substeps = words.whole("substeps", setting.substeps, 1, SceneSettings::most_substeps);
   set_search_and_threads(words, setting);
   setting.dt = step_of(words, setting.dt);
-  setting.stabilization.policy = policy_of(words, setting.stabilization.policy);
+  StabilizationPolicy& policy = setting.stabilization.policy;
+  policy = choice_of(words, "stabilization", policy, stabilization_words());
   if (words.has("guards")) setting.guarded = words.word("guards", "on", {"on", "off"}) == "on";
   if (words.has("cold")) setting.warm_start = false;
   check(setting);

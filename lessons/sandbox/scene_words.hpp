@@ -27,6 +27,11 @@ void set_search_and_threads(const Words& words, Setting& setting);
 /// @throws UsageError, std::invalid_argument for a setting that nobody can step by.
 Setting setting_of(const Words& words, const SceneEntry& scene);
 
+/// The same for a scene under several solvers, which share the words: refuse_idle_flags() is still to come.
+Setting common_setting(const Words& words, const SceneEntry& scene);
+/// @throws UsageError for a flag, such as --threads, that means nothing to any of the solvers.
+void refuse_idle_flags(const Words& words, const List<std::string>& solvers);
+
 /// "si" or "si:20": the setting with that solver, and with as many sweeps.
 /// @throws UsageError that names --`flag`.
 Setting with_solver(const Words& words, std::string_view flag, Setting setting, const std::string& text);
@@ -36,11 +41,6 @@ double seconds_of(const Words& words, const SceneEntry& scene);
 
 /// The names of all solvers that --solver takes.
 List<std::string> solver_names();
-/// The words that --stabilization takes.
-const List<std::string>& stabilization_names();
-const List<std::string>& scalar_names();
-/// The words that --contact-search takes.
-const List<std::string>& contact_search_names();
 
 /// Both lists in one.
 List<Flag> joined_flags(List<Flag> first, const List<Flag>& second);

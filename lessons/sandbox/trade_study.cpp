@@ -8,6 +8,7 @@
 #include "frozen/frozen_set.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/trade_chart.hpp"
+#include "lessons/words.hpp"
 #include "scenes/scene_list.hpp"
 #include "scenes/solver_list.hpp"
 #include "study/trajectory_study.hpp"
@@ -104,11 +105,27 @@ TrajectoryGrid trajectory_grid(const Words& words) {
   set_search_and_threads(words, grid.base);
   grid.solvers =
       solvers_of(words, grid.solvers, has_box2d() ? List<std::string>{"box2d"} : List<std::string>{});
+  refuse_idle_flags(words, grid.solvers);
   if (!words.has("quick")) return grid;
   grid.frequencies = {60, 120, 240};
   grid.substeps = {1, 4};
   grid.sweeps = {1, 4, 16, 64};
   return grid;
+}
+
+/// Says which solvers the scene is nothing for before their first step.
+void require_runnable(const Words& words, const TrajectoryScene& scene, const TrajectoryGrid& grid) {
+  List<std::string> refusals;
+  for (const std::string& solver : grid.solvers) {
+    Setting setting = grid.base;
+    setting.solver = solver;
+    const TrialResult start = run_trial(scene.make(), setting, {.seconds = 0});
+    if (start.status == TrialStatus::refused)
+      refusals.push_back(fmt::format("{} cannot run {}: {}", solver, scene.name, start.reason));
+  }
+  if (refusals.size() == grid.solvers.size()) throw UsageError("cairn tradeoff: " + joined(refusals, "; "));
+  for (const std::string& refusal : refusals)
+    Console(words.console).warn("cairn tradeoff: " + refusal + "; it is left out");
 }
 
 std::string trajectory_note(const TrajectoryScene& scene) {
@@ -130,6 +147,7 @@ TradeStudy trajectory_trade(const Words& words, const List<std::string>& names) 
     if (words.has("quick")) scenes.back().starts = std::min(scenes.back().starts, 2);
   }
   const TrajectoryScene& first = scenes.front();
+  if (scenes.size() == 1) require_runnable(words, first, grid);
   const ErrorColumn& error = error_of(words, trajectory_errors(), first.watch ? "formula" : "penetration");
   const bool by_formula = error.word == "formula";
   if (by_formula && !first.watch) {

@@ -54,13 +54,13 @@ struct Words {
   /// @throws UsageError unless it is a number from `least` to `most`.
   double number(std::string_view flag, double standard, double least, double most) const;
   int whole(std::string_view flag, int standard, int least, int most) const;
-  /// @throws UsageError unless it is one of the words.
+  /// The one of the words that it is, by known_word(). @throws UsageError where it is none.
   std::string word(std::string_view flag, const std::string& standard, const List<std::string>& words) const;
   /// A quantity in its SI unit, written with or without one: see read_quantity().
   /// @throws UsageError unless it is above 0 and at most `most`.
   double quantity(std::string_view flag, std::string_view unit, double standard,
                   double most = std::numeric_limits<double>::max()) const;
-  /// Every value given, once each. @throws UsageError unless each is one of `known`.
+  /// Every value given, as `known` has it, once each. @throws UsageError unless each is one of `known`.
   List<std::string> known_texts(std::string_view flag, const List<std::string>& known) const;
   /// `list`: the command that shows them, where there are too many for a message.
   /// @throws UsageError "cairn VERB: what must be ..." unless `value` is one of `known`.

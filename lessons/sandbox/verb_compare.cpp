@@ -43,15 +43,18 @@ List<Setting> compared_settings(const Words& words, const SceneEntry& scene) {
     words.refuse_beside("sweeps", "where every solver has sweeps of its own");
   }
   List<Setting> settings;
+  List<std::string> solvers;
   for (const std::string& text : asked) {
-    Setting setting = setting_of(words, scene);
+    Setting setting = common_setting(words, scene);
     if (text.substr(0, text.find(':')) == "box2d" && !has_box2d()) {
       setting.solver = "box2d";
     } else {
       setting = with_solver(words, "solvers", setting, text);
     }
     settings.push_back(setting);
+    solvers.push_back(setting.solver);
   }
+  refuse_idle_flags(words, solvers);
   return settings;
 }
 
@@ -82,6 +85,8 @@ void print_comparison(const Words& words, const SceneEntry& scene, const List<Sc
     fmt::print("{}\n", all.dump(1));
     return;
   }
+  const auto is_refused = [](const SceneRun& run) { return run.result.status == TrialStatus::refused; };
+  if (std::all_of(runs.begin(), runs.end(), is_refused)) return;
   // The rest of the settings, which all have.
   const std::string setting = setting_text(runs.front().setting);
   const std::string common = setting.substr(std::min(setting.size(), setting.find(", ")));
@@ -122,6 +127,10 @@ int run_compare(const Words& words, Console& console) {
     console.warn("stopped before the runs were over; nothing is written");
     return stopped;
   }
+  for (const SceneRun& run : runs) {
+    if (run.result.status == TrialStatus::refused)
+      console.warn("cairn compare: " + refusal_text(scene, run) + "; it is left out");
+  }
   print_comparison(words, scene, runs, wish.seconds, console);
   bool is_stopped = false;
   if (files.any()) write_compare_film(words, scene, runs, files, wish, console, is_stopped);
@@ -141,10 +150,8 @@ Verb compare_verb() {
           "Runs the scene under each solver, everything else alike, and puts what it cost beside what came "
           "out. Box2D 2.4.1 runs with the steps and substeps that are asked for and as many velocity "
           "iterations as sweeps; where it cannot run the scene it is left out, with the reason. Exit code 1 "
-          "when bodies went through each other, joints came apart, bodies fell out of the scene or energy "
-          "came "
-          "from nowhere, 4 when "
-          "one diverges.",
+          "when bodies went through each other, began below the ground or fell out of the scene or for ever, "
+          "joints came apart or stayed off, or energy came from nowhere, 4 when one diverges.",
       .flags = compare_flags(),
       .examples = {"compare stack", "compare chain-bob --solvers si:20,block:20,accelerated:20,box2d:20",
                    "compare stack-ratio --solvers si:10,accelerated:10 --frames out/ratio"},

@@ -34,9 +34,9 @@ std::string place_words(const Verb& verb) {
 std::map<std::string, std::string> value_words() {
   return {{"--solver", joined(solver_names(), " ")},
           {"--solvers", joined(solver_names(), " ")},
-          {"--stabilization", joined(stabilization_names(), " ")},
-          {"--scalar", joined(scalar_names(), " ")},
-          {"--contact-search", joined(contact_search_names(), " ")},
+          {"--stabilization", joined(stabilization_words(), " ")},
+          {"--scalar", joined(precision_words(), " ")},
+          {"--contact-search", joined(contact_search_words(), " ")},
           {"--guards", "on off"},
           {"--theme", "light dark"},
           {"--size", "small medium large"},

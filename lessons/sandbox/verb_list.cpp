@@ -22,7 +22,7 @@ struct Policy {
 };
 
 List<Policy> policies() {
-  const List<std::string>& names = stabilization_names();
+  const List<std::string>& names = stabilization_words();
   return {{names[0], "errors in positions stay, and grow by the error of integration"},
           {names[1], "velocities carry a share of the error for every step, and keep that speed"},
           {names[2],
@@ -47,9 +47,9 @@ Json solvers_json() {
   Json all = Json::array();
   List<SolverEntry> entries = solver_entries();
   entries.push_back(opencl_jacobi_entry());
+  if (has_box2d()) entries.push_back(box2d_entry());
   for (const SolverEntry& solver : entries)
     all.push_back({{"name", solver.name}, {"title", solver.title}, {"cost", solver.cost}});
-  if (has_box2d()) all.push_back({{"name", "box2d"}, {"title", "Box2D 2.4.1, beside Cairn"}, {"cost", ""}});
   return all;
 }
 

@@ -47,14 +47,14 @@ int run_run(const Words& words, Console& usual_console) {
   const List<SceneRun> runs = {run_scene(scene, setting, wish, words.console)};
   const SceneRun& run = runs.front();
   if (run.stopped) return stopped_run(console, "stopped before the run was over; nothing is written");
-  if (words.has("json")) {
-    fmt::print("{}\n", run_json(scene, run).dump(1));
-  } else {
-    print_run(scene, run, console);
+  if (words.has("json")) fmt::print("{}\n", run_json(scene, run).dump(1));
+  if (run.result.status == TrialStatus::refused) {
+    console.warn("cairn run: " + refusal_text(scene, run));
+    return exit_code(run);
   }
-  const bool has_run = run.result.status != TrialStatus::refused;
-  if (!csv.empty() && has_run) write_series(run, csv, console);
-  if (files.any() && has_run) {
+  if (!words.has("json")) print_run(scene, run, console);
+  if (!csv.empty()) write_series(run, csv, console);
+  if (files.any()) {
     SceneFilm film(scene, runs, look);
     const FilmOutcome outcome = write_film(film, film_identity(scene, runs, look, files.frames_per_second),
                                            files, wish.stops, words.console);
@@ -80,10 +80,8 @@ Verb run_verb() {
           "nothing is farther from its place, aside or down, than the scene allows. Places are those after "
           "the first second, or half of a shorter run. "
           "Nothing is written unless a flag names a file. Exit code 1 when an expectation is missed, or when "
-          "bodies went through each other, joints came apart, bodies fell out of the scene or energy came "
-          "from "
-          "nowhere; 4 when the run "
-          "diverges.",
+          "bodies went through each other, began below the ground or fell out of the scene or for ever, "
+          "joints came apart or stayed off, or energy came from nowhere; 4 when the run diverges.",
       .flags = joined_flags(
           joined_flags(joined_flags(setting_flags(), {{"seconds", "TIME", "to simulate (the scene's own)"}}),
                        film_flags()),

@@ -89,8 +89,9 @@ void Words::require_known(std::string_view what, const std::string& value, const
 
 List<std::string> Words::known_texts(std::string_view flag, const List<std::string>& known) const {
   List<std::string> once;
-  for (const std::string& value : texts(flag)) {
-    require_known("--" + std::string(flag), value, known);
+  for (const std::string& given : texts(flag)) {
+    const std::string value = known_word(given, known);
+    if (value.empty()) require_known("--" + std::string(flag), given, known);
     if (std::find(once.begin(), once.end(), value) == once.end()) once.push_back(value);
   }
   return once;
@@ -104,9 +105,7 @@ void Words::refuse_beside(std::string_view flag, const std::string& what) const 
 std::string Words::word(std::string_view flag, const std::string& standard,
                         const List<std::string>& words) const {
   const std::string given = text(flag).value_or(standard);
-  for (const std::string& word : words) {
-    if (word == given) return given;
-  }
+  if (const std::string known = known_word(given, words); !known.empty()) return known;
   const std::string meant = nearest(given, words);
   refuse(flag, joined(words, " or "), given + (meant.empty() ? "" : "; did you mean " + meant + "?"));
 }

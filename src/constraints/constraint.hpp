@@ -69,7 +69,7 @@ class Constraint {
  public:
   virtual ~Constraint() = default;
 
-  /// What it is called: "distance", "rope", "spring", "revolute", "prismatic", "weld",
+  /// What it is called, as in scene files: "rod", "rope", "spring", "revolute", "prismatic", "weld",
   /// "pulley", "gear", "differential", "drag", "friction".
   virtual std::string name() const = 0;
 

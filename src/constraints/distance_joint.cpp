@@ -25,7 +25,7 @@ DistanceJoint::DistanceJoint(const Spec& spec, PerBodySpan<const Pose<double>> p
 
 std::string DistanceJoint::name() const {
   if (kind_ == Kind::rope) return "rope";
-  return kind_ == Kind::spring ? "spring" : "distance";
+  return kind_ == Kind::spring ? "spring" : "rod";
 }
 
 template <Scalar Real>

@@ -37,7 +37,7 @@ class DistanceJoint final : public ConstraintOf<DistanceJoint> {
   /// softness that its kind cannot have.
   DistanceJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
-  /// "distance" for a rod, "rope" or "spring".
+  /// "rod", "rope" or "spring".
   std::string name() const override;
   List<Attachment> attachments() const override { return ends_.attachments(); }
   /// Whether it is a rod, a rope or a spring.

@@ -38,6 +38,14 @@ std::string nearest(std::string_view word, const List<std::string>& candidates) 
   return best;
 }
 
+std::string known_word(std::string_view word, const List<std::string>& known) {
+  const auto parts = [](char letter) { return letter == ' ' || letter == '_' ? '-' : letter; };
+  for (const std::string& each : known) {
+    if (std::ranges::equal(word, each, {}, parts, parts)) return each;
+  }
+  return "";
+}
+
 void require_known(std::string_view word, const List<std::string>& known, std::string_view place,
                    std::string_view field) {
   if (std::find(known.begin(), known.end(), word) != known.end()) return;

@@ -1,7 +1,6 @@
 // Floor 6. What no scene should show, whatever else is expected of it.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "math/list.hpp"
@@ -12,20 +11,26 @@ namespace cairn {
 
 /// Ways in which a simulation has failed, however its numbers look.
 enum class FailureKind {
-  went_through,   // a body is in another by more than a quarter of the thinner one: it is on its way through
-  came_apart,     // the points that a joint holds together are farther apart than half of the shorter body
-  fell_out,       // a body that had something unmovable under it is below all that cannot be moved
-  gained_energy,  // kinetic and potential energy have risen by more than a quarter of their scale, from
-                  // nowhere
+  went_through,  // a body is in another by more than a quarter of the thinner one: it is on its way through
+  came_apart,    // the points that a joint holds together are farther apart than half of the shorter body
+  stayed_off,   // a joint ends with an error of a twentieth of the shorter body or more, which had not halved
+                // for a second
+  began_below,  // a body that nothing holds begins below the top of the ground, with nothing to land on
+  fell_out,     // a body that had something unmovable under it is below all that cannot be moved
+  falls_for_ever,  // a body that nothing holds is 100 m and ten heights of the scene below all that it could
+                   // have landed on, or below its beginning where there is no such thing
+  gained_energy,   // kinetic and potential energy have risen by more than a quarter of their scale, from
+                   // nowhere
 };
 
 /// One of them.
 struct Failure {
   FailureKind kind = FailureKind::went_through;  // what happened
   double time = 0;                               // [s] when it was seen
-  double distance = 0;                           // [m] of overlap, or of a gap
+  double since = 0;                              // [s] from when an error stayed, or a fall went on
+  double distance = 0;                           // [m] of overlap, of a gap, or of a fall
   double gain = 0;                               // of the scale of energies, by which they rose
-  BodyId a = {};                                 // of two bodies the first; or the one that fell out
+  BodyId a = {};                                 // of two bodies the first; or the one that fell
   BodyId b = {};                                 // the second
   std::string joint = {};                        // what came apart: Constraint::name()
 };
@@ -42,10 +47,12 @@ bool is_driven(const Scene& scene);
 /// overlaps it sees what is handed to it; gears and differentials hold no points and cannot come apart.
 class FailureWatch {
  public:
-  /// Of a run that begins so.
-  explicit FailureWatch(const Snapshot& start);
+  /// Of a run that begins so. `ends_are_stated`: it is known where bodies should be at the end, and a fall
+  /// may lead there: then nothing began below, and nothing falls for ever.
+  explicit FailureWatch(const Snapshot& start, bool ends_are_stated = false);
 
-  /// Where bodies have been removed from the scene: from now on it looks at what is left, as it stands now.
+  /// Where bodies or joints have been removed from the scene: from now on it looks at what is left, as it
+  /// stands now.
   void scene_changed(const Snapshot& now);
   /// Looks at the bodies as they are after `time` [s].
   void see(const Snapshot& now, double time);
@@ -54,20 +61,37 @@ class FailureWatch {
   /// Looks at how far energy is above that of the start, as a share of its scale, in a scene that nothing
   /// drives.
   void see_gain(double gain, double time);
+  /// Looks at the end of the run, which the last see() was of.
+  void end(const Snapshot& now, double time);
   /// In the order in which they happened.
   const List<Failure>& failures() const { return failures_; }
 
  private:
+  /// From when a joint has been off without a halving of its error, and by how much at most; 0: it is not.
+  struct JointError {
+    double since = 0;    // [s]
+    double largest = 0;  // [m]
+  };
+
   void look_around(const Snapshot& now);
+  void note_floors(const Snapshot& now);
   bool knows(FailureKind kind) const;
+  double shorter(const SnapshotJoint& joint) const;
+  void see_begin(const Snapshot& start);
   void see_joints(const Snapshot& now, double time);
+  void see_errors(const Snapshot& now, double time);
   void see_falls(const Snapshot& now, double time);
 
   PerBody<double> thickness_;  // [m] the shorter side of the thinnest shape; infinite where there is none
   PerBody<double> length_;     // [m] the longer side of the longest shape; infinite likewise
   PerBody<char> has_floor_;    // something unmovable was under it
-  int removed_ = 0;            // bodies that were
-  std::optional<double> lowest_still_;  // [m] the height of the lowest point that cannot move
+  PerBody<double>
+      below_since_;          // [s] from when it has been below all that it could land on; infinite: it is not
+  List<JointError> errors_;  // joint by joint
+  bool ends_are_stated_ = false;
+  int removed_ = 0;    // bodies that were
+  double lowest_ = 0;  // [m] the height of the lowest point that cannot move, or else of all
+  double far_ = 0;     // [m] what falls so far below that falls for ever
   List<Failure> failures_;
 };
 

@@ -97,8 +97,8 @@ double rod_length(const DistanceJoint& joint, int body_count) {
 
 b2DistanceJointDef definition(const DistanceJoint& joint, int body_count) {
   const double length = rod_length(joint, body_count);
-  require(length >= b2_linearSlop, "Box2DWorld", "distance joint length",
-          ">= 0.005 m, the shortest in Box2D 2.4.1", length);
+  require(length >= b2_linearSlop, "Box2DWorld", "rod length", ">= 0.005 m, the shortest in Box2D 2.4.1",
+          length);
   b2DistanceJointDef result;
   result.localAnchorA = to_box2d(joint.attachments()[0].anchor);
   result.localAnchorB = to_box2d(joint.attachments()[1].anchor);

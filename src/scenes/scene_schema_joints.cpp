@@ -13,7 +13,7 @@ List<SceneKey> scene_pair_keys() {
        "rod, rope, spring, revolute, prismatic, weld, pulley, gear, differential, drag, friction",
        "what joins the bodies"},
       {"joint", "name", text, "", "Joint.1, joint.2, ...", "", "letters, digits, _ and -"},
-      {"joint", "collide", word, "", "as usual", "as usual, on, off",
+      {"joint", "collide", word, "", "as-usual", "as-usual, on, off",
        "whether its bodies may touch. As usual: only those of a pulley, drag or friction joint"},
       {"pair", "a", text, "", "ground", "",
        "name of a body; joined to the ground, b goes through its surface unless collide is on"},
@@ -80,7 +80,7 @@ List<SceneKey> scene_train_keys() {
       {"drag", "max_force", number, "N", "1000", "> 0", "along each axis"},
       {"friction", "max_force", number, "N", "0", ">= 0", "mu m g"},
       {"friction", "max_torque", number, "N m", "0", ">= 0", "of a disc 2 / 3 mu m g radius"},
-      {"friction", "shape", word, "", "circle", "circle, square, aligned square",
+      {"friction", "shape", word, "", "circle", "circle, square, aligned-square",
        "of the forces it may have"},
   };
 }

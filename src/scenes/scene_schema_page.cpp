@@ -100,6 +100,11 @@ of your own:
 mu = 0.05
 ```
 
+## Words
+
+Where one of a few words is wanted, a blank, `-` and `_` are the same: `"split impulse"` is
+`"split-impulse"`. The flags of `cairn` read words likewise.
+
 ## Names
 
 Bodies without a name are called body.1, body.2 and so on, counting every `[[body]]`. The bodies of a table

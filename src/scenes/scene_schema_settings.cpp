@@ -7,6 +7,13 @@ namespace cairn {
 
 namespace {
 
+/// As SceneKey::range has them.
+std::string listed_words(const List<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all;
+}
+
 List<SceneKey> scene_top_keys() {
   using enum SceneType;
   return {
@@ -51,7 +58,7 @@ List<SceneKey> scene_step_keys() {
   return {
       {"step", "speculative_margin", number, "m", "0.02", ">= 0", "nearer shapes get contact rows"},
       {"step", "restitution_threshold", number, "m/s", "0.5", ">= 0", "slower approaches do not rebound"},
-      {"step", "friction_rows", word, "", "per point", "per point, per manifold", "rows of friction"},
+      {"step", "friction_rows", word, "", "per-point", "per-point, per-manifold", "rows of friction"},
       {"step", "guarded", flag, "", "Where there are joints", "", "solves that fail are caught"},
       {"step", "sleeping", table, "", "", "sleeping", "bodies at rest are left out; without it never"},
       {"sleeping", "speed", number, "m/s", "0.05", "> 0", "of the centre of mass"},
@@ -61,11 +68,11 @@ List<SceneKey> scene_step_keys() {
       {"pace", "substeps", integer, "", "Where there are joints 4, else 1",
        "from 1 to " + std::to_string(SceneSettings::most_substeps),
        "solves in a step, each of dt / substeps"},
-      {"pace", "contact_search", word, "", "every substep", "every substep, every step, when moved",
+      {"pace", "contact_search", word, "", "every-substep", listed_words(contact_search_words()),
        "how long manifolds last"},
       {"pace", "warm_start", flag, "", "true", "", "begin from the last step's impulses"},
       {"pace", "stabilization", table, "", "", "stabilization", "how errors in positions are removed"},
-      {"stabilization", "policy", word, "", "relaxed", "none, baumgarte, relaxed, soft, split impulse",
+      {"stabilization", "policy", word, "", "relaxed", listed_words(stabilization_words()),
        "what happens to errors in positions"},
       {"stabilization", "baumgarte", number, "", "0.2", ">= 0", "share of an error that a step removes"},
       {"stabilization", "slop", number, "m", "0.005", ">= 0",
@@ -87,15 +94,15 @@ List<SceneKey> scene_recommended_keys() {
        "sweeps, at most"},
       {"recommended", "tolerance", number, "", "0", ">= 0", "stop once the residual is this small; 0: never"},
       {"recommended", "time_budget", number, "s", "0", ">= 0", "no sweep begins after this time; 0: no limit"},
-      {"recommended", "row_order", word, "", "as written",
-       "as written, reverse, alternating, shuffled, coloured", "of the rows in a sweep"},
+      {"recommended", "row_order", word, "", "as-written",
+       "as-written, reverse, alternating, shuffled, coloured", "of the rows in a sweep"},
       {"recommended", "seed", integer, "", "1", "from 0 to 9007199254740992", "of the shuffled order"},
       {"recommended", "relaxation", number, "", "1", "from 0.001 to 1.999", "omega of SOR"},
       {"recommended", "patience", integer, "", "0", "from 0 to 1000000000",
        "stop after so many sweeps at a standstill; 0: never"},
       {"recommended", "threads", integer, "", "1",
        "from 1 to " + std::to_string(SolverSettings::most_threads), "of wide and wide-accelerated"},
-      {"recommended", "scalar", word, "", "double", "float, double, long double", "type of number"},
+      {"recommended", "scalar", word, "", "double", listed_words(precision_words()), "type of number"},
       {"recommended", "position_iterations", integer, "", "3", "from 0 to 1000000000", "of box2d alone"},
       {"expect", "penetration", number, "m", "", "> 0", "no overlap is deeper"},
       {"expect", "drift", number, "m or rad", "", "> 0", "no joint is further off"},

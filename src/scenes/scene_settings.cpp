@@ -10,10 +10,8 @@ namespace cairn {
 namespace {
 
 Stabilization stabilization_of(const SceneTable& table) {
-  using enum StabilizationPolicy;
-  const StabilizationPolicy policies[] = {none, baumgarte, relaxed, soft, split_impulse};
   Stabilization stabilization;
-  stabilization.policy = policies[table.word("policy")];
+  stabilization.policy = static_cast<StabilizationPolicy>(table.word("policy"));
   stabilization.baumgarte = table.number("baumgarte");
   stabilization.slop = table.number("slop");
   stabilization.max_speed = table.number("max_speed");
@@ -28,11 +26,8 @@ Stabilization stabilization_of(const SceneTable& table) {
 void set_pace(const SceneTable& table, SceneSettings& settings) {
   if (table.has("dt")) settings.dt = table.number("dt");
   if (table.has("substeps")) settings.substeps = table.integer("substeps");
-  if (table.has("contact_search")) {
-    const ContactSearch searches[] = {ContactSearch::every_substep, ContactSearch::every_step,
-                                      ContactSearch::when_moved};
-    settings.contact_search = searches[table.word("contact_search")];
-  }
+  if (table.has("contact_search"))
+    settings.contact_search = static_cast<ContactSearch>(table.word("contact_search"));
   if (table.has("warm_start")) settings.warm_start = table.flag("warm_start");
   for (const SceneTable& part : table.tables("stabilization")) {
     settings.stabilization = stabilization_of(part);
@@ -44,9 +39,7 @@ std::string solver_of(const SceneTable& table, const std::string& fallback) {
   List<std::string> known = {"box2d", opencl_jacobi_entry().name};
   for (const SolverEntry& entry : solver_entries()) known.push_back(entry.name);
   const std::string name = table.text("solver");
-  for (const std::string& each : known) {
-    if (each == name) return name;
-  }
+  if (const std::string found = known_word(name, known); !found.empty()) return found;
   const std::string near = nearest(name, known);
   std::string rule = "the name of a solver";
   if (!near.empty()) rule += " (" + near + "?)";
@@ -60,13 +53,11 @@ bool says_substeps(const SceneTable& file) {
 }
 
 SolverSettings sweeps_of(const SceneTable& table) {
-  const RowOrder orders[] = {RowOrder::as_written, RowOrder::reverse, RowOrder::alternating,
-                             RowOrder::shuffled, RowOrder::coloured};
   SolverSettings sweeps;
   sweeps.iterations = table.integer("iterations");
   sweeps.tolerance = table.number("tolerance");
   sweeps.time_budget = table.number("time_budget");
-  sweeps.order = orders[table.word("row_order")];
+  sweeps.order = static_cast<RowOrder>(table.word("row_order"));
   sweeps.seed = static_cast<std::uint64_t>(table.number("seed"));
   sweeps.relaxation = table.number("relaxation");
   sweeps.patience = table.integer("patience");
@@ -114,13 +105,11 @@ Setting recommended_of(const SceneTable& file, const Scene& scene) {
                   .stabilization = settings.stabilization,
                   .warm_start = settings.warm_start};
   for (const SceneTable& table : file.tables("recommended")) {
-    const Precision scalars[] = {Precision::single_precision, Precision::double_precision,
-                                 Precision::long_double};
     SceneSettings pace = settings;
     set_pace(table, pace);
     setting.solver = solver_of(table, setting.solver);
     setting.sweeps = sweeps_of(table);
-    setting.scalar = scalars[table.word("scalar")];
+    setting.scalar = static_cast<Precision>(table.word("scalar"));
     setting.dt = pace.dt;
     setting.substeps = pace.substeps;
     setting.contact_search = pace.contact_search;

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 #include <stdexcept>
 
+#include "math/nearest.hpp"
 #include "math/printable.hpp"
 #include "scenes/scene_formula.hpp"
 #include "math/list.hpp"
@@ -77,7 +79,9 @@ int SceneTable::integer(const std::string& key) const { return static_cast<int>(
 
 std::string SceneTable::text(const std::string& key) const {
   const SceneValue* value = value_->find(key);
-  return value ? value->text : known(key).fallback;
+  const SceneKey& rules = known(key);
+  if (!value) return rules.fallback;
+  return rules.type == SceneType::word ? known_word(value->text, scene_words(rules)) : value->text;
 }
 
 int SceneTable::word(const std::string& key) const {
@@ -133,8 +137,19 @@ void SceneTable::guard(const std::function<void()>& work) const {
   } catch (const SceneRefusal&) {
     throw;  // it has its place
   } catch (const std::invalid_argument& error) {
-    refuse_scene(context_->file, value_->mark, path_ + ": " + error.what());
+    refuse_as_key(error.what());
   }
+}
+
+void SceneTable::refuse_as_key(const std::string& message) const {
+  const std::size_t place = message.find(": ");
+  const bool names_class = std::isupper(static_cast<unsigned char>(message[0])) && place < message.find(' ');
+  const std::string rest = names_class ? message.substr(place + 2) : message;
+  const std::string key = rest.substr(0, rest.find(' '));
+  const SceneValue* value = value_->find(key);
+  const bool names_key = find_scene_key(*kind_, key) != nullptr;
+  refuse_scene(context_->file, value ? value->mark : value_->mark,
+               path_ + (names_key && !path_.empty() ? "." : ": ") + rest);
 }
 
 }  // namespace cairn

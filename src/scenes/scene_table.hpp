@@ -31,6 +31,7 @@ class SceneTable {
   bool flag(const std::string& key) const;
   double number(const std::string& key) const;  // of an integer, too
   int integer(const std::string& key) const;
+  /// Of a word: as the key lists it.
   std::string text(const std::string& key) const;
   /// The place of the word among those that the key may have.
   int word(const std::string& key) const;
@@ -59,6 +60,9 @@ class SceneTable {
   void check_text(const SceneValue& value, const std::string& path) const;
   void check_point(const SceneKey& key, const SceneValue& value, const std::string& path) const;
   void check_required() const;
+  /// What the library refused, "Class: field must be ...", in words of the file: a field that is a key by its
+  /// path, and nothing of the class.
+  [[noreturn]] void refuse_as_key(const std::string& message) const;
   [[noreturn]] void refuse_unknown(const SceneValue& member) const;
   [[noreturn]] void refuse_value(const SceneKey& key, const SceneValue& value, const std::string& path) const;
 

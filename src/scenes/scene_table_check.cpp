@@ -76,8 +76,7 @@ void SceneTable::check_value(const SceneKey& key, const SceneValue& value, const
       return check_text(value, path);
     case SceneType::word: {
       const List<std::string> words = scene_words(key);
-      if (value.kind == Kind::text && std::find(words.begin(), words.end(), value.text) != words.end())
-        return;
+      if (value.kind == Kind::text && !known_word(value.text, words).empty()) return;
       const std::string near = value.kind == Kind::text ? nearest(value.text, words) : "";
       const std::string hint = near.empty() ? "" : " (" + near + "?)";
       refuse_scene(context_->file, value.mark,

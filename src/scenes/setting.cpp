@@ -50,6 +50,21 @@ std::string spring_text(const SwingSoftness& spring, const SwingSoftness& usual)
 
 }  // namespace
 
+const List<std::string>& precision_words() {
+  static const List<std::string> words = {"float", "double", "long-double"};
+  return words;
+}
+
+const List<std::string>& stabilization_words() {
+  static const List<std::string> words = {"none", "baumgarte", "relaxed", "soft", "split-impulse"};
+  return words;
+}
+
+const List<std::string>& contact_search_words() {
+  static const List<std::string> words = {"every-substep", "every-step", "when-moved"};
+  return words;
+}
+
 std::string stabilization_text(const Stabilization& stabilization) {
   const Stabilization usual;
   std::string text;

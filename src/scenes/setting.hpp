@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "math/list.hpp"
 #include "solvers/solver.hpp"
 #include "world/scene.hpp"
 
@@ -12,9 +13,16 @@ namespace cairn {
 /// What a world computes in.
 enum class Precision { single_precision, double_precision, long_double };
 
+/// What scene files, flags and the playground call them, in the order of the enumeration.
+const List<std::string>& precision_words();
+/// The same for StabilizationPolicy.
+const List<std::string>& stabilization_words();
+/// The same for ContactSearch.
+const List<std::string>& contact_search_words();
+
 /// A solver, how often it may sweep, and how the world steps. Box2D 2.4.1 is one more contestant, "box2d":
 /// sweeps.iterations are its velocity iterations, a step is `substeps` steps of dt / substeps, it always
-/// computes in single precision, and the other settings mean nothing to it.
+/// computes in single precision, and warm_start is as for the others. The rest means nothing to it.
 struct Setting {
   /// That a scene file or a flag may ask for.
   static constexpr int most_sweeps = 1'000'000;

@@ -129,11 +129,13 @@ const List<SolverEntry>& solver_entries() {
       {.name = "wide",
        .title = "sequential impulses, 16 blocks at a time",
        .cost = "12 m a sweep, 16 rows at a time, memory 20 m",
-       .uses_order = false},
+       .uses_order = false,
+       .uses_threads = true},
       {.name = "wide-accelerated",
        .title = "PGS with Nesterov's momentum, 16 blocks at a time",
        .cost = "24 m a sweep, 16 rows at a time, memory 21 m",
-       .uses_order = false},
+       .uses_order = false,
+       .uses_threads = true},
       {.name = "newton",
        .title = "Newton's method on sparse factors, from the warm start",
        .cost =
@@ -145,6 +147,7 @@ const List<SolverEntry>& solver_entries() {
        .title = "exact: modes, Lemke's method or Newton's",
        .cost = "m^3 and more, memory 4 m^2",
        .max_rows = ReferenceSolver<double>::most_rows,
+       .uses_sweeps = false,
        .uses_order = false,
        .uses_relaxation = false},
   };
@@ -156,6 +159,15 @@ const SolverEntry& opencl_jacobi_entry() {
                                     .title = "jacobi-split on an OpenCL device, where there is one",
                                     .cost = "12 m a sweep, all rows at a time, memory 26 m there",
                                     .uses_order = false};
+  return entry;
+}
+
+const SolverEntry& box2d_entry() {
+  static const SolverEntry entry = {.name = "box2d",
+                                    .title = "Box2D 2.4.1, beside Cairn",
+                                    .uses_order = false,
+                                    .uses_relaxation = false,
+                                    .uses_world = false};
   return entry;
 }
 
@@ -181,6 +193,7 @@ std::int64_t counted_updates(const SolverEntry& solver, const SolveReport& repor
 }
 
 const SolverEntry& solver_entry(const std::string& name) {
+  if (name == box2d_entry().name) return box2d_entry();
   require_solver(name, "solver_entry");
   if (name == opencl_jacobi_entry().name) return opencl_jacobi_entry();
   int place = 0;

@@ -22,8 +22,12 @@ struct SolverEntry {
   /// How many updates of each row one of its iterations counts for, where work is counted: a linear system
   /// for as many as the sweeps of SequentialImpulse that take as long, between 5 in a stack and 40 in a grid.
   int updates_a_row = 1;
+  bool uses_sweeps = true;      // SolverSettings::iterations
   bool uses_order = true;       // SolverSettings::order
   bool uses_relaxation = true;  // SolverSettings::relaxation
+  bool uses_threads = false;    // SolverSettings::threads
+  /// Setting::scalar, stabilization, contact_search and guarded: those of a world of Cairn.
+  bool uses_world = true;
 };
 
 /// Row updates of a solve of so many rows, by SolverEntry::updates_a_row.
@@ -35,6 +39,9 @@ const List<SolverEntry>& solver_entries();
 /// "opencl-jacobi", OpenClJacobi. It is not one of solver_entries(): every build and every machine has those.
 const SolverEntry& opencl_jacobi_entry();
 
+/// "box2d", the contestant that is no solver of Cairn: make_solver() cannot make it.
+const SolverEntry& box2d_entry();
+
 /// Why "opencl-jacobi" cannot be made, as the rule of a message and with what to install; empty where it can.
 template <Scalar Real>
 std::string opencl_jacobi_refusal();
@@ -45,7 +52,7 @@ std::string opencl_jacobi_refusal();
 template <Scalar Real>
 std::unique_ptr<Solver<Real>> make_solver(const std::string& name, const SolverSettings& settings = {});
 
-/// One of solver_entries(), or opencl_jacobi_entry().
+/// One of solver_entries(), opencl_jacobi_entry() or box2d_entry().
 /// @throws std::invalid_argument for an unknown name.
 const SolverEntry& solver_entry(const std::string& name);
 

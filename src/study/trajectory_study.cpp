@@ -48,6 +48,8 @@ void add_run(const TrajectoryScene& scene, const TrialResult& result, double err
   const bool failed = result.status != TrialStatus::ok;
   if (failed) runs.status = status_text(result.status);
   if (!failed && result.fell_at) runs.status = "fell";
+  // Where a formula knows the motion, it says how wrong such a run is.
+  if (runs.status == "ok" && !scene.watch && !result.failures.empty()) runs.status = "fails";
   runs.errors.push_back(failed || std::isnan(error) ? std::numeric_limits<double>::infinity() : error);
   runs.costs.push_back(result.cost());
   runs.updates.push_back(static_cast<double>(result.row_updates));

@@ -57,7 +57,7 @@ class Trial {
         options_(options),
         result_(result),
         start_(contestant.snapshot()),
-        watch_(start_),
+        watch_(start_, !options.places.empty()),
         standing_(start_, options.stand_distance, std::min(options.settle_seconds, options.seconds / 2)),
         is_driven_(is_driven) {
     start_energy_ = energy_ = total_energy(start_);
@@ -74,6 +74,10 @@ class Trial {
       result_.seconds = result_.steps * dt;
       measure(contestant_.snapshot(), result_.steps == steps);
       if (options_.gives_up && options_.gives_up(result_)) break;
+    }
+    if (result_.status == TrialStatus::ok) {
+      watch_.end(contestant_.snapshot(), result_.seconds);
+      result_.failures = watch_.failures();
     }
     if (result_.steps == steps && is_out_of_place()) result_.fell_at = result_.stands_until = 0;
     if (!result_.fell_at) result_.stands_until = result_.seconds;

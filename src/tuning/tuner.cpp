@@ -241,6 +241,7 @@ Verdict verdict_so_far(const TrialResult& result, const Wish& wish) {
   if (misses(result.worst_residual.value_or(0), wish.residual)) {
     return missed_verdict(fmt::format("R_E {:.2g}", *result.worst_residual), result);
   }
+  if (!result.failures.empty()) return {false, failure_text(result.failures.front())};
   return {};
 }
 

@@ -181,7 +181,7 @@ TEST_CASE("a distance joint says of which kind it is") {
   rope.kind = Kind::rope;
   spring.kind = Kind::spring;
   spring.softness = SwingSoftness{};
-  CHECK(DistanceJoint(rod, two_at_origin).name() == "distance");
+  CHECK(DistanceJoint(rod, two_at_origin).name() == "rod");
   CHECK(DistanceJoint(rope, two_at_origin).name() == "rope");
   CHECK(DistanceJoint(spring, two_at_origin).name() == "spring");
 }

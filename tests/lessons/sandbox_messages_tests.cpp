@@ -65,9 +65,9 @@ TEST_CASE("a word of 100 kB is not said again in full") {
 TEST_CASE("cairn run names the bodies and the time of the worst overlap, and the joint of the worst drift") {
   const Ran ran = run_cairn({"run", "tower-and-ball"});
   CHECK(text_has(ran.out, "tower.5 and ball, at "));
-  CHECK(text_has(ran.out, "distance joint of ground and ball, at "));
+  CHECK(text_has(ran.out, "rod joint of ground and ball, at "));
   const nlohmann::json json = cairn_json({"run", "tower-and-ball"});
-  CHECK(json["drift_worst"]["joint"] == "distance");
+  CHECK(json["drift_worst"]["joint"] == "rod");
   CHECK(json["drift_worst"]["b"] == "ball");
   const double time = json["penetration_worst"]["time_s"];
   // A run that ends just there is as bad, one that ends a step before is not.

@@ -21,6 +21,16 @@ TEST_CASE("a word two letters off finds its word, a word three letters off does 
   CHECK(nearest("x", {"dt"}) == "");  // every letter of it would be wrong
 }
 
+TEST_CASE("a word is known by its letters: blanks, hyphens and underscores are the same") {
+  const List<std::string> known = {"soft", "split-impulse", "long double"};
+  for (const char* word : {"split-impulse", "split impulse", "split_impulse"})
+    CHECK(known_word(word, known) == "split-impulse");
+  CHECK(known_word("long-double", known) == "long double");
+  CHECK(known_word("soft", known) == "soft");
+  for (const char* word : {"", "splitimpulse", "split--impulse", "sof", "softer", "Soft"})
+    CHECK(known_word(word, known) == "");
+}
+
 TEST_CASE("an unknown word is refused with the nearest one known, or with all of them") {
   require_known("bodies", {"dt", "bodies"}, "Place", "field");
   CHECK_THROWS_WITH_AS(require_known("boddies", {"dt", "bodies"}, "Place", "field"),

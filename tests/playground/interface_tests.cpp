@@ -212,6 +212,7 @@ TEST_CASE("each setting takes what it lists, and refuses the rest in words") {
     }
     CHECK(cairn_set(name.c_str(), value.c_str()) == 1);
   }
+  for (const char* word : {"split impulse", "split_impulse", "split-impulse"}) CHECK(cairn_set("policy", word) == 1);
   CHECK(cairn_set("sweeps", "101") == 0);
   CHECK(cairn_set("sweeps", "2.5") == 0);
   CHECK(refusal().find("a whole number from 0 to 100") != std::string::npos);

@@ -74,7 +74,7 @@ TEST_CASE("Box2D takes rods and pins, and refuses other joints and rods shorter 
 
   Scene short_rod = scene_with(circle(0.5));
   short_rod.join<DistanceJoint>({.a = ground, .b = {1}, .length = 0.0025});
-  CHECK(refusal(short_rod).starts_with("Box2DWorld: distance joint length must be >= 0.005 m"));
+  CHECK(refusal(short_rod).starts_with("Box2DWorld: rod length must be >= 0.005 m"));
 
   Scene other = scene_with(circle(0.5));
   other.add_joint(std::make_shared<const Magnet>());

@@ -128,7 +128,7 @@ TEST_CASE("a rod and a pin that carry a weight each give it m g dt upwards in bo
   for (const Snapshot& seen : {snapshot(engines.cairn), engines.box2d.snapshot()}) {
     REQUIRE(seen.joints.size() == 2);
     const double weight = mass * g * seen.dt;
-    CHECK(seen.joints[0].name == "distance");
+    CHECK(seen.joints[0].name == "rod");
     CHECK(seen.joints[0].a == ground);
     CHECK(seen.joints[0].b == on_rod);
     CHECK((seen.joints[0].anchor_b - Vec2<double>(0, -1.5)).norm() < settled);

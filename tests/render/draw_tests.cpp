@@ -34,7 +34,7 @@ Snapshot sample_world() {
                             .friction = 0.6});
   world.bodies.push_back(dynamic_body(circle(0.5), {2, 0.5}, 0.7));
   world.joints.push_back(
-      {.name = "distance", .a = ground, .b = {3}, .anchor_a = {1, 3}, .anchor_b = {2, 0.5}});
+      {.name = "rod", .a = ground, .b = {3}, .anchor_a = {1, 3}, .anchor_b = {2, 0.5}});
   world.bodies.push_back(dynamic_body(capsule({-1, 0}, {1, 0}, 0.2), {5, 2}, -0.3));
   world.joints.push_back({.name = "revolute",
                           .a = ground,
@@ -147,7 +147,7 @@ TEST_CASE("a body that blew up disturbs nothing else in the picture") {
     body.velocity = {no_number, 1e308, infinite};
     broken.bodies.push_back(body);
     broken.joints.push_back(
-        {.name = "distance", .a = ground, .b = {3}, .anchor_b = pose.position + Vec2<double>(infinite, 0)});
+        {.name = "rod", .a = ground, .b = {3}, .anchor_b = pose.position + Vec2<double>(infinite, 0)});
     broken.contacts.push_back({.a = {1},
                                .b = {99},
                                .position = {no_number, 1e30},
@@ -226,7 +226,7 @@ TEST_CASE("an overlap of more than 2 px is marked and measured in mm") {
 
 TEST_CASE("a rod is a double line, a pin a ring") {
   Snapshot world = with_ground();
-  world.joints.push_back({.name = "distance", .anchor_a = {-3, -1}, .anchor_b = {-3, 2}});
+  world.joints.push_back({.name = "rod", .anchor_a = {-3, -1}, .anchor_b = {-3, 2}});
   world.joints.push_back({.name = "revolute", .anchor_a = {3, 1}, .anchor_b = {3, 1}});
   const Image image = picture_of_world(world);
   const Theme theme = light_theme();

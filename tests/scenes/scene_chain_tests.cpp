@@ -63,7 +63,7 @@ TEST_CASE("a chain that cannot be is refused in the file, with its place") {
        "list of "
        "1"},
       {"[[body]]\nchain = [[0, 0], [1, 0]]\nmass = 1\n",
-       "my.toml:1:1: body[1]: Scene::add: shapes[0] must be no chain on a dynamic body: chains are for "
+       "my.toml:1:1: body[1]: shapes[0] must be no chain on a dynamic body: chains are for "
        "static "
        "and kinematic ones, got a chain"}};
   for (const ChainMistake& mistake : mistakes) {

@@ -204,6 +204,27 @@ stands = 0.04
         "si x10, 120 Hz x3, contacts when moved, split impulse 0.3 slop 0.004 m at most 9 m/s, double, cold");
 }
 
+TEST_CASE("a scene file takes its words with blanks, hyphens or underscores, and lists one spelling") {
+  const auto scene_with = [](const std::string& blank) {
+    return read_scene_text("step = { friction_rows = \"per" + blank + "manifold\", contact_search = \"when" +
+                               blank + "moved\", stabilization = { policy = \"split" + blank +
+                               "impulse\" } }\n[recommended]\nsolver = \"wide" + blank +
+                               "accelerated\"\nscalar = \"long" + blank + "double\"\n",
+                           "words.toml");
+  };
+  for (const char* blank : {" ", "-", "_"}) {
+    CAPTURE(blank);
+    const SceneEntry entry = scene_with(blank);
+    CHECK(setting_text(entry.setting) ==
+          "wide-accelerated x10, 60 Hz, contacts when moved, split impulse, long double");
+    CHECK(entry.make().settings().friction_rows == FrictionRows::per_manifold);
+  }
+  CHECK_THROWS_WITH_AS(read_scene_text("[recommended]\nscalar = \"longdouble\"\n", "words.toml"),
+                       "words.toml:2:10: recommended.scalar must be one of float, double, long-double, got "
+                       "\"longdouble\" (long-double?)",
+                       std::invalid_argument);
+}
+
 TEST_CASE("every field of what is recommended arrives") {
   const Setting setting = read_scene_text(R"(view = "top"
 [recommended]

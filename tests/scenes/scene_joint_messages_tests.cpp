@@ -65,13 +65,13 @@ const List<JointMistakes> joint_mistakes = {
      "body = \"row.3\", anchor = [2, 0], roller = [2, 2] }, { body = \"row.4\", anchor = [3, 0], roller = "
      "[3, 2], "
      "carrier = \"row.5\" }]\n",
-     "my.toml:6:1: joint[1]: PulleyJoint: ends must be on at most 4 bodies besides the ground, carriers "
+     "my.toml:8:8: joint[1].ends must be on at most 4 bodies besides the ground, carriers "
      "among "
      "them, got 5"},
     {"limits that leave no room",
      "[[body]]\nname = \"door\"\nbox = [1, 1]\n[[joint]]\ntype = \"revolute\"\nb = \"door\"\nlower = "
      "1\nupper = 0\n",
-     "my.toml:4:1: joint[1]: RevoluteJoint: upper must be >= lower, 1 rad, got 0"},
+     "my.toml:8:9: joint[1].upper must be >= lower, 1 rad, got 0"},
     {"a spring without its softness",
      "[[body]]\nname = \"ball\"\ncircle = 1\n[[joint]]\ntype = \"spring\"\nb = \"ball\"\nanchor_a = [0, 2]\n",
      "my.toml:4:1: joint[1].softness must be given for a spring: softness = { stiffness = 50, damping = 1 }, "

@@ -104,7 +104,7 @@ const List<BodyMistakes> body_mistakes = {
     {"a capsule without a radius", "[[body]]\ncapsule = [[0, 0], [1, 0]]\n",
      "my.toml:1:1: body[1]: capsule: radius must be > 0 m, got 0"},
     {"a static body that moves", "[[body]]\ntype = \"static\"\nbox = [1, 1]\nvelocity = [1, 0]\n",
-     "my.toml:1:1: body[1]: Scene::add: velocity must be 0 for a static body, got 1"},
+     "my.toml:4:12: body[1].velocity must be 0 for a static body, got 1"},
     {"too many bodies", "[[stack]]\nn = 20000\nbox = [1, 1]\n[[body]]\ncircle = 1\n",
      "my.toml:4:1: body[1] must be part of a scene of at most 20000 bodies, got one more"},
     {"a row with two beginnings",

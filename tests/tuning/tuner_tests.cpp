@@ -174,6 +174,10 @@ TEST_CASE("a verdict names what was missed, and NaN meets no wish") {
   CHECK(verdict(result, {.penetration = 0.003}).missed == "penetration 3.1 mm after 3 s");
   CHECK(verdict(result, {.stands = 5}).missed == "stands 3 s");
   CHECK_FALSE(verdict(result, {.residual = 1}).meets);  // it was not measured
+  result.failures = {{.kind = FailureKind::fell_out, .time = 2, .a = {1}}};
+  CHECK(verdict(result, {.penetration = 0.004}).missed == "body 1 has fallen out of the scene after 2 s");
+  CHECK(verdict(result, {.penetration = 0.003}).missed == "penetration 3.1 mm after 3 s");
+  result.failures.clear();
   result.worst_drift = std::numeric_limits<double>::quiet_NaN();
   CHECK_FALSE(verdict(result, {.drift = 1}).meets);
   result.status = TrialStatus::diverged;

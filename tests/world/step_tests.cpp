@@ -196,7 +196,7 @@ TEST_CASE("a snapshot shows impulses where they act: a hanging ball pulls its ro
   world.step(solver);
   const Snapshot now = snapshot(world);
   REQUIRE(now.joints.size() == 1);
-  CHECK(now.joints[0].name == "distance");
+  CHECK(now.joints[0].name == "rod");
   CHECK(now.joints[0].impulse.x() == doctest::Approx(0));
   CHECK(now.joints[0].impulse.y() / now.dt == doctest::Approx(3 * 10));  // [N], on the ball
   CHECK(now.joints[0].anchor_b.y() == doctest::Approx(-2));

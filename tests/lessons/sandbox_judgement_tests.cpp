@@ -1,0 +1,76 @@
+// What no run should show is said, and is exit code 1.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "math/list.hpp"
+#include "sandbox_program.hpp"
+
+using namespace cairn;
+using namespace cairn::testing;
+
+namespace {
+
+/// Runs it, and compares si with it, and finds both to fail with these words.
+void require_failure(const std::string& text, const std::string& says) {
+  const ScratchFolder scratch;
+  scratch.write("scene.toml", text);
+  const std::string scene = scratch.path() + "/scene.toml";
+  const Ran ran = run_cairn({"run", scene});
+  CAPTURE(ran.out);
+  CHECK(ran.code == 1);
+  CHECK(text_has(ran.out, says));
+  CHECK(text_has(ran.out, "fails, whatever is expected of it"));
+  const nlohmann::json json = cairn_json({"run", scene});
+  REQUIRE(json["failures"].size() == 1);
+  CHECK(text_has(json["failures"][0].get<std::string>(), says));
+  const Ran compared = run_cairn({"compare", scene, "--solvers", "si"});
+  CHECK(compared.code == 1);
+  CHECK(text_has(compared.out, " fails\n"));
+}
+
+int code_of(const std::string& text) {
+  const ScratchFolder scratch;
+  scratch.write("scene.toml", text);
+  const Ran ran = run_cairn({"run", scratch.path() + "/scene.toml"});
+  CAPTURE(ran.out);
+  return ran.code;
+}
+
+const std::string two_rods =
+    "seconds = 3\n[[body]]\nname = \"b\"\nbox = [2, 2]\nposition = [0, -3]\n"
+    "[[joint]]\ntype = \"rod\"\nb = \"b\"\nanchor_a = [0, 0]\nlength = 3\n"
+    "[[joint]]\ntype = \"rod\"\nb = \"b\"\nanchor_a = [0, 0]\nlength = 2.1\n";
+
+}  // namespace
+
+TEST_CASE("a body that begins below the ground is told of") {
+  require_failure(
+      "[ground]\n[[body]]\nname = \"a\"\nbox = [1, 1]\nposition = [0, 0.5]\ndisplaced = [0, -5]\n",
+      "a begins 4 m below the top of the ground, with nothing to land on");
+  require_failure("[ground]\n[[body]]\nname = \"a\"\nbox = [1, 1]\nposition = [0, -3]\n",
+                  "a begins 2.5 m below the top of the ground");
+}
+
+TEST_CASE("two rods that contradict each other end with an error, which is told of") {
+  require_failure(two_rods, "rod joint of ground and b ends 0.9 m off, as it was from 0.0167 s on");
+  const ScratchFolder scratch;
+  scratch.write("two.toml", two_rods);
+  const Ran studied = run_cairn({"tradeoff", scratch.path() + "/two.toml", "--solvers", "si", "--quick",
+                                 "--json", "--out", scratch.path()});
+  CHECK(studied.code == 1);
+  const nlohmann::json rows = nlohmann::json::parse(studied.out, nullptr, false);
+  REQUIRE(rows.is_array());
+  CHECK(rows.size() > 10);
+  for (const nlohmann::json& row : rows) CHECK(row["status"] == "fails");
+}
+
+TEST_CASE("a stack without ground falls for ever, and a throw of two seconds does not") {
+  require_failure("seconds = 10\n[[stack]]\nn = 3\nbox = [1, 1]\n",
+                  "stack.1 falls for ever: from 0.45 s on there was nothing to land on");
+  CHECK(code_of("[[body]]\ncircle = 0.1\nvelocity = [10, 10]\n") == 0);
+  // Who says where it ends has thought of it.
+  CHECK(code_of("seconds = 10\n[[body]]\nname = \"ball\"\ncircle = 0.1\n"
+                "[[expect.body]]\nname = \"ball\"\nposition = [0, -500]\nwithin = 2\n") == 0);
+}
