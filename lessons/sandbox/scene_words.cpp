@@ -52,6 +52,7 @@ struct TakenFlag {
 };
 constexpr TakenFlag taken_flags[] = {{"sweeps", &SolverEntry::uses_sweeps},
                                      {"threads", &SolverEntry::uses_threads},
+                                     {"cold", &SolverEntry::uses_warm_start},
                                      {"contact-search", &SolverEntry::uses_world},
                                      {"scalar", &SolverEntry::uses_world},
                                      {"stabilization", &SolverEntry::uses_world},

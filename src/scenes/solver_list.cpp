@@ -149,7 +149,8 @@ const List<SolverEntry>& solver_entries() {
        .max_rows = ReferenceSolver<double>::most_rows,
        .uses_sweeps = false,
        .uses_order = false,
-       .uses_relaxation = false},
+       .uses_relaxation = false,
+       .uses_warm_start = false},
   };
   return entries;
 }

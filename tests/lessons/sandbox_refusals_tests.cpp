@@ -22,6 +22,7 @@ TEST_CASE("a flag that means nothing to any of the solvers is refused") {
   List<Flags> idle = {{"run", "stack", "--threads", "2"},
                       {"explain", "stack", "--solver", "newton", "--threads", "2"},
                       {"inspect", "stack", "--solver", "reference", "--sweeps", "10"},
+                      {"run", "stack", "--solver", "reference", "--cold"},
                       {"compare", "stack", "--solvers", "si,block", "--threads", "2"},
                       {"tradeoff", "stack", "--solvers", "si,newton", "--threads", "2"}};
   const bool has_box2d = lists_box2d();

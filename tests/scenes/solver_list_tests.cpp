@@ -83,7 +83,7 @@ TEST_CASE("a solver refuses as many rows as its entry says, and no fewer") {
   CHECK(solver_entry("si").max_rows == SolverEntry::no_limit);
 }
 
-TEST_CASE("entries say which solvers sweeps, the order of the rows and relaxation mean something to") {
+TEST_CASE("entries say which solvers sweeps, order, relaxation and a warm start mean something to") {
   for (const SolverEntry& entry : solver_entries()) {
     CAPTURE(entry.name);
     // Two boxes: the order decides what the first sweep finds.
@@ -95,6 +95,10 @@ TEST_CASE("entries say which solvers sweeps, the order of the rows and relaxatio
     VelocityProblem<double> none = testing::hand_made_stack<double>(2, 10, 0.5);
     make_solver<double>(entry.name, {.iterations = 0})->solve(none);
     CHECK((forward.impulse != none.impulse) == entry.uses_sweeps);
+    VelocityProblem<double> warm = testing::hand_made_stack<double>(2, 10, 0.5);
+    warm.impulse[0] = 1;  // N s
+    make_solver<double>(entry.name, {.iterations = 0})->solve(warm);
+    CHECK((warm.impulse != none.impulse) == entry.uses_warm_start);
     VelocityProblem<double> slow = testing::hand_made_stack<double>(2, 10, 0.5);
     make_solver<double>(entry.name, {.iterations = 1, .relaxation = 0.5})->solve(slow);
     CHECK((forward.impulse != slow.impulse) == entry.uses_relaxation);
