@@ -90,7 +90,7 @@ class World {
 
   /// One step of dt, in as many substeps as the scene asks for. The same bits for the same scene, solver and
   /// number of steps. @throws std::length_error for more pairs of shapes near each other than
-  /// Broadphase::max_pairs, and for more rows than the solver takes.
+  /// Broadphase::max_pairs, and for more rows than the solver takes; and TimeUp. Then it is of no more use.
   StepReport step(Solver<Real>& solver, SolveObserver<Real>* observer = nullptr);
   /// The problem that step() would hand to its solver now: changes nothing.
   VelocityProblem<Real> velocity_problem() const;
