@@ -1,7 +1,9 @@
 /* The playground in plain C: what a page, or any other language, calls. One playground a process, used from one thread.
  *
  * Functions that can refuse return 1 where they did what was asked and 0 where nothing has changed: then cairn_refusal()
- * says why, in the words that the command line uses. Texts are UTF-8, ended by a zero; those that are returned stay as
+ * says why, in the words that the command line uses. Those that only tell something give "", zeros or a count of 0 where
+ * they cannot, and then cairn_refusal() says why, too. Whatever they are given, nothing is ever thrown out of them, and
+ * numbers that are not finite, unknown names and null are refused. Texts are UTF-8, ended by a zero; those that are returned stay as
  * they are until the next call. Lengths are metres, masses kilograms, times seconds, angles radians, places on the picture
  * pixels from its top left corner. */
 #ifndef CAIRN_PLAYGROUND_INTERFACE_H
@@ -13,6 +15,12 @@ extern "C" {
 
 /** Why the last call refused; "" where it did not. */
 const char* cairn_refusal(void);
+
+/** How long a step may take, and a look at the solve that comes next [s]: 0.5 at first; 0 for as long as it takes. What
+ *  takes longer is refused: a step, a setting or a scene. */
+int cairn_patience(double seconds);
+/** How many bytes the text of a scene may have. */
+int cairn_most_text(void);
 
 /** Begins anew with the text of a scene file, under the settings that it recommends. `file` is the name that messages
  *  give it: "scene:3:1: ...". */
@@ -30,8 +38,12 @@ int cairn_set(const char* setting, const char* value);
  *  takes numbers. Meanings say each of them in more words, where there are any. */
 const char* cairn_settings(void);
 
-/** So many steps, to the end of the one under way first. Refuses once a body is no longer at a finite place. */
+/** So many steps, at most 100000, to the end of the one under way first; fewer where a body would then be at no finite
+ *  place. Refuses once that is so. */
 int cairn_step(int count);
+/** The same, but after so many milliseconds no further step begins: cairn_numbers() tells how far it came. Each call takes
+ *  one step at least. */
+int cairn_step_for(int count, double milliseconds);
 /** Whether the picture moves (1 or 0): then the ends of rows are sought only as far as a frame has time for. */
 void cairn_move(int is_moving);
 /** So many row updates on, within the first solve of the next step; past its end that step is done. */

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "math/check.hpp"
 #include "math/nearest.hpp"
 #include "playground/pointing.hpp"
 #include "render/arrow.hpp"
@@ -24,7 +26,8 @@ constexpr double narrow =
 constexpr double high = 680;  // [px] a narrow picture this high has room for a curve
 constexpr double equation_height = 150;  // [px]
 constexpr double arrow_share = 0.5;
-constexpr double finger = 8;  // [px] by which it may miss
+constexpr int most_pixels = 6144;  // of a side, on the screen
+constexpr double finger = 8;       // [px] by which it may miss
 
 /// What a scene shows at first, wherever its bodies go later: the height that its file asks for, as wide as
 /// its bodies need.
@@ -75,6 +78,9 @@ void Picture::begin(int width, int height, double scale, bool is_dark) {
 }
 
 void Picture::resize(int width, int height, double scale) {
+  for (const auto& [name, side] : {std::pair("width", width), std::pair("height", height)})
+    require(scale * side <= most_pixels, "picture", name,
+            fmt::format("at most {} px of the screen", most_pixels), side);
   const render::Canvas& now = page_->canvas();
   const bool is_same = width == now.width() && height == now.height() && scale == now.scale();
   if (!is_same) begin(width, height, scale, is_dark_);
@@ -218,18 +224,20 @@ void Picture::draw_jacobian(const Playground& playground, const render::Camera& 
 
 PictureSpot Picture::at(const Playground& playground, const Point& place) const {
   const Rect& bars = bar_places_.rows;
-  const int line =
-      bar_places_.pitch > 0 ? static_cast<int>(std::floor((place.y() - bars.y) / bar_places_.pitch)) : -1;
+  // No number of a row, yet: the place may be anywhere, or not even a number.
+  const double line = bar_places_.pitch > 0 ? std::floor((place.y() - bars.y) / bar_places_.pitch) : -1;
   if (line >= 0 && line < bar_count_ && place.x() >= bars.x && place.x() <= bars.x + bars.width) {
     const Rect& plot = bar_places_.plot;
     const double share = std::clamp((place.x() - plot.x) / plot.width, 0.0, 1.0);
     const double force = bar_places_.low + share * (bar_places_.high - bar_places_.low);
-    return {.kind = PictureSpot::Kind::bar, .number = first_bar_ + line, .point = {force, 0}};
+    return {
+        .kind = PictureSpot::Kind::bar, .number = first_bar_ + static_cast<int>(line), .point = {force, 0}};
   }
   for (int i = 0; i < cameras_.size(); ++i) {
     const Rect& view = cameras_[i].viewport;
-    if (place.x() < view.x || place.x() > view.x + view.width) continue;
-    if (place.y() < view.y || place.y() > view.y + view.height) continue;
+    const bool is_within = place.x() >= view.x && place.x() <= view.x + view.width && place.y() >= view.y &&
+                           place.y() <= view.y + view.height;
+    if (!is_within) continue;
     const Vec2<double> point = cameras_[i].unproject(place);
     // A finger misses thin bodies.
     const std::optional<BodyId> body =

@@ -27,7 +27,7 @@ class Picture {
   Picture();
 
   /// [px], each of them `scale` pixels of the screen wide. @throws std::invalid_argument unless at least 320
-  /// x 180, or for a scale that Canvas refuses.
+  /// x 180, for more than 6144 pixels of the screen a side, or for a scale that Canvas refuses.
   void resize(int width, int height, double scale);
   /// "light" or "dark". @throws std::invalid_argument for another word.
   void choose_theme(const std::string& theme);

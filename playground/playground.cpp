@@ -1,4 +1,4 @@
-// Running: steps, rows, sweeps and the way back.
+// Running: steps, rows and sweeps.
 #include "playground/playground.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "math/check.hpp"
+#include "math/deadline.hpp"
 #include "render/page.hpp"
 #include "scenes/scene_file.hpp"
 
@@ -19,9 +20,10 @@ namespace cairn::playground {
 namespace {
 
 constexpr int steps_a_checkpoint = 30;
-constexpr int most_checkpoints = 40;
-constexpr int updates_a_frame = 50000;  // of rows, in search of their ends
-constexpr double far_end = 5;           // times the largest force: an end further off is not waited for
+constexpr double seconds_a_checkpoint = 0.25;  // of computing, where steps are slow
+constexpr int updates_a_frame = 50'000;        // of rows, in search of their ends
+constexpr int updates_at_rest = 2'000'000;     // which take about as long as a student waits
+constexpr double far_end = 5;  // times the largest force: an end further off is not waited for
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -68,6 +70,7 @@ void Playground::begin(const SceneEntry& entry, const Controls& controls) {
     setting.solver = *controls.other;
     benches.push_back(make_bench(scene, setting));
   }
+  List<SolveLook> looks = looks_of(benches);
   entry_ = entry;
   start_ = start;
   controls_ = controls;
@@ -82,6 +85,7 @@ void Playground::begin(const SceneEntry& entry, const Controls& controls) {
   step_seconds_ = 0;
   checkpoints_.clear();
   forget_solve();
+  looks_ = std::move(looks);
 }
 
 void Playground::set(const std::string& control, const std::string& value) {
@@ -99,40 +103,64 @@ void Playground::set(const std::string& control, const std::string& value) {
     benches[i]->set(setting);
     benches[i]->edit([&](Scene& scene) { give_materials(scene, start_, names_, entry_.body_names, next); });
   }
+  List<SolveLook> looks = looks_of(benches);
   benches_ = std::move(benches);
   controls_ = next;
   forget_solve();
+  looks_ = std::move(looks);
   keep_now();
   words_ = setting_text(controls_.setting);
 }
 
-void Playground::step(int count) {
-  require(count >= 1 && count <= 100000, "step", "count", "from 1 to 100000", count);
-  for (int i = 0; i < count; ++i) {
-    if (has_diverged_)
-      throw std::invalid_argument("There is no next step: a body would be at no finite place.");
-    take_step();
+void Playground::set_patience(double seconds) {
+  require(seconds >= 0 && std::isfinite(seconds), "patience", "seconds", "finite and not below 0", seconds);
+  patience_ = seconds;
+}
+
+void Playground::in_time(const std::function<void()>& act) const {
+  try {
+    const Deadline deadline(patience_);
+    act();
+  } catch (const TimeUp&) {
+    throw std::runtime_error(fmt::format(
+        "One step takes longer than {:g} s here, and the playground waits no longer: take another solver, or "
+        "fewer sweeps or substeps.",
+        patience_));
   }
+}
+
+void Playground::step(int count, double seconds) {
+  require(count >= 1 && count <= most_steps, "step", "count", fmt::format("from 1 to {}", most_steps), count);
+  require(seconds >= 0, "step", "seconds", "not below 0", seconds);
+  if (has_diverged_)
+    throw std::invalid_argument("There is no next step: a body would be at no finite place.");
+  const double end = seconds_now() + seconds;
+  all_or_nothing([&] {
+    for (int i = 0; i < count && !has_diverged_ && (i == 0 || seconds_now() < end); ++i) take_step();
+  });
   words_ = step_words();
 }
 
 void Playground::take_step() {
-  if (checkpoints_.empty() ||
+  if (checkpoints_.empty() || since_checkpoint_ >= seconds_a_checkpoint ||
       benches_[0]->steps() - checkpoints_.back().benches[0]->steps() >= steps_a_checkpoint) {
     keep_now();
   }
-  for (int i = 0; i < benches_.size(); ++i) {
-    const double begun = seconds_now();
-    const StepReport report = benches_[i]->step();
-    if (i > 0) continue;
-    step_seconds_ = seconds_now() - begun;
-    has_diverged_ = report.not_finite.has_value();
-  }
-  forget_solve();
+  in_time([&] {
+    for (int i = 0; i < benches_.size(); ++i) {
+      const double begun = seconds_now();
+      const StepReport report = benches_[i]->step();
+      const double took = seconds_now() - begun;
+      since_checkpoint_ += took;
+      if (i > 0) continue;
+      step_seconds_ = took;
+      has_diverged_ = report.not_finite.has_value();
+    }
+  });
 }
 
 void Playground::advance_rows(int count) {
-  require(count >= 1 && count <= 100000, "row", "count", "from 1 to 100000", count);
+  require(count >= 1 && count <= most_steps, "row", "count", fmt::format("from 1 to {}", most_steps), count);
   const int all = look(0).all_updates;
   if (all == 0 && look(0).given.row_count() > 0) {
     throw std::invalid_argument(controls_.setting.solver +
@@ -140,9 +168,11 @@ void Playground::advance_rows(int count) {
   }
   forces();  // of the whole solve
   const int next = cursor_.value_or(0) + count;
-  if (next > all) return step(1);
+  List<SolveLook> looks;
+  if (next <= all) looks = looks_of(benches_, next);
+  if (looks.empty() || !looks[0].last) return step(1);  // also where a time budget has ended it sooner
   cursor_ = next;
-  forget_look();
+  looks_ = std::move(looks);
   const RowUpdate<double>& update = *look(0).last;
   lit_row_ = update.row;
   const double dt = look(0).given.dt;
@@ -163,88 +193,29 @@ void Playground::advance_sweep() {
                        then.residuals[then.last->sweep]);
 }
 
-void Playground::back() {
-  if (cursor_) {
-    cursor_.reset();
-    lit_row_ = -1;
-    forget_look();
-    words_ = "Before the step.";
-    return;
-  }
-  const int target = benches_[0]->steps() - 1;
-  if (steps_back() == 0) throw std::invalid_argument("There is no step before this one to go back to.");
-  while (checkpoints_.back().benches[0]->steps() > target) checkpoints_.pop_back();
-  const List<HandInput> inputs = benches_[0]->hand_inputs();
-  return_to(checkpoints_.back());
-  for (const auto& bench : benches_) {
-    int next = bench->hand_inputs().size();
-    while (bench->steps() < target) {
-      for (; next < inputs.size() && inputs[next].step == bench->steps(); ++next) bench->repeat(inputs[next]);
-      bench->step();
-    }
-    if (bench->hand()) bench->repeat({.kind = HandInput::Kind::let_go});
-  }
-  words_ = step_words();
-}
-
-int Playground::steps_back() const {
-  return checkpoints_.empty() ? 0 : benches_[0]->steps() - checkpoints_.front().benches[0]->steps();
-}
-
 void Playground::forget_solve() {
   cursor_.reset();
   ends_.reset();
   forget_look();
 }
 
-Playground::Benches Playground::copies(const Benches& benches) {
-  Benches copies;
-  for (const auto& bench : benches) copies.push_back(bench->copy());
-  return copies;
-}
-
-Playground::Moment Playground::now() const {
-  return {copies(benches_), text_, names_, controls_, changes_.size()};
-}
-
-void Playground::return_to(const Moment& moment) {
-  if (moment.text != text_) {
-    entry_ = read_scene_text(moment.text, file_);
-    start_ = entry_.make();
-    lit_row_ = -1;
-    prediction_.reset();
-  }
-  benches_ = copies(moment.benches);
-  text_ = moment.text;
-  names_ = moment.names;
-  controls_ = moment.controls;
-  has_diverged_ = false;
-  forget_solve();
-  while (changes_.size() > moment.changes) changes_.pop_back();
-}
-
-/// The way back begins here, or leads through here: one moment a step, the last of it.
-void Playground::keep_now() {
-  const int step = benches_[0]->steps();
-  const auto step_of = [](const Moment& moment) { return moment.benches[0]->steps(); };
-  if (!checkpoints_.empty() && step_of(checkpoints_.back()) == step) checkpoints_.pop_back();
-  checkpoints_.push_back(now());
-  while (checkpoints_.size() > 1 && step_of(checkpoints_[1]) <= step - most_steps_back)
-    checkpoints_.pop_front();
-  if (checkpoints_.size() > most_checkpoints) checkpoints_.pop_front();
+List<SolveLook> Playground::looks_of(const Benches& benches, int updates) const {
+  List<SolveLook> looks;
+  in_time([&] {
+    for (const auto& bench : benches) looks.push_back(bench->look(updates));
+  });
+  return looks;
 }
 
 const SolveLook& Playground::look(int number) const {
-  if (looks_.empty()) {
-    for (const auto& bench : benches_) looks_.push_back(bench->look(cursor_.value_or(-1)));
-  }
+  if (looks_.empty()) looks_ = looks_of(benches_, cursor_.value_or(-1));
   return looks_[number];
 }
 
 const PerRow<double>& Playground::ends() const {
   const bool is_rough = is_moving_ && !cursor_;
   if (!ends_ || (are_ends_rough_ && !is_rough)) {
-    ends_ = where_sweeps_end(look(0).given, is_rough ? updates_a_frame : std::numeric_limits<int>::max());
+    ends_ = where_sweeps_end(look(0).given, is_rough ? updates_a_frame : updates_at_rest);
     are_ends_rough_ = is_rough;
   }
   return *ends_;

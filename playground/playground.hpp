@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <deque>
+#include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +35,7 @@ struct ForceRange {
 class Playground {
  public:
   static constexpr int most_steps_back = 600;
+  static constexpr int most_steps = 100'000;  // at a time
 
   /// Begins with an empty scene.
   Playground();
@@ -46,8 +49,12 @@ class Playground {
 
   /// While the picture moves, the ends of rows are sought only as far as a frame has time for.
   void set_moving(bool is_moving) { is_moving_ = is_moving; }
-  /// To the end of the step under way, and so many in all.
-  void step(int count);
+  /// How long a step may take, and a look at the next one [s]; 0, as at first: for as long as it takes. What
+  /// takes longer is refused, and with it what led there.
+  void set_patience(double seconds);
+  /// To the end of the step under way, and so many in all; or fewer, where the world diverges, or where so
+  /// many seconds have passed before the next one begins.
+  void step(int count, double seconds = std::numeric_limits<double>::infinity());
   /// So many row updates on within the next step's first solve.
   void advance_rows(int count);
   /// To the end of the sweep under way.
@@ -69,7 +76,7 @@ class Playground {
   /// Takes the last of the three changes above back.
   void undo();
 
-  void light_row(int row) { lit_row_ = row; }
+  void light_row(int row) { lit_row_ = std::max(row, -1); }
   void predict(int row, double force);
   void reveal();
 
@@ -120,13 +127,16 @@ class Playground {
 
   static Benches copies(const Benches& benches);
   Moment now() const;
-  void return_to(const Moment& moment);
+  void return_to(const Moment& moment, Benches benches);
   void keep_now();
   void begin(const SceneEntry& entry, const Controls& controls);
   static void give_materials(Scene& scene, const Scene& start, const PerBody<std::string>& names,
                              const PerBody<std::string>& start_names, const Controls& controls);
   void edit(const std::string& addition, const std::string& words, const PerBody<std::string>& names,
             const std::function<void(Scene&)>& change);
+  void all_or_nothing(const std::function<void()>& act);
+  void in_time(const std::function<void()>& act) const;
+  List<SolveLook> looks_of(const Benches& benches, int updates = -1) const;
   void take_step();
   void forget_look() const { looks_.clear(); }
   void forget_solve();
@@ -143,6 +153,7 @@ class Playground {
   Snapshot first_;
   PerBody<std::string> names_;
   std::deque<Moment> checkpoints_;
+  double since_checkpoint_ = 0;  // [s] of computing
   List<Change> changes_;
   mutable List<SolveLook> looks_;
   mutable std::optional<PerRow<double>> ends_;
@@ -150,6 +161,7 @@ class Playground {
   std::optional<int> cursor_;
   int lit_row_ = -1;
   std::optional<Prediction> prediction_;
+  double patience_ = 0;  // [s]
   double step_seconds_ = 0;
   bool has_diverged_ = false;
   bool is_moving_ = false;

@@ -69,6 +69,7 @@ void Playground::edit(const std::string& addition, const std::string& words,
   const Scene start = entry.make();
   Moment before = now();
   for (const auto& bench : before.benches) bench->edit(change);
+  List<SolveLook> looks = looks_of(before.benches);
   before.benches.swap(benches_);
   changes_.push_back({std::move(before), words});
   text_ = text;
@@ -78,6 +79,7 @@ void Playground::edit(const std::string& addition, const std::string& words,
   lit_row_ = -1;
   prediction_.reset();
   forget_solve();
+  looks_ = std::move(looks);
   keep_now();
   words_ = words;
 }
@@ -123,13 +125,15 @@ void Playground::pin(BodyId a, BodyId b, const Vec2<double>& point) {
 
 void Playground::undo() {
   if (changes_.empty()) throw std::invalid_argument("There is nothing to undo.");
-  const Change last = std::move(changes_.back());
-  return_to(last.before);
+  const Change& last = changes_.back();
+  const std::string words = "Undone: " + last.words;
+  return_to(last.before, copies(last.before.benches));
   while (!checkpoints_.empty() && checkpoints_.back().changes > changes_.size()) checkpoints_.pop_back();
-  words_ = "Undone: " + last.words;
+  words_ = words;
 }
 
 void Playground::grab(const Vec2<double>& point, double near) {
+  require_finite(point, "grab", "point", "m");
   const Snapshot now = benches_[0]->snapshot();
   const std::optional<BodyId> found = movable_body_at(now, point, near);
   if (!found) throw std::invalid_argument("There is no body that can move.");
@@ -139,8 +143,9 @@ void Playground::grab(const Vec2<double>& point, double near) {
                              .anchor = point,
                              .target = point,
                              .max_force = hand_pull * now.bodies[body].mass * gravity};
-  for (const auto& bench : benches_) bench->repeat({.kind = HandInput::Kind::grab, .grip = grip});
-  forget_solve();
+  all_or_nothing([&] {
+    for (const auto& bench : benches_) bench->repeat({.kind = HandInput::Kind::grab, .grip = grip});
+  });
   words_ = "You hold " + names_[body] + ".";
 }
 

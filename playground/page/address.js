@@ -1,4 +1,5 @@
 // The address of the page: what comes behind "#" holds the scene and the settings that differ from the recommended ones.
+import { excerpt } from "./words.js";
 
 /**
  * @typedef {object} Address
@@ -7,15 +8,31 @@
  * @property {number} at the step to begin at, paused; 0: none
  * @property {boolean} isEmbedded
  * @property {Map<string, string>} settings
+ * @property {string} trouble what of it is left out, and why; "" where nothing is
  */
+
+/** More comes out of a stream than may. */
+class TooLong extends Error {}
 
 /**
  * @param {Uint8Array<ArrayBuffer>} bytes
  * @param {CompressionStream | DecompressionStream} stream
+ * @param {number} most bytes that may come out: a few that were packed can be any number
+ * @throws TooLong
  */
-export async function through(bytes, stream) {
-  const answer = new Response(new Blob([bytes]).stream().pipeThrough(stream));
-  return new Uint8Array(await answer.arrayBuffer());
+export async function through(bytes, stream, most = Infinity) {
+  const parts = /** @type {Uint8Array<ArrayBuffer>[]} */ ([]);
+  let size = 0;
+  const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) return new Uint8Array(await new Blob(parts).arrayBuffer());
+    parts.push(value);
+    size += value.length;
+    if (size <= most) continue;
+    reader.cancel().catch(() => {});
+    throw new TooLong();
+  }
 }
 
 /** @param {string} base64 */
@@ -30,18 +47,19 @@ async function packed(text) {
   return btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
-/** @param {string} base64url */
-async function unpacked(base64url) {
+/** @param {string} base64url @param {number} most bytes */
+async function unpacked(base64url, most) {
   const bytes = bytesOf(base64url.replaceAll("-", "+").replaceAll("_", "/"));
-  return new TextDecoder().decode(await through(bytes, new DecompressionStream("deflate-raw")));
+  const unpackedBytes = await through(bytes, new DecompressionStream("deflate-raw"), most);
+  return new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(unpackedBytes);
 }
 
 /**
  * @param {string} hash with or without "#"
+ * @param {number} mostText bytes of a scene file
  * @returns {Promise<Address>}
- * @throws where its text is damaged
  */
-export async function readAddress(hash) {
+export async function readAddress(hash, mostText) {
   const words = new URLSearchParams(hash.replace(/^#/, ""));
   const take = (/** @type {string} */ name) => {
     const value = words.get(name);
@@ -49,20 +67,31 @@ export async function readAddress(hash) {
     return value;
   };
   const scene = take("scene") ?? "";
-  const text = take("text");
-  const at = Math.max(0, Math.floor(Number(take("at") ?? 0))) || 0;
+  const packedText = take("text");
+  const step = take("at") ?? "0";
+  const isStep = /^\d{1,9}$/.test(step);
   const isEmbedded = take("embed") === "1";
+  let text = null;
+  let trouble = isStep ? "" : `The step in this address must be a whole number, got "${excerpt(step)}".`;
+  try {
+    if (packedText !== null) text = await unpacked(packedText, mostText);
+  } catch (error) {
+    const isTooLong = error instanceof TooLong;
+    const why = isTooLong ? `longer than ${mostText} bytes` : "damaged or cut off";
+    trouble = `The text of the scene in this address is ${why}, so the scene is as it is in the list.`;
+  }
   return {
     scene,
-    text: text === null ? null : await unpacked(text),
-    at,
+    text,
+    at: isStep ? Number(step) : 0,
     isEmbedded,
     settings: new Map(words),
+    trouble,
   };
 }
 
 /**
- * @param {Address} address
+ * @param {Omit<Address, "trouble">} address
  * @returns {Promise<string>} with "#"
  */
 export async function writeAddress(address) {

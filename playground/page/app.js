@@ -1,5 +1,5 @@
 // What all parts of the page share: the core, its time, and what follows an act.
-import { say, sayRefusal } from "./words.js";
+import { isRefusal, say, sayRefusal } from "./words.js";
 import { Player } from "./player.js";
 
 /** @typedef {import("./core.js").Core} Core */
@@ -27,8 +27,9 @@ export class App {
     this.player = new Player(
       core,
       () => this.#drawnFollowers.forEach((follow) => follow()),
-      () => {
-        sayRefusal(core.refusal());
+      (refusal) => {
+        if (refusal) sayRefusal(refusal);
+        else if (!isRefusal()) say(core.words());
         this.changed();
       },
     );
@@ -103,10 +104,17 @@ export class App {
    * @param {string} [text]
    */
   open(name, text) {
+    if (this.player.target > 0) this.player.pause();
     const file = this.scenes.find((scene) => scene.name === name) ?? this.scenes[0];
     const isOpened = this.core.open(text ?? file.text, file.name);
     if (isOpened) this.scene = file.name;
     return isOpened;
+  }
+
+  /** From the start once more; not on to a step that it was going to. */
+  restart() {
+    if (this.player.target > 0) this.player.pause();
+    return this.core.restart();
   }
 
   /** The file of the scene that is open, as it is in the list. */

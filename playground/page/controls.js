@@ -47,7 +47,9 @@ function choiceWords(word, { meanings }) {
 /** @param {Setting} setting @param {Apply} apply */
 function makeSwitch(setting, apply) {
   const box = make("input", { type: "checkbox", id: "set-" + setting.name });
-  box.addEventListener("change", () => apply(box.checked ? "on" : "off", true));
+  box.addEventListener("change", () => {
+    if (!apply(box.checked ? "on" : "off", true)) box.checked = !box.checked;
+  });
   return { inputs: [box], update: (/** @type {Setting} */ { value }) => void (box.checked = value === "on") };
 }
 
@@ -58,8 +60,11 @@ function makeChoice(setting, apply) {
     return make("option", { value: word, textContent: choiceWords(word, setting) + meaning });
   });
   const list = make("select", { id: "set-" + setting.name }, ...options);
-  list.addEventListener("change", () => apply(list.value, true));
-  return { inputs: [list], update: (/** @type {Setting} */ { value }) => void (list.value = value) };
+  let now = setting.value;
+  list.addEventListener("change", () => {
+    if (!apply(list.value, true)) list.value = now;
+  });
+  return { inputs: [list], update: (/** @type {Setting} */ { value }) => void (list.value = now = value) };
 }
 
 /** @param {Setting} setting @param {Apply} apply */
@@ -69,7 +74,10 @@ function makeNumber(setting, apply) {
   const text = make("input", { type: "text", inputMode: "decimal", autocomplete: "off" });
   text.id = "set-" + setting.name;
   let now = setting; // its limits, too, are those of the scene
-  const pull = (/** @type {boolean} */ isDone) => apply(String(valueAt(now, Number(slider.value))), isDone);
+  const pull = (/** @type {boolean} */ isDone) => {
+    const isTaken = apply(String(valueAt(now, Number(slider.value))), isDone);
+    if (isDone && !isTaken) update(now);
+  };
   slider.addEventListener("input", () => pull(false));
   slider.addEventListener("change", () => pull(true));
   // One tick of the slider is the next value, not a thousandth of its way.

@@ -4,7 +4,10 @@
  * What emscripten's module offers.
  * @typedef {object} CairnModule
  * @property {Float64Array} HEAPF64
- * @property {(name: string, result: string | null, parameters: string[]) => (...values: any[]) => any} cwrap
+ * @property {Uint8Array} HEAPU8
+ * @property {(address: number) => string} UTF8ToString
+ * @property {(size: number) => number} _malloc
+ * @property {(address: number) => void} _free
  *
  * @typedef {object} Setting
  * @property {string} name
@@ -60,46 +63,69 @@ const bodyWidth = 8;
 const rowWidth = 6;
 const placeKinds = /** @type {const} */ (["nothing", "scene", "row"]);
 
+/** Says why a text does not go into the core; "" where it does. @param {Uint8Array} bytes @param {number} most */
+export function textRefusal(bytes, most) {
+  if (bytes.length > most) return `The text must be at most ${most} bytes, got ${bytes.length}.`;
+  return bytes.includes(0) ? "The text must have no zero characters." : "";
+}
+
 export class Core {
   #module;
-  /** @type {Map<string, (...values: any[]) => any>} */
-  #functions = new Map();
+  /** Why a text was not even given to the core. */
+  #refusal = "";
 
   /** @param {CairnModule} module */
   constructor(module) {
     this.#module = module;
+    /** Bytes of the longest text that it takes. */
+    this.mostText = this.#call("most_text");
   }
 
   /**
-   * Calls cairn_NAME; texts go in and out as strings.
+   * Calls cairn_NAME with numbers.
    * @param {string} name
-   * @param {"number" | "string" | null} result
-   * @param {(number | string)[]} values
-   * @returns {any}
+   * @param {number[]} values
+   * @returns {number}
    */
-  #call(name, result, ...values) {
-    let found = this.#functions.get(name);
-    if (!found) {
-      found = this.#module.cwrap(
-        "cairn_" + name,
-        result,
-        values.map((value) => typeof value),
-      );
-      this.#functions.set(name, found);
-    }
-    return found(...values);
+  #call(name, ...values) {
+    return Reflect.get(this.#module, "_cairn_" + name)(...values);
   }
   /**
+   * The same with texts, each in memory of its own while the call lasts: the stack has no room for long ones.
    * @param {string} name
    * @param {(number | string)[]} values
    * @returns {boolean} whether it did what was asked; if not, refusal() says why
    */
   #try(name, ...values) {
-    return this.#call(name, "number", ...values) !== 0;
+    const texts = /** @type {number[]} */ ([]);
+    this.#refusal = "";
+    try {
+      const given = values.map((value) => {
+        if (typeof value === "number") return value;
+        const address = this.#put(value);
+        texts.push(address);
+        return address;
+      });
+      return this.#refusal === "" && this.#call(name, ...given) !== 0;
+    } finally {
+      texts.forEach((address) => this.#module._free(address));
+    }
   }
-  /** @param {string} name */
-  #text(name) {
-    return /** @type {string} */ (this.#call(name, "string"));
+  /** The address of a text in the core; 0 where it does not go there. @param {string} text */
+  #put(text) {
+    const bytes = new TextEncoder().encode(text);
+    const why = textRefusal(bytes, this.mostText);
+    const address = why ? 0 : this.#module._malloc(bytes.length + 1);
+    if (address === 0) this.#refusal ||= why || "There is not enough memory.";
+    else {
+      this.#module.HEAPU8.set(bytes, address);
+      this.#module.HEAPU8[address + bytes.length] = 0;
+    }
+    return address;
+  }
+  /** @param {string} name @param {number[]} values */
+  #text(name, ...values) {
+    return this.#module.UTF8ToString(this.#call(name, ...values));
   }
   /**
    * A copy of numbers of the core, whose memory may move.
@@ -110,7 +136,7 @@ export class Core {
     return this.#module.HEAPF64.slice(address / 8, address / 8 + count);
   }
 
-  refusal = () => this.#text("refusal");
+  refusal = () => this.#refusal || this.#text("refusal");
   sceneText = () => this.#text("scene_text");
   words = () => this.#text("words");
   plan = () => this.#text("plan");
@@ -119,8 +145,8 @@ export class Core {
   sweep = () => this.#try("sweep");
   back = () => this.#try("back");
   undo = () => this.#try("undo");
-  reveal = () => this.#call("reveal", null);
-  letGo = () => this.#call("let_go", null);
+  reveal = () => void this.#try("reveal");
+  letGo = () => void this.#try("let_go");
   draw = () => this.#try("draw");
 
   /** @type {(text: string, file: string) => boolean} */
@@ -129,6 +155,8 @@ export class Core {
   set = (setting, value) => this.#try("set", setting, value);
   /** @type {(count: number) => boolean} */
   step = (count) => this.#try("step", count);
+  /** @type {(count: number, milliseconds: number) => boolean} */
+  stepFor = (count, milliseconds) => this.#try("step_for", count, milliseconds);
   /** @type {(count: number) => boolean} */
   row = (count) => this.#try("row", count);
   /** @type {(x: number, y: number) => boolean} */
@@ -142,9 +170,9 @@ export class Core {
   /** @type {(a: number, b: number, x: number, y: number) => boolean} */
   pin = (a, b, x, y) => this.#try("pin", a, b, x, y);
   /** @type {(body: number) => string} */
-  bodyName = (body) => this.#call("body_name", "string", body);
+  bodyName = (body) => this.#text("body_name", body);
   /** @type {(row: number) => void} */
-  lightRow = (row) => this.#call("light_row", null, row);
+  lightRow = (row) => void this.#try("light_row", row);
   /** @type {(row: number, newtons: number) => boolean} */
   predict = (row, newtons) => this.#try("predict", row, newtons);
   /** Of the picture [px]. */
@@ -155,7 +183,7 @@ export class Core {
     return this.#try("resize", width, height, scale);
   };
   /** @type {(isMoving: boolean) => void} */
-  move = (isMoving) => this.#call("move", null, Number(isMoving));
+  move = (isMoving) => void this.#try("move", Number(isMoving));
   /** @type {(theme: string) => boolean} */
   theme = (theme) => this.#try("theme", theme);
 
@@ -166,8 +194,8 @@ export class Core {
 
   /** @returns {Body[]} the ground first */
   bodies() {
-    const count = this.#call("body_count", "number");
-    const all = this.#array(this.#call("bodies", "number"), count * bodyWidth);
+    const count = this.#call("body_count");
+    const all = this.#array(this.#call("bodies"), count * bodyWidth);
     return Array.from({ length: count }, (_, i) => {
       const at = i * bodyWidth;
       return { x: all[at], y: all[at + 1], isThere: all[at + 7] > 0, canMove: all[at + 7] === 2 };
@@ -176,8 +204,8 @@ export class Core {
 
   /** @returns {Row[]} */
   rows() {
-    const count = this.#call("row_count", "number");
-    const all = this.#array(this.#call("rows", "number"), count * rowWidth);
+    const count = this.#call("row_count");
+    const all = this.#array(this.#call("rows"), count * rowWidth);
     return Array.from({ length: count }, (_, i) => {
       const [now, end, , kind, a, b] = all.subarray(i * rowWidth, (i + 1) * rowWidth);
       return { now, end, kind, a, b };
@@ -186,7 +214,7 @@ export class Core {
 
   /** @returns {Numbers} */
   numbers() {
-    const all = this.#array(this.#call("numbers", "number"), numberNames.length);
+    const all = this.#array(this.#call("numbers"), numberNames.length);
     return /** @type {Numbers} */ (Object.fromEntries(numberNames.map((name, i) => [name, all[i]])));
   }
 
@@ -197,7 +225,7 @@ export class Core {
    * @returns {Place}
    */
   at(x, y) {
-    const found = this.#array(this.#call("at", "number", x, y), 4);
+    const found = this.#array(this.#call("at", x, y), 4);
     return { kind: placeKinds[found[0]] ?? "nothing", number: found[1], x: found[2], y: found[3] };
   }
 
@@ -207,7 +235,7 @@ export class Core {
    * @param {number} y
    */
   place(x, y) {
-    const found = this.#array(this.#call("place", "number", x, y), 2);
+    const found = this.#array(this.#call("place", x, y), 2);
     return { x: found[0], y: found[1] };
   }
 

@@ -26,6 +26,7 @@ const keys = [
 const others = [
   { shown: "J, K", says: "light up the next row, or the one before" },
   { shown: "Tab", says: "to the next control; the picture is one" },
+  { shown: "Escape", says: "on the way to a step: end it here" },
   { shown: "Ctrl+Enter", says: "in the scene file: run the text" },
 ];
 

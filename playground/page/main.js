@@ -4,10 +4,11 @@ import { bytesOf, readAddress, through } from "./address.js";
 import { Core } from "./core.js";
 import { Tools } from "./tools.js";
 import { button, find, show } from "./dom.js";
-import { number, say, sayRefusal } from "./words.js";
+import { excerpt, number, say, sayRefusal } from "./words.js";
 import { sceneFiles, setUpScenes } from "./scenes.js";
 import { setUpControls } from "./controls.js";
 import { setUpCursor } from "./cursor.js";
+import { setUpGoing } from "./going.js";
 import { setUpKeys } from "./keys.js";
 import { setUpPointer } from "./pointer.js";
 import { setUpQuiz } from "./quiz.js";
@@ -50,11 +51,11 @@ function setUpSize(app) {
   const resize = () => {
     const width = Math.max(320, Math.round(frame.clientWidth));
     const height = heightFor(width);
-    const scale = Math.min(Math.max(window.devicePixelRatio, 1), 3);
-    const pixels = [Math.round(scale * width), Math.round(scale * height)];
-    if (canvas.width === pixels[0] && canvas.height === pixels[1]) return;
-    [canvas.width, canvas.height] = pixels;
-    app.core.resize(width, height, scale);
+    let scale = Math.min(Math.max(window.devicePixelRatio, 1), 3);
+    const pixels = () => [Math.round(scale * width), Math.round(scale * height)];
+    if (canvas.width === pixels()[0] && canvas.height === pixels()[1]) return;
+    do [canvas.width, canvas.height] = pixels();
+    while (!app.core.resize(width, height, scale) && (scale /= 2) >= 0.5); // a picture has only so many
     app.core.draw();
     app.player.wake();
   };
@@ -79,7 +80,7 @@ function setUpButtons(app) {
     step: () => app.actPaused(() => core.step(1)),
     back: () => app.actPaused(() => core.back()),
     "diverged-back": () => app.actPaused(() => core.back()),
-    restart: () => app.act(() => core.restart()),
+    restart: () => app.act(() => app.restart()),
     undo: () => app.act(() => core.undo()),
   };
   const plan = find("plan-part", HTMLDetailsElement);
@@ -124,25 +125,39 @@ function setUpNumbers(app) {
   });
 }
 
+/** The settings of the address, as far as the core takes them. @param {App} app @param {Address} address */
+function setAsAddressed({ core }, { settings }) {
+  const most = 100; // more letters, or settings, than any have
+  if (settings.size > most) return `The address has ${settings.size} settings, more than there are.`;
+  let words = "";
+  for (const [name, value] of settings) {
+    if (name.length > most || value.length > most)
+      words ||= `The address has a setting that is too long: "${excerpt(name)}", "${excerpt(value)}".`;
+    else if (!core.set(name, value)) words ||= core.refusal();
+  }
+  return words;
+}
+
 /** Opens what the address asks for. @param {App} app @param {Address} address */
 function openAddress(app, address) {
+  const { player } = app;
   const isKnown = address.scene === "" || app.scenes.some(({ name }) => name === address.scene);
-  let words = isKnown ? "" : `There is no scene "${address.scene}" in the list.`;
+  let words = isKnown ? "" : `There is no scene "${excerpt(address.scene)}" in the list.`;
   const file = isKnown && address.scene ? address.scene : app.scenes[0].name;
   if (!app.open(file, address.text ?? undefined)) {
     words = app.core.refusal();
     app.open(file);
   }
-  for (const [name, value] of address.settings) {
-    if (!app.core.set(name, value)) words = app.core.refusal();
-  }
-  if (address.at > 0 && !app.core.step(address.at)) words = app.core.refusal();
+  words ||= address.trouble;
+  words = setAsAddressed(app, address) || words;
   const isStill = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
-  if (address.at > 0 || isStill) app.player.pause();
-  else app.player.run();
   if (words) sayRefusal(words);
-  else if (app.player.isRunning) say("It runs. Pull a body, or press Pause and go row by row.");
-  else say("It stands still. Press Run, or go row by row.");
+  else if (address.at > 0) say(`Going to step ${address.at}.`);
+  else if (isStill) say("It stands still. Press Run, or go row by row.");
+  else say("It runs. Pull a body, or press Pause and go row by row.");
+  if (address.at > 0) player.goTo(address.at);
+  else if (isStill) player.pause();
+  else player.run();
   app.changed();
 }
 
@@ -158,18 +173,14 @@ function embed(app, address) {
   seen.observe(find("frame", HTMLElement));
 }
 
-/** Opens what the address asks for, or the first scene where it is damaged. @param {App} app */
+let asked = 0;
+
+/** Opens what the address asks for, unless it has become another meanwhile. @param {App} app */
 async function followAddress(app) {
-  try {
-    const address = await readAddress(location.hash);
-    openAddress(app, address);
-    return address;
-  } catch {
-    const address = await readAddress("");
-    openAddress(app, address);
-    sayRefusal("The text of the scene in this address is damaged.");
-    return address;
-  }
+  const number = ++asked;
+  const address = await readAddress(location.hash, app.core.mostText);
+  if (number === asked) openAddress(app, address);
+  return address;
 }
 
 async function begin() {
@@ -183,6 +194,7 @@ async function begin() {
   setUpPointer(app, tools);
   setUpCursor(app, tools);
   setUpKeys(app);
+  setUpGoing(app);
   setUpQuiz(app);
   setUpButtons(app);
   setUpNumbers(app);

@@ -53,7 +53,12 @@ function setUpAddress(app) {
     clearTimeout(timer);
     timer = setTimeout(async () => {
       const hash = await addressOf(app);
-      if (hash !== location.hash) history.replaceState(null, "", hash);
+      if (hash === location.hash) return;
+      try {
+        history.replaceState(null, "", hash);
+      } catch {
+        /* an address longer than the browser takes; the button still copies it */
+      }
     }, pause);
   });
 }

@@ -4,7 +4,8 @@ import { say } from "./words.js";
 
 const system = window.matchMedia("(prefers-color-scheme: dark)");
 
-let chosen = kept("cairn-theme");
+const keptTheme = kept("cairn-theme");
+let chosen = keptTheme === "light" || keptTheme === "dark" ? keptTheme : null;
 
 const theme = () => chosen ?? (system.matches ? "dark" : "light");
 /** The style goes by it. */

@@ -21,6 +21,15 @@ export function sayRefusal(text) {
   status.classList.add("refused");
 }
 
+/** Whether what was said last is such a why. */
+export const isRefusal = () => status.classList.contains("refused");
+
+/**
+ * The beginning of what somebody else wrote, as it may stand in a sentence.
+ * @param {string} text
+ */
+export const excerpt = (text) => (text.length > 60 ? text.slice(0, 60) + "…" : text);
+
 /**
  * A number with four digits, or fewer where they say nothing.
  * @param {number} value

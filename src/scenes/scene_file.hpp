@@ -8,6 +8,9 @@
 
 namespace cairn {
 
+/// [bytes] Longer scene files are refused.
+inline constexpr int most_scene_bytes = 1'000'000;
+
 /// The scene of a file; its name is that of the file without its ending.
 /// @throws std::invalid_argument "file:line:column: field must be rule unit, got value" for the first thing
 /// in the file that is not as lessons/scenes/README.md says, and for a file that cannot be read.

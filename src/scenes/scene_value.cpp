@@ -7,6 +7,7 @@
 
 #include "math/check.hpp"
 #include "math/printable.hpp"
+#include "scenes/scene_file.hpp"
 
 namespace cairn {
 
@@ -37,9 +38,8 @@ std::string description(const SceneValue& value) {
 }
 
 void require_scene_size(std::uintmax_t bytes, const std::string& file) {
-  const std::uintmax_t most = 1000000;
-  if (bytes > most)
-    refuse_scene(file, {}, fmt::format("the file must be at most {} bytes, got {}", most, bytes));
+  if (bytes > most_scene_bytes)
+    refuse_scene(file, {}, fmt::format("the file must be at most {} bytes, got {}", most_scene_bytes, bytes));
 }
 
 void refuse_scene(const std::string& file, const SceneMark& mark, const std::string& message) {

@@ -42,11 +42,11 @@ struct SceneRefusal : std::invalid_argument {
 /// Throws SceneRefusal "file:line:column: message".
 [[noreturn]] void refuse_scene(const std::string& file, const SceneMark& mark, const std::string& message);
 
-/// @throws std::invalid_argument for a file of more than 1 MB.
+/// @throws std::invalid_argument for a file of more than most_scene_bytes.
 void require_scene_size(std::uintmax_t bytes, const std::string& file);
 
 /// The tree of a TOML text. `file` is the name that messages give it.
-/// @throws std::invalid_argument for what is no TOML, and for more than 1 MB.
+/// @throws std::invalid_argument for what is no TOML, and for more than most_scene_bytes.
 SceneValue parse_toml(const std::string& text, const std::string& file);
 
 }  // namespace cairn

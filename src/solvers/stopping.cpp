@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/deadline.hpp"
 #include "solvers/residual.hpp"
 
 namespace cairn {
@@ -26,6 +27,7 @@ void Stopping<Real>::begin(const SolverSettings& settings, const VelocityProblem
 
 template <Scalar Real>
 Stop Stopping<Real>::judge(const VelocityProblem<Real>& problem, int sweep, Real largest_change) {
+  Deadline::go_on();
   if (settings_.tolerance > 0 && has_arrived(problem, sweep)) return Stop::tolerance;
   if (settings_.time_budget > 0 &&
       std::chrono::steady_clock::now() - began_ >= std::chrono::duration<double>(settings_.time_budget)) {

@@ -1,5 +1,6 @@
 // Floor 5. The step.
 #include "world/world.hpp"
+#include "math/deadline.hpp"
 #include "math/list.hpp"
 
 #include <algorithm>
@@ -62,6 +63,7 @@ void World<Real>::leave_step() {
 template <Scalar Real>
 void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>* observer,
                           StepReport& report) {
+  Deadline::go_on();
   ContactSolver<Real>* const direct = observer == nullptr ? contact_solver(solver) : nullptr;
   if (number == 0 || !plan_->moves_manifolds) {
     find_contacts(direct);  // 1, 2  poses -> pairs -> manifolds

@@ -58,8 +58,8 @@ class World {
 
   /// One step of dt, in as many substeps as the scene asks for. The same bits for the same scene, solver and
   /// number of steps. @throws std::length_error for more pairs of shapes near each other than
-  /// Broadphase::max_pairs, and for more rows than the solver takes; what events, solvers, observers and
-  /// joints throw; and std::logic_error from within a step or an edit of this world. Then the step is not
+  /// Broadphase::max_pairs, and for more rows than the solver takes; TimeUp; what events, solvers, observers
+  /// and joints throw; and std::logic_error from within a step or an edit of this world. Then the step is not
   /// done: bodies, time, events and hand are as before it, but last_step() may be empty. The next step has
   /// the bits that it would have had; only where the scene has substeps it may begin from impulses of those
   /// that were done, with what these woke awake.

@@ -4,6 +4,7 @@
 
 #include "collision/collide.hpp"
 #include "world/world.hpp"
+#include "math/deadline.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
@@ -49,7 +50,10 @@ void World<Real>::find_manifolds(ContactSolver<Real>* solver) {
   }
   if (sleep_) sleep_->mark_movable(state_.velocity, movable_);
   found_anew_ = graph_.update(boxes_, [this](int i, int j) { return may_meet(i, j); });
-  for (NearSlot& near : graph_.order()) meet(near);
+  for (NearSlot& near : graph_.order()) {
+    Deadline::go_on();
+    meet(near);
+  }
   std::sort(record_.sensed.begin(), record_.sensed.end());
   record_.sensed.erase(std::unique(record_.sensed.begin(), record_.sensed.end()), record_.sensed.end());
   if (!plan_->moves_manifolds || follow_last_step(solver)) return;

@@ -7,6 +7,7 @@ import { createRequire } from "node:module";
 import { join } from "node:path";
 import { check, count, file, screenshots } from "./browser_tab.mjs";
 import { checkAllControls } from "./browser_controls.mjs";
+import { checkGiven } from "./browser_given.mjs";
 import { checkLife } from "./browser_life.mjs";
 import { checkLooks } from "./browser_looks.mjs";
 import { checkMouse } from "./browser_mouse.mjs";
@@ -30,6 +31,7 @@ const browser = await chromium.launch({
 try {
   check(statSync(file).size <= largest, `the file has at most ${largest} bytes`, String(statSync(file).size));
   await checkAllControls(browser);
+  await checkGiven(browser);
   await checkLife(browser);
   await checkMouse(browser);
   await checkWays(browser);

@@ -1,6 +1,6 @@
 // What the playground looks like at three widths, light and dark.
 import { join } from "node:path";
-import { check, drawn, inTab, screenshots } from "./browser_tab.mjs";
+import { check, drawn, goTo, inTab, screenshots } from "./browser_tab.mjs";
 
 const widths = [1280, 820, 390];
 const themes = ["light", "dark"];
@@ -122,6 +122,27 @@ async function look(tab, width, theme) {
   await tab.click("#keys");
   await good("with the dialog");
   await shoot("keys", false);
+  await lookAtRefusals(tab, shoot, good);
+}
+
+/** On the way to a step, and with a text that was not run. */
+async function lookAtRefusals(tab, shoot, good) {
+  await goTo(tab, "#scene=stack&at=100000");
+  await drawn(tab);
+  await good("on the way to a step");
+  await shoot("going", false);
+  await tab.keyboard.press("Escape");
+  await tab.click("#scene-file summary");
+  await tab.evaluate(() => {
+    const text = document.getElementById("text");
+    text.value = "# a long text\n".repeat(90_000);
+    text.dispatchEvent(new Event("input"));
+  });
+  await tab.click("#run-text");
+  await drawn(tab);
+  await good("with a text that is too long");
+  await tab.locator("#text-refusal").scrollIntoViewIfNeeded();
+  await shoot("refused", false);
 }
 
 export async function checkLooks(browser) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/deadline.hpp"
 #include "solvers/exact/dictionary.hpp"
 #include "solvers/exact/impulse_family.hpp"
 #include "solvers/residual.hpp"
@@ -144,6 +145,7 @@ class ModeWalk {
   }
 
   void try_mode() {
+    Deadline::go_on();
     const Eigen::Index n = rows_.s.size();
     Matrix<long double> K(n, n);
     Vector<long double> rhs(n);

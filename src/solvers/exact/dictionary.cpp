@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "math/deadline.hpp"
+
 namespace cairn {
 
 namespace {
@@ -42,6 +44,7 @@ List<int> counted_up(int count) {
 Dictionary::Dictionary(int rows, int columns) : rows_(rows), columns_(columns), values_(rows * stride(), 0) {}
 
 void Dictionary::exchange(int i, int j) {
+  Deadline::go_on();
   long double* pivot_row = row(i);
   assert(pivot_row[j] != 0);
   const long double inverse = 1 / pivot_row[j];

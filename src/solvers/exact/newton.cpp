@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/deadline.hpp"
 #include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
 #include "solvers/exact/contact_modes.hpp"
 #include "solvers/exact/exact_rows.hpp"
@@ -119,6 +120,7 @@ class NewtonIteration {
   }
 
   bool factorize() {
+    Deadline::go_on();
     entries_.clear();
     const int freedoms = static_cast<int>(rows_.freedoms());
     for (int k = 0; k < freedoms; ++k) entries_.emplace_back(k, k, 1);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/deadline.hpp"
 #include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
 
 namespace cairn {
@@ -213,6 +214,7 @@ bool NewtonSolver<Real>::take_kept_step(Work& error) {
 /// A step by factors of the moment, shortened until it helps; false: it does not.
 template <Scalar Real>
 bool NewtonSolver<Real>::take_new_step(Work& error) {
+  Deadline::go_on();
   ++systems_;
   factors_.factorize(rows_, rows_);
   change_ = rows_.value();
@@ -241,6 +243,7 @@ void NewtonSolver<Real>::follow_interior() {
 /// As Mehrotra does: a step for 0 shows how far the products may be asked to fall, and their second order.
 template <Scalar Real>
 typename NewtonSolver<Real>::Work NewtonSolver<Real>::take_interior_step() {
+  Deadline::go_on();
   interior_.linearize();
   ++systems_;
   factors_.factorize(rows_, interior_);
