@@ -112,7 +112,10 @@ void NewtonSolver<Real>::answer(const VelocityProblem<Work>& problem, bool again
   systems_ = 0;
   sweeps_ = sweeps_of_a_look;
   best_ = problem.impulse;
-  if (keeps_center) {
+  // Where nothing moves and no row asks for anything, no impulses are the answer, and R_E has no scale.
+  const bool rests = settings_.iterations > 0 && rows_.scale() == 0;
+  if (rests) best_.assign(best_.size(), Work(0));
+  if (keeps_center && !rests) {
     rows_.keep_center();
   } else {
     rows_.center_at(best_);

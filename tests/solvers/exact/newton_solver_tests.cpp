@@ -222,3 +222,13 @@ TEST_CASE("without systems Newton's method applies the warm start, inside its bo
   CHECK(problem.velocity[{1}].y() == doctest::Approx(-5 + 2));
   CHECK_THROWS_AS(NewtonSolver<double>({.iterations = -1}), std::invalid_argument);
 }
+
+TEST_CASE("where all rests and no row asks for anything, Newton's method drops the warm start") {
+  VelocityProblem<double> problem = loaded_stack(3, 10);
+  for (Vec3<double>& v : problem.velocity) v.setZero();
+  for (ConstraintRow<double>& row : problem.rows) row.bias = 0;
+  problem.impulse.assign(problem.row_count(), 2);
+  NewtonSolver<double>({.iterations = 20}).solve(problem);
+  for (const double impulse : problem.impulse) CHECK(impulse == 0);
+  for (const Vec3<double>& v : problem.velocity) CHECK(v.isZero(0));
+}
