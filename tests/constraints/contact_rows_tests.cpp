@@ -17,8 +17,8 @@ struct Touching {
 };
 
 template <Scalar Real>
-Vec2<Real> random_place(double reach, test::Random& random) {
-  return random.point(reach).cast<Real>();
+Vec2<Real> random_place(double most, test::Random& random) {
+  return random.point(most).cast<Real>();
 }
 
 /// Two bodies that overlap, touch or are apart; slow or fast enough to rebound; one may be immovable.
