@@ -39,9 +39,10 @@ std::string nearest(std::string_view word, const List<std::string>& candidates) 
 }
 
 std::string known_word(std::string_view word, const List<std::string>& known) {
-  const auto parts = [](char letter) { return letter == ' ' || letter == '_' ? '-' : letter; };
+  const auto part = [](char letter) { return letter == ' ' || letter == '_' ? '-' : letter; };
+  const auto is_same = [&](char one, char other) { return part(one) == part(other); };
   for (const std::string& each : known) {
-    if (std::ranges::equal(word, each, {}, parts, parts)) return each;
+    if (std::equal(word.begin(), word.end(), each.begin(), each.end(), is_same)) return each;
   }
   return "";
 }
