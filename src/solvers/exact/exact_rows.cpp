@@ -140,6 +140,7 @@ void keep_rows(const Dictionary& table, ExactReduction& reduction) {
 Matrix<long double> effect_of(const VelocityProblem<long double>& problem, const ExactReduction& reduction) {
   const auto kept = reduction.kept.size();
   Matrix<long double> effect = Matrix<long double>::Zero(3 * problem.body_count(), kept);
+  if (kept == 0) return effect;  // Eigen would take a row of nothing at an address beside null
   const auto add = [&](int row, const auto& share) {
     for_each_term(problem, problem.rows[row], [&](BodyId body, const Vec3<long double>& jacobian) {
       const Vec3<long double>& inverse = problem.inverse_mass[body];
