@@ -1,4 +1,5 @@
 // The way back: moments that were kept, and what leads from them to a step; and refusals that change nothing.
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -46,10 +47,10 @@ void Playground::back() {
   }
   const int target = benches_[0]->steps() - 1;
   if (steps_back() == 0) throw std::invalid_argument("There is no step before this one to go back to.");
-  int from = static_cast<int>(checkpoints_.size()) - 1;
-  while (checkpoints_[from].benches[0]->steps() > target) --from;
+  auto from = std::prev(checkpoints_.end());
+  while (from->benches[0]->steps() > target) --from;
   const List<HandInput> inputs = benches_[0]->hand_inputs();
-  Benches benches = copies(checkpoints_[from].benches);
+  Benches benches = copies(from->benches);
   for (const auto& bench : benches) {
     int next = bench->hand_inputs().size();
     while (bench->steps() < target) {
@@ -58,8 +59,8 @@ void Playground::back() {
     }
     if (bench->hand()) bench->repeat({.kind = HandInput::Kind::let_go});
   }
-  return_to(checkpoints_[from], std::move(benches));
-  checkpoints_.erase(checkpoints_.begin() + from + 1, checkpoints_.end());
+  return_to(*from, std::move(benches));
+  checkpoints_.erase(std::next(from), checkpoints_.end());
   words_ = step_words();
 }
 

@@ -87,7 +87,8 @@ TEST_CASE("what cannot be exported is refused, and leaves nothing behind") {
       {{"--frames", "2", "--panel", "nobody's"}, "--panel must be in the title of a panel of these frames"},
       {{"--format", "apng", "--transparent"}, "--transparent must come with --format png or svg"}};
   for (const auto& [flags, message] : cases) {
-    CAPTURE(message);
+    const std::string shown = message;
+    CAPTURE(shown);
     const Ran ran = export_six(folder, flags);
     CHECK(ran.code == 2);
     CHECK(tells(ran, message));

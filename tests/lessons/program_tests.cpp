@@ -141,7 +141,8 @@ TEST_CASE("an exercise that ends by itself, crashes or never ends is told in wor
        {std::pair("echo Passed.; exit 0", "exercise.cpp ended the program before the grader was done"),
         std::pair("kill -SEGV $$", "exercise.cpp read or wrote where it has nothing"),
         std::pair("trap '' TERM; while true; do sleep 1; done", "exercise.cpp did not end within 10 s")}) {
-    INFO(std::string(script));
+    const std::string shown = script;
+    INFO(shown);
     const Ran ran = drive_beside_script(folder, script, {"check", "2"});
     CHECK(ran.code == 1);
     CHECK_MESSAGE(tells(ran.out, words), ran.out);

@@ -101,7 +101,8 @@ TEST_CASE("a crash is told in words, with its signal") {
         std::pair("index", "used an index outside of a list: signal 6"),
         std::pair("back", "took an element from an empty list: signal 6"),
         std::pair("file", "wrote a file that is too long")}) {
-    INFO(std::string(name));
+    const std::string shown = name;
+    INFO(shown);
     const Ended ended = outcome(name);
     CHECK(ended.code == 1);
     CHECK_MESSAGE(says(ended.words, words), ended.words);

@@ -35,7 +35,8 @@ TEST_CASE("a solver that ends the program, crashes or prints without end has not
         std::pair("throw std::runtime_error(\"no box\");",
                   "thrown an exception, and nothing in it catches that: no box"),
         std::pair("while (true) std::puts(\"CHECK ok\");", "it printed more than 1 MB")}) {
-    INFO(std::string(deed));
+    const std::string shown = deed;
+    INFO(shown);
     const Ended ended = solver_that(deed, "#include <cstdio>\n#include <cstdlib>\n#include <stdexcept>\n");
     CHECK(ended.code == 1);
     CHECK_MESSAGE(ended.out.find(words) != std::string::npos, ended.out);

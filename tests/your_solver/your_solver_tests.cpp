@@ -67,7 +67,8 @@ std::size_t end_of(const std::string& part, const std::string& text, std::size_t
 
 std::string changed(std::string text, const WrongAnswer& wrong) {
   for (const auto& [from, to] : wrong.changes) {
-    CAPTURE(from);
+    const std::string shown = from;
+    CAPTURE(shown);
     List<std::pair<std::size_t, std::size_t>> places;
     for (std::size_t begin = 0; begin < text.size(); ++begin) {
       const std::size_t end = end_of(from, text, begin);
@@ -202,7 +203,8 @@ TEST_CASE("the reader's solver refuses words that it does not know, and a stage 
   for (const auto& [words, complaint] :
        {std::pair("12", "must be a number from 0 to 9, got \"12\""), std::pair("x", "got \"x\""),
         std::pair("3 --start", "got \"--start\""), std::pair("3", "there is no my_solver.cpp in")}) {
-    INFO(std::string(words));
+    const std::string shown = words;
+    INFO(shown);
     const Ended refused = run_solver(folder, words);
     CHECK(refused.code == 2);
     CHECK(refused.out.find(complaint) != std::string::npos);
