@@ -13,6 +13,7 @@
 #include "math/check.hpp"
 #include "math/deadline.hpp"
 #include "render/page.hpp"
+#include "scenes/default_setting.hpp"
 #include "scenes/scene_file.hpp"
 
 namespace cairn::playground {
@@ -38,16 +39,29 @@ void widen(ForceRange& range, const VelocityProblem<double>& problem, const PerR
   }
 }
 
+/// Sweeps are to be seen: those of sequential impulses, where the scene names no solver.
+Setting swept(const SceneEntry& entry) {
+  Setting setting = entry.setting;
+  const Scene scene = entry.make();
+  const Setting usual = default_setting(scene).setting;
+  if (setting.solver != usual.solver) return setting;
+  setting.solver = scene.joints().empty() ? "si" : "block";
+  if (setting.sweeps.iterations == usual.sweeps.iterations) setting.sweeps.iterations = 10;
+  if (scene.joints().empty() && setting.substeps == usual.substeps)
+    setting.substeps = scene.settings().substeps;
+  return setting;
+}
+
 }  // namespace
 
 Playground::Playground() { open("title = \"an empty scene\"\n\n[ground]\nhalf_width = 8\n", "empty"); }
 
 void Playground::open(const std::string& text, const std::string& file) {
   const SceneEntry entry = read_scene_text(text, file);
-  Controls controls{.setting = entry.setting};
+  Controls controls{.setting = swept(entry)};
   controls.other = controls_.other;
   begin(entry, controls);
-  recommended_ = {.setting = entry.setting};
+  recommended_ = {.setting = controls.setting};
   text_ = text;
   file_ = file;
   words_ = fmt::format("{}. {}", entry_.title, entry_.look);

@@ -10,16 +10,15 @@ namespace cairn::drift {
 
 namespace {
 
-/// Equation (7) as it stands: without what Cairn adds to it where nobody asks otherwise, which are the cap,
-/// the second solve and the guards.
+/// Equation (7) as it stands: without what Cairn adds to it where nobody asks otherwise, which are the cap
+/// and the second solve.
 SceneSettings scene_settings(double dt, double beta, double slop = 0) {
   return {.gravity = {0, -gravity},
           .dt = dt,
           .stabilization = {.policy = StabilizationPolicy::baumgarte,
                             .baumgarte = beta,
                             .slop = slop,
-                            .max_speed = std::numeric_limits<double>::infinity()},
-          .guarded = false};
+                            .max_speed = std::numeric_limits<double>::infinity()}};
 }
 
 double height_of(const World<double>& world) { return world.bodies().pose[{1}].position.y() - ball_radius; }

@@ -44,7 +44,8 @@ StackRun run_stack(const SweepSettings& settings) {
 
 /// The rod on two wedges, and half a second of what it does: for pictures.
 void move_rod(const SweepSettings& settings, RodRun& run) {
-  Scene scene({.gravity = {0, -gravity}, .dt = 0.01});
+  Scene scene(
+      {.gravity = {0, -gravity}, .dt = 0.01, .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   scene.add_ground({.height = -0.6});
   // A little inside the end of the rod: two corners that meet have no normal.
   for (const double x : {0.02, settings.support}) {

@@ -18,7 +18,7 @@ enum class Guest { none, ball };
 Scene tower(const StartSettings& settings, Guest guest, bool warm_start = false) {
   Scene scene({.gravity = {0, -gravity},
                .dt = settings.dt,
-               .stabilization = {.baumgarte = 0},
+               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = 0},
                .warm_start = warm_start});
   scene.add_ground({.friction = 0});
   if (guest == Guest::ball) {

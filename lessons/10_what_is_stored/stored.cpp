@@ -39,7 +39,7 @@ List<Shape<double>> shapes_of(const CaseBody& body) {
 
 PairCase pair_case(const std::string& title, const List<CaseBody>& bodies,
                    const List<CaseContact>& contacts) {
-  Scene scene;
+  Scene scene({.stabilization = {.policy = StabilizationPolicy::baumgarte}});
   scene.add_ground();
   for (const CaseBody& body : bodies) {
     scene.add({.shapes = shapes_of(body),
@@ -77,7 +77,7 @@ PairCase pair_case(const std::string& title, const List<CaseBody>& bodies,
 }  // namespace
 
 Scene pyramid_scene(int base, double spacing) {
-  Scene scene({.gravity = {0, -10}, .dt = 0.02});
+  Scene scene({.gravity = {0, -10}, .dt = 0.02, .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   scene.add_ground({.friction = 0});
   for (int row = 0; row < base; ++row) {
     const int boxes = base - row;
@@ -90,7 +90,7 @@ Scene pyramid_scene(int base, double spacing) {
 }
 
 Scene tray_scene(int boxes) {
-  Scene scene({.gravity = {0, -10}, .dt = 0.02});
+  Scene scene({.gravity = {0, -10}, .dt = 0.02, .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   constexpr double pitch = 1.25;  // [m]
   const double width = pitch * boxes;
   scene.add_ground({.half_width = width, .friction = 0});

@@ -18,7 +18,9 @@
 namespace cairn::friction {
 
 Scene slope_scene(const Slope& slope, const List<Block>& blocks) {
-  Scene scene({.gravity = {0, -slope.gravity}, .dt = slope.dt});
+  Scene scene({.gravity = {0, -slope.gravity},
+               .dt = slope.dt,
+               .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   const Vec2<double> foot(slope.length * std::cos(slope.angle), 0);
   const Vec2<double> top(0, slope.length * std::sin(slope.angle));
   scene.add(

@@ -18,10 +18,8 @@ const double beta = 0.2;  // as Stabilization has it
 /// `links` of 1 kg in a line at `angle` [rad] above the horizontal, each joined to the one before it.
 template <typename Joint>
 Scene line_of(int links, double length, double height, double angle, double dt) {
-  Scene scene({.gravity = {0, -gravity},
-               .dt = dt,
-               .stabilization = {.policy = StabilizationPolicy::baumgarte},
-               .guarded = false});
+  Scene scene(
+      {.gravity = {0, -gravity}, .dt = dt, .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   const Vec2<double> along = {std::cos(angle), std::sin(angle)};
   BodyId last = ground;
   for (int i = 0; i < links; ++i) {
@@ -94,7 +92,8 @@ ChainRun run_chain(const std::string& name, const Scene& scene, int size) {
 /// friction, which would leave more than one answer.
 ChainRun run_tower(double dt) {
   const int boxes = 10;
-  Scene scene({.gravity = {0, -gravity}, .dt = dt});
+  Scene scene(
+      {.gravity = {0, -gravity}, .dt = dt, .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   scene.add_ground();
   for (int i = 0; i < boxes; ++i)
     scene.add({.shapes = {box(1, 1)}, .position = {0, i + 0.5}, .mass = 1, .friction = 0});
@@ -169,8 +168,7 @@ void add_formulas(const BlocksSettings& settings, RodRun& run) {
 World<double> bob_world(const BlocksSettings& settings) {
   Scene scene({.gravity = {0, -gravity},
                .dt = settings.dt,
-               .stabilization = {.policy = StabilizationPolicy::baumgarte},
-               .guarded = false});
+               .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   const BodyId bob = scene.add({.shapes = {circle(0.1)},
                                 .position = {std::sin(settings.start_angle), -std::cos(settings.start_angle)},
                                 .mass = 1,

@@ -98,7 +98,8 @@ Vec2<double> from_one_velocity(const VelocityProblem<double>& problem, const Con
 
 /// Two boxes that slide and turn, one on the other.
 double friction_gap() {
-  Scene scene({.gravity = {0, -gravity}, .dt = 0.02});
+  Scene scene(
+      {.gravity = {0, -gravity}, .dt = 0.02, .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   scene.add_ground();
   scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .velocity = {1, -2}, .mass = 2, .friction = 0.5});
   scene.add(

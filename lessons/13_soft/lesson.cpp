@@ -3,11 +3,10 @@
 // A weight stands on a spring. As a force the spring pushes with -k c - d v, taken at the beginning of the
 // step, and a stiff one diverges. As a row it asks for j v = zeta like any other, but by gamma less for every
 // N s that it has given: that is the same force taken at the end of the step, and it cannot diverge. Both
-// stand below as plain loops; then the library does the second with its own rows.
+// stand below as plain loops; then the library does the second with the row of a rod.
 #include "lessons/lesson.hpp"
 
 #include <cmath>
-#include <optional>
 
 #include "math/list.hpp"
 #include "parts.hpp"
@@ -50,47 +49,34 @@ List<double> by_force(const SoftSettings& settings, int steps) {
   return c;
 }
 
-// A weight on the ground's spring or rod. It cannot turn, and stands straight above, so it moves up and
-// down.
-Scene weight_scene(const SoftSettings& settings, DistanceJoint::Kind kind, double beta) {
+// A weight on the ground's rod. It cannot turn, and stands straight above, so it moves up and down.
+Scene weight_scene(const SoftSettings& settings, double beta) {
   Scene scene({.gravity = {0, -gravity},
                .dt = settings.dt,
-               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = beta},
-               .guarded = false});
+               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = beta}});
   const Vec2<double> place(0, rest_length - settings.pressed);
   const BodyId weight = scene.add({.shapes = {box(2 * half_height, 2 * half_height)},
                                    .position = place + Vec2<double>(0, half_height),
                                    .mass = settings.mass,
                                    .fixed_rotation = true});
-  std::optional<Softness> softness;
-  if (kind == DistanceJoint::Kind::spring) softness = swing_of(settings);
-  scene.join<DistanceJoint>({.a = ground,
-                             .b = weight,
-                             .anchor_b = place,
-                             .length = rest_length,
-                             .kind = kind,
-                             .softness = softness});
+  scene.join<DistanceJoint>({.a = ground, .b = weight, .anchor_b = place, .length = rest_length});
   return scene;
 }
 
-WeightRun run_weight(const SoftSettings& settings, DistanceJoint::Kind kind, double beta, int steps) {
-  World<double> world(weight_scene(settings, kind, beta));
-  SequentialImpulse<double> solver({.iterations = 1});  // one row is solved in one sweep
-  WeightRun run;
+WeightRun run_weight(const SoftSettings& settings, double gamma, double beta, int steps) {
+  World<double> world(weight_scene(settings, beta));
+  SoftRows solver(gamma, {.iterations = 1});  // one row is solved in one sweep
+  WeightRun run{.gamma = gamma, .beta = beta};
   record(run, world);
   run.rows.push_back({});
   for (int step = 0; step < steps; ++step) {
     const VelocityProblem<double> problem = world.velocity_problem();
     const ConstraintRow<double>& row = problem.rows[0];
-    run.gamma = row.softness;
     run.rows.push_back({.zeta = row.bias, .free = row_velocity(problem, row)});
     world.step(solver);
     run.rows.back().lambda = world.last_step().problem.impulse[0] / settings.dt;
     record(run, world);
   }
-  run.beta = kind == DistanceJoint::Kind::rod
-                 ? beta
-                 : return_rate<double>(swing_of(settings), settings.dt) * settings.dt;
   return run;
 }
 

@@ -12,8 +12,6 @@ namespace cairn::soft {
 
 namespace {
 
-using Kind = DistanceJoint::Kind;
-
 int steps_in(double time, double dt) { return static_cast<int>(std::lround(time / dt)); }
 
 /// Steps until a soft row has forgotten all but 1e-13 of where it began. An oscillation keeps the share
@@ -29,8 +27,8 @@ int steps_to_rest(const SoftSettings& settings) {
 }
 
 void run_to_rest(SoftRuns& all) {
-  World<double> world(weight_scene(all.settings, Kind::spring, 0));
-  SequentialImpulse<double> solver({.iterations = 1});
+  World<double> world(weight_scene(all.settings, beta_of(all.settings)));
+  SoftRows solver(gamma_of(all.settings), {.iterations = 1});
   const int steps = steps_to_rest(all.settings);
   for (int step = 0; step < steps; ++step) world.step(solver);
   all.rest_error = world.bodies().pose[{1}].position.y() - half_height - rest_length;
@@ -42,7 +40,7 @@ List<StiffRun> run_stiff(const SoftSettings& settings) {
   for (const double frequency : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 200.0, 1e6}) {
     SoftSettings stiff = settings;
     stiff.frequency = frequency;
-    const WeightRun run = run_weight(stiff, Kind::spring, 0, steps_in(seconds, settings.dt));
+    const WeightRun run = run_weight(stiff, gamma_of(stiff), beta_of(stiff), steps_in(seconds, settings.dt));
     runs.push_back({.frequency = frequency,
                     .gamma = run.gamma,
                     .beta = run.beta,
@@ -52,14 +50,11 @@ List<StiffRun> run_stiff(const SoftSettings& settings) {
   return runs;
 }
 
-Scene column_scene(const SoftSettings& settings, Kind kind) {
+Scene column_scene(const SoftSettings& settings) {
   Scene scene({.gravity = {0, -gravity},
                .dt = settings.dt,
-               .stabilization = {.policy = StabilizationPolicy::baumgarte},
-               .guarded = false});
+               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = beta_of(settings)}});
   BodyId below = ground;
-  std::optional<Softness> softness;
-  if (kind == Kind::spring) softness = SpringSoftness{stiffness(settings), damping_constant(settings)};
   for (int i = 1; i <= column_weights; ++i) {
     const Vec2<double> place(0, rest_length * i);
     const BodyId weight = scene.add(
@@ -68,9 +63,7 @@ Scene column_scene(const SoftSettings& settings, Kind kind) {
                                .b = weight,
                                .anchor_a = {0, rest_length * (i - 1)},
                                .anchor_b = place,
-                               .length = rest_length,
-                               .kind = kind,
-                               .softness = softness});
+                               .length = rest_length});
     below = weight;
   }
   return scene;
@@ -93,11 +86,12 @@ double rate_by_formula(const Matrix<double>& A) {
   return A(0, 1) * A(0, 1) / (A(0, 0) * A(1, 1)) + A(1, 2) * A(1, 2) / (A(1, 1) * A(2, 2));
 }
 
-ColumnRun run_column(const SoftSettings& settings, Kind kind) {
-  const World<double> world(column_scene(settings, kind));
-  const VelocityProblem<double> problem = world.velocity_problem();
+ColumnRun run_column(const SoftSettings& settings, double gamma) {
+  const World<double> world(column_scene(settings));
+  VelocityProblem<double> problem = world.velocity_problem();
+  for (ConstraintRow<double>& row : problem.rows) row.softness = gamma;
   const SystemMatrices<double> system = system_matrices(problem);
-  ColumnRun run{.start = snapshot(world), .gamma = problem.rows[0].softness, .A = system.A};
+  ColumnRun run{.start = snapshot(world), .gamma = gamma, .A = system.A};
   const Vector<double> exact = system.A.ldlt().solve(system.b);
   run.exact.assign(exact.begin(), exact.end());
   ProjectedGaussSeidel<double> pgs({.iterations = column_sweeps});
@@ -129,7 +123,15 @@ Growth growth_at(double frequency, const SoftSettings& settings) {
 
 }  // namespace
 
-SwingSoftness swing_of(const SoftSettings& settings) { return {settings.frequency, settings.damping}; }
+double gamma_of(const SoftSettings& settings) {
+  const SwingSoftness swing{settings.frequency, settings.damping};
+  return 1 / settings.mass / softness_divisor(swing, settings.dt);
+}
+
+double beta_of(const SoftSettings& settings) {
+  const SwingSoftness swing{settings.frequency, settings.damping};
+  return return_rate(swing, settings.dt) * settings.dt;
+}
 
 void record(WeightRun& run, const World<double>& world) {
   run.steps.push_back(snapshot(world));
@@ -183,16 +185,16 @@ double swing_energy(const SoftSettings& settings, double error, double speed) {
 SoftRuns run_soft(const SoftSettings& settings) {
   SoftRuns all{.settings = settings};
   const int steps = steps_in(seconds, settings.dt);
-  all.spring = run_weight(settings, Kind::spring, 0, steps);
-  all.rigid = run_weight(settings, Kind::rod, all.spring.beta, steps);
+  all.spring = run_weight(settings, gamma_of(settings), beta_of(settings), steps);
+  all.rigid = run_weight(settings, 0, beta_of(settings), steps);
   run_to_rest(all);
   all.stiff = run_stiff(settings);
-  all.rigid_column = run_column(settings, Kind::rod);
-  all.soft_column = run_column(settings, Kind::spring);
+  all.rigid_column = run_column(settings, 0);
+  all.soft_column = run_column(settings, gamma_of(settings));
   for (int i = 0; i <= 60; ++i) all.growth.push_back(growth_at(0.1 * std::pow(10, i / 20.0), settings));
   SoftSettings harsh = settings;
   harsh.frequency = harsh_hertz;
-  all.harsh_row = run_weight(harsh, Kind::spring, 0, harsh_steps).error;
+  all.harsh_row = run_weight(harsh, gamma_of(harsh), beta_of(harsh), harsh_steps).error;
   all.harsh_force = by_force(harsh, harsh_steps);
   return all;
 }

@@ -101,13 +101,33 @@ double exact_error(const SoftSettings& settings, double t);
 /// the step.
 List<double> by_row(const SoftSettings& settings, int steps);
 List<double> by_force(const SoftSettings& settings, int steps);
-/// The same with no row and no force but the formula of src/constraints/softness.hpp: implicit Euler.
+/// The same with no row and no force but the formula of implicit Euler.
 List<double> by_implicit_euler(const SoftSettings& settings, int steps);
 
-/// A weight on the ground's spring, or on a rod with this beta; and what the library makes of it.
-Scene weight_scene(const SoftSettings& settings, DistanceJoint::Kind kind, double beta);
-WeightRun run_weight(const SoftSettings& settings, DistanceJoint::Kind kind, double beta, int steps);
-SwingSoftness swing_of(const SoftSettings& settings);
+/// gamma [1/kg] and beta of the spring's row: those of the springs that the library puts under rigid rows
+/// (src/constraints/softness.hpp, policy soft).
+double gamma_of(const SoftSettings& settings);
+double beta_of(const SoftSettings& settings);
+
+/// Sequential impulses for rows that all give way by gamma.
+class SoftRows final : public Solver<double> {
+ public:
+  SoftRows(double gamma, const SolverSettings& settings) : gamma_(gamma), solver_(settings) {}
+  std::string name() const override { return "soft rows"; }
+  SolveReport solve(VelocityProblem<double>& problem, SolveObserver<double>* observer) override {
+    for (ConstraintRow<double>& row : problem.rows) row.softness = gamma_;
+    return solver_.solve(problem, observer);
+  }
+
+ private:
+  double gamma_;  // [1/kg]
+  SequentialImpulse<double> solver_;
+};
+
+/// A weight on a rod from the ground with this beta; and what the library makes of it where the rod's row
+/// gives way by gamma.
+Scene weight_scene(const SoftSettings& settings, double beta);
+WeightRun run_weight(const SoftSettings& settings, double gamma, double beta, int steps);
 /// Adds the state of the world as it is now.
 void record(WeightRun& run, const World<double>& world);
 

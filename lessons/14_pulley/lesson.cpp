@@ -17,8 +17,7 @@ namespace cairn::pulley {
 Scene pulley_scene(const PulleySettings& settings) {
   Scene scene({.gravity = {0, -gravity},
                .dt = settings.dt,
-               .stabilization = {.policy = StabilizationPolicy::baumgarte},
-               .guarded = false});
+               .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   const FixedList<double, 3> x = {-3 * wheel_radius, 0, 3 * wheel_radius};
   const FixedList<double, 3> y = {2, 2, 4};
   FixedList<RopeOverWheels::End, 3> ends;

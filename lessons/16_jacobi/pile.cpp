@@ -150,7 +150,9 @@ MirrorRun run_mirror(const PileSettings& settings, Method method, int step_sweep
 }  // namespace
 
 Scene pile_scene(int base, double ball_speed) {
-  Scene scene({.gravity = {0, -gravity}, .dt = time_step});
+  Scene scene({.gravity = {0, -gravity},
+               .dt = time_step,
+               .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   scene.add_ground();
   for (int level = 0; level < base; ++level) {
     for (int i = 0; i < base - level; ++i) {

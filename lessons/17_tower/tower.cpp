@@ -31,7 +31,8 @@ void record(EngineRun& run, const Snapshot& snapshot, const TowerSettings& setti
 Scene tower_scene(const TowerSettings& settings) {
   Scene scene({.gravity = {0, -settings.gravity},
                .dt = settings.dt,
-               .stabilization = {.baumgarte = 0},  // Box2D has no such term in its velocities
+               .stabilization = {.policy = StabilizationPolicy::baumgarte,
+                                 .baumgarte = 0},  // Box2D has no such term in its velocities
                .warm_start = settings.warm_start});
   scene.add_ground({.friction = 0.6});
   for (int i = 0; i < settings.boxes; ++i) {

@@ -52,7 +52,9 @@ std::string message_of(const std::function<void()>& attempt) {
 }
 
 Scene tower_of(double mass) {
-  Scene scene({.gravity = {0, -gravity}, .dt = time_step});
+  Scene scene({.gravity = {0, -gravity},
+               .dt = time_step,
+               .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   scene.add_ground();
   for (int i = 0; i < 5; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = mass});
   return scene;
@@ -74,7 +76,9 @@ double heights_apart(double mass, int sweeps) {
 }
 
 Scene pendulum(int rods) {
-  Scene scene({.gravity = {0, -gravity}, .dt = time_step});
+  Scene scene({.gravity = {0, -gravity},
+               .dt = time_step,
+               .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   const BodyId bob = scene.add({.shapes = {circle(0.1)}, .position = {1, 0}, .mass = 1});
   for (int i = 0; i < rods; ++i)
     scene.join<DistanceJoint>({.a = ground, .b = bob, .anchor_a = {0, 0}, .anchor_b = {1, 0}});
@@ -105,7 +109,9 @@ List<Refusal> try_bad_input() {
 }
 
 Guarded try_not_a_number() {
-  Scene scene({.gravity = {0, -gravity}, .dt = time_step});
+  Scene scene({.gravity = {0, -gravity},
+               .dt = time_step,
+               .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   const BodyId bystander = scene.add({.shapes = {circle(0.5)}, .position = {5, 1}});
   const BodyId first = scene.add({.shapes = {circle(0.5)}, .position = {0, 1}});
   const BodyId second = scene.add({.shapes = {circle(0.5)}, .position = {2, 1}});

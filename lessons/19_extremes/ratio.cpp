@@ -18,7 +18,9 @@ VelocityProblem<double> two_boxes(double ratio) {
 }
 
 Scene two_boxes_scene(double ratio) {
-  Scene scene({.gravity = {0, -gravity}, .dt = time_step});
+  Scene scene({.gravity = {0, -gravity},
+               .dt = time_step,
+               .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   scene.add_ground();
   for (int i = 0; i < 2; ++i) {
     scene.add({.shapes = {box(1, 1)},

@@ -88,8 +88,9 @@ void check_wall(Lesson& lesson, const ExtremesRun& run) {
   lesson.check_equal("sling: after one step the rod is L √(1 + φ²) (m)", run.wall[sling].off_by_step[1],
                      first_step_by_formula(turn), 16 * epsilon * (1 + turn));
   // It may keep the slop of 5 mm.
-  lesson.check_small("fast ball: depth in the wall (m)",
-                     worst(run.wall[fast_ball].off_by_step, run.settings.steps) * 2 * ball_radius, 0.0051);
+  for (const int each : {ball, fast_ball})
+    lesson.check_small(run.wall[each].name + ": depth in the wall (m)",
+                       worst(run.wall[each].off_by_step, run.settings.steps) * 2 * ball_radius, 0.0051);
   double pins = 0;
   for (int k = 0; k <= run.settings.steps; ++k)
     pins = std::max(pins, std::abs(pull_of(run.wall[two_pins], k) - quarrel_by_formula(run.settings, k)));

@@ -13,7 +13,7 @@ struct WallSettings {
   double ratio = 100;  // of the heavy box
   int sweeps = 10;     // of SI, in every step of every world
   int boxes = 50;      // in the tower
-  double speed = 45;   // [m/s] of both balls
+  double speed = 45;   // [m/s] of a ball; another is ten times as fast
   double beta = 2.1;   // of the pin that is pulled back too far
   double turn = 0.5;   // [rad] by which the sling turns in one step
   int steps = 60;
@@ -53,8 +53,8 @@ struct SmallWorld {
   std::function<double(const Snapshot&)> off = {};
 };
 
-/// In this order: heavy on light, light on heavy, the tower, a ball shot at a wall, one marked as fast, the
-/// pin, the sling, two pins that contradict each other.
+/// In this order: heavy on light, light on heavy, the tower, a ball shot at a wall, one ten times as fast,
+/// the pin, the sling, two pins that contradict each other.
 List<SmallWorld> small_worlds(const WallSettings& settings);
 
 inline constexpr int ball = 3, fast_ball = 4, pin = 5, sling = 6, two_pins = 7;

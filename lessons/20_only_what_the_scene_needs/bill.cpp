@@ -85,7 +85,6 @@ Scene scene_of(const NeedsSettings& settings, const Switches& switches, const Li
   SceneSettings rules{.gravity = {0, -10},
                       .dt = time_step,
                       .stabilization = {.policy = StabilizationPolicy::baumgarte},
-                      .guarded = false,
                       .friction_rows = switches.friction_rows};
   if (switches.sleeps) rules.sleeping = Sleeping{};
   Scene scene(rules);

@@ -4,16 +4,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verb.hpp"
 #include "lessons/words.hpp"
-#include "study/build_info.hpp"
+#include "world/scene_length.hpp"
 
 namespace cairn::sandbox {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Color = Console::Color;
 
 constexpr int run_columns = 100;
@@ -38,6 +37,12 @@ void print_line(Console& console, const std::string& name, const std::string& va
   const bool ok = verdict > 0;
   console.result(console.spelt(line + "  ") +
                  console.colored(ok ? "ok" : "MISSED", ok ? Color::good : Color::bad));
+}
+
+/// "in 12 of 600 steps, R_E up to 0.33".
+std::string unfinished_text(const TrialResult& result) {
+  return fmt::format("in {} of {} steps, R_E up to {:.2g}", result.unfinished_steps, result.steps,
+                     result.unfinished_residual);
 }
 
 bool is_missed(const SceneRun& run, const std::string& name) {
@@ -67,18 +72,15 @@ void print_worst(Console& console, const SceneEntry& scene, const TrialWorst& wo
                          scene.body_names[worst.b], worst.time));
 }
 
-/// Whether the run ended where the scene does.
-bool judges_places(const SceneEntry& scene, const SceneRun& run) {
-  return run.result.status == TrialStatus::ok && run.result.seconds >= scene.seconds - run.setting.dt / 2;
-}
-
 void print_overlap_and_drift(const SceneEntry& scene, const SceneRun& run, Console& console) {
   const TrialResult& result = run.result;
   const Expectations& expected = scene.expectations;
   print_measure(console, run, "worst penetration", milli(result.worst_penetration) + " mm",
                 with_unit(expected.penetration, 1e3, "mm"));
   if (result.worst_penetration > 0) print_worst(console, scene, result.penetration_worst);
-  if (run.in_ground.depth > run.setting.stabilization.slop) {
+  Scene stepped = scene.make();
+  stepped.set_settings(with_setting(stepped.settings(), run.setting));
+  if (run.in_ground.depth > *full_settings(stepped).stabilization.slop) {
     print_line(console, "through the ground",
                fmt::format(
                    "{} mm: {} is joined to it, and joined bodies do not collide (collide = \"on\" lets them)",
@@ -142,31 +144,6 @@ std::string verdict_text(const SceneEntry& scene, const SceneRun& run) {
   return "meets what is expected" + (is_longer ? fmt::format(" of its first {:g} s", scene.seconds) : "");
 }
 
-/// Null where there was nothing to measure.
-Json worst_json(const SceneEntry& scene, double value, const TrialWorst& worst) {
-  if (!(value > 0)) return nullptr;
-  Json json = {{"a", scene.body_names[worst.a]}, {"b", scene.body_names[worst.b]}, {"time_s", worst.time}};
-  if (!worst.joint.empty()) json["joint"] = worst.joint;
-  return json;
-}
-
-Json places_json(const SceneEntry& scene, const SceneRun& run) {
-  Json places = Json::array();
-  for (int i = 0; judges_places(scene, run) && i < scene.expectations.places.size(); ++i) {
-    const ExpectedPlace& place = scene.expectations.places[i];
-    places.push_back({{"body", scene.body_names[place.body]},
-                      {"distance_m", run.result.place_distances[i]},
-                      {"within_m", place.within}});
-  }
-  return places;
-}
-
-List<std::string> failure_texts(const SceneEntry& scene, const SceneRun& run) {
-  List<std::string> texts;
-  for (const Failure& failure : run.result.failures) texts.push_back(failure_text(failure, scene.body_names));
-  return texts;
-}
-
 /// "si x10": what the runs of a comparison do not have in common.
 std::string contestant_label(const Setting& setting) {
   const std::string text = setting_text(setting);
@@ -193,6 +170,10 @@ void print_row(const SceneEntry& scene, const SceneRun& run, int width, Console&
 
 }  // namespace
 
+bool judges_places(const SceneEntry& scene, const SceneRun& run) {
+  return run.result.status == TrialStatus::ok && run.result.seconds >= scene.seconds - run.setting.dt / 2;
+}
+
 std::string refusal_text(const SceneEntry& scene, const SceneRun& run) {
   return fmt::format("{} cannot run {}: {}", run.setting.solver, scene.name, run.result.reason);
 }
@@ -201,13 +182,17 @@ void print_run(const SceneEntry& scene, const SceneRun& run, Console& console) {
   const TrialResult& result = run.result;
   console.result(console.spelt(fmt::format("{}: {}", scene.name, scene.title)));
   print_line(console, "setting", setting_text(run.setting));
+  if (const std::string why = why_chosen(scene, run.setting); !why.empty())
+    print_line(console, "chosen", why);
   const double real_time = result.cost() > 0 ? 1 / result.cost() : 0;
   print_line(console, "time", fmt::format("{:g} s in {} steps", result.seconds, result.steps));
   print_line(console, "processor time",
              fmt::format("{:.3g} ms a step, {:.3g} times as fast as real time",
                          1e3 * result.step_seconds / std::max(1, result.steps), real_time));
   print_line(console, "row updates", count_text(result.row_updates));
+  if (result.unfinished_steps > 0) print_line(console, "unfinished solves", unfinished_text(result));
   print_overlap_and_drift(scene, run, console);
+  print_line(console, "energy scale", fmt::format("{:.3g} J", result.energy_scale));
   print_measure(console, run, "energy gain", percent(result.energy_gain) + " %",
                 with_unit(scene.expectations.energy_gain, 1, "%"));
   print_measure(console, run, "energy loss", percent(std::max(0.0, result.energy_loss)) + " %",
@@ -237,45 +222,13 @@ void print_runs(const SceneEntry& scene, const List<SceneRun>& runs, Console& co
           "{}: place of {} {}, expected at most {} mm", contestant_label(run.setting),
           scene.body_names[place.body], off_text(run.result.place_distances[i]), milli(place.within))));
     }
+    if (run.result.unfinished_steps > 0)
+      console.result(contestant_label(run.setting) + ": unfinished solves " + unfinished_text(run.result));
     for (const Failure& failure : run.result.failures) {
       const std::string text = failure_text(failure, scene.body_names);
       console.result(wrapped(contestant_label(run.setting) + ": " + text, run_columns, 2));
     }
   }
-}
-
-nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
-  const TrialResult& result = run.result;
-  const Setting& setting = run.setting;
-  Json json = {{"scene", scene.name},
-               {"setting", setting_text(setting)},
-               {"solver", setting.solver},
-               {"sweeps", setting.sweeps.iterations},
-               {"substeps", setting.substeps},
-               {"dt_s", setting.dt},
-               {"status", status_text(result.status)}};
-  if (result.status == TrialStatus::refused) {
-    json["reason"] = result.reason;
-    return json;
-  }
-  json.update({{"time_s", result.seconds},
-               {"steps", result.steps},
-               {"step_ms", 1e3 * result.step_seconds / std::max(1, result.steps)},
-               {"row_updates", result.row_updates},
-               {"penetration_m", result.worst_penetration},
-               {"penetration_worst", worst_json(scene, result.worst_penetration, result.penetration_worst)},
-               {"drift_m_or_rad", result.worst_drift},
-               {"drift_worst", worst_json(scene, result.worst_drift, result.drift_worst)},
-               {"energy_gain", result.energy_gain},
-               {"energy_loss", result.energy_loss},
-               {"farthest_m", result.farthest},
-               {"stands_s", scene.expectations.stands ? Json(result.stands_until) : Json(nullptr)},
-               {"places", places_json(scene, run)},
-               {"missed", run.missed},
-               {"failures", failure_texts(scene, run)},
-               {"build", build_json()},
-               {"state", fmt::format("{:016x}", result.state_hash)}});
-  return json;
 }
 
 int exit_code(const SceneRun& run) {

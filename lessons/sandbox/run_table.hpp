@@ -12,6 +12,9 @@ namespace cairn::sandbox {
 /// "box2d cannot run weld-beam: ...", of a run that was refused.
 std::string refusal_text(const SceneEntry& scene, const SceneRun& run);
 
+/// Whether the run ended where the scene does.
+bool judges_places(const SceneEntry& scene, const SceneRun& run);
+
 /// One line a number, such as "worst penetration  1.2 mm   expected at most 5 mm  ok". Not of a refused run.
 void print_run(const SceneEntry& scene, const SceneRun& run, Console& console);
 

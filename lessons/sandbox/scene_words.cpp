@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "lessons/words.hpp"
+#include "scenes/default_setting.hpp"
 #include "scenes/solver_list.hpp"
 
 namespace cairn::sandbox {
@@ -48,15 +49,12 @@ Enum choice_of(const Words& words, std::string_view flag, Enum standard, const L
 /// The flags that not every solver takes, by what its entry says.
 struct TakenFlag {
   const char* flag = "";
-  bool SolverEntry::* taken = nullptr;
+  bool SolverEntry::*taken = nullptr;
 };
-constexpr TakenFlag taken_flags[] = {{"sweeps", &SolverEntry::uses_sweeps},
-                                     {"threads", &SolverEntry::uses_threads},
-                                     {"cold", &SolverEntry::uses_warm_start},
-                                     {"contact-search", &SolverEntry::uses_world},
-                                     {"scalar", &SolverEntry::uses_world},
-                                     {"stabilization", &SolverEntry::uses_world},
-                                     {"guards", &SolverEntry::uses_world}};
+constexpr TakenFlag taken_flags[] = {
+    {"sweeps", &SolverEntry::uses_sweeps},   {"threads", &SolverEntry::uses_threads},
+    {"cold", &SolverEntry::uses_warm_start}, {"contact-search", &SolverEntry::uses_world},
+    {"scalar", &SolverEntry::uses_world},    {"stabilization", &SolverEntry::uses_world}};
 
 }  // namespace
 
@@ -98,8 +96,7 @@ List<Flag> search_and_thread_flags() {
 
 void set_search_and_threads(const Words& words, Setting& setting) {
   setting.sweeps.threads = words.whole("threads", setting.sweeps.threads, 1, SolverSettings::most_threads);
-  setting.contact_search =
-      choice_of(words, "contact-search", setting.contact_search, contact_search_words());
+  setting.contact_search = choice_of(words, "contact-search", setting.contact_search, contact_search_words());
 }
 
 List<Flag> setting_flags() {
@@ -109,14 +106,13 @@ List<Flag> setting_flags() {
       {"sweeps", "N", fmt::format("over all rows, at most; from 0 to {}", Setting::most_sweeps)},
       {"substeps", "N", "of which a step is made"}};
   flags = joined_flags(flags, search_and_thread_flags());
-  return joined_flags(
-      flags, {{"frequency", "HZ", "steps a second"},
-              {"dt", "TIME", "the length of a step, such as 1/60 or 2ms, in place of --frequency"},
-              {"scalar", "WHICH", "float, double or long-double"},
-              {"stabilization", "WHICH",
-               "none, baumgarte, relaxed, soft or split-impulse; cairn list stabilizations"},
-              {"guards", "WHICH", "on or off: solves that fail are caught (on where there are joints)"},
-              {"cold", "", "every step begins without the impulses of the last"}});
+  return joined_flags(flags,
+                      {{"frequency", "HZ", "steps a second"},
+                       {"dt", "TIME", "the length of a step, such as 1/60 or 2ms, in place of --frequency"},
+                       {"scalar", "WHICH", "float, double or long-double"},
+                       {"stabilization", "WHICH",
+                        "none, baumgarte, relaxed, soft or split-impulse; cairn list stabilizations"},
+                       {"cold", "", "every step begins without the impulses of the last"}});
 }
 
 Setting with_solver(const Words& words, std::string_view flag, Setting setting, const std::string& text) {
@@ -138,6 +134,14 @@ Setting with_solver(const Words& words, std::string_view flag, Setting setting, 
   return setting;
 }
 
+std::string why_chosen(const SceneEntry& scene, const Setting& setting) {
+  const DefaultSetting usual = default_setting(scene.make());
+  const bool is_usual = setting.solver == usual.setting.solver &&
+                        setting.substeps == usual.setting.substeps &&
+                        setting.sweeps.iterations == usual.setting.sweeps.iterations;
+  return is_usual ? usual.reason : "";
+}
+
 Setting setting_of(const Words& words, const SceneEntry& scene) {
   const Setting setting = common_setting(words, scene);
   refuse_idle_flags(words, {setting.solver});
@@ -157,7 +161,6 @@ Setting common_setting(const Words& words, const SceneEntry& scene) {
   setting.dt = step_of(words, setting.dt);
   StabilizationPolicy& policy = setting.stabilization.policy;
   policy = choice_of(words, "stabilization", policy, stabilization_words());
-  if (words.has("guards")) setting.guarded = words.word("guards", "on", {"on", "off"}) == "on";
   if (words.has("cold")) setting.warm_start = false;
   check(setting);
   return setting;

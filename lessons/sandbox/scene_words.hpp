@@ -23,6 +23,9 @@ List<Flag> search_and_thread_flags();
 /// What the two ask for. @throws UsageError.
 void set_search_and_threads(const Words& words, Setting& setting);
 
+/// Why the scene is stepped so, where nobody has said how: the reason of its default. Else nothing.
+std::string why_chosen(const SceneEntry& scene, const Setting& setting);
+
 /// The scene's recommended setting, with what the words ask for in its place.
 /// @throws UsageError, std::invalid_argument for a setting that nobody can step by.
 Setting setting_of(const Words& words, const SceneEntry& scene);

@@ -37,7 +37,6 @@ std::map<std::string, std::string> value_words() {
           {"--stabilization", joined(stabilization_words(), " ")},
           {"--scalar", joined(precision_words(), " ")},
           {"--contact-search", joined(contact_search_words(), " ")},
-          {"--guards", "on off"},
           {"--theme", "light dark"},
           {"--size", "small medium large"},
           {"--show", "loads contacts velocities trails overlaps numbers none"},

@@ -129,6 +129,8 @@ void print_explanation(const SceneEntry& entry, const Setting& setting, const Pl
   console.result(console.spelt(entry.name + ": " + entry.title));
   console.result(console.spelt(entry.look));
   line("setting", setting_text(setting));
+  if (const std::string why = why_chosen(entry, setting); !why.empty()) line("chosen", why);
+  line("lengths", plan.lengths);
   std::string text = explain(plan);
   if (!text.empty() && text.back() == '\n') text.pop_back();
   console.result(console.spelt(text));
@@ -172,6 +174,11 @@ Json explanation_json(const SceneEntry& entry, const Setting& setting, const Pla
           {"warm_start", plan.warm_start},
           {"substeps", plan.substeps},
           {"sleeping", plan.sleeping},
+          {"unit_length_m", plan.length},
+          {"speculative_margin_m", *plan.settings.speculative_margin},
+          {"slop_m", *plan.settings.stabilization.slop},
+          {"max_speed_m_s", *plan.settings.stabilization.max_speed},
+          {"restitution_threshold_m_s", *plan.settings.restitution_threshold},
           {"contacts", counts.contacts},
           {"rows", counts.rows},
           {"rows_of_joints", counts.equalities},

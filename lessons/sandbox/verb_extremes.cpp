@@ -84,9 +84,9 @@ int report_extremes(const List<ExtremeRow>& found, const Words& words, Console& 
     fmt::print("{}\n", extreme_json(found));
   else
     print_table(found, words, console);
-  const std::string summary =
-      fmt::format("{} cases: {} OK, {} BOUND, {} REFUSE, {} FAIL; {} miss what is required", found.size(),
-                  verdicts["OK"], verdicts["BOUND"], verdicts["REFUSE"], verdicts["FAIL"], missed);
+  const std::string summary = fmt::format(
+      "{} cases: {} OK, {} BOUND, {} REFUSE, {} TOLD, {} FAIL; {} miss what is required", found.size(),
+      verdicts["OK"], verdicts["BOUND"], verdicts["REFUSE"], verdicts["TOLD"], verdicts["FAIL"], missed);
   if (words.has("json"))
     console.narrate(summary);
   else
@@ -129,30 +129,30 @@ int run_extremes(const Words& words, Console& console) {
 }  // namespace
 
 Verb extremes_verb() {
-  return {
-      .name = "extremes",
-      .summary = "what holds, degrades or is refused at the extremes",
-      .idea =
-          "Drives one thing after the other to its extremes: mass ratios, heights, steps, speeds, sizes, "
-          "springs, materials, numbers. OK: within the tolerance of what is measured. BOUND: not, but "
-          "finite, without an energy gain above 1 %, and nothing goes through anything else. REFUSE: an "
-          "error that names object and value. FAIL: none of these. Exit code 1 where a case misses what it "
-          "must do. It can be stopped and taken up again. --atlas draws maps over two things at once "
-          "instead, a "
-          "panel for each solver: where it holds, where it degrades and where it explodes.",
-      .flags = {{"quick", "", "two settings for each value: half a minute instead of many"},
-                {"only", "AXIS,AXIS", "these alone", true},
-                {"missed", "", "shows those that miss what is required, and no others"},
-                {"out", "DIR", "for the journal (out/extremes)"},
-                {"again", "", "forgets what an earlier run has found"},
-                {"shard", "k/n", "does the k-th of n parts only"},
-                {"merge", "FILE,FILE", "puts the journals of parts together instead of running", true},
-                {"list", "", "the axes, and what each is tried with"},
-                {"atlas", "DIR", "draws the maps into this folder, their journal beside them"},
-                {"theme", "NAME", "of the maps: light or dark (light)"}},
-      .examples = {"extremes --quick", "extremes --only stack,chain --missed", "extremes --shard 1/4",
-                   "extremes --atlas out/atlas --theme dark"},
-      .run = run_extremes};
+  return {.name = "extremes",
+          .summary = "what holds, degrades or is refused at the extremes",
+          .idea =
+              "Drives one thing after the other to its extremes: mass ratios, heights, steps, speeds, sizes, "
+              "springs, materials, numbers. OK: within the tolerance of what is measured. BOUND: not, but "
+              "finite, without an energy gain above 1 %, and nothing goes through anything else. REFUSE: an "
+              "error that names object and value. TOLD: it went wrong, and R_E says why: solves ended with a "
+              "tenth of their errors left. FAIL: none of these. Exit code 1 where a case misses what it "
+              "must do. It can be stopped and taken up again. --atlas draws maps over two things at once "
+              "instead, a "
+              "panel for each solver: where it holds, where it degrades and where it explodes.",
+          .flags = {{"quick", "", "two settings for each value: half a minute instead of many"},
+                    {"only", "AXIS,AXIS", "these alone", true},
+                    {"missed", "", "shows those that miss what is required, and no others"},
+                    {"out", "DIR", "for the journal (out/extremes)"},
+                    {"again", "", "forgets what an earlier run has found"},
+                    {"shard", "k/n", "does the k-th of n parts only"},
+                    {"merge", "FILE,FILE", "puts the journals of parts together instead of running", true},
+                    {"list", "", "the axes, and what each is tried with"},
+                    {"atlas", "DIR", "draws the maps into this folder, their journal beside them"},
+                    {"theme", "NAME", "of the maps: light or dark (light)"}},
+          .examples = {"extremes --quick", "extremes --only stack,chain --missed", "extremes --shard 1/4",
+                       "extremes --atlas out/atlas --theme dark"},
+          .run = run_extremes};
 }
 
 }  // namespace cairn::sandbox

@@ -10,6 +10,7 @@
 #include "lessons/sandbox/step_view.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
+#include "scenes/default_setting.hpp"
 #include "math/list.hpp"
 #include "solvers/system_matrix.hpp"
 
@@ -185,7 +186,12 @@ Json step_json(const SceneEntry& scene, const StepView& view) {
 }
 
 Setting inspected_setting(const Words& words, const SceneEntry& scene) {
-  const Setting setting = setting_of(words, scene);
+  Setting setting = setting_of(words, scene);
+  if (!words.has("solver") && setting.solver == default_setting(scene.make()).setting.solver) {
+    setting.solver = "si";  // sweeps are to be seen
+    if (!words.has("sweeps")) setting.sweeps.iterations = 10;
+    if (!words.has("substeps")) setting.substeps = 1;
+  }
   if (setting.solver == "box2d")
     words.refuse("solver", "one of Cairn's own: the rows of Box2D cannot be seen", "box2d");
   if (words.has("scalar") && setting.scalar != Precision::double_precision)

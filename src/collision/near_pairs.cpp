@@ -28,6 +28,7 @@ template <Scalar Real>
 NearPairs<Real>::NearPairs(BroadphaseKind kind, List<char> movable)
     : proxies_(kind), movable_(std::move(movable)), is_moved_(movable_.size(), 0) {
   proxies_.reset(movable_.size());
+  for (List<std::pair<int, int>>* pairs : {&pairs_, &found_, &next_}) pairs->reserve(movable_.size());
   moved_.reserve(movable_.size());
 }
 

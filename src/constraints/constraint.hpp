@@ -26,7 +26,7 @@ struct RowSpec {
   Bounds<Real> bounds = {};                    // a friction row names its normal row by place in this list
   std::uint64_t part = 0;                      // names the row within its constraint, from step to step
   Real rebound = 0;  // [m/s] least separation speed, should the bodies meet in this step
-  Real speed = 0;    // [m/s or rad/s] that j v should have where C is 0: of a motor
+  Real speed = 0;    // [m/s or rad/s] that j v should have where C is 0: of a motor, or along an arc
   /// [N or N m]; replaces the bounds by |impulse| <= max_force dt, or by what the row that they name has left
   /// of a disc of that radius
   std::optional<Real> max_force = {};
@@ -50,6 +50,27 @@ Real violation(const RowSpec<Real>& spec) {
 /// The rows of a constraint, or of all of them.
 template <Scalar Real>
 using RowSpecs = List<RowSpec<Real>>;
+
+/// The force of one row [N or N m].
+template <Scalar Real>
+struct RowForce {
+  std::uint64_t part = 0;  // RowSpec::part
+  Real force = 0;          // the paper's lambda
+};
+
+/// What the rows of a constraint gave in the last substep.
+template <Scalar Real>
+struct RowForces {
+  List<RowForce<Real>> rows = {};  // those that there were
+
+  /// Of the row of this part; 0 where there was none.
+  Real of(std::uint64_t part) const {
+    for (const RowForce<Real>& row : rows) {
+      if (row.part == part) return row.force;
+    }
+    return 0;
+  }
+};
 
 /// A place where a joint is fastened.
 struct Attachment {
@@ -105,6 +126,22 @@ class Constraint {
   virtual void append_rows(const PerBody<Pose<long double>>& poses,
                            const PerBody<Vec3<long double>>& velocities,
                            RowSpecs<long double>& rows) const = 0;
+
+  /// Adds its geometric stiffness under these forces: how they change as its bodies move, because they keep
+  /// to rods and arms that move along. It is the matrix K = -sum of lambda d^2C/dx^2. What is added is a
+  /// diagonal that bounds K and -K from above, with a number for each freedom of each body [N/m, N/m,
+  /// N m/rad]: the forces are those of the last substep, and may have the other sign by now. A kind whose C
+  /// is linear has none. Sources: M. Tournier, M. Nesme, B. Gilles, F. Faure, Stable Constrained Dynamics
+  /// (2015); S. Andrews, M. Teichmann, P. Kry, Geometric Stiffness for Real-time Constrained Multibody
+  /// Dynamics (2017).
+  virtual void add_stiffness(const PerBody<Pose<float>>& poses, const RowForces<float>& forces,
+                             PerBody<Vec3<float>>& stiffness) const = 0;
+  /// The same in double.
+  virtual void add_stiffness(const PerBody<Pose<double>>& poses, const RowForces<double>& forces,
+                             PerBody<Vec3<double>>& stiffness) const = 0;
+  /// The same in long double.
+  virtual void add_stiffness(const PerBody<Pose<long double>>& poses, const RowForces<long double>& forces,
+                             PerBody<Vec3<long double>>& stiffness) const = 0;
 };
 
 /// Turns one member template of Derived,
@@ -112,6 +149,9 @@ class Constraint {
 /// into the virtual functions; and, where Derived has it, a second one that sees the velocities:
 ///   template <Scalar Real>
 ///   void rows(const PerBody<Pose<Real>>&, const PerBody<Vec3<Real>>&, RowSpecs<Real>&) const;
+/// and, where it has geometric stiffness,
+///   template <Scalar Real>
+///   void stiffen(const PerBody<Pose<Real>>&, const RowForces<Real>&, PerBody<Vec3<Real>>&) const;
 template <typename Derived>
 class ConstraintOf : public Constraint {
  public:
@@ -138,6 +178,18 @@ class ConstraintOf : public Constraint {
                    RowSpecs<long double>& rows) const override {
     rows_in_motion(poses, velocities, rows);
   }
+  void add_stiffness(const PerBody<Pose<float>>& poses, const RowForces<float>& forces,
+                     PerBody<Vec3<float>>& stiffness) const override {
+    stiffen_if_stiff(poses, forces, stiffness);
+  }
+  void add_stiffness(const PerBody<Pose<double>>& poses, const RowForces<double>& forces,
+                     PerBody<Vec3<double>>& stiffness) const override {
+    stiffen_if_stiff(poses, forces, stiffness);
+  }
+  void add_stiffness(const PerBody<Pose<long double>>& poses, const RowForces<long double>& forces,
+                     PerBody<Vec3<long double>>& stiffness) const override {
+    stiffen_if_stiff(poses, forces, stiffness);
+  }
   /// @endcond
 
  private:
@@ -148,6 +200,13 @@ class ConstraintOf : public Constraint {
       derived().rows(poses, velocities, rows);
     } else {
       derived().rows(poses, rows);
+    }
+  }
+  template <Scalar Real>
+  void stiffen_if_stiff(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+                        PerBody<Vec3<Real>>& stiffness) const {
+    if constexpr (requires { derived().stiffen(poses, forces, stiffness); }) {
+      derived().stiffen(poses, forces, stiffness);
     }
   }
   const Derived& derived() const { return static_cast<const Derived&>(*this); }

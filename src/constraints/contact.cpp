@@ -86,6 +86,7 @@ struct ProblemSink {
   std::uint64_t source;
   VelocityProblem<Real>& problem;
   int& next;
+  List<RelaxedRow<Real>>* relaxed;
 
   ConstraintRow<Real>& row(std::uint64_t part) {
     if (next == problem.row_count()) problem.rows.emplace_back();
@@ -101,12 +102,15 @@ struct ProblemSink {
   int last() const { return next - 1; }
   void end_normal(ConstraintRow<Real>& row, const ManifoldPoint<Real>& point, Real rebound) const {
     row.bounds = Bounds<Real>::unilateral();
-    stabilization.stabilize({point.separation, rebound, material.slop_limit, material.gravity}, problem, row);
+    const RelaxedRow<Real> second = stabilization.stabilize(
+        {point.separation, rebound, material.slop_limit, material.gravity}, problem, row);
+    if (relaxed) relaxed->push_back(second);
   }
   void end_friction(ConstraintRow<Real>& row, int normal_row, int second) const {
     row.bias = 0;
     row.bounds = stabilization.has_friction() ? Bounds<Real>::coulomb(material.friction, normal_row, second)
                                               : Bounds<Real>::at_most(0);
+    if (relaxed) relaxed->push_back({});
   }
 };
 
@@ -124,10 +128,11 @@ template <Scalar Real>
 void write_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
                         const ContactMaterial<Real>& material, const PerBody<Pose<Real>>& poses,
                         const PerBody<Vec3<Real>>& velocity, const ContactStabilization<Real>& stabilization,
-                        std::uint64_t source, VelocityProblem<Real>& problem, int& next) {
+                        std::uint64_t source, VelocityProblem<Real>& problem, int& next,
+                        List<RelaxedRow<Real>>* relaxed) {
   if (problem.inverse_mass[a].isZero(0) && problem.inverse_mass[b].isZero(0)) return;
   make_contact_rows(manifold, poses[a], poses[b], velocity[a], velocity[b], material,
-                    ProblemSink<Real>{a, b, material, stabilization, source, problem, next});
+                    ProblemSink<Real>{a, b, material, stabilization, source, problem, next, relaxed});
 }
 
 template void append_contact_rows(const Manifold<float>&, BodyId, BodyId, const ContactMaterial<float>&,
@@ -142,14 +147,15 @@ template void append_contact_rows(const Manifold<long double>&, BodyId, BodyId,
 template void write_contact_rows(const Manifold<float>&, BodyId, BodyId, const ContactMaterial<float>&,
                                  const PerBody<Pose<float>>&, const PerBody<Vec3<float>>&,
                                  const ContactStabilization<float>&, std::uint64_t, VelocityProblem<float>&,
-                                 int&);
+                                 int&, List<RelaxedRow<float>>*);
 template void write_contact_rows(const Manifold<double>&, BodyId, BodyId, const ContactMaterial<double>&,
                                  const PerBody<Pose<double>>&, const PerBody<Vec3<double>>&,
                                  const ContactStabilization<double>&, std::uint64_t, VelocityProblem<double>&,
-                                 int&);
+                                 int&, List<RelaxedRow<double>>*);
 template void write_contact_rows(const Manifold<long double>&, BodyId, BodyId,
                                  const ContactMaterial<long double>&, const PerBody<Pose<long double>>&,
                                  const PerBody<Vec3<long double>>&, const ContactStabilization<long double>&,
-                                 std::uint64_t, VelocityProblem<long double>&, int&);
+                                 std::uint64_t, VelocityProblem<long double>&, int&,
+                                 List<RelaxedRow<long double>>*);
 
 }  // namespace cairn

@@ -44,12 +44,14 @@ void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
 
 /// Writes the same rows into a problem of which dt, inverse masses and velocities are those of the step
 /// without constraints, over its rows from `next` on; `next` is then the row behind them. Their key's source
-/// is `source`. Between bodies that nothing moves there are none.
+/// is `source`. Between bodies that nothing moves there are none. Behind `relaxed` comes what each is in a
+/// second solve; null: there is none.
 template <Scalar Real>
 void write_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
                         const ContactMaterial<Real>& material, const PerBody<Pose<Real>>& poses,
                         const PerBody<Vec3<Real>>& velocity, const ContactStabilization<Real>& stabilization,
-                        std::uint64_t source, VelocityProblem<Real>& problem, int& next);
+                        std::uint64_t source, VelocityProblem<Real>& problem, int& next,
+                        List<RelaxedRow<Real>>* relaxed = nullptr);
 
 /// Row parts of a contact point: its feature id with one bit for the kind of row.
 constexpr std::uint64_t normal_part(std::uint32_t feature) { return std::uint64_t{feature} << 1; }

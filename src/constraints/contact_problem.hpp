@@ -36,6 +36,12 @@ struct ContactTicket {
   bool operator==(const ContactTicket&) const = default;  // whether both are of one solve
 };
 
+/// What impulses the second solve of a substep begins from.
+enum class SecondStart {
+  of_first_start,   // those that the first one began from, so that nothing of its answer stays
+  of_first_answer,  // those that the first one found, so that the second ends what it has begun
+};
+
 /// A step in which contacts are all that is to be solved: with a row of friction for each point, and without
 /// restitution.
 template <Scalar Real>
@@ -49,7 +55,8 @@ struct ContactProblem {
   Real gravity = 0;  // [m/s^2] that a body in overlap has to rise against
   /// dt, inverse masses and velocities, as in any problem; of rows those that the solver likes to have.
   VelocityProblem<Real>* problem = nullptr;
-  ContactTicket ticket = {};  // of these contacts
+  SecondStart second_start = SecondStart::of_first_start;  // of relax()
+  ContactTicket ticket = {};                               // of these contacts
 };
 
 }  // namespace cairn

@@ -53,6 +53,18 @@ void DistanceJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows)
   rows.push_back(row);
 }
 
+template <Scalar Real>
+void DistanceJoint::stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+                            PerBody<Vec3<Real>>& stiffness) const {
+  const JointArms<Real> arms = ends_.arms(poses);
+  const Real distance = arms.d.norm();
+  if (!(distance > 0)) return;
+  const Vec2<Real> u = arms.d / distance;
+  const Real tension = kind_ == Kind::rope ? forces.of(0) : -forces.of(0);
+  add_line_stiffness<Real>(ends_.a, arms.r_a, u, distance, tension, stiffness);
+  add_line_stiffness<Real>(ends_.b, arms.r_b, -u, distance, tension, stiffness);
+}
+
 template class ConstraintOf<DistanceJoint>;
 
 }  // namespace cairn

@@ -12,10 +12,11 @@ namespace cairn {
 /// centres of mass to the anchors:
 ///   rod     C = |d| - length,       j = (-u, -(r_a x u), u, r_b x u),   pulls and pushes
 ///   rope    C = length - |d| >= 0,  j = (u, r_a x u, -u, -(r_b x u)),   impulse >= 0: only pulls
-///   spring  C and j of the rod, soft: impulse = -dt (k C + c dC/dt), taken at the end of the step
+///   spring  C and j of the rod, soft: impulse = -dt (k C + c dC/dt), as softness.hpp takes it
 /// A rope may be soft too, as rubber is. It has a row while it has less slack than slack_margin. At |d| = 0
-/// the direction is not defined, and no row is written. Source: the derivative of |d|; softness.hpp for
-/// springs.
+/// the direction is not defined, and no row is written. Its geometric stiffness is that of a line
+/// (add_line_stiffness); what a spring's own k resists along the line is in its row already, exactly. Source:
+/// the derivative of |d|; softness.hpp for springs.
 class DistanceJoint final : public ConstraintOf<DistanceJoint> {
  public:
   /// What holds the anchors at their distance: see the class.
@@ -46,6 +47,11 @@ class DistanceJoint final : public ConstraintOf<DistanceJoint> {
   /// Appends the rows that hold at these poses.
   template <Scalar Real>
   void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+
+  /// Adds its geometric stiffness under these forces, as add_stiffness().
+  template <Scalar Real>
+  void stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+               PerBody<Vec3<Real>>& stiffness) const;
 
  private:
   JointEnds ends_;

@@ -36,6 +36,13 @@ void DragJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) con
   }
 }
 
+template <Scalar Real>
+void DragJoint::stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+                        PerBody<Vec3<Real>>& stiffness) const {
+  const auto arms = joint_arms<Real>(poses[ground], poses[body_], target_, local_);
+  add_pin_stiffness(ground, body_, arms, pin_force(forces), stiffness);
+}
+
 template class ConstraintOf<DragJoint>;
 
 }  // namespace cairn

@@ -13,8 +13,9 @@ namespace cairn {
 /// in FrictionJoint would need axes that turn with the pull. 20 times the weight of a box pull it through no
 /// wall that it touches; 100 times may. The damper brakes against the world, not against the target: behind a
 /// target that goes evenly at u, the anchor stays 2 zeta u / w. The joint does not change: moved_to() is the
-/// same grip with another target. Source: the derivative of C; softness.hpp for springs; E. Catto's
-/// b2MouseJoint in Box2D, which has one stiffness for both axes.
+/// same grip with another target. Its geometric stiffness is that of a pin (add_pin_stiffness). Source: the
+/// derivative of C; softness.hpp for springs; E. Catto's b2MouseJoint in Box2D, which has one stiffness for
+/// both axes.
 class DragJoint final : public ConstraintOf<DragJoint> {
  public:
   /// What the joint is made from.
@@ -45,6 +46,11 @@ class DragJoint final : public ConstraintOf<DragJoint> {
   /// Appends the rows that hold at these poses.
   template <Scalar Real>
   void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+
+  /// Adds its geometric stiffness under these forces, as add_stiffness().
+  template <Scalar Real>
+  void stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+               PerBody<Vec3<Real>>& stiffness) const;
 
  private:
   BodyId body_;

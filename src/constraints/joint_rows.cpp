@@ -1,6 +1,9 @@
 // Floor 3. The shared rows of joints.
 #include "constraints/joint_rows.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "math/check.hpp"
 
 namespace cairn {
@@ -47,6 +50,11 @@ RowSpec<Real> angle_row(BodyId a, BodyId b, Real angle) {
 template <Scalar Real>
 void append_limit_rows(const RowSpec<Real>& coordinate, const JointLimits& limits, RowSpecs<Real>& rows) {
   RowSpec<Real> row = coordinate;
+  if (limits.lower && limits.lower == limits.upper) {
+    row.error -= static_cast<Real>(*limits.lower);
+    row.part = static_cast<std::uint64_t>(JointPart::lower_limit);
+    return rows.push_back(row);
+  }
   row.bounds = Bounds<Real>::unilateral();
   row.keeps_slop = false;
   if (limits.lower) {
@@ -73,6 +81,23 @@ void append_motor_row(const RowSpec<Real>& coordinate, double speed, double max_
   rows.push_back(row);
 }
 
+template <Scalar Real>
+void add_pin_stiffness(BodyId a, BodyId b, const JointArms<Real>& arms, const Vec2<Real>& force_on_b,
+                       PerBody<Vec3<Real>>& stiffness) {
+  stiffness[a].z() += std::abs(arms.r_a.dot(force_on_b));
+  stiffness[b].z() += std::abs(arms.r_b.dot(force_on_b));
+}
+
+template <Scalar Real>
+void add_line_stiffness(BodyId body, const Vec2<Real>& arm, const Vec2<Real>& direction, Real length,
+                        Real tension, PerBody<Vec3<Real>>& stiffness) {
+  const Real reach = std::abs(arm.dot(direction)), l = std::max(length, reach);
+  const Real force = std::abs(tension), across = 2 * force / length;
+  stiffness[body].x() += across * (1 + reach / l);
+  stiffness[body].y() += across * (1 + reach / l);
+  stiffness[body].z() += across * reach * (reach + l) + force * reach;
+}
+
 void require_limits(const JointLimits& limits, const std::string& place, const std::string& unit) {
   if (limits.lower) require_finite(*limits.lower, place, "lower", unit);
   if (limits.upper) require_finite(*limits.upper, place, "upper", unit);
@@ -87,6 +112,18 @@ void require_limits(const JointLimits& limits, const std::string& place, const s
 template void append_pin_rows(BodyId, BodyId, const JointArms<float>&, RowSpecs<float>&);
 template void append_pin_rows(BodyId, BodyId, const JointArms<double>&, RowSpecs<double>&);
 template void append_pin_rows(BodyId, BodyId, const JointArms<long double>&, RowSpecs<long double>&);
+template void add_pin_stiffness(BodyId, BodyId, const JointArms<float>&, const Vec2<float>&,
+                                PerBody<Vec3<float>>&);
+template void add_pin_stiffness(BodyId, BodyId, const JointArms<double>&, const Vec2<double>&,
+                                PerBody<Vec3<double>>&);
+template void add_pin_stiffness(BodyId, BodyId, const JointArms<long double>&, const Vec2<long double>&,
+                                PerBody<Vec3<long double>>&);
+template void add_line_stiffness(BodyId, const Vec2<float>&, const Vec2<float>&, float, float,
+                                 PerBody<Vec3<float>>&);
+template void add_line_stiffness(BodyId, const Vec2<double>&, const Vec2<double>&, double, double,
+                                 PerBody<Vec3<double>>&);
+template void add_line_stiffness(BodyId, const Vec2<long double>&, const Vec2<long double>&, long double,
+                                 long double, PerBody<Vec3<long double>>&);
 template RowSpec<float> angle_row(BodyId, BodyId, float);
 template RowSpec<double> angle_row(BodyId, BodyId, double);
 template RowSpec<long double> angle_row(BodyId, BodyId, long double);

@@ -26,6 +26,13 @@ struct JointArms {
   Vec2<Real> d;    // [m] from the anchor of a to the anchor of b
 };
 
+/// [N] What the two rows of a pin gave: on b.
+template <Scalar Real>
+Vec2<Real> pin_force(const RowForces<Real>& forces) {
+  return {forces.of(static_cast<std::uint64_t>(JointPart::x)),
+          forces.of(static_cast<std::uint64_t>(JointPart::y))};
+}
+
 /// The arms of a joint whose anchors are given in the frames of its bodies [m].
 template <Scalar Real>
 JointArms<Real> joint_arms(const Frame<Real>& a, const Frame<Real>& b, const Vec2<double>& local_a,
@@ -75,7 +82,8 @@ template <Scalar Real>
 RowSpec<Real> angle_row(BodyId a, BodyId b, Real angle);
 
 /// The limits of the coordinate whose row is `coordinate`: C = coordinate - lower >= 0 with the same j, and
-/// C = upper - coordinate >= 0 with -j. A limit that is further away than the margin has no row.
+/// C = upper - coordinate >= 0 with -j. A limit that is further away than the margin has no row. Limits that
+/// coincide are one equality, C = coordinate - lower.
 template <Scalar Real>
 void append_limit_rows(const RowSpec<Real>& coordinate, const JointLimits& limits, RowSpecs<Real>& rows);
 
@@ -83,6 +91,23 @@ void append_limit_rows(const RowSpec<Real>& coordinate, const JointLimits& limit
 /// |impulse| <= max_force dt.
 template <Scalar Real>
 void append_motor_row(const RowSpec<Real>& coordinate, double speed, double max_force, RowSpecs<Real>& rows);
+
+/// The geometric stiffness of a pin that pushes b with the force F [N], and a with -F: arms turn with their
+/// bodies, and nothing else of C has a second derivative.
+///   K_q of a = |r_a . F|,   K_q of b = |r_b . F|
+template <Scalar Real>
+void add_pin_stiffness(BodyId a, BodyId b, const JointArms<Real>& arms, const Vec2<Real>& force_on_b,
+                       PerBody<Vec3<Real>>& stiffness);
+
+/// The geometric stiffness of a straight line of length L [m] that pulls with the force T [N], for the body at
+/// one of its ends, which has the arm r [m] and s = |r . u| along the direction u of the line. Across the line
+/// its ends x_1 and x_2 have the energy T (x_1 - x_2)^2 / 2 L, no more than T (x_1^2 + x_2^2) / L. With an arm
+/// an end is where the body's centre x and its angle q take it, and (x + s q)^2 is at most
+/// (1 + s / l) x^2 + s (s + l) q^2 for any length l, here the longer one of L and s. The arm turns, too:
+///   K_x = K_y = 2 T / L (1 + s / l),   K_q = 2 T / L s (s + l) + T s
+template <Scalar Real>
+void add_line_stiffness(BodyId body, const Vec2<Real>& arm, const Vec2<Real>& direction, Real length,
+                        Real tension, PerBody<Vec3<Real>>& stiffness);
 
 /// @throws std::invalid_argument unless lower and upper are finite, lower <= upper, and margin is finite and
 /// not negative. `unit` as in "m".

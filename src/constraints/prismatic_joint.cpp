@@ -73,6 +73,18 @@ void PrismaticJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows
   rows.push_back(angle_row(ends_.a, ends_.b, ends_.angle(poses)));
 }
 
+template <Scalar Real>
+void PrismaticJoint::stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+                             PerBody<Vec3<Real>>& stiffness) const {
+  JointArms<Real> arms = ends_.arms(poses);
+  arms.r_a += arms.d;
+  const Vec2<Real> u = Rotation<Real>(poses[ends_.a].angle) * local_axis_.template cast<Real>();
+  const auto of = [&](JointPart part) { return forces.of(static_cast<std::uint64_t>(part)); };
+  const Real along = of(JointPart::lower_limit) - of(JointPart::upper_limit) + of(JointPart::motor);
+  const Vec2<Real> force = along * u + of(JointPart::y) * perpendicular(u);
+  add_pin_stiffness(ends_.a, ends_.b, arms, force, stiffness);
+}
+
 template class ConstraintOf<PrismaticJoint>;
 
 }  // namespace cairn

@@ -17,8 +17,9 @@ namespace cairn {
 ///   lower limit    C = s - lower >= 0,  j = j_s,   impulse >= 0
 ///   upper limit    C = upper - s >= 0,  j = -j_s,  impulse >= 0
 ///   motor          no C,                j = j_s,   j v = speed, |impulse| <= max_force dt
-/// A limit has a row while it is nearer than limit_margin, and a motor when there is one. Source: the
-/// derivative of C, with dn/dt = w_a x n; the bounds as in E. Catto, Modeling and Solving Constraints (2009).
+/// A limit has a row while it is nearer than limit_margin, and a motor when there is one. Its geometric
+/// stiffness is that of a pin with these arms. As b slides, the force also moves along a: that couples sliding
+/// with turning, has no place on a diagonal, and is left out. Source: the derivative of C, with dn/dt = w_a x n; the bounds as in E. Catto, Modeling and Solving Constraints (2009).
 class PrismaticJoint final : public ConstraintOf<PrismaticJoint> {
  public:
   /// Drives the slide.
@@ -51,6 +52,11 @@ class PrismaticJoint final : public ConstraintOf<PrismaticJoint> {
   /// Appends the rows that hold at these poses.
   template <Scalar Real>
   void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+
+  /// Adds its geometric stiffness under these forces, as add_stiffness().
+  template <Scalar Real>
+  void stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+               PerBody<Vec3<Real>>& stiffness) const;
 
  private:
   JointEnds ends_;

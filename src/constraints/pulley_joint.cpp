@@ -155,6 +155,29 @@ void PulleyJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) c
   rows.push_back(row);
 }
 
+template <Scalar Real>
+void PulleyJoint::stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+                          PerBody<Vec3<Real>>& stiffness) const {
+  const Real tension = kind_ == Kind::rope ? forces.of(0) : -forces.of(0);
+  for (const Part& part : parts_) {
+    const Pose<Real>& body = poses[part.body];
+    const Pose<Real>& carrier = poses[part.carrier];
+    const bool on_drum = part.kind == Roller::drum;
+    const Vec2<Real> r_p = Rotation<Real>(body.angle) * Vec2<Real>(part.anchor.template cast<Real>());
+    Vec2<Real> r_q = part.roller.template cast<Real>();
+    if (!on_drum) r_q = Rotation<Real>(carrier.angle) * r_q;
+    const Vec2<Real> d = body.position + r_p - carrier.position - r_q;
+    const Real distance = d.norm();
+    if (!(distance > 0)) return;
+    const Vec2<Real> u = d / distance;
+    const Real pull = static_cast<Real>(part.count) * tension;
+    add_line_stiffness<Real>(part.body, r_p, -u, distance, pull, stiffness);
+    // The rope leaves a drum at a point that does not turn with it.
+    const Vec2<Real> arm = on_drum ? Vec2<Real>(0, 0) : r_q;
+    add_line_stiffness<Real>(part.carrier, arm, u, distance, pull, stiffness);
+  }
+}
+
 template class ConstraintOf<PulleyJoint>;
 
 }  // namespace cairn

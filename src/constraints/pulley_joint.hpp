@@ -24,7 +24,8 @@ namespace cairn {
 /// ropes, one joint for each.
 ///
 /// A rope has its row while it has less slack than slack_margin. Where an anchor is at its roller, the
-/// direction is not defined, and no row is written. Source: the derivative of C; the ratios are those of
+/// direction is not defined, and no row is written. Each part has the geometric stiffness of a line
+/// (add_line_stiffness), r_i times; the arm on a drum does not turn, and has none. Source: the derivative of C; the ratios are those of
 /// E. Catto, Box2D's pulley joint (2007).
 class PulleyJoint final : public ConstraintOf<PulleyJoint> {
  public:
@@ -65,6 +66,11 @@ class PulleyJoint final : public ConstraintOf<PulleyJoint> {
   /// Appends the rows that hold at these poses.
   template <Scalar Real>
   void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+
+  /// Adds its geometric stiffness under these forces, as add_stiffness().
+  template <Scalar Real>
+  void stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+               PerBody<Vec3<Real>>& stiffness) const;
 
  private:
   struct Part {

@@ -50,6 +50,12 @@ void RevoluteJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows)
   append_pin_rows(ends_.a, ends_.b, ends_.arms(poses), rows);
 }
 
+template <Scalar Real>
+void RevoluteJoint::stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+                  PerBody<Vec3<Real>>& stiffness) const {
+  add_pin_stiffness(ends_.a, ends_.b, ends_.arms(poses), pin_force(forces), stiffness);
+}
+
 template class ConstraintOf<RevoluteJoint>;
 
 }  // namespace cairn

@@ -15,8 +15,8 @@ namespace cairn {
 ///   lower limit  C = q - lower >= 0,  j = j_q,   impulse >= 0
 ///   upper limit  C = upper - q >= 0,  j = -j_q,  impulse >= 0
 ///   motor        no C,                j = j_q,   j v = speed, |impulse| <= max_torque dt
-/// A limit has a row while it is nearer than limit_margin, and a motor when there is one. Source: the
-/// derivative of C; the bounds as in E. Catto, Modeling and Solving Constraints (2009).
+/// A limit has a row while it is nearer than limit_margin, and a motor when there is one. Its geometric
+/// stiffness is that of a pin (add_pin_stiffness). Source: the derivative of C; the bounds as in E. Catto, Modeling and Solving Constraints (2009).
 class RevoluteJoint final : public ConstraintOf<RevoluteJoint> {
  public:
   /// Drives the angle.
@@ -53,6 +53,11 @@ class RevoluteJoint final : public ConstraintOf<RevoluteJoint> {
   /// Appends the rows that hold at these poses.
   template <Scalar Real>
   void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+
+  /// Adds its geometric stiffness under these forces, as add_stiffness().
+  template <Scalar Real>
+  void stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+               PerBody<Vec3<Real>>& stiffness) const;
 
  private:
   JointEnds ends_;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "constraints/springs.hpp"
+
 namespace cairn {
 
 namespace {
@@ -34,36 +36,25 @@ bool policy_has_springs(const Stabilization& stabilization, StabilizationPass pa
   return stabilization.policy == StabilizationPolicy::soft && pass == StabilizationPass::velocity;
 }
 
-/// The spring of a row in the velocity pass: its own, or the policy's for an error that is to go.
+/// The spring of the policy for an error that is to go.
 template <Scalar Real>
-std::optional<Softness> spring_of(const RowSpec<Real>& spec, const Stabilization& stabilization,
-                                  StabilizationPass pass, Real dt, const PerBody<Vec3<Real>>& velocity) {
-  if (spec.softness) return spec.softness;
+std::optional<SwingSoftness> policy_spring_of(const RowSpec<Real>& spec, const Stabilization& stabilization,
+                                              StabilizationPass pass, Real dt,
+                                              const PerBody<Vec3<Real>>& velocity) {
   if (!policy_has_springs(stabilization, pass) || holds_no_position(spec)) return std::nullopt;
   if (spec.bounds.is_unilateral() && (spec.error >= 0 || rebounds(spec, dt, velocity))) return std::nullopt;
   const bool of_contact = spec.gravity.has_value();
   return spring_in_steps(of_contact ? stabilization.soft : stabilization.joint_soft, static_cast<double>(dt));
 }
 
-/// What the policy's spring of a row carries [1/kg]: its A_ii; or, of a row that holds points of two bodies
-/// together, only what A_ii has of their masses. The rows of one point share it, whichever way the axes are
-/// turned. With A_ii, inertia that hardly resists would make the spring weak for the mass too, which hangs on
-/// it along the arm: a pin 1 m from 1 kg and 1e-3 kg m^2 would give way a thousand times as far.
 template <Scalar Real>
-Real carried_inverse_mass(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
-  if (!row.bounds.is_equality()) return inverse_effective_mass(problem, row);
-  Real of_masses = 0;
-  for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-    const Real inverse_mass = problem.inverse_mass[body].x();
-    of_masses += inverse_mass * jacobian.template head<2>().squaredNorm();
-  });
-  return of_masses > 0 ? of_masses : inverse_effective_mass(problem, row);
+Real limited_softness(Real softness) {
+  return std::min(softness, most_softness<Real>());
 }
 
 /// Whether the velocities of contacts keep the speed that takes overlap back.
 bool contacts_keep_speed(const Stabilization& stabilization) {
-  return stabilization.policy == StabilizationPolicy::baumgarte ||
-         stabilization.policy == StabilizationPolicy::relaxed;
+  return stabilization.policy == StabilizationPolicy::baumgarte;
 }
 
 /// By how much of its error a rigid row recovers in a second: what stands for beta / dt in (7).
@@ -81,8 +72,8 @@ Real recovery_rate(const Stabilization& stabilization, StabilizationPass pass, R
 /// are deep, as n sqrt(g d / 2) <= sqrt(2 g n d). Without gravity nothing says how fast that is.
 template <Scalar Real>
 Real speed_limit(const Stabilization& stabilization, Real gravity, Real overlap) {
-  if (std::isinf(stabilization.max_speed)) return std::numeric_limits<Real>::infinity();
-  const Real limit = static_cast<Real>(stabilization.max_speed);
+  if (std::isinf(most_speed(stabilization))) return std::numeric_limits<Real>::infinity();
+  const Real limit = static_cast<Real>(most_speed(stabilization));
   const bool keeps_speed = contacts_keep_speed(stabilization) && gravity > 0;
   return keeps_speed ? std::min(limit, std::sqrt(gravity * overlap / 2)) : limit;
 }
@@ -90,7 +81,7 @@ Real speed_limit(const Stabilization& stabilization, Real gravity, Real overlap)
 /// [m] What an inequality may stay violated by.
 template <Scalar Real>
 Real slop_of(const Stabilization& stabilization, Real slop_limit) {
-  return std::min(static_cast<Real>(stabilization.slop), slop_limit);
+  return std::min(static_cast<Real>(stabilization.slop.value_or(usual_slop)), slop_limit);
 }
 
 }  // namespace
@@ -108,7 +99,7 @@ double spring_sag(const SwingSoftness& spring, double dt, double acceleration) {
 template <Scalar Real>
 Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization, StabilizationPass pass,
                    Real dt, const PerBody<Vec3<Real>>& velocity) {
-  const std::optional<Softness> spring = spring_of(spec, stabilization, pass, dt, velocity);
+  const auto spring = policy_spring_of(spec, stabilization, pass, dt, velocity);
   const Real rate = spring ? return_rate(*spring, dt) : recovery_rate(stabilization, pass, dt);
   if (!spec.bounds.is_unilateral()) return spec.speed - spec.error * rate;
 
@@ -121,6 +112,7 @@ Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization
     if (spec.gravity) bias = std::min(bias, speed_limit(stabilization, *spec.gravity, overlap));
   }
   if (pass == StabilizationPass::position) return bias - spec_velocity(spec, velocity);
+  bias += spec.speed;
   return rebounds(spec, dt, velocity) ? std::max(bias, spec.rebound) : bias;
 }
 
@@ -132,8 +124,8 @@ Real left_out_by_jacobian(const RowSpec<Real>& spec, const RowSpec<Real>& ahead,
 
 template <Scalar Real>
 void stabilize_row(const RowSpec<Real>& spec, const Stabilization& stabilization, StabilizationPass pass,
-                   VelocityProblem<Real>& problem, std::uint64_t source, int first_row,
-                   ConstraintRow<Real>& row) {
+                   const BodyState<Real>& begin, VelocityProblem<Real>& problem, std::uint64_t source,
+                   int first_row, ConstraintRow<Real>& row) {
   row.a = spec.a;
   row.b = spec.b;
   row.jacobian_a = spec.jacobian_a;
@@ -157,11 +149,11 @@ void stabilize_row(const RowSpec<Real>& spec, const Stabilization& stabilization
     row.bounds = Bounds<Real>::at_most(0);
     return;
   }
-  if (const auto spring = spring_of(spec, stabilization, pass, problem.dt, problem.velocity)) {
-    // The row is still rigid here: this is j M^-1 j^T alone.
-    const Real inverse_mass =
-        spec.softness ? inverse_effective_mass(problem, row) : carried_inverse_mass(problem, row);
-    row.softness = row_softness(*spring, inverse_mass, problem.dt);
+  if (spec.softness) return put_on_spring(spec, begin, problem.dt, row);
+  if (const auto spring = policy_spring_of(spec, stabilization, pass, problem.dt, problem.velocity)) {
+    const Real carried = row.bounds.is_equality() ? carried_inverse_mass(spec, problem.inverse_mass)
+                                                  : inverse_effective_mass(problem, row);
+    row.softness = limited_softness(carried / softness_divisor(*spring, problem.dt));
   }
 }
 
@@ -187,9 +179,9 @@ ContactStabilization<Real>::ContactStabilization(const Stabilization& stabilizat
                        : Real(0)) {}
 
 template <Scalar Real>
-void ContactStabilization<Real>::stabilize(const ContactState<Real>& contact,
-                                           const VelocityProblem<Real>& problem,
-                                           ConstraintRow<Real>& row) const {
+RelaxedRow<Real> ContactStabilization<Real>::stabilize(const ContactState<Real>& contact,
+                                                       const VelocityProblem<Real>& problem,
+                                                       ConstraintRow<Real>& row) const {
   const bool corrects = pass_ == StabilizationPass::position;
   const bool needs_speed = corrects || contact.rebound > 0;
   const Real jv = needs_speed ? row_velocity(problem, row) : Real(0);
@@ -203,25 +195,30 @@ void ContactStabilization<Real>::stabilize(const ContactState<Real>& contact,
     row.bias = std::min(rate * overlap, speed_limit(stabilization_, contact.gravity, overlap));
   }
   if (corrects) row.bias -= jv;
-  if (!corrects && bounces) row.bias = std::max(row.bias, contact.rebound);
+  RelaxedRow<Real> relaxed = {.bias = std::min(row.bias, Real(0))};
+  if (!corrects && bounces) {
+    row.bias = std::max(row.bias, contact.rebound);
+    relaxed.bias = contact.rebound;
+  }
   row.softness = 0;
-  if (!on_spring) return;
+  if (!on_spring) return relaxed;
   const SwingSoftness spring = spring_in_steps(stabilization_.soft, static_cast<double>(dt_));
-  row.softness = row_softness<Real>(spring, inverse_effective_mass(problem, row), dt_);
+  row.softness = limited_softness(inverse_effective_mass(problem, row) / softness_divisor(spring, dt_));
+  return relaxed;
 }
 
 template <Scalar Real>
 ContactRule<Real> ContactStabilization<Real>::rule(Real gravity) const {
-  const bool keeps_speed = contacts_keep_speed(stabilization_) && !std::isinf(stabilization_.max_speed);
+  const bool keeps_speed = contacts_keep_speed(stabilization_) && !std::isinf(most_speed(stabilization_));
   const SwingSoftness spring = spring_in_steps(stabilization_.soft, static_cast<double>(dt_));
   return {.dt = dt_,
-          .slop = on_springs_ ? Real(0) : static_cast<Real>(stabilization_.slop),
+          .slop = on_springs_ ? Real(0) : static_cast<Real>(stabilization_.slop.value_or(usual_slop)),
           .rigid_rate = rigid_rate_,
           .has_springs = on_springs_,
           .spring_rate = spring_rate_,
           .spring_divisor = softness_divisor(spring, dt_),
           .most_softness = most_softness<Real>(),
-          .most_speed = static_cast<Real>(stabilization_.max_speed),
+          .most_speed = static_cast<Real>(most_speed(stabilization_)),
           .gravity = keeps_speed ? gravity : Real(0)};
 }
 
@@ -236,18 +233,21 @@ template float bias_velocity(const RowSpec<float>&, const Stabilization&, Stabil
 template float left_out_by_jacobian(const RowSpec<float>&, const RowSpec<float>&, float,
                                     const PerBody<Vec3<float>>&);
 template void stabilize_row(const RowSpec<float>&, const Stabilization&, StabilizationPass,
-                            VelocityProblem<float>&, std::uint64_t, int, ConstraintRow<float>&);
+                            const BodyState<float>&, VelocityProblem<float>&, std::uint64_t, int,
+                            ConstraintRow<float>&);
 template double bias_velocity(const RowSpec<double>&, const Stabilization&, StabilizationPass, double,
                               const PerBody<Vec3<double>>&);
 template double left_out_by_jacobian(const RowSpec<double>&, const RowSpec<double>&, double,
                                      const PerBody<Vec3<double>>&);
 template void stabilize_row(const RowSpec<double>&, const Stabilization&, StabilizationPass,
-                            VelocityProblem<double>&, std::uint64_t, int, ConstraintRow<double>&);
+                            const BodyState<double>&, VelocityProblem<double>&, std::uint64_t, int,
+                            ConstraintRow<double>&);
 template long double bias_velocity(const RowSpec<long double>&, const Stabilization&, StabilizationPass,
                                    long double, const PerBody<Vec3<long double>>&);
 template long double left_out_by_jacobian(const RowSpec<long double>&, const RowSpec<long double>&,
                                           long double, const PerBody<Vec3<long double>>&);
 template void stabilize_row(const RowSpec<long double>&, const Stabilization&, StabilizationPass,
-                            VelocityProblem<long double>&, std::uint64_t, int, ConstraintRow<long double>&);
+                            const BodyState<long double>&, VelocityProblem<long double>&, std::uint64_t, int,
+                            ConstraintRow<long double>&);
 
 }  // namespace cairn

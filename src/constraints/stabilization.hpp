@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "constraints/constraint.hpp"
 #include "constraints/contact_rule.hpp"
@@ -13,7 +14,8 @@ namespace cairn {
 enum class StabilizationPolicy {
   none,           // nothing: they stay, and grow by the error of integration
   baumgarte,      // (4), (7): velocities carry a share beta / dt of them; they keep that speed afterwards
-  relaxed,        // as baumgarte; of joints a second solve takes the speed out, and they follow their arcs
+  relaxed,        // as baumgarte; a second solve, without that share, takes the speed out; joints follow
+                  // their arcs, and bodies take part with the mass max(M, dt^2 K): Constraint::add_stiffness
   soft,           // stiff springs in the rows; a second solve, without springs, takes their speed out again
   split_impulse,  // velocities of their own, which move the bodies once and are forgotten
 };
@@ -25,17 +27,24 @@ enum class StabilizationPass {
   position,  // of the policy split_impulse: those that only correct positions
 };
 
+/// [m] Stabilization::slop where it is left out, of bodies that are 1 m long.
+inline constexpr double usual_slop = 0.005;
+/// [m/s] Stabilization::max_speed likewise.
+inline constexpr double usual_max_speed = 4;
+
 /// How errors go. Rigid contacts may keep `slop` of overlap, so that they do not flicker; the springs of
 /// policy soft give way by themselves and leave none. Sources: J. Baumgarte (1972); E. Catto, Solver2D
 /// (2024), for soft rows with a relaxing solve; E. Coumans' Bullet for split impulses.
 struct Stabilization {
   StabilizationPolicy policy = StabilizationPolicy::relaxed;  // what becomes of errors
   double baumgarte = 0.2;  // beta: the share of an error that one step removes
-  double slop = 0.005;     // [m] overlap of rigid contacts that is left alone; less of small ones
-  /// [m/s] Contacts take overlap back no faster than this, nor under baumgarte and relaxed than by sqrt(g
-  /// depth / 2), half the speed of a fall through it: it lifts a body out and no higher, however short the
-  /// step. Infinite: neither holds.
-  double max_speed = 4;
+  /// [m] Overlap of rigid contacts that is left alone; less of small ones. Left out: 5 mm, or, in a world,
+  /// 0.005 of its unit of length (world/scene_length.hpp).
+  std::optional<double> slop = {};
+  /// [m/s] Left out: 4, or, in a world, the speed of a fall through 0.8 of that length. Contacts take overlap
+  /// back no faster than this, nor under baumgarte than by sqrt(g depth / 2), half the speed of a
+  /// fall through it: it lifts a body out and no higher, however short the step. Infinite: neither holds.
+  std::optional<double> max_speed = {};
   /// Springs of policy soft: of contacts, and of joints, which carry more and rattle less. Neither swings
   /// more often than 0.25 / dt.
   SwingSoftness soft = {.frequency = 30, .damping_ratio = 10};
@@ -45,6 +54,11 @@ struct Stabilization {
   bool operator==(const Stabilization&) const = default;
 };
 
+/// [m/s] What max_speed is.
+inline double most_speed(const Stabilization& stabilization) {
+  return stabilization.max_speed.value_or(usual_max_speed);
+}
+
 /// A spring of policy soft in steps of dt [s]: at most one swing in four steps, for steps could not follow a
 /// faster one.
 SwingSoftness spring_in_steps(SwingSoftness spring, double dt);
@@ -53,21 +67,21 @@ SwingSoftness spring_in_steps(SwingSoftness spring, double dt);
 /// it acts on by `acceleration` [m/s^2].
 double spring_sag(const SwingSoftness& spring, double dt, double acceleration);
 
-/// zeta (7) of one row: the value that j v should take in a step of dt [s].
+/// zeta (7) of one row that has no spring of its own: the value that j v should take in a step of dt [s].
 ///   an equality        -beta C / dt
 ///   an inequality with room left (C > 0)        -C / dt: it may use its room up, and no more
 ///   an inequality that is violated (C < 0)      beta max(0, -C - slop) / dt
-/// and, if the free velocity would make the bodies meet within the step, at least the rebound. A motor asks
-/// for its speed. In a soft row its spring's rate takes the place of beta / dt, and there is no slop. What
-/// stands for beta / dt in a rigid row depends on policy and pass: 0 where errors are not to go now, and the
-/// rate of the policy's spring.
-/// `velocity` is the velocity that the step would have without constraints; in the position pass the one that
-/// it has, of which an inequality takes no more than is still missing.
+/// and, if the free velocity would make the bodies meet within the step, at least the rebound. To this comes
+/// the speed that the row asks for by itself, as a motor's or along an arc. On a spring of the policy its
+/// rate takes the place of beta / dt, and there is no slop. What stands for beta / dt in a rigid row depends
+/// on policy and pass: 0 where errors are not to go now. `velocity` is the velocity that the step would have
+/// without constraints; in the position pass the one that it has, of which an inequality takes no more than
+/// is still missing.
 template <Scalar Real>
 Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization, StabilizationPass pass,
                    Real dt, const PerBody<Vec3<Real>>& velocity);
 
-/// What the Jacobian of an equality leaves out of its error [m or rad] in a step of dt [s] at these
+/// What the Jacobian of a row leaves out of its error [m or rad] in a step of dt [s] at these
 /// velocities: C(x + dt v) - C(x) - dt j v, which is dt^2 / 2 times the change of j v that turning brings.
 /// `ahead` is the row at x + dt v. A row that asks for this to be taken back holds where the step ends, and
 /// its bodies, which then move along chords of their arcs, keep their speed. Source: R. Weinstein, J. Teran,
@@ -78,14 +92,15 @@ Real left_out_by_jacobian(const RowSpec<Real>& spec, const RowSpec<Real>& ahead,
                           const PerBody<Vec3<Real>>& velocity);
 
 /// Writes the row of `spec` in a step of `problem`, whose dt, inverse masses and velocities are those of the
-/// step without constraints: with the bias above, the softness of its spring, and a motor's force as an
-/// impulse. The block of the row begins at row `first_row`. Terms of further bodies go to the problem's extra
+/// step without constraints: with the bias above or the row of its spring, and a motor's force as an impulse.
+/// `begin` is how the step began: what its bodies weigh and how fast they were before any force. The block of
+/// the row begins at row `first_row`. Terms of further bodies go to the problem's extra
 /// terms. In the position pass friction, motors and springs do nothing. `row` may be an old one: every member
 /// is set.
 template <Scalar Real>
 void stabilize_row(const RowSpec<Real>& spec, const Stabilization& stabilization, StabilizationPass pass,
-                   VelocityProblem<Real>& problem, std::uint64_t source, int first_row,
-                   ConstraintRow<Real>& row);
+                   const BodyState<Real>& begin, VelocityProblem<Real>& problem, std::uint64_t source,
+                   int first_row, ConstraintRow<Real>& row);
 
 /// What the two functions above do for a rigid equality of a joint, in numbers that all joints on the same
 /// spring share. The numbers of rows are the same to the last bit.
@@ -104,6 +119,13 @@ struct JointRule {
 template <Scalar Real>
 JointRule<Real> joint_rule(const Stabilization& stabilization, StabilizationPass pass, Real dt);
 
+/// What a row is in the second solve of the policies relaxed and soft.
+template <Scalar Real>
+struct RelaxedRow {
+  Real bias = 0;      // [m/s or rad/s]
+  Real softness = 0;  // [1/kg]
+};
+
 /// The normal row of a contact point, as far as stabilization needs to know it.
 template <Scalar Real>
 struct ContactState {
@@ -121,9 +143,10 @@ class ContactStabilization {
   /// In a step of dt [s].
   ContactStabilization(const Stabilization& stabilization, StabilizationPass pass, Real dt);
 
-  /// Gives a normal row of `problem`, which has its Jacobians, its bias and its softness.
-  void stabilize(const ContactState<Real>& contact, const VelocityProblem<Real>& problem,
-                 ConstraintRow<Real>& row) const;
+  /// Gives a normal row of `problem`, which has its Jacobians, its bias and its softness. What it is in the
+  /// second solve, where there is one: of what it asks for only the rebound stays, and that room may be used.
+  RelaxedRow<Real> stabilize(const ContactState<Real>& contact, const VelocityProblem<Real>& problem,
+                             ConstraintRow<Real>& row) const;
   /// The same in numbers, for bodies that rise against `gravity` [m/s^2]. Not for
   /// StabilizationPass::position.
   ContactRule<Real> rule(Real gravity) const;

@@ -18,6 +18,12 @@ void WeldJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) con
   rows.push_back(angle_row(ends_.a, ends_.b, ends_.angle(poses)));
 }
 
+template <Scalar Real>
+void WeldJoint::stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+                  PerBody<Vec3<Real>>& stiffness) const {
+  add_pin_stiffness(ends_.a, ends_.b, ends_.arms(poses), pin_force(forces), stiffness);
+}
+
 template class ConstraintOf<WeldJoint>;
 
 }  // namespace cairn

@@ -13,7 +13,8 @@ namespace cairn {
 ///   j = (-1, 0, r_a.y, 1, 0, -r_b.y) for x,   (0, -1, -r_a.x, 0, 1, r_b.x) for y,
 ///       (0, 0, -1, 0, 0, 1) for q
 /// The third row's impulse is the moment that bends the joint. A long beam of welds converges slowly: about
-/// n^4 sweeps a digit for n bodies. Source: the derivative of C.
+/// n^4 sweeps a digit for n bodies. Its geometric stiffness is that of a pin (add_pin_stiffness); its moment
+/// has none. Source: the derivative of C.
 class WeldJoint final : public ConstraintOf<WeldJoint> {
  public:
   /// What the joint is made from.
@@ -33,6 +34,11 @@ class WeldJoint final : public ConstraintOf<WeldJoint> {
   /// Appends the rows that hold at these poses.
   template <Scalar Real>
   void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+
+  /// Adds its geometric stiffness under these forces, as add_stiffness().
+  template <Scalar Real>
+  void stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+               PerBody<Vec3<Real>>& stiffness) const;
 
  private:
   JointEnds ends_;

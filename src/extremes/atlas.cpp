@@ -97,7 +97,7 @@ AtlasCell atlas_cell(const Scene& scene, const Setting& setting, const AtlasLimi
   TrialOptions options;
   options.seconds = limits.seconds;
   options.penetration_every = std::numeric_limits<int>::max();
-  options.fastest = std::numeric_limits<double>::infinity();
+  options.most_energy = std::numeric_limits<double>::infinity();
   options.gives_up = [](const TrialResult& so_far) { return so_far.energy_gain > atlas_explosion; };
   const TrialResult result = run_trial(scene, setting, options);
   AtlasCell cell{.measured = measure(result), .energy_gain = result.energy_gain};

@@ -75,7 +75,7 @@ Setting swept(const AtlasPanel& panel, double sweeps) {
 Scene level_chain(int links) {
   const double length = 0.5, radius = 0.25, bob = 100;
   const double link_inertia = (length * length + 0.01) / 12;  // a bar of 1 kg, 0.1 m thick
-  Scene scene({.guarded = false});
+  Scene scene;
   BodyId above = ground;
   for (int i = 0; i < links; ++i) {
     const BodyId link = scene.add({.position = {(i + 0.5) * length, 0}, .mass = 1, .inertia = link_inertia});

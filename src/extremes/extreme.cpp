@@ -17,6 +17,8 @@ std::string verdict_text(ExtremeVerdict verdict) {
       return "BOUND";
     case ExtremeVerdict::refuse:
       return "REFUSE";
+    case ExtremeVerdict::told:
+      return "TOLD";
     case ExtremeVerdict::fail:
       break;
   }
@@ -24,7 +26,8 @@ std::string verdict_text(ExtremeVerdict verdict) {
 }
 
 bool meets(ExtremeVerdict required, ExtremeVerdict found) {
-  return found == required || (required == ExtremeVerdict::bound && found == ExtremeVerdict::ok);
+  if (required != ExtremeVerdict::bound) return found == required;
+  return found == required || found == ExtremeVerdict::ok || found == ExtremeVerdict::told;
 }
 
 const List<ExtremeAxis>& extreme_axes() {

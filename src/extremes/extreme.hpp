@@ -15,13 +15,15 @@ enum class ExtremeVerdict {
   bound,   // not, but finite, without an energy gain above 1 %, and nothing went through anything else
   refuse,  // std::invalid_argument that names field and value, or std::length_error for what needs too much
            // memory
+  told,    // not even bounded, and R_E says why: solves ended with a hundredth of their errors left or more
   fail,    // none of these
 };
 
-/// "OK", "BOUND", "REFUSE" or "FAIL".
+/// "OK", "BOUND", "REFUSE", "TOLD" or "FAIL".
 std::string verdict_text(ExtremeVerdict verdict);
 
-/// Whether a case that must end as `required` may end so: what must be bounded may be right as well.
+/// Whether a case that must end as `required` may end so. What must be bounded may be right as well; and it
+/// may go wrong where R_E tells, for so many sweeps do not carry every load.
 bool meets(ExtremeVerdict required, ExtremeVerdict found);
 
 /// What was measured, and how it ended.

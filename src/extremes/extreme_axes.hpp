@@ -39,13 +39,13 @@ struct ExtremeRun {
   double thinnest = 1;        // [m] of the thinnest body: an overlap by half of it has gone through
   double floor = -1e300;      // [m] a centre of mass below it has gone through
   double energy_gain = 0.01;  // of its scale: more is a failure
-  /// [J] The scale; 0: energy_scale() of the start, which knows nothing of how far a single body can fall.
+  /// [J] The scale; 0: that of the run, TrialResult::energy_scale.
   double energy_scale = 0;
   std::function<bool(const Snapshot&)> escaped = {};  // a further way to have gone through something
   double time_limit = 30;                             // [s] of processor time, at most
 };
 
-/// Judges by what ExtremeVerdict says, with SceneSettings::guarded. A refusal by the engine is passed on.
+/// Judges by what ExtremeVerdict says. A refusal by the engine is passed on.
 /// @throws std::invalid_argument, std::length_error.
 ExtremeFinding run_extreme(const Scene& scene, const Setting& setting, const ExtremeRun& run);
 
@@ -65,7 +65,7 @@ auto in_scalar(Precision scalar, const Run& run) {
   return run(double());
 }
 
-/// A scene with the settings that a setting asks for, and guarded.
+/// A scene with the settings that a setting asks for.
 Scene scene_for(const Setting& setting, const SceneSettings& usual = {});
 
 }  // namespace cairn

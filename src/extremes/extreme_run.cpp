@@ -32,6 +32,20 @@ std::string failure_of(const TrialResult& result, const ExtremeRun& run, const s
   return "";
 }
 
+// R_E of a solve that has left so much undone that nobody can build on it.
+constexpr double far_from_done = 0.01;
+
+/// Says of a run that failed whether R_E tells why.
+void tell_residual(const Scene& scene, const Setting& setting, TrialOptions options,
+                   ExtremeFinding& finding) {
+  options.residual = ResidualMeasure::every_step;
+  options.observer = {};
+  const std::optional<double> residual = run_trial(scene, setting, options).worst_residual;
+  if (!residual || !(*residual >= far_from_done)) return;
+  finding.verdict = ExtremeVerdict::told;
+  finding.note += fmt::format("; solves end at R_E {:.2g}", *residual);
+}
+
 }  // namespace
 
 Setting setting_of(const std::string& solver, int sweeps, StabilizationPolicy policy, int substeps) {
@@ -57,7 +71,7 @@ ExtremeFinding run_extreme(const Scene& scene, const Setting& setting, const Ext
   std::string passage;
   TrialOptions options;
   options.seconds = run.seconds;
-  options.fastest = std::numeric_limits<double>::infinity();
+  options.most_energy = std::numeric_limits<double>::infinity();
   options.time_limit = run.time_limit;
   options.observer = [&](const Snapshot& now) {
     if (!passage.empty()) return;
@@ -65,11 +79,7 @@ ExtremeFinding run_extreme(const Scene& scene, const Setting& setting, const Ext
     if (run.escaped && run.escaped(now))
       passage = fmt::format("something went through at {:.3g} s", now.time);
   };
-  Scene guarded = scene;
-  SceneSettings settings = scene.settings();
-  settings.guarded = true;
-  guarded.set_settings(settings);
-  const TrialResult result = run_trial(guarded, setting, options);
+  const TrialResult result = run_trial(scene, setting, options);
   if (result.status == TrialStatus::refused) throw std::invalid_argument(result.reason);
   if (passage.empty() && result.worst_penetration > run.thinnest / 2) {
     passage = fmt::format("bodies overlap by {:.3g} m", result.worst_penetration);
@@ -78,6 +88,8 @@ ExtremeFinding run_extreme(const Scene& scene, const Setting& setting, const Ext
   finding.note = failure_of(result, run, passage);
   if (finding.note.empty()) {
     finding.verdict = finding.value <= run.limit ? ExtremeVerdict::ok : ExtremeVerdict::bound;
+  } else {
+    tell_residual(scene, setting, options, finding);
   }
   return finding;
 }
@@ -95,9 +107,7 @@ ExtremeFinding judged(const std::string& quantity, double value, double limit, d
 }
 
 Scene scene_for(const Setting& setting, const SceneSettings& usual) {
-  SceneSettings settings = with_setting(usual, setting);
-  settings.guarded = true;
-  return Scene(settings);
+  return Scene(with_setting(usual, setting));
 }
 
 }  // namespace cairn

@@ -30,7 +30,7 @@ ExtremeFinding rests(const Shape<double>& shape, double height, const Setting& s
                       .limit = 0.05,
                       .measure = [](const TrialResult& result) { return result.farthest; },
                       .thinnest = 1e300,
-                      .floor = -Stabilization().slop - spring_sag(setting, 10.0 / 2, 4)});
+                      .floor = -usual_slop - spring_sag(setting, 10.0 / 2, 4)});
 }
 
 void add_refusal(const std::string& axis, const std::string& value, const std::function<void()>& act,

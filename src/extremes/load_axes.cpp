@@ -154,8 +154,7 @@ List<ExtremeAxis> load_axes() {
   const std::string all = "si under every policy, with more sweeps and with substeps, and the other families";
   return {{"mass-ratio", "a box of VALUE kg on one of 1 kg, 3 s", all, mass_ratio_cases},
           {"stack", "so many boxes of 1 m, 3 s", all, stack_cases},
-          {"chain", "VALUE links of 1 kg with a bob of VALUE kg, let go level, 2 s", all,
-           chain_cases}};
+          {"chain", "VALUE links of 1 kg with a bob of VALUE kg, let go level, 2 s", all, chain_cases}};
 }
 
 }  // namespace cairn

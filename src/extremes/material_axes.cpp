@@ -41,8 +41,7 @@ Scene leaning_rod(double friction) {
              .position = {0, length / 2 * std::sin(lean) + 0.05},
              .angle = lean,
              .velocity = {-3, -1},
-             .friction = friction,
-             .fast = true});
+             .friction = friction});
   return scene;
 }
 

@@ -206,9 +206,7 @@ Scene quarrelling_motors() {
 /// The largest impulse after ten seconds over that after one: 1 where it is bounded, 10 where it drifts.
 double impulse_growth(const Scene& scene, const Setting& setting) {
   Scene twin = scene;
-  SceneSettings settings = with_setting(scene.settings(), setting);
-  settings.guarded = true;
-  twin.set_settings(settings);
+  twin.set_settings(with_setting(scene.settings(), setting));
   World<double> world(twin);
   const auto solver = make_solver<double>(setting.solver, setting.sweeps);
   double early = 0, late = 0;

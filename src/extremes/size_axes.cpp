@@ -30,9 +30,7 @@ Scene far_stack(double x) {
 template <Scalar Real>
 double farthest_in_scalar(double x, const Setting& setting) {
   Scene scene = far_stack(x);
-  SceneSettings settings = with_setting(scene.settings(), setting);
-  settings.guarded = true;
-  scene.set_settings(settings);
+  scene.set_settings(with_setting(scene.settings(), setting));
   World<Real> world(scene);
   const auto solver = make_solver<Real>(setting.solver, setting.sweeps);
   const PerBody<Pose<Real>> start = world.bodies().pose;
@@ -57,7 +55,7 @@ ExtremeFinding as_at_the_origin(double x, const Setting& setting) {
   return run_extreme(far_stack(x), setting,
                      {.seconds = far_seconds,
                       .quantity = "beside the origin (m)",
-                      .limit = Stabilization().slop,
+                      .limit = usual_slop,
                       .measure = [beside](const TrialResult&) { return beside; },
                       .floor = x - 0.5});
 }
@@ -84,7 +82,7 @@ double spacing_at(const Distance& distance) {
 /// As good as at the origin while neighbouring numbers are closer than a tenth of the slop; refused where a
 /// body is no longer than that.
 ExtremeVerdict required_of_distance(const Distance& distance) {
-  const double spacing = spacing_at(distance), slop = Stabilization().slop;
+  const double spacing = spacing_at(distance), slop = usual_slop;
   if (spacing >= 1) return ExtremeVerdict::refuse;
   return spacing < slop / 10 ? ExtremeVerdict::ok : ExtremeVerdict::bound;
 }
@@ -126,7 +124,7 @@ Scene large_and_small(double size) {
 /// A tenth of the smaller; or what slop and springs give way by, if that is more: a box of side s turns by
 /// its corner so easily that each of two points bears half the weight m g at 1 + (s/2)^2 / (s^2/6) = 2.5 / m.
 double size_limit(double small, const Setting& setting) {
-  const double slop = std::min(setting.stabilization.slop, 0.05 * small);  // [m]
+  const double slop = std::min(setting.stabilization.slop.value_or(usual_slop), 0.05 * small);  // [m]
   return std::max(0.1, (slop + spring_sag(setting, 10.0 / 2, 2.5)) / small);
 }
 

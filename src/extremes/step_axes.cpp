@@ -31,7 +31,7 @@ double stack_limit(int boxes, const Setting& setting) {
   double sunk = 0;  // [m] of the highest box
   for (int above = 1; above <= boxes; ++above) {
     const double inverse_mass = above == boxes ? 2.5 : 5.0;  // [1/kg] of one box on the ground, or of two
-    sunk += setting.stabilization.slop + spring_sag(setting, 10.0 * above / 2, inverse_mass);
+    sunk += setting.stabilization.slop.value_or(usual_slop) + spring_sag(setting, 10.0 * above / 2, inverse_mass);
   }
   return std::max(0.025 * boxes, sunk);
 }

@@ -29,7 +29,6 @@ struct FrozenRun {
 FrozenProblem frozen_after(Scene scene, const FrozenRun& run, const std::string& what) {
   SceneSettings settings = scene.settings();
   settings.stabilization.policy = StabilizationPolicy::baumgarte;
-  settings.guarded = false;
   scene.set_settings(settings);
   World<double> world(scene);
   SequentialImpulse<double> solver({.iterations = run.sweeps});

@@ -59,8 +59,7 @@ struct Segment {
 /// dynamic. It has one side: walking from point to point, the solid is on the left hand, and bodies touch it
 /// from the right, as they do a polygon whose corners run counter-clockwise. So ground runs from right to
 /// left, and a room clockwise. What comes from the solid side goes through. Its inner points are smooth: a
-/// body that slides over one meets no edge of the next link. In a scene with chains a body is fast in every
-/// step in which it goes farther than a quarter of its thinnest shape, so that none gets behind a link.
+/// body that slides over one meets no edge of the next link.
 template <Scalar Real>
 struct Chain {
   List<Vec2<Real>> points = {};            // [m]

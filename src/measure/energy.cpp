@@ -17,6 +17,7 @@ double potential_energy(const Snapshot& snapshot) {
   for (const SnapshotBody& body : snapshot.bodies) {
     sum -= body.mass * body.gravity_scale * snapshot.gravity.dot(body.pose.position);
   }
+  for (const SnapshotJoint& joint : snapshot.joints) sum += joint.energy;
   return sum;
 }
 

@@ -8,7 +8,8 @@ namespace cairn {
 /// sum (m |v|^2 + I w^2) / 2 [J] over the dynamic bodies.
 double kinetic_energy(const Snapshot& snapshot);
 
-/// -sum m s g . x [J] with the gravity scale s of each body: 0 with all centres of mass at the origin.
+/// -sum m s g . x + sum k C^2 / 2 [J] with the gravity scale s of each body and the springs of joints: 0 with
+/// all centres of mass at the origin and all springs at rest.
 double potential_energy(const Snapshot& snapshot);
 
 /// Kinetic and potential [J].

@@ -12,7 +12,7 @@ namespace cairn {
 
 namespace {
 
-// As a guarded scene has it (world/last_word.hpp): what is deeper has passed half of the way to the middle.
+// What is deeper has passed half of the way to the middle.
 constexpr double through_share = 0.25;
 constexpr double apart_share = 0.5;
 // Semi-implicit Euler by itself shows w dt / 2 of a swing's energy, and takes it back: 10 % at thirty steps a
@@ -79,8 +79,7 @@ bool is_driven(const Scene& scene) {
   const auto gives_energy = [&poses](const std::shared_ptr<const Constraint>& joint) {
     RowSpecs<double> rows;
     joint->append_rows(poses, rows);
-    return std::any_of(rows.begin(), rows.end(),
-                       [](const RowSpec<double>& row) { return row.softness || row.speed != 0; });
+    return std::any_of(rows.begin(), rows.end(), [](const RowSpec<double>& row) { return row.speed != 0; });
   };
   return std::any_of(scene.bodies().begin(), scene.bodies().end(), moves_by_itself) ||
          std::any_of(scene.events().begin(), scene.events().end(), switches_motor) ||
@@ -88,6 +87,7 @@ bool is_driven(const Scene& scene) {
 }
 
 FailureWatch::FailureWatch(const Snapshot& start, bool ends_are_stated) : ends_are_stated_(ends_are_stated) {
+  for (const SnapshotBody& body : start.bodies) before_.push_back(body.pose);
   look_around(start);
   see_begin(start);
   see_errors(start, 0);
@@ -96,7 +96,6 @@ FailureWatch::FailureWatch(const Snapshot& start, bool ends_are_stated) : ends_a
 void FailureWatch::scene_changed(const Snapshot& now) {
   errors_.clear();  // joints may have gone
   if (removed_bodies(now) == removed_) return;
-  thickness_.clear();
   length_.clear();
   look_around(now);
 }
@@ -104,15 +103,11 @@ void FailureWatch::scene_changed(const Snapshot& now) {
 void FailureWatch::look_around(const Snapshot& start) {
   removed_ = removed_bodies(start);
   for (const SnapshotBody& body : start.bodies) {
-    double thickness = std::numeric_limits<double>::infinity(), length = 0;
+    double length = 0;
     for (const Shape<double>& shape : body.shapes) {
       const Aabb<double> box = bounding_box(shape, Pose<double>{});
-      const Vec2<double> size = box.upper - box.lower;
-      const bool has_thickness = size.minCoeff() > 0 && !std::holds_alternative<Chain<double>>(shape);
-      if (has_thickness) thickness = std::min(thickness, size.minCoeff());
-      length = std::max(length, size.maxCoeff());
+      length = std::max(length, (box.upper - box.lower).maxCoeff());
     }
-    thickness_.push_back(thickness);
     length_.push_back(length > 0 ? length : std::numeric_limits<double>::infinity());
   }
   note_floors(start);
@@ -142,17 +137,26 @@ void FailureWatch::end(const Snapshot& now, double time) {
   if (worst.distance > 0) failures_.push_back(worst);
 }
 
-void FailureWatch::see(const List<Overlap>& overlaps, double time) {
-  if (knows(FailureKind::went_through)) return;
+void FailureWatch::see(const List<Overlap>& overlaps, const Snapshot& now, double time) {
   for (const Overlap& overlap : overlaps) {
-    if (!(overlap.depth > through_share * std::min(thickness_[overlap.a], thickness_[overlap.b]))) continue;
+    if (knows(FailureKind::went_through)) break;
+    if (!(overlap.depth > through_share * overlap.thickness)) continue;
+    if (overlap.one_sided && !goes_deeper(overlap, now)) continue;  // it has come from behind
     failures_.push_back({.kind = FailureKind::went_through,
                          .time = time,
                          .distance = overlap.depth,
                          .a = overlap.a,
                          .b = overlap.b});
-    return;
   }
+  for (const BodyId body : now.bodies.indices()) before_[body] = now.bodies[body].pose;
+}
+
+/// Whether the two have come nearer to each other, at the point where they are deepest.
+bool FailureWatch::goes_deeper(const Overlap& overlap, const Snapshot& now) const {
+  const auto was_at = [&](BodyId body) {
+    return before_[body].world(now.bodies[body].pose.local(overlap.position));
+  };
+  return overlap.normal.dot(was_at(overlap.b) - was_at(overlap.a)) > 0;
 }
 
 void FailureWatch::see_gain(double gain, double time) {

@@ -11,14 +11,15 @@ namespace cairn {
 
 /// Ways in which a simulation has failed, however its numbers look.
 enum class FailureKind {
-  went_through,  // a body is in another by more than a quarter of the thinner one: it is on its way through
+  went_through,  // a body is in another by more than a quarter of the thinner one, as thick as it is the way
+                 // that they push each other: it is on its way through
   came_apart,    // the points that a joint holds together are farther apart than half of the shorter body
   stayed_off,   // a joint ends with an error of a twentieth of the shorter body or more, which had not halved
                 // for a second
   began_below,  // a body that nothing holds begins below the top of the ground, with nothing to land on
   fell_out,     // a body that had something unmovable under it is below all that cannot be moved
-  falls_for_ever,  // a body that nothing holds is 100 m and ten heights of the scene below all that it could
-                   // have landed on, or below its beginning where there is no such thing
+  falls_for_ever,  // a body that nothing holds is a hundred of its lengths below all that it could have
+                   // landed on, or below where the lowest began where there is no such thing
   gained_energy,   // kinetic and potential energy have risen by more than a quarter of their scale, from
                    // nowhere
 };
@@ -39,8 +40,8 @@ struct Failure {
 /// go by their number.
 std::string failure_text(const Failure& failure, const PerBody<std::string>& names = {});
 
-/// Whether something in the scene may give energy to the rest: a body that moves by itself, a motor, a
-/// spring, or an event that switches a motor on.
+/// Whether something in the scene may give energy to the rest: a body that moves by itself, a motor, or an
+/// event that switches a motor on. Springs give back what they held, which counts as potential energy.
 bool is_driven(const Scene& scene);
 
 /// Looks at the snapshots of a run, one after the other, and keeps the first failure of each kind. Of
@@ -56,8 +57,8 @@ class FailureWatch {
   void scene_changed(const Snapshot& now);
   /// Looks at the bodies as they are after `time` [s].
   void see(const Snapshot& now, double time);
-  /// The same for overlaps.
-  void see(const List<Overlap>& overlaps, double time);
+  /// The same for the overlaps of these bodies.
+  void see(const List<Overlap>& overlaps, const Snapshot& now, double time);
   /// Looks at how far energy is above that of the start, as a share of its scale, in a scene that nothing
   /// drives.
   void see_gain(double gain, double time);
@@ -77,21 +78,21 @@ class FailureWatch {
   void note_floors(const Snapshot& now);
   bool knows(FailureKind kind) const;
   double shorter(const SnapshotJoint& joint) const;
+  bool goes_deeper(const Overlap& overlap, const Snapshot& now) const;
   void see_begin(const Snapshot& start);
   void see_joints(const Snapshot& now, double time);
   void see_errors(const Snapshot& now, double time);
   void see_falls(const Snapshot& now, double time);
 
-  PerBody<double> thickness_;  // [m] the shorter side of the thinnest shape; infinite where there is none
-  PerBody<double> length_;     // [m] the longer side of the longest shape; infinite likewise
-  PerBody<char> has_floor_;    // something unmovable was under it
+  PerBody<double> length_;        // [m] the longer side of the longest shape; infinite without shapes
+  PerBody<Pose<double>> before_;  // when overlaps were last seen
+  PerBody<char> has_floor_;       // something unmovable was under it
   PerBody<double>
       below_since_;          // [s] from when it has been below all that it could land on; infinite: it is not
   List<JointError> errors_;  // joint by joint
   bool ends_are_stated_ = false;
   int removed_ = 0;    // bodies that were
   double lowest_ = 0;  // [m] the height of the lowest point that cannot move, or else of all
-  double far_ = 0;     // [m] what falls so far below that falls for ever
   List<Failure> failures_;
 };
 

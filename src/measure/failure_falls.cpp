@@ -10,10 +10,9 @@ namespace cairn {
 
 namespace {
 
-// A fall of 100 m takes 4.5 s on Earth: a throw is over by then. Large scenes may take ten times their
-// height.
-constexpr double far_fall = 100;  // [m]
-constexpr double far_heights = 10;
+// So many of its lengths a body falls before its fall is one for ever: 100 m of a box of 1 m, which takes 4.5
+// s on Earth.
+constexpr double far_lengths = 100;
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// From where to where a body reaches along a direction.
@@ -104,7 +103,6 @@ void FailureWatch::note_floors(const Snapshot& start) {
     all = {.low = std::min(all.low, height.low), .high = std::max(all.high, height.high)};
   }
   lowest_ = still.low <= still.high ? still.low : moving.low;
-  far_ = std::max(far_fall, far_heights * (moving.high - moving.low));
 }
 
 void FailureWatch::see_begin(const Snapshot& start) {
@@ -144,7 +142,7 @@ void FailureWatch::see_falls(const Snapshot& now, double time) {
         failures_.push_back({.kind = FailureKind::fell_out, .time = time, .a = id});
       continue;
     }
-    if (may_fall || !(lowest_ - high > far_) || is_caught(now, high)) continue;
+    if (may_fall || !(lowest_ - high > far_lengths * length_[id]) || is_caught(now, high)) continue;
     if (!held) held.emplace(now);
     if (held->holds(id)) continue;
     failures_.push_back({.kind = FailureKind::falls_for_ever,

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <variant>
 
-#include "geometry/aabb.hpp"
 #include "math/check.hpp"
 #include "measure/violation.hpp"
 
@@ -76,26 +74,6 @@ double friction_power(const Snapshot& snapshot, const SnapshotContact& contact) 
 double Trajectory::relative_energy_gain() const { return part_of_scale(energy_gain, energy_scale); }
 double Trajectory::relative_energy_change() const { return part_of_scale(energy_change, energy_scale); }
 
-double energy_scale(const Snapshot& snapshot) {
-  Vec2<double> lower(trajectory_infinity, trajectory_infinity), upper = -lower;
-  double weight = 0;  // [N]
-  for (const SnapshotBody& body : snapshot.bodies) {
-    if (body.type != BodyType::dynamic) continue;
-    weight += body.mass * std::abs(body.gravity_scale) * snapshot.gravity.norm();
-    for (const Shape<double>& shape : body.shapes) {
-      const Aabb<double> around = bounding_box(shape, body.pose);
-      lower = lower.cwiseMin(around.lower);
-      upper = upper.cwiseMax(around.upper);
-    }
-  }
-  if (!(lower.x() <= upper.x())) return kinetic_energy(snapshot);
-  for (const SnapshotJoint& joint : snapshot.joints) {
-    lower = lower.cwiseMin(joint.anchor_a).cwiseMin(joint.anchor_b);
-    upper = upper.cwiseMax(joint.anchor_a).cwiseMax(joint.anchor_b);
-  }
-  return kinetic_energy(snapshot) + weight * (upper - lower).norm();
-}
-
 void TrajectoryMeasure::add(const Snapshot& snapshot, double work) {
   if (result_.snapshots == 0) begin(snapshot);
   require(snapshot.bodies.size() == bodies_, "TrajectoryMeasure::add", "snapshot",
@@ -116,8 +94,7 @@ void TrajectoryMeasure::begin(const Snapshot& snapshot) {
   bodies_ = snapshot.bodies.size();
   start_time_ = last_time_ = snapshot.time;
   if (!all_finite(snapshot)) return;
-  start_energy_ = total_energy(snapshot);
-  result_.energy_scale = energy_scale(snapshot);
+  energy_.emplace(snapshot);
   expected_momentum_ = momentum(snapshot);
 }
 
@@ -135,8 +112,10 @@ void TrajectoryMeasure::add_contacts(const Snapshot& snapshot) {
 }
 
 void TrajectoryMeasure::add_energy(const Snapshot& snapshot, double work) {
-  work_ += work;
-  result_.energy_change = total_energy(snapshot) - start_energy_ - work_;
+  energy_->give(work);
+  energy_->see(snapshot);
+  result_.energy_change = energy_->change();
+  result_.energy_scale = energy_->scale();
   result_.energy_gain = std::max(result_.energy_gain, result_.energy_change);
   if (!std::isfinite(result_.energy_change)) blow_up();
 }

@@ -1,7 +1,10 @@
 // Floor 6. What went wrong along the way: measures of a run, from its snapshots.
 #pragma once
 
+#include <optional>
+
 #include "measure/energy.hpp"
+#include "measure/energy_account.hpp"
 
 namespace cairn {
 
@@ -16,11 +19,11 @@ struct Trajectory {
   /// the solver saw.
   double mean_contact_penetration = 0;
   double worst_drift = 0;  // [m or rad] of a joint
-  /// Let E be kinetic and potential energy and W the work that the caller knows of. What is in neither: the
-  /// work of motors, of kinematic bodies and of anything dragged, and the energy in springs.
+  /// Let E be kinetic and potential energy, that of springs with it, and W the work that the caller knows of.
+  /// What is in neither: the work of motors, of kinematic bodies and of a hand that moves.
   double energy_gain = 0;    // [J] max over time of E(t) - E(0) - W(t), and never below 0: E(0) is a time too
   double energy_change = 0;  // [J] the same at the last snapshot: negative where energy was dissipated
-  double energy_scale = 0;   // [J] of the start (energy_scale() below)
+  double energy_scale = 0;   // [J] EnergyAccount::scale()
   /// What changed the momentum, but for gravity: 0 for an isolated system without damping; a joint that has
   /// drifted turns its bodies by its drift times its impulse.
   double momentum_error = 0;          // [N s] max over time of |P(t) - P(0) - t sum m s g|
@@ -38,11 +41,6 @@ struct Trajectory {
   /// energy_change over energy_scale [1].
   double relative_energy_change() const;
 };
-
-/// A size for the energies of a scene [J]: its kinetic energy, and what its dynamic bodies would gain by
-/// falling through the diagonal of the box around them all and the anchors of their joints. Unlike the
-/// potential energy itself it does not depend on where the origin is.
-double energy_scale(const Snapshot& snapshot);
 
 /// Sees the start and then every step, and adds up a Trajectory. O(n log n + m) a snapshot, for n bodies with
 /// m contacts: most of it for the penetration.
@@ -68,8 +66,7 @@ class TrajectoryMeasure {
   double start_time_ = 0;                       // [s]
   double last_time_ = 0;                        // [s]
   int bodies_ = 0;                              // of the start
-  double start_energy_ = 0;                     // [J]
-  double work_ = 0;                             // [J]
+  std::optional<EnergyAccount> energy_;         // from the start on
   double penetration_sum_ = 0;                  // [m]
   double contact_count_ = 0;                    // of all snapshots
   Vec3<double> expected_momentum_ = {0, 0, 0};  // [N s, N s, N m s]

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "collision/broadphase.hpp"
@@ -35,6 +36,38 @@ void add_pieces(BodyId body, const Shape<double>& shape, List<Piece>& pieces) {
   }
 }
 
+// From where to where a shape reaches along a direction [m]; a line has no thickness that anything could be
+// in by a share of.
+double width_along(const Circle<double>& circle, const Vec2<double>&) { return 2 * circle.radius; }
+
+double width_along(const Capsule<double>& capsule, const Vec2<double>& direction) {
+  return std::abs(direction.dot(capsule.point2 - capsule.point1)) + 2 * capsule.radius;
+}
+
+double width_along(const Polygon<double>& polygon, const Vec2<double>& direction) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Vec2<double>& vertex : polygon.vertices) {
+    low = std::min(low, direction.dot(vertex));
+    high = std::max(high, direction.dot(vertex));
+  }
+  return high - low + 2 * polygon.radius;
+}
+
+double width_along(const Segment<double>&, const Vec2<double>&) {
+  return std::numeric_limits<double>::infinity();
+}
+
+double width_along(const Chain<double>&, const Vec2<double>&) {
+  return std::numeric_limits<double>::infinity();
+}
+
+/// Of a piece along a unit vector of the world.
+double thickness_along(const Snapshot& snapshot, const Piece& piece, const Vec2<double>& normal) {
+  const Frame<double> frame = snapshot.bodies[piece.body].pose;
+  const Vec2<double> direction = frame.rotation.transposed_times(normal);
+  return std::visit([&](const auto& shape) { return width_along(shape, direction); }, piece.shape);
+}
+
 /// The deepest point of two shapes, if it is deeper than `worst`.
 void keep_deeper(const Snapshot& snapshot, const Piece& one, const Piece& other, Overlap& worst) {
   const BodyId a = one.body, b = other.body;
@@ -44,7 +77,16 @@ void keep_deeper(const Snapshot& snapshot, const Piece& one, const Piece& other,
       collide(one.shape, snapshot.bodies[a].pose, other.shape, snapshot.bodies[b].pose, 0.0, around);
   for (int k = 0; k < manifold.count; ++k) {
     const double depth = -manifold.points[k].separation;
-    if (depth > worst.depth) worst = {.depth = depth, .a = a, .b = b};
+    if (!(depth > worst.depth)) continue;
+    const double thickness = std::min(thickness_along(snapshot, one, manifold.normal),
+                                      thickness_along(snapshot, other, manifold.normal));
+    worst = {.depth = depth,
+             .a = a,
+             .b = b,
+             .normal = manifold.normal,
+             .position = manifold.points[k].position,
+             .thickness = thickness,
+             .one_sided = one.around || other.around};
   }
 }
 

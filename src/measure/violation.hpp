@@ -8,9 +8,14 @@ namespace cairn {
 
 /// Two bodies in each other.
 struct Overlap {
-  double depth = 0;  // [m]; 0: none
-  BodyId a = {};     // the body whose shape comes first
-  BodyId b = {};     // the other
+  double depth = 0;                // [m]; 0: none
+  BodyId a = {};                   // the body whose shape comes first
+  BodyId b = {};                   // the other
+  Vec2<double> normal = {0, 0};    // unit, from a to b
+  Vec2<double> position = {0, 0};  // [m] where they are deepest in each other
+  /// [m] of the thinner of the two shapes, measured along the normal; infinite where both are lines.
+  double thickness = 0;
+  bool one_sided = false;  // one of them is a link of a chain: what comes from behind it goes through
 };
 
 /// Of every two shapes of different bodies that overlap, of which one is dynamic. Measured on the shapes as

@@ -10,6 +10,7 @@
 #include "math/check.hpp"
 #include "reference/box2d_contacts.hpp"
 #include "reference/box2d_shapes.hpp"
+#include "world/scene_length.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
@@ -144,6 +145,7 @@ void Box2DWorld::Simulation::add_bodies() {
     }
   }
   bodies.resize(scene_bodies.size());
+  const double threshold = *full_settings(scene).restitution_threshold;
   for (int count = 0; count < scene_bodies.size(); ++count) {
     const bool last_first = settings.creation == Box2DSettings::Creation::last_first;
     const BodyId id = {last_first ? scene_bodies.size() - 1 - count : count};
@@ -151,7 +153,7 @@ void Box2DWorld::Simulation::add_bodies() {
     bodies[id] = create_body(world, scene_bodies[id]);
     int collider = first_collider[id];
     for (const Shape<double>& shape : spec.shapes) {
-      create_fixtures(*bodies[id], shape, spec, scene.settings().restitution_threshold, collider);
+      create_fixtures(*bodies[id], shape, spec, threshold, collider);
       collider += piece_count(shape);
     }
     set_mass(*bodies[id], scene_bodies[id]);

@@ -88,7 +88,6 @@ BodySpec matter_of(const SceneTable& table) {
   spec.gravity_scale = table.number("gravity_scale");
   spec.fixed_rotation = table.flag("fixed_rotation");
   spec.sensor = table.flag("sensor");
-  spec.fast = table.flag("fast");
   spec.category = static_cast<std::uint32_t>(table.number("category"));
   spec.collides_with = static_cast<std::uint32_t>(table.number("collides_with"));
   return spec;

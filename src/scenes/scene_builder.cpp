@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "math/nearest.hpp"
+#include "world/scene_length.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
@@ -61,9 +62,11 @@ BodyId SceneBuilder::add(const SceneTable& table, const BodySpec& spec, const st
 }
 
 void SceneBuilder::add_ground(const SceneTable& table) {
+  const double length = std::max(1.0, length_), enough = length * GroundSpec().half_width;
   table.guard([&] {
     scene_.add_ground({.height = table.number("height"),
-                       .half_width = table.number("half_width"),
+                       .half_width = table.has("half_width") ? table.number("half_width") : enough,
+                       .thickness = length * GroundSpec().thickness,
                        .friction = table.number("friction"),
                        .restitution = table.number("restitution")});
   });
@@ -142,6 +145,7 @@ SwingSoftness SceneBuilder::spring_of(const SceneTable& table) const {
 }
 
 void SceneBuilder::finish() {
+  length_ = scene_length(scene_);
   for (const SceneBody& each : scene_.bodies()) poses_.push_back(each.pose);
   for (const auto& work : waiting_) work();
   for (const auto& work : last_) work();

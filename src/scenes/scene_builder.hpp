@@ -36,6 +36,7 @@ class SceneBuilder {
   std::variant<BodyId, JointId> body_or_joint(const SceneTable& table, const std::string& key) const;
   Vec2<double> center(BodyId body) const { return scene_.bodies()[body].pose.position; }
   double mass(BodyId body) const { return scene_.bodies()[body].mass; }
+  /// Once all bodies are there, for it is as wide as they want it.
   void add_ground(const SceneTable& table);
 
   /// Runs `work` once all bodies are there.
@@ -62,6 +63,8 @@ class SceneBuilder {
   }
 
   const Scene& scene() const { return scene_; }
+  /// [m] scene_length() for joints, and for what comes once all bodies are there.
+  double length() const { return length_; }
   const PerBody<std::string>& names() const { return names_; }
   /// Where the bodies were when the joints were made; none before finish().
   const PerBody<Pose<double>>& poses() const { return poses_; }
@@ -77,6 +80,7 @@ class SceneBuilder {
   SwingSoftness spring_of(const SceneTable& table) const;
 
   Scene scene_;
+  double length_ = 1;  // [m]
   PerBody<std::string> names_;
   std::map<std::string, BodyId> ids_ = {{"ground", ground}};
   std::map<std::string, JointId> joint_ids_ = {};

@@ -100,8 +100,8 @@ SceneEntry read_scene_text(const std::string& text, const std::string& file) {
   context.numbers = numbers_of(context, root);
   const SceneTable table(context, root, "scene", "");
   SceneBuilder builder(scene_settings_of(table));
-  for (const SceneTable& surface : table.tables("ground")) builder.add_ground(surface);
   build_items(builder, context, items_of(table, root));
+  for (const SceneTable& surface : table.tables("ground")) builder.add_ground(surface);
   build_events(builder, table);
 
   SceneEntry entry;

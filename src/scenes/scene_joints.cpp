@@ -32,6 +32,12 @@ Vec2<double> anchor_or_center(const SceneBuilder& builder, const SceneTable& tab
   return table.has(key) ? table.point(key) : builder.center(body);
 }
 
+/// [m] How far off a rope or a limit still has a row: half of the length of the bodies, where that is more
+/// than half a metre.
+double margin_or_enough(const SceneBuilder& builder, const SceneTable& table, const std::string& key) {
+  return table.has(key) ? table.number(key) : std::max(1.0, builder.length()) / 2;
+}
+
 /// What a table says of a joint of the body `b`, `a` being known.
 struct ScenePair {
   SceneBuilder& builder;
@@ -61,7 +67,7 @@ void join_distance(const ScenePair& pair) {
   if (table.kind() == "spring" && !spec.softness) {
     table.refuse("softness", "given for a spring: softness = { stiffness = 50, damping = 1 }", "nothing");
   }
-  if (table.kind() == "rope") spec.slack_margin = table.number("slack_margin");
+  if (table.kind() == "rope") spec.slack_margin = margin_or_enough(pair.builder, table, "slack_margin");
   pair.join<DistanceJoint>(spec);
 }
 
@@ -70,13 +76,13 @@ template <typename Spec>
 void read_limits(const SceneTable& table, Spec& spec) {
   spec.lower = number_if_given(table, "lower");
   spec.upper = number_if_given(table, "upper");
-  spec.limit_margin = table.number("limit_margin");
 }
 
 void join_revolute(const ScenePair& pair) {
   const SceneTable& table = pair.table;
   RevoluteJoint::Spec spec{.a = pair.a, .b = pair.b, .anchor = pair.anchor()};
   read_limits(table, spec);
+  spec.limit_margin = table.number("limit_margin");
   for (const SceneTable& motor : table.tables("motor")) {
     spec.motor =
         RevoluteJoint::Motor{.speed = motor.number("speed"), .max_torque = motor.number("max_torque")};
@@ -88,6 +94,7 @@ void join_prismatic(const ScenePair& pair) {
   const SceneTable& table = pair.table;
   PrismaticJoint::Spec spec{.a = pair.a, .b = pair.b, .anchor = pair.anchor(), .axis = table.point("axis")};
   read_limits(table, spec);
+  spec.limit_margin = margin_or_enough(pair.builder, table, "limit_margin");
   for (const SceneTable& motor : table.tables("motor")) {
     spec.motor =
         PrismaticJoint::Motor{.speed = motor.number("speed"), .max_force = motor.number("max_force")};
@@ -151,7 +158,7 @@ void join_pulley(SceneBuilder& builder, const SceneTable& table, const std::stri
   }
   spec.length = number_if_given(table, "length").value_or(-1);
   spec.kind = table.word("kind") == 0 ? PulleyJoint::Kind::rope : PulleyJoint::Kind::taut;
-  spec.slack_margin = table.number("slack_margin");
+  spec.slack_margin = margin_or_enough(builder, table, "slack_margin");
   builder.join<PulleyJoint>(table, name, spec, collision_of(table));
 }
 

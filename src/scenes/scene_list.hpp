@@ -24,7 +24,7 @@ struct ExpectedPlace {
 struct Expectations {
   std::optional<double> penetration = {};  // [m] TrialResult::worst_penetration at most
   std::optional<double> drift = {};        // [m or rad] TrialResult::worst_drift at most
-  std::optional<double> energy_gain = {};  // [%] of energy_scale() at most
+  std::optional<double> energy_gain = {};  // [%] of EnergyAccount::scale() at most
   std::optional<double> energy_loss = {};  // [%] likewise, at the end
   /// [m] It stands: once the scene has settled, for at most a second, every dynamic body's centre of mass
   /// stays this near to its place (Standing says how far it may come before).

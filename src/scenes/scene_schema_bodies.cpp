@@ -135,7 +135,8 @@ List<SceneKey> scene_body_keys() {
       {"matter", "gravity_scale", number, "", "1", "", "0: floats"},
       {"matter", "fixed_rotation", flag, "", "false", "", "never turns"},
       {"matter", "sensor", flag, "", "false", "", "is seen to touch, and does not push"},
-      {"matter", "fast", flag, "", "false", "", "never passes through anything within a step"},
+      {"matter", "fast", flag, "", "false", "",
+       "says nothing: of older files, in which few bodies looked ahead"},
       {"matter", "category", integer, "", "1", "from 0 to 4294967295", "bits: what it is"},
       {"matter", "collides_with", integer, "", "4294967295", "from 0 to 4294967295", "bits: with what"},
   };

@@ -68,14 +68,9 @@ b = "ball"
 anchor_a = [-1, 4]
 ```
 
-That is a scene. Two more tables say which solver does well, and which limits a good run keeps. `cairn run`
-then says whether it kept them:
+That is a scene. One more table says which limits a good run keeps. `cairn run` then says whether it kept them:
 
 ```toml
-[recommended]
-iterations = 30
-substeps = 4
-
 [expect]
 penetration = 0.02
 drift = 0.01
@@ -83,7 +78,7 @@ energy_gain = 1
 ```
 
 The whole of it is [tower-and-ball.toml](tower-and-ball.toml). Things to try: `n = 8`; `mass = 20` for the
-ball; `type = "rope"`; `iterations = 2`.
+ball; `type = "rope"`; `--solver si:2` behind the command.
 
 A mistake is reported with its place in the file, and nothing is run:
 
@@ -99,6 +94,12 @@ of your own:
 [numbers]
 mu = 0.05
 ```
+
+## Lengths
+
+Some keys have a default that follows from L, the unit of length of the scene: the median of the square roots
+of the areas of its bodies, to the nearest power of two, or what falls in 24 substeps where that is more. So a
+scene of marbles and one of mountains behave as one of metres does. `cairn explain` says what they come to.
 
 ## Words
 

@@ -2,6 +2,7 @@
 #include "scenes/scene_settings.hpp"
 
 #include "math/nearest.hpp"
+#include "scenes/default_setting.hpp"
 #include "scenes/solver_list.hpp"
 #include "math/list.hpp"
 
@@ -13,8 +14,8 @@ Stabilization stabilization_of(const SceneTable& table) {
   Stabilization stabilization;
   stabilization.policy = static_cast<StabilizationPolicy>(table.word("policy"));
   stabilization.baumgarte = table.number("baumgarte");
-  stabilization.slop = table.number("slop");
-  stabilization.max_speed = table.number("max_speed");
+  if (table.has("slop")) stabilization.slop = table.number("slop");
+  if (table.has("max_speed")) stabilization.max_speed = table.number("max_speed");
   stabilization.soft = {.frequency = table.number("frequency"),
                         .damping_ratio = table.number("damping_ratio")};
   stabilization.joint_soft = {.frequency = table.number("joint_frequency"),
@@ -79,9 +80,9 @@ SceneSettings scene_settings_of(const SceneTable& file) {
   settings.gravity = from_above ? Vec2<double>(0, 0) : file.point("gravity");
   for (const SceneTable& step : file.tables("step")) {
     set_pace(step, settings);
-    settings.speculative_margin = step.number("speculative_margin");
-    settings.restitution_threshold = step.number("restitution_threshold");
-    if (step.has("guarded")) settings.guarded = step.flag("guarded");
+    if (step.has("speculative_margin")) settings.speculative_margin = step.number("speculative_margin");
+    if (step.has("restitution_threshold"))
+      settings.restitution_threshold = step.number("restitution_threshold");
     settings.friction_rows =
         step.word("friction_rows") == 0 ? FrictionRows::per_point : FrictionRows::per_manifold;
     for (const SceneTable& sleeping : step.tables("sleeping")) {
@@ -96,19 +97,17 @@ SceneSettings scene_settings_of(const SceneTable& file) {
 
 Setting recommended_of(const SceneTable& file, const Scene& scene) {
   SceneSettings settings = scene.settings();
-  const bool has_joints = !scene.joints().empty();
-  if (has_joints && !says_substeps(file)) settings.substeps = 4;
-  Setting setting{.solver = has_joints ? "block" : "si",
-                  .dt = settings.dt,
-                  .substeps = settings.substeps,
-                  .contact_search = settings.contact_search,
-                  .stabilization = settings.stabilization,
-                  .warm_start = settings.warm_start};
+  Setting setting = default_setting(scene).setting;
+  if (says_substeps(file)) setting.substeps = settings.substeps;
+  settings.substeps = setting.substeps;
   for (const SceneTable& table : file.tables("recommended")) {
     SceneSettings pace = settings;
     set_pace(table, pace);
+    const bool says_solver = table.has("solver");
     setting.solver = solver_of(table, setting.solver);
+    const int iterations = setting.sweeps.iterations;
     setting.sweeps = sweeps_of(table);
+    if (!says_solver && !table.has("iterations")) setting.sweeps.iterations = iterations;
     setting.scalar = static_cast<Precision>(table.word("scalar"));
     setting.dt = pace.dt;
     setting.substeps = pace.substeps;

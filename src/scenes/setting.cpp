@@ -91,9 +91,8 @@ std::string stabilization_text(const Stabilization& stabilization) {
   } else if (stabilization.baumgarte != usual.baumgarte) {
     text += fmt::format(" {:g}", stabilization.baumgarte);
   }
-  if (stabilization.slop != usual.slop) text += fmt::format(" slop {:g} m", stabilization.slop);
-  if (stabilization.max_speed != usual.max_speed)
-    text += fmt::format(" at most {:g} m/s", stabilization.max_speed);
+  if (stabilization.slop) text += fmt::format(" slop {:g} m", *stabilization.slop);
+  if (stabilization.max_speed) text += fmt::format(" at most {:g} m/s", *stabilization.max_speed);
   return text;
 }
 
@@ -107,10 +106,8 @@ std::string setting_text(const Setting& setting) {
     return fmt::format("box2d x{}+{}, {}, float{}", setting.sweeps.iterations, setting.position_iterations,
                        rate, cold);
   }
-  std::string guards;
-  if (setting.guarded) guards = *setting.guarded ? ", guarded" : ", unguarded";
-  return fmt::format("{}{}, {}, {}, {}{}{}", setting.solver, sweeps_text(setting.sweeps), rate,
-                     stabilization_text(setting.stabilization), precision_text(setting.scalar), cold, guards);
+  return fmt::format("{}{}, {}, {}, {}{}", setting.solver, sweeps_text(setting.sweeps), rate,
+                     stabilization_text(setting.stabilization), precision_text(setting.scalar), cold);
 }
 
 std::string solver_refusal(const Setting& setting) {
@@ -147,7 +144,6 @@ SceneSettings with_setting(SceneSettings settings, const Setting& setting) {
   settings.contact_search = setting.contact_search;
   settings.stabilization = setting.stabilization;
   settings.warm_start = setting.warm_start;
-  if (setting.guarded) settings.guarded = setting.guarded;
   return settings;
 }
 

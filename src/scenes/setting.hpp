@@ -35,8 +35,7 @@ struct Setting {
   ContactSearch contact_search = ContactSearch::every_substep;
   Stabilization stabilization = {};
   bool warm_start = true;
-  std::optional<bool> guarded = {};  // left out: as the scene has it
-  int position_iterations = 3;       // of Box2D alone
+  int position_iterations = 3;  // of Box2D alone
 };
 
 /// "si x10, 60 Hz x4, soft, double": what differs from the defaults is said, and nothing else.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -72,6 +73,11 @@ struct SolveReport {
   double largest_change = 0;  // [N s] the largest change of an impulse in the last sweep
   bool converged = false;     // the tolerance was asked for and reached
   Stop stop = Stop::sweeps;   // why it ended
+  /// R_E of the answer (residual.hpp), where the solver has looked: one with a tolerance, and exact ones.
+  std::optional<double> residual = {};
+
+  /// Whether it is known to have ended far from the answer: short of its tolerance, and above 1e-6.
+  bool unfinished() const { return !converged && residual && !(*residual <= 1e-6); }
 };
 
 /// What a solver can do that takes contacts as they are.
@@ -83,8 +89,8 @@ class ContactSolver {
   /// impulses for give(). Begins from what follow() has taken over, if that was called before; or else from
   /// the contacts as they are given. Gives them another ticket.
   virtual SolveReport solve(ContactProblem<Real>& contacts) = 0;
-  /// Solves once more what solve() has just solved, from its impulses and from the velocities that the
-  /// problem is given now, without springs: contacts on springs ask for 0, and do not give way.
+  /// Solves once more what solve() has just solved, from the velocities that the problem is given now and the
+  /// impulses of its second_start, without what takes overlap back: no contact asks for speed or gives way.
   virtual SolveReport relax(ContactProblem<Real>& contacts) = 0;
   /// Takes over where the bodies of the contacts that were solved last are now. Their answers are
   /// the warm start. False if these contacts are others, by their ticket, or a kept point is not near any

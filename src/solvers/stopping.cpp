@@ -51,11 +51,11 @@ Stop Stopping<Real>::judge(const VelocityProblem<Real>& problem, int sweep, Real
 template <Scalar Real>
 bool Stopping<Real>::has_arrived(const VelocityProblem<Real>& problem, int sweep) {
   if (looks_ == Looks::rarely && !looks_now_) return false;
-  const Real energy = looks_ == Looks::rarely ? energy_ : residual(problem, scale_).energy;
+  if (looks_ == Looks::always) energy_ = residual(problem, scale_).energy;
   // A quarter more: the two do not shrink quite alike.
-  look_below_ = Real(1.25) * size_ * Real(settings_.tolerance) / energy;
+  look_below_ = Real(1.25) * size_ * Real(settings_.tolerance) / energy_;
   next_look_ = sweep + 3 + sweep / 16;  // to look takes as long as two or three sweeps in lanes
-  return energy <= Real(settings_.tolerance);
+  return energy_ <= Real(settings_.tolerance);
 }
 
 template <Scalar Real>

@@ -83,6 +83,9 @@ class Stopping {
       report.stop = judge(problem, number, change);
     }
     report.converged = report.stop == Stop::tolerance;
+    const bool has_looked = looks_ == Looks::always || looks_now_;
+    if (settings_.tolerance > 0 && has_looked && report.iterations > 0)
+      report.residual = static_cast<double>(energy_);
     return report;
   }
 
@@ -121,7 +124,7 @@ class Stopping {
   SolverSettings settings_;
   std::chrono::steady_clock::time_point began_ = {};  // where there is a time budget
   Real scale_ = 0;                                    // of R_E
-  Real energy_ = 0;                                   // R_E, with Looks::rarely
+  Real energy_ = 0;                                   // R_E, when last looked at
   Looks looks_ = Looks::always;                       // at R_E
   Real size_ = 0;                                     // [sqrt(J)] of the steps of the last sweep
   Real look_below_ = 0;                               // [sqrt(J)] the size for which R_E is computed

@@ -62,9 +62,12 @@ class WorldContestant final : public Contestant {
   void step() override {
     updates_before_ = solver_.row_updates();
     rows_before_ = solver_.rows();
-    not_finite_ = world_.step(solver_).not_finite;
+    report_ = world_.step(solver_);
   }
-  std::optional<BodyId> not_finite() const override { return not_finite_; }
+  std::optional<BodyId> not_finite() const override { return report_.not_finite; }
+  std::optional<double> unfinished() const override {
+    return report_.unfinished > 0 ? std::optional(report_.worst_residual) : std::nullopt;
+  }
   Snapshot snapshot() const override { return cairn::snapshot(world_); }
   std::int64_t row_updates(const Snapshot&) const override { return solver_.row_updates() - updates_before_; }
   std::int64_t rows(const Snapshot&) const override { return solver_.rows() - rows_before_; }
@@ -89,7 +92,7 @@ class WorldContestant final : public Contestant {
   CountingSolver<Real> solver_;
   std::unique_ptr<Solver<Real>> twin_;
   std::int64_t updates_before_ = 0, rows_before_ = 0;
-  std::optional<BodyId> not_finite_ = {};
+  StepReport report_ = {};
 };
 
 #ifdef CAIRN_HAVE_BOX2D

@@ -21,6 +21,9 @@ class Contestant {
   virtual Snapshot snapshot() const = 0;
   /// The body for whose sake the last step was not done: it would have got what is no finite number.
   virtual std::optional<BodyId> not_finite() const { return std::nullopt; }
+  /// The largest R_E of the last step, where one of its solves is known to have ended far from its answer
+  /// (StepReport::unfinished).
+  virtual std::optional<double> unfinished() const { return std::nullopt; }
   /// Row updates of the last step: rows times sweeps, summed over substeps and over the second solves of the
   /// policies that have them. Of Box2D: two rows a contact point and those of the joints, as the snapshot
   /// `after` the step has them, times velocity iterations and substeps. What came and went within the step

@@ -14,6 +14,7 @@
 #include "study/jitter.hpp"
 #include "scenes/scene_list.hpp"
 #include "study/trade_row.hpp"
+#include "world/scene_length.hpp"
 #include "world/world.hpp"
 #include "math/list.hpp"
 
@@ -114,7 +115,7 @@ void set_scene(const TrajectoryScene& scene, TradeRow& row) {
           static_cast<long long>(std::count_if(start.bodies.begin(), start.bodies.end(), is_there)));
 }
 
-void set_setting(const Setting& setting, TradeRow& row) {
+void set_setting(const Scene& scene, const Setting& setting, TradeRow& row) {
   const bool is_box2d = setting.solver == "box2d";
   const bool is_single = setting.scalar == Precision::single_precision || is_box2d;
   row.set("scalar", std::string(is_single ? "float" : "double"));
@@ -129,7 +130,9 @@ void set_setting(const Setting& setting, TradeRow& row) {
   if (is_box2d) return;
   row.set("stabilizer", stabilization_text(setting.stabilization));
   row.set("beta", setting.stabilization.baumgarte);
-  row.set("slop", setting.stabilization.slop);
+  Scene stepped = scene;
+  stepped.set_settings(with_setting(scene.settings(), setting));
+  row.set("slop", *full_settings(stepped).stabilization.slop);
 }
 
 List<CsvCell> trajectory_row(const TrajectoryScene& scene, const Setting& setting) {
@@ -138,7 +141,7 @@ List<CsvCell> trajectory_row(const TrajectoryScene& scene, const Setting& settin
   set_build(row);
   row.set("level", 2LL);
   set_scene(scene, row);
-  set_setting(setting, row);
+  set_setting(scene.make(), setting, row);
   row.set("status", runs.status);
   if (runs.status == "refused") return row.cells();
   row.set("starts", static_cast<long long>(runs.costs.size()));

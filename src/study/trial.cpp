@@ -7,7 +7,8 @@
 #include <stdexcept>
 
 #include "math/check.hpp"
-#include "measure/trajectory.hpp"
+#include "measure/energy.hpp"
+#include "measure/energy_account.hpp"
 #include "measure/violation.hpp"
 #include "study/contestant.hpp"
 #include "study/standing.hpp"
@@ -24,21 +25,15 @@ void check_trial_options(const TrialOptions& options, double dt) {
   require(options.settle_seconds >= 0, "run_trial", "settle_seconds", ">= 0 s", options.settle_seconds);
   require(options.penetration_every >= 1, "run_trial", "penetration_every", ">= 1 step",
           options.penetration_every);
-  require(options.fastest > 0, "run_trial", "fastest", "> 0 m/s", options.fastest);
+  require(options.most_energy > 0, "run_trial", "most_energy", "> 0", options.most_energy);
   require(options.time_limit >= 0, "run_trial", "time_limit", ">= 0 s", options.time_limit);
   require(static_cast<bool>(options.clock), "run_trial", "clock", "a function", "none");
 }
 
-TrialStatus motion_status(const Snapshot& now, double fastest) {
-  TrialStatus status = TrialStatus::ok;
-  for (const SnapshotBody& body : now.bodies) {
-    const bool finite =
-        body.pose.position.allFinite() && std::isfinite(body.pose.angle) && body.velocity.allFinite();
-    if (!finite) return TrialStatus::nan;
-    const double speed = std::max(body.velocity.head<2>().norm(), std::abs(body.velocity.z()));
-    if (speed > fastest) status = TrialStatus::diverged;
-  }
-  return status;
+bool is_finite(const Snapshot& now) {
+  return std::all_of(now.bodies.begin(), now.bodies.end(), [](const SnapshotBody& body) {
+    return body.pose.position.allFinite() && std::isfinite(body.pose.angle) && body.velocity.allFinite();
+  });
 }
 
 double farthest_from_start(const Snapshot& start, const Snapshot& now) {
@@ -52,17 +47,17 @@ double farthest_from_start(const Snapshot& start, const Snapshot& now) {
 
 class Trial {
  public:
-  Trial(Contestant& contestant, bool is_driven, const TrialOptions& options, TrialResult& result)
+  Trial(Contestant& contestant, const Scene& scene, const TrialOptions& options, TrialResult& result)
       : contestant_(contestant),
         options_(options),
         result_(result),
         start_(contestant.snapshot()),
+        energy_(start_),
+        drive_(scene),
         watch_(start_, !options.places.empty()),
         standing_(start_, options.stand_distance, std::min(options.settle_seconds, options.seconds / 2)),
-        is_driven_(is_driven) {
-    start_energy_ = energy_ = total_energy(start_);
-    const double scale = energy_scale(start_);
-    result_.energy_scale = scale > 0 ? scale : 1;
+        is_driven_(is_driven(scene)) {
+    note_energy();
     note_places(start_);
     if (options_.observer) options_.observer(start_);
   }
@@ -107,8 +102,7 @@ class Trial {
   void do_events() {
     if (!contestant_.do_events()) return;
     const Snapshot now = contestant_.snapshot();
-    start_energy_ += total_energy(now) - energy_;
-    result_.energy_scale = std::max(result_.energy_scale, energy_scale(now));
+    energy_.scene_changed(now);
     watch_.scene_changed(now);
   }
 
@@ -125,9 +119,13 @@ class Trial {
     result_.row_updates += contestant_.row_updates(now);
     result_.rows += contestant_.rows(now);
     if (options_.observer) options_.observer(now);
+    if (const std::optional<double> residual = contestant_.unfinished()) {
+      result_.unfinished_steps += 1;
+      result_.unfinished_residual = std::max(result_.unfinished_residual, *residual);
+    }
     result_.not_finite = contestant_.not_finite();
-    result_.status = result_.not_finite ? TrialStatus::nan : motion_status(now, options_.fastest);
-    if (result_.status == TrialStatus::nan) {
+    if (result_.not_finite || !is_finite(now)) {
+      result_.status = TrialStatus::nan;
       result_.farthest = std::numeric_limits<double>::infinity();
       return note_fall();
     }
@@ -136,19 +134,31 @@ class Trial {
     note_places(now);
     note_drift(now);
     watch_.see(now, result_.seconds);
-    energy_ = total_energy(now);
-    const double change = (energy_ - start_energy_) / result_.energy_scale;
-    result_.energy_gain = std::max(result_.energy_gain, change);
-    result_.energy_loss = -change;
-    if (!is_driven_) watch_.see_gain(change, result_.seconds);
+    energy_.see(now);
+    note_energy();
+    if (!is_driven_) watch_.see_gain(-result_.energy_loss, result_.seconds);
+    if (!(kinetic_energy(now) <= most_kinetic_energy(now))) result_.status = TrialStatus::diverged;
     if (is_last || result_.steps % options_.penetration_every == 0) {
       const List<Overlap> all = overlaps(now);
       note_overlap(deepest_of(all));
-      watch_.see(all, result_.seconds);
+      watch_.see(all, now, result_.seconds);
     }
     result_.failures = watch_.failures();
     const bool late = options_.time_limit > 0 && result_.step_seconds > options_.time_limit;
     if (late && !is_last && result_.status == TrialStatus::ok) result_.status = TrialStatus::timeout;
+  }
+
+  void note_energy() {
+    result_.energy_scale = energy_.scale() > 0 ? energy_.scale() : 1;
+    most_gain_ = std::max(most_gain_, energy_.change());
+    result_.energy_gain = most_gain_ / result_.energy_scale;
+    result_.energy_loss = -energy_.change() / result_.energy_scale;
+  }
+
+  /// [J] More of it, and the run has diverged.
+  double most_kinetic_energy(const Snapshot& now) const {
+    const double substeps = result_.seconds / now.dt;
+    return options_.most_energy * drive_.most_energy(result_.energy_scale, result_.seconds, substeps);
   }
 
   void note_drift(const Snapshot& now) {
@@ -188,11 +198,12 @@ class Trial {
   const TrialOptions& options_;
   TrialResult& result_;
   Snapshot start_;
+  EnergyAccount energy_;
+  Drive drive_;
   FailureWatch watch_;
   Standing standing_;
   bool is_driven_ = false;
-  double energy_ = 0;        // [J] of the last snapshot
-  double start_energy_ = 0;  // [J] of the start, and what events have given since
+  double most_gain_ = 0;  // [J]
   double residual_sum_ = 0;
   int residuals_ = 0;
 };
@@ -234,7 +245,7 @@ TrialResult run_trial(const Scene& scene, const Setting& setting, const TrialOpt
     return result;
   }
   const int steps = static_cast<int>(std::lround(options.seconds / setting.dt));
-  Trial(*contestant, is_driven(scene), options, result).run(steps, setting.dt);
+  Trial(*contestant, scene, options, result).run(steps, setting.dt);
   return result;
 }
 

@@ -17,7 +17,7 @@ namespace cairn {
 /// How a run ended.
 enum class TrialStatus {
   ok,        // all of its steps were done
-  diverged,  // a body became faster than TrialOptions::fastest
+  diverged,  // it had far more kinetic energy than anything in the scene explains: TrialOptions::most_energy
   nan,       // a pose or a velocity is no finite number, or would have been after a step
   refused,   // the engine cannot run the scene, or the solver its problem: TrialResult::reason says why
   timeout,   // its steps took longer than TrialOptions::time_limit
@@ -54,7 +54,9 @@ struct TrialOptions {
   /// step, cost O(bodies + joints); this one looks for pairs and collides them, as a step does.
   int penetration_every = 1;
   ResidualMeasure residual = ResidualMeasure::off;
-  double fastest = 1000;  // [m/s and rad/s] of any body; what is faster has diverged
+  /// A run has diverged once its kinetic energy is so many times what the scale and what drives the scene
+  /// (measure/energy_account.hpp) explain: its bodies are then a hundred times as fast. Infinite: never.
+  double most_energy = 1e4;
   double time_limit = 0;  // [s] of the clock in all steps; 0: none
   /// Asked after every step: true ends the run there, for example because it can no longer do what is wanted.
   std::function<bool(const TrialResult&)> gives_up = {};
@@ -75,12 +77,13 @@ struct TrialResult {
   TrialWorst penetration_worst = {};      // where worst_penetration is above 0
   TrialWorst drift_worst = {};            // where worst_drift is above 0
   List<Failure> failures = {};            // the first of each kind, whatever is expected of the scene
-  /// [J] energy_scale() of the start (measure/trajectory.hpp), or of what an event left where that is more;
-  /// 1 J where it is 0.
+  /// [J] EnergyAccount::scale() (measure/energy_account.hpp); 1 J where it is 0.
   double energy_scale = 0;
   /// Of the scale: how far kinetic and potential energy rose above those of the start, without what events
   /// gave and took.
   double energy_gain = 0;
+  int unfinished_steps = 0;        // in which a solve ended far from its answer: StepReport::unfinished
+  double unfinished_residual = 0;  // the largest R_E of these
   double energy_loss = 0;  // of the scale: how far they are below it at the end; < 0: above it
   double farthest = 0;     // [m] that a dynamic body's centre of mass was from its start, infinite for nan
   List<double> place_distances = {};  // [m] how far each body of TrialOptions::places is from its place

@@ -84,7 +84,7 @@ RecommendFinding find_recommendation(const RecommendRun& run, const Setting& set
   used.scalar = run.scalar.value_or(setting.scalar);
   bool escaped = false;
   TrialOptions options{.seconds = run.seconds, .stand_distance = run.stand_distance};
-  options.fastest = std::numeric_limits<double>::infinity();
+  options.most_energy = std::numeric_limits<double>::infinity();
   options.time_limit = longest_trial;
   options.gives_up = [&](const TrialResult& result) {
     return escaped || !verdict_so_far(result, run.wish).meets;

@@ -68,8 +68,7 @@ Scene disc_at_wall(double speed) {
   scene.add({.shapes = {circle(0.1)},
              .position = {-3.3, 0.1},
              .velocity = {speed, 0},
-             .restitution = 0.5,
-             .fast = true});
+             .restitution = 0.5});
   return scene;
 }
 

@@ -28,8 +28,7 @@ const double crank_speed = 2 * pi;  // [rad/s] w
 /// Bodies 1 to 3: a crank that turns at w around the origin, a rod, and a slider on the x axis.
 Scene slider_crank(double frequency) {
   Scene scene({.dt = 1 / frequency,
-               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = mechanism_beta},
-               .guarded = false});
+               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = mechanism_beta}});
   const double r = crank_radius, l = crank_rod;
   const BodyId crank = scene.add({.type = BodyType::kinematic, .angular_velocity = crank_speed});
   const BodyId rod = scene.add({.position = {r + l / 2, 0}, .mass = 1, .inertia = l * l / 12});
@@ -115,8 +114,7 @@ struct InversorScene {
 InversorScene inversor_scene(const Inversor& inversor, double frequency) {
   Scene scene({.gravity = {0, 0},
                .dt = 1 / frequency,
-               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = mechanism_beta},
-               .guarded = false});
+               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = mechanism_beta}});
   const double start = -pi / 3, s = inversor.side;
   const Vec2<double> q = inversor.q(start), r = inversor.r(start), o(0, 0);
   const Vec2<double> a = meeting_point(o, inversor.arm, q, s), b = meeting_point(q, s, o, inversor.arm);

@@ -44,8 +44,7 @@ double period_sensitivity(double amplitude) {
 /// A thin rod of 1 kg, pinned at its end, at rest at `amplitude` [rad] from hanging down.
 Scene swinging_rod(double amplitude, double frequency, double baumgarte) {
   Scene scene({.dt = 1 / frequency,
-               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = baumgarte},
-               .guarded = false});
+               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = baumgarte}});
   const Vec2<double> hanging(0, -swinging_length / 2);
   const BodyId rod = scene.add({.shapes = {box(0.01, swinging_length)},
                                 .position = Rotation<double>(amplitude) * hanging,
@@ -153,8 +152,7 @@ ValidationResult swinging(const EngineMaker& make) {
 /// Two equal thin rods of 1 m and 1 kg, the one at the end of the other, let go from the horizontal.
 Scene tumbling_rods(double frequency, double baumgarte) {
   Scene scene({.dt = 1 / frequency,
-               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = baumgarte},
-               .guarded = false});
+               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = baumgarte}});
   const BodyId first = scene.add({.position = {0.5, 0}, .mass = 1, .inertia = 1.0 / 12});
   const BodyId second = scene.add({.position = {1.5, 0}, .mass = 1, .inertia = 1.0 / 12});
   scene.join<RevoluteJoint>({.a = ground, .b = first, .anchor = {0, 0}});

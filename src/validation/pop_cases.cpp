@@ -21,7 +21,8 @@ const double uncapped = std::numeric_limits<double>::infinity();
 struct PopSpec {
   double overlap = 0.1;    // [m] d, at rest
   double frequency = 240;  // [1/s] steps
-  Stabilization stabilization = {.baumgarte = 0.2, .slop = 0, .max_speed = uncapped};
+  Stabilization stabilization = {
+      .policy = StabilizationPolicy::baumgarte, .baumgarte = 0.2, .slop = 0, .max_speed = uncapped};
   Shape<double> shape = circle(0.5);  // 1 m high
 };
 

@@ -19,8 +19,7 @@ const double rotor_beta = 0.2;
 /// `speed` [m/s].
 Scene rotor(double radius, double speed) {
   Scene scene({.gravity = {0, 0},
-               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = rotor_beta},
-               .guarded = false});
+               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = rotor_beta}});
   const BodyId bead =
       scene.add({.position = {radius, 0}, .velocity = {0, speed}, .mass = 2, .fixed_rotation = true});
   scene.join<DistanceJoint>({.a = ground, .b = bead, .anchor_b = {radius, 0}, .length = 1});

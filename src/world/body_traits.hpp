@@ -13,8 +13,6 @@ struct BodyTraits {
   Real slop_limit = 0;       // [m] a share of the smallest shape
   Real failed_error = 0;     // [m] likewise: deeper in another, it is on its way through
   double friction_root = 0;  // sqrt(mu): a pair's mu is the product of two
-  Real length = 0;           // [m] as far as it may go within a step, or else is fast; below 0: is fast
-  Real gravity = 0;          // [m/s^2] that it feels
   Real radius = 0;           // [m] of a circle around all shapes, about the centre of mass
 
   /// Member by member.

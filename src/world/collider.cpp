@@ -60,15 +60,15 @@ class ColliderMaker {
   std::multimap<Real, std::shared_ptr<const Form>> known_;  // by the radius around them
 };
 
-/// Numbers for static bodies: those that collide with the same bodies have the same one. Sensors, and bodies
-/// that a joint keeps apart from others, have one of their own.
+/// Numbers for bodies that nothing pushes: static ones that collide with the same bodies have the same one.
+/// Sensors, bodies that a joint keeps apart from others, and what moves have one of their own.
 class Groups {
  public:
   explicit Groups(const Scene& scene) : alone_(scene.bodies().size(), 0) {
     for (const auto& [a, b] : scene.apart()) alone_[a] = alone_[b] = 1;
   }
   int of(BodyId id, const BodySpec& spec) {
-    if (spec.sensor || alone_[id]) return -1 - id.index;
+    if (spec.sensor || alone_[id] || spec.type != BodyType::static_body) return -1 - id.index;
     return groups_.insert({{spec.category, spec.collides_with}, static_cast<int>(groups_.size())})
         .first->second;
   }
@@ -87,7 +87,7 @@ void set_surroundings(const Scene& scene, List<Collider<Real>>& colliders) {
   for (const BodyId id : scene.bodies().indices()) {
     const SceneBody& body = scene.bodies()[id];
     for (const Shape<double>& shape : body.spec.shapes) {
-      if (body.spec.type == BodyType::static_body && !std::holds_alternative<Chain<double>>(shape)) {
+      if (body.spec.type != BodyType::dynamic && !std::holds_alternative<Chain<double>>(shape)) {
         still.push_back({&shape, body.pose, groups.of(id, body.spec)});
         places.push_back(next);
       }

@@ -111,9 +111,15 @@ class ContactGraph {
  public:
   /// Of no shapes.
   ContactGraph() = default;
-  /// As NearPairs. Slots have lasting manifolds only if asked for.
-  ContactGraph(BroadphaseKind kind, List<char> movable, bool lasts)
-      : near_(kind, std::move(movable)), lasts_(lasts) {}
+  /// As NearPairs, with room for as many pairs as shapes. Slots have lasting manifolds only if asked for.
+  ContactGraph(BroadphaseKind kind, const List<char>& movable, bool lasts)
+      : near_(kind, movable), lasts_(lasts) {
+    order_.reserve(movable.size());
+    next_.reserve(movable.size());
+    slots_.reserve(movable.size());
+    free_.reserve(movable.size());
+    if (lasts_) lasting_.reserve(movable.size());
+  }
 
   /// Takes in where the shapes are. Pairs for which may_meet(i, j) is false are left out: it is asked of
   /// every pair that has come near. Whether slots have got other numbers.

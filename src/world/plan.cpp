@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "world/scene_length.hpp"
+
 namespace cairn {
 
 namespace {
@@ -46,7 +48,8 @@ bool any_may_meet(const Scene& scene) {
 }  // namespace
 
 Plan make_plan(const Scene& scene) {
-  Plan plan;
+  Plan plan{.settings = full_settings(scene), .length = unit_length(scene)};
+  plan.lengths = lengths_text(scene);
   std::set<std::string> kinds;
   int rubbing_bodies = 0;
   for (const SceneBody& body : scene.bodies()) {
@@ -73,7 +76,6 @@ Plan make_plan(const Scene& scene) {
   plan.joints = scene.joints().size();
   plan.broadphase = plan.colliders > all_pairs_limit ? BroadphaseKind::grid : BroadphaseKind::all_pairs;
   plan.warm_start = scene.settings().warm_start;
-  plan.guarded = scene.settings().guarded.value_or(plan.joints > 0);
   plan.substeps = scene.settings().substeps;
   const ContactSearch search = scene.settings().contact_search;
   plan.keeps_manifolds = search == ContactSearch::when_moved;
@@ -81,12 +83,15 @@ Plan make_plan(const Scene& scene) {
       search == ContactSearch::when_moved || (search == ContactSearch::every_step && plan.substeps > 1);
   const StabilizationPolicy policy = scene.settings().stabilization.policy;
   plan.follows_arcs = policy == StabilizationPolicy::relaxed && plan.joints > 0;
-  plan.relaxes = policy == StabilizationPolicy::soft || plan.follows_arcs;
+  const bool is_soft = policy == StabilizationPolicy::soft;
+  const bool has_rows = plan.collision || plan.joints > 0;
+  plan.relaxes = is_soft || (policy == StabilizationPolicy::relaxed && has_rows);
+  plan.second_start = is_soft ? SecondStart::of_first_answer : SecondStart::of_first_start;
   plan.corrects_positions = policy == StabilizationPolicy::split_impulse;
   plan.sleeping = scene.settings().sleeping.has_value();
   const bool friction_per_point = !plan.friction || plan.friction_rows == FrictionRows::per_point;
-  plan.contacts_alone = plan.joints == 0 && friction_per_point && !plan.restitution && !plan.guarded &&
-                        !plan.corrects_positions;
+  plan.contacts_alone =
+      plan.joints == 0 && friction_per_point && !plan.restitution && !plan.corrects_positions;
   plan.shape_kinds.assign(kinds.begin(), kinds.end());
   return plan;
 }
@@ -121,8 +126,6 @@ std::string explain(const Plan& plan) {
   if (plan.relaxes) second = "each step is solved again without the speed that removes errors";
   if (plan.corrects_positions) second = "split impulse: errors are removed apart from the velocities";
   text += line("second solve", second);
-  text += line("guards", either(plan.guarded, "solves that fail are caught",
-                                "left out: solves are taken as they are"));
   text += line("sleeping", either(plan.sleeping, "islands at rest take no part until something wakes them",
                                   "left out: every body takes part in every step"));
   return text;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "collision/broadphase.hpp"
+#include "constraints/contact_problem.hpp"
 #include "world/scene.hpp"
 #include "math/list.hpp"
 
@@ -11,6 +12,8 @@ namespace cairn {
 
 /// Decided from the scene alone, before the first step.
 struct Plan {
+  SceneSettings settings = {};                            // with what the scene has left out
+  double length = 1;                                      // [m] unit_length()
   int bodies = 0;                                         // with the ground
   int dynamic_bodies = 0;                                 // those with velocities to solve for
   int turning_bodies = 0;                                 // dynamic bodies that can turn
@@ -24,16 +27,17 @@ struct Plan {
   FrictionRows friction_rows = FrictionRows::per_point;   // one for each point or for each manifold
   bool restitution = false;                               // some body with e > 0
   bool warm_start = false;                                // solves begin from last step's impulses
-  bool guarded = false;                                   // failed solves are caught
   int substeps = 1;                                       // in a step
   bool moves_manifolds = false;                           // manifolds last longer than a substep
   bool keeps_manifolds = false;                           // and longer than a step
-  bool relaxes = false;             // a second solve takes out the speed that moved errors back
-  bool follows_arcs = false;        // joints are asked to hold where a substep ends
-  bool corrects_positions = false;  // a second solve removes errors
-  bool sleeping = false;            // islands at rest take no part
+  bool relaxes = false;  // a second solve takes out the speed that moved errors back
+  SecondStart second_start = SecondStart::of_first_start;  // and begins from these impulses
+  bool follows_arcs = false;                               // joints are asked to hold where a substep ends
+  bool corrects_positions = false;                         // a second solve removes errors
+  bool sleeping = false;                                   // islands at rest take no part
   bool contacts_alone = false;  // with a row of friction a point and no rebound: some solvers need no rows
   List<std::string> shape_kinds = {};  // those that occur, sorted
+  std::string lengths = {};            // lengths_text()
 };
 
 /// What the scene requires.

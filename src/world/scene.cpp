@@ -132,13 +132,13 @@ void check_settings(const SceneSettings& settings) {
           "from 1 to " + std::to_string(SceneSettings::most_substeps), settings.substeps);
   require_time_step(settings.dt / settings.substeps, "Scene (a substep)");
   require_range(settings.stabilization.baumgarte, 0, "Scene", "stabilization.baumgarte", "");
-  require_range(settings.stabilization.slop, 0, "Scene", "stabilization.slop", "m");
-  require(settings.stabilization.max_speed > 0, "Scene", "stabilization.max_speed", "> 0 m/s",
-          settings.stabilization.max_speed);
+  require_range(settings.stabilization.slop.value_or(0), 0, "Scene", "stabilization.slop", "m");
+  require(most_speed(settings.stabilization) > 0, "Scene", "stabilization.max_speed", "> 0 m/s",
+          most_speed(settings.stabilization));
   require_softness(settings.stabilization.soft, "Scene: stabilization.soft");
   require_softness(settings.stabilization.joint_soft, "Scene: stabilization.joint_soft");
-  require_range(settings.speculative_margin, 0, "Scene", "speculative_margin", "m");
-  require_range(settings.restitution_threshold, 0, "Scene", "restitution_threshold", "m/s");
+  require_range(settings.speculative_margin.value_or(0), 0, "Scene", "speculative_margin", "m");
+  require_range(settings.restitution_threshold.value_or(0), 0, "Scene", "restitution_threshold", "m/s");
   if (settings.sleeping) {
     require_positive(settings.sleeping->speed, "sleeping.speed", "m/s");
     require_positive(settings.sleeping->angular_speed, "sleeping.angular_speed", "rad/s");
@@ -215,13 +215,15 @@ BodyId Scene::add_ground(const GroundSpec& spec) {
   require_finite(spec.height, "Scene::add_ground", "height", "m");
   require(spec.half_width > 0 && std::isfinite(spec.half_width), "Scene::add_ground", "half_width",
           "> 0 m and finite", spec.half_width);
+  require(spec.thickness > 0 && std::isfinite(spec.thickness), "Scene::add_ground", "thickness",
+          "> 0 m and finite", spec.thickness);
   require_friction(spec.friction, "Scene::add_ground");
   require_unit_interval(spec.restitution, "Scene::add_ground", "restitution");
-  const double thickness = 1;  // [m]
   SceneBody& body = own_bodies()[ground];
   body.spec.friction = spec.friction;
   body.spec.restitution = spec.restitution;
-  body.spec.shapes.push_back(moved(box(2 * spec.half_width, thickness), {0, spec.height - thickness / 2}));
+  body.spec.shapes.push_back(
+      moved(box(2 * spec.half_width, spec.thickness), {0, spec.height - spec.thickness / 2}));
   return ground;
 }
 

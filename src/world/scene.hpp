@@ -17,7 +17,8 @@
 
 namespace cairn {
 
-/// When bodies that touch or are joined fall asleep: once all of them have been slower than this for `time`.
+/// When bodies that touch or are joined fall asleep: once all of them have been slower than this for `time`,
+/// and have kept their places (SleepState).
 struct Sleeping {
   double speed = 0.05;          // [m/s] of the centre of mass
   double angular_speed = 0.05;  // [rad/s]
@@ -45,16 +46,13 @@ struct SceneSettings {
   int substeps = 1;                  // a step is so many steps of dt / substeps, each solved anew
   Stabilization stabilization = {};  // how errors in positions are taken back
   bool warm_start = true;            // begin from last step's impulses
-  /// Looks after solves that fail. Of the impulses that a solve begins from, and of those that it ends with,
-  /// each island keeps only the share that has the least energy, and such that are out of all proportion are
-  /// limited (solvers/impulse_energy.hpp); joints that have come apart are asked for no speeds without end,
-  /// and bodies that a solve has left going through each other are kept apart (world/last_word.hpp).
-  /// StepReport says how far. O(m) a substep; off: nothing of it is looked at. Left out: on where there are
-  /// joints. Asked for by name, springs of policy soft that would let a body through are refused too.
-  std::optional<bool> guarded = {};
   ContactSearch contact_search = ContactSearch::every_substep;  // how long manifolds last
-  double speculative_margin = 0.02;    // [m] shapes closer than this get contact rows with room to spare
-  double restitution_threshold = 0.5;  // [m/s] slower approaches do not rebound
+  /// [m] Shapes closer than this get contact rows with room to spare. Left out: 0.02 of the unit of
+  /// length (world/scene_length.hpp).
+  std::optional<double> speculative_margin = {};
+  /// [m/s] Slower approaches do not rebound. Left out: the speed of a fall through 1/80 of that length, which
+  /// is 0.5 of bodies of 1 m; 0 without gravity.
+  std::optional<double> restitution_threshold = {};
   FrictionRows friction_rows = FrictionRows::per_point;  // one for each point or for each manifold
   /// Bodies that have come to rest are left out of the steps until something wakes them. Off: none ever is.
   std::optional<Sleeping> sleeping = {};
@@ -81,12 +79,8 @@ struct BodySpec {
   double angular_damping = 0;             // [1/s]
   double gravity_scale = 1;               // how many times the gravity of the scene it feels
   bool fixed_rotation = false;            // never turns: 1/I is 0
-  bool sensor = false;  // is seen to touch (StepRecord::sensed), and neither pushes nor is pushed
-  /// Never passes through what it could reach within a step: it gets contact rows with the room in between.
-  /// May be stopped by what it would have passed at the side, and then rebounds before it arrives. So does
-  /// every body in a step in which it goes farther than its largest shape is long.
-  bool fast = false;
-  std::uint32_t category = 1;         // bits: what it is
+  bool sensor = false;         // is seen to touch (StepRecord::sensed), and neither pushes nor is pushed
+  std::uint32_t category = 1;  // bits: what it is
   std::uint32_t collides_with = ~0u;  // bits: of which categories both must accept the other's
 
   /// Member by member.
@@ -96,7 +90,8 @@ struct BodySpec {
 /// The surface of the ground.
 struct GroundSpec {
   double height = 0;       // [m] of its surface
-  double half_width = 50;  // [m]
+  double half_width = 50;  // [m] wide enough for bodies of 1 m, and so is
+  double thickness = 1;    // [m] this; scene files say more of both where bodies are larger
   double friction = 0.6;   // mu
   double restitution = 0;  // e, in [0, 1]
 };
@@ -132,7 +127,7 @@ class Scene {
 
   /// @throws std::invalid_argument, also for a dynamic body without area and without mass.
   BodyId add(const BodySpec& spec);
-  /// Gives the ground a flat surface, 1 m thick.
+  /// Gives the ground a flat surface.
   BodyId add_ground(const GroundSpec& spec = {});
   /// A joint from its Spec, whose anchors are in world coordinates where the bodies stand now.
   /// @throws std::invalid_argument for unknown bodies, or none that can move.

@@ -23,6 +23,12 @@ struct AwakeCount {
 /// touched or held by an awake body or by a kinematic one that moves, or once it is asked to. While it sleeps
 /// its velocities are 0 and no rows are written for it: what they had given stays as it was.
 ///
+/// A body may fall asleep where it is at rest: where it has stayed, for the time that the scene asks for,
+/// within two thousandths of its size of one place, and was slower than the speeds of the scene. A small
+/// velocity alone says nothing: what is driven keeps it or gains it, and leaves the place, while what rests
+/// keeps the place though solves make it tremble. Two things are never at rest, however slow: what a motor
+/// turns, and what gravity pulls and nothing unmovable holds.
+///
 /// Everything goes by ids, lowest first, so that the same steps give the same bits.
 template <Scalar Real>
 class SleepState {
@@ -49,8 +55,8 @@ class SleepState {
   void carry_over(const SleepState& before);
   /// What forces have done to sleeping bodies is undone: their velocities are 0.
   void hold(PerBody<Vec3<Real>>& velocity) const;
-  /// At the end of a step of dt [s].
-  void let_sleep(const List<Manifold<Real>>& manifolds, double dt, PerBody<Vec3<Real>>& velocity);
+  /// At the end of a step of dt [s], of which this is the state: what falls asleep loses its velocity.
+  void let_sleep(const List<Manifold<Real>>& manifolds, double dt, BodyState<Real>& state);
 
  private:
   static constexpr BodyId awake = {-1};
@@ -59,10 +65,13 @@ class SleepState {
   void for_each_tie(const List<Manifold<Real>>& manifolds, const Visit& visit) const;
   bool is_dynamic(BodyId body) const { return type_[body] == BodyType::dynamic; }
   bool disturbs(BodyId body, const PerBody<Vec3<Real>>& velocity) const;
-  void count_still_time(double dt, const PerBody<Vec3<Real>>& velocity);
+  void note_drives(const Scene& scene);
+  void count_still_time(double dt, const BodyState<Real>& state);
+  bool is_still(BodyId body, const BodyState<Real>& state) const;
   void connect(Span<const BodyId> tied, const PerBody<Vec3<Real>>& velocity);
   BodyId root_of(BodyId body);
-  void put_to_sleep(double dt, PerBody<Vec3<Real>>& velocity);
+  void find_restless(double dt);
+  void put_to_sleep(PerBody<Vec3<Real>>& velocity);
 
   Sleeping settings_;
   PerBody<BodyType> type_;
@@ -70,11 +79,16 @@ class SleepState {
   List<BodyId> owner_;         // of each shape
   List<List<BodyId>> joints_;  // the bodies of each joint
   PerBody<BodyId> island_;     // the lowest id in its sleeping island, or `awake`
-  PerBody<double> still_for_;  // [s] how long it has been slow
+  PerBody<double> size_;       // [m] the radius of a circle around all shapes, about the centre of mass
+  PerBody<char> falls_;        // unless something holds it
+  PerBody<char> driven_;       // by a motor
+  PerBody<Pose<Real>> place_;  // where it has stayed
+  PerBody<double> still_for_;  // [s] how long it has
   AwakeCount count_ = {};
 
   // Scratch memory.
   PerBody<BodyId> parent_;  // in the forest of islands: never a higher id
+  PerBody<char> held_;      // of each body, and then of each root: by what cannot be pushed
   PerBody<char> restless_;  // of each root: some body of its island may not sleep yet
 };
 

@@ -1,6 +1,7 @@
 // Floor 5. From a world to plain values.
 #include "world/snapshot.hpp"
 
+#include "constraints/springs.hpp"
 #include "world/world.hpp"
 #include "math/list.hpp"
 
@@ -83,6 +84,7 @@ SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& sta
   double sum = 0;
   for (const RowSpec<Real>& spec : specs) {
     sum += static_cast<double>(violation(spec) * violation(spec));
+    result.energy += spring_energy(spec, state.inverse_mass);
   }
   result.drift = std::sqrt(sum);
   return result;

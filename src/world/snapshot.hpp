@@ -52,6 +52,7 @@ struct SnapshotJoint {
   List<Vec2<double>> between = {};  // [m], world: where a rope goes on its way from a to b
   double drift = 0;                 // [m or rad], norm of what its rigid rows lack
   Vec2<double> impulse = {0, 0};    // [N s], on b, world
+  double energy = 0;                // [J] that its springs hold
 };
 
 /// A world at one instant.

@@ -1,6 +1,7 @@
 // Floor 5. What a step tells: a report of how it went, and a record of what it saw.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -17,29 +18,25 @@ namespace cairn {
 /// the further ones of its step: all bodies stay as they were, and only the time goes on.
 struct StepReport {
   SolveReport solve = {};                 // of the velocities; of the last substep
+  int unfinished = 0;                     // SolveReport::unfinished() solves, of all substeps and passes
+  double worst_residual = 0;              // the largest R_E of those that looked at it
   int sweeps = 0;                         // all that were done, for relaxing and for positions too
   int contacts = 0;                       // contact points
   int rows = 0;                           // scalar constraints
   AwakeCount awake = {};                  // when the step ended; islands are counted where bodies may sleep
   std::optional<BodyId> not_finite = {};  // the first body that would have a NaN or an infinity, if any
-  /// Where SceneSettings::guarded, and of the island and substep where it was least: the share of last step's
-  /// impulses that its solve began from, and the share of what it solved that was kept
-  /// (solvers/impulse_energy.hpp).
-  double warm_share = 1;    // of what it began from
-  double solved_share = 1;  // of what it solved
-  /// Substeps, where SceneSettings::guarded, in which the solve had left bodies going through each other, so
-  /// that they were kept apart (world/last_word.hpp): more sweeps, substeps or an exact solver are called
-  /// for.
-  int kept_apart = 0;
   /// Joints whose points were, when the last substep began, farther apart than the circle around the smaller
   /// body reaches.
   int joints_apart = 0;
   /// Pairs of shapes that were found in each other by more than half of the thinner body.
   int too_deep = 0;
-  /// [J] Where SceneSettings::guarded: by how much the impulses have changed the kinetic energy. Contacts and
-  /// rigid joints take from it; what they add comes from nowhere, as where they take errors back. Springs,
-  /// motors, a hand and bodies that move by themselves may add to it.
-  double work = 0;
+
+  /// Counts a solve of the step.
+  void count(const SolveReport& solved) {
+    sweeps += solved.iterations;
+    unfinished += solved.unfinished();
+    worst_residual = std::max(worst_residual, solved.residual.value_or(0));
+  }
 };
 
 /// What the last step saw and found. The first blocks of the problem are those of the joints, in the scene's

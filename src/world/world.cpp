@@ -37,7 +37,7 @@ StepReport World<Real>::take_step(Solver<Real>& solver, SolveObserver<Real>* obs
   }
   report.awake.bodies = plan_->dynamic_bodies;
   if (sleep_) {
-    if (!report.not_finite) sleep_->let_sleep(record_.manifolds, dt_, state_.velocity);
+    if (!report.not_finite) sleep_->let_sleep(record_.manifolds, dt_, state_);
     report.awake = sleep_->count();
   }
   time_ += dt_;
@@ -71,14 +71,11 @@ void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>*
     move_manifolds();  //       or those of the step, where they are now
   }
   apply_forces();  // 3     v_1 = v + dt M^-1 f: gravity is in before any constraint is solved
-  if (plan_->guarded) report.work -= static_cast<double>(kinetic_energy(record_.problem.velocity));
   if (direct != nullptr) {
     solve_contacts(*direct, report);  // 4, 5  manifolds -> impulses, v_2
   } else {
     solve_rows(solver, observer, report);  // 4, 5  joints and manifolds -> rows -> impulses, v_2
   }
-  if (plan_->guarded) keep_apart(report);
-  if (plan_->guarded) report.work += static_cast<double>(kinetic_energy(record_.problem.velocity));
   report.not_finite = first_not_finite();
   if (report.not_finite) {  // nothing has moved, and the impulses remembered are those of before
     if (direct != nullptr) take_back_contacts(*direct);
@@ -101,11 +98,12 @@ void World<Real>::solve_rows(Solver<Real>& solver, SolveObserver<Real>* observer
   leave_contacts();
   write_rows(StabilizationPass::velocity, record_.problem);
   warm_start();  // with last step's impulses
-  if (plan_->guarded) guard_warm_start(report);
-  if (plan_->relaxes) velocity_before_ = record_.problem.velocity;
+  if (plan_->relaxes) {
+    velocity_before_ = record_.problem.velocity;
+    impulse_before_ = record_.problem.impulse;
+  }
   report.solve = solver.solve(record_.problem, observer);
-  report.sweeps += report.solve.iterations;
-  if (plan_->guarded) guard_solve(report);
+  report.count(report.solve);
   moving_velocity_ = record_.problem.velocity;
   if (plan_->corrects_positions) correct_positions(solver, report);
   if (plan_->relaxes) relax(solver, report);
@@ -116,10 +114,9 @@ void World<Real>::solve_rows(Solver<Real>& solver, SolveObserver<Real>* observer
 template <Scalar Real>
 void World<Real>::relax(Solver<Real>& solver, StepReport& report) {
   record_.problem.velocity = velocity_before_;
+  if (plan_->second_start == SecondStart::of_first_start) record_.problem.impulse = impulse_before_;
   relax_rows();
-  if (plan_->follows_arcs) leave_lost_arcs();
-  report.sweeps += solver.solve_again(record_.problem).iterations;
-  if (plan_->guarded) guard_solve(report);
+  report.count(solver.solve_again(record_.problem));
 }
 
 /// The policy split_impulse: adds velocities that take errors back. The velocities of the step come back once
@@ -127,10 +124,12 @@ void World<Real>::relax(Solver<Real>& solver, StepReport& report) {
 template <Scalar Real>
 void World<Real>::correct_positions(Solver<Real>& solver, StepReport& report) {
   second_problem_.velocity = record_.problem.velocity;
+  second_problem_.inverse_mass = record_.problem.inverse_mass;
+  second_problem_.dt = record_.problem.dt;
   write_rows(StabilizationPass::position, second_problem_);
   for (Vec3<Real>& v : second_problem_.velocity) v.setZero();
   second_problem_.impulse.assign(second_problem_.rows.size(), Real(0));
-  report.sweeps += solver.solve(second_problem_).iterations;
+  report.count(solver.solve(second_problem_));
   for (const BodyId body : moving_velocity_.indices())
     moving_velocity_[body] += second_problem_.velocity[body];
 }
@@ -143,8 +142,6 @@ VelocityProblem<Real> World<Real>::velocity_problem() const {
   twin.apply_forces();
   twin.write_rows(StabilizationPass::velocity, twin.record_.problem);
   twin.warm_start();
-  StepReport unread;
-  if (twin.plan_->guarded) twin.guard_warm_start(unread);
   return twin.record_.problem;
 }
 
@@ -158,6 +155,43 @@ void World<Real>::apply_forces() {
   }
   if (plan_->damping) apply_damping(record_.problem.velocity, state_.inverse_mass, kind_, forces_, dt);
   if (sleep_) sleep_->hold(record_.problem.velocity);
+  record_.problem.dt = dt;
+  record_.problem.inverse_mass = state_.inverse_mass;
+  if (plan_->follows_arcs) stiffen_bodies();
+}
+
+/// Bodies take part in the solve with the mass max(M, h^2 K) in each of their freedoms, and with the momentum
+/// that they have: the implicit step for the forces of joints that turn with what they hold, of which K, the
+/// geometric stiffness, is a bound. Where h^2 K <= M nothing changes. An explicit step is stable for
+/// h^2 K <= 4 M at most.
+template <Scalar Real>
+void World<Real>::stiffen_bodies() {
+  VelocityProblem<Real>& problem = record_.problem;
+  find_stiffness();
+  for (const BodyId body : stiffness_.indices()) {
+    for (int k = 0; k < 3; ++k) {
+      const Real share = problem.dt * problem.dt * stiffness_[body][k] * problem.inverse_mass[body][k];
+      if (!(share > 1)) continue;
+      problem.inverse_mass[body][k] /= share;
+      problem.velocity[body][k] /= share;
+    }
+  }
+}
+
+/// Of all joints that are awake, under the forces of the last substep.
+template <Scalar Real>
+void World<Real>::find_stiffness() {
+  stiffness_.assign(state_.pose.size(), Vec3<Real>::Zero());
+  for (int i = 0; i < tie_count(); ++i) {
+    const JointImpulses& before = joint_impulses_[i];
+    if (tie_asleep(i) || before.count == 0) continue;
+    forces_before_.rows.resize(before.count);
+    for (int k = 0; k < before.count; ++k)
+      forces_before_.rows[k] = {before.rows[k].part, before.rows[k].impulse / before.dt};
+    const bool is_joint = i < scene_->joints().size();
+    const Constraint& tie = is_joint ? *scene_->joints()[i] : *hand_;
+    tie.add_stiffness(state_.pose, forces_before_, stiffness_);
+  }
 }
 
 template class World<float>;

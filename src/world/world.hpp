@@ -10,11 +10,11 @@
 #include "constraints/drag_joint.hpp"
 #include "dynamics/integrate.hpp"
 #include "constraints/contact_problem.hpp"
-#include "solvers/impulse_energy.hpp"
 #include "solvers/solver.hpp"
 #include "world/body_traits.hpp"
 #include "world/collider.hpp"
 #include "world/contact_graph.hpp"
+#include "world/look_ahead.hpp"
 #include "world/made_once.hpp"
 #include "world/occupation.hpp"
 #include "world/pins.hpp"
@@ -52,8 +52,8 @@ class World {
  public:
   /// Begins where the scene's bodies stand, at time 0, before its events.
   /// @throws std::invalid_argument for a body that Real has no number for, or which stands so far from the
-  /// origin that Real cannot tell positions within it apart; and, in a guarded scene, for one that springs of
-  /// policy soft would let through.
+  /// origin that Real cannot tell positions within it apart; and for one that springs of policy soft would
+  /// let through.
   explicit World(Scene scene);
 
   /// One step of dt, in as many substeps as the scene asks for. The same bits for the same scene, solver and
@@ -131,10 +131,12 @@ class World {
  private:
   using Collider = cairn::Collider<Real>;
   using JointImpulses = BlockImpulses<List<RowImpulse<Real>>, Real>;
-  /// What a row of a joint is in the second solve of the policies relaxed and soft.
-  struct RelaxedRow {
-    Real bias = 0;
-    Real softness = 0;
+
+  /// What contacts that are looked for do to bodies that go on.
+  struct Stops {
+    bool of_movable_wait = true;  // those of two bodies of which neither is stopped yet
+    bool are_new = false;         // some are
+    bool are_waiting = false;     // some do
   };
 
   /// The length of a substep [s].
@@ -148,21 +150,32 @@ class World {
   void find_manifolds(ContactSolver<Real>* solver);
   void move_manifolds();
   void put_manifolds();
-  void look_ahead();
+  void meet_all();
+  template <typename Find>
+  void find_with_others(const Find& find);
   void locate_bodies();
-  void measure_reach();
-  Real way(BodyId body, Real time) const;
-  Real reach(BodyId body) const;
+  void look_ahead(Real time);
+  Real travel(const ContactSlot<Real>& slot) const;
+  bool is_slow(const ContactSlot<Real>& slot, Real travel) const;
+  Real nearness(const ContactSlot<Real>& slot) const;
+  Real margin_for(const ContactSlot<Real>& slot, Real travel) const;
+  void stop(const ContactSlot<Real>& slot, const Manifold<Real>& manifold);
   bool may_meet(int collider_a, int collider_b) const;
   ContactSlot<Real> make_slot(int collider_a, int collider_b) const;
   void meet(NearSlot& near);
   void touch(int slot, const Manifold<Real>& manifold);
-  Manifold<Real> moved_manifold(int slot) const;
-  Manifold<Real> collide_slot(const ContactSlot<Real>& slot, Real margin) const;
+  Manifold<Real> moved_manifold(int slot);
+  Manifold<Real> manifold_ahead(const ContactSlot<Real>& slot);
+  Manifold<Real> manifold_of_touch(const ContactSlot<Real>& slot, const Course<Real>& a,
+                                   const Course<Real>& b, Real room, Real margin) const;
+  Manifold<Real> collide_slot(const ContactSlot<Real>& slot, const Frame<Real>& frame_a,
+                              const Frame<Real>& frame_b, Real margin) const;
   Pose<Real> relative_pose(const ContactSlot<Real>& slot, bool a_moves) const;
-  bool has_lasting_manifold(int slot, Real reach) const;
-  void find_lasting_manifold(int slot, Real margin);
+  bool has_lasting_manifold(int slot) const;
+  void find_lasting_manifold(int slot);
   void apply_forces();
+  void find_stiffness();
+  void stiffen_bodies();
   void write_rows(StabilizationPass pass, VelocityProblem<Real>& problem);
   void relax_rows();
   void write_joint_rows(StabilizationPass pass, VelocityProblem<Real>& problem, int& next);
@@ -172,9 +185,7 @@ class World {
   bool write_pin(const Pin& pin, const PinRules<Real>& rules, VelocityProblem<Real>& problem, int& next);
   void locate_pins();
   void look_along_arcs();
-  Real speed_of_arc(BodyId a, BodyId b, Real left_out) const;
-  void follow_arcs(const Constraint& joint);
-  void leave_lost_arcs();
+  void follow_arcs(const Constraint& joint, const JointImpulses& impulses);
   int tie_count() const { return scene_->joints().size() + (hand_ ? 1 : 0); }
   bool tie_asleep(int tie) const;
   void carry_over(const World& before, const Scene& then);
@@ -201,14 +212,10 @@ class World {
   void warm_start();
   template <typename Visit>
   void for_each_block(const Visit& visit);
-  void guard_warm_start(StepReport& report);
-  void guard_solve(StepReport& report);
-  void keep_apart(StepReport& report);
   void count_failures(StepReport& report) const;
   Real too_deep(const ContactSlot<Real>& slot) const;
   bool is_too_deep(int contact) const;
   bool is_apart(const RowSpecs<Real>& specs) const;
-  Real kinetic_energy(const PerBody<Vec3<Real>>& velocity) const;
   void remember_impulses();
   std::optional<BodyId> first_not_finite() const;
   ContactMaterial<Real> material(const ContactSlot<Real>& slot) const;
@@ -240,11 +247,11 @@ class World {
   int steps_ = 0;
 
   // Scratch memory, kept so that a steady step allocates nothing.
-  PerBody<Pose<Real>> first_pose_;      // where a step of several substeps began, and
-  PerBody<Vec3<Real>> first_velocity_;  // how
-  PerBody<Frame<Real>> frames_;         // where contacts were sought
-  PerBody<Real> reach_;                 // [m]
-  List<Aabb<Real>> boxes_;
+  PerBody<Pose<Real>> first_pose_;         // where a step of several substeps began, and
+  PerBody<Vec3<Real>> first_velocity_;     // how
+  PerBody<Frame<Real>> frames_;            // where contacts were sought
+  LookAhead<Real> outlook_;                // over the time for which contacts are sought
+  Stops stops_;                            // in it
   List<char> movable_;                     // of each collider: not of a pair where neither is
   List<int> candidates_;                   // slots with a manifold that moves with its bodies
   List<int> candidates_before_;            // in the step before
@@ -256,17 +263,18 @@ class World {
   RowSpecs<Real> specs_ahead_;            // the same after this substep
   PerBody<Pose<Real>> poses_ahead_;       // where the velocities of before would take the bodies
   PerBody<char> goes_along_arc_;          // and whether they would take it anywhere
-  PerBody<char> is_lost_;                 // whether a body goes elsewhere
   List<OddContact> odd_;                  // of the candidates
   List<Contact<Real>> contacts_;          // of the last substep, where it needed no rows
   bool may_follow_ = false;               // the solver with its contacts, in the next substep
   ContactTicket ticket_;                  // of these; none where the last substep needed rows
   bool owes_impulses_ = false;            // the solver, of the last substep
   bool has_slots_ = false;                // for their impulses: the slots are of the same rows
-  List<RelaxedRow> relaxed_rows_;         // of joints
+  List<RelaxedRow<Real>> relaxed_rows_;   // of all rows, where they are solved twice
   VelocityProblem<Real> second_problem_;  // of positions
+  PerBody<Vec3<Real>> stiffness_;         // geometric: [N/m, N/m, N m/rad]
+  RowForces<Real> forces_before_;         // of a joint
+  PerRow<Real> impulse_before_;           // the warm start of a solve that is done twice
   PerBody<Vec3<Real>> moving_velocity_;   // what the position moves by in this substep
-  EnergyMemory<Real> energy_;             // of guards
   int joints_apart_ = 0;                  // when rows were last written
 };
 

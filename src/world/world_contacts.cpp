@@ -9,12 +9,25 @@
 
 namespace cairn {
 
-// Of the slop that two shapes may have: by how much a point may move before a manifold is found anew. Of
-// bodies of 1 m that is 5 mm, as in Box2D.
-constexpr double keep_share = 0.1;
+namespace {
+
+// In which hits that follow from one another within a step are looked for. Each comes after the way to it, so
+// few of them fit into a step; where sweeps leave a heap far from solved, there is no end of them.
+constexpr int most_rounds = 6;
+
+/// Whether a point of it is no farther than `near` [m].
+template <Scalar Real>
+bool is_touching(const Manifold<Real>& manifold, Real near) {
+  return std::any_of(manifold.points.begin(), manifold.points.begin() + manifold.count,
+                     [near](const ManifoldPoint<Real>& point) { return point.separation <= near; });
+}
+
+}  // namespace
 
 template <Scalar Real>
 void World<Real>::find_contacts(ContactSolver<Real>* solver) {
+  const Real time = plan_->moves_manifolds ? static_cast<Real>(dt_) : substep_length();
+  outlook_.follow_crowd(*colliders_, state_.velocity, time);
   find_manifolds(solver);
   if (!sleep_) return;
   // What wakes may touch, or hold, what else sleeps.
@@ -30,44 +43,50 @@ void World<Real>::locate_bodies() {
 /// Those of the solver's last contacts, if it can go on with them, stay as they are.
 template <Scalar Real>
 void World<Real>::find_manifolds(ContactSolver<Real>* solver) {
-  record_.sensed.clear();
   candidates_.swap(candidates_before_);
   candidates_.clear();
-  follows_ = false;
+  record_.sensed.clear();
+  follows_ = found_anew_ = false;
   if (!plan_->collision) return;
+  locate_bodies();
+  look_ahead(plan_->moves_manifolds ? static_cast<Real>(dt_) : substep_length());
+  if (sleep_) sleep_->mark_movable(state_.velocity, movable_);
+  find_with_others([this] { meet_all(); });
+  std::sort(record_.sensed.begin(), record_.sensed.end());
+  record_.sensed.erase(std::unique(record_.sensed.begin(), record_.sensed.end()), record_.sensed.end());
+  if (!plan_->moves_manifolds || follow_last_step(solver)) return;
+  look_ahead(substep_length());
+  put_manifolds();
+}
+
+/// What is stopped, or set moving, may be in the way of others or meet them: they are looked for again.
+template <Scalar Real>
+template <typename Find>
+void World<Real>::find_with_others(const Find& find) {
+  stops_ = {};
+  for (int round = 0; round < most_rounds; ++round) {
+    stops_.are_new = stops_.are_waiting = false;
+    find();
+    if (!stops_.are_new && !stops_.are_waiting) return;
+    stops_.of_movable_wait = stops_.are_new;
+  }
+}
+
+/// All pairs that are near, or come near.
+template <Scalar Real>
+void World<Real>::meet_all() {
+  outlook_.find_boxes(*colliders_, frames_, static_cast<Real>(*plan_->settings.speculative_margin) / 2);
+  found_anew_ =
+      graph_.update(outlook_.swept_boxes(), [this](int i, int j) { return may_meet(i, j); }) || found_anew_;
+  record_.sensed.clear();
+  candidates_.clear();
   if (!plan_->moves_manifolds) {
     record_.manifolds.clear();
     touching_.clear();
   }
-  locate_bodies();
-  measure_reach();
-  if (plan_->moves_manifolds && plan_->substeps > 1) look_ahead();
-  const Real margin = static_cast<Real>(scene_->settings().speculative_margin);
-  const List<Collider>& colliders = *colliders_;
-  for (int i = 0; i < colliders.size(); ++i) {
-    const BodyId body = colliders[i].body;
-    boxes_[i] = bounding_box(*colliders[i].form->shape, frames_[body], margin / 2 + reach_[body]);
-  }
-  if (sleep_) sleep_->mark_movable(state_.velocity, movable_);
-  found_anew_ = graph_.update(boxes_, [this](int i, int j) { return may_meet(i, j); });
   for (NearSlot& near : graph_.order()) {
     Deadline::go_on();
     meet(near);
-  }
-  std::sort(record_.sensed.begin(), record_.sensed.end());
-  record_.sensed.erase(std::unique(record_.sensed.begin(), record_.sensed.end()), record_.sensed.end());
-  if (!plan_->moves_manifolds || follow_last_step(solver)) return;
-  if (plan_->substeps > 1) measure_reach();
-  put_manifolds();
-}
-
-/// Contacts are sought for all substeps: a body, and what is at its rim, may come as far as in a step.
-template <Scalar Real>
-void World<Real>::look_ahead() {
-  const Real dt = static_cast<Real>(dt_);
-  for (const BodyId body : reach_.indices()) {
-    const Real turning = std::abs(state_.velocity[body].z()) * traits(body).radius;
-    reach_[body] = std::max(reach_[body], way(body, dt) + dt * turning);
   }
 }
 
@@ -76,7 +95,7 @@ template <Scalar Real>
 void World<Real>::move_manifolds() {
   if (!candidates_.empty()) {
     locate_bodies();
-    measure_reach();
+    look_ahead(substep_length());
   }
   put_manifolds();
 }
@@ -84,34 +103,31 @@ void World<Real>::move_manifolds() {
 /// The same once it is known where the bodies are.
 template <Scalar Real>
 void World<Real>::put_manifolds() {
-  record_.manifolds.clear();
-  touching_.clear();
-  odd_.clear();
-  for (const int number : candidates_) {
-    const Manifold<Real> manifold = moved_manifold(number);
-    if (!graph_.lasting(number).manifold.is_whole(manifold)) {
-      odd_.push_back({.slot = number, .contact = manifold.count > 0 ? touching_.size() : OddContact::none});
+  find_with_others([this] {
+    record_.manifolds.clear();
+    touching_.clear();
+    odd_.clear();
+    for (const int number : candidates_) {
+      const Manifold<Real> manifold = moved_manifold(number);
+      if (!graph_.lasting(number).manifold.is_whole(manifold)) {
+        odd_.push_back({.slot = number, .contact = manifold.count > 0 ? touching_.size() : OddContact::none});
+      }
+      touch(number, manifold);
     }
-    touch(number, manifold);
-  }
+  });
 }
 
 /// The manifold of a slot where its bodies are now.
 template <Scalar Real>
-Manifold<Real> World<Real>::moved_manifold(int number) const {
+Manifold<Real> World<Real>::moved_manifold(int number) {
   const ContactSlot<Real>& slot = graph_[number];
-  const Real margin =
-      static_cast<Real>(scene_->settings().speculative_margin) + reach_[slot.a] + reach_[slot.b];
-  Manifold<Real> manifold = graph_.lasting(number).manifold.at(frames_[slot.a], frames_[slot.b], margin);
+  const LastingManifold<Real>& lasting = graph_.lasting(number);
+  if (!lasting.is_found) return manifold_ahead(slot);
+  Manifold<Real> manifold =
+      lasting.manifold.at(frames_[slot.a], frames_[slot.b], margin_for(slot, travel(slot)));
   manifold.collider_a = slot.collider_a;
   manifold.collider_b = slot.collider_b;
   return manifold;
-}
-
-/// How far every body may come.
-template <Scalar Real>
-void World<Real>::measure_reach() {
-  for (const BodyId body : reach_.indices()) reach_[body] = reach(body);
 }
 
 /// Whether two shapes that are near, so that one can move, ever touch.
@@ -139,11 +155,12 @@ ContactSlot<Real> World<Real>::make_slot(int collider_a, int collider_b) const {
 }
 
 template <Scalar Real>
-Manifold<Real> World<Real>::collide_slot(const ContactSlot<Real>& slot, Real margin) const {
+Manifold<Real> World<Real>::collide_slot(const ContactSlot<Real>& slot, const Frame<Real>& frame_a,
+                                         const Frame<Real>& frame_b, Real margin) const {
   const ColliderForm<Real>& a = *(*colliders_)[slot.collider_a].form;
   const ColliderForm<Real>& b = *(*colliders_)[slot.collider_b].form;
   Manifold<Real> manifold =
-      collide(*a.shape, frames_[slot.a], *b.shape, frames_[slot.b], margin, {a.around.get(), b.around.get()});
+      collide(*a.shape, frame_a, *b.shape, frame_b, margin, {a.around.get(), b.around.get()});
   manifold.collider_a = slot.collider_a;
   manifold.collider_b = slot.collider_b;
   return manifold;
@@ -158,35 +175,40 @@ Pose<Real> World<Real>::relative_pose(const ContactSlot<Real>& slot, bool a_move
           state_.pose[moving].angle - state_.pose[still].angle};
 }
 
-/// Whether the manifold of before does for this step, in which the bodies come no farther than `reach` [m].
+/// Whether the manifold of before does for this step.
 template <Scalar Real>
-bool World<Real>::has_lasting_manifold(int number, Real reach) const {
+bool World<Real>::has_lasting_manifold(int number) const {
   const LastingManifold<Real>& found = graph_.lasting(number);
   if (!plan_->keeps_manifolds || !found.is_found) return false;
-  const Real margin = static_cast<Real>(scene_->settings().speculative_margin);
-  if (reach > margin / 2) return false;
+  const Real margin = static_cast<Real>(*plan_->settings.speculative_margin);
   const ContactSlot<Real>& slot = graph_[number];
   const Pose<Real> now = relative_pose(slot, found.a_moves);
   const Real way = (now.position - found.position).norm();
   // What was beyond the margin has not come in by more than a quarter of it.
-  const Real most = std::min(margin / 4, static_cast<Real>(keep_share) * slot.slop_limit);
-  return way + found.radius * std::abs(now.angle - found.angle) <= most;
+  const Real most = std::min(margin / 4, nearness(slot));
+  if (!(way + found.radius * std::abs(now.angle - found.angle) <= most)) return false;
+  return is_slow(slot, travel(slot)) ||
+         is_touching(found.manifold.at(frames_[slot.a], frames_[slot.b], margin), nearness(slot));
 }
 
+/// Of a pair that goes far in this step, only if it touches now: else none is found, and each substep looks
+/// ahead.
 template <Scalar Real>
-void World<Real>::find_lasting_manifold(int number, Real margin) {
+void World<Real>::find_lasting_manifold(int number) {
   const ContactSlot<Real>& slot = graph_[number];
   const ColliderForm<Real>& a = *(*colliders_)[slot.collider_a].form;
   const ColliderForm<Real>& b = *(*colliders_)[slot.collider_b].form;
   LastingManifold<Real>& found = graph_.lasting(number);
-  found.manifold =
-      keep(collide_slot(slot, margin), frames_[slot.a], a.core_radius, frames_[slot.b], b.core_radius);
-  found.a_moves = a.radius < b.radius;
+  const Real way = travel(slot);
+  const Manifold<Real> manifold = collide_slot(slot, frames_[slot.a], frames_[slot.b], margin_for(slot, way));
+  found = {.a_moves = a.radius < b.radius,
+           .is_found = is_slow(slot, way) || is_touching(manifold, nearness(slot))};
+  if (!found.is_found) return;
+  found.manifold = keep(manifold, frames_[slot.a], a.core_radius, frames_[slot.b], b.core_radius);
   found.radius = std::min(a.radius, b.radius);
   const Pose<Real> now = relative_pose(slot, found.a_moves);
   found.position = now.position;
   found.angle = now.angle;
-  found.is_found = true;
 }
 
 /// Takes a manifold into the step, if it has any point.
@@ -207,44 +229,30 @@ template <Scalar Real>
 void World<Real>::meet(NearSlot& near) {
   const auto [shape_a, shape_b] = near.shapes;
   if (sleep_ && !movable_[shape_a] && !movable_[shape_b]) return;  // as they fell asleep
-  if (!boxes_[shape_a].overlaps(boxes_[shape_b])) return graph_.remove_slot(near);
+  if (!outlook_.meet(shape_a, shape_b)) return graph_.remove_slot(near);
   if (near.slot == NearSlot::none) graph_.add_slot(near, make_slot(shape_a, shape_b));
   const int number = near.slot;
   ContactSlot<Real>& slot = graph_[number];
   if (slot.sensed) {
-    if (collide_slot(slot, 0).count > 0) record_.sensed.push_back(std::minmax(slot.a, slot.b));
+    const bool touches = collide_slot(slot, frames_[slot.a], frames_[slot.b], 0).count > 0;
+    if (touches) record_.sensed.push_back(std::minmax(slot.a, slot.b));
     return;
   }
-  const Real reach = reach_[slot.a] + reach_[slot.b];
-  const Real margin = static_cast<Real>(scene_->settings().speculative_margin);
   if (!plan_->moves_manifolds) {
-    touch(number, collide_slot(slot, margin + reach));
+    touch(number, manifold_ahead(slot));
     return;
   }
   const LastingManifold<Real>& lasting = graph_.lasting(number);
-  if (!has_lasting_manifold(number, reach)) {
-    find_lasting_manifold(number, margin + reach);
-    found_anew_ = found_anew_ || lasting.manifold.count > 0;
+  if (!has_lasting_manifold(number)) {
+    find_lasting_manifold(number);
+    found_anew_ = found_anew_ || !lasting.is_found || lasting.manifold.count > 0;
   }
-  if (lasting.manifold.count > 0) {
+  if (!lasting.is_found) manifold_ahead(slot);  // which tells of whom it stops
+  if (!lasting.is_found || lasting.manifold.count > 0) {
     candidates_.push_back(number);
   } else {
     slot.impulses.count = 0;
   }
-}
-
-/// [m] How far a body can come within `time` [s].
-template <Scalar Real>
-Real World<Real>::way(BodyId body, Real time) const {
-  return time * (state_.velocity[body].template head<2>().norm() + time * traits(body).gravity);
-}
-
-/// [m] How far a fast body can come within a substep; 0 for every other body, unless it comes farther than
-/// its largest shape is long: then it could pass through another of its size.
-template <Scalar Real>
-Real World<Real>::reach(BodyId body) const {
-  const Real far = way(body, substep_length());
-  return far > traits(body).length ? far : Real(0);
 }
 
 template class World<float>;

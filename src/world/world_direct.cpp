@@ -27,15 +27,16 @@ ContactSolver<Real>* World<Real>::contact_solver(Solver<Real>& solver) const {
 /// What a solver is told of contacts.
 template <Scalar Real>
 ContactProblem<Real> World<Real>::contact_problem(const ContactStabilization<Real>& stabilization) {
-  const SceneSettings& settings = scene_->settings();
+  const SceneSettings& settings = plan_->settings;
   return {.contacts = contacts_,
           .manifolds = record_.manifolds,
           .poses = &state_.pose,
           .frames = &frames_,
-          .margin = static_cast<Real>(settings.speculative_margin),
+          .margin = static_cast<Real>(*settings.speculative_margin),
           .stabilization = &stabilization,
           .gravity = static_cast<Real>(settings.gravity.norm()),
           .problem = &record_.problem,
+          .second_start = plan_->second_start,
           .ticket = ticket_};
 }
 
@@ -49,16 +50,16 @@ void World<Real>::solve_contacts(ContactSolver<Real>& solver, StepReport& report
   pose_before_ = state_.pose;
   velocity_before_ = problem.velocity;
   if (!follows_) take_contacts();
-  const ContactStabilization<Real> stabilization(scene_->settings().stabilization,
+  const ContactStabilization<Real> stabilization(plan_->settings.stabilization,
                                                  StabilizationPass::velocity, problem.dt);
   ContactProblem<Real> contacts = contact_problem(stabilization);
   report.solve = solver.solve(contacts);
-  report.sweeps += report.solve.iterations;
+  report.count(report.solve);
   ticket_ = contacts.ticket;
   moving_velocity_ = problem.velocity;
   if (!plan_->relaxes) return;
   problem.velocity = velocity_before_;
-  report.sweeps += solver.relax(contacts).iterations;
+  report.count(solver.relax(contacts));
 }
 
 /// Whether the solver goes on with the contacts of the substep before, for they have the same points. Where
@@ -68,7 +69,7 @@ bool World<Real>::follow_contacts(ContactSolver<Real>* solver) {
   follows_ = false;
   if (solver == nullptr || !may_follow_ || !ticket_.holder) return false;
   locate_bodies();
-  const ContactStabilization<Real> stabilization(scene_->settings().stabilization,
+  const ContactStabilization<Real> stabilization(plan_->settings.stabilization,
                                                  StabilizationPass::velocity, substep_length());
   ContactProblem<Real> contacts = contact_problem(stabilization);
   follows_ = follow_odd_manifolds() && solver->follow(contacts);
@@ -95,9 +96,9 @@ bool World<Real>::follow_last_step(ContactSolver<Real>* solver) {
 /// Manifolds that solvers do not move; false where one has other points now.
 template <Scalar Real>
 bool World<Real>::follow_odd_manifolds() {
+  stops_ = {};
+  if (!odd_.empty()) look_ahead(substep_length());
   for (const OddContact& odd : odd_) {
-    const ContactSlot<Real>& slot = graph_[odd.slot];
-    for (const BodyId body : {slot.a, slot.b}) reach_[body] = reach(body);
     const Manifold<Real> manifold = moved_manifold(odd.slot);
     if (odd.contact == OddContact::none) {
       if (manifold.count > 0) return false;
@@ -110,7 +111,7 @@ bool World<Real>::follow_odd_manifolds() {
     }
     before = manifold;
   }
-  return true;
+  return !stops_.are_new && !stops_.are_waiting;
 }
 
 /// Gives every slot one of the two impulses that its contact has.
@@ -135,7 +136,7 @@ void World<Real>::take_impulses(ContactSolver<Real>& solver, FixedList<Real, 4> 
 /// What the solver has found out about the contacts of the last substep.
 template <Scalar Real>
 void World<Real>::give_contacts(ContactSolver<Real>& solver) {
-  const ContactStabilization<Real> stabilization(scene_->settings().stabilization,
+  const ContactStabilization<Real> stabilization(plan_->settings.stabilization,
                                                  StabilizationPass::velocity, record_.problem.dt);
   ContactProblem<Real> contacts = contact_problem(stabilization);
   solver.give(contacts);

@@ -62,7 +62,7 @@ bool World<Real>::write_pin(const Pin& pin, const PinRules<Real>& rules, Velocit
     const Vec3<Real>&v_a = state_.velocity[pin.a], &v_b = state_.velocity[pin.b];
     const auto lost = [&](Real error_ahead, Real error, const ConstraintRow<Real>& row) {
       const Real jv = dot(row.jacobian_a, v_a) + dot(row.jacobian_b, v_b);
-      return speed_of_arc(pin.a, pin.b, error_ahead - error - substep_length() * jv);
+      return (error_ahead - error - substep_length() * jv) / substep_length();
     };
     speed = {0 - lost(ahead.d.x(), arms.d.x(), x), 0 - lost(ahead.d.y(), arms.d.y(), y)};
   }

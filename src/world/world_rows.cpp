@@ -11,7 +11,8 @@ namespace {
 // Row sources: joints by their ids, then the hand, then contacts.
 constexpr std::uint64_t hand_source = std::uint64_t{1} << 62;
 constexpr std::uint64_t contact_source_bit = std::uint64_t{1} << 63;
-// [m, rad] In a substep: the arc of a shorter way, the square of this, is lost in rounding.
+// Of the length of a scene, and of 1 rad, in a substep: the arc of a shorter way, the square of this, is lost
+// in rounding.
 constexpr double still_way = 1e-9;
 
 template <Scalar Real>
@@ -42,47 +43,41 @@ template <Scalar Real>
 void World<Real>::write_rows(StabilizationPass pass, VelocityProblem<Real>& problem) {
   problem.blocks.clear();
   problem.extra_terms.clear();
-  problem.inverse_mass = state_.inverse_mass;
-  problem.dt = substep_length();
   int next = 0;
   write_joint_rows(pass, problem, next);
   record_.first_contact_block = problem.blocks.size();
-  const ContactStabilization<Real> stabilization(scene_->settings().stabilization, pass, problem.dt);
+  const ContactStabilization<Real> stabilization(plan_->settings.stabilization, pass, problem.dt);
   int most = next;
   for (const Manifold<Real>& manifold : record_.manifolds) most += 2 * manifold.count;
   make_room(problem.rows, most);
+  const bool solves_again = plan_->relaxes && pass == StabilizationPass::velocity;
+  List<RelaxedRow<Real>>* const relaxed = solves_again ? &relaxed_rows_ : nullptr;
   for (int i = 0; i < touching_.size(); ++i) {
     const ContactSlot<Real>& slot = graph_[touching_[i]];
     const int first = next;
     write_contact_rows(record_.manifolds[i], slot.a, slot.b, material(slot), state_.pose, state_.velocity,
-                       stabilization, contact_source(slot), problem, next);
+                       stabilization, contact_source(slot), problem, next, relaxed);
     problem.blocks.push_back({first, next - first});
   }
   problem.rows.resize(next);
 }
 
-/// For the second solve: without springs and what these ask for, and without what takes errors of joints
-/// back.
+/// For the second solve: without what takes errors back.
 template <Scalar Real>
 void World<Real>::relax_rows() {
   VelocityProblem<Real>& problem = record_.problem;
-  const int of_joints = relaxed_rows_.size();
-  for (int i = 0; i < of_joints; ++i) {
+  for (int i = 0; i < problem.row_count(); ++i) {
     problem.rows[i].bias = relaxed_rows_[i].bias;
     problem.rows[i].softness = relaxed_rows_[i].softness;
-  }
-  for (int i = of_joints; i < problem.row_count(); ++i) {
-    ConstraintRow<Real>& row = problem.rows[i];
-    if (row.softness > 0) row.bias = row.softness = 0;
   }
 }
 
 template <Scalar Real>
 ContactMaterial<Real> World<Real>::material(const ContactSlot<Real>& slot) const {
-  const SceneSettings& settings = scene_->settings();
+  const SceneSettings& settings = plan_->settings;
   return {.friction = slot.friction,
           .restitution = slot.restitution,
-          .restitution_threshold = static_cast<Real>(settings.restitution_threshold),
+          .restitution_threshold = static_cast<Real>(*settings.restitution_threshold),
           .friction_rows = settings.friction_rows,
           .slop_limit = slot.slop_limit,
           .gravity = static_cast<Real>(settings.gravity.norm())};
@@ -134,74 +129,43 @@ template <Scalar Real>
 void World<Real>::look_along_arcs() {
   poses_ahead_ = state_.pose;
   goes_along_arc_.resize(state_.pose.size());
+  const Real length = static_cast<Real>(plan_->length), still = static_cast<Real>(still_way);
   for (const BodyId body : poses_ahead_.indices()) {
     const Vec3<Real> way = substep_length() * state_.velocity[body];
     poses_ahead_[body].position += way.template head<2>();
     poses_ahead_[body].angle += way.z();
-    goes_along_arc_[body] = !(way.squaredNorm() < Real(still_way * still_way));
+    goes_along_arc_[body] = !(way.template head<2>().squaredNorm() < still * still * length * length &&
+                              std::abs(way.z()) < still);
   }
 }
 
-/// Asks the rows of a joint, in specs_, to hold where the substep ends. Not where its bodies leave the
-/// tangents of their arcs by so much that the joint would have failed, or by more than a quarter of their
-/// way: a substep in which they turn by more than half a radian is too long to follow them. A chord's speed
-/// is 1 / cos(w dt / 2) that of its arc, 3 % more at most. Nor where bodies are all but still.
+/// Asks the rows of a joint, in specs_, to hold where the substep ends: those that hold now, which of one
+/// side that only pushes is known by what it gave. Where bodies are all but still, there is no arc.
 template <Scalar Real>
-void World<Real>::follow_arcs(const Constraint& joint) {
+void World<Real>::follow_arcs(const Constraint& joint, const JointImpulses& impulses) {
   const auto goes = [this](const RowSpec<Real>& spec) {
     return spec.extra_count > 0 || goes_along_arc_[spec.a] || goes_along_arc_[spec.b];
   };
   if (std::none_of(specs_.begin(), specs_.end(), goes)) return;
   specs_ahead_.clear();
   joint.append_rows(poses_ahead_, state_.velocity, specs_ahead_);
-  for (RowSpec<Real>& spec : specs_) {
-    if (!spec.bounds.is_equality() || spec.softness || spec.max_force) continue;
+  for (int i = 0; i < specs_.size(); ++i) {
+    RowSpec<Real>& spec = specs_[i];
+    if (spec.softness || spec.max_force) continue;
+    if (!spec.bounds.is_equality()) {
+      const RowImpulse<Real>* last = impulses.find(spec.part, i);
+      if (spec.error > 0 && !(last && last->impulse > 0)) continue;
+    }
     for (const RowSpec<Real>& ahead : specs_ahead_) {
       if (ahead.part != spec.part) continue;
-      const Real left_out = left_out_by_jacobian(spec, ahead, substep_length(), state_.velocity);
-      spec.speed -= speed_of_arc(spec.a, spec.b, left_out);
-    }
-  }
-}
-
-/// Where bodies leave the tangent of their arc by `left_out` [m] in a substep; 0 where that is too much.
-template <Scalar Real>
-Real World<Real>::speed_of_arc(BodyId a, BodyId b, Real left_out) const {
-  const Real dt = substep_length();
-  const Real speed_squared = std::max(state_.velocity[a].template head<2>().squaredNorm(),
-                                      state_.velocity[b].template head<2>().squaredNorm());
-  const bool is_short = 16 * left_out * left_out <= dt * dt * speed_squared;
-  const Real most = std::min(traits(a).failed_error, traits(b).failed_error);
-  return is_short && std::abs(left_out) <= most ? left_out / dt : Real(0);
-}
-
-/// Of a joint whose bodies go elsewhere than they went before, by half of their speed or turning: the arcs
-/// that its rows were told of are no longer theirs, and would give them energy.
-template <Scalar Real>
-void World<Real>::leave_lost_arcs() {
-  const auto is_other = [](const auto& now, const auto& before) {
-    return (now - before).squaredNorm() > std::max(now.squaredNorm(), before.squaredNorm()) / 4;
-  };
-  is_lost_.resize(state_.velocity.size());
-  for (const BodyId body : is_lost_.indices()) {
-    const Vec3<Real>&now = moving_velocity_[body], &before = state_.velocity[body];
-    is_lost_[body] = is_other(now.template head<2>(), before.template head<2>()) ||
-                     is_other(now.template tail<1>(), before.template tail<1>());
-  }
-  VelocityProblem<Real>& problem = record_.problem;
-  for (int i = 0; i < scene_->joints().size(); ++i) {
-    const RowBlock& block = problem.blocks[i];
-    for (int k = block.first; k < block.first + block.count; ++k) {
-      ConstraintRow<Real>& row = problem.rows[k];
-      if (!row.bounds.is_equality() || row.softness > 0) continue;
-      if (is_lost_[row.a] || is_lost_[row.b]) row.bias = 0;
+      spec.speed -= left_out_by_jacobian(spec, ahead, substep_length(), state_.velocity) / substep_length();
     }
   }
 }
 
 template <Scalar Real>
 void World<Real>::write_joint_rows(StabilizationPass pass, VelocityProblem<Real>& problem, int& next) {
-  Stabilization stabilization = scene_->settings().stabilization;
+  Stabilization stabilization = plan_->settings.stabilization;
   const int joints = scene_->joints().size();
   if (plan_->follows_arcs) look_along_arcs();
   locate_pins();
@@ -236,18 +200,21 @@ bool World<Real>::write_tie(int number, const Stabilization& stabilization, Stab
   specs_.clear();
   tie.append_rows(state_.pose, problem.velocity, specs_);
   const bool apart = is_apart(specs_);
-  if (plan_->follows_arcs) follow_arcs(tie);
+  if (plan_->follows_arcs) follow_arcs(tie, joint_impulses_[number]);
   const auto source = is_joint ? static_cast<std::uint64_t>(scene_->joint_id(number).index) : hand_source;
   const int first = next;
   for (const RowSpec<Real>& spec : specs_) {
     if (moves_nothing(spec, problem.inverse_mass)) continue;
     if (next == problem.row_count()) problem.rows.emplace_back();
     ConstraintRow<Real>& row = problem.rows[next++];
-    stabilize_row(spec, stabilization, pass, problem, source, first, row);
+    stabilize_row(spec, stabilization, pass, state_, problem, source, first, row);
     if (!plan_->relaxes || pass != StabilizationPass::velocity) continue;
-    const Real bias =
-        bias_velocity(spec, stabilization, StabilizationPass::relax, problem.dt, problem.velocity);
-    relaxed_rows_.push_back({bias, spec.softness ? row.softness : Real(0)});
+    if (spec.softness) {
+      relaxed_rows_.push_back({row.bias, row.softness});
+    } else {
+      const auto relaxed = StabilizationPass::relax;
+      relaxed_rows_.push_back({bias_velocity(spec, stabilization, relaxed, problem.dt, problem.velocity), 0});
+    }
   }
   return apart;
 }

@@ -15,8 +15,6 @@ namespace {
 constexpr double slop_share = 0.05;
 // Likewise: what is deeper in another has passed half of the way to its middle.
 constexpr double failed_share = 0.25;
-// Of the thinnest shape of a body: how far it may go in a step before a chain looks ahead.
-constexpr double chain_share = 0.25;
 
 /// [m] the longer side of the box around a shape.
 double extent(const Shape<double>& shape) {
@@ -59,8 +57,7 @@ double smallest_extent(const BodySpec& spec) {
 /// Springs that give way to a weight by half the length of a body let it through.
 void require_springs_hold(const SceneSettings& settings, const SceneBody& body, BodyId id) {
   const Stabilization& stabilization = settings.stabilization;
-  const bool on_springs =
-      settings.guarded.value_or(false) && stabilization.policy == StabilizationPolicy::soft;
+  const bool on_springs = stabilization.policy == StabilizationPolicy::soft;
   if (!on_springs || body.spec.type != BodyType::dynamic) return;
   const double weight = std::abs(body.spec.gravity_scale) * settings.gravity.norm();  // [N/kg]
   const double sag = spring_sag(stabilization.soft, settings.dt / settings.substeps, weight);
@@ -71,32 +68,6 @@ void require_springs_hold(const SceneSettings& settings, const SceneBody& body, 
           shortest(sag) + " m");
 }
 
-bool has_chain(const Scene& scene) {
-  const auto is_chain = [](const Shape<double>& shape) {
-    return std::holds_alternative<Chain<double>>(shape);
-  };
-  return std::any_of(scene.bodies().begin(), scene.bodies().end(), [&](const SceneBody& body) {
-    return std::any_of(body.spec.shapes.begin(), body.spec.shapes.end(), is_chain);
-  });
-}
-
-/// [m] What goes farther in a step could pass through another of its size.
-double length(const BodySpec& spec) {
-  double largest = 0;
-  for (const Shape<double>& shape : spec.shapes) largest = std::max(largest, extent(shape));
-  return largest;
-}
-
-/// [m] What goes farther in a step could get its middle behind a chain.
-double thickness(const BodySpec& spec) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Shape<double>& shape : spec.shapes) {
-    const Aabb<double> box = bounding_box(shape, Pose<double>{});
-    least = std::min(least, (box.upper - box.lower).minCoeff());
-  }
-  return std::min(length(spec), chain_share * least);
-}
-
 template <Scalar Real>
 BodyForces<Real> forces_on(const BodySpec& spec) {
   return {.gravity_scale = static_cast<Real>(spec.gravity_scale),
@@ -105,16 +76,11 @@ BodyForces<Real> forces_on(const BodySpec& spec) {
 }
 
 template <Scalar Real>
-BodyTraits<Real> traits_of(const BodySpec& spec, bool has_chains, double scene_gravity, Real radius) {
+BodyTraits<Real> traits_of(const BodySpec& spec, Real radius) {
   const double smallest = smallest_extent(spec);
-  const Real gravity = static_cast<Real>(spec.gravity_scale * scene_gravity);
   return {.slop_limit = static_cast<Real>(slop_share * smallest),
           .failed_error = static_cast<Real>(failed_share * smallest),
           .friction_root = std::sqrt(spec.friction),
-          .length = static_cast<Real>(spec.fast    ? -1
-                                      : has_chains ? thickness(spec)
-                                                   : length(spec)),
-          .gravity = spec.type == BodyType::static_body ? Real(0) : std::abs(gravity),
           .radius = radius};
 }
 
@@ -138,7 +104,6 @@ World<Real>::World(Scene scene)
       plan_(std::make_shared<const Plan>(make_plan(*scene_))),
       pins_(std::make_shared<const Pins>(find_pins(*scene_))),
       dt_(scene_->settings().dt) {
-  const bool has_chains = has_chain(*scene_);
   List<Collider> colliders = make_colliders<Real>(*scene_);
   PerBody<Real> radius(scene_->bodies().size());
   for (const Collider& collider : colliders) {
@@ -152,7 +117,7 @@ World<Real>::World(Scene scene)
     const SceneBody& body = scene_->bodies()[id];
     const BodySpec& spec = body.spec;
     require_place<Real>(body, id);
-    require_springs_hold(scene_->settings(), body, id);
+    if (plan_->collision) require_springs_hold(scene_->settings(), body, id);
     state_.pose.push_back(
         {.position = body.pose.position.template cast<Real>(), .angle = static_cast<Real>(body.pose.angle)});
     state_.velocity.push_back({static_cast<Real>(spec.velocity.x()), static_cast<Real>(spec.velocity.y()),
@@ -160,13 +125,11 @@ World<Real>::World(Scene scene)
     const Real inverse_mass = body.mass > 0 ? static_cast<Real>(1 / body.mass) : Real(0);
     const Real inverse_inertia = body.inertia > 0 ? static_cast<Real>(1 / body.inertia) : Real(0);
     state_.inverse_mass.push_back({inverse_mass, inverse_mass, inverse_inertia});
-    kind_.push_back(kind_of(forces_on<Real>(spec),
-                            traits_of(spec, has_chains, scene_->settings().gravity.norm(), radius[id])));
+    kind_.push_back(kind_of(forces_on<Real>(spec), traits_of(spec, radius[id])));
   }
   if (plan_->sleeping) sleep_.emplace(*scene_);
   frames_.resize(state_.pose.size());
-  reach_.resize(state_.pose.size());
-  boxes_.resize(colliders.size());
+  outlook_.take_room(state_.pose.size(), colliders.size());
   joint_impulses_.resize(scene_->joints().size() + 1);
   graph_ = ContactGraph<Real>(plan_->broadphase, movable_, plan_->moves_manifolds);
   colliders_ = std::make_shared<const List<Collider>>(std::move(colliders));

@@ -1,6 +1,6 @@
-// What the paper says of speed, memory and code, and what features and constraints cost: twelve tables.
+// What the paper says of speed, memory and code, and what features and constraints cost: eleven tables.
 //   bash tests/run bench   all of them, in about two minutes
-//   cairn_bench [solvers|layout|memory|blocks|lines|features|constraints|policies|guards|searches|
+//   cairn_bench [solvers|layout|memory|blocks|lines|features|constraints|policies|searches|
 //                growth|devices]   some of them
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -39,7 +39,6 @@ bool print_tables(const cairn::List<std::string>& wanted) {
                                      {"features", cairn::bench::print_feature_table},
                                      {"constraints", cairn::bench::print_constraint_table},
                                      {"policies", cairn::bench::print_policy_table},
-                                     {"guards", cairn::bench::print_guard_table},
                                      {"searches", cairn::bench::print_search_table},
                                      {"growth", cairn::bench::print_growth_table},
                                      {"devices", cairn::bench::print_device_table}};

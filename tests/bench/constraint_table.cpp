@@ -137,8 +137,9 @@ void write_problem(const ConstraintKind& kind, RowSpecs<double>& specs, Velocity
   problem.rows.clear();
   problem.extra_terms.clear();
   kind.write(specs);
+  const BodyState<double> begin = {{}, problem.velocity, problem.inverse_mass};
   for (const RowSpec<double>& spec : specs) {
-    stabilize_row(spec, {}, StabilizationPass::velocity, problem, 0, 0, problem.rows.emplace_back());
+    stabilize_row(spec, {}, StabilizationPass::velocity, begin, problem, 0, 0, problem.rows.emplace_back());
   }
 }
 

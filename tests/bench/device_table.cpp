@@ -146,7 +146,7 @@ void print_device() {
 }  // namespace
 
 void print_device_table() {
-  print_heading("12. All rows at once on a device, beside colours on lanes and threads");
+  print_heading("11. All rows at once on a device, beside colours on lanes and threads");
   fmt::print(
       R"(Pyramids of {} boxes at the bottom, side by side on one ground, from a cold start, in float, down to R_E <=
 {}: every solver does as many sweeps as it needs for that, and only then are times compared. Waits: how often

@@ -223,7 +223,6 @@ List<Feature> step_features() {
       {"damping", plain, tower({}, {.linear_damping = 1}), tower({.linear_damping = 1e-3})},
       {"sensors", plain, tower({}, {.sensor = true}), tower({}, {.position = {1e-9, 10}, .sensor = true})},
       {"filters", plain, tower({.category = 2, .collides_with = 3}), {}},
-      {"fast bodies", plain, tower({}, {.fast = true}), tower({.fast = true})},
       {"warm start", tower_with({.warm_start = false}), {}, plain},
       {"policy baumgarte", no_policy, {}, plain},
       {"policy split_impulse", no_policy, {}, split},

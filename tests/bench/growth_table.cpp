@@ -111,7 +111,7 @@ List<Case> timed_scenes(const List<int>& counts) {
 }  // namespace
 
 void print_growth_table() {
-  print_heading("11. Growth: finding who is near whom, against the number of bodies");
+  print_heading("10. Growth: finding who is near whom, against the number of bodies");
   fmt::print(
       "Boxes of about 1 m: a heap in which each moves {:.0f} mm a step in a direction of its own, and a "
       "pyramid at\n"

@@ -43,7 +43,7 @@ std::string three(const List<TrialResult>& results, const Number& number) {
 }  // namespace
 
 void print_search_table() {
-  print_heading("10. How long manifolds last: every substep, every step, when moved");
+  print_heading("9. How long manifolds last: every substep, every step, when moved");
   fmt::print(
       "Every scene under its own setting, with {} substeps where it has fewer. Three numbers each: contacts "
       "sought\n"

@@ -10,7 +10,6 @@ void print_block_table();       // sweeps with and without blocks (paper 4.3)
 void print_lines_table();       // how much code each solver is (paper 4.2)
 void print_feature_table();     // what a feature costs where it is not used
 void print_policy_table();      // what becomes of errors in positions
-void print_guard_table();       // what it costs that a step is safe
 void print_search_table();      // what it costs that manifolds last
 void print_growth_table();      // what it takes to know who is near whom
 void print_device_table();      // Jacobi on a device beside colours on lanes and threads (paper 4.4)

@@ -82,9 +82,10 @@ TEST_CASE_TEMPLATE("contact rows written at once have the bits of those that are
         RowSpecs<Real> specs;
         append_contact_rows(touching.manifold, a, b, touching.material, touching.poses,
                             touching.velocity_before, specs);
+        const BodyState<Real> begin = {{}, problem.velocity, problem.inverse_mass};
         List<ConstraintRow<Real>> expected;
         for (const RowSpec<Real>& spec : specs) {
-          stabilize_row(spec, stabilization, pass, problem, 77, before, expected.emplace_back());
+          stabilize_row(spec, stabilization, pass, begin, problem, 77, before, expected.emplace_back());
         }
         problem.rows.resize(random.below(10) + before);  // longer or shorter than what will be written
         int next = before;

@@ -25,6 +25,21 @@ inline BodySpec disc(const Vec2<double>& position, double mass, double inertia =
   return {.shapes = {circle(0.1)}, .position = position, .mass = mass, .inertia = inertia};
 }
 
+/// A mass on a spring, step by step by hand, with the formula of softness.hpp.
+struct HandSwing {
+  double x = 0;      // [m]
+  double v = 0;      // [m/s]
+  double omega = 0;  // [rad/s]
+  double zeta = 0;
+
+  void step(double h, double acceleration = 0) {
+    const double s = h * h * omega * omega, q = 2 * zeta * omega * h, share = 1 / (1 + s * s);
+    const double a = 1 - 3 * share / 4, b = share / 4, p = (1 + q) / (2 + q);
+    v = (v * (1 + b * s - (1 - p) * q) + h * acceleration - h * omega * omega * x) / (1 + a * s + p * q);
+    x += h * v;
+  }
+};
+
 /// The impulse [N s] that the row `part` of the scene's joint number `joint` gave in the last step.
 template <Scalar Real>
 Real joint_impulse(const World<Real>& world, JointPart part, std::uint64_t joint = 0) {

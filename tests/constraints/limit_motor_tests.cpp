@@ -189,6 +189,23 @@ TEST_CASE("limits and motors are no drift of a joint") {
   CHECK(snapshot(passed).joints[0].drift == doctest::Approx(0.25).epsilon(1e-14));  // but what is missing is
 }
 
+TEST_CASE("limits that coincide are one equality, as a weld's, however far the joint is from them") {
+  for (const double range : {0.0, 0.3}) {
+    const RevoluteJoint hinge({.b = {1}, .anchor = {0, 0}, .lower = range, .upper = range}, two_at_origin);
+    const PrismaticJoint slide({.b = {1}, .axis = {1, 0}, .lower = range, .upper = range}, two_at_origin);
+    for (const double off : {-2.0, 0.0, 2.0}) {
+      RowSpecs<double> turned, slid;
+      hinge.append_rows(PerBody<Pose<double>>{{}, {{0, 0}, off}}, turned);
+      slide.append_rows(PerBody<Pose<double>>{{}, {{off, 0}, 0}}, slid);
+      for (const RowSpecs<double>& rows : {turned, slid}) {
+        REQUIRE(rows.size() == 3);
+        CHECK(rows[0].bounds.is_equality());
+        CHECK(rows[0].error == off - range);
+      }
+    }
+  }
+}
+
 TEST_CASE("a hinge's limits and motor are refused by name when they cannot be") {
   const double inf = std::numeric_limits<double>::infinity();
   const auto refused = [](RevoluteJoint::Spec spec) {

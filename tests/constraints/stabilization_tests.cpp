@@ -75,7 +75,8 @@ TEST_CASE("a stabilized row is its spec with a bias, a key, and its normal row f
   problem.velocity = moving_at(0);
   problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 1)};
   ConstraintRow<double> row;
-  stabilize_row(spec, quarter_and_eighth, StabilizationPass::velocity, problem, 17, 10, row);
+  const BodyState<double> begin = {{}, problem.velocity, problem.inverse_mass};
+  stabilize_row(spec, quarter_and_eighth, StabilizationPass::velocity, begin, problem, 17, 10, row);
   CHECK(row.bounds.normal_row == 12);
   CHECK(row.bounds.friction == 0.5);
   CHECK(row.key == RowKey{17, spec.part});
@@ -85,9 +86,8 @@ TEST_CASE("a stabilized row is its spec with a bias, a key, and its normal row f
 
 TEST_CASE("a stretched rod loses a share beta of its error in every step") {
   for (const double beta : {0.0, 0.1, 0.2, 1.0}) {
-    Scene scene({.gravity = {0, 0},
-                 .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = beta},
-                 .guarded = false});
+    Scene scene(
+        {.gravity = {0, 0}, .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = beta}});
     const BodyId ball = scene.add({.shapes = {circle(0.1)}, .position = {3, 0}, .mass = 2});
     const double length = 2.5;
     scene.join<DistanceJoint>({.a = ground, .b = ball, .anchor_b = {3, 0}, .length = length});
@@ -105,7 +105,9 @@ TEST_CASE("a stretched rod loses a share beta of its error in every step") {
 
 TEST_CASE("two overlapping bodies part until the slop is left, by a share beta in every step") {
   const double depth = 0.1, slop = 0.01, beta = 0.2;
-  Scene scene({.gravity = {0, 0}, .stabilization = {.baumgarte = beta, .slop = slop}, .warm_start = false});
+  Scene scene({.gravity = {0, 0}, 
+               .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = beta, .slop = slop},
+               .warm_start = false});
   scene.add_ground();
   scene.add({.shapes = {circle(0.5)}, .position = {0, 0.5 - depth}, .mass = 1});
   World world(scene);

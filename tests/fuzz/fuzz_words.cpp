@@ -23,9 +23,9 @@ const std::set<std::string> quick_verbs = {"list",    "explain", "completion", "
                                            "compare", "inspect", "freeze"};
 /// Pictures and films are slow, and so is the whole frozen set.
 const std::set<std::string> quick_flags = {
-    "solver", "solvers", "sweeps",  "substeps", "frequency", "dt",     "scalar", "stabilization",
-    "cold",   "guards",  "seconds", "csv",      "json",      "quiet",  "plain",  "color",
-    "step",   "rows",    "out",     "list",     "progress",  "threads"};
+    "solver",        "solvers", "sweeps",  "substeps", "frequency", "dt",       "scalar",
+    "stabilization", "cold",    "seconds", "csv",      "json",      "quiet",    "plain",
+    "color",         "step",    "rows",    "out",      "list",      "progress", "threads"};
 
 List<std::string> divided(const std::string& bytes) {
   List<std::string> words(1);

@@ -49,7 +49,6 @@ BodySpec random_spec(Choices& choices, bool plain) {
   if (choices.one_in(6)) body.type = BodyType::static_body;
   if (choices.one_in(8)) body.type = BodyType::kinematic;
   if (choices.one_in(9)) body.sensor = true;
-  if (choices.one_in(7)) body.fast = true;
   if (choices.one_in(7)) body.fixed_rotation = true;
   if (choices.one_in(4)) body.friction = 0;
   if (choices.one_in(7)) body.linear_damping = choices.between(0, 2);
@@ -152,7 +151,6 @@ SceneSettings random_settings(Choices& choices) {
 Scene random_scene(Choices& choices) {
   SceneSettings settings = random_settings(choices);
   const bool plain = choices.one_in(2);
-  if (!plain && choices.one_in(3)) settings.guarded = choices.one_in(2);
   if (!plain && choices.one_in(3)) settings.friction_rows = FrictionRows::per_manifold;
   Scene scene(settings);
   if (!choices.one_in(8)) scene.add_ground();

@@ -68,9 +68,14 @@ TEST_CASE("a film of a step that could not be done ends with a frame of the stat
 
 TEST_CASE("a film of a run that diverges ends with the frame in which it did, due or not") {
   const ScratchFolder folder;
-  folder.write("fast.toml", tower_and(flying_ball("[3, 2]", "[1e9, 0]")));
-  const Ran ran = run_cairn({"run", folder.path() + "/fast.toml", "--fps", "10", "--size", "small",
-                             "--frames", folder.path() + "/film"});
+  // On three pins above each other plain Jacobi doubles every error in a sweep.
+  std::string pins;
+  for (const std::string y : {"-0.25", "0", "0.25"})
+    pins += "[[joint]]\ntype = \"revolute\"\nb = \"body.1\"\nanchor = [6, " + y + "]\n";
+  folder.write("fast.toml", "[[body]]\ncircle = 0.5\nposition = [6, 0]\n" + pins);
+  const Ran ran =
+      run_cairn({"run", folder.path() + "/fast.toml", "--fps", "10", "--size", "small", "--solver",
+                 "jacobi:60", "--substeps", "1", "--frames", folder.path() + "/film"});
   CHECK(ran.code == 4);
   CHECK(text_has(ran.out, "diverged after 0.0167 s"));
   CHECK(folder.names("film") == List<std::string>{"0000.png", "0001.png", "frames.json"});

@@ -235,8 +235,8 @@ TEST_CASE("films in one file: APNG always, GIF and WebP where their programs are
 TEST_CASE("a comparison is drawn side by side, with as many frames as its longest run") {
   const ScratchFolder folder;
   // Jacobi diverges within some steps; its panel then shows where it was.
-  const Ran ran = run_cairn({"compare", "ragdoll", "--solvers", "si,jacobi", "--guards", "off", "--seconds",
-                             "0.3s", "--fps", "10", "--size", "small", "--frames", folder.path() + "/film"});
+  const Ran ran = run_cairn({"compare", "ragdoll", "--solvers", "si,jacobi", "--seconds", "0.3s", "--fps",
+                             "10", "--size", "small", "--frames", folder.path() + "/film"});
   CHECK(ran.code == 4);
   List<std::string> names = frame_names(4);
   names.push_back("frames.json");

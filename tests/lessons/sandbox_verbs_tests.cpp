@@ -66,14 +66,14 @@ TEST_CASE("cairn list names scenes, solvers and stabilizations, and each alone")
 TEST_CASE("cairn run holds a run against what is expected, and says so by its exit code") {
   const Ran good = run_cairn({"run", "stack", "--seconds", "0.5s"});
   CHECK(good.code == 0);
-  CHECK(text_has(good.out, "si x30, 60 Hz, relaxed, double"));
+  CHECK(text_has(good.out, "newton x20, 60 Hz x4, relaxed, double"));
   CHECK(text_has(good.out, "0.5 s in 30 steps"));
   // A hundred on one, after four sweeps: the light box is crushed at once.
   const Ran bad = run_cairn({"run", "stack-ratio", "--solver", "si:4", "--seconds", "1s"});
   CHECK(bad.code == 1);
   CHECK(text_has(bad.out, "MISSED"));
   // Jacobi without damping diverges where rows share bodies, and nobody looks after it.
-  const Ran wild = run_cairn({"run", "ragdoll", "--solver", "jacobi", "--guards", "off"});
+  const Ran wild = run_cairn({"run", "ragdoll", "--solver", "jacobi"});
   CHECK(wild.code == 4);
   CHECK(text_has(wild.out, "diverged after"));
 }

@@ -21,7 +21,7 @@ List<Failure> failures_of(const Scene& scene, double seconds, int sweeps) {
     world.step(solver);
     const Snapshot now = snapshot(world);
     watch.see(now, step / 60.0);
-    watch.see(overlaps(now), step / 60.0);
+    watch.see(overlaps(now), now, step / 60.0);
   }
   return watch.failures();
 }
@@ -36,8 +36,9 @@ Scene heavy_on_light(double mass) {
 }
 
 /// Links of 0.5 m that hang from the ground at one end, level at first.
+/// Nothing takes back what ten sweeps leave open.
 Scene level_chain(int links) {
-  Scene scene;
+  Scene scene({.stabilization = {.policy = StabilizationPolicy::none}});
   BodyId last = ground;
   for (int i = 0; i < links; ++i) {
     const BodyId link = scene.add({.shapes = {box(0.5, 0.2)}, .position = {0.25 + 0.5 * i, 0}});
@@ -69,7 +70,8 @@ TEST_CASE("a scene in which nothing was removed has the floors that it had") {
 TEST_CASE("a body that is in another by a quarter of the thinner one goes through it") {
   const auto seen = [](double gap) {
     FailureWatch watch(box_over_box(0));
-    watch.see(overlaps(box_over_box(gap)), 1);
+    const Snapshot now = box_over_box(gap);
+    watch.see(overlaps(now), now, 1);
     return watch.failures();
   };
   CHECK(seen(-0.24).empty());
@@ -83,6 +85,55 @@ TEST_CASE("a body that is in another by a quarter of the thinner one goes throug
         "box is 0.26 m deep in floor after 1 s, more than a quarter of the thinner one");
   CHECK(failure_text(failures[0]) ==
         "body 2 is 0.26 m deep in body 1 after 1 s, more than a quarter of the thinner one");
+}
+
+TEST_CASE("a wall is as thick as it is along the normal of the contact, however it is turned") {
+  // A disc of 1 m goes 0.3 m deep into a wall of 1 m, which may be 0.25 m deep; and into a line, where its
+  // own half metre counts.
+  for (const double angle : {0.0, 0.01, 0.3, pi / 4, 2.0}) {
+    const auto seen = [angle](const Shape<double>& wall, double middle, double radius) {
+      const Vec2<double> out = Rotation<double>(angle) * Vec2<double>(1, 0);
+      const auto disc_at = [&](double distance) {
+        Scene scene;
+        scene.add({.type = BodyType::static_body, .shapes = {moved(wall, {0, 0}, angle)}});
+        scene.add({.shapes = {circle(radius)}, .position = distance * out});
+        return snapshot(World<double>(scene));
+      };
+      FailureWatch watch(disc_at(middle + 1));
+      const Snapshot now = disc_at(middle);
+      watch.see(overlaps(now), now, 1);
+      return watch.failures();
+    };
+    const Polygon<double> wall = box(1, 20);
+    CHECK(seen(wall, 0.5 + 1 - 0.24, 1).empty());
+    REQUIRE(seen(wall, 0.5 + 1 - 0.26, 1).size() == 1);
+    CHECK(seen(wall, 0.5 + 1 - 0.26, 1)[0].distance == doctest::Approx(0.26).epsilon(1e-9));
+    const Segment<double> line = segment({0, -10}, {0, 10});
+    CHECK(seen(line, 0.5 - 0.24, 0.5).empty());
+    CHECK(seen(line, 0.5 - 0.26, 0.5).size() == 1);
+  }
+}
+
+TEST_CASE("a ball that jumps through a chain from behind, and lands on it, fails at nothing") {
+  Scene scene;
+  scene.add_ground({.half_width = 5});
+  scene.add({.type = BodyType::static_body, .shapes = {chain({{2, 2}, {-2, 2}})}});
+  scene.add({.shapes = {circle(0.3)}, .position = {0, 0.3}, .velocity = {0, 9}});
+  CHECK(failures_of(scene, 3, 10).empty());
+}
+
+TEST_CASE("what is behind a wall of two sides in one step has gone through it") {
+  const auto ball_at = [](double x) {
+    Scene scene;
+    scene.add({.type = BodyType::static_body, .shapes = {box(0.1, 5)}});
+    scene.add({.shapes = {circle(0.3)}, .position = {x, 0}});
+    return snapshot(World<double>(scene));
+  };
+  FailureWatch watch(ball_at(-0.38));
+  const Snapshot now = ball_at(0.2);
+  watch.see(overlaps(now), now, 1);
+  REQUIRE(watch.failures().size() == 1);
+  CHECK(watch.failures()[0].distance == doctest::Approx(0.15).epsilon(1e-12));
 }
 
 TEST_CASE("a body that had a floor falls out of the scene below all that cannot be moved") {
@@ -109,8 +160,8 @@ TEST_CASE("what slides off the end of a line has fallen out of the scene") {
   CHECK(failures[0].kind == FailureKind::fell_out);
 }
 
-TEST_CASE("100 kg press 1 kg into the ground under ten sweeps, and 1 kg does not") {
-  const List<Failure> failures = failures_of(heavy_on_light(100), 1, 10);
+TEST_CASE("1 t presses 1 kg into the ground under ten sweeps, and 1 kg does not") {
+  const List<Failure> failures = failures_of(heavy_on_light(1000), 1, 10);
   REQUIRE(failures.size() == 1);
   CHECK(failures[0].kind == FailureKind::went_through);
   CHECK(failures_of(heavy_on_light(1), 1, 10).empty());
@@ -146,7 +197,8 @@ TEST_CASE("a rise of energy by a quarter of its scale comes from nowhere, and is
   CHECK(failure_text(watch.failures()[0]) == "energy came from nowhere: 50 % of its scale after 2 s");
 }
 
-TEST_CASE("motors, springs, bodies that move by themselves and events that switch motors on drive a scene") {
+TEST_CASE(
+    "motors, bodies that move by themselves and events that switch motors on drive a scene; springs do not") {
   const auto pinned = [](const RevoluteJoint::Spec& joint, BodyType type, double speed) {
     Scene scene;
     scene.add({.shapes = {box(1, 1)}});
@@ -174,7 +226,7 @@ TEST_CASE("motors, springs, bodies that move by themselves and events that switc
                                  .anchor_b = {0, 1},
                                  .kind = DistanceJoint::Kind::spring,
                                  .softness = SwingSoftness{.frequency = 1}});
-  CHECK(is_driven(on_spring));
+  CHECK_FALSE(is_driven(on_spring));
 }
 
 TEST_CASE(
@@ -206,48 +258,4 @@ TEST_CASE(
   CHECK(failures[0].distance == doctest::Approx(0.5).epsilon(1e-9));
   CHECK(failure_text(failures[0], PerBody<std::string>{"ground", "box"}) ==
         "rod joint of ground and box ends 0.5 m off, as it was from 0 s on");
-}
-
-TEST_CASE("what has nothing to land on falls for ever, unless a joint or a lift holds it") {
-  const auto fallen = [](double seconds, bool is_held, BodyType below, bool ends_are_stated) {
-    Scene scene;
-    scene.add({.shapes = {circle(0.5)}, .position = {0, 3}});
-    scene.add({.type = below, .shapes = {box(1, 1)}, .position = {50, -900}});
-    if (is_held) scene.join<DistanceJoint>({.a = ground, .b = {1}, .anchor_b = {0, 3}});
-    World<double> world(scene);
-    FailureWatch watch(snapshot(world), ends_are_stated);
-    Snapshot later = snapshot(world);
-    later.bodies[BodyId{1}].pose.position.y() -= 5 * seconds * seconds;
-    watch.see(later, seconds);
-    return watch.failures();
-  };
-  using enum BodyType;
-  CHECK(fallen(4, false, dynamic, false).empty());
-  CHECK(fallen(15, false, static_body, false).size() == 1);  // that far below the other one
-  CHECK(fallen(13.9, false, static_body, false).empty());
-  CHECK(fallen(10, false, kinematic, false).empty());
-  CHECK(fallen(15, true, static_body, false).empty());
-  CHECK(fallen(15, false, static_body, true).empty());
-}
-
-TEST_CASE("a body begins below the ground only where the ground was to stop it") {
-  const auto begins = [](double y, double x, bool is_held, bool has_shelf, std::uint32_t collides_with) {
-    Scene scene;
-    scene.add_ground({.half_width = 8});
-    scene.add({.shapes = {box(1, 1)}, .position = {x, y}, .collides_with = collides_with});
-    if (has_shelf) scene.add({.type = BodyType::static_body, .shapes = {box(20, 1)}, .position = {0, -9}});
-    if (is_held) scene.join<RevoluteJoint>({.a = ground, .b = {1}, .anchor = {x, y}});
-    return FailureWatch(snapshot(World<double>(scene))).failures();
-  };
-  const List<Failure> failures = begins(-4.5, 0, false, false, ~0u);
-  REQUIRE(failures.size() == 1);
-  CHECK(failures[0].kind == FailureKind::began_below);
-  CHECK(failures[0].distance == doctest::Approx(4).epsilon(1e-12));
-  CHECK(failure_text(failures[0], PerBody<std::string>{"ground", "box"}) ==
-        "box begins 4 m below the top of the ground, with nothing to land on");
-  CHECK(begins(0.5, 0, false, false, ~0u).empty());
-  CHECK(begins(-4.5, 20, false, false, ~0u).empty());  // beside it
-  CHECK(begins(-4.5, 0, true, false, ~0u).empty());
-  CHECK(begins(-4.5, 0, false, true, ~0u).empty());
-  CHECK(begins(-4.5, 0, false, false, 0).empty());
 }

@@ -19,7 +19,7 @@ struct Allowance {
   double sink = 0;
   double float_up = 0;
 };
-const Allowance cairn_allowance = {.sink = Stabilization{}.slop};
+const Allowance cairn_allowance = {.sink = usual_slop};
 const Allowance box2d_allowance = {.float_up = 2 * box2d_skin};
 
 /// Whether a unit box kept its height in a pile, in a row counted from 1: so many contacts are below it.

@@ -61,7 +61,6 @@ linear_damping = 0.2
 angular_damping = 0.3
 gravity_scale = 0.4
 sensor = true
-fast = true
 category = 2
 collides_with = 5
 [[body]]
@@ -88,7 +87,6 @@ fixed_rotation = true
   CHECK(all.spec.angular_damping == 0.3);
   CHECK(all.spec.gravity_scale == 0.4);
   CHECK(all.spec.sensor);
-  CHECK(all.spec.fast);
   CHECK_FALSE(all.spec.fixed_rotation);
   CHECK(all.spec.category == 2);
   CHECK(all.spec.collides_with == 5);
@@ -201,7 +199,7 @@ stands = 0.04
   CHECK(entry.expectations.stands == 0.04);
   // What is recommended is as the scene steps, unless it says otherwise.
   CHECK(setting_text(entry.setting) ==
-        "si x10, 120 Hz x3, contacts when moved, split impulse 0.3 slop 0.004 m at most 9 m/s, double, cold");
+        "newton x20, 120 Hz x3, contacts when moved, split impulse 0.3 slop 0.004 m at most 9 m/s, double, cold");
 }
 
 TEST_CASE("a scene file takes its words with blanks, hyphens or underscores, and lists one spelling") {
@@ -216,7 +214,7 @@ TEST_CASE("a scene file takes its words with blanks, hyphens or underscores, and
     CAPTURE(blank);
     const SceneEntry entry = scene_with(blank);
     CHECK(setting_text(entry.setting) ==
-          "wide-accelerated x10, 60 Hz, contacts when moved, split impulse, long double");
+          "wide-accelerated x10, 60 Hz x4, contacts when moved, split impulse, long double");
     CHECK(entry.make().settings().friction_rows == FrictionRows::per_manifold);
   }
   CHECK_THROWS_WITH_AS(read_scene_text("[recommended]\nscalar = \"longdouble\"\n", "words.toml"),

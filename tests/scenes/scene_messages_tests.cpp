@@ -38,8 +38,8 @@ const List<BodyMistakes> body_mistakes = {
      "my.toml:3:9: body[1].angle must be a number of rad, got \"30 degrees\": unknown unit degrees, only deg "
      "and rad can stand behind a number"},
     {"a number for a text", "title = 7\n", "my.toml:1:9: title must be a text in quotes, got 7"},
-    {"a text for a flag", "[[body]]\ncircle = 1\nfast = \"yes\"\n",
-     "my.toml:3:8: body[1].fast must be true or false, got \"yes\""},
+    {"a text for a flag", "[[body]]\ncircle = 1\nsensor = \"yes\"\n",
+     "my.toml:3:10: body[1].sensor must be true or false, got \"yes\""},
     {"a date", "seconds = 2020-01-01\n",
      "my.toml:1:11: seconds must be a number from 1e-6 to 3600 s, got a date or time"},
     {"a number out of range", "[[body]]\ncircle = 1\nrestitution = 1.5\n",

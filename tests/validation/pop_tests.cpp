@@ -17,7 +17,8 @@ struct PopSpec {
 /// A disc of radius 0.5 m, or a box as high as that, in the ground by d.
 World<double> sunk_body(const PopSpec& spec, const Shape<double>& shape) {
   Scene scene({.dt = 1 / spec.frequency,
-               .stabilization = {.baumgarte = spec.baumgarte,
+               .stabilization = {.policy = StabilizationPolicy::baumgarte,
+                                 .baumgarte = spec.baumgarte,
                                  .slop = spec.slop,
                                  .max_speed = std::numeric_limits<double>::infinity()}});
   scene.add_ground();

@@ -37,7 +37,7 @@ PushedPair pushed_pair(bool lower_first) {
 /// above that of its start [J], in ten seconds of so many sweeps a step.
 double energy_gained(double inertia, int sweeps, bool warm) {
   Scene scene(
-      {.stabilization = {.policy = StabilizationPolicy::baumgarte}, .warm_start = warm, .guarded = false});
+      {.stabilization = {.policy = StabilizationPolicy::baumgarte}, .warm_start = warm});
   const double side = std::sqrt(0.5);
   const BodyId bob =
       scene.add({.shapes = {circle(0.1)}, .position = {side, -side}, .mass = 1, .inertia = inertia});

@@ -34,7 +34,7 @@ RowSpecs<Real> rows_of_tilted_boxes(test::Random& random) {
 
 /// What a rod too long by 0.1 m and the ground leave of a box's vertical speed [m/s] after one step.
 double pressed_box_speed(RowOrder order) {
-  Scene scene({.stabilization = {.policy = StabilizationPolicy::baumgarte}, .guarded = false});
+  Scene scene({.stabilization = {.policy = StabilizationPolicy::baumgarte}});
   scene.add_ground();
   const BodyId pressed =
       scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .mass = 1, .fixed_rotation = true});

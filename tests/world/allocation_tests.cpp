@@ -172,11 +172,11 @@ List<SceneToCount> scenes_to_count() {
   };
 }
 
-/// Of 5 steps, once 15 steps have made room for all that a step needs.
+/// Of 5 steps, once 40 steps have made room for all that a step needs.
 template <Scalar Real>
 long allocations_of_steady_steps(const Scene& scene, Solver<Real>& solver) {
   World<Real> world(scene);
-  for (int step = 0; step < 15; ++step) world.step(solver);
+  for (int step = 0; step < 40; ++step) world.step(solver);
   const AllocationCount count;
   for (int step = 0; step < 5; ++step) world.step(solver);
   return count.value();

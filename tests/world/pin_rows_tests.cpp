@@ -24,6 +24,11 @@ class UnknownPin final : public ConstraintOf<UnknownPin> {
   void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
     append_pin_rows(ends_.a, ends_.b, ends_.arms(poses), rows);
   }
+  template <Scalar Real>
+  void stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+               PerBody<Vec3<Real>>& stiffness) const {
+    add_pin_stiffness(ends_.a, ends_.b, ends_.arms(poses), pin_force(forces), stiffness);
+  }
 
  private:
   JointEnds ends_;

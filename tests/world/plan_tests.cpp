@@ -21,10 +21,8 @@ Scene plain_scene(double friction_of_ground, double friction_of_disc) {
 
 /// A scene in which everything occurs.
 Scene rich_scene() {
-  Scene scene({.substeps = 2,
-               .stabilization = {.policy = StabilizationPolicy::soft},
-               .guarded = true,
-               .sleeping = Sleeping{}});
+  Scene scene(
+      {.substeps = 2, .stabilization = {.policy = StabilizationPolicy::soft}, .sleeping = Sleeping{}});
   scene.add_ground({.friction = 0.5});
   const BodyId bar =
       scene.add({.shapes = {box(1, 1), circle(1, {1, 0})}, .position = {0, 3}, .angular_damping = 0.1});

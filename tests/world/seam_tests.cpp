@@ -49,6 +49,25 @@ constexpr double seam_rounding = 1e-12;
 
 }  // namespace
 
+TEST_CASE("a box keeps its speed over the tiles of a platform that moves") {
+  for (const Vec2<double>& speed : List<Vec2<double>>{{0, 0.5}, {-2, 0}, {1, -0.5}}) {
+    List<Shape<double>> tiles;
+    for (int i = 0; i < 16; ++i) tiles.push_back(moved(box(0.5, 0.5), {0.5 * i, 0}));
+    Scene scene({.gravity = {0, 0}});
+    scene.add({.type = BodyType::kinematic, .shapes = tiles, .velocity = speed, .friction = 0});
+    const Vec2<double> own = speed + Vec2<double>(4, 0);
+    scene.add(
+        {.shapes = {box(0.8, 0.4)}, .position = {0, 0.25 + 0.2 - 0.004}, .velocity = own, .friction = 0});
+    World<double> world(std::move(scene));
+    SequentialImpulse<double> solver;
+    for (int i = 0; i < 60; ++i) world.step(solver);
+    CAPTURE(speed.x());
+    CAPTURE(speed.y());
+    CHECK(world.bodies().velocity[{2}].x() == doctest::Approx(own.x()).epsilon(seam_rounding));
+    CHECK(std::abs(world.bodies().velocity[{2}].z()) < seam_rounding);
+  }
+}
+
 TEST_CASE("a box and a disc keep their speed over level seams under every solver and policy") {
   const List<NamedSolver> solvers = seam_solvers();
   for (const Making making : all_makings) {

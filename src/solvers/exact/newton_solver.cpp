@@ -31,6 +31,8 @@ constexpr double first_distance = 10;  // from bounds, beside the mean of what i
 constexpr double share_of_way = 0.99;  // to the next bound
 constexpr double least_share = 1e-3;   // below it, bounds are in the way
 constexpr double goal_of_tolerance = 0.01;
+constexpr double farthest_goal =
+    1e-8;  // one step more leads here from 1e-4, and saves a solve in the next step
 // Of R_E in a step that was solved: where it falls less, the next is stiffer;
 constexpr double good_progress = 0.1;
 // and where that is at the stiffest already, it stands still.
@@ -39,6 +41,13 @@ constexpr double kept_progress = 0.3;  // of |F| in a step by kept factors: else
 // In time: to look at a problem, and a step by kept factors.
 constexpr int sweeps_of_a_look = 3;
 constexpr int sweeps_of_a_kept_step = 2;
+
+/// R_E that numbers of this type leave, in each impulse so many roundings of it.
+template <typename Number, typename Work>
+Work rounding_in(const ProximalRows<Work>& rows, int roundings) {
+  const Work impulses = rows.scale() > 0 ? rows.center_size() / rows.scale() : Work(0);
+  return std::numeric_limits<Number>::epsilon() * std::max(Work(roundings_of_residual), roundings * impulses);
+}
 
 }  // namespace
 
@@ -69,8 +78,9 @@ SolveReport NewtonSolver<Real>::solve_unobserved(VelocityProblem<Real>& problem,
   }
   give_answer(problem);
   SolveReport report{.iterations = systems_, .extra_sweeps = sweeps_};
-  report.converged = least_residual_ <= enough();
+  report.converged = least_residual_ <= std::max(enough(), rounding_in<Real>(rows_, 1));
   if (report.converged) report.stop = Stop::tolerance;
+  report.residual = static_cast<double>(least_residual_);
   return report;
 }
 
@@ -86,17 +96,14 @@ void NewtonSolver<Real>::give_answer(VelocityProblem<Real>& problem) {
 }
 
 template <Scalar Real>
-typename NewtonSolver<Real>::Work NewtonSolver<Real>::enough() const {
-  return std::max(static_cast<Work>(settings_.tolerance),
-                  roundings_of_residual * std::numeric_limits<Work>::epsilon());
+typename NewtonSolver<Real>::Work NewtonSolver<Real>::goal() const {
+  return std::max(static_cast<Work>(std::min(goal_of_tolerance * settings_.tolerance, farthest_goal)),
+                  rounding());
 }
 
 template <Scalar Real>
-typename NewtonSolver<Real>::Work NewtonSolver<Real>::goal() const {
-  const Work rounding = std::numeric_limits<Work>::epsilon();
-  return std::max({static_cast<Work>(goal_of_tolerance * settings_.tolerance),
-                   roundings_of_residual * rounding,
-                   roundings_of_impulses * rounding * rows_.center_size() / rows_.scale()});
+typename NewtonSolver<Real>::Work NewtonSolver<Real>::rounding() const {
+  return rounding_in<Work>(rows_, roundings_of_impulses);
 }
 
 template <Scalar Real>
@@ -123,7 +130,9 @@ void NewtonSolver<Real>::answer(const VelocityProblem<Work>& problem, bool again
   residual_ = least_residual_ = std::numeric_limits<Work>::infinity();
   note_center();
   // Nothing can be said of what is no number.
-  if (settings_.iterations > 0 && std::isfinite(residual_)) approach(problem);
+  const Work good_start = std::max(
+      {static_cast<Work>(goal_of_tolerance * settings_.tolerance), rounding_in<Real>(rows_, 1), rounding()});
+  if (settings_.iterations > 0 && residual_ > good_start && std::isfinite(residual_)) approach(problem);
 }
 
 template <Scalar Real>
@@ -282,13 +291,6 @@ bool NewtonSolver<Real>::shorten(const Vector<Work>& change, Work& error) {
     return true;
   }
   return false;
-}
-
-template <Scalar Real>
-std::size_t NewtonSolver<Real>::memory() const {
-  const Eigen::Index numbers = du_.size() + next_.size() + change_.size();
-  return rows_.memory() + interior_.memory() + factors_.memory() + best_.bytes() + inside_.bytes() +
-         static_cast<std::size_t>(numbers) * sizeof(Work);
 }
 
 template class NewtonSolver<float>;

@@ -1,6 +1,7 @@
 // Floor 4. Newton's method as a solver for steps: warm, in double, on sparse factors.
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 
 #include "solvers/exact/interior_rows.hpp"
@@ -22,10 +23,10 @@ namespace cairn {
 /// long as each step leaves less than a third of the error (slope_factors.hpp). And it stops by the settings'
 /// tolerance, of which 1e-9 is enough for any scene, or where R_E falls no further.
 ///
-/// Where it has to solve at all, it goes on to a hundredth of the tolerance, if systems lead there without
-/// a failure: what is left over comes back in the next step, and an answer that is just good enough makes
-/// that one solve again. A warm start within this hundredth is the answer. SolveReport::converged means the
-/// tolerance itself.
+/// A warm start within a hundredth of the tolerance is the answer. Where it has to solve at all, it goes on
+/// to that hundredth, and to 1e-8 at least, if systems lead there without a failure: what is left over comes
+/// back in the next step, and an answer that is just good enough makes that one solve again. What no impulse
+/// of type Real comes nearer to is an answer too. SolveReport::converged means the tolerance itself.
 ///
 /// Masses do not matter, nor does how far a load has to travel: what takes Gauss-Seidel 10^5 sweeps takes it
 /// the same few systems. For fixed bounds that rows can keep, it converges; with friction nothing is
@@ -55,7 +56,11 @@ class NewtonSolver final : public Solver<Real> {
   /// @throws std::length_error for more pairs of bodies than BlockFactors holds: before anything is changed.
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
   SolveReport solve_again(VelocityProblem<Real>& problem) override;
-  std::size_t memory() const override;
+  std::size_t memory() const override {
+    const Eigen::Index numbers = du_.size() + next_.size() + change_.size();
+    return rows_.memory() + interior_.memory() + factors_.memory() + best_.bytes() + inside_.bytes() +
+           static_cast<std::size_t>(numbers) * sizeof(Work);
+  }
 
  private:
   /// What it computes in.
@@ -66,8 +71,9 @@ class NewtonSolver final : public Solver<Real> {
   void give_answer(VelocityProblem<Real>& problem);
   void approach(const VelocityProblem<Work>& problem);
   void sweep(const VelocityProblem<Work>& problem, int sweeps);
-  Work enough() const;
+  Work enough() const { return std::max(static_cast<Work>(settings_.tolerance), rounding()); }
   Work goal() const;
+  Work rounding() const;
   bool solve_softened();
   bool take_kept_step(Work& error);
   bool take_new_step(Work& error);

@@ -249,6 +249,7 @@ SolveReport ReferenceSolver<Real>::solve(VelocityProblem<Real>& problem, SolveOb
     result.iterations = run.run();
     report_ = run.report;
     memory_ = run.memory;
+    result.residual = report_.residual;
     result.converged = report_.method != ReferenceMethod::none && report_.residual <= settings_.tolerance;
   }
   if (result.converged) result.stop = Stop::tolerance;

@@ -109,14 +109,13 @@ inline void push_bodies(const LaneContactBatch<Real>& __restrict batch, int row,
   }
 }
 
-/// Leaves springs out.
+/// Leaves out what takes overlap back.
 template <typename Real>
 inline void relax_contacts(LaneContactBatch<Real>& batch) {
   for (int i = 0; i < batch.points; ++i) {
     for (int lane = 0; lane < lane_count; ++lane) {
-      const bool on_spring = batch.softness[i][lane] > 0;
-      batch.bias[i][lane] = on_spring ? Real(0) : batch.bias[i][lane];
-      batch.softness[i][lane] = on_spring ? Real(0) : batch.softness[i][lane];
+      batch.bias[i][lane] = batch.bias[i][lane] > 0 ? Real(0) : batch.bias[i][lane];
+      batch.softness[i][lane] = Real(0);
     }
   }
 }

@@ -174,11 +174,23 @@ void LaneContacts<Real>::give_velocities(PerBody<Vec3<Real>>& velocity) const {
 }
 
 template <Scalar Real>
-void LaneContacts<Real>::push(const LaneCode<Real>& code, const LaneBatches& batches, LaneSprings springs,
+void LaneContacts<Real>::relax(const LaneCode<Real>& code, SecondStart start) {
+  for (LaneContactBatch<Real>& batch : contacts_) {
+    code.relax_contacts(batch);
+    if (start == SecondStart::of_first_answer) continue;
+    for (int i = 0; i < batch.rows; ++i) {
+      for (int lane = 0; lane < lane_count; ++lane) {
+        batch.answer[i][lane] = batch.start[i][lane];
+      }
+    }
+  }
+}
+
+template <Scalar Real>
+void LaneContacts<Real>::push(const LaneCode<Real>& code, const LaneBatches& batches,
                               PerBody<Vec3<Real>>& velocity) {
   take_velocities(velocity);
   for (int k = 0; k < contacts_.size(); ++k) {
-    if (springs == LaneSprings::left_out) code.relax_contacts(contacts_[k]);
     code.push_contacts(contacts_[k], batches.batches()[k], bodies_.data());
   }
   give_velocities(velocity);

@@ -8,9 +8,6 @@
 
 namespace cairn {
 
-/// What becomes of the springs that contacts in overlap are on.
-enum class LaneSprings { kept, left_out };
-
 /// The contacts of all batches in the problem's own precision, from which lanes are filled.
 template <Scalar Real>
 class LaneContacts {
@@ -27,9 +24,10 @@ class LaneContacts {
   bool follow(const LaneCode<Real>& code, const LaneBatches& batches, const ContactProblem<Real>& problem);
   /// Begins from the answers of before.
   void go_on();
-  /// The warm start, with springs or without them from now on.
-  void push(const LaneCode<Real>& code, const LaneBatches& batches, LaneSprings springs,
-            PerBody<Vec3<Real>>& velocity);
+  /// Leaves out what takes overlap back; and begins from these impulses once more.
+  void relax(const LaneCode<Real>& code, SecondStart start);
+  /// The warm start.
+  void push(const LaneCode<Real>& code, const LaneBatches& batches, PerBody<Vec3<Real>>& velocity);
   /// Fills the rows of all batches, from `velocity` on.
   void fill(const LaneCode<Real>& code, const LaneBatches& batches, Real relaxation,
             const PerBody<Vec3<Real>>& velocity, List<LaneRow<Number>>& rows,

@@ -7,7 +7,6 @@ namespace cairn {
 template <Scalar Real>
 void LaneSystem<Real>::write_single_rows(const ContactProblem<Real>& contacts) {
   VelocityProblem<Real>& problem = *contacts.problem;
-  problem.impulse.clear();
   int next = 0;
   for (int single = 0; single < single_manifolds_.size(); ++single) {
     const Contact<Real>& contact = contacts.contacts[batches_.single_blocks()[single]];
@@ -15,9 +14,19 @@ void LaneSystem<Real>::write_single_rows(const ContactProblem<Real>& contacts) {
         .friction = contact.friction, .slop_limit = contact.slop_limit, .gravity = contacts.gravity};
     write_contact_rows(single_manifolds_[single], contact.a, contact.b, material, *contacts.poses,
                        problem.velocity, *contacts.stabilization, 0, problem, next);
-    for (int i = 0; i < contact.count; ++i) problem.impulse.push_back(contact.start[i]);
   }
   problem.rows.resize(next);
+  start_single_contacts(contacts);
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::start_single_contacts(const ContactProblem<Real>& contacts) {
+  PerRow<Real>& impulse = contacts.problem->impulse;
+  impulse.clear();
+  for (const int k : batches_.single_blocks()) {
+    const Contact<Real>& contact = contacts.contacts[k];
+    for (int i = 0; i < contact.count; ++i) impulse.push_back(contact.start[i]);
+  }
 }
 
 template <Scalar Real>

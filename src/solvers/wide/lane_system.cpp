@@ -42,7 +42,7 @@ void LaneSystem<Real>::begin(ContactProblem<Real>& contacts) {
   contacts.ticket = tickets_.next();
   if (std::exchange(follows_, false)) {
     contacts_.go_on();
-    push_contacts(*contacts.problem, LaneSprings::kept);
+    push_contacts(*contacts.problem);
     return;
   }
   has_rows_ = false;
@@ -53,7 +53,7 @@ void LaneSystem<Real>::begin(ContactProblem<Real>& contacts) {
   for (const int k : batches_.single_blocks()) single_manifolds_.push_back(contacts.manifolds[k]);
   write_single_rows(contacts);
   contacts_.take(code_, batches_, contacts);
-  push_contacts(*contacts.problem, LaneSprings::kept);
+  push_contacts(*contacts.problem);
 }
 
 template <Scalar Real>
@@ -65,10 +65,14 @@ bool LaneSystem<Real>::follow(ContactProblem<Real>& contacts) {
 
 template <Scalar Real>
 void LaneSystem<Real>::begin_relaxed(ContactProblem<Real>& contacts) {
-  for (ConstraintRow<Real>& row : contacts.problem->rows) {
-    if (row.softness > 0) row.bias = row.softness = 0;
+  VelocityProblem<Real>& problem = *contacts.problem;
+  for (ConstraintRow<Real>& row : problem.rows) {
+    row.bias = std::min(row.bias, Real(0));
+    row.softness = 0;
   }
-  push_contacts(*contacts.problem, LaneSprings::left_out);
+  if (contacts.second_start == SecondStart::of_first_start) start_single_contacts(contacts);
+  contacts_.relax(code_, contacts.second_start);
+  push_contacts(problem);
 }
 
 /// False where a lane is not made for its row any more: velocities are of no use then.
@@ -88,10 +92,10 @@ bool LaneSystem<Real>::push_rows(VelocityProblem<Real>& problem) {
 }
 
 template <Scalar Real>
-void LaneSystem<Real>::push_contacts(VelocityProblem<Real>& problem, LaneSprings springs) {
+void LaneSystem<Real>::push_contacts(VelocityProblem<Real>& problem) {
   velocity_ = problem.velocity;
   apply_impulses(problem);  // of the rows that go one by one
-  contacts_.push(code_, batches_, springs, problem.velocity);
+  contacts_.push(code_, batches_, problem.velocity);
 }
 
 template <Scalar Real>

@@ -79,7 +79,7 @@ class LaneSystem {
   void begin(ContactProblem<Real>& contacts);
   /// As ContactSolver.
   bool follow(ContactProblem<Real>& contacts);
-  /// Begins once more with the contacts of before and their impulses, without springs.
+  /// Begins once more with the contacts of before, as ContactSolver::relax().
   void begin_relaxed(ContactProblem<Real>& contacts);
   /// Takes over a problem that has begun; changes begin at 0.
   void take(const VelocityProblem<Real>& problem);
@@ -124,7 +124,8 @@ class LaneSystem {
   static constexpr int batches_in_a_sum = 16;
 
   bool push_rows(VelocityProblem<Real>& problem);
-  void push_contacts(VelocityProblem<Real>& problem, LaneSprings springs);
+  void push_contacts(VelocityProblem<Real>& problem);
+  void start_single_contacts(const ContactProblem<Real>& contacts);
   void write_single_rows(const ContactProblem<Real>& contacts);
   bool follow_single_contacts(ContactProblem<Real>& contacts);
   void begin_changes(const VelocityProblem<Real>& problem);

@@ -73,7 +73,7 @@ SolveReport WideSequentialImpulse<Real>::solve_begun(VelocityProblem<Real>& prob
   k_ = 1;
 
   bool is_current = true;
-  const SolveReport report = stopping_.repeat(problem, observer, [&](int number, auto watched) {
+  SolveReport report = stopping_.repeat(problem, observer, [&](int number, auto watched) {
     const LaneSteps<Real> swept = iterate(number, problem, decltype(watched)::value ? observer : nullptr);
     const bool again = lanes_.is_worth_taking(swept.largest, path_);
     const bool looks = stopping_.looks(number, std::sqrt(swept.squares)) && settings_.tolerance > 0;
@@ -90,6 +90,8 @@ SolveReport WideSequentialImpulse<Real>::solve_begun(VelocityProblem<Real>& prob
     return swept.largest;
   });
   if (!is_current) lanes_.write_back(problem);
+  if (settings_.tolerance > 0 && !report.converged)
+    report.residual = static_cast<double>(lanes_.residual(problem, stopping_.scale()));
   return report;
 }
 

@@ -82,7 +82,7 @@ int sweeps_until(double tolerance, VelocityProblem<double> problem) {
 /// the height of the pin. It is let go 0.5 rad from the lowest point, with 5 sweeps a step.
 template <typename SolverType>
 double largest_energy_of_pendulum(double inertia) {
-  Scene scene({.stabilization = {.policy = StabilizationPolicy::baumgarte}, .guarded = false});
+  Scene scene({.stabilization = {.policy = StabilizationPolicy::baumgarte}});
   const BodyId bob = scene.add(
       {.shapes = {circle(0.1)}, .position = {std::sin(0.5), -std::cos(0.5)}, .mass = 1, .inertia = inertia});
   scene.join<RevoluteJoint>({.a = ground, .b = bob, .anchor = {0, 0}});

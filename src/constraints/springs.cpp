@@ -1,0 +1,85 @@
+// Floor 3. Rows with a spring of their own, and what it holds.
+#include "constraints/springs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn {
+
+namespace {
+
+/// Sums of what resists a row: A_ii, and what of it are masses.
+template <Scalar Real>
+struct RowMass {
+  Real of_all = 0;     // [1/kg]
+  Real of_masses = 0;  // [1/kg]
+
+  Real carried() const { return of_masses > 0 ? of_masses : of_all; }
+};
+
+/// Calls visit(BodyId, jacobian) for every body of a spec.
+template <Scalar Real, typename Visit>
+void for_each_spec_term(const RowSpec<Real>& spec, const Visit& visit) {
+  visit(spec.a, spec.jacobian_a);
+  visit(spec.b, spec.jacobian_b);
+  for (int k = 0; k < spec.extra_count; ++k) visit(spec.extra[k].body, spec.extra[k].jacobian);
+}
+
+template <Scalar Real>
+RowMass<Real> mass_of(const RowSpec<Real>& spec, const PerBody<Vec3<Real>>& inverse_mass) {
+  RowMass<Real> mass;
+  for_each_spec_term(spec, [&](BodyId body, const Vec3<Real>& jacobian) {
+    mass.of_all += dot<Real>(jacobian, inverse_mass[body].cwiseProduct(jacobian));
+    mass.of_masses += inverse_mass[body].x() * jacobian.template head<2>().squaredNorm();
+  });
+  return mass;
+}
+
+}  // namespace
+
+template <Scalar Real>
+Real carried_inverse_mass(const RowSpec<Real>& spec, const PerBody<Vec3<Real>>& inverse_mass) {
+  return mass_of(spec, inverse_mass).carried();
+}
+
+template <Scalar Real>
+double spring_energy(const RowSpec<Real>& spec, const PerBody<Vec3<Real>>& inverse_mass) {
+  if (!spec.softness || (spec.bounds.is_unilateral() && spec.error >= 0)) return 0;
+  const double carried = static_cast<double>(carried_inverse_mass(spec, inverse_mass));
+  if (!(carried > 0)) return 0;
+  const double k = stiffness_of(*spec.softness, carried), error = std::abs(static_cast<double>(spec.error));
+  if (!spec.max_force || !(k * error > static_cast<double>(*spec.max_force))) return k * error * error / 2;
+  const double most = static_cast<double>(*spec.max_force);
+  return most * (error - most / k / 2);
+}
+
+template <Scalar Real>
+void put_on_spring(const RowSpec<Real>& spec, const BodyState<Real>& begin, Real dt,
+                   ConstraintRow<Real>& row) {
+  const RowMass<Real> mass = mass_of(spec, begin.inverse_mass);
+  Real speed = 0;
+  for_each_spec_term(
+      spec, [&](BodyId body, const Vec3<Real>& jacobian) { speed += dot(jacobian, begin.velocity[body]); });
+  const SpringRow<Real> spring = spring_row<Real>(*spec.softness,
+                                                  {.error = spec.error,
+                                                   .speed = speed,
+                                                   .inverse_mass = mass.of_all,
+                                                   .of_masses = mass.carried(),
+                                                   .only_pushes = spec.bounds.is_unilateral()},
+                                                  dt);
+  row.bias = spec.speed + spring.bias;
+  row.softness = spring.softness;
+}
+
+template float carried_inverse_mass(const RowSpec<float>&, const PerBody<Vec3<float>>&);
+template double spring_energy(const RowSpec<float>&, const PerBody<Vec3<float>>&);
+template void put_on_spring(const RowSpec<float>&, const BodyState<float>&, float, ConstraintRow<float>&);
+template double carried_inverse_mass(const RowSpec<double>&, const PerBody<Vec3<double>>&);
+template double spring_energy(const RowSpec<double>&, const PerBody<Vec3<double>>&);
+template void put_on_spring(const RowSpec<double>&, const BodyState<double>&, double, ConstraintRow<double>&);
+template long double carried_inverse_mass(const RowSpec<long double>&, const PerBody<Vec3<long double>>&);
+template double spring_energy(const RowSpec<long double>&, const PerBody<Vec3<long double>>&);
+template void put_on_spring(const RowSpec<long double>&, const BodyState<long double>&, long double,
+                            ConstraintRow<long double>&);
+
+}  // namespace cairn

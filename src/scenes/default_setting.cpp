@@ -1,0 +1,52 @@
+// Floor 8. What is cheap, and what is not.
+#include "scenes/default_setting.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cairn {
+
+namespace {
+
+// Beyond, a heap that slides takes more of a 60th of a second than a frame has room for.
+constexpr int most_exact_freedoms = 300;
+constexpr int exact_systems = 20;
+constexpr int wide_sweeps = 10;
+constexpr int usual_substeps = 4;
+
+/// Ways in which the bodies can move, without contacts: what is on joints moves in fewer, and slides in
+/// fewer.
+int freedoms(const Scene& scene) {
+  int count = 0;
+  PerBody<Pose<double>> poses;
+  for (const SceneBody& body : scene.bodies()) {
+    poses.push_back(body.pose);
+    const bool moves = !body.removed && body.spec.type == BodyType::dynamic;
+    if (moves) count += body.inertia > 0 ? 3 : 2;
+  }
+  RowSpecs<double> rows;
+  for (const std::shared_ptr<const Constraint>& joint : scene.joints()) joint->append_rows(poses, rows);
+  return count - static_cast<int>(std::count_if(rows.begin(), rows.end(), [](const RowSpec<double>& row) {
+           return row.bounds.is_equality() && !row.softness && !row.max_force;
+         }));
+}
+
+}  // namespace
+
+DefaultSetting default_setting(const Scene& scene) {
+  const SceneSettings& settings = scene.settings();
+  Setting setting{.dt = settings.dt,
+                  .substeps = std::max(usual_substeps, settings.substeps),
+                  .contact_search = settings.contact_search,
+                  .stabilization = settings.stabilization,
+                  .warm_start = settings.warm_start};
+  const int ways = freedoms(scene);
+  const bool is_exact = ways <= most_exact_freedoms;
+  setting.solver = is_exact ? "newton" : "wide";
+  setting.sweeps.iterations = is_exact ? exact_systems : wide_sweeps;
+  const char* const how = is_exact ? "all rows are solved at once up to" : "rows are swept in lanes above";
+  return {setting, fmt::format("{} freedoms: {} {}", ways, how, most_exact_freedoms)};
+}
+
+}  // namespace cairn
