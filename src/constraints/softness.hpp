@@ -64,11 +64,11 @@ using Softness = std::variant<SwingSoftness, SpringSoftness>;
 /// Where a step begins, as a spring sees it.
 template <Scalar Real>
 struct SpringState {
-  Real error = 0;         // C [m or rad]; of an inequality: the room left
-  Real speed = 0;         // j v [m/s or rad/s], with which the step before ended
-  Real inverse_mass = 0;  // j M^-1 j^T [1/kg]
-  Real of_masses = 0;     // 1 / m [1/kg]
-  bool only_pushes = false;
+  Real error = 0;            // C [m or rad]; of an inequality: the room left
+  Real speed = 0;            // j v [m/s or rad/s], with which the step before ended
+  Real inverse_mass = 0;     // j M^-1 j^T [1/kg]
+  Real of_masses = 0;        // 1 / m [1/kg]
+  bool only_pushes = false;  // of an inequality: it never pulls
 };
 
 /// What a spring makes of a row: j v + softness * impulse = bias.
