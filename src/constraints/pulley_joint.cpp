@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "constraints/joint_rows.hpp"
 #include "math/check.hpp"
 #include "math/list.hpp"
 

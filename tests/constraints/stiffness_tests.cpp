@@ -165,8 +165,9 @@ const std::initializer_list<std::pair<const char*, Maker>> bounded_kinds = {
 TEST_CASE(
     "the geometric stiffness that a joint states bounds the second derivatives of its C from both sides") {
   std::mt19937 random(7);
-  for (const auto& [name, make] : bounded_kinds) {
-    CAPTURE(std::string(name));
+  for (const auto& kind : bounded_kinds) {
+    const auto& make = kind.second;
+    CAPTURE(std::string(kind.first));
     for (int i = 0; i < 200; ++i) {
       CAPTURE(i);
       const Poses poses = random_poses(random);

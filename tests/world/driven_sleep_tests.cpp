@@ -5,6 +5,7 @@
 
 #include "../geometry/random_shapes.hpp"
 #include "sleeping_worlds.hpp"
+#include "solvers/exact/newton_solver.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;

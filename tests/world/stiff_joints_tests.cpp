@@ -75,12 +75,14 @@ Scene chain_between_walls(int links, int substeps) {
 }  // namespace
 
 TEST_CASE("light planks carry a heavy one under an exact solver, with one substep and with four") {
-  for (const auto& [heavy, substeps] : {std::pair(1.0, 1), {1.0, 4}, {10.0, 1}, {10.0, 4}, {100.0, 4}}) {
+  for (const auto& bridge : {std::pair(1.0, 1), {1.0, 4}, {10.0, 1}, {10.0, 4}, {100.0, 4}}) {
+    const double heavy = bridge.first;
+    const int substeps = bridge.second;
     CAPTURE(heavy);
     CAPTURE(substeps);
     NewtonSolver<double> newton({.iterations = 20});
     const Gaps gaps = gaps_of(plank_bridge(heavy, substeps), newton, 4);
-    CHECK(gaps.worst <= 0.025);  // a quarter of a plank's thickness: past that a joint has failed
+    CHECK(gaps.worst <= 0.025);             // a quarter of a plank's thickness: past that a joint has failed
     CHECK(gaps.gain <= 0.01 * heavy * 10);  // [J] as of a centimetre of its fall
   }
 }

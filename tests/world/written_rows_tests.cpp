@@ -5,6 +5,7 @@
 
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
+#include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
 
 using namespace cairn;
