@@ -68,6 +68,25 @@ void check_rope_end(const PulleyJoint::End& end, int bodies) {
           end.parts);
 }
 
+/// The free rope of a part: from its roller to its anchor.
+template <Scalar Real>
+struct RopeLine {
+  Vec2<Real> r_p, r_q;  // [m] arms of the anchor and of the roller
+  Vec2<Real> d;         // [m] from the roller to the anchor
+  Real distance;        // [m] |d|
+};
+
+template <typename Part, Scalar Real>
+RopeLine<Real> rope_line(const Part& part, bool on_drum, const PerBody<Pose<Real>>& poses) {
+  const Pose<Real>& body = poses[part.body];
+  const Pose<Real>& carrier = poses[part.carrier];
+  const Vec2<Real> r_p = Rotation<Real>(body.angle) * Vec2<Real>(part.anchor.template cast<Real>());
+  Vec2<Real> r_q = part.roller.template cast<Real>();
+  if (!on_drum) r_q = Rotation<Real>(carrier.angle) * r_q;
+  const Vec2<Real> d = body.position + r_p - carrier.position - r_q;
+  return {r_p, r_q, d, d.norm()};
+}
+
 }  // namespace
 
 PulleyJoint::PulleyJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses)
@@ -127,21 +146,16 @@ void PulleyJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) c
   RopeTerms<Real> rope;
   Real length = 0;
   for (const Part& part : parts_) {
-    const Pose<Real>& body = poses[part.body];
-    const Pose<Real>& carrier = poses[part.carrier];
     const bool on_drum = part.kind == Roller::drum;
-    const Vec2<Real> r_p = Rotation<Real>(body.angle) * Vec2<Real>(part.anchor.template cast<Real>());
-    Vec2<Real> r_q = part.roller.template cast<Real>();
-    if (!on_drum) r_q = Rotation<Real>(carrier.angle) * r_q;
-    const Vec2<Real> d = body.position + r_p - carrier.position - r_q;
-    const Real distance = d.norm();
+    const auto [r_p, r_q, d, distance] = rope_line(part, on_drum, poses);
     if (!(distance > 0)) return;
 
     const Vec2<Real> u = d / distance;
     const Real count = static_cast<Real>(part.count);
     const Real winding = on_drum ? static_cast<Real>(part.winding) : cross(r_q, u);
     length += count * distance;
-    if (on_drum) length -= count * winding * (carrier.angle - static_cast<Real>(part.start_angle));
+    if (on_drum)
+      length -= count * winding * (poses[part.carrier].angle - static_cast<Real>(part.start_angle));
     rope.add(part.body, count * Vec3<Real>(u.x(), u.y(), cross(r_p, u)));
     rope.add(part.carrier, count * Vec3<Real>(-u.x(), -u.y(), -winding));
   }
@@ -161,14 +175,8 @@ void PulleyJoint::stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real
                           PerBody<Vec3<Real>>& stiffness) const {
   const Real tension = kind_ == Kind::rope ? forces.of(0) : -forces.of(0);
   for (const Part& part : parts_) {
-    const Pose<Real>& body = poses[part.body];
-    const Pose<Real>& carrier = poses[part.carrier];
     const bool on_drum = part.kind == Roller::drum;
-    const Vec2<Real> r_p = Rotation<Real>(body.angle) * Vec2<Real>(part.anchor.template cast<Real>());
-    Vec2<Real> r_q = part.roller.template cast<Real>();
-    if (!on_drum) r_q = Rotation<Real>(carrier.angle) * r_q;
-    const Vec2<Real> d = body.position + r_p - carrier.position - r_q;
-    const Real distance = d.norm();
+    const auto [r_p, r_q, d, distance] = rope_line(part, on_drum, poses);
     if (!(distance > 0)) return;
     const Vec2<Real> u = d / distance;
     const Real pull = static_cast<Real>(part.count) * tension;

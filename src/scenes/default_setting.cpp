@@ -15,8 +15,7 @@ constexpr int exact_systems = 20;
 constexpr int wide_sweeps = 10;
 constexpr int usual_substeps = 4;
 
-/// Ways in which the bodies can move, without contacts: what is on joints moves in fewer, and slides in
-/// fewer.
+/// Three for each body that moves and turns, less one for each row of a rigid joint.
 int freedoms(const Scene& scene) {
   int count = 0;
   PerBody<Pose<double>> poses;
