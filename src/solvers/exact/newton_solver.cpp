@@ -24,19 +24,14 @@ constexpr int failures_before_sweeps = 4;
 constexpr int most_failures = 20;
 constexpr int roundings_of_residual = 4;   // of R_E: there is nothing below,
 constexpr int roundings_of_impulses = 16;  // nor below so many of all impulses, beside the scale of R_E
-// On the way through the interior.
-constexpr int most_attempts = 3;
-constexpr int steps_of_one_attempt = 40;
-constexpr double first_distance = 10;  // from bounds, beside the mean of what is left of R_E
-constexpr double share_of_way = 0.99;  // to the next bound
-constexpr double least_share = 1e-3;   // below it, bounds are in the way
 constexpr double goal_of_tolerance = 0.01;
 constexpr double farthest_goal =
     1e-8;  // one step more leads here from 1e-4, and saves a solve in the next step
 // Of R_E in a step that was solved: where it falls less, the next is stiffer;
 constexpr double good_progress = 0.1;
-// and where that is at the stiffest already, it stands still.
+// and where that is at the stiffest already, so often in a row, it stands still.
 constexpr double least_progress = 0.5;
+constexpr int most_idle = 3;
 constexpr double kept_progress = 0.3;  // of |F| in a step by kept factors: else they do not help any more
 // In time: to look at a problem, and a step by kept factors.
 constexpr int sweeps_of_a_look = 3;
@@ -159,7 +154,7 @@ template <Scalar Real>
 void NewtonSolver<Real>::approach(const VelocityProblem<Work>& problem) {
   Work softness = Work(warm_softness);
   if (factors_.are_for(rows_) && factors_.softness() > 0) softness = std::min(softness, factors_.softness());
-  int failures = 0, sweeps = first_sweeps;
+  int failures = 0, idle = 0, sweeps = first_sweeps;
   while (least_residual_ > goal() && failures < most_failures) {
     const Work before = least_residual_;
     rows_.soften(softness);
@@ -168,8 +163,11 @@ void NewtonSolver<Real>::approach(const VelocityProblem<Work>& problem) {
     note_center();
     if (is_solved) {
       if (least_residual_ <= Work(good_progress) * before) continue;
+      go_on();
+      if (least_residual_ <= Work(good_progress) * before) continue;
       const bool stands_still = !(least_residual_ <= Work(least_progress) * before);
-      if (stands_still && softness <= Work(stiffest)) break;
+      idle = stands_still && softness <= Work(stiffest) ? idle + 1 : 0;
+      if (idle == most_idle) break;
       softness = std::max(softness / Work(softness_step), Work(stiffest));
       continue;
     }
@@ -189,6 +187,16 @@ void NewtonSolver<Real>::approach(const VelocityProblem<Work>& problem) {
     failures += 1;
     if (systems_ >= settings_.iterations) break;
   }
+}
+
+/// Past the last step; back to the best impulses where that is not better.
+template <Scalar Real>
+void NewtonSolver<Real>::go_on() {
+  rows_.go_on();
+  note_center();
+  if (residual_ == least_residual_) return;
+  rows_.center_at(best_);
+  note_center();
 }
 
 /// Seeks du with F(du) = 0 around the centre; the last evaluation is the answer.
@@ -232,51 +240,6 @@ bool NewtonSolver<Real>::take_new_step(Work& error) {
   change_ = rows_.value();
   factors_.solve(change_);
   return change_.allFinite() && shorten(change_, error);
-}
-
-/// From the best impulses so far, and from farther inside where bounds are in the way.
-template <Scalar Real>
-void NewtonSolver<Real>::follow_interior() {
-  double factor = 1;
-  for (int attempt = 0; attempt < most_attempts; ++attempt, factor *= 10) {
-    rows_.center_at(best_);
-    note_center();
-    const Work distance = Work(first_distance * factor) * rows_.error_of_a_row();
-    if (!interior_.begin(rows_, distance)) return;
-    Work share = 1;
-    for (int step = 0; step < steps_of_one_attempt && share > Work(least_share); ++step) {
-      if (least_residual_ <= enough() || systems_ >= settings_.iterations) break;
-      share = take_interior_step();
-    }
-    if (least_residual_ <= enough()) return;
-  }
-}
-
-/// As Mehrotra does: a step for 0 shows how far the products may be asked to fall, and their second order.
-template <Scalar Real>
-typename NewtonSolver<Real>::Work NewtonSolver<Real>::take_interior_step() {
-  Deadline::go_on();
-  interior_.linearize();
-  ++systems_;
-  factors_.factorize(rows_, interior_);
-  const auto aim = [this](Work target) {
-    interior_.find_right_side(target, change_);
-    factors_.solve(change_);
-    interior_.find_direction(target, change_);
-  };
-  aim(0);
-  const Work product = interior_.mean_product(0);
-  const Work left =
-      product > 0 ? interior_.mean_product(std::min(Work(1), interior_.longest_step())) / product : 0;
-  interior_.keep_products();
-  aim(left * left * left * product);
-  const Work share = std::min(Work(1), Work(share_of_way) * interior_.longest_step());
-  if (!change_.allFinite()) return 0;
-  interior_.go(share);
-  interior_.copy_impulses_to(inside_);
-  rows_.center_at(inside_);
-  note_center();
-  return share;
 }
 
 /// Goes a share of the step that makes the error fall: the largest of 1, 1/2, 1/4 ...; false: there is none.

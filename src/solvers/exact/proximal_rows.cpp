@@ -16,7 +16,7 @@ void ProximalRows<Real>::begin(const VelocityProblem<Real>& problem) {
   terms_.clear();
   rows_.clear();
   for (const ConstraintRow<Real>& row : problem.rows) append(problem, row);
-  for (Vector<Real>* one : {&x_, &wish_, &center_, &center_w_}) one->resize(rows_.size());
+  for (Vector<Real>* one : {&x_, &wish_, &center_, &center_w_, &earlier_, &earlier_w_}) one->resize(rows_.size());
   for (Vector<Real>* one : {&value_, &response_, &center_u_}) one->resize(freedoms_);
   measure_scale(problem);
 }
@@ -106,13 +106,36 @@ void ProximalRows<Real>::center_at(const PerRow<Real>& impulse) {
     add_to(center_u_, row, center_(i));
   });
   look_around();
+  forget_way();
 }
 
 template <Scalar Real>
 void ProximalRows<Real>::center_at_last() {
+  earlier_.swap(center_);
+  earlier_w_.swap(center_w_);
   center_ = x_;
   center_u_ += response_;
   look_around();
+}
+
+template <Scalar Real>
+void ProximalRows<Real>::go_on() {
+  Real along = 0, square = 0;
+  for (int i = 0; i < rows_.size(); ++i) {
+    if (rows_[i].unit == 0 || x_(i) != wish_(i)) continue;
+    const Real change = center_w_(i) - earlier_w_(i);
+    along -= center_w_(i) * change;
+    square += change * change;
+  }
+  if (!(along > 0)) return;
+  const Real more = along / square;
+  center_u_.setZero();
+  for_each_row([&](int i) {
+    center_(i) = clamp(i, center_(i) + more * (center_(i) - earlier_(i)), center_);
+    add_to(center_u_, rows_[i], center_(i));
+  });
+  look_around();
+  forget_way();
 }
 
 /// w' and the error at x'.
@@ -187,7 +210,8 @@ void ProximalRows<Real>::copy_impulses(const Vector<Real>& x, PerRow<Real>& impu
 template <Scalar Real>
 std::size_t ProximalRows<Real>::memory() const {
   const Eigen::Index numbers = center_.size() + center_u_.size() + center_w_.size() + x_.size() +
-                               wish_.size() + response_.size() + value_.size();
+                               wish_.size() + response_.size() + value_.size() + earlier_.size() +
+                               earlier_w_.size();
   return terms_.bytes() + rows_.bytes() + root_.bytes() + static_cast<std::size_t>(numbers) * sizeof(Real);
 }
 

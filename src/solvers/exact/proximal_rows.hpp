@@ -50,8 +50,14 @@ class ProximalRows {
   void center_at(const PerRow<Real>& impulse);
   /// Takes x' from the last evaluation, and the velocities that come with it.
   void center_at_last();
+  /// x' goes on the way that center_at_last() took it, to where the rows that are held have the least w'.
+  /// Where anything else set x', it stays.
+  void go_on();
   /// Keeps x' where begin_again() has changed the rows.
-  void keep_center() { look_around(); }
+  void keep_center() {
+    look_around();
+    forget_way();
+  }
   /// x' [N s].
   void copy_center_to(PerRow<Real>& impulse) const { copy_impulses(center_, impulse); }
   /// v [m/s, m/s, rad/s] of a body after the impulses x', if it was `before` without them.
@@ -125,6 +131,10 @@ class ProximalRows {
   void respond(const ProductOf& product_of);
   void copy_impulses(const Vector<Real>& x, PerRow<Real>& impulse) const;
   void look_around();
+  void forget_way() {
+    earlier_ = center_;
+    earlier_w_ = center_w_;
+  }
   Real clamp(int i, Real wish, const Vector<Real>& x) const {
     const Row& row = rows_[i];
     if (row.unit == 0) return 0;
@@ -155,6 +165,8 @@ class ProximalRows {
   Vector<Real> center_;       // x'
   Vector<Real> center_u_;     // G^T x'
   Vector<Real> center_w_;     // w'
+  Vector<Real> earlier_;      // x' before the last evaluation became it
+  Vector<Real> earlier_w_;    // w' there
   Vector<Real> x_;            // of the last evaluation
   Vector<Real> wish_;         // the same before clamping
   Vector<Real> response_;     // G^T (x - x')
