@@ -71,14 +71,14 @@ class BenchOf final : public Bench {
  public:
   BenchOf(Scene scene, const Setting& setting) : world_(std::move(scene)), setting_(setting) {
     make_solver_of_setting();
-    world_.do_events();
+    do_events(world_);
   }
   BenchOf(const BenchOf& other) : world_(other.world_), setting_(other.setting_) { make_solver_of_setting(); }
 
   std::unique_ptr<Bench> copy() const override { return std::make_unique<BenchOf>(*this); }
   StepReport step() override {
     const StepReport report = world_.step(*solver_);
-    world_.do_events();
+    do_events(world_);
     return report;
   }
   void set(const Setting& setting) override {
@@ -88,12 +88,12 @@ class BenchOf final : public Bench {
     make_solver_of_setting();
   }
   void edit(const std::function<void(Scene&)>& change) override { world_.edit(change); }
-  void repeat(const HandInput& input) override { world_.repeat(input); }
-  const List<HandInput>& hand_inputs() const override { return world_.hand_inputs(); }
-  const DragJoint* hand() const override { return world_.hand(); }
+  void repeat(const HandInput& input) override { world_.move_hand(input); }
+  const List<HandInput>& hand_inputs() const override { return world_.hand().inputs(); }
+  const DragJoint* hand() const override { return world_.hand().joint(); }
   Snapshot snapshot() const override { return cairn::snapshot(world_); }
   const Scene& scene() const override { return world_.scene(); }
-  int steps() const override { return world_.steps(); }
+  int steps() const override { return world_.clock().steps; }
 
   SolveLook look(int updates) const override {
     SolveLook look;

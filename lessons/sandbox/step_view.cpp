@@ -125,7 +125,7 @@ StepView view_step(const SceneEntry& entry, const Setting& setting, int step) {
   StepKeeper keeper;
   world.step(*solver, &keeper);
   StepView view{.step = step,
-                .time = world.time(),
+                .time = world.clock().time,
                 .setting = setting,
                 .given = keeper.given,
                 .solved = keeper.solved,

@@ -200,9 +200,9 @@ int run_explain(const Words& words, Console& console) {
   const SceneCounts counts = counts_of(scene, world, report.contacts);
   const List<SolverMemory> memories = memories_of(problem);
   if (words.has("json")) {
-    fmt::print("{}\n", explanation_json(entry, setting, world.plan(), counts, memories).dump(1));
+    fmt::print("{}\n", explanation_json(entry, setting, make_plan(world.scene()), counts, memories).dump(1));
   } else {
-    print_explanation(entry, setting, world.plan(), counts, memories, console);
+    print_explanation(entry, setting, make_plan(world.scene()), counts, memories, console);
   }
   return all_well;
 }

@@ -135,11 +135,11 @@ Verb extremes_verb() {
               "Drives one thing after the other to its extremes: mass ratios, heights, steps, speeds, sizes, "
               "springs, materials, numbers. OK: within the tolerance of what is measured. BOUND: not, but "
               "finite, without an energy gain above 1 %, and nothing goes through anything else. REFUSE: an "
-              "error that names object and value. TOLD: it went wrong, and R_E says why: solves ended with a "
-              "tenth of their errors left. FAIL: none of these. Exit code 1 where a case misses what it "
-              "must do. It can be stopped and taken up again. --atlas draws maps over two things at once "
-              "instead, a "
-              "panel for each solver: where it holds, where it degrades and where it explodes.",
+              "error that names object and value. TOLD: it went wrong, and R_E says why: what solves left "
+              "undone may move a body by half its size. FAIL: none of these. Exit code 1 where a case misses "
+              "what it must do. It can be stopped and taken up again. --atlas draws maps over two things "
+              "at once instead, a panel for each solver: where it holds, where it degrades and where it "
+              "explodes.",
           .flags = {{"quick", "", "two settings for each value: half a minute instead of many"},
                     {"only", "AXIS,AXIS", "these alone", true},
                     {"missed", "", "shows those that miss what is required, and no others"},

@@ -36,9 +36,6 @@ struct KeptManifold {
 
   /// The manifold where the bodies are now: points whose separation is below `margin` [m].
   Manifold<Real> at(const Frame<Real>& frame_a, const Frame<Real>& frame_b, Real margin) const;
-  /// Whether it lies on a face, and all of its points are near in `now`, which at() gave: then nothing but a
-  /// few sums and products has made `now`, for any margin that is wide enough.
-  bool is_whole(const Manifold<Real>& now) const { return face != Face::none && now.count == count; }
 };
 
 /// A manifold of bodies in these frames; the radii [m] are by how much the shapes' cores are rounded.

@@ -130,10 +130,10 @@ class Constraint {
   /// Adds its geometric stiffness under these forces: how they change as its bodies move, because they keep
   /// to rods and arms that move along. It is the matrix K = -sum of lambda d^2C/dx^2. What is added is a
   /// diagonal that bounds K and -K from above, with a number for each freedom of each body [N/m, N/m,
-  /// N m/rad]: the forces are those of the last substep, and may have the other sign by now. A kind whose C
-  /// is linear has none. Sources: M. Tournier, M. Nesme, B. Gilles, F. Faure, Stable Constrained Dynamics
-  /// (2015); S. Andrews, M. Teichmann, P. Kry, Geometric Stiffness for Real-time Constrained Multibody
-  /// Dynamics (2017).
+  /// N m/rad]: the forces are mostly those of the last substep, and may have the other sign by now. A kind
+  /// whose C is linear has none. Sources: M. Tournier, M. Nesme, B. Gilles, F. Faure, Stable Constrained
+  /// Dynamics (2015); S. Andrews, M. Teichmann, P. Kry, Geometric Stiffness for Real-time Constrained
+  /// Multibody Dynamics (2017).
   virtual void add_stiffness(const PerBody<Pose<float>>& poses, const RowForces<float>& forces,
                              PerBody<Vec3<float>>& stiffness) const = 0;
   /// The same in double.

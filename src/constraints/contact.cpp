@@ -135,6 +135,27 @@ void write_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
                     ProblemSink<Real>{a, b, material, stabilization, source, problem, next, relaxed});
 }
 
+template <Scalar Real>
+void add_contact_stiffness(const Manifold<Real>& manifold, BodyId a, BodyId b, Real radius_a, Real radius_b,
+                           const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+                           PerBody<Vec3<Real>>& stiffness) {
+  const Vec2<Real>& normal = manifold.normal;
+  Real mean = 0;  // [m] of the separations: the points lie half of it from the surface of the face
+  for (int i = 0; i < manifold.count; ++i)
+    mean += manifold.points[i].separation / static_cast<Real>(manifold.count);
+  for (int i = 0; i < manifold.count; ++i) {
+    const ManifoldPoint<Real>& point = manifold.points[i];
+    const Real force = forces.of(normal_part(point.feature)), beyond = point.separation - mean / 2;
+    const Vec2<Real> core_a = point.position - normal * (beyond + radius_a);
+    const Vec2<Real> core_b = point.position + normal * (beyond + radius_b);
+    const FeatureKind kind = feature_kind(point.feature);
+    const Vec2<Real> arm_a = (kind == FeatureKind::face_of_a ? core_b : core_a) - poses[a].position;
+    const Vec2<Real> arm_b = (kind == FeatureKind::face_of_b ? core_a : core_b) - poses[b].position;
+    stiffness[a].z() += (kind == FeatureKind::face_of_a ? force : -force) * normal.dot(arm_a);
+    stiffness[b].z() += (kind == FeatureKind::face_of_b ? -force : force) * normal.dot(arm_b);
+  }
+}
+
 template void append_contact_rows(const Manifold<float>&, BodyId, BodyId, const ContactMaterial<float>&,
                                   const PerBody<Pose<float>>&, const PerBody<Vec3<float>>&, RowSpecs<float>&);
 template void append_contact_rows(const Manifold<double>&, BodyId, BodyId, const ContactMaterial<double>&,
@@ -143,6 +164,16 @@ template void append_contact_rows(const Manifold<double>&, BodyId, BodyId, const
 template void append_contact_rows(const Manifold<long double>&, BodyId, BodyId,
                                   const ContactMaterial<long double>&, const PerBody<Pose<long double>>&,
                                   const PerBody<Vec3<long double>>&, RowSpecs<long double>&);
+
+template void add_contact_stiffness(const Manifold<float>&, BodyId, BodyId, float, float,
+                                    const PerBody<Pose<float>>&, const RowForces<float>&,
+                                    PerBody<Vec3<float>>&);
+template void add_contact_stiffness(const Manifold<double>&, BodyId, BodyId, double, double,
+                                    const PerBody<Pose<double>>&, const RowForces<double>&,
+                                    PerBody<Vec3<double>>&);
+template void add_contact_stiffness(const Manifold<long double>&, BodyId, BodyId, long double, long double,
+                                    const PerBody<Pose<long double>>&, const RowForces<long double>&,
+                                    PerBody<Vec3<long double>>&);
 
 template void write_contact_rows(const Manifold<float>&, BodyId, BodyId, const ContactMaterial<float>&,
                                  const PerBody<Pose<float>>&, const PerBody<Vec3<float>>&,

@@ -122,6 +122,8 @@ struct ConstraintRow {
 struct RowBlock {
   int first = 0;  // its first row
   int count = 0;  // of rows
+  /// Those of a contact that needs none to be solved (contact_problem.hpp).
+  bool of_contact = false;
 };
 
 /// All that a solver needs to know of one step, and all that it answers: a plain value.

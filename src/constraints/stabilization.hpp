@@ -15,7 +15,8 @@ enum class StabilizationPolicy {
   none,           // nothing: they stay, and grow by the error of integration
   baumgarte,      // (4), (7): velocities carry a share beta / dt of them; they keep that speed afterwards
   relaxed,        // as baumgarte; a second solve, without that share, takes the speed out; joints follow
-                  // their arcs, and bodies take part with the mass max(M, dt^2 K): Constraint::add_stiffness
+                  // their arcs, and where there are any, bodies take part with the mass max(M, dt^2 K):
+                  // Constraint::add_stiffness, add_contact_stiffness
   soft,           // stiff springs in the rows; a second solve, without springs, takes their speed out again
   split_impulse,  // velocities of their own, which move the bodies once and are forgotten
 };

@@ -15,7 +15,7 @@ enum class ExtremeVerdict {
   bound,   // not, but finite, without an energy gain above 1 %, and nothing went through anything else
   refuse,  // std::invalid_argument that names field and value, or std::length_error for what needs too much
            // memory
-  told,    // not even bounded, and R_E says why: solves ended with a hundredth of their errors left or more
+  told,    // not even bounded, and R_E says why: what solves left undone may move a body by half its size
   fail,    // none of these
 };
 

@@ -49,6 +49,16 @@ struct ExtremeRun {
 /// @throws std::invalid_argument, std::length_error.
 ExtremeFinding run_extreme(const Scene& scene, const Setting& setting, const ExtremeRun& run);
 
+/// R_E of solves that, in every substep of the run, may let the lightest body go by half of what is thinnest.
+/// At rest a substep of h asks all bodies, together of mass M, for the speed g h. R_E is the root of a share
+/// of energy: a solve that ends with R_E = r leaves M (r g h)^2 at most, and all of it may be that of the
+/// lightest body, m, which is then as fast as e = r v with v = g h sqrt(M / m). The next solve is asked for
+/// that too and leaves r (v + e), so e grows to v r / (1 - r): a way of e T in a run of T. That is half of a
+/// size s for
+///   r = (s / 2) / (s / 2 + v T).
+/// Without gravity it is 1: nothing is asked of bodies at rest.
+double telling_residual(const Scene& scene, const Setting& setting, const ExtremeRun& run);
+
 /// [m] By how much the springs of policy soft give way under `load` [N] on a point where an impulse of 1 N s
 /// changes the approach by `inverse_mass` [1/kg]: a point's spring has the stiffness omega^2 / inverse_mass,
 /// and omega goes up to a quarter of the steps. 0 under every other policy.

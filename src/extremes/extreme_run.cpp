@@ -1,11 +1,14 @@
 // Floor 12. Stepping a case, and judging it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "extremes/extreme_axes.hpp"
 #include "math/list.hpp"
+#include "world/scene_length.hpp"
 
 namespace cairn {
 
@@ -32,16 +35,13 @@ std::string failure_of(const TrialResult& result, const ExtremeRun& run, const s
   return "";
 }
 
-// R_E of a solve that has left so much undone that nobody can build on it.
-constexpr double far_from_done = 0.01;
-
 /// Says of a run that failed whether R_E tells why.
-void tell_residual(const Scene& scene, const Setting& setting, TrialOptions options,
+void tell_residual(const Scene& scene, const Setting& setting, const ExtremeRun& run, TrialOptions options,
                    ExtremeFinding& finding) {
   options.residual = ResidualMeasure::every_step;
   options.observer = {};
   const std::optional<double> residual = run_trial(scene, setting, options).worst_residual;
-  if (!residual || !(*residual >= far_from_done)) return;
+  if (!residual || !(*residual >= telling_residual(scene, setting, run))) return;
   finding.verdict = ExtremeVerdict::told;
   finding.note += fmt::format("; solves end at R_E {:.2g}", *residual);
 }
@@ -89,9 +89,21 @@ ExtremeFinding run_extreme(const Scene& scene, const Setting& setting, const Ext
   if (finding.note.empty()) {
     finding.verdict = finding.value <= run.limit ? ExtremeVerdict::ok : ExtremeVerdict::bound;
   } else {
-    tell_residual(scene, setting, options, finding);
+    tell_residual(scene, setting, run, options, finding);
   }
   return finding;
+}
+
+double telling_residual(const Scene& scene, const Setting& setting, const ExtremeRun& run) {
+  double all = 0, lightest = std::numeric_limits<double>::infinity();
+  for (const SceneBody& body : scene.bodies()) {
+    if (!(body.mass > 0)) continue;
+    all += body.mass;
+    lightest = std::min(lightest, body.mass);
+  }
+  const double half = std::min(run.thinnest, scene_length(scene)) / 2;
+  const double asked = scene.settings().gravity.norm() * setting.dt / setting.substeps;
+  return half / (half + asked * std::sqrt(all / lightest) * run.seconds);
 }
 
 double spring_sag(const Setting& setting, double load, double inverse_mass) {

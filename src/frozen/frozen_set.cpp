@@ -150,7 +150,7 @@ const List<FrozenEntry>& frozen_entries() {
 }
 
 std::string motion_tag(const World<double>& world) {
-  if (world.steps() == 0) return "start";
+  if (world.clock().steps == 0) return "start";
   double fastest = 0;  // [m/s or rad/s]
   for (const Vec3<double>& v : world.bodies().velocity) fastest = std::max(fastest, v.cwiseAbs().maxCoeff());
   return fastest <= 0.05 ? "settled" : "moving";

@@ -11,7 +11,7 @@ namespace cairn {
 
 /// A world with the solver that steps it:
 ///   Simulation simulation(scene);
-///   while (simulation.world().time() < 10) simulation.step();
+///   while (simulation.world().clock().time < 10) simulation.step();
 /// Whoever wants to choose makes a World and a Solver.
 class Simulation {
  public:

@@ -189,8 +189,9 @@ std::string opencl_jacobi_refusal() {
 #endif
 }
 
-std::int64_t counted_updates(const SolverEntry& solver, const SolveReport& report, int rows) {
-  return (std::int64_t{report.iterations} * solver.updates_a_row + report.extra_sweeps) * rows;
+std::int64_t counted_updates(const SolverEntry& solver, std::int64_t row_iterations,
+                             std::int64_t extra_row_sweeps) {
+  return row_iterations * solver.updates_a_row + extra_row_sweeps;
 }
 
 const SolverEntry& solver_entry(const std::string& name) {

@@ -31,8 +31,10 @@ struct SolverEntry {
   bool uses_world = true;
 };
 
-/// Row updates of a solve of so many rows, by SolverEntry::updates_a_row.
-std::int64_t counted_updates(const SolverEntry& solver, const SolveReport& report, int rows);
+/// Row updates of so many rows times iterations, by SolverEntry::updates_a_row, and of rows times extra
+/// sweeps.
+std::int64_t counted_updates(const SolverEntry& solver, std::int64_t row_iterations,
+                             std::int64_t extra_row_sweeps);
 
 /// All of them, the plainest first.
 const List<SolverEntry>& solver_entries();

@@ -86,17 +86,12 @@ class ContactSolver {
  public:
   virtual ~ContactSolver() = default;
   /// Changes velocities, to the same bits as Solver::solve() does with the rows of the contacts, and has the
-  /// impulses for give(). Begins from what follow() has taken over, if that was called before; or else from
-  /// the contacts as they are given. Gives them another ticket.
+  /// impulses for give().
   virtual SolveReport solve(ContactProblem<Real>& contacts) = 0;
   /// Solves once more what solve() has just solved, from the velocities that the problem is given now and the
   /// impulses of its second_start, without what takes overlap back: no contact asks for speed or gives way.
   virtual SolveReport relax(ContactProblem<Real>& contacts) = 0;
-  /// Takes over where the bodies of the contacts that were solved last are now. Their answers are
-  /// the warm start. False if these contacts are others, by their ticket, or a kept point is not near any
-  /// more, or deeper than may be followed: then nothing is taken over.
-  virtual bool follow(ContactProblem<Real>& contacts) = 0;
-  /// Gives the contacts that were solved last their answers, and what these have begun from.
+  /// Gives the contacts that were solved last their answers.
   virtual void give(ContactProblem<Real>& contacts) const = 0;
 };
 

@@ -21,56 +21,26 @@ void add_motion(const Pose<Real>& pose, const Vec3<Real>& velocity, Fingerprint&
   hash.add(velocity);
 }
 
-/// Hands every problem on, and counts.
-template <Scalar Real>
-class CountingSolver final : public Solver<Real> {
- public:
-  CountingSolver(const std::string& name, const SolverSettings& settings)
-      : solver_(make_solver<Real>(name, settings)), entry_(solver_entry(name)) {}
-
-  std::string name() const override { return solver_->name(); }
-  SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override {
-    rows_ += problem.row_count();
-    return counted(solver_->solve(problem, observer), problem);
-  }
-  SolveReport solve_again(VelocityProblem<Real>& problem) override {
-    return counted(solver_->solve_again(problem), problem);
-  }
-  std::int64_t row_updates() const { return row_updates_; }
-  std::int64_t rows() const { return rows_; }  // without those of second solves
-
- private:
-  SolveReport counted(const SolveReport& report, const VelocityProblem<Real>& problem) {
-    row_updates_ += counted_updates(entry_, report, problem.row_count());
-    return report;
-  }
-
-  std::unique_ptr<Solver<Real>> solver_;
-  const SolverEntry& entry_;
-  std::int64_t row_updates_ = 0, rows_ = 0;  // since it was made
-};
-
 template <Scalar Real>
 class WorldContestant final : public Contestant {
  public:
   WorldContestant(const Scene& scene, const Setting& setting)
       : world_(scene),
-        solver_(setting.solver, setting.sweeps),
+        entry_(solver_entry(setting.solver)),
+        solver_(make_solver<Real>(setting.solver, setting.sweeps)),
         twin_(make_solver<Real>(setting.solver, setting.sweeps)) {}
 
-  bool do_events() override { return world_.do_events(); }
-  void step() override {
-    updates_before_ = solver_.row_updates();
-    rows_before_ = solver_.rows();
-    report_ = world_.step(solver_);
-  }
+  bool do_events() override { return cairn::do_events(world_); }
+  void step() override { report_ = world_.step(*solver_); }
   std::optional<BodyId> not_finite() const override { return report_.not_finite; }
   std::optional<double> unfinished() const override {
     return report_.unfinished > 0 ? std::optional(report_.worst_residual) : std::nullopt;
   }
   Snapshot snapshot() const override { return cairn::snapshot(world_); }
-  std::int64_t row_updates(const Snapshot&) const override { return solver_.row_updates() - updates_before_; }
-  std::int64_t rows(const Snapshot&) const override { return solver_.rows() - rows_before_; }
+  std::int64_t row_updates(const Snapshot&) const override {
+    return counted_updates(entry_, report_.row_sweeps, report_.extra_row_sweeps);
+  }
+  std::int64_t rows(const Snapshot&) const override { return report_.rows_solved; }
 
   std::optional<double> residual_ahead() override {
     VelocityProblem<Real> problem = world_.velocity_problem();
@@ -89,9 +59,8 @@ class WorldContestant final : public Contestant {
 
  private:
   World<Real> world_;
-  CountingSolver<Real> solver_;
-  std::unique_ptr<Solver<Real>> twin_;
-  std::int64_t updates_before_ = 0, rows_before_ = 0;
+  const SolverEntry& entry_;
+  std::unique_ptr<Solver<Real>> solver_, twin_;
   StepReport report_ = {};
 };
 

@@ -81,7 +81,9 @@ SolveOutcome outcome_in(const VelocityProblem<double>& start, const SolveChoice&
   SolveOutcome outcome;
   outcome.status = is_finite(answer) ? ending_of(given, choice) : "nan";
   outcome.error = answer_error(start, answer, truth);
-  outcome.row_updates = counted_updates(solver_entry(choice.solver), report, start.row_count());
+  const std::int64_t rows = start.row_count();
+  outcome.row_updates =
+      counted_updates(solver_entry(choice.solver), rows * report.iterations, rows * report.extra_sweeps);
   Fingerprint hash;
   for (const Vec3<Real>& velocity : solved.velocity) hash.add(velocity);
   outcome.state_hash = hash.value();

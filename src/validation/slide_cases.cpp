@@ -69,7 +69,7 @@ struct FrictionAudit {
 /// v- to v+ takes -p (v- + v+) / 2 out of the bodies, exactly; the way slid in that step is v+ dt.
 FrictionAudit run_with_audit(World<double>& world, Solver<double>& solver, double seconds) {
   FrictionAudit audit;
-  const auto steps = std::lround(seconds / world.dt());
+  const auto steps = std::lround(seconds / world.clock().dt);
   for (long step = 0; step < steps; ++step) {
     const PerBody<Vec3<double>> before = world.bodies().velocity;
     world.step(solver);

@@ -6,54 +6,10 @@
 
 #include "collision/kept_manifold.hpp"
 #include "collision/near_pairs.hpp"
-#include "constraints/row.hpp"
 #include "math/list.hpp"
+#include "world/row_impulses.hpp"
 
 namespace cairn {
-
-/// What one row gave in the last step that it was written for.
-template <Scalar Real>
-struct RowImpulse {
-  std::uint64_t part = 0;  // RowKey::part
-  Real impulse = 0;        // [N s]
-};
-
-/// What the rows of one block gave, a contact's or a joint's, and in which order.
-template <typename Rows, Scalar Real>
-struct BlockImpulses {
-  Rows rows = {};  // the first `count` of them are in use
-  int count = 0;   // of rows
-  Real dt = 0;     // [s] of the substep that they are of
-
-  /// Null where there was no row of that part. Rows mostly keep their place: `place` is where to look first.
-  const RowImpulse<Real>* find(std::uint64_t part, int place) const {
-    if (place < count && rows[place].part == part) return &rows[place];
-    for (int i = 0; i < count; ++i) {
-      if (rows[i].part == part) return &rows[i];
-    }
-    return nullptr;
-  }
-};
-
-/// Keeps what the rows of a block have given: row(k) is the k-th. Rows that have vanished are forgotten. What
-/// a step has added to an impulse made good for errors of the velocities, which do not grow with dt as forces
-/// do. After a shorter step than the last one, only a share of it is kept: as much as it will be again when
-/// it is scaled for a longer one.
-template <typename Impulses, Scalar Real, typename Row>
-void remember(Impulses& impulses, int count, Real dt, const Row& row) {
-  const Real share = impulses.count > 0 ? dt / impulses.dt : Real(1);
-  Impulses before;
-  if (share < 1) before = impulses;
-  impulses.count = count;
-  impulses.dt = dt;
-  if constexpr (requires { impulses.rows.resize(0); }) impulses.rows.resize(count);
-  for (int k = 0; k < count; ++k) {
-    RowImpulse<Real> now = row(k);
-    const RowImpulse<Real>* old = before.find(now.part, k);
-    if (old) now.impulse = share * (old->impulse + now.impulse - share * old->impulse);
-    impulses.rows[k] = now;
-  }
-}
 
 /// Two shapes that may touch, for the boxes around them do.
 template <Scalar Real>
@@ -78,15 +34,6 @@ struct LastingManifold {
   Real radius = 0;                           // [m] of what moves, about its centre of mass
   bool a_moves = false;   // motion is that of a beside b, because a is smaller; else that of b beside a
   bool is_found = false;  // there is a manifold, or it is known that they do not touch
-};
-
-/// A slot whose manifold is not known from its KeptManifold alone: a point of it is not near, or it lies on
-/// no face.
-struct OddContact {
-  static constexpr int none = -1;  // in place of a contact: no point is near
-
-  int slot = 0;     // its number
-  int contact = 0;  // the number of its manifold among those of the step
 };
 
 /// A pair that is near, and its slot.
@@ -122,11 +69,11 @@ class ContactGraph {
   }
 
   /// Takes in where the shapes are. Pairs for which may_meet(i, j) is false are left out: it is asked of
-  /// every pair that has come near. Whether slots have got other numbers.
+  /// every pair that has come near.
   /// @throws std::length_error as NearPairs.
   template <typename MayMeet>
-  bool update(Span<const Aabb<Real>> boxes, const MayMeet& may_meet) {
-    if (!near_.update(boxes)) return false;
+  void update(Span<const Aabb<Real>> boxes, const MayMeet& may_meet) {
+    if (!near_.update(boxes)) return;
     next_.clear();
     make_room(next_, near_.pairs().size());
     auto old = order_.begin();
@@ -141,9 +88,7 @@ class ContactGraph {
     for (; old != order_.end(); ++old) remove_slot(*old);
     order_.swap(next_);
     next_.reserve(order_.size());  // now, not when a shape next leaves its proxy
-    const bool are_many = added_ > few_added + slots_.size() / 4;
-    if (are_many) sort_slots();
-    return are_many;
+    if (added_ > few_added + slots_.size() / 4) sort_slots();
   }
 
   /// Gives a pair without a slot that one.

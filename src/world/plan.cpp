@@ -89,9 +89,7 @@ Plan make_plan(const Scene& scene) {
   plan.second_start = is_soft ? SecondStart::of_first_answer : SecondStart::of_first_start;
   plan.corrects_positions = policy == StabilizationPolicy::split_impulse;
   plan.sleeping = scene.settings().sleeping.has_value();
-  const bool friction_per_point = !plan.friction || plan.friction_rows == FrictionRows::per_point;
-  plan.contacts_alone =
-      plan.joints == 0 && friction_per_point && !plan.restitution && !plan.corrects_positions;
+  plan.contacts_without_rows = plan.collision && !plan.corrects_positions;
   plan.shape_kinds.assign(kinds.begin(), kinds.end());
   return plan;
 }

@@ -35,9 +35,9 @@ struct Plan {
   bool follows_arcs = false;                               // joints are asked to hold where a substep ends
   bool corrects_positions = false;                         // a second solve removes errors
   bool sleeping = false;                                   // islands at rest take no part
-  bool contacts_alone = false;  // with a row of friction a point and no rebound: some solvers need no rows
-  List<std::string> shape_kinds = {};  // those that occur, sorted
-  std::string lengths = {};            // lengths_text()
+  bool contacts_without_rows = false;                      // some solvers take them so
+  List<std::string> shape_kinds = {};                      // those that occur, sorted
+  std::string lengths = {};                                // lengths_text()
 };
 
 /// What the scene requires.

@@ -96,9 +96,9 @@ template <Scalar Real>
 Snapshot snapshot(const World<Real>& world) {
   const Scene& scene = world.scene();
   const StepRecord<Real>& record = world.last_step();
-  Snapshot result{.time = world.time(),
-                  .step = world.steps(),
-                  .dt = world.dt() / scene.settings().substeps,
+  Snapshot result{.time = world.clock().time,
+                  .step = world.clock().steps,
+                  .dt = world.clock().dt / scene.settings().substeps,
                   .gravity = scene.settings().gravity};
   result.apart = scene.apart();
   for (const BodyId body : scene.bodies().indices()) {
@@ -109,8 +109,9 @@ Snapshot snapshot(const World<Real>& world) {
     result.bodies.back().awake = world.is_awake({body});
   }
   const int joints = scene.joints().size();
-  for (int i = 0; i < joints + (world.hand() ? 1 : 0); ++i) {
-    SnapshotJoint joint = snapshot_joint(i < joints ? *scene.joints()[i] : *world.hand(), world.bodies());
+  for (int i = 0; i < joints + (world.hand().joint() ? 1 : 0); ++i) {
+    SnapshotJoint joint =
+        snapshot_joint(i < joints ? *scene.joints()[i] : *world.hand().joint(), world.bodies());
     if (i < record.first_contact_block) {
       const RowBlock& block = record.problem.blocks[i];
       for (int index = block.first; index < block.first + block.count; ++index) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
 #include "collision/manifold.hpp"
+#include "constraints/contact_problem.hpp"
 #include "constraints/row.hpp"
 #include "math/list.hpp"
 #include "solvers/solver.hpp"
@@ -21,6 +23,9 @@ struct StepReport {
   int unfinished = 0;                     // SolveReport::unfinished() solves, of all substeps and passes
   double worst_residual = 0;              // the largest R_E of those that looked at it
   int sweeps = 0;                         // all that were done, for relaxing and for positions too
+  std::int64_t rows_solved = 0;           // in all substeps, each once; those of positions too
+  std::int64_t row_sweeps = 0;            // rows times sweeps of every solve
+  std::int64_t extra_row_sweeps = 0;      // rows times SolveReport::extra_sweeps of every solve
   int contacts = 0;                       // contact points
   int rows = 0;                           // scalar constraints
   AwakeCount awake = {};                  // when the step ended; islands are counted where bodies may sleep
@@ -31,11 +36,17 @@ struct StepReport {
   /// Pairs of shapes that were found in each other by more than half of the thinner body.
   int too_deep = 0;
 
-  /// Counts a solve of the step.
-  void count(const SolveReport& solved) {
-    sweeps += solved.iterations;
+  /// Counts a solve of the step, of so many rows.
+  void count(const SolveReport& solved, int row_count) {
+    count_left(solved, row_count);
     unfinished += solved.unfinished();
     worst_residual = std::max(worst_residual, solved.residual.value_or(0));
+  }
+  /// Counts the work of a solve whose answer is left for another one.
+  void count_left(const SolveReport& solved, int row_count) {
+    sweeps += solved.iterations;
+    row_sweeps += std::int64_t{solved.iterations} * row_count;
+    extra_row_sweeps += std::int64_t{solved.extra_sweeps} * row_count;
   }
 };
 
@@ -49,6 +60,12 @@ struct StepRecord {
   int first_contact_block = 0;                  // the block of the first manifold
   PerRow<char> is_new = {};                     // it had no impulse to start from
   List<std::pair<BodyId, BodyId>> sensed = {};  // what touches a sensor, the lower id first, sorted
+  /// The problem has all rows; else its solver took contacts as they are, those that could do without rows.
+  bool has_rows = true;
+  List<Contact<Real>> contacts = {};         // of each manifold, then
+  PerBody<Pose<Real>> pose_before = {};      // where the substep began,
+  PerBody<Vec3<Real>> velocity_before = {};  // how fast bodies were,
+  PerBody<Vec3<Real>> free_velocity = {};    // and v_1
 };
 
 }  // namespace cairn

@@ -8,6 +8,29 @@
 
 namespace cairn {
 
+namespace {
+
+/// Of the bodies as a substep of dt [s] would leave them, the first that can be moved: what solves lose, they
+/// hand on to whatever immovable body the row holds.
+template <Scalar Real>
+std::optional<BodyId> first_not_finite(const BodyState<Real>& state, const PerBody<Vec3<Real>>& going,
+                                       const PerBody<Vec3<Real>>& staying, Real dt) {
+  std::optional<BodyId> first;
+  for (const BodyId body : state.pose.indices()) {
+    const Pose<Real>& pose = state.pose[body];
+    const Vec3<Real>& v = going[body];
+    const bool finite = std::isfinite(pose.position.x() + dt * v.x()) &&
+                        std::isfinite(pose.position.y() + dt * v.y()) &&
+                        std::isfinite(pose.angle + dt * v.z()) && staying[body].allFinite();
+    if (finite) continue;
+    if (state.inverse_mass[body].x() > 0) return body;
+    if (!first) first = body;
+  }
+  return first;
+}
+
+}  // namespace
+
 /// Events are done to another world, which takes the place of this one once its step is done.
 template <Scalar Real>
 StepReport World<Real>::step(Solver<Real>& solver, SolveObserver<Real>* observer) {
@@ -27,7 +50,7 @@ template <Scalar Real>
 StepReport World<Real>::take_step(Solver<Real>& solver, SolveObserver<Real>* observer) {
   const Occupation::Scope scope(occupation_, "World::step");
   StepReport report;
-  if (sleep_ && hand_) sleep_->wake(hand_->body());
+  if (sleep_ && hand_.joint()) sleep_->wake(hand_.joint()->body());
   if (plan_->substeps > 1) first_pose_ = state_.pose, first_velocity_ = state_.velocity;
   try {
     for (int i = 0; i < plan_->substeps && !report.not_finite; ++i) substep(i, solver, observer, report);
@@ -37,26 +60,22 @@ StepReport World<Real>::take_step(Solver<Real>& solver, SolveObserver<Real>* obs
   }
   report.awake.bodies = plan_->dynamic_bodies;
   if (sleep_) {
-    if (!report.not_finite) sleep_->let_sleep(record_.manifolds, dt_, state_);
+    if (!report.not_finite) sleep_->let_sleep(record_.manifolds, clock_.dt, state_);
     report.awake = sleep_->count();
   }
-  time_ += dt_;
-  steps_ += 1;
+  clock_.time += clock_.dt;
+  clock_.steps += 1;
   report.rows = record_.is_new.size();
   for (const Manifold<Real>& manifold : record_.manifolds) report.contacts += manifold.count;
-  count_failures(report);
+  report.too_deep = contacts_.count_too_deep(now(), record_.manifolds);
   return report;
 }
 
-/// Of a step that is not done: bodies are where it began. What was found on the way is found again, and the
-/// solver may have lost what it knows of contacts.
+/// Of a step that is not done: bodies are where it began. What was found on the way is found again.
 template <Scalar Real>
 void World<Real>::leave_step() {
   if (plan_->substeps > 1) state_.pose = first_pose_, state_.velocity = first_velocity_;
-  leave_contacts();
-  touching_.clear();
   record_ = {};
-  has_rows_ = true;
   written_.forget();
 }
 
@@ -64,134 +83,60 @@ template <Scalar Real>
 void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>* observer,
                           StepReport& report) {
   Deadline::go_on();
-  ContactSolver<Real>* const direct = observer == nullptr ? contact_solver(solver) : nullptr;
+  const Substep<Real> step = now_asleep();
   if (number == 0 || !plan_->moves_manifolds) {
-    find_contacts(direct);  // 1, 2  poses -> pairs -> manifolds
-  } else if (!follow_contacts(direct)) {
-    move_manifolds();  //       or those of the step, where they are now
-  }
-  apply_forces();  // 3     v_1 = v + dt M^-1 f: gravity is in before any constraint is solved
-  if (direct != nullptr) {
-    solve_contacts(*direct, report);  // 4, 5  manifolds -> impulses, v_2
+    contacts_.find(step, record_);  // 1, 2  poses -> pairs -> manifolds
   } else {
-    solve_rows(solver, observer, report);  // 4, 5  joints and manifolds -> rows -> impulses, v_2
+    contacts_.move(step, record_);  //       or those of the step, where they are now
   }
-  report.not_finite = first_not_finite();
-  if (report.not_finite) {  // nothing has moved, and the impulses remembered are those of before
-    if (direct != nullptr) take_back_contacts(*direct);
-    return;
-  }
-  state_.velocity.swap(moving_velocity_);
-  integrate_positions(state_, substep_length());  // 6  with the new velocities: semi-implicit Euler
-  state_.velocity = record_.problem.velocity;
-  if (direct != nullptr) {
-    remember_contacts(*direct, number);  // 7
-  } else {
-    remember_impulses();  // 7
-  }
-}
-
-template <Scalar Real>
-void World<Real>::solve_rows(Solver<Real>& solver, SolveObserver<Real>* observer, StepReport& report) {
-  has_rows_ = true;
   written_.forget();
-  leave_contacts();
-  write_rows(StabilizationPass::velocity, record_.problem);
-  warm_start();  // with last step's impulses
-  if (plan_->relaxes) {
-    velocity_before_ = record_.problem.velocity;
-    impulse_before_ = record_.problem.impulse;
-  }
-  report.solve = solver.solve(record_.problem, observer);
-  report.count(report.solve);
-  moving_velocity_ = record_.problem.velocity;
-  if (plan_->corrects_positions) correct_positions(solver, report);
-  if (plan_->relaxes) relax(solver, report);
-}
-
-/// The policies relaxed and soft: solves again from v_1, without what moves the positions, so that its speed
-/// does not stay in the velocities.
-template <Scalar Real>
-void World<Real>::relax(Solver<Real>& solver, StepReport& report) {
-  record_.problem.velocity = velocity_before_;
-  if (plan_->second_start == SecondStart::of_first_start) record_.problem.impulse = impulse_before_;
-  relax_rows();
-  report.count(solver.solve_again(record_.problem));
-}
-
-/// The policy split_impulse: adds velocities that take errors back. The velocities of the step come back once
-/// positions are integrated.
-template <Scalar Real>
-void World<Real>::correct_positions(Solver<Real>& solver, StepReport& report) {
-  second_problem_.velocity = record_.problem.velocity;
-  second_problem_.inverse_mass = record_.problem.inverse_mass;
-  second_problem_.dt = record_.problem.dt;
-  write_rows(StabilizationPass::position, second_problem_);
-  for (Vec3<Real>& v : second_problem_.velocity) v.setZero();
-  second_problem_.impulse.assign(second_problem_.rows.size(), Real(0));
-  report.count(solver.solve(second_problem_));
-  for (const BodyId body : moving_velocity_.indices())
-    moving_velocity_[body] += second_problem_.velocity[body];
+  // 3     v_1 = v + dt M^-1 f: gravity is in before any constraint is solved
+  // 4, 5  joints and manifolds -> rows -> impulses, v_2
+  const PerBody<Vec3<Real>>& going =
+      solves_.solve({step, joints_, contacts_, record_}, solver, observer, report);
+  const PerBody<Vec3<Real>>& staying = record_.problem.velocity;
+  report.not_finite = first_not_finite(state_, going, staying, step.dt);
+  if (report.not_finite) return;  // nothing has moved, and the impulses remembered are those of before
+  state_.velocity = going;
+  integrate_positions(state_, step.dt);  // 6  with the new velocities: semi-implicit Euler
+  state_.velocity = staying;
+  joints_.remember(step, record_.problem);  // 7
+  contacts_.remember(record_);
 }
 
 template <Scalar Real>
 VelocityProblem<Real> World<Real>::velocity_problem() const {
   World twin = *this;
-  twin.do_events();
-  twin.find_contacts(nullptr);
-  twin.apply_forces();
-  twin.write_rows(StabilizationPass::velocity, twin.record_.problem);
-  twin.warm_start();
+  do_events(twin);
+  const Substep<Real> step = twin.now_asleep();
+  twin.contacts_.find(step, twin.record_);
+  twin.solves_.write({step, twin.joints_, twin.contacts_, twin.record_});
   return twin.record_.problem;
 }
 
 template <Scalar Real>
-void World<Real>::apply_forces() {
-  const Real dt = substep_length();
-  record_.problem.velocity = state_.velocity;
-  if (plan_->gravity) {
-    const Vec2<Real> gravity = scene_->settings().gravity.template cast<Real>();
-    apply_gravity(record_.problem.velocity, state_.inverse_mass, kind_, forces_, gravity, dt);
-  }
-  if (plan_->damping) apply_damping(record_.problem.velocity, state_.inverse_mass, kind_, forces_, dt);
-  if (sleep_) sleep_->hold(record_.problem.velocity);
-  record_.problem.dt = dt;
-  record_.problem.inverse_mass = state_.inverse_mass;
-  if (plan_->follows_arcs) stiffen_bodies();
+Substep<Real> World<Real>::now() const {
+  return {.scene = *scene_,
+          .plan = *plan_,
+          .kinds = *kinds_,
+          .state = state_,
+          .hand = hand_.joint(),
+          .dt = static_cast<Real>(clock_.dt / scene_->settings().substeps),
+          .step_dt = static_cast<Real>(clock_.dt)};
 }
 
-/// Bodies take part in the solve with the mass max(M, h^2 K) in each of their freedoms, and with the momentum
-/// that they have: the implicit step for the forces of joints that turn with what they hold, of which K, the
-/// geometric stiffness, is a bound. Where h^2 K <= M nothing changes. An explicit step is stable for
-/// h^2 K <= 4 M at most.
+/// The same with who sleeps.
 template <Scalar Real>
-void World<Real>::stiffen_bodies() {
-  VelocityProblem<Real>& problem = record_.problem;
-  find_stiffness();
-  for (const BodyId body : stiffness_.indices()) {
-    for (int k = 0; k < 3; ++k) {
-      const Real share = problem.dt * problem.dt * stiffness_[body][k] * problem.inverse_mass[body][k];
-      if (!(share > 1)) continue;
-      problem.inverse_mass[body][k] /= share;
-      problem.velocity[body][k] /= share;
-    }
-  }
+Substep<Real> World<Real>::now_asleep() {
+  Substep<Real> step = now();
+  if (sleep_) step.sleep = &*sleep_;
+  return step;
 }
 
-/// Of all joints that are awake, under the forces of the last substep.
+/// Before something changes that rows are written from.
 template <Scalar Real>
-void World<Real>::find_stiffness() {
-  stiffness_.assign(state_.pose.size(), Vec3<Real>::Zero());
-  for (int i = 0; i < tie_count(); ++i) {
-    const JointImpulses& before = joint_impulses_[i];
-    if (tie_asleep(i) || before.count == 0) continue;
-    forces_before_.rows.resize(before.count);
-    for (int k = 0; k < before.count; ++k)
-      forces_before_.rows[k] = {before.rows[k].part, before.rows[k].impulse / before.dt};
-    const bool is_joint = i < scene_->joints().size();
-    const Constraint& tie = is_joint ? *scene_->joints()[i] : *hand_;
-    tie.add_stiffness(state_.pose, forces_before_, stiffness_);
-  }
+void World<Real>::keep_rows() {
+  if (!record_.has_rows) record_ = last_step();
 }
 
 template class World<float>;

@@ -1,9 +1,8 @@
-// Floor 5. Changing a world while it runs: the scene that it steps, and the hand that drags a body.
+// Floor 5. Changing a world while it runs.
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
 
-#include "math/check.hpp"
 #include "world/world.hpp"
 
 namespace cairn {
@@ -42,12 +41,13 @@ List<JointId> joint_ids(const Scene& scene) {
   return ids;
 }
 
-/// Whether two shapes lie among the same others as before.
-template <Scalar Real>
-bool has_same_surroundings(const Collider<Real>& one, const Collider<Real>& other) {
-  const auto &around = one.form->around, &around_other = other.form->around;
-  if (!around || !around_other) return around == around_other;
-  return *around == *around_other;
+/// [s] Until when events are due; none where none is.
+std::optional<double> due_time(const Scene& scene, const Clock& clock) {
+  // A sum of n steps is off by fewer than n roundings of itself.
+  const double until = clock.time * (1 + clock.steps * std::numeric_limits<double>::epsilon());
+  const List<SceneEvent>& events = scene.events();
+  if (events.empty() || events.front().time > until) return {};
+  return until;
 }
 
 }  // namespace
@@ -83,68 +83,33 @@ void World<Real>::edit(const std::function<void(Scene&)>& change) {
 /// This world as it would go on after the events that are due; none where none is.
 template <Scalar Real>
 std::optional<World<Real>> World<Real>::after_events() {
-  // A sum of n steps is off by fewer than n roundings of itself.
-  const double until = time_ * (1 + steps_ * std::numeric_limits<double>::epsilon());
-  const List<SceneEvent>& events = scene_->events();
-  if (events.empty() || events.front().time > until) return {};
-  return after([until](Scene& scene) { scene.do_events(until); });
+  const std::optional<double> until = due_time(*scene_, clock_);
+  if (!until) return {};
+  return after([until](Scene& scene) { scene.do_events(*until); });
 }
 
 template <Scalar Real>
-bool World<Real>::do_events() {
-  occupation_.refuse("World::do_events");
-  std::optional<World> next = after_events();
-  if (next) *this = std::move(*next);
-  return next.has_value();
+bool do_events(World<Real>& world) {
+  const std::optional<double> until = due_time(world.scene(), world.clock());
+  if (until) world.edit([until](Scene& scene) { scene.do_events(*until); });
+  return until.has_value();
 }
 
 /// Takes over what `before`, whose scene was `then`, has that the scene of this world left alone.
 template <Scalar Real>
 void World<Real>::carry_over(const World& before, const Scene& then) {
-  if (scene_->settings().dt == then.settings().dt) dt_ = before.dt_;
-  time_ = before.time_;
-  steps_ = before.steps_;
-  hand_inputs_ = before.hand_inputs_;
+  const bool keeps_dt = scene_->settings().dt == then.settings().dt;
+  clock_ = {before.clock_.time, before.clock_.steps, keeps_dt ? before.clock_.dt : clock_.dt};
   for (const BodyId body : then.bodies().indices()) {
     const SceneBody &was = then.bodies()[body], &is = scene_->bodies()[body];
     if (is.removed) continue;
     if (same_place(was, is)) state_.pose[body] = before.state_.pose[body];
     if (same_motion(was, is)) state_.velocity[body] = before.state_.velocity[body];
   }
-  int joint = 0;  // of those before; ids ascend
-  for (int i = 0; i < scene_->joints().size(); ++i) {
-    while (joint < then.joints().size() && then.joint_id(joint) < scene_->joint_id(i)) ++joint;
-    const bool is_old = joint < then.joints().size() && then.joint_id(joint) == scene_->joint_id(i);
-    if (is_old) joint_impulses_[i] = before.joint_impulses_[joint];
-  }
-  if (before.hand_ && scene_->bodies()[before.hand_->body()].spec.type == BodyType::dynamic) {
-    hand_ = before.hand_;
-    joint_impulses_.back() = before.joint_impulses_.back();
-  }
-  carry_contacts(before);
+  hand_ = before.hand_.in(*scene_);
+  joints_.carry_over(before.joints_, then, now());
+  contacts_.carry_over(before.contacts_, numbers_now(*before.scene_, *scene_), now());
   if (sleep_ && before.sleep_) carry_sleep(before, then);
-}
-
-template <Scalar Real>
-void World<Real>::carry_contacts(const World& before) {
-  const List<int> numbers = numbers_now(*before.scene_, *scene_);
-  List<ContactSlot<Real>> slots;
-  List<LastingManifold<Real>> lasting;
-  for (const NearSlot& near : before.graph_.order()) {
-    if (near.slot == NearSlot::none) continue;
-    const ContactSlot<Real>& old = before.graph_[near.slot];
-    const int a = numbers[old.collider_a], b = numbers[old.collider_b];
-    if (a < 0 || b < 0 || !may_meet(a, b)) continue;
-    ContactSlot<Real> slot = make_slot(a, b);
-    slot.impulses = old.impulses;
-    slots.push_back(slot);
-    if (!before.graph_.lasts()) continue;
-    lasting.push_back(before.graph_.lasting(near.slot));
-    lasting.back().is_found = lasting.back().is_found &&
-                              has_same_surroundings((*before.colliders_)[old.collider_a], (*colliders_)[a]) &&
-                              has_same_surroundings((*before.colliders_)[old.collider_b], (*colliders_)[b]);
-  }
-  graph_.begin_with(std::move(slots), std::move(lasting));
 }
 
 /// Everything sleeps on but for what has changed, and what touched it or was held by it.
@@ -162,13 +127,10 @@ void World<Real>::carry_sleep(const World& before, const Scene& then) {
   for (const BodyId body : then.bodies().indices()) {
     if (has_changed(body)) sleep_->wake(body);
   }
-  for (const NearSlot& near : before.graph_.order()) {
-    if (near.slot == NearSlot::none) continue;
-    const ContactSlot<Real>& slot = before.graph_[near.slot];
-    if (slot.impulses.count == 0) continue;
-    if (has_changed(slot.a)) sleep_->wake(slot.b);
-    if (has_changed(slot.b)) sleep_->wake(slot.a);
-  }
+  before.contacts_.for_each_touch([&](BodyId a, BodyId b) {
+    if (has_changed(a)) sleep_->wake(b);
+    if (has_changed(b)) sleep_->wake(a);
+  });
   const auto wake_ends = [&](const Scene& scene, const Scene& other) {
     const List<JointId> others = joint_ids(other);
     for (int i = 0; i < scene.joints().size(); ++i) {
@@ -185,48 +147,21 @@ void World<Real>::carry_sleep(const World& before, const Scene& then) {
 }
 
 template <Scalar Real>
-void World<Real>::grab(const DragJoint::Spec& grip) {
-  occupation_.refuse("World::grab");
+void World<Real>::move_hand(const HandInput& input) {
+  occupation_.refuse("World::move_hand");
   PerBody<Pose<double>> poses;
-  for (const Pose<Real>& pose : state_.pose) {
-    poses.push_back({pose.position.template cast<double>(), static_cast<double>(pose.angle)});
+  if (input.kind == HandInput::Kind::grab) {
+    for (const Pose<Real>& pose : state_.pose)
+      poses.push_back({pose.position.template cast<double>(), static_cast<double>(pose.angle)});
+    keep_rows();  // which are without the hand's
   }
-  auto hand = std::make_shared<const DragJoint>(grip, poses);
-  require(scene_->bodies()[grip.body].spec.type == BodyType::dynamic, "World::grab", "body",
-          "one that is dynamic", grip.body.index);
-  keep_rows();  // which are without the hand's
-  hand_ = std::move(hand);
-  joint_impulses_.back() = {};
-  hand_inputs_.push_back({.step = steps_, .kind = HandInput::Kind::grab, .grip = grip});
+  hand_.move(input, clock_.steps, *scene_, poses);
+  if (input.kind == HandInput::Kind::grab) joints_.forget_hand();
 }
 
-template <Scalar Real>
-void World<Real>::drag_to(const Vec2<double>& target) {
-  occupation_.refuse("World::drag_to");
-  require(hand_ != nullptr, "World::drag_to", "target", "given while the hand holds a body", "nothing held");
-  hand_ = std::make_shared<const DragJoint>(hand_->moved_to(target));
-  hand_inputs_.push_back({.step = steps_, .kind = HandInput::Kind::drag_to, .target = target});
-}
-
-template <Scalar Real>
-void World<Real>::let_go() {
-  occupation_.refuse("World::let_go");
-  if (!hand_) return;
-  hand_.reset();
-  hand_inputs_.push_back({.step = steps_, .kind = HandInput::Kind::let_go});
-}
-
-template <Scalar Real>
-void World<Real>::repeat(const HandInput& input) {
-  switch (input.kind) {
-    case HandInput::Kind::grab:
-      return grab(input.grip);
-    case HandInput::Kind::drag_to:
-      return drag_to(input.target);
-    case HandInput::Kind::let_go:
-      return let_go();
-  }
-}
+template bool do_events(World<float>&);
+template bool do_events(World<double>&);
+template bool do_events(World<long double>&);
 
 template class World<float>;
 template class World<double>;

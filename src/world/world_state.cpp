@@ -86,33 +86,19 @@ BodyTraits<Real> traits_of(const BodySpec& spec, Real radius) {
 
 }  // namespace
 
-/// That of one of the last few kinds, if it is the same; else of a new one.
-template <Scalar Real>
-int World<Real>::kind_of(const BodyForces<Real>& forces, const BodyTraits<Real>& traits) {
-  const int few = 16;
-  for (int i = traits_.size() - 1; i >= 0 && i >= traits_.size() - few; --i) {
-    if (forces_[i] == forces && traits_[i] == traits) return i;
-  }
-  forces_.push_back(forces);
-  traits_.push_back(traits);
-  return traits_.size() - 1;
-}
-
 template <Scalar Real>
 World<Real>::World(Scene scene)
     : scene_(std::make_shared<const Scene>(std::move(scene))),
       plan_(std::make_shared<const Plan>(make_plan(*scene_))),
-      pins_(std::make_shared<const Pins>(find_pins(*scene_))),
-      dt_(scene_->settings().dt) {
-  List<Collider> colliders = make_colliders<Real>(*scene_);
+      contacts_(make_colliders<Real>(*scene_), *scene_, *plan_),
+      joints_(*scene_),
+      clock_{.dt = scene_->settings().dt} {
   PerBody<Real> radius(scene_->bodies().size());
-  for (const Collider& collider : colliders) {
+  for (const Collider<Real>& collider : contacts_.colliders())
     radius[collider.body] = std::max(radius[collider.body], collider.form->radius);
-    movable_.push_back(scene_->bodies()[collider.body].spec.type == BodyType::dynamic ? 1 : 0);
-  }
   for (PerBody<Vec3<Real>>* each : {&state_.velocity, &state_.inverse_mass}) each->reserve(radius.size());
   state_.pose.reserve(radius.size());
-  kind_.reserve(radius.size());
+  const auto kinds = std::make_shared<BodyKinds<Real>>();
   for (const BodyId id : scene_->bodies().indices()) {
     const SceneBody& body = scene_->bodies()[id];
     const BodySpec& spec = body.spec;
@@ -125,14 +111,10 @@ World<Real>::World(Scene scene)
     const Real inverse_mass = body.mass > 0 ? static_cast<Real>(1 / body.mass) : Real(0);
     const Real inverse_inertia = body.inertia > 0 ? static_cast<Real>(1 / body.inertia) : Real(0);
     state_.inverse_mass.push_back({inverse_mass, inverse_mass, inverse_inertia});
-    kind_.push_back(kind_of(forces_on<Real>(spec), traits_of(spec, radius[id])));
+    kinds->add(forces_on<Real>(spec), traits_of(spec, radius[id]));
   }
+  kinds_ = kinds;
   if (plan_->sleeping) sleep_.emplace(*scene_);
-  frames_.resize(state_.pose.size());
-  outlook_.take_room(state_.pose.size(), colliders.size());
-  joint_impulses_.resize(scene_->joints().size() + 1);
-  graph_ = ContactGraph<Real>(plan_->broadphase, movable_, plan_->moves_manifolds);
-  colliders_ = std::make_shared<const List<Collider>>(std::move(colliders));
 }
 
 template <Scalar Real>
@@ -140,7 +122,7 @@ void World<Real>::set_dt(double dt) {
   occupation_.refuse("World::set_dt");
   require_time_step(dt, "World::set_dt");
   keep_rows();  // which are of the dt before
-  dt_ = dt;
+  clock_.dt = dt;
 }
 
 template <Scalar Real>
@@ -153,14 +135,6 @@ void World<Real>::set_velocity(BodyId body, const Vec3<double>& velocity) {
   require_finite(Vec2<double>(velocity.head<2>()), "World::set_velocity", "velocity", "m/s");
   require_finite(velocity.z(), "World::set_velocity", "angular velocity", "rad/s");
   state_.velocity[body] = velocity.template cast<Real>();
-  wake(body);
-}
-
-template <Scalar Real>
-void World<Real>::wake(BodyId body) {
-  occupation_.refuse("World::wake");
-  require(body.index >= 0 && body.index < state_.pose.size(), "World::wake", "body",
-          "the id of a body of this world", body.index);
   if (sleep_) sleep_->wake(body);
 }
 

@@ -1,7 +1,8 @@
-// What the paper says of speed, memory and code, and what features and constraints cost: eleven tables.
+// What the paper says of speed, memory and code, and what features and constraints cost, and what the default
+// is chosen by: twelve tables.
 //   bash tests/run bench   all of them, in about two minutes
 //   cairn_bench [solvers|layout|memory|blocks|lines|features|constraints|policies|searches|
-//                growth|devices]   some of them
+//                growth|devices|default]   some of them
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -41,7 +42,8 @@ bool print_tables(const cairn::List<std::string>& wanted) {
                                      {"policies", cairn::bench::print_policy_table},
                                      {"searches", cairn::bench::print_search_table},
                                      {"growth", cairn::bench::print_growth_table},
-                                     {"devices", cairn::bench::print_device_table}};
+                                     {"devices", cairn::bench::print_device_table},
+                                     {"default", cairn::bench::print_default_table}};
   const auto named = [&](const std::string& name) {
     return [&name](const Table& table) { return table.first == name; };
   };

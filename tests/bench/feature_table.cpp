@@ -212,6 +212,7 @@ SceneSettings with_policy(StabilizationPolicy policy) { return {.stabilization =
 List<Feature> step_features() {
   const TimedRun plain = tower({});
   const TimedRun no_policy = tower_with(with_policy(StabilizationPolicy::none));
+  const TimedRun baumgarte = tower_with(with_policy(StabilizationPolicy::baumgarte));
   const TimedRun split = tower_with(with_policy(StabilizationPolicy::split_impulse));
   const TimedRun soft = tower_with(with_policy(StabilizationPolicy::soft));
   return {
@@ -224,7 +225,8 @@ List<Feature> step_features() {
       {"sensors", plain, tower({}, {.sensor = true}), tower({}, {.position = {1e-9, 10}, .sensor = true})},
       {"filters", plain, tower({.category = 2, .collides_with = 3}), {}},
       {"warm start", tower_with({.warm_start = false}), {}, plain},
-      {"policy baumgarte", no_policy, {}, plain},
+      {"policy baumgarte", no_policy, {}, baumgarte},
+      {"policy relaxed", no_policy, {}, plain},
       {"policy split_impulse", no_policy, {}, split},
       {"policy soft", no_policy, {}, soft},
       {"substeps (2)", plain, {}, tower_with({.substeps = 2})},

@@ -26,6 +26,8 @@ List<PolicyLine> policy_lines() {
           {"Baumgarte, beta = 0.2",
            {.policy = Policy::baumgarte, .slop = 0, .max_speed = std::numeric_limits<double>::infinity()}},
           {"Baumgarte, at most 0.5 m/s", {.policy = Policy::baumgarte, .slop = 0, .max_speed = 0.5}},
+          {"relaxed", {.policy = Policy::relaxed, .slop = 0}},
+          {"relaxed, 4 substeps", {.policy = Policy::relaxed, .slop = 0}, 4},
           {"soft, 30 Hz, with relaxing", {.policy = Policy::soft, .slop = 0}},
           {"soft, 4 substeps", {.policy = Policy::soft, .slop = 0}, 4},
           {"split impulse", {.policy = Policy::split_impulse, .slop = 0}}};

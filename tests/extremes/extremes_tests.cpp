@@ -1,11 +1,13 @@
 // The quick part of the extremes: everything holds, degrades within bounds or is refused, as it must.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <string>
 
 #include "extremes/extreme.hpp"
+#include "extremes/extreme_axes.hpp"
 #include "extremes/extreme_study.hpp"
 #include "math/list.hpp"
 
@@ -64,6 +66,26 @@ TEST_CASE("what must be bounded may be right, and nothing else may be what it wa
   CHECK_FALSE(meets(Verdict::refuse, Verdict::ok));
   for (const Verdict required : {Verdict::ok, Verdict::bound, Verdict::refuse})
     CHECK_FALSE(meets(required, Verdict::fail));
+}
+
+TEST_CASE("R_E tells why a run failed once what it leaves in every substep moves a body by half its size") {
+  Scene scene;
+  scene.add_ground();
+  scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .mass = 1});
+  scene.add({.shapes = {box(1, 1)}, .position = {0, 1.5}, .mass = 99});
+  const Setting setting = setting_of("si", 10, StabilizationPolicy::relaxed, 4);
+  const ExtremeRun run{.seconds = 3};
+  const double asked = 10.0 / 240, fastest = asked * std::sqrt(100.0);
+  const double told = telling_residual(scene, setting, run);
+  CHECK(told == doctest::Approx(0.5 / (0.5 + fastest * 3)));
+  double left = 0, way = 0;  // [m/s, m] of the light box, where each solve leaves that share
+  for (int substep = 0; substep < 720; ++substep) {
+    left = told * (fastest + left);
+    way += left / 240;
+  }
+  CHECK(way == doctest::Approx(0.5).epsilon(0.01));
+  scene.set_settings({.gravity = {0, 0}});
+  CHECK(telling_residual(scene, setting, run) == 1);
 }
 
 TEST_CASE("a refusal that names no rule, an error of another kind and a NaN are failures") {

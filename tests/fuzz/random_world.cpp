@@ -64,9 +64,9 @@ class SweepThrower final : public SolveObserver<Real> {
 template <Scalar Real>
 std::uint64_t bits_of_bodies(const World<Real>& world) {
   Fingerprint bits;
-  bits.add(world.time());
-  bits.add(static_cast<double>(world.steps()));
-  bits.add(world.dt());
+  bits.add(world.clock().time);
+  bits.add(static_cast<double>(world.clock().steps));
+  bits.add(world.clock().dt);
   for (const BodyId body : world.bodies().pose.indices()) {
     const Pose<Real>& pose = world.bodies().pose[body];
     if (!pose.position.allFinite() || !std::isfinite(pose.angle) ||
@@ -141,11 +141,11 @@ class RandomWorld {
       case 6:
         return grab(body);
       case 7:
-        return world_.drag_to(place());
+        return world_.move_hand(HandInput::drag_to(place()));
       case 8:
-        return world_.let_go();
+        return world_.move_hand(HandInput::let_go());
       case 9:
-        return world_.wake(body);
+        return wake(body);
       case 10:
         return go_on_as_copy();
       default:
@@ -159,9 +159,17 @@ class RandomWorld {
     world_.set_velocity(body, {x, y, choices_.between(-most, most)});
   }
 
+  /// As it moves already; an unknown one is refused.
+  void wake(BodyId body) {
+    const PerBody<Vec3<Real>>& velocity = world_.bodies().velocity;
+    const bool is_known = body.index >= 0 && body.index < velocity.size();
+    world_.set_velocity(
+        body, is_known ? Vec3<double>(velocity[body].template cast<double>()) : Vec3<double>(0, 0, 0));
+  }
+
   void grab(BodyId body) {
     const Vec2<double> anchor = place();
-    world_.grab({.body = body, .anchor = anchor, .target = place()});
+    world_.move_hand(HandInput::grab({.body = body, .anchor = anchor, .target = place()}));
   }
 
   void go_on_as_copy() {
@@ -173,7 +181,7 @@ class RandomWorld {
   /// The exact solver takes few rows only. How many a step has is known beforehand where it is solved once.
   Solver<Real>& stepper() {
     if (choice_.name != "reference") return *solver_;
-    const bool is_short = world_.plan().substeps == 1;
+    const bool is_short = make_plan(world_.scene()).substeps == 1;
     if (is_short && world_.velocity_problem().row_count() <= most_counted_rows) return *solver_;
     choice_ = {};
     solver_ = choice_.make<Real>();
@@ -233,7 +241,7 @@ class RandomWorld {
     } catch (const Thrown&) {
     }
     require_same_bodies(world_, before, "behind a step that was not done");
-    if (world_.plan().substeps > 1) return true;
+    if (make_plan(world_.scene()).substeps > 1) return true;
     World<Real> one = world_, other = before;
     SolverChoice plain;
     const std::unique_ptr<Solver<Real>> its = plain.make<Real>(), others = plain.make<Real>();

@@ -149,7 +149,7 @@ TEST_CASE("no spring is too stiff: what the step can follow is kept, what it can
     World world(
         bob_under(SwingSoftness{.frequency = turn_of_step / dt / (2 * pi)}, {.gravity = {0, 0}, .dt = dt}));
     const auto stretch = [&] {  // in the middle of the step
-      return -world.bodies().pose[{1}].position.y() - 2 + world.dt() / 2 * world.bodies().velocity[{1}].y();
+      return -world.bodies().pose[{1}].position.y() - 2 + world.clock().dt / 2 * world.bodies().velocity[{1}].y();
     };
     const Range all = range_of(world, 10, stretch);
     CHECK(std::max(all.largest, -all.least) <= 0.25 * (1 + 1e-12));

@@ -60,7 +60,7 @@ std::uint64_t run_to_an_end(World<double> world, int number) {
   for (int step = 0; step < 15; ++step) {
     if (step == 4) world.set_velocity(BodyId{1 + number}, {0, 1, 0});
     if (step == 8) world.edit([number](Scene& scene) { scene.remove(BodyId{7 + number}); });
-    if (step == 12) world.grab({.body = BodyId{2}, .target = {0, 4.0 + number}});
+    if (step == 12) world.move_hand(HandInput::grab({.body = BodyId{2}, .target = {0, 4.0 + number}}));
     world.step(number % 2 == 0 ? static_cast<Solver<double>&>(wide) : plain);
   }
   return fingerprint_of(snapshot(world));

@@ -38,7 +38,7 @@ List<double> apexes(const BallSpec& spec, int count) {
   SequentialImpulse<double> solver;
   List<double> result;
   double before = 0;
-  while (result.size() < count && world.time() < 60) {
+  while (result.size() < count && world.clock().time < 60) {
     world.step(solver);
     if (speed_of_ball(world) < 0 && before > 0) result.push_back(height_of_ball(world));
     before = speed_of_ball(world);

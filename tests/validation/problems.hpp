@@ -18,7 +18,7 @@ inline constexpr double test_dt = standard_dt;            // [s]
 /// Steps the world for about this long [s]: a whole number of steps.
 template <Scalar Real>
 void run(World<Real>& world, Solver<Real>& solver, double seconds) {
-  const int steps = static_cast<int>(std::lround(seconds / world.dt()));
+  const int steps = static_cast<int>(std::lround(seconds / world.clock().dt));
   for (int i = 0; i < steps; ++i) world.step(solver);
 }
 

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "constraints/distance_joint.hpp"
+#include "constraints/revolute_joint.hpp"
 #include "leaning_wall.hpp"
 #include "math/list.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
@@ -98,7 +99,7 @@ TEST_CASE("neither another dt nor a hand changes the record of the step before")
   const Twins twins;
   World<double> with_other_dt = twins.world, with_a_hand = twins.world;
   with_other_dt.set_dt(0.005);
-  with_a_hand.grab({.body = BodyId{7}, .target = {3, 9}});
+  with_a_hand.move_hand(HandInput::grab({.body = BodyId{7}, .target = {3, 9}}));
   check_same_record(with_other_dt.last_step(), twins.observed.last_step());
   check_same_record(with_a_hand.last_step(), twins.observed.last_step());
 }
@@ -123,20 +124,35 @@ TEST_CASE("masses that change in mid-run reach the lanes") {
   check_same(world, observed);
 }
 
-TEST_CASE("patience, joints, rebounds and friction by manifolds ask for rows") {
+TEST_CASE("patience and split impulses ask for rows") {
   CHECK(WideSequentialImpulse<double>({.iterations = 4}).for_contacts() != nullptr);
   CHECK(WideSequentialImpulse<double>({.tolerance = 1e-6}).for_contacts() != nullptr);
   CHECK(WideSequentialImpulse<double>({.patience = 8}).for_contacts() == nullptr);
   CHECK(SequentialImpulse<double>().for_contacts() == nullptr);
-  CHECK(make_plan(leaning_wall({})).contacts_alone);
-  CHECK_FALSE(make_plan(leaning_wall({.friction_rows = FrictionRows::per_manifold})).contacts_alone);
+  CHECK(make_plan(leaning_wall({})).contacts_without_rows);
   SceneSettings split;
   split.stabilization.policy = StabilizationPolicy::split_impulse;
-  CHECK_FALSE(make_plan(leaning_wall(split)).contacts_alone);
-  Scene bouncing = leaning_wall({});
-  bouncing.add({.shapes = {circle(0.5)}, .position = {0, 20}, .restitution = 0.5});
-  CHECK_FALSE(make_plan(bouncing).contacts_alone);
-  Scene jointed = leaning_wall({});
-  jointed.join<DistanceJoint>({.a = BodyId{3}, .b = BodyId{9}, .anchor_a = {0, 9}, .anchor_b = {2, 9}});
-  CHECK_FALSE(make_plan(jointed).contacts_alone);
+  CHECK_FALSE(make_plan(leaning_wall(split)).contacts_without_rows);
+}
+
+TEST_CASE_TEMPLATE("joints, rebounds and contacts that need rows leave all others without: to the same bits",
+                   Real, float, double) {
+  for (const SolverSettings& settings : {SolverSettings{.iterations = 4}, SolverSettings{.iterations = 1},
+                                         SolverSettings{.iterations = 60, .tolerance = 0.02}}) {
+    for (const Scene& scene : walls()) {
+      const auto check = [&](const Scene& mixed) {
+        check_steps<Real>(mixed, settings, Momentum::none, widest_lane_set());
+        check_steps<Real>(mixed, settings, Momentum::nesterov, LaneSet::baseline);
+      };
+      Scene mixed = scene;
+      mixed.add({.shapes = {circle(0.5)}, .position = {0.3, 20}, .velocity = {0, -9}, .restitution = 0.5});
+      check(mixed);
+      mixed.join<DistanceJoint>({.a = BodyId{3}, .b = BodyId{9}, .anchor_a = {0, 9}, .anchor_b = {2, 9}});
+      mixed.join<RevoluteJoint>(
+          {.a = ground, .b = BodyId{5}, .anchor = scene.bodies()[BodyId{5}].pose.position});
+      check(mixed);
+    }
+  }
+  check_steps<Real>(leaning_wall({.friction_rows = FrictionRows::per_manifold}), {.iterations = 4},
+                    Momentum::none, widest_lane_set());
 }

@@ -168,7 +168,7 @@ TEST_CASE("a world that is copied before an event goes on as the other, and the 
   World<double> again = before;
   take_steps(again, 8);
   CHECK(again.bodies().pose[of.disc].position == world.bodies().pose[of.disc].position);
-  CHECK(again.steps() == 16);
+  CHECK(again.clock().steps == 16);
 }
 
 TEST_CASE("steps of 1/60 s, whose sums are rounded, bring an event neither early nor late") {

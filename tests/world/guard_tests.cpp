@@ -114,8 +114,8 @@ TEST_CASE("a step that would leave the numbers moves nothing, names the body, an
       CHECK(world.bodies().pose[{1}].position == Vec2<double>(5, 0));
       CHECK(world.bodies().velocity[{1}] == Vec3<double>(1, 0, 0));
       CHECK(world.bodies().pose[{2}].position.y() == 0.75 * guard_huge);
-      CHECK(world.time() == step);
-      CHECK(world.steps() == step);
+      CHECK(world.clock().time == step);
+      CHECK(world.clock().steps == step);
     }
     world.set_velocity({2}, {0, 0, 0});
     CHECK_FALSE(world.step(solver).not_finite.has_value());

@@ -18,9 +18,10 @@ TEST_CASE("a hand drags a body to where it pulls, wakes it, and lets go") {
   World<double> world(yard.scene);
   run_steps(world, 120);
   REQUIRE(!world.is_awake(yard.lonely));
-  world.grab({.body = yard.lonely, .anchor = {-20, 0.5}, .target = {-20, 0.5}, .max_force = 200});
+  world.move_hand(
+      HandInput::grab({.body = yard.lonely, .anchor = {-20, 0.5}, .target = {-20, 0.5}, .max_force = 200}));
   for (int i = 0; i < 120; ++i) {
-    world.drag_to({-20 + 0.02 * i, 3});
+    world.move_hand(HandInput::drag_to({-20 + 0.02 * i, 3}));
     run_steps(world, 1);
   }
   run_steps(world, 60);
@@ -32,8 +33,8 @@ TEST_CASE("a hand drags a body to where it pulls, wakes it, and lets go") {
   const Snapshot seen = snapshot(world);
   CHECK(seen.joints.back().name == "drag");
   CHECK(seen.joints.back().impulse.y() / seen.dt == doctest::Approx(10).epsilon(0.01));  // its weight: 1 kg
-  world.let_go();
-  CHECK(world.hand() == nullptr);
+  world.move_hand(HandInput::let_go());
+  CHECK(world.hand().joint() == nullptr);
   run_steps(world, 30);
   CHECK(world.bodies().pose[yard.lonely].position.y() < 2.5);
 }
@@ -44,35 +45,36 @@ TEST_CASE("a run with a hand is repeated from its inputs, over edits and sleep")
   const auto add_ball = [](Scene& scene) { scene.add({.shapes = {circle(0.3)}, .position = {0, 9}}); };
   World<double> world = begin();
   for (int i = 0; i < 200; ++i) {
-    if (i == 50) world.grab({.body = top, .anchor = {0.3, 4.6}, .target = {1, 5}});
-    if (i > 50 && i < 120) world.drag_to({1 + 0.03 * (i - 50), 5 + std::sin(0.1 * i)});
+    if (i == 50) world.move_hand(HandInput::grab({.body = top, .anchor = {0.3, 4.6}, .target = {1, 5}}));
+    if (i > 50 && i < 120) world.move_hand(HandInput::drag_to({1 + 0.03 * (i - 50), 5 + std::sin(0.1 * i)}));
     if (i == 80) world.edit(add_ball);
-    if (i == 120) world.let_go();
+    if (i == 120) world.move_hand(HandInput::let_go());
     run_steps(world, 1);
   }
   World<double> again = begin();
-  auto input = world.hand_inputs().begin();
+  auto input = world.hand().inputs().begin();
   for (int i = 0; i < 200; ++i) {
-    for (; input != world.hand_inputs().end() && input->step == i; ++input) again.repeat(*input);
+    for (; input != world.hand().inputs().end() && input->step == i; ++input) again.move_hand(*input);
     if (i == 80) again.edit(add_ball);
     run_steps(again, 1);
   }
   CHECK(go_alike(world, again));
-  CHECK(again.hand_inputs().size() == world.hand_inputs().size());
+  CHECK(again.hand().inputs().size() == world.hand().inputs().size());
 }
 
 TEST_CASE("a hand refuses what it cannot hold and targets without a grip") {
   World<double> world(Yard().scene);
-  CHECK_THROWS_AS(world.drag_to({0, 0}), std::invalid_argument);
-  CHECK_THROWS_AS(world.grab({.body = ground}), std::invalid_argument);
-  CHECK_THROWS_AS(world.grab({.body = {99}}), std::invalid_argument);
-  CHECK(world.hand() == nullptr);
-  world.grab({.body = {1}});
-  CHECK_THROWS_AS(world.drag_to({std::numeric_limits<double>::quiet_NaN(), 0}), std::invalid_argument);
-  CHECK(world.hand_inputs().size() == 1);
+  CHECK_THROWS_AS(world.move_hand(HandInput::drag_to({0, 0})), std::invalid_argument);
+  CHECK_THROWS_AS(world.move_hand(HandInput::grab({.body = ground})), std::invalid_argument);
+  CHECK_THROWS_AS(world.move_hand(HandInput::grab({.body = {99}})), std::invalid_argument);
+  CHECK(world.hand().joint() == nullptr);
+  world.move_hand(HandInput::grab({.body = {1}}));
+  CHECK_THROWS_AS(world.move_hand(HandInput::drag_to({std::numeric_limits<double>::quiet_NaN(), 0})),
+                  std::invalid_argument);
+  CHECK(world.hand().inputs().size() == 1);
   // What it holds goes: so does the hand.
   world.edit([](Scene& scene) { scene.remove(BodyId{1}); });
-  CHECK(world.hand() == nullptr);
+  CHECK(world.hand().joint() == nullptr);
 }
 
 }  // namespace cairn

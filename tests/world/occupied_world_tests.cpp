@@ -30,19 +30,10 @@ List<NamedChange> every_change() {
        [](World<double>& world) {
          world.set_velocity(BodyId{1}, {1, 2, 3});
        }},
-      {"World::wake", [](World<double>& world) { world.wake(BodyId{1}); }},
       {"World::edit", [](World<double>& world) { world.edit([](Scene&) {}); }},
-      {"World::do_events", [](World<double>& world) { world.do_events(); }},
-      {"World::grab", [](World<double>& world) { world.grab({.body = BodyId{1}}); }},
-      {"World::drag_to",
-       [](World<double>& world) {
-         world.drag_to({1, 2});
-       }},
-      {"World::let_go", [](World<double>& world) { world.let_go(); }},
-      {"World::grab",
-       [](World<double>& world) {
-         world.repeat({.kind = HandInput::Kind::grab, .grip = {.body = BodyId{1}}});
-       }},
+      {"World::move_hand",
+       [](World<double>& world) { world.move_hand(HandInput::grab({.body = BodyId{1}})); }},
+      {"World::move_hand", [](World<double>& world) { world.move_hand(HandInput::let_go()); }},
       {"World::operator=", [](World<double>& world) { world = World<double>(Yard().scene); }},
       {"World::operator=",
        [](World<double>& world) {
@@ -81,7 +72,7 @@ World<double> held_yard() {
   scene.add_event({.time = 10.5 / 60, .action = RemoveBody{BodyId{3}}});
   World<double> world(scene);
   run_steps(world, 10);
-  world.grab({.body = BodyId{2}, .target = {1, 5}});
+  world.move_hand(HandInput::grab({.body = BodyId{2}, .target = {1, 5}}));
   return world;
 }
 
@@ -99,7 +90,7 @@ TEST_CASE("within an edit, every change of the same world is refused by name, an
     });
     expected.edit(remove);
     CHECK(go_alike(world, expected));
-    CHECK(world.hand_inputs().size() == expected.hand_inputs().size());
+    CHECK(world.hand().inputs().size() == expected.hand().inputs().size());
     run_steps(world, 5);
     run_steps(expected, 5);
     CHECK(go_alike(world, expected));

@@ -196,9 +196,8 @@ TEST_CASE("each part of a scene switches on its own lines of the plan, and no ot
   CHECK(parts_in_use(scene_of(disc)) == Parts{"damping"});
 
   Scene second = scene_of(bare_disc({0, 0}));
-  second.set_settings({.gravity = {0, 0},
-                       .stabilization = {.policy = StabilizationPolicy::baumgarte},
-                       .warm_start = false});
+  second.set_settings(
+      {.gravity = {0, 0}, .stabilization = {.policy = StabilizationPolicy::baumgarte}, .warm_start = false});
   second.add(bare_disc({3, 0}));
   CHECK(parts_in_use(second) == Parts{"collision"});
   disc = bare_disc({6, 0});
@@ -218,9 +217,8 @@ TEST_CASE("each part of a scene switches on its own lines of the plan, and no ot
   Scene joined = scene_of(bare_disc({0, 0}));
   joined.join<DistanceJoint>({.a = ground, .b = {1}, .anchor_a = {0, 2}});
   CHECK(parts_in_use(joined) == Parts{"joints", "second solve"});
-  joined.set_settings({.gravity = {0, 0},
-                       .stabilization = {.policy = StabilizationPolicy::baumgarte},
-                       .warm_start = false});
+  joined.set_settings(
+      {.gravity = {0, 0}, .stabilization = {.policy = StabilizationPolicy::baumgarte}, .warm_start = false});
   CHECK(parts_in_use(joined) == Parts{"joints"});
 }
 

@@ -22,8 +22,7 @@ using namespace cairn;
 namespace {
 
 SceneSettings plain_baumgarte(int substeps = 1) {
-  return {
-      .substeps = substeps, .stabilization = {.policy = StabilizationPolicy::baumgarte}};
+  return {.substeps = substeps, .stabilization = {.policy = StabilizationPolicy::baumgarte}};
 }
 
 /// Slender rods of 1 m, one below the other, at rest and damped: nothing has a reason to move.

@@ -57,6 +57,12 @@ bool same_state(const World<Real>& first, const World<Real>& second) {
   return same && first.last_step().problem.impulse == second.last_step().problem.impulse;
 }
 
+/// A body with all of its island: as it moves already.
+template <Scalar Real>
+void wake(World<Real>& world, BodyId body) {
+  world.set_velocity(body, world.bodies().velocity[body].template cast<double>());
+}
+
 template <Scalar Real>
 StepReport sleep_steps(World<Real>& world, int steps, int iterations = 50) {
   SequentialImpulse<Real> solver({.iterations = iterations});

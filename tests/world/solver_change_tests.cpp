@@ -83,10 +83,10 @@ TEST_CASE("a hand takes hold of what rests on contacts without rows, lifts it an
     for (int step = 0; step < 60; ++step) {
       if (step == 10) {
         twins.change([](World<double>& world) {
-          world.grab({.body = BodyId{1}, .anchor = {0, 0.5}, .target = {0, 4}});
+          world.move_hand(HandInput::grab({.body = BodyId{1}, .anchor = {0, 0.5}, .target = {0, 4}}));
         });
       }
-      if (step == 40) twins.change([](World<double>& world) { world.let_go(); });
+      if (step == 40) twins.change([](World<double>& world) { world.move_hand(HandInput::let_go()); });
       twins.step(false);
       twins.check_alike();
     }

@@ -81,7 +81,8 @@ TEST_CASE("Baumgarte throws an overlap out at beta d / dt, up to (beta d / dt)^2
 
 TEST_CASE("a cap on the speed of recovery caps the pop") {
   const double cap = 0.5;  // [m/s]
-  const PopPath path = watch_pop({.policy = StabilizationPolicy::baumgarte, .slop = 0, .max_speed = cap}, 512);
+  const PopPath path =
+      watch_pop({.policy = StabilizationPolicy::baumgarte, .slop = 0, .max_speed = cap}, 512);
   for (const double speed : path.speed) CHECK(speed <= cap + pop_rounding);
   CHECK(path.apex <= cap * cap / (2 * pop_gravity) + cap * pop_dt);
   // It does come out: at the end a fifth of the overlap goes in every step, for hundreds of steps.
@@ -206,8 +207,8 @@ TEST_CASE("n substeps are n steps of dt / n, bit for bit") {
       REQUIRE(whole.bodies().pose[{1}].position == parts.bodies().pose[{1}].position);
       REQUIRE(whole.bodies().velocity[{1}] == parts.bodies().velocity[{1}]);
     }
-    CHECK(whole.time() == 64 * pop_dt);
-    CHECK(whole.steps() == 64);
+    CHECK(whole.clock().time == 64 * pop_dt);
+    CHECK(whole.clock().steps == 64);
     CHECK(snapshot(whole).dt == pop_dt / 4);
   }
 }

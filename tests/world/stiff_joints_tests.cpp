@@ -1,5 +1,5 @@
-// Joints whose forces turn with what they hold: light links under heavy loads, and what swings on a rope.
-// pins.
+// Forces that turn with what they hold: light links under heavy loads, on pins and over discs, at rest and
+// when they get tight; and what swings on a rope.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -19,6 +19,8 @@
 using namespace cairn;
 
 namespace {
+
+constexpr double thin = 0.008;  // [m] of a link of a string: past that a joint has failed
 
 struct Gaps {
   double worst = 0;  // [m] of a joint
@@ -72,6 +74,52 @@ Scene chain_between_walls(int links, int substeps) {
   return scene;
 }
 
+/// Links of 10 g, 8 mm thick, and pins between them, through these points.
+List<BodyId> string_of_links(Scene& scene, const List<Vec2<double>>& points, double radius) {
+  List<BodyId> links;
+  for (int i = 0; i + 1 < points.size(); ++i) {
+    const Vec2<double> span = points[i + 1] - points[i];
+    links.push_back(scene.add({.shapes = {capsule({-span.norm() / 2, 0}, {span.norm() / 2, 0}, radius)},
+                               .position = (points[i] + points[i + 1]) / 2,
+                               .angle = std::atan2(span.y(), span.x()),
+                               .mass = 0.01,
+                               .friction = 0}));
+    if (i > 0) scene.join<RevoluteJoint>({.a = links[i - 1], .b = links[i], .anchor = points[i]});
+  }
+  return links;
+}
+
+/// A string that hangs in folds, with a load at its end.
+Scene folded_string(double load, int substeps) {
+  Scene scene({.substeps = substeps});
+  List<Vec2<double>> points = {{0, 0}};
+  for (int i = 0; i < 10; ++i)
+    points.push_back(points[i] + 0.1 * Vec2<double>((i % 2 == 0 ? 1 : -1) * std::sin(0.3), -std::cos(0.3)));
+  const List<BodyId> links = string_of_links(scene, points, thin / 2);
+  scene.join<RevoluteJoint>({.a = ground, .b = links[0], .anchor = points[0]});
+  const BodyId bob = scene.add({.position = points[10], .mass = load, .fixed_rotation = true});
+  scene.join<RevoluteJoint>({.a = links[9], .b = bob, .anchor = points[10]});
+  return scene;
+}
+
+/// The upper half of a disc of 1 m, and a string with a load at each end that begins 2 cm above it.
+Scene string_over_disc(double load, int substeps) {
+  Scene scene({.substeps = substeps});
+  scene.add({.type = BodyType::static_body, .shapes = {circle(1)}, .friction = 0});
+  List<Vec2<double>> points;
+  constexpr int links = 24;
+  for (int i = 0; i <= links; ++i) {
+    const double turn = std::numbers::pi * i / links;
+    points.push_back(1.02 * Vec2<double>(-std::cos(turn), std::sin(turn)));
+  }
+  const List<BodyId> string = string_of_links(scene, points, thin / 2);
+  for (const int end : {0, links}) {
+    const BodyId bob = scene.add({.position = points[end], .mass = load, .fixed_rotation = true});
+    scene.join<RevoluteJoint>({.a = string[end == 0 ? 0 : links - 1], .b = bob, .anchor = points[end]});
+  }
+  return scene;
+}
+
 }  // namespace
 
 TEST_CASE("light planks carry a heavy one under an exact solver, with one substep and with four") {
@@ -115,7 +163,7 @@ TEST_CASE(
     SequentialImpulse<double> solver;
     world.step(solver);
     world.set_velocity(bob, {3, 0, 0});
-    const double h = world.dt(), tension = 2 * 10;  // [N] its weight
+    const double h = world.clock().dt, tension = 2 * 10;  // [N] its weight
     // At rest in the line of the rod: K of an end is 2 T / L.
     const double mass = std::max(2.0, h * h * 2 * tension / length);
     const VelocityProblem<double> problem = world.velocity_problem();
@@ -123,6 +171,53 @@ TEST_CASE(
     CHECK(problem.velocity[bob].x() == doctest::Approx(3 * 2 / mass).epsilon(1e-12));  // the same momentum
     if (length == 1) CHECK(problem.inverse_mass[bob].x() == 0.5);
   }
+}
+
+TEST_CASE("a link that lies on a disc takes part with the stiffness of the disc's radius under its load") {
+  const double radius = 1.5, half = 0.04, load = 10;
+  Scene scene;
+  scene.add({.type = BodyType::static_body, .shapes = {circle(radius)}});
+  const Vec2<double> top = {0, radius + half};
+  const BodyId link =
+      scene.add({.shapes = {capsule({-0.1, 0}, {0.1, 0}, half)}, .position = top, .mass = 0.01});
+  const BodyId bob = scene.add({.position = top, .mass = load, .fixed_rotation = true});
+  scene.join<RevoluteJoint>({.a = link, .b = bob, .anchor = top});  // with no arms, so with no K
+  World<double> world(scene);
+  NewtonSolver<double> newton({.iterations = 20});
+  world.step(newton);
+  const double force = (load + 0.01) * 10;  // [N]
+  CHECK(1 / world.velocity_problem().inverse_mass[link].z() ==
+        doctest::Approx(world.clock().dt * world.clock().dt * force * (radius + half)).epsilon(1e-9));
+  CHECK(1 / world.last_step().problem.inverse_mass[link].z() ==  // the first step has none before it
+        doctest::Approx(world.clock().dt * world.clock().dt * force * (radius + half)).epsilon(1e-9));
+}
+
+TEST_CASE("a string of light links holds a heavy load that gets it tight") {
+  for (const double load : {1.0, 10.0, 100.0}) {
+    for (const int substeps : {2, 4, 8}) {
+      CAPTURE(load);
+      CAPTURE(substeps);
+      NewtonSolver<double> newton({.iterations = 20});
+      const Gaps gaps = gaps_of(folded_string(load, substeps), newton, 2);
+      CHECK(gaps.worst <= thin);
+      CHECK(gaps.gain <= 0.01 * load * 10);  // [J] as of a centimetre of its fall
+    }
+  }
+}
+
+TEST_CASE("a string of light links holds heavy loads over a disc that it falls on") {
+  for (const double load : {1.0, 10.0, 100.0}) {
+    for (const int substeps : {1, 4}) {
+      CAPTURE(load);
+      CAPTURE(substeps);
+      NewtonSolver<double> newton({.iterations = 20});
+      const Gaps gaps = gaps_of(string_over_disc(load, substeps), newton, 2);
+      CHECK(gaps.worst <= thin);
+      CHECK(gaps.gain <= 0.01 * 2 * load * 10);
+    }
+  }
+  SequentialImpulse<double> sweeps({.iterations = 200});  // a gap of 5 mm, and half of it for twice as many
+  CHECK(gaps_of(string_over_disc(10, 4), sweeps, 2).worst <= thin);
 }
 
 TEST_CASE("a pendulum on a rope that stays taut swings as far as one on a rod") {

@@ -196,15 +196,15 @@ TEST_CASE("time, steps and dt go on over an edit") {
   world.set_dt(1.0 / 120);
   run_steps(world, 7);
   world.edit([](Scene& scene) { scene.add({.shapes = {circle(0.2)}, .position = {0, 30}}); });
-  CHECK(world.steps() == 7);
-  CHECK(world.time() == doctest::Approx(7.0 / 120));
-  CHECK(world.dt() == 1.0 / 120);
+  CHECK(world.clock().steps == 7);
+  CHECK(world.clock().time == doctest::Approx(7.0 / 120));
+  CHECK(world.clock().dt == 1.0 / 120);
   world.edit([](Scene& scene) {
     SceneSettings settings = scene.settings();
     settings.dt = 1.0 / 30;
     scene.set_settings(settings);
   });
-  CHECK(world.dt() == 1.0 / 30);
+  CHECK(world.clock().dt == 1.0 / 30);
 }
 
 }  // namespace cairn

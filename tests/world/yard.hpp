@@ -40,7 +40,8 @@ inline void run_steps(World<double>& world, int steps) {
 /// Of the bodies that both have.
 inline bool go_alike(const World<double>& one, const World<double>& other) {
   const int count = std::min(one.bodies().pose.size(), other.bodies().pose.size());
-  bool same = one.time() == other.time() && one.steps() == other.steps() && one.dt() == other.dt();
+  bool same = one.clock().time == other.clock().time && one.clock().steps == other.clock().steps &&
+              one.clock().dt == other.clock().dt;
   for (int i = 0; i < count; ++i) {
     const BodyId body{i};
     if (one.scene().bodies()[body].removed || other.scene().bodies()[body].removed) continue;

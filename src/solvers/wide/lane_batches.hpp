@@ -27,7 +27,8 @@ LaneBounds lane_bounds(const Bounds<Real>& bounds) {
 /// they have rows of the same kinds. Colours are given greedily, each block as written taking the first of 64
 /// that is free at both its bodies. Rows go one by one if their block has more than two bodies, more than 6
 /// rows, a disc of friction or friction that leans on another block; or if it finds no colour, or nobody of
-/// its colour and kinds. All of it is a function of the problem: never of those before it.
+/// its colour and kinds. Contacts that need no rows lie in batches of their own. All of it is a function of
+/// the problem: never of those before it.
 class LaneBatches {
  public:
   /// Made anew for this problem.
@@ -51,11 +52,13 @@ class LaneBatches {
   const List<int>& colours() const { return colours_; }
   /// Of the rows of all batches.
   const List<LaneKind>& kinds() const { return kinds_; }
-  /// The rows of the problem that go one by one, as written; of contacts, numbered as if there were no
-  /// others.
+  /// The rows of the problem that go one by one, block by block; those of contacts without rows are numbered
+  /// behind all that there are.
   const List<int>& single_rows() const { return single_rows_; }
-  /// The blocks that these are of.
-  const List<int>& single_blocks() const { return single_blocks_; }
+  /// The contacts without rows that these are of.
+  const List<int>& single_contacts() const { return single_contacts_; }
+  /// Batches of contacts without rows.
+  int contact_batches() const { return contact_batches_; }
   /// Rows in all batches.
   int lane_rows() const { return lane_rows_; }
   /// Pairs of rows in the blocks of all batches.
@@ -70,7 +73,8 @@ class LaneBatches {
     int rows = 0;
     BodyId a = {};
     BodyId b = {};
-    std::uint64_t kinds = 0;  // 9 bits a row; 0: its rows go one by one
+    bool of_contact = false;  // that needs no rows
+    std::uint64_t kinds = 0;  // 9 bits a row, and one for such a contact; 0: its rows go one by one
     bool operator==(const Block&) const = default;
   };
   /// A block that is to lie in a lane.
@@ -93,19 +97,22 @@ class LaneBatches {
   void single_out_what_is_leant_on();
   void colour();
   void sort_by_colour();
-  void make_batches();
+  void make_batches(int rows);
   void order_by_place();
   void add_batch(int first, int last);
 
   List<Block> blocks_;
-  bool of_contacts_ = false;  // which had no rows
-  PerBody<char> moves_;       // whether a body can move
-  List<int> leant_on_;        // rows that friction of another block leans on
+  bool of_contacts_ = false;  // some of which had no rows
+  int joints_ = 0;            // of the blocks, before those of contacts
+  int contact_batches_ = 0;
+  PerBody<char> moves_;  // whether a body can move
+  List<int> leant_on_;   // rows that friction of another block leans on
   List<LaneBatch> batches_;
   List<int> colours_;
   List<LaneKind> kinds_;
   List<int> single_blocks_;
   List<int> single_rows_;
+  List<int> single_contacts_;
   int lane_rows_ = 0;
   int couplings_ = 0;
   List<int> leant_on_before_;        // scratch

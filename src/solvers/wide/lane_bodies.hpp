@@ -10,6 +10,12 @@ namespace cairn {
 // here, neither of the standard library nor of Eigen.
 namespace {
 
+/// Three products in the order of dot().
+template <typename Real, typename Numbers>
+[[gnu::always_inline]] inline Numbers sum_in_order(const Numbers& x, const Numbers& y, const Numbers& z) {
+  return sizeof(Real) == sizeof(double) ? (x + y) + z : x + (y + z);
+}
+
 /// So many numbers as a register of `bytes` holds.
 template <typename Number, int bytes>
 struct Register {

@@ -4,7 +4,6 @@
 #include "solvers/wide/lane_contact_rows.hpp"
 #include "solvers/wide/lane_contact_sweep.hpp"
 #include "solvers/wide/lane_filling.hpp"
-#include "solvers/wide/lane_moving.hpp"
 #include "solvers/wide/lane_sets.hpp"
 #include "solvers/wide/lane_sweep.hpp"
 
@@ -22,7 +21,6 @@ LaneCode<Real> code_in_registers_of() {
   using Number = LaneNumber<Real>;
   return {.pass = pass_over<bytes, Number>,
           .fill = fill_lanes<Real, Number>,
-          .move_contacts = move_contacts<bytes, Real>,
           .measure_contacts = measure_contacts<Real>,
           .relax_contacts = relax_contacts<Real>,
           .push_contacts = push_contacts<bytes, Real>,

@@ -21,26 +21,6 @@ struct LaneContactInput {
   Real separation[most_lane_points][lane_count];  // [m]
 };
 
-/// Where the bodies of a batch are.
-template <typename Real>
-struct LaneFrames {
-  Real a[4][lane_count];  // of the first bodies: x, y [m], and the cosine and the sine of the angle
-  Real b[4][lane_count];  // of the second bodies
-};
-
-/// A batch of KeptManifolds. All is 0 in lanes whose manifolds are given.
-template <typename Real>
-struct alignas(64) LaneKeptBatch {
-  Real normal[2][lane_count];                    // in the frame of the body whose face it is
-  Real core_a[most_lane_points][2][lane_count];  // [m] in the frames of the first bodies
-  Real core_b[most_lane_points][2][lane_count];  // [m] in the frames of the second bodies
-  Real radius_a[lane_count];                     // [m]
-  Real radius_b[lane_count];                     // [m]
-  Real on_b[lane_count];                         // 1: the face is that of the second body; else 0
-  Real deepest[lane_count];                      // [m] of overlap in which it may be followed
-  unsigned given = 0;                            // the lanes whose manifolds are given, a bit each
-};
-
 /// What contacts are weighed for: both sums that R_E is made of (residual.hpp).
 enum class LaneEnergy {
   at_start,   // with no impulses at all, at the velocities that a step starts from

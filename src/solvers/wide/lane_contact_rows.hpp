@@ -11,10 +11,10 @@ namespace cairn {
 
 namespace {
 
-/// x . (m x) as Eigen adds up three products.
+/// x . (m x), as dot().
 template <typename Real>
 inline Real inverse_mass_of(Real x, Real y, Real turn, Real mass_x, Real mass_y, Real mass_turn) {
-  return x * (mass_x * x) + (y * (mass_y * y) + turn * (mass_turn * turn));
+  return sum_in_order<Real, Real>(x * (mass_x * x), y * (mass_y * y), turn * (mass_turn * turn));
 }
 
 /// Bias and softness of the normal rows of one point.

@@ -74,8 +74,8 @@ struct LaneUpdate {
                                  const LaneDirection<Numbers>& n, LaneVelocities<Numbers>& v) {
     const Numbers turn_a = -load<Numbers>(batch.turn_a[row] + lane);
     const Numbers turn_b = load<Numbers>(batch.turn_b[row] + lane);
-    const Numbers jv = (-n.x * v.a[0] + (-n.y * v.a[1] + turn_a * v.a[2])) +
-                       (n.x * v.b[0] + (n.y * v.b[1] + turn_b * v.b[2]));
+    const Numbers jv = sum_in_order<Real>(-n.x * v.a[0], -n.y * v.a[1], turn_a * v.a[2]) +
+                       sum_in_order<Real>(n.x * v.b[0], n.y * v.b[1], turn_b * v.b[2]);
     const Numbers zero = {}, one = zero + Real(1), old = load<Numbers>(batch.answer[row] + lane);
     Numbers inverse = load<Numbers>(batch.inverse[row] + lane), lacking = zero - jv;
     if constexpr (!is_friction) {

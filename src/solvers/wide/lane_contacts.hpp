@@ -8,7 +8,8 @@
 
 namespace cairn {
 
-/// The contacts of all batches in the problem's own precision, from which lanes are filled.
+/// The contacts without rows in the problem's own precision, from which lanes are filled. A run is of batches
+/// of such contacts, one behind the other.
 template <Scalar Real>
 class LaneContacts {
  public:
@@ -20,49 +21,39 @@ class LaneContacts {
                const PerBody<Vec3<Real>>& root);
   /// Takes over manifolds, poses and impulses.
   void take(const LaneCode<Real>& code, const LaneBatches& batches, const ContactProblem<Real>& problem);
-  /// Takes over where the bodies of the same contacts are now; false: a kept point is not near any more.
-  bool follow(const LaneCode<Real>& code, const LaneBatches& batches, const ContactProblem<Real>& problem);
-  /// Begins from the answers of before.
-  void go_on();
   /// Leaves out what takes overlap back; and begins from these impulses once more.
   void relax(const LaneCode<Real>& code, SecondStart start);
-  /// The warm start.
-  void push(const LaneCode<Real>& code, const LaneBatches& batches, PerBody<Vec3<Real>>& velocity);
+  /// The warm start of a run.
+  void push(const LaneCode<Real>& code, Span<const LaneBatch> run, PerBody<Vec3<Real>>& velocity);
   /// Fills the rows of all batches, from `velocity` on.
   void fill(const LaneCode<Real>& code, const LaneBatches& batches, Real relaxation,
             const PerBody<Vec3<Real>>& velocity, List<LaneRow<Number>>& rows,
             List<LaneCoupling<Number>>& couplings);
-  /// Takes over what sweeps have changed since, and gives it to the bodies.
-  void empty(const LaneCode<Real>& code, const LaneBatches& batches, const List<LaneRow<Number>>& rows,
+  /// Takes over what sweeps have changed since in a run, and gives it to the bodies.
+  void empty(const LaneCode<Real>& code, Span<const LaneBatch> run, const List<LaneRow<Number>>& rows,
              PerBody<Vec3<Real>>& velocity);
-  /// One sweep in the problem's own precision; returns the largest step of an impulse [N s].
-  Real sweep_once(const LaneCode<Real>& code, const LaneBatches& batches, Real relaxation,
+  /// One sweep over a run in the problem's own precision; returns the largest step of an impulse [N s].
+  Real sweep_once(const LaneCode<Real>& code, Span<const LaneBatch> run, Real relaxation,
                   PerBody<Vec3<Real>>& velocity);
-  /// One of the two sums of R_E [J], at these velocities: added up in each lane, then over lanes.
-  Real energy(const LaneCode<Real>& code, const LaneBatches& batches, LaneEnergy kind,
-              const PerBody<Vec3<Real>>& velocity);
-  /// Gives the contacts their impulses, and those that they began with.
+  /// Adds what a run has in one of the two sums of R_E [J], at these velocities, in each lane.
+  void add_energy(const LaneCode<Real>& code, Span<const LaneBatch> run, LaneEnergy kind,
+                  const PerBody<Vec3<Real>>& velocity, Real* squares);
+  /// Gives the contacts their impulses.
   void give(const LaneBatches& batches, Span<Contact<Real>> contacts) const;
   /// [N s] of all impulses.
   Real largest_impulse() const;
   /// What it takes up [bytes].
-  std::size_t bytes() const {
-    return contacts_.bytes() + kept_.bytes() + roots_.bytes() + bodies_.bytes() + frames_.bytes();
-  }
+  std::size_t bytes() const { return contacts_.bytes() + roots_.bytes() + bodies_.bytes(); }
 
  private:
-  void gather(const LaneBatch& batch, const ContactProblem<Real>& problem, LaneContactBatch<Real>& to);
+  void gather(const LaneBatch& batch, const ContactProblem<Real>& problem);
   void gather_manifold(const Manifold<Real>& manifold, int lane);
-  void keep(const LaneBatches& batches, Span<const Contact<Real>> contacts);
-  void take_frames(const PerBody<Frame<Real>>& frames);
   void take_velocities(const PerBody<Vec3<Real>>& velocity);
   void give_velocities(PerBody<Vec3<Real>>& velocity) const;
 
   List<LaneContactBatch<Real>> contacts_;  // a batch each
-  List<LaneKeptBatch<Real>> kept_;         // of each batch, once contacts have been followed
   List<LaneRoots<Number>> roots_;          // of each batch
   PerBody<LaneBody<Real>> bodies_;         // as fast as they are, and one that nothing moves
-  PerBody<LaneBody<Real>> frames_;         // where they are: x, y [m], cosine and sine of the angle
   LaneContactInput<Real> input_ = {};      // scratch, of one batch
 };
 

@@ -59,6 +59,7 @@ struct LaneBatch {
   int first_row = 0;        // in the list of LaneRow
   int rows = 0;             // in each of the blocks
   bool is_contact = false;  // with friction: one row after the other normal and friction that leans on it
+  int contacts = -1;        // number among the batches of contacts without rows; -1: its blocks have rows
   int first_kind = 0;       // in the list of LaneKind
   int first_coupling = 0;   // in the list of LaneCoupling: of row 1 with row 0, of row 2 with 0, 1 ...
   int used = 0;             // lanes with a block; in the others nothing acts
@@ -67,7 +68,7 @@ struct LaneBatch {
   std::int32_t body_a[lane_count];     // the first body of each block; of none, one that nothing moves
   std::int32_t body_b[lane_count];     // the second body
   std::int32_t block_row[lane_count];  // the problem's row that is the block's first
-  std::int32_t block[lane_count];      // its number
+  std::int32_t block[lane_count];      // its number; of contacts without rows, that of the contact
 };
 
 /// A body's velocity, or its change over the root of the inverse mass: x, y, rotation and a number that is

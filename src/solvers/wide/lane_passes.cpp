@@ -28,14 +28,15 @@ Real LaneSystem<Real>::sweep_once(VelocityProblem<Real>& problem, int number, So
     observer->after_row({number, i, jv, mass > 0 ? 1 / mass : Real(0), corrective, old, now}, problem);
   };
   for (const int i : batches_.single_rows()) update(i);
-  if (!has_rows_) {
-    return std::max(largest, contacts_.sweep_once(code_, batches_, relaxation_, problem.velocity));
-  }
-  for (const LaneBatch& batch : batches_.batches()) {
-    for (int lane = 0; lane < batch.used; ++lane) {
-      for (int r = 0; r < batch.rows; ++r) update(batch.block_row[lane] + r);
-    }
-  }
+  for_each_run(
+      [&](const LaneBatch& batch) {
+        for (int lane = 0; lane < batch.used; ++lane) {
+          for (int r = 0; r < batch.rows; ++r) update(batch.block_row[lane] + r);
+        }
+      },
+      [&](Span<const LaneBatch> run) {
+        largest = std::max(largest, contacts_.sweep_once(code_, run, relaxation_, problem.velocity));
+      });
   return largest;
 }
 
@@ -226,13 +227,14 @@ Real LaneSystem<Real>::energy(const VelocityProblem<Real>& problem, LaneEnergy k
   };
   Real sum = 0;
   for (const int i : batches_.single_rows()) sum += of_row(i);
-  if (!has_rows_) return sum + contacts_.energy(code_, batches_, kind, problem.velocity);
   Real squares[lane_count] = {};
-  for (const LaneBatch& batch : batches_.batches()) {
-    for (int r = 0; r < batch.rows; ++r) {
-      for (int lane = 0; lane < batch.used; ++lane) squares[lane] += of_row(batch.block_row[lane] + r);
-    }
-  }
+  for_each_run(
+      [&](const LaneBatch& batch) {
+        for (int r = 0; r < batch.rows; ++r) {
+          for (int lane = 0; lane < batch.used; ++lane) squares[lane] += of_row(batch.block_row[lane] + r);
+        }
+      },
+      [&](Span<const LaneBatch> run) { contacts_.add_energy(code_, run, kind, problem.velocity, squares); });
   return sum + std::accumulate(std::begin(squares), std::end(squares), Real(0));
 }
 

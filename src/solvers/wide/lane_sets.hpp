@@ -35,10 +35,6 @@ struct LaneCode {
   /// Fills the rows of one batch, and the couplings between them.
   void (*fill)(const LaneFilling<Real, Number>& from, LaneRow<Number>* rows,
                LaneCoupling<Number>* couplings) = nullptr;
-  /// Manifolds of so many points where their bodies are; false: a separation is not below the margin [m], or
-  /// an overlap too deep.
-  bool (*move_contacts)(const LaneKeptBatch<Real>& kept, const LaneBatch& batch, const LaneBody<Real>* frames,
-                        int points, Real margin, LaneContactInput<Real>& to) = nullptr;
   /// Arms, bias and softness of a batch of contacts, from what was gathered.
   void (*measure_contacts)(const LaneContactInput<Real>& from, const ContactRule<Real>& rule,
                            LaneContactBatch<Real>& to) = nullptr;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "math/check.hpp"
 
@@ -26,9 +25,6 @@ LaneSystem<Real>::LaneSystem(LaneSet set, Real relaxation, int threads)
 
 template <Scalar Real>
 void LaneSystem<Real>::begin(VelocityProblem<Real>& problem) {
-  has_rows_ = true;
-  follows_ = false;
-  tickets_.next();
   take_masses(problem);
   velocity_ = problem.velocity;
   if (batches_.may_be_same(problem) && push_rows(problem)) return;
@@ -39,40 +35,24 @@ void LaneSystem<Real>::begin(VelocityProblem<Real>& problem) {
 
 template <Scalar Real>
 void LaneSystem<Real>::begin(ContactProblem<Real>& contacts) {
-  contacts.ticket = tickets_.next();
-  if (std::exchange(follows_, false)) {
-    contacts_.go_on();
-    push_contacts(*contacts.problem);
-    return;
-  }
-  has_rows_ = false;
   const bool new_masses = take_masses(*contacts.problem);
   const bool rearranged = batches_.arrange(contacts);
   if (rearranged || new_masses) contacts_.arrange(batches_, contacts, root_);
-  single_manifolds_.clear();
-  for (const int k : batches_.single_blocks()) single_manifolds_.push_back(contacts.manifolds[k]);
   write_single_rows(contacts);
   contacts_.take(code_, batches_, contacts);
-  push_contacts(*contacts.problem);
-}
-
-template <Scalar Real>
-bool LaneSystem<Real>::follow(ContactProblem<Real>& contacts) {
-  follows_ = tickets_.is_last(contacts.ticket) && contacts_.follow(code_, batches_, contacts) &&
-             follow_single_contacts(contacts);
-  return follows_;
+  push(*contacts.problem);
 }
 
 template <Scalar Real>
 void LaneSystem<Real>::begin_relaxed(ContactProblem<Real>& contacts) {
   VelocityProblem<Real>& problem = *contacts.problem;
-  for (ConstraintRow<Real>& row : problem.rows) {
-    row.bias = std::min(row.bias, Real(0));
-    row.softness = 0;
+  for (int i = contacts.rows; i < problem.row_count(); ++i) {
+    problem.rows[i].bias = std::min(problem.rows[i].bias, Real(0));
+    problem.rows[i].softness = 0;
   }
   if (contacts.second_start == SecondStart::of_first_start) start_single_contacts(contacts);
   contacts_.relax(code_, contacts.second_start);
-  push_contacts(problem);
+  push(problem);
 }
 
 /// False where a lane is not made for its row any more: velocities are of no use then.
@@ -91,11 +71,19 @@ bool LaneSystem<Real>::push_rows(VelocityProblem<Real>& problem) {
   return true;
 }
 
+/// The warm start of lanes that are made for their rows.
 template <Scalar Real>
-void LaneSystem<Real>::push_contacts(VelocityProblem<Real>& problem) {
+void LaneSystem<Real>::push(VelocityProblem<Real>& problem) {
   velocity_ = problem.velocity;
-  apply_impulses(problem);  // of the rows that go one by one
-  contacts_.push(code_, batches_, problem.velocity);
+  for (const int i : batches_.single_rows()) apply_impulse(problem, problem.rows[i], problem.impulse[i]);
+  for_each_run(
+      [&](const LaneBatch& batch) {
+        for (int lane = 0; lane < batch.used; ++lane) {
+          for (int i = batch.block_row[lane]; i < batch.block_row[lane] + batch.rows; ++i)
+            apply_impulse(problem, problem.rows[i], problem.impulse[i]);
+        }
+      },
+      [&](Span<const LaneBatch> run) { contacts_.push(code_, run, problem.velocity); });
 }
 
 template <Scalar Real>
@@ -103,11 +91,9 @@ void LaneSystem<Real>::take(const VelocityProblem<Real>& problem) {
   begin_changes(problem);
   rows_.resize(batches_.lane_rows());
   couplings_.resize(batches_.couplings());
-  if (has_rows_) {
-    fill(problem);
-  } else {
+  fill(problem);
+  if (batches_.contact_batches() > 0)
     contacts_.fill(code_, batches_, relaxation_, velocity_, rows_, couplings_);
-  }
 }
 
 /// Changes begin at 0; and so do rows that go one by one.
@@ -123,6 +109,7 @@ template <Scalar Real>
 void LaneSystem<Real>::fill(const VelocityProblem<Real>& problem) {
   filling_.relaxation = relaxation_;
   for (const LaneBatch& batch : batches_.batches()) {
+    if (batch.contacts >= 0) continue;
     if (batch.used < lane_count)
       filling_ = {.bodies = {}, .roots = {}, .rows = {}, .relaxation = relaxation_};
     filling_.row_count = batch.rows;
@@ -213,11 +200,8 @@ template <Scalar Real>
 void LaneSystem<Real>::write_back(VelocityProblem<Real>& problem) {
   problem.velocity = velocity_;
   empty_single_rows(problem);
-  if (has_rows_) {
-    empty_rows(problem);
-  } else {
-    contacts_.empty(code_, batches_, rows_, problem.velocity);
-  }
+  for_each_run([&](const LaneBatch& batch) { empty_rows(problem, batch); },
+               [&](Span<const LaneBatch> run) { contacts_.empty(code_, run, rows_, problem.velocity); });
 }
 
 template <Scalar Real>
@@ -228,14 +212,12 @@ void LaneSystem<Real>::empty_single_rows(VelocityProblem<Real>& problem) const {
 }
 
 template <Scalar Real>
-void LaneSystem<Real>::empty_rows(VelocityProblem<Real>& problem) const {
-  for (const LaneBatch& batch : batches_.batches()) {
-    for (int lane = 0; lane < batch.used; ++lane) {
-      for (int r = 0; r < batch.rows; ++r) {
-        const int i = batch.block_row[lane] + r;
-        problem.impulse[i] = written_back(problem, batch, r, lane);
-        apply_impulse(problem, problem.rows[i], problem.impulse[i] - impulse_[i]);
-      }
+void LaneSystem<Real>::empty_rows(VelocityProblem<Real>& problem, const LaneBatch& batch) const {
+  for (int lane = 0; lane < batch.used; ++lane) {
+    for (int r = 0; r < batch.rows; ++r) {
+      const int i = batch.block_row[lane] + r;
+      problem.impulse[i] = written_back(problem, batch, r, lane);
+      apply_impulse(problem, problem.rows[i], problem.impulse[i] - impulse_[i]);
     }
   }
 }
@@ -248,7 +230,7 @@ void LaneSystem<Real>::give(ContactProblem<Real>& contacts) const {
 template <Scalar Real>
 bool LaneSystem<Real>::is_worth_taking(Real change, Real path) const {
   if (!(change <= 1024 * static_cast<Real>(std::numeric_limits<Number>::epsilon()) * path)) return false;
-  Real largest = has_rows_ ? Real(0) : contacts_.largest_impulse();
+  Real largest = batches_.contact_batches() > 0 ? contacts_.largest_impulse() : Real(0);
   for (const Real impulse : impulse_) largest = std::max(largest, std::abs(impulse));
   return path > 16 * std::numeric_limits<Real>::epsilon() * largest;
 }

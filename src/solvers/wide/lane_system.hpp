@@ -1,8 +1,6 @@
 // Floor 4. A velocity problem in lanes, and back.
 #pragma once
 
-#include <memory>
-
 #include "math/list.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/wide/lane_batches.hpp"
@@ -27,33 +25,6 @@ struct LaneSteps {
   }
 };
 
-/// Numbers the solves of one solver. A copy is another solver, whose contacts are its own.
-class LaneTickets {
- public:
-  /// Of a solver that has solved nothing.
-  LaneTickets() = default;
-  /// Of another solver, which has solved nothing that anybody could go on with.
-  LaneTickets(const LaneTickets&) {}
-  /// Likewise.
-  LaneTickets& operator=(const LaneTickets&) {
-    last_ = {};
-    return *this;
-  }
-  ~LaneTickets() = default;
-
-  /// Of a solve that begins.
-  const ContactTicket& next() {
-    if (!last_.holder) last_.holder = std::make_shared<const char>();
-    ++last_.solve;
-    return last_;
-  }
-  /// Whether it is that of the last solve.
-  bool is_last(const ContactTicket& ticket) const { return ticket.holder && ticket == last_; }
-
- private:
-  ContactTicket last_;
-};
-
 /// The rows of a problem in lanes, and those that fit into none. Lanes compute in single precision, those of
 /// a problem in long double in double; but all that they hold are changes since the problem was taken over,
 /// whose numbers stay in its own precision. So what is lost is a part of a change, and taking over the
@@ -74,11 +45,9 @@ class LaneSystem {
 
   /// Lays a problem in lanes and gives it its warm start, in the order of a sweep.
   void begin(VelocityProblem<Real>& problem);
-  /// Lays contacts in lanes, unless follow() has, and gives them their warm start. Those that fit into none
-  /// get rows, which are all that contacts.problem has then: it is the problem for all that follows.
+  /// The same with contacts that have no rows. Those that fit into no lane get rows, behind all others of
+  /// contacts.problem: it is the problem for all that follows.
   void begin(ContactProblem<Real>& contacts);
-  /// As ContactSolver.
-  bool follow(ContactProblem<Real>& contacts);
   /// Begins once more with the contacts of before, as ContactSolver::relax().
   void begin_relaxed(ContactProblem<Real>& contacts);
   /// Takes over a problem that has begun; changes begin at 0.
@@ -123,14 +92,15 @@ class LaneSystem {
   // more would lose their small terms, and are added in the order of batches, whoever made them.
   static constexpr int batches_in_a_sum = 16;
 
+  template <typename OfRows, typename OfContacts>
+  void for_each_run(const OfRows& of_rows, const OfContacts& of_contacts) const;
   bool push_rows(VelocityProblem<Real>& problem);
-  void push_contacts(VelocityProblem<Real>& problem);
+  void push(VelocityProblem<Real>& problem);
   void start_single_contacts(const ContactProblem<Real>& contacts);
   void write_single_rows(const ContactProblem<Real>& contacts);
-  bool follow_single_contacts(ContactProblem<Real>& contacts);
   void begin_changes(const VelocityProblem<Real>& problem);
   void fill(const VelocityProblem<Real>& problem);
-  void empty_rows(VelocityProblem<Real>& problem) const;
+  void empty_rows(VelocityProblem<Real>& problem, const LaneBatch& batch) const;
   void empty_single_rows(VelocityProblem<Real>& problem) const;
   bool take_masses(const VelocityProblem<Real>& problem);
   void take_single_rows(const VelocityProblem<Real>& problem);
@@ -153,12 +123,8 @@ class LaneSystem {
 
   LaneCode<Real> code_;
   Real relaxation_;  // omega
-  LaneTickets tickets_;
   LaneBatches batches_;
-  LaneContacts<Real> contacts_;            // where there are no rows
-  List<Manifold<Real>> single_manifolds_;  // of those that fit into no lane
-  bool has_rows_ = true;
-  bool follows_ = false;  // the contacts of before have been taken along
+  LaneContacts<Real> contacts_;  // without rows
   List<LaneRow<Number>> rows_;
   List<LaneCoupling<Number>> couplings_;
   PerBody<LaneBody<Number>> bodies_;  // and one that nothing moves
@@ -175,5 +141,22 @@ class LaneSystem {
   LaneThreads threads_;
   List<LaneSteps<Real>> sums_;  // scratch, of batches_in_a_sum each
 };
+
+/// Calls of_rows(batch) for a batch whose blocks have rows and of_contacts(run) for batches of contacts
+/// without rows that follow each other, in the order of batches.
+template <Scalar Real>
+template <typename OfRows, typename OfContacts>
+void LaneSystem<Real>::for_each_run(const OfRows& of_rows, const OfContacts& of_contacts) const {
+  const List<LaneBatch>& all = batches_.batches();
+  for (int first = 0, last = 0; first < all.size(); first = last) {
+    last = first + 1;
+    if (all[first].contacts < 0) {
+      of_rows(all[first]);
+      continue;
+    }
+    while (last < all.size() && all[last].contacts >= 0) ++last;
+    of_contacts(Span<const LaneBatch>(all.data() + first, last - first));
+  }
+}
 
 }  // namespace cairn

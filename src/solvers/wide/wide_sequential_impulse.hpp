@@ -65,7 +65,6 @@ class WideSequentialImpulse final : public Solver<Real>, private ContactSolver<R
  private:
   SolveReport solve(ContactProblem<Real>& contacts) override;
   SolveReport relax(ContactProblem<Real>& contacts) override;
-  bool follow(ContactProblem<Real>& contacts) override { return lanes_.follow(contacts); }
   void give(ContactProblem<Real>& contacts) const override { lanes_.give(contacts); }
   SolveReport solve_begun(VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
   LaneSteps<Real> iterate(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* row_observer);

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "scenes/default_setting.hpp"
 #include "study/build_info.hpp"
 
 namespace cairn::bench {
@@ -146,6 +147,8 @@ const List<Contestant>& usual_contestants() {
     for (const Peer& peer : all_peers()) {
       if (peer.make != nullptr) all.push_back(peer_with(peer, peer.usual));
     }
+    all.push_back({"Cairn, the default",
+                   [](const Scene& scene) { return make_cairn(scene, default_setting(scene).setting); }});
     for (const Setting& setting : usual_settings_of_cairn()) all.push_back(cairn_with(setting));
     return all;
   }();

@@ -1,4 +1,5 @@
-// Contacts that stay with their solver from substep to substep: to the bits of those that do not.
+// Manifolds that move with their bodies, and solvers that take their contacts without rows: to the bits of
+// rows.
 #include <doctest/doctest.h>
 
 #include <limits>
@@ -10,33 +11,6 @@ using namespace cairn;
 using namespace cairn::testing;
 
 namespace {
-
-/// A wide solver that counts how often it is asked to follow contacts, and how often it does.
-class CountingSolver final : public Solver<double>, private ContactSolver<double> {
- public:
-  int asked = 0;     // times
-  int followed = 0;  // times
-
-  std::string name() const override { return "counting"; }
-  SolveReport solve(VelocityProblem<double>& problem, SolveObserver<double>* observer) override {
-    return wide_.solve(problem, observer);
-  }
-  ContactSolver<double>* for_contacts() override { return this; }
-
- private:
-  SolveReport solve(ContactProblem<double>& contacts) override { return contacts_->solve(contacts); }
-  SolveReport relax(ContactProblem<double>& contacts) override { return contacts_->relax(contacts); }
-  void give(ContactProblem<double>& contacts) const override { contacts_->give(contacts); }
-  bool follow(ContactProblem<double>& contacts) override {
-    const bool follows = contacts_->follow(contacts);
-    ++asked;
-    followed += follows;
-    return follows;
-  }
-
-  WideSequentialImpulse<double> wide_{{.iterations = 4}};
-  ContactSolver<double>* const contacts_ = wide_.for_contacts();
-};
 
 SceneSettings in_substeps(int substeps, ContactSearch search = ContactSearch::every_step) {
   SceneSettings settings = {.substeps = substeps, .contact_search = search};
@@ -79,45 +53,8 @@ void check_same_steps(const Scene& scene, int steps, const Change& change) {
 
 }  // namespace
 
-TEST_CASE("contacts at rest stay with their solver in all substeps but the first") {
-  World<double> world(pyramid_and_disc(in_substeps(4)));
-  CountingSolver solver;
-  for (int step = 0; step < 30; ++step) world.step(solver);
-  CHECK(solver.asked == 30 * 3);
-  CHECK(solver.followed == solver.asked);
-}
-
-TEST_CASE("where no manifold is found anew, contacts stay with their solver from step to step") {
-  World<double> world(pyramid_and_disc(in_substeps(1, ContactSearch::when_moved)));
-  CountingSolver solver;
-  for (int step = 0; step < 60; ++step) world.step(solver);
-  solver.asked = solver.followed = 0;
-  for (int step = 0; step < 30; ++step) world.step(solver);
-  CHECK(solver.asked > 20);  // of 30: what leans on its neighbour still goes a few millimetres
-  CHECK(solver.followed == solver.asked);
-}
-
-TEST_CASE("contacts that come and go are given to their solver anew") {
-  World<double> world(leaning_wall(in_substeps(3)));
-  CountingSolver solver;
-  for (int step = 0; step < 90; ++step) world.step(solver);
-  CHECK(solver.followed > 20);
-  CHECK(solver.followed < 2 * 90 - 20);
-}
-
-TEST_CASE("contacts are not followed where every substep looks for them, and without a warm start") {
-  CountingSolver solver;
-  SceneSettings cold = in_substeps(3);
-  cold.warm_start = false;
-  for (const SceneSettings& settings : {in_substeps(3, ContactSearch::every_substep), cold}) {
-    World<double> world(pyramid_and_disc(settings));
-    for (int step = 0; step < 10; ++step) world.step(solver);
-  }
-  CHECK(solver.asked == 0);
-}
-
-TEST_CASE_TEMPLATE("contacts that are followed have the bits of those that are found again", Real, float,
-                   double, long double) {
+TEST_CASE_TEMPLATE("contacts of manifolds that move have the bits of their rows", Real, float, double,
+                   long double) {
   const auto nothing = [](World<Real>&) {};
   for (const ContactSearch search : {ContactSearch::every_step, ContactSearch::when_moved}) {
     check_same_steps<Real>(pyramid_and_disc(in_substeps(4, search)), 25, nothing);
@@ -131,7 +68,9 @@ TEST_CASE_TEMPLATE("contacts that are followed have the bits of those that are f
 }
 
 TEST_CASE("another dt, and bodies that are put to sleep, change nothing of that") {
-  const auto change_dt = [](World<double>& world) { world.set_dt(world.dt() < 0.01 ? 1.0 / 60 : 0.008); };
+  const auto change_dt = [](World<double>& world) {
+    world.set_dt(world.clock().dt < 0.01 ? 1.0 / 60 : 0.008);
+  };
   check_same_steps<double>(leaning_wall(in_substeps(3)), 60, change_dt);
   check_same_steps<double>(pyramid_and_disc(in_substeps(1, ContactSearch::when_moved)), 60, change_dt);
   SceneSettings drowsy = in_substeps(3);
@@ -139,7 +78,7 @@ TEST_CASE("another dt, and bodies that are put to sleep, change nothing of that"
   check_same_steps<double>(leaning_wall(drowsy), 60, [](World<double>&) {});
 }
 
-TEST_CASE("shapes that are deep in each other are counted alike where contacts are followed") {
+TEST_CASE("shapes that are deep in each other are counted alike") {
   Scene scene = pyramid_and_disc(in_substeps(1, ContactSearch::when_moved));
   scene.add({.shapes = {box(1, 1)}, .position = {20, -0.05}});  // by 0.55 m, and comes out slowly
   check_same_steps<double>(scene, 60, [](World<double>&) {});

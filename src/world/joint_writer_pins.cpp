@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "constraints/joint_rows.hpp"
-#include "world/world.hpp"
+#include "world/joint_writer.hpp"
 
 namespace cairn {
 
@@ -23,29 +23,29 @@ void begin_pin_row(const Pin& pin, JointPart part, int extra_terms, ConstraintRo
 }  // namespace
 
 template <Scalar Real>
-PinRules<Real> World<Real>::pin_rules(const Stabilization& stabilization, StabilizationPass pass) const {
-  const Real dt = substep_length();
-  PinRules<Real> rules{.now = joint_rule(stabilization, pass, dt)};
-  if (plan_->relaxes && pass == StabilizationPass::velocity)
-    rules.relaxed = joint_rule(stabilization, StabilizationPass::relax, dt);
+PinRules<Real> JointWriter<Real>::pin_rules(const Substep<Real>& step, const Stabilization& stabilization,
+                                            StabilizationPass pass, bool again) const {
+  PinRules<Real> rules{.now = joint_rule(stabilization, pass, step.dt)};
+  if (again) rules.relaxed = joint_rule(stabilization, StabilizationPass::relax, step.dt);
   return rules;
 }
 
 /// Where the bodies of all pins are: their cosines and sines serve all pins of a body.
 template <Scalar Real>
-void World<Real>::locate_pins() {
-  pin_frames_.resize(state_.pose.size());
-  for (const BodyId body : pins_->bodies) pin_frames_[body] = state_.pose[body];
-  if (!plan_->follows_arcs) return;
-  pin_frames_ahead_.resize(state_.pose.size());
+void JointWriter<Real>::locate_pins(const Substep<Real>& step) {
+  pin_frames_.resize(step.state.pose.size());
+  for (const BodyId body : pins_->bodies) pin_frames_[body] = step.state.pose[body];
+  if (!step.plan.follows_arcs) return;
+  pin_frames_ahead_.resize(step.state.pose.size());
   for (const BodyId body : pins_->bodies) pin_frames_ahead_[body] = poses_ahead_[body];
 }
 
 /// The two rows from `next` on; and what they are in the second solve, where there is one. Whether they hold
 /// points that are too far apart.
 template <Scalar Real>
-bool World<Real>::write_pin(const Pin& pin, const PinRules<Real>& rules, VelocityProblem<Real>& problem,
-                            int& next) {
+bool JointWriter<Real>::write_pin(const Substep<Real>& step, const Pin& pin, const PinRules<Real>& rules,
+                                  VelocityProblem<Real>& problem, int& next,
+                                  List<RelaxedRow<Real>>* relaxed) const {
   while (problem.row_count() < next + 2) problem.rows.emplace_back();
   ConstraintRow<Real>&x = problem.rows[next], &y = problem.rows[next + 1];
   const auto arms = joint_arms(pin_frames_[pin.a], pin_frames_[pin.b], pin.local_a, pin.local_b);
@@ -56,13 +56,13 @@ bool World<Real>::write_pin(const Pin& pin, const PinRules<Real>& rules, Velocit
   y.jacobian_a = {0, -1, -arms.r_a.x()};
   y.jacobian_b = {0, 1, arms.r_b.x()};
   Vec2<Real> speed = {0, 0};
-  if (plan_->follows_arcs && (goes_along_arc_[pin.a] || goes_along_arc_[pin.b])) {
+  if (step.plan.follows_arcs && (goes_along_arc_[pin.a] || goes_along_arc_[pin.b])) {
     const auto ahead =
         joint_arms(pin_frames_ahead_[pin.a], pin_frames_ahead_[pin.b], pin.local_a, pin.local_b);
-    const Vec3<Real>&v_a = state_.velocity[pin.a], &v_b = state_.velocity[pin.b];
+    const Vec3<Real>&v_a = step.state.velocity[pin.a], &v_b = step.state.velocity[pin.b];
     const auto lost = [&](Real error_ahead, Real error, const ConstraintRow<Real>& row) {
       const Real jv = dot(row.jacobian_a, v_a) + dot(row.jacobian_b, v_b);
-      return (error_ahead - error - substep_length() * jv) / substep_length();
+      return (error_ahead - error - step.dt * jv) / step.dt;
     };
     speed = {0 - lost(ahead.d.x(), arms.d.x(), x), 0 - lost(ahead.d.y(), arms.d.y(), y)};
   }
@@ -70,11 +70,11 @@ bool World<Real>::write_pin(const Pin& pin, const PinRules<Real>& rules, Velocit
   y.bias = speed.y() - arms.d.y() * rules.now.rate;
   x.softness = y.softness =
       rules.now.softness(problem.inverse_mass[pin.a].x() + problem.inverse_mass[pin.b].x());
-  if (rules.relaxed) {
-    relaxed_rows_.push_back({speed.x() - arms.d.x() * rules.relaxed->rate, 0});
-    relaxed_rows_.push_back({speed.y() - arms.d.y() * rules.relaxed->rate, 0});
+  if (relaxed) {
+    relaxed->push_back({speed.x() - arms.d.x() * rules.relaxed->rate, 0});
+    relaxed->push_back({speed.y() - arms.d.y() * rules.relaxed->rate, 0});
   }
-  const Real radius_a = traits(pin.a).radius, radius_b = traits(pin.b).radius;
+  const Real radius_a = step.kinds[pin.a].radius, radius_b = step.kinds[pin.b].radius;
   Real most = std::numeric_limits<Real>::infinity();
   if (radius_a > 0) most = radius_a;
   if (radius_b > 0) most = std::min(most, radius_b);
@@ -82,8 +82,8 @@ bool World<Real>::write_pin(const Pin& pin, const PinRules<Real>& rules, Velocit
   return arms.d.x() * arms.d.x() + arms.d.y() * arms.d.y() > most * most;
 }
 
-template class World<float>;
-template class World<double>;
-template class World<long double>;
+template class JointWriter<float>;
+template class JointWriter<double>;
+template class JointWriter<long double>;
 
 }  // namespace cairn

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "world/world.hpp"
+#include "world/contact_finder.hpp"
 
 namespace cairn {
 
@@ -32,62 +32,61 @@ Real least_distance(const Course<Real>& a, const Course<Real>& b, Real time) {
 /// With which velocities bodies would go on for `time` [s], should nothing be in their way: mean ones, as
 /// gravity adds its share in each substep.
 template <Scalar Real>
-void World<Real>::look_ahead(Real time) {
-  PerBody<Vec3<Real>>& velocity = outlook_.begin(time);
-  velocity = state_.velocity;
-  const Real mean_time = (time + substep_length()) / 2;
-  if (plan_->gravity) {
-    const Vec2<Real> gravity = scene_->settings().gravity.template cast<Real>();
-    apply_gravity(velocity, state_.inverse_mass, kind_, forces_, gravity, mean_time);
-  }
-  if (plan_->damping) apply_damping(velocity, state_.inverse_mass, kind_, forces_, mean_time);
-  if (sleep_) sleep_->hold(velocity);
-  outlook_.stop_nobody();
+void ContactFinder<Real>::look_ahead(Real time) {
+  PerBody<Vec3<Real>>& velocity = cache_.outlook_.begin(time);
+  velocity = step_.state.velocity;
+  step_.add_forces(velocity, (time + step_.dt) / 2);
+  cache_.outlook_.stop_nobody();
 }
 
 /// [m] How far two shapes may come beside each other.
 template <Scalar Real>
-Real World<Real>::travel(const ContactSlot<Real>& slot) const {
-  return outlook_.travel((*colliders_)[slot.collider_a], (*colliders_)[slot.collider_b], state_.pose);
+Real ContactFinder<Real>::travel(const ContactSlot<Real>& slot) const {
+  return cache_.outlook_.travel((*cache_.colliders_)[slot.collider_a], (*cache_.colliders_)[slot.collider_b],
+                                step_.state.pose);
 }
 
 /// [m] What a manifold may be off by.
 template <Scalar Real>
-Real World<Real>::nearness(const ContactSlot<Real>& slot) const {
+Real ContactFinder<Real>::nearness(const ContactSlot<Real>& slot) const {
   return static_cast<Real>(keep_share) * slot.slop_limit;
 }
 
 /// Whether a pair comes so little way that all it can touch is what is near now.
 template <Scalar Real>
-bool World<Real>::is_slow(const ContactSlot<Real>& slot, Real travel) const {
-  return travel <= std::min(static_cast<Real>(*plan_->settings.speculative_margin) / 2, slot.slop_limit);
+bool ContactFinder<Real>::is_slow(const ContactSlot<Real>& slot, Real travel) const {
+  return travel <= std::min(static_cast<Real>(*step_.plan.settings.speculative_margin) / 2, slot.slop_limit);
 }
 
 /// [m] Below it points have rows. One end of a body that comes down is thrown down by what stops the other.
 template <Scalar Real>
-Real World<Real>::margin_for(const ContactSlot<Real>& slot, Real travel) const {
-  const Real margin = static_cast<Real>(*plan_->settings.speculative_margin);
+Real ContactFinder<Real>::margin_for(const ContactSlot<Real>& slot, Real travel) const {
+  const Real margin = static_cast<Real>(*step_.plan.settings.speculative_margin);
   return is_slow(slot, travel) ? margin : margin + 2 * travel;
 }
 
 /// The manifold of a pair in the time that is looked ahead for.
 template <Scalar Real>
-Manifold<Real> World<Real>::manifold_ahead(const ContactSlot<Real>& slot) {
+Manifold<Real> ContactFinder<Real>::manifold_ahead(const ContactSlot<Real>& slot) {
   const Real way = travel(slot);
   const Real margin = margin_for(slot, way);
-  if (is_slow(slot, way)) return collide_slot(slot, frames_[slot.a], frames_[slot.b], margin);
-  const Collider &a = (*colliders_)[slot.collider_a], &b = (*colliders_)[slot.collider_b];
-  const Real room = static_cast<Real>(*plan_->settings.speculative_margin);
+  if (is_slow(slot, way)) return collide_slot(slot, cache_.frames_[slot.a], cache_.frames_[slot.b], margin);
+  const Collider &a = (*cache_.colliders_)[slot.collider_a], &b = (*cache_.colliders_)[slot.collider_b];
+  const Real room = static_cast<Real>(*step_.plan.settings.speculative_margin);
   Manifold<Real> manifold;
-  outlook_.for_each_course(a, b, state_.pose, [&](const Course<Real>& of_a, const Course<Real>& of_b) {
-    if (manifold.count == 0) manifold = manifold_of_touch(slot, of_a, of_b, room, margin);
-  });
-  const Real leeway = outlook_.time() * (outlook_.leeway(slot.a) + outlook_.leeway(slot.b));
+  cache_.outlook_.for_each_course(a, b, step_.state.pose,
+                                  [&](const Course<Real>& of_a, const Course<Real>& of_b) {
+                                    if (manifold.count == 0)
+                                      manifold = manifold_of_touch(slot, of_a, of_b, room, margin);
+                                  });
+  const Real leeway =
+      cache_.outlook_.time() * (cache_.outlook_.leeway(slot.a) + cache_.outlook_.leeway(slot.b));
   if (manifold.count == 0 && leeway > 0) {
     std::pair<Course<Real>, Course<Real>> last;
-    outlook_.for_each_course(a, b, state_.pose, [&last](const Course<Real>& of_a, const Course<Real>& of_b) {
-      last = {of_a, of_b};
-    });
+    cache_.outlook_.for_each_course(a, b, step_.state.pose,
+                                    [&last](const Course<Real>& of_a, const Course<Real>& of_b) {
+                                      last = {of_a, of_b};
+                                    });
     manifold = manifold_of_touch(slot, last.first, last.second, room + leeway, margin);
   }
   stop(slot, manifold);
@@ -98,17 +97,17 @@ Manifold<Real> World<Real>::manifold_ahead(const ContactSlot<Real>& slot) {
 /// then, and with the separations from which its rows see the two come to that pose. Of two that do not touch
 /// that of a pose in which they begin to part, if they are nearer than `room` [m] there.
 template <Scalar Real>
-Manifold<Real> World<Real>::manifold_of_touch(const ContactSlot<Real>& slot, const Course<Real>& a,
-                                              const Course<Real>& b, Real room, Real margin) const {
-  const ColliderForm<Real>& form_a = *(*colliders_)[slot.collider_a].form;
-  const ColliderForm<Real>& form_b = *(*colliders_)[slot.collider_b].form;
+Manifold<Real> ContactFinder<Real>::manifold_of_touch(const ContactSlot<Real>& slot, const Course<Real>& a,
+                                                      const Course<Real>& b, Real room, Real margin) const {
+  const ColliderForm<Real>& form_a = *(*cache_.colliders_)[slot.collider_a].form;
+  const ColliderForm<Real>& form_b = *(*cache_.colliders_)[slot.collider_b].form;
   const Real near = nearness(slot), most = form_a.radius + form_b.radius + std::max(room, near);
-  if (least_distance(a, b, outlook_.time()) > most) return {};
-  const Approach<Real> met = approach(*form_a.shape, a, *form_b.shape, b, outlook_.time(), near);
+  if (least_distance(a, b, cache_.outlook_.time()) > most) return {};
+  const Approach<Real> met = approach(*form_a.shape, a, *form_b.shape, b, cache_.outlook_.time(), near);
   if (met.separation > near && met.separation >= room) return {};
   const Frame<Real> then_a = a.at(met.time), then_b = b.at(met.time);
   Manifold<Real> manifold = collide_slot(slot, then_a, then_b, margin);
-  const Real light_a = state_.inverse_mass[slot.a].x(), light_b = state_.inverse_mass[slot.b].x();
+  const Real light_a = step_.state.inverse_mass[slot.a].x(), light_b = step_.state.inverse_mass[slot.b].x();
   const Vec2<Real> speed_a = a.velocity.template head<2>(), speed_b = b.velocity.template head<2>();
   const Real share_b = light_b / (light_a + light_b);
   for (int i = 0; i < manifold.count; ++i) {
@@ -125,42 +124,43 @@ Manifold<Real> World<Real>::manifold_of_touch(const ContactSlot<Real>& slot, con
 /// Each is stopped once in a step: from then on it is in the way of others as if nothing moved it. So two
 /// that can both be moved wait until others have stopped whom they can, whatever the order of pairs.
 template <Scalar Real>
-void World<Real>::stop(const ContactSlot<Real>& slot, const Manifold<Real>& manifold) {
+void ContactFinder<Real>::stop(const ContactSlot<Real>& slot, const Manifold<Real>& manifold) {
   const Vec3<Real> still = Vec3<Real>::Zero();
-  const Vec3<Real> light_a = outlook_.is_stopped(slot.a) ? still : state_.inverse_mass[slot.a];
-  const Vec3<Real> light_b = outlook_.is_stopped(slot.b) ? still : state_.inverse_mass[slot.b];
+  const Vec3<Real> light_a = cache_.outlook_.is_stopped(slot.a) ? still : step_.state.inverse_mass[slot.a];
+  const Vec3<Real> light_b = cache_.outlook_.is_stopped(slot.b) ? still : step_.state.inverse_mass[slot.b];
   if (light_a.isZero(0) && light_b.isZero(0)) return;
   const bool waits = stops_.of_movable_wait && !light_a.isZero(0) && !light_b.isZero(0);
   bool is_new = false;
   for (int i = 0; i < manifold.count; ++i) {
     const ManifoldPoint<Real>& point = manifold.points[i];
     const Vec2<Real>& normal = manifold.normal;
-    const Real turn_a = cross<Real>(point.position - state_.pose[slot.a].position, normal);
-    const Real turn_b = cross<Real>(point.position - state_.pose[slot.b].position, normal);
+    const Real turn_a = cross<Real>(point.position - step_.state.pose[slot.a].position, normal);
+    const Real turn_b = cross<Real>(point.position - step_.state.pose[slot.b].position, normal);
     const Vec3<Real> push_a(-normal.x(), -normal.y(), -turn_a), push_b(normal.x(), normal.y(), turn_b);
-    const Real parting = dot(push_a, outlook_.stopped(slot.a)) + dot(push_b, outlook_.stopped(slot.b));
-    const Real missing = -point.separation / outlook_.time() - parting;
-    if (is_slow(slot, outlook_.time() * missing)) continue;
+    const Real parting =
+        dot(push_a, cache_.outlook_.stopped(slot.a)) + dot(push_b, cache_.outlook_.stopped(slot.b));
+    const Real missing = -point.separation / cache_.outlook_.time() - parting;
+    if (is_slow(slot, cache_.outlook_.time() * missing)) continue;
     stops_.are_waiting = stops_.are_waiting || waits;
     if (waits) return;
     const Vec3<Real> pull_a = light_a.cwiseProduct(push_a), pull_b = light_b.cwiseProduct(push_b);
     const Real rebound = slot.restitution > 0 ? -(1 + slot.restitution) * parting : Real(0);
     const Real impulse = std::max(missing, rebound) / (dot(push_a, pull_a) + dot(push_b, pull_b));
-    if (!light_a.isZero(0)) outlook_.stop(slot.a, impulse * pull_a);
-    if (!light_b.isZero(0)) outlook_.stop(slot.b, impulse * pull_b);
+    if (!light_a.isZero(0)) cache_.outlook_.stop(slot.a, impulse * pull_a);
+    if (!light_b.isZero(0)) cache_.outlook_.stop(slot.b, impulse * pull_b);
     is_new = true;
   }
   if (!is_new) return;
   stops_.are_new = true;
   // What goes on along the contact may be turned aside by others.
-  const Vec3<Real> past = outlook_.stopped(slot.b) - outlook_.stopped(slot.a);
+  const Vec3<Real> past = cache_.outlook_.stopped(slot.b) - cache_.outlook_.stopped(slot.a);
   const Real leeway = std::abs(cross<Real>(manifold.normal, past.template head<2>()));
-  if (!light_a.isZero(0)) outlook_.set_leeway(slot.a, leeway);
-  if (!light_b.isZero(0)) outlook_.set_leeway(slot.b, leeway);
+  if (!light_a.isZero(0)) cache_.outlook_.set_leeway(slot.a, leeway);
+  if (!light_b.isZero(0)) cache_.outlook_.set_leeway(slot.b, leeway);
 }
 
-template class World<float>;
-template class World<double>;
-template class World<long double>;
+template class ContactFinder<float>;
+template class ContactFinder<double>;
+template class ContactFinder<long double>;
 
 }  // namespace cairn

@@ -1,0 +1,229 @@
+// Floor 5. What touches what: from poses to manifolds.
+#include <algorithm>
+#include <cmath>
+
+#include "collision/collide.hpp"
+#include "world/contact_finder.hpp"
+#include "math/deadline.hpp"
+#include "math/list.hpp"
+
+namespace cairn {
+
+namespace {
+
+// In which hits that follow from one another within a step are looked for. Each comes after the way to it, so
+// few of them fit into a step; where sweeps leave a heap far from solved, there is no end of them.
+constexpr int most_rounds = 6;
+
+/// Whether a point of it is no farther than `near` [m].
+template <Scalar Real>
+bool is_touching(const Manifold<Real>& manifold, Real near) {
+  return std::any_of(manifold.points.begin(), manifold.points.begin() + manifold.count,
+                     [near](const ManifoldPoint<Real>& point) { return point.separation <= near; });
+}
+
+}  // namespace
+
+template <Scalar Real>
+void ContactFinder<Real>::find() {
+  const Real time = step_.plan.moves_manifolds ? step_.step_dt : step_.dt;
+  cache_.outlook_.follow_crowd(*cache_.colliders_, step_.state.velocity, time);
+  find_manifolds();
+  if (!step_.sleep) return;
+  // What wakes may touch, or hold, what else sleeps.
+  while (step_.sleep->wake_touched(record_.manifolds, step_.state.velocity)) find_manifolds();
+}
+
+/// Where every body is.
+template <Scalar Real>
+void ContactFinder<Real>::locate_bodies() {
+  for (const BodyId body : step_.state.pose.indices()) cache_.frames_[body] = step_.state.pose[body];
+}
+
+template <Scalar Real>
+void ContactFinder<Real>::find_manifolds() {
+  cache_.candidates_.clear();
+  record_.sensed.clear();
+  if (!step_.plan.collision) return;
+  locate_bodies();
+  look_ahead(step_.plan.moves_manifolds ? step_.step_dt : step_.dt);
+  if (step_.sleep) step_.sleep->mark_movable(step_.state.velocity, cache_.movable_);
+  find_with_others([this] { meet_all(); });
+  std::sort(record_.sensed.begin(), record_.sensed.end());
+  record_.sensed.erase(std::unique(record_.sensed.begin(), record_.sensed.end()), record_.sensed.end());
+  if (!step_.plan.moves_manifolds) return;
+  look_ahead(step_.dt);
+  put_manifolds();
+}
+
+/// What is stopped, or set moving, may be in the way of others or meet them: they are looked for again.
+template <Scalar Real>
+template <typename Find>
+void ContactFinder<Real>::find_with_others(const Find& find) {
+  stops_ = {};
+  for (int round = 0; round < most_rounds; ++round) {
+    stops_.are_new = stops_.are_waiting = false;
+    find();
+    if (!stops_.are_new && !stops_.are_waiting) return;
+    stops_.of_movable_wait = stops_.are_new;
+  }
+}
+
+/// All pairs that are near, or come near.
+template <Scalar Real>
+void ContactFinder<Real>::meet_all() {
+  cache_.outlook_.find_boxes(*cache_.colliders_, cache_.frames_,
+                             static_cast<Real>(*step_.plan.settings.speculative_margin) / 2);
+  cache_.graph_.update(cache_.outlook_.swept_boxes(),
+                       [this](int i, int j) { return cache_.may_meet(step_.scene, i, j); });
+  record_.sensed.clear();
+  cache_.candidates_.clear();
+  if (!step_.plan.moves_manifolds) {
+    record_.manifolds.clear();
+    cache_.touching_.clear();
+  }
+  for (NearSlot& near : cache_.graph_.order()) {
+    Deadline::go_on();
+    meet(near);
+  }
+}
+
+/// The manifolds that were found, where the bodies are now.
+template <Scalar Real>
+void ContactFinder<Real>::move() {
+  if (!cache_.candidates_.empty()) {
+    locate_bodies();
+    look_ahead(step_.dt);
+  }
+  put_manifolds();
+}
+
+/// The same once it is known where the bodies are.
+template <Scalar Real>
+void ContactFinder<Real>::put_manifolds() {
+  find_with_others([this] {
+    record_.manifolds.clear();
+    cache_.touching_.clear();
+    for (const int number : cache_.candidates_) touch(number, moved_manifold(number));
+  });
+}
+
+/// The manifold of a slot where its bodies are now.
+template <Scalar Real>
+Manifold<Real> ContactFinder<Real>::moved_manifold(int number) {
+  const ContactSlot<Real>& slot = cache_.graph_[number];
+  const LastingManifold<Real>& lasting = cache_.graph_.lasting(number);
+  if (!lasting.is_found) return manifold_ahead(slot);
+  Manifold<Real> manifold =
+      lasting.manifold.at(cache_.frames_[slot.a], cache_.frames_[slot.b], margin_for(slot, travel(slot)));
+  manifold.collider_a = slot.collider_a;
+  manifold.collider_b = slot.collider_b;
+  return manifold;
+}
+
+template <Scalar Real>
+Manifold<Real> ContactFinder<Real>::collide_slot(const ContactSlot<Real>& slot, const Frame<Real>& frame_a,
+                                                 const Frame<Real>& frame_b, Real margin) const {
+  const ColliderForm<Real>& a = *(*cache_.colliders_)[slot.collider_a].form;
+  const ColliderForm<Real>& b = *(*cache_.colliders_)[slot.collider_b].form;
+  Manifold<Real> manifold =
+      collide(*a.shape, frame_a, *b.shape, frame_b, margin, {a.around.get(), b.around.get()});
+  manifold.collider_a = slot.collider_a;
+  manifold.collider_b = slot.collider_b;
+  return manifold;
+}
+
+/// Of the smaller of the two bodies, beside the other.
+template <Scalar Real>
+Pose<Real> ContactFinder<Real>::relative_pose(const ContactSlot<Real>& slot, bool a_moves) const {
+  const BodyId still = a_moves ? slot.b : slot.a, moving = a_moves ? slot.a : slot.b;
+  const Vec2<Real> arm = cache_.frames_[moving].position - cache_.frames_[still].position;
+  return {cache_.frames_[still].rotation.transposed_times(arm),
+          step_.state.pose[moving].angle - step_.state.pose[still].angle};
+}
+
+/// Whether the manifold of before does for this step.
+template <Scalar Real>
+bool ContactFinder<Real>::has_lasting_manifold(int number) const {
+  const LastingManifold<Real>& found = cache_.graph_.lasting(number);
+  if (!step_.plan.keeps_manifolds || !found.is_found) return false;
+  const Real margin = static_cast<Real>(*step_.plan.settings.speculative_margin);
+  const ContactSlot<Real>& slot = cache_.graph_[number];
+  const Pose<Real> now = relative_pose(slot, found.a_moves);
+  const Real way = (now.position - found.position).norm();
+  // What was beyond the margin has not come in by more than a quarter of it.
+  const Real most = std::min(margin / 4, nearness(slot));
+  if (!(way + found.radius * std::abs(now.angle - found.angle) <= most)) return false;
+  return is_slow(slot, travel(slot)) ||
+         is_touching(found.manifold.at(cache_.frames_[slot.a], cache_.frames_[slot.b], margin),
+                     nearness(slot));
+}
+
+/// Of a pair that goes far in this step, only if it touches now: else none is found, and each substep looks
+/// ahead.
+template <Scalar Real>
+void ContactFinder<Real>::find_lasting_manifold(int number) {
+  const ContactSlot<Real>& slot = cache_.graph_[number];
+  const ColliderForm<Real>& a = *(*cache_.colliders_)[slot.collider_a].form;
+  const ColliderForm<Real>& b = *(*cache_.colliders_)[slot.collider_b].form;
+  LastingManifold<Real>& found = cache_.graph_.lasting(number);
+  const Real way = travel(slot);
+  const Manifold<Real> manifold =
+      collide_slot(slot, cache_.frames_[slot.a], cache_.frames_[slot.b], margin_for(slot, way));
+  found = {.a_moves = a.radius < b.radius,
+           .is_found = is_slow(slot, way) || is_touching(manifold, nearness(slot))};
+  if (!found.is_found) return;
+  found.manifold =
+      keep(manifold, cache_.frames_[slot.a], a.core_radius, cache_.frames_[slot.b], b.core_radius);
+  found.radius = std::min(a.radius, b.radius);
+  const Pose<Real> now = relative_pose(slot, found.a_moves);
+  found.position = now.position;
+  found.angle = now.angle;
+}
+
+/// Takes a manifold into the step, if it has any point.
+template <Scalar Real>
+void ContactFinder<Real>::touch(int number, const Manifold<Real>& manifold) {
+  ContactSlot<Real>& slot = cache_.graph_[number];
+  if (manifold.count == 0) {
+    slot.impulses.count = 0;
+    return;
+  }
+  make_room(record_.manifolds, record_.manifolds.size() + 1);
+  record_.manifolds.push_back(manifold);
+  cache_.touching_.push_back(number);
+}
+
+/// One pair that is near: its manifold, if the two touch.
+template <Scalar Real>
+void ContactFinder<Real>::meet(NearSlot& near) {
+  const auto [shape_a, shape_b] = near.shapes;
+  if (step_.sleep && !cache_.movable_[shape_a] && !cache_.movable_[shape_b]) return;  // as they fell asleep
+  if (!cache_.outlook_.meet(shape_a, shape_b)) return cache_.graph_.remove_slot(near);
+  if (near.slot == NearSlot::none) cache_.graph_.add_slot(near, cache_.make_slot(step_, shape_a, shape_b));
+  const int number = near.slot;
+  ContactSlot<Real>& slot = cache_.graph_[number];
+  if (slot.sensed) {
+    const bool touches = collide_slot(slot, cache_.frames_[slot.a], cache_.frames_[slot.b], 0).count > 0;
+    if (touches) record_.sensed.push_back(std::minmax(slot.a, slot.b));
+    return;
+  }
+  if (!step_.plan.moves_manifolds) {
+    touch(number, manifold_ahead(slot));
+    return;
+  }
+  const LastingManifold<Real>& lasting = cache_.graph_.lasting(number);
+  if (!has_lasting_manifold(number)) find_lasting_manifold(number);
+  if (!lasting.is_found) manifold_ahead(slot);  // which tells of whom it stops
+  if (!lasting.is_found || lasting.manifold.count > 0) {
+    cache_.candidates_.push_back(number);
+  } else {
+    slot.impulses.count = 0;
+  }
+}
+
+template class ContactFinder<float>;
+template class ContactFinder<double>;
+template class ContactFinder<long double>;
+
+}  // namespace cairn

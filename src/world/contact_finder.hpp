@@ -1,0 +1,61 @@
+// Floor 5. One search for contacts: from poses to manifolds.
+#pragma once
+
+#include "world/contact_cache.hpp"
+
+namespace cairn {
+
+/// Finds the contacts of a substep with what the cache knows of those before.
+template <Scalar Real>
+class ContactFinder {
+ public:
+  /// Its manifolds go into the record.
+  ContactFinder(const Substep<Real>& step, ContactCache<Real>& cache, StepRecord<Real>& record)
+      : step_(step), cache_(cache), record_(record) {}
+
+  /// As ContactCache.
+  void find();
+  /// As ContactCache.
+  void move();
+
+ private:
+  using Collider = cairn::Collider<Real>;
+
+  /// What contacts that are looked for do to bodies that go on.
+  struct Stops {
+    bool of_movable_wait = true;  // those of two bodies of which neither is stopped yet
+    bool are_new = false;         // some are
+    bool are_waiting = false;     // some do
+  };
+
+  void find_manifolds();
+  void put_manifolds();
+  void meet_all();
+  template <typename Find>
+  void find_with_others(const Find& find);
+  void locate_bodies();
+  void look_ahead(Real time);
+  Real travel(const ContactSlot<Real>& slot) const;
+  bool is_slow(const ContactSlot<Real>& slot, Real travel) const;
+  Real nearness(const ContactSlot<Real>& slot) const;
+  Real margin_for(const ContactSlot<Real>& slot, Real travel) const;
+  void stop(const ContactSlot<Real>& slot, const Manifold<Real>& manifold);
+  void meet(NearSlot& near);
+  void touch(int slot, const Manifold<Real>& manifold);
+  Manifold<Real> moved_manifold(int slot);
+  Manifold<Real> manifold_ahead(const ContactSlot<Real>& slot);
+  Manifold<Real> manifold_of_touch(const ContactSlot<Real>& slot, const Course<Real>& a,
+                                   const Course<Real>& b, Real room, Real margin) const;
+  Manifold<Real> collide_slot(const ContactSlot<Real>& slot, const Frame<Real>& frame_a,
+                              const Frame<Real>& frame_b, Real margin) const;
+  Pose<Real> relative_pose(const ContactSlot<Real>& slot, bool a_moves) const;
+  bool has_lasting_manifold(int slot) const;
+  void find_lasting_manifold(int slot);
+
+  const Substep<Real>& step_;
+  ContactCache<Real>& cache_;
+  StepRecord<Real>& record_;
+  Stops stops_ = {};
+};
+
+}  // namespace cairn

@@ -1,0 +1,62 @@
+// Floor 5. The solves of a substep.
+#pragma once
+
+#include "math/list.hpp"
+#include "solvers/solver.hpp"
+#include "world/contact_cache.hpp"
+#include "world/joint_writer.hpp"
+#include "world/step_report.hpp"
+#include "world/substep.hpp"
+
+namespace cairn {
+
+/// Solves once to go, and once to stay: positions move with velocities that take errors back, and bodies keep
+/// velocities that do not have that speed. Owns scratch memory only.
+template <Scalar Real>
+class TwoSolves {
+ public:
+  /// What a substep is solved for, and what rows gave before.
+  struct Parts {
+    const Substep<Real>& step;     // where it begins
+    JointWriter<Real>& joints;     // whose rows are written
+    ContactCache<Real>& contacts;  // likewise
+    StepRecord<Real>& record;      // with the manifolds, whose problem is solved
+  };
+
+  /// Writes the record's problem as it is solved first: the velocities v_1 that bodies would have without
+  /// constraints, the masses that they take part with, the rows and what these begin from. How many joints
+  /// are apart.
+  int write(const Parts& parts);
+  /// Writes and solves the problem, its contacts without rows where the solver takes them so and nobody
+  /// looks; and leaves the velocities that stay. Those to go with.
+  const PerBody<Vec3<Real>>& solve(const Parts& parts, Solver<Real>& solver, SolveObserver<Real>* observer,
+                                   StepReport& report);
+
+ private:
+  const PerBody<Vec3<Real>>& find_stiffness(const Parts& parts, ForcesOf when);
+  void begin(const Parts& parts, ForcesOf when);
+  int write(const Parts& parts, ForcesOf when);
+  int write_rows(const Parts& parts, StabilizationPass pass, VelocityProblem<Real>& problem);
+  void solve_rows(const Parts& parts, Solver<Real>& solver, SolveObserver<Real>* observer,
+                  StepReport& report);
+  int take(const Parts& parts, ForcesOf when);
+  void solve_contacts(const Parts& parts, ContactSolver<Real>& solver, StepReport& report);
+  void relax(const Parts& parts, Solver<Real>& solver, StepReport& report);
+  void correct_positions(const Parts& parts, Solver<Real>& solver, StepReport& report);
+
+  PerBody<Vec3<Real>> stiffness_;         // geometric: [N/m, N/m, N m/rad]
+  RowForces<Real> forces_;                // of a joint or a contact
+  List<RelaxedRow<Real>> relaxed_rows_;   // of all rows, where they are solved twice
+  VelocityProblem<Real> second_problem_;  // of positions
+  PerBody<Vec3<Real>> first_velocity_;    // v_1, and
+  PerRow<Real> first_impulse_;            // the warm start of a solve that is done twice
+  PerBody<Vec3<Real>> going_;             // the velocities to go with
+};
+
+/// The record of a substep whose solver took contacts without rows, with the rows that it would have had, and
+/// with what it gave them.
+template <Scalar Real>
+StepRecord<Real> with_rows(const Substep<Real>& now, const ContactCache<Real>& contacts,
+                           const StepRecord<Real>& record);
+
+}  // namespace cairn

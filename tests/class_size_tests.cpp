@@ -1,0 +1,165 @@
+// Holds every class of the core against the most that a reader can keep in mind: public functions and
+// members.
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "math/list.hpp"
+
+namespace {
+
+using cairn::List;
+
+const int most_functions = 12;
+const int most_members = 15;
+
+struct ClassSize {
+  std::string name = {};
+  bool is_struct = false;
+  std::set<std::string> functions = {};  // public ones; overloads are one, overrides are the base's
+  int members = 0;
+};
+
+// Those that are larger, each as large as it may be: numbers here only fall.
+const std::map<std::string, std::pair<int, int>> larger_classes = {
+    // Values that users spell out, a key of a scene file for each member.
+    {"BodySpec", {0, 18}},
+    // Reads keys of every type.
+    {"SceneTable", {15, 4}},
+    // To be taken apart.
+    {"InteriorRows", {14, 6}},
+    {"LaneBatches", {12, 21}},
+    {"LaneContactBatch", {0, 16}},
+    {"LaneSystem", {17, 19}},
+    {"LookAhead", {15, 11}},
+    {"Plan", {0, 26}},
+    {"ProximalRows", {30, 17}},
+    {"RowSpec", {0, 16}},
+    {"Scene", {20, 7}},
+    {"SceneBuilder", {18, 9}},
+};
+
+/// A line without its comment, and without what lies inside <>, () and {} but for the first (.
+std::string outline_of(std::string text) {
+  text = text.substr(0, text.find("//"));
+  std::string kept;
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const bool is_arrow = c == '>' && i > 0 && text[i - 1] == '-';
+    if ((c == '>' || c == ')' || c == '}') && !is_arrow) depth = std::max(depth - 1, 0);
+    if (depth == 0) kept += c;
+    if (c == '<' || c == '(' || c == '{') ++depth;
+  }
+  return kept;
+}
+
+/// Takes in one declaration of a class.
+void take_declaration(const std::string& text, bool is_public, ClassSize& size) {
+  static const std::regex no_member("(using|friend|static|enum|class|struct|typedef|explicit)\\b.*|[~#}@].*");
+  const std::string line = outline_of(text);
+  if (line.empty() || line.find("operator") != std::string::npos || std::regex_match(line, no_member)) return;
+  const std::size_t paren = line.find('('), end = std::min(line.find('='), line.find('{'));
+  const bool is_function = paren != std::string::npos && paren < end && text.find("(*") == std::string::npos;
+  if (!is_function) {
+    size.members += 1 + static_cast<int>(std::count(line.begin(), line.end(), ','));
+    return;
+  }
+  std::smatch name;
+  const std::string before = line.substr(0, paren);
+  if (!is_public || text.find("override") != std::string::npos ||
+      before.find("operator") != std::string::npos)
+    return;
+  if (std::regex_search(before, name, std::regex("(\\w+)$")) && name[1] != size.name)
+    size.functions.insert(name[1]);
+}
+
+/// The classes of a header, which is laid out as clang-format does: members stand two columns in.
+List<ClassSize> classes_of(const std::filesystem::path& file) {
+  struct Open {
+    ClassSize size;
+    std::size_t indent = 0;
+    bool is_public = false;
+    std::string text = {};  // of a declaration that goes on
+  };
+  static const std::regex begins("( *)(class|struct) (?:alignas\\(\\d+\\) )?(\\w+)[^;]*\\{(?: *//.*)?");
+  static const std::regex access(" *(public|private|protected):.*");
+  List<ClassSize> classes;
+  List<Open> open;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    std::smatch match;
+    const std::size_t indent = line.find_first_not_of(' ');
+    if (indent == std::string::npos || line.compare(indent, 2, "//") == 0) continue;
+    while (!open.empty() && indent <= open.back().indent && line[indent] == '}') {
+      classes.push_back(open.back().size);
+      open.pop_back();
+    }
+    if (std::regex_match(line, match, begins)) {
+      const bool is_struct = match[2] == "struct";
+      open.push_back({{match[3], is_struct}, indent, is_struct});
+    } else if (!open.empty() && std::regex_match(line, match, access)) {
+      open.back().is_public = match[1] == "public";
+    } else if (!open.empty() && indent >= open.back().indent + 2) {
+      Open& at = open.back();
+      if (indent == at.indent + 2 && line.compare(indent, 8, "template") == 0) continue;
+      if (indent > at.indent + 2 && at.text.empty()) continue;  // inside the body of a function
+      at.text += (at.text.empty() ? "" : " ") + line.substr(indent).substr(0, line.substr(indent).find("//"));
+      const char last = at.text[at.text.find_last_not_of(' ')];
+      if (last != ';' && last != '{' && last != '}') continue;
+      take_declaration(at.text, at.is_public, at.size);
+      at.text.clear();
+    }
+  }
+  return classes;
+}
+
+}  // namespace
+
+TEST_CASE("no class of the core has more public functions or members than a reader keeps in mind") {
+  std::set<std::string> seen;
+  for (const char* const room : {"world", "solvers", "collision", "constraints", "scenes"}) {
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(std::string(CAIRN_SOURCE_DIR "/src/") + room)) {
+      if (entry.path().extension() != ".hpp") continue;
+      for (const ClassSize& size : classes_of(entry.path())) {
+        CAPTURE(size.name);
+        const int functions = static_cast<int>(size.functions.size());
+        const auto found = larger_classes.find(size.name);
+        if (found == larger_classes.end()) {
+          CHECK_MESSAGE(functions <= most_functions, functions, " public functions");
+          CHECK_MESSAGE(size.members <= most_members, size.members, " members");
+        } else {
+          seen.insert(size.name);
+          CHECK(functions == found->second.first);
+          CHECK(size.members == found->second.second);
+        }
+      }
+    }
+  }
+  CHECK(seen.size() == larger_classes.size());
+}
+
+TEST_CASE("functions and members of a class are counted as they are read") {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "cairn_class_size.hpp";
+  std::ofstream(file)
+      << "template <typename T>\nclass Two : public One {\n public:\n  explicit Two(int size);\n"
+         "  /// Says.\n  int say() const;\n  int say(int many,\n          int times) const {\n"
+         "    int none = 0;\n    return none;\n  }\n  void heard() override;\n"
+         "  std::map<int, int> all(int a) const { return {}; }\n\n private:\n"
+         "  struct Part {\n    int one = 1, two = 2;\n  };\n\n  void hide();\n"
+         "  std::function<void(int)> first_;  // of (two)\n  int second_ = 0, third_ = 1;\n"
+         "  static int none_;\n};\n";
+  const List<ClassSize> classes = classes_of(file);
+  std::filesystem::remove(file);
+  REQUIRE(classes.size() == 2);
+  CHECK(classes[0].name == "Part");
+  CHECK(classes[0].members == 2);
+  CHECK(classes[1].functions == std::set<std::string>{"all", "say"});
+  CHECK(classes[1].members == 3);
+}
