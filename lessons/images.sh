@@ -45,6 +45,8 @@ failures() {
   failure failure_cycle 0003 compare painleve --solvers si:20,block-contact:20 --substeps 1 --fps 10 --seconds 0.3 --show velocities
   failure failure_rods 0024 compare "$scenes/shaking-rods.toml" --solvers si:10,newton:10 --fps 10 --seconds 2.4
   failure failure_tower 0010 run "$scenes/tower-on-springs.toml" --fps 2
+  failure failure_stiffness 0002 compare "$scenes/level-chain.toml" --solvers si:10,newton:20 --fps 1 --seconds 2
+  failure failure_stiffness_cured 0002 compare "$scenes/level-chain.toml" --solvers si:10,newton:20 --stabilization relaxed --fps 1 --seconds 2
   failure failure_slot 0004 run "$scenes/slot.toml" --stabilization baumgarte --fps 1 --seconds 4 --show loads
 }
 
