@@ -36,6 +36,14 @@ bool policy_has_springs(const Stabilization& stabilization, StabilizationPass pa
   return stabilization.policy == StabilizationPolicy::soft && pass == StabilizationPass::velocity;
 }
 
+/// Whether what comes at `approach` [m/s] is stopped as by a rigid row, though there is overlap: a spring
+/// lets a share of any speed through for as long as a step. No spring of a contact has to take back what is
+/// faster than overlap may go.
+template <Scalar Real>
+bool strikes(const Stabilization& stabilization, Real approach) {
+  return approach > static_cast<Real>(most_speed(stabilization));
+}
+
 /// The spring of the policy for an error that is to go.
 template <Scalar Real>
 std::optional<SwingSoftness> policy_spring_of(const RowSpec<Real>& spec, const Stabilization& stabilization,
@@ -44,6 +52,7 @@ std::optional<SwingSoftness> policy_spring_of(const RowSpec<Real>& spec, const S
   if (!policy_has_springs(stabilization, pass) || holds_no_position(spec)) return std::nullopt;
   if (spec.bounds.is_unilateral() && (spec.error >= 0 || rebounds(spec, dt, velocity))) return std::nullopt;
   const bool of_contact = spec.gravity.has_value();
+  if (of_contact && strikes(stabilization, -spec_velocity(spec, velocity))) return std::nullopt;
   return spring_in_steps(of_contact ? stabilization.soft : stabilization.joint_soft, static_cast<double>(dt));
 }
 
@@ -183,10 +192,11 @@ RelaxedRow<Real> ContactStabilization<Real>::stabilize(const ContactState<Real>&
                                                        const VelocityProblem<Real>& problem,
                                                        ConstraintRow<Real>& row) const {
   const bool corrects = pass_ == StabilizationPass::position;
-  const bool needs_speed = corrects || contact.rebound > 0;
+  const bool may_be_on_spring = on_springs_ && !(contact.separation >= 0);
+  const bool needs_speed = corrects || contact.rebound > 0 || may_be_on_spring;
   const Real jv = needs_speed ? row_velocity(problem, row) : Real(0);
   const bool bounces = contact.rebound > 0 && contact.separation + dt_ * jv < 0;
-  const bool on_spring = on_springs_ && !(contact.separation >= 0) && !bounces;
+  const bool on_spring = may_be_on_spring && !bounces && !strikes(stabilization_, -jv);
   row.bias = -contact.separation / dt_;
   if (contact.separation < 0) {
     const Real slop = on_spring ? Real(0) : slop_of(stabilization_, contact.slop_limit);

@@ -28,10 +28,31 @@ ContactMaterial<Real> material(const ContactSlot<Real>& slot, const SceneSetting
           .gravity = static_cast<Real>(settings.gravity.norm())};
 }
 
-/// Whether its contact has to be written in rows.
+/// Whether some point in overlap comes nearly so fast that no spring stops it.
 template <Scalar Real>
-bool needs_rows(const ContactSlot<Real>& slot, const SceneSettings& settings) {
-  return slot.restitution > 0 || (slot.friction > 0 && settings.friction_rows != FrictionRows::per_point);
+bool may_strike(const ContactSlot<Real>& slot, const Manifold<Real>& manifold, const Stabilization& rules,
+                const PerBody<Pose<Real>>& poses, const PerBody<Vec3<Real>>& velocity) {
+  const auto speed_at = [&](BodyId body, const Vec2<Real>& point) -> Vec2<Real> {
+    const Vec3<Real>& v = velocity[body];
+    return v.template head<2>() + cross<Real>(v.z(), point - poses[body].position);
+  };
+  const Real most = static_cast<Real>(0.99 * most_speed(rules));  // rows tell exactly
+  return std::any_of(
+      manifold.points.begin(), manifold.points.begin() + manifold.count, [&](const auto& point) {
+        const Vec2<Real> parting = speed_at(slot.b, point.position) - speed_at(slot.a, point.position);
+        return !(point.separation >= 0) && -manifold.normal.dot(parting) > most;
+      });
+}
+
+/// Whether its contact has to be written in rows, where bodies would have these velocities without
+/// constraints.
+template <Scalar Real>
+bool needs_rows(const ContactSlot<Real>& slot, const Manifold<Real>& manifold, const SceneSettings& settings,
+                const PerBody<Pose<Real>>& poses, const PerBody<Vec3<Real>>& velocity) {
+  const Stabilization& rules = settings.stabilization;
+  if (slot.restitution > 0 || (slot.friction > 0 && settings.friction_rows != FrictionRows::per_point))
+    return true;
+  return rules.policy == StabilizationPolicy::soft && may_strike(slot, manifold, rules, poses, velocity);
 }
 
 /// RowKey::part of the k-th row that a contact would have.
@@ -116,7 +137,8 @@ void ContactCache<Real>::write(const Substep<Real>& step, const ContactStabiliza
   const int first = next;
   write_contact_rows(manifold, slot.a, slot.b, material(slot, settings), step.state.pose, step.state.velocity,
                      stabilization, contact_source(slot), problem, next, relaxed);
-  problem.blocks.push_back({first, next - first, !needs_rows(slot, settings)});
+  problem.blocks.push_back(
+      {first, next - first, !needs_rows(slot, manifold, settings, step.state.pose, problem.velocity)});
 }
 
 template <Scalar Real>
@@ -143,7 +165,7 @@ void ContactCache<Real>::take(const Substep<Real>& step, StepRecord<Real>& recor
     contact.friction = slot.friction;
     contact.slop_limit = slot.slop_limit;
     contact.block = {};
-    if (needs_rows(slot, step.plan.settings)) {
+    if (needs_rows(slot, manifold, step.plan.settings, step.state.pose, problem.velocity)) {
       contact.block = problem.blocks.size();
       write(step, stabilization, i, manifold, problem, next, relaxed);
       contact.count = problem.blocks.back().count;
