@@ -36,9 +36,9 @@ bool policy_has_springs(const Stabilization& stabilization, StabilizationPass pa
   return stabilization.policy == StabilizationPolicy::soft && pass == StabilizationPass::velocity;
 }
 
-/// Whether what comes at `approach` [m/s] is stopped as by a rigid row, though there is overlap: a spring
-/// lets a share of any speed through for as long as a step. No spring of a contact has to take back what is
-/// faster than overlap may go.
+/// Whether bodies that come together at `approach` [m/s] are stopped as by a rigid row, though they overlap:
+/// for as long as a step, a spring lets a share of any speed through. The limit is the speed at which overlap
+/// is taken back at most.
 template <Scalar Real>
 bool strikes(const Stabilization& stabilization, Real approach) {
   return approach > static_cast<Real>(most_speed(stabilization));

@@ -28,7 +28,7 @@ ContactMaterial<Real> material(const ContactSlot<Real>& slot, const SceneSetting
           .gravity = static_cast<Real>(settings.gravity.norm())};
 }
 
-/// Whether some point in overlap comes nearly so fast that no spring stops it.
+/// Whether the bodies overlap at a point and come together there almost too fast for a spring to stop them.
 template <Scalar Real>
 bool may_strike(const ContactSlot<Real>& slot, const Manifold<Real>& manifold, const Stabilization& rules,
                 const PerBody<Pose<Real>>& poses, const PerBody<Vec3<Real>>& velocity) {
