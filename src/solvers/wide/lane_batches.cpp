@@ -9,10 +9,26 @@
 
 namespace cairn {
 
+namespace {
+
+constexpr int most_colours = 64;
+
+/// The first colour from this one on that is not taken, going round after the last of so many; where all of
+/// those are taken, the first of all that is free.
+int free_colour(std::uint64_t taken, int from, int colours) {
+  for (const int first : {from, 0}) {
+    const int colour = first + std::countr_one(taken >> first);
+    if (colour < colours) return colour;
+  }
+  return std::countr_one(taken);
+}
+
+}  // namespace
+
 std::size_t LaneBatches::bytes() const {
   return blocks_.bytes() + moves_.bytes() + batches_.bytes() + colours_.bytes() + kinds_.bytes() +
          single_blocks_.bytes() + single_rows_.bytes() + single_contacts_.bytes() + coloured_.bytes() +
-         sorted_.bytes() + known_kinds_.bytes() + next_of_group_.bytes() + taken_.bytes() + in_lane_.bytes();
+         sorted_.bytes() + known_kinds_.bytes() + next_of_group_.bytes() + taken_.bytes() + next_level_.bytes() + in_lane_.bytes();
 }
 
 /// Who leans on a row of another block reads its impulse in the problem: neither lies in a lane.
@@ -29,14 +45,19 @@ void LaneBatches::single_out_what_is_leant_on() {
 void LaneBatches::colour() {
   single_out_what_is_leant_on();
   taken_.assign(moves_.size(), 0);
+  next_level_.assign(moves_.size(), 0);
+  const int colours = std::clamp(blocks_.size() / (2 * lane_count), 1, most_colours);
   coloured_.clear();
   for (int k = 0; k < blocks_.size(); ++k) {
     const Block& block = blocks_[k];
     if (block.kinds == 0 || in_lane_[k] == 0) continue;
     const std::uint64_t taken =
         (moves_[block.a] != 0 ? taken_[block.a] : 0) | (moves_[block.b] != 0 ? taken_[block.b] : 0);
-    const int colour = std::countr_one(taken);
-    if (colour == 64) continue;
+    const int level = std::max(moves_[block.a] != 0 ? next_level_[block.a] : 0,
+                               moves_[block.b] != 0 ? next_level_[block.b] : 0);
+    const int colour = free_colour(taken, level % colours, colours);
+    if (colour == most_colours) continue;
+    next_level_[block.a] = next_level_[block.b] = level + 1 + (colour - level % colours + colours) % colours;
     const std::uint64_t bit = std::uint64_t{1} << colour;
     taken_[block.a] |= bit;
     taken_[block.b] |= bit;
@@ -56,7 +77,7 @@ void LaneBatches::sort_by_colour() {
     const auto place = std::lower_bound(known_kinds_.begin(), known_kinds_.end(), each.kinds);
     return each.colour * known_kinds_.size() + static_cast<int>(place - known_kinds_.begin());
   };
-  next_of_group_.assign(64 * known_kinds_.size() + 1, 0);
+  next_of_group_.assign(most_colours * known_kinds_.size() + 1, 0);
   for (const Coloured& each : coloured_) ++next_of_group_[group_of(each) + 1];
   std::partial_sum(next_of_group_.begin(), next_of_group_.end(), next_of_group_.begin());
   sorted_.resize(coloured_.size());

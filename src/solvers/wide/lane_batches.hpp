@@ -24,8 +24,10 @@ LaneBounds lane_bounds(const Bounds<Real>& bounds) {
 }
 
 /// Blocks in colours: those of one colour share no body that can move, and are solved at the same time where
-/// they have rows of the same kinds. Colours are given greedily, each block as written taking the first of 64
-/// that is free at both its bodies. Rows go one by one if their block has more than two bodies, more than 6
+/// they have rows of the same kinds. As many colours as fill two batches each, 64 at most, are gone through
+/// over and over: each block as written takes the first colour that is free at both its bodies, behind those
+/// of the blocks before it there. So a sweep passes impulses on as one in the order of the rows does, through
+/// as many bodies as there are colours. Rows go one by one if their block has more than two bodies, more than 6
 /// rows, a disc of friction or friction that leans on another block; or if it finds no colour, or nobody of
 /// its colour and kinds. Contacts that need no rows lie in batches of their own. All of it is a function of
 /// the problem: never of those before it.
@@ -122,6 +124,7 @@ class LaneBatches {
   List<int> next_of_group_;          // scratch: where the next block of a colour and of these kinds goes
   List<char> in_lane_;               // scratch, for each block
   PerBody<std::uint64_t> taken_;     // scratch: the colours at a body, a bit each
+  PerBody<int> next_level_;          // scratch: how many blocks follow each other up to here
 };
 
 // Here, so that filling lanes need not call it for every row.
