@@ -1,6 +1,8 @@
 // Floor 4. Scales the rows of a batch: compiled once for each instruction set, as lane_sweep.hpp is.
 #pragma once
 
+#include <limits>
+
 #include "solvers/wide/lane_data.hpp"
 
 namespace cairn {
@@ -14,6 +16,15 @@ inline long double square_root(long double x) { return __builtin_sqrtl(x); }
 /// [1/kg] Weaker springs are taken for one of this softness, 1e15 times A_ii of the lightest bodies: neither
 /// does anything, and lanes have numbers for this one.
 constexpr float most_lane_softness = 1e30f;
+
+/// Rows that lack less are done: 2^7 times the step whose square is the smallest normal number, so that sweeps
+/// do not come to numbers below, over which processors take many times as long. All that rests comes to it.
+template <typename Number>
+constexpr Number smallest_step = [] {
+  Number step = 128;
+  for (int e = std::numeric_limits<Number>::min_exponent; e < 1; e += 2) step /= 2;
+  return step;
+}();
 
 /// The numbers of a row in one lane.
 template <typename Real>
@@ -76,7 +87,9 @@ inline void scale_row(const LaneRoots<Number>& __restrict roots, LaneRow<Number>
     row.jacobian_b[0][lane] = of_b0 * scale;
     row.jacobian_b[1][lane] = of_b1 * scale;
     row.jacobian_b[2][lane] = of_b2 * scale;
-    row.lacking[lane] *= inverse > 0 ? scale : Number(0);
+    const Number lacking = row.lacking[lane] * (inverse > 0 ? scale : Number(0));
+    const Number size = lacking < 0 ? -lacking : lacking;
+    row.lacking[lane] = size < smallest_step<Number> ? Number(0) : lacking;
     row.lower[lane] *= root;
     row.upper[lane] *= root;
     row.friction[lane] *= root;
