@@ -57,7 +57,7 @@ SceneCounts counts_of(const Scene& scene, const World<double>& after, int contac
     for (const Shape<double>& shape : body.spec.shapes) counts.shapes[shape_name(shape)] += 1;
   }
   for (const auto& joint : scene.joints()) counts.joints[joint->name()] += 1;
-  const VelocityProblem<double>& problem = after.last_step().problem;
+  const VelocityProblem<double> problem = with_rows(after).problem;
   for (const ConstraintRow<double>& row : problem.rows) {
     int& kind = row.bounds.is_friction()     ? counts.frictions
                 : row.bounds.is_unilateral() ? counts.normals

@@ -16,6 +16,7 @@ struct Contact {
   BodyId a = {};                    // the first body
   BodyId b = {};                    // the second body
   Real friction = 0;                // mu
+  Real restitution = 0;             // e
   Real slop_limit = 0;              // [m] no slop above this
   FixedList<Real, 4> start = {};    // [N s] the warm start
   FixedList<Real, 4> impulse = {};  // [N s] the answer

@@ -13,24 +13,36 @@ namespace {
 constexpr std::uint64_t contact_source_bit = std::uint64_t{1} << 63;
 
 template <Scalar Real>
-std::uint64_t contact_source(const ContactSlot<Real>& slot) {
-  return contact_source_bit | static_cast<std::uint64_t>(slot.collider_a) << 31 |
-         static_cast<std::uint64_t>(slot.collider_b);
+std::uint64_t contact_source(const Manifold<Real>& manifold) {
+  return contact_source_bit | static_cast<std::uint64_t>(manifold.collider_a) << 31 |
+         static_cast<std::uint64_t>(manifold.collider_b);
 }
 
 template <Scalar Real>
-ContactMaterial<Real> material(const ContactSlot<Real>& slot, const SceneSettings& settings) {
-  return {.friction = slot.friction,
-          .restitution = slot.restitution,
+ContactMaterial<Real> material(const Contact<Real>& contact, const SceneSettings& settings) {
+  return {.friction = contact.friction,
+          .restitution = contact.restitution,
           .restitution_threshold = static_cast<Real>(*settings.restitution_threshold),
           .friction_rows = settings.friction_rows,
-          .slop_limit = slot.slop_limit,
+          .slop_limit = contact.slop_limit,
           .gravity = static_cast<Real>(settings.gravity.norm())};
+}
+
+/// Nothing of what it gives is known yet.
+template <Scalar Real>
+Contact<Real> contact_of(const ContactSlot<Real>& slot) {
+  Contact<Real> contact;
+  contact.a = slot.a;
+  contact.b = slot.b;
+  contact.friction = slot.friction;
+  contact.restitution = slot.restitution;
+  contact.slop_limit = slot.slop_limit;
+  return contact;
 }
 
 /// Whether the bodies overlap at a point and come together there almost too fast for a spring to stop them.
 template <Scalar Real>
-bool may_strike(const ContactSlot<Real>& slot, const Manifold<Real>& manifold, const Stabilization& rules,
+bool may_strike(const Contact<Real>& contact, const Manifold<Real>& manifold, const Stabilization& rules,
                 const PerBody<Pose<Real>>& poses, const PerBody<Vec3<Real>>& velocity) {
   const auto speed_at = [&](BodyId body, const Vec2<Real>& point) -> Vec2<Real> {
     const Vec3<Real>& v = velocity[body];
@@ -39,20 +51,19 @@ bool may_strike(const ContactSlot<Real>& slot, const Manifold<Real>& manifold, c
   const Real most = static_cast<Real>(0.99 * most_speed(rules));  // rows tell exactly
   return std::any_of(
       manifold.points.begin(), manifold.points.begin() + manifold.count, [&](const auto& point) {
-        const Vec2<Real> parting = speed_at(slot.b, point.position) - speed_at(slot.a, point.position);
+        const Vec2<Real> parting = speed_at(contact.b, point.position) - speed_at(contact.a, point.position);
         return !(point.separation >= 0) && -manifold.normal.dot(parting) > most;
       });
 }
 
-/// Whether its contact has to be written in rows, where bodies would have these velocities without
-/// constraints.
+/// Whether it has to be written in rows, where bodies would have these velocities without constraints.
 template <Scalar Real>
-bool needs_rows(const ContactSlot<Real>& slot, const Manifold<Real>& manifold, const SceneSettings& settings,
+bool needs_rows(const Contact<Real>& contact, const Manifold<Real>& manifold, const SceneSettings& settings,
                 const PerBody<Pose<Real>>& poses, const PerBody<Vec3<Real>>& velocity) {
   const Stabilization& rules = settings.stabilization;
-  if (slot.restitution > 0 || (slot.friction > 0 && settings.friction_rows != FrictionRows::per_point))
+  if (contact.restitution > 0 || (contact.friction > 0 && settings.friction_rows != FrictionRows::per_point))
     return true;
-  return rules.policy == StabilizationPolicy::soft && may_strike(slot, manifold, rules, poses, velocity);
+  return rules.policy == StabilizationPolicy::soft && may_strike(contact, manifold, rules, poses, velocity);
 }
 
 /// RowKey::part of the k-th row that a contact would have.
@@ -119,26 +130,23 @@ template <Scalar Real>
 void ContactCache<Real>::write(const Substep<Real>& step, const List<Manifold<Real>>& manifolds,
                                StabilizationPass pass, VelocityProblem<Real>& problem, int& next,
                                List<RelaxedRow<Real>>* relaxed) const {
-  const ContactStabilization<Real> stabilization(step.plan.settings.stabilization, pass, problem.dt);
+  const ContactWriter<Real> writer(step.plan.settings, step.state, pass, problem.dt);
   int most = next;
   for (const Manifold<Real>& manifold : manifolds) most += 2 * manifold.count;
   make_room(problem.rows, most);
   for (int i = 0; i < manifolds.size(); ++i)
-    write(step, stabilization, i, manifolds[i], problem, next, relaxed);
+    writer.write(contact_of(graph_[touching_[i]]), manifolds[i], problem, next, relaxed);
 }
 
-/// The block of one contact.
 template <Scalar Real>
-void ContactCache<Real>::write(const Substep<Real>& step, const ContactStabilization<Real>& stabilization,
-                               int touch, const Manifold<Real>& manifold, VelocityProblem<Real>& problem,
-                               int& next, List<RelaxedRow<Real>>* relaxed) const {
-  const SceneSettings& settings = step.plan.settings;
-  const ContactSlot<Real>& slot = graph_[touching_[touch]];
+void ContactWriter<Real>::write(const Contact<Real>& contact, const Manifold<Real>& manifold,
+                                VelocityProblem<Real>& problem, int& next,
+                                List<RelaxedRow<Real>>* relaxed) const {
   const int first = next;
-  write_contact_rows(manifold, slot.a, slot.b, material(slot, settings), step.state.pose, step.state.velocity,
-                     stabilization, contact_source(slot), problem, next, relaxed);
+  write_contact_rows(manifold, contact.a, contact.b, material(contact, settings_), state_.pose,
+                     state_.velocity, stabilization_, contact_source(manifold), problem, next, relaxed);
   problem.blocks.push_back(
-      {first, next - first, !needs_rows(slot, manifold, settings, step.state.pose, problem.velocity)});
+      {first, next - first, !needs_rows(contact, manifold, settings_, state_.pose, problem.velocity)});
 }
 
 template <Scalar Real>
@@ -153,26 +161,22 @@ template <Scalar Real>
 void ContactCache<Real>::take(const Substep<Real>& step, StepRecord<Real>& record, int& next,
                               List<RelaxedRow<Real>>* relaxed) const {
   VelocityProblem<Real>& problem = record.problem;
-  const ContactStabilization<Real> stabilization(step.plan.settings.stabilization,
-                                                 StabilizationPass::velocity, problem.dt);
+  const SceneSettings& settings = step.plan.settings;
+  const ContactWriter<Real> writer(settings, step.state, StabilizationPass::velocity, problem.dt);
   record.contacts.resize(record.manifolds.size());
   for (int i = 0; i < record.manifolds.size(); ++i) {
-    const ContactSlot<Real>& slot = graph_[touching_[i]];
     const Manifold<Real>& manifold = record.manifolds[i];
     Contact<Real>& contact = record.contacts[i];
-    contact.a = slot.a;
-    contact.b = slot.b;
-    contact.friction = slot.friction;
-    contact.slop_limit = slot.slop_limit;
-    contact.block = {};
-    if (needs_rows(slot, manifold, step.plan.settings, step.state.pose, problem.velocity)) {
+    contact = contact_of(graph_[touching_[i]]);
+    if (needs_rows(contact, manifold, settings, step.state.pose, problem.velocity)) {
       contact.block = problem.blocks.size();
-      write(step, stabilization, i, manifold, problem, next, relaxed);
+      writer.write(contact, manifold, problem, next, relaxed);
       contact.count = problem.blocks.back().count;
       continue;
     }
-    const bool still = step.state.inverse_mass[slot.a].isZero(0) && step.state.inverse_mass[slot.b].isZero(0);
-    contact.count = still ? 0 : manifold.count * (slot.friction > 0 ? 2 : 1);
+    const PerBody<Vec3<Real>>& inverse_mass = step.state.inverse_mass;
+    const bool still = inverse_mass[contact.a].isZero(0) && inverse_mass[contact.b].isZero(0);
+    contact.count = still ? 0 : manifold.count * (contact.friction > 0 ? 2 : 1);
   }
   problem.rows.resize(next);
   problem.impulse.resize(next);
@@ -279,6 +283,9 @@ ContactSlot<Real> ContactCache<Real>::make_slot(const Substep<Real>& step, int c
   return slot;
 }
 
+template class ContactWriter<float>;
+template class ContactWriter<double>;
+template class ContactWriter<long double>;
 template class ContactCache<float>;
 template class ContactCache<double>;
 template class ContactCache<long double>;

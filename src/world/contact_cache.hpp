@@ -14,6 +14,24 @@
 
 namespace cairn {
 
+/// Writes rows of contacts: of one pass of a substep of dt [s] which begins with this state.
+template <Scalar Real>
+class ContactWriter {
+ public:
+  /// Settings and state must outlive it.
+  ContactWriter(const SceneSettings& settings, const BodyState<Real>& state, StabilizationPass pass, Real dt)
+      : settings_(settings), state_(state), stabilization_(settings.stabilization, pass, dt) {}
+  /// Puts the rows of a contact behind row `next` of the problem, which goes on to the one behind them, and
+  /// their block behind its blocks. What the rows are in a second solve goes into `relaxed`, if it is given.
+  void write(const Contact<Real>& contact, const Manifold<Real>& manifold, VelocityProblem<Real>& problem,
+             int& next, List<RelaxedRow<Real>>* relaxed) const;
+
+ private:
+  const SceneSettings& settings_;
+  const BodyState<Real>& state_;
+  ContactStabilization<Real> stabilization_;
+};
+
 /// The shapes of a world, which pairs of them are near, what touches, and what the rows of contacts gave.
 /// Manifolds lie in a StepRecord, in the order in which contacts are solved.
 template <Scalar Real>
@@ -70,9 +88,6 @@ class ContactCache {
   bool may_meet(const Scene& scene, int collider_a, int collider_b) const;
   ContactSlot<Real> make_slot(const Substep<Real>& step, int collider_a, int collider_b) const;
   void start(const Substep<Real>& step, int touch, StepRecord<Real>& record) const;
-  void write(const Substep<Real>& step, const ContactStabilization<Real>& stabilization, int touch,
-             const Manifold<Real>& manifold, VelocityProblem<Real>& problem, int& next,
-             List<RelaxedRow<Real>>* relaxed) const;
 
   std::shared_ptr<const List<Collider<Real>>> colliders_;
   ContactGraph<Real> graph_;

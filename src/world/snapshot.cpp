@@ -23,48 +23,64 @@ SnapshotBody snapshot_body(const SceneBody& body, const Pose<double>& pose, cons
           .shapes = body.spec.shapes};
 }
 
-/// One friction row for two points: each has the share that its normal impulse has of the load.
+/// What the rows of a contact gave: a normal row for each point, and a friction row behind it, or behind
+/// both, where there is friction.
 template <Scalar Real>
-void share_friction(const ConstraintRow<Real>& row, Real impulse, SnapshotContact& first,
-                    SnapshotContact& second) {
-  const double load = first.normal_impulse + second.normal_impulse;
-  const double share = load > 0 ? first.normal_impulse / load : 0.5;
-  first.friction_impulse = share * static_cast<double>(impulse);
-  second.friction_impulse = (1 - share) * static_cast<double>(impulse);
-  first.friction = second.friction = static_cast<double>(row.bounds.friction);
+struct ContactAnswer {
+  BodyId a = {};                 // the first body
+  BodyId b = {};                 // the second body
+  Real friction = 0;             // mu
+  Span<const Real> impulse;      // [N s] of each row
+  const char* is_new = nullptr;  // likewise: it had no impulse to start from
+};
+
+/// Of contact i of a record, whose rows are, or would be, behind so many rows.
+template <Scalar Real>
+ContactAnswer<Real> answer_of(const StepRecord<Real>& record, int i, int rows_before) {
+  const char* const is_new = record.is_new.as_vector().data() + rows_before;
+  if (!record.has_rows) {
+    const Contact<Real>& contact = record.contacts[i];
+    return {contact.a, contact.b, contact.friction, record.impulses(contact), is_new};
+  }
+  const RowBlock& block = record.problem.blocks[record.first_contact_block + i];
+  if (block.count == 0) return {};
+  const ConstraintRow<Real>& first = record.problem.rows[block.first];
+  const ConstraintRow<Real>& last = record.problem.rows[block.first + block.count - 1];
+  const Real friction = last.bounds.is_friction() ? last.bounds.friction : Real(0);
+  return {first.a, first.b, friction, record.impulses(block), is_new};
 }
 
-/// The contacts of one manifold, from the rows of its block: a normal row for each point, and a friction row
-/// behind it, or behind both, where there is friction.
+/// One friction row for two points: each has the share that its normal impulse has of the load.
+void share_friction(double impulse, SnapshotContact& first, SnapshotContact& second) {
+  const double load = first.normal_impulse + second.normal_impulse;
+  const double share = load > 0 ? first.normal_impulse / load : 0.5;
+  first.friction_impulse = share * impulse;
+  second.friction_impulse = (1 - share) * impulse;
+}
+
+/// The points of one manifold.
 template <Scalar Real>
-void append_contacts(const StepRecord<Real>& record, int manifold_index, const RowBlock& block,
+void append_contacts(const Manifold<Real>& manifold, const ContactAnswer<Real>& answer,
                      List<SnapshotContact>& contacts) {
-  const Manifold<Real>& manifold = record.manifolds[manifold_index];
-  int row = block.first;
+  const int rows = answer.impulse.size();
+  if (rows == 0) return;
+  const bool rubs_at_points = rows == 2 * manifold.count;
   for (int i = 0; i < manifold.count; ++i) {
     const ManifoldPoint<Real>& point = manifold.points[i];
-    const auto normal = row++;
-    SnapshotContact contact{.a = record.problem.rows[normal].a,
-                            .b = record.problem.rows[normal].b,
-                            .position = point.position.template cast<double>(),
-                            .normal = manifold.normal.template cast<double>(),
-                            .separation = static_cast<double>(point.separation),
-                            .normal_impulse = static_cast<double>(record.problem.impulse[normal]),
-                            .is_new = record.is_new[normal] != 0};
-    const auto next = row;
-    const bool has_next = row < block.first + block.count;
-    const bool is_shared = has_next && record.problem.rows[next].bounds.second_normal_row >= 0;
-    if (has_next && record.problem.rows[next].bounds.is_friction() && !is_shared) {
-      contact.friction_impulse = static_cast<double>(record.problem.impulse[next]);
-      contact.friction = static_cast<double>(record.problem.rows[next].bounds.friction);
-      ++row;
-    }
-    contacts.push_back(contact);
-    if (is_shared) {
-      share_friction(record.problem.rows[next], record.problem.impulse[next], contacts[contacts.size() - 2],
-                     contacts.back());
-    }
+    const int row = rubs_at_points ? 2 * i : i;
+    contacts.push_back({.a = answer.a,
+                        .b = answer.b,
+                        .position = point.position.template cast<double>(),
+                        .normal = manifold.normal.template cast<double>(),
+                        .separation = static_cast<double>(point.separation),
+                        .normal_impulse = static_cast<double>(answer.impulse[row]),
+                        .friction = static_cast<double>(answer.friction),
+                        .is_new = answer.is_new[row] != 0});
+    if (rubs_at_points) contacts.back().friction_impulse = static_cast<double>(answer.impulse[row + 1]);
   }
+  if (rows == manifold.count + 1 && !rubs_at_points)
+    share_friction(static_cast<double>(answer.impulse[rows - 1]), contacts[contacts.size() - 2],
+                   contacts.back());
 }
 
 template <Scalar Real>
@@ -122,8 +138,11 @@ Snapshot snapshot(const World<Real>& world) {
     }
     result.joints.push_back(joint);
   }
+  int rows = record.joint_rows();
   for (int i = 0; i < record.manifolds.size(); ++i) {
-    append_contacts(record, i, record.problem.blocks[record.first_contact_block + i], result.contacts);
+    const ContactAnswer<Real> answer = answer_of(record, i, rows);
+    append_contacts(record.manifolds[i], answer, result.contacts);
+    rows += answer.impulse.size();
   }
   return result;
 }

@@ -60,12 +60,29 @@ struct StepRecord {
   int first_contact_block = 0;                  // the block of the first manifold
   PerRow<char> is_new = {};                     // it had no impulse to start from
   List<std::pair<BodyId, BodyId>> sensed = {};  // what touches a sensor, the lower id first, sorted
-  /// The problem has all rows; else its solver took contacts as they are, those that could do without rows.
+  /// The problem has all rows; else its solver took contacts as they are, those that could do without rows:
+  /// with_rows().
   bool has_rows = true;
   List<Contact<Real>> contacts = {};         // of each manifold, then
   PerBody<Pose<Real>> pose_before = {};      // where the substep began,
   PerBody<Vec3<Real>> velocity_before = {};  // how fast bodies were,
   PerBody<Vec3<Real>> free_velocity = {};    // and v_1
+
+  /// How many rows joints and the hand have: the first ones.
+  int joint_rows() const {
+    if (first_contact_block == 0) return 0;
+    const RowBlock& last = problem.blocks[first_contact_block - 1];
+    return last.first + last.count;
+  }
+  /// [N s] What the rows of a block gave, in their order.
+  Span<const Real> impulses(const RowBlock& block) const {
+    return {problem.impulse.as_vector().data() + block.first, block.count};
+  }
+  /// [N s] What the rows of one of the contacts gave, or would have given.
+  Span<const Real> impulses(const Contact<Real>& contact) const {
+    if (contact.block) return impulses(problem.blocks[*contact.block]);
+    return {contact.impulse.data(), contact.count};
+  }
 };
 
 }  // namespace cairn

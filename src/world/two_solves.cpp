@@ -244,44 +244,8 @@ void TwoSolves<Real>::solve_contacts(const Parts& parts, ContactSolver<Real>& so
   solver.give(contacts);
 }
 
-template <Scalar Real>
-StepRecord<Real> with_rows(const Substep<Real>& now, const ContactCache<Real>& contacts,
-                           const StepRecord<Real>& record) {
-  StepRecord<Real> result = record;
-  VelocityProblem<Real>& problem = result.problem;
-  const BodyState<Real> before{
-      .pose = record.pose_before, .velocity = record.velocity_before, .inverse_mass = now.state.inverse_mass};
-  const Substep<Real> then{.scene = now.scene, .plan = now.plan, .kinds = now.kinds, .state = before};
-  problem.velocity = record.free_velocity;
-  problem.blocks.resize(record.first_contact_block);
-  int next = problem.blocks.empty() ? 0 : problem.blocks.back().first + problem.blocks.back().count;
-  const int joint_rows = next;
-  List<RelaxedRow<Real>> relaxed(joint_rows);
-  contacts.write(then, result.manifolds, StabilizationPass::velocity, problem, next, &relaxed);
-  problem.rows.resize(next);
-  for (int i = joint_rows; now.plan.relaxes && i < next; ++i) {
-    problem.rows[i].bias = relaxed[i].bias;
-    problem.rows[i].softness = relaxed[i].softness;
-  }
-  problem.velocity = record.problem.velocity;
-  problem.impulse.resize(joint_rows);
-  for (const Contact<Real>& contact : record.contacts) {
-    const int first = contact.block ? record.problem.blocks[*contact.block].first : 0;
-    for (int k = 0; k < contact.count; ++k)
-      problem.impulse.push_back(contact.block ? record.problem.impulse[first + k] : contact.impulse[k]);
-  }
-  result.has_rows = true;
-  return result;
-}
-
 template class TwoSolves<float>;
 template class TwoSolves<double>;
 template class TwoSolves<long double>;
-template StepRecord<float> with_rows(const Substep<float>&, const ContactCache<float>&,
-                                     const StepRecord<float>&);
-template StepRecord<double> with_rows(const Substep<double>&, const ContactCache<double>&,
-                                      const StepRecord<double>&);
-template StepRecord<long double> with_rows(const Substep<long double>&, const ContactCache<long double>&,
-                                           const StepRecord<long double>&);
 
 }  // namespace cairn

@@ -53,10 +53,4 @@ class TwoSolves {
   PerBody<Vec3<Real>> going_;             // the velocities to go with
 };
 
-/// The record of a substep whose solver took contacts without rows, with the rows that it would have had, and
-/// with what it gave them.
-template <Scalar Real>
-StepRecord<Real> with_rows(const Substep<Real>& now, const ContactCache<Real>& contacts,
-                           const StepRecord<Real>& record);
-
 }  // namespace cairn

@@ -76,7 +76,6 @@ template <Scalar Real>
 void World<Real>::leave_step() {
   if (plan_->substeps > 1) state_.pose = first_pose_, state_.velocity = first_velocity_;
   record_ = {};
-  written_.forget();
 }
 
 template <Scalar Real>
@@ -89,7 +88,6 @@ void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>*
   } else {
     contacts_.move(step, record_);  //       or those of the step, where they are now
   }
-  written_.forget();
   // 3     v_1 = v + dt M^-1 f: gravity is in before any constraint is solved
   // 4, 5  joints and manifolds -> rows -> impulses, v_2
   const PerBody<Vec3<Real>>& going =
@@ -131,12 +129,6 @@ Substep<Real> World<Real>::now_asleep() {
   Substep<Real> step = now();
   if (sleep_) step.sleep = &*sleep_;
   return step;
-}
-
-/// Before something changes that rows are written from.
-template <Scalar Real>
-void World<Real>::keep_rows() {
-  if (!record_.has_rows) record_ = last_step();
 }
 
 template class World<float>;

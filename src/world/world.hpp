@@ -12,7 +12,6 @@
 #include "world/contact_cache.hpp"
 #include "world/hand.hpp"
 #include "world/joint_writer.hpp"
-#include "world/made_once.hpp"
 #include "world/occupation.hpp"
 #include "world/plan.hpp"
 #include "world/scene.hpp"
@@ -82,11 +81,8 @@ class World {
   const BodyState<Real>& bodies() const { return state_; }
   /// What it was made from.
   const Scene& scene() const { return *scene_; }
-  /// What the last step saw; empty before the first. Where the step needed no rows, they are written when
-  /// this is first called. As long as the world is left alone.
-  const StepRecord<Real>& last_step() const {
-    return record_.has_rows ? record_ : written_.get([this] { return with_rows(now(), contacts_, record_); });
-  }
+  /// What the last step saw; empty before the first.
+  const StepRecord<Real>& last_step() const { return record_; }
   /// The time now, the steps that were taken, and the length of the next one.
   const Clock& clock() const { return clock_; }
 
@@ -100,7 +96,6 @@ class World {
   Substep<Real> now_asleep();
   void carry_over(const World& before, const Scene& then);
   void carry_sleep(const World& before, const Scene& then);
-  void keep_rows();
 
   Occupation occupation_;  // the first: whoever must not assign has assigned nothing
   std::shared_ptr<const Scene> scene_;
@@ -113,7 +108,6 @@ class World {
   std::optional<SleepState<Real>> sleep_;  // where the scene lets bodies sleep
   Clock clock_;
   StepRecord<Real> record_;
-  MadeOnce<StepRecord<Real>> written_;  // the same with rows, where it has none
 
   // Scratch memory, kept so that a steady step allocates nothing.
   TwoSolves<Real> solves_;
@@ -129,6 +123,10 @@ World(Scene)->World<double>;
 /// @throws as World::edit().
 template <Scalar Real>
 bool do_events(World<Real>& world);
+
+/// What its last step saw, with the rows of all contacts, where its solver took them without.
+template <Scalar Real>
+StepRecord<Real> with_rows(const World<Real>& world);
 
 /// What the world looks like now. Contacts are those of the last step, where it found them.
 template <Scalar Real>

@@ -153,7 +153,6 @@ void World<Real>::move_hand(const HandInput& input) {
   if (input.kind == HandInput::Kind::grab) {
     for (const Pose<Real>& pose : state_.pose)
       poses.push_back({pose.position.template cast<double>(), static_cast<double>(pose.angle)});
-    keep_rows();  // which are without the hand's
   }
   hand_.move(input, clock_.steps, *scene_, poses);
   if (input.kind == HandInput::Kind::grab) joints_.forget_hand();

@@ -121,7 +121,6 @@ template <Scalar Real>
 void World<Real>::set_dt(double dt) {
   occupation_.refuse("World::set_dt");
   require_time_step(dt, "World::set_dt");
-  keep_rows();  // which are of the dt before
   clock_.dt = dt;
 }
 

@@ -213,7 +213,7 @@ class RandomWorld {
 
   void read(const World<Real>& world) {
     (void)world.velocity_problem();
-    if (choices_.one_in(2)) (void)world.last_step();
+    if (choices_.one_in(2)) (void)with_rows(world);
     if (choices_.one_in(2)) (void)snapshot(world);
   }
 

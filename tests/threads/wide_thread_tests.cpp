@@ -66,7 +66,7 @@ VelocityProblem<double> problem_of(const Scene& scene) {
   WideSequentialImpulse<double> solver;
   world.step(solver);
   world.step(solver);
-  return world.last_step().problem;
+  return with_rows(world).problem;
 }
 
 int colours_to_share(const VelocityProblem<double>& problem) {

@@ -87,7 +87,7 @@ void check_steps(const Scene& scene, const SolverSettings& settings, Momentum mo
     CHECK(report.contacts == expected.contacts);
     CHECK(report.sweeps == expected.sweeps);
     CHECK(report.solve.stop == expected.solve.stop);
-    if (step % 9 == 0) check_same_record(world.last_step(), observed.last_step());
+    if (step % 9 == 0) check_same_record(with_rows(world), with_rows(observed));
   }
   CHECK(world.last_step().manifolds.size() > 40);
   check_same(world, observed);
