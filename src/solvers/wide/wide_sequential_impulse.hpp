@@ -67,7 +67,7 @@ class WideSequentialImpulse final : public Solver<Real>, private ContactSolver<R
   SolveReport relax(ContactProblem<Real>& contacts) override;
   void give(ContactProblem<Real>& contacts) const override { lanes_.give(contacts); }
   SolveReport solve_begun(VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
-  LaneSteps<Real> iterate(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* row_observer);
+  LaneSteps<Real> iterate(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* watcher);
   void accept_or_undo(VelocityProblem<Real>& problem, const LaneSteps<Real>& gathered,
                       const LaneSteps<Real>& swept);
 
