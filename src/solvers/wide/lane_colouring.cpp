@@ -32,7 +32,7 @@ const List<ColouredBlock>& LaneColouring::colour(const List<LaneBlock>& blocks, 
                                                  const List<char>& may_lie) {
   taken_.assign(moves.size(), 0);
   next_level_.assign(moves.size(), 0);
-  const int colours = std::clamp(blocks.size() / (2 * lane_count), 1, most_colours);
+  const int colours = std::clamp(blocks.size() / lane_count, 1, most_colours);
   coloured_.clear();
   for (int k = 0; k < blocks.size(); ++k) {
     const LaneBlock& block = blocks[k];

@@ -28,7 +28,7 @@ struct ColouredBlock {
   int block = 0;            // its number
 };
 
-/// Gives blocks colours: those of one colour share no body that can move. As many colours as fill two batches
+/// Gives blocks colours: those of one colour share no body that can move. As many colours as fill a batch
 /// each, 64 at most, are gone through over and over: each block as written takes the first colour that is
 /// free at both its bodies, behind those of the blocks before it there. So a sweep, colour by colour, passes
 /// impulses on as one in the order of the blocks does, through as many bodies as there are colours. Owns
