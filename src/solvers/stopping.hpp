@@ -2,7 +2,6 @@
 #pragma once
 
 #include <chrono>
-#include <type_traits>
 
 #include "solvers/solver.hpp"
 #include "math/list.hpp"
@@ -67,17 +66,16 @@ class Stopping {
   }
 
   /// Sweeps until the settings given to begin() say stop: "while not satisfied with global solution" of
-  /// Algorithm 1, in every iterative solver. sweep(number, watched) does one sweep, from number 1, and
+  /// Algorithm 1, in every iterative solver. sweep(number, watcher) does one sweep, from number 1, and
   /// returns the largest change of an impulse [N s]; it leaves problem.velocity current where an observer or
-  /// needs_velocity() asks for it. `watched` is a std::true_type where an observer wants to see every row and
-  /// a std::false_type otherwise: sweeps are compiled for either, and those that nobody watches pay nothing.
+  /// needs_velocity() asks for it. `watcher` is the observer, where it wants to see every row; or null.
   template <typename Sweep>
   SolveReport repeat(VelocityProblem<Real>& problem, SolveObserver<Real>* observer, const Sweep& sweep) {
-    const bool watched = observer != nullptr && observer->watches_rows();
+    SolveObserver<Real>* const watcher = observer && observer->watches_rows() ? observer : nullptr;
     SolveReport report;
     while (report.iterations < settings_.iterations && report.stop == Stop::sweeps) {
       const int number = ++report.iterations;
-      const Real change = watched ? sweep(number, std::true_type()) : sweep(number, std::false_type());
+      const Real change = sweep(number, watcher);
       report.largest_change = static_cast<double>(change);
       if (observer != nullptr) observer->after_sweep(number, problem);
       report.stop = judge(problem, number, change);
@@ -93,9 +91,9 @@ class Stopping {
   template <typename Sweep>
   SolveReport repeat_rows(VelocityProblem<Real>& problem, SolveObserver<Real>* observer,
                           RowSequence& sequence, const Sweep& sweep) {
-    return repeat(problem, observer, [&](int number, auto watched) {
+    return repeat(problem, observer, [&](int number, SolveObserver<Real>* watcher) {
       order_rows(problem, settings_.order, settings_.seed, number, sequence);
-      return sweep(number, watched);
+      return sweep(number, watcher);
     });
   }
 
@@ -104,11 +102,12 @@ class Stopping {
   template <typename Sweep, typename Update>
   SolveReport repeat_rows(VelocityProblem<Real>& problem, SolveObserver<Real>* observer,
                           RowSequence& sequence, const Sweep& sweep, const Update& update) {
-    const SolveReport report = repeat_rows(problem, observer, sequence, [&](int number, auto watched) {
-      const Real change = sweep(number, watched);
-      if (observer != nullptr || needs_velocity(number)) update();
-      return change;
-    });
+    const SolveReport report =
+        repeat_rows(problem, observer, sequence, [&](int number, SolveObserver<Real>* watcher) {
+          const Real change = sweep(number, watcher);
+          if (observer != nullptr || needs_velocity(number)) update();
+          return change;
+        });
     update();
     return report;
   }

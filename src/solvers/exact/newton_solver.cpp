@@ -25,8 +25,6 @@ constexpr int most_failures = 20;
 constexpr int roundings_of_residual = 4;   // of R_E: there is nothing below,
 constexpr int roundings_of_impulses = 16;  // nor below so many of all impulses, beside the scale of R_E
 constexpr double goal_of_tolerance = 0.01;
-constexpr double farthest_goal =
-    1e-8;  // one step more leads here from 1e-4, and saves a solve in the next step
 // Of R_E in a step that was solved: where it falls less, the next is stiffer;
 constexpr double good_progress = 0.1;
 // and where that is at the stiffest already, so often in a row, it stands still.
@@ -73,7 +71,8 @@ SolveReport NewtonSolver<Real>::solve_unobserved(VelocityProblem<Real>& problem,
   }
   give_answer(problem);
   SolveReport report{.iterations = systems_, .extra_sweeps = sweeps_};
-  report.converged = least_residual_ <= std::max(enough(), rounding_in<Real>(rows_, 1));
+  const Work asked = static_cast<Work>(settings_.tolerance);
+  report.converged = least_residual_ <= std::max({asked, rounding(), rounding_in<Real>(rows_, 1)});
   if (report.converged) report.stop = Stop::tolerance;
   report.residual = static_cast<double>(least_residual_);
   return report;
@@ -92,8 +91,7 @@ void NewtonSolver<Real>::give_answer(VelocityProblem<Real>& problem) {
 
 template <Scalar Real>
 typename NewtonSolver<Real>::Work NewtonSolver<Real>::goal() const {
-  return std::max(static_cast<Work>(std::min(goal_of_tolerance * settings_.tolerance, farthest_goal)),
-                  rounding());
+  return std::max(Work(goal_of_tolerance) * tolerance(), rounding());
 }
 
 template <Scalar Real>
@@ -125,8 +123,7 @@ void NewtonSolver<Real>::answer(const VelocityProblem<Work>& problem, bool again
   residual_ = least_residual_ = std::numeric_limits<Work>::infinity();
   note_center();
   // Nothing can be said of what is no number.
-  const Work good_start = std::max(
-      {static_cast<Work>(goal_of_tolerance * settings_.tolerance), rounding_in<Real>(rows_, 1), rounding()});
+  const Work good_start = std::max(goal(), rounding_in<Real>(rows_, 1));
   if (settings_.iterations > 0 && residual_ > good_start && std::isfinite(residual_)) approach(problem);
 }
 

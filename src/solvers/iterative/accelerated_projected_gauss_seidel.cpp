@@ -34,8 +34,8 @@ SolveReport AcceleratedProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& 
   stopping_.begin(settings_for_stopping(settings_), problem);
   prepare(problem);
 
-  return stopping_.repeat(problem, observer, [&](int number, auto watched) {
-    return iterate(number, problem, decltype(watched)::value ? observer : nullptr);
+  return stopping_.repeat(problem, observer, [&](int number, SolveObserver<Real>* watcher) {
+    return iterate(number, problem, watcher);
   });
 }
 
@@ -55,12 +55,11 @@ void AcceleratedProjectedGaussSeidel<Real>::prepare(VelocityProblem<Real>& probl
 /// tried: an undone sweep is no standstill.
 template <Scalar Real>
 Real AcceleratedProjectedGaussSeidel<Real>::iterate(int number, VelocityProblem<Real>& problem,
-                                                    SolveObserver<Real>* row_observer) {
+                                                    SolveObserver<Real>* watcher) {
   order_rows(problem, settings_.order, settings_.seed, number, sequence_);
   velocity_before_ = problem.velocity;
   const Real gained = extrapolate(static_cast<Real>(k_ - 1) / static_cast<Real>(k_ + 2), problem);
-  const Descent descent = row_observer != nullptr ? sweep<true>(number, problem, row_observer)
-                                                  : sweep<false>(number, problem, nullptr);
+  const Descent descent = sweep(number, problem, watcher);
   const Real change = largest_change(problem);
 
   const bool descends = gained + descent.change <= -descent.share / 2;
@@ -100,9 +99,8 @@ Real AcceleratedProjectedGaussSeidel<Real>::extrapolate(Real momentum, VelocityP
 }
 
 template <Scalar Real>
-template <bool watched>
 typename AcceleratedProjectedGaussSeidel<Real>::Descent AcceleratedProjectedGaussSeidel<Real>::sweep(
-    int number, VelocityProblem<Real>& problem, [[maybe_unused]] SolveObserver<Real>* observer) {
+    int number, VelocityProblem<Real>& problem, SolveObserver<Real>* watcher) {
   const Real omega = Real(settings_.relaxation);
   Descent descent;
   for (const int i : sequence_.rows) {
@@ -120,8 +118,8 @@ typename AcceleratedProjectedGaussSeidel<Real>::Descent AcceleratedProjectedGaus
     const Real inverse = effective_mass_[i] > 0 ? 1 / effective_mass_[i] : Real(0);
     descent.change += step * (step * inverse / 2 - error);
     descent.share += step * step * inverse * (1 / omega - Real(0.5));
-    if constexpr (watched) {
-      observer->after_row({number, i, jv, inverse, corrective, old, problem.impulse[i]}, problem);
+    if (watcher != nullptr) {
+      watcher->after_row({number, i, jv, inverse, corrective, old, problem.impulse[i]}, problem);
     }
   }
   return descent;

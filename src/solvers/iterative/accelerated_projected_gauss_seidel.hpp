@@ -56,10 +56,9 @@ class AcceleratedProjectedGaussSeidel final : public Solver<Real> {
   };
 
   void prepare(VelocityProblem<Real>& problem);
-  Real iterate(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* row_observer);
+  Real iterate(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* watcher);
   Real extrapolate(Real momentum, VelocityProblem<Real>& problem);
-  template <bool watched>
-  Descent sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
+  Descent sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* watcher);
   Real largest_change(const VelocityProblem<Real>& problem) const;
 
   SolverSettings settings_;

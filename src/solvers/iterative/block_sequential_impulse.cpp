@@ -67,13 +67,13 @@ SolveReport BlockSequentialImpulse<Real>::solve_prepared(VelocityProblem<Real>& 
   stopping_.begin(settings_, problem);
   apply_impulses(problem);  // warm start: those of last step act before the first sweep
 
-  return stopping_.repeat_rows(problem, observer, sequence_, [&](int number, auto watched) {
+  return stopping_.repeat_rows(problem, observer, sequence_, [&](int number, SolveObserver<Real>* watcher) {
     Real largest_change = 0;
     for (const int row : sequence_.rows) {
       const Turn turn = turns_[row];
       for (int k = turn.first; k < turn.last; ++k) {
         const Part& part = parts_[k];
-        const Real change = update<decltype(watched)::value>(number, part, problem, observer);
+        const Real change = update(number, part, problem, watcher);
         largest_change = std::max(largest_change, change);
       }
     }
@@ -208,10 +208,9 @@ bool BlockSequentialImpulse<Real>::add_equalities(const VelocityProblem<Real>& p
 
 /// One update of (22) for all rows of a part at once; returns the largest change of an impulse.
 template <Scalar Real>
-template <bool watched>
 Real BlockSequentialImpulse<Real>::update(int number, const Part& part, VelocityProblem<Real>& problem,
-                                          [[maybe_unused]] SolveObserver<Real>* observer) {
-  if (!watched && part.kind == Kind::equality_pair) {
+                                          SolveObserver<Real>* watcher) {
+  if (watcher == nullptr && part.kind == Kind::equality_pair) {
     return equality_pairs_[part.matrix].update(problem, Real(settings_.relaxation));
   }
   const auto count = part.count;
@@ -233,10 +232,10 @@ Real BlockSequentialImpulse<Real>::update(int number, const Part& part, Velocity
     apply_impulse(problem, row, problem.impulse[i] - old[k]);  // (19), (21)
     largest_change = std::max(largest_change, std::abs(problem.impulse[i] - old[k]));
   }
-  if constexpr (watched) {
+  if (watcher != nullptr) {
     for (int k = 0; k < count; ++k) {
       const int i = part.rows[k];
-      observer->after_row(
+      watcher->after_row(
           {number, i, jv[k], block_entry(problem, i, i), corrective[k], old[k], problem.impulse[i]}, problem);
     }
   }

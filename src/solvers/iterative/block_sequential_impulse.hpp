@@ -76,8 +76,7 @@ class BlockSequentialImpulse final : public Solver<Real> {
   void add_row(const VelocityProblem<Real>& problem, int row);
   bool add_pair(const VelocityProblem<Real>& problem, Kind kind, int first, int second);
   bool add_equalities(const VelocityProblem<Real>& problem, const List<int>& rows);
-  template <bool watched>
-  Real update(int number, const Part& part, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
+  Real update(int number, const Part& part, VelocityProblem<Real>& problem, SolveObserver<Real>* watcher);
   void correct(const Part& part, const VelocityProblem<Real>& problem, BlockVector<Real>& error) const;
 
   SolverSettings settings_;

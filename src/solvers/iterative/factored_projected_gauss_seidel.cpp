@@ -20,7 +20,7 @@ SolveReport FactoredProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& pro
 
   return stopping_.repeat_rows(
       problem, observer, sequence_,
-      [&](int number, auto watched) { return sweep<decltype(watched)::value>(number, problem, observer); },
+      [&](int number, SolveObserver<Real>* watcher) { return sweep(number, problem, watcher); },
       [&] { update_velocity(problem); });
 }
 
@@ -62,9 +62,8 @@ void FactoredProjectedGaussSeidel<Real>::accelerate(const VelocityProblem<Real>&
 }
 
 template <Scalar Real>
-template <bool watched>
 Real FactoredProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& problem,
-                                               [[maybe_unused]] SolveObserver<Real>* observer) {
+                                               SolveObserver<Real>* watcher) {
   const Real omega = Real(settings_.relaxation);
   Real largest_change = 0;
   for (const int i : sequence_.rows) {
@@ -85,12 +84,11 @@ Real FactoredProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>
     row.lambda = lambda;
 
     largest_change = std::max(largest_change, std::abs(problem.impulse[i] - old));
-    if constexpr (watched) {
+    if (watcher != nullptr) {
       const Real jv = problem.rows[i].bias - row.softness * old - row_error * problem.dt;
       const Real inverse = row.effective_mass > 0 ? 1 / row.effective_mass : Real(0);
       update_velocity(problem);
-      observer->after_row({number, i, jv, inverse, corrective * problem.dt, old, problem.impulse[i]},
-                          problem);
+      watcher->after_row({number, i, jv, inverse, corrective * problem.dt, old, problem.impulse[i]}, problem);
     }
   }
   return largest_change;

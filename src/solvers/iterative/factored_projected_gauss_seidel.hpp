@@ -48,8 +48,7 @@ class FactoredProjectedGaussSeidel final : public Solver<Real> {
 
   void build(const VelocityProblem<Real>& problem);
   void accelerate(const VelocityProblem<Real>& problem, int i, Real lambda);
-  template <bool watched>
-  Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
+  Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* watcher);
   void update_velocity(VelocityProblem<Real>& problem) const;
 
   SolverSettings settings_;

@@ -58,15 +58,13 @@ SolveReport Jacobi<Real>::solve(VelocityProblem<Real>& problem, SolveObserver<Re
   new_impulse_.resize(problem.rows.size());
   apply_impulses(problem);  // warm start: those of last step act before the first sweep
 
-  return stopping_.repeat(problem, observer, [&](int number, auto watched) {
-    return sweep<decltype(watched)::value>(number, problem, observer);
+  return stopping_.repeat(problem, observer, [&](int number, SolveObserver<Real>* watcher) {
+    return sweep(number, problem, watcher);
   });
 }
 
 template <Scalar Real>
-template <bool watched>
-Real Jacobi<Real>::sweep(int number, VelocityProblem<Real>& problem,
-                         [[maybe_unused]] SolveObserver<Real>* observer) {
+Real Jacobi<Real>::sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* watcher) {
   // Everything is read here, and nothing is written that another row reads ...
   for (int i = 0; i < problem.row_count(); ++i) {
     const ConstraintRow<Real>& row = problem.rows[i];
@@ -74,9 +72,9 @@ Real Jacobi<Real>::sweep(int number, VelocityProblem<Real>& problem,
     const Real old = problem.impulse[i];
     const Real corrective = (row.bias - jv - row.softness * old) * step_[i];
     new_impulse_[i] = row.bounds.clamp(old + corrective, problem.impulse);
-    if constexpr (watched) {
+    if (watcher != nullptr) {
       const Real inverse = inverse_effective_mass(problem, row);
-      observer->after_row({number, i, jv, inverse, corrective, old, new_impulse_[i]}, problem);
+      watcher->after_row({number, i, jv, inverse, corrective, old, new_impulse_[i]}, problem);
     }
   }
 

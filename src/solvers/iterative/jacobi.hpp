@@ -51,8 +51,7 @@ class Jacobi final : public Solver<Real> {
   std::size_t memory() const override { return step_.bytes() + new_impulse_.bytes() + rows_on_body_.bytes(); }
 
  private:
-  template <bool watched>
-  Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
+  Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* watcher);
 
   SolverSettings settings_;
   Splitting splitting_;

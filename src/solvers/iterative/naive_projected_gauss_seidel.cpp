@@ -30,15 +30,14 @@ SolveReport NaiveProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& proble
   }
   recompute_velocity(problem);  // warm start (2.3): the impulses that are there already act
 
-  return stopping_.repeat_rows(problem, observer, sequence_, [&](int number, auto watched) {
-    return sweep<decltype(watched)::value>(number, problem, observer);
+  return stopping_.repeat_rows(problem, observer, sequence_, [&](int number, SolveObserver<Real>* watcher) {
+    return sweep(number, problem, watcher);
   });
 }
 
 template <Scalar Real>
-template <bool watched>
 Real NaiveProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& problem,
-                                            [[maybe_unused]] SolveObserver<Real>* observer) {
+                                            SolveObserver<Real>* watcher) {
   const Real omega = Real(settings_.relaxation);
   Real largest_change = 0;
   for (const int i : sequence_.rows) {
@@ -53,8 +52,8 @@ Real NaiveProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& p
     recompute_velocity(problem);
 
     largest_change = std::max(largest_change, std::abs(problem.impulse[i] - old));
-    if constexpr (watched) {
-      observer->after_row({number, i, jv, inverse_mass_[i], corrective, old, problem.impulse[i]}, problem);
+    if (watcher != nullptr) {
+      watcher->after_row({number, i, jv, inverse_mass_[i], corrective, old, problem.impulse[i]}, problem);
     }
   }
   return largest_change;

@@ -32,8 +32,7 @@ class NaiveProjectedGaussSeidel final : public Solver<Real> {
   std::size_t memory() const override { return inverse_mass_.bytes() + velocity_.bytes(); }
 
  private:
-  template <bool watched>
-  Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
+  Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* watcher);
   void recompute_velocity(VelocityProblem<Real>& problem) const;
 
   SolverSettings settings_;

@@ -30,7 +30,7 @@ SolveReport ProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem, So
 
   return stopping_.repeat_rows(
       problem, observer, sequence_,
-      [&](int number, auto watched) { return sweep<decltype(watched)::value>(number, problem, observer); },
+      [&](int number, SolveObserver<Real>* watcher) { return sweep(number, problem, watcher); },
       [&] { update_velocity(problem); });
 }
 
@@ -42,9 +42,8 @@ std::size_t ProjectedGaussSeidel<Real>::memory() const {
 }
 
 template <Scalar Real>
-template <bool watched>
 Real ProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& problem,
-                                       [[maybe_unused]] SolveObserver<Real>* observer) {
+                                       SolveObserver<Real>* watcher) {
   const Real omega = Real(settings_.relaxation);
   Real largest_change = 0;
   for (const int index : sequence_.rows) {
@@ -59,11 +58,11 @@ Real ProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& proble
     lambda_(index) = problem.impulse[index] / problem.dt;
 
     largest_change = std::max(largest_change, std::abs(problem.impulse[index] - old));
-    if constexpr (watched) {
+    if (watcher != nullptr) {
       const Real jv = row.bias - row.softness * old - row_error * problem.dt;
       update_velocity(problem);
-      observer->after_row({number, index, jv, A_ii, corrective * problem.dt, old, problem.impulse[index]},
-                          problem);
+      watcher->after_row({number, index, jv, A_ii, corrective * problem.dt, old, problem.impulse[index]},
+                         problem);
     }
   }
   return largest_change;

@@ -32,8 +32,7 @@ class ProjectedGaussSeidel final : public Solver<Real> {
   std::size_t memory() const override;
 
  private:
-  template <bool watched>
-  Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
+  Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* watcher);
   void update_velocity(VelocityProblem<Real>& problem) const;
 
   SolverSettings settings_;

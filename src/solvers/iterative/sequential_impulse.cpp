@@ -19,8 +19,8 @@ SolveReport SequentialImpulse<Real>::solve(VelocityProblem<Real>& problem, Solve
   prepare(problem);
   apply_impulses(problem);  // warm start: those of last step act before the first sweep
 
-  return stopping_.repeat_rows(problem, observer, sequence_, [&](int number, auto watched) {
-    return sweep<decltype(watched)::value>(number, problem, observer);
+  return stopping_.repeat_rows(problem, observer, sequence_, [&](int number, SolveObserver<Real>* watcher) {
+    return sweep(number, problem, watcher);
   });
 }
 
@@ -34,9 +34,8 @@ void SequentialImpulse<Real>::prepare(const VelocityProblem<Real>& problem) {
 }
 
 template <Scalar Real>
-template <bool watched>
 Real SequentialImpulse<Real>::sweep(int number, VelocityProblem<Real>& problem,
-                                    [[maybe_unused]] SolveObserver<Real>* observer) {
+                                    SolveObserver<Real>* watcher) {
   const bool precomputed = variant_.effective_mass == EffectiveMass::precomputed;
   const bool clamps_sum = variant_.clamp == Clamp::accumulated;
   const Real omega = Real(settings_.relaxation);
@@ -55,9 +54,9 @@ Real SequentialImpulse<Real>::sweep(int number, VelocityProblem<Real>& problem,
     apply_impulse(problem, row, accumulated - old);  // (19), (21)
 
     largest_change = std::max(largest_change, std::abs(accumulated - old));
-    if constexpr (watched) {
+    if (watcher != nullptr) {
       const Real inverse = mass > 0 ? 1 / mass : Real(0);
-      observer->after_row({number, i, jv, inverse, corrective, old, accumulated}, problem);
+      watcher->after_row({number, i, jv, inverse, corrective, old, accumulated}, problem);
     }
   }
   return largest_change;

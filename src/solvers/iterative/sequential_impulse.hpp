@@ -49,8 +49,7 @@ class SequentialImpulse final : public Solver<Real> {
 
  private:
   void prepare(const VelocityProblem<Real>& problem);
-  template <bool watched>
-  Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
+  Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* watcher);
 
   SolverSettings settings_;
   SequentialImpulseVariant variant_;

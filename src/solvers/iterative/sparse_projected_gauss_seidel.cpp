@@ -27,7 +27,7 @@ SolveReport SparseProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& probl
 
   return stopping_.repeat_rows(
       problem, observer, sequence_,
-      [&](int number, auto watched) { return sweep<decltype(watched)::value>(number, problem, observer); },
+      [&](int number, SolveObserver<Real>* watcher) { return sweep(number, problem, watcher); },
       [&] { update_velocity(problem); });
 }
 
@@ -59,9 +59,8 @@ void SparseProjectedGaussSeidel<Real>::build(const VelocityProblem<Real>& proble
 }
 
 template <Scalar Real>
-template <bool watched>
 Real SparseProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& problem,
-                                             [[maybe_unused]] SolveObserver<Real>* observer) {
+                                             SolveObserver<Real>* watcher) {
   const Real omega = Real(settings_.relaxation);
   Real largest_change = 0;
   for (const int i : sequence_.rows) {
@@ -73,11 +72,11 @@ Real SparseProjectedGaussSeidel<Real>::sweep(int number, VelocityProblem<Real>& 
     lambda_[i] = problem.impulse[i] / problem.dt;
 
     largest_change = std::max(largest_change, std::abs(problem.impulse[i] - old));
-    if constexpr (watched) {
+    if (watcher != nullptr) {
       const Real jv = row.bias - row.softness * old - row_error * problem.dt;
       update_velocity(problem);
-      observer->after_row({number, i, jv, diagonal_[i], corrective * problem.dt, old, problem.impulse[i]},
-                          problem);
+      watcher->after_row({number, i, jv, diagonal_[i], corrective * problem.dt, old, problem.impulse[i]},
+                         problem);
     }
   }
   return largest_change;

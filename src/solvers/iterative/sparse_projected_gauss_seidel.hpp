@@ -36,8 +36,7 @@ class SparseProjectedGaussSeidel final : public Solver<Real> {
 
  private:
   void build(const VelocityProblem<Real>& problem);
-  template <bool watched>
-  Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
+  Real sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* watcher);
   Real row_product(int i) const;
   void update_velocity(VelocityProblem<Real>& problem) const;
 

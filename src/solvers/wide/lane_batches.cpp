@@ -1,34 +1,16 @@
-// Floor 4. Colours, then batches.
+// Floor 4. From colours to batches.
 #include "solvers/wide/lane_batches.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <numeric>
 
 #include "solvers/wide/lane_kinds.hpp"
 
 namespace cairn {
 
-namespace {
-
-constexpr int most_colours = 64;
-
-/// The first colour from this one on that is not taken, going round after the last of so many; where all of
-/// those are taken, the first of all that is free.
-int free_colour(std::uint64_t taken, int from, int colours) {
-  for (const int first : {from, 0}) {
-    const int colour = first + std::countr_one(taken >> first);
-    if (colour < colours) return colour;
-  }
-  return std::countr_one(taken);
-}
-
-}  // namespace
-
 std::size_t LaneBatches::bytes() const {
   return blocks_.bytes() + moves_.bytes() + batches_.bytes() + colours_.bytes() + kinds_.bytes() +
-         single_blocks_.bytes() + single_rows_.bytes() + single_contacts_.bytes() + coloured_.bytes() +
-         sorted_.bytes() + known_kinds_.bytes() + next_of_group_.bytes() + taken_.bytes() + next_level_.bytes() + in_lane_.bytes();
+         single_blocks_.bytes() + single_rows_.bytes() + single_contacts_.bytes() + in_lane_.bytes() +
+         colouring_.bytes();
 }
 
 /// Who leans on a row of another block reads its impulse in the problem: neither lies in a lane.
@@ -36,77 +18,35 @@ void LaneBatches::single_out_what_is_leant_on() {
   in_lane_.assign(blocks_.size(), 1);
   for (const int row : leant_on_) {
     const auto after = std::upper_bound(blocks_.begin(), blocks_.end(), row,
-                                        [](int i, const Block& block) { return i < block.first_row; });
+                                        [](int i, const LaneBlock& block) { return i < block.first_row; });
     const int block = static_cast<int>(after - blocks_.begin()) - 1;
     if (block >= 0) in_lane_[block] = 0;
   }
 }
 
-void LaneBatches::colour() {
-  single_out_what_is_leant_on();
-  taken_.assign(moves_.size(), 0);
-  next_level_.assign(moves_.size(), 0);
-  const int colours = std::clamp(blocks_.size() / (2 * lane_count), 1, most_colours);
-  coloured_.clear();
-  for (int k = 0; k < blocks_.size(); ++k) {
-    const Block& block = blocks_[k];
-    if (block.kinds == 0 || in_lane_[k] == 0) continue;
-    const std::uint64_t taken =
-        (moves_[block.a] != 0 ? taken_[block.a] : 0) | (moves_[block.b] != 0 ? taken_[block.b] : 0);
-    const int level = std::max(moves_[block.a] != 0 ? next_level_[block.a] : 0,
-                               moves_[block.b] != 0 ? next_level_[block.b] : 0);
-    const int colour = free_colour(taken, level % colours, colours);
-    if (colour == most_colours) continue;
-    next_level_[block.a] = next_level_[block.b] = level + 1 + (colour - level % colours + colours) % colours;
-    const std::uint64_t bit = std::uint64_t{1} << colour;
-    taken_[block.a] |= bit;
-    taken_[block.b] |= bit;
-    coloured_.push_back({colour, block.kinds, k});
-  }
-  sort_by_colour();
-}
-
-/// Colour by colour, and there kinds by kinds; what is of the same lies in the order of blocks as it is.
-void LaneBatches::sort_by_colour() {
-  known_kinds_.clear();
-  for (const Coloured& each : coloured_) {
-    const auto place = std::lower_bound(known_kinds_.begin(), known_kinds_.end(), each.kinds);
-    if (place == known_kinds_.end() || *place != each.kinds) known_kinds_.insert(place, each.kinds);
-  }
-  const auto group_of = [&](const Coloured& each) {
-    const auto place = std::lower_bound(known_kinds_.begin(), known_kinds_.end(), each.kinds);
-    return each.colour * known_kinds_.size() + static_cast<int>(place - known_kinds_.begin());
-  };
-  next_of_group_.assign(most_colours * known_kinds_.size() + 1, 0);
-  for (const Coloured& each : coloured_) ++next_of_group_[group_of(each) + 1];
-  std::partial_sum(next_of_group_.begin(), next_of_group_.end(), next_of_group_.begin());
-  sorted_.resize(coloured_.size());
-  for (const Coloured& each : coloured_) sorted_[next_of_group_[group_of(each)]++] = each;
-  coloured_.swap(sorted_);
-}
-
 /// Of a problem with so many rows.
 void LaneBatches::make_batches(int rows) {
+  single_out_what_is_leant_on();
+  const List<ColouredBlock>& coloured = colouring_.colour(blocks_, moves_, in_lane_);
   batches_.clear();
   colours_.clear();
   kinds_.clear();
   single_blocks_.clear();
   single_rows_.clear();
   single_contacts_.clear();
-  contact_batches_ = 0;
-  lane_rows_ = 0;
-  couplings_ = 0;
+  counts_ = {};
   in_lane_.assign(blocks_.size(), 0);
   int first = 0;
-  while (first < coloured_.size()) {
-    const Coloured& begin = coloured_[first];
-    if (first == 0 || begin.colour != coloured_[first - 1].colour) colours_.push_back(batches_.size());
+  while (first < coloured.size()) {
+    const ColouredBlock& begin = coloured[first];
+    if (first == 0 || begin.colour != coloured[first - 1].colour) colours_.push_back(batches_.size());
     int last = first + 1;
-    while (last < coloured_.size() && last < first + lane_count && coloured_[last].colour == begin.colour &&
-           coloured_[last].kinds == begin.kinds) {
+    while (last < coloured.size() && last < first + lane_count && coloured[last].colour == begin.colour &&
+           coloured[last].kinds == begin.kinds) {
       ++last;
     }
-    if (last > first + 1) add_batch(first, last);  // one block is solved as fast without lanes
+    if (last > first + 1)
+      add_batch({&coloured[first], last - first});  // one block is solved as fast without lanes
     first = last;
   }
   colours_.push_back(batches_.size());
@@ -133,16 +73,16 @@ void LaneBatches::order_by_place() {
   }
 }
 
-void LaneBatches::add_batch(int first, int last) {
-  const Block& model = blocks_[coloured_[first].block];
+void LaneBatches::add_batch(Span<const ColouredBlock> blocks) {
+  const LaneBlock& model = blocks_[blocks[0].block];
   const std::uint64_t kinds = model.kinds & ~contact_bit;
-  LaneBatch batch = {.first_row = lane_rows_,
+  LaneBatch batch = {.first_row = counts_.rows,
                      .rows = model.rows,
                      .is_contact = kinds == kinds_of_contact(model.rows),
-                     .contacts = of_contacts_ && model.of_contact ? contact_batches_++ : -1,
+                     .contacts = of_contacts_ && model.of_contact ? counts_.contact_batches++ : -1,
                      .first_kind = kinds_.size(),
-                     .first_coupling = couplings_,
-                     .used = last - first,
+                     .first_coupling = counts_.couplings,
+                     .used = blocks.size(),
                      .moves_a = 0,
                      .moves_b = 0,
                      .body_a = {},
@@ -151,19 +91,20 @@ void LaneBatches::add_batch(int first, int last) {
                      .block = {}};
   for (int lane = 0; lane < lane_count; ++lane) {
     const bool is_used = lane < batch.used;
-    const Block& block = blocks_[coloured_[is_used ? first + lane : first].block];
+    const int number = blocks[is_used ? lane : 0].block;
+    const LaneBlock& block = blocks_[number];
     batch.body_a[lane] = is_used ? block.a.index : moves_.size();
     batch.body_b[lane] = is_used ? block.b.index : moves_.size();
     batch.block_row[lane] = block.first_row;
-    batch.block[lane] = coloured_[is_used ? first + lane : first].block;
+    batch.block[lane] = number;
     if (!is_used) continue;
-    in_lane_[coloured_[first + lane].block] = 1;
+    in_lane_[number] = 1;
     batch.moves_a |= moves_[block.a] != 0 ? 1u << lane : 0u;
     batch.moves_b |= moves_[block.b] != 0 ? 1u << lane : 0u;
   }
   for (int i = model.rows - 1; i >= 0; --i) kinds_.push_back(kind_of(kinds >> (bits_of_a_kind * i) & 511));
-  lane_rows_ += model.rows;
-  couplings_ += model.rows * (model.rows - 1) / 2;
+  counts_.rows += model.rows;
+  counts_.couplings += model.rows * (model.rows - 1) / 2;
   batches_.push_back(batch);
 }
 

@@ -7,7 +7,7 @@
 #include "constraints/row.hpp"
 #include "math/list.hpp"
 #include "constraints/contact_problem.hpp"
-#include "solvers/wide/lane_data.hpp"
+#include "solvers/wide/lane_colouring.hpp"
 
 namespace cairn {
 
@@ -23,14 +23,18 @@ LaneBounds lane_bounds(const Bounds<Real>& bounds) {
   return bounds.lower == -infinity ? LaneBounds::none : LaneBounds::lower;
 }
 
-/// Blocks in colours: those of one colour share no body that can move, and are solved at the same time where
-/// they have rows of the same kinds. As many colours as fill two batches each, 64 at most, are gone through
-/// over and over: each block as written takes the first colour that is free at both its bodies, behind those
-/// of the blocks before it there. So a sweep passes impulses on as one in the order of the rows does, through
-/// as many bodies as there are colours. Rows go one by one if their block has more than two bodies, more than 6
-/// rows, a disc of friction or friction that leans on another block; or if it finds no colour, or nobody of
-/// its colour and kinds. Contacts that need no rows lie in batches of their own. All of it is a function of
-/// the problem: never of those before it.
+/// How much there is of something in all batches.
+struct LaneCounts {
+  int rows = 0;             // rows
+  int couplings = 0;        // pairs of rows of one block
+  int contact_batches = 0;  // batches of contacts without rows
+};
+
+/// Blocks in colours (LaneColouring): those of one are solved at the same time where they have rows of the
+/// same kinds. Rows go one by one if their block has more than two bodies, more than 6 rows, a disc of
+/// friction or friction that leans on another block; or if it finds no colour, or nobody of its colour and
+/// kinds. Contacts that need no rows lie in batches of their own. All of it is a function of the problem:
+/// never of those before it.
 class LaneBatches {
  public:
   /// Made anew for this problem.
@@ -59,37 +63,16 @@ class LaneBatches {
   const List<int>& single_rows() const { return single_rows_; }
   /// The contacts without rows that these are of.
   const List<int>& single_contacts() const { return single_contacts_; }
-  /// Batches of contacts without rows.
-  int contact_batches() const { return contact_batches_; }
-  /// Rows in all batches.
-  int lane_rows() const { return lane_rows_; }
-  /// Pairs of rows in the blocks of all batches.
-  int couplings() const { return couplings_; }
+  /// Of all batches.
+  const LaneCounts& counts() const { return counts_; }
   /// What it takes up [bytes].
   std::size_t bytes() const;
 
  private:
-  /// All that the colouring looks at.
-  struct Block {
-    int first_row = 0;
-    int rows = 0;
-    BodyId a = {};
-    BodyId b = {};
-    bool of_contact = false;  // that needs no rows
-    std::uint64_t kinds = 0;  // 9 bits a row, and one for such a contact; 0: its rows go one by one
-    bool operator==(const Block&) const = default;
-  };
-  /// A block that is to lie in a lane.
-  struct Coloured {
-    int colour = 0;
-    std::uint64_t kinds = 0;  // as in its block
-    int block = 0;
-  };
-
   template <Scalar Real>
-  Block seen(const VelocityProblem<Real>& problem, const RowBlock& block);
+  LaneBlock seen(const VelocityProblem<Real>& problem, const RowBlock& block);
   template <Scalar Real>
-  static Block seen(const Contact<Real>& contact, int points, int first_row);
+  static LaneBlock seen(const Contact<Real>& contact, int points, int first_row);
   template <Scalar Real>
   std::uint64_t seen_kind(const VelocityProblem<Real>& problem, const RowBlock& block, int row);
   template <Scalar Real>
@@ -97,34 +80,25 @@ class LaneBatches {
   template <Scalar Real>
   bool has_same_blocks(const VelocityProblem<Real>& problem) const;
   void single_out_what_is_leant_on();
-  void colour();
-  void sort_by_colour();
   void make_batches(int rows);
   void order_by_place();
-  void add_batch(int first, int last);
+  void add_batch(Span<const ColouredBlock> blocks);
 
-  List<Block> blocks_;
+  List<LaneBlock> blocks_;
   bool of_contacts_ = false;  // some of which had no rows
   int joints_ = 0;            // of the blocks, before those of contacts
-  int contact_batches_ = 0;
-  PerBody<char> moves_;  // whether a body can move
-  List<int> leant_on_;   // rows that friction of another block leans on
+  PerBody<char> moves_;       // whether a body can move
+  List<int> leant_on_;        // rows that friction of another block leans on
   List<LaneBatch> batches_;
   List<int> colours_;
   List<LaneKind> kinds_;
   List<int> single_blocks_;
   List<int> single_rows_;
   List<int> single_contacts_;
-  int lane_rows_ = 0;
-  int couplings_ = 0;
-  List<int> leant_on_before_;        // scratch
-  List<Coloured> coloured_;          // scratch
-  List<Coloured> sorted_;            // scratch
-  List<std::uint64_t> known_kinds_;  // scratch, ascending
-  List<int> next_of_group_;          // scratch: where the next block of a colour and of these kinds goes
-  List<char> in_lane_;               // scratch, for each block
-  PerBody<std::uint64_t> taken_;     // scratch: the colours at a body, a bit each
-  PerBody<int> next_level_;          // scratch: how many blocks follow each other up to here
+  LaneCounts counts_;
+  List<int> leant_on_before_;  // scratch
+  List<char> in_lane_;         // scratch, for each block
+  LaneColouring colouring_;
 };
 
 // Here, so that filling lanes need not call it for every row.

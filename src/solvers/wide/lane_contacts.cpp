@@ -10,8 +10,8 @@ namespace cairn {
 template <Scalar Real>
 void LaneContacts<Real>::arrange(const LaneBatches& batches, const ContactProblem<Real>& problem,
                                  const PerBody<Vec3<Real>>& root) {
-  contacts_.resize(batches.contact_batches());
-  roots_.resize(batches.contact_batches());
+  contacts_.resize(batches.counts().contact_batches);
+  roots_.resize(batches.counts().contact_batches);
   for (const LaneBatch& batch : batches.batches()) {
     if (batch.contacts < 0) continue;
     LaneContactBatch<Real>& to = contacts_[batch.contacts];

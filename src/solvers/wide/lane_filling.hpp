@@ -17,8 +17,9 @@ inline long double square_root(long double x) { return __builtin_sqrtl(x); }
 /// does anything, and lanes have numbers for this one.
 constexpr float most_lane_softness = 1e30f;
 
-/// Rows that lack less are done: 2^7 times the step whose square is the smallest normal number, so that sweeps
-/// do not come to numbers below, over which processors take many times as long. All that rests comes to it.
+/// Rows that lack less are done: 2^7 times the step whose square is the smallest normal number, so that
+/// sweeps do not come to numbers below, over which processors take many times as long. All that rests comes
+/// to it.
 template <typename Number>
 constexpr Number smallest_step = [] {
   Number step = 128;

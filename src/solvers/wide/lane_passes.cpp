@@ -10,8 +10,9 @@
 namespace cairn {
 
 template <Scalar Real>
-LaneSteps<Real> LaneSystem<Real>::sweep(VelocityProblem<Real>& problem) {
-  return pass<LanePass::sweep, false>(problem, 0, nullptr);
+LaneSteps<Real> LaneSystem<Real>::sweep(VelocityProblem<Real>& problem, int number,
+                                        SolveObserver<Real>* watcher) {
+  return pass<LanePass::sweep>(problem, number, watcher);
 }
 
 template <Scalar Real>
@@ -41,21 +42,15 @@ Real LaneSystem<Real>::sweep_once(VelocityProblem<Real>& problem, int number, So
 }
 
 template <Scalar Real>
-LaneSteps<Real> LaneSystem<Real>::watched_sweep(int number, VelocityProblem<Real>& problem,
-                                                SolveObserver<Real>& observer) {
-  return pass<LanePass::sweep, true>(problem, number, &observer);
-}
-
-template <Scalar Real>
 Real LaneSystem<Real>::rough_residual(VelocityProblem<Real>& problem, Real scale) {
-  return std::sqrt(pass<LanePass::weigh, false>(problem, 0, nullptr).squares) / scale;
+  return std::sqrt(pass<LanePass::weigh>(problem).squares) / scale;
 }
 
 template <Scalar Real>
 LaneSteps<Real> LaneSystem<Real>::gather_momentum(VelocityProblem<Real>& problem, Real momentum) {
   bodies_before_ = bodies_;
   momentum_ = momentum;
-  if (momentum > 0) return pass<LanePass::momentum, false>(problem, 0, nullptr);
+  if (momentum > 0) return pass<LanePass::momentum>(problem);
   before_.assign(rows_.size(), LaneImpulse<Number>{});
   for (int i = 0; i < rows_.size(); ++i) std::copy_n(rows_[i].impulse, lane_count, before_[i].impulse);
   single_before_.clear();
@@ -83,10 +78,10 @@ void LaneSystem<Real>::undo(VelocityProblem<Real>& problem) {
 
 /// Colour by colour: batches of one share no body that can move, and any thread may take any of them.
 template <Scalar Real>
-template <LanePass kind, bool watched>
+template <LanePass kind>
 LaneSteps<Real> LaneSystem<Real>::pass(VelocityProblem<Real>& problem, int number,
-                                       SolveObserver<Real>* observer) {
-  LaneSteps<Real> steps = pass_single_rows<kind, watched>(problem, number, observer);
+                                       SolveObserver<Real>* watcher) {
+  LaneSteps<Real> steps = pass_single_rows<kind>(problem, number, watcher);
   const List<int>& colours = batches_.colours();
   for (int colour = 0; colour + 1 < colours.size(); ++colour) {
     const int begin = colours[colour], end = colours[colour + 1];
@@ -94,9 +89,9 @@ LaneSteps<Real> LaneSystem<Real>::pass(VelocityProblem<Real>& problem, int numbe
     const auto add_up = [&](int sum) {
       const int first = begin + sum * batches_in_a_sum;
       const int last = std::min(first + batches_in_a_sum, end);
-      sums_[sum] = pass_batches<kind, watched>(problem, first, last, number, observer);
+      sums_[sum] = pass_batches<kind>(problem, first, last, number, watcher);
     };
-    if (watched || end - begin < fewest_to_share) {
+    if (watcher != nullptr || end - begin < fewest_to_share) {
       for (int sum = 0; sum < sums_.size(); ++sum) add_up(sum);
     } else {
       threads_.share(sums_.size(), add_up);
@@ -107,15 +102,14 @@ LaneSteps<Real> LaneSystem<Real>::pass(VelocityProblem<Real>& problem, int numbe
 }
 
 template <Scalar Real>
-template <LanePass kind, bool watched>
-LaneSteps<Real> LaneSystem<Real>::pass_batches([[maybe_unused]] VelocityProblem<Real>& problem, int first,
-                                               int last, [[maybe_unused]] int number,
-                                               [[maybe_unused]] SolveObserver<Real>* observer) {
+template <LanePass kind>
+LaneSteps<Real> LaneSystem<Real>::pass_batches(VelocityProblem<Real>& problem, int first, int last,
+                                               int number, SolveObserver<Real>* watcher) {
   LaneProblem<Number> lanes = lane_problem();
-  if constexpr (watched) {
+  if (watcher != nullptr) {
     for (int i = first; i < last; ++i) {
       code_.pass(lanes, kind, i, i + 1);
-      watch_batch(number, batches_.batches()[i], problem, *observer);
+      watch_batch(number, batches_.batches()[i], problem, *watcher);
     }
   } else {
     code_.pass(lanes, kind, first, last);
@@ -143,9 +137,9 @@ LaneProblem<typename LaneSystem<Real>::Number> LaneSystem<Real>::lane_problem() 
 
 /// In the problem's own precision, but for the velocities' changes. Impulses are those of the problem.
 template <Scalar Real>
-template <LanePass kind, bool watched>
+template <LanePass kind>
 LaneSteps<Real> LaneSystem<Real>::pass_single_rows(VelocityProblem<Real>& problem, int number,
-                                                   [[maybe_unused]] SolveObserver<Real>* observer) {
+                                                   SolveObserver<Real>* watcher) {
   LaneSteps<Real> steps;
   for (int k = 0; k < single_mass_.size(); ++k) {
     const int i = batches_.single_rows()[k];
@@ -166,9 +160,9 @@ LaneSteps<Real> LaneSystem<Real>::pass_single_rows(VelocityProblem<Real>& proble
     apply_single_row(problem, row, step);
     steps.largest = std::max(steps.largest, std::abs(step));
     steps.work += corrective * step * inverse;
-    if constexpr (watched) {
+    if (watcher != nullptr) {
       apply_impulse(problem, row, step);
-      observer->after_row({number, i, jv, inverse, corrective, old, problem.impulse[i]}, problem);
+      watcher->after_row({number, i, jv, inverse, corrective, old, problem.impulse[i]}, problem);
     }
   }
   return steps;

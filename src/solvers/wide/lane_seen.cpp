@@ -15,7 +15,6 @@ void LaneBatches::arrange(const VelocityProblem<Real>& problem) {
   leant_on_.clear();
   blocks_.clear();
   for (const RowBlock& block : problem.blocks) blocks_.push_back(seen(problem, block));
-  colour();
   make_batches(problem.row_count());
 }
 
@@ -30,7 +29,8 @@ bool LaneBatches::arrange(const ContactProblem<Real>& contacts) {
   for (int k = 0; k < count; ++k) {
     const int contact = k - contacts.joints;
     const std::optional<int> written = contact < 0 ? k : contacts.contacts[contact].block;
-    const Block block = written ? seen(problem, problem.blocks[*written])
+    const LaneBlock block = written
+                                ? seen(problem, problem.blocks[*written])
                                 : seen(contacts.contacts[contact], contacts.manifolds[contact].count, next);
     if (written) next += block.rows;
     changed = changed || block != blocks_[k];
@@ -39,7 +39,6 @@ bool LaneBatches::arrange(const ContactProblem<Real>& contacts) {
   if (!changed && leant_on_.empty()) return false;
   of_contacts_ = true;
   joints_ = contacts.joints;
-  colour();
   make_batches(contacts.rows);
   return true;
 }
@@ -81,8 +80,8 @@ bool LaneBatches::has_same_blocks(const VelocityProblem<Real>& problem) const {
 }
 
 template <Scalar Real>
-LaneBatches::Block LaneBatches::seen(const VelocityProblem<Real>& problem, const RowBlock& block) {
-  Block result = {.first_row = block.first, .rows = block.count, .of_contact = block.of_contact};
+LaneBlock LaneBatches::seen(const VelocityProblem<Real>& problem, const RowBlock& block) {
+  LaneBlock result = {.first_row = block.first, .rows = block.count, .of_contact = block.of_contact};
   if (block.count == 0) return result;  // a degenerate joint
   result.a = problem.rows[block.first].a;
   result.b = problem.rows[block.first].b;
@@ -99,8 +98,8 @@ LaneBatches::Block LaneBatches::seen(const VelocityProblem<Real>& problem, const
 }
 
 template <Scalar Real>
-LaneBatches::Block LaneBatches::seen(const Contact<Real>& contact, int points, int first_row) {
-  Block result = {.first_row = first_row, .rows = contact.count, .of_contact = true};
+LaneBlock LaneBatches::seen(const Contact<Real>& contact, int points, int first_row) {
+  LaneBlock result = {.first_row = first_row, .rows = contact.count, .of_contact = true};
   if (contact.count == 0) return result;
   result.a = contact.a;
   result.b = contact.b;

@@ -89,10 +89,10 @@ void LaneSystem<Real>::push(VelocityProblem<Real>& problem) {
 template <Scalar Real>
 void LaneSystem<Real>::take(const VelocityProblem<Real>& problem) {
   begin_changes(problem);
-  rows_.resize(batches_.lane_rows());
-  couplings_.resize(batches_.couplings());
+  rows_.resize(batches_.counts().rows);
+  couplings_.resize(batches_.counts().couplings);
   fill(problem);
-  if (batches_.contact_batches() > 0)
+  if (batches_.counts().contact_batches > 0)
     contacts_.fill(code_, batches_, relaxation_, velocity_, rows_, couplings_);
 }
 
@@ -230,7 +230,7 @@ void LaneSystem<Real>::give(ContactProblem<Real>& contacts) const {
 template <Scalar Real>
 bool LaneSystem<Real>::is_worth_taking(Real change, Real path) const {
   if (!(change <= 1024 * static_cast<Real>(std::numeric_limits<Number>::epsilon()) * path)) return false;
-  Real largest = batches_.contact_batches() > 0 ? contacts_.largest_impulse() : Real(0);
+  Real largest = batches_.counts().contact_batches > 0 ? contacts_.largest_impulse() : Real(0);
   for (const Real impulse : impulse_) largest = std::max(largest, std::abs(impulse));
   return path > 16 * std::numeric_limits<Real>::epsilon() * largest;
 }

@@ -35,9 +35,7 @@ class LaneSystem {
   /// What lanes compute in.
   using Number = LaneNumber<Real>;
   /// Batches of one colour: fewer are sooner done by one thread. Sharing takes 0.6 us, and a microsecond more
-  /// goes by while threads pass on bodies. Sweeps by 1 and 2 threads on 2 cores [us]: a pyramid of 40 boxes'
-  /// width, 26 batches a colour, 13.5 and 13.1; of 60, 57 batches, 25.8 and 24.1; of 100, 156 batches, 130
-  /// and 55, for two caches hold what one does not; a heap of 5000, 4 to 153 batches, 43.5 and 39.7.
+  /// goes by while threads pass on bodies; 57 batches took one thread 6.5 us, and two 6.
   static constexpr int fewest_to_share = 48;
 
   /// @throws std::invalid_argument for a set that this processor has not.
@@ -52,15 +50,13 @@ class LaneSystem {
   void begin_relaxed(ContactProblem<Real>& contacts);
   /// Takes over a problem that has begun; changes begin at 0.
   void take(const VelocityProblem<Real>& problem);
-  /// One sweep.
-  LaneSteps<Real> sweep(VelocityProblem<Real>& problem);
+  /// One sweep. A watcher sees the problem after each row, once all rows of its batch have been updated;
+  /// null: nobody does.
+  LaneSteps<Real> sweep(VelocityProblem<Real>& problem, int number, SolveObserver<Real>* watcher);
   /// The only sweep over a problem that has begun: nothing is taken to lanes for the next one. In the
   /// problem's own precision, row by row, and contacts that have none a batch at a time. An observer sees the
   /// problem after each row; null: nobody does. Returns the largest step of an impulse [N s].
   Real sweep_once(VelocityProblem<Real>& problem, int number, SolveObserver<Real>* observer);
-  /// The numbers of sweep(), and an observer sees the problem after each row. Rows of a batch have all been
-  /// updated when the observer hears of the first.
-  LaneSteps<Real> watched_sweep(int number, VelocityProblem<Real>& problem, SolveObserver<Real>& observer);
   /// Remembers where impulses and velocities are, and takes impulses another `momentum` times the way that
   /// they went since remembered last, inside their bounds. After take() and undo() there is no such way:
   /// `momentum` must be 0.
@@ -106,15 +102,16 @@ class LaneSystem {
   void take_single_rows(const VelocityProblem<Real>& problem);
   void take_batch_bodies(const LaneBatch& batch);
   void take_row(const VelocityProblem<Real>& problem, const LaneBatch& batch, int number, int lane);
-  template <LanePass kind, bool watched>
-  LaneSteps<Real> pass(VelocityProblem<Real>& problem, int number, SolveObserver<Real>* observer);
-  template <LanePass kind, bool watched>
-  LaneSteps<Real> pass_single_rows(VelocityProblem<Real>& problem, int number, SolveObserver<Real>* observer);
+  template <LanePass kind>
+  LaneSteps<Real> pass(VelocityProblem<Real>& problem, int number = 0,
+                       SolveObserver<Real>* watcher = nullptr);
+  template <LanePass kind>
+  LaneSteps<Real> pass_single_rows(VelocityProblem<Real>& problem, int number, SolveObserver<Real>* watcher);
   Real single_row_velocity(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) const;
   void apply_single_row(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row, Real step);
-  template <LanePass kind, bool watched>
+  template <LanePass kind>
   LaneSteps<Real> pass_batches(VelocityProblem<Real>& problem, int first, int last, int number,
-                               SolveObserver<Real>* observer);
+                               SolveObserver<Real>* watcher);
   void watch_batch(int number, const LaneBatch& batch, VelocityProblem<Real>& problem,
                    SolveObserver<Real>& observer) const;
   Real energy(const VelocityProblem<Real>& problem, LaneEnergy kind);

@@ -62,8 +62,8 @@ SolveReport WideSequentialImpulse<Real>::solve_begun(VelocityProblem<Real>& prob
                                                      SolveObserver<Real>* observer) {
   restarts_ = 0;
   if (settings_.iterations == 1 && !(settings_.tolerance > 0)) {
-    return stopping_.repeat(problem, observer, [&](int number, auto watched) {
-      return lanes_.sweep_once(problem, number, decltype(watched)::value ? observer : nullptr);
+    return stopping_.repeat(problem, observer, [&](int number, SolveObserver<Real>* watcher) {
+      return lanes_.sweep_once(problem, number, watcher);
     });
   }
   const bool measures = settings_.tolerance > 0 || settings_.patience > 0;
@@ -73,8 +73,8 @@ SolveReport WideSequentialImpulse<Real>::solve_begun(VelocityProblem<Real>& prob
   k_ = 1;
 
   bool is_current = true;
-  SolveReport report = stopping_.repeat(problem, observer, [&](int number, auto watched) {
-    const LaneSteps<Real> swept = iterate(number, problem, decltype(watched)::value ? observer : nullptr);
+  SolveReport report = stopping_.repeat(problem, observer, [&](int number, SolveObserver<Real>* watcher) {
+    const LaneSteps<Real> swept = iterate(number, problem, watcher);
     const bool again = lanes_.is_worth_taking(swept.largest, path_);
     const bool looks = stopping_.looks(number, std::sqrt(swept.squares)) && settings_.tolerance > 0;
     if (looks) stopping_.take_residual(lanes_.rough_residual(problem, stopping_.scale()));
@@ -99,14 +99,13 @@ SolveReport WideSequentialImpulse<Real>::solve_begun(VelocityProblem<Real>& prob
 /// R_E goes with them, while steps of momentum grow.
 template <Scalar Real>
 LaneSteps<Real> WideSequentialImpulse<Real>::iterate(int number, VelocityProblem<Real>& problem,
-                                                     SolveObserver<Real>* row_observer) {
+                                                     SolveObserver<Real>* watcher) {
   LaneSteps<Real> gathered;
   if (momentum_ == Momentum::nesterov) {
     gathered = lanes_.gather_momentum(problem, static_cast<Real>(k_ - 1) / static_cast<Real>(k_ + 2));
-    if (row_observer != nullptr && k_ > 1) lanes_.write_back(problem);
+    if (watcher != nullptr && k_ > 1) lanes_.write_back(problem);
   }
-  const LaneSteps<Real> swept =
-      row_observer != nullptr ? lanes_.watched_sweep(number, problem, *row_observer) : lanes_.sweep(problem);
+  const LaneSteps<Real> swept = lanes_.sweep(problem, number, watcher);
   path_ += gathered.largest + swept.largest;
   if (momentum_ == Momentum::nesterov) accept_or_undo(problem, gathered, swept);
   return swept;

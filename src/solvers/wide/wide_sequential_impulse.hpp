@@ -40,8 +40,8 @@ enum class Momentum {
 /// rows and emptying them takes as long as two or three sweeps of SequentialImpulse, so one or two sweeps
 /// gain nothing; with contacts that have no rows (for_contacts()), about as long as one, and a single sweep
 /// over them, 16 at a time in the problem's precision, a third of that. Where a
-/// colour has many batches (lane_passes.cpp), SolverSettings::threads share them: a second thread halves the
-/// time of sweeps over 10,000 contacts, and is of no use to 1000. Memory linear in m. Colours are kept from
+/// colour has many batches (LaneSystem::fewest_to_share), as where hundreds of piles stand side by side,
+/// SolverSettings::threads share them. Memory linear in m. Colours are kept from
 /// solve to solve while bodies and kinds of rows are the same. Observers: after_row comes when all rows of a
 /// batch have been updated. Sources: E. Catto, Box2D v3 (2024), for colours and lanes in SI.
 template <Scalar Real = double>
@@ -67,7 +67,7 @@ class WideSequentialImpulse final : public Solver<Real>, private ContactSolver<R
   SolveReport relax(ContactProblem<Real>& contacts) override;
   void give(ContactProblem<Real>& contacts) const override { lanes_.give(contacts); }
   SolveReport solve_begun(VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
-  LaneSteps<Real> iterate(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* row_observer);
+  LaneSteps<Real> iterate(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* watcher);
   void accept_or_undo(VelocityProblem<Real>& problem, const LaneSteps<Real>& gathered,
                       const LaneSteps<Real>& swept);
 

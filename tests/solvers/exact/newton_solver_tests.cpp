@@ -150,6 +150,27 @@ TEST_CASE("a stack that is solved again rises as its lowest row asks, soft or no
   }
 }
 
+TEST_CASE("a tolerance that is looser than 1e-6 leaves no step more to do than 1e-6") {
+  for (const double asked : {1e-3, 1e-1}) {
+    VelocityProblem<double> loose = loaded_stack(50, 100), near = loose;
+    const double scale = exact_scale(loose);
+    NewtonSolver<double> solver({.iterations = 30, .tolerance = asked});
+    NewtonSolver<double> other({.iterations = 30, .tolerance = 1e-6});
+    solver.solve(loose);
+    other.solve(near);
+    CHECK(loose.impulse == near.impulse);
+    CHECK(residual(loose, scale).energy <= 1e-8);
+    // What was asked for is what is told of: without systems the start is 1 off.
+    CHECK_FALSE(NewtonSolver<double>({.iterations = 0, .tolerance = asked})
+                    .solve(loose = loaded_stack(50, 100))
+                    .converged);
+    loose = loaded_stack(50, 100);
+    loose.impulse = near.impulse;
+    loose.impulse[0] += 0.5 * asked * scale / std::sqrt(inverse_effective_mass(near, near.rows[0]));
+    CHECK(NewtonSolver<double>({.iterations = 0, .tolerance = asked}).solve(loose).converged);
+  }
+}
+
 TEST_CASE("Newton's method goes on to a hundredth of the tolerance, where it has to solve at all") {
   VelocityProblem<double> solved = loaded_stack(50, 100);
   const VelocityProblem<double> start = solved;
