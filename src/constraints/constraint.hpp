@@ -25,16 +25,12 @@ struct RowSpec {
   Vec3<Real> jacobian_b = Vec3<Real>::Zero();  // the same for b
   Bounds<Real> bounds = {};                    // a friction row names its normal row by place in this list
   std::uint64_t part = 0;                      // names the row within its constraint, from step to step
-  Real rebound = 0;  // [m/s] least separation speed, should the bodies meet in this step
-  Real speed = 0;    // [m/s or rad/s] that j v should have where C is 0: of a motor, or along an arc
+  Real speed = 0;  // [m/s or rad/s] that j v should have where C is 0: of a motor, or along an arc
   /// [N or N m]; replaces the bounds by |impulse| <= max_force dt, or by what the row that they name has left
   /// of a disc of that radius
   std::optional<Real> max_force = {};
   std::optional<Softness> softness = {};  // none: rigid
-  bool keeps_slop = true;                 // an inequality: may stay violated by the slop, as contacts do,
-  Real slop_limit = std::numeric_limits<Real>::infinity();  // [m] but by no more than this
-  /// [m/s^2] of a contact: its overlap goes no faster than a fall through it (Stabilization::max_speed)
-  std::optional<Real> gravity = {};
+  bool keeps_slop = true;                 // an inequality: may stay violated by the slop, as contacts do
   FixedList<RowTerm<Real>, 2> extra = {};  // a third and a fourth body
   int extra_count = 0;                     // how many of `extra` there are
 };

@@ -24,8 +24,7 @@ ContactMaterial<Real> material(const ContactSlot<Real>& slot, const SceneSetting
           .restitution = slot.restitution,
           .restitution_threshold = static_cast<Real>(*settings.restitution_threshold),
           .friction_rows = settings.friction_rows,
-          .slop_limit = slot.slop_limit,
-          .gravity = static_cast<Real>(settings.gravity.norm())};
+          .slop_limit = slot.slop_limit};
 }
 
 /// Whether the bodies overlap at a point and come together there almost too fast for a spring to stop them.
@@ -119,24 +118,24 @@ template <Scalar Real>
 void ContactCache<Real>::write(const Substep<Real>& step, const List<Manifold<Real>>& manifolds,
                                StabilizationPass pass, VelocityProblem<Real>& problem, int& next,
                                List<RelaxedRow<Real>>* relaxed) const {
-  const ContactStabilization<Real> stabilization(step.plan.settings.stabilization, pass, problem.dt);
+  const SceneSettings& settings = step.plan.settings;
+  const RowRule<Real> rule = contact_rule(settings.stabilization, pass, problem.dt, settings.gravity.norm());
   int most = next;
   for (const Manifold<Real>& manifold : manifolds) most += 2 * manifold.count;
   make_room(problem.rows, most);
-  for (int i = 0; i < manifolds.size(); ++i)
-    write(step, stabilization, i, manifolds[i], problem, next, relaxed);
+  for (int i = 0; i < manifolds.size(); ++i) write(step, rule, i, manifolds[i], problem, next, relaxed);
 }
 
 /// The block of one contact.
 template <Scalar Real>
-void ContactCache<Real>::write(const Substep<Real>& step, const ContactStabilization<Real>& stabilization,
-                               int touch, const Manifold<Real>& manifold, VelocityProblem<Real>& problem,
-                               int& next, List<RelaxedRow<Real>>* relaxed) const {
+void ContactCache<Real>::write(const Substep<Real>& step, const RowRule<Real>& rule, int touch,
+                               const Manifold<Real>& manifold, VelocityProblem<Real>& problem, int& next,
+                               List<RelaxedRow<Real>>* relaxed) const {
   const SceneSettings& settings = step.plan.settings;
   const ContactSlot<Real>& slot = graph_[touching_[touch]];
   const int first = next;
   write_contact_rows(manifold, slot.a, slot.b, material(slot, settings), step.state.pose, step.state.velocity,
-                     stabilization, contact_source(slot), problem, next, relaxed);
+                     rule, contact_source(slot), problem, next, relaxed);
   problem.blocks.push_back(
       {first, next - first, !needs_rows(slot, manifold, settings, step.state.pose, problem.velocity)});
 }
@@ -153,8 +152,9 @@ template <Scalar Real>
 void ContactCache<Real>::take(const Substep<Real>& step, StepRecord<Real>& record, int& next,
                               List<RelaxedRow<Real>>* relaxed) const {
   VelocityProblem<Real>& problem = record.problem;
-  const ContactStabilization<Real> stabilization(step.plan.settings.stabilization,
-                                                 StabilizationPass::velocity, problem.dt);
+  const SceneSettings& settings = step.plan.settings;
+  const RowRule<Real> rule =
+      contact_rule(settings.stabilization, StabilizationPass::velocity, problem.dt, settings.gravity.norm());
   record.contacts.resize(record.manifolds.size());
   for (int i = 0; i < record.manifolds.size(); ++i) {
     const ContactSlot<Real>& slot = graph_[touching_[i]];
@@ -165,9 +165,9 @@ void ContactCache<Real>::take(const Substep<Real>& step, StepRecord<Real>& recor
     contact.friction = slot.friction;
     contact.slop_limit = slot.slop_limit;
     contact.block = {};
-    if (needs_rows(slot, manifold, step.plan.settings, step.state.pose, problem.velocity)) {
+    if (needs_rows(slot, manifold, settings, step.state.pose, problem.velocity)) {
       contact.block = problem.blocks.size();
-      write(step, stabilization, i, manifold, problem, next, relaxed);
+      write(step, rule, i, manifold, problem, next, relaxed);
       contact.count = problem.blocks.back().count;
       continue;
     }

@@ -70,9 +70,8 @@ class ContactCache {
   bool may_meet(const Scene& scene, int collider_a, int collider_b) const;
   ContactSlot<Real> make_slot(const Substep<Real>& step, int collider_a, int collider_b) const;
   void start(const Substep<Real>& step, int touch, StepRecord<Real>& record) const;
-  void write(const Substep<Real>& step, const ContactStabilization<Real>& stabilization, int touch,
-             const Manifold<Real>& manifold, VelocityProblem<Real>& problem, int& next,
-             List<RelaxedRow<Real>>* relaxed) const;
+  void write(const Substep<Real>& step, const RowRule<Real>& rule, int touch, const Manifold<Real>& manifold,
+             VelocityProblem<Real>& problem, int& next, List<RelaxedRow<Real>>* relaxed) const;
 
   std::shared_ptr<const List<Collider<Real>>> colliders_;
   ContactGraph<Real> graph_;

@@ -58,7 +58,7 @@ int JointWriter<Real>::write(const Substep<Real>& step, StabilizationPass pass,
   Stabilization stabilization = step.plan.settings.stabilization;
   if (step.plan.follows_arcs) look_along_arcs(step);
   locate_pins(step);
-  PinRules<Real> rules = pin_rules(step, stabilization, pass, relaxed != nullptr);
+  PinRules<Real> rules = pin_rules(step, stabilization, pass);
   const auto has_mass = [&](const Pin& pin) {
     return problem.inverse_mass[pin.a].x() + problem.inverse_mass[pin.b].x() > 0;
   };
@@ -67,13 +67,12 @@ int JointWriter<Real>::write(const Substep<Real>& step, StabilizationPass pass,
     const int first = next;
     if (!step.is_hand(i) && !(stabilization.joint_soft == step.scene.joint_soft(i))) {
       stabilization.joint_soft = step.scene.joint_soft(i);  // the hand has a spring of its own
-      rules = pin_rules(step, stabilization, pass, relaxed != nullptr);
+      rules = pin_rules(step, stabilization, pass);
     }
     if (!step.asleep(i)) {
       const std::optional<Pin>* const pin = step.is_hand(i) ? nullptr : &pins_->of_joint[i];
-      apart += pin && *pin && has_mass(**pin)
-                   ? write_pin(step, **pin, rules, problem, next, relaxed)
-                   : write_joint(step, i, stabilization, pass, problem, next, relaxed);
+      apart += pin && *pin && has_mass(**pin) ? write_pin(step, **pin, rules, problem, next, relaxed)
+                                              : write_joint(step, i, rules, problem, next, relaxed);
     }
     problem.blocks.push_back({first, next - first});
   }
@@ -82,8 +81,8 @@ int JointWriter<Real>::write(const Substep<Real>& step, StabilizationPass pass,
 
 /// The rows of any joint, or of the hand; whether they hold points that are too far apart.
 template <Scalar Real>
-bool JointWriter<Real>::write_joint(const Substep<Real>& step, int number, const Stabilization& stabilization,
-                                    StabilizationPass pass, VelocityProblem<Real>& problem, int& next,
+bool JointWriter<Real>::write_joint(const Substep<Real>& step, int number, const PinRules<Real>& rules,
+                                    VelocityProblem<Real>& problem, int& next,
                                     List<RelaxedRow<Real>>* relaxed) {
   specs_.clear();
   step.joint(number).append_rows(step.state.pose, problem.velocity, specs_);
@@ -94,13 +93,12 @@ bool JointWriter<Real>::write_joint(const Substep<Real>& step, int number, const
     if (moves_nothing(spec, problem.inverse_mass)) continue;
     if (next == problem.row_count()) problem.rows.emplace_back();
     ConstraintRow<Real>& row = problem.rows[next++];
-    stabilize_row(spec, stabilization, pass, step.state, problem, step.source(number), first, row);
+    stabilize_row(spec, rules.now, step.state, problem, step.source(number), first, row);
     if (!relaxed) continue;
     if (spec.softness) {
       relaxed->push_back({row.bias, row.softness});
     } else {
-      const auto again = StabilizationPass::relax;
-      relaxed->push_back({bias_velocity(spec, stabilization, again, problem.dt, problem.velocity), 0});
+      relaxed->push_back({bias_velocity(spec, rules.again, problem.velocity), 0});
     }
   }
   return apart;

@@ -41,13 +41,12 @@ class JointWriter {
   using Impulses = BlockImpulses<List<RowImpulse<Real>>, Real>;
 
   PinRules<Real> pin_rules(const Substep<Real>& step, const Stabilization& stabilization,
-                           StabilizationPass pass, bool again) const;
+                           StabilizationPass pass) const;
   void locate_pins(const Substep<Real>& step);
   bool write_pin(const Substep<Real>& step, const Pin& pin, const PinRules<Real>& rules,
                  VelocityProblem<Real>& problem, int& next, List<RelaxedRow<Real>>* relaxed) const;
-  bool write_joint(const Substep<Real>& step, int number, const Stabilization& stabilization,
-                   StabilizationPass pass, VelocityProblem<Real>& problem, int& next,
-                   List<RelaxedRow<Real>>* relaxed);
+  bool write_joint(const Substep<Real>& step, int number, const PinRules<Real>& rules,
+                   VelocityProblem<Real>& problem, int& next, List<RelaxedRow<Real>>* relaxed);
   void look_along_arcs(const Substep<Real>& step);
   void follow_arcs(const Substep<Real>& step, int number);
   bool is_apart(const Substep<Real>& step) const;

@@ -24,10 +24,9 @@ void begin_pin_row(const Pin& pin, JointPart part, int extra_terms, ConstraintRo
 
 template <Scalar Real>
 PinRules<Real> JointWriter<Real>::pin_rules(const Substep<Real>& step, const Stabilization& stabilization,
-                                            StabilizationPass pass, bool again) const {
-  PinRules<Real> rules{.now = joint_rule(stabilization, pass, step.dt)};
-  if (again) rules.relaxed = joint_rule(stabilization, StabilizationPass::relax, step.dt);
-  return rules;
+                                            StabilizationPass pass) const {
+  return {joint_rule(stabilization, pass, step.dt),
+          joint_rule(stabilization, StabilizationPass::relax, step.dt)};
 }
 
 /// Where the bodies of all pins are: their cosines and sines serve all pins of a body.
@@ -66,13 +65,15 @@ bool JointWriter<Real>::write_pin(const Substep<Real>& step, const Pin& pin, con
     };
     speed = {0 - lost(ahead.d.x(), arms.d.x(), x), 0 - lost(ahead.d.y(), arms.d.y(), y)};
   }
-  x.bias = speed.x() - arms.d.x() * rules.now.rate;
-  y.bias = speed.y() - arms.d.y() * rules.now.rate;
-  x.softness = y.softness =
-      rules.now.softness(problem.inverse_mass[pin.a].x() + problem.inverse_mass[pin.b].x());
+  const RowRule<Real>& now = rules.now;
+  const Real rate = now.has_springs ? now.spring_rate : now.rigid_rate;
+  x.bias = speed.x() - arms.d.x() * rate;
+  y.bias = speed.y() - arms.d.y() * rate;
+  const Real carried = problem.inverse_mass[pin.a].x() + problem.inverse_mass[pin.b].x();
+  x.softness = y.softness = now.has_springs ? spring_softness(now, carried) : Real(0);
   if (relaxed) {
-    relaxed->push_back({speed.x() - arms.d.x() * rules.relaxed->rate, 0});
-    relaxed->push_back({speed.y() - arms.d.y() * rules.relaxed->rate, 0});
+    relaxed->push_back({speed.x() - arms.d.x() * rules.again.rigid_rate, 0});
+    relaxed->push_back({speed.y() - arms.d.y() * rules.again.rigid_rate, 0});
   }
   const Real radius_a = step.kinds[pin.a].radius, radius_b = step.kinds[pin.b].radius;
   Real most = std::numeric_limits<Real>::infinity();

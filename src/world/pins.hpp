@@ -28,8 +28,8 @@ struct Pins {
 /// How errors of pins go, which all pins on the same spring share.
 template <Scalar Real>
 struct PinRules {
-  JointRule<Real> now = {};                     // in the pass that rows are written for
-  std::optional<JointRule<Real>> relaxed = {};  // in the second solve, where there is one
+  RowRule<Real> now = {};    // in the pass that rows are written for
+  RowRule<Real> again = {};  // in the second solve
 };
 
 /// Revolute joints without motor and limits.

@@ -52,7 +52,7 @@ VelocityProblem<Real> constraint_problem(const RowSpecs<Real>& specs) {
                       Vec3<Real>(Real(-0.3), Real(0.2), Real(0.6))};
   for (RowSpec<Real> spec : specs) {
     if (spec.bounds.is_unilateral()) spec.error = 0;
-    stabilize_row<Real>(spec, Stabilization{}, StabilizationPass::velocity,
+    stabilize_row<Real>(spec, joint_rule<Real>({}, StabilizationPass::velocity, problem.dt),
                         {{}, problem.velocity, problem.inverse_mass}, problem, 0, 0,
                         problem.rows.emplace_back());
   }
