@@ -20,6 +20,12 @@ struct RowRule {
   Real gravity = 0;  // [m/s^2] no faster than half of a fall through the overlap under this; 0: no such rule
 };
 
+/// [1/s] The share of its error that a row takes back in a second.
+template <typename Real>
+[[gnu::always_inline]] inline Real error_rate(const RowRule<Real>& rule, bool on_spring) {
+  return on_spring ? rule.spring_rate : rule.rigid_rate;
+}
+
 /// std::sqrt.
 [[gnu::always_inline]] inline float square_root(float x) { return __builtin_sqrtf(x); }
 [[gnu::always_inline]] inline double square_root(double x) { return __builtin_sqrt(x); }
@@ -33,11 +39,11 @@ template <typename Real>
 [[gnu::always_inline]] inline Real pushing_bias(const RowRule<Real>& rule, Real room, Real slop_limit,
                                                 bool on_spring) {
   const Real slop = slop_limit < rule.slop ? slop_limit : rule.slop;
-  const Real beyond = -room - (on_spring ? Real(0) : slop);
+  const Real beyond = on_spring ? -room : -room - slop;
   const Real overlap = 0 < beyond ? beyond : Real(0);
-  const Real fall = rule.gravity > 0 ? square_root(rule.gravity * overlap / 2) : rule.most_speed;
-  const Real most_speed = fall < rule.most_speed ? fall : rule.most_speed;
-  const Real wish = (on_spring ? rule.spring_rate : rule.rigid_rate) * overlap;
+  const Real fall = square_root(rule.gravity * overlap / 2);
+  const Real most_speed = rule.gravity > 0 && fall < rule.most_speed ? fall : rule.most_speed;
+  const Real wish = error_rate(rule, on_spring) * overlap;
   return room < 0 ? (most_speed < wish ? most_speed : wish) : -room / rule.dt;
 }
 

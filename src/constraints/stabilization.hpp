@@ -1,12 +1,13 @@
-// Floor 3. How fast errors go: from what a constraint states to what a solver is given.
+// Floor 3. How fast errors go: policies, the rules that they make, and what these do to contacts.
 #pragma once
 
 #include <algorithm>
 #include <limits>
 #include <optional>
 
-#include "constraints/constraint.hpp"
+#include "constraints/row.hpp"
 #include "constraints/row_rule.hpp"
+#include "constraints/softness.hpp"
 
 namespace cairn {
 
@@ -75,35 +76,6 @@ RowRule<Real> contact_rule(const Stabilization& stabilization, StabilizationPass
 /// The rule for the rows of joints on this spring, Stabilization::joint_soft.
 template <Scalar Real>
 RowRule<Real> joint_rule(const Stabilization& stabilization, StabilizationPass pass, Real dt);
-
-/// zeta (7) of one row that has no spring of its own: the value that j v should take.
-///   an equality     -beta C / dt, on a spring of the policy its rate times -C
-///   an inequality   pushing_bias()
-/// To this comes the speed that the row asks for by itself, as a motor's or along an arc. `velocity` is the
-/// one that bodies have in the position pass, of which an inequality takes no more than is still missing.
-template <Scalar Real>
-Real bias_velocity(const RowSpec<Real>& spec, const RowRule<Real>& rule, const PerBody<Vec3<Real>>& velocity);
-
-/// What the Jacobian of a row leaves out of its error [m or rad] in a step of dt [s] at these
-/// velocities: C(x + dt v) - C(x) - dt j v, which is dt^2 / 2 times the change of j v that turning brings.
-/// `ahead` is the row at x + dt v. A row that asks for this to be taken back holds where the step ends, and
-/// its bodies, which then move along chords of their arcs, keep their speed. Source: R. Weinstein, J. Teran,
-/// R. Fedkiw, Dynamic Simulation of Articulated Rigid Bodies with Contact and Collision (2006), who solve for
-/// joints at the end of the step.
-template <Scalar Real>
-Real left_out_by_jacobian(const RowSpec<Real>& spec, const RowSpec<Real>& ahead, Real dt,
-                          const PerBody<Vec3<Real>>& velocity);
-
-/// Writes the row of `spec` in a step of `problem`, whose dt, inverse masses and velocities are those of the
-/// step without constraints: with the bias above or the row of its spring, and a motor's force as an impulse.
-/// `begin` is how the step began: what its bodies weigh and how fast they were before any force. The block of
-/// the row begins at row `first_row`. Terms of further bodies go to the problem's extra
-/// terms. In the position pass friction, motors and springs do nothing. `row` may be an old one: every member
-/// is set.
-template <Scalar Real>
-void stabilize_row(const RowSpec<Real>& spec, const RowRule<Real>& rule, const BodyState<Real>& begin,
-                   VelocityProblem<Real>& problem, std::uint64_t source, int first_row,
-                   ConstraintRow<Real>& row);
 
 /// What a row is in the second solve of the policies relaxed and soft.
 template <Scalar Real>

@@ -50,16 +50,16 @@ template <typename Joint>
 ConstraintKind joint_kind(const std::string& name, const typename Joint::Spec& spec) {
   const std::shared_ptr<const Constraint> joint = std::make_shared<const Joint>(spec, Stage().start);
   const Stage stage;
-  const BodyState<double> begin = {stage.now, stage.problem.velocity, stage.problem.inverse_mass};
+  const auto begin = std::make_shared<const BodyState<double>>(
+      BodyState<double>{stage.now, stage.problem.velocity, stage.problem.inverse_mass});
   const RowRule<double> rule = joint_rule<double>({}, StabilizationPass::velocity, stage.problem.dt);
-  const auto specs = std::make_shared<RowSpecs<double>>();
   return {name, [=](VelocityProblem<double>& problem) {
-            specs->clear();
-            problem.rows.clear();
+            int next = 0;
             problem.extra_terms.clear();
-            joint->append_rows(begin.pose, begin.velocity, *specs);
-            for (const RowSpec<double>& spec : *specs)
-              stabilize_row(spec, rule, begin, problem, 0, 0, problem.rows.emplace_back());
+            const RowWriting<double> writing{.begin = *begin, .problem = problem, .next = next, .rule = rule};
+            ProblemRows<double> rows(writing, 0);
+            joint->write_rows(begin->pose, rows);
+            problem.rows.resize(next);
           }};
 }
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "constraints/distance_joint.hpp"
-#include "constraints/stabilization.hpp"
+#include "constraints/problem_rows.hpp"
 #include "geometry/shape.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
@@ -28,11 +28,6 @@ RowSpec<double> row_along_y(double error, const Bounds<double>& bounds) {
 const Stabilization quarter_and_eighth = {.baumgarte = 0.25, .slop = 0.125};  // powers of two: exact results
 const double half_second = 0.5;                                               // [s]
 
-double bias_of(const RowSpec<double>& spec) {
-  return bias_velocity(spec, joint_rule(quarter_and_eighth, StabilizationPass::velocity, half_second),
-                       {Vec3<double>::Zero(), Vec3<double>::Zero()});
-}
-
 /// A step of half a second in which body 1, of 1 kg, would go along y at v without constraints.
 VelocityProblem<double> problem_at(double v) {
   VelocityProblem<double> problem;
@@ -41,6 +36,19 @@ VelocityProblem<double> problem_at(double v) {
   problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 1)};
   return problem;
 }
+
+/// The row of a joint, as it is written behind ten others.
+ConstraintRow<double> written(const RowSpec<double>& spec) {
+  VelocityProblem<double> problem = problem_at(0);
+  problem.rows.resize(10);
+  const BodyState<double> begin = {{}, problem.velocity, problem.inverse_mass};
+  const RowRule<double> rule = joint_rule(quarter_and_eighth, StabilizationPass::velocity, half_second);
+  int next = 10;
+  const RowWriting<double> writing{.begin = begin, .problem = problem, .next = next, .rule = rule};
+  ProblemRows<double>(writing, 17).add(spec);
+  return problem.rows[10];
+}
+double bias_of(const RowSpec<double>& spec) { return written(spec).bias; }
 
 struct StabilizedContact {
   double bias = 0, softness = 0;  // in the first solve
@@ -154,10 +162,7 @@ TEST_CASE("overlap stands on a spring of the policy soft, but for what rebounds 
 
 TEST_CASE("a stabilized row is its spec with a bias, a key, and its normal row found in the problem") {
   const RowSpec<double> spec = row_along_y(0, Bounds<double>::coulomb(0.5, 2));
-  VelocityProblem<double> problem = problem_at(0);
-  ConstraintRow<double> row;
-  stabilize_row(spec, joint_rule(quarter_and_eighth, StabilizationPass::velocity, half_second),
-                {{}, problem.velocity, problem.inverse_mass}, problem, 17, 10, row);
+  const ConstraintRow<double> row = written(spec);
   CHECK(row.bounds.normal_row == 12);
   CHECK(row.bounds.friction == 0.5);
   CHECK(row.key == RowKey{17, spec.part});

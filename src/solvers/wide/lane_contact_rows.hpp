@@ -17,9 +17,10 @@ inline Real inverse_mass_of(Real x, Real y, Real turn, Real mass_x, Real mass_y,
   return sum_in_order<Real, Real>(x * (mass_x * x), y * (mass_y * y), turn * (mass_turn * turn));
 }
 
-/// Bias and softness of the normal rows of one point.
+/// Bias and softness of the normal rows of one point. The rule by value: to a compiler, lanes might lie over
+/// it.
 template <typename Real>
-inline void stabilize_point(const Real* separation, const RowRule<Real>& rule, int point,
+inline void stabilize_point(const Real* separation, RowRule<Real> rule, int point,
                             LaneContactBatch<Real>& batch) {
   const int row = batch.has_friction ? 2 * point : point;
   for (int lane = 0; lane < lane_count; ++lane) {
