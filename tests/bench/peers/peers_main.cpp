@@ -17,7 +17,7 @@ namespace cairn::bench {
 
 namespace {
 
-const RunLength quick = {.steps = 250, .repetitions = 5, .most = 10};
+const RunLength quick = {.steps = 250, .repetitions = 5, .most = 6};
 const RunLength whole = {.steps = 500, .repetitions = 5, .most = 60};
 
 /// The scenes that were named, or else those of the length. @returns none for a name that is no scene.
@@ -45,7 +45,8 @@ int compare(List<std::string> words) {
   print_machine();
   for (const std::string& line : engine_lines()) fmt::print("{}\n", line);
   fmt::print(
-      "Processor times of one thread, medians of {} runs in turn; {} steps of 1/60 s, the first tenth warms "
+      "Processor times of one thread, medians of up to {} runs in turn; {} steps of 1/60 s, the first tenth "
+      "warms "
       "up.\n"
       "A ratio is \"noisy\" where its quartiles are more than {:.0f} % apart. Sleeping and continuous "
       "collision are\n"

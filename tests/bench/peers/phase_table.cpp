@@ -31,14 +31,16 @@ void print_phases(const List<PeerScene>& scenes, const RunLength& length) {
       "busy\n"
       "machine that of other programs is in it.\n\n");
   for (const PeerScene& entry : scenes) {
-    const Scene scene = entry.make();
+    const Course course(entry, length);
+    const Scene& scene = course.scene;
     if (!scene.joints().empty()) continue;
     const Setting si = {.solver = "si", .sweeps = {.iterations = 10}};
-    const Phases of_cairn = phases_of_cairn(scene, si, length.steps);
+    const Phases of_cairn = phases_of_cairn(scene, si, course.length.steps);
     TextTable table({{entry.name, fmt::format("{} points", grouped(of_cairn.points))}, {"a point", "ns"}});
     add_phases("Cairn si x10", of_cairn, of_cairn.points, table);
 #ifdef CAIRN_PEER_BOX2D_3
-    add_phases("Box2D 3", phases_of_box2d_3(scene, {.substeps = 4}, length.steps), of_cairn.points, table);
+    add_phases("Box2D 3", phases_of_box2d_3(scene, {.substeps = 4}, course.length.steps), of_cairn.points,
+               table);
 #endif
     fmt::print("{}\n", table.text());
     std::fflush(stdout);

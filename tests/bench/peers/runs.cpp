@@ -24,21 +24,26 @@ double seconds_of_a_step(const Scene& scene, const Contestant& contestant, const
 
 }  // namespace
 
+Course::Course(const PeerScene& from, const RunLength& usual)
+    : entry(from), scene(from.make()), length(usual) {
+  if (entry.steps > 0) length.steps = std::min(length.steps, entry.steps);
+}
+
 bool reaches(const Finding& finding, const Target& target) {
   const Errors& end = finding.end;
-  const bool held = finding.worst <= target.error;
+  const bool held = std::max(finding.worst_overlap, finding.worst_gap) <= target.error;
   const bool stood = target.sinking == 0 || (std::abs(end.sinking) <= target.sinking && end.aside <= 0.5);
   return !finding.refused && !finding.too_slow && !end.exploded && held && stood;
 }
 
-Finding find_errors(const Scene& scene, const Contestant& contestant, const RunLength& length,
-                    const std::optional<Target>& target) {
+Finding find_errors(const Course& course, const Contestant& contestant, const std::optional<Target>& target) {
+  const RunLength& length = course.length;
   Finding finding;
-  Ruler ruler(scene);
+  Ruler ruler(course.entry, course.scene);
   const double before = heap_in_use();
   std::unique_ptr<Engine> engine;
   try {
-    engine = contestant.make(scene);
+    engine = contestant.make(course.scene);
   } catch (const std::invalid_argument& refusal) {
     finding.refused = refusal.what();
     return finding;
@@ -63,24 +68,28 @@ Finding find_errors(const Scene& scene, const Contestant& contestant, const RunL
     const bool looks = step > warm_up(length) && (step % look_every == 0 || step == length.steps);
     if (!looks) continue;
     finding.end = ruler.errors(*engine);
-    finding.worst = std::max(finding.worst, finding.end.error);
+    finding.worst_overlap = std::max(finding.worst_overlap, finding.end.overlap);
+    finding.worst_gap = std::max(finding.worst_gap, finding.end.gap);
   }
   finding.seconds = all / step;
   finding.bytes = heap_in_use() - before;
   return finding;
 }
 
-List<List<double>> times(const Scene& scene, const List<Contestant>& contestants,
-                         const List<Finding>& findings, const RunLength& length) {
+List<List<double>> times(const Course& course, const List<Contestant>& contestants,
+                         const List<Finding>& findings) {
+  const RunLength& length = course.length;
   List<List<double>> all(contestants.size());
   for (int repetition = 0; repetition < length.repetitions; ++repetition) {
     for (int turn = 0; turn < contestants.size(); ++turn) {
       const int i = (repetition + turn) % contestants.size();
       if (findings[i].refused || findings[i].too_slow || findings[i].end.exploded) continue;
+      const double run_time = findings[i].seconds * length.steps;
+      if (repetition > 0 && (repetition + 1) * run_time > length.most) continue;
       // A short run is done again until it fills what can be timed.
-      const auto runs = std::min<std::int64_t>(100, iterations_for(findings[i].seconds * length.steps));
+      const auto runs = std::min<std::int64_t>(100, iterations_for(run_time));
       double sum = 0;
-      for (int run = 0; run < runs; ++run) sum += seconds_of_a_step(scene, contestants[i], length);
+      for (int run = 0; run < runs; ++run) sum += seconds_of_a_step(course.scene, contestants[i], length);
       all[i].push_back(sum / static_cast<double>(runs) * 1e9);
     }
   }
