@@ -197,6 +197,9 @@ std::function<bool(const Place&)> below(double height) {
   return [height](const Place& place) { return place.y() < height; };
 }
 
+const char* const turning =
+    "a bar of 40 m turns once in 1.3 s among capsules, discs and boxes that begin in each other";
+
 }  // namespace
 
 List<PeerScene> benchmark_scenes() {
@@ -205,13 +208,13 @@ List<PeerScene> benchmark_scenes() {
        .about = "200 figures of eleven capsules, whose joints have limits and friction, fall from 1 to 40 m",
        .make = [] { return rain(40); },
        .outside = below(-0.25)},
-      {.name = "smash-120x80",
+      {.name = "smash-60x40",
        .about = "a box of 512 t at 40 m/s hits a wall of boxes that float and touch, without gravity",
-       .make = [] { return smash(120, 80); },
+       .make = [] { return smash(60, 40); },
        .steps = 100},
-      {.name = "spinner-6076",
-       .about = "a bar of 40 m turns once in 1.3 s among capsules, discs and boxes that begin in each other",
-       .make = [] { return spinner(6076); },
+      {.name = "spinner-2000",
+       .about = turning,
+       .make = [] { return spinner(2000); },
        .steps = 100,
        .outside = farther(spinner_center, spinner_radius)},
       {.name = "tumbler-45x45",

@@ -147,19 +147,22 @@ class BulletEngine final : public Engine {
     world_.addRigidBody(&made, static_cast<int>(spec.category), mask);
   }
   void pin(const Pin& pin) {
-    require(!pin.lower, "Bullet", "joint", "a pin without limits", "one with them");
     btRigidBody &a = *bodies_[pin.a], &b = *bodies_[pin.b];
-    if (pin.motor) {
-      const btVector3 axis(0, 0, 1);
-      auto hinge = std::make_unique<btHingeConstraint>(a, b, to_bullet(pin.anchor_a), to_bullet(pin.anchor_b),
-                                                       axis, axis);
-      // Its speed is that of a, seen from b; its impulse is that of a step.
-      hinge->enableAngularMotor(true, static_cast<btScalar>(-pin.motor->speed),
-                                static_cast<btScalar>(pin.motor->max_force) * dt_);
+    const btVector3 at_a = to_bullet(pin.anchor_a), at_b = to_bullet(pin.anchor_b), axis(0, 0, 1);
+    if (pin.motor || pin.lower) {
+      auto hinge = std::make_unique<btHingeConstraint>(a, b, at_a, at_b, axis, axis);
+      // Its angle is that of a, seen from b, and 0 where both have the same; its impulse is that of a step.
+      if (pin.motor) {
+        hinge->enableAngularMotor(true, static_cast<btScalar>(-pin.motor->speed),
+                                  static_cast<btScalar>(pin.motor->max_force) * dt_);
+      }
+      if (pin.lower) {
+        hinge->setLimit(static_cast<btScalar>(-pin.start - *pin.upper),
+                        static_cast<btScalar>(-pin.start - *pin.lower));
+      }
       joints_.push_back(std::move(hinge));
     } else {
-      joints_.push_back(
-          std::make_unique<btPoint2PointConstraint>(a, b, to_bullet(pin.anchor_a), to_bullet(pin.anchor_b)));
+      joints_.push_back(std::make_unique<btPoint2PointConstraint>(a, b, at_a, at_b));
     }
     world_.addConstraint(joints_.back().get(), !pin.touch);
   }

@@ -122,7 +122,7 @@ const char* const tower = "boxes of 1 m one on the other";
 const char* const net = "discs 1 m apart, pinned to their neighbours, hang from the middle of the top row";
 const char* const fallen = "discs and boxes of 0.5 to 0.9 m fall and come to rest";
 
-List<PeerScene> plain_scenes() {
+List<PeerScene> standing_scenes() {
   return {
       {.name = "pyramid-10", .about = pile, .make = [] { return pyramid(10); }, .stands = true},
       {.name = "pyramid-30",
@@ -140,13 +140,18 @@ List<PeerScene> plain_scenes() {
        .about = "400 pyramids of ten rows on 20 ledges",
        .make = [] { return many_pyramids(20); },
        .stands = true,
-       .steps = 50},
+       .steps = 30},
       {.name = "stack-10", .about = tower, .make = [] { return stack(10); }, .stands = true},
       {.name = "stack-100",
        .about = tower,
        .make = [] { return stack(100); },
        .stands = true,
        .target = Target{.error = 0.050, .sinking = 1}},
+  };
+}
+
+List<PeerScene> moving_scenes() {
+  return {
       {.name = "chain-200",
        .about = "200 rods of 0.5 m in a level row, pinned at one end, fall and swing",
        .make = [] { return level_chain(200); }},
@@ -175,9 +180,11 @@ Scene pyramid(int base) {
 
 const List<PeerScene>& peer_scenes() {
   static const List<PeerScene> scenes = [] {
-    List<PeerScene> all = plain_scenes();
-    for (const PeerScene& scene : benchmark_scenes()) all.push_back(scene);
-    for (const PeerScene& scene : mixed_scenes()) all.push_back(scene);
+    List<PeerScene> all;
+    for (const List<PeerScene>& some :
+         {standing_scenes(), moving_scenes(), benchmark_scenes(), mixed_scenes()}) {
+      all.insert(all.end(), some.begin(), some.end());
+    }
     return all;
   }();
   return scenes;

@@ -46,20 +46,24 @@ struct Measure {
 
 std::string stands_cell(const Finding& finding) { return finding.end.aside > 0.5 ? "falls" : "yes"; }
 
+std::string sinks_cell(const Finding& finding) {
+  return stands_cell(finding) == "yes" ? length_cell(finding.end.sinking) : "-";
+}
+
+/// Of one kind of error: the worst, and that at the end.
+void add_error(const std::string& name, double Finding::*worst, double Errors::*end,
+               List<Measure>& measures) {
+  measures.push_back({{name, "mm, worst"}, [worst](const Finding& f) { return length_cell(f.*worst); }});
+  measures.push_back({{"at the end", "mm"}, [end](const Finding& f) { return length_cell(f.end.*end); }});
+}
+
 /// Those that say something of the scene.
 List<Measure> measures_of(const Course& course) {
-  List<Measure> measures = {
-      {{"overlap", "mm, worst"}, [](const Finding& f) { return length_cell(f.worst_overlap); }},
-      {{"at the end", "mm"}, [](const Finding& f) { return length_cell(f.end.overlap); }}};
-  if (!course.scene.joints().empty()) {
-    measures.push_back(
-        {{"joint gap", "mm, worst"}, [](const Finding& f) { return length_cell(f.worst_gap); }});
-    measures.push_back({{"at the end", "mm"}, [](const Finding& f) { return length_cell(f.end.gap); }});
-  }
+  List<Measure> measures;
+  add_error("overlap", &Finding::worst_overlap, &Errors::overlap, measures);
+  if (!course.scene.joints().empty()) add_error("joint gap", &Finding::worst_gap, &Errors::gap, measures);
   if (course.entry.stands) {
-    measures.push_back({{"top sinks", "mm"}, [](const Finding& f) {
-                          return stands_cell(f) == "yes" ? length_cell(f.end.sinking) : "-";
-                        }});
+    measures.push_back({{"top sinks", "mm"}, sinks_cell});
     measures.push_back({{"stands", ""}, stands_cell});
   }
   if (course.entry.outside) {

@@ -22,6 +22,17 @@ double seconds_of_a_step(const Scene& scene, const Contestant& contestant, const
   return watch.seconds() / (length.steps - warm_up(length));
 }
 
+/// None where the engine refuses the scene.
+std::unique_ptr<Engine> made(const Contestant& contestant, const Scene& scene,
+                             std::optional<std::string>& refused) {
+  try {
+    return contestant.make(scene);
+  } catch (const std::invalid_argument& refusal) {
+    refused = refusal.what();
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 Course::Course(const PeerScene& from, const RunLength& usual)
@@ -41,14 +52,9 @@ Finding find_errors(const Course& course, const Contestant& contestant, const st
   Finding finding;
   Ruler ruler(course.entry, course.scene);
   const double before = heap_in_use();
-  std::unique_ptr<Engine> engine;
-  try {
-    engine = contestant.make(course.scene);
-  } catch (const std::invalid_argument& refusal) {
-    finding.refused = refusal.what();
-    return finding;
-  }
-  double all = 0;  // [s]
+  const std::unique_ptr<Engine> engine = made(contestant, course.scene, finding.refused);
+  if (!engine) return finding;
+  double all = 0, warm = 0;  // [s] of all steps, and of those after the warm-up
   int step = 0;
   const auto goes_on = [&] {
     if (finding.end.exploded || (target && !reaches(finding, *target))) return false;
@@ -63,7 +69,9 @@ Finding find_errors(const Course& course, const Contestant& contestant, const st
       finding.end.exploded = true;
       return finding;
     }
-    all += watch.seconds();
+    const double seconds = watch.seconds();
+    all += seconds;
+    if (step >= warm_up(length)) warm += seconds;
     step += 1;
     const bool looks = step > warm_up(length) && (step % look_every == 0 || step == length.steps);
     if (!looks) continue;
@@ -71,7 +79,7 @@ Finding find_errors(const Course& course, const Contestant& contestant, const st
     finding.worst_overlap = std::max(finding.worst_overlap, finding.end.overlap);
     finding.worst_gap = std::max(finding.worst_gap, finding.end.gap);
   }
-  finding.seconds = all / step;
+  finding.seconds = warm / std::max(1, step - warm_up(length));
   finding.bytes = heap_in_use() - before;
   return finding;
 }
@@ -85,7 +93,11 @@ List<List<double>> times(const Course& course, const List<Contestant>& contestan
       const int i = (repetition + turn) % contestants.size();
       if (findings[i].refused || findings[i].too_slow || findings[i].end.exploded) continue;
       const double run_time = findings[i].seconds * length.steps;
-      if (repetition > 0 && (repetition + 1) * run_time > length.most) continue;
+      if (2 * run_time > length.most) {
+        if (repetition == 0) all[i].push_back(findings[i].seconds * 1e9);
+        continue;
+      }
+      if ((repetition + 1) * run_time > length.most) continue;
       // A short run is done again until it fills what can be timed.
       const auto runs = std::min<std::int64_t>(100, iterations_for(run_time));
       double sum = 0;

@@ -15,8 +15,8 @@ namespace cairn::bench {
 struct RunLength {
   int steps = 500;      // the first tenth of them warms up: nothing of it is measured
   int repetitions = 5;  // that are timed
-  /// [s] A run that takes longer is broken off. A contestant whose repetitions together would take longer has
-  /// fewer of them.
+  /// [s] A run that takes longer is broken off. Where all runs of a contestant would take longer, there are
+  /// fewer, and where two would, it is timed while its errors are looked at.
   double most = 60;
 };
 
@@ -24,7 +24,7 @@ struct RunLength {
 struct Finding {
   std::optional<std::string> refused = {};  // why the engine cannot run the scene
   bool too_slow = false;                    // the run was broken off
-  double seconds = 0;                       // [s] of a step
+  double seconds = 0;                       // [s] of a step after the warm-up
   double bytes = 0;                         // that the engine keeps at the end
   double worst_overlap = 0, worst_gap = 0;  // [m] of every tenth step
   Errors end = {};                          // after the last step
