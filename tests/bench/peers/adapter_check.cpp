@@ -75,7 +75,7 @@ double worst_share(const Check& check, const PerBody<Pose<double>>& end) {
   const double rests = (end[check.resting].position - Vec2<double>(0, 0.5)).norm() / allowed_at_rest;
   // The pendulum's end is steered by a force as large as gravity: twice the error of what falls freely.
   const double swings = (end[check.swinging].position - swung(check, g, time)).norm() / (2 * allowed_of_way);
-  const double turns = std::abs(end[check.driven].angle - speed * time) / (speed * settings.dt);
+  const double turns = std::abs(end[check.driven].angle - speed * time) / (speed * settings.dt + 1e-3);
   // A slop of two degrees, or of 0.005 m at the pin's distance of 1 m.
   const double lies = std::abs(end[check.limited].angle - tilt) / (2 * pi / 180);
   return std::max({falls, rests, swings, turns, lies});
