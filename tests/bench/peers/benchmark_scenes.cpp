@@ -209,7 +209,7 @@ List<PeerScene> benchmark_scenes() {
        .make = [] { return rain(40); },
        .outside = below(-0.25)},
       {.name = "smash-60x40",
-       .about = "a box of 512 t at 40 m/s hits a wall of boxes that float and touch, without gravity",
+       .about = "a box of 512 kg at 40 m/s hits boxes of 0.16 kg that float and touch, without gravity",
        .make = [] { return smash(60, 40); },
        .steps = 100},
       {.name = "spinner-1000",

@@ -163,16 +163,13 @@ void print_error_in(const PeerScene& entry, const RunLength& length) {
 void print_equal_work(const List<PeerScene>& scenes, const RunLength& length) {
   print_heading("1. Equal work: every engine as it comes");
   fmt::print(
-      "Settings that users begin with. They are not equally hard work, so read times beside errors. A ratio\n"
-      "above 1 is slower than the first line. Overlaps and gaps of joints are the worst of every tenth "
-      "step,\n"
-      "measured by Cairn for all engines alike, without the skins that some engines add: their piles rise "
-      "at\n"
-      "first. A pile falls when a body has gone more than 0.5 m aside. Outside are the bodies that have "
-      "gone\n"
-      "through a wall at the end. Memory is what is on the heap then. Too slow: a run took more than {:g} s, "
-      "and\n"
-      "was broken off; where all runs of a line would take longer than that, there are fewer of them.\n\n",
+      "Settings that users begin with. They are not equally hard work, so read times beside errors. A\n"
+      "ratio above 1 is slower than the first line. Overlaps and gaps of joints are the worst of every\n"
+      "tenth step, measured by Cairn for all engines alike, without the skins that some engines add: their\n"
+      "piles rise at first. A pile falls when a body has gone more than 0.5 m aside. Outside are the bodies\n"
+      "that are behind a wall at the end. Memory is what is on the heap then. Too slow: a run took more\n"
+      "than {:g} s, and was broken off. Where all runs of a line would take longer than that, there are\n"
+      "fewer, and where two would, its time is that of the run whose errors were measured.\n\n",
       length.most);
   for (const PeerScene& scene : scenes) print_work_in(scene, length);
 }
