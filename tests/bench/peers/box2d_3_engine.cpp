@@ -85,6 +85,8 @@ class Box2D3Engine final : public Engine {
     definition.gravity = to_v3(scene.settings().gravity);
     definition.enableSleep = false;
     definition.enableContinuous = false;
+    // It would say into the tables that it takes up no more than 128 new pairs of a shape in a step.
+    b2SetLogFcn([](const char*) {});
     world_ = b2CreateWorld(&definition);
     for (const SceneBody& body : scene.bodies()) bodies_.push_back(add(world_, body));
     for (const Pin& joint : pins_of(scene)) pin(joint);

@@ -58,15 +58,15 @@ void add_error(const std::string& name, double Finding::*worst, double Errors::*
 }
 
 /// Those that say something of the scene.
-List<Measure> measures_of(const Course& course) {
+List<Measure> measures_of(const Task& task) {
   List<Measure> measures;
   add_error("overlap", &Finding::worst_overlap, &Errors::overlap, measures);
-  if (!course.scene.joints().empty()) add_error("joint gap", &Finding::worst_gap, &Errors::gap, measures);
-  if (course.entry.stands) {
+  if (!task.scene.joints().empty()) add_error("joint gap", &Finding::worst_gap, &Errors::gap, measures);
+  if (task.entry.stands) {
     measures.push_back({{"top sinks", "mm"}, sinks_cell});
     measures.push_back({{"stands", ""}, stands_cell});
   }
-  if (course.entry.outside) {
+  if (task.entry.outside) {
     measures.push_back({{"outside", "bodies"}, [](const Finding& f) { return grouped(f.end.outside); }});
   }
   return measures;
@@ -94,10 +94,10 @@ List<std::string> row(const Finding& finding, const List<Measure>& measures, con
 }
 
 /// Takes the times and prints a line for each.
-void print_rows(const Course& course, const Entrants& entrants) {
+void print_rows(const Task& task, const Entrants& entrants) {
   const auto& [contestants, findings, notes] = entrants;
-  const List<List<double>> all_times = times(course, contestants, findings);
-  const List<Measure> measures = measures_of(course);
+  const List<List<double>> all_times = times(task, contestants, findings);
+  const List<Measure> measures = measures_of(task);
   List<Column> columns = {{"engine", ""}, {"step", "us"}, {"quartiles", "us"}, {"ratio", "to the first"}};
   for (const Measure& measure : measures) columns.push_back(measure.column);
   columns.push_back({"memory", "kB"});
@@ -114,22 +114,22 @@ void print_rows(const Course& course, const Entrants& entrants) {
 }
 
 void print_work_in(const PeerScene& entry, const RunLength& length) {
-  const Course course(entry, length);
+  const Task task(entry, length);
   Entrants entrants = {.contestants = usual_contestants()};
   for (const Contestant& one : entrants.contestants) {
-    entrants.findings.push_back(find_errors(course, one));
+    entrants.findings.push_back(find_errors(task, one));
     const std::optional<std::string>& refused = entrants.findings.back().refused;
     if (refused) entrants.notes.push_back(*refused);
   }
   fmt::print("{}: {}\n{} bodies, {} joints, {} steps\n", entry.name, entry.about,
-             course.scene.bodies().size() - 1, course.scene.joints().size(), course.length.steps);
-  print_rows(course, entrants);
+             task.scene.bodies().size() - 1, task.scene.joints().size(), task.length.steps);
+  print_rows(task, entrants);
 }
 
 /// The first setting of a method that reaches the target, or a note that none does.
-void add_cheapest(const Course& course, const Method& method, const Target& target, Entrants& entrants) {
+void add_cheapest(const Task& task, const Method& method, const Target& target, Entrants& entrants) {
   for (const Contestant& setting : method) {
-    const Finding finding = find_errors(course, setting, target);
+    const Finding finding = find_errors(task, setting, target);
     if (reaches(finding, target)) {
       entrants.contestants.push_back(setting);
       entrants.findings.push_back(finding);
@@ -145,17 +145,17 @@ void add_cheapest(const Course& course, const Method& method, const Target& targ
 }
 
 void print_error_in(const PeerScene& entry, const RunLength& length) {
-  const Course course(entry, length);
+  const Task task(entry, length);
   const Target& target = *entry.target;
   Entrants entrants;
-  for (const Method& method : methods()) add_cheapest(course, method, target, entrants);
-  fmt::print("{}: {} at most {:g} mm", entry.name, course.scene.joints().empty() ? "overlap" : "joint gap",
+  for (const Method& method : methods()) add_cheapest(task, method, target, entrants);
+  fmt::print("{}: {} at most {:g} mm", entry.name, task.scene.joints().empty() ? "overlap" : "joint gap",
              1e3 * target.error);
   if (target.sinking > 0) {
     fmt::print(", the top sinks or rises at most {:g} m, nothing goes more than 0.5 m aside", target.sinking);
   }
   fmt::print("\n");
-  print_rows(course, entrants);
+  print_rows(task, entrants);
 }
 
 }  // namespace

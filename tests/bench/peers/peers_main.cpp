@@ -17,7 +17,7 @@ namespace cairn::bench {
 
 namespace {
 
-const RunLength quick = {.steps = 250, .repetitions = 5, .most = 8};
+const RunLength quick = {.steps = 250, .repetitions = 5, .most = 7};
 const RunLength whole = {.steps = 500, .repetitions = 5, .most = 60};
 
 /// The scenes that were named, or else those of the length. @returns none for a name that is no scene.

@@ -31,15 +31,15 @@ void print_phases(const List<PeerScene>& scenes, const RunLength& length) {
       "busy\n"
       "machine that of other programs is in it.\n\n");
   for (const PeerScene& entry : scenes) {
-    const Course course(entry, length);
-    const Scene& scene = course.scene;
+    const Task task(entry, length);
+    const Scene& scene = task.scene;
     if (!scene.joints().empty()) continue;
     const Setting si = {.solver = "si", .sweeps = {.iterations = 10}};
-    const Phases of_cairn = phases_of_cairn(scene, si, course.length.steps);
+    const Phases of_cairn = phases_of_cairn(scene, si, task.length.steps);
     TextTable table({{entry.name, fmt::format("{} points", grouped(of_cairn.points))}, {"a point", "ns"}});
     add_phases("Cairn si x10", of_cairn, of_cairn.points, table);
 #ifdef CAIRN_PEER_BOX2D_3
-    add_phases("Box2D 3", phases_of_box2d_3(scene, {.substeps = 4}, course.length.steps), of_cairn.points,
+    add_phases("Box2D 3", phases_of_box2d_3(scene, {.substeps = 4}, task.length.steps), of_cairn.points,
                table);
 #endif
     fmt::print("{}\n", table.text());

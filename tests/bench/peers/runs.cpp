@@ -35,8 +35,7 @@ std::unique_ptr<Engine> made(const Contestant& contestant, const Scene& scene,
 
 }  // namespace
 
-Course::Course(const PeerScene& from, const RunLength& usual)
-    : entry(from), scene(from.make()), length(usual) {
+Task::Task(const PeerScene& from, const RunLength& usual) : entry(from), scene(from.make()), length(usual) {
   if (entry.steps > 0) length.steps = std::min(length.steps, entry.steps);
 }
 
@@ -47,12 +46,12 @@ bool reaches(const Finding& finding, const Target& target) {
   return !finding.refused && !finding.too_slow && !end.exploded && held && stood;
 }
 
-Finding find_errors(const Course& course, const Contestant& contestant, const std::optional<Target>& target) {
-  const RunLength& length = course.length;
+Finding find_errors(const Task& task, const Contestant& contestant, const std::optional<Target>& target) {
+  const RunLength& length = task.length;
   Finding finding;
-  Ruler ruler(course.entry, course.scene);
+  Ruler ruler(task.entry, task.scene);
   const double before = heap_in_use();
-  const std::unique_ptr<Engine> engine = made(contestant, course.scene, finding.refused);
+  const std::unique_ptr<Engine> engine = made(contestant, task.scene, finding.refused);
   if (!engine) return finding;
   double all = 0, warm = 0;  // [s] of all steps, and of those after the warm-up
   int step = 0;
@@ -84,9 +83,9 @@ Finding find_errors(const Course& course, const Contestant& contestant, const st
   return finding;
 }
 
-List<List<double>> times(const Course& course, const List<Contestant>& contestants,
+List<List<double>> times(const Task& task, const List<Contestant>& contestants,
                          const List<Finding>& findings) {
-  const RunLength& length = course.length;
+  const RunLength& length = task.length;
   List<List<double>> all(contestants.size());
   for (int repetition = 0; repetition < length.repetitions; ++repetition) {
     for (int turn = 0; turn < contestants.size(); ++turn) {
@@ -101,7 +100,7 @@ List<List<double>> times(const Course& course, const List<Contestant>& contestan
       // A short run is done again until it fills what can be timed.
       const auto runs = std::min<std::int64_t>(100, iterations_for(run_time));
       double sum = 0;
-      for (int run = 0; run < runs; ++run) sum += seconds_of_a_step(course.scene, contestants[i], length);
+      for (int run = 0; run < runs; ++run) sum += seconds_of_a_step(task.scene, contestants[i], length);
       all[i].push_back(sum / static_cast<double>(runs) * 1e9);
     }
   }

@@ -31,9 +31,9 @@ struct Finding {
 };
 
 /// A scene, and how long it is run.
-struct Course {
+struct Task {
   /// Of `length`, or of fewer steps where the entry says so.
-  Course(const PeerScene& entry, const RunLength& length);
+  Task(const PeerScene& entry, const RunLength& length);
 
   PeerScene entry;
   Scene scene;  // that it makes
@@ -42,15 +42,14 @@ struct Course {
 
 /// Steps the scene once and looks at every tenth step; ends as soon as errors exceed the target, if there is
 /// one.
-Finding find_errors(const Course& course, const Contestant& contestant,
-                    const std::optional<Target>& target = {});
+Finding find_errors(const Task& task, const Contestant& contestant, const std::optional<Target>& target = {});
 /// Whether nothing is worse than the target allows.
 bool reaches(const Finding& finding, const Target& target);
 
 /// [ns] of a step for each contestant and repetition: every repetition runs all contestants, one after the
 /// other, and begins with another. `findings` are theirs; no time is taken of those who cannot run, explode
 /// or are too slow.
-List<List<double>> times(const Course& course, const List<Contestant>& contestants,
+List<List<double>> times(const Task& task, const List<Contestant>& contestants,
                          const List<Finding>& findings);
 
 }  // namespace cairn::bench
