@@ -1,7 +1,6 @@
 // What Box2D 3 measures itself by, as far as all engines can have it: no springs in the joints of the
-// figures, no feet on them, and sharp corners.
+// figures, no feet on them, and sharp corners. And scenes that mix what others have apart.
 #include <cmath>
-#include <optional>
 
 #include "constraints/revolute_joint.hpp"
 #include "peer_scenes.hpp"

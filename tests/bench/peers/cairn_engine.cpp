@@ -1,5 +1,6 @@
 // Cairn behind the interface of its peers, and its joints in their words.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "../measure.hpp"
@@ -84,14 +85,16 @@ Phases phases_of_cairn(const Scene& scene, const Setting& setting, int steps) {
   World<double> world(prepared(scene, setting));
   TimedSolver solver(make_solver<double>(setting.solver, setting.sweeps));
   Phases phases = {.parts = {{.name = "solver"}, {.name = "all else"}}};
+  double points = 0;
   for (int step = 0; step < steps; ++step) {
     const double before = solver.seconds();
     const Stopwatch watch;
-    phases.points = world.step(solver).contacts;
+    points += world.step(solver).contacts;
     const double all = watch.seconds(), solved = solver.seconds() - before;
     phases.parts[0].seconds.push_back(solved);
     phases.parts[1].seconds.push_back(all - solved);
   }
+  phases.points = static_cast<int>(std::lround(points / steps));
   return phases;
 }
 

@@ -55,7 +55,7 @@ struct Phase {
 /// Where the time of some steps went.
 struct Phases {
   List<Phase> parts = {};
-  int points = 0;  // of contact, in the last step; only Cairn's are counted
+  int points = 0;  // of contact, in a step on average; only Cairn's are counted
 };
 
 /// The solver, and all else that the steps do.

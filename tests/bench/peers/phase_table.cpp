@@ -25,11 +25,9 @@ void add_phases(const std::string& engine, const Phases& phases, int points, Tex
 void print_phases(const List<PeerScene>& scenes, const RunLength& length) {
   print_heading("3. Where the time of a step goes");
   fmt::print(
-      "Medians of all steps, for each contact point that Cairn finds in the last one. Cairn is seen from "
-      "outside, by\n"
-      "a solver that takes its own time; Box2D 3 tells its profile, which is by the clock on the wall: on a "
-      "busy\n"
-      "machine that of other programs is in it.\n\n");
+      "Medians of all steps, for each contact point that Cairn finds in a step on average. Cairn is seen\n"
+      "from outside, by a solver that takes its own time; Box2D 3 tells its profile, which is by the clock\n"
+      "on the wall: on a busy machine that of other programs is in it.\n\n");
   for (const PeerScene& entry : scenes) {
     const Task task(entry, length);
     const Scene& scene = task.scene;
