@@ -211,7 +211,7 @@ List<PeerScene> benchmark_scenes() {
       {.name = "smash-60x40",
        .about = "a box of 512 kg at 40 m/s hits boxes of 0.16 kg that float and touch, without gravity",
        .make = [] { return smash(60, 40); },
-       .steps = 100},
+       .steps = 80},
       {.name = "spinner-1000",
        .about = turning,
        .make = [] { return spinner(1000); },
