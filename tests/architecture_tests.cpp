@@ -58,9 +58,9 @@ std::string including_from_a_room(const std::string& file, const std::string& ta
   if (to == floor_of_room.end()) return "there is no room " + other + " on the floors of src";
   if (room == other) return room == "solvers" ? including_within_solvers(file, target) : "";
   const std::set<std::string> of_a_step = {"constraints/row.hpp", "constraints/contact_problem.hpp",
-                                           "constraints/contact_rule.hpp"};
+                                           "constraints/row_rule.hpp"};
   if (room == "solvers" && other == "constraints" && !of_a_step.contains(target)) {
-    return "solvers see rows and contacts only: constraints/row.hpp, contact_problem.hpp, contact_rule.hpp";
+    return "solvers see rows and contacts only: constraints/row.hpp, contact_problem.hpp, row_rule.hpp";
   }
   if (room == "collision" && other == "dynamics") return "";
   return to->second < from->second ? "" : room + " must not look up or sideways at " + other;

@@ -38,7 +38,6 @@ const std::map<std::string, std::pair<int, int>> larger_classes = {
     {"LookAhead", {15, 11}},
     {"Plan", {0, 26}},
     {"ProximalRows", {30, 17}},
-    {"RowSpec", {0, 16}},
     {"Scene", {20, 7}},
     {"SceneBuilder", {18, 9}},
 };

@@ -38,10 +38,19 @@ Kind contact_kind() {
             const Shape<double> disc = circle(0.3, {0.1, 0.2});
             const Manifold<double> manifold =
                 collide<double>(disc, poses[{1}], box(40, 1), poses[{2}], far_margin);
-            RowSpecs<double> rows;
-            const PerBody<Vec3<double>> at_rest(poses.size(), Vec3<double>::Zero());
-            append_contact_rows<double>(manifold, {1}, {2}, {}, poses, at_rest, rows);
-            return rows;
+            VelocityProblem<double> problem;
+            problem.velocity.assign(poses.size(), Vec3<double>::Zero());
+            problem.inverse_mass.assign(poses.size(), Vec3<double>::Ones());
+            int next = 0;
+            write_contact_rows<double>(manifold, {1}, {2}, {}, poses, problem.velocity, {.dt = 1}, 0, problem,
+                                       next);
+            RowSpec<double> row;
+            row.a = problem.rows[0].a;
+            row.b = problem.rows[0].b;
+            row.error = manifold.points[0].separation;
+            row.jacobian_a = problem.rows[0].jacobian_a;
+            row.jacobian_b = problem.rows[0].jacobian_b;
+            return RowSpecs<double>{row};
           }};
 }
 

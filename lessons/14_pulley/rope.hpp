@@ -29,13 +29,13 @@ class RopeOverWheels final : public ConstraintOf<RopeOverWheels> {
   bool bodies_collide() const override { return true; }
 
   template <Scalar Real>
-  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+  void rows(const Placements<Real>& at, RowWriter<Real>& rows) const {
     // [row]
     RowSpec<Real> row;
     row.error = static_cast<Real>(length_);
     for (const End& end : ends_) {
-      const Pose<Real>& pose = poses[end.body];
-      row.error -= static_cast<Real>(end.parts) * (static_cast<Real>(end.top) - pose.position.y());
+      const Real below = static_cast<Real>(end.top) - at[end.body].position.y();
+      row.error -= static_cast<Real>(end.parts) * below;
     }
     row.a = ends_[0].body;
     row.b = ends_[1].body;
@@ -45,7 +45,7 @@ class RopeOverWheels final : public ConstraintOf<RopeOverWheels> {
     row.extra_count = 1;
     row.bounds = Bounds<Real>::unilateral();
     row.keeps_slop = false;  // unlike a contact, it may not stay violated by the slop
-    rows.push_back(row);
+    rows.add(row);
     // [/row]
   }
 

@@ -27,14 +27,14 @@ class BrokenJoint final : public ConstraintOf<BrokenJoint> {
   List<Attachment> attachments() const override { return {{a_, {0, 0}}, {b_, {0, 0}}}; }
 
   template <Scalar Real>
-  void rows(const PerBody<Pose<Real>>&, RowSpecs<Real>& rows) const {
+  void rows(const Placements<Real>&, RowWriter<Real>& rows) const {
     RowSpec<Real> row;
     row.a = a_;
     row.b = b_;
     row.jacobian_a = {-1, 0, 0};
     row.jacobian_b = {1, 0, 0};
     row.error = static_cast<Real>(not_a_number);
-    rows.push_back(row);
+    rows.add(row);
   }
 
  private:

@@ -1,60 +1,21 @@
 // Floor 3. What a constraint is: errors C, their Jacobians and their bounds. Nothing about dt or solvers.
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 
-#include "constraints/row.hpp"
-#include "constraints/softness.hpp"
+#include "constraints/row_writer.hpp"
+#include "dynamics/placements.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
 
-/// One scalar condition as a constraint states it, before anybody decided how fast errors go.
-template <Scalar Real>
-struct RowSpec {
-  /// With a body: without one, every new row would be cleared as a whole before its members are set.
-  RowSpec() {}
-
-  BodyId a = {};                               // the first body
-  BodyId b = {};                               // the second body
-  Real error = 0;                              // C (3) [m or rad]; for an inequality: the room left
-  Vec3<Real> jacobian_a = Vec3<Real>::Zero();  // dC/dt = j v (5)
-  Vec3<Real> jacobian_b = Vec3<Real>::Zero();  // the same for b
-  Bounds<Real> bounds = {};                    // a friction row names its normal row by place in this list
-  std::uint64_t part = 0;                      // names the row within its constraint, from step to step
-  Real rebound = 0;  // [m/s] least separation speed, should the bodies meet in this step
-  Real speed = 0;    // [m/s or rad/s] that j v should have where C is 0: of a motor, or along an arc
-  /// [N or N m]; replaces the bounds by |impulse| <= max_force dt, or by what the row that they name has left
-  /// of a disc of that radius
-  std::optional<Real> max_force = {};
-  std::optional<Softness> softness = {};  // none: rigid
-  bool keeps_slop = true;                 // an inequality: may stay violated by the slop, as contacts do,
-  Real slop_limit = std::numeric_limits<Real>::infinity();  // [m] but by no more than this
-  /// [m/s^2] of a contact: its overlap goes no faster than a fall through it (Stabilization::max_speed)
-  std::optional<Real> gravity = {};
-  FixedList<RowTerm<Real>, 2> extra = {};  // a third and a fourth body
-  int extra_count = 0;                     // how many of `extra` there are
-};
-
-/// How far the condition is from holding [m or rad], signed: all of the error of an equality, the missing
-/// room of an inequality, and nothing for a row that is meant to give way.
-template <Scalar Real>
-Real violation(const RowSpec<Real>& spec) {
-  if (spec.softness || spec.max_force) return 0;
-  return spec.bounds.is_equality() ? spec.error : std::min(spec.error, Real(0));
-}
-
-/// The rows of a constraint, or of all of them.
-template <Scalar Real>
-using RowSpecs = List<RowSpec<Real>>;
-
 /// The force of one row [N or N m].
 template <Scalar Real>
 struct RowForce {
-  std::uint64_t part = 0;  // RowSpec::part
+  std::uint64_t part = 0;  // RigidRow::part
   Real force = 0;          // the paper's lambda
 };
 
@@ -108,24 +69,18 @@ class Constraint {
     return nullptr;
   }
 
-  /// Appends the rows that hold at these poses. A degenerate one writes none.
-  virtual void append_rows(const PerBody<Pose<float>>& poses, RowSpecs<float>& rows) const = 0;
+  /// Writes the rows that hold where bodies are. A degenerate one writes none.
+  virtual void write_rows(const Placements<float>& at, RowWriter<float>& rows) const = 0;
   /// The same in double.
-  virtual void append_rows(const PerBody<Pose<double>>& poses, RowSpecs<double>& rows) const = 0;
+  virtual void write_rows(const Placements<double>& at, RowWriter<double>& rows) const = 0;
   /// The same in long double.
-  virtual void append_rows(const PerBody<Pose<long double>>& poses, RowSpecs<long double>& rows) const = 0;
-
-  /// The same for a constraint whose rows depend on the motion too, as friction along the way that a body
-  /// goes. The velocities are those that the step would have without constraints.
-  virtual void append_rows(const PerBody<Pose<float>>& poses, const PerBody<Vec3<float>>& velocities,
-                           RowSpecs<float>& rows) const = 0;
-  /// The same in double.
-  virtual void append_rows(const PerBody<Pose<double>>& poses, const PerBody<Vec3<double>>& velocities,
-                           RowSpecs<double>& rows) const = 0;
-  /// The same in long double.
-  virtual void append_rows(const PerBody<Pose<long double>>& poses,
-                           const PerBody<Vec3<long double>>& velocities,
-                           RowSpecs<long double>& rows) const = 0;
+  virtual void write_rows(const Placements<long double>& at, RowWriter<long double>& rows) const = 0;
+  /// Appends them as they are stated, of bodies at rest.
+  template <Scalar Real>
+  void append_rows(const std::type_identity_t<Placements<Real>>& at, RowSpecs<Real>& rows) const {
+    StatedRows<Real> stated(rows);
+    write_rows(at, stated);
+  }
 
   /// Adds its geometric stiffness under these forces: how they change as its bodies move, because they keep
   /// to rods and arms that move along. It is the matrix K = -sum of lambda d^2C/dx^2. What is added is a
@@ -134,79 +89,55 @@ class Constraint {
   /// whose C is linear has none. Sources: M. Tournier, M. Nesme, B. Gilles, F. Faure, Stable Constrained
   /// Dynamics (2015); S. Andrews, M. Teichmann, P. Kry, Geometric Stiffness for Real-time Constrained
   /// Multibody Dynamics (2017).
-  virtual void add_stiffness(const PerBody<Pose<float>>& poses, const RowForces<float>& forces,
+  virtual void add_stiffness(const Placements<float>& at, const RowForces<float>& forces,
                              PerBody<Vec3<float>>& stiffness) const = 0;
   /// The same in double.
-  virtual void add_stiffness(const PerBody<Pose<double>>& poses, const RowForces<double>& forces,
+  virtual void add_stiffness(const Placements<double>& at, const RowForces<double>& forces,
                              PerBody<Vec3<double>>& stiffness) const = 0;
   /// The same in long double.
-  virtual void add_stiffness(const PerBody<Pose<long double>>& poses, const RowForces<long double>& forces,
+  virtual void add_stiffness(const Placements<long double>& at, const RowForces<long double>& forces,
                              PerBody<Vec3<long double>>& stiffness) const = 0;
 };
 
 /// Turns one member template of Derived,
-///   template <Scalar Real> void rows(const PerBody<Pose<Real>>&, RowSpecs<Real>&) const;
-/// into the virtual functions; and, where Derived has it, a second one that sees the velocities:
+///   template <Scalar Real> void rows(const Placements<Real>&, RowWriter<Real>&) const;
+/// into the virtual functions; and, where it has geometric stiffness,
 ///   template <Scalar Real>
-///   void rows(const PerBody<Pose<Real>>&, const PerBody<Vec3<Real>>&, RowSpecs<Real>&) const;
-/// and, where it has geometric stiffness,
-///   template <Scalar Real>
-///   void stiffen(const PerBody<Pose<Real>>&, const RowForces<Real>&, PerBody<Vec3<Real>>&) const;
+///   void stiffen(const Placements<Real>&, const RowForces<Real>&, PerBody<Vec3<Real>>&) const;
 template <typename Derived>
 class ConstraintOf : public Constraint {
  public:
   /// @cond
   // Documented in Constraint.
-  void append_rows(const PerBody<Pose<float>>& poses, RowSpecs<float>& rows) const override {
-    derived().rows(poses, rows);
+  void write_rows(const Placements<float>& at, RowWriter<float>& rows) const override {
+    derived().rows(at, rows);
   }
-  void append_rows(const PerBody<Pose<double>>& poses, RowSpecs<double>& rows) const override {
-    derived().rows(poses, rows);
+  void write_rows(const Placements<double>& at, RowWriter<double>& rows) const override {
+    derived().rows(at, rows);
   }
-  void append_rows(const PerBody<Pose<long double>>& poses, RowSpecs<long double>& rows) const override {
-    derived().rows(poses, rows);
+  void write_rows(const Placements<long double>& at, RowWriter<long double>& rows) const override {
+    derived().rows(at, rows);
   }
-  void append_rows(const PerBody<Pose<float>>& poses, const PerBody<Vec3<float>>& velocities,
-                   RowSpecs<float>& rows) const override {
-    rows_in_motion(poses, velocities, rows);
-  }
-  void append_rows(const PerBody<Pose<double>>& poses, const PerBody<Vec3<double>>& velocities,
-                   RowSpecs<double>& rows) const override {
-    rows_in_motion(poses, velocities, rows);
-  }
-  void append_rows(const PerBody<Pose<long double>>& poses, const PerBody<Vec3<long double>>& velocities,
-                   RowSpecs<long double>& rows) const override {
-    rows_in_motion(poses, velocities, rows);
-  }
-  void add_stiffness(const PerBody<Pose<float>>& poses, const RowForces<float>& forces,
+  void add_stiffness(const Placements<float>& at, const RowForces<float>& forces,
                      PerBody<Vec3<float>>& stiffness) const override {
-    stiffen_if_stiff(poses, forces, stiffness);
+    stiffen_if_stiff(at, forces, stiffness);
   }
-  void add_stiffness(const PerBody<Pose<double>>& poses, const RowForces<double>& forces,
+  void add_stiffness(const Placements<double>& at, const RowForces<double>& forces,
                      PerBody<Vec3<double>>& stiffness) const override {
-    stiffen_if_stiff(poses, forces, stiffness);
+    stiffen_if_stiff(at, forces, stiffness);
   }
-  void add_stiffness(const PerBody<Pose<long double>>& poses, const RowForces<long double>& forces,
+  void add_stiffness(const Placements<long double>& at, const RowForces<long double>& forces,
                      PerBody<Vec3<long double>>& stiffness) const override {
-    stiffen_if_stiff(poses, forces, stiffness);
+    stiffen_if_stiff(at, forces, stiffness);
   }
   /// @endcond
 
  private:
   template <Scalar Real>
-  void rows_in_motion(const PerBody<Pose<Real>>& poses, const PerBody<Vec3<Real>>& velocities,
-                      RowSpecs<Real>& rows) const {
-    if constexpr (requires { derived().rows(poses, velocities, rows); }) {
-      derived().rows(poses, velocities, rows);
-    } else {
-      derived().rows(poses, rows);
-    }
-  }
-  template <Scalar Real>
-  void stiffen_if_stiff(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+  void stiffen_if_stiff(const Placements<Real>& at, const RowForces<Real>& forces,
                         PerBody<Vec3<Real>>& stiffness) const {
-    if constexpr (requires { derived().stiffen(poses, forces, stiffness); }) {
-      derived().stiffen(poses, forces, stiffness);
+    if constexpr (requires { derived().stiffen(at, forces, stiffness); }) {
+      derived().stiffen(at, forces, stiffness);
     }
   }
   const Derived& derived() const { return static_cast<const Derived&>(*this); }

@@ -24,11 +24,10 @@ struct ContactMaterial {
   Real restitution_threshold = 0;                           // [m/s] slower approaches do not rebound
   FrictionRows friction_rows = FrictionRows::per_point;     // for both points of a manifold, or for each
   Real slop_limit = std::numeric_limits<Real>::infinity();  // [m] no slop above this, whatever is asked for
-  Real gravity = 0;  // [m/s^2] that a body in overlap has to rise against; 0: none
 };
 
-/// The rows of a manifold between bodies a and b. For each point, with arms r_a, r_b from the centres of
-/// mass, unit normal n from a to b and tangent t (n turned by -90 degrees: right, where n is up):
+/// Writes the rows of a manifold between bodies a and b. For each point, with arms r_a, r_b from the centres
+/// of mass, unit normal n from a to b and tangent t (n turned by -90 degrees: right, where n is up):
 ///   normal    C = separation >= 0,  j = (-n, -(r_a x n), n, r_b x n),  impulse >= 0
 ///   friction  no C,                 j = (-t, -(r_a x t), t, r_b x t),  |impulse| <= mu * normal impulse
 /// Normal before friction, so that friction sees the normal impulse of the same sweep. No friction row where
@@ -37,21 +36,16 @@ struct ContactMaterial {
 /// and with a J of full rank. Restitution asks for e times the approach speed in `velocity` (the one before
 /// gravity acts: then an elastic bounce keeps the discrete energy exactly), should the surfaces meet in this
 /// step. Source: E. Catto, Iterative Dynamics with Temporal Coherence (2005).
-template <Scalar Real>
-void append_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
-                         const ContactMaterial<Real>& material, const PerBody<Pose<Real>>& poses,
-                         const PerBody<Vec3<Real>>& velocity, RowSpecs<Real>& rows);
-
-/// Writes the same rows into a problem of which dt, inverse masses and velocities are those of the step
-/// without constraints, over its rows from `next` on; `next` is then the row behind them. Their key's source
-/// is `source`. Between bodies that nothing moves there are none. Behind `relaxed` comes what each is in a
-/// second solve; null: there is none.
+///
+/// dt, inverse masses and velocities of the problem are those of the step without constraints. Rows go over
+/// those from `next` on; `next` is then the row behind them. Their key's source is `source`. Between bodies
+/// that nothing moves there are none. Behind `relaxed` comes what each is in a second solve; null: there is
+/// none.
 template <Scalar Real>
 void write_contact_rows(const Manifold<Real>& manifold, BodyId a, BodyId b,
                         const ContactMaterial<Real>& material, const PerBody<Pose<Real>>& poses,
-                        const PerBody<Vec3<Real>>& velocity, const ContactStabilization<Real>& stabilization,
-                        std::uint64_t source, VelocityProblem<Real>& problem, int& next,
-                        List<RelaxedRow<Real>>* relaxed = nullptr);
+                        const PerBody<Vec3<Real>>& velocity, const RowRule<Real>& rule, std::uint64_t source,
+                        VelocityProblem<Real>& problem, int& next, List<RelaxedRow<Real>>* relaxed = nullptr);
 
 /// Adds the geometric stiffness of a contact under the forces of its rows, K = -sum of lambda d^2C/dx^2 as of
 /// Constraint::add_stiffness(): its diagonal in how the two bodies turn [N m/rad], with its sign, for it only

@@ -39,8 +39,7 @@ struct ContactProblem {
   Span<Contact<Real>> contacts = {};           // in the order in which their rows would be written
   Span<const Manifold<Real>> manifolds = {};   // of each contact
   const PerBody<Pose<Real>>* poses = nullptr;  // of all bodies
-  const ContactStabilization<Real>* stabilization = nullptr;  // how errors go
-  Real gravity = 0;  // [m/s^2] that a body in overlap has to rise against
+  RowRule<Real> rule = {};                     // how errors of contacts go
   /// As any problem, with the rows that are not left out; the solver may put others behind them.
   VelocityProblem<Real>* problem = nullptr;
   int joints = 0;  // of the problem's blocks, those before the contacts'

@@ -14,16 +14,16 @@ DifferentialJoint::DifferentialJoint(const Spec& spec, PerBodySpan<const Pose<do
 }
 
 template <Scalar Real>
-void DifferentialJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+void DifferentialJoint::rows(const Placements<Real>& at, RowWriter<Real>& rows) const {
   RowSpec<Real> row;
   row.a = a_;
   row.b = b_;
-  row.error = poses[a_].angle + poses[b_].angle - 2 * poses[c_].angle - static_cast<Real>(start_);
+  row.error = at[a_].angle + at[b_].angle - 2 * at[c_].angle - static_cast<Real>(start_);
   row.jacobian_a = {0, 0, 1};
   row.jacobian_b = {0, 0, 1};
   row.extra[0] = {.body = c_, .jacobian = {0, 0, -2}};
   row.extra_count = 1;
-  rows.push_back(row);
+  rows.add(row);
 }
 
 template class ConstraintOf<DifferentialJoint>;

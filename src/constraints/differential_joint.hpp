@@ -29,9 +29,9 @@ class DifferentialJoint final : public ConstraintOf<DifferentialJoint> {
   /// The middles of the bodies: a shaft, the case, the other shaft.
   List<Attachment> attachments() const override { return {{.body = a_}, {.body = c_}, {.body = b_}}; }
 
-  /// Appends the rows that hold at these poses.
+  /// Writes the rows that hold where bodies are.
   template <Scalar Real>
-  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  void rows(const Placements<Real>& at, RowWriter<Real>& rows) const;
 
  private:
   BodyId a_;

@@ -29,8 +29,8 @@ std::string DistanceJoint::name() const {
 }
 
 template <Scalar Real>
-void DistanceJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
-  const JointArms<Real> arms = ends_.arms(poses);
+void DistanceJoint::rows(const Placements<Real>& at, RowWriter<Real>& rows) const {
+  const JointArms<Real> arms = ends_.arms(at);
   const Real distance = arms.d.norm();
   if (!(distance > 0)) return;
 
@@ -50,13 +50,13 @@ void DistanceJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows)
     row.bounds = Bounds<Real>::unilateral();
     row.keeps_slop = false;
   }
-  rows.push_back(row);
+  rows.add(row);
 }
 
 template <Scalar Real>
-void DistanceJoint::stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+void DistanceJoint::stiffen(const Placements<Real>& at, const RowForces<Real>& forces,
                             PerBody<Vec3<Real>>& stiffness) const {
-  const JointArms<Real> arms = ends_.arms(poses);
+  const JointArms<Real> arms = ends_.arms(at);
   const Real distance = arms.d.norm();
   if (!(distance > 0)) return;
   const Vec2<Real> u = arms.d / distance;

@@ -26,21 +26,25 @@ DragJoint DragJoint::moved_to(const Vec2<double>& target) const {
 }
 
 template <Scalar Real>
-void DragJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
-  const int first = rows.size();
-  // A pin between the target, a point of the ground, and the anchor ...
-  append_pin_rows(ground, body_, joint_arms<Real>(poses[ground], poses[body_], target_, local_), rows);
-  for (int i = first; i < rows.size(); ++i) {  // ... that gives way
-    rows[i].softness = softness_;
-    rows[i].max_force = static_cast<Real>(max_force_);
+JointArms<Real> DragJoint::arms(const Placements<Real>& at) const {
+  return joint_arms<Real>(at[ground], at[body_], target_, local_);
+}
+
+template <Scalar Real>
+void DragJoint::rows(const Placements<Real>& at, RowWriter<Real>& rows) const {
+  // A pin between the target, a point of the ground, and the anchor that gives way.
+  for (const RigidRow<Real>& row : pin_rows(ground, body_, arms(at))) {
+    RowSpec<Real> soft = row;
+    soft.softness = softness_;
+    soft.max_force = static_cast<Real>(max_force_);
+    rows.add(soft);
   }
 }
 
 template <Scalar Real>
-void DragJoint::stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+void DragJoint::stiffen(const Placements<Real>& at, const RowForces<Real>& forces,
                         PerBody<Vec3<Real>>& stiffness) const {
-  const auto arms = joint_arms<Real>(poses[ground], poses[body_], target_, local_);
-  add_pin_stiffness(ground, body_, arms, pin_force(forces), stiffness);
+  add_pin_stiffness(ground, body_, arms(at), pin_force(forces), stiffness);
 }
 
 template class ConstraintOf<DragJoint>;

@@ -43,16 +43,19 @@ class DragJoint final : public ConstraintOf<DragJoint> {
   List<Attachment> attachments() const override { return {{ground, target_}, {body_, local_}}; }
   bool bodies_collide() const override { return true; }
 
-  /// Appends the rows that hold at these poses.
+  /// Writes the rows that hold where bodies are.
   template <Scalar Real>
-  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  void rows(const Placements<Real>& at, RowWriter<Real>& rows) const;
 
   /// Adds its geometric stiffness under these forces, as add_stiffness().
   template <Scalar Real>
-  void stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+  void stiffen(const Placements<Real>& at, const RowForces<Real>& forces,
                PerBody<Vec3<Real>>& stiffness) const;
 
  private:
+  template <Scalar Real>
+  JointArms<Real> arms(const Placements<Real>& at) const;
+
   BodyId body_;
   Vec2<double> local_;   // [m], in the body's frame
   Vec2<double> target_;  // [m], world; the ground's frame is the world's

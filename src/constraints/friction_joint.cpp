@@ -28,62 +28,47 @@ FrictionJoint::FrictionJoint(const Spec& spec, PerBodySpan<const Pose<double>> p
 
 /// To the anchor on b from both centres of mass: the point of a that it slides on is a new one in every step.
 template <Scalar Real>
-JointArms<Real> FrictionJoint::arms(const PerBody<Pose<Real>>& poses) const {
-  JointArms<Real> arms = ends_.arms(poses);
+JointArms<Real> FrictionJoint::arms(const Placements<Real>& at) const {
+  JointArms<Real> arms = ends_.arms(at);
   arms.r_a += arms.d;
   arms.d.setZero();
   return arms;
 }
 
+/// The first axis: along the sliding of b on a, where there is any.
 template <Scalar Real>
-void FrictionJoint::append_slide_rows(const JointArms<Real>& arms, const Vec2<Real>& s,
-                                      RowSpecs<Real>& rows) const {
-  if (!(max_force_ > 0)) return;
-  const int first = rows.size();
+Vec2<Real> FrictionJoint::first_axis(const JointArms<Real>& arms, const RowWriter<Real>& rows) const {
+  if (shape_ == FrictionShape::square) return {1, 0};
+  const Vec3<Real> v_a = rows.velocity(ends_.a), v_b = rows.velocity(ends_.b);
+  const Vec2<Real> sliding =
+      v_b.template head<2>() + cross(v_b.z(), arms.r_b) - v_a.template head<2>() - cross(v_a.z(), arms.r_a);
+  const Real speed = sliding.norm();
+  if (!(speed > 0)) return {1, 0};
+  return sliding / speed;
+}
+
+template <Scalar Real>
+void FrictionJoint::rows(const Placements<Real>& at, RowWriter<Real>& rows) const {
+  const JointArms<Real> to_anchor = arms(at);
   const auto axis_row = [&](const Vec2<Real>& axis, JointPart part) {
     RowSpec<Real> row;
     row.a = ends_.a;
     row.b = ends_.b;
-    row.jacobian_a = {-axis.x(), -axis.y(), -cross(arms.r_a, axis)};
-    row.jacobian_b = {axis.x(), axis.y(), cross(arms.r_b, axis)};
+    row.jacobian_a = {-axis.x(), -axis.y(), -cross(to_anchor.r_a, axis)};
+    row.jacobian_b = {axis.x(), axis.y(), cross(to_anchor.r_b, axis)};
     row.max_force = static_cast<Real>(max_force_);
     row.part = static_cast<std::uint64_t>(part);
     return row;
   };
-  rows.push_back(axis_row(s, JointPart::x));
-  RowSpec<Real> across = axis_row(perpendicular(s), JointPart::y);
-  if (shape_ == FrictionShape::circle) {
-    across.bounds = Bounds<Real>::rest_of_disc(static_cast<Real>(max_force_), first);
+  if (max_force_ > 0) {
+    const Vec2<Real> s = first_axis(to_anchor, rows);
+    rows.add(axis_row(s, JointPart::x));
+    RowSpec<Real> across = axis_row(perpendicular(s), JointPart::y);
+    if (shape_ == FrictionShape::circle)
+      across.bounds = Bounds<Real>::rest_of_disc(static_cast<Real>(max_force_), 0);
+    rows.add(across);
   }
-  rows.push_back(across);
-}
-
-template <Scalar Real>
-void FrictionJoint::append_turn_row(RowSpecs<Real>& rows) const {
-  if (max_torque_ > 0) append_motor_row(angle_row<Real>(ends_.a, ends_.b, 0), 0, max_torque_, rows);
-}
-
-template <Scalar Real>
-void FrictionJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
-  append_slide_rows(arms(poses), Vec2<Real>(1, 0), rows);
-  append_turn_row(rows);
-}
-
-template <Scalar Real>
-void FrictionJoint::rows(const PerBody<Pose<Real>>& poses, const PerBody<Vec3<Real>>& velocities,
-                         RowSpecs<Real>& rows) const {
-  const JointArms<Real> to_anchor = arms(poses);
-  Vec2<Real> s(1, 0);
-  if (shape_ != FrictionShape::square) {
-    const Vec3<Real>& v_a = velocities[ends_.a];
-    const Vec3<Real>& v_b = velocities[ends_.b];
-    const Vec2<Real> sliding = v_b.template head<2>() + cross(v_b.z(), to_anchor.r_b) -
-                               v_a.template head<2>() - cross(v_a.z(), to_anchor.r_a);
-    const Real speed = sliding.norm();
-    if (speed > 0) s = sliding / speed;
-  }
-  append_slide_rows(to_anchor, s, rows);
-  append_turn_row(rows);
+  if (max_torque_ > 0) add_motor_row(angle_row<Real>(ends_.a, ends_.b, 0), 0, max_torque_, rows);
 }
 
 template class ConstraintOf<FrictionJoint>;

@@ -52,21 +52,15 @@ class FrictionJoint final : public ConstraintOf<FrictionJoint> {
   List<Attachment> attachments() const override { return ends_.attachments(); }
   bool bodies_collide() const override { return true; }
 
-  /// As at rest.
+  /// Writes the rows that hold where bodies are, and as they move.
   template <Scalar Real>
-  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
-  /// The same for bodies that move, at the velocities that they would have without constraints.
-  template <Scalar Real>
-  void rows(const PerBody<Pose<Real>>& poses, const PerBody<Vec3<Real>>& velocities,
-            RowSpecs<Real>& rows) const;
+  void rows(const Placements<Real>& at, RowWriter<Real>& rows) const;
 
  private:
   template <Scalar Real>
-  JointArms<Real> arms(const PerBody<Pose<Real>>& poses) const;
+  JointArms<Real> arms(const Placements<Real>& at) const;
   template <Scalar Real>
-  void append_slide_rows(const JointArms<Real>& arms, const Vec2<Real>& s, RowSpecs<Real>& rows) const;
-  template <Scalar Real>
-  void append_turn_row(RowSpecs<Real>& rows) const;
+  Vec2<Real> first_axis(const JointArms<Real>& arms, const RowWriter<Real>& rows) const;
 
   JointEnds ends_;
   double max_force_;   // [N]

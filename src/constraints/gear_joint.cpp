@@ -34,21 +34,21 @@ GearJoint::GearJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses)
 }
 
 template <Scalar Real>
-void GearJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+void GearJoint::rows(const Placements<Real>& at, RowWriter<Real>& rows) const {
   const Real lever_a = static_cast<Real>(lever_a_);
   const Real lever_b = static_cast<Real>(lever_b_);
   RowSpec<Real> row;
   row.a = a_;
   row.b = b_;
-  row.error = rolled_length(lever_a, lever_b, poses[a_].angle, poses[b_].angle, poses[c_].angle) -
-              static_cast<Real>(start_);
+  row.error =
+      rolled_length(lever_a, lever_b, at[a_].angle, at[b_].angle, at[c_].angle) - static_cast<Real>(start_);
   row.jacobian_a = {0, 0, lever_a};
   row.jacobian_b = {0, 0, lever_b};
   if (c_ != ground) {
     row.extra[0] = {.body = c_, .jacobian = {0, 0, -lever_a - lever_b}};
     row.extra_count = 1;
   }
-  rows.push_back(row);
+  rows.add(row);
 }
 
 template class ConstraintOf<GearJoint>;

@@ -36,9 +36,9 @@ class GearJoint final : public ConstraintOf<GearJoint> {
   /// The middles of the wheels.
   List<Attachment> attachments() const override { return {{.body = a_}, {.body = b_}}; }
 
-  /// Appends the rows that hold at these poses.
+  /// Writes the rows that hold where bodies are.
   template <Scalar Real>
-  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  void rows(const Placements<Real>& at, RowWriter<Real>& rows) const;
 
  private:
   BodyId a_;

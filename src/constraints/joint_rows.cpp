@@ -17,68 +17,64 @@ JointEnds::JointEnds(BodyId first, BodyId second, const Vec2<double>& anchor_a, 
       reference_angle(poses[b].angle - poses[a].angle) {}
 
 template <Scalar Real>
-void append_pin_rows(BodyId a, BodyId b, const JointArms<Real>& arms, RowSpecs<Real>& rows) {
-  RowSpec<Real>& x = rows.emplace_back();
-  x.a = a;
-  x.b = b;
-  x.error = arms.d.x();
-  x.jacobian_a = {-1, 0, arms.r_a.y()};
-  x.jacobian_b = {1, 0, -arms.r_b.y()};
-  x.part = static_cast<std::uint64_t>(JointPart::x);
-
-  RowSpec<Real>& y = rows.emplace_back();
-  y.a = a;
-  y.b = b;
-  y.error = arms.d.y();
-  y.jacobian_a = {0, -1, -arms.r_a.x()};
-  y.jacobian_b = {0, 1, arms.r_b.x()};
-  y.part = static_cast<std::uint64_t>(JointPart::y);
+FixedList<RigidRow<Real>, 2> pin_rows(BodyId a, BodyId b, const JointArms<Real>& arms) {
+  return {RigidRow<Real>{.a = a,
+                         .b = b,
+                         .error = arms.d.x(),
+                         .jacobian_a = {-1, 0, arms.r_a.y()},
+                         .jacobian_b = {1, 0, -arms.r_b.y()},
+                         .part = static_cast<std::uint64_t>(JointPart::x)},
+          RigidRow<Real>{.a = a,
+                         .b = b,
+                         .error = arms.d.y(),
+                         .jacobian_a = {0, -1, -arms.r_a.x()},
+                         .jacobian_b = {0, 1, arms.r_b.x()},
+                         .part = static_cast<std::uint64_t>(JointPart::y)}};
 }
 
 template <Scalar Real>
-RowSpec<Real> angle_row(BodyId a, BodyId b, Real angle) {
-  RowSpec<Real> row;
-  row.a = a;
-  row.b = b;
-  row.error = angle;
-  row.jacobian_a = {0, 0, -1};
-  row.jacobian_b = {0, 0, 1};
-  row.part = static_cast<std::uint64_t>(JointPart::angle);
-  return row;
+RigidRow<Real> angle_row(BodyId a, BodyId b, Real angle) {
+  return {.a = a,
+          .b = b,
+          .error = angle,
+          .jacobian_a = {0, 0, -1},
+          .jacobian_b = {0, 0, 1},
+          .part = static_cast<std::uint64_t>(JointPart::angle)};
 }
 
 template <Scalar Real>
-void append_limit_rows(const RowSpec<Real>& coordinate, const JointLimits& limits, RowSpecs<Real>& rows) {
-  RowSpec<Real> row = coordinate;
+void add_limit_rows(const RigidRow<Real>& coordinate, const JointLimits& limits, RowWriter<Real>& rows) {
   if (limits.lower && limits.lower == limits.upper) {
+    RigidRow<Real> row = coordinate;
     row.error -= static_cast<Real>(*limits.lower);
     row.part = static_cast<std::uint64_t>(JointPart::lower_limit);
-    return rows.push_back(row);
+    return rows.add(row);
   }
+  RowSpec<Real> row = coordinate;
   row.bounds = Bounds<Real>::unilateral();
   row.keeps_slop = false;
   if (limits.lower) {
     row.error = coordinate.error - static_cast<Real>(*limits.lower);
     row.part = static_cast<std::uint64_t>(JointPart::lower_limit);
-    if (row.error <= static_cast<Real>(limits.margin)) rows.push_back(row);
+    if (row.error <= static_cast<Real>(limits.margin)) rows.add(row);
   }
   if (limits.upper) {
     row.error = static_cast<Real>(*limits.upper) - coordinate.error;
     row.jacobian_a = -coordinate.jacobian_a;
     row.jacobian_b = -coordinate.jacobian_b;
     row.part = static_cast<std::uint64_t>(JointPart::upper_limit);
-    if (row.error <= static_cast<Real>(limits.margin)) rows.push_back(row);
+    if (row.error <= static_cast<Real>(limits.margin)) rows.add(row);
   }
 }
 
 template <Scalar Real>
-void append_motor_row(const RowSpec<Real>& coordinate, double speed, double max_force, RowSpecs<Real>& rows) {
+void add_motor_row(const RigidRow<Real>& coordinate, double speed, double max_force, RowWriter<Real>& rows) {
   RowSpec<Real> row = coordinate;
   row.error = 0;
   row.speed = static_cast<Real>(speed);
   row.max_force = static_cast<Real>(max_force);
   row.part = static_cast<std::uint64_t>(JointPart::motor);
-  rows.push_back(row);
+  rows.add(row);
 }
 
 template <Scalar Real>
@@ -109,9 +105,6 @@ void require_limits(const JointLimits& limits, const std::string& place, const s
           "a finite number >= 0 " + unit, limits.margin);
 }
 
-template void append_pin_rows(BodyId, BodyId, const JointArms<float>&, RowSpecs<float>&);
-template void append_pin_rows(BodyId, BodyId, const JointArms<double>&, RowSpecs<double>&);
-template void append_pin_rows(BodyId, BodyId, const JointArms<long double>&, RowSpecs<long double>&);
 template void add_pin_stiffness(BodyId, BodyId, const JointArms<float>&, const Vec2<float>&,
                                 PerBody<Vec3<float>>&);
 template void add_pin_stiffness(BodyId, BodyId, const JointArms<double>&, const Vec2<double>&,
@@ -124,14 +117,17 @@ template void add_line_stiffness(BodyId, const Vec2<double>&, const Vec2<double>
                                  PerBody<Vec3<double>>&);
 template void add_line_stiffness(BodyId, const Vec2<long double>&, const Vec2<long double>&, long double,
                                  long double, PerBody<Vec3<long double>>&);
-template RowSpec<float> angle_row(BodyId, BodyId, float);
-template RowSpec<double> angle_row(BodyId, BodyId, double);
-template RowSpec<long double> angle_row(BodyId, BodyId, long double);
-template void append_limit_rows(const RowSpec<float>&, const JointLimits&, RowSpecs<float>&);
-template void append_limit_rows(const RowSpec<double>&, const JointLimits&, RowSpecs<double>&);
-template void append_limit_rows(const RowSpec<long double>&, const JointLimits&, RowSpecs<long double>&);
-template void append_motor_row(const RowSpec<float>&, double, double, RowSpecs<float>&);
-template void append_motor_row(const RowSpec<double>&, double, double, RowSpecs<double>&);
-template void append_motor_row(const RowSpec<long double>&, double, double, RowSpecs<long double>&);
+template FixedList<RigidRow<float>, 2> pin_rows(BodyId, BodyId, const JointArms<float>&);
+template RigidRow<float> angle_row(BodyId, BodyId, float);
+template void add_limit_rows(const RigidRow<float>&, const JointLimits&, RowWriter<float>&);
+template void add_motor_row(const RigidRow<float>&, double, double, RowWriter<float>&);
+template FixedList<RigidRow<double>, 2> pin_rows(BodyId, BodyId, const JointArms<double>&);
+template RigidRow<double> angle_row(BodyId, BodyId, double);
+template void add_limit_rows(const RigidRow<double>&, const JointLimits&, RowWriter<double>&);
+template void add_motor_row(const RigidRow<double>&, double, double, RowWriter<double>&);
+template FixedList<RigidRow<long double>, 2> pin_rows(BodyId, BodyId, const JointArms<long double>&);
+template RigidRow<long double> angle_row(BodyId, BodyId, long double);
+template void add_limit_rows(const RigidRow<long double>&, const JointLimits&, RowWriter<long double>&);
+template void add_motor_row(const RigidRow<long double>&, double, double, RowWriter<long double>&);
 
 }  // namespace cairn

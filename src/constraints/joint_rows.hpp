@@ -35,7 +35,7 @@ Vec2<Real> pin_force(const RowForces<Real>& forces) {
 
 /// The arms of a joint whose anchors are given in the frames of its bodies [m].
 template <Scalar Real>
-JointArms<Real> joint_arms(const Frame<Real>& a, const Frame<Real>& b, const Vec2<double>& local_a,
+JointArms<Real> joint_arms(const Placement<Real>& a, const Placement<Real>& b, const Vec2<double>& local_a,
                            const Vec2<double>& local_b) {
   JointArms<Real> arms;
   arms.r_a = a.rotation * local_a.template cast<Real>();
@@ -59,38 +59,38 @@ struct JointEnds {
 
   /// Both ends.
   List<Attachment> attachments() const { return {{a, local_a}, {b, local_b}}; }
-  /// The arms at these poses.
+  /// The arms now.
   template <Scalar Real>
-  JointArms<Real> arms(const PerBody<Pose<Real>>& poses) const {
-    return joint_arms<Real>(poses[a], poses[b], local_a, local_b);
+  JointArms<Real> arms(const Placements<Real>& at) const {
+    return joint_arms<Real>(at[a], at[b], local_a, local_b);
   }
   /// [rad] q: by how much b has turned against a since the joint was made.
   template <Scalar Real>
-  Real angle(const PerBody<Pose<Real>>& poses) const {
-    return poses[b].angle - poses[a].angle - static_cast<Real>(reference_angle);
+  Real angle(const Placements<Real>& at) const {
+    return at[b].angle - at[a].angle - static_cast<Real>(reference_angle);
   }
 };
 
 /// C = d, two rows: dC/dt = v_b + w_b x r_b - v_a - w_a x r_a.
 ///   j = (-1, 0, r_a.y, 1, 0, -r_b.y) for x,   (0, -1, -r_a.x, 0, 1, r_b.x) for y
 template <Scalar Real>
-void append_pin_rows(BodyId a, BodyId b, const JointArms<Real>& arms, RowSpecs<Real>& rows);
+FixedList<RigidRow<Real>, 2> pin_rows(BodyId a, BodyId b, const JointArms<Real>& arms);
 
 /// C = angle, which is angle_b - angle_a less a constant: j = (0, 0, -1, 0, 0, 1). Angles are continuous, so
 /// that a whole turn is an error too.
 template <Scalar Real>
-RowSpec<Real> angle_row(BodyId a, BodyId b, Real angle);
+RigidRow<Real> angle_row(BodyId a, BodyId b, Real angle);
 
-/// The limits of the coordinate whose row is `coordinate`: C = coordinate - lower >= 0 with the same j, and
-/// C = upper - coordinate >= 0 with -j. A limit that is further away than the margin has no row. Limits that
-/// coincide are one equality, C = coordinate - lower.
+/// Writes the limits of the coordinate whose row is `coordinate`: C = coordinate - lower >= 0 with the same
+/// j, and C = upper - coordinate >= 0 with -j. A limit that is further away than the margin has no row.
+/// Limits that coincide are one equality, C = coordinate - lower.
 template <Scalar Real>
-void append_limit_rows(const RowSpec<Real>& coordinate, const JointLimits& limits, RowSpecs<Real>& rows);
+void add_limit_rows(const RigidRow<Real>& coordinate, const JointLimits& limits, RowWriter<Real>& rows);
 
-/// The motor of the coordinate whose row is `coordinate`: no C, the same j, j v = speed, and
+/// Writes the motor of the coordinate whose row is `coordinate`: no C, the same j, j v = speed, and
 /// |impulse| <= max_force dt.
 template <Scalar Real>
-void append_motor_row(const RowSpec<Real>& coordinate, double speed, double max_force, RowSpecs<Real>& rows);
+void add_motor_row(const RigidRow<Real>& coordinate, double speed, double max_force, RowWriter<Real>& rows);
 
 /// The geometric stiffness of a pin that pushes b with the force F [N], and a with -F: arms turn with their
 /// bodies, and nothing else of C has a second derivative.

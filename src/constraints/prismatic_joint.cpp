@@ -10,15 +10,15 @@ namespace {
 
 /// C = direction . d, for a direction that turns with a.
 template <Scalar Real>
-RowSpec<Real> slide_row(BodyId a, BodyId b, const JointArms<Real>& arms, const Vec2<Real>& direction) {
+RigidRow<Real> slide_row(BodyId a, BodyId b, const JointArms<Real>& arms, const Vec2<Real>& direction,
+                         JointPart part) {
   const Vec2<Real> arm_a = arms.r_a + arms.d;
-  RowSpec<Real> row;
-  row.a = a;
-  row.b = b;
-  row.error = direction.dot(arms.d);
-  row.jacobian_a = {-direction.x(), -direction.y(), -cross(arm_a, direction)};
-  row.jacobian_b = {direction.x(), direction.y(), cross(arms.r_b, direction)};
-  return row;
+  return {.a = a,
+          .b = b,
+          .error = direction.dot(arms.d),
+          .jacobian_a = {-direction.x(), -direction.y(), -cross(arm_a, direction)},
+          .jacobian_b = {direction.x(), direction.y(), cross(arms.r_b, direction)},
+          .part = static_cast<std::uint64_t>(part)};
 }
 
 void require_motor(const std::optional<PrismaticJoint::Motor>& motor) {
@@ -57,28 +57,26 @@ std::shared_ptr<const Constraint> PrismaticJoint::with_motor(const std::optional
 }
 
 template <Scalar Real>
-void PrismaticJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
-  const JointArms<Real> arms = ends_.arms(poses);
-  const Vec2<Real> u = Rotation<Real>(poses[ends_.a].angle) * local_axis_.template cast<Real>();
+void PrismaticJoint::rows(const Placements<Real>& at, RowWriter<Real>& rows) const {
+  const JointArms<Real> arms = ends_.arms(at);
+  const Vec2<Real> u = at[ends_.a].rotation * local_axis_.template cast<Real>();
 
   // The last rows of a sweep are satisfied best: the slide itself comes after its motor and its limits.
   if (motor_ || limits_.lower || limits_.upper) {
-    const RowSpec<Real> along = slide_row(ends_.a, ends_.b, arms, u);
-    if (motor_) append_motor_row(along, motor_->speed, motor_->max_force, rows);
-    append_limit_rows(along, limits_, rows);
+    const RigidRow<Real> along = slide_row(ends_.a, ends_.b, arms, u, JointPart::x);
+    if (motor_) add_motor_row(along, motor_->speed, motor_->max_force, rows);
+    add_limit_rows(along, limits_, rows);
   }
-  RowSpec<Real> across = slide_row(ends_.a, ends_.b, arms, perpendicular(u));
-  across.part = static_cast<std::uint64_t>(JointPart::y);
-  rows.push_back(across);
-  rows.push_back(angle_row(ends_.a, ends_.b, ends_.angle(poses)));
+  rows.add(slide_row<Real>(ends_.a, ends_.b, arms, perpendicular(u), JointPart::y));
+  rows.add(angle_row(ends_.a, ends_.b, ends_.angle(at)));
 }
 
 template <Scalar Real>
-void PrismaticJoint::stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+void PrismaticJoint::stiffen(const Placements<Real>& at, const RowForces<Real>& forces,
                              PerBody<Vec3<Real>>& stiffness) const {
-  JointArms<Real> arms = ends_.arms(poses);
+  JointArms<Real> arms = ends_.arms(at);
   arms.r_a += arms.d;
-  const Vec2<Real> u = Rotation<Real>(poses[ends_.a].angle) * local_axis_.template cast<Real>();
+  const Vec2<Real> u = at[ends_.a].rotation * local_axis_.template cast<Real>();
   const auto of = [&](JointPart part) { return forces.of(static_cast<std::uint64_t>(part)); };
   const Real along = of(JointPart::lower_limit) - of(JointPart::upper_limit) + of(JointPart::motor);
   const Vec2<Real> force = along * u + of(JointPart::y) * perpendicular(u);

@@ -49,13 +49,13 @@ class PrismaticJoint final : public ConstraintOf<PrismaticJoint> {
   std::optional<JointMotor> motor() const override;
   std::shared_ptr<const Constraint> with_motor(const std::optional<JointMotor>& motor) const override;
 
-  /// Appends the rows that hold at these poses.
+  /// Writes the rows that hold where bodies are.
   template <Scalar Real>
-  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  void rows(const Placements<Real>& at, RowWriter<Real>& rows) const;
 
   /// Adds its geometric stiffness under these forces, as add_stiffness().
   template <Scalar Real>
-  void stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+  void stiffen(const Placements<Real>& at, const RowForces<Real>& forces,
                PerBody<Vec3<Real>>& stiffness) const;
 
  private:

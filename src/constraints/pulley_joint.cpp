@@ -77,12 +77,11 @@ struct RopeLine {
 };
 
 template <typename Part, Scalar Real>
-RopeLine<Real> rope_line(const Part& part, bool on_drum, const PerBody<Pose<Real>>& poses) {
-  const Pose<Real>& body = poses[part.body];
-  const Pose<Real>& carrier = poses[part.carrier];
-  const Vec2<Real> r_p = Rotation<Real>(body.angle) * Vec2<Real>(part.anchor.template cast<Real>());
+RopeLine<Real> rope_line(const Part& part, bool on_drum, const Placements<Real>& at) {
+  const Placement<Real> body = at[part.body], carrier = at[part.carrier];
+  const Vec2<Real> r_p = body.rotation * Vec2<Real>(part.anchor.template cast<Real>());
   Vec2<Real> r_q = part.roller.template cast<Real>();
-  if (!on_drum) r_q = Rotation<Real>(carrier.angle) * r_q;
+  if (!on_drum) r_q = carrier.rotation * r_q;
   const Vec2<Real> d = body.position + r_p - carrier.position - r_q;
   return {r_p, r_q, d, d.norm()};
 }
@@ -142,20 +141,19 @@ Attachment PulleyJoint::roller_of(const Part& part) const {
 }
 
 template <Scalar Real>
-void PulleyJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+void PulleyJoint::rows(const Placements<Real>& at, RowWriter<Real>& rows) const {
   RopeTerms<Real> rope;
   Real length = 0;
   for (const Part& part : parts_) {
     const bool on_drum = part.kind == Roller::drum;
-    const auto [r_p, r_q, d, distance] = rope_line(part, on_drum, poses);
+    const auto [r_p, r_q, d, distance] = rope_line(part, on_drum, at);
     if (!(distance > 0)) return;
 
     const Vec2<Real> u = d / distance;
     const Real count = static_cast<Real>(part.count);
     const Real winding = on_drum ? static_cast<Real>(part.winding) : cross(r_q, u);
     length += count * distance;
-    if (on_drum)
-      length -= count * winding * (poses[part.carrier].angle - static_cast<Real>(part.start_angle));
+    if (on_drum) length -= count * winding * (at[part.carrier].angle - static_cast<Real>(part.start_angle));
     rope.add(part.body, count * Vec3<Real>(u.x(), u.y(), cross(r_p, u)));
     rope.add(part.carrier, count * Vec3<Real>(-u.x(), -u.y(), -winding));
   }
@@ -167,16 +165,16 @@ void PulleyJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) c
     row.bounds = Bounds<Real>::unilateral();
     row.keeps_slop = false;
   }
-  rows.push_back(row);
+  rows.add(row);
 }
 
 template <Scalar Real>
-void PulleyJoint::stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+void PulleyJoint::stiffen(const Placements<Real>& at, const RowForces<Real>& forces,
                           PerBody<Vec3<Real>>& stiffness) const {
   const Real tension = kind_ == Kind::rope ? forces.of(0) : -forces.of(0);
   for (const Part& part : parts_) {
     const bool on_drum = part.kind == Roller::drum;
-    const auto [r_p, r_q, d, distance] = rope_line(part, on_drum, poses);
+    const auto [r_p, r_q, d, distance] = rope_line(part, on_drum, at);
     if (!(distance > 0)) return;
     const Vec2<Real> u = d / distance;
     const Real pull = static_cast<Real>(part.count) * tension;

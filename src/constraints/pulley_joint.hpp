@@ -63,13 +63,13 @@ class PulleyJoint final : public ConstraintOf<PulleyJoint> {
   /// Whether it only pulls.
   Kind kind() const { return kind_; }
 
-  /// Appends the rows that hold at these poses.
+  /// Writes the rows that hold where bodies are.
   template <Scalar Real>
-  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  void rows(const Placements<Real>& at, RowWriter<Real>& rows) const;
 
   /// Adds its geometric stiffness under these forces, as add_stiffness().
   template <Scalar Real>
-  void stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+  void stiffen(const Placements<Real>& at, const RowForces<Real>& forces,
                PerBody<Vec3<Real>>& stiffness) const;
 
  private:

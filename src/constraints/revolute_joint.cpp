@@ -40,20 +40,20 @@ std::shared_ptr<const Constraint> RevoluteJoint::with_motor(const std::optional<
 }
 
 template <Scalar Real>
-void RevoluteJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+void RevoluteJoint::rows(const Placements<Real>& at, RowWriter<Real>& rows) const {
   // The last rows of a sweep are satisfied best: the pin itself comes after its motor and its limits.
   if (motor_ || limits_.lower || limits_.upper) {
-    const RowSpec<Real> turn = angle_row(ends_.a, ends_.b, ends_.angle(poses));
-    if (motor_) append_motor_row(turn, motor_->speed, motor_->max_torque, rows);
-    append_limit_rows(turn, limits_, rows);
+    const RigidRow<Real> turn = angle_row(ends_.a, ends_.b, ends_.angle(at));
+    if (motor_) add_motor_row(turn, motor_->speed, motor_->max_torque, rows);
+    add_limit_rows(turn, limits_, rows);
   }
-  append_pin_rows(ends_.a, ends_.b, ends_.arms(poses), rows);
+  for (const RigidRow<Real>& row : pin_rows(ends_.a, ends_.b, ends_.arms(at))) rows.add(row);
 }
 
 template <Scalar Real>
-void RevoluteJoint::stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
-                  PerBody<Vec3<Real>>& stiffness) const {
-  add_pin_stiffness(ends_.a, ends_.b, ends_.arms(poses), pin_force(forces), stiffness);
+void RevoluteJoint::stiffen(const Placements<Real>& at, const RowForces<Real>& forces,
+                            PerBody<Vec3<Real>>& stiffness) const {
+  add_pin_stiffness(ends_.a, ends_.b, ends_.arms(at), pin_force(forces), stiffness);
 }
 
 template class ConstraintOf<RevoluteJoint>;

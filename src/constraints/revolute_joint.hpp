@@ -47,16 +47,14 @@ class RevoluteJoint final : public ConstraintOf<RevoluteJoint> {
 
   /// Whether it is a pin and nothing else.
   bool is_free() const { return !limits_.lower && !limits_.upper && !motor_; }
-  /// What it holds together.
-  const JointEnds& ends() const { return ends_; }
 
-  /// Appends the rows that hold at these poses.
+  /// Writes the rows that hold where bodies are.
   template <Scalar Real>
-  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const;
+  void rows(const Placements<Real>& at, RowWriter<Real>& rows) const;
 
   /// Adds its geometric stiffness under these forces, as add_stiffness().
   template <Scalar Real>
-  void stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
+  void stiffen(const Placements<Real>& at, const RowForces<Real>& forces,
                PerBody<Vec3<Real>>& stiffness) const;
 
  private:

@@ -17,21 +17,25 @@ struct RowMass {
   Real carried() const { return of_masses > 0 ? of_masses : of_all; }
 };
 
-/// Calls visit(BodyId, jacobian) for every body of a spec.
-template <Scalar Real, typename Visit>
-void for_each_spec_term(const RowSpec<Real>& spec, const Visit& visit) {
-  visit(spec.a, spec.jacobian_a);
-  visit(spec.b, spec.jacobian_b);
-  for (int k = 0; k < spec.extra_count; ++k) visit(spec.extra[k].body, spec.extra[k].jacobian);
+template <Scalar Real>
+void add_mass(const Vec3<Real>& inverse_mass, const Vec3<Real>& jacobian, RowMass<Real>& mass) {
+  mass.of_all += dot<Real>(jacobian, inverse_mass.cwiseProduct(jacobian));
+  mass.of_masses += inverse_mass.x() * jacobian.template head<2>().squaredNorm();
+}
+
+template <Scalar Real>
+RowMass<Real> mass_of(const RigidRow<Real>& row, const PerBody<Vec3<Real>>& inverse_mass) {
+  RowMass<Real> mass;
+  add_mass(inverse_mass[row.a], row.jacobian_a, mass);
+  add_mass(inverse_mass[row.b], row.jacobian_b, mass);
+  return mass;
 }
 
 template <Scalar Real>
 RowMass<Real> mass_of(const RowSpec<Real>& spec, const PerBody<Vec3<Real>>& inverse_mass) {
-  RowMass<Real> mass;
-  for_each_spec_term(spec, [&](BodyId body, const Vec3<Real>& jacobian) {
-    mass.of_all += dot<Real>(jacobian, inverse_mass[body].cwiseProduct(jacobian));
-    mass.of_masses += inverse_mass[body].x() * jacobian.template head<2>().squaredNorm();
-  });
+  RowMass<Real> mass = mass_of<Real>(static_cast<const RigidRow<Real>&>(spec), inverse_mass);
+  for (int k = 0; k < spec.extra_count; ++k)
+    add_mass(inverse_mass[spec.extra[k].body], spec.extra[k].jacobian, mass);
   return mass;
 }
 
@@ -40,6 +44,11 @@ RowMass<Real> mass_of(const RowSpec<Real>& spec, const PerBody<Vec3<Real>>& inve
 template <Scalar Real>
 Real carried_inverse_mass(const RowSpec<Real>& spec, const PerBody<Vec3<Real>>& inverse_mass) {
   return mass_of(spec, inverse_mass).carried();
+}
+
+template <Scalar Real>
+Real carried_inverse_mass(const RigidRow<Real>& row, const PerBody<Vec3<Real>>& inverse_mass) {
+  return mass_of(row, inverse_mass).carried();
 }
 
 template <Scalar Real>
@@ -57,12 +66,9 @@ template <Scalar Real>
 void put_on_spring(const RowSpec<Real>& spec, const BodyState<Real>& begin, Real dt,
                    ConstraintRow<Real>& row) {
   const RowMass<Real> mass = mass_of(spec, begin.inverse_mass);
-  Real speed = 0;
-  for_each_spec_term(
-      spec, [&](BodyId body, const Vec3<Real>& jacobian) { speed += dot(jacobian, begin.velocity[body]); });
   const SpringRow<Real> spring = spring_row<Real>(*spec.softness,
                                                   {.error = spec.error,
-                                                   .speed = speed,
+                                                   .speed = row_velocity(spec, begin.velocity),
                                                    .inverse_mass = mass.of_all,
                                                    .of_masses = mass.carried(),
                                                    .only_pushes = spec.bounds.is_unilateral()},
@@ -72,12 +78,15 @@ void put_on_spring(const RowSpec<Real>& spec, const BodyState<Real>& begin, Real
 }
 
 template float carried_inverse_mass(const RowSpec<float>&, const PerBody<Vec3<float>>&);
+template float carried_inverse_mass(const RigidRow<float>&, const PerBody<Vec3<float>>&);
 template double spring_energy(const RowSpec<float>&, const PerBody<Vec3<float>>&);
 template void put_on_spring(const RowSpec<float>&, const BodyState<float>&, float, ConstraintRow<float>&);
 template double carried_inverse_mass(const RowSpec<double>&, const PerBody<Vec3<double>>&);
+template double carried_inverse_mass(const RigidRow<double>&, const PerBody<Vec3<double>>&);
 template double spring_energy(const RowSpec<double>&, const PerBody<Vec3<double>>&);
 template void put_on_spring(const RowSpec<double>&, const BodyState<double>&, double, ConstraintRow<double>&);
 template long double carried_inverse_mass(const RowSpec<long double>&, const PerBody<Vec3<long double>>&);
+template long double carried_inverse_mass(const RigidRow<long double>&, const PerBody<Vec3<long double>>&);
 template double spring_energy(const RowSpec<long double>&, const PerBody<Vec3<long double>>&);
 template void put_on_spring(const RowSpec<long double>&, const BodyState<long double>&, long double,
                             ConstraintRow<long double>&);

@@ -11,6 +11,9 @@ namespace cairn {
 /// hangs on it along the arm: a pin 1 m from 1 kg and 1e-3 kg m^2 would give way a thousand times as far.
 template <Scalar Real>
 Real carried_inverse_mass(const RowSpec<Real>& spec, const PerBody<Vec3<Real>>& inverse_mass);
+/// The same of a rigid row, which may be on a spring of the policy soft.
+template <Scalar Real>
+Real carried_inverse_mass(const RigidRow<Real>& row, const PerBody<Vec3<Real>>& inverse_mass);
 
 /// k C^2 / 2 [J] that the row's own spring holds; of a force that is limited, what it can give back. 0
 /// without a spring.

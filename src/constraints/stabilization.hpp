@@ -1,12 +1,13 @@
-// Floor 3. How fast errors go: from what a constraint states to what a solver is given.
+// Floor 3. How fast errors go: policies, the rules that they make, and what these do to contacts.
 #pragma once
 
 #include <algorithm>
 #include <limits>
 #include <optional>
 
-#include "constraints/constraint.hpp"
-#include "constraints/contact_rule.hpp"
+#include "constraints/row.hpp"
+#include "constraints/row_rule.hpp"
+#include "constraints/softness.hpp"
 
 namespace cairn {
 
@@ -68,57 +69,13 @@ SwingSoftness spring_in_steps(SwingSoftness spring, double dt);
 /// it acts on by `acceleration` [m/s^2].
 double spring_sag(const SwingSoftness& spring, double dt, double acceleration);
 
-/// zeta (7) of one row that has no spring of its own: the value that j v should take in a step of dt [s].
-///   an equality        -beta C / dt
-///   an inequality with room left (C > 0)        -C / dt: it may use its room up, and no more
-///   an inequality that is violated (C < 0)      beta max(0, -C - slop) / dt
-/// and, if the free velocity would make the bodies meet within the step, at least the rebound. To this comes
-/// the speed that the row asks for by itself, as a motor's or along an arc. On a spring of the policy its
-/// rate takes the place of beta / dt, and there is no slop. What stands for beta / dt in a rigid row depends
-/// on policy and pass: 0 where errors are not to go now. `velocity` is the velocity that the step would have
-/// without constraints; in the position pass the one that it has, of which an inequality takes no more than
-/// is still missing.
+/// The rule for the rows of contacts in a step of dt [s], of bodies that rise against `gravity` [m/s^2].
 template <Scalar Real>
-Real bias_velocity(const RowSpec<Real>& spec, const Stabilization& stabilization, StabilizationPass pass,
-                   Real dt, const PerBody<Vec3<Real>>& velocity);
-
-/// What the Jacobian of a row leaves out of its error [m or rad] in a step of dt [s] at these
-/// velocities: C(x + dt v) - C(x) - dt j v, which is dt^2 / 2 times the change of j v that turning brings.
-/// `ahead` is the row at x + dt v. A row that asks for this to be taken back holds where the step ends, and
-/// its bodies, which then move along chords of their arcs, keep their speed. Source: R. Weinstein, J. Teran,
-/// R. Fedkiw, Dynamic Simulation of Articulated Rigid Bodies with Contact and Collision (2006), who solve for
-/// joints at the end of the step.
+RowRule<Real> contact_rule(const Stabilization& stabilization, StabilizationPass pass, Real dt,
+                           double gravity);
+/// The rule for the rows of joints on this spring, Stabilization::joint_soft.
 template <Scalar Real>
-Real left_out_by_jacobian(const RowSpec<Real>& spec, const RowSpec<Real>& ahead, Real dt,
-                          const PerBody<Vec3<Real>>& velocity);
-
-/// Writes the row of `spec` in a step of `problem`, whose dt, inverse masses and velocities are those of the
-/// step without constraints: with the bias above or the row of its spring, and a motor's force as an impulse.
-/// `begin` is how the step began: what its bodies weigh and how fast they were before any force. The block of
-/// the row begins at row `first_row`. Terms of further bodies go to the problem's extra
-/// terms. In the position pass friction, motors and springs do nothing. `row` may be an old one: every member
-/// is set.
-template <Scalar Real>
-void stabilize_row(const RowSpec<Real>& spec, const Stabilization& stabilization, StabilizationPass pass,
-                   const BodyState<Real>& begin, VelocityProblem<Real>& problem, std::uint64_t source,
-                   int first_row, ConstraintRow<Real>& row);
-
-/// What the two functions above do for a rigid equality of a joint, in numbers that all joints on the same
-/// spring share. The numbers of rows are the same to the last bit.
-template <Scalar Real>
-struct JointRule {
-  Real rate = 0;            // [1/s] at which an error goes
-  bool has_spring = false;  // of the policy soft
-  Real spring_divisor = 1;  // what the row carries [1/kg], divided by this, is its softness
-
-  /// [1/kg] Of a row that carries this [1/kg].
-  Real softness(Real carried) const {
-    return has_spring ? std::min(carried / spring_divisor, most_softness<Real>()) : Real(0);
-  }
-};
-/// In a step of dt [s].
-template <Scalar Real>
-JointRule<Real> joint_rule(const Stabilization& stabilization, StabilizationPass pass, Real dt);
+RowRule<Real> joint_rule(const Stabilization& stabilization, StabilizationPass pass, Real dt);
 
 /// What a row is in the second solve of the policies relaxed and soft.
 template <Scalar Real>
@@ -133,34 +90,15 @@ struct ContactState {
   Real separation = 0;  // [m]; negative in overlap
   Real rebound = 0;     // [m/s] least separation speed, should the bodies meet in this step
   Real slop_limit = std::numeric_limits<Real>::infinity();  // [m] no slop above this
-  Real gravity = 0;  // [m/s^2] that a body in overlap has to rise against
 };
 
-/// What stabilized_row does for the rows of contacts, of which a step has many: what all of one pass share is
-/// computed once. The numbers are the same to the last bit.
+/// Gives the normal row of a contact, which has its Jacobians, its bias and its softness in a step of
+/// `problem`, whose velocities are those that the step would have without constraints: pushing_bias(), and at
+/// least the rebound where the bodies would meet within the step. A spring of the policy stops no bodies that
+/// come together faster than overlap is taken back: a rigid row does. What the row is in the second solve,
+/// where there is one: of what it asks for only the rebound stays, and that room may be used.
 template <Scalar Real>
-class ContactStabilization {
- public:
-  /// In a step of dt [s].
-  ContactStabilization(const Stabilization& stabilization, StabilizationPass pass, Real dt);
-
-  /// Gives a normal row of `problem`, which has its Jacobians, its bias and its softness. What it is in the
-  /// second solve, where there is one: of what it asks for only the rebound stays, and that room may be used.
-  RelaxedRow<Real> stabilize(const ContactState<Real>& contact, const VelocityProblem<Real>& problem,
-                             ConstraintRow<Real>& row) const;
-  /// The same in numbers, for bodies that rise against `gravity` [m/s^2]. Not for
-  /// StabilizationPass::position.
-  ContactRule<Real> rule(Real gravity) const;
-  /// Whether friction acts: not on what only corrects positions.
-  bool has_friction() const { return pass_ != StabilizationPass::position; }
-
- private:
-  Stabilization stabilization_;
-  StabilizationPass pass_;
-  Real dt_;
-  bool on_springs_;   // rows in overlap are
-  Real rigid_rate_;   // [1/s] beta / dt of (7)
-  Real spring_rate_;  // [1/s]
-};
+RelaxedRow<Real> stabilize_contact(const ContactState<Real>& contact, const RowRule<Real>& rule,
+                                   const VelocityProblem<Real>& problem, ConstraintRow<Real>& row);
 
 }  // namespace cairn

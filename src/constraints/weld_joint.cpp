@@ -13,15 +13,15 @@ WeldJoint::WeldJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses) {
 }
 
 template <Scalar Real>
-void WeldJoint::rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
-  append_pin_rows(ends_.a, ends_.b, ends_.arms(poses), rows);
-  rows.push_back(angle_row(ends_.a, ends_.b, ends_.angle(poses)));
+void WeldJoint::rows(const Placements<Real>& at, RowWriter<Real>& rows) const {
+  for (const RigidRow<Real>& row : pin_rows(ends_.a, ends_.b, ends_.arms(at))) rows.add(row);
+  rows.add(angle_row(ends_.a, ends_.b, ends_.angle(at)));
 }
 
 template <Scalar Real>
-void WeldJoint::stiffen(const PerBody<Pose<Real>>& poses, const RowForces<Real>& forces,
-                  PerBody<Vec3<Real>>& stiffness) const {
-  add_pin_stiffness(ends_.a, ends_.b, ends_.arms(poses), pin_force(forces), stiffness);
+void WeldJoint::stiffen(const Placements<Real>& at, const RowForces<Real>& forces,
+                        PerBody<Vec3<Real>>& stiffness) const {
+  add_pin_stiffness(ends_.a, ends_.b, ends_.arms(at), pin_force(forces), stiffness);
 }
 
 template class ConstraintOf<WeldJoint>;

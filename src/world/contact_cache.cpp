@@ -24,8 +24,7 @@ ContactMaterial<Real> material(const Contact<Real>& contact, const SceneSettings
           .restitution = contact.restitution,
           .restitution_threshold = static_cast<Real>(*settings.restitution_threshold),
           .friction_rows = settings.friction_rows,
-          .slop_limit = contact.slop_limit,
-          .gravity = static_cast<Real>(settings.gravity.norm())};
+          .slop_limit = contact.slop_limit};
 }
 
 /// Nothing of what it gives is known yet.
@@ -144,7 +143,7 @@ void ContactWriter<Real>::write(const Contact<Real>& contact, const Manifold<Rea
                                 List<RelaxedRow<Real>>* relaxed) const {
   const int first = next;
   write_contact_rows(manifold, contact.a, contact.b, material(contact, settings_), state_.pose,
-                     state_.velocity, stabilization_, contact_source(manifold), problem, next, relaxed);
+                     state_.velocity, rule_, contact_source(manifold), problem, next, relaxed);
   problem.blocks.push_back(
       {first, next - first, !needs_rows(contact, manifold, settings_, state_.pose, problem.velocity)});
 }

@@ -20,7 +20,9 @@ class ContactWriter {
  public:
   /// Settings and state must outlive it.
   ContactWriter(const SceneSettings& settings, const BodyState<Real>& state, StabilizationPass pass, Real dt)
-      : settings_(settings), state_(state), stabilization_(settings.stabilization, pass, dt) {}
+      : settings_(settings),
+        state_(state),
+        rule_(contact_rule(settings.stabilization, pass, dt, settings.gravity.norm())) {}
   /// Puts the rows of a contact behind row `next` of the problem, which goes on to the one behind them, and
   /// their block behind its blocks. What the rows are in a second solve goes into `relaxed`, if it is given.
   void write(const Contact<Real>& contact, const Manifold<Real>& manifold, VelocityProblem<Real>& problem,
@@ -29,7 +31,7 @@ class ContactWriter {
  private:
   const SceneSettings& settings_;
   const BodyState<Real>& state_;
-  ContactStabilization<Real> stabilization_;
+  RowRule<Real> rule_;
 };
 
 /// The shapes of a world, which pairs of them are near, what touches, and what the rows of contacts gave.

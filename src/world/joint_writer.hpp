@@ -3,11 +3,10 @@
 
 #include <memory>
 
-#include "constraints/stabilization.hpp"
+#include "constraints/problem_rows.hpp"
 #include "math/list.hpp"
-#include "world/substep.hpp"
-#include "world/pins.hpp"
 #include "world/row_impulses.hpp"
+#include "world/substep.hpp"
 
 namespace cairn {
 
@@ -15,13 +14,15 @@ namespace cairn {
 template <Scalar Real>
 class JointWriter {
  public:
-  /// Of the joints of a scene, which gave nothing yet.
-  explicit JointWriter(const Scene& scene);
+  /// Of no world yet.
+  JointWriter() = default;
+  /// Of so many joints, which gave nothing yet, of bodies with circles of these radii around them [m].
+  JointWriter(int joints, PerBody<Real> radius);
 
   /// Adds the geometric stiffness of all joints that are awake [N/m, N/m, N m/rad], under the forces that
   /// they gave, or that they have in the problem. `forces` is scratch.
   void add_stiffness(const Substep<Real>& step, ForcesOf when, const VelocityProblem<Real>& problem,
-                     RowForces<Real>& forces, PerBody<Vec3<Real>>& stiffness) const;
+                     RowForces<Real>& forces, PerBody<Vec3<Real>>& stiffness);
   /// Puts the rows of all joints that are awake behind row `next` of the problem, which goes on to the one
   /// behind them, and a block for each joint. What the rows are in a second solve goes into `relaxed`, if it
   /// is given. How many joints hold points that are too far apart: farther than the circle around the smaller
@@ -40,28 +41,17 @@ class JointWriter {
  private:
   using Impulses = BlockImpulses<List<RowImpulse<Real>>, Real>;
 
-  PinRules<Real> pin_rules(const Substep<Real>& step, const Stabilization& stabilization,
-                           StabilizationPass pass, bool again) const;
-  void locate_pins(const Substep<Real>& step);
-  bool write_pin(const Substep<Real>& step, const Pin& pin, const PinRules<Real>& rules,
-                 VelocityProblem<Real>& problem, int& next, List<RelaxedRow<Real>>* relaxed) const;
-  bool write_joint(const Substep<Real>& step, int number, const Stabilization& stabilization,
-                   StabilizationPass pass, VelocityProblem<Real>& problem, int& next,
-                   List<RelaxedRow<Real>>* relaxed);
   void look_along_arcs(const Substep<Real>& step);
-  void follow_arcs(const Substep<Real>& step, int number);
-  bool is_apart(const Substep<Real>& step) const;
 
-  std::shared_ptr<const Pins> pins_;
+  std::shared_ptr<const PerBody<Real>> radius_;
   List<Impulses> impulses_;  // of each joint; the last ones are those of the hand
 
   // Scratch memory, kept so that a steady step allocates nothing.
-  PerBody<Frame<Real>> pin_frames_;        // of bodies that pins hold
-  PerBody<Frame<Real>> pin_frames_ahead_;  // the same at poses_ahead_
-  RowSpecs<Real> specs_;
-  RowSpecs<Real> specs_ahead_;       // the same after this substep
-  PerBody<Pose<Real>> poses_ahead_;  // where the velocities of before would take the bodies
-  PerBody<char> goes_along_arc_;     // and whether they would take it anywhere
+  PerBody<KnownRotation<Real>> rotations_;        // of bodies that joints hold
+  PerBody<KnownRotation<Real>> rotations_ahead_;  // the same at poses_ahead_
+  PerBody<Pose<Real>> poses_ahead_;               // where the velocities of before would take the bodies
+  PerBody<char> goes_along_arc_;                  // and whether they would take it anywhere
+  List<RowError<Real>> errors_ahead_;             // of a joint there
 };
 
 }  // namespace cairn

@@ -3,18 +3,10 @@
 
 #include <cstdint>
 
-#include "constraints/constraint.hpp"
-#include "constraints/row.hpp"
+#include "constraints/problem_rows.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
-
-/// What one row gave in the last step that it was written for.
-template <Scalar Real>
-struct RowImpulse {
-  std::uint64_t part = 0;  // RowKey::part
-  Real impulse = 0;        // [N s]
-};
 
 /// What the rows of one block gave, a contact's or a joint's, and in which order.
 template <typename Rows, Scalar Real>

@@ -205,13 +205,12 @@ void TwoSolves<Real>::solve_contacts(const Parts& parts, ContactSolver<Real>& so
   StepRecord<Real>& record = parts.record;
   VelocityProblem<Real>& problem = record.problem;
   const Plan& plan = parts.step.plan;
-  const ContactStabilization<Real> stabilization(plan.settings.stabilization, StabilizationPass::velocity,
-                                                 parts.step.dt);
-  ContactProblem<Real> contacts = {.poses = &record.pose_before,
-                                   .stabilization = &stabilization,
-                                   .gravity = static_cast<Real>(plan.settings.gravity.norm()),
-                                   .problem = &problem,
-                                   .second_start = plan.second_start};
+  ContactProblem<Real> contacts = {
+      .poses = &record.pose_before,
+      .rule = contact_rule(plan.settings.stabilization, StabilizationPass::velocity, parts.step.dt,
+                           plan.settings.gravity.norm()),
+      .problem = &problem,
+      .second_start = plan.second_start};
   const auto take_and_solve = [&](ForcesOf when) {
     report.joints_apart = take(parts, when);
     contacts.contacts = record.contacts;

@@ -91,7 +91,6 @@ World<Real>::World(Scene scene)
     : scene_(std::make_shared<const Scene>(std::move(scene))),
       plan_(std::make_shared<const Plan>(make_plan(*scene_))),
       contacts_(make_colliders<Real>(*scene_), *scene_, *plan_),
-      joints_(*scene_),
       clock_{.dt = scene_->settings().dt} {
   PerBody<Real> radius(scene_->bodies().size());
   for (const Collider<Real>& collider : contacts_.colliders())
@@ -114,6 +113,7 @@ World<Real>::World(Scene scene)
     kinds->add(forces_on<Real>(spec), traits_of(spec, radius[id]));
   }
   kinds_ = kinds;
+  joints_ = JointWriter<Real>(scene_->joints().size(), std::move(radius));
   if (plan_->sleeping) sleep_.emplace(*scene_);
 }
 

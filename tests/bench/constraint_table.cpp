@@ -14,8 +14,8 @@ namespace cairn::bench {
 
 namespace {
 
-/// Appends the rows that a constraint has where the bodies of the stage are now.
-using WriteRows = std::function<void(RowSpecs<double>&)>;
+/// Does with a constraint what a step does, where the bodies of the stage are now: writes its rows.
+using WriteRows = std::function<void(VelocityProblem<double>&)>;
 
 struct ConstraintKind {
   std::string name = {};
@@ -50,8 +50,16 @@ template <typename Joint>
 ConstraintKind joint_kind(const std::string& name, const typename Joint::Spec& spec) {
   const std::shared_ptr<const Constraint> joint = std::make_shared<const Joint>(spec, Stage().start);
   const Stage stage;
-  return {name, [joint, now = stage.now, velocity = stage.problem.velocity](RowSpecs<double>& rows) {
-            joint->append_rows(now, velocity, rows);
+  const auto begin = std::make_shared<const BodyState<double>>(
+      BodyState<double>{stage.now, stage.problem.velocity, stage.problem.inverse_mass});
+  const RowRule<double> rule = joint_rule<double>({}, StabilizationPass::velocity, stage.problem.dt);
+  return {name, [=](VelocityProblem<double>& problem) {
+            int next = 0;
+            problem.extra_terms.clear();
+            const RowWriting<double> writing{.begin = *begin, .problem = problem, .next = next, .rule = rule};
+            ProblemRows<double> rows(writing, 0);
+            joint->write_rows(begin->pose, rows);
+            problem.rows.resize(next);
           }};
 }
 
@@ -63,9 +71,11 @@ ConstraintKind contact_kind(const std::string& name, const Shape<double>& upper,
   poses[{1}] = {.position = {0.1, 1}, .angle = 0};
   const Manifold<double> manifold = collide<double>(box(3, 1), poses[{2}], upper, poses[{1}], 0.02);
   const ContactMaterial<double> material = {.friction = friction, .friction_rows = friction_rows};
-  const PerBody<Vec3<double>> velocity = Stage().problem.velocity;
-  return {name, [=](RowSpecs<double>& rows) {
-            append_contact_rows(manifold, stage_b, stage_a, material, poses, velocity, rows);
+  const RowRule<double> rule = contact_rule<double>({}, StabilizationPass::velocity, Stage().problem.dt, 10);
+  return {name, [=](VelocityProblem<double>& problem) {
+            int next = 0;
+            write_contact_rows(manifold, stage_b, stage_a, material, poses, problem.velocity, rule, 0,
+                               problem, next);
           }};
 }
 
@@ -131,22 +141,9 @@ List<ConstraintKind> all_kinds() {
   return kinds;
 }
 
-/// What a step does with a constraint: its rows, and how fast their errors go.
-void write_problem(const ConstraintKind& kind, RowSpecs<double>& specs, VelocityProblem<double>& problem) {
-  specs.clear();
-  problem.rows.clear();
-  problem.extra_terms.clear();
-  kind.write(specs);
-  const BodyState<double> begin = {{}, problem.velocity, problem.inverse_mass};
-  for (const RowSpec<double>& spec : specs) {
-    stabilize_row(spec, {}, StabilizationPass::velocity, begin, problem, 0, 0, problem.rows.emplace_back());
-  }
-}
-
 VelocityProblem<double> problem_of_kind(const ConstraintKind& kind) {
-  RowSpecs<double> specs;
   VelocityProblem<double> problem = Stage().problem;
-  write_problem(kind, specs, problem);
+  kind.write(problem);
   problem.impulse.assign(problem.rows.size(), 0);
   return problem;
 }
@@ -179,12 +176,11 @@ VelocityProblem<double> repeated(const VelocityProblem<double>& one, int copies)
 Case write_case(const ConstraintKind& kind) {
   const int times = 2000;
   const auto problem = std::make_shared<VelocityProblem<double>>(Stage().problem);
-  const auto specs = std::make_shared<RowSpecs<double>>();
   const auto run = [=](benchmark::State& state) {
     for (auto _ : state) {
       const Stopwatch stopwatch;
       for (int i = 0; i < times; ++i) {
-        write_problem(kind, *specs, *problem);
+        kind.write(*problem);
         benchmark::DoNotOptimize(problem->rows.data());
       }
       state.SetIterationTime(stopwatch.seconds() / times);

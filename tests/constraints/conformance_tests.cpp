@@ -6,7 +6,7 @@
 
 #include "../solvers/solver_list.hpp"
 #include "constraint_list.hpp"
-#include "constraints/stabilization.hpp"
+#include "constraints/problem_rows.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -50,11 +50,16 @@ VelocityProblem<Real> constraint_problem(const RowSpecs<Real>& specs) {
   problem.velocity = {Vec3<Real>::Zero(), Vec3<Real>(1, Real(-0.5), Real(0.3)),
                       Vec3<Real>(-1, Real(0.4), Real(-0.2)), Vec3<Real>(Real(0.5), Real(0.7), Real(0.4)),
                       Vec3<Real>(Real(-0.3), Real(0.2), Real(0.6))};
+  const BodyState<Real> begin = {{}, problem.velocity, problem.inverse_mass};
+  int next = 0;
+  const RowWriting<Real> writing{.begin = begin,
+                                 .problem = problem,
+                                 .next = next,
+                                 .rule = joint_rule<Real>({}, StabilizationPass::velocity, problem.dt)};
+  ProblemRows<Real> rows(writing, 0);
   for (RowSpec<Real> spec : specs) {
     if (spec.bounds.is_unilateral()) spec.error = 0;
-    stabilize_row<Real>(spec, Stabilization{}, StabilizationPass::velocity,
-                        {{}, problem.velocity, problem.inverse_mass}, problem, 0, 0,
-                        problem.rows.emplace_back());
+    rows.add(spec);
   }
   problem.blocks = {{0, problem.row_count()}};
   problem.impulse.assign(problem.rows.size(), Real(0));
@@ -134,7 +139,7 @@ TEST_CASE_TEMPLATE("a rod, a rope and a spring whose ends have met write no row"
     DistanceJoint::Spec spec = {.a = {1}, .b = {2}, .anchor_a = {0, 0}, .anchor_b = {2, 0}, .kind = kind};
     spec.slack_margin = 100;
     if (kind == Kind::spring) spec.softness = SwingSoftness{.frequency = 2, .damping_ratio = 0.5};
-    const RowWriter<Real> rows = joint_rows<DistanceJoint, Real>(spec, start);
+    const StateRows<Real> rows = joint_rows<DistanceJoint, Real>(spec, start);
     CHECK(rows({{}, {{1, 1}, 0}, {{1, 1}, 0}}).empty());
     CHECK(rows({{}, {{1, 1}, 0}, {{1, 2}, 0}}).size() == 1);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "../geometry/random_shapes.hpp"
@@ -20,14 +21,24 @@
 
 namespace cairn::testing {
 
-/// Writes the rows that hold at the given poses of the ground and of bodies 1 to 4.
+/// States the rows that hold at the given poses of the ground and of bodies 1 to 4.
 template <Scalar Real>
-using RowWriter = std::function<RowSpecs<Real>(const PerBody<Pose<Real>>&)>;
+struct StateRows {
+  std::shared_ptr<const Constraint> joint = {};                            // null: it is a contact
+  std::function<RowSpecs<Real>(const PerBody<Pose<Real>>&)> contact = {};  // what states its rows
+
+  RowSpecs<Real> operator()(const PerBody<Pose<Real>>& poses) const {
+    if (!joint) return contact(poses);
+    RowSpecs<Real> rows;
+    joint->append_rows(poses, rows);
+    return rows;
+  }
+};
 
 template <Scalar Real>
 struct ConstraintUnderTest {
   std::string name = {};
-  RowWriter<Real> rows = {};
+  StateRows<Real> rows = {};
   bool is_free = true;  // nothing of it is fastened to the ground, which is not among the bodies looked at
 };
 
@@ -45,27 +56,44 @@ Vec3<Real> jacobian_of(const RowSpec<Real>& row, BodyId body) {
 }
 
 template <typename Joint, Scalar Real>
-RowWriter<Real> joint_rows(const typename Joint::Spec& spec, const PerBody<Pose<double>>& start) {
-  return [joint = Joint(spec, start)](const PerBody<Pose<Real>>& poses) {
-    RowSpecs<Real> rows;
-    joint.append_rows(poses, rows);
-    return rows;
-  };
+StateRows<Real> joint_rows(const typename Joint::Spec& spec, const PerBody<Pose<double>>& start) {
+  return {.joint = std::make_shared<const Joint>(spec, start)};
+}
+
+/// The rows of a contact of bodies 1 and 2 as a joint would state them: errors in place of biases.
+template <Scalar Real>
+RowSpecs<Real> stated_contact(const Manifold<Real>& manifold, Real friction,
+                              const PerBody<Pose<Real>>& poses) {
+  VelocityProblem<Real> problem;
+  problem.velocity.assign(3, Vec3<Real>::Zero());
+  problem.inverse_mass.assign(3, Vec3<Real>::Ones());
+  int next = 0;
+  write_contact_rows<Real>(manifold, {1}, {2}, {.friction = friction}, poses, problem.velocity, {.dt = 1}, 0,
+                           problem, next);
+  RowSpecs<Real> specs;
+  for (const ConstraintRow<Real>& row : problem.rows) {
+    RowSpec<Real>& spec = specs.emplace_back();
+    spec.a = row.a;
+    spec.b = row.b;
+    spec.jacobian_a = row.jacobian_a;
+    spec.jacobian_b = row.jacobian_b;
+    spec.bounds = row.bounds;
+    spec.part = row.key.part;
+    for (const ManifoldPoint<Real>& point : manifold.points)
+      if (spec.part == normal_part(point.feature)) spec.error = point.separation;
+  }
+  return specs;
 }
 
 /// Two shapes without friction: a friction row has no error that its Jacobian could be the derivative of.
 template <Scalar Real>
-RowWriter<Real> contact_rows(const Shape<double>& a, const Shape<double>& b, double friction = 0) {
-  return [=](const PerBody<Pose<Real>>& poses) {
+StateRows<Real> contact_rows(const Shape<double>& a, const Shape<double>& b, double friction = 0) {
+  return {.contact = [=](const PerBody<Pose<Real>>& poses) {
     const Real far = 100;  // [m] margin: they need not touch
     const Manifold<Real> manifold =
         collide(shape_cast<Real>(a), poses[{1}], shape_cast<Real>(b), poses[{2}], far);
-    RowSpecs<Real> rows;
-    const PerBody<Vec3<Real>> at_rest(3, Vec3<Real>::Zero());
-    append_contact_rows<Real>(manifold, {1}, {2}, {.friction = static_cast<Real>(friction)}, poses, at_rest,
-                              rows);
-    return rows;
-  };
+    return stated_contact<Real>(manifold, static_cast<Real>(friction), poses);
+  }};
 }
 
 /// Ropes on four bodies, with and without the ground.

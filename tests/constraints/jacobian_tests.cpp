@@ -35,7 +35,7 @@ PerBody<Pose<Real>> nudged(PerBody<Pose<Real>> poses, BodyId body, int coordinat
 
 /// dC/dq of row `row`, by central differences of step h.
 template <Scalar Real>
-Real difference_quotient(const RowWriter<Real>& rows, int row, const PerBody<Pose<Real>>& poses, BodyId body,
+Real difference_quotient(const StateRows<Real>& rows, int row, const PerBody<Pose<Real>>& poses, BodyId body,
                          int coordinate, Real h) {
   const Real above = rows(nudged(poses, body, coordinate, h)).at(row).error;
   const Real below = rows(nudged(poses, body, coordinate, -h)).at(row).error;

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "constraints/distance_joint.hpp"
-#include "constraints/stabilization.hpp"
+#include "constraints/problem_rows.hpp"
 #include "geometry/shape.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "world/world.hpp"
@@ -14,25 +14,61 @@ using namespace cairn;
 
 namespace {
 
-/// A row between the ground and body 1 along y, with body 1 at velocity v.
-RowSpec<double> row_along_y(double error, const Bounds<double>& bounds, double rebound = 0) {
+/// A row between the ground and body 1 along y.
+RowSpec<double> row_along_y(double error, const Bounds<double>& bounds) {
   RowSpec<double> spec;
   spec.b = {1};
   spec.error = error;
   spec.jacobian_a = {0, -1, 0};
   spec.jacobian_b = {0, 1, 0};
   spec.bounds = bounds;
-  spec.rebound = rebound;
   return spec;
 }
-
-PerBody<Vec3<double>> moving_at(double v) { return {Vec3<double>::Zero(), Vec3<double>(0, v, 0)}; }
 
 const Stabilization quarter_and_eighth = {.baumgarte = 0.25, .slop = 0.125};  // powers of two: exact results
 const double half_second = 0.5;                                               // [s]
 
-double bias_of(const RowSpec<double>& spec, double v = 0) {
-  return bias_velocity(spec, quarter_and_eighth, StabilizationPass::velocity, half_second, moving_at(v));
+/// A step of half a second in which body 1, of 1 kg, would go along y at v without constraints.
+VelocityProblem<double> problem_at(double v) {
+  VelocityProblem<double> problem;
+  problem.dt = half_second;
+  problem.velocity = {Vec3<double>::Zero(), Vec3<double>(0, v, 0)};
+  problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 1)};
+  return problem;
+}
+
+/// The row of a joint, as it is written behind ten others.
+ConstraintRow<double> written(const RowSpec<double>& spec) {
+  VelocityProblem<double> problem = problem_at(0);
+  problem.rows.resize(10);
+  const BodyState<double> begin = {{}, problem.velocity, problem.inverse_mass};
+  const RowRule<double> rule = joint_rule(quarter_and_eighth, StabilizationPass::velocity, half_second);
+  int next = 10;
+  const RowWriting<double> writing{.begin = begin, .problem = problem, .next = next, .rule = rule};
+  ProblemRows<double>(writing, 17).add(spec);
+  return problem.rows[10];
+}
+double bias_of(const RowSpec<double>& spec) { return written(spec).bias; }
+
+struct StabilizedContact {
+  double bias = 0, softness = 0;  // in the first solve
+  RelaxedRow<double> second = {};
+};
+
+/// The contact of body 1, which goes along y at v, with the ground, under a gravity of 8 m/s^2.
+StabilizedContact contact_at(const ContactState<double>& contact, double v, const Stabilization& how,
+                             StabilizationPass pass = StabilizationPass::velocity) {
+  ConstraintRow<double> row;
+  row.b = {1};
+  row.jacobian_a = {0, -1, 0};
+  row.jacobian_b = {0, 1, 0};
+  row.softness = 7;  // of an old row
+  const auto second = stabilize_contact(contact, contact_rule(how, pass, half_second, 8), problem_at(v), row);
+  return {row.bias, row.softness, second};
+}
+
+double contact_bias(double separation, double rebound = 0, double v = 0) {
+  return contact_at({separation, rebound}, v, quarter_and_eighth).bias;
 }
 
 }  // namespace
@@ -45,41 +81,92 @@ TEST_CASE("an equality asks for a share beta of its error to go in one step, in 
 }
 
 TEST_CASE("an inequality may use up the room that it has, and no more") {
-  CHECK(bias_of(row_along_y(2, Bounds<double>::unilateral())) == -2 / half_second);
-  CHECK(bias_of(row_along_y(0, Bounds<double>::unilateral())) == 0);
+  for (const double room : {2.0, 0.0}) {
+    CHECK(bias_of(row_along_y(room, Bounds<double>::unilateral())) == -room / half_second);
+    CHECK(contact_bias(room) == -room / half_second);
+  }
 }
 
 TEST_CASE("an overlap within the slop is left alone, and of the rest beta goes in one step") {
-  CHECK(bias_of(row_along_y(-0.125, Bounds<double>::unilateral())) == 0);
-  CHECK(bias_of(row_along_y(-0.0625, Bounds<double>::unilateral())) == 0);
-  CHECK(bias_of(row_along_y(-1.125, Bounds<double>::unilateral())) == 0.25 * 1 / half_second);
+  for (const double depth : {0.0625, 0.125, 1.125}) {
+    const double expected = 0.25 * std::max(0.0, depth - 0.125) / half_second;
+    CHECK(bias_of(row_along_y(-depth, Bounds<double>::unilateral())) == expected);
+    CHECK(contact_bias(-depth) == expected);
+  }
+  RowSpec<double> tight = row_along_y(-1, Bounds<double>::unilateral());
+  tight.keeps_slop = false;
+  CHECK(bias_of(tight) == 0.25 / half_second);
+  CHECK(contact_at({.separation = -1, .slop_limit = 0.0625}, 0, quarter_and_eighth).bias ==
+        0.25 * (1 - 0.0625) / half_second);
 }
 
 TEST_CASE("a rebound counts where the bodies would meet within the step, as far as it is the faster") {
-  const Bounds<double> bounds = Bounds<double>::unilateral();
-  CHECK(bias_of(row_along_y(1, bounds, 3), -4) == 3);  // 1 m away at 4 m/s: they meet in 0.25 s
-  CHECK(bias_of(row_along_y(1, bounds, 3), -1) == -1 / half_second);  // in 1 s: not in this step
-  CHECK(bias_of(row_along_y(1, bounds, 3), 4) == -1 / half_second);   // they part
-  const double push = 0.25 * (81 - 0.125) / half_second;              // deep overlap: stabilization is faster
-  CHECK(bias_of(row_along_y(-81, bounds, 3), -4) == push);
+  CHECK(contact_bias(1, 3, -4) == 3);                    // 1 m away at 4 m/s: they meet in 0.25 s
+  CHECK(contact_bias(1, 3, -1) == -1 / half_second);     // in 1 s: not in this step
+  CHECK(contact_bias(1, 3, 4) == -1 / half_second);      // they part
+  const double push = 0.25 * (7 - 0.125) / half_second;  // deep overlap: stabilization is faster
+  CHECK(contact_bias(-7, 3, -4) == push);
 }
 
-TEST_CASE("a friction row asks for no sliding, whatever the contact's error") {
-  CHECK(bias_of(row_along_y(0, Bounds<double>::coulomb(0.5, 0)), 7) == 0);
+TEST_CASE("contacts take overlap back no faster than they may") {
+  CHECK(contact_bias(-81) == usual_max_speed);
+  Stabilization how = quarter_and_eighth;
+  how.max_speed = std::numeric_limits<double>::infinity();
+  CHECK(contact_at({-81}, 0, how).bias == 0.25 * (81 - 0.125) / half_second);
+  how = {.policy = StabilizationPolicy::baumgarte, .baumgarte = 1, .slop = 0, .max_speed = 4};
+  CHECK(contact_at({-0.25}, 0, how).bias == 0.25 / half_second);
+  CHECK(contact_at({-1}, 0, how).bias == 1 / half_second);
+  // sqrt(g d / 2), half of a fall through it: at d = 2.25 m 3 m/s; and 4 m/s at most.
+  CHECK(contact_at({-2.25}, 0, how).bias == 3);
+  CHECK(contact_at({-16}, 0, how).bias == 4);
+}
+
+TEST_CASE("what a contact asks for in the second solve is its rebound, or no more than its room") {
+  const auto second = [](double separation, double rebound, double v) {
+    const RelaxedRow<double> row = contact_at({separation, rebound}, v, quarter_and_eighth).second;
+    CHECK(row.softness == 0);
+    return row.bias;
+  };
+  CHECK(second(2, 0, 0) == -2 / half_second);
+  CHECK(second(-1, 0, 0) == 0);
+  CHECK(second(1, 3, -4) == 3);
+  CHECK(second(-1, 3, -1) == 3);
+}
+
+TEST_CASE(
+    "where only positions are corrected, a contact moves by what is still missing, and rebounds never") {
+  const Stabilization how = {.policy = StabilizationPolicy::split_impulse, .baumgarte = 0.25, .slop = 0.125};
+  const auto bias = [&](double separation, double v) {
+    return contact_at({separation, 3}, v, how, StabilizationPass::position).bias;
+  };
+  CHECK(bias(1, -4) == -1 / half_second + 4);
+  CHECK(bias(-1.125, 0.25) == 0.25 / half_second - 0.25);
+  CHECK(contact_at({-1.125}, 0.25, how).bias == 0);  // velocities never have that speed
+}
+
+TEST_CASE("overlap stands on a spring of the policy soft, but for what rebounds or strikes") {
+  Stabilization how = {.policy = StabilizationPolicy::soft, .slop = 0.125, .max_speed = 4};
+  how.soft = {.frequency = 0.25, .damping_ratio = 2};
+  // w = 2 pi f; gamma = 1 / (m h w (2 zeta + h w)), rate = w / (2 zeta + h w), of 1 kg.
+  const double w = 2 * pi * 0.25, resisting = 2 * 2 + half_second * w;
+  const StabilizedContact sprung = contact_at({-0.5}, -1, how);
+  CHECK(sprung.bias == doctest::Approx(0.5 * w / resisting).epsilon(1e-15));
+  CHECK(sprung.softness == doctest::Approx(1 / (half_second * w * resisting)).epsilon(1e-15));
+  CHECK(sprung.second.bias == 0);
+  for (const StabilizedContact& rigid :
+       {contact_at({-0.5}, -4.5, how), contact_at({-0.5, 2}, -1, how), contact_at({0.5}, -1, how)})
+    CHECK(rigid.softness == 0);
+  CHECK(contact_at({-0.5}, -4.5, how).bias == 0);
+  CHECK(contact_at({-0.5, 2}, -1, how).bias == 2);
 }
 
 TEST_CASE("a stabilized row is its spec with a bias, a key, and its normal row found in the problem") {
   const RowSpec<double> spec = row_along_y(0, Bounds<double>::coulomb(0.5, 2));
-  VelocityProblem<double> problem;
-  problem.dt = half_second;
-  problem.velocity = moving_at(0);
-  problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 1)};
-  ConstraintRow<double> row;
-  const BodyState<double> begin = {{}, problem.velocity, problem.inverse_mass};
-  stabilize_row(spec, quarter_and_eighth, StabilizationPass::velocity, begin, problem, 17, 10, row);
+  const ConstraintRow<double> row = written(spec);
   CHECK(row.bounds.normal_row == 12);
   CHECK(row.bounds.friction == 0.5);
   CHECK(row.key == RowKey{17, spec.part});
+  CHECK(row.bias == 0);
   CHECK(row.softness == 0);
   CHECK(row.jacobian_b == spec.jacobian_b);
 }

@@ -59,9 +59,10 @@ class TorsionSpring final : public ConstraintOf<TorsionSpring> {
   std::string name() const override { return "torsion"; }
   List<Attachment> attachments() const override { return {{ground, {0, 0}}, {body_, {0, 0}}}; }
   template <Scalar Real>
-  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
-    rows.push_back(angle_row<Real>(ground, body_, poses[body_].angle));
-    rows.back().softness = softness_;
+  void rows(const Placements<Real>& at, RowWriter<Real>& rows) const {
+    RowSpec<Real> row = angle_row<Real>(ground, body_, at[body_].angle);
+    row.softness = softness_;
+    rows.add(row);
   }
 
  private:

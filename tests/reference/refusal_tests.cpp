@@ -41,7 +41,7 @@ class Magnet final : public ConstraintOf<Magnet> {
   std::string name() const override { return "magnet"; }
   List<Attachment> attachments() const override { return {{ground, {0, 0}}, {{1}, {0, 0}}}; }
   template <Scalar Real>
-  void rows(const PerBody<Pose<Real>>&, RowSpecs<Real>&) const {}
+  void rows(const Placements<Real>&, RowWriter<Real>&) const {}
 };
 
 TEST_CASE("sensors, and categories for which Box2D has no bit, are refused") {

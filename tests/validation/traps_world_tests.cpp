@@ -16,7 +16,7 @@ namespace {
 
 /// The rows between a box of 4 m by 1 m in a pose of its own and one of 1 m by 1 m that lies on it, askew.
 template <Scalar Real>
-RowSpecs<Real> rows_of_tilted_boxes(test::Random& random) {
+PerRow<ConstraintRow<Real>> rows_of_tilted_boxes(test::Random& random) {
   const Pose<double> below = {random.point(3), random.uniform(-pi, pi)};
   const Vec2<double> place = below.world({random.uniform(-1, 1), 1});
   const Pose<double> above = {place, below.angle + random.uniform(-0.01, 0.01)};
@@ -26,10 +26,13 @@ RowSpecs<Real> rows_of_tilted_boxes(test::Random& random) {
   }
   const Manifold<Real> manifold = collide<Real>(shape_cast<Real>(box(4, 1)), poses[{1}],
                                                 shape_cast<Real>(box(1, 1)), poses[{2}], Real(0.1));
-  RowSpecs<Real> rows;
-  const PerBody<Vec3<Real>> at_rest(3, Vec3<Real>::Zero());
-  append_contact_rows<Real>(manifold, {1}, {2}, {.friction = Real(0.5)}, poses, at_rest, rows);
-  return rows;
+  VelocityProblem<Real> problem;
+  problem.velocity.assign(3, Vec3<Real>::Zero());
+  problem.inverse_mass.assign(3, Vec3<Real>::Ones());
+  int next = 0;
+  write_contact_rows<Real>(manifold, {1}, {2}, {.friction = Real(0.5)}, poses, problem.velocity, {.dt = 1}, 0,
+                           problem, next);
+  return problem.rows;
 }
 
 /// What a rod too long by 0.1 m and the ground leave of a box's vertical speed [m/s] after one step.
@@ -54,7 +57,7 @@ TEST_CASE_TEMPLATE("the friction rows of one manifold are one row written twice,
   test::Random random(41);
   int pairs = 0;
   for (int round = 0; round < 200; ++round) {
-    const RowSpecs<Real> rows = rows_of_tilted_boxes<Real>(random);
+    const PerRow<ConstraintRow<Real>> rows = rows_of_tilted_boxes<Real>(random);
     if (rows.size() != 4) continue;
     ++pairs;
     const Vec3<Real> gap_a = rows[1].jacobian_a - rows[3].jacobian_a;

@@ -89,16 +89,16 @@ class ThreeBodyRope final : public ConstraintOf<ThreeBodyRope> {
   std::string name() const override { return "rope on three bodies"; }
   List<Attachment> attachments() const override { return {{{1}}, {{2}}, {{3}}}; }
   template <Scalar Real>
-  void rows(const PerBody<Pose<Real>>& poses, RowSpecs<Real>& rows) const {
+  void rows(const Placements<Real>& at, RowWriter<Real>& rows) const {
     RowSpec<Real> row;
     row.a = {1};
     row.b = {2};
-    row.error = poses[{1}].position.y() + 2 * poses[{2}].position.y() + poses[{3}].position.y();
+    row.error = at[{1}].position.y() + 2 * at[{2}].position.y() + at[{3}].position.y();
     row.jacobian_a = {0, 1, 0};
     row.jacobian_b = {0, 2, 0};
     row.extra[0] = {.body = {3}, .jacobian = {0, 1, 0}};
     row.extra_count = 1;
-    rows.push_back(row);
+    rows.add(row);
   }
 };
 

@@ -1,7 +1,7 @@
 // Floor 4. Contacts side by side in lanes: what the code of every instruction set reads and writes.
 #pragma once
 
-#include "constraints/contact_rule.hpp"
+#include "constraints/row_rule.hpp"
 #include "solvers/wide/lane_data.hpp"
 
 namespace cairn {

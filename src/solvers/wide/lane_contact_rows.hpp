@@ -1,5 +1,5 @@
 // Floor 4. The rows of a batch of contacts: compiled once for each instruction set, as lane_sweep.hpp is. All
-// of it does, number for number, what write_contact_rows(), ContactStabilization, apply_impulse() and
+// of it does, number for number, what write_contact_rows(), stabilize_contact(), apply_impulse() and
 // Bounds::clamp() do for one row.
 #pragma once
 
@@ -17,27 +17,17 @@ inline Real inverse_mass_of(Real x, Real y, Real turn, Real mass_x, Real mass_y,
   return sum_in_order<Real, Real>(x * (mass_x * x), y * (mass_y * y), turn * (mass_turn * turn));
 }
 
-/// Bias and softness of the normal rows of one point.
+/// Bias and softness of the normal rows of one point. The rule by value: to a compiler, lanes might lie over
+/// it.
 template <typename Real>
-inline void stabilize_point(const Real* separation, const ContactRule<Real>& rule, int point,
+inline void stabilize_point(const Real* separation, RowRule<Real> rule, int point,
                             LaneContactBatch<Real>& batch) {
   const int row = batch.has_friction ? 2 * point : point;
   for (int lane = 0; lane < lane_count; ++lane) {
-    const Real gamma = batch.inverse[row][lane] / rule.spring_divisor;
-    const Real limited = rule.most_softness < gamma ? rule.most_softness : gamma;
-    const bool overlaps = separation[lane] < 0;
     const bool on_spring = rule.has_springs && !(separation[lane] >= 0);
-    batch.softness[point][lane] = on_spring ? limited : Real(0);
-
-    const Real slop = batch.slop_limit[lane] < rule.slop ? batch.slop_limit[lane] : rule.slop;
-    const Real beyond = -separation[lane] - slop;
-    const Real overlap = 0 < beyond ? beyond : Real(0);
-    const Real fall = square_root(rule.gravity * overlap / 2);
-    const bool falls = rule.gravity > 0 && fall < rule.most_speed;
-    const Real most_speed = falls ? fall : rule.most_speed;
-    const Real wish = (on_spring ? rule.spring_rate : rule.rigid_rate) * overlap;
-    batch.bias[point][lane] =
-        overlaps ? (most_speed < wish ? most_speed : wish) : -separation[lane] / rule.dt;
+    const Real softness = spring_softness(rule, batch.inverse[row][lane]);
+    batch.softness[point][lane] = on_spring ? softness : Real(0);
+    batch.bias[point][lane] = pushing_bias(rule, separation[lane], batch.slop_limit[lane], on_spring);
   }
 }
 
@@ -77,7 +67,7 @@ inline void measure_arms(const LaneContactInput<Real>& from, int point, LaneCont
 
 /// Everything but the impulses.
 template <typename Real>
-inline void measure_contacts(const LaneContactInput<Real>& from, const ContactRule<Real>& rule,
+inline void measure_contacts(const LaneContactInput<Real>& from, const RowRule<Real>& rule,
                              LaneContactBatch<Real>& to) {
   for (int lane = 0; lane < lane_count; ++lane) {
     to.normal[0][lane] = from.normal[0][lane];

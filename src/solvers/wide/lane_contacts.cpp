@@ -38,12 +38,11 @@ void LaneContacts<Real>::arrange(const LaneBatches& batches, const ContactProble
 template <Scalar Real>
 void LaneContacts<Real>::take(const LaneCode<Real>& code, const LaneBatches& batches,
                               const ContactProblem<Real>& problem) {
-  const ContactRule<Real> rule = problem.stabilization->rule(problem.gravity);
   for (const LaneBatch& batch : batches.batches()) {
     if (batch.contacts < 0) continue;
     if (batch.used < lane_count) input_ = {};
     gather(batch, problem);
-    code.measure_contacts(input_, rule, contacts_[batch.contacts]);
+    code.measure_contacts(input_, problem.rule, contacts_[batch.contacts]);
   }
 }
 

@@ -3,15 +3,12 @@
 
 #include <limits>
 
+#include "constraints/row_rule.hpp"
 #include "solvers/wide/lane_data.hpp"
 
 namespace cairn {
 
 namespace {
-
-inline float square_root(float x) { return __builtin_sqrtf(x); }
-inline double square_root(double x) { return __builtin_sqrt(x); }
-inline long double square_root(long double x) { return __builtin_sqrtl(x); }
 
 /// [1/kg] Weaker springs are taken for one of this softness, 1e15 times A_ii of the lightest bodies: neither
 /// does anything, and lanes have numbers for this one.

@@ -36,7 +36,7 @@ struct LaneCode {
   void (*fill)(const LaneFilling<Real, Number>& from, LaneRow<Number>* rows,
                LaneCoupling<Number>* couplings) = nullptr;
   /// Arms, bias and softness of a batch of contacts, from what was gathered.
-  void (*measure_contacts)(const LaneContactInput<Real>& from, const ContactRule<Real>& rule,
+  void (*measure_contacts)(const LaneContactInput<Real>& from, const RowRule<Real>& rule,
                            LaneContactBatch<Real>& to) = nullptr;
   /// Leaves the springs of a batch of contacts out.
   void (*relax_contacts)(LaneContactBatch<Real>& batch) = nullptr;

@@ -10,10 +10,9 @@ void LaneSystem<Real>::write_single_rows(const ContactProblem<Real>& contacts) {
   int next = contacts.rows;
   for (const int k : batches_.single_contacts()) {
     const Contact<Real>& contact = contacts.contacts[k];
-    const ContactMaterial<Real> material = {
-        .friction = contact.friction, .slop_limit = contact.slop_limit, .gravity = contacts.gravity};
+    const ContactMaterial<Real> material = {.friction = contact.friction, .slop_limit = contact.slop_limit};
     write_contact_rows(contacts.manifolds[k], contact.a, contact.b, material, *contacts.poses,
-                       problem.velocity, *contacts.stabilization, 0, problem, next);
+                       problem.velocity, contacts.rule, 0, problem, next);
   }
   problem.rows.resize(next);
   start_single_contacts(contacts);

@@ -1,4 +1,4 @@
-// Box2D 2.4.1 as a peer: the reference's shapes and joints, in a world without listeners.
+// Box2D 2.4.1 as a peer: the reference's shapes, in a world without listeners.
 #include <box2d/box2d.h>
 
 #include <cstdint>
@@ -19,7 +19,7 @@ class Box2D2Engine final : public Engine {
     world_.SetAllowSleeping(false);
     world_.SetContinuousPhysics(false);
     for (const SceneBody& body : scene.bodies()) bodies_.push_back(add(body));
-    for (const auto& joint : scene.joints()) create_joint(world_, *joint, bodies_, scene.apart());
+    for (const Pin& joint : pins_of(scene)) pin(joint);
   }
   void step() override { world_.Step(dt_, settings_.iterations, settings_.position_iterations); }
   PerBody<Pose<double>> poses() const override {
@@ -40,6 +40,24 @@ class Box2D2Engine final : public Engine {
   }
 
  private:
+  void pin(const Pin& pin) {
+    b2RevoluteJointDef definition;
+    definition.bodyA = bodies_[pin.a];
+    definition.bodyB = bodies_[pin.b];
+    definition.localAnchorA = to_box2d(pin.anchor_a);
+    definition.localAnchorB = to_box2d(pin.anchor_b);
+    definition.collideConnected = pin.touch;
+    definition.referenceAngle = static_cast<float>(pin.start);
+    definition.enableLimit = pin.lower.has_value();
+    definition.lowerAngle = static_cast<float>(pin.lower.value_or(0));
+    definition.upperAngle = static_cast<float>(pin.upper.value_or(0));
+    if (pin.motor) {
+      definition.enableMotor = true;
+      definition.motorSpeed = static_cast<float>(pin.motor->speed);
+      definition.maxMotorTorque = static_cast<float>(pin.motor->max_force);
+    }
+    world_.CreateJoint(&definition);
+  }
   b2Body* add(const SceneBody& body) {
     const BodySpec& spec = body.spec;
     b2BodyDef definition;
@@ -54,6 +72,7 @@ class Box2D2Engine final : public Engine {
     for (const Shape<double>& shape : spec.shapes) {
       b2FixtureDef fixture;
       fixture.friction = static_cast<float>(spec.friction);
+      fixture.restitution = static_cast<float>(spec.restitution);
       fixture.filter.categoryBits = static_cast<std::uint16_t>(spec.category);
       fixture.filter.maskBits = static_cast<std::uint16_t>(spec.collides_with);
       for (const std::unique_ptr<b2Shape>& part : to_box2d(shape)) {

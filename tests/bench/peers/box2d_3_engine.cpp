@@ -33,9 +33,23 @@ struct AddShape {
     const b2Segment converted = {to_v3(segment.point1), to_v3(segment.point2)};
     b2CreateSegmentShape(body, definition, &converted);
   }
-  template <typename Other>
-  void operator()(const Other& other) const {
-    require(false, "Box2D 3", "shape", "a circle, a polygon or a segment", shape_name(other));
+  void operator()(const Capsule<double>& capsule) const {
+    const b2Capsule converted = {to_v3(capsule.point1), to_v3(capsule.point2),
+                                 static_cast<float>(capsule.radius)};
+    b2CreateCapsuleShape(body, definition, &converted);
+  }
+  void operator()(const Chain<double>& chain) const {
+    require(chain.closed, "Box2D 3", "chain", "closed", "open");
+    List<b2Vec2> points;
+    for (const Vec2<double>& point : chain.points) points.push_back(to_v3(point));
+    b2ChainDef converted = b2DefaultChainDef();
+    converted.points = points.data();
+    converted.count = points.size();
+    converted.isLoop = true;
+    converted.materials = &definition->material;
+    converted.materialCount = 1;
+    converted.filter = definition->filter;
+    b2CreateChain(body, &converted);
   }
 };
 
@@ -52,6 +66,7 @@ b2BodyId add(b2WorldId world, const SceneBody& body) {
   const b2BodyId result = b2CreateBody(world, &definition);
   b2ShapeDef shape = b2DefaultShapeDef();
   shape.material.friction = static_cast<float>(spec.friction);
+  shape.material.restitution = static_cast<float>(spec.restitution);
   shape.filter.categoryBits = spec.category;
   shape.filter.maskBits = spec.collides_with;
   shape.updateBodyMass = false;
@@ -70,9 +85,11 @@ class Box2D3Engine final : public Engine {
     definition.gravity = to_v3(scene.settings().gravity);
     definition.enableSleep = false;
     definition.enableContinuous = false;
+    // It would say into the tables that it takes up no more than 128 new pairs of a shape in a step.
+    b2SetLogFcn([](const char*) {});
     world_ = b2CreateWorld(&definition);
     for (const SceneBody& body : scene.bodies()) bodies_.push_back(add(world_, body));
-    for (const auto& joint : scene.joints()) pin(scene, *joint);
+    for (const Pin& joint : pins_of(scene)) pin(joint);
   }
   ~Box2D3Engine() override { b2DestroyWorld(world_); }
   Box2D3Engine(const Box2D3Engine&) = delete;
@@ -99,14 +116,21 @@ class Box2D3Engine final : public Engine {
   }
 
  private:
-  void pin(const Scene& scene, const Constraint& joint) {
-    const List<Attachment> ends = require_pin(joint, "Box2D 3").attachments();
+  void pin(const Pin& pin) {
     b2RevoluteJointDef definition = b2DefaultRevoluteJointDef();
-    definition.base.bodyIdA = bodies_[ends[0].body];
-    definition.base.bodyIdB = bodies_[ends[1].body];
-    definition.base.localFrameA.p = to_v3(ends[0].anchor);
-    definition.base.localFrameB.p = to_v3(ends[1].anchor);
-    definition.base.collideConnected = !keeps_apart(scene, joint);
+    definition.base.bodyIdA = bodies_[pin.a];
+    definition.base.bodyIdB = bodies_[pin.b];
+    definition.base.localFrameA = {to_v3(pin.anchor_a), b2MakeRot(static_cast<float>(pin.start))};
+    definition.base.localFrameB.p = to_v3(pin.anchor_b);
+    definition.base.collideConnected = pin.touch;
+    definition.enableLimit = pin.lower.has_value();
+    definition.lowerAngle = static_cast<float>(pin.lower.value_or(0));
+    definition.upperAngle = static_cast<float>(pin.upper.value_or(0));
+    if (pin.motor) {
+      definition.enableMotor = true;
+      definition.motorSpeed = static_cast<float>(pin.motor->speed);
+      definition.maxMotorTorque = static_cast<float>(pin.motor->max_force);
+    }
     b2CreateRevoluteJoint(world_, &definition);
   }
 

@@ -37,7 +37,8 @@ struct MakeBulletShape {
   PlacedShape operator()(const Polygon<double>& polygon) const {
     const Vec2<double> along = polygon.vertices[1] - polygon.vertices[0];
     const Vec2<double> up = polygon.vertices[2] - polygon.vertices[1];
-    const bool is_box = polygon.vertices.size() == 4 && std::abs(along.dot(up)) < 1e-9 * along.norm() * up.norm();
+    const bool is_box =
+        polygon.vertices.size() == 4 && std::abs(along.dot(up)) < 1e-9 * along.norm() * up.norm();
     require(is_box, "Bullet", "shape", "a circle or a rectangle, as it has no others in the plane",
             "another");
     const auto half = [](const Vec2<double>& side) { return static_cast<btScalar>(side.norm() / 2); };
@@ -68,7 +69,7 @@ class BulletEngine final : public Engine {
     world_.setGravity(to_bullet(scene.settings().gravity));
     world_.getSolverInfo().m_numIterations = settings.iterations;
     for (const SceneBody& body : scene.bodies()) add(body);
-    for (const auto& joint : scene.joints()) pin(scene, *joint);
+    for (const Pin& joint : pins_of(scene)) pin(joint);
   }
   ~BulletEngine() override {
     for (const auto& joint : joints_) world_.removeConstraint(joint.get());
@@ -124,7 +125,9 @@ class BulletEngine final : public Engine {
     btRigidBody::btRigidBodyConstructionInfo info(static_cast<btScalar>(body.mass), nullptr, shape_of(spec),
                                                   {0, 0, static_cast<btScalar>(body.inertia)});
     info.m_startWorldTransform = to_bullet(body.pose.position, body.pose.angle);
-    info.m_friction = static_cast<btScalar>(std::sqrt(spec.friction));  // it multiplies those of two bodies
+    // It multiplies those of two bodies.
+    info.m_friction = static_cast<btScalar>(std::sqrt(spec.friction));
+    info.m_restitution = static_cast<btScalar>(std::sqrt(spec.restitution));
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     btRigidBody& made = *bodies_.back();
     made.setLinearFactor({1, 1, 0});
@@ -143,12 +146,25 @@ class BulletEngine final : public Engine {
     const int mask = spec.shapes.empty() ? 0 : static_cast<int>(spec.collides_with);
     world_.addRigidBody(&made, static_cast<int>(spec.category), mask);
   }
-  void pin(const Scene& scene, const Constraint& joint) {
-    const List<Attachment> ends = require_pin(joint, "Bullet").attachments();
-    joints_.push_back(
-        std::make_unique<btPoint2PointConstraint>(*bodies_[ends[0].body], *bodies_[ends[1].body],
-                                                  to_bullet(ends[0].anchor), to_bullet(ends[1].anchor)));
-    world_.addConstraint(joints_.back().get(), keeps_apart(scene, joint));
+  void pin(const Pin& pin) {
+    btRigidBody &a = *bodies_[pin.a], &b = *bodies_[pin.b];
+    const btVector3 at_a = to_bullet(pin.anchor_a), at_b = to_bullet(pin.anchor_b), axis(0, 0, 1);
+    if (pin.motor || pin.lower) {
+      auto hinge = std::make_unique<btHingeConstraint>(a, b, at_a, at_b, axis, axis);
+      // Its angle is that of a, seen from b, and 0 where both have the same; its impulse is that of a step.
+      if (pin.motor) {
+        hinge->enableAngularMotor(true, static_cast<btScalar>(-pin.motor->speed),
+                                  static_cast<btScalar>(pin.motor->max_force) * dt_);
+      }
+      if (pin.lower) {
+        hinge->setLimit(static_cast<btScalar>(-pin.start - *pin.upper),
+                        static_cast<btScalar>(-pin.start - *pin.lower));
+      }
+      joints_.push_back(std::move(hinge));
+    } else {
+      joints_.push_back(std::make_unique<btPoint2PointConstraint>(a, b, at_a, at_b));
+    }
+    world_.addConstraint(joints_.back().get(), !pin.touch);
   }
 
   btScalar dt_;  // [s]
@@ -161,7 +177,7 @@ class BulletEngine final : public Engine {
   List<std::shared_ptr<btCollisionShape>> shapes_ = {};
   PerBody<std::unique_ptr<btRigidBody>> bodies_ = {};
   List<Driven> driven_ = {};
-  List<std::unique_ptr<btPoint2PointConstraint>> joints_ = {};
+  List<std::unique_ptr<btTypedConstraint>> joints_ = {};
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
-// Cairn behind the interface of its peers, and what adapters ask of a joint.
+// Cairn behind the interface of its peers, and its joints in their words.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "../measure.hpp"
@@ -59,6 +60,21 @@ class TimedSolver final : public Solver<double> {
   double seconds_ = 0;
 };
 
+const double far_turned = 1024;  // [rad]: a limit is passed there, and its sum with one is exact to 1e-13
+
+/// The limit that b has passed when it is turned by so much [rad]: the error of its row says how far.
+std::optional<double> limit_of(const Constraint& joint, BodyId b, double turn, PerBody<Pose<double>>& poses) {
+  const double angle = poses[b].angle;
+  poses[b].angle = angle + turn;
+  RowSpecs<double> rows;
+  joint.append_rows(poses, rows);
+  poses[b].angle = angle;
+  for (const RowSpec<double>& row : rows) {
+    if (row.bounds.is_unilateral()) return turn < 0 ? turn - row.error : turn + row.error;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::unique_ptr<Engine> make_cairn(const Scene& scene, const Setting& setting) {
@@ -69,28 +85,41 @@ Phases phases_of_cairn(const Scene& scene, const Setting& setting, int steps) {
   World<double> world(prepared(scene, setting));
   TimedSolver solver(make_solver<double>(setting.solver, setting.sweeps));
   Phases phases = {.parts = {{.name = "solver"}, {.name = "all else"}}};
+  double points = 0;
   for (int step = 0; step < steps; ++step) {
     const double before = solver.seconds();
     const Stopwatch watch;
-    phases.points = world.step(solver).contacts;
+    points += world.step(solver).contacts;
     const double all = watch.seconds(), solved = solver.seconds() - before;
     phases.parts[0].seconds.push_back(solved);
     phases.parts[1].seconds.push_back(all - solved);
   }
+  phases.points = static_cast<int>(std::lround(points / steps));
   return phases;
 }
 
-const RevoluteJoint& require_pin(const Constraint& joint, const std::string& engine) {
-  const auto* pin = dynamic_cast<const RevoluteJoint*>(&joint);
-  require(pin != nullptr && pin->is_free(), engine.c_str(), "joint", "a pin without limits and motor",
-          joint.name());
-  return *pin;
-}
-
-bool keeps_apart(const Scene& scene, const Constraint& joint) {
-  const List<Attachment> ends = joint.attachments();
-  return std::binary_search(scene.apart().begin(), scene.apart().end(),
-                            std::pair<BodyId, BodyId>(std::minmax(ends.front().body, ends.back().body)));
+List<Pin> pins_of(const Scene& scene) {
+  PerBody<Pose<double>> poses;
+  for (const SceneBody& body : scene.bodies()) poses.push_back(body.pose);
+  List<Pin> pins;
+  for (const auto& joint : scene.joints()) {
+    require(dynamic_cast<const RevoluteJoint*>(joint.get()) != nullptr, "the peers", "joint", "a pin",
+            joint->name());
+    const List<Attachment> ends = joint->attachments();
+    Pin pin = {.a = ends.front().body,
+               .b = ends.back().body,
+               .anchor_a = ends.front().anchor,
+               .anchor_b = ends.back().anchor,
+               .motor = joint->motor()};
+    pin.start = poses[pin.b].angle - poses[pin.a].angle;
+    pin.lower = limit_of(*joint, pin.b, -far_turned, poses);
+    pin.upper = limit_of(*joint, pin.b, far_turned, poses);
+    require(pin.lower.has_value() == pin.upper.has_value(), "the peers", "limits", "both or neither", "one");
+    pin.touch = !std::binary_search(scene.apart().begin(), scene.apart().end(),
+                                    std::pair<BodyId, BodyId>(std::minmax(pin.a, pin.b)));
+    pins.push_back(pin);
+  }
+  return pins;
 }
 
 }  // namespace cairn::bench

@@ -6,7 +6,6 @@
 #include <variant>
 
 #include "engine.hpp"
-#include "math/check.hpp"
 
 namespace cairn::bench {
 
@@ -23,26 +22,34 @@ using Owned = std::unique_ptr<T, Free>;
 
 cpVect to_chipmunk(const Vec2<double>& v) { return cpv(v.x(), v.y()); }
 
-struct MakeShape {
+/// One for each shape, and for each link of a chain, which Chipmunk does not have.
+struct MakeShapes {
   cpBody* body;
 
-  cpShape* operator()(const Circle<double>& circle) const {
-    return cpCircleShapeNew(body, circle.radius, to_chipmunk(circle.center));
+  List<cpShape*> operator()(const Circle<double>& circle) const {
+    return {cpCircleShapeNew(body, circle.radius, to_chipmunk(circle.center))};
   }
-  cpShape* operator()(const Polygon<double>& polygon) const {
+  List<cpShape*> operator()(const Polygon<double>& polygon) const {
     List<cpVect> corners;
     for (int i = 0; i < polygon.vertices.size(); ++i) corners.push_back(to_chipmunk(polygon.vertices[i]));
-    return cpPolyShapeNewRaw(body, corners.size(), corners.data(), polygon.radius);
+    return {cpPolyShapeNewRaw(body, corners.size(), corners.data(), polygon.radius)};
   }
-  cpShape* operator()(const Segment<double>& segment) const {
-    return cpSegmentShapeNew(body, to_chipmunk(segment.point1), to_chipmunk(segment.point2), 0);
+  List<cpShape*> operator()(const Segment<double>& segment) const {
+    return {cpSegmentShapeNew(body, to_chipmunk(segment.point1), to_chipmunk(segment.point2), 0)};
   }
-  cpShape* operator()(const Capsule<double>& capsule) const {
-    return cpSegmentShapeNew(body, to_chipmunk(capsule.point1), to_chipmunk(capsule.point2), capsule.radius);
+  List<cpShape*> operator()(const Capsule<double>& capsule) const {
+    return {
+        cpSegmentShapeNew(body, to_chipmunk(capsule.point1), to_chipmunk(capsule.point2), capsule.radius)};
   }
-  cpShape* operator()(const Chain<double>&) const {
-    require(false, "Chipmunk", "shape", "no chain", "one");
-    return nullptr;
+  List<cpShape*> operator()(const Chain<double>& chain) const {
+    List<cpShape*> links;
+    for (int i = 0; i < chain.link_count(); ++i) {
+      links.push_back(
+          cpSegmentShapeNew(body, to_chipmunk(chain.point(i)), to_chipmunk(chain.point(i + 1)), 0));
+      cpSegmentShapeSetNeighbors(links.back(), to_chipmunk(chain.point(i - 1)),
+                                 to_chipmunk(chain.point(i + 2)));
+    }
+    return links;
   }
 };
 
@@ -54,7 +61,7 @@ class ChipmunkEngine final : public Engine {
     cpSpaceSetGravity(space_.get(), to_chipmunk(scene.settings().gravity));
     cpSpaceSetCollisionSlop(space_.get(), 0.005);
     for (const SceneBody& body : scene.bodies()) add(body);
-    for (const auto& joint : scene.joints()) pin(scene, *joint);
+    for (const Pin& joint : pins_of(scene)) pin(joint);
   }
   void step() override { cpSpaceStep(space_.get(), dt_); }
   PerBody<Pose<double>> poses() const override {
@@ -89,20 +96,32 @@ class ChipmunkEngine final : public Engine {
     }
     cpSpaceAddBody(space_.get(), made);
     for (const Shape<double>& shape : spec.shapes) {
-      shapes_.push_back(Owned<cpShape>(std::visit(MakeShape{made}, shape)));
-      cpShape* converted = shapes_.back().get();
-      cpShapeSetFriction(converted, std::sqrt(spec.friction));  // it multiplies those of two shapes
-      cpShapeSetFilter(converted, cpShapeFilterNew(CP_NO_GROUP, spec.category, spec.collides_with));
-      cpSpaceAddShape(space_.get(), converted);
+      for (cpShape* converted : std::visit(MakeShapes{made}, shape)) {
+        shapes_.push_back(Owned<cpShape>(converted));
+        // It multiplies those of two shapes.
+        cpShapeSetFriction(converted, std::sqrt(spec.friction));
+        cpShapeSetElasticity(converted, std::sqrt(spec.restitution));
+        cpShapeSetFilter(converted, cpShapeFilterNew(CP_NO_GROUP, spec.category, spec.collides_with));
+        cpSpaceAddShape(space_.get(), converted);
+      }
     }
   }
-  void pin(const Scene& scene, const Constraint& joint) {
-    const List<Attachment> ends = require_pin(joint, "Chipmunk").attachments();
-    joints_.push_back(
-        Owned<cpConstraint>(cpPivotJointNew2(bodies_[ends[0].body].get(), bodies_[ends[1].body].get(),
-                                             to_chipmunk(ends[0].anchor), to_chipmunk(ends[1].anchor))));
-    cpConstraintSetCollideBodies(joints_.back().get(), keeps_apart(scene, joint) ? cpFalse : cpTrue);
-    cpSpaceAddConstraint(space_.get(), joints_.back().get());
+  /// A pin, its limits and its motor are three constraints.
+  void pin(const Pin& pin) {
+    cpBody *a = bodies_[pin.a].get(), *b = bodies_[pin.b].get();
+    add(cpPivotJointNew2(a, b, to_chipmunk(pin.anchor_a), to_chipmunk(pin.anchor_b)), pin);
+    if (pin.lower) add(cpRotaryLimitJointNew(a, b, pin.start + *pin.lower, pin.start + *pin.upper), pin);
+    if (pin.motor) {
+      // Its speed is that of a, seen from b.
+      cpConstraint* motor = cpSimpleMotorNew(a, b, -pin.motor->speed);
+      cpConstraintSetMaxForce(motor, pin.motor->max_force);
+      add(motor, pin);
+    }
+  }
+  void add(cpConstraint* constraint, const Pin& pin) {
+    joints_.push_back(Owned<cpConstraint>(constraint));
+    cpConstraintSetCollideBodies(constraint, pin.touch ? cpTrue : cpFalse);
+    cpSpaceAddConstraint(space_.get(), constraint);
   }
 
   double dt_;  // [s]

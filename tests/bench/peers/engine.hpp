@@ -2,9 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
-#include "constraints/revolute_joint.hpp"
+#include "constraints/constraint.hpp"
 #include "dynamics/body.hpp"
 #include "math/list.hpp"
 #include "scenes/setting.hpp"
@@ -54,7 +55,7 @@ struct Phase {
 /// Where the time of some steps went.
 struct Phases {
   List<Phase> parts = {};
-  int points = 0;  // of contact, in the last step; only Cairn's are counted
+  int points = 0;  // of contact, in a step on average; only Cairn's are counted
 };
 
 /// The solver, and all else that the steps do.
@@ -68,9 +69,18 @@ std::string box2d_3_version();
 std::string chipmunk_version();
 std::string bullet_version();
 
-/// The pin that a joint is. @throws std::invalid_argument for any other joint: no scene here has one.
-const RevoluteJoint& require_pin(const Constraint& joint, const std::string& engine);
-/// Whether the bodies of a joint must not touch.
-bool keeps_apart(const Scene& scene, const Constraint& joint);
+/// A pin through two bodies, in words that every engine has. Angles are those of b, seen from a.
+struct Pin {
+  BodyId a = {}, b = {};
+  Vec2<double> anchor_a = {0, 0}, anchor_b = {0, 0};  // [m] in the frames of the bodies
+  double start = 0;                                   // [rad] of the scene: from there limits count
+  std::optional<double> lower = {}, upper = {};       // [rad]; both or neither
+  std::optional<JointMotor> motor = {};
+  bool touch = false;  // the bodies may
+};
+
+/// The joints of a scene. @throws std::invalid_argument for one that is no pin, and for one that has a lower
+/// limit or an upper one alone: no scene here has them.
+List<Pin> pins_of(const Scene& scene);
 
 }  // namespace cairn::bench

@@ -21,7 +21,9 @@ double widest_gap(const Scene& scene, const PerBody<Pose<double>>& poses) {
     rows.clear();
     joint->append_rows(poses, rows);
     double sum = 0;
-    for (const RowSpec<double>& row : rows) sum += row.error * row.error;
+    for (const RowSpec<double>& row : rows) {
+      if (row.bounds.is_equality()) sum += row.error * row.error;
+    }
     widest = std::max(widest, std::sqrt(sum));
   }
   return widest;
@@ -39,7 +41,8 @@ double overlap_of(const Snapshot& now, bool& exploded) {
 
 }  // namespace
 
-Ruler::Ruler(const Scene& scene) : scene_(scene), start_(snapshot(World<double>(scene))), now_(start_) {
+Ruler::Ruler(const PeerScene& entry, const Scene& scene)
+    : entry_(entry), scene_(scene), start_(snapshot(World<double>(scene))), now_(start_) {
   for (const BodyId body : start_.bodies.indices()) {
     if (start_.bodies[body].type != BodyType::dynamic) continue;
     const bool higher = start_.bodies[body].pose.position.y() > start_.bodies[top_].pose.position.y();
@@ -49,6 +52,7 @@ Ruler::Ruler(const Scene& scene) : scene_(scene), start_(snapshot(World<double>(
 
 Errors Ruler::errors(const Engine& engine) {
   const PerBody<Pose<double>> poses = engine.poses();
+  const BodyId loose = {poses.size() - entry_.loose};
   Errors result;
   for (const BodyId body : poses.indices()) {
     const Vec2<double>& place = poses[body].position;
@@ -58,10 +62,13 @@ Errors Ruler::errors(const Engine& engine) {
     }
     now_.bodies[body].pose = poses[body];
     const double aside = std::abs(place.x() - start_.bodies[body].pose.position.x());
-    result.aside = std::max(result.aside, aside);
+    if (body < loose) result.aside = std::max(result.aside, aside);
+    const bool moves = start_.bodies[body].type == BodyType::dynamic;
+    if (moves && entry_.outside && entry_.outside(place)) result.outside += 1;
   }
   result.sinking = start_.bodies[top_].pose.position.y() - poses[top_].position.y();
-  result.error = scene_.joints().empty() ? overlap_of(now_, result.exploded) : widest_gap(scene_, poses);
+  result.overlap = overlap_of(now_, result.exploded);
+  result.gap = widest_gap(scene_, poses);
   return result;
 }
 

@@ -1,4 +1,4 @@
-// Pyramids, stacks, chains, grids, heaps and a tumbler. Boxes of pyramids and stacks touch from the start,
+// Pyramids, stacks, chains, grids and heaps. Boxes of pyramids and stacks touch from the start,
 // and side by side too.
 #include "peer_scenes.hpp"
 
@@ -22,25 +22,18 @@ void add_pyramid(Scene& scene, int base, const Vec2<double>& foot) {
   }
 }
 
-Scene pyramid(int base) {
-  Scene scene;
-  scene.add_ground({.half_width = base + 10.0});
-  add_pyramid(scene, base, {0, 0});
-  return scene;
-}
-
-/// On ledges one above the other, ten on each.
-Scene small_pyramids(int ledges) {
+/// With ten boxes at their feet, on ledges one above the other, as many on each as there are ledges.
+Scene many_pyramids(int ledges) {
   const int base = 10;
-  const double width = 11.0 * 10;  // [m]
+  const double apart = base + 1;  // [m]
   Scene scene;
-  BodySpec ground = {.type = BodyType::static_body};
+  BodySpec shelves = {.type = BodyType::static_body};
   for (int i = 0; i < ledges; ++i) {
-    ground.shapes.push_back(segment({-5.0, 11.0 * i}, {width, 11.0 * i}));
+    shelves.shapes.push_back(segment({-apart / 2, apart * i}, {apart * (ledges - 0.5), apart * i}));
   }
-  scene.add(ground);
+  scene.add(shelves);
   for (int i = 0; i < ledges; ++i) {
-    for (int k = 0; k < 10; ++k) add_pyramid(scene, base, {5.0 + 11 * k, 11.0 * i});
+    for (int k = 0; k < ledges; ++k) add_pyramid(scene, base, {apart * k, apart * i});
   }
   return scene;
 }
@@ -124,51 +117,76 @@ Scene bin(int count) {
   return scene;
 }
 
-/// Boxes of 0.25 m in a square drum of 20 m that turns once in 14.4 s.
-Scene tumbler() {
-  Scene scene;
-  scene.add({.type = BodyType::kinematic,
-             .shapes = {moved(box(1, 20), {10, 0}), moved(box(1, 20), {-10, 0}), moved(box(20, 1), {0, 10}),
-                        moved(box(20, 1), {0, -10})},
-             .angular_velocity = 25 * pi / 180});
-  for (int row = 0; row < 25; ++row) {
-    for (int k = 0; k < 40; ++k) {
-      scene.add({.shapes = {box(0.25, 0.25)}, .position = {0.4 * (k - 19.5), 0.4 * (row - 12)}});
-    }
-  }
-  return scene;
-}
+const char* const pile = "boxes of 1 m that touch, in rows of one fewer from row to row";
+const char* const tower = "boxes of 1 m one on the other";
+const char* const net = "discs 1 m apart, pinned to their neighbours, hang from the middle of the top row";
+const char* const fallen = "discs and boxes of 0.5 to 0.9 m fall and come to rest";
 
-}  // namespace
-
-const List<PeerScene>& peer_scenes() {
-  static const List<PeerScene> scenes = {
-      {.name = "pyramid-10", .make = [] { return pyramid(10); }, .stands = true},
+List<PeerScene> standing_scenes() {
+  return {
+      {.name = "pyramid-10", .about = pile, .make = [] { return pyramid(10); }, .stands = true},
       {.name = "pyramid-30",
+       .about = pile,
        .make = [] { return pyramid(30); },
        .stands = true,
        .target = Target{.error = 0.010, .sinking = 0.12}},
       {.name = "pyramid-100",
+       .about = pile,
        .make = [] { return pyramid(100); },
        .stands = true,
        .quick = false,
        .target = Target{.error = 0.050, .sinking = 1}},
-      {.name = "small-pyramids-100",
-       .make = [] { return small_pyramids(10); },
+      {.name = "pyramids-20x20",
+       .about = "400 pyramids of ten rows on 20 ledges",
+       .make = [] { return many_pyramids(20); },
        .stands = true,
-       .quick = false},
-      {.name = "stack-10", .make = [] { return stack(10); }, .stands = true},
+       .steps = 20},
+      {.name = "stack-10", .about = tower, .make = [] { return stack(10); }, .stands = true},
       {.name = "stack-100",
+       .about = tower,
        .make = [] { return stack(100); },
        .stands = true,
        .target = Target{.error = 0.050, .sinking = 1}},
-      {.name = "chain-200", .make = [] { return level_chain(200); }},
-      {.name = "grid-50x50", .make = [] { return joint_grid(50); }, .target = Target{.error = 0.050}},
-      {.name = "heap-1000", .make = [] { return heap(1000); }},
-      {.name = "heap-5000", .make = [] { return heap(5000); }, .quick = false},
-      {.name = "bin-2000", .make = [] { return bin(2000); }, .quick = false},
-      {.name = "tumbler-1000", .make = tumbler, .quick = false},
   };
+}
+
+List<PeerScene> moving_scenes() {
+  return {
+      {.name = "chain-200",
+       .about = "200 rods of 0.5 m in a level row, pinned at one end, fall and swing",
+       .make = [] { return level_chain(200); }},
+      {.name = "grid-50x50",
+       .about = net,
+       .make = [] { return joint_grid(50); },
+       .target = Target{.error = 0.050}},
+      {.name = "grid-100x100", .about = net, .make = [] { return joint_grid(100); }, .steps = 60},
+      {.name = "heap-1000", .about = fallen, .make = [] { return heap(1000); }},
+      {.name = "heap-5000", .about = fallen, .make = [] { return heap(5000); }, .quick = false},
+      {.name = "bin-2000",
+       .about = "discs and boxes fall between two walls",
+       .make = [] { return bin(2000); },
+       .quick = false},
+  };
+}
+
+}  // namespace
+
+Scene pyramid(int base) {
+  Scene scene;
+  scene.add_ground({.half_width = base + 10.0});
+  add_pyramid(scene, base, {0, 0});
+  return scene;
+}
+
+const List<PeerScene>& peer_scenes() {
+  static const List<PeerScene> scenes = [] {
+    List<PeerScene> all;
+    for (const List<PeerScene>& some :
+         {standing_scenes(), moving_scenes(), benchmark_scenes(), mixed_scenes()}) {
+      all.insert(all.end(), some.begin(), some.end());
+    }
+    return all;
+  }();
   return scenes;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 
 #include "../table.hpp"
 
@@ -17,7 +18,8 @@ namespace {
 std::string paired_ratio_cell(const List<double>& times, const List<double>& reference) {
   if (times.empty() || reference.empty()) return "-";
   List<double> ratios;
-  for (int i = 0; i < times.size(); ++i) ratios.push_back(times[i] / reference[i]);
+  for (int i = 0; i < std::min(times.size(), reference.size()); ++i)
+    ratios.push_back(times[i] / reference[i]);
   const Times ratio = times_of(ratios);
   return ratio.noise() > largest_noise ? "noisy" : three_digits(ratio.median);
 }
@@ -36,13 +38,38 @@ List<std::string> time_cells(const List<double>& times, const List<double>& refe
           paired_ratio_cell(times, reference)};
 }
 
-/// The worst error and that of the end, how far the top has sunk, and whether all stands.
-List<std::string> error_cells(const PeerScene& scene, const Finding& finding) {
-  const Errors& end = finding.end;
-  if (end.exploded) return {"explodes", "-", "-", "-"};
-  const std::string stands = !scene.stands ? "-" : end.aside > 0.5 ? "falls" : "yes";
-  return {length_cell(finding.worst), length_cell(end.error),
-          stands == "yes" ? length_cell(end.sinking) : "-", stands};
+/// A column of what was found, where nothing exploded.
+struct Measure {
+  Column column = {};
+  std::function<std::string(const Finding&)> cell = {};
+};
+
+std::string stands_cell(const Finding& finding) { return finding.end.aside > 0.5 ? "falls" : "yes"; }
+
+std::string sinks_cell(const Finding& finding) {
+  return stands_cell(finding) == "yes" ? length_cell(finding.end.sinking) : "-";
+}
+
+/// Of one kind of error: the worst, and that at the end.
+void add_error(const std::string& name, double Finding::*worst, double Errors::*end,
+               List<Measure>& measures) {
+  measures.push_back({{name, "mm, worst"}, [worst](const Finding& f) { return length_cell(f.*worst); }});
+  measures.push_back({{"at the end", "mm"}, [end](const Finding& f) { return length_cell(f.end.*end); }});
+}
+
+/// Those that say something of the scene.
+List<Measure> measures_of(const Task& task) {
+  List<Measure> measures;
+  add_error("overlap", &Finding::worst_overlap, &Errors::overlap, measures);
+  if (!task.scene.joints().empty()) add_error("joint gap", &Finding::worst_gap, &Errors::gap, measures);
+  if (task.entry.stands) {
+    measures.push_back({{"top sinks", "mm"}, sinks_cell});
+    measures.push_back({{"stands", ""}, stands_cell});
+  }
+  if (task.entry.outside) {
+    measures.push_back({{"outside", "bodies"}, [](const Finding& f) { return grouped(f.end.outside); }});
+  }
+  return measures;
 }
 
 /// What takes part in a table, and what was found of it.
@@ -52,33 +79,31 @@ struct Entrants {
   List<std::string> notes = {};  // on those who do not
 };
 
-List<std::string> row(const PeerScene& entry, const Finding& finding, const List<double>& times,
+List<std::string> row(const Finding& finding, const List<Measure>& measures, const List<double>& times,
                       const List<double>& reference) {
-  if (finding.refused) return {"cannot", "-", "-", "-", "-", "-", "-", "-"};
-  if (finding.too_slow) return {"too slow", "-", "-", "-", "-", "-", "-", "-"};
-  List<std::string> cells = time_cells(times, reference);
-  const List<std::string> errors = error_cells(entry, finding);
-  cells.insert(cells.end(), errors.begin(), errors.end());
-  cells.push_back(fmt::format("{:.0f}", finding.bytes / 1024));
+  List<std::string> cells = finding.refused    ? List<std::string>{"cannot", "-", "-"}
+                            : finding.too_slow ? List<std::string>{"too slow", "-", "-"}
+                                               : time_cells(times, reference);
+  const bool ran = !finding.refused && !finding.too_slow;
+  for (const Measure& measure : measures) {
+    cells.push_back(ran && !finding.end.exploded ? measure.cell(finding) : "-");
+  }
+  if (finding.end.exploded) cells.front() = "explodes";
+  cells.push_back(ran ? fmt::format("{:.0f}", finding.bytes / 1024) : "-");
   return cells;
 }
 
 /// Takes the times and prints a line for each.
-void print_rows(const PeerScene& entry, const Scene& scene, const Entrants& entrants,
-                const RunLength& length) {
+void print_rows(const Task& task, const Entrants& entrants) {
   const auto& [contestants, findings, notes] = entrants;
-  const List<List<double>> all_times = times(scene, contestants, findings, length);
-  TextTable table({{"engine", ""},
-                   {"step", "us"},
-                   {"quartiles", "us"},
-                   {"ratio", "to the first"},
-                   {scene.joints().empty() ? "overlap" : "joint gap", "mm, worst"},
-                   {"at the end", "mm"},
-                   {"top sinks", "mm"},
-                   {"stands", ""},
-                   {"memory", "kB"}});
+  const List<List<double>> all_times = times(task, contestants, findings);
+  const List<Measure> measures = measures_of(task);
+  List<Column> columns = {{"engine", ""}, {"step", "us"}, {"quartiles", "us"}, {"ratio", "to the first"}};
+  for (const Measure& measure : measures) columns.push_back(measure.column);
+  columns.push_back({"memory", "kB"});
+  TextTable table(columns);
   for (int i = 0; i < contestants.size(); ++i) {
-    List<std::string> cells = row(entry, findings[i], all_times[i], all_times.front());
+    List<std::string> cells = row(findings[i], measures, all_times[i], all_times.front());
     cells.insert(cells.begin(), contestants[i].name);
     table.add(cells);
   }
@@ -89,22 +114,22 @@ void print_rows(const PeerScene& entry, const Scene& scene, const Entrants& entr
 }
 
 void print_work_in(const PeerScene& entry, const RunLength& length) {
-  const Scene scene = entry.make();
+  const Task task(entry, length);
   Entrants entrants = {.contestants = usual_contestants()};
   for (const Contestant& one : entrants.contestants) {
-    entrants.findings.push_back(find_errors(scene, one, length));
+    entrants.findings.push_back(find_errors(task, one));
     const std::optional<std::string>& refused = entrants.findings.back().refused;
     if (refused) entrants.notes.push_back(*refused);
   }
-  fmt::print("{}: {} bodies, {} joints\n", entry.name, scene.bodies().size() - 1, scene.joints().size());
-  print_rows(entry, scene, entrants, length);
+  fmt::print("{}: {}\n{} bodies, {} joints, {} steps\n", entry.name, entry.about,
+             task.scene.bodies().size() - 1, task.scene.joints().size(), task.length.steps);
+  print_rows(task, entrants);
 }
 
 /// The first setting of a method that reaches the target, or a note that none does.
-void add_cheapest(const Scene& scene, const Method& method, const Target& target, const RunLength& length,
-                  Entrants& entrants) {
+void add_cheapest(const Task& task, const Method& method, const Target& target, Entrants& entrants) {
   for (const Contestant& setting : method) {
-    const Finding finding = find_errors(scene, setting, length, target);
+    const Finding finding = find_errors(task, setting, target);
     if (reaches(finding, target)) {
       entrants.contestants.push_back(setting);
       entrants.findings.push_back(finding);
@@ -120,17 +145,17 @@ void add_cheapest(const Scene& scene, const Method& method, const Target& target
 }
 
 void print_error_in(const PeerScene& entry, const RunLength& length) {
-  const Scene scene = entry.make();
+  const Task task(entry, length);
   const Target& target = *entry.target;
   Entrants entrants;
-  for (const Method& method : methods()) add_cheapest(scene, method, target, length, entrants);
-  fmt::print("{}: {} at most {:g} mm", entry.name, scene.joints().empty() ? "overlap" : "joint gap",
+  for (const Method& method : methods()) add_cheapest(task, method, target, entrants);
+  fmt::print("{}: {} at most {:g} mm", entry.name, task.scene.joints().empty() ? "overlap" : "joint gap",
              1e3 * target.error);
   if (target.sinking > 0) {
     fmt::print(", the top sinks or rises at most {:g} m, nothing goes more than 0.5 m aside", target.sinking);
   }
   fmt::print("\n");
-  print_rows(entry, scene, entrants, length);
+  print_rows(task, entrants);
 }
 
 }  // namespace
@@ -138,14 +163,13 @@ void print_error_in(const PeerScene& entry, const RunLength& length) {
 void print_equal_work(const List<PeerScene>& scenes, const RunLength& length) {
   print_heading("1. Equal work: every engine as it comes");
   fmt::print(
-      "Settings that users begin with. They are not equally hard work, so read times beside errors. A ratio\n"
-      "above 1 is slower than the first line. Overlap (or joint gap) is the worst of every tenth step, "
-      "measured\n"
-      "by Cairn for all engines alike, without the skins that some engines add: their piles rise at first. A "
-      "pile\n"
-      "falls when a body has gone more than 0.5 m aside. Memory is what is on the heap at the end. Too slow: "
-      "a run\n"
-      "took more than {:g} s, and was broken off.\n\n",
+      "Settings that users begin with. They are not equally hard work, so read times beside errors. A\n"
+      "ratio above 1 is slower than the first line. Overlaps and gaps of joints are the worst of every\n"
+      "tenth step, measured by Cairn for all engines alike, without the skins that some engines add: their\n"
+      "piles rise at first. A pile falls when a body has gone more than 0.5 m aside. Outside are the bodies\n"
+      "that are behind a wall at the end. Memory is what is on the heap then. Too slow: a run took more\n"
+      "than {:g} s, and was broken off. Where all runs of a line would take longer than that, there are\n"
+      "fewer, and where two would, its time is that of the run whose errors were measured.\n\n",
       length.most);
   for (const PeerScene& scene : scenes) print_work_in(scene, length);
 }

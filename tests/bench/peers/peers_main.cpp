@@ -1,7 +1,7 @@
 // Cairn beside its peers: what a step costs, and what it is worth.
-//   bash tests/run bench peers           the small scenes, 250 steps each: some minutes
-//   bash tests/run bench peers --whole   all scenes, 500 steps each: about two hours
-//   cairn_peers [--whole] [SCENE...]     some scenes
+//   bash tests/run bench peers            the small scenes, at most 250 steps each: half an hour
+//   bash tests/run bench peers --whole    all scenes, at most 500 steps each: some hours
+//   bash tests/run bench peers SCENE...   these alone
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace cairn::bench {
 
 namespace {
 
-const RunLength quick = {.steps = 250, .repetitions = 5, .most = 10};
+const RunLength quick = {.steps = 250, .repetitions = 5, .most = 7};
 const RunLength whole = {.steps = 500, .repetitions = 5, .most = 60};
 
 /// The scenes that were named, or else those of the length. @returns none for a name that is no scene.
@@ -45,11 +45,10 @@ int compare(List<std::string> words) {
   print_machine();
   for (const std::string& line : engine_lines()) fmt::print("{}\n", line);
   fmt::print(
-      "Processor times of one thread, medians of {} runs in turn; {} steps of 1/60 s, the first tenth warms "
-      "up.\n"
-      "A ratio is \"noisy\" where its quartiles are more than {:.0f} % apart. Sleeping and continuous "
-      "collision are\n"
-      "off. Chipmunk says itself whether its assertions are on.\n",
+      "Processor times of one thread, medians of at most {} runs in turn; at most {} steps of 1/60 s, of\n"
+      "which the first tenth warms up. A ratio is \"noisy\" where its quartiles are more than {:.0f} %\n"
+      "apart. Sleeping and continuous collision are off. Chipmunk says itself whether its assertions are\n"
+      "on.\n",
       length.repetitions, length.steps, 100 * largest_noise);
   if (!adapters_agree()) return 1;
   print_equal_work(scenes, length);
