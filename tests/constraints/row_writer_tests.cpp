@@ -21,7 +21,7 @@ struct Stage {
   PerBody<Pose<double>> ahead;
   List<std::shared_ptr<const Constraint>> joints;
 
-  explicit Stage(int seed) {
+  explicit Stage(unsigned seed) {
     test::Random random(seed);
     start = random_poses(random);
     begin.pose = ahead = start;
@@ -180,7 +180,7 @@ RowWriting<double> writing_of(Stage& stage, int& next) {
 
 TEST_CASE("a row is written as its joint states it, with the law of its pass") {
   using enum StabilizationPolicy;
-  for (int seed = 1; seed <= 5; ++seed) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
     const Stage stage(seed);
     for (const StabilizationPolicy policy : {none, baumgarte, relaxed, soft, split_impulse}) {
       for (const auto pass : {StabilizationPass::velocity, StabilizationPass::position}) {
@@ -195,7 +195,7 @@ TEST_CASE("a row is written as its joint states it, with the law of its pass") {
 }
 
 TEST_CASE("a row that follows an arc is asked for less by what its Jacobian leaves out of the arc") {
-  for (int seed = 1; seed <= 5; ++seed) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
     Stage stage(seed);
     for (const auto& joint : stage.joints) {
       CAPTURE(joint->name());
