@@ -59,6 +59,7 @@ nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
                {"row_updates", result.row_updates},
                {"unfinished_steps", result.unfinished_steps},
                {"unfinished_residual", result.unfinished_residual},
+               {"last_residual", result.worst_residual ? Json(*result.worst_residual) : Json(nullptr)},
                {"penetration_m", result.worst_penetration},
                {"penetration_worst", worst_json(scene, result.worst_penetration, result.penetration_worst)},
                {"drift_m_or_rad", result.worst_drift},

@@ -45,6 +45,13 @@ std::string unfinished_text(const TrialResult& result) {
                      result.unfinished_residual);
 }
 
+/// "R_E 0.23 in the last step"; nothing where its sweeps came near their end.
+std::string left_text(const TrialResult& result) {
+  constexpr double far_from_the_end = 0.1;
+  if (result.unfinished_steps > 0 || !(result.worst_residual.value_or(0) > far_from_the_end)) return "";
+  return fmt::format("R_E {:.2g} in the last step: more sweeps would change it", *result.worst_residual);
+}
+
 bool is_missed(const SceneRun& run, const std::string& name) {
   for (const std::string& missed : run.missed) {
     if (missed.rfind(name, 0) == 0) return true;
@@ -191,6 +198,7 @@ void print_run(const SceneEntry& scene, const SceneRun& run, Console& console) {
                          1e3 * result.step_seconds / std::max(1, result.steps), real_time));
   print_line(console, "row updates", count_text(result.row_updates));
   if (result.unfinished_steps > 0) print_line(console, "unfinished solves", unfinished_text(result));
+  if (const std::string left = left_text(result); !left.empty()) print_line(console, "left undone", left);
   print_overlap_and_drift(scene, run, console);
   print_line(console, "energy scale", fmt::format("{:.3g} J", result.energy_scale));
   print_measure(console, run, "energy gain", percent(result.energy_gain) + " %",
@@ -224,6 +232,8 @@ void print_runs(const SceneEntry& scene, const List<SceneRun>& runs, Console& co
     }
     if (run.result.unfinished_steps > 0)
       console.result(contestant_label(run.setting) + ": unfinished solves " + unfinished_text(run.result));
+    if (const std::string left = left_text(run.result); !left.empty())
+      console.result(contestant_label(run.setting) + ": left undone " + left);
     for (const Failure& failure : run.result.failures) {
       const std::string text = failure_text(failure, scene.body_names);
       console.result(wrapped(contestant_label(run.setting) + ": " + text, run_columns, 2));

@@ -104,6 +104,7 @@ SceneRun run_scene(const SceneEntry& scene, const Setting& setting, const RunWis
   RunKeeper keeper(setting, wish, run);
   TrialOptions options = trial_options(scene);
   options.seconds = wish.seconds;
+  options.residual = ResidualMeasure::last_step;
   const double steps = std::round(wish.seconds / setting.dt);
   require(steps >= 1, scene.name, "seconds", fmt::format("at least a step of {:g} s", setting.dt),
           wish.seconds);

@@ -64,7 +64,7 @@ class Trial {
 
   void run(int steps, double dt) {
     while (result_.steps < steps && result_.status == TrialStatus::ok) {
-      if (!step()) break;
+      if (!step(result_.steps + 1 == steps)) break;
       result_.steps += 1;
       result_.seconds = result_.steps * dt;
       measure(contestant_.snapshot(), result_.steps == steps);
@@ -82,10 +82,10 @@ class Trial {
 
  private:
   /// False: the solver has refused.
-  bool step() {
+  bool step(bool is_last) {
     try {
       do_events();
-      measure_ahead();
+      measure_ahead(is_last);
       const double before = options_.clock();
       contestant_.step();
       result_.step_seconds += options_.clock() - before;
@@ -106,8 +106,9 @@ class Trial {
     watch_.scene_changed(now);
   }
 
-  void measure_ahead() {
+  void measure_ahead(bool is_last) {
     if (options_.residual == ResidualMeasure::off) return;
+    if (options_.residual == ResidualMeasure::last_step && !is_last) return;
     const std::optional<double> residual = contestant_.residual_ahead();
     if (!residual) return;
     residual_sum_ += *residual;

@@ -26,8 +26,8 @@ enum class TrialStatus {
 /// "ok", "diverged", "nan", "refused" or "timeout".
 std::string status_text(TrialStatus status);
 
-/// Whether R_E is measured in every step, which takes a second solve of each.
-enum class ResidualMeasure { off, every_step };
+/// In which steps R_E is measured, which takes a second solve of each.
+enum class ResidualMeasure { off, last_step, every_step };
 
 /// Seconds of processor time that this thread has used.
 double thread_cpu_seconds();
