@@ -20,6 +20,7 @@ constexpr int most_rounds = 32;
 template <Scalar Real>
 struct Gap {
   Vec2<Real> normal = {0, 1};  // unit, from a to b
+  Real cores = 0;              // [m] between the cores, without what rounds them
   Real separation = 0;         // [m] along the normal: no more than between their nearest points
 };
 
@@ -37,38 +38,46 @@ void shorten(const RoundedHull<Real>& from, const RoundedHull<Real>& to, Vec2<Re
   }
 }
 
+/// Along the normal of the face that parts two hulls most; none has a face: they are infinitely deep.
 template <Scalar Real>
-Gap<Real> gap_between(const RoundedHull<Real>& a, const RoundedHull<Real>& b, Real rounding) {
-  const Real radii = a.radius + b.radius;
+Gap<Real> widest_gap(const RoundedHull<Real>& a, const RoundedHull<Real>& b) {
   const FaceQuery<Real> on_a = farthest_face(a, b), on_b = farthest_face(b, a);
   const Real separation = std::max(on_a.separation, on_b.separation);
-  Gap<Real> gap{.separation = std::max(separation, -rounding) - radii};
-  if (std::isfinite(separation)) {
-    const bool is_on_a = on_a.separation >= on_b.separation;
-    gap.normal = is_on_a ? a.normal(on_a.face) : Vec2<Real>(-b.normal(on_b.face));
-    gap.separation = separation - radii;
-    if (separation <= rounding) return gap;
-  }
+  if (!std::isfinite(separation)) return {.separation = -std::numeric_limits<Real>::infinity()};
+  const bool is_on_a = on_a.separation >= on_b.separation;
+  return {.normal = is_on_a ? a.normal(on_a.face) : Vec2<Real>(-b.normal(on_b.face)),
+          .cores = separation,
+          .separation = separation - (a.radius + b.radius)};
+}
+
+/// Of two hulls that this gap parts: between their nearest points, if their cores are apart.
+template <Scalar Real>
+Gap<Real> nearest_gap(const RoundedHull<Real>& a, const RoundedHull<Real>& b, Real rounding,
+                      const Gap<Real>& widest) {
+  const Real radii = a.radius + b.radius;
+  const bool has_face = std::isfinite(widest.separation);
+  if (has_face && widest.cores <= rounding) return widest;
   Vec2<Real> way = b.vertex(0) - a.vertex(0), back = -way;
   shorten(a, b, way);
   shorten(b, a, back);
   if (back.squaredNorm() < way.squaredNorm()) way = -back;
   const Real distance = hypotenuse(way.x(), way.y());
-  if (distance <= rounding) return gap;
-  return {.normal = way / distance, .separation = distance - radii};
+  if (distance > rounding) return {.normal = way / distance, .separation = distance - radii};
+  return has_face ? widest : Gap<Real>{.separation = -rounding - radii};
 }
 
 }  // namespace
 
 template <Scalar Real>
 Frame<Real> Course<Real>::at(Real time) const {
+  if (frame && time == 0) return *frame;
   return Pose<Real>{pose.position + time * velocity.template head<2>(), pose.angle + time * velocity.z()};
 }
 
 template <Scalar Real>
 Approach<Real> approach(const Shape<Real>& a, const std::type_identity_t<Course<Real>>& course_a,
                         const Shape<Real>& b, const std::type_identity_t<Course<Real>>& course_b, Real time,
-                        Real near) {
+                        Real near, Real far) {
   const Vec2<Real> parting = (course_b.velocity - course_a.velocity).template head<2>();
   const Real turning =
       std::abs(course_a.velocity.z()) * course_a.radius + std::abs(course_b.velocity.z()) * course_b.radius;
@@ -78,9 +87,13 @@ Approach<Real> approach(const Shape<Real>& a, const std::type_identity_t<Course<
     const RoundedHull<Real> hull_a = rounded_hull(a, frame_a, frame_a.position);
     const RoundedHull<Real> hull_b = rounded_hull(b, frame_b, frame_a.position);
     const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * (hull_a.extent + hull_b.extent);
-    const Gap<Real> gap = gap_between(hull_a, hull_b, rounding);
+    const auto closing_along = [&](const Gap<Real>& gap) { return turning - gap.normal.dot(parting); };
+    const Gap<Real> widest = widest_gap(hull_a, hull_b);
+    const Real way = std::max(closing_along(widest), Real(0)) * (time - met.time);
+    if (widest.separation - way > far + rounding) return {met.time, widest.separation};
+    const Gap<Real> gap = nearest_gap(hull_a, hull_b, rounding, widest);
     met.separation = gap.separation;
-    const Real closing = turning - gap.normal.dot(parting);
+    const Real closing = closing_along(gap);
     if (met.separation <= near || !(closing > 0) || !(met.time < time)) return met;
     if (round == most_rounds) return {met.time, near};
     met.time = std::min(time, met.time + (met.separation - near / 2) / closing);
@@ -91,11 +104,11 @@ template struct Course<float>;
 template struct Course<double>;
 template struct Course<long double>;
 template Approach<float> approach(const Shape<float>&, const Course<float>&, const Shape<float>&,
-                                  const Course<float>&, float, float);
+                                  const Course<float>&, float, float, float);
 template Approach<double> approach(const Shape<double>&, const Course<double>&, const Shape<double>&,
-                                   const Course<double>&, double, double);
+                                   const Course<double>&, double, double, double);
 template Approach<long double> approach(const Shape<long double>&, const Course<long double>&,
                                         const Shape<long double>&, const Course<long double>&, long double,
-                                        long double);
+                                        long double, long double);
 
 }  // namespace cairn

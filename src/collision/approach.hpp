@@ -1,6 +1,7 @@
 // Floor 2. When two shapes that move come near each other.
 #pragma once
 
+#include <limits>
 #include <type_traits>
 
 #include "geometry/shape.hpp"
@@ -13,6 +14,7 @@ struct Course {
   Pose<Real> pose = {};                      // of its centre of mass now
   Vec3<Real> velocity = Vec3<Real>::Zero();  // [m/s, m/s, rad/s]
   Real radius = 0;                           // [m] of a circle about that centre around the shape's core
+  const Frame<Real>* frame = nullptr;        // of the pose, where somebody knows it: it must outlive this
 
   /// Where it is after `time` [s].
   Frame<Real> at(Real time) const;
@@ -26,12 +28,13 @@ struct Approach {
 };
 
 /// The first time within `time` [s] at which the two are no more than `near` [m] (> 0) apart. If there is
-/// none, `time`, or one at which they part. By conservative advancement along the
-/// line between the nearest points, which is Newton's method where nothing turns
-/// (B. Mirtich, Impulse-based Dynamic Simulation, 1996).
+/// none, `time`, or one at which they part, or at which it is plain that they will be no nearer than `far`
+/// [m], above near, all the while: then with no more than they are apart. By conservative advancement along
+/// the line between the nearest points, which is Newton's method where nothing turns (B. Mirtich,
+/// Impulse-based Dynamic Simulation, 1996).
 template <Scalar Real>
 Approach<Real> approach(const Shape<Real>& a, const std::type_identity_t<Course<Real>>& course_a,
                         const Shape<Real>& b, const std::type_identity_t<Course<Real>>& course_b, Real time,
-                        Real near);
+                        Real near, Real far = std::numeric_limits<Real>::infinity());
 
 }  // namespace cairn

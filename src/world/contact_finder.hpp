@@ -35,6 +35,7 @@ class ContactFinder {
   void find_with_others(const Find& find);
   void locate_bodies();
   void look_ahead(Real time);
+  typename LookAhead<Real>::Places places() const { return {step_.state.pose, cache_.frames_}; }
   Real travel(const ContactSlot<Real>& slot) const;
   bool is_slow(const ContactSlot<Real>& slot, Real travel) const;
   Real nearness(const ContactSlot<Real>& slot) const;

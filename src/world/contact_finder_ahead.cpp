@@ -43,7 +43,7 @@ void ContactFinder<Real>::look_ahead(Real time) {
 template <Scalar Real>
 Real ContactFinder<Real>::travel(const ContactSlot<Real>& slot) const {
   return cache_.outlook_.travel((*cache_.colliders_)[slot.collider_a], (*cache_.colliders_)[slot.collider_b],
-                                step_.state.pose);
+                                places());
 }
 
 /// [m] What a manifold may be off by.
@@ -74,16 +74,14 @@ Manifold<Real> ContactFinder<Real>::manifold_ahead(const ContactSlot<Real>& slot
   const Collider &a = (*cache_.colliders_)[slot.collider_a], &b = (*cache_.colliders_)[slot.collider_b];
   const Real room = static_cast<Real>(*step_.plan.settings.speculative_margin);
   Manifold<Real> manifold;
-  cache_.outlook_.for_each_course(a, b, step_.state.pose,
-                                  [&](const Course<Real>& of_a, const Course<Real>& of_b) {
-                                    if (manifold.count == 0)
-                                      manifold = manifold_of_touch(slot, of_a, of_b, room, margin);
-                                  });
+  cache_.outlook_.for_each_course(a, b, places(), [&](const Course<Real>& of_a, const Course<Real>& of_b) {
+    if (manifold.count == 0) manifold = manifold_of_touch(slot, of_a, of_b, room, margin);
+  });
   const Real leeway =
       cache_.outlook_.time() * (cache_.outlook_.leeway(slot.a) + cache_.outlook_.leeway(slot.b));
   if (manifold.count == 0 && leeway > 0) {
     std::pair<Course<Real>, Course<Real>> last;
-    cache_.outlook_.for_each_course(a, b, step_.state.pose,
+    cache_.outlook_.for_each_course(a, b, places(),
                                     [&last](const Course<Real>& of_a, const Course<Real>& of_b) {
                                       last = {of_a, of_b};
                                     });
@@ -103,7 +101,8 @@ Manifold<Real> ContactFinder<Real>::manifold_of_touch(const ContactSlot<Real>& s
   const ColliderForm<Real>& form_b = *(*cache_.colliders_)[slot.collider_b].form;
   const Real near = nearness(slot), most = form_a.radius + form_b.radius + std::max(room, near);
   if (least_distance(a, b, cache_.outlook_.time()) > most) return {};
-  const Approach<Real> met = approach(*form_a.shape, a, *form_b.shape, b, cache_.outlook_.time(), near);
+  const Approach<Real> met =
+      approach(*form_a.shape, a, *form_b.shape, b, cache_.outlook_.time(), near, std::max(room, near));
   if (met.separation > near && met.separation >= room) return {};
   const Frame<Real> then_a = a.at(met.time), then_b = b.at(met.time);
   Manifold<Real> manifold = collide_slot(slot, then_a, then_b, margin);

@@ -77,10 +77,9 @@ bool LookAhead<Real>::meet(int i, int j) const {
 }
 
 template <Scalar Real>
-Real LookAhead<Real>::travel(const Collider<Real>& a, const Collider<Real>& b,
-                             const PerBody<Pose<Real>>& poses) const {
+Real LookAhead<Real>::travel(const Collider<Real>& a, const Collider<Real>& b, const Places& places) const {
   Real most = 0;  // [m/s]
-  for_each_course(a, b, poses, [&most](const Course<Real>& one, const Course<Real>& other) {
+  for_each_course(a, b, places, [&most](const Course<Real>& one, const Course<Real>& other) {
     const Vec2<Real> way = (other.velocity - one.velocity).template head<2>();
     const Real turn_one = one.velocity.z(), turn_other = other.velocity.z();
     Real speed = way.norm() + std::abs(turn_one) * one.radius + std::abs(turn_other) * other.radius;

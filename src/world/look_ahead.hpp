@@ -17,6 +17,12 @@ class LookAhead {
  public:
   /// For so many bodies and shapes.
   void take_room(int bodies, int shapes);
+  /// Where bodies are now.
+  struct Places {
+    const PerBody<Pose<Real>>& poses;
+    const PerBody<Frame<Real>>& frames;  // of these poses
+  };
+
   /// The crowd has come along for `time` [s] with the velocities of now.
   void follow_crowd(const List<Collider<Real>>& colliders, const PerBody<Vec3<Real>>& velocity, Real time);
   /// Bodies go on for `time` [s] with the velocities that are written here; nothing stops them.
@@ -53,16 +59,16 @@ class LookAhead {
 
   /// [m] How far a point of one surface may come beside the other: as seen by who does not turn, or by who
   /// turns with one of the two. What turns together does not come any closer.
-  Real travel(const Collider<Real>& a, const Collider<Real>& b, const PerBody<Pose<Real>>& poses) const;
+  Real travel(const Collider<Real>& a, const Collider<Real>& b, const Places& places) const;
   /// Calls visit(course_a, course_b) for what two shapes may do: each going on, and each as it is stopped.
   template <typename Visit>
-  void for_each_course(const Collider<Real>& a, const Collider<Real>& b, const PerBody<Pose<Real>>& poses,
+  void for_each_course(const Collider<Real>& a, const Collider<Real>& b, const Places& places,
                        const Visit& visit) const {
     for (const PerBody<Vec3<Real>>* of_a : {&alone_, &stopped_}) {
       if (of_a == &stopped_ && !is_stopped(a.body)) continue;
       for (const PerBody<Vec3<Real>>* of_b : {&alone_, &stopped_}) {
         if (of_b == &stopped_ && !is_stopped(b.body)) continue;
-        visit(course(a, poses, *of_a), course(b, poses, *of_b));
+        visit(course(a, places, *of_a), course(b, places, *of_b));
       }
     }
   }
@@ -76,9 +82,10 @@ class LookAhead {
   };
 
   /// What turning moves of a shape lies in the circle around its core.
-  static Course<Real> course(const Collider<Real>& it, const PerBody<Pose<Real>>& poses,
+  static Course<Real> course(const Collider<Real>& it, const Places& places,
                              const PerBody<Vec3<Real>>& velocity) {
-    return {poses[it.body], velocity[it.body], it.form->radius - it.form->core_radius};
+    return {places.poses[it.body], velocity[it.body], it.form->radius - it.form->core_radius,
+            &places.frames[it.body]};
   }
   Sweep sweep(const Collider<Real>& it) const;
 

@@ -229,7 +229,8 @@ void LaneSystem<Real>::give(ContactProblem<Real>& contacts) const {
 
 template <Scalar Real>
 bool LaneSystem<Real>::is_worth_taking(Real change, Real path) const {
-  if (!(change <= 1024 * static_cast<Real>(std::numeric_limits<Number>::epsilon()) * path)) return false;
+  if (!(path > 0) || !(change <= 1024 * static_cast<Real>(std::numeric_limits<Number>::epsilon()) * path))
+    return false;
   Real largest = batches_.counts().contact_batches > 0 ? contacts_.largest_impulse() : Real(0);
   for (const Real impulse : impulse_) largest = std::max(largest, std::abs(impulse));
   return path > 16 * std::numeric_limits<Real>::epsilon() * largest;
