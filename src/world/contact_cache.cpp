@@ -91,6 +91,7 @@ ContactCache<Real>::ContactCache(List<Collider<Real>> colliders, const Scene& sc
   graph_ = ContactGraph<Real>(plan.broadphase, movable_, plan.moves_manifolds);
   frames_.resize(scene.bodies().size());
   outlook_.take_room(scene.bodies().size(), colliders_->size());
+  rounds_.last.assign(scene.bodies().size(), 0);
 }
 
 template <Scalar Real>

@@ -34,6 +34,28 @@ class ContactWriter {
   RowRule<Real> rule_;
 };
 
+/// What rounds of looking ahead have seen, so that one looks at those pairs alone whose bodies go on in
+/// another way than when the round before looked at them.
+template <Scalar Real>
+struct Rounds {
+  /// Of a slot, when it was looked at last.
+  struct Sight {
+    int collider_a = -1;   // of the pair that had the slot then
+    int collider_b = -1;   // likewise
+    int round = -1;        // the number of the round
+    int changes = -1;      // how many there had been
+    int manifold = -1;     // the number of its manifold in that round; below 0: none
+    bool is_slow = false;  // ContactFinder::is_slow()
+  };
+
+  int round = 0;                        // the number of this one
+  int changes = 0;                      // of how bodies go on
+  int first = 0;                        // the change with which this search began
+  PerBody<int> last = {};               // change of each body
+  List<Sight> sights = {};              // of each slot
+  List<Manifold<Real>> manifolds = {};  // of the round before
+};
+
 /// The shapes of a world, which pairs of them are near, what touches, and what the rows of contacts gave.
 /// Manifolds lie in a StepRecord, in the order in which contacts are solved.
 template <Scalar Real>
@@ -100,6 +122,7 @@ class ContactCache {
   List<char> movable_;           // of each collider: not of a pair where neither is
   PerBody<Frame<Real>> frames_;  // where contacts were sought
   LookAhead<Real> outlook_;      // over the time for which they are sought
+  Rounds<Real> rounds_;          // of looking ahead
 };
 
 }  // namespace cairn

@@ -78,10 +78,7 @@ void ContactFinder<Real>::meet_all() {
                        [this](int i, int j) { return cache_.may_meet(step_.scene, i, j); });
   record_.sensed.clear();
   cache_.candidates_.clear();
-  if (!step_.plan.moves_manifolds) {
-    record_.manifolds.clear();
-    cache_.touching_.clear();
-  }
+  if (!step_.plan.moves_manifolds) begin_round();
   for (NearSlot& near : cache_.graph_.order()) {
     Deadline::go_on();
     meet(near);
@@ -102,20 +99,32 @@ void ContactFinder<Real>::move() {
 template <Scalar Real>
 void ContactFinder<Real>::put_manifolds() {
   find_with_others([this] {
-    record_.manifolds.clear();
-    cache_.touching_.clear();
-    for (const int number : cache_.candidates_) touch(number, moved_manifold(number));
+    begin_round();
+    for (const int number : cache_.candidates_) {
+      if (cache_.graph_.lasting(number).is_found) {
+        touch(number, moved_manifold(number));
+      } else {
+        touch_ahead(number);
+      }
+    }
   });
+}
+
+/// Nothing touches yet.
+template <Scalar Real>
+void ContactFinder<Real>::begin_round() {
+  std::swap(record_.manifolds, cache_.rounds_.manifolds);
+  cache_.rounds_.round += 1;
+  record_.manifolds.clear();
+  cache_.touching_.clear();
 }
 
 /// The manifold of a slot where its bodies are now.
 template <Scalar Real>
 Manifold<Real> ContactFinder<Real>::moved_manifold(int number) {
   const ContactSlot<Real>& slot = cache_.graph_[number];
-  const LastingManifold<Real>& lasting = cache_.graph_.lasting(number);
-  if (!lasting.is_found) return manifold_ahead(slot);
-  Manifold<Real> manifold =
-      lasting.manifold.at(cache_.frames_[slot.a], cache_.frames_[slot.b], margin_for(slot, travel(slot)));
+  Manifold<Real> manifold = cache_.graph_.lasting(number).manifold.at(
+      cache_.frames_[slot.a], cache_.frames_[slot.b], margin_for(slot, travel(slot)));
   manifold.collider_a = slot.collider_a;
   manifold.collider_b = slot.collider_b;
   return manifold;
@@ -209,12 +218,12 @@ void ContactFinder<Real>::meet(NearSlot& near) {
     return;
   }
   if (!step_.plan.moves_manifolds) {
-    touch(number, manifold_ahead(slot));
+    touch_ahead(number);
     return;
   }
   const LastingManifold<Real>& lasting = cache_.graph_.lasting(number);
   if (!has_lasting_manifold(number)) find_lasting_manifold(number);
-  if (!lasting.is_found) manifold_ahead(slot);  // which tells of whom it stops
+  if (!lasting.is_found && !is_slow(slot, travel(slot))) stop(slot, manifold_ahead(slot, travel(slot)));
   if (!lasting.is_found || lasting.manifold.count > 0) {
     cache_.candidates_.push_back(number);
   } else {

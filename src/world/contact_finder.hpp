@@ -42,9 +42,11 @@ class ContactFinder {
   Real margin_for(const ContactSlot<Real>& slot, Real travel) const;
   void stop(const ContactSlot<Real>& slot, const Manifold<Real>& manifold);
   void meet(NearSlot& near);
+  void begin_round();
   void touch(int slot, const Manifold<Real>& manifold);
+  void touch_ahead(int slot);
   Manifold<Real> moved_manifold(int slot);
-  Manifold<Real> manifold_ahead(const ContactSlot<Real>& slot);
+  Manifold<Real> manifold_ahead(const ContactSlot<Real>& slot, Real travel);
   Manifold<Real> manifold_of_touch(const ContactSlot<Real>& slot, const Course<Real>& a,
                                    const Course<Real>& b, Real room, Real margin) const;
   Manifold<Real> collide_slot(const ContactSlot<Real>& slot, const Frame<Real>& frame_a,

@@ -37,6 +37,7 @@ void ContactFinder<Real>::look_ahead(Real time) {
   velocity = step_.state.velocity;
   step_.add_forces(velocity, (time + step_.dt) / 2);
   cache_.outlook_.stop_nobody();
+  cache_.rounds_.first = ++cache_.rounds_.changes;
 }
 
 /// [m] How far two shapes may come beside each other.
@@ -65,10 +66,38 @@ Real ContactFinder<Real>::margin_for(const ContactSlot<Real>& slot, Real travel)
   return is_slow(slot, travel) ? margin : margin + 2 * travel;
 }
 
-/// The manifold of a pair in the time that is looked ahead for.
+/// Takes the manifold of a pair in the time that is looked ahead for into the step. It is that of the round
+/// before, where both bodies go on as they did then.
 template <Scalar Real>
-Manifold<Real> ContactFinder<Real>::manifold_ahead(const ContactSlot<Real>& slot) {
-  const Real way = travel(slot);
+void ContactFinder<Real>::touch_ahead(int number) {
+  const ContactSlot<Real>& slot = cache_.graph_[number];
+  Rounds<Real>& rounds = cache_.rounds_;
+  if (number >= rounds.sights.size()) rounds.sights.resize(number + 1);
+  auto& sight = rounds.sights[number];
+  const bool is_same = sight.collider_a == slot.collider_a && sight.collider_b == slot.collider_b;
+  const bool goes_on = is_same && sight.round == rounds.round - 1 && sight.changes >= rounds.first &&
+                       rounds.last[slot.a] <= sight.changes && rounds.last[slot.b] <= sight.changes;
+  Manifold<Real> manifold;
+  if (!goes_on) {
+    const Real way = travel(slot);
+    sight.is_slow = is_slow(slot, way);
+    manifold = manifold_ahead(slot, way);
+  } else if (sight.manifold >= 0) {
+    manifold = rounds.manifolds[sight.manifold];
+  }
+  sight = {.collider_a = slot.collider_a,
+           .collider_b = slot.collider_b,
+           .round = rounds.round,
+           .changes = rounds.changes,
+           .manifold = manifold.count > 0 ? record_.manifolds.size() : -1,
+           .is_slow = sight.is_slow};
+  if (!sight.is_slow) stop(slot, manifold);
+  touch(number, manifold);
+}
+
+/// The same of a pair that comes so far.
+template <Scalar Real>
+Manifold<Real> ContactFinder<Real>::manifold_ahead(const ContactSlot<Real>& slot, Real way) {
   const Real margin = margin_for(slot, way);
   if (is_slow(slot, way)) return collide_slot(slot, cache_.frames_[slot.a], cache_.frames_[slot.b], margin);
   const Collider &a = (*cache_.colliders_)[slot.collider_a], &b = (*cache_.colliders_)[slot.collider_b];
@@ -87,7 +116,6 @@ Manifold<Real> ContactFinder<Real>::manifold_ahead(const ContactSlot<Real>& slot
                                     });
     manifold = manifold_of_touch(slot, last.first, last.second, room + leeway, margin);
   }
-  stop(slot, manifold);
   return manifold;
 }
 
@@ -145,8 +173,13 @@ void ContactFinder<Real>::stop(const ContactSlot<Real>& slot, const Manifold<Rea
     const Vec3<Real> pull_a = light_a.cwiseProduct(push_a), pull_b = light_b.cwiseProduct(push_b);
     const Real rebound = slot.restitution > 0 ? -(1 + slot.restitution) * parting : Real(0);
     const Real impulse = std::max(missing, rebound) / (dot(push_a, pull_a) + dot(push_b, pull_b));
-    if (!light_a.isZero(0)) cache_.outlook_.stop(slot.a, impulse * pull_a);
-    if (!light_b.isZero(0)) cache_.outlook_.stop(slot.b, impulse * pull_b);
+    const auto change = [&](BodyId body, const Vec3<Real>& light, const Vec3<Real>& pull) {
+      if (light.isZero(0)) return;
+      cache_.outlook_.stop(body, impulse * pull);
+      cache_.rounds_.last[body] = ++cache_.rounds_.changes;
+    };
+    change(slot.a, light_a, pull_a);
+    change(slot.b, light_b, pull_b);
     is_new = true;
   }
   if (!is_new) return;
