@@ -19,7 +19,7 @@ class LookAhead {
   void take_room(int bodies, int shapes);
   /// Where bodies are now.
   struct Places {
-    const PerBody<Pose<Real>>& poses;
+    const PerBody<Pose<Real>>& poses;    // of all
     const PerBody<Frame<Real>>& frames;  // of these poses
   };
 
