@@ -57,6 +57,18 @@ TEST_CASE("boxes are near at their faces, and at their corners where those come 
   CHECK(missed.separation > near_by);
 }
 
+TEST_CASE("what stays beyond a distance all the while is told of at once, with less than it is away") {
+  // 4 m above, and 2 m of them are left after a second: as near as 2 m, and no nearer.
+  const Shape<double> a = box(2, 1), b = box(1, 1);
+  const auto met = [&](double far) {
+    return approach<double>(a, course({0, 0}, {0, 0}), b, course({0.3, 5}, {20, -2}), 1, near_by, far);
+  };
+  CHECK(met(1.9).time == 0);
+  CHECK(met(1.9).separation == doctest::Approx(4).epsilon(1e-15));
+  CHECK(met(2.1).time > 0);
+  CHECK(met(2.1).separation > near_by);
+}
+
 TEST_CASE("a bar that turns is near a post when the angle between them says so") {
   // A bar of half thickness d comes to a post at (2, h) of radius r once it has turned by w t, where the
   // distance of the post from the middle line of the bar is h cos(w t) - 2 sin(w t) = r + d.
