@@ -215,5 +215,7 @@ TEST_CASE("what turns together as one does not come closer") {
   outlook.take_room(scene.bodies().size(), colliders.size());
   outlook.begin(1) = world.bodies().velocity;
   outlook.stop_nobody();
-  CHECK(outlook.travel(colliders[0], colliders[1], world.bodies().pose) < 1e-12);
+  PerBody<Frame<double>> frames;
+  for (const Pose<double>& pose : world.bodies().pose) frames.push_back(pose);
+  CHECK(outlook.travel(colliders[0], colliders[1], {world.bodies().pose, frames}) < 1e-12);
 }
