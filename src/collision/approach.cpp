@@ -38,7 +38,7 @@ void shorten(const RoundedHull<Real>& from, const RoundedHull<Real>& to, Vec2<Re
   }
 }
 
-/// Along the normal of the face that parts two hulls most; none has a face: they are infinitely deep.
+/// Along the normal of the face that parts two hulls most. Where neither has a face, its size is -infinity.
 template <Scalar Real>
 Gap<Real> widest_gap(const RoundedHull<Real>& a, const RoundedHull<Real>& b) {
   const FaceQuery<Real> on_a = farthest_face(a, b), on_b = farthest_face(b, a);

@@ -28,10 +28,10 @@ struct Approach {
 };
 
 /// The first time within `time` [s] at which the two are no more than `near` [m] (> 0) apart. If there is
-/// none, `time`, or one at which they part, or at which it is plain that they will be no nearer than `far`
-/// [m], above near, all the while: then with no more than they are apart. By conservative advancement along
-/// the line between the nearest points, which is Newton's method where nothing turns (B. Mirtich,
-/// Impulse-based Dynamic Simulation, 1996).
+/// none, `time`, or one at which they part, or one from which they surely stay more than `far` [m] apart; far
+/// is at least near, and the separation may then be less than it is. By conservative advancement along the
+/// line between the nearest points, which is Newton's method where nothing turns (B. Mirtich, Impulse-based
+/// Dynamic Simulation, 1996).
 template <Scalar Real>
 Approach<Real> approach(const Shape<Real>& a, const std::type_identity_t<Course<Real>>& course_a,
                         const Shape<Real>& b, const std::type_identity_t<Course<Real>>& course_b, Real time,

@@ -34,8 +34,8 @@ class ContactWriter {
   RowRule<Real> rule_;
 };
 
-/// What rounds of looking ahead have seen, so that one looks at those pairs alone whose bodies go on in
-/// another way than when the round before looked at them.
+/// What the round before has seen. A round of looking ahead looks again only at pairs of which a body has
+/// been stopped since.
 template <Scalar Real>
 struct Rounds {
   /// Of a slot, when it was looked at last.

@@ -66,8 +66,8 @@ Real ContactFinder<Real>::margin_for(const ContactSlot<Real>& slot, Real travel)
   return is_slow(slot, travel) ? margin : margin + 2 * travel;
 }
 
-/// Takes the manifold of a pair in the time that is looked ahead for into the step. It is that of the round
-/// before, where both bodies go on as they did then.
+/// Takes into the step what a pair will touch with. Where neither body has been stopped since the round
+/// before looked, that is what it found.
 template <Scalar Real>
 void ContactFinder<Real>::touch_ahead(int number) {
   const ContactSlot<Real>& slot = cache_.graph_[number];
@@ -95,7 +95,7 @@ void ContactFinder<Real>::touch_ahead(int number) {
   touch(number, manifold);
 }
 
-/// The same of a pair that comes so far.
+/// What a pair that travels so far [m] will touch with.
 template <Scalar Real>
 Manifold<Real> ContactFinder<Real>::manifold_ahead(const ContactSlot<Real>& slot, Real way) {
   const Real margin = margin_for(slot, way);

@@ -14,9 +14,9 @@ namespace {
 /// does anything, and lanes have numbers for this one.
 constexpr float most_lane_softness = 1e30f;
 
-/// Rows that lack less are done: 2^7 times the step whose square is the smallest normal number, so that
-/// sweeps do not come to numbers below, over which processors take many times as long. All that rests comes
-/// to it.
+/// A row that lacks less is done. This is 2^7 times the step whose square is the smallest normal number:
+/// sweeps over what comes to rest would otherwise come to smaller numbers, which take processors many times
+/// as long.
 template <typename Number>
 constexpr Number smallest_step = [] {
   Number step = 128;
