@@ -2,11 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <compare>
 #include <cstdint>
 #include <limits>
 
+#include "constraints/contact.hpp"
+#include "constraints/row_rule.hpp"
 #include "dynamics/body.hpp"
 #include "math/list.hpp"
 
@@ -118,33 +121,77 @@ struct ConstraintRow {
   int extra_count = 0;                         // how many there are
 };
 
-/// The rows that one joint or manifold wrote: consecutive, solved together by solvers that can.
+/// What a row is in the second solve of the policies relaxed and soft.
+template <Scalar Real>
+struct RelaxedRow {
+  Real bias = 0;      // [m/s or rad/s]
+  Real softness = 0;  // [1/kg]
+};
+
+/// The rows of one joint or contact: consecutive, solved together by solvers that can.
 struct RowBlock {
   int first = 0;  // its first row
   int count = 0;  // of rows
-  /// Those of a contact that needs none to be solved (contact_problem.hpp).
+  /// Those of a contact whose friction has a row at each point.
   bool of_contact = false;
 };
 
+/// Two problems of one number differ in nothing but biases, softness, impulses and velocities: of what it
+/// made from the first, a solver may keep the rest. 0 says nothing. A copy of a problem has none, for anybody
+/// may change a copy; who changes more of a problem than that renews its number.
+class ProblemNumber {
+ public:
+  ProblemNumber() = default;
+  ProblemNumber(const ProblemNumber&) {}
+  ProblemNumber& operator=(const ProblemNumber&) {
+    value_ = 0;
+    return *this;
+  }
+  /// Gives it one that no problem has had.
+  void renew() {
+    static std::atomic<std::uint64_t> last = 0;
+    value_ = ++last;
+  }
+  /// 0: none.
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0;
+};
+
 /// All that a solver needs to know of one step, and all that it answers: a plain value.
-/// n bodies, m rows.
+/// n bodies, m rows: those of joints first, then those of contacts. A problem that has rows is what they say;
+/// only a solver that takes contacts (Solver::takes_contacts()) is given one without the rows of these.
 template <Scalar Real>
 struct VelocityProblem {
-  PerRow<ConstraintRow<Real>> rows = {};  // m
-  List<RowBlock> blocks = {};             // cover all rows
-  List<RowTerm<Real>> extra_terms = {};   // of rows on more than two bodies; most problems have none
+  PerRow<ConstraintRow<Real>> rows = {};                 // m; or those of joints alone
+  List<RowBlock> blocks = {};                            // cover all m rows, written or not
+  List<RowTerm<Real>> extra_terms = {};                  // of rows on more than two bodies; most have none
+  List<Contact<Real>> contacts = {};                     // of the last blocks; none where it was made by hand
+  RowRule<Real> rule = {};                               // how errors of contacts go
+  FrictionRows friction_rows = FrictionRows::per_point;  // of contacts
+  bool relaxes = false;                   // the second solve: of what contacts ask for only rebounds stay
   PerBody<Vec3<Real>> inverse_mass = {};  // n, the diagonal of M^-1 (2)
   PerBody<Vec3<Real>> velocity = {};      // n; in: v_1 with gravity already applied; out: v_2 (11)
   PerRow<Real> impulse = {};              // m [N s]; in: warm start; out: the answer
   Real dt = 1;                            // [s]; the paper's lambda is impulse / dt
+  ProblemNumber number = {};              // of its rows and masses
 
-  /// m.
+  /// How many are written: m, but for a solver that takes contacts.
   int row_count() const { return rows.size(); }
   /// n, with the ground.
   int body_count() const { return velocity.size(); }
+  /// How many blocks are those of joints and of the hand.
+  int joint_blocks() const { return blocks.size() - contacts.size(); }
+  /// How many rows these have.
+  int joint_rows() const { return rows_in(joint_blocks()); }
+  /// Whether all rows are written.
+  bool has_rows() const { return rows.size() >= rows_in(blocks.size()); }
+  /// In the first so many blocks.
+  int rows_in(int count) const { return count == 0 ? 0 : blocks[count - 1].first + blocks[count - 1].count; }
 };
 
-/// The same problem in another precision.
+/// The same problem in another precision, by its rows alone.
 template <Scalar To, Scalar From>
 VelocityProblem<To> converted(const VelocityProblem<From>& problem) {
   const auto as_to = [](From x) { return static_cast<To>(x); };

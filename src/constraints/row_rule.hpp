@@ -49,6 +49,17 @@ template <typename Real>
   return room < 0 ? (most_speed < wish ? most_speed : wish) : -room / rule.dt;
 }
 
+/// zeta [m/s] of the normal row of a contact: pushing_bias(), and at least its rebound [m/s]. In the second
+/// solve only the rebound is asked for, and room may be used.
+template <typename Real>
+[[gnu::always_inline]] inline Real contact_bias(const RowRule<Real>& rule, Real separation, Real slop_limit,
+                                                Real rebound, bool on_spring, bool relaxes) {
+  const Real bias = pushing_bias(rule, separation, slop_limit, on_spring);
+  const Real relaxed = bias > 0 ? Real(0) : bias;
+  const Real wish = relaxes ? relaxed : bias;
+  return rebound > 0 && (relaxes || wish < rebound) ? rebound : wish;
+}
+
 /// gamma [1/kg] of a row on a spring of the rule that carries this [1/kg].
 template <typename Real>
 [[gnu::always_inline]] inline Real spring_softness(const RowRule<Real>& rule, Real carried) {

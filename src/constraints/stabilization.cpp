@@ -1,4 +1,4 @@
-// Floor 3. Stabilization policies, restitution and what strikes: one line each.
+// Floor 3. Stabilization policies: one line each.
 #include "constraints/stabilization.hpp"
 
 #include <algorithm>
@@ -67,39 +67,11 @@ RowRule<Real> contact_rule(const Stabilization& stabilization, StabilizationPass
   return rule;
 }
 
-template <Scalar Real>
-RelaxedRow<Real> stabilize_contact(const ContactState<Real>& contact, const RowRule<Real>& rule,
-                                   const VelocityProblem<Real>& problem, ConstraintRow<Real>& row) {
-  const bool may_be_on_spring = rule.has_springs && !(contact.separation >= 0);
-  const bool needs_speed = rule.only_corrects || contact.rebound > 0 || may_be_on_spring;
-  const Real jv = needs_speed ? row_velocity(problem, row) : Real(0);
-  const bool bounces = contact.rebound > 0 && contact.separation + rule.dt * jv < 0;
-  const bool on_spring = may_be_on_spring && !bounces && !(-jv > rule.most_speed);
-  row.bias = pushing_bias(rule, contact.separation, contact.slop_limit, on_spring);
-  row.softness = 0;
-  if (on_spring) row.softness = spring_softness(rule, inverse_effective_mass(problem, row));
-  if (rule.only_corrects) row.bias -= jv;
-  RelaxedRow<Real> relaxed = {.bias = std::min(row.bias, Real(0))};
-  if (bounces && !rule.only_corrects) {
-    row.bias = std::max(row.bias, contact.rebound);
-    relaxed.bias = contact.rebound;
-  }
-  return relaxed;
-}
-
 template RowRule<float> joint_rule(const Stabilization&, StabilizationPass, float);
 template RowRule<float> contact_rule(const Stabilization&, StabilizationPass, float, double);
-template RelaxedRow<float> stabilize_contact(const ContactState<float>&, const RowRule<float>&,
-                                             const VelocityProblem<float>&, ConstraintRow<float>&);
 template RowRule<double> joint_rule(const Stabilization&, StabilizationPass, double);
 template RowRule<double> contact_rule(const Stabilization&, StabilizationPass, double, double);
-template RelaxedRow<double> stabilize_contact(const ContactState<double>&, const RowRule<double>&,
-                                              const VelocityProblem<double>&, ConstraintRow<double>&);
 template RowRule<long double> joint_rule(const Stabilization&, StabilizationPass, long double);
 template RowRule<long double> contact_rule(const Stabilization&, StabilizationPass, long double, double);
-template RelaxedRow<long double> stabilize_contact(const ContactState<long double>&,
-                                                   const RowRule<long double>&,
-                                                   const VelocityProblem<long double>&,
-                                                   ConstraintRow<long double>&);
 
 }  // namespace cairn

@@ -77,28 +77,4 @@ RowRule<Real> contact_rule(const Stabilization& stabilization, StabilizationPass
 template <Scalar Real>
 RowRule<Real> joint_rule(const Stabilization& stabilization, StabilizationPass pass, Real dt);
 
-/// What a row is in the second solve of the policies relaxed and soft.
-template <Scalar Real>
-struct RelaxedRow {
-  Real bias = 0;      // [m/s or rad/s]
-  Real softness = 0;  // [1/kg]
-};
-
-/// The normal row of a contact point, as far as stabilization needs to know it.
-template <Scalar Real>
-struct ContactState {
-  Real separation = 0;  // [m]; negative in overlap
-  Real rebound = 0;     // [m/s] least separation speed, should the bodies meet in this step
-  Real slop_limit = std::numeric_limits<Real>::infinity();  // [m] no slop above this
-};
-
-/// Gives the normal row of a contact, which has its Jacobians, its bias and its softness in a step of
-/// `problem`, whose velocities are those that the step would have without constraints: pushing_bias(), and at
-/// least the rebound where the bodies would meet within the step. A spring of the policy stops no bodies that
-/// come together faster than overlap is taken back: a rigid row does. What the row is in the second solve,
-/// where there is one: of what it asks for only the rebound stays, and that room may be used.
-template <Scalar Real>
-RelaxedRow<Real> stabilize_contact(const ContactState<Real>& contact, const RowRule<Real>& rule,
-                                   const VelocityProblem<Real>& problem, ConstraintRow<Real>& row);
-
 }  // namespace cairn

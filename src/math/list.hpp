@@ -268,4 +268,11 @@ using List = IndexedVector<T, int>;
 template <typename T>
 using Span = IndexedSpan<T, int>;
 
+/// Room for so many elements in a list that lives as long as its world: where it has to grow, for an eighth
+/// more, and not for twice as many as there are.
+template <typename Array>
+void make_room(Array& list, int count) {
+  if (static_cast<int>(list.as_vector().capacity()) < count) list.reserve(count + count / 8);
+}
+
 }  // namespace cairn

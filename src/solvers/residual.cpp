@@ -26,12 +26,18 @@ void raise(Real& worst, Real value) {
   if (value > worst || std::isnan(value)) worst = value;
 }
 
+/// w_i of a row with this impulse.
+template <Scalar Real>
+Real velocity_error(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row, Real impulse) {
+  return row_velocity(problem, row) + row.softness * impulse - row.bias;
+}
+
 /// e_i, where A_ii is known and above 0.
 template <Scalar Real>
-Real correction_at(const VelocityProblem<Real>& problem, int i, Real inverse) {
-  const ConstraintRow<Real>& row = problem.rows[i];
-  const Real impulse = problem.impulse[i];
-  return impulse - row.bounds.clamp(impulse - row_velocity_error(problem, i) / inverse, problem.impulse);
+Real correction_at(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row, Real impulse,
+                   Real inverse) {
+  return impulse -
+         row.bounds.clamp(impulse - velocity_error(problem, row, impulse) / inverse, problem.impulse);
 }
 
 }  // namespace
@@ -42,8 +48,7 @@ Real least_scale(const VelocityProblem<Real>& problem) {
 }
 
 template <Scalar Real>
-Real starting_energy(const VelocityProblem<Real>& problem, int i) {
-  const ConstraintRow<Real>& row = problem.rows[i];
+Real starting_energy(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row) {
   const Real inverse = inverse_effective_mass(problem, row);
   if (row.bounds.is_friction() || !(inverse > 0)) return 0;
   // Of rows with fixed bounds: no impulse is read.
@@ -54,28 +59,28 @@ Real starting_energy(const VelocityProblem<Real>& problem, int i) {
 template <Scalar Real>
 Real residual_scale(const VelocityProblem<Real>& problem) {
   Real sum = 0;
-  for (int i = 0; i < problem.row_count(); ++i) sum += starting_energy(problem, i);
+  for (const ConstraintRow<Real>& row : problem.rows) sum += starting_energy(problem, row);
   return std::max(std::sqrt(sum), least_scale(problem));
 }
 
 template <Scalar Real>
-Real correction_energy(const VelocityProblem<Real>& problem, int i) {
-  const Real inverse = inverse_effective_mass(problem, problem.rows[i]);
+Real correction_energy(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row, Real impulse) {
+  const Real inverse = inverse_effective_mass(problem, row);
   if (!(inverse > 0)) return 0;
-  const Real e = correction_at(problem, i, inverse);
+  const Real e = correction_at(problem, row, impulse, inverse);
   return inverse * e * e;
 }
 
 template <Scalar Real>
 Real row_velocity_error(const VelocityProblem<Real>& problem, int i) {
-  const ConstraintRow<Real>& row = problem.rows[i];
-  return row_velocity(problem, row) + row.softness * problem.impulse[i] - row.bias;
+  return velocity_error(problem, problem.rows[i], problem.impulse[i]);
 }
 
 template <Scalar Real>
 Real natural_correction(const VelocityProblem<Real>& problem, int i) {
-  const Real inverse = inverse_effective_mass(problem, problem.rows[i]);
-  return inverse > 0 ? correction_at(problem, i, inverse) : Real(0);
+  const ConstraintRow<Real>& row = problem.rows[i];
+  const Real inverse = inverse_effective_mass(problem, row);
+  return inverse > 0 ? correction_at(problem, row, problem.impulse[i], inverse) : Real(0);
 }
 
 template <Scalar Real>
@@ -86,7 +91,7 @@ Residual<Real> residual(const VelocityProblem<Real>& problem, Real scale) {
     const ConstraintRow<Real>& row = problem.rows[i];
     const Real inverse = inverse_effective_mass(problem, row);
     if (!(inverse > 0)) continue;
-    const Real e = correction_at(problem, i, inverse);
+    const Real e = correction_at(problem, row, problem.impulse[i], inverse);
     const Real speed = std::abs(inverse * e);
     sum += inverse * e * e;
     Real& of_kind = row.bounds.is_friction()     ? result.velocity_friction
@@ -100,14 +105,14 @@ Residual<Real> residual(const VelocityProblem<Real>& problem, Real scale) {
 }
 
 template float least_scale(const VelocityProblem<float>&);
-template float starting_energy(const VelocityProblem<float>&, int);
-template float correction_energy(const VelocityProblem<float>&, int);
+template float starting_energy(const VelocityProblem<float>&, const ConstraintRow<float>&);
+template float correction_energy(const VelocityProblem<float>&, const ConstraintRow<float>&, float);
 template double least_scale(const VelocityProblem<double>&);
-template double starting_energy(const VelocityProblem<double>&, int);
-template double correction_energy(const VelocityProblem<double>&, int);
+template double starting_energy(const VelocityProblem<double>&, const ConstraintRow<double>&);
+template double correction_energy(const VelocityProblem<double>&, const ConstraintRow<double>&, double);
 template long double least_scale(const VelocityProblem<long double>&);
-template long double starting_energy(const VelocityProblem<long double>&, int);
-template long double correction_energy(const VelocityProblem<long double>&, int);
+template long double starting_energy(const VelocityProblem<long double>&, const ConstraintRow<long double>&);
+template long double correction_energy(const VelocityProblem<long double>&, const ConstraintRow<long double>&, long double);
 template float residual_scale(const VelocityProblem<float>&);
 template double residual_scale(const VelocityProblem<double>&);
 template long double residual_scale(const VelocityProblem<long double>&);

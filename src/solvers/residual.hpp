@@ -29,14 +29,15 @@ Real residual_scale(const VelocityProblem<Real>& problem);
 template <Scalar Real>
 Real least_scale(const VelocityProblem<Real>& problem);
 
-/// What row i has in the sum of the scale [J]: A_ii e_i^2 at impulse 0; of friction, which has nothing to
-/// lean on there, 0.
+/// What a row has in the sum of the scale [J]: A_ii e_i^2 at impulse 0; of friction, which has nothing to lean
+/// on there, 0.
 template <Scalar Real>
-Real starting_energy(const VelocityProblem<Real>& problem, int i);
+Real starting_energy(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row);
 
-/// What row i has in the sum of R_E [J]: A_ii e_i^2; 0 for a row whose bodies nothing can move.
+/// What a row with an impulse [N s] has in the sum of R_E [J]: A_ii e_i^2; 0 for a row whose bodies nothing
+/// can move.
 template <Scalar Real>
-Real correction_energy(const VelocityProblem<Real>& problem, int i);
+Real correction_energy(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row, Real impulse);
 
 /// w_i of row i, at the problem's velocities and impulses [m/s; rad/s for rows on angles].
 template <Scalar Real>

@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include "constraints/contact_problem.hpp"
 #include "constraints/row.hpp"
 #include "solvers/row_order.hpp"
 #include "math/list.hpp"
@@ -80,21 +79,6 @@ struct SolveReport {
   bool unfinished() const { return !converged && residual && !(*residual <= 1e-6); }
 };
 
-/// What a solver can do that takes contacts as they are.
-template <Scalar Real>
-class ContactSolver {
- public:
-  virtual ~ContactSolver() = default;
-  /// Changes velocities, to the same bits as Solver::solve() does with the rows of the contacts, and has the
-  /// impulses for give().
-  virtual SolveReport solve(ContactProblem<Real>& contacts) = 0;
-  /// Solves once more what solve() has just solved, from the velocities that the problem is given now and the
-  /// impulses of its second_start, without what takes overlap back: no contact asks for speed or gives way.
-  virtual SolveReport relax(ContactProblem<Real>& contacts) = 0;
-  /// Gives the contacts that were solved last their answers.
-  virtual void give(ContactProblem<Real>& contacts) const = 0;
-};
-
 /// Owns settings and scratch memory only: the problem carries everything else. The one exception is
 /// NewtonSolver, which finds its answer sooner by what it has kept.
 ///
@@ -109,11 +93,8 @@ class Solver {
   virtual std::string name() const = 0;
   /// Changes problem.velocity and problem.impulse, from the impulses that it finds there.
   virtual SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) = 0;
-  /// Solves once more what it solved last, where since then nothing but biases, softness, velocities and
-  /// impulses has changed.
-  virtual SolveReport solve_again(VelocityProblem<Real>& problem) { return solve(problem); }
-  /// This solver, where it can take contacts without rows; null where it cannot, as most.
-  virtual ContactSolver<Real>* for_contacts() { return nullptr; }
+  /// Whether it needs no rows of contacts: VelocityProblem::contacts will do. Most do.
+  virtual bool takes_contacts() const { return false; }
   /// Bytes that the last solve kept beside the problem: the numbers stored, not what the allocator has set
   /// aside for more. 0 before the first solve, and for a solver that keeps nothing.
   virtual std::size_t memory() const { return 0; }

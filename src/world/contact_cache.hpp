@@ -3,8 +3,7 @@
 
 #include <memory>
 
-#include "constraints/contact.hpp"
-#include "constraints/contact_problem.hpp"
+#include "constraints/row.hpp"
 #include "math/list.hpp"
 #include "world/collider.hpp"
 #include "world/contact_graph.hpp"
@@ -13,26 +12,6 @@
 #include "world/substep.hpp"
 
 namespace cairn {
-
-/// Writes rows of contacts: of one pass of a substep of dt [s] which begins with this state.
-template <Scalar Real>
-class ContactWriter {
- public:
-  /// Settings and state must outlive it.
-  ContactWriter(const SceneSettings& settings, const BodyState<Real>& state, StabilizationPass pass, Real dt)
-      : settings_(settings),
-        state_(state),
-        rule_(contact_rule(settings.stabilization, pass, dt, settings.gravity.norm())) {}
-  /// Puts the rows of a contact behind row `next` of the problem, which goes on to the one behind them, and
-  /// their block behind its blocks. What the rows are in a second solve goes into `relaxed`, if it is given.
-  void write(const Contact<Real>& contact, const Manifold<Real>& manifold, VelocityProblem<Real>& problem,
-             int& next, List<RelaxedRow<Real>>* relaxed) const;
-
- private:
-  const SceneSettings& settings_;
-  const BodyState<Real>& state_;
-  RowRule<Real> rule_;
-};
 
 /// What the round before has seen. A round of looking ahead looks again only at pairs of which a body has
 /// been stopped since.
@@ -44,7 +23,7 @@ struct Rounds {
     int collider_b = -1;   // likewise
     int round = -1;        // the number of the round
     int changes = -1;      // how many there had been
-    int manifold = -1;     // the number of its manifold in that round; below 0: none
+    int contact = -1;      // its number in that round; below 0: none
     bool is_slow = false;  // ContactFinder::is_slow()
   };
 
@@ -53,11 +32,11 @@ struct Rounds {
   int first = 0;                        // the change with which this search began
   PerBody<int> last = {};               // change of each body
   List<Sight> sights = {};              // of each slot
-  List<Manifold<Real>> manifolds = {};  // of the round before
+  List<Contact<Real>> contacts = {};    // of the round before
 };
 
 /// The shapes of a world, which pairs of them are near, what touches, and what the rows of contacts gave.
-/// Manifolds lie in a StepRecord, in the order in which contacts are solved.
+/// Contacts lie in the problem of a StepRecord, in the order in which they are solved.
 template <Scalar Real>
 class ContactCache {
  public:
@@ -67,32 +46,21 @@ class ContactCache {
   /// The shapes.
   const List<Collider<Real>>& colliders() const { return *colliders_; }
 
-  /// Finds what touches, and wakes what sleeps and is touched: manifolds and what sensors see go into the
+  /// Finds what touches, and wakes what sleeps and is touched: contacts and what sensors see go into the
   /// record. @throws std::length_error for more pairs than Broadphase::max_pairs.
   void find(const Substep<Real>& step, StepRecord<Real>& record);
-  /// The manifolds that were found last, where the bodies are now. For Plan::moves_manifolds.
+  /// The contacts that were found last, where the bodies are now. For Plan::moves_manifolds.
   void move(const Substep<Real>& step, StepRecord<Real>& record);
 
   /// Adds the geometric stiffness of all contacts of the record, as JointWriter::add_stiffness(): with its
   /// sign, for they only push.
-  void add_stiffness(const Substep<Real>& step, ForcesOf when, const StepRecord<Real>& record,
-                     RowForces<Real>& forces, PerBody<Vec3<Real>>& stiffness) const;
-  /// Puts the rows of all contacts behind row `next` of the problem, which goes on to the one behind them,
-  /// and a block for each. What the rows are in a second solve goes into `relaxed`, if it is given.
-  void write(const Substep<Real>& step, const List<Manifold<Real>>& manifolds, StabilizationPass pass,
-             VelocityProblem<Real>& problem, int& next, List<RelaxedRow<Real>>* relaxed) const;
-  /// Gives the rows of the blocks from `first` on what they gave in the last step.
-  void start(const Substep<Real>& step, int first, VelocityProblem<Real>& problem,
-             PerRow<char>& is_new) const;
-  /// The contacts of the record, without rows where they need none, with what these would begin from; those
-  /// of others as write() puts them, with what they begin from.
-  void take(const Substep<Real>& step, StepRecord<Real>& record, int& next,
-            List<RelaxedRow<Real>>* relaxed) const;
+  void add_stiffness(ForcesOf when, const StepRecord<Real>& record, RowForces<Real>& forces,
+                     PerBody<Vec3<Real>>& stiffness) const;
+  /// Gives the contacts of the record on what they gave in the last step.
+  void start(const Substep<Real>& step, StepRecord<Real>& record) const;
   /// Keeps what they gave.
   void remember(const StepRecord<Real>& record);
 
-  /// How many contacts are deeper than half of the thinner body.
-  int count_too_deep(const Substep<Real>& step, const List<Manifold<Real>>& manifolds) const;
   /// Takes over what contacts of a world gave that was edited: `numbers` has for each shape that it had the
   /// number now, or -1.
   void carry_over(const ContactCache& before, Span<const int> numbers, const Substep<Real>& step);
@@ -111,12 +79,11 @@ class ContactCache {
 
   bool may_meet(const Scene& scene, int collider_a, int collider_b) const;
   ContactSlot<Real> make_slot(const Substep<Real>& step, int collider_a, int collider_b) const;
-  void start(const Substep<Real>& step, int touch, StepRecord<Real>& record) const;
 
   std::shared_ptr<const List<Collider<Real>>> colliders_;
   ContactGraph<Real> graph_;
   List<int> candidates_;  // slots with a manifold that moves with its bodies
-  List<int> touching_;    // slots of the manifolds of the record
+  List<int> touching_;    // slots of the contacts of the record
 
   // Scratch memory, kept so that a steady step allocates nothing.
   List<char> movable_;           // of each collider: not of a pair where neither is

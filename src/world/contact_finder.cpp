@@ -31,7 +31,7 @@ void ContactFinder<Real>::find() {
   find_manifolds();
   if (!step_.sleep) return;
   // What wakes may touch, or hold, what else sleeps.
-  while (step_.sleep->wake_touched(record_.manifolds, step_.state.velocity)) find_manifolds();
+  while (step_.sleep->wake_touched(record_.problem.contacts, step_.state.velocity)) find_manifolds();
 }
 
 /// Where every body is.
@@ -113,9 +113,10 @@ void ContactFinder<Real>::put_manifolds() {
 /// Nothing touches yet.
 template <Scalar Real>
 void ContactFinder<Real>::begin_round() {
-  std::swap(record_.manifolds, cache_.rounds_.manifolds);
+  List<Contact<Real>>& contacts = record_.problem.contacts;
+  std::swap(contacts, cache_.rounds_.contacts);
   cache_.rounds_.round += 1;
-  record_.manifolds.clear();
+  contacts.clear();
   cache_.touching_.clear();
 }
 
@@ -198,8 +199,16 @@ void ContactFinder<Real>::touch(int number, const Manifold<Real>& manifold) {
     slot.impulses.count = 0;
     return;
   }
-  make_room(record_.manifolds, record_.manifolds.size() + 1);
-  record_.manifolds.push_back(manifold);
+  List<Contact<Real>>& contacts = record_.problem.contacts;
+  make_room(contacts, contacts.size() + 1);
+  contacts.push_back({.a = slot.a,
+                      .b = slot.b,
+                      .manifold = manifold,
+                      .center_a = step_.state.pose[slot.a].position,
+                      .center_b = step_.state.pose[slot.b].position,
+                      .friction = slot.friction,
+                      .restitution = slot.restitution,
+                      .slop_limit = slot.slop_limit});
   cache_.touching_.push_back(number);
 }
 

@@ -1,4 +1,4 @@
-// Floor 5. One search for contacts: from poses to manifolds.
+// Floor 5. One search for contacts: from poses to contacts.
 #pragma once
 
 #include "world/contact_cache.hpp"
@@ -9,7 +9,7 @@ namespace cairn {
 template <Scalar Real>
 class ContactFinder {
  public:
-  /// Its manifolds go into the record.
+  /// Its contacts go into the record.
   ContactFinder(const Substep<Real>& step, ContactCache<Real>& cache, StepRecord<Real>& record)
       : step_(step), cache_(cache), record_(record) {}
 

@@ -82,14 +82,14 @@ void ContactFinder<Real>::touch_ahead(int number) {
     const Real way = travel(slot);
     sight.is_slow = is_slow(slot, way);
     manifold = manifold_ahead(slot, way);
-  } else if (sight.manifold >= 0) {
-    manifold = rounds.manifolds[sight.manifold];
+  } else if (sight.contact >= 0) {
+    manifold = rounds.contacts[sight.contact].manifold;
   }
   sight = {.collider_a = slot.collider_a,
            .collider_b = slot.collider_b,
            .round = rounds.round,
            .changes = rounds.changes,
-           .manifold = manifold.count > 0 ? record_.manifolds.size() : -1,
+           .contact = manifold.count > 0 ? record_.problem.contacts.size() : -1,
            .is_slow = sight.is_slow};
   if (!sight.is_slow) stop(slot, manifold);
   touch(number, manifold);

@@ -44,13 +44,6 @@ struct NearSlot {
   int slot = none;                  // its number
 };
 
-/// Room for so many elements in a list that lives as long as its world: where it has to grow, for an eighth
-/// more, and not for twice as many as there are.
-template <typename Array>
-void make_room(Array& list, int count) {
-  if (static_cast<int>(list.as_vector().capacity()) < count) list.reserve(count + count / 8);
-}
-
 /// All pairs that are near, in the order of their shapes: an order that depends on who is near whom now, and
 /// not on since when. Some have slots.
 template <Scalar Real>

@@ -24,7 +24,8 @@ void JointWriter<Real>::add_stiffness(const Substep<Real>& step, ForcesOf when,
   const Placements<Real> at(step.state.pose, rotations_);
   for (int i = 0; i < step.joint_count(); ++i) {
     if (step.asleep(i)) continue;
-    take_forces(when, impulses_[i], problem, i, forces);
+    const auto part = [&](const RowBlock& block, int k) { return problem.rows[block.first + k].key.part; };
+    take_forces(when, impulses_[i], problem, i, part, forces);
     if (!forces.rows.empty()) step.joint(i).add_stiffness(at, forces, stiffness);
   }
 }
@@ -82,14 +83,20 @@ void JointWriter<Real>::look_along_arcs(const Substep<Real>& step) {
 template <Scalar Real>
 void JointWriter<Real>::start(const Substep<Real>& step, VelocityProblem<Real>& problem,
                               PerRow<char>& is_new) const {
-  for (int i = 0; i < step.joint_count(); ++i)
-    start_rows(impulses_[i], problem.blocks[i], step.plan.warm_start, problem, is_new);
+  for (int i = 0; i < step.joint_count(); ++i) {
+    const RowBlock& block = problem.blocks[i];
+    const auto part = [&](int k) { return problem.rows[block.first + k].key.part; };
+    start_rows(impulses_[i], block, part, step.plan.warm_start, problem, is_new);
+  }
 }
 
 template <Scalar Real>
 void JointWriter<Real>::remember(const Substep<Real>& step, const VelocityProblem<Real>& problem) {
-  for (int i = 0; i < step.joint_count(); ++i)
-    if (!step.asleep(i)) remember_rows(impulses_[i], problem.blocks[i], problem);
+  for (int i = 0; i < step.joint_count(); ++i) {
+    const RowBlock& block = problem.blocks[i];
+    const auto part = [&](int k) { return problem.rows[block.first + k].key.part; };
+    if (!step.asleep(i)) remember_rows(impulses_[i], block, part, problem);
+  }
 }
 
 template <Scalar Real>

@@ -86,10 +86,11 @@ Plan make_plan(const Scene& scene) {
   const bool is_soft = policy == StabilizationPolicy::soft;
   const bool has_rows = plan.collision || plan.joints > 0;
   plan.relaxes = is_soft || (policy == StabilizationPolicy::relaxed && has_rows);
-  plan.second_start = is_soft ? SecondStart::of_first_answer : SecondStart::of_first_start;
+  plan.goes_on_from_first = is_soft;
   plan.corrects_positions = policy == StabilizationPolicy::split_impulse;
   plan.sleeping = scene.settings().sleeping.has_value();
-  plan.contacts_without_rows = plan.collision && !plan.corrects_positions;
+  plan.contacts_without_rows = plan.collision && !plan.corrects_positions &&
+                               (plan.friction_rows == FrictionRows::per_point || !plan.friction);
   plan.shape_kinds.assign(kinds.begin(), kinds.end());
   return plan;
 }

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "collision/broadphase.hpp"
-#include "constraints/contact_problem.hpp"
 #include "world/scene.hpp"
 #include "math/list.hpp"
 
@@ -31,7 +30,7 @@ struct Plan {
   bool moves_manifolds = false;                           // manifolds last longer than a substep
   bool keeps_manifolds = false;                           // and longer than a step
   bool relaxes = false;  // a second solve takes out the speed that moved errors back
-  SecondStart second_start = SecondStart::of_first_start;  // and begins from these impulses
+  bool goes_on_from_first = false;                         // and begins from the first one's answer
   bool follows_arcs = false;                               // joints are asked to hold where a substep ends
   bool corrects_positions = false;                         // a second solve removes errors
   bool sleeping = false;                                   // islands at rest take no part

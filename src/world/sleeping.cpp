@@ -65,12 +65,12 @@ void SleepState<Real>::note_drives(const Scene& scene) {
     falls_[body] = !scene.settings().gravity.isZero(0) && scene.bodies()[body].spec.gravity_scale != 0;
 }
 
-/// Calls visit(bodies) for every manifold and every joint.
+/// Calls visit(bodies) for every contact and every joint.
 template <Scalar Real>
 template <typename Visit>
-void SleepState<Real>::for_each_tie(const List<Manifold<Real>>& manifolds, const Visit& visit) const {
-  for (const Manifold<Real>& manifold : manifolds) {
-    const FixedList<BodyId, 2> tied = {owner_[manifold.collider_a], owner_[manifold.collider_b]};
+void SleepState<Real>::for_each_tie(const List<Contact<Real>>& contacts, const Visit& visit) const {
+  for (const Contact<Real>& contact : contacts) {
+    const FixedList<BodyId, 2> tied = {contact.a, contact.b};
     visit(Span<const BodyId>(tied));
   }
   for (const List<BodyId>& tied : joints_) visit(Span<const BodyId>(tied));
@@ -97,10 +97,10 @@ void SleepState<Real>::mark_movable(const PerBody<Vec3<Real>>& velocity, List<ch
 }
 
 template <Scalar Real>
-bool SleepState<Real>::wake_touched(const List<Manifold<Real>>& manifolds,
+bool SleepState<Real>::wake_touched(const List<Contact<Real>>& contacts,
                                     const PerBody<Vec3<Real>>& velocity) {
   bool found = false;
-  for_each_tie(manifolds, [&](Span<const BodyId> tied) {
+  for_each_tie(contacts, [&](Span<const BodyId> tied) {
     const bool disturbed =
         std::any_of(tied.begin(), tied.end(), [&](BodyId body) { return disturbs(body, velocity); });
     if (!disturbed) return;
@@ -143,11 +143,11 @@ void SleepState<Real>::hold(PerBody<Vec3<Real>>& velocity) const {
 }
 
 template <Scalar Real>
-void SleepState<Real>::let_sleep(const List<Manifold<Real>>& manifolds, double dt, BodyState<Real>& state) {
+void SleepState<Real>::let_sleep(const List<Contact<Real>>& contacts, double dt, BodyState<Real>& state) {
   count_still_time(dt, state);
   for (const BodyId body : parent_.indices()) parent_[body] = body;
   std::fill(held_.begin(), held_.end(), char{0});
-  for_each_tie(manifolds, [&](Span<const BodyId> tied) { connect(tied, state.velocity); });
+  for_each_tie(contacts, [&](Span<const BodyId> tied) { connect(tied, state.velocity); });
   find_restless(dt);
   put_to_sleep(state.velocity);
 }

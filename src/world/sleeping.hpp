@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "collision/manifold.hpp"
 #include "constraints/row.hpp"
 #include "world/scene.hpp"
 #include "math/list.hpp"
@@ -18,7 +17,7 @@ struct AwakeCount {
 
 /// Which bodies of a world sleep.
 ///
-/// An island is a set of dynamic bodies that manifolds and joints connect, directly or through each other.
+/// An island is a set of dynamic bodies that contacts and joints connect, directly or through each other.
 /// What cannot be pushed connects nothing. An island falls asleep as a whole and wakes as a whole: once it is
 /// touched or held by an awake body or by a kinematic one that moves, or once it is asked to. While it sleeps
 /// its velocities are 0 and no rows are written for it: what they had given stays as it was.
@@ -47,7 +46,7 @@ class SleepState {
   /// sensors, which see sleepers too.
   void mark_movable(const PerBody<Vec3<Real>>& velocity, List<char>& movable) const;
   /// Wakes every island that something awake, or kinematic and moving, touches or holds. Whether any was.
-  bool wake_touched(const List<Manifold<Real>>& manifolds, const PerBody<Vec3<Real>>& velocity);
+  bool wake_touched(const List<Contact<Real>>& contacts, const PerBody<Vec3<Real>>& velocity);
   /// Wakes the island of a body, and begins to count its time anew.
   void wake(BodyId body);
   /// Takes over which of the first bodies sleep, and since when, from before the scene was edited. What is no
@@ -56,13 +55,13 @@ class SleepState {
   /// What forces have done to sleeping bodies is undone: their velocities are 0.
   void hold(PerBody<Vec3<Real>>& velocity) const;
   /// At the end of a step of dt [s], of which this is the state: what falls asleep loses its velocity.
-  void let_sleep(const List<Manifold<Real>>& manifolds, double dt, BodyState<Real>& state);
+  void let_sleep(const List<Contact<Real>>& contacts, double dt, BodyState<Real>& state);
 
  private:
   static constexpr BodyId awake = {-1};
 
   template <typename Visit>
-  void for_each_tie(const List<Manifold<Real>>& manifolds, const Visit& visit) const;
+  void for_each_tie(const List<Contact<Real>>& contacts, const Visit& visit) const;
   bool is_dynamic(BodyId body) const { return type_[body] == BodyType::dynamic; }
   bool disturbs(BodyId body, const PerBody<Vec3<Real>>& velocity) const;
   void note_drives(const Scene& scene);

@@ -23,33 +23,6 @@ SnapshotBody snapshot_body(const SceneBody& body, const Pose<double>& pose, cons
           .shapes = body.spec.shapes};
 }
 
-/// What the rows of a contact gave: a normal row for each point, and a friction row behind it, or behind
-/// both, where there is friction.
-template <Scalar Real>
-struct ContactAnswer {
-  BodyId a = {};                 // the first body
-  BodyId b = {};                 // the second body
-  Real friction = 0;             // mu
-  Span<const Real> impulse;      // [N s] of each row
-  const char* is_new = nullptr;  // likewise: it had no impulse to start from
-};
-
-/// Of contact i of a record, whose rows are, or would be, behind so many rows.
-template <Scalar Real>
-ContactAnswer<Real> answer_of(const StepRecord<Real>& record, int i, int rows_before) {
-  const char* const is_new = record.is_new.as_vector().data() + rows_before;
-  if (!record.has_rows) {
-    const Contact<Real>& contact = record.contacts[i];
-    return {contact.a, contact.b, contact.friction, record.impulses(contact), is_new};
-  }
-  const RowBlock& block = record.problem.blocks[record.first_contact_block + i];
-  if (block.count == 0) return {};
-  const ConstraintRow<Real>& first = record.problem.rows[block.first];
-  const ConstraintRow<Real>& last = record.problem.rows[block.first + block.count - 1];
-  const Real friction = last.bounds.is_friction() ? last.bounds.friction : Real(0);
-  return {first.a, first.b, friction, record.impulses(block), is_new};
-}
-
 /// One friction row for two points: each has the share that its normal impulse has of the load.
 void share_friction(double impulse, SnapshotContact& first, SnapshotContact& second) {
   const double load = first.normal_impulse + second.normal_impulse;
@@ -58,29 +31,31 @@ void share_friction(double impulse, SnapshotContact& first, SnapshotContact& sec
   second.friction_impulse = (1 - share) * impulse;
 }
 
-/// The points of one manifold.
+/// The points of contact i.
 template <Scalar Real>
-void append_contacts(const Manifold<Real>& manifold, const ContactAnswer<Real>& answer,
-                     List<SnapshotContact>& contacts) {
-  const int rows = answer.impulse.size();
-  if (rows == 0) return;
-  const bool rubs_at_points = rows == 2 * manifold.count;
-  for (int i = 0; i < manifold.count; ++i) {
-    const ManifoldPoint<Real>& point = manifold.points[i];
-    const int row = rubs_at_points ? 2 * i : i;
-    contacts.push_back({.a = answer.a,
-                        .b = answer.b,
+void append_contact(const StepRecord<Real>& record, int i, List<SnapshotContact>& contacts) {
+  const VelocityProblem<Real>& problem = record.problem;
+  const Contact<Real>& contact = problem.contacts[i];
+  const Manifold<Real>& manifold = contact.manifold;
+  const RowBlock& block = problem.blocks[problem.joint_blocks() + i];
+  if (block.count == 0) return;
+  const bool rubs_at_points = block.count == 2 * manifold.count;
+  const auto impulse = [&](int row) { return static_cast<double>(problem.impulse[row]); };
+  for (int k = 0; k < manifold.count; ++k) {
+    const ManifoldPoint<Real>& point = manifold.points[k];
+    const int row = block.first + (rubs_at_points ? 2 * k : k);
+    contacts.push_back({.a = contact.a,
+                        .b = contact.b,
                         .position = point.position.template cast<double>(),
                         .normal = manifold.normal.template cast<double>(),
                         .separation = static_cast<double>(point.separation),
-                        .normal_impulse = static_cast<double>(answer.impulse[row]),
-                        .friction = static_cast<double>(answer.friction),
-                        .is_new = answer.is_new[row] != 0});
-    if (rubs_at_points) contacts.back().friction_impulse = static_cast<double>(answer.impulse[row + 1]);
+                        .normal_impulse = impulse(row),
+                        .friction = static_cast<double>(contact.friction),
+                        .is_new = record.is_new[row] != 0});
+    if (rubs_at_points) contacts.back().friction_impulse = impulse(row + 1);
   }
-  if (rows == manifold.count + 1 && !rubs_at_points)
-    share_friction(static_cast<double>(answer.impulse[rows - 1]), contacts[contacts.size() - 2],
-                   contacts.back());
+  if (block.count == manifold.count + 1 && !rubs_at_points)
+    share_friction(impulse(block.first + manifold.count), contacts[contacts.size() - 2], contacts.back());
 }
 
 template <Scalar Real>
@@ -128,7 +103,7 @@ Snapshot snapshot(const World<Real>& world) {
   for (int i = 0; i < joints + (world.hand().joint() ? 1 : 0); ++i) {
     SnapshotJoint joint =
         snapshot_joint(i < joints ? *scene.joints()[i] : *world.hand().joint(), world.bodies());
-    if (i < record.first_contact_block) {
+    if (i < record.problem.joint_blocks()) {
       const RowBlock& block = record.problem.blocks[i];
       for (int index = block.first; index < block.first + block.count; ++index) {
         const Vec2<Real> push =
@@ -138,12 +113,7 @@ Snapshot snapshot(const World<Real>& world) {
     }
     result.joints.push_back(joint);
   }
-  int rows = record.joint_rows();
-  for (int i = 0; i < record.manifolds.size(); ++i) {
-    const ContactAnswer<Real> answer = answer_of(record, i, rows);
-    append_contacts(record.manifolds[i], answer, result.contacts);
-    rows += answer.impulse.size();
-  }
+  for (int i = 0; i < record.problem.contacts.size(); ++i) append_contact(record, i, result.contacts);
   return result;
 }
 

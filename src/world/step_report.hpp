@@ -6,8 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "collision/manifold.hpp"
-#include "constraints/contact_problem.hpp"
 #include "constraints/row.hpp"
 #include "math/list.hpp"
 #include "solvers/solver.hpp"
@@ -51,38 +49,14 @@ struct StepReport {
 };
 
 /// What the last step saw and found. The first blocks of the problem are those of the joints, in the scene's
-/// order; then that of a hand that drags a body, if there is one; then one for each manifold. Of what sleeps
-/// there are no manifolds, and joints with an empty block.
+/// order; then that of a hand that drags a body, if there is one; then one for each contact, which are ordered
+/// by collider_a, collider_b. Of what sleeps there are no contacts, and joints with an empty block.
 template <Scalar Real>
 struct StepRecord {
-  List<Manifold<Real>> manifolds = {};          // ordered by collider_a, collider_b; where the step began
-  VelocityProblem<Real> problem = {};           // after the solve
-  int first_contact_block = 0;                  // the block of the first manifold
+  /// After the solve. Its contacts are those of where the step began; they may be without rows (with_rows()).
+  VelocityProblem<Real> problem = {};
   PerRow<char> is_new = {};                     // it had no impulse to start from
   List<std::pair<BodyId, BodyId>> sensed = {};  // what touches a sensor, the lower id first, sorted
-  /// The problem has all rows; else its solver took contacts as they are, those that could do without rows:
-  /// with_rows().
-  bool has_rows = true;
-  List<Contact<Real>> contacts = {};         // of each manifold, then
-  PerBody<Pose<Real>> pose_before = {};      // where the substep began,
-  PerBody<Vec3<Real>> velocity_before = {};  // how fast bodies were,
-  PerBody<Vec3<Real>> free_velocity = {};    // and v_1
-
-  /// How many rows joints and the hand have: the first ones.
-  int joint_rows() const {
-    if (first_contact_block == 0) return 0;
-    const RowBlock& last = problem.blocks[first_contact_block - 1];
-    return last.first + last.count;
-  }
-  /// [N s] What the rows of a block gave, in their order.
-  Span<const Real> impulses(const RowBlock& block) const {
-    return {problem.impulse.as_vector().data() + block.first, block.count};
-  }
-  /// [N s] What the rows of one of the contacts gave, or would have given.
-  Span<const Real> impulses(const Contact<Real>& contact) const {
-    if (contact.block) return impulses(problem.blocks[*contact.block]);
-    return {contact.impulse.data(), contact.count};
-  }
 };
 
 }  // namespace cairn

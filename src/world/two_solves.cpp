@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "constraints/contact_rows.hpp"
+
 namespace cairn {
 
 namespace {
@@ -39,15 +41,6 @@ bool asks_for_more_mass(const PerBody<Vec3<Real>>& stiffness, const VelocityProb
   return false;
 }
 
-/// For the second solve: without what takes errors back.
-template <Scalar Real>
-void relax_rows(const List<RelaxedRow<Real>>& relaxed, VelocityProblem<Real>& problem) {
-  for (int i = 0; i < problem.row_count(); ++i) {
-    problem.rows[i].bias = relaxed[i].bias;
-    problem.rows[i].softness = relaxed[i].softness;
-  }
-}
-
 }  // namespace
 
 /// Of all contacts and joints that are awake: of contacts, which only push, what is positive together.
@@ -55,7 +48,7 @@ template <Scalar Real>
 const PerBody<Vec3<Real>>& TwoSolves<Real>::find_stiffness(const Parts& parts, ForcesOf when) {
   const StepRecord<Real>& record = parts.record;
   stiffness_.assign(parts.step.state.pose.size(), Vec3<Real>::Zero());
-  parts.contacts.add_stiffness(parts.step, when, record, forces_, stiffness_);
+  parts.contacts.add_stiffness(when, record, forces_, stiffness_);
   for (Vec3<Real>& stiffness : stiffness_) stiffness = stiffness.cwiseMax(Real(0));
   parts.joints.add_stiffness(parts.step, when, record.problem, forces_, stiffness_);
   return stiffness_;
@@ -75,23 +68,19 @@ void TwoSolves<Real>::begin(const Parts& parts, ForcesOf when) {
   if (parts.step.plan.follows_arcs) stiffen(find_stiffness(parts, when), problem);
 }
 
+/// How many joints are apart.
 template <Scalar Real>
-int TwoSolves<Real>::write(const Parts& parts) {
-  return write(parts, ForcesOf::last_substep);
-}
-
-template <Scalar Real>
-int TwoSolves<Real>::write(const Parts& parts, ForcesOf when) {
+int TwoSolves<Real>::write(const Parts& parts, ForcesOf when, bool with_rows) {
   begin(parts, when);
   StepRecord<Real>& record = parts.record;
   VelocityProblem<Real>& problem = record.problem;
-  record.has_rows = true;
-  record.contacts.clear();
-  const int apart = write_rows(parts, StabilizationPass::velocity, problem);
-  problem.impulse.resize(problem.rows.size());
-  record.is_new.resize(problem.rows.size());
+  const int apart = write_rows(parts, StabilizationPass::velocity, with_rows, problem);
+  problem.number.renew();
+  const int rows = problem.rows_in(problem.blocks.size());
+  problem.impulse.resize(rows);
+  record.is_new.resize(rows);
   parts.joints.start(parts.step, problem, record.is_new);
-  parts.contacts.start(parts.step, record.first_contact_block, problem, record.is_new);
+  parts.contacts.start(parts.step, record);
   if (parts.step.plan.relaxes) {
     first_velocity_ = problem.velocity;
     first_impulse_ = problem.impulse;
@@ -101,52 +90,53 @@ int TwoSolves<Real>::write(const Parts& parts, ForcesOf when) {
 
 /// Over the rows of the substep before, whose memory is used again.
 template <Scalar Real>
-int TwoSolves<Real>::write_rows(const Parts& parts, StabilizationPass pass, VelocityProblem<Real>& problem) {
-  const bool solves_again = parts.step.plan.relaxes && pass == StabilizationPass::velocity;
+int TwoSolves<Real>::write_rows(const Parts& parts, StabilizationPass pass, bool with_rows,
+                                VelocityProblem<Real>& problem) {
+  const Substep<Real>& step = parts.step;
+  const SceneSettings& settings = step.plan.settings;
+  const bool solves_again = step.plan.relaxes && pass == StabilizationPass::velocity;
   List<RelaxedRow<Real>>* const relaxed = solves_again ? &relaxed_rows_ : nullptr;
   relaxed_rows_.clear();
   problem.blocks.clear();
   problem.extra_terms.clear();
+  problem.rule = contact_rule(settings.stabilization, pass, step.dt, settings.gravity.norm());
+  problem.friction_rows = settings.friction_rows;
+  problem.relaxes = false;
   int next = 0;
-  const int apart = parts.joints.write(parts.step, pass, problem, next, relaxed);
-  parts.record.first_contact_block = problem.blocks.size();
-  parts.contacts.write(parts.step, parts.record.manifolds, pass, problem, next, relaxed);
+  const int apart = parts.joints.write(step, pass, problem, next, relaxed);
   problem.rows.resize(next);
+  const Real threshold = static_cast<Real>(*settings.restitution_threshold);
+  if (step.plan.restitution || problem.rule.has_springs)
+    for (Contact<Real>& contact : problem.contacts) meet(contact, step.state.velocity, threshold, problem);
+  add_contact_blocks(problem, next);
+  if (with_rows) write_contact_rows(problem, relaxed);
   return apart;
-}
-
-template <Scalar Real>
-const PerBody<Vec3<Real>>& TwoSolves<Real>::solve(const Parts& parts, Solver<Real>& solver,
-                                                  SolveObserver<Real>* observer, StepReport& report) {
-  const bool may_take = parts.step.plan.contacts_without_rows && observer == nullptr;
-  if (ContactSolver<Real>* const direct = may_take ? solver.for_contacts() : nullptr) {
-    solve_contacts(parts, *direct, report);
-  } else {
-    solve_rows(parts, solver, observer, report);
-  }
-  return going_;
 }
 
 /// A substep whose forces ask for more mass than bodies took part with is solved again, with that mass.
 template <Scalar Real>
-void TwoSolves<Real>::solve_rows(const Parts& parts, Solver<Real>& solver, SolveObserver<Real>* observer,
-                                 StepReport& report) {
-  const VelocityProblem<Real>& problem = parts.record.problem;
-  report.joints_apart = write(parts);
-  report.rows_solved += problem.row_count();
-  report.solve = solver.solve(parts.record.problem, observer);
+const PerBody<Vec3<Real>>& TwoSolves<Real>::solve(const Parts& parts, Solver<Real>& solver,
+                                                  SolveObserver<Real>* observer, StepReport& report) {
+  const Plan& plan = parts.step.plan;
+  VelocityProblem<Real>& problem = parts.record.problem;
+  const bool with_rows = observer || !plan.contacts_without_rows || !solver.takes_contacts();
+  report.joints_apart = write(parts, ForcesOf::last_substep, with_rows);
+  const int rows = problem.impulse.size();
+  report.rows_solved += rows;
+  report.solve = solver.solve(problem, observer);
   const auto asks_for_more = [&] {
     return asks_for_more_mass(find_stiffness(parts, ForcesOf::this_substep), problem);
   };
-  for (int i = 0; i < most_masses && parts.step.plan.follows_arcs && asks_for_more(); ++i) {
-    report.count_left(report.solve, problem.row_count());
-    write(parts, ForcesOf::this_substep);
-    report.solve = solver.solve(parts.record.problem, observer);
+  for (int i = 0; i < most_masses && plan.follows_arcs && asks_for_more(); ++i) {
+    report.count_left(report.solve, rows);
+    write(parts, ForcesOf::this_substep, with_rows);
+    report.solve = solver.solve(problem, observer);
   }
-  report.count(report.solve, problem.row_count());
+  report.count(report.solve, rows);
   going_ = problem.velocity;
-  if (parts.step.plan.corrects_positions) correct_positions(parts, solver, report);
-  if (parts.step.plan.relaxes) relax(parts, solver, report);
+  if (plan.corrects_positions) correct_positions(parts, solver, report);
+  if (plan.relaxes) relax(parts, solver, report);
+  return going_;
 }
 
 /// The policies relaxed and soft: solves again from v_1, without what moves the positions, so that its speed
@@ -155,92 +145,29 @@ template <Scalar Real>
 void TwoSolves<Real>::relax(const Parts& parts, Solver<Real>& solver, StepReport& report) {
   VelocityProblem<Real>& problem = parts.record.problem;
   problem.velocity = first_velocity_;
-  if (parts.step.plan.second_start == SecondStart::of_first_start) problem.impulse = first_impulse_;
-  relax_rows(relaxed_rows_, problem);
-  report.count(solver.solve_again(problem), problem.row_count());
+  if (!parts.step.plan.goes_on_from_first) problem.impulse = first_impulse_;
+  problem.relaxes = true;
+  for (int i = 0; i < problem.row_count(); ++i) {
+    problem.rows[i].bias = relaxed_rows_[i].bias;
+    problem.rows[i].softness = relaxed_rows_[i].softness;
+  }
+  report.count(solver.solve(problem), problem.impulse.size());
 }
 
 /// The policy split_impulse: adds velocities that take errors back, to go with.
 template <Scalar Real>
 void TwoSolves<Real>::correct_positions(const Parts& parts, Solver<Real>& solver, StepReport& report) {
   const VelocityProblem<Real>& problem = parts.record.problem;
+  second_problem_.contacts = problem.contacts;
   second_problem_.velocity = problem.velocity;
   second_problem_.inverse_mass = problem.inverse_mass;
   second_problem_.dt = problem.dt;
-  write_rows(parts, StabilizationPass::position, second_problem_);
+  write_rows(parts, StabilizationPass::position, true, second_problem_);
   for (Vec3<Real>& v : second_problem_.velocity) v.setZero();
   second_problem_.impulse.assign(second_problem_.rows.size(), Real(0));
   report.count(solver.solve(second_problem_), second_problem_.row_count());
   report.rows_solved += second_problem_.row_count();
   for (const BodyId body : going_.indices()) going_[body] += second_problem_.velocity[body];
-}
-
-/// The problem with rows of joints, and of those contacts that need them.
-template <Scalar Real>
-int TwoSolves<Real>::take(const Parts& parts, ForcesOf when) {
-  begin(parts, when);
-  StepRecord<Real>& record = parts.record;
-  VelocityProblem<Real>& problem = record.problem;
-  List<RelaxedRow<Real>>* const relaxed = parts.step.plan.relaxes ? &relaxed_rows_ : nullptr;
-  record.has_rows = false;
-  record.pose_before = parts.step.state.pose;
-  record.velocity_before = parts.step.state.velocity;
-  record.free_velocity = problem.velocity;
-  relaxed_rows_.clear();
-  problem.blocks.clear();
-  problem.extra_terms.clear();
-  int next = 0;
-  const int apart = parts.joints.write(parts.step, StabilizationPass::velocity, problem, next, relaxed);
-  record.first_contact_block = problem.blocks.size();
-  problem.impulse.resize(next);
-  record.is_new.resize(next);
-  parts.joints.start(parts.step, problem, record.is_new);
-  parts.contacts.take(parts.step, record, next, relaxed);
-  first_impulse_ = problem.impulse;
-  return apart;
-}
-
-template <Scalar Real>
-void TwoSolves<Real>::solve_contacts(const Parts& parts, ContactSolver<Real>& solver, StepReport& report) {
-  StepRecord<Real>& record = parts.record;
-  VelocityProblem<Real>& problem = record.problem;
-  const Plan& plan = parts.step.plan;
-  ContactProblem<Real> contacts = {
-      .poses = &record.pose_before,
-      .rule = contact_rule(plan.settings.stabilization, StabilizationPass::velocity, parts.step.dt,
-                           plan.settings.gravity.norm()),
-      .problem = &problem,
-      .second_start = plan.second_start};
-  const auto take_and_solve = [&](ForcesOf when) {
-    report.joints_apart = take(parts, when);
-    contacts.contacts = record.contacts;
-    contacts.manifolds = record.manifolds;
-    contacts.joints = record.first_contact_block;
-    contacts.rows = problem.row_count();
-    report.solve = solver.solve(contacts);
-    solver.give(contacts);
-  };
-  const auto asks_for_more = [&] {
-    return asks_for_more_mass(find_stiffness(parts, ForcesOf::this_substep), problem);
-  };
-  take_and_solve(ForcesOf::last_substep);
-  const int rows = record.is_new.size();
-  report.rows_solved += rows;
-  for (int i = 0; i < most_masses && plan.follows_arcs && asks_for_more(); ++i) {
-    report.count_left(report.solve, rows);
-    take_and_solve(ForcesOf::this_substep);
-  }
-  report.count(report.solve, rows);
-  going_ = problem.velocity;
-  if (!plan.relaxes) return;
-  problem.velocity = record.free_velocity;
-  for (int i = 0; i < contacts.rows; ++i) {
-    problem.rows[i].bias = relaxed_rows_[i].bias;
-    problem.rows[i].softness = relaxed_rows_[i].softness;
-    if (plan.second_start == SecondStart::of_first_start) problem.impulse[i] = first_impulse_[i];
-  }
-  report.count(solver.relax(contacts), rows);
-  solver.give(contacts);
 }
 
 template class TwoSolves<float>;

@@ -20,33 +20,28 @@ class TwoSolves {
     const Substep<Real>& step;     // where it begins
     JointWriter<Real>& joints;     // whose rows are written
     ContactCache<Real>& contacts;  // likewise
-    StepRecord<Real>& record;      // with the manifolds, whose problem is solved
+    StepRecord<Real>& record;      // whose problem is solved: it has the contacts
   };
 
-  /// Writes the record's problem as it is solved first: the velocities v_1 that bodies would have without
-  /// constraints, the masses that they take part with, the rows and what these begin from. How many joints
-  /// are apart.
-  int write(const Parts& parts);
-  /// Writes and solves the problem, its contacts without rows where the solver takes them so and nobody
-  /// looks; and leaves the velocities that stay. Those to go with.
+  /// Writes the record's problem as it is solved first, with all rows: the velocities v_1 that bodies would
+  /// have without constraints, the masses that they take part with, rows, and what these begin from.
+  void write(const Parts& parts) { write(parts, ForcesOf::last_substep, true); }
+  /// Writes and solves the problem, and leaves the velocities that stay. Those to go with. Contacts have no
+  /// rows where the solver takes them so and nobody looks.
   const PerBody<Vec3<Real>>& solve(const Parts& parts, Solver<Real>& solver, SolveObserver<Real>* observer,
                                    StepReport& report);
 
  private:
   const PerBody<Vec3<Real>>& find_stiffness(const Parts& parts, ForcesOf when);
   void begin(const Parts& parts, ForcesOf when);
-  int write(const Parts& parts, ForcesOf when);
-  int write_rows(const Parts& parts, StabilizationPass pass, VelocityProblem<Real>& problem);
-  void solve_rows(const Parts& parts, Solver<Real>& solver, SolveObserver<Real>* observer,
-                  StepReport& report);
-  int take(const Parts& parts, ForcesOf when);
-  void solve_contacts(const Parts& parts, ContactSolver<Real>& solver, StepReport& report);
+  int write(const Parts& parts, ForcesOf when, bool with_rows);
+  int write_rows(const Parts& parts, StabilizationPass pass, bool with_rows, VelocityProblem<Real>& problem);
   void relax(const Parts& parts, Solver<Real>& solver, StepReport& report);
   void correct_positions(const Parts& parts, Solver<Real>& solver, StepReport& report);
 
   PerBody<Vec3<Real>> stiffness_;         // geometric: [N/m, N/m, N m/rad]
   RowForces<Real> forces_;                // of a joint or a contact
-  List<RelaxedRow<Real>> relaxed_rows_;   // of all rows, where they are solved twice
+  List<RelaxedRow<Real>> relaxed_rows_;   // of those that are written, where they are solved twice
   VelocityProblem<Real> second_problem_;  // of positions
   PerBody<Vec3<Real>> first_velocity_;    // v_1, and
   PerRow<Real> first_impulse_;            // the warm start of a solve that is done twice

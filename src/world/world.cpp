@@ -29,6 +29,16 @@ std::optional<BodyId> first_not_finite(const BodyState<Real>& state, const PerBo
   return first;
 }
 
+/// Deeper than half of the thinner body.
+template <Scalar Real>
+bool is_too_deep(const Contact<Real>& contact, const BodyKinds<Real>& kinds) {
+  // Each of the two is a quarter.
+  const Real most = 2 * std::min(kinds[contact.a].failed_error, kinds[contact.b].failed_error);
+  const auto& points = contact.manifold.points;
+  return std::any_of(points.begin(), points.begin() + contact.manifold.count,
+                     [most](const ManifoldPoint<Real>& point) { return point.separation < -most; });
+}
+
 }  // namespace
 
 /// Events are done to another world, which takes the place of this one once its step is done.
@@ -60,14 +70,16 @@ StepReport World<Real>::take_step(Solver<Real>& solver, SolveObserver<Real>* obs
   }
   report.awake.bodies = plan_->dynamic_bodies;
   if (sleep_) {
-    if (!report.not_finite) sleep_->let_sleep(record_.manifolds, clock_.dt, state_);
+    if (!report.not_finite) sleep_->let_sleep(record_.problem.contacts, clock_.dt, state_);
     report.awake = sleep_->count();
   }
   clock_.time += clock_.dt;
   clock_.steps += 1;
   report.rows = record_.is_new.size();
-  for (const Manifold<Real>& manifold : record_.manifolds) report.contacts += manifold.count;
-  report.too_deep = contacts_.count_too_deep(now(), record_.manifolds);
+  for (const Contact<Real>& contact : record_.problem.contacts) {
+    report.contacts += contact.manifold.count;
+    report.too_deep += is_too_deep(contact, *kinds_);
+  }
   return report;
 }
 
@@ -84,12 +96,12 @@ void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>*
   Deadline::go_on();
   const Substep<Real> step = now_asleep();
   if (number == 0 || !plan_->moves_manifolds) {
-    contacts_.find(step, record_);  // 1, 2  poses -> pairs -> manifolds
+    contacts_.find(step, record_);  // 1, 2  poses -> pairs -> contacts
   } else {
     contacts_.move(step, record_);  //       or those of the step, where they are now
   }
   // 3     v_1 = v + dt M^-1 f: gravity is in before any constraint is solved
-  // 4, 5  joints and manifolds -> rows -> impulses, v_2
+  // 4, 5  joints and contacts -> rows -> impulses, v_2
   const PerBody<Vec3<Real>>& going =
       solves_.solve({step, joints_, contacts_, record_}, solver, observer, report);
   const PerBody<Vec3<Real>>& staying = record_.problem.velocity;

@@ -52,24 +52,22 @@ NewtonSolver<Real>::NewtonSolver(const SolverSettings& settings) : settings_(set
 template <Scalar Real>
 SolveReport NewtonSolver<Real>::solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer) {
   if (observer != nullptr) observer->before_solve(problem);
-  const SolveReport report = solve_unobserved(problem, false);
+  const SolveReport report = solve_unobserved(problem);
   if (observer != nullptr) observer->after_sweep(systems_, problem);
   return report;
 }
 
 template <Scalar Real>
-SolveReport NewtonSolver<Real>::solve_again(VelocityProblem<Real>& problem) {
-  return solve_unobserved(problem, true);
-}
-
-template <Scalar Real>
-SolveReport NewtonSolver<Real>::solve_unobserved(VelocityProblem<Real>& problem, bool again) {
+SolveReport NewtonSolver<Real>::solve_unobserved(VelocityProblem<Real>& problem) {
+  const bool again = problem.number.value() != 0 && problem.number.value() == solved_;
+  solved_ = 0;  // until it is done
   if constexpr (std::is_same_v<Real, Work>) {
     answer(problem, again);
   } else {
     answer(converted<Work>(problem), again);
   }
   give_answer(problem);
+  solved_ = problem.number.value();
   SolveReport report{.iterations = systems_, .extra_sweeps = sweeps_};
   const Work asked = static_cast<Work>(settings_.tolerance);
   report.converged = least_residual_ <= std::max({asked, rounding(), rounding_in<Real>(rows_, 1)});

@@ -38,7 +38,8 @@ namespace cairn {
 /// guaranteed. Where it has not converged it gives the impulses with the least R_E that it has seen, those of
 /// the warm start among them.
 ///
-/// What it solves again has the rows of before, scaled already, and most often the impulses that it gave.
+/// A problem with the number of the one before has its rows, scaled already, and most often the impulses that
+/// it gave.
 ///
 /// The factors that it has kept change the way to the answer: a solver that has solved other problems may
 /// differ from a new one within the tolerance, and by anything where neither has converged. The same sequence
@@ -60,7 +61,6 @@ class NewtonSolver final : public Solver<Real> {
   std::string name() const override { return "Newton"; }
   /// @throws std::length_error for more pairs of bodies than BlockFactors holds: before anything is changed.
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
-  SolveReport solve_again(VelocityProblem<Real>& problem) override;
   std::size_t memory() const override {
     const Eigen::Index numbers = du_.size() + next_.size() + change_.size();
     return rows_.memory() + interior_.memory() + factors_.memory() + best_.bytes() + inside_.bytes() +
@@ -72,7 +72,7 @@ class NewtonSolver final : public Solver<Real> {
   using Work = std::conditional_t<std::is_same_v<Real, long double>, long double, double>;
 
   void answer(const VelocityProblem<Work>& problem, bool again);
-  SolveReport solve_unobserved(VelocityProblem<Real>& problem, bool again);
+  SolveReport solve_unobserved(VelocityProblem<Real>& problem);
   void give_answer(VelocityProblem<Real>& problem);
   void approach(const VelocityProblem<Work>& problem);
   void sweep(const VelocityProblem<Work>& problem, int sweeps);
@@ -103,6 +103,7 @@ class NewtonSolver final : public Solver<Real> {
   PerRow<Work> inside_;          // [N s] impulses on the way through the interior
   VelocityProblem<Work> swept_;  // a copy for sweeps
   PerRow<Work> best_;            // [N s] the impulses with that
+  std::uint64_t solved_ = 0;     // the number of the problem whose rows it has
   int systems_ = 0;              // solved by factors of their own
   int sweeps_ = 0;               // done between them, or what takes as long
 };

@@ -43,27 +43,11 @@ SolveReport BlockSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
                                                 SolveObserver<Real>* observer) {
   check_blocks(problem, "BlockSequentialImpulse");
   if (observer != nullptr) observer->before_solve(problem);
-  prepare(problem);
-  return solve_prepared(problem, observer);
-}
-
-/// Matrices are those of before where only biases are others.
-template <Scalar Real>
-SolveReport BlockSequentialImpulse<Real>::solve_again(VelocityProblem<Real>& problem) {
-  if (!has_same_softness(problem)) return solve(problem);
-  for (EqualityPair<Real>& pair : equality_pairs_) pair.take_bias(problem);
-  return solve_prepared(problem, nullptr);
-}
-
-template <Scalar Real>
-bool BlockSequentialImpulse<Real>::has_same_softness(const VelocityProblem<Real>& problem) const {
-  const auto same = [](const ConstraintRow<Real>& row, Real softness) { return row.softness == softness; };
-  return std::equal(problem.rows.begin(), problem.rows.end(), softness_.begin(), softness_.end(), same);
-}
-
-template <Scalar Real>
-SolveReport BlockSequentialImpulse<Real>::solve_prepared(VelocityProblem<Real>& problem,
-                                                         SolveObserver<Real>* observer) {
+  if (is_prepared(problem)) {
+    for (EqualityPair<Real>& pair : equality_pairs_) pair.take_bias(problem);
+  } else {
+    prepare(problem);
+  }
   stopping_.begin(settings_, problem);
   apply_impulses(problem);  // warm start: those of last step act before the first sweep
 
@@ -81,6 +65,14 @@ SolveReport BlockSequentialImpulse<Real>::solve_prepared(VelocityProblem<Real>& 
   });
 }
 
+/// Matrices are those of before where only biases are others.
+template <Scalar Real>
+bool BlockSequentialImpulse<Real>::is_prepared(const VelocityProblem<Real>& problem) const {
+  if (problem.number.value() == 0 || problem.number.value() != prepared_) return false;
+  const auto same = [](const ConstraintRow<Real>& row, Real softness) { return row.softness == softness; };
+  return std::equal(problem.rows.begin(), problem.rows.end(), softness_.begin(), softness_.end(), same);
+}
+
 template <Scalar Real>
 std::size_t BlockSequentialImpulse<Real>::memory() const {
   return parts_.bytes() + turns_.bytes() + effective_mass_.bytes() + pairs_.bytes() +
@@ -89,6 +81,7 @@ std::size_t BlockSequentialImpulse<Real>::memory() const {
 
 template <Scalar Real>
 void BlockSequentialImpulse<Real>::prepare(const VelocityProblem<Real>& problem) {
+  prepared_ = 0;  // until it is done
   parts_.clear();
   effective_mass_.clear();
   pairs_.clear();
@@ -105,6 +98,7 @@ void BlockSequentialImpulse<Real>::prepare(const VelocityProblem<Real>& problem)
     add_parts(problem, block);
     turns_[block.first] = {first, parts_.size()};
   }
+  prepared_ = problem.number.value();
 }
 
 /// Rows that ContactBlock joins know each other afterwards.

@@ -49,7 +49,6 @@ class BlockSequentialImpulse final : public Solver<Real> {
   std::string name() const override { return "block SI"; }
   /// @throws std::invalid_argument unless the problem's blocks follow each other and cover all rows.
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
-  SolveReport solve_again(VelocityProblem<Real>& problem) override;
   /// The parts of all blocks and their matrices; without the order of the rows, an index for each.
   std::size_t memory() const override;
 
@@ -68,8 +67,7 @@ class BlockSequentialImpulse final : public Solver<Real> {
     int last = 0;
   };
 
-  SolveReport solve_prepared(VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
-  bool has_same_softness(const VelocityProblem<Real>& problem) const;
+  bool is_prepared(const VelocityProblem<Real>& problem) const;
   void prepare(const VelocityProblem<Real>& problem);
   void find_partners(const VelocityProblem<Real>& problem, const RowBlock& block);
   void add_parts(const VelocityProblem<Real>& problem, const RowBlock& block);
@@ -87,6 +85,7 @@ class BlockSequentialImpulse final : public Solver<Real> {
   List<PairMatrix<Real>> pairs_;  // of contacts
   List<EqualityPair<Real>> equality_pairs_;
   List<BlockFactor<Real>> factors_;  // of other equality rows
+  std::uint64_t prepared_ = 0;       // the number of the problem that they are of
   PerRow<Real> softness_;            // [1/kg] that the matrices hold
   PerRow<int> partner_;              // scratch, for each row: whom it is solved with, or -1
   List<int> equalities_;             // scratch: equality rows of one block

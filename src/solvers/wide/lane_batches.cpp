@@ -24,8 +24,7 @@ void LaneBatches::single_out_what_is_leant_on() {
   }
 }
 
-/// Of a problem with so many rows.
-void LaneBatches::make_batches(int rows) {
+void LaneBatches::make_batches() {
   single_out_what_is_leant_on();
   const List<ColouredBlock>& coloured = colouring_.colour(blocks_, moves_, in_lane_);
   batches_.clear();
@@ -57,10 +56,8 @@ void LaneBatches::make_batches(int rows) {
   for (int k = 0; k < blocks_.size(); ++k) {
     if (in_lane_[k] != 0) continue;
     single_blocks_.push_back(k);
-    const bool has_rows = !of_contacts_ || !blocks_[k].of_contact;
-    if (!has_rows) single_contacts_.push_back(k - joints_);
-    for (int i = 0; i < blocks_[k].rows; ++i)
-      single_rows_.push_back(has_rows ? blocks_[k].first_row + i : rows++);
+    if (of_contacts_ && k >= joints_) single_contacts_.push_back(k - joints_);
+    for (int i = 0; i < blocks_[k].rows; ++i) single_rows_.push_back(blocks_[k].first_row + i);
   }
 }
 

@@ -6,7 +6,6 @@
 
 #include "constraints/row.hpp"
 #include "math/list.hpp"
-#include "constraints/contact_problem.hpp"
 #include "solvers/wide/lane_colouring.hpp"
 
 namespace cairn {
@@ -37,7 +36,7 @@ struct LaneCounts {
 /// never of those before it.
 class LaneBatches {
  public:
-  /// Made anew for this problem.
+  /// Made anew for this problem, which has rows.
   /// @throws std::invalid_argument unless the problem's blocks follow each other and cover all rows.
   template <Scalar Real>
   void arrange(const VelocityProblem<Real>& problem);
@@ -45,9 +44,9 @@ class LaneBatches {
   /// in a lane: whoever fills lanes looks at them anyway.
   template <Scalar Real>
   bool may_be_same(const VelocityProblem<Real>& problem);
-  /// Made anew for these contacts, as for their rows if they were written; false: nothing has changed.
+  /// Made anew for a problem whose contacts have no rows, as if they had; false: nothing has changed.
   template <Scalar Real>
-  bool arrange(const ContactProblem<Real>& contacts);
+  bool arrange_contacts(const VelocityProblem<Real>& problem);
   /// Whether a row of a batch still is what its lane is made for. Only where may_be_same().
   template <Scalar Real>
   bool is_same_row(const VelocityProblem<Real>& problem, const LaneBatch& batch, int number, int lane) const;
@@ -58,8 +57,7 @@ class LaneBatches {
   const List<int>& colours() const { return colours_; }
   /// Of the rows of all batches.
   const List<LaneKind>& kinds() const { return kinds_; }
-  /// The rows of the problem that go one by one, block by block; those of contacts without rows are numbered
-  /// behind all that there are.
+  /// The rows of the problem that go one by one, block by block, written or not.
   const List<int>& single_rows() const { return single_rows_; }
   /// The contacts without rows that these are of.
   const List<int>& single_contacts() const { return single_contacts_; }
@@ -72,7 +70,7 @@ class LaneBatches {
   template <Scalar Real>
   LaneBlock seen(const VelocityProblem<Real>& problem, const RowBlock& block);
   template <Scalar Real>
-  static LaneBlock seen(const Contact<Real>& contact, int points, int first_row);
+  static LaneBlock seen(const Contact<Real>& contact, const RowBlock& block);
   template <Scalar Real>
   std::uint64_t seen_kind(const VelocityProblem<Real>& problem, const RowBlock& block, int row);
   template <Scalar Real>
@@ -80,7 +78,7 @@ class LaneBatches {
   template <Scalar Real>
   bool has_same_blocks(const VelocityProblem<Real>& problem) const;
   void single_out_what_is_leant_on();
-  void make_batches(int rows);
+  void make_batches();
   void order_by_place();
   void add_batch(Span<const ColouredBlock> blocks);
 

@@ -14,11 +14,12 @@ inline constexpr int most_contact_rows = 4;
 /// What is gathered of a batch of contacts.
 template <typename Real>
 struct LaneContactInput {
-  Real position_a[2][lane_count];                 // [m] of the centres of mass of the first bodies
-  Real position_b[2][lane_count];                 // [m] of the second bodies
+  Real center_a[2][lane_count];                   // [m] of mass, of the first bodies
+  Real center_b[2][lane_count];                   // [m] of the second bodies
   Real normal[2][lane_count];                     // n, from the first to the second
   Real point[most_lane_points][2][lane_count];    // [m]
   Real separation[most_lane_points][lane_count];  // [m]
+  Real rigid[most_lane_points][lane_count];       // 1 where no spring holds it, or 0
 };
 
 /// What contacts are weighed for: both sums that R_E is made of (residual.hpp).
@@ -32,7 +33,6 @@ template <typename Real>
 struct alignas(64) LaneContactBatch {
   int points = 0;                               // of each contact
   bool has_friction = false;                    // there are rows of friction
-  int rows = 0;                                 // of each contact
   Real inverse_a[3][lane_count];                // the inverse masses of the first bodies
   Real inverse_b[3][lane_count];                // of the second bodies
   Real normal[2][lane_count];                   // n
@@ -43,9 +43,12 @@ struct alignas(64) LaneContactBatch {
   Real softness[most_lane_points][lane_count];  // [1/kg] of the normal rows
   Real friction[lane_count];                    // mu
   Real slop_limit[lane_count];                  // [m]
-  Real start[most_contact_rows][lane_count];    // [N s] of each row, before the solve
+  Real rebound[most_lane_points][lane_count];   // [m/s]
   Real impulse[most_contact_rows][lane_count];  // [N s] of each row, where the lanes were filled
   Real answer[most_contact_rows][lane_count];   // [N s] as written back last; before, the warm start
+
+  /// Of each contact.
+  int rows() const { return has_friction ? 2 * points : points; }
 };
 
 }  // namespace cairn

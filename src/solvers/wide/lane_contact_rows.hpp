@@ -1,5 +1,5 @@
 // Floor 4. The rows of a batch of contacts: compiled once for each instruction set, as lane_sweep.hpp is. All
-// of it does, number for number, what write_contact_rows(), stabilize_contact(), apply_impulse() and
+// of it does, number for number, what write_contact_rows(), apply_impulse() and
 // Bounds::clamp() do for one row.
 #pragma once
 
@@ -20,14 +20,15 @@ inline Real inverse_mass_of(Real x, Real y, Real turn, Real mass_x, Real mass_y,
 /// Bias and softness of the normal rows of one point. The rule by value: to a compiler, lanes might lie over
 /// it.
 template <typename Real>
-inline void stabilize_point(const Real* separation, RowRule<Real> rule, int point,
+inline void stabilize_point(const Real* separation, const Real* rigid, RowRule<Real> rule, int point,
                             LaneContactBatch<Real>& batch) {
   const int row = batch.has_friction ? 2 * point : point;
   for (int lane = 0; lane < lane_count; ++lane) {
-    const bool on_spring = rule.has_springs && !(separation[lane] >= 0);
+    const bool on_spring = rule.has_springs && !(separation[lane] >= 0) && rigid[lane] == 0;
     const Real softness = spring_softness(rule, batch.inverse[row][lane]);
     batch.softness[point][lane] = on_spring ? softness : Real(0);
-    batch.bias[point][lane] = pushing_bias(rule, separation[lane], batch.slop_limit[lane], on_spring);
+    batch.bias[point][lane] = contact_bias(rule, separation[lane], batch.slop_limit[lane],
+                                           batch.rebound[point][lane], on_spring, false);
   }
 }
 
@@ -50,10 +51,10 @@ inline void measure_arms(const LaneContactInput<Real>& from, int point, LaneCont
   const int row = to.has_friction ? 2 * point : point;
   for (int lane = 0; lane < lane_count; ++lane) {
     const Real x = from.normal[0][lane], y = from.normal[1][lane];
-    const Real a_x = from.point[point][0][lane] - from.position_a[0][lane];
-    const Real a_y = from.point[point][1][lane] - from.position_a[1][lane];
-    const Real b_x = from.point[point][0][lane] - from.position_b[0][lane];
-    const Real b_y = from.point[point][1][lane] - from.position_b[1][lane];
+    const Real a_x = from.point[point][0][lane] - from.center_a[0][lane];
+    const Real a_y = from.point[point][1][lane] - from.center_a[1][lane];
+    const Real b_x = from.point[point][0][lane] - from.center_b[0][lane];
+    const Real b_y = from.point[point][1][lane] - from.center_b[1][lane];
     to.turn_a[row][lane] = a_x * y - a_y * x;
     to.turn_b[row][lane] = b_x * y - b_y * x;
     if (to.has_friction) {
@@ -75,7 +76,7 @@ inline void measure_contacts(const LaneContactInput<Real>& from, const RowRule<R
   }
   for (int point = 0; point < to.points; ++point) {
     measure_arms(from, point, to);
-    stabilize_point(from.separation[point], rule, point, to);
+    stabilize_point(from.separation[point], from.rigid[point], rule, point, to);
   }
 }
 
@@ -104,7 +105,9 @@ template <typename Real>
 inline void relax_contacts(LaneContactBatch<Real>& batch) {
   for (int i = 0; i < batch.points; ++i) {
     for (int lane = 0; lane < lane_count; ++lane) {
-      batch.bias[i][lane] = batch.bias[i][lane] > 0 ? Real(0) : batch.bias[i][lane];
+      const Real rebound = batch.rebound[i][lane], bias = batch.bias[i][lane];
+      const Real relaxed = bias > 0 ? Real(0) : bias;
+      batch.bias[i][lane] = rebound > 0 ? rebound : relaxed;
       batch.softness[i][lane] = Real(0);
     }
   }
@@ -141,7 +144,7 @@ inline void fill_contacts(LaneContactBatch<Real>& batch, const LaneBatch& at, co
                           LaneCoupling<Number>* couplings) {
   LaneBodyInput<Real> bodies;
   gather_bodies<bytes>(at, velocity, bodies);
-  for (int i = 0; i < batch.rows; ++i) {
+  for (int i = 0; i < batch.rows(); ++i) {
     for (int lane = 0; lane < lane_count; ++lane) batch.impulse[i][lane] = batch.answer[i][lane];
     if (batch.has_friction && i % 2 == 1) {
       fill_contact_row<true>(batch, i, bodies, roots, rows[i]);
@@ -169,7 +172,7 @@ inline void empty_contacts(const LaneRow<Number>* rows, LaneContactBatch<Real>& 
   LaneBodyInput<Real> bodies;
   gather_bodies<bytes>(at, velocity, bodies);
   Real change[lane_count];
-  for (int i = 0; i < batch.rows; ++i) {
+  for (int i = 0; i < batch.rows(); ++i) {
     const bool is_friction = batch.has_friction && i % 2 == 1;
     for (int lane = 0; lane < lane_count; ++lane) {
       const Real old = batch.impulse[i][lane];
@@ -246,7 +249,7 @@ template <typename Real>
 inline void weigh_answer(const LaneContactBatch<Real>& __restrict batch, const LaneBodyInput<Real>& bodies,
                          Real* __restrict squares) {
   LaneWeights<Real> row;
-  for (int i = 0; i < batch.rows; ++i) {
+  for (int i = 0; i < batch.rows(); ++i) {
     weigh_row(batch, i, bodies, row);
     const bool is_friction = batch.has_friction && i % 2 == 1;
     const Real* const other = batch.answer[is_friction ? i - 1 : i];

@@ -8,7 +8,7 @@
 namespace cairn {
 
 template <Scalar Real>
-void LaneContacts<Real>::arrange(const LaneBatches& batches, const ContactProblem<Real>& problem,
+void LaneContacts<Real>::arrange(const LaneBatches& batches, const VelocityProblem<Real>& problem,
                                  const PerBody<Vec3<Real>>& root) {
   contacts_.resize(batches.counts().contact_batches);
   roots_.resize(batches.counts().contact_batches);
@@ -20,14 +20,13 @@ void LaneContacts<Real>::arrange(const LaneBatches& batches, const ContactProble
       to = {};
       roots = {};
     }
-    to.rows = batch.rows;
-    to.points = problem.manifolds[batch.block[0]].count;
-    to.has_friction = to.rows > to.points;
+    to.points = problem.contacts[batch.block[0]].manifold.count;
+    to.has_friction = batch.rows > to.points;
     for (int lane = 0; lane < batch.used; ++lane) {
       const BodyId a = {batch.body_a[lane]}, b = {batch.body_b[lane]};
       for (int axis = 0; axis < 3; ++axis) {
-        to.inverse_a[axis][lane] = problem.problem->inverse_mass[a](axis);
-        to.inverse_b[axis][lane] = problem.problem->inverse_mass[b](axis);
+        to.inverse_a[axis][lane] = problem.inverse_mass[a](axis);
+        to.inverse_b[axis][lane] = problem.inverse_mass[b](axis);
         roots.a[axis][lane] = static_cast<Number>(root[a](axis));
         roots.b[axis][lane] = static_cast<Number>(root[b](axis));
       }
@@ -37,30 +36,40 @@ void LaneContacts<Real>::arrange(const LaneBatches& batches, const ContactProble
 
 template <Scalar Real>
 void LaneContacts<Real>::take(const LaneCode<Real>& code, const LaneBatches& batches,
-                              const ContactProblem<Real>& problem) {
+                              const VelocityProblem<Real>& problem) {
+  const bool known = problem.relaxes && knows(problem);
   for (const LaneBatch& batch : batches.batches()) {
     if (batch.contacts < 0) continue;
-    if (batch.used < lane_count) input_ = {};
-    gather(batch, problem);
-    code.measure_contacts(input_, problem.rule, contacts_[batch.contacts]);
+    LaneContactBatch<Real>& to = contacts_[batch.contacts];
+    if (!known) {
+      if (batch.used < lane_count) input_ = {};
+      gather(batch, problem);
+      code.measure_contacts(input_, problem.rule, to);
+    }
+    if (problem.relaxes) code.relax_contacts(to);
+    for (int lane = 0; lane < batch.used; ++lane) {
+      for (int i = 0; i < batch.rows; ++i) to.answer[i][lane] = problem.impulse[batch.block_row[lane] + i];
+    }
   }
+  taken_ = problem.number.value();
 }
 
 template <Scalar Real>
-void LaneContacts<Real>::gather(const LaneBatch& batch, const ContactProblem<Real>& problem) {
-  const PerBody<Pose<Real>>& poses = *problem.poses;
+void LaneContacts<Real>::gather(const LaneBatch& batch, const VelocityProblem<Real>& problem) {
   LaneContactBatch<Real>& to = contacts_[batch.contacts];
   for (int lane = 0; lane < batch.used; ++lane) {
-    const int k = batch.block[lane];
-    const Contact<Real>& contact = problem.contacts[k];
+    const Contact<Real>& contact = problem.contacts[batch.block[lane]];
     for (int axis = 0; axis < 2; ++axis) {
-      input_.position_a[axis][lane] = poses[contact.a].position(axis);
-      input_.position_b[axis][lane] = poses[contact.b].position(axis);
+      input_.center_a[axis][lane] = contact.center_a(axis);
+      input_.center_b[axis][lane] = contact.center_b(axis);
     }
-    gather_manifold(problem.manifolds[k], lane);
+    gather_manifold(contact.manifold, lane);
     to.friction[lane] = contact.friction;
     to.slop_limit[lane] = contact.slop_limit;
-    for (int i = 0; i < to.rows; ++i) to.start[i][lane] = to.answer[i][lane] = contact.start[i];
+    for (int i = 0; i < to.points; ++i) {
+      to.rebound[i][lane] = contact.rebound[i];
+      input_.rigid[i][lane] = contact.rigid[i] ? Real(1) : Real(0);
+    }
   }
 }
 
@@ -92,19 +101,6 @@ void LaneContacts<Real>::give_velocities(PerBody<Vec3<Real>>& velocity) const {
   for (const BodyId body : velocity.indices()) {
     const Real(&v)[4] = bodies_[body].numbers;
     velocity[body] = {v[0], v[1], v[2]};
-  }
-}
-
-template <Scalar Real>
-void LaneContacts<Real>::relax(const LaneCode<Real>& code, SecondStart start) {
-  for (LaneContactBatch<Real>& batch : contacts_) {
-    code.relax_contacts(batch);
-    if (start == SecondStart::of_first_answer) continue;
-    for (int i = 0; i < batch.rows; ++i) {
-      for (int lane = 0; lane < lane_count; ++lane) {
-        batch.answer[i][lane] = batch.start[i][lane];
-      }
-    }
   }
 }
 
@@ -157,25 +153,14 @@ void LaneContacts<Real>::add_energy(const LaneCode<Real>& code, Span<const LaneB
 }
 
 template <Scalar Real>
-void LaneContacts<Real>::give(const LaneBatches& batches, Span<Contact<Real>> contacts) const {
+void LaneContacts<Real>::give(const LaneBatches& batches, VelocityProblem<Real>& problem) const {
   for (const LaneBatch& batch : batches.batches()) {
     if (batch.contacts < 0) continue;
+    const LaneContactBatch<Real>& from = contacts_[batch.contacts];
     for (int lane = 0; lane < batch.used; ++lane) {
-      Contact<Real>& contact = contacts[batch.block[lane]];
-      for (int i = 0; i < batch.rows; ++i) contact.impulse[i] = contacts_[batch.contacts].answer[i][lane];
+      for (int i = 0; i < batch.rows; ++i) problem.impulse[batch.block_row[lane] + i] = from.answer[i][lane];
     }
   }
-}
-
-template <Scalar Real>
-Real LaneContacts<Real>::largest_impulse() const {
-  Real largest = 0;
-  for (const LaneContactBatch<Real>& batch : contacts_) {
-    for (int i = 0; i < batch.rows; ++i) {
-      for (const Real impulse : batch.answer[i]) largest = std::max(largest, std::abs(impulse));
-    }
-  }
-  return largest;
 }
 
 template class LaneContacts<float>;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "math/list.hpp"
-#include "constraints/contact_problem.hpp"
+#include "constraints/row.hpp"
 #include "solvers/wide/lane_batches.hpp"
 #include "solvers/wide/lane_sets.hpp"
 
@@ -17,12 +17,14 @@ class LaneContacts {
   using Number = LaneNumber<Real>;
 
   /// Makes room for these batches; each body has its root of the inverse mass in `root`.
-  void arrange(const LaneBatches& batches, const ContactProblem<Real>& problem,
+  void arrange(const LaneBatches& batches, const VelocityProblem<Real>& problem,
                const PerBody<Vec3<Real>>& root);
-  /// Takes over manifolds, poses and impulses.
-  void take(const LaneCode<Real>& code, const LaneBatches& batches, const ContactProblem<Real>& problem);
-  /// Leaves out what takes overlap back; and begins from these impulses once more.
-  void relax(const LaneCode<Real>& code, SecondStart start);
+  /// Takes over contacts and impulses; of a problem whose number it has seen only what the second solve is.
+  void take(const LaneCode<Real>& code, const LaneBatches& batches, const VelocityProblem<Real>& problem);
+  /// Whether it has taken over this problem before, as far as numbers of problems tell.
+  bool knows(const VelocityProblem<Real>& problem) const {
+    return problem.number.value() != 0 && problem.number.value() == taken_;
+  }
   /// The warm start of a run.
   void push(const LaneCode<Real>& code, Span<const LaneBatch> run, PerBody<Vec3<Real>>& velocity);
   /// Fills the rows of all batches, from `velocity` on.
@@ -38,15 +40,13 @@ class LaneContacts {
   /// Adds what a run has in one of the two sums of R_E [J], at these velocities, in each lane.
   void add_energy(const LaneCode<Real>& code, Span<const LaneBatch> run, LaneEnergy kind,
                   const PerBody<Vec3<Real>>& velocity, Real* squares);
-  /// Gives the contacts their impulses.
-  void give(const LaneBatches& batches, Span<Contact<Real>> contacts) const;
-  /// [N s] of all impulses.
-  Real largest_impulse() const;
+  /// Gives the problem the impulses of the contacts.
+  void give(const LaneBatches& batches, VelocityProblem<Real>& problem) const;
   /// What it takes up [bytes].
   std::size_t bytes() const { return contacts_.bytes() + roots_.bytes() + bodies_.bytes(); }
 
  private:
-  void gather(const LaneBatch& batch, const ContactProblem<Real>& problem);
+  void gather(const LaneBatch& batch, const VelocityProblem<Real>& problem);
   void gather_manifold(const Manifold<Real>& manifold, int lane);
   void take_velocities(const PerBody<Vec3<Real>>& velocity);
   void give_velocities(PerBody<Vec3<Real>>& velocity) const;
@@ -54,6 +54,7 @@ class LaneContacts {
   List<LaneContactBatch<Real>> contacts_;  // a batch each
   List<LaneRoots<Number>> roots_;          // of each batch
   PerBody<LaneBody<Real>> bodies_;         // as fast as they are, and one that nothing moves
+  std::uint64_t taken_ = 0;                // the number of the problem that they are of
   LaneContactInput<Real> input_ = {};      // scratch, of one batch
 };
 

@@ -18,8 +18,7 @@ LaneSteps<Real> LaneSystem<Real>::sweep(VelocityProblem<Real>& problem, int numb
 template <Scalar Real>
 Real LaneSystem<Real>::sweep_once(VelocityProblem<Real>& problem, int number, SolveObserver<Real>* observer) {
   Real largest = 0;
-  const auto update = [&](int i) {
-    const ConstraintRow<Real>& row = problem.rows[i];
+  const auto update = [&](int i, const ConstraintRow<Real>& row) {
     const Real old = problem.impulse[i], jv = row_velocity(problem, row), mass = effective_mass(problem, row);
     const Real corrective = relaxation_ * ((row.bias - jv - row.softness * old) * mass);
     const Real now = problem.impulse[i] = row.bounds.clamp(old + corrective, problem.impulse);
@@ -28,16 +27,19 @@ Real LaneSystem<Real>::sweep_once(VelocityProblem<Real>& problem, int number, So
     if (observer == nullptr) return;
     observer->after_row({number, i, jv, mass > 0 ? 1 / mass : Real(0), corrective, old, now}, problem);
   };
-  for (const int i : batches_.single_rows()) update(i);
+  for (int k = 0; k < batches_.single_rows().size(); ++k)
+    update(batches_.single_rows()[k], single_row(problem, k));
   for_each_run(
       [&](const LaneBatch& batch) {
         for (int lane = 0; lane < batch.used; ++lane) {
-          for (int r = 0; r < batch.rows; ++r) update(batch.block_row[lane] + r);
+          const int first = batch.block_row[lane];
+          for (int i = first; i < first + batch.rows; ++i) update(i, problem.rows[i]);
         }
       },
       [&](Span<const LaneBatch> run) {
         largest = std::max(largest, contacts_.sweep_once(code_, run, relaxation_, problem.velocity));
       });
+  contacts_.give(batches_, problem);
   return largest;
 }
 
@@ -143,7 +145,7 @@ LaneSteps<Real> LaneSystem<Real>::pass_single_rows(VelocityProblem<Real>& proble
   LaneSteps<Real> steps;
   for (int k = 0; k < single_mass_.size(); ++k) {
     const int i = batches_.single_rows()[k];
-    const ConstraintRow<Real>& row = problem.rows[i];
+    const ConstraintRow<Real>& row = single_row(problem, k);
     const Real jv = single_row_velocity(problem, row), old = problem.impulse[i];
     const Real wanted = (row.bias - jv - row.softness * old) * single_mass_[k];
     const Real corrective = relaxation_ * wanted;
@@ -216,16 +218,21 @@ void LaneSystem<Real>::watch_batch(int number, const LaneBatch& batch, VelocityP
 /// One of the two sums of R_E [J].
 template <Scalar Real>
 Real LaneSystem<Real>::energy(const VelocityProblem<Real>& problem, LaneEnergy kind) {
-  const auto of_row = [&](int i) {
-    return kind == LaneEnergy::at_start ? starting_energy(problem, i) : correction_energy(problem, i);
+  const auto of_row = [&](int i, const ConstraintRow<Real>& row) {
+    return kind == LaneEnergy::at_start ? starting_energy(problem, row)
+                                        : correction_energy(problem, row, problem.impulse[i]);
   };
   Real sum = 0;
-  for (const int i : batches_.single_rows()) sum += of_row(i);
+  for (int k = 0; k < batches_.single_rows().size(); ++k)
+    sum += of_row(batches_.single_rows()[k], single_row(problem, k));
   Real squares[lane_count] = {};
   for_each_run(
       [&](const LaneBatch& batch) {
         for (int r = 0; r < batch.rows; ++r) {
-          for (int lane = 0; lane < batch.used; ++lane) squares[lane] += of_row(batch.block_row[lane] + r);
+          for (int lane = 0; lane < batch.used; ++lane) {
+            const int i = batch.block_row[lane] + r;
+            squares[lane] += of_row(i, problem.rows[i]);
+          }
         }
       },
       [&](Span<const LaneBatch> run) { contacts_.add_energy(code_, run, kind, problem.velocity, squares); });

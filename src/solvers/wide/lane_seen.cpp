@@ -15,31 +15,25 @@ void LaneBatches::arrange(const VelocityProblem<Real>& problem) {
   leant_on_.clear();
   blocks_.clear();
   for (const RowBlock& block : problem.blocks) blocks_.push_back(seen(problem, block));
-  make_batches(problem.row_count());
+  make_batches();
 }
 
 template <Scalar Real>
-bool LaneBatches::arrange(const ContactProblem<Real>& contacts) {
-  const VelocityProblem<Real>& problem = *contacts.problem;
-  const int count = contacts.joints + contacts.contacts.size();
-  bool changed = sees_other_bodies(problem) || !of_contacts_ || blocks_.size() != count;
+bool LaneBatches::arrange_contacts(const VelocityProblem<Real>& problem) {
+  const int count = problem.blocks.size(), joints = problem.joint_blocks();
+  bool changed = sees_other_bodies(problem) || !of_contacts_ || joints != joints_ || blocks_.size() != count;
   blocks_.resize(count);
   leant_on_.clear();
-  int next = 0;  // row of the problem
   for (int k = 0; k < count; ++k) {
-    const int contact = k - contacts.joints;
-    const std::optional<int> written = contact < 0 ? k : contacts.contacts[contact].block;
-    const LaneBlock block = written
-                                ? seen(problem, problem.blocks[*written])
-                                : seen(contacts.contacts[contact], contacts.manifolds[contact].count, next);
-    if (written) next += block.rows;
+    const LaneBlock block = k < joints ? seen(problem, problem.blocks[k])
+                                       : seen(problem.contacts[k - joints], problem.blocks[k]);
     changed = changed || block != blocks_[k];
     blocks_[k] = block;
   }
   if (!changed && leant_on_.empty()) return false;
   of_contacts_ = true;
-  joints_ = contacts.joints;
-  make_batches(contacts.rows);
+  joints_ = joints;
+  make_batches();
   return true;
 }
 
@@ -98,17 +92,16 @@ LaneBlock LaneBatches::seen(const VelocityProblem<Real>& problem, const RowBlock
 }
 
 template <Scalar Real>
-LaneBlock LaneBatches::seen(const Contact<Real>& contact, int points, int first_row) {
-  LaneBlock result = {.first_row = first_row, .rows = contact.count, .of_contact = true};
-  if (contact.count == 0) return result;
+LaneBlock LaneBatches::seen(const Contact<Real>& contact, const RowBlock& block) {
+  LaneBlock result = {.first_row = block.first, .rows = block.count, .of_contact = true};
+  if (block.count == 0) return result;
   result.a = contact.a;
   result.b = contact.b;
   if (contact.friction > 0) {
-    result.kinds = kinds_of_contact(2 * points);
+    result.kinds = kinds_of_contact(block.count);
   } else {
-    for (int i = 0; i < points; ++i) {
+    for (int i = 0; i < block.count; ++i)
       result.kinds = result.kinds << bits_of_a_kind | code_of({.bounds = LaneBounds::lower});
-    }
   }
   result.kinds |= contact_bit;
   return result;
@@ -134,9 +127,9 @@ std::uint64_t LaneBatches::seen_kind(const VelocityProblem<Real>& problem, const
   return fits && !(row.bounds.disc > 0) ? code_of(kind) : 0;
 }
 
-template bool LaneBatches::arrange(const ContactProblem<float>&);
-template bool LaneBatches::arrange(const ContactProblem<double>&);
-template bool LaneBatches::arrange(const ContactProblem<long double>&);
+template bool LaneBatches::arrange_contacts(const VelocityProblem<float>&);
+template bool LaneBatches::arrange_contacts(const VelocityProblem<double>&);
+template bool LaneBatches::arrange_contacts(const VelocityProblem<long double>&);
 template void LaneBatches::arrange(const VelocityProblem<float>&);
 template bool LaneBatches::may_be_same(const VelocityProblem<float>&);
 template void LaneBatches::arrange(const VelocityProblem<double>&);

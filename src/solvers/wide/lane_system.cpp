@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "constraints/contact_rows.hpp"
 #include "math/check.hpp"
 
 namespace cairn {
@@ -25,6 +26,20 @@ LaneSystem<Real>::LaneSystem(LaneSet set, Real relaxation, int threads)
 
 template <Scalar Real>
 void LaneSystem<Real>::begin(VelocityProblem<Real>& problem) {
+  if (problem.has_rows()) return begin_rows(problem);
+  if (!contacts_.knows(problem)) {
+    const bool new_masses = take_masses(problem);
+    const bool rearranged = batches_.arrange_contacts(problem);
+    if (rearranged || new_masses) contacts_.arrange(batches_, problem, root_);
+  }
+  write_single_contacts(problem);
+  contacts_.take(code_, batches_, problem);
+  push(problem);
+}
+
+template <Scalar Real>
+void LaneSystem<Real>::begin_rows(VelocityProblem<Real>& problem) {
+  single_contact_rows_.clear();
   take_masses(problem);
   velocity_ = problem.velocity;
   if (batches_.may_be_same(problem) && push_rows(problem)) return;
@@ -33,26 +48,20 @@ void LaneSystem<Real>::begin(VelocityProblem<Real>& problem) {
   push_rows(problem);
 }
 
+/// Behind the problem's rows, from where they are taken away again.
 template <Scalar Real>
-void LaneSystem<Real>::begin(ContactProblem<Real>& contacts) {
-  const bool new_masses = take_masses(*contacts.problem);
-  const bool rearranged = batches_.arrange(contacts);
-  if (rearranged || new_masses) contacts_.arrange(batches_, contacts, root_);
-  write_single_rows(contacts);
-  contacts_.take(code_, batches_, contacts);
-  push(*contacts.problem);
-}
-
-template <Scalar Real>
-void LaneSystem<Real>::begin_relaxed(ContactProblem<Real>& contacts) {
-  VelocityProblem<Real>& problem = *contacts.problem;
-  for (int i = contacts.rows; i < problem.row_count(); ++i) {
-    problem.rows[i].bias = std::min(problem.rows[i].bias, Real(0));
-    problem.rows[i].softness = 0;
+void LaneSystem<Real>::write_single_contacts(VelocityProblem<Real>& problem) {
+  single_contact_rows_.clear();
+  const int first = problem.row_count();
+  for (const int k : batches_.single_contacts()) {
+    int next = first;
+    write_contact_rows(problem.contacts[k], problem, next);
+    for (int i = first; i < next; ++i) {
+      single_contact_rows_.push_back(problem.rows[i]);
+      single_contact_rows_.back().bounds.shift(problem.blocks[problem.joint_blocks() + k].first - first);
+    }
   }
-  if (contacts.second_start == SecondStart::of_first_start) start_single_contacts(contacts);
-  contacts_.relax(code_, contacts.second_start);
-  push(problem);
+  problem.rows.resize(first);
 }
 
 /// False where a lane is not made for its row any more: velocities are of no use then.
@@ -75,7 +84,8 @@ bool LaneSystem<Real>::push_rows(VelocityProblem<Real>& problem) {
 template <Scalar Real>
 void LaneSystem<Real>::push(VelocityProblem<Real>& problem) {
   velocity_ = problem.velocity;
-  for (const int i : batches_.single_rows()) apply_impulse(problem, problem.rows[i], problem.impulse[i]);
+  for (int k = 0; k < batches_.single_rows().size(); ++k)
+    apply_impulse(problem, single_row(problem, k), problem.impulse[batches_.single_rows()[k]]);
   for_each_run(
       [&](const LaneBatch& batch) {
         for (int lane = 0; lane < batch.used; ++lane) {
@@ -141,7 +151,8 @@ bool LaneSystem<Real>::take_masses(const VelocityProblem<Real>& problem) {
 template <Scalar Real>
 void LaneSystem<Real>::take_single_rows(const VelocityProblem<Real>& problem) {
   single_mass_.clear();
-  for (const int i : batches_.single_rows()) single_mass_.push_back(effective_mass(problem, problem.rows[i]));
+  for (int k = 0; k < batches_.single_rows().size(); ++k)
+    single_mass_.push_back(effective_mass(problem, single_row(problem, k)));
 }
 
 template <Scalar Real>
@@ -202,12 +213,14 @@ void LaneSystem<Real>::write_back(VelocityProblem<Real>& problem) {
   empty_single_rows(problem);
   for_each_run([&](const LaneBatch& batch) { empty_rows(problem, batch); },
                [&](Span<const LaneBatch> run) { contacts_.empty(code_, run, rows_, problem.velocity); });
+  contacts_.give(batches_, problem);
 }
 
 template <Scalar Real>
 void LaneSystem<Real>::empty_single_rows(VelocityProblem<Real>& problem) const {
-  for (const int i : batches_.single_rows()) {
-    apply_impulse(problem, problem.rows[i], problem.impulse[i] - impulse_[i]);
+  for (int k = 0; k < batches_.single_rows().size(); ++k) {
+    const int i = batches_.single_rows()[k];
+    apply_impulse(problem, single_row(problem, k), problem.impulse[i] - impulse_[i]);
   }
 }
 
@@ -223,15 +236,10 @@ void LaneSystem<Real>::empty_rows(VelocityProblem<Real>& problem, const LaneBatc
 }
 
 template <Scalar Real>
-void LaneSystem<Real>::give(ContactProblem<Real>& contacts) const {
-  contacts_.give(batches_, contacts.contacts);
-}
-
-template <Scalar Real>
 bool LaneSystem<Real>::is_worth_taking(Real change, Real path) const {
   if (!(path > 0) || !(change <= 1024 * static_cast<Real>(std::numeric_limits<Number>::epsilon()) * path))
     return false;
-  Real largest = batches_.counts().contact_batches > 0 ? contacts_.largest_impulse() : Real(0);
+  Real largest = 0;
   for (const Real impulse : impulse_) largest = std::max(largest, std::abs(impulse));
   return path > 16 * std::numeric_limits<Real>::epsilon() * largest;
 }
@@ -240,7 +248,7 @@ template <Scalar Real>
 std::size_t LaneSystem<Real>::bytes() const {
   return batches_.bytes() + contacts_.bytes() + rows_.bytes() + couplings_.bytes() + bodies_.bytes() +
          inverse_mass_.bytes() + root_.bytes() + velocity_.bytes() + impulse_.bytes() + single_mass_.bytes() +
-         before_.bytes() + bodies_before_.bytes() + single_before_.bytes() + sums_.bytes();
+         single_contact_rows_.bytes() + before_.bytes() + bodies_before_.bytes() + single_before_.bytes() + sums_.bytes();
 }
 
 template class LaneSystem<float>;

@@ -41,13 +41,9 @@ class LaneSystem {
   /// @throws std::invalid_argument for a set that this processor has not.
   LaneSystem(LaneSet set, Real relaxation, int threads);
 
-  /// Lays a problem in lanes and gives it its warm start, in the order of a sweep.
+  /// Lays a problem in lanes, with rows of contacts or without, and gives it its warm start, in the order of a
+  /// sweep.
   void begin(VelocityProblem<Real>& problem);
-  /// The same with contacts that have no rows. Those that fit into no lane get rows, behind all others of
-  /// contacts.problem: it is the problem for all that follows.
-  void begin(ContactProblem<Real>& contacts);
-  /// Begins once more with the contacts of before, as ContactSolver::relax().
-  void begin_relaxed(ContactProblem<Real>& contacts);
   /// Takes over a problem that has begun; changes begin at 0.
   void take(const VelocityProblem<Real>& problem);
   /// One sweep. A watcher sees the problem after each row, once all rows of its batch have been updated;
@@ -67,10 +63,6 @@ class LaneSystem {
   void take_again(VelocityProblem<Real>& problem);
   /// Writes impulses, inside their bounds, and the velocities that they make.
   void write_back(VelocityProblem<Real>& problem);
-  /// Gives all contacts in lanes their impulses, written back before, and those that they began with.
-  void give(ContactProblem<Real>& contacts) const;
-  /// Gives those that fit into none their impulses.
-  void give_single_contacts(ContactProblem<Real>& contacts) const;
   /// The scale of R_E, as residual_scale(), once the problem has begun; but added up in the order of lanes.
   Real residual_scale(VelocityProblem<Real>& problem);
   /// R_E of what lanes hold now, with their roundings: it reads less than write_back() and residual() do.
@@ -92,8 +84,9 @@ class LaneSystem {
   void for_each_run(const OfRows& of_rows, const OfContacts& of_contacts) const;
   bool push_rows(VelocityProblem<Real>& problem);
   void push(VelocityProblem<Real>& problem);
-  void start_single_contacts(const ContactProblem<Real>& contacts);
-  void write_single_rows(const ContactProblem<Real>& contacts);
+  void begin_rows(VelocityProblem<Real>& problem);
+  void write_single_contacts(VelocityProblem<Real>& problem);
+  const ConstraintRow<Real>& single_row(const VelocityProblem<Real>& problem, int k) const;
   void begin_changes(const VelocityProblem<Real>& problem);
   void fill(const VelocityProblem<Real>& problem);
   void empty_rows(VelocityProblem<Real>& problem, const LaneBatch& batch) const;
@@ -129,6 +122,7 @@ class LaneSystem {
   PerBody<Vec3<Real>> root_;          // of the inverse masses
   PerBody<Vec3<Real>> velocity_;      // as taken over
   PerRow<Real> impulse_;              // [N s] as taken over
+  List<ConstraintRow<Real>> single_contact_rows_;  // of contacts without rows that fit into no lane
   List<Real> single_mass_;            // [kg] of the rows that go one by one, 1 / A_ii
   Real momentum_ = 0;                 // of the pass that gathers it
   List<LaneImpulse<Number>> before_;  // of each of rows_, where the sweep began
@@ -138,6 +132,13 @@ class LaneSystem {
   LaneThreads threads_;
   List<LaneSteps<Real>> sums_;  // scratch, of batches_in_a_sum each
 };
+
+/// The k-th of those that go one by one: contacts come last.
+template <Scalar Real>
+const ConstraintRow<Real>& LaneSystem<Real>::single_row(const VelocityProblem<Real>& problem, int k) const {
+  const int of_contacts = k - (batches_.single_rows().size() - single_contact_rows_.size());
+  return of_contacts < 0 ? problem.rows[batches_.single_rows()[k]] : single_contact_rows_[of_contacts];
+}
 
 /// Calls of_rows(batch) for a batch whose blocks have rows and of_contacts(run) for batches of contacts
 /// without rows that follow each other, in the order of batches.

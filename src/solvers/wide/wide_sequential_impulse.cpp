@@ -31,35 +31,6 @@ SolveReport WideSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
   if (observer != nullptr) observer->before_solve(problem);
   stopping_.begin(settings_, problem, Looks::rarely);
   lanes_.begin(problem);  // warm start: impulses of last step act before the first sweep
-  return solve_begun(problem, observer);
-}
-
-template <Scalar Real>
-ContactSolver<Real>* WideSequentialImpulse<Real>::for_contacts() {
-  return settings_.patience > 0 ? nullptr : this;
-}
-
-template <Scalar Real>
-SolveReport WideSequentialImpulse<Real>::solve(ContactProblem<Real>& contacts) {
-  stopping_.begin(settings_, *contacts.problem, Looks::rarely);
-  lanes_.begin(contacts);
-  const SolveReport report = solve_begun(*contacts.problem, nullptr);
-  lanes_.give_single_contacts(contacts);
-  return report;
-}
-
-template <Scalar Real>
-SolveReport WideSequentialImpulse<Real>::relax(ContactProblem<Real>& contacts) {
-  stopping_.begin(settings_, *contacts.problem, Looks::rarely);
-  lanes_.begin_relaxed(contacts);
-  const SolveReport report = solve_begun(*contacts.problem, nullptr);
-  lanes_.give_single_contacts(contacts);
-  return report;
-}
-
-template <Scalar Real>
-SolveReport WideSequentialImpulse<Real>::solve_begun(VelocityProblem<Real>& problem,
-                                                     SolveObserver<Real>* observer) {
   restarts_ = 0;
   if (settings_.iterations == 1 && !(settings_.tolerance > 0)) {
     return stopping_.repeat(problem, observer, [&](int number, SolveObserver<Real>* watcher) {

@@ -1,7 +1,6 @@
 // Floor 4. Sequential impulses, many rows at a time.
 #pragma once
 
-#include "constraints/contact_problem.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/stopping.hpp"
 #include "solvers/wide/lane_system.hpp"
@@ -38,14 +37,14 @@ enum class Momentum {
 ///
 /// Cost: 12 multiply-adds a row and sweep, 24 with momentum, 16 rows at a time; filling lanes with
 /// rows and emptying them takes as long as two or three sweeps of SequentialImpulse, so one or two sweeps
-/// gain nothing; with contacts that have no rows (for_contacts()), about as long as one, and a single sweep
+/// gain nothing; with contacts that have no rows, about as long as one, and a single sweep
 /// over them, 16 at a time in the problem's precision, a third of that. Where a
 /// colour has many batches (LaneSystem::fewest_to_share), as where hundreds of piles stand side by side,
 /// SolverSettings::threads share them. Memory linear in m. Colours are kept from
 /// solve to solve while bodies and kinds of rows are the same. Observers: after_row comes when all rows of a
 /// batch have been updated. Sources: E. Catto, Box2D v3 (2024), for colours and lanes in SI.
 template <Scalar Real = double>
-class WideSequentialImpulse final : public Solver<Real>, private ContactSolver<Real> {
+class WideSequentialImpulse final : public Solver<Real> {
  public:
   /// With the widest registers of this processor, or those of another set that it has.
   /// @throws std::invalid_argument for settings out of range.
@@ -56,17 +55,13 @@ class WideSequentialImpulse final : public Solver<Real>, private ContactSolver<R
   /// @throws std::invalid_argument unless the problem's blocks follow each other and cover all rows.
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
   /// Where there is no patience: standstills and their like are judged by rows.
-  ContactSolver<Real>* for_contacts() override;
+  bool takes_contacts() const override { return settings_.patience == 0; }
   /// Rows in lanes, m impulses, and of every body its velocity, its inverse mass and their like.
   std::size_t memory() const override { return lanes_.bytes(); }
   /// How many sweeps with momentum the last solve undid.
   int restarts() const { return restarts_; }
 
  private:
-  SolveReport solve(ContactProblem<Real>& contacts) override;
-  SolveReport relax(ContactProblem<Real>& contacts) override;
-  void give(ContactProblem<Real>& contacts) const override { lanes_.give(contacts); }
-  SolveReport solve_begun(VelocityProblem<Real>& problem, SolveObserver<Real>* observer);
   LaneSteps<Real> iterate(int number, VelocityProblem<Real>& problem, SolveObserver<Real>* watcher);
   void accept_or_undo(VelocityProblem<Real>& problem, const LaneSteps<Real>& gathered,
                       const LaneSteps<Real>& swept);

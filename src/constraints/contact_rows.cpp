@@ -1,0 +1,182 @@
+// Floor 3. From contacts to rows.
+#include "constraints/contact_rows.hpp"
+
+#include <algorithm>
+
+namespace cairn {
+
+namespace {
+
+// RowKey::source of contacts: joints have their ids.
+constexpr std::uint64_t contact_source_bit = std::uint64_t{1} << 63;
+
+template <Scalar Real>
+std::uint64_t contact_source(const Manifold<Real>& manifold) {
+  return contact_source_bit | static_cast<std::uint64_t>(manifold.collider_a) << 31 |
+         static_cast<std::uint64_t>(manifold.collider_b);
+}
+
+/// One friction row for both points.
+template <Scalar Real>
+bool shares_friction(const Contact<Real>& contact, FrictionRows rows) {
+  return rows == FrictionRows::per_manifold && contact.manifold.count == 2;
+}
+
+/// j of the first body for the relative velocity along `direction` of what the two have at a point.
+template <Scalar Real>
+Vec3<Real> jacobian_of_a(const Contact<Real>& contact, const Vec2<Real>& point, const Vec2<Real>& direction) {
+  const Vec2<Real> arm = point - contact.center_a;
+  return {-direction.x(), -direction.y(), -cross(arm, direction)};
+}
+
+/// That of the second body.
+template <Scalar Real>
+Vec3<Real> jacobian_of_b(const Contact<Real>& contact, const Vec2<Real>& point, const Vec2<Real>& direction) {
+  const Vec2<Real> arm = point - contact.center_b;
+  return {direction.x(), direction.y(), cross(arm, direction)};
+}
+
+/// Where the rows of one contact go: over old ones where there are any, so every member is set.
+template <Scalar Real>
+struct ContactRows {
+  const Contact<Real>& contact;
+  VelocityProblem<Real>& problem;
+  int& next;
+  List<RelaxedRow<Real>>* relaxed;
+
+  ConstraintRow<Real>& add(const Vec2<Real>& point, const Vec2<Real>& direction, std::uint64_t part) {
+    if (next == problem.row_count()) problem.rows.emplace_back();
+    ConstraintRow<Real>& row = problem.rows[next++];
+    row.a = contact.a;
+    row.b = contact.b;
+    row.jacobian_a = jacobian_of_a(contact, point, direction);
+    row.jacobian_b = jacobian_of_b(contact, point, direction);
+    row.bias = row.softness = 0;
+    row.key = {.source = contact_source(contact.manifold), .part = part};
+    row.first_extra = problem.extra_terms.size();
+    row.extra_count = 0;
+    return row;
+  }
+  /// The number of the row.
+  int add_normal(int i) {
+    const ManifoldPoint<Real>& point = contact.manifold.points[i];
+    const RowRule<Real>& rule = problem.rule;
+    ConstraintRow<Real>& row = add(point.position, contact.manifold.normal, normal_part(point.feature));
+    row.bounds = Bounds<Real>::unilateral();
+    const bool on_spring = rule.has_springs && !(point.separation >= 0) && !contact.rigid[i];
+    const Real rebound = rule.only_corrects ? Real(0) : contact.rebound[i];
+    const auto bias = [&](bool relaxes) {
+      return contact_bias(rule, point.separation, contact.slop_limit, rebound, on_spring, relaxes);
+    };
+    row.bias = bias(problem.relaxes);
+    if (on_spring && !problem.relaxes)
+      row.softness = spring_softness(rule, inverse_effective_mass(problem, row));
+    if (rule.only_corrects) row.bias -= row_velocity(problem, row);
+    if (relaxed) relaxed->push_back({.bias = bias(true)});
+    return next - 1;
+  }
+  void add_friction(const Vec2<Real>& point, std::uint32_t feature, int normal_row, int second) {
+    const Vec2<Real> tangent = -perpendicular(contact.manifold.normal);
+    add(point, tangent, friction_part(feature)).bounds =
+        problem.rule.only_corrects ? Bounds<Real>::at_most(0)
+                                   : Bounds<Real>::coulomb(contact.friction, normal_row, second);
+    if (relaxed) relaxed->push_back({});
+  }
+};
+
+}  // namespace
+
+template <Scalar Real>
+int contact_row_count(const Contact<Real>& contact, const VelocityProblem<Real>& problem) {
+  if (problem.inverse_mass[contact.a].isZero(0) && problem.inverse_mass[contact.b].isZero(0)) return 0;
+  const int points = contact.manifold.count;
+  if (!(contact.friction > 0)) return points;
+  return shares_friction(contact, problem.friction_rows) ? points + 1 : 2 * points;
+}
+
+template <Scalar Real>
+std::uint64_t contact_part(const Manifold<Real>& manifold, int rows, int k) {
+  if (rows == 2 * manifold.count) {
+    const std::uint32_t feature = manifold.points[k / 2].feature;
+    return k % 2 == 0 ? normal_part(feature) : friction_part(feature);
+  }
+  return k < manifold.count ? normal_part(manifold.points[k].feature)
+                            : friction_part(manifold.points[0].feature);
+}
+
+template <Scalar Real>
+void meet(Contact<Real>& contact, const PerBody<Vec3<Real>>& before, Real threshold,
+          const VelocityProblem<Real>& problem) {
+  const RowRule<Real>& rule = problem.rule;
+  for (int i = 0; i < contact.manifold.count; ++i) {
+    const ManifoldPoint<Real>& point = contact.manifold.points[i];
+    contact.rebound[i] = 0;
+    contact.rigid[i] = false;
+    if (!(contact.restitution > 0) && !(rule.has_springs && !(point.separation >= 0))) continue;
+    const Vec3<Real> j_a = jacobian_of_a(contact, point.position, contact.manifold.normal);
+    const Vec3<Real> j_b = jacobian_of_b(contact, point.position, contact.manifold.normal);
+    const Real parting = dot(j_a, problem.velocity[contact.a]) + dot(j_b, problem.velocity[contact.b]);
+    const Real approach = -j_a.dot(before[contact.a]) - j_b.dot(before[contact.b]);
+    const bool meets = point.separation + rule.dt * parting < 0;
+    if (contact.restitution > 0 && approach > threshold && meets)
+      contact.rebound[i] = contact.restitution * approach;
+    contact.rigid[i] = contact.rebound[i] > 0 || -parting > rule.most_speed;
+  }
+}
+
+template <Scalar Real>
+void add_contact_blocks(VelocityProblem<Real>& problem, int& next) {
+  for (const Contact<Real>& contact : problem.contacts) {
+    const int count = contact_row_count(contact, problem);
+    const bool per_point = problem.friction_rows == FrictionRows::per_point || !(contact.friction > 0);
+    problem.blocks.push_back({next, count, per_point});
+    next += count;
+  }
+}
+
+template <Scalar Real>
+void write_contact_rows(const Contact<Real>& contact, VelocityProblem<Real>& problem, int& next,
+                        List<RelaxedRow<Real>>* relaxed) {
+  const int count = contact_row_count(contact, problem);
+  if (count == 0) return;
+  ContactRows<Real> rows{contact, problem, next, relaxed};
+  const auto& points = contact.manifold.points;
+  const bool per_point = count == 2 * contact.manifold.count;
+  int normal_rows[2] = {Bounds<Real>::none, Bounds<Real>::none};
+  for (int i = 0; i < contact.manifold.count; ++i) {
+    normal_rows[i] = rows.add_normal(i);
+    if (per_point) rows.add_friction(points[i].position, points[i].feature, normal_rows[i], Bounds<Real>::none);
+  }
+  if (per_point || count == contact.manifold.count) return;
+  const Vec2<Real> middle = (points[0].position + points[1].position) / 2;
+  rows.add_friction(middle, points[0].feature, normal_rows[0], normal_rows[1]);
+}
+
+template <Scalar Real>
+void write_contact_rows(VelocityProblem<Real>& problem, List<RelaxedRow<Real>>* relaxed) {
+  int next = problem.joint_rows();
+  make_room(problem.rows, problem.rows_in(problem.blocks.size()));
+  for (const Contact<Real>& contact : problem.contacts) write_contact_rows(contact, problem, next, relaxed);
+  problem.rows.resize(next);
+}
+
+template int contact_row_count(const Contact<float>&, const VelocityProblem<float>&);
+template std::uint64_t contact_part(const Manifold<float>&, int, int);
+template void meet(Contact<float>&, const PerBody<Vec3<float>>&, float, const VelocityProblem<float>&);
+template void add_contact_blocks(VelocityProblem<float>&, int&);
+template void write_contact_rows(const Contact<float>&, VelocityProblem<float>&, int&, List<RelaxedRow<float>>*);
+template void write_contact_rows(VelocityProblem<float>&, List<RelaxedRow<float>>*);
+template int contact_row_count(const Contact<double>&, const VelocityProblem<double>&);
+template std::uint64_t contact_part(const Manifold<double>&, int, int);
+template void meet(Contact<double>&, const PerBody<Vec3<double>>&, double, const VelocityProblem<double>&);
+template void add_contact_blocks(VelocityProblem<double>&, int&);
+template void write_contact_rows(const Contact<double>&, VelocityProblem<double>&, int&, List<RelaxedRow<double>>*);
+template void write_contact_rows(VelocityProblem<double>&, List<RelaxedRow<double>>*);
+template int contact_row_count(const Contact<long double>&, const VelocityProblem<long double>&);
+template std::uint64_t contact_part(const Manifold<long double>&, int, int);
+template void meet(Contact<long double>&, const PerBody<Vec3<long double>>&, long double, const VelocityProblem<long double>&);
+template void add_contact_blocks(VelocityProblem<long double>&, int&);
+template void write_contact_rows(const Contact<long double>&, VelocityProblem<long double>&, int&, List<RelaxedRow<long double>>*);
+template void write_contact_rows(VelocityProblem<long double>&, List<RelaxedRow<long double>>*);
+
+}  // namespace cairn
