@@ -2,6 +2,7 @@
 #pragma once
 
 #include "constraints/contact.hpp"
+#include "constraints/contact_rows.hpp"
 #include "constraints/differential_joint.hpp"
 #include "constraints/distance_joint.hpp"
 #include "constraints/drag_joint.hpp"

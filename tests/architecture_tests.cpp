@@ -57,10 +57,11 @@ std::string including_from_a_room(const std::string& file, const std::string& ta
   if (from == floor_of_room.end()) return room + " is no room of src";
   if (to == floor_of_room.end()) return "there is no room " + other + " on the floors of src";
   if (room == other) return room == "solvers" ? including_within_solvers(file, target) : "";
-  const std::set<std::string> of_a_step = {"constraints/row.hpp", "constraints/contact_problem.hpp",
-                                           "constraints/row_rule.hpp"};
+  const std::set<std::string> of_a_step = {"constraints/row.hpp", "constraints/row_rule.hpp",
+                                           "constraints/contact.hpp", "constraints/contact_rows.hpp"};
   if (room == "solvers" && other == "constraints" && !of_a_step.contains(target)) {
-    return "solvers see rows and contacts only: constraints/row.hpp, contact_problem.hpp, row_rule.hpp";
+    return "solvers see rows and contacts only: constraints/row.hpp, row_rule.hpp, contact.hpp, "
+           "contact_rows.hpp";
   }
   if (room == "collision" && other == "dynamics") return "";
   return to->second < from->second ? "" : room + " must not look up or sideways at " + other;
@@ -215,7 +216,8 @@ TEST_CASE("each rule of the floors allows what it should and refuses what it sho
   CHECK(objection("src/collision/a.hpp", "dynamics/body.hpp").empty());
   CHECK_FALSE(objection("src/dynamics/a.hpp", "collision/manifold.hpp").empty());
   CHECK(objection("src/solvers/a.hpp", "constraints/row.hpp").empty());
-  CHECK_FALSE(objection("src/solvers/a.hpp", "constraints/contact.hpp").empty());
+  CHECK(objection("src/solvers/a.hpp", "constraints/contact.hpp").empty());
+  CHECK_FALSE(objection("src/solvers/a.hpp", "constraints/constraint.hpp").empty());
   CHECK_FALSE(objection("src/world/a.hpp", "measure/csv.hpp").empty());
   CHECK(objection("src/measure/a.hpp", "world/snapshot.hpp").empty());
   CHECK_FALSE(objection("src/measure/a.hpp", "reference/box2d_world.hpp").empty());

@@ -41,9 +41,14 @@ Kind contact_kind() {
             VelocityProblem<double> problem;
             problem.velocity.assign(poses.size(), Vec3<double>::Zero());
             problem.inverse_mass.assign(poses.size(), Vec3<double>::Ones());
+            problem.rule.dt = 1;
+            const Contact<double> contact{.a = {1},
+                                          .b = {2},
+                                          .manifold = manifold,
+                                          .center_a = poses[{1}].position,
+                                          .center_b = poses[{2}].position};
             int next = 0;
-            write_contact_rows<double>(manifold, {1}, {2}, {}, poses, problem.velocity, {.dt = 1}, 0, problem,
-                                       next);
+            write_contact_rows(contact, problem, next);
             RowSpec<double> row;
             row.a = problem.rows[0].a;
             row.b = problem.rows[0].b;

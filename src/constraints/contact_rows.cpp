@@ -145,7 +145,8 @@ void write_contact_rows(const Contact<Real>& contact, VelocityProblem<Real>& pro
   int normal_rows[2] = {Bounds<Real>::none, Bounds<Real>::none};
   for (int i = 0; i < contact.manifold.count; ++i) {
     normal_rows[i] = rows.add_normal(i);
-    if (per_point) rows.add_friction(points[i].position, points[i].feature, normal_rows[i], Bounds<Real>::none);
+    if (per_point)
+      rows.add_friction(points[i].position, points[i].feature, normal_rows[i], Bounds<Real>::none);
   }
   if (per_point || count == contact.manifold.count) return;
   const Vec2<Real> middle = (points[0].position + points[1].position) / 2;
@@ -164,19 +165,23 @@ template int contact_row_count(const Contact<float>&, const VelocityProblem<floa
 template std::uint64_t contact_part(const Manifold<float>&, int, int);
 template void meet(Contact<float>&, const PerBody<Vec3<float>>&, float, const VelocityProblem<float>&);
 template void add_contact_blocks(VelocityProblem<float>&, int&);
-template void write_contact_rows(const Contact<float>&, VelocityProblem<float>&, int&, List<RelaxedRow<float>>*);
+template void write_contact_rows(const Contact<float>&, VelocityProblem<float>&, int&,
+                                 List<RelaxedRow<float>>*);
 template void write_contact_rows(VelocityProblem<float>&, List<RelaxedRow<float>>*);
 template int contact_row_count(const Contact<double>&, const VelocityProblem<double>&);
 template std::uint64_t contact_part(const Manifold<double>&, int, int);
 template void meet(Contact<double>&, const PerBody<Vec3<double>>&, double, const VelocityProblem<double>&);
 template void add_contact_blocks(VelocityProblem<double>&, int&);
-template void write_contact_rows(const Contact<double>&, VelocityProblem<double>&, int&, List<RelaxedRow<double>>*);
+template void write_contact_rows(const Contact<double>&, VelocityProblem<double>&, int&,
+                                 List<RelaxedRow<double>>*);
 template void write_contact_rows(VelocityProblem<double>&, List<RelaxedRow<double>>*);
 template int contact_row_count(const Contact<long double>&, const VelocityProblem<long double>&);
 template std::uint64_t contact_part(const Manifold<long double>&, int, int);
-template void meet(Contact<long double>&, const PerBody<Vec3<long double>>&, long double, const VelocityProblem<long double>&);
+template void meet(Contact<long double>&, const PerBody<Vec3<long double>>&, long double,
+                   const VelocityProblem<long double>&);
 template void add_contact_blocks(VelocityProblem<long double>&, int&);
-template void write_contact_rows(const Contact<long double>&, VelocityProblem<long double>&, int&, List<RelaxedRow<long double>>*);
+template void write_contact_rows(const Contact<long double>&, VelocityProblem<long double>&, int&,
+                                 List<RelaxedRow<long double>>*);
 template void write_contact_rows(VelocityProblem<long double>&, List<RelaxedRow<long double>>*);
 
 }  // namespace cairn

@@ -21,8 +21,8 @@ std::uint64_t contact_part(const Manifold<Real>& manifold, int rows, int k);
 /// Decides how the bodies of a contact meet in the substep of a problem, whose velocities and rule are those
 /// of the substep without constraints. A point rebounds with e times its approach speed in `before` [m/s],
 /// the velocities before gravity acts (then an elastic bounce keeps the discrete energy exactly), if that is
-/// above `threshold` [m/s] and the surfaces would meet there. It strikes where it overlaps and comes in faster
-/// than overlap is taken back: no spring of the policy stops that.
+/// above `threshold` [m/s] and the surfaces would meet there. It strikes where it overlaps and comes in
+/// faster than overlap is taken back: no spring of the policy stops that.
 template <Scalar Real>
 void meet(Contact<Real>& contact, const PerBody<Vec3<Real>>& before, Real threshold,
           const VelocityProblem<Real>& problem);

@@ -112,7 +112,8 @@ template double starting_energy(const VelocityProblem<double>&, const Constraint
 template double correction_energy(const VelocityProblem<double>&, const ConstraintRow<double>&, double);
 template long double least_scale(const VelocityProblem<long double>&);
 template long double starting_energy(const VelocityProblem<long double>&, const ConstraintRow<long double>&);
-template long double correction_energy(const VelocityProblem<long double>&, const ConstraintRow<long double>&, long double);
+template long double correction_energy(const VelocityProblem<long double>&, const ConstraintRow<long double>&,
+                                       long double);
 template float residual_scale(const VelocityProblem<float>&);
 template double residual_scale(const VelocityProblem<double>&);
 template long double residual_scale(const VelocityProblem<long double>&);

@@ -29,8 +29,8 @@ Real residual_scale(const VelocityProblem<Real>& problem);
 template <Scalar Real>
 Real least_scale(const VelocityProblem<Real>& problem);
 
-/// What a row has in the sum of the scale [J]: A_ii e_i^2 at impulse 0; of friction, which has nothing to lean
-/// on there, 0.
+/// What a row has in the sum of the scale [J]: A_ii e_i^2 at impulse 0; of friction, which has nothing to
+/// lean on there, 0.
 template <Scalar Real>
 Real starting_energy(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row);
 

@@ -27,12 +27,12 @@ struct Rounds {
     bool is_slow = false;  // ContactFinder::is_slow()
   };
 
-  int round = 0;                        // the number of this one
-  int changes = 0;                      // of how bodies go on
-  int first = 0;                        // the change with which this search began
-  PerBody<int> last = {};               // change of each body
-  List<Sight> sights = {};              // of each slot
-  List<Contact<Real>> contacts = {};    // of the round before
+  int round = 0;                      // the number of this one
+  int changes = 0;                    // of how bodies go on
+  int first = 0;                      // the change with which this search began
+  PerBody<int> last = {};             // change of each body
+  List<Sight> sights = {};            // of each slot
+  List<Contact<Real>> contacts = {};  // of the round before
 };
 
 /// The shapes of a world, which pairs of them are near, what touches, and what the rows of contacts gave.

@@ -29,14 +29,14 @@ struct Plan {
   int substeps = 1;                                       // in a step
   bool moves_manifolds = false;                           // manifolds last longer than a substep
   bool keeps_manifolds = false;                           // and longer than a step
-  bool relaxes = false;  // a second solve takes out the speed that moved errors back
-  bool goes_on_from_first = false;                         // and begins from the first one's answer
-  bool follows_arcs = false;                               // joints are asked to hold where a substep ends
-  bool corrects_positions = false;                         // a second solve removes errors
-  bool sleeping = false;                                   // islands at rest take no part
-  bool contacts_without_rows = false;                      // some solvers take them so
-  List<std::string> shape_kinds = {};                      // those that occur, sorted
-  std::string lengths = {};                                // lengths_text()
+  bool relaxes = false;                // a second solve takes out the speed that moved errors back
+  bool goes_on_from_first = false;     // and begins from the first one's answer
+  bool follows_arcs = false;           // joints are asked to hold where a substep ends
+  bool corrects_positions = false;     // a second solve removes errors
+  bool sleeping = false;               // islands at rest take no part
+  bool contacts_without_rows = false;  // some solvers take them so
+  List<std::string> shape_kinds = {};  // those that occur, sorted
+  std::string lengths = {};            // lengths_text()
 };
 
 /// What the scene requires.

@@ -26,8 +26,8 @@ struct BlockImpulses {
 };
 
 /// Gives the rows of a block, which are named part(k), the impulses that rows of the same name had in the
-/// last step, or 0 (paper 2.3), and says in `is_new` which had none. An impulse grows with dt, so it is scaled
-/// when dt has changed; the paper's lambda, a force, would stay as it is.
+/// last step, or 0 (paper 2.3), and says in `is_new` which had none. An impulse grows with dt, so it is
+/// scaled when dt has changed; the paper's lambda, a force, would stay as it is.
 template <typename Impulses, typename Part, Scalar Real>
 void start_rows(const Impulses& before, const RowBlock& block, const Part& part, bool is_warm,
                 VelocityProblem<Real>& problem, PerRow<char>& is_new) {

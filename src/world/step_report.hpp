@@ -49,8 +49,8 @@ struct StepReport {
 };
 
 /// What the last step saw and found. The first blocks of the problem are those of the joints, in the scene's
-/// order; then that of a hand that drags a body, if there is one; then one for each contact, which are ordered
-/// by collider_a, collider_b. Of what sleeps there are no contacts, and joints with an empty block.
+/// order; then that of a hand that drags a body, if there is one; then one for each contact, which are
+/// ordered by collider_a, collider_b. Of what sleeps there are no contacts, and joints with an empty block.
 template <Scalar Real>
 struct StepRecord {
   /// After the solve. Its contacts are those of where the step began; they may be without rows (with_rows()).

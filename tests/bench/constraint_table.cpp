@@ -70,12 +70,18 @@ ConstraintKind contact_kind(const std::string& name, const Shape<double>& upper,
   poses[{2}] = {.position = {0, 0}, .angle = 0};
   poses[{1}] = {.position = {0.1, 1}, .angle = 0};
   const Manifold<double> manifold = collide<double>(box(3, 1), poses[{2}], upper, poses[{1}], 0.02);
-  const ContactMaterial<double> material = {.friction = friction, .friction_rows = friction_rows};
+  const Contact<double> contact{.a = stage_b,
+                                .b = stage_a,
+                                .manifold = manifold,
+                                .center_a = poses[stage_b].position,
+                                .center_b = poses[stage_a].position,
+                                .friction = friction};
   const RowRule<double> rule = contact_rule<double>({}, StabilizationPass::velocity, Stage().problem.dt, 10);
   return {name, [=](VelocityProblem<double>& problem) {
+            problem.rule = rule;
+            problem.friction_rows = friction_rows;
             int next = 0;
-            write_contact_rows(manifold, stage_b, stage_a, material, poses, problem.velocity, rule, 0,
-                               problem, next);
+            write_contact_rows(contact, problem, next);
           }};
 }
 

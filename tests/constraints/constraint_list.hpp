@@ -8,7 +8,7 @@
 
 #include "../geometry/random_shapes.hpp"
 #include "collision/collide.hpp"
-#include "constraints/contact.hpp"
+#include "constraints/contact_rows.hpp"
 #include "constraints/differential_joint.hpp"
 #include "constraints/distance_joint.hpp"
 #include "constraints/drag_joint.hpp"
@@ -67,9 +67,15 @@ RowSpecs<Real> stated_contact(const Manifold<Real>& manifold, Real friction,
   VelocityProblem<Real> problem;
   problem.velocity.assign(3, Vec3<Real>::Zero());
   problem.inverse_mass.assign(3, Vec3<Real>::Ones());
+  problem.rule.dt = 1;
+  const Contact<Real> contact{.a = {1},
+                              .b = {2},
+                              .manifold = manifold,
+                              .center_a = poses[{1}].position,
+                              .center_b = poses[{2}].position,
+                              .friction = friction};
   int next = 0;
-  write_contact_rows<Real>(manifold, {1}, {2}, {.friction = friction}, poses, problem.velocity, {.dt = 1}, 0,
-                           problem, next);
+  write_contact_rows(contact, problem, next);
   RowSpecs<Real> specs;
   for (const ConstraintRow<Real>& row : problem.rows) {
     RowSpec<Real>& spec = specs.emplace_back();

@@ -2,7 +2,8 @@
 #include <doctest/doctest.h>
 
 #include "../geometry/random_shapes.hpp"
-#include "constraints/contact.hpp"
+#include "constraints/contact_rows.hpp"
+#include "constraints/stabilization.hpp"
 
 using namespace cairn;
 
@@ -10,14 +11,15 @@ namespace {
 
 /// Two bodies that touch in two points, of which body 0 is immovable and body 1 turns about the origin.
 struct Touching {
-  Manifold<double> manifold = {};
-  ContactMaterial<double> material = {.friction = 0.5};
-  PerBody<Pose<double>> poses = {{{0.5, -1}, 0}, {{0, 1}, 0}};
+  Contact<double> contact = {.a = {0}, .b = {1}, .center_a = {0.5, -1}, .center_b = {0, 1}, .friction = 0.5};
+  double threshold = 0;  // [m/s] of rebounds
   PerBody<Vec3<double>> velocity_before = {{0, 0, 0}, {0, -2, 0}};
-  RowRule<double> rule = contact_rule<double>({}, StabilizationPass::velocity, 0.01, 10);
   VelocityProblem<double> problem = {};
 
   Touching() {
+    Manifold<double>& manifold = contact.manifold;
+    manifold.collider_a = 5;
+    manifold.collider_b = 7;
     manifold.normal = {0, 1};
     manifold.count = 2;
     manifold.points[0] = {.position = {-0.5, 0}, .separation = 0.25, .feature = 3};
@@ -25,6 +27,7 @@ struct Touching {
     problem.velocity = velocity_before;
     problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>::Ones()};
     problem.dt = 0.01;
+    problem.rule = contact_rule<double>({}, StabilizationPass::velocity, 0.01, 10);
   }
   /// Behind three rows of something else, over `old` others.
   int write(int old, List<RelaxedRow<double>>* relaxed = nullptr) {
@@ -32,8 +35,11 @@ struct Touching {
     for (ConstraintRow<double>& row : problem.rows)
       row = {.bias = 9, .softness = 9, .first_extra = 9, .extra_count = 9};
     int next = 3;
-    write_contact_rows(manifold, {0}, {1}, material, poses, velocity_before, rule, 77, problem, next,
-                       relaxed);
+    meet(contact, velocity_before, threshold, problem);
+    write_contact_rows(contact, problem, next, relaxed);
+    CHECK(next - 3 == contact_row_count(contact, problem));
+    for (int i = 3; i < next; ++i)
+      CHECK(problem.rows[i].key.part == contact_part(contact.manifold, next - 3, i - 3));
     return next - 3;
   }
   const ConstraintRow<double>& row(int k) const { return problem.rows[3 + k]; }
@@ -47,16 +53,16 @@ TEST_CASE("a contact has rows of its points, normal before friction, and every m
     REQUIRE(touching.write(old) == 4);
     const Vec2<double> tangent(1, 0);
     for (int k = 0; k < 4; ++k) {
-      const ManifoldPoint<double>& point = touching.manifold.points[k / 2];
-      const Vec2<double> direction = k % 2 == 0 ? touching.manifold.normal : tangent;
+      const ManifoldPoint<double>& point = touching.contact.manifold.points[k / 2];
+      const Vec2<double> direction = k % 2 == 0 ? touching.contact.manifold.normal : tangent;
       const ConstraintRow<double>& row = touching.row(k);
       CHECK(row.a == BodyId{0});
       CHECK(row.b == BodyId{1});
-      const Vec2<double> r_a = point.position - touching.poses[{0}].position;
-      const Vec2<double> r_b = point.position - touching.poses[{1}].position;
+      const Vec2<double> r_a = point.position - touching.contact.center_a;
+      const Vec2<double> r_b = point.position - touching.contact.center_b;
       CHECK(row.jacobian_a == Vec3<double>(-direction.x(), -direction.y(), -cross(r_a, direction)));
       CHECK(row.jacobian_b == Vec3<double>(direction.x(), direction.y(), cross(r_b, direction)));
-      CHECK(row.key.source == 77);
+      CHECK(row.key.source == (std::uint64_t{1} << 63 | std::uint64_t{5} << 31 | 7));
       CHECK(row.key.part == (k % 2 == 0 ? normal_part(point.feature) : friction_part(point.feature)));
       CHECK(row.softness == 0);
       CHECK(row.extra_count == 0);
@@ -71,35 +77,35 @@ TEST_CASE("a contact has rows of its points, normal before friction, and every m
 
 TEST_CASE("one friction row for two points acts between them, and has the loads of both") {
   Touching touching;
-  touching.material.friction_rows = FrictionRows::per_manifold;
+  touching.problem.friction_rows = FrictionRows::per_manifold;
   REQUIRE(touching.write(0) == 3);
   const ConstraintRow<double>& row = touching.row(2);
   CHECK(row.bounds.normal_row == 3);
   CHECK(row.bounds.second_normal_row == 4);
   CHECK(row.jacobian_b == Vec3<double>(1, 0, 1));  // (0, 0) - (0, 1) crossed with (1, 0)
-  touching.material.friction = 0;
+  touching.contact.friction = 0;
   CHECK(touching.write(0) == 2);
 }
 
 TEST_CASE("a contact rebounds by the share e of the speed with which bodies came, where that is enough") {
   Touching touching;
-  touching.material.restitution = 0.5;
-  touching.material.restitution_threshold = 1;
+  touching.contact.restitution = 0.5;
+  touching.threshold = 1;
   List<RelaxedRow<double>> relaxed;
   touching.write(0, &relaxed);
   CHECK(touching.row(0).bias == -0.25 / 0.01);  // 0.25 m away at 2 m/s: not in this step
   CHECK(touching.row(2).bias == 0.5 * 2);
   REQUIRE(relaxed.size() == 4);
   CHECK(relaxed[2].bias == 0.5 * 2);
-  touching.material.restitution_threshold = 3;
+  touching.threshold = 3;
   touching.write(0);
   CHECK(touching.row(2).bias == 0);
 }
 
 TEST_CASE("where only positions are corrected, friction does nothing") {
   Touching touching;
-  touching.rule = contact_rule<double>({.policy = StabilizationPolicy::split_impulse},
-                                       StabilizationPass::position, 0.01, 10);
+  touching.problem.rule = contact_rule<double>({.policy = StabilizationPolicy::split_impulse},
+                                               StabilizationPass::position, 0.01, 10);
   REQUIRE(touching.write(0) == 4);
   CHECK(touching.row(1).bounds.upper == 0);
   CHECK(touching.row(1).bounds.lower == 0);

@@ -7,7 +7,8 @@
 #include "../geometry/random_shapes.hpp"
 #include "collision/collide.hpp"
 #include "collision/kept_manifold.hpp"
-#include "constraints/contact.hpp"
+#include "constraints/contact_rows.hpp"
+#include "constraints/contact_stiffness.hpp"
 
 namespace cairn {
 namespace {
@@ -46,8 +47,12 @@ struct Press {
     for (int i = 0; i < manifold.count; ++i)
       rows.rows.push_back({normal_part(manifold.points[i].feature), forces[i]});
     PerBody<Vec3<double>> stiffness(2, Vec3<double>::Zero());
-    add_contact_stiffness(manifold, pressed_a, pressed_b, rounding(shape_a), rounding(shape_b), poses, rows,
-                          stiffness);
+    const Contact<double> contact{.a = pressed_a,
+                                  .b = pressed_b,
+                                  .manifold = manifold,
+                                  .center_a = poses[pressed_a].position,
+                                  .center_b = poses[pressed_b].position};
+    add_contact_stiffness(contact, rounding(shape_a), rounding(shape_b), rows, stiffness);
     CHECK(stiffness[body].head<2>().isZero(0));
     return stiffness[body].z();
   }

@@ -36,8 +36,7 @@ PushedPair pushed_pair(bool lower_first) {
 /// A bob of 1 kg on an arm of 1 m and almost no inertia of its own, let go at 45 degrees: its largest energy
 /// above that of its start [J], in ten seconds of so many sweeps a step.
 double energy_gained(double inertia, int sweeps, bool warm) {
-  Scene scene(
-      {.stabilization = {.policy = StabilizationPolicy::baumgarte}, .warm_start = warm});
+  Scene scene({.stabilization = {.policy = StabilizationPolicy::baumgarte}, .warm_start = warm});
   const double side = std::sqrt(0.5);
   const BodyId bob =
       scene.add({.shapes = {circle(0.1)}, .position = {side, -side}, .mass = 1, .inertia = inertia});
@@ -92,8 +91,8 @@ TEST_CASE("the rows of a world have names of their own, whichever body came firs
       std::set<RowKey> keys;
       for (const ConstraintRow<double>& row : pair.world.last_step().problem.rows) keys.insert(row.key);
       CHECK(std::ssize(keys) == pair.world.last_step().problem.row_count());
-      for (const Manifold<double>& manifold : pair.world.last_step().manifolds) {
-        CHECK(manifold.collider_a < manifold.collider_b);
+      for (const Contact<double>& contact : pair.world.last_step().problem.contacts) {
+        CHECK(contact.manifold.collider_a < contact.manifold.collider_b);
       }
       if (step == 0) continue;
       for (const char is_new : pair.world.last_step().is_new) CHECK(is_new == 0);  // all are found again

@@ -29,9 +29,15 @@ PerRow<ConstraintRow<Real>> rows_of_tilted_boxes(test::Random& random) {
   VelocityProblem<Real> problem;
   problem.velocity.assign(3, Vec3<Real>::Zero());
   problem.inverse_mass.assign(3, Vec3<Real>::Ones());
+  problem.rule.dt = 1;
+  const Contact<Real> contact{.a = {1},
+                              .b = {2},
+                              .manifold = manifold,
+                              .center_a = poses[{1}].position,
+                              .center_b = poses[{2}].position,
+                              .friction = Real(0.5)};
   int next = 0;
-  write_contact_rows<Real>(manifold, {1}, {2}, {.friction = Real(0.5)}, poses, problem.velocity, {.dt = 1}, 0,
-                           problem, next);
+  write_contact_rows(contact, problem, next);
   return problem.rows;
 }
 

@@ -99,7 +99,7 @@ TEST_CASE("joined bodies collide where the scene lets them") {
     World world(scene);
     take_steps_of_choice(world, 1);
     const bool collide = collision == JointCollision::on;
-    CHECK(world.last_step().manifolds.size() == (collide ? 1u : 0u));
+    CHECK(world.last_step().problem.contacts.size() == (collide ? 1u : 0u));
     CHECK(snapshot(world).apart.size() == (collide ? 0u : 1u));
   }
 }

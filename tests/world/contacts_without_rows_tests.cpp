@@ -124,19 +124,19 @@ TEST_CASE("masses that change in mid-run reach the lanes") {
   check_same(world, observed);
 }
 
-TEST_CASE("patience and split impulses ask for rows") {
-  CHECK(WideSequentialImpulse<double>({.iterations = 4}).for_contacts() != nullptr);
-  CHECK(WideSequentialImpulse<double>({.tolerance = 1e-6}).for_contacts() != nullptr);
-  CHECK(WideSequentialImpulse<double>({.patience = 8}).for_contacts() == nullptr);
-  CHECK(SequentialImpulse<double>().for_contacts() == nullptr);
+TEST_CASE("patience, split impulses and one row of friction for two points ask for rows") {
+  CHECK(WideSequentialImpulse<double>({.iterations = 4}).takes_contacts());
+  CHECK(WideSequentialImpulse<double>({.tolerance = 1e-6}).takes_contacts());
+  CHECK_FALSE(WideSequentialImpulse<double>({.patience = 8}).takes_contacts());
+  CHECK_FALSE(SequentialImpulse<double>().takes_contacts());
   CHECK(make_plan(leaning_wall({})).contacts_without_rows);
   SceneSettings split;
   split.stabilization.policy = StabilizationPolicy::split_impulse;
   CHECK_FALSE(make_plan(leaning_wall(split)).contacts_without_rows);
+  CHECK_FALSE(make_plan(leaning_wall({.friction_rows = FrictionRows::per_manifold})).contacts_without_rows);
 }
 
-TEST_CASE_TEMPLATE("joints, rebounds and contacts that need rows leave all others without: to the same bits",
-                   Real, float, double) {
+TEST_CASE_TEMPLATE("joints and rebounds leave contacts without rows: to the same bits", Real, float, double) {
   for (const SolverSettings& settings : {SolverSettings{.iterations = 4}, SolverSettings{.iterations = 1},
                                          SolverSettings{.iterations = 60, .tolerance = 0.02}}) {
     for (const Scene& scene : walls()) {

@@ -28,33 +28,21 @@ class ThrowingObserver final : public SolveObserver<double> {
 };
 
 /// A wide solver that throws in one of its solves, as one that is given more rows than it takes.
-class ThrowingSolver final : public Solver<double>, private ContactSolver<double> {
+class ThrowingSolver final : public Solver<double> {
  public:
   explicit ThrowingSolver(int solves) : left_(solves) {}
 
   std::string name() const override { return "throwing"; }
   SolveReport solve(VelocityProblem<double>& problem, SolveObserver<double>* observer) override {
     const SolveReport report = wide_.solve(problem, observer);
-    throw_in_time();
+    if (--left_ == 0) throw std::length_error("too many rows");
     return report;
   }
-  ContactSolver<double>* for_contacts() override { return this; }
+  bool takes_contacts() const override { return wide_.takes_contacts(); }
 
  private:
-  SolveReport solve(ContactProblem<double>& contacts) override {
-    const SolveReport report = contacts_->solve(contacts);
-    throw_in_time();
-    return report;
-  }
-  SolveReport relax(ContactProblem<double>& contacts) override { return contacts_->relax(contacts); }
-  void give(ContactProblem<double>& contacts) const override { contacts_->give(contacts); }
-  void throw_in_time() {
-    if (--left_ == 0) throw std::length_error("too many rows");
-  }
-
   int left_ = 0;
   WideSequentialImpulse<double> wide_{{.iterations = 4}};
-  ContactSolver<double>* const contacts_ = wide_.for_contacts();
 };
 
 struct FailingScene {

@@ -152,7 +152,7 @@ TEST_CASE("bodies that cannot move never meet each other, and every row has a bo
     World world(scene);
     SequentialImpulse<double> solver;
     world.step(solver);
-    CHECK(world.last_step().manifolds.size() == 9);  // the disc with the ground and the eight
+    CHECK(world.last_step().problem.contacts.size() == 9);  // the disc with the ground and the eight
     for (const ConstraintRow<double>& row : world.last_step().problem.rows) {
       CHECK(inverse_effective_mass(world.last_step().problem, row) > 0);
     }

@@ -25,8 +25,8 @@ bool LaneBatches::arrange_contacts(const VelocityProblem<Real>& problem) {
   blocks_.resize(count);
   leant_on_.clear();
   for (int k = 0; k < count; ++k) {
-    const LaneBlock block = k < joints ? seen(problem, problem.blocks[k])
-                                       : seen(problem.contacts[k - joints], problem.blocks[k]);
+    const LaneBlock block =
+        k < joints ? seen(problem, problem.blocks[k]) : seen(problem.contacts[k - joints], problem.blocks[k]);
     changed = changed || block != blocks_[k];
     blocks_[k] = block;
   }

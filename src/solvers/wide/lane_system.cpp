@@ -248,7 +248,8 @@ template <Scalar Real>
 std::size_t LaneSystem<Real>::bytes() const {
   return batches_.bytes() + contacts_.bytes() + rows_.bytes() + couplings_.bytes() + bodies_.bytes() +
          inverse_mass_.bytes() + root_.bytes() + velocity_.bytes() + impulse_.bytes() + single_mass_.bytes() +
-         single_contact_rows_.bytes() + before_.bytes() + bodies_before_.bytes() + single_before_.bytes() + sums_.bytes();
+         single_contact_rows_.bytes() + before_.bytes() + bodies_before_.bytes() + single_before_.bytes() +
+         sums_.bytes();
 }
 
 template class LaneSystem<float>;

@@ -41,8 +41,8 @@ class LaneSystem {
   /// @throws std::invalid_argument for a set that this processor has not.
   LaneSystem(LaneSet set, Real relaxation, int threads);
 
-  /// Lays a problem in lanes, with rows of contacts or without, and gives it its warm start, in the order of a
-  /// sweep.
+  /// Lays a problem in lanes, with rows of contacts or without, and gives it its warm start, in the order of
+  /// a sweep.
   void begin(VelocityProblem<Real>& problem);
   /// Takes over a problem that has begun; changes begin at 0.
   void take(const VelocityProblem<Real>& problem);
@@ -117,15 +117,15 @@ class LaneSystem {
   LaneContacts<Real> contacts_;  // without rows
   List<LaneRow<Number>> rows_;
   List<LaneCoupling<Number>> couplings_;
-  PerBody<LaneBody<Number>> bodies_;  // and one that nothing moves
-  PerBody<Vec3<Real>> inverse_mass_;  // as taken over
-  PerBody<Vec3<Real>> root_;          // of the inverse masses
-  PerBody<Vec3<Real>> velocity_;      // as taken over
-  PerRow<Real> impulse_;              // [N s] as taken over
+  PerBody<LaneBody<Number>> bodies_;               // and one that nothing moves
+  PerBody<Vec3<Real>> inverse_mass_;               // as taken over
+  PerBody<Vec3<Real>> root_;                       // of the inverse masses
+  PerBody<Vec3<Real>> velocity_;                   // as taken over
+  PerRow<Real> impulse_;                           // [N s] as taken over
   List<ConstraintRow<Real>> single_contact_rows_;  // of contacts without rows that fit into no lane
-  List<Real> single_mass_;            // [kg] of the rows that go one by one, 1 / A_ii
-  Real momentum_ = 0;                 // of the pass that gathers it
-  List<LaneImpulse<Number>> before_;  // of each of rows_, where the sweep began
+  List<Real> single_mass_;                         // [kg] of the rows that go one by one, 1 / A_ii
+  Real momentum_ = 0;                              // of the pass that gathers it
+  List<LaneImpulse<Number>> before_;               // of each of rows_, where the sweep began
   PerBody<LaneBody<Number>> bodies_before_;
   List<Real> single_before_;                // [N s] of the rows that go one by one
   LaneFilling<Real, Number> filling_ = {};  // scratch, for one batch

@@ -40,22 +40,15 @@ class TimedSolver final : public Solver<double> {
   explicit TimedSolver(std::unique_ptr<Solver<double>> solver) : solver_(std::move(solver)) {}
   std::string name() const override { return solver_->name(); }
   SolveReport solve(VelocityProblem<double>& problem, SolveObserver<double>* observer = nullptr) override {
-    return timed([&] { return solver_->solve(problem, observer); });
-  }
-  SolveReport solve_again(VelocityProblem<double>& problem) override {
-    return timed([&] { return solver_->solve_again(problem); });
-  }
-  double seconds() const { return seconds_; }
-
- private:
-  template <typename Solve>
-  SolveReport timed(const Solve& solve) {
     const Stopwatch watch;
-    const SolveReport report = solve();
+    const SolveReport report = solver_->solve(problem, observer);
     seconds_ += watch.seconds();
     return report;
   }
+  bool takes_contacts() const override { return solver_->takes_contacts(); }
+  double seconds() const { return seconds_; }
 
+ private:
   std::unique_ptr<Solver<double>> solver_;
   double seconds_ = 0;
 };
