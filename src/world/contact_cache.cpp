@@ -68,7 +68,8 @@ void ContactCache<Real>::start(const Substep<Real>& step, StepRecord<Real>& reco
     const RowBlock& block = problem.blocks[joints + i];
     const Manifold<Real>& manifold = problem.contacts[i].manifold;
     const auto part = [&](int k) { return contact_part(manifold, block.count, k); };
-    start_rows(graph_[touching_[i]].impulses, block, part, step.plan.warm_start, problem, record.is_new);
+    start_rows(graph_[touching_[i]].impulses, block, part, step.plan.settings.warm_start, problem,
+               record.is_new);
   }
 }
 

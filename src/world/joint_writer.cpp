@@ -86,7 +86,7 @@ void JointWriter<Real>::start(const Substep<Real>& step, VelocityProblem<Real>& 
   for (int i = 0; i < step.joint_count(); ++i) {
     const RowBlock& block = problem.blocks[i];
     const auto part = [&](int k) { return problem.rows[block.first + k].key.part; };
-    start_rows(impulses_[i], block, part, step.plan.warm_start, problem, is_new);
+    start_rows(impulses_[i], block, part, step.plan.settings.warm_start, problem, is_new);
   }
 }
 

@@ -45,6 +45,12 @@ bool any_may_meet(const Scene& scene) {
   return false;
 }
 
+SecondSolve second_solve(StabilizationPolicy policy, bool has_rows) {
+  if (policy == StabilizationPolicy::soft) return SecondSolve::from_answer;
+  if (policy == StabilizationPolicy::split_impulse) return SecondSolve::positions;
+  return policy == StabilizationPolicy::relaxed && has_rows ? SecondSolve::from_start : SecondSolve::none;
+}
+
 }  // namespace
 
 Plan make_plan(const Scene& scene) {
@@ -56,42 +62,35 @@ Plan make_plan(const Scene& scene) {
     if (body.removed) continue;
     const BodySpec& spec = body.spec;
     const bool dynamic = spec.type == BodyType::dynamic;
-    plan.bodies += 1;
-    plan.dynamic_bodies += dynamic;
-    plan.turning_bodies += dynamic && body.inertia > 0;
+    plan.size.bodies += 1;
+    plan.size.dynamic_bodies += dynamic;
+    plan.size.turning_bodies += dynamic && body.inertia > 0;
     plan.collision |= dynamic && !spec.shapes.empty();
     plan.gravity |= dynamic && spec.gravity_scale != 0 && !scene.settings().gravity.isZero(0);
     plan.damping |= dynamic && (spec.linear_damping > 0 || spec.angular_damping > 0);
     rubbing_bodies += spec.friction > 0 && !spec.shapes.empty();
     plan.restitution |= spec.restitution > 0 && !spec.shapes.empty();
     for (const Shape<double>& shape : spec.shapes) {
-      plan.colliders += piece_count(shape);
+      plan.size.colliders += piece_count(shape);
       kinds.insert(shape_name(shape));
     }
   }
-  plan.collision = plan.collision && plan.colliders > 1 && any_may_meet(scene);
+  plan.collision = plan.collision && plan.size.colliders > 1 && any_may_meet(scene);
   plan.friction = plan.collision && rubbing_bodies > 1;
-  plan.friction_rows = scene.settings().friction_rows;
   plan.restitution &= plan.collision;
-  plan.joints = scene.joints().size();
-  plan.broadphase = plan.colliders > all_pairs_limit ? BroadphaseKind::grid : BroadphaseKind::all_pairs;
-  plan.warm_start = scene.settings().warm_start;
-  plan.substeps = scene.settings().substeps;
-  const ContactSearch search = scene.settings().contact_search;
+  plan.size.joints = scene.joints().size();
+  plan.broadphase = plan.size.colliders > all_pairs_limit ? BroadphaseKind::grid : BroadphaseKind::all_pairs;
+  const SceneSettings& settings = scene.settings();
+  const ContactSearch search = settings.contact_search;
   plan.keeps_manifolds = search == ContactSearch::when_moved;
   plan.moves_manifolds =
-      search == ContactSearch::when_moved || (search == ContactSearch::every_step && plan.substeps > 1);
-  const StabilizationPolicy policy = scene.settings().stabilization.policy;
-  plan.follows_arcs = policy == StabilizationPolicy::relaxed && plan.joints > 0;
-  const bool is_soft = policy == StabilizationPolicy::soft;
-  const bool has_rows = plan.collision || plan.joints > 0;
-  plan.relaxes = is_soft || (policy == StabilizationPolicy::relaxed && has_rows);
-  plan.goes_on_from_first = is_soft;
-  plan.corrects_positions = policy == StabilizationPolicy::split_impulse;
-  plan.sleeping = scene.settings().sleeping.has_value();
-  plan.contacts_without_rows = plan.collision && !plan.corrects_positions &&
-                               (plan.friction_rows == FrictionRows::per_point || !plan.friction);
-  plan.shape_kinds.assign(kinds.begin(), kinds.end());
+      search == ContactSearch::when_moved || (search == ContactSearch::every_step && settings.substeps > 1);
+  const StabilizationPolicy policy = settings.stabilization.policy;
+  plan.follows_arcs = policy == StabilizationPolicy::relaxed && plan.size.joints > 0;
+  plan.second_solve = second_solve(policy, plan.collision || plan.size.joints > 0);
+  plan.contacts_without_rows = plan.collision && plan.second_solve != SecondSolve::positions &&
+                               (settings.friction_rows == FrictionRows::per_point || !plan.friction);
+  plan.size.shape_kinds.assign(kinds.begin(), kinds.end());
   return plan;
 }
 
@@ -99,13 +98,15 @@ std::string explain(const Plan& plan) {
   std::string phase = plan.broadphase == BroadphaseKind::grid ? "grid of cells" : "all pairs of boxes";
   if (plan.moves_manifolds) phase += plan.keeps_manifolds ? " when moved" : " once a step";
   std::string text = "This scene needs\n";
-  text += line("bodies", fmt::format("{} dynamic of {}; {} velocities a step", plan.dynamic_bodies,
-                                     plan.bodies, 2 * plan.dynamic_bodies + plan.turning_bodies));
-  text += line("collision", plan.collision ? fmt::format("{}, {} shapes ({})", phase, plan.colliders,
-                                                         fmt::join(plan.shape_kinds, ", "))
+  text +=
+      line("bodies", fmt::format("{} dynamic of {}; {} velocities a step", plan.size.dynamic_bodies,
+                                 plan.size.bodies, 2 * plan.size.dynamic_bodies + plan.size.turning_bodies));
+  text += line("collision", plan.collision ? fmt::format("{}, {} shapes ({})", phase, plan.size.colliders,
+                                                         fmt::join(plan.size.shape_kinds, ", "))
                                            : "left out: nothing can meet");
-  text += line("joints", plan.joints > 0 ? fmt::format("{}", plan.joints) : "left out: there are none");
-  const bool per_point = plan.friction_rows == FrictionRows::per_point;
+  text +=
+      line("joints", plan.size.joints > 0 ? fmt::format("{}", plan.size.joints) : "left out: there are none");
+  const bool per_point = plan.settings.friction_rows == FrictionRows::per_point;
   text += line("friction", either(plan.friction,
                                   per_point ? "one row a contact point, where mu > 0"
                                             : "one row a manifold, where mu > 0",
@@ -113,19 +114,22 @@ std::string explain(const Plan& plan) {
   text += line("restitution", either(plan.restitution, "e > 0 on some body", "left out: e is 0 everywhere"));
   text += line("gravity", either(plan.gravity, "on", "left out: nothing feels it"));
   text += line("damping", either(plan.damping, "on", "left out: no body is damped"));
-  text += line("rotation", plan.turning_bodies == plan.dynamic_bodies
+  text += line("rotation", plan.size.turning_bodies == plan.size.dynamic_bodies
                                ? std::string("every dynamic body turns")
                                : fmt::format("left out for {} of {} dynamic bodies: 1/I is 0",
-                                             plan.dynamic_bodies - plan.turning_bodies, plan.dynamic_bodies));
-  text += line("warm start",
-               either(plan.warm_start, "impulses are kept from step to step", "left out by setting"));
-  text += line("substeps", plan.substeps > 1 ? fmt::format("{} a step", plan.substeps)
-                                             : std::string("left out: one solve a step"));
+                                             plan.size.dynamic_bodies - plan.size.turning_bodies,
+                                             plan.size.dynamic_bodies));
+  text += line("warm start", either(plan.settings.warm_start, "impulses are kept from step to step",
+                                    "left out by setting"));
+  text += line("substeps", plan.settings.substeps > 1 ? fmt::format("{} a step", plan.settings.substeps)
+                                                      : std::string("left out: one solve a step"));
   std::string second = "left out: positions need none of their own";
-  if (plan.relaxes) second = "each step is solved again without the speed that removes errors";
-  if (plan.corrects_positions) second = "split impulse: errors are removed apart from the velocities";
+  if (plan.relaxes()) second = "each step is solved again without the speed that removes errors";
+  if (plan.second_solve == SecondSolve::positions)
+    second = "split impulse: errors are removed apart from the velocities";
   text += line("second solve", second);
-  text += line("sleeping", either(plan.sleeping, "islands at rest take no part until something wakes them",
+  text += line("sleeping", either(plan.settings.sleeping.has_value(),
+                                  "islands at rest take no part until something wakes them",
                                   "left out: every body takes part in every step"));
   return text;
 }

@@ -81,7 +81,7 @@ int TwoSolves<Real>::write(const Parts& parts, ForcesOf when, bool with_rows) {
   record.is_new.resize(rows);
   parts.joints.start(parts.step, problem, record.is_new);
   parts.contacts.start(parts.step, record);
-  if (parts.step.plan.relaxes) {
+  if (parts.step.plan.relaxes()) {
     first_velocity_ = problem.velocity;
     first_impulse_ = problem.impulse;
   }
@@ -94,7 +94,7 @@ int TwoSolves<Real>::write_rows(const Parts& parts, StabilizationPass pass, bool
                                 VelocityProblem<Real>& problem) {
   const Substep<Real>& step = parts.step;
   const SceneSettings& settings = step.plan.settings;
-  const bool solves_again = step.plan.relaxes && pass == StabilizationPass::velocity;
+  const bool solves_again = step.plan.relaxes() && pass == StabilizationPass::velocity;
   List<RelaxedRow<Real>>* const relaxed = solves_again ? &relaxed_rows_ : nullptr;
   relaxed_rows_.clear();
   problem.blocks.clear();
@@ -134,8 +134,8 @@ const PerBody<Vec3<Real>>& TwoSolves<Real>::solve(const Parts& parts, Solver<Rea
   }
   report.count(report.solve, rows);
   going_ = problem.velocity;
-  if (plan.corrects_positions) correct_positions(parts, solver, report);
-  if (plan.relaxes) relax(parts, solver, report);
+  if (plan.second_solve == SecondSolve::positions) correct_positions(parts, solver, report);
+  if (plan.relaxes()) relax(parts, solver, report);
   return going_;
 }
 
@@ -145,7 +145,7 @@ template <Scalar Real>
 void TwoSolves<Real>::relax(const Parts& parts, Solver<Real>& solver, StepReport& report) {
   VelocityProblem<Real>& problem = parts.record.problem;
   problem.velocity = first_velocity_;
-  if (!parts.step.plan.goes_on_from_first) problem.impulse = first_impulse_;
+  if (parts.step.plan.second_solve == SecondSolve::from_start) problem.impulse = first_impulse_;
   problem.relaxes = true;
   for (int i = 0; i < problem.row_count(); ++i) {
     problem.rows[i].bias = relaxed_rows_[i].bias;

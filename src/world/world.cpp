@@ -61,14 +61,15 @@ StepReport World<Real>::take_step(Solver<Real>& solver, SolveObserver<Real>* obs
   const Occupation::Scope scope(occupation_, "World::step");
   StepReport report;
   if (sleep_ && hand_.joint()) sleep_->wake(hand_.joint()->body());
-  if (plan_->substeps > 1) first_pose_ = state_.pose, first_velocity_ = state_.velocity;
+  if (plan_->settings.substeps > 1) first_pose_ = state_.pose, first_velocity_ = state_.velocity;
   try {
-    for (int i = 0; i < plan_->substeps && !report.not_finite; ++i) substep(i, solver, observer, report);
+    for (int i = 0; i < plan_->settings.substeps && !report.not_finite; ++i)
+      substep(i, solver, observer, report);
   } catch (...) {
     leave_step();
     throw;
   }
-  report.awake.bodies = plan_->dynamic_bodies;
+  report.awake.bodies = plan_->size.dynamic_bodies;
   if (sleep_) {
     if (!report.not_finite) sleep_->let_sleep(record_.problem.contacts, clock_.dt, state_);
     report.awake = sleep_->count();
@@ -86,7 +87,7 @@ StepReport World<Real>::take_step(Solver<Real>& solver, SolveObserver<Real>* obs
 /// Of a step that is not done: bodies are where it began. What was found on the way is found again.
 template <Scalar Real>
 void World<Real>::leave_step() {
-  if (plan_->substeps > 1) state_.pose = first_pose_, state_.velocity = first_velocity_;
+  if (plan_->settings.substeps > 1) state_.pose = first_pose_, state_.velocity = first_velocity_;
   record_ = {};
 }
 

@@ -114,7 +114,7 @@ World<Real>::World(Scene scene)
   }
   kinds_ = kinds;
   joints_ = JointWriter<Real>(scene_->joints().size(), std::move(radius));
-  if (plan_->sleeping) sleep_.emplace(*scene_);
+  if (plan_->settings.sleeping) sleep_.emplace(*scene_);
 }
 
 template <Scalar Real>

@@ -181,7 +181,7 @@ class RandomWorld {
   /// The exact solver takes few rows only. How many a step has is known beforehand where it is solved once.
   Solver<Real>& stepper() {
     if (choice_.name != "reference") return *solver_;
-    const bool is_short = make_plan(world_.scene()).substeps == 1;
+    const bool is_short = world_.scene().settings().substeps == 1;
     if (is_short && world_.velocity_problem().row_count() <= most_counted_rows) return *solver_;
     choice_ = {};
     solver_ = choice_.make<Real>();
@@ -241,7 +241,7 @@ class RandomWorld {
     } catch (const Thrown&) {
     }
     require_same_bodies(world_, before, "behind a step that was not done");
-    if (make_plan(world_.scene()).substeps > 1) return true;
+    if (world_.scene().settings().substeps > 1) return true;
     World<Real> one = world_, other = before;
     SolverChoice plain;
     const std::unique_ptr<Solver<Real>> its = plain.make<Real>(), others = plain.make<Real>();

@@ -45,7 +45,7 @@ angular_velocity = 1
   CHECK(chain_of(scene, 2) ==
         chain({{2, 0}, {0, 0}}, {.before = Vec2<double>(3, 1), .after = Vec2<double>(-1, 1)}));
   CHECK(chain_of(scene, 3) == chain({{-1, -1}, {-1, 1}, {1, 1}}, {.closed = true}));
-  CHECK(make_plan(scene).colliders == 2 + 1 + 3);
+  CHECK(make_plan(scene).size.colliders == 2 + 1 + 3);
 }
 
 TEST_CASE("a chain that cannot be is refused in the file, with its place") {

@@ -44,19 +44,19 @@ int friction_rows(const World<double>& world) {
 
 TEST_CASE("a plan counts bodies, shapes and joints, and lists the kinds of shapes") {
   const Plan plan = make_plan(rich_scene());
-  CHECK(plan.bodies == 4);
-  CHECK(plan.dynamic_bodies == 2);
-  CHECK(plan.turning_bodies == 2);
-  CHECK(plan.colliders == 5);
-  CHECK(plan.joints == 1);
-  CHECK(plan.shape_kinds == List<std::string>{"capsule", "circle", "polygon", "segment"});
+  CHECK(plan.size.bodies == 4);
+  CHECK(plan.size.dynamic_bodies == 2);
+  CHECK(plan.size.turning_bodies == 2);
+  CHECK(plan.size.colliders == 5);
+  CHECK(plan.size.joints == 1);
+  CHECK(plan.size.shape_kinds == List<std::string>{"capsule", "circle", "polygon", "segment"});
   CHECK(plan.broadphase == BroadphaseKind::all_pairs);
   CHECK(plan.collision);
   CHECK(plan.gravity);
   CHECK(plan.damping);
   CHECK(plan.friction);
   CHECK(plan.restitution);
-  CHECK(plan.warm_start);
+  CHECK(plan.settings.warm_start);
   CHECK_FALSE(says(plan, "left out"));
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("everything that a scene does without is left out, and the explanation
   CHECK_FALSE(plan.collision);
   CHECK_FALSE(plan.friction);
   CHECK_FALSE(plan.gravity);
-  CHECK(plan.turning_bodies == 0);
+  CHECK(plan.size.turning_bodies == 0);
 }
 
 TEST_CASE("no friction row is written where mu is 0 on either side, and one a contact point elsewhere") {

@@ -66,7 +66,7 @@ TEST_CASE("a world without a body steps as one that never had it, and does not c
   CHECK(edited.bodies().velocity[{1}] == plain.bodies().velocity[{1}]);
   CHECK(edited.bodies().pose[{3}].position == plain.bodies().pose[{2}].position);
   CHECK(explain(make_plan(edited.scene())) == explain(make_plan(plain.scene())));
-  CHECK(make_plan(edited.scene()).bodies == 3);
+  CHECK(make_plan(edited.scene()).size.bodies == 3);
   const Snapshot now = snapshot(edited);
   CHECK(now.bodies[{2}].removed);
   CHECK(now.bodies[{2}].shapes.empty());

@@ -222,8 +222,8 @@ TEST_CASE("the plan says whether bodies may sleep") {
   };
   const Plan on = make_plan(stack_scene());
   const Plan off = make_plan(stack_scene({}));
-  CHECK(on.sleeping);
-  CHECK_FALSE(off.sleeping);
+  CHECK(on.settings.sleeping.has_value());
+  CHECK_FALSE(off.settings.sleeping.has_value());
   CHECK(says(on, "islands at rest take no part until something wakes them"));
   CHECK(says(off, "every body takes part in every step"));
 }

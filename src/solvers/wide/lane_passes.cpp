@@ -44,37 +44,32 @@ Real LaneSystem<Real>::sweep_once(VelocityProblem<Real>& problem, int number, So
 }
 
 template <Scalar Real>
-Real LaneSystem<Real>::rough_residual(VelocityProblem<Real>& problem, Real scale) {
-  return std::sqrt(pass<LanePass::weigh>(problem).squares) / scale;
-}
-
-template <Scalar Real>
 LaneSteps<Real> LaneSystem<Real>::gather_momentum(VelocityProblem<Real>& problem, Real momentum) {
-  bodies_before_ = bodies_;
+  before_.bodies = bodies_;
   momentum_ = momentum;
   if (momentum > 0) return pass<LanePass::momentum>(problem);
-  before_.assign(rows_.size(), LaneImpulse<Number>{});
-  for (int i = 0; i < rows_.size(); ++i) std::copy_n(rows_[i].impulse, lane_count, before_[i].impulse);
-  single_before_.clear();
-  for (const int i : batches_.single_rows()) single_before_.push_back(problem.impulse[i]);
+  before_.rows.assign(rows_.size(), LaneImpulse<Number>{});
+  for (int i = 0; i < rows_.size(); ++i) std::copy_n(rows_[i].impulse, lane_count, before_.rows[i].impulse);
+  before_.singles.clear();
+  for (const int i : batches_.single_rows()) before_.singles.push_back(problem.impulse[i]);
   return {};
 }
 
 template <Scalar Real>
 void LaneSystem<Real>::take_again(VelocityProblem<Real>& problem) {
   write_back(problem);
-  for (int i = 0; i < before_.size(); ++i) {
-    for (int lane = 0; lane < lane_count; ++lane) before_[i].impulse[lane] -= rows_[i].impulse[lane];
+  for (int i = 0; i < before_.rows.size(); ++i) {
+    for (int lane = 0; lane < lane_count; ++lane) before_.rows[i].impulse[lane] -= rows_[i].impulse[lane];
   }
   take(problem);
 }
 
 template <Scalar Real>
 void LaneSystem<Real>::undo(VelocityProblem<Real>& problem) {
-  bodies_ = bodies_before_;
-  for (int i = 0; i < rows_.size(); ++i) std::copy_n(before_[i].impulse, lane_count, rows_[i].impulse);
-  for (int k = 0; k < single_before_.size(); ++k) {
-    problem.impulse[batches_.single_rows()[k]] = single_before_[k];
+  bodies_ = before_.bodies;
+  for (int i = 0; i < rows_.size(); ++i) std::copy_n(before_.rows[i].impulse, lane_count, rows_[i].impulse);
+  for (int k = 0; k < before_.singles.size(); ++k) {
+    problem.impulse[batches_.single_rows()[k]] = before_.singles[k];
   }
 }
 
@@ -132,7 +127,7 @@ LaneProblem<typename LaneSystem<Real>::Number> LaneSystem<Real>::lane_problem() 
           .couplings = couplings_.data(),
           .rows = rows_.data(),
           .bodies = bodies_.data(),
-          .before = before_.data(),
+          .before = before_.rows.data(),
           .relaxation = static_cast<Number>(relaxation_),
           .momentum = static_cast<Number>(momentum_)};
 }
@@ -143,19 +138,19 @@ template <LanePass kind>
 LaneSteps<Real> LaneSystem<Real>::pass_single_rows(VelocityProblem<Real>& problem, int number,
                                                    SolveObserver<Real>* watcher) {
   LaneSteps<Real> steps;
-  for (int k = 0; k < single_mass_.size(); ++k) {
+  for (int k = 0; k < single_.mass.size(); ++k) {
     const int i = batches_.single_rows()[k];
     const ConstraintRow<Real>& row = single_row(problem, k);
     const Real jv = single_row_velocity(problem, row), old = problem.impulse[i];
-    const Real wanted = (row.bias - jv - row.softness * old) * single_mass_[k];
+    const Real wanted = (row.bias - jv - row.softness * old) * single_.mass[k];
     const Real corrective = relaxation_ * wanted;
     Real wish = kind == LanePass::weigh ? wanted : corrective;
     if constexpr (kind == LanePass::momentum) {
-      wish = momentum_ * (old - single_before_[k]);
-      single_before_[k] = old;
+      wish = momentum_ * (old - before_.singles[k]);
+      before_.singles[k] = old;
     }
     const Real now = row.bounds.clamp(old + wish, problem.impulse), step = now - old;
-    const Real inverse = single_mass_[k] > 0 ? 1 / single_mass_[k] : Real(0);
+    const Real inverse = single_.mass[k] > 0 ? 1 / single_.mass[k] : Real(0);
     steps.squares += step * step * inverse;
     if constexpr (kind == LanePass::weigh) continue;
     problem.impulse[i] = now;
@@ -177,7 +172,8 @@ Real LaneSystem<Real>::single_row_velocity(const VelocityProblem<Real>& problem,
   for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
     const Number(&change)[4] = bodies_[body].numbers;
     for (int axis = 0; axis < 3; ++axis) {
-      jv += jacobian(axis) * (velocity_[body](axis) + root_[body](axis) * static_cast<Real>(change[axis]));
+      jv += jacobian(axis) *
+            (from_.velocity[body](axis) + from_.root[body](axis) * static_cast<Real>(change[axis]));
     }
   });
   return jv;
@@ -189,8 +185,8 @@ void LaneSystem<Real>::apply_single_row(const VelocityProblem<Real>& problem, co
   for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
     Number(&change)[4] = bodies_[body].numbers;
     for (int axis = 0; axis < 3; ++axis) {
-      change[axis] =
-          static_cast<Number>(static_cast<Real>(change[axis]) + root_[body](axis) * jacobian(axis) * step);
+      change[axis] = static_cast<Number>(static_cast<Real>(change[axis]) +
+                                         from_.root[body](axis) * jacobian(axis) * step);
     }
   });
 }
@@ -241,14 +237,15 @@ Real LaneSystem<Real>::energy(const VelocityProblem<Real>& problem, LaneEnergy k
 
 template <Scalar Real>
 Real LaneSystem<Real>::residual_scale(VelocityProblem<Real>& problem) {
-  problem.velocity.swap(velocity_);  // to those before the warm start
+  problem.velocity.swap(from_.velocity);  // to those before the warm start
   const Real scale = std::max(std::sqrt(energy(problem, LaneEnergy::at_start)), least_scale(problem));
-  problem.velocity.swap(velocity_);
+  problem.velocity.swap(from_.velocity);
   return scale;
 }
 
 template <Scalar Real>
-Real LaneSystem<Real>::residual(const VelocityProblem<Real>& problem, Real scale) {
+Real LaneSystem<Real>::residual(VelocityProblem<Real>& problem, Real scale, LaneLook look) {
+  if (look == LaneLook::rough) return std::sqrt(pass<LanePass::weigh>(problem).squares) / scale;
   const Real sum = energy(problem, LaneEnergy::of_answer);
   return sum == 0 ? Real(0) : std::sqrt(sum) / scale;
 }

@@ -30,7 +30,7 @@ void LaneSystem<Real>::begin(VelocityProblem<Real>& problem) {
   if (!contacts_.knows(problem)) {
     const bool new_masses = take_masses(problem);
     const bool rearranged = batches_.arrange_contacts(problem);
-    if (rearranged || new_masses) contacts_.arrange(batches_, problem, root_);
+    if (rearranged || new_masses) contacts_.arrange(batches_, problem, from_.root);
   }
   write_single_contacts(problem);
   contacts_.take(code_, batches_, problem);
@@ -39,11 +39,11 @@ void LaneSystem<Real>::begin(VelocityProblem<Real>& problem) {
 
 template <Scalar Real>
 void LaneSystem<Real>::begin_rows(VelocityProblem<Real>& problem) {
-  single_contact_rows_.clear();
+  single_.contact_rows.clear();
   take_masses(problem);
-  velocity_ = problem.velocity;
+  from_.velocity = problem.velocity;
   if (batches_.may_be_same(problem) && push_rows(problem)) return;
-  problem.velocity = velocity_;
+  problem.velocity = from_.velocity;
   batches_.arrange(problem);
   push_rows(problem);
 }
@@ -51,14 +51,14 @@ void LaneSystem<Real>::begin_rows(VelocityProblem<Real>& problem) {
 /// Behind the problem's rows, from where they are taken away again.
 template <Scalar Real>
 void LaneSystem<Real>::write_single_contacts(VelocityProblem<Real>& problem) {
-  single_contact_rows_.clear();
+  single_.contact_rows.clear();
   const int first = problem.row_count();
   for (const int k : batches_.single_contacts()) {
     int next = first;
     write_contact_rows(problem.contacts[k], problem, next);
     for (int i = first; i < next; ++i) {
-      single_contact_rows_.push_back(problem.rows[i]);
-      single_contact_rows_.back().bounds.shift(problem.blocks[problem.joint_blocks() + k].first - first);
+      single_.contact_rows.push_back(problem.rows[i]);
+      single_.contact_rows.back().bounds.shift(problem.blocks[problem.joint_blocks() + k].first - first);
     }
   }
   problem.rows.resize(first);
@@ -83,7 +83,7 @@ bool LaneSystem<Real>::push_rows(VelocityProblem<Real>& problem) {
 /// The warm start of lanes that are made for their rows.
 template <Scalar Real>
 void LaneSystem<Real>::push(VelocityProblem<Real>& problem) {
-  velocity_ = problem.velocity;
+  from_.velocity = problem.velocity;
   for (int k = 0; k < batches_.single_rows().size(); ++k)
     apply_impulse(problem, single_row(problem, k), problem.impulse[batches_.single_rows()[k]]);
   for_each_run(
@@ -103,15 +103,15 @@ void LaneSystem<Real>::take(const VelocityProblem<Real>& problem) {
   couplings_.resize(batches_.counts().couplings);
   fill(problem);
   if (batches_.counts().contact_batches > 0)
-    contacts_.fill(code_, batches_, relaxation_, velocity_, rows_, couplings_);
+    contacts_.fill(code_, batches_, relaxation_, from_.velocity, rows_, couplings_);
 }
 
 /// Changes begin at 0; and so do rows that go one by one.
 template <Scalar Real>
 void LaneSystem<Real>::begin_changes(const VelocityProblem<Real>& problem) {
-  velocity_ = problem.velocity;
+  from_.velocity = problem.velocity;
   bodies_.assign(problem.velocity.size() + 1, LaneBody<Number>{});
-  impulse_ = problem.impulse;
+  from_.impulse = problem.impulse;
   take_single_rows(problem);
 }
 
@@ -134,15 +134,15 @@ void LaneSystem<Real>::fill(const VelocityProblem<Real>& problem) {
 /// Whether one has changed.
 template <Scalar Real>
 bool LaneSystem<Real>::take_masses(const VelocityProblem<Real>& problem) {
-  bool changed = root_.size() != problem.inverse_mass.size();
+  bool changed = from_.root.size() != problem.inverse_mass.size();
   if (changed) {
-    inverse_mass_.assign(problem.inverse_mass.size(), Vec3<Real>::Zero());
-    root_ = inverse_mass_;
+    from_.inverse_mass.assign(problem.inverse_mass.size(), Vec3<Real>::Zero());
+    from_.root = from_.inverse_mass;
   }
-  for (const BodyId body : root_.indices()) {
-    if (inverse_mass_[body] == problem.inverse_mass[body]) continue;
-    inverse_mass_[body] = problem.inverse_mass[body];
-    root_[body] = inverse_mass_[body].cwiseSqrt();
+  for (const BodyId body : from_.root.indices()) {
+    if (from_.inverse_mass[body] == problem.inverse_mass[body]) continue;
+    from_.inverse_mass[body] = problem.inverse_mass[body];
+    from_.root[body] = from_.inverse_mass[body].cwiseSqrt();
     changed = true;
   }
   return changed;
@@ -150,9 +150,9 @@ bool LaneSystem<Real>::take_masses(const VelocityProblem<Real>& problem) {
 
 template <Scalar Real>
 void LaneSystem<Real>::take_single_rows(const VelocityProblem<Real>& problem) {
-  single_mass_.clear();
+  single_.mass.clear();
   for (int k = 0; k < batches_.single_rows().size(); ++k)
-    single_mass_.push_back(effective_mass(problem, single_row(problem, k)));
+    single_.mass.push_back(effective_mass(problem, single_row(problem, k)));
 }
 
 template <Scalar Real>
@@ -162,10 +162,10 @@ void LaneSystem<Real>::take_batch_bodies(const LaneBatch& batch) {
   for (int lane = 0; lane < batch.used; ++lane) {
     const BodyId a = {batch.body_a[lane]}, b = {batch.body_b[lane]};
     for (int axis = 0; axis < 3; ++axis) {
-      to.velocity_a[axis][lane] = velocity_[a](axis);
-      to.velocity_b[axis][lane] = velocity_[b](axis);
-      roots.a[axis][lane] = static_cast<Number>(root_[a](axis));
-      roots.b[axis][lane] = static_cast<Number>(root_[b](axis));
+      to.velocity_a[axis][lane] = from_.velocity[a](axis);
+      to.velocity_b[axis][lane] = from_.velocity[b](axis);
+      roots.a[axis][lane] = static_cast<Number>(from_.root[a](axis));
+      roots.b[axis][lane] = static_cast<Number>(from_.root[b](axis));
     }
   }
 }
@@ -183,14 +183,14 @@ void LaneSystem<Real>::take_row(const VelocityProblem<Real>& problem, const Lane
   }
   to.bias[lane] = row.bias;
   to.softness[lane] = row.softness;
-  to.impulse[lane] = impulse_[i];
+  to.impulse[lane] = from_.impulse[i];
   if (kind.bounds < LaneBounds::friction) {
     to.lower[lane] = row.bounds.lower;
     to.upper[lane] = row.bounds.upper;
   } else {
-    Real load = impulse_[batch.block_row[lane] + kind.normal];
+    Real load = from_.impulse[batch.block_row[lane] + kind.normal];
     if (kind.bounds == LaneBounds::friction_of_two) {
-      load += impulse_[batch.block_row[lane] + kind.second_normal];
+      load += from_.impulse[batch.block_row[lane] + kind.second_normal];
     }
     to.friction[lane] = row.bounds.friction;
     to.lower[lane] = -row.bounds.friction * load;
@@ -204,12 +204,12 @@ Real LaneSystem<Real>::written_back(const VelocityProblem<Real>& problem, const 
   const int i = batch.block_row[lane] + r;
   const LaneRow<Number>& row = rows_[batch.first_row + r];
   const Real change = static_cast<Real>(row.scale[lane]) * static_cast<Real>(row.impulse[lane]);
-  return problem.rows[i].bounds.clamp(impulse_[i] + change, problem.impulse);
+  return problem.rows[i].bounds.clamp(from_.impulse[i] + change, problem.impulse);
 }
 
 template <Scalar Real>
 void LaneSystem<Real>::write_back(VelocityProblem<Real>& problem) {
-  problem.velocity = velocity_;
+  problem.velocity = from_.velocity;
   empty_single_rows(problem);
   for_each_run([&](const LaneBatch& batch) { empty_rows(problem, batch); },
                [&](Span<const LaneBatch> run) { contacts_.empty(code_, run, rows_, problem.velocity); });
@@ -220,7 +220,7 @@ template <Scalar Real>
 void LaneSystem<Real>::empty_single_rows(VelocityProblem<Real>& problem) const {
   for (int k = 0; k < batches_.single_rows().size(); ++k) {
     const int i = batches_.single_rows()[k];
-    apply_impulse(problem, single_row(problem, k), problem.impulse[i] - impulse_[i]);
+    apply_impulse(problem, single_row(problem, k), problem.impulse[i] - from_.impulse[i]);
   }
 }
 
@@ -230,7 +230,7 @@ void LaneSystem<Real>::empty_rows(VelocityProblem<Real>& problem, const LaneBatc
     for (int r = 0; r < batch.rows; ++r) {
       const int i = batch.block_row[lane] + r;
       problem.impulse[i] = written_back(problem, batch, r, lane);
-      apply_impulse(problem, problem.rows[i], problem.impulse[i] - impulse_[i]);
+      apply_impulse(problem, problem.rows[i], problem.impulse[i] - from_.impulse[i]);
     }
   }
 }
@@ -240,16 +240,16 @@ bool LaneSystem<Real>::is_worth_taking(Real change, Real path) const {
   if (!(path > 0) || !(change <= 1024 * static_cast<Real>(std::numeric_limits<Number>::epsilon()) * path))
     return false;
   Real largest = 0;
-  for (const Real impulse : impulse_) largest = std::max(largest, std::abs(impulse));
+  for (const Real impulse : from_.impulse) largest = std::max(largest, std::abs(impulse));
   return path > 16 * std::numeric_limits<Real>::epsilon() * largest;
 }
 
 template <Scalar Real>
 std::size_t LaneSystem<Real>::bytes() const {
   return batches_.bytes() + contacts_.bytes() + rows_.bytes() + couplings_.bytes() + bodies_.bytes() +
-         inverse_mass_.bytes() + root_.bytes() + velocity_.bytes() + impulse_.bytes() + single_mass_.bytes() +
-         single_contact_rows_.bytes() + before_.bytes() + bodies_before_.bytes() + single_before_.bytes() +
-         sums_.bytes();
+         from_.inverse_mass.bytes() + from_.root.bytes() + from_.velocity.bytes() + from_.impulse.bytes() +
+         single_.mass.bytes() + single_.contact_rows.bytes() + before_.rows.bytes() + before_.bodies.bytes() +
+         before_.singles.bytes() + sums_.bytes();
 }
 
 template class LaneSystem<float>;

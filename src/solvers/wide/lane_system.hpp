@@ -25,6 +25,9 @@ struct LaneSteps {
   }
 };
 
+/// How to look at an answer.
+enum class LaneLook { rough, exact };
+
 /// The rows of a problem in lanes, and those that fit into none. Lanes compute in single precision, those of
 /// a problem in long double in double; but all that they hold are changes since the problem was taken over,
 /// whose numbers stay in its own precision. So what is lost is a part of a change, and taking over the
@@ -65,10 +68,9 @@ class LaneSystem {
   void write_back(VelocityProblem<Real>& problem);
   /// The scale of R_E, as residual_scale(), once the problem has begun; but added up in the order of lanes.
   Real residual_scale(VelocityProblem<Real>& problem);
-  /// R_E of what lanes hold now, with their roundings: it reads less than write_back() and residual() do.
-  Real rough_residual(VelocityProblem<Real>& problem, Real scale);
-  /// R_E of what was written back last, as residual(); but added up in the order of lanes.
-  Real residual(const VelocityProblem<Real>& problem, Real scale);
+  /// R_E, added up in the order of lanes: of what was written back last, as residual(); or of what lanes hold
+  /// now, with their roundings, which reads less than to write it back.
+  Real residual(VelocityProblem<Real>& problem, Real scale, LaneLook look);
   /// Whether a change so small [N s], the last of many that add up to `path`, is lost in the rounding of
   /// lanes but would not be in that of the problem.
   bool is_worth_taking(Real change, Real path) const;
@@ -79,6 +81,25 @@ class LaneSystem {
   // What a thread takes at a time. Sums over them are made in the lanes' precision, in which those of many
   // more would lose their small terms, and are added in the order of batches, whoever made them.
   static constexpr int batches_in_a_sum = 16;
+
+  /// The problem as it was taken over.
+  struct TakenOver {
+    PerBody<Vec3<Real>> inverse_mass;
+    PerBody<Vec3<Real>> root;  // of the inverse masses
+    PerBody<Vec3<Real>> velocity;
+    PerRow<Real> impulse;  // [N s]
+  };
+  /// Of the rows that go one by one.
+  struct Singles {
+    List<ConstraintRow<Real>> contact_rows;  // of contacts without rows
+    List<Real> mass;                         // [kg] 1 / A_ii
+  };
+  /// Where the sweep began.
+  struct Before {
+    List<LaneImpulse<Number>> rows;
+    PerBody<LaneBody<Number>> bodies;
+    List<Real> singles;  // [N s]
+  };
 
   template <typename OfRows, typename OfContacts>
   void for_each_run(const OfRows& of_rows, const OfContacts& of_contacts) const;
@@ -117,17 +138,11 @@ class LaneSystem {
   LaneContacts<Real> contacts_;  // without rows
   List<LaneRow<Number>> rows_;
   List<LaneCoupling<Number>> couplings_;
-  PerBody<LaneBody<Number>> bodies_;               // and one that nothing moves
-  PerBody<Vec3<Real>> inverse_mass_;               // as taken over
-  PerBody<Vec3<Real>> root_;                       // of the inverse masses
-  PerBody<Vec3<Real>> velocity_;                   // as taken over
-  PerRow<Real> impulse_;                           // [N s] as taken over
-  List<ConstraintRow<Real>> single_contact_rows_;  // of contacts without rows that fit into no lane
-  List<Real> single_mass_;                         // [kg] of the rows that go one by one, 1 / A_ii
-  Real momentum_ = 0;                              // of the pass that gathers it
-  List<LaneImpulse<Number>> before_;               // of each of rows_, where the sweep began
-  PerBody<LaneBody<Number>> bodies_before_;
-  List<Real> single_before_;                // [N s] of the rows that go one by one
+  PerBody<LaneBody<Number>> bodies_;  // and one that nothing moves
+  TakenOver from_;
+  Singles single_;
+  Before before_;
+  Real momentum_ = 0;                       // of the pass that gathers it
   LaneFilling<Real, Number> filling_ = {};  // scratch, for one batch
   LaneThreads threads_;
   List<LaneSteps<Real>> sums_;  // scratch, of batches_in_a_sum each
@@ -136,8 +151,8 @@ class LaneSystem {
 /// The k-th of those that go one by one: contacts come last.
 template <Scalar Real>
 const ConstraintRow<Real>& LaneSystem<Real>::single_row(const VelocityProblem<Real>& problem, int k) const {
-  const int of_contacts = k - (batches_.single_rows().size() - single_contact_rows_.size());
-  return of_contacts < 0 ? problem.rows[batches_.single_rows()[k]] : single_contact_rows_[of_contacts];
+  const int of_contacts = k - (batches_.single_rows().size() - single_.contact_rows.size());
+  return of_contacts < 0 ? problem.rows[batches_.single_rows()[k]] : single_.contact_rows[of_contacts];
 }
 
 /// Calls of_rows(batch) for a batch whose blocks have rows and of_contacts(run) for batches of contacts

@@ -48,7 +48,7 @@ SolveReport WideSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
     const LaneSteps<Real> swept = iterate(number, problem, watcher);
     const bool again = lanes_.is_worth_taking(swept.largest, path_);
     const bool looks = stopping_.looks(number, std::sqrt(swept.squares)) && settings_.tolerance > 0;
-    if (looks) stopping_.take_residual(lanes_.rough_residual(problem, stopping_.scale()));
+    if (looks) stopping_.take_residual(lanes_.residual(problem, stopping_.scale(), LaneLook::rough));
     const bool may_have_arrived = looks && stopping_.is_near();
     is_current = again || may_have_arrived || observer != nullptr || settings_.patience > 0;
     if (again) {
@@ -57,12 +57,13 @@ SolveReport WideSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
     } else if (is_current) {
       lanes_.write_back(problem);
     }
-    if (may_have_arrived) stopping_.take_residual(lanes_.residual(problem, stopping_.scale()));
+    if (may_have_arrived)
+      stopping_.take_residual(lanes_.residual(problem, stopping_.scale(), LaneLook::exact));
     return swept.largest;
   });
   if (!is_current) lanes_.write_back(problem);
   if (settings_.tolerance > 0 && !report.converged)
-    report.residual = static_cast<double>(lanes_.residual(problem, stopping_.scale()));
+    report.residual = static_cast<double>(lanes_.residual(problem, stopping_.scale(), LaneLook::exact));
   return report;
 }
 
