@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "constraints/converted.hpp"
 #include "scenes/solver_list.hpp"
 #include "solvers/residual.hpp"
 

@@ -58,7 +58,8 @@ std::string including_from_a_room(const std::string& file, const std::string& ta
   if (to == floor_of_room.end()) return "there is no room " + other + " on the floors of src";
   if (room == other) return room == "solvers" ? including_within_solvers(file, target) : "";
   const std::set<std::string> of_a_step = {"constraints/row.hpp", "constraints/row_rule.hpp",
-                                           "constraints/contact.hpp", "constraints/contact_rows.hpp"};
+                                           "constraints/converted.hpp", "constraints/contact.hpp",
+                                           "constraints/contact_rows.hpp"};
   if (room == "solvers" && other == "constraints" && !of_a_step.contains(target)) {
     return "solvers see rows and contacts only: constraints/row.hpp, row_rule.hpp, contact.hpp, "
            "contact_rows.hpp";

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "constraints/converted.hpp"
 #include "cost.hpp"
 #include "math/list.hpp"
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "constraints/converted.hpp"
 #include "validation/column.hpp"
 
 namespace cairn::cost {

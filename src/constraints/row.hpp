@@ -191,40 +191,6 @@ struct VelocityProblem {
   int rows_in(int count) const { return count == 0 ? 0 : blocks[count - 1].first + blocks[count - 1].count; }
 };
 
-/// The same problem in another precision, by its rows alone.
-template <Scalar To, Scalar From>
-VelocityProblem<To> converted(const VelocityProblem<From>& problem) {
-  const auto as_to = [](From x) { return static_cast<To>(x); };
-  VelocityProblem<To> result;
-  for (const ConstraintRow<From>& row : problem.rows) {
-    const Bounds<From>& bounds = row.bounds;
-    result.rows.push_back({.a = row.a,
-                           .b = row.b,
-                           .jacobian_a = row.jacobian_a.template cast<To>(),
-                           .jacobian_b = row.jacobian_b.template cast<To>(),
-                           .bias = as_to(row.bias),
-                           .softness = as_to(row.softness),
-                           .bounds = {.lower = as_to(bounds.lower),
-                                      .upper = as_to(bounds.upper),
-                                      .friction = as_to(bounds.friction),
-                                      .disc = as_to(bounds.disc),
-                                      .normal_row = bounds.normal_row,
-                                      .second_normal_row = bounds.second_normal_row},
-                           .key = row.key,
-                           .first_extra = row.first_extra,
-                           .extra_count = row.extra_count});
-  }
-  result.blocks = problem.blocks;
-  for (const RowTerm<From>& term : problem.extra_terms) {
-    result.extra_terms.push_back({term.body, term.jacobian.template cast<To>()});
-  }
-  for (const Vec3<From>& v : problem.inverse_mass) result.inverse_mass.push_back(v.template cast<To>());
-  for (const Vec3<From>& v : problem.velocity) result.velocity.push_back(v.template cast<To>());
-  for (const From impulse : problem.impulse) result.impulse.push_back(as_to(impulse));
-  result.dt = as_to(problem.dt);
-  return result;
-}
-
 /// Calls visit(BodyId, jacobian) for every body of a row beyond its two.
 template <Scalar Real, typename Row, typename Visit>
 void for_each_extra_term(const VelocityProblem<Real>& problem, const Row& row, const Visit& visit) {

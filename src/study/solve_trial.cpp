@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "constraints/converted.hpp"
 #include "measure/fingerprint.hpp"
 #include "scenes/solver_list.hpp"
 #include "study/trial.hpp"

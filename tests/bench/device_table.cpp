@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 
+#include "constraints/converted.hpp"
 #include "math/list.hpp"
 #include "measure.hpp"
 #include "scenes.hpp"

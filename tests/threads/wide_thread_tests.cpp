@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "constraints/converted.hpp"
 #include "solvers/wide/lane_grid.hpp"
 #include "math/list.hpp"
 #include "world/world.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "constraints/converted.hpp"
 #include "math/deadline.hpp"
 #include "solvers/exact/dictionary.hpp"
 #include "solvers/exact/impulse_family.hpp"

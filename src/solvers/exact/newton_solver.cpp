@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "constraints/converted.hpp"
 #include "math/deadline.hpp"
 #include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "constraints/converted.hpp"
 #include "math/check.hpp"
 #include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
 #include "solvers/exact/contact_modes.hpp"

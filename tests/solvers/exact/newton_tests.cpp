@@ -2,6 +2,7 @@
 #include <limits>
 #include <random>
 
+#include "constraints/converted.hpp"
 #include "../../validation/problems.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "geometry/shape.hpp"

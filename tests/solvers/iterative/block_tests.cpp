@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <limits>
 
+#include "constraints/converted.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
 #include "measure/energy.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "constraints/converted.hpp"
 #include "../solver_list.hpp"
 #include "lane_grid.hpp"
 #include "math/list.hpp"

@@ -1,4 +1,5 @@
 // Sequential impulses in lanes: the numbers of SequentialImpulse in the same order, whatever the registers.
+#include "constraints/converted.hpp"
 #include "solvers/wide/wide_sequential_impulse.hpp"
 
 #include <doctest/doctest.h>
