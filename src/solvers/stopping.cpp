@@ -11,13 +11,13 @@ namespace cairn {
 
 template <Scalar Real>
 void Stopping<Real>::begin(const SolverSettings& settings, const VelocityProblem<Real>& problem,
-                           Looks looks) {
+                           Judging how) {
   settings_ = settings;
-  looks_ = looks;
+  how_ = how;
   look_below_ = std::numeric_limits<Real>::infinity();
   if (settings.time_budget > 0) began_ = std::chrono::steady_clock::now();
   const bool measures = settings.tolerance > 0 || settings.patience > 0;
-  scale_ = measures && looks == Looks::always ? residual_scale(problem) : Real(0);
+  scale_ = measures && how.looks == Looks::always ? residual_scale(problem) : Real(0);
   next_look_ = 0;
   quiet_sweeps_ = 0;
   moved_ = false;
@@ -50,8 +50,8 @@ Stop Stopping<Real>::judge(const VelocityProblem<Real>& problem, int sweep, Real
 
 template <Scalar Real>
 bool Stopping<Real>::has_arrived(const VelocityProblem<Real>& problem, int sweep) {
-  if (looks_ == Looks::rarely && !looks_now_) return false;
-  if (looks_ == Looks::always) energy_ = residual(problem, scale_).energy;
+  if (how_.looks == Looks::rarely && !looks_now_) return false;
+  if (how_.looks == Looks::always) energy_ = residual(problem, scale_).energy;
   // A quarter more: the two do not shrink quite alike.
   look_below_ = Real(1.25) * size_ * Real(settings_.tolerance) / energy_;
   next_look_ = sweep + 3 + sweep / 16;  // to look takes as long as two or three sweeps in lanes
@@ -72,7 +72,7 @@ bool Stopping<Real>::is_plateau(const VelocityProblem<Real>& problem, int sweep,
 
 template <Scalar Real>
 bool Stopping<Real>::repeats(const VelocityProblem<Real>& problem, int sweep) {
-  if (settings_.order == RowOrder::shuffled) return false;
+  if (!how_.seeks_cycles || settings_.order == RowOrder::shuffled) return false;
   // An upward and a downward sweep may lead to the same impulses, and from there to different ones.
   const bool same_direction =
       settings_.order != RowOrder::alternating || (sweep - remembered_sweep_) % 2 == 0;

@@ -15,6 +15,12 @@ enum class Looks {
            // enough. The solver computes it, for it may have no rows, and its scale
 };
 
+/// How a solver wants its sweeps to be judged.
+struct Judging {
+  Looks looks = Looks::always;  // at R_E
+  bool seeks_cycles = true;     // false where impulses are not all that the next sweep depends on
+};
+
 /// Judges every sweep of one solve by the solver's settings:
 /// - tolerance: the residual R_E is at most this. O(m) a sweep; with Looks::rarely, a few times in a solve:
 ///   R_E goes with the size of a sweep's steps. What it was, seen last, says at which size it is computed
@@ -37,8 +43,7 @@ template <Scalar Real>
 class Stopping {
  public:
   /// Before the warm start is applied: the scale of R_E needs the velocities as given.
-  void begin(const SolverSettings& settings, const VelocityProblem<Real>& problem,
-             Looks looks = Looks::always);
+  void begin(const SolverSettings& settings, const VelocityProblem<Real>& problem, Judging how = {});
   /// With Looks::rarely, before the first sweep: what R_E is measured by [sqrt(J)].
   void take_scale(Real scale) { scale_ = scale; }
   /// With Looks::rarely, after a sweep for which looks() says so: R_E, or something near it.
@@ -81,7 +86,7 @@ class Stopping {
       report.stop = judge(problem, number, change);
     }
     report.converged = report.stop == Stop::tolerance;
-    const bool has_looked = looks_ == Looks::always || looks_now_;
+    const bool has_looked = how_.looks == Looks::always || looks_now_;
     if (settings_.tolerance > 0 && has_looked && report.iterations > 0)
       report.residual = static_cast<double>(energy_);
     return report;
@@ -124,7 +129,7 @@ class Stopping {
   std::chrono::steady_clock::time_point began_ = {};  // where there is a time budget
   Real scale_ = 0;                                    // of R_E
   Real energy_ = 0;                                   // R_E, when last looked at
-  Looks looks_ = Looks::always;                       // at R_E
+  Judging how_ = {};                                  // it is to judge
   Real size_ = 0;                                     // [sqrt(J)] of the steps of the last sweep
   Real look_below_ = 0;                               // [sqrt(J)] the size for which R_E is computed
   int next_look_ = 0;                                 // no sweep before it

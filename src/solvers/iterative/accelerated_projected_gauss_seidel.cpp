@@ -13,12 +13,6 @@ Real row_error(const ConstraintRow<Real>& row, Real jv, Real impulse) {
   return row.bias - jv - row.softness * impulse;
 }
 
-/// Momentum is part of the state: impulses that repeat are no cycle, so that none must be sought.
-SolverSettings settings_for_stopping(SolverSettings settings) {
-  settings.order = RowOrder::shuffled;  // where Stopping seeks none
-  return settings;
-}
-
 }  // namespace
 
 template <Scalar Real>
@@ -31,7 +25,8 @@ template <Scalar Real>
 SolveReport AcceleratedProjectedGaussSeidel<Real>::solve(VelocityProblem<Real>& problem,
                                                          SolveObserver<Real>* observer) {
   if (observer != nullptr) observer->before_solve(problem);
-  stopping_.begin(settings_for_stopping(settings_), problem);
+  // Momentum is part of the state: impulses that repeat are no cycle.
+  stopping_.begin(settings_, problem, {.seeks_cycles = false});
   prepare(problem);
 
   return stopping_.repeat(problem, observer, [&](int number, SolveObserver<Real>* watcher) {

@@ -5,31 +5,20 @@
 
 namespace cairn {
 
-namespace {
-
-/// Whatever order was asked for: without momentum, sweeps may repeat themselves. With it, impulses that
-/// repeat are no cycle, for momentum is part of the state.
-SolverSettings settings_for_lanes(SolverSettings settings, Momentum momentum) {
-  settings.order = momentum == Momentum::none ? RowOrder::coloured : RowOrder::shuffled;
-  return settings;
-}
-
-}  // namespace
-
 template <Scalar Real>
 WideSequentialImpulse<Real>::WideSequentialImpulse(const SolverSettings& settings, Momentum momentum,
                                                    LaneSet set)
-    : settings_(settings_for_lanes(settings, momentum)),
-      momentum_(momentum),
-      lanes_(set, Real(settings.relaxation), settings.threads) {
+    : settings_(settings), momentum_(momentum), lanes_(set, Real(settings.relaxation), settings.threads) {
   check(settings, "WideSequentialImpulse");
+  settings_.order = RowOrder::coloured;  // whatever was asked for
 }
 
 template <Scalar Real>
 SolveReport WideSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
                                                SolveObserver<Real>* observer) {
   if (observer != nullptr) observer->before_solve(problem);
-  stopping_.begin(settings_, problem, Looks::rarely);
+  // Momentum is part of the state: impulses that repeat are no cycle.
+  stopping_.begin(settings_, problem, {.looks = Looks::rarely, .seeks_cycles = momentum_ == Momentum::none});
   lanes_.begin(problem);  // warm start: impulses of last step act before the first sweep
   restarts_ = 0;
   if (settings_.iterations == 1 && !(settings_.tolerance > 0)) {
