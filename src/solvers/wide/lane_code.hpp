@@ -18,7 +18,7 @@ void pass_over(LaneProblem<Number>& problem, LanePass pass, int first, int last)
 
 template <int bytes, typename Real>
 LaneCode<Real> code_in_registers_of() {
-  using Number = LaneNumber<Real>;
+  using Number = LaneNumber;
   return {.pass = pass_over<bytes, Number>,
           .fill = fill_lanes<Real, Number>,
           .measure_contacts = measure_contacts<Real>,

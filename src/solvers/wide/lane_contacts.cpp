@@ -165,6 +165,5 @@ void LaneContacts<Real>::give(const LaneBatches& batches, VelocityProblem<Real>&
 
 template class LaneContacts<float>;
 template class LaneContacts<double>;
-template class LaneContacts<long double>;
 
 }  // namespace cairn

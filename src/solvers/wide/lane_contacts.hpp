@@ -14,7 +14,7 @@ template <Scalar Real>
 class LaneContacts {
  public:
   /// What lanes compute in.
-  using Number = LaneNumber<Real>;
+  using Number = LaneNumber;
 
   /// Makes room for these batches; each body has its root of the inverse mass in `root`.
   void arrange(const LaneBatches& batches, const VelocityProblem<Real>& problem,

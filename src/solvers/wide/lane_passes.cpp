@@ -252,6 +252,5 @@ Real LaneSystem<Real>::residual(VelocityProblem<Real>& problem, Real scale, Lane
 
 template class LaneSystem<float>;
 template class LaneSystem<double>;
-template class LaneSystem<long double>;
 
 }  // namespace cairn

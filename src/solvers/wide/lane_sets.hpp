@@ -1,9 +1,6 @@
 // Floor 4. The instruction sets that lanes are compiled for.
 #pragma once
 
-#include <concepts>
-#include <type_traits>
-
 #include "solvers/wide/lane_contact_data.hpp"
 #include "solvers/wide/lane_data.hpp"
 
@@ -21,15 +18,14 @@ bool has(LaneSet set);
 /// The widest set that there is.
 LaneSet widest_lane_set();
 
-/// What the lanes of a problem compute in.
-template <typename Real>
-using LaneNumber = std::conditional_t<std::same_as<Real, long double>, double, float>;
+/// What lanes compute in.
+using LaneNumber = float;
 
 /// The code of one set.
 template <typename Real>
 struct LaneCode {
   /// Of the lanes.
-  using Number = LaneNumber<Real>;
+  using Number = LaneNumber;
   /// A pass over batches `first` to `last` - 1.
   void (*pass)(LaneProblem<Number>& problem, LanePass pass, int first, int last) = nullptr;
   /// Fills the rows of one batch, and the couplings between them.
@@ -58,7 +54,7 @@ struct LaneCode {
                          const LaneBody<Real>* bodies, LaneEnergy kind, Real* squares) = nullptr;
 };
 
-/// That of a set that has() knows; for long double there is the baseline only.
+/// That of a set that has() knows.
 template <typename Real>
 LaneCode<Real> lane_code(LaneSet set);
 

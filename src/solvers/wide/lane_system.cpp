@@ -254,6 +254,5 @@ std::size_t LaneSystem<Real>::bytes() const {
 
 template class LaneSystem<float>;
 template class LaneSystem<double>;
-template class LaneSystem<long double>;
 
 }  // namespace cairn

@@ -28,15 +28,15 @@ struct LaneSteps {
 /// How to look at an answer.
 enum class LaneLook { rough, exact };
 
-/// The rows of a problem in lanes, and those that fit into none. Lanes compute in single precision, those of
-/// a problem in long double in double; but all that they hold are changes since the problem was taken over,
+/// The rows of a problem in lanes, and those that fit into none. Lanes compute in single precision; but
+/// all that they hold are changes since the problem was taken over,
 /// whose numbers stay in its own precision. So what is lost is a part of a change, and taking over the
 /// problem again, with these changes in it, loses nothing but a part of the next ones.
 template <Scalar Real>
 class LaneSystem {
  public:
   /// What lanes compute in.
-  using Number = LaneNumber<Real>;
+  using Number = LaneNumber;
   /// Batches of one colour: fewer are sooner done by one thread. Sharing takes 0.6 us, and a microsecond more
   /// goes by while threads pass on bodies; 57 batches took one thread 6.5 us, and two 6.
   static constexpr int fewest_to_share = 48;

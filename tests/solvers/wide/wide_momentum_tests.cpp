@@ -42,7 +42,7 @@ class UndoneSweeps final : public SolveObserver<double> {
 
 TEST_CASE_TEMPLATE(
     "momentum in lanes is that of accelerated PGS in the same order, to a rounding of a change", Real, float,
-    double, long double) {
+    double) {
   using Number = typename LaneSystem<Real>::Number;
   for (const double relaxation : {1.0, 1.3}) {
     const auto start = converted<Real>(lane_grid_with_oddities(4));

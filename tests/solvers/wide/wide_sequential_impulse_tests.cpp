@@ -29,7 +29,7 @@ List<LaneSet> lane_sets_here() {
 }  // namespace
 
 TEST_CASE_TEMPLATE("lanes sweep as sequential impulses do in the same order, to a rounding of a change", Real,
-                   float, double, long double) {
+                   float, double) {
   using Number = typename LaneSystem<Real>::Number;
   for (const double relaxation : {1.0, 1.3}) {
     const auto start = converted<Real>(lane_grid_with_oddities(4));
@@ -57,8 +57,7 @@ TEST_CASE_TEMPLATE("lanes sweep as sequential impulses do in the same order, to 
   }
 }
 
-TEST_CASE_TEMPLATE("all instruction sets that this processor has give the same bits", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("all instruction sets that this processor has give the same bits", Real, float, double) {
   const auto start = converted<Real>(lane_grid_with_oddities(4));
   for (const Momentum momentum : both_momenta) {
     for (const int sweeps : {1, 7, 400}) {
@@ -82,8 +81,7 @@ TEST_CASE("an instruction set that the processor lacks is refused") {
   CHECK(has(widest_lane_set()));
 }
 
-TEST_CASE_TEMPLATE("lanes in single precision lead to an answer in the problem's own", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("lanes in single precision lead to an answer in the problem's own", Real, float, double) {
   const auto start = converted<Real>(lane_grid(10, 2));
   const Real scale = residual_scale(start), epsilon = std::numeric_limits<Real>::epsilon();
   const SolverSettings settings = {.iterations = 20000, .tolerance = static_cast<double>(1000 * epsilon)};
