@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "extremes/extreme_axes.hpp"
+#include "math/check.hpp"
 #include "math/list.hpp"
 
 namespace cairn {

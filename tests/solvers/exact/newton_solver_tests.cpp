@@ -268,7 +268,7 @@ TEST_CASE("beyond a proximal step lies the pull of a straight rope, which hardly
   rows.soften(1e-3);  // both rows together have 2 slope^2, 500 times less
   Vector<double> du = Vector<double>::Zero(rows.freedoms());
   for (int step = 0; step < 2; ++step) {
-    SlopeFactors<double> factors;
+    SlopeFactors factors;
     factors.begin();
     rows.evaluate(du);
     factors.factorize(rows, rows);

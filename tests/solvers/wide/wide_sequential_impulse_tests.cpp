@@ -30,7 +30,6 @@ List<LaneSet> lane_sets_here() {
 
 TEST_CASE_TEMPLATE("lanes sweep as sequential impulses do in the same order, to a rounding of a change", Real,
                    float, double) {
-  using Number = typename LaneSystem<Real>::Number;
   for (const double relaxation : {1.0, 1.3}) {
     const auto start = converted<Real>(lane_grid_with_oddities(4));
     OrderWatcher<Real> watcher;
@@ -46,7 +45,7 @@ TEST_CASE_TEMPLATE("lanes sweep as sequential impulses do in the same order, to 
       // A single sweep is not made in lanes' precision. Of more: impulses and velocities are a few units at
       // most; every update rounds about 20 times, and what it gets wrong goes on to its neighbours, of which
       // there are fewer than 16.
-      const Real epsilon = static_cast<Real>(std::numeric_limits<Number>::epsilon());
+      const Real epsilon = static_cast<Real>(std::numeric_limits<float>::epsilon());
       const Real tolerance = sweeps == 1 ? Real(0) : Real(16 * 20 * sweeps) * epsilon;
       for (int k = 0; k < watcher.rows.size(); ++k) {
         CHECK(std::abs(wide.impulse[watcher.rows[k]] - plain.impulse[k]) <= tolerance);
